@@ -1,0 +1,56 @@
+# SPDX-License-Identifier: Apache-2.0
+# Finds every dependency and names the Debian package of a missing one.
+
+macro(regulus_missing what package)
+  message(FATAL_ERROR "${what} was not found. On Debian: apt-get install ${package}. "
+                      "(`make dependencies` installs everything in cmake/packages-debian.txt.)")
+endmacro()
+
+# regulus_pkg(TARGET MODULE PACKAGE): an imported target from a pkg-config module.
+function(regulus_pkg target module package)
+  find_package(PkgConfig QUIET)
+  if(NOT PkgConfig_FOUND)
+    regulus_missing("pkg-config" pkg-config)
+  endif()
+  pkg_check_modules(${target} QUIET IMPORTED_TARGET GLOBAL ${module})
+  if(NOT ${target}_FOUND)
+    regulus_missing("${module}" ${package})
+  endif()
+  add_library(${target} INTERFACE IMPORTED GLOBAL)
+  target_link_libraries(${target} INTERFACE PkgConfig::${target})
+endfunction()
+
+regulus_pkg(regulus_ginac ginac libginac-dev)
+regulus_pkg(regulus_cln cln libcln-dev)
+regulus_pkg(regulus_mpfr mpfr libmpfr-dev)
+regulus_pkg(regulus_tomlplusplus tomlplusplus libtomlplusplus-dev)
+
+find_package(CLI11 QUIET)
+if(NOT CLI11_FOUND)
+  regulus_missing(CLI11 libcli11-dev)
+endif()
+find_package(fmt QUIET)
+if(NOT fmt_FOUND)
+  regulus_missing(fmt libfmt-dev)
+endif()
+find_package(nlohmann_json QUIET)
+if(NOT nlohmann_json_FOUND)
+  regulus_missing("nlohmann-json" nlohmann-json3-dev)
+endif()
+
+# Arb became part of FLINT with FLINT 3; before, it is a library of its own (named flint-arb on Debian).
+find_path(ARB_INCLUDE_DIR arb.h PATH_SUFFIXES flint)
+if(NOT ARB_INCLUDE_DIR)
+  regulus_missing("Arb (arb.h)" "libflint-arb-dev libflint-dev")
+endif()
+find_library(FLINT_LIBRARY flint)
+if(NOT FLINT_LIBRARY)
+  regulus_missing("FLINT" libflint-dev)
+endif()
+find_library(ARB_LIBRARY NAMES flint-arb arb)
+add_library(regulus_arb INTERFACE IMPORTED GLOBAL)
+target_include_directories(regulus_arb SYSTEM INTERFACE ${ARB_INCLUDE_DIR})
+if(ARB_LIBRARY)
+  target_link_libraries(regulus_arb INTERFACE ${ARB_LIBRARY})
+endif()
+target_link_libraries(regulus_arb INTERFACE ${FLINT_LIBRARY})

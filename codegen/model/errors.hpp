@@ -1,0 +1,45 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Exceptions cross the boundaries only: a verdict is a value, never thrown.
+#pragma once
+
+#include <stdexcept>
+#include <string>
+
+namespace regulus::codegen {
+
+/// Bad input: a model file, an option, a C++ model. what() is "file:line: found, expected".
+class InputError : public std::runtime_error {
+ public:
+  /// line 0 = not known or not a file. `symbol` is the name at fault, empty if none.
+  InputError(const std::string& file, int line, const std::string& found,
+             const std::string& expected, const std::string& symbol = {})
+      : std::runtime_error((file.empty() ? std::string()
+                                         : file + (line > 0 ? ":" + std::to_string(line) : "") + ": ") +
+                           "found " + found + ", expected " + expected),
+        file_(file),
+        line_(line),
+        symbol_(symbol) {}
+
+  [[nodiscard]] const std::string& file() const noexcept { return file_; }
+  [[nodiscard]] int line() const noexcept { return line_; }
+  [[nodiscard]] const std::string& symbol() const noexcept { return symbol_; }
+
+ private:
+  std::string file_;
+  int line_;
+  std::string symbol_;
+};
+
+/// A file that cannot be read or written (exit 74).
+class FileError : public std::runtime_error {
+ public:
+  using std::runtime_error::runtime_error;
+};
+
+/// A fault of ours (exit 70).
+class InternalError : public std::logic_error {
+ public:
+  using std::logic_error::logic_error;
+};
+
+}  // namespace regulus::codegen

@@ -1,0 +1,74 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What a robot is: its pose parameters, its geometry, its inverse Jacobian and its motions, as GiNaC
+// expressions with exact numbers. Filled from a model file (model_file.hpp) or by C++ code.
+#pragma once
+
+#include <ginac/ginac.h>
+
+#include <cstddef>
+#include <string>
+#include <vector>
+
+namespace regulus::codegen {
+
+/// A range with exact ends: rationals, or constant expressions such as 15*Pi/180. lo ≤ hi.
+struct Range {
+  GiNaC::ex lo;
+  GiNaC::ex hi;
+};
+
+struct PoseParameter {
+  GiNaC::symbol symbol;
+  std::string name;
+  std::string unit;  ///< a label; "1" = none
+};
+
+/// One scalar constant of the robot: value ± tolerance. tolerance 0 = exact.
+struct GeometryParameter {
+  GiNaC::symbol symbol;
+  std::string name;
+  GiNaC::ex value;
+  GiNaC::ex tolerance = 0;
+  std::string group;  ///< what --tolerance GROUP=E sets; empty = none
+  int ball = -1;      ///< index into Model::balls when its point varies in a ball, otherwise −1
+};
+
+/// A point of the geometry that lies within `radius` of its nominal position.
+struct Ball {
+  std::vector<std::size_t> members;  ///< indices into Model::geometry, the point's coordinates
+  GiNaC::ex radius = 0;
+  std::string group;
+};
+
+/// A motion parameter t_j. In a box variety it is the pose parameter itself (same symbol).
+struct MotionParameter {
+  GiNaC::symbol symbol;
+  std::string name;
+  std::string unit;
+  Range range;
+};
+
+/// A motion variety: pose = f(t_1 … t_m), t in a box, H_j(t) ≤ 0.
+struct Motion {
+  std::string name;
+  std::vector<MotionParameter> parameters;
+  std::vector<GiNaC::ex> pose;         ///< in the order of Model::pose
+  std::vector<GiNaC::ex> error;        ///< control error ±, in the order of Model::pose; 0 = none
+  std::vector<GiNaC::ex> constraints;  ///< each ≤ 0; in the motion parameters and the pose parameters
+  GiNaC::ex alpha = 0;
+};
+
+struct Model {
+  std::string name;
+  std::string source;
+  std::string path;         ///< of the file it came from; empty when built in C++
+  std::string sha256;       ///< of the file's bytes, lower-case hexadecimal
+  std::vector<PoseParameter> pose;
+  std::vector<GeometryParameter> geometry;
+  std::vector<Ball> balls;
+  GiNaC::matrix matrix;              ///< m×n, m ≥ n, in the pose and geometry symbols
+  std::vector<GiNaC::ex> row_scale;  ///< empty, or m positive factors: J⁻¹ row = row_scale · row
+  std::vector<Motion> motions;
+};
+
+}  // namespace regulus::codegen
