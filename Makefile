@@ -1,0 +1,40 @@
+# SPDX-License-Identifier: Apache-2.0
+# Short names for the usual work; everything is in CMake. `make help` lists them.
+.PHONY: help demo build test test-all asan ubsan clang dependencies format clean
+.DEFAULT_GOAL := help
+
+help:           ## this list
+	@sed -n 's/^\([a-z-]*\):[^#]*## /\1\t/p' Makefile | expand -t 16
+
+demo: build     ## install what is missing, build, certify two robots
+	build/bin/regulus check models/robot_1.toml wide_15
+	build/bin/regulus check models/robot_2.toml table5_30
+
+build: dependencies  ## the command, at build/bin/regulus
+	@cmake --preset release -DREGULUS_TESTS=OFF >build-configure.log 2>&1 || { cat build-configure.log; rm -f build-configure.log; exit 1; }
+	@rm -f build-configure.log
+	@cmake --build --preset release
+
+test: dependencies   ## the fast tests
+	cmake --preset release -DREGULUS_TESTS=ON
+	cmake --build --preset release
+	ctest --preset release
+
+test-all: dependencies  ## every test, the slow ones too
+	cmake --preset release -DREGULUS_TESTS=ON
+	cmake --build --preset release
+	ctest --preset all
+
+asan ubsan clang: dependencies  ## the fast tests under that preset
+	cmake --preset $@
+	cmake --build --preset $@
+	ctest --preset $@
+
+dependencies:   ## install the packages that are missing (Debian)
+	@cmake/install-dependencies.sh
+
+format:         ## clang-format every source file
+	git ls-files '*.cpp' '*.hpp' '*.h' | xargs clang-format -i
+
+clean:          ## remove every build folder
+	rm -rf build build-dev build-clang build-asan build-ubsan

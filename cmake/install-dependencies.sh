@@ -1,0 +1,35 @@
+#!/bin/sh
+# SPDX-License-Identifier: Apache-2.0
+# Installs what cmake/packages-debian.txt names and the machine lacks. Elsewhere than on Debian and
+# its kin it prints the list and stops.
+set -eu
+here=$(dirname "$0")
+packages=$(sed -e 's/#.*//' -e '/^[[:space:]]*$/d' "$here/packages-debian.txt" | tr '\n' ' ')
+
+if ! command -v dpkg-query >/dev/null 2>&1; then
+  echo "This is not a Debian system. Install the equivalents of these Debian packages, then run make again:"
+  echo "  $packages"
+  command -v cmake >/dev/null 2>&1 && exit 0   # try the build: CMake names what is missing
+  exit 1
+fi
+
+missing=
+for package in $packages; do
+  dpkg-query -W -f '${db:Status-Status}' "$package" 2>/dev/null | grep -qx installed ||
+    missing="$missing $package"
+done
+[ -n "$missing" ] || exit 0
+
+root=
+if [ "$(id -u)" -ne 0 ]; then
+  command -v sudo >/dev/null 2>&1 || {
+    echo "These packages are missing and installing them needs root: apt-get install$missing" >&2
+    exit 1
+  }
+  root=sudo
+  echo "Installing needs root; sudo may ask for your password."
+fi
+echo "Installing:$missing"
+export DEBIAN_FRONTEND=noninteractive
+$root apt-get update -qq
+$root apt-get install -y -qq --no-install-recommends $missing >/dev/null
