@@ -12,9 +12,9 @@ namespace regulus::codegen {
 /// One function of a kernel. `name` is its field in regulus_kernel (regulus/kernel/abi.hpp).
 struct Function {
   std::string name;
-  std::string title;     ///< one line for readers, e.g. "K·M, §III-B1 form 2, greedy Horner"
+  std::string title;  ///< one line for readers, e.g. "K·M, §III-B1 form 2, greedy Horner"
   Program program;
-  int rows = 1;          ///< shape of the outputs, row-major
+  int rows = 1;  ///< shape of the outputs, row-major
   int columns = 1;
   std::vector<std::string> output_comments;  ///< per output, or empty: occurrences, form
 };

@@ -16,28 +16,34 @@ namespace regulus::codegen {
 enum class Op : std::uint8_t {
   kConstant,  // an exact rational
   kPi,
-  kInput,     // variable number `index`, an interval
-  kPoint,     // entry number `index` of K, an exact double
+  kInput,  // variable number `index`, an interval
+  kPoint,  // entry number `index` of K, an exact double
   kNegate,
   kAdd,
   kSubtract,
   kMultiply,
-  kDivide,    // undefined where b = 0
-  kPower,     // a^index, index ≥ 2; negative powers are 1/a^n
-  kSqrt,      // undefined where a < 0
+  kDivide,  // undefined where b = 0
+  kPower,   // a^index, index ≥ 2; negative powers are 1/a^n; a·a is a^2
+  kSqrt,    // undefined where a < 0
   kSin,
   kCos,
-  kTan,       // undefined where cos a = 0
-  kAsin,      // undefined where |a| > 1
+  kTan,   // undefined where cos a = 0
+  kAsin,  // undefined where |a| > 1
   kAcos,
   kAtan,
-  kAtan2,     // atan2(a, b), a = ordinate; undefined where a = 0 and b ≤ 0
+  kAtan2,  // atan2(a, b), a = ordinate; undefined where a = 0 and b ≤ 0
   kExp,
-  kLog,       // undefined where a ≤ 0
+  kLog,  // undefined where a ≤ 0
   kAbs,
 };
 
 using NodeId = std::uint32_t;
+
+/// How many of Node::a and Node::b the operation reads.
+[[nodiscard]] int operand_count(Op op) noexcept;
+
+/// The operation's name in texts: "constant", "add", "sqrt", "atan2" …
+[[nodiscard]] const char* op_name(Op op) noexcept;
 
 struct Node {
   Op op;
@@ -56,9 +62,13 @@ struct Program {
 };
 
 /// Builds a Program with common sub-expressions shared. Sums and products of two operands are
-/// stored in the order they are given: the caller decides on a canonical order. Trivial identities
-/// (x + 0, 1·x, 0·x, −(−x), operations on two rational constants) are folded exactly; 0·x keeps x
-/// when x can be undefined.
+/// stored in the order they are given: the caller decides on a canonical order (a·b after b·a is
+/// b·a again). Trivial identities (x + 0, 1·x, 0·x, −(−x), x·x = x², operations on rational
+/// constants) are folded exactly and never lose a condition of definedness: 0·x keeps x when x can
+/// be undefined, and x/x stays.
+///
+/// Requires  every NodeId comes from this builder; indices name a declared input or point.
+///           std::out_of_range otherwise.
 class ProgramBuilder {
  public:
   ProgramBuilder(std::vector<std::string> inputs, std::vector<std::string> points);
@@ -82,11 +92,29 @@ class ProgramBuilder {
   [[nodiscard]] Program finish() &&;
 
  private:
+  struct ValueOrder {
+    bool operator()(const cln::cl_RA& x, const cln::cl_RA& y) const {
+      return cln::compare(x, y) < 0;
+    }
+  };
+
   NodeId intern(Node node);
+  void require(NodeId id) const;
+  [[nodiscard]] const Node& at(NodeId id) const { return program_.nodes.at(id); }
+  [[nodiscard]] bool is_constant(NodeId id) const { return at(id).op == Op::kConstant; }
+  [[nodiscard]] bool is_negation(NodeId id) const { return at(id).op == Op::kNegate; }
+  [[nodiscard]] const cln::cl_RA& value(NodeId id) const {
+    return program_.constants[at(id).index];
+  }
+  [[nodiscard]] bool is_zero(NodeId id) const;
+  [[nodiscard]] bool is_total(const Node& node) const;
+  NodeId scale(const cln::cl_RA& factor, NodeId a);
+  NodeId zero_where_defined(NodeId a);
 
   Program program_;
+  std::vector<bool> total_;  ///< per node: certainly defined for every value of inputs and points
   std::map<std::tuple<Op, NodeId, NodeId, std::uint32_t>, NodeId> known_;
-  std::map<std::string, std::uint32_t> constant_index_;
+  std::map<cln::cl_RA, std::uint32_t, ValueOrder> constant_index_;
 };
 
 }  // namespace regulus::codegen
