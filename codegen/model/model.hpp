@@ -1,6 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // What a robot is: its pose parameters, its geometry, its inverse Jacobian and its motions, as GiNaC
 // expressions with exact numbers. Filled from a model file (model_file.hpp) or by C++ code.
+//
+// Symbols are real: for a complex one GiNaC turns abs(x)^2 into x*conjugate(x).
+//
+// GiNaC simplifies on construction (x/x becomes 1, sqrt(x)^2 becomes x, 0*log(x) becomes 0), so an
+// expression here may be defined where the one that was written is not. What the simplification
+// could hide is kept in `must_be_defined`: a pose is undefined, and never safe, unless every
+// expression of that list is defined there. An entry's value has no meaning.
 #pragma once
 
 #include <ginac/ginac.h>
@@ -18,17 +25,17 @@ struct Range {
 };
 
 struct PoseParameter {
-  GiNaC::symbol symbol;
+  GiNaC::realsymbol symbol;
   std::string name;
   std::string unit;  ///< a label; "1" = none
 };
 
 /// One scalar constant of the robot: value ± tolerance. tolerance 0 = exact.
 struct GeometryParameter {
-  GiNaC::symbol symbol;
+  GiNaC::realsymbol symbol;
   std::string name;
   GiNaC::ex value;
-  GiNaC::ex tolerance = 0;
+  GiNaC::ex tolerance = 0;  ///< for a member of a ball: the ball's radius
   std::string group;  ///< what --tolerance GROUP=E sets; empty = none
   int ball = -1;      ///< index into Model::balls when its point varies in a ball, otherwise −1
 };
@@ -42,7 +49,7 @@ struct Ball {
 
 /// A motion parameter t_j. In a box variety it is the pose parameter itself (same symbol).
 struct MotionParameter {
-  GiNaC::symbol symbol;
+  GiNaC::realsymbol symbol;
   std::string name;
   std::string unit;
   Range range;
@@ -54,8 +61,9 @@ struct Motion {
   std::vector<MotionParameter> parameters;
   std::vector<GiNaC::ex> pose;         ///< in the order of Model::pose
   std::vector<GiNaC::ex> error;        ///< control error ±, in the order of Model::pose; 0 = none
-  std::vector<GiNaC::ex> constraints;  ///< each ≤ 0; in the motion parameters and the pose parameters
+  std::vector<GiNaC::ex> constraints;  ///< each ≤ 0; in the motion, pose and geometry symbols
   GiNaC::ex alpha = 0;
+  std::vector<GiNaC::ex> must_be_defined;  ///< of pose and constraints; in their symbols
 };
 
 struct Model {
@@ -68,6 +76,7 @@ struct Model {
   std::vector<Ball> balls;
   GiNaC::matrix matrix;              ///< m×n, m ≥ n, in the pose and geometry symbols
   std::vector<GiNaC::ex> row_scale;  ///< empty, or m positive factors: J⁻¹ row = row_scale · row
+  std::vector<GiNaC::ex> must_be_defined;  ///< of matrix and row_scale; log(s): s must be positive
   std::vector<Motion> motions;
 };
 
