@@ -1,0 +1,82 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "regulus/codegen/program/module_check.hpp"
+
+#include <set>
+#include <stdexcept>
+
+namespace regulus::codegen {
+namespace {
+
+[[noreturn]] void refuse(const Function& function, const std::string& reason) {
+  throw std::invalid_argument("function " + function.name + ": " + reason);
+}
+
+void require(bool condition, const Function& function, const char* reason) {
+  if (!condition) refuse(function, reason);
+}
+
+/// How many outputs the ABI gives the function; −1 for a name it does not know.
+long expected_outputs(const Module& module, const std::string& name) {
+  const long rows = module.rows;
+  const long columns = module.columns;
+  if (name == "matrix") return rows * columns;
+  if (name == "left_product") return columns * columns;
+  if (name == "left_derivatives")
+    return static_cast<long>(module.variables.size()) * columns * columns;
+  if (name == "right_product") return rows * rows;
+  if (name == "row_scale") return 1;
+  if (name == "constraint") return module.constraints;
+  if (name == "pose") return module.pose_parameters;
+  return -1;
+}
+
+void check_shape(const Module& module, const Function& function) {
+  const long expected = expected_outputs(module, function.name);
+  const auto found = static_cast<long>(function.program.outputs.size());
+  require(expected >= 0, function, "not a function of the kernel ABI");
+  require(function.name != "right_product" || module.rows == module.columns, function,
+          "needs a square matrix");
+  if (found != expected)
+    refuse(function,
+           "has " + std::to_string(found) + " outputs, expected " + std::to_string(expected));
+  const std::size_t points = function.program.points.size();
+  require(points == 0 || points == static_cast<std::size_t>(module.rows) * module.columns, function,
+          "must read all entries of K or none");
+  require(function.program.inputs == module.variables, function,
+          "must read the variables of its module");
+}
+
+void check_node(const Function& function, std::size_t i) {
+  const Program& program = function.program;
+  const Node& node = program.nodes[i];
+  const int operands = operand_count(node.op);
+  require(operands < 1 || node.a < i, function, "operand after its use");
+  require(operands < 2 || node.b < i, function, "operand after its use");
+  require(node.op != Op::kConstant || node.index < program.constants.size(), function,
+          "undeclared constant");
+  require(node.op != Op::kInput || node.index < program.inputs.size(), function,
+          "undeclared input");
+  require(node.op != Op::kPoint || node.index < program.points.size(), function,
+          "undeclared point");
+  require(node.op != Op::kPower || node.index >= 2, function, "exponent below 2");
+}
+
+}  // namespace
+
+void check_module(const Module& module) {
+  const auto variables = static_cast<int>(module.variables.size());
+  if (module.columns < 1 || module.rows < module.columns)
+    throw std::invalid_argument("the matrix must have at least as many rows as columns");
+  if (module.motion_variables < 0 || module.motion_variables > variables)
+    throw std::invalid_argument("more motion variables than variables");
+  std::set<std::string> names;
+  for (const Function& function : module.functions) {
+    require(names.insert(function.name).second, function, "given twice");
+    check_shape(module, function);
+    for (std::size_t i = 0; i < function.program.nodes.size(); ++i) check_node(function, i);
+    for (const NodeId output : function.program.outputs)
+      require(output < function.program.nodes.size(), function, "output is no node");
+  }
+}
+
+}  // namespace regulus::codegen

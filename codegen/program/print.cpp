@@ -1,0 +1,80 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "regulus/codegen/program/print.hpp"
+
+#include <cln/rational_io.h>
+
+#include <cstdint>
+#include <sstream>
+
+namespace regulus::codegen {
+namespace {
+
+__extension__ typedef unsigned __int128 UInt128;
+
+UInt128 fnv1a(const std::string& bytes) {
+  constexpr UInt128 kPrime = (UInt128{1} << 88) + 0x13b;
+  UInt128 hash = (UInt128{0x6c62272e07bb0142} << 64) + 0x62b821756295c58d;
+  for (const char byte : bytes) {
+    hash ^= static_cast<unsigned char>(byte);
+    hash *= kPrime;
+  }
+  return hash;
+}
+
+std::string hexadecimal(UInt128 value) {
+  std::string digits(32, '0');
+  for (auto digit = digits.rbegin(); digit != digits.rend(); ++digit, value >>= 4)
+    *digit = "0123456789abcdef"[static_cast<unsigned>(value & 15U)];
+  return digits;
+}
+
+// The length in front keeps two lists of names apart whatever the names contain.
+void print_names(std::ostream& text, const char* what, const std::vector<std::string>& names) {
+  text << what << ' ' << names.size();
+  for (const std::string& name : names) text << ' ' << name.size() << ':' << name;
+  text << '\n';
+}
+
+void print_leaf(std::ostream& text, const Program& program, const Node& node) {
+  if (node.op == Op::kConstant)
+    text << ' ' << program.constants[node.index];
+  else if (node.op != Op::kPi)
+    text << ' ' << node.index;
+}
+
+}  // namespace
+
+std::string to_text(const Program& program) {
+  std::ostringstream text;
+  print_names(text, "inputs", program.inputs);
+  print_names(text, "points", program.points);
+  for (std::size_t i = 0; i < program.nodes.size(); ++i) {
+    const Node& node = program.nodes[i];
+    const int operands = operand_count(node.op);
+    text << '%' << i << " = " << op_name(node.op);
+    if (operands == 0) print_leaf(text, program, node);
+    if (operands >= 1) text << " %" << node.a;
+    if (operands == 2) text << " %" << node.b;
+    if (node.op == Op::kPower) text << ' ' << node.index;
+    text << '\n';
+  }
+  text << "outputs";
+  for (const NodeId output : program.outputs) text << " %" << output;
+  text << '\n';
+  return text.str();
+}
+
+std::string to_text(const Module& module) {
+  std::ostringstream text;
+  print_names(text, "variables", module.variables);
+  text << "motion_variables " << module.motion_variables << "\nrows " << module.rows << "\ncolumns "
+       << module.columns << "\nconstraints " << module.constraints << "\npose_parameters "
+       << module.pose_parameters << '\n';
+  for (const Function& function : module.functions)
+    text << "function " << function.name << '\n' << to_text(function.program);
+  return text.str();
+}
+
+std::string identity(const Module& module) { return hexadecimal(fnv1a(to_text(module))); }
+
+}  // namespace regulus::codegen
