@@ -12,9 +12,11 @@ enum { REGULUS_ROUND_NEAREST = 0, REGULUS_ROUND_UPWARD = 1 };
 ///
 /// Shape     boxes[(2*v + s)*8 + lane]: bound s (0 lower, 1 upper) of variable v.
 ///           points[p*8 + lane]: exact doubles, the entries of K row-major. May be null if unused.
-///           out[(2*e + s)*8 + lane]: bound s of output e. All three 64-byte aligned, not overlapping.
-/// Requires  |boxes| ≤ 2^64, |points| ≤ 2^128, lower ≤ upper, no NaN; the rounding of the kernel set.
-/// Ensures   for each lane whose bit in the result is 0: every expression is defined at every point of
+///           out[(2*e + s)*8 + lane]: bound s of output e. All three 64-byte aligned, not
+///           overlapping.
+/// Requires  |boxes| ≤ 2^64, |points| ≤ 2^128, lower ≤ upper, no NaN; the rounding of the kernel
+/// set. Ensures   for each lane whose bit in the result is 0: every expression is defined at every
+/// point of
 ///           the box, and each output encloses its expression over the box, with finite bounds.
 ///           For a lane whose bit is 1 nothing is known ("undefined"): its outputs are meaningless.
 typedef unsigned (*regulus_function)(const double* boxes, const double* points, double* out,
@@ -23,9 +25,9 @@ typedef unsigned (*regulus_function)(const double* boxes, const double* points, 
 /// A kernel: the functions of one model over one motion variety. n columns, m ≥ n rows.
 /// Variables are the motion parameters, then the uncertain quantities. Functions may be null.
 typedef struct regulus_kernel {
-  unsigned abi;        ///< REGULUS_KERNEL_ABI of the generator
-  unsigned rounding;   ///< REGULUS_ROUND_…
-  unsigned variables;  ///< inputs of every function
+  unsigned abi;               ///< REGULUS_KERNEL_ABI of the generator
+  unsigned rounding;          ///< REGULUS_ROUND_…
+  unsigned variables;         ///< inputs of every function
   unsigned motion_variables;  ///< how many of them, from the first, are motion parameters
   unsigned rows, columns;     ///< m, n
   unsigned constraints;       ///< number of inequality constraints
@@ -34,7 +36,8 @@ typedef struct regulus_kernel {
   regulus_function left_product;      ///< K·A, K n×m: n·n outputs
   regulus_function left_derivatives;  ///< ∂_k(K·A) for each variable k: variables·n·n outputs
   regulus_function right_product;     ///< A·K, K n×m: m·m outputs; null unless m = n
-  regulus_function row_scale;   ///< product of the row scales: 1 output, positive; null when all are 1
+  regulus_function
+      row_scale;  ///< product of the row scales: 1 output, positive; null when all are 1
   regulus_function constraint;  ///< H_j, each ≤ 0 inside the variety: `constraints` outputs
   regulus_function pose;        ///< the pose as a function of the variables
   const void* context;          ///< passed to every function

@@ -1,0 +1,28 @@
+// SPDX-License-Identifier: Apache-2.0
+// Packs for AVX-512: one vector per bound, the rounding embedded in each instruction, so any
+// rounding mode in MXCSR will do. The builtins are opaque to the optimisers: no bound is ever
+// folded at compile time or merged with the other one.
+#pragma once
+
+#include "regulus/kernel/simd.hpp"
+
+namespace regulus::pack {
+inline namespace avx512 {
+
+using V = simd::V8;
+using M = simd::M8;
+using simd::add_rd, simd::add_ru, simd::sub_rd, simd::sub_ru, simd::mul_rd, simd::mul_ru;
+using simd::bits, simd::negative, simd::splat;
+using simd::div_rd, simd::div_ru, simd::sqrt_rd, simd::sqrt_ru, simd::fma_rd, simd::fma_ru;
+using simd::max, simd::min;
+
+inline constexpr unsigned kRounding = 0;  // REGULUS_ROUND_NEAREST
+
+/// mul_rd for factors that are not negative: neither is the result.
+REGULUS_INLINE V mul_rd_nonnegative(V a, V b) { return mul_rd(a, b); }
+
+}  // namespace avx512
+}  // namespace regulus::pack
+
+#define REGULUS_PACK_ISA avx512
+#include "regulus/kernel/pack_lo_hi.hpp"

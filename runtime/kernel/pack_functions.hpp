@@ -1,0 +1,77 @@
+// SPDX-License-Identifier: Apache-2.0
+// Elementary functions of packs: eight lanes at a time through the interval library, which works in
+// any rounding mode. Included by each pack after its arithmetic.
+#pragma once
+
+// Declared again here rather than included: this header must compile without any other.
+extern "C" {
+unsigned regulus_x8_sin(const double* in, double* out);
+unsigned regulus_x8_cos(const double* in, double* out);
+unsigned regulus_x8_tan(const double* in, double* out);
+unsigned regulus_x8_asin(const double* in, double* out);
+unsigned regulus_x8_acos(const double* in, double* out);
+unsigned regulus_x8_atan(const double* in, double* out);
+unsigned regulus_x8_exp(const double* in, double* out);
+unsigned regulus_x8_log(const double* in, double* out);
+unsigned regulus_x8_sincos(const double* in, double* out);
+unsigned regulus_x8_atan2(const double* in, double* out);
+}
+
+namespace regulus::pack {
+inline namespace REGULUS_PACK_ISA {
+
+/// A function of the library: one interval in, one out, the mask of lanes outside the domain.
+using LibraryFunction = unsigned (*)(const double* in, double* out);
+
+/// A function that is defined and bounded everywhere.
+REGULUS_INLINE I call_total(LibraryFunction f, I x) {
+  alignas(64) double in[16], out[16];
+  store(in, 0, x);
+  f(in, out);
+  return load(out, 0);
+}
+REGULUS_INLINE I call_partial(LibraryFunction f, I x, unsigned& undefined) {
+  alignas(64) double in[16], out[16];
+  store(in, 0, x);
+  const unsigned outside = f(in, out);
+  return accepted(load(out, 0), outside, undefined);
+}
+
+REGULUS_INLINE I sin(I x) { return call_total(regulus_x8_sin, x); }
+REGULUS_INLINE I cos(I x) { return call_total(regulus_x8_cos, x); }
+REGULUS_INLINE I atan(I x) { return call_total(regulus_x8_atan, x); }
+REGULUS_INLINE I tan(I x, unsigned& undefined) {
+  return call_partial(regulus_x8_tan, x, undefined);
+}
+REGULUS_INLINE I asin(I x, unsigned& undefined) {
+  return call_partial(regulus_x8_asin, x, undefined);
+}
+REGULUS_INLINE I acos(I x, unsigned& undefined) {
+  return call_partial(regulus_x8_acos, x, undefined);
+}
+REGULUS_INLINE I exp(I x, unsigned& undefined) {
+  return call_partial(regulus_x8_exp, x, undefined);
+}
+REGULUS_INLINE I log(I x, unsigned& undefined) {
+  return call_partial(regulus_x8_log, x, undefined);
+}
+
+REGULUS_INLINE I atan2(I y, I x, unsigned& undefined) {
+  alignas(64) double in[32], out[16];
+  store(in, 0, y);
+  store(in, 1, x);
+  const unsigned outside = regulus_x8_atan2(in, out);
+  return accepted(load(out, 0), outside, undefined);
+}
+
+/// Both at the cost of little more than one.
+REGULUS_INLINE void sincos(I x, I& sine, I& cosine) {
+  alignas(64) double in[16], out[32];
+  store(in, 0, x);
+  regulus_x8_sincos(in, out);
+  sine = load(out, 0);
+  cosine = load(out, 1);
+}
+
+}  // namespace REGULUS_PACK_ISA
+}  // namespace regulus::pack
