@@ -14,11 +14,11 @@ enum { REGULUS_ROUND_NEAREST = 0, REGULUS_ROUND_UPWARD = 1 };
 ///           points[p*8 + lane]: exact doubles, the entries of K row-major. May be null if unused.
 ///           out[(2*e + s)*8 + lane]: bound s of output e. All three 64-byte aligned, not
 ///           overlapping.
-/// Requires  |boxes| ≤ 2^64, |points| ≤ 2^128, lower ≤ upper, no NaN; the rounding of the kernel
-/// set. Ensures   for each lane whose bit in the result is 0: every expression is defined at every
-/// point of
-///           the box, and each output encloses its expression over the box, with finite bounds.
-///           For a lane whose bit is 1 nothing is known ("undefined"): its outputs are meaningless.
+/// Requires  |boxes| ≤ 2^64, |points| ≤ 2^128, lower ≤ upper, no NaN; the kernel's rounding set.
+/// Ensures   for each lane whose bit in the result is 0: every expression is defined at every
+///           point of the box, and each output encloses its expression over the box, with finite
+///           bounds. For a lane whose bit is 1 nothing is known ("undefined"): its outputs are
+///           meaningless.
 typedef unsigned (*regulus_function)(const double* boxes, const double* points, double* out,
                                      const void* context);
 

@@ -1,0 +1,91 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "regulus/kernel/call.hpp"
+
+#include <cstddef>
+#include <stdexcept>
+#include <string>
+
+#include "regulus/kernel/rounding_scope.hpp"
+
+namespace regulus {
+namespace {
+
+// Pairs of lanes: what every 64-bit processor compares in one instruction.
+using Pair = double __attribute__((vector_size(16), may_alias));
+using PairMask = long long __attribute__((vector_size(16)));
+constexpr std::size_t kPairs = REGULUS_LANES / 2;
+
+const Pair* row(const double* rows, std::size_t index) {
+  return reinterpret_cast<const Pair*>(rows + REGULUS_LANES * index);
+}
+
+/// The lanes in which some `good` mask had a 0.
+class LaneCheck {
+ public:
+  void require(std::size_t pair, PairMask good) noexcept { good_[pair] &= good; }
+  [[nodiscard]] unsigned failed() const noexcept {
+    unsigned lanes = 0;
+    for (std::size_t lane = 0; lane < REGULUS_LANES; ++lane)
+      if (good_[lane / 2][lane % 2] == 0) lanes |= 1u << lane;
+    return lanes;
+  }
+
+ private:
+  PairMask good_[kPairs] = {{-1, -1}, {-1, -1}, {-1, -1}, {-1, -1}};
+};
+
+[[noreturn]] void refuse(const std::string& reason) {
+  throw std::invalid_argument("kernel refused: " + reason);
+}
+
+}  // namespace
+
+// Every comparison is false for a NaN, so a NaN is outside.
+unsigned lanes_outside_contract(const double* boxes, unsigned variables) noexcept {
+  constexpr Pair limit = {kMaxBoxMagnitude, kMaxBoxMagnitude};
+  LaneCheck check;
+  for (std::size_t v = 0; v < variables; ++v) {
+    const Pair* const lo = row(boxes, 2 * v);
+    const Pair* const hi = row(boxes, 2 * v + 1);
+    for (std::size_t pair = 0; pair < kPairs; ++pair)
+      check.require(pair, (lo[pair] >= -limit) & (hi[pair] <= limit) & (lo[pair] <= hi[pair]));
+  }
+  return check.failed();
+}
+
+unsigned point_lanes_outside_contract(const double* points, unsigned count) noexcept {
+  constexpr Pair limit = {kMaxPointMagnitude, kMaxPointMagnitude};
+  LaneCheck check;
+  for (std::size_t p = 0; p < count; ++p) {
+    const Pair* const values = row(points, p);
+    for (std::size_t pair = 0; pair < kPairs; ++pair)
+      check.require(pair, (values[pair] >= -limit) & (values[pair] <= limit));
+  }
+  return check.failed();
+}
+
+Kernel::Kernel(const regulus_kernel& kernel) : kernel_(&kernel) {
+  if (kernel.abi != REGULUS_KERNEL_ABI)
+    refuse("made for ABI " + std::to_string(kernel.abi) + ", this runtime has ABI " +
+           std::to_string(REGULUS_KERNEL_ABI));
+  if (kernel.rounding != REGULUS_ROUND_NEAREST && kernel.rounding != REGULUS_ROUND_UPWARD)
+    refuse("unknown rounding " + std::to_string(kernel.rounding));
+  if (kernel.columns == 0 || kernel.rows < kernel.columns)
+    refuse(std::to_string(kernel.rows) + " rows and " + std::to_string(kernel.columns) +
+           " columns");
+  if (kernel.motion_variables > kernel.variables)
+    refuse(std::to_string(kernel.motion_variables) + " motion parameters among " +
+           std::to_string(kernel.variables) + " variables");
+  if (kernel.matrix == nullptr) refuse("it has no function for the matrix");
+}
+
+unsigned Kernel::call(regulus_function function, const double* boxes, const double* points,
+                      double* out) const noexcept {
+  if (function == nullptr) return kAllLanes;
+  unsigned outside = lanes_outside_contract(boxes, kernel_->variables);
+  if (points != nullptr) outside |= point_lanes_outside_contract(points, this->points());
+  const RoundingScope scope(kernel_->rounding);
+  return outside | function(boxes, points, out, kernel_->context);
+}
+
+}  // namespace regulus

@@ -1,0 +1,58 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "regulus/kernel/isa.hpp"
+
+#include "regulus/instruction_set_flags.hpp"
+#include "regulus/kernel/abi.hpp"
+
+namespace regulus {
+
+std::string_view name(Isa isa) noexcept {
+  switch (isa) {
+    case Isa::kAvx512:
+      return "avx512";
+    case Isa::kAvx2:
+      return "avx2";
+    case Isa::kPortable:
+      return "portable";
+  }
+  __builtin_unreachable();
+}
+
+std::optional<Isa> parse_isa(std::string_view word) noexcept {
+  for (const Isa isa : kAllIsas)
+    if (name(isa) == word) return isa;
+  return std::nullopt;
+}
+
+bool supported(Isa isa) noexcept {
+#if defined(__x86_64__)
+  if (isa == Isa::kAvx512)
+    return __builtin_cpu_supports("avx512f") && __builtin_cpu_supports("avx512dq");
+  if (isa == Isa::kAvx2) return __builtin_cpu_supports("avx2") && __builtin_cpu_supports("fma");
+#endif
+  return isa == Isa::kPortable;
+}
+
+Isa best_isa() noexcept {
+  for (const Isa isa : kAllIsas)
+    if (supported(isa)) return isa;
+  return Isa::kPortable;
+}
+
+std::span<const char* const> compile_flags(Isa isa) noexcept {
+  switch (isa) {
+    case Isa::kAvx512:
+      return kAvx512Flags;
+    case Isa::kAvx2:
+      return kAvx2Flags;
+    case Isa::kPortable:
+      return kPortableFlags;
+  }
+  __builtin_unreachable();
+}
+
+unsigned required_rounding(Isa isa) noexcept {
+  return isa == Isa::kAvx2 ? REGULUS_ROUND_UPWARD : REGULUS_ROUND_NEAREST;
+}
+
+}  // namespace regulus

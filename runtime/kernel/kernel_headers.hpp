@@ -1,0 +1,19 @@
+// SPDX-License-Identifier: Apache-2.0
+// The texts of the headers that generated code includes, for compilers that read no files.
+#pragma once
+
+#include <span>
+#include <string_view>
+
+namespace regulus {
+
+struct KernelHeader {
+  std::string_view path;  ///< as it is included: "regulus/kernel/pack.hpp"
+  std::string_view text;
+};
+
+/// Ensures   all headers that "regulus/kernel/abi.hpp" and "regulus/kernel/pack.hpp" include,
+///           directly or not, for any instruction set.
+[[nodiscard]] std::span<const KernelHeader> kernel_headers() noexcept;
+
+}  // namespace regulus

@@ -1,0 +1,40 @@
+// SPDX-License-Identifier: Apache-2.0
+// Whether the bounds that compiled code computes are rounded outward, found out by running it.
+//
+// A compiler that merges the two roundings of 1/3, folds 0.1·3 to nearest, negates a product after
+// rounding it, or a library that left the processor flushing subnormals to zero, makes enclosures
+// that miss the true value and look like any other. Each is caught here before a verdict depends on
+// it.
+#pragma once
+
+#include <optional>
+#include <string>
+
+#include "regulus/kernel/abi.hpp"
+#include "regulus/kernel/isa.hpp"
+
+namespace regulus {
+
+/// The text of a program that defines `kSelfTestSymbol`, a regulus_function; it needs the headers
+/// of regulus/kernel/kernel_headers.hpp and the compile flags of the instruction set under test.
+extern const char* const kSelfTestSource;
+inline constexpr const char* kSelfTestSymbol = "regulus_self_test";
+
+/// Runs a compiled kSelfTestSource and compares every lane with the known results.
+///
+/// Requires  `function` was compiled for `isa`, and supported(isa).
+/// Ensures   nullopt if every true result is enclosed, by bounds within a few doubles of it;
+///           otherwise what was computed and what is true.
+/// Rounding  as `function` needs; the caller's environment is restored.
+[[nodiscard]] std::optional<std::string> check_self_test(regulus_function function, Isa isa);
+
+/// The same for the packs as they were compiled ahead of time into this library.
+[[nodiscard]] std::optional<std::string> self_test(Isa isa);
+
+/// The outputs of the self-test, for a caller who chooses the rounding mode.
+///
+/// Ensures   nullopt or a failure, as check_self_test. The floating-point environment of the caller
+///           is used as it is.
+[[nodiscard]] std::optional<std::string> check_self_test_as_is(regulus_function function);
+
+}  // namespace regulus
