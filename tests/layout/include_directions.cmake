@@ -4,7 +4,7 @@
 # LLVM, and LLVM stays in codegen/jit. A folder not listed here is an error: give it a line.
 cmake_minimum_required(VERSION 3.25)
 
-set(runtime_interval   interval)
+set(runtime_interval   interval interval/elementary)
 set(runtime_kernel     interval kernel)
 set(runtime_regularity interval regularity)
 set(runtime_search     interval kernel regularity search)
@@ -16,8 +16,8 @@ set(codegen_jit        interval kernel codegen/emit codegen/jit)
 set(codegen_driver     interval kernel regularity search codegen/model codegen/program codegen/symbolic
                        codegen/emit codegen/jit codegen/driver)
 
-# Headers of the whole project that carry no layer: the compiler flags, the hash of a text.
-set(everywhere regulus/floating_point_flags.hpp)
+# Headers of the whole project that carry no layer: the compiler flags, the version.
+set(everywhere regulus/floating_point_flags.hpp regulus/version.hpp)
 set(extra_codegen_jit regulus/codegen/model/sha256.hpp)
 
 set(only_ginac  codegen/model codegen/symbolic codegen/driver)

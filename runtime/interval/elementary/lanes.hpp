@@ -11,10 +11,8 @@
 
 #include <cstdint>
 
-#if defined(__SSE2__)
+#if defined(__AVX2__)
 #include <immintrin.h>
-#else
-#error "Regulus needs an x86-64 processor"
 #endif
 
 #if defined(__AVX512F__) && defined(__AVX512DQ__)
@@ -24,7 +22,7 @@
 #define REGULUS_LANES_ISA for_avx2
 #define REGULUS_VECTOR_BYTES 32
 #else
-#define REGULUS_LANES_ISA for_sse2
+#define REGULUS_LANES_ISA for_baseline
 #define REGULUS_VECTOR_BYTES 16
 #endif
 
@@ -83,11 +81,11 @@ inline Vector select(VectorMask mask, Vector yes, Vector no) noexcept { return m
 inline double square_root(double x) noexcept { return __builtin_sqrt(x); }
 inline Vector square_root(Vector x) noexcept {
 #if REGULUS_VECTOR_BYTES == 64
-  return _mm512_sqrt_pd(x);
+  return _mm512_maskz_sqrt_pd(0xff, x);
 #elif REGULUS_VECTOR_BYTES == 32
   return _mm256_sqrt_pd(x);
 #else
-  return _mm_sqrt_pd(x);
+  return Vector{__builtin_sqrt(x[0]), __builtin_sqrt(x[1])};
 #endif
 }
 
@@ -98,7 +96,7 @@ inline unsigned lane_bits(VectorMask mask) noexcept {
 #elif REGULUS_VECTOR_BYTES == 32
   return static_cast<unsigned>(_mm256_movemask_pd(reinterpret_cast<__m256d>(mask)));
 #else
-  return static_cast<unsigned>(_mm_movemask_pd(reinterpret_cast<__m128d>(mask)));
+  return static_cast<unsigned>((mask[0] & 1) | (mask[1] & 2));
 #endif
 }
 

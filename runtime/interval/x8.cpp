@@ -1,0 +1,98 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "regulus/interval/x8.hpp"
+
+#include <initializer_list>
+
+#include "regulus/interval/floating_point_scope.hpp"
+#include "regulus/interval/x8_backend.hpp"
+
+namespace regulus {
+
+#if defined(__x86_64__)
+
+bool x8_available(X8Isa isa) noexcept {
+  switch (isa) {
+    case X8Isa::kBaseline:
+      return true;
+    case X8Isa::kAvx2:
+      return __builtin_cpu_supports("avx2") != 0;
+    case X8Isa::kAvx512:
+      return __builtin_cpu_supports("avx512f") != 0 && __builtin_cpu_supports("avx512dq") != 0;
+  }
+  return false;
+}
+
+const X8Backend& x8_backend(X8Isa isa) noexcept {
+  if (isa == X8Isa::kAvx512) return kX8Avx512;
+  if (isa == X8Isa::kAvx2) return kX8Avx2;
+  return kX8Baseline;
+}
+
+#else
+
+bool x8_available(X8Isa isa) noexcept { return isa == X8Isa::kBaseline; }
+
+const X8Backend& x8_backend(X8Isa) noexcept { return kX8Baseline; }
+
+#endif
+
+namespace {
+
+/// The processor is asked each time, a few loads and tests: no state to initialise or to share.
+const X8Backend& widest_backend() noexcept {
+  for (const X8Isa isa : {X8Isa::kAvx512, X8Isa::kAvx2})
+    if (x8_available(isa)) return x8_backend(isa);
+  return kX8Baseline;
+}
+
+/// The evaluators are in other files and reached through a pointer, as the scope demands.
+unsigned call(X8Backend::Function X8Backend::*function, const double* in, double* out) noexcept {
+  const FloatingPointScope nearest(FloatingPointRounding::kNearest);
+  return (widest_backend().*function)(in, out);
+}
+
+}  // namespace
+}  // namespace regulus
+
+using regulus::X8Backend;
+
+unsigned regulus_x8_sin(const double* in, double* out) {
+  return regulus::call(&X8Backend::sin, in, out);
+}
+unsigned regulus_x8_cos(const double* in, double* out) {
+  return regulus::call(&X8Backend::cos, in, out);
+}
+unsigned regulus_x8_sincos(const double* in, double* out) {
+  return regulus::call(&X8Backend::sincos, in, out);
+}
+unsigned regulus_x8_tan(const double* in, double* out) {
+  return regulus::call(&X8Backend::tan, in, out);
+}
+unsigned regulus_x8_asin(const double* in, double* out) {
+  return regulus::call(&X8Backend::asin, in, out);
+}
+unsigned regulus_x8_acos(const double* in, double* out) {
+  return regulus::call(&X8Backend::acos, in, out);
+}
+unsigned regulus_x8_atan(const double* in, double* out) {
+  return regulus::call(&X8Backend::atan, in, out);
+}
+unsigned regulus_x8_atan2(const double* in, double* out) {
+  return regulus::call(&X8Backend::atan2, in, out);
+}
+unsigned regulus_x8_exp(const double* in, double* out) {
+  return regulus::call(&X8Backend::exp, in, out);
+}
+unsigned regulus_x8_log(const double* in, double* out) {
+  return regulus::call(&X8Backend::log, in, out);
+}
+
+regulus_x8_function_table regulus_x8_functions() {
+  static constexpr regulus_x8_function kFunctions[] = {
+      {"regulus_x8_sin", regulus_x8_sin},       {"regulus_x8_cos", regulus_x8_cos},
+      {"regulus_x8_sincos", regulus_x8_sincos}, {"regulus_x8_tan", regulus_x8_tan},
+      {"regulus_x8_asin", regulus_x8_asin},     {"regulus_x8_acos", regulus_x8_acos},
+      {"regulus_x8_atan", regulus_x8_atan},     {"regulus_x8_atan2", regulus_x8_atan2},
+      {"regulus_x8_exp", regulus_x8_exp},       {"regulus_x8_log", regulus_x8_log}};
+  return {kFunctions, sizeof kFunctions / sizeof kFunctions[0]};
+}

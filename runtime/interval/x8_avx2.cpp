@@ -1,0 +1,8 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "regulus/interval/x8_lanes.hpp"
+
+namespace regulus {
+
+const X8Backend kX8Avx2 = elementary::for_avx2::kBackend;
+
+}  // namespace regulus

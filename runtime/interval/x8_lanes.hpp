@@ -1,0 +1,104 @@
+// SPDX-License-Identifier: Apache-2.0
+// Builds an X8Backend from the evaluators, with the vectors of the instruction set that the
+// including file is compiled for. Included by x8_baseline.cpp, x8_avx2.cpp and x8_avx512.cpp only.
+//
+// Only always-inlined or ISA-namespaced functions may be used here; see elementary/lanes.hpp.
+#pragma once
+
+#include "regulus/interval/elementary/arcsine.hpp"
+#include "regulus/interval/elementary/arctangent.hpp"
+#include "regulus/interval/elementary/exponential.hpp"
+#include "regulus/interval/elementary/trigonometric.hpp"
+#include "regulus/interval/x8_backend.hpp"
+
+namespace regulus::elementary {
+inline namespace REGULUS_LANES_ISA {
+
+inline constexpr int kX8Lanes = 8;
+
+inline Bounds<Vector> load(const double* block) noexcept {
+  return {*reinterpret_cast<const Vector*>(block),
+          *reinterpret_cast<const Vector*>(block + kX8Lanes)};
+}
+
+inline void store(double* block, const Bounds<Vector>& value) noexcept {
+  *reinterpret_cast<Vector*>(block) = value.lo;
+  *reinterpret_cast<Vector*>(block + kX8Lanes) = value.hi;
+}
+
+inline VectorMask malformed(const Bounds<Vector>& x) noexcept { return ~(x.lo <= x.hi); }
+
+/// Stores 0 in the undefined lanes, also where a bound exceeds what kernels may hold.
+inline unsigned store_defined(double* block, const Partial<Vector>& result) noexcept {
+  const Vector limit = splat<Vector>(0x1p128);
+  const VectorMask inside = (result.value.lo >= -limit) & (result.value.hi <= limit);
+  const VectorMask undefined = result.undefined | ~inside;
+  const Vector zero = splat<Vector>(0);
+  store(block,
+        {select(undefined, zero, result.value.lo), select(undefined, zero, result.value.hi)});
+  return lane_bits(undefined);
+}
+
+template <class Function>
+inline unsigned for_each_vector(Function function) noexcept {
+  unsigned undefined = 0;
+  for (int lane = 0; lane < kX8Lanes; lane += kVectorLanes) undefined |= function(lane) << lane;
+  return undefined;
+}
+
+template <Partial<Vector> (*kFunction)(Bounds<Vector>) noexcept>
+unsigned apply(const double* in, double* out) noexcept {
+  return for_each_vector([=](int lane) {
+    const Bounds<Vector> x = load(in + lane);
+    Partial<Vector> result = kFunction(x);
+    result.undefined |= malformed(x);
+    return store_defined(out + lane, result);
+  });
+}
+
+inline Partial<Vector> sin_partial(Bounds<Vector> x) noexcept {
+  return {sin_cos_bounds(x).sin, VectorMask{}};
+}
+inline Partial<Vector> cos_partial(Bounds<Vector> x) noexcept {
+  return {sin_cos_bounds(x).cos, VectorMask{}};
+}
+inline Partial<Vector> atan_partial(Bounds<Vector> x) noexcept {
+  return {atan_bounds(x), VectorMask{}};
+}
+inline Partial<Vector> exp_partial(Bounds<Vector> x) noexcept {
+  return {exp_bounds(x), VectorMask{}};
+}
+
+inline unsigned apply_sincos(const double* in, double* out) noexcept {
+  return for_each_vector([=](int lane) {
+    const Bounds<Vector> x = load(in + lane);
+    const SinCosBounds<Vector> both = sin_cos_bounds(x);
+    const VectorMask undefined = malformed(x);
+    return store_defined(out + lane, {both.sin, undefined}) |
+           store_defined(out + 2 * kX8Lanes + lane, {both.cos, undefined});
+  });
+}
+
+inline unsigned apply_atan2(const double* in, double* out) noexcept {
+  return for_each_vector([=](int lane) {
+    const Bounds<Vector> y = load(in + lane);
+    const Bounds<Vector> x = load(in + 2 * kX8Lanes + lane);
+    Partial<Vector> result = atan2_bounds(y, x);
+    result.undefined |= malformed(y) | malformed(x);
+    return store_defined(out + lane, result);
+  });
+}
+
+inline constexpr X8Backend kBackend{apply<sin_partial>,
+                                    apply<cos_partial>,
+                                    apply_sincos,
+                                    apply<tan_bounds<Vector>>,
+                                    apply<asin_bounds<Vector>>,
+                                    apply<acos_bounds<Vector>>,
+                                    apply<atan_partial>,
+                                    apply_atan2,
+                                    apply<exp_partial>,
+                                    apply<log_bounds<Vector>>};
+
+}  // namespace REGULUS_LANES_ISA
+}  // namespace regulus::elementary
