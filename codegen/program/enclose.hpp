@@ -1,0 +1,38 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Expressions of constants only (15·π/180, sqrt(2)/3), enclosed in doubles through Arb.
+#pragma once
+
+#include <optional>
+
+#include "regulus/codegen/program/interpreter.hpp"
+#include "regulus/codegen/program/program.hpp"
+#include "regulus/interval/interval.hpp"
+
+namespace regulus::codegen {
+
+/// Encloses an output of a program that reads no inputs and no points.
+///
+/// Ensures   the value ∈ result; the bounds are neighbours, or equal when the expression folded to
+///           a double. An irrational form of a double (sin²1 + cos²1) may take one step more.
+///           nullopt when the expression is not certainly defined.
+/// Rounding  outward.
+[[nodiscard]] std::optional<Interval> enclose(const Program& constant, std::size_t output = 0);
+
+/// The narrowest double interval that contains the range from `lo` to `hi`.
+///
+/// Requires  lo ≤ hi.
+/// Ensures   nullopt when an end is not certainly defined.
+/// Rounding  outward.
+[[nodiscard]] std::optional<Interval> enclose_outward(const Program& lo, const Program& hi);
+
+/// The widest double interval inside the range from `lo` to `hi`: where a witness may lie.
+///
+/// Ensures   lo ≤ result.lo ≤ result.hi ≤ hi; nullopt when no double is certainly inside.
+/// Rounding  inward.
+[[nodiscard]] std::optional<Interval> round_inward(const Program& lo, const Program& hi);
+
+/// The enclosures of all nodes that depend on neither inputs nor points. A constant node that is
+/// not certainly defined has no value here, so that running it sets the undefined flag.
+[[nodiscard]] KnownValues<Interval> enclose_constant_nodes(const Program& program);
+
+}  // namespace regulus::codegen

@@ -1,0 +1,28 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// From exact rationals to doubles and back, exactly or in a stated direction.
+#pragma once
+
+#include <cln/rational.h>
+
+#include "regulus/interval/interval.hpp"
+
+namespace regulus::codegen {
+
+/// The largest double ≤ value; −∞ when value < −DBL_MAX. Never −0. Subnormals included.
+[[nodiscard]] double round_down(const cln::cl_RA& value);
+
+/// The smallest double ≥ value; +∞ when value > DBL_MAX. Never −0. Subnormals included.
+[[nodiscard]] double round_up(const cln::cl_RA& value);
+
+/// The narrowest interval with double bounds that contains value: thin iff value is a double.
+[[nodiscard]] Interval enclose(const cln::cl_RA& value);
+
+/// The rational that x is.
+///
+/// Requires  x finite.
+[[nodiscard]] cln::cl_RA exact_rational(double x);
+
+/// An e with |value| ≤ 2^e, at most one too large.
+[[nodiscard]] long exponent_bound(const cln::cl_RA& value);
+
+}  // namespace regulus::codegen
