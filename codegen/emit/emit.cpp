@@ -1,0 +1,93 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "regulus/codegen/emit/emit.hpp"
+
+#include <algorithm>
+#include <array>
+#include <stdexcept>
+
+#include "regulus/codegen/emit/comment.hpp"
+#include "regulus/codegen/emit/function_writer.hpp"
+#include "regulus/codegen/emit/manifest.hpp"
+#include "regulus/codegen/emit/names.hpp"
+#include "regulus/codegen/program/module_check.hpp"
+#include "regulus/codegen/program/print.hpp"
+
+namespace regulus::codegen {
+namespace {
+
+/// The functions of regulus_kernel in the order of its fields.
+constexpr std::array<const char*, 7> kFunctions = {
+    "matrix",     "left_product", "left_derivatives", "right_product", "row_scale",
+    "constraint", "pose"};
+
+std::string header(const Module& module, const EmitOptions& options, const std::string& identity) {
+  const auto optional_line = [](const char* label, const std::string& text) {
+    return text.empty() ? std::string() : labelled_comment(label, text);
+  };
+  std::string variables;
+  for (const std::string& name : module.variables)
+    variables += (variables.empty() ? "" : " ") + name;
+  return "// SPDX-License-Identifier: Apache-2.0\n"
+         "// Generated: edit the model, not this file.\n" +
+         optional_line("Command", options.command) + optional_line("Model", module.model) +
+         optional_line("Motion", module.motion) + optional_line("Source", options.source) +
+         optional_line("Variables", variables) + labelled_comment("Identity", identity) +
+         "//\n"
+         "// v_…: a variable. k_…: an entry of K. c_…: depends on K and constants alone. t_…: on "
+         "the\n"
+         "// variables, too. Hexadecimal constants are bounds on both sides, or exact in P(…).\n"
+         "#include \"regulus/kernel/abi.hpp\"\n"
+         "#include \"regulus/kernel/pack.hpp\"\n\n"
+         "namespace {\n\n"
+         "using namespace regulus::pack;\n\n";
+}
+
+std::string field(const std::string& value, const char* name) {
+  return "    " + value + ",  // " + name + "\n";
+}
+
+bool is_present(const Module& module, const char* name) {
+  const Function* function = module.find(name);
+  return function != nullptr && !function->program.outputs.empty();
+}
+
+std::string kernel_table(const Module& module, const std::string& symbol,
+                         const std::string& identity) {
+  std::string text = "extern \"C\" {\nextern const regulus_kernel " + symbol +
+                     ";\nconst regulus_kernel " + symbol + " = {\n";
+  text += field("REGULUS_KERNEL_ABI", "abi") + field("kRounding", "rounding");
+  text += field(std::to_string(module.variables.size()), "variables");
+  text += field(std::to_string(module.motion_variables), "motion_variables");
+  text += field(std::to_string(module.rows), "rows");
+  text += field(std::to_string(module.columns), "columns");
+  text += field(std::to_string(module.constraints), "constraints");
+  text += field(std::to_string(module.pose_parameters), "pose_parameters");
+  for (const char* name : kFunctions)
+    text += field(is_present(module, name) ? name : "nullptr", name);
+  text += field("nullptr", "context") + field("\"" + identity + "\"", "identity");
+  return text + "};\n}\n";
+}
+
+}  // namespace
+
+EmittedKernel emit(const Module& module, const EmitOptions& options) {
+  check_module(module);
+  if (!is_identifier(options.prefix) || options.prefix == "regulus")
+    throw std::invalid_argument("the prefix must be a C identifier other than regulus");
+  if (options.operations_per_part == 0) throw std::invalid_argument("a part holds no operations");
+  EmittedKernel kernel;
+  kernel.symbol = options.prefix + "_kernel";
+  kernel.identity = identity(module);
+  kernel.source = header(module, options, kernel.identity);
+  std::vector<FunctionPlan> plans;
+  for (const Function& function : module.functions) {
+    plans.push_back(plan_function(function.program, options.operations_per_part));
+    if (!function.program.outputs.empty())
+      kernel.source += write_function(module, function, plans.back()) + "\n";
+  }
+  kernel.source += "}  // namespace\n\n" + kernel_table(module, kernel.symbol, kernel.identity);
+  if (options.manifest) kernel.manifest = write_manifest(module, options, kernel, plans);
+  return kernel;
+}
+
+}  // namespace regulus::codegen

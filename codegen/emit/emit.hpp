@@ -1,0 +1,22 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <string>
+
+#include "regulus/codegen/emit/emitted_kernel.hpp"
+#include "regulus/codegen/program/module.hpp"
+
+namespace regulus::codegen {
+
+/// The C++ text of a module's kernel: one text for ahead-of-time compilation and for the compiler
+/// in process. It needs regulus/kernel/abi.hpp and regulus/kernel/pack.hpp, and one of the macros
+/// REGULUS_ISA_…; it defines `<prefix>_kernel`.
+///
+/// Requires  a module that check_module accepts; a prefix that is a C identifier and not "regulus",
+///           since regulus_kernel is the type. std::invalid_argument otherwise.
+/// Ensures   equal modules and options give equal bytes. Nothing that comes from a model file
+///           (names, titles, comments) gets outside a comment or a string literal, except as an
+///           identifier of letters, digits and underscores that starts with a prefix of ours.
+[[nodiscard]] EmittedKernel emit(const Module& module, const EmitOptions& options = {});
+
+}  // namespace regulus::codegen

@@ -1,0 +1,55 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What is decided about a function before a line of it is printed.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+#include "regulus/codegen/program/interpreter.hpp"
+#include "regulus/codegen/program/magnitude.hpp"
+#include "regulus/codegen/program/program.hpp"
+#include "regulus/interval/interval.hpp"
+
+namespace regulus::codegen {
+
+/// The type of a node in the text: P, exact doubles, or I, intervals (regulus/kernel/pack.hpp).
+enum class Form : std::uint8_t { kPoint, kInterval };
+
+/// One thing to print: the value of a node, or the outputs from first_output to last_output.
+struct Step {
+  enum class Kind : std::uint8_t { kCompute, kStore } kind;
+  NodeId node;  ///< to compute, or to store
+  std::size_t first_output;
+  std::size_t last_output;
+  bool opens_group;  ///< the first step that is there for these outputs
+};
+
+/// A run of steps that becomes one C++ function: the time a compiler takes for a function grows
+/// faster than its length, so that many short ones are compiled sooner than a long one.
+struct Part {
+  std::size_t first_step;
+  std::size_t last_step;  ///< one past the end
+};
+
+inline constexpr int kNoSlot = -1;
+
+struct FunctionPlan {
+  KnownValues<Interval> known;  ///< constant nodes, by their enclosures
+  Magnitudes magnitudes;
+  std::vector<Form> forms;
+  std::vector<bool> leaves;            ///< written where they are used: inputs, points, constants
+  std::vector<std::uint32_t> uses;     ///< by nodes that are printed and by outputs
+  std::vector<std::uint32_t> part_of;  ///< the part that computes a node
+  std::vector<std::uint32_t> last_part_of;  ///< the last part that uses it
+  std::vector<int> slots;                   ///< where a value waits for a later part, or kNoSlot
+  int slot_count = 0;
+  std::size_t operations = 0;
+  std::vector<Step> steps;
+  std::vector<Part> parts;
+};
+
+/// Requires  a well formed program; operations_per_part ≥ 1.
+[[nodiscard]] FunctionPlan plan_function(const Program& program, std::size_t operations_per_part);
+
+}  // namespace regulus::codegen

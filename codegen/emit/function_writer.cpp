@@ -1,0 +1,65 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "regulus/codegen/emit/function_writer.hpp"
+
+#include "regulus/codegen/emit/comment.hpp"
+#include "regulus/codegen/emit/part_writer.hpp"
+#include "regulus/codegen/emit/value_names.hpp"
+
+namespace regulus::codegen {
+namespace {
+
+/// Unnamed where nothing reads it, so that no compiler warns.
+std::string parameter(const std::string& type, const std::string& name, bool used) {
+  return used ? type + " __restrict " + name : type;
+}
+
+/// The head of a function up to its brace; `last` is the fourth parameter.
+std::string head(const std::string& name, const PartWriter::Usage& usage, const std::string& last) {
+  const std::string start = "unsigned " + name + "(";
+  const std::string indent = ",\n" + std::string(start.size(), ' ');
+  return start + parameter("const double*", "boxes", usage.boxes) + indent +
+         parameter("const double*", "points", usage.points) + indent +
+         parameter("double*", "out", usage.out) + ", " + last + ") {\n";
+}
+
+std::string body(const PartWriter& writer) {
+  return "  unsigned undefined = 0;\n" + writer.declarations() + writer.statements() +
+         "  return undefined;\n}\n";
+}
+
+std::string part_name(const Function& function, std::size_t part) {
+  return function.name + "_" + std::to_string(part + 1);
+}
+
+/// The function of the ABI when there are several parts: values that cross them lie in `shared`.
+std::string caller(const Function& function, const FunctionPlan& plan) {
+  std::string text = "unsigned " + function.name +
+                     "(const double* boxes, const double* points, double* out, const void*) {\n";
+  // At least one, since an array has to have an element.
+  text += "  I shared[" + std::to_string(plan.slot_count > 0 ? plan.slot_count : 1) + "];\n";
+  text += "  unsigned undefined = 0;\n";
+  for (std::size_t part = 0; part < plan.parts.size(); ++part)
+    text += "  undefined |= " + part_name(function, part) + "(boxes, points, out, shared);\n";
+  return text + "  return undefined;\n}\n";
+}
+
+}  // namespace
+
+std::string write_function(const Module& module, const Function& function,
+                           const FunctionPlan& plan) {
+  ValueNames names(function.program);
+  std::string text = comment_lines("", function.title.empty() ? function.name : function.title);
+  for (std::uint32_t part = 0; part < plan.parts.size(); ++part) {
+    PartWriter writer(module, function, plan, names, part);
+    writer.write();
+    if (plan.parts.size() == 1)
+      return text + head(function.name, writer.usage(), "const void*") + body(writer);
+    text += "__attribute__((noinline))\n" +
+            head(part_name(function, part), writer.usage(),
+                 parameter("I*", "shared", writer.usage().shared)) +
+            body(writer) + "\n";
+  }
+  return text + caller(function, plan);
+}
+
+}  // namespace regulus::codegen

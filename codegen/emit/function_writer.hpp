@@ -1,0 +1,17 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <string>
+
+#include "regulus/codegen/emit/function_plan.hpp"
+#include "regulus/codegen/emit/output_label.hpp"
+#include "regulus/codegen/program/module.hpp"
+
+namespace regulus::codegen {
+
+/// The C++ text of one function of the kernel: its parts, and the function of the ABI that calls
+/// them in turn.
+[[nodiscard]] std::string write_function(const Module& module, const Function& function,
+                                         const FunctionPlan& plan);
+
+}  // namespace regulus::codegen

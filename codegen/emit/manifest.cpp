@@ -1,0 +1,50 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "regulus/codegen/emit/manifest.hpp"
+
+#include <nlohmann/json.hpp>
+
+#include "regulus/kernel/abi.hpp"
+
+namespace regulus::codegen {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+Json describe(const Function& function, const FunctionPlan& plan) {
+  return {{"name", function.name},
+          {"title", function.title},
+          {"rows", function.rows},
+          {"columns", function.columns},
+          {"outputs", function.program.outputs.size()},
+          {"points", function.program.points.size()},
+          {"operations", plan.operations},
+          {"parts", plan.parts.size()}};
+}
+
+}  // namespace
+
+std::string write_manifest(const Module& module, const EmitOptions& options,
+                           const EmittedKernel& kernel, const std::vector<FunctionPlan>& plans) {
+  Json functions = Json::array();
+  for (std::size_t i = 0; i < plans.size(); ++i)
+    functions.push_back(describe(module.functions[i], plans[i]));
+  const Json manifest = {{"kernel_abi", static_cast<int>(REGULUS_KERNEL_ABI)},
+                         {"symbol", kernel.symbol},
+                         {"identity", kernel.identity},
+                         {"command", options.command},
+                         {"source", options.source},
+                         {"model", module.model},
+                         {"motion", module.motion},
+                         {"variables", module.variables},
+                         {"motion_variables", module.motion_variables},
+                         {"rows", module.rows},
+                         {"columns", module.columns},
+                         {"constraints", module.constraints},
+                         {"pose_parameters", module.pose_parameters},
+                         {"functions", functions}};
+  constexpr int kIndent = 2;
+  // Names need not be UTF-8; a manifest must be.
+  return manifest.dump(kIndent, ' ', false, Json::error_handler_t::replace) + "\n";
+}
+
+}  // namespace regulus::codegen

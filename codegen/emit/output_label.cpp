@@ -1,0 +1,27 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "regulus/codegen/emit/output_label.hpp"
+
+namespace regulus::codegen {
+namespace {
+
+std::string entry(const std::string& matrix, std::size_t index, std::size_t columns) {
+  return matrix + "[" + std::to_string(index / columns) + "][" + std::to_string(index % columns) +
+         "]";
+}
+
+}  // namespace
+
+std::string output_label(const Module& module, const Function& function, std::size_t output) {
+  const auto rows = static_cast<std::size_t>(module.rows);
+  const auto columns = static_cast<std::size_t>(module.columns);
+  if (function.name == "matrix") return entry("A", output, columns);
+  if (function.name == "left_product") return entry("(K·A)", output, columns);
+  if (function.name == "right_product") return entry("(A·K)", output, rows);
+  if (function.name == "left_derivatives")
+    return entry("∂(K·A)", output % (columns * columns), columns) + "/∂" +
+           module.variables[output / (columns * columns)];
+  if (function.name == "row_scale") return "product of the row scales";
+  return function.name + "[" + std::to_string(output) + "]";
+}
+
+}  // namespace regulus::codegen
