@@ -1,0 +1,54 @@
+// SPDX-License-Identifier: Apache-2.0
+// Determinants of interval matrices. The entries are taken as independent: not tight.
+#pragma once
+
+#include <array>
+
+#include "regulus/interval/interval.hpp"
+#include "regulus/regularity/lanes.hpp"
+
+namespace regulus {
+
+/// A square interval matrix, row-major, n ≤ kMaxColumns.
+struct IntervalMatrix {
+  std::size_t n = 0;
+  std::array<Interval, kMaxColumns * kMaxColumns> entries;
+
+  [[nodiscard]] Interval& at(std::size_t i, std::size_t j) noexcept { return entries[i * n + j]; }
+  [[nodiscard]] const Interval& at(std::size_t i, std::size_t j) const noexcept {
+    return entries[i * n + j];
+  }
+};
+
+/// Lane `lane` of an n×n matrix in interval layout.
+[[nodiscard]] IntervalMatrix interval_lane(const double* x, std::size_t n,
+                                           std::size_t lane) noexcept;
+
+/// Lane `lane` of an n×n matrix in point layout, as thin intervals.
+[[nodiscard]] IntervalMatrix point_lane(const double* x, std::size_t n, std::size_t lane) noexcept;
+
+/// The largest order that is expanded; the work grows with its factorial.
+inline constexpr std::size_t kMaxExpansion = 7;
+
+/// Encloses det(M) by expansion along the row or column of least mean width.
+///
+/// Shape     M is n×n, 1 ≤ n ≤ kMaxColumns; above kMaxExpansion elimination is used instead.
+/// Requires  every entry bounded.
+/// Ensures   det(A) ∈ result for every real A with A[i][j] ∈ M[i][j].
+/// Rounding  outward at each operation.
+/// Source    Merlet, T-RO 2007, §III-A.
+[[nodiscard]] Interval enclose_determinant(const IntervalMatrix& M) noexcept;
+
+/// Encloses det(M) by Gaussian elimination, pivots of largest mignitude; when every candidate for a
+/// pivot contains 0 the rest is expanded.
+///
+/// Requires, Ensures, Rounding  as enclose_determinant; [−∞, ∞] if more than kMaxExpansion rows
+///           are left without a pivot.
+[[nodiscard]] Interval enclose_determinant_by_elimination(const IntervalMatrix& M) noexcept;
+
+/// Whether all determinants are of one sign: +1, −1, or 0 if that was not shown.
+[[nodiscard]] constexpr int certain_sign(const Interval& x) noexcept {
+  return x.lo > 0.0 ? 1 : x.hi < 0.0 ? -1 : 0;
+}
+
+}  // namespace regulus

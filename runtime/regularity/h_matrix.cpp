@@ -1,0 +1,168 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "regulus/regularity/h_matrix.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <cstring>
+#include <limits>
+
+namespace regulus {
+namespace {
+
+constexpr std::size_t kEntries = kMaxColumns * kMaxColumns;
+
+/// x·(1 + 2^-51): above the exact value of one sum whose floating-point value is x ≥ 0. A sum of
+/// doubles that is not zero is a multiple of 2^-1074, and here (l − 1) at least 2^-53: the product
+/// cannot underflow.
+double one_sum_ru(double x) noexcept { return x * (1.0 + 0x1p-51); }
+
+/// Solves (I − P)v = 1 without pivoting, which is stable exactly where it matters: I − P is then an
+/// M-matrix, all pivots are positive and every sum in the elimination has terms of one sign.
+void solve_for_ones(const double* P, std::size_t n, double* v) noexcept {
+  double a[kEntries * kLanes];
+  for (std::size_t e = 0; e < n * n * kLanes; ++e) a[e] = -P[e];
+  for (std::size_t i = 0; i < n; ++i)
+    for (std::size_t lane = 0; lane < kLanes; ++lane) {
+      a[point_at(i * n + i, lane)] += 1.0;
+      v[point_at(i, lane)] = 1.0;
+    }
+  for (std::size_t k = 0; k < n; ++k) {
+    double reciprocal[kLanes];
+    for (std::size_t lane = 0; lane < kLanes; ++lane)
+      reciprocal[lane] = 1.0 / a[point_at(k * n + k, lane)];
+    for (std::size_t i = k + 1; i < n; ++i) {
+      double factor[kLanes];
+      for (std::size_t lane = 0; lane < kLanes; ++lane) {
+        factor[lane] = a[point_at(i * n + k, lane)] * reciprocal[lane];
+        v[point_at(i, lane)] -= factor[lane] * v[point_at(k, lane)];
+      }
+      for (std::size_t j = k + 1; j < n; ++j)
+        for (std::size_t lane = 0; lane < kLanes; ++lane)
+          a[point_at(i * n + j, lane)] -= factor[lane] * a[point_at(k * n + j, lane)];
+    }
+  }
+  for (std::size_t i = n; i-- > 0;) {
+    for (std::size_t j = i + 1; j < n; ++j)
+      for (std::size_t lane = 0; lane < kLanes; ++lane)
+        v[point_at(i, lane)] -= a[point_at(i * n + j, lane)] * v[point_at(j, lane)];
+    for (std::size_t lane = 0; lane < kLanes; ++lane)
+      v[point_at(i, lane)] /= a[point_at(i * n + i, lane)];
+  }
+}
+
+void multiply_row(const double* row, const double* v, std::size_t n, double* sum) noexcept {
+  for (std::size_t lane = 0; lane < kLanes; ++lane) sum[lane] = 0.0;
+  for (std::size_t j = 0; j < n; ++j)
+    for (std::size_t lane = 0; lane < kLanes; ++lane)
+      sum[lane] += row[point_at(j, lane)] * v[point_at(j, lane)];
+}
+
+/// One step of v ← Pv/‖Pv‖ + v/2; the second term damps the swinging of cyclic matrices.
+void power_step(const double* P, std::size_t n, std::size_t row_stride, std::size_t column_stride,
+                double* v, double* norm) noexcept {
+  double w[kMaxColumns * kLanes] = {};
+  for (std::size_t lane = 0; lane < kLanes; ++lane) norm[lane] = 0.0;
+  for (std::size_t i = 0; i < n; ++i) {
+    for (std::size_t j = 0; j < n; ++j)
+      for (std::size_t lane = 0; lane < kLanes; ++lane)
+        w[point_at(i, lane)] +=
+            P[point_at(i * row_stride + j * column_stride, lane)] * v[point_at(j, lane)];
+    for (std::size_t lane = 0; lane < kLanes; ++lane)
+      norm[lane] = std::max(norm[lane], w[point_at(i, lane)]);
+  }
+  double largest[kLanes] = {};
+  for (std::size_t i = 0; i < n; ++i)
+    for (std::size_t lane = 0; lane < kLanes; ++lane) {
+      double& x = v[point_at(i, lane)];
+      x = norm[lane] > 0.0 ? w[point_at(i, lane)] / norm[lane] + 0.5 * x : x;
+      largest[lane] = std::max(largest[lane], x);
+    }
+  for (std::size_t i = 0; i < n; ++i)
+    for (std::size_t lane = 0; lane < kLanes; ++lane) v[point_at(i, lane)] /= largest[lane];
+}
+
+}  // namespace
+
+void distance_to_identity_ru(const double* product, std::size_t n, double* P) noexcept {
+  for (std::size_t i = 0; i < n; ++i)
+    for (std::size_t j = 0; j < n; ++j) {
+      const std::size_t e = i * n + j;
+      const double identity = i == j ? 1.0 : 0.0;
+      for (std::size_t lane = 0; lane < kLanes; ++lane) {
+        const double lo = std::fabs(product[lower_at(e, lane)] - identity);
+        const double hi = std::fabs(product[upper_at(e, lane)] - identity);
+        const double larger = hi > lo ? hi : lo;
+        P[point_at(e, lane)] = i == j ? one_sum_ru(larger) : larger;
+      }
+    }
+}
+
+void lower_to_mean_value_ru(const double* center, const double* derivatives, const double* radius,
+                            std::size_t n, std::size_t variables, LaneMask lanes,
+                            double* P) noexcept {
+  const double factor = raise_factor(variables + 1);
+  for (std::size_t e = 0; e < n * n; ++e) {
+    double sum[kLanes];
+    for (std::size_t lane = 0; lane < kLanes; ++lane) sum[lane] = center[point_at(e, lane)];
+    for (std::size_t k = 0; k < variables; ++k)
+      for (std::size_t lane = 0; lane < kLanes; ++lane) {
+        const std::size_t d = k * n * n + e;
+        const double lo = std::fabs(derivatives[lower_at(d, lane)]);
+        const double hi = std::fabs(derivatives[upper_at(d, lane)]);
+        sum[lane] += (hi > lo ? hi : lo) * radius[point_at(k, lane)];
+      }
+    for (std::size_t lane = 0; lane < kLanes; ++lane) {
+      const double bound = raise_ru(sum[lane], factor);
+      double& current = P[point_at(e, lane)];
+      if ((lanes >> lane & 1U) != 0 && bound < current) current = bound;
+    }
+  }
+}
+
+LaneMask certain_contraction(const double* P, const double* v, std::size_t n) noexcept {
+  const double factor = raise_factor(n);
+  LaneMask certain = kEveryLane;
+  for (std::size_t i = 0; i < n; ++i) {
+    double sum[kLanes];
+    multiply_row(P + i * n * kLanes, v, n, sum);
+    for (std::size_t lane = 0; lane < kLanes; ++lane) {
+      const double vi = v[point_at(i, lane)];
+      // Written so that NaN fails; an infinite v fails because Pv < v then has no meaning.
+      const bool holds = vi > 0.0 && vi < std::numeric_limits<double>::infinity() &&
+                         raise_ru(sum[lane], factor) < vi;
+      certain &= ~(static_cast<LaneMask>(!holds) << lane);
+    }
+  }
+  return certain;
+}
+
+LaneMask certain_h_matrix(const double* P, std::size_t n, double* v) noexcept {
+  solve_for_ones(P, n, v);
+  return certain_contraction(P, v, n);
+}
+
+void determinant_ru(const double* P, const double* v, std::size_t n, double* upper) noexcept {
+  const double factor = raise_factor(n);
+  for (std::size_t lane = 0; lane < kLanes; ++lane) upper[lane] = 1.0;
+  for (std::size_t i = 0; i < n; ++i) {
+    double sum[kLanes];
+    multiply_row(P + i * n * kLanes, v, n, sum);
+    for (std::size_t lane = 0; lane < kLanes; ++lane) {
+      const double ratio = raise_ru(raise_ru(sum[lane], factor) / v[point_at(i, lane)], factor);
+      upper[lane] = raise_ru(upper[lane] * raise_ru(1.0 + ratio, factor), factor);
+    }
+  }
+}
+
+void approx_perron(const double* P, std::size_t n, double* v, double* y,
+                   double* approx_radius) noexcept {
+  constexpr int kSteps = 12;
+  double norm[kLanes];
+  for (std::size_t e = 0; e < n * kLanes; ++e) v[e] = y[e] = 1.0;
+  for (int step = 0; step < kSteps; ++step) {
+    power_step(P, n, 1, n, y, norm);
+    power_step(P, n, n, 1, v, approx_radius);
+  }
+}
+
+}  // namespace regulus

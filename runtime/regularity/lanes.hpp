@@ -1,0 +1,52 @@
+// SPDX-License-Identifier: Apache-2.0
+// Eight boxes side by side, and sums of non-negative terms bounded from above.
+//
+// Arrays of exact doubles: entry e of lane l is x[e * kLanes + l] ("point layout"). Arrays of
+// intervals: bound s (0 lower, 1 upper) of entry e of lane l is x[(2 * e + s) * kLanes + l]
+// ("interval layout", that of regulus/kernel/abi.hpp).
+#pragma once
+
+#include <cstddef>
+
+namespace regulus {
+
+inline constexpr std::size_t kLanes = 8;
+
+/// Matrices beyond these orders are refused at the door, so that workspaces fit on the stack.
+inline constexpr std::size_t kMaxColumns = 12;
+inline constexpr std::size_t kMaxRows = 24;
+
+/// Bit l speaks of lane l.
+using LaneMask = unsigned;
+inline constexpr LaneMask kEveryLane = (1U << kLanes) - 1;
+
+[[nodiscard]] constexpr std::size_t point_at(std::size_t entry, std::size_t lane) noexcept {
+  return entry * kLanes + lane;
+}
+[[nodiscard]] constexpr std::size_t lower_at(std::size_t entry, std::size_t lane) noexcept {
+  return 2 * entry * kLanes + lane;
+}
+[[nodiscard]] constexpr std::size_t upper_at(std::size_t entry, std::size_t lane) noexcept {
+  return (2 * entry + 1) * kLanes + lane;
+}
+
+/// What raise_ru multiplies by, for sums of at most `terms` products.
+[[nodiscard]] constexpr double raise_factor(std::size_t terms) noexcept {
+  return 1.0 + static_cast<double>(terms + 4) * 0x1p-51;
+}
+
+/// An upper bound of s = Σ aᵢbᵢ from its floating-point value f.
+///
+/// Requires  at most `terms` < 2^40 products, factor = raise_factor(terms), aᵢ, bᵢ ≥ 0; f computed
+///           by one multiplication a term and any order of additions, in any rounding mode.
+/// Ensures   s ≤ result. An overflow gives +∞, an invalid operation NaN: no comparison holds then.
+/// Rounding  With u = 2^-52 (any mode) a product is a·b(1+δ) + η, |δ| ≤ u, |η| ≤ 2^-1074, and a sum
+///           (a+b)(1+δ) without η, since sums of doubles that small are exact. A term passes at
+///           most `terms` roundings, so f ≥ s(1−u)^t − t·2^-1074 and s ≤ (f + t·2^-1074)(1 + 2tu).
+///           The factor is 1 + 2(t+4)u, exact; the two roundings here cost (1−u)² and 2^-1074, for
+///           which 8u and the addend 2^-1000 are more than enough.
+[[nodiscard]] constexpr double raise_ru(double f, double factor) noexcept {
+  return f * factor + 0x1p-1000;
+}
+
+}  // namespace regulus

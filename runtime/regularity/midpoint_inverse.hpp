@@ -1,0 +1,20 @@
+// SPDX-License-Identifier: Apache-2.0
+// The preconditioner K ≈ A(t₀)⁻¹, in plain doubles: any K is legitimate, a bad one only fails to
+// decide.
+#pragma once
+
+#include "regulus/regularity/lanes.hpp"
+
+namespace regulus {
+
+/// Inverts eight m×n matrices approximately; for m > n a left inverse, (AᵀA)⁻¹Aᵀ.
+///
+/// Shape     matrix m×n, inverse n×m, row-major, point layout. determinant: 8 doubles, of A for
+///           m = n and of the column-scaled AᵀA otherwise.
+/// Requires  kMaxRows ≥ m ≥ n ≥ 1, kMaxColumns ≥ n. Not in place.
+/// Ensures   returns the lanes where no finite inverse was found; their entries are meaningless.
+/// Rounding  none: no result here is a bound.
+[[nodiscard]] LaneMask approx_inverse(const double* matrix, std::size_t m, std::size_t n,
+                                      double* inverse, double* approx_determinant) noexcept;
+
+}  // namespace regulus
