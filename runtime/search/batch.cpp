@@ -1,0 +1,231 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "regulus/search/batch.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <cstring>
+
+#include "regulus/regularity/midpoint_inverse.hpp"
+
+namespace regulus {
+namespace {
+
+LaneMask lanes_within(const double* x, std::size_t entries, double limit) noexcept {
+  LaneMask within = kEveryLane;
+  for (std::size_t e = 0; e < entries; ++e)
+    for (std::size_t lane = 0; lane < kLanes; ++lane)
+      within &= ~(static_cast<LaneMask>(!(std::fabs(x[point_at(e, lane)]) <= limit)) << lane);
+  return within;
+}
+
+void clear_lane(double* x, std::size_t entries, std::size_t lane) noexcept {
+  for (std::size_t e = 0; e < entries; ++e) x[point_at(e, lane)] = 0.0;
+}
+
+void midpoints_of(const double* intervals, std::size_t entries, double* points) noexcept {
+  for (std::size_t e = 0; e < entries; ++e)
+    for (std::size_t lane = 0; lane < kLanes; ++lane)
+      points[point_at(e, lane)] =
+          0.5 * intervals[lower_at(e, lane)] + 0.5 * intervals[upper_at(e, lane)];
+}
+
+}  // namespace
+
+Batch::Batch(const Problem& problem, const Settings&)
+    : caller_(*problem.kernel),
+      kernel_(*problem.kernel),
+      alpha_(problem.alpha),
+      variables_(kernel_.variables),
+      rows_(kernel_.rows),
+      columns_(kernel_.columns) {
+  const std::size_t v = variables_ * kLanes;
+  const std::size_t mn = rows_ * columns_ * kLanes;
+  const std::size_t nn = columns_ * columns_ * kLanes;
+  const std::size_t mm = rows_ * rows_ * kLanes;
+  const std::size_t h = kernel_.constraints * kLanes;
+  const std::size_t pose = kernel_.pose_parameters * kLanes;
+  boxes_ = AlignedBuffer(2 * v);
+  thin_ = AlignedBuffer(2 * v);
+  midpoint_ = AlignedBuffer(v);
+  radius_ = AlignedBuffer(v);
+  matrix_ = AlignedBuffer(2 * mn);
+  midpoint_matrix_ = AlignedBuffer(2 * mn);
+  approx_matrix_ = AlignedBuffer(mn);
+  preconditioner_ = AlignedBuffer(mn);
+  left_ = AlignedBuffer(2 * nn);
+  left_numeric_ = AlignedBuffer(2 * nn);
+  right_ = AlignedBuffer(2 * mm);
+  right_numeric_ = AlignedBuffer(2 * mm);
+  derivatives_ = AlignedBuffer(kernel_.left_derivatives != nullptr ? 2 * nn * variables_ : 0);
+  bounds_ = AlignedBuffer(nn);
+  center_ = AlignedBuffer(nn);
+  vector_ = AlignedBuffer(columns_ * kLanes);
+  candidate_vector_ = AlignedBuffer(columns_ * kLanes);
+  right_perron_ = AlignedBuffer(columns_ * kLanes);
+  left_perron_ = AlignedBuffer(columns_ * kLanes);
+  impact_ = AlignedBuffer(v);
+  scratch_ = AlignedBuffer(std::max({2 * mn, 2 * nn, 2 * h, 2 * pose}));
+}
+
+void Batch::clear() noexcept {
+  done_ = 0;
+  loaded_ = 0;
+}
+
+void Batch::load(std::size_t lane, std::span<const Interval> box) noexcept {
+  for (std::size_t k = 0; k < variables_; ++k) {
+    boxes_[lower_at(k, lane)] = box[k].lo;
+    boxes_[upper_at(k, lane)] = box[k].hi;
+    const double middle = mid(box[k]);
+    midpoint_[point_at(k, lane)] = middle;
+    thin_[lower_at(k, lane)] = thin_[upper_at(k, lane)] = middle;
+    radius_[point_at(k, lane)] = rad_ru(box[k]);
+  }
+  loaded_ |= 1U << lane;
+}
+
+void Batch::seal(std::size_t count) noexcept {
+  for (std::size_t k = 0; k < variables_; ++k)
+    for (std::size_t lane = count; lane < kLanes; ++lane) {
+      boxes_[lower_at(k, lane)] = boxes_[lower_at(k, 0)];
+      boxes_[upper_at(k, lane)] = boxes_[upper_at(k, 0)];
+      thin_[lower_at(k, lane)] = thin_[lower_at(k, 0)];
+      thin_[upper_at(k, lane)] = thin_[upper_at(k, 0)];
+      midpoint_[point_at(k, lane)] = midpoint_[point_at(k, 0)];
+      radius_[point_at(k, lane)] = radius_[point_at(k, 0)];
+    }
+}
+
+bool Batch::begin(Stage stage) noexcept {
+  const bool first = (done_ & stage) == 0;
+  done_ |= stage;
+  return first;
+}
+
+LaneMask Batch::call(regulus_function function, const double* boxes, const double* points,
+                     double* out) noexcept {
+  return kEveryLane & ~caller_.call(function, boxes, points, out);
+}
+
+void Batch::constraints_on(const double* boxes, LaneMask& inside, LaneMask& outside) noexcept {
+  inside = kEveryLane;
+  outside = 0;
+  if (kernel_.constraints == 0) return;
+  // A lane with an undefined constraint is neither inside nor outside.
+  const LaneMask defined = call(kernel_.constraint, boxes, nullptr, scratch_.get());
+  for (std::size_t h = 0; h < kernel_.constraints; ++h)
+    for (std::size_t lane = 0; lane < kLanes; ++lane) {
+      if (!(scratch_[upper_at(h, lane)] <= 0.0)) inside &= ~(1U << lane);
+      if (scratch_[lower_at(h, lane)] > 0.0) outside |= 1U << lane;
+    }
+  inside &= defined;
+  outside &= defined;
+}
+
+LaneMask Batch::certain_outside() noexcept {
+  if (begin(kConstraints)) constraints_on(boxes_.get(), inside_, outside_);
+  return outside_ & loaded_;
+}
+
+LaneMask Batch::certain_inside() noexcept {
+  if (begin(kConstraints)) constraints_on(boxes_.get(), inside_, outside_);
+  return inside_ & loaded_;
+}
+
+LaneMask Batch::midpoint_inside() noexcept {
+  if (begin(kMidpointConstraints)) constraints_on(thin_.get(), midpoint_inside_, midpoint_outside_);
+  return midpoint_inside_ & loaded_;
+}
+
+LaneMask Batch::midpoint_outside() noexcept {
+  if (begin(kMidpointConstraints)) constraints_on(thin_.get(), midpoint_inside_, midpoint_outside_);
+  return midpoint_outside_ & loaded_;
+}
+
+void Batch::compute_posed() noexcept {
+  posed_ = kEveryLane;
+  for (std::size_t lane = 0; lane < kLanes; ++lane)
+    scale_[lower_at(0, lane)] = scale_[upper_at(0, lane)] = 1.0;
+  if (kernel_.row_scale != nullptr) {
+    // Copied at the end: kernels want an aligned array.
+    posed_ &= call(kernel_.row_scale, boxes_.get(), nullptr, scratch_.get());
+    std::memcpy(scale_, scratch_.get(), sizeof scale_);
+    for (std::size_t lane = 0; lane < kLanes; ++lane)
+      if (!(scale_[lower_at(0, lane)] > 0.0)) posed_ &= ~(1U << lane);
+  }
+  if (kernel_.pose != nullptr) posed_ &= call(kernel_.pose, boxes_.get(), nullptr, scratch_.get());
+}
+
+LaneMask Batch::certain_posed() noexcept {
+  if (posed_everywhere_) return loaded_;
+  if (begin(kPosed)) compute_posed();
+  return posed_ & loaded_;
+}
+
+Interval Batch::row_scale(std::size_t lane) noexcept {
+  if (begin(kPosed)) compute_posed();
+  return {scale_[lower_at(0, lane)], scale_[upper_at(0, lane)]};
+}
+
+void Batch::learn_from_root() noexcept { posed_everywhere_ = has_lane(certain_posed(), 0); }
+
+bool Batch::certain_above_threshold(std::size_t lane, double lower) noexcept {
+  if (!(lower > 0.0) || !has_lane(certain_posed(), lane)) return false;
+  return alpha_.hi == 0.0 || mul_rd(lower, row_scale(lane).lo) > alpha_.hi;
+}
+
+void Batch::compute_midpoint() noexcept {
+  midpoint_defined_ = call(kernel_.matrix, thin_.get(), nullptr, midpoint_matrix_.get());
+  midpoints_of(midpoint_matrix_.get(), rows_ * columns_, approx_matrix_.get());
+  const LaneMask failed = approx_inverse(approx_matrix_.get(), rows_, columns_,
+                                         preconditioner_.get(), approx_determinant_);
+  preconditioned_ = midpoint_defined_ & ~failed &
+                    lanes_within(preconditioner_.get(), rows_ * columns_, kMaxPointMagnitude);
+  for_each_lane(kEveryLane & ~preconditioned_, [this](std::size_t lane) {
+    clear_lane(preconditioner_.get(), rows_ * columns_, lane);
+  });
+}
+
+LaneMask Batch::midpoint_defined() noexcept {
+  if (begin(kMidpoint)) compute_midpoint();
+  return midpoint_defined_ & loaded_;
+}
+
+LaneMask Batch::preconditioned() noexcept {
+  if (begin(kMidpoint)) compute_midpoint();
+  return preconditioned_ & loaded_;
+}
+
+const double* Batch::preconditioner() noexcept {
+  if (begin(kMidpoint)) compute_midpoint();
+  return preconditioner_.get();
+}
+
+double Batch::approx_determinant(std::size_t lane) noexcept {
+  if (begin(kMidpoint)) compute_midpoint();
+  return approx_determinant_[lane];
+}
+
+void Batch::keep_vector(LaneMask lanes) noexcept {
+  for_each_lane(lanes, [this](std::size_t lane) {
+    for (std::size_t i = 0; i < columns_; ++i)
+      vector_[point_at(i, lane)] = candidate_vector_[point_at(i, lane)];
+  });
+}
+
+double Batch::approx_row_scale(std::size_t lane) noexcept {
+  if (!begin(kMidpointScale)) return approx_scale_[lane];
+  std::fill_n(approx_scale_, kLanes, 1.0);
+  if (kernel_.row_scale != nullptr) {
+    const LaneMask defined = call(kernel_.row_scale, thin_.get(), nullptr, scratch_.get());
+    midpoints_of(scratch_.get(), 1, approx_scale_);
+    for_each_lane(kEveryLane & ~defined, [this](std::size_t l) { approx_scale_[l] = 1.0; });
+  }
+  return approx_scale_[lane];
+}
+
+Interval Batch::preconditioner_determinant(std::size_t lane) noexcept {
+  return enclose_determinant_by_elimination(point_lane(preconditioner(), columns_, lane));
+}
+
+}  // namespace regulus

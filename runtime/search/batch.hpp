@@ -1,0 +1,169 @@
+// SPDX-License-Identifier: Apache-2.0
+// Up to eight boxes and what has been computed about them. Each quantity is computed for all lanes
+// when it is first asked for, so that a test pays only for what it needs. No allocation after
+// construction.
+#pragma once
+
+#include <span>
+
+#include "regulus/kernel/call.hpp"
+#include "regulus/regularity/determinant.hpp"
+#include "regulus/regularity/lanes.hpp"
+#include "regulus/search/aligned_buffer.hpp"
+#include "regulus/search/problem.hpp"
+
+namespace regulus {
+
+static_assert(kLanes == REGULUS_LANES);
+
+/// Calls `visit(lane)` for each lane of the mask, lowest first.
+template <typename Visit>
+constexpr void for_each_lane(LaneMask lanes, Visit&& visit) {
+  for (std::size_t lane = 0; lane < kLanes; ++lane)
+    if ((lanes >> lane & 1U) != 0) visit(lane);
+}
+
+[[nodiscard]] constexpr bool has_lane(LaneMask lanes, std::size_t lane) noexcept {
+  return (lanes >> lane & 1U) != 0;
+}
+
+/// Which product of the matrix with K a test looks at, and whether it is the symbolic one.
+struct ProductForm {
+  enum class Side : unsigned char { kNone, kLeft, kRight };
+  Side side = Side::kNone;
+  bool numeric = false;
+};
+
+class Batch {
+ public:
+  Batch(const Problem& problem, const Settings& settings);
+
+  /// Forgets everything. Then load 1…8 lanes from 0, without gaps, and seal.
+  void clear() noexcept;
+  void load(std::size_t lane, std::span<const Interval> box) noexcept;
+  /// Fills the lanes from `count` on with copies of lane 0: kernels want eight proper boxes.
+  void seal(std::size_t count) noexcept;
+
+  [[nodiscard]] LaneMask loaded() const noexcept { return loaded_; }
+  [[nodiscard]] Interval box(std::size_t variable, std::size_t lane) const noexcept {
+    return {boxes_[lower_at(variable, lane)], boxes_[upper_at(variable, lane)]};
+  }
+  [[nodiscard]] double midpoint(std::size_t variable, std::size_t lane) const noexcept {
+    return midpoint_[point_at(variable, lane)];
+  }
+  [[nodiscard]] double radius(std::size_t variable, std::size_t lane) const noexcept {
+    return radius_[point_at(variable, lane)];
+  }
+
+  // Over the boxes. Masks speak of all points of a box.
+
+  /// Some constraint is certainly positive.
+  [[nodiscard]] LaneMask certain_outside() noexcept;
+  /// Every constraint is certainly ≤ 0.
+  [[nodiscard]] LaneMask certain_inside() noexcept;
+  /// The row scales are defined and positive, and the pose is defined.
+  [[nodiscard]] LaneMask certain_posed() noexcept;
+  /// Encloses the product of the row scales.
+  [[nodiscard]] Interval row_scale(std::size_t lane) noexcept;
+  /// K·A, A·K or A in interval layout; lanes that are not defined are taken out of `lanes`.
+  [[nodiscard]] const double* product(ProductForm form, LaneMask& lanes) noexcept;
+  /// Whether |det J⁻¹| > α follows from |det A| ≥ lower.
+  [[nodiscard]] bool certain_above_threshold(std::size_t lane, double lower) noexcept;
+
+  // At the midpoints.
+
+  /// A is defined at the midpoint.
+  [[nodiscard]] LaneMask midpoint_defined() noexcept;
+  /// A is defined at the midpoint and K was found.
+  [[nodiscard]] LaneMask preconditioned() noexcept;
+  /// K, n×m, point layout.
+  [[nodiscard]] const double* preconditioner() noexcept;
+  [[nodiscard]] Interval preconditioner_determinant(std::size_t lane) noexcept;
+  /// det A to nearest; with scale, det J⁻¹.
+  [[nodiscard]] double approx_determinant(std::size_t lane) noexcept;
+  [[nodiscard]] double approx_row_scale(std::size_t lane) noexcept;
+  /// Every constraint is certainly ≤ 0 at the midpoint.
+  [[nodiscard]] LaneMask midpoint_inside() noexcept;
+  /// Some constraint is certainly positive at the midpoint.
+  [[nodiscard]] LaneMask midpoint_outside() noexcept;
+
+  // For the H-matrix test and for bisection.
+
+  /// P ≥ |KA − I| from natural entries; +∞ in lanes without.
+  [[nodiscard]] double* natural_bounds() noexcept;
+  /// The same, lowered to the mean-value bound where that is smaller.
+  [[nodiscard]] double* mean_value_bounds() noexcept;
+  [[nodiscard]] bool has_derivatives() const noexcept {
+    return kernel_.left_derivatives != nullptr;
+  }
+  /// Where a test computes its v; keep_vector then saves those that proved something.
+  [[nodiscard]] double* candidate_vector() noexcept { return candidate_vector_.get(); }
+  void keep_vector(LaneMask lanes) noexcept;
+  /// v of the test that certified a lane.
+  [[nodiscard]] const double* vector() const noexcept { return vector_.get(); }
+  /// What each variable adds to the spectral radius of P, roughly; point layout.
+  [[nodiscard]] const double* approx_impact() noexcept;
+
+  /// Declares that the boxes of this batch contain all boxes to come, so that what holds on the
+  /// whole of lane 0 need not be asked again.
+  void learn_from_root() noexcept;
+
+  /// Calls a function of the kernel on the boxes.
+  [[nodiscard]] LaneMask call_on_boxes(regulus_function function, double* out) noexcept {
+    return call(function, boxes_.get(), nullptr, out);
+  }
+  [[nodiscard]] const regulus_kernel& kernel() const noexcept { return kernel_; }
+
+ private:
+  enum Stage : unsigned {
+    kConstraints = 1U << 0,
+    kPosed = 1U << 1,
+    kMatrix = 1U << 2,
+    kLeft = 1U << 3,
+    kRight = 1U << 4,
+    kLeftNumeric = 1U << 5,
+    kRightNumeric = 1U << 6,
+    kMidpoint = 1U << 7,
+    kMidpointConstraints = 1U << 8,
+    kNatural = 1U << 9,
+    kMeanValue = 1U << 10,
+    kImpact = 1U << 11,
+    kDerivatives = 1U << 12,
+    kMidpointScale = 1U << 13,
+  };
+  [[nodiscard]] bool begin(Stage stage) noexcept;
+  LaneMask call(regulus_function function, const double* boxes, const double* points,
+                double* out) noexcept;
+  void constraints_on(const double* boxes, LaneMask& inside, LaneMask& outside) noexcept;
+  void compute_posed() noexcept;
+  void compute_midpoint() noexcept;
+  void compute_derivatives() noexcept;
+  void multiply_left() noexcept;
+  void multiply_right() noexcept;
+  void impact_from_derivatives() noexcept;
+  void impact_from_differences() noexcept;
+  void add_difference(std::size_t variable, double* magnitude) noexcept;
+  void weigh_impact(std::size_t variable, std::size_t entry, const double* magnitude) noexcept;
+
+  const Kernel caller_;
+  const regulus_kernel& kernel_;
+  const Interval alpha_;
+  const std::size_t variables_, rows_, columns_;
+  bool posed_everywhere_ = false;
+  unsigned done_ = 0;
+  LaneMask loaded_ = 0;
+
+  AlignedBuffer boxes_, thin_, midpoint_, radius_;
+  AlignedBuffer matrix_, midpoint_matrix_, approx_matrix_, preconditioner_;
+  AlignedBuffer left_, right_, left_numeric_, right_numeric_, derivatives_;
+  AlignedBuffer bounds_, center_, vector_, candidate_vector_, right_perron_, left_perron_;
+  AlignedBuffer impact_, scratch_;
+  double approx_determinant_[kLanes] = {};
+  double approx_scale_[kLanes] = {};
+  double scale_[2 * kLanes] = {};
+  LaneMask inside_ = 0, outside_ = 0, midpoint_inside_ = 0, midpoint_outside_ = 0;
+  LaneMask posed_ = 0, matrix_defined_ = 0, left_defined_ = 0, right_defined_ = 0;
+  LaneMask midpoint_defined_ = 0, preconditioned_ = 0, derivatives_defined_ = 0;
+};
+
+}  // namespace regulus

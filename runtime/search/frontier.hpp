@@ -1,0 +1,65 @@
+// SPDX-License-Identifier: Apache-2.0
+// The boxes still to decide, in the order of Algorithm 1, lines 20–28.
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "regulus/interval/interval.hpp"
+#include "regulus/search/observer.hpp"
+
+namespace regulus {
+
+/// A list whose top is the narrowest box: of the two halves of a box the first takes its place on
+/// top; the second goes to the far end if it is wider than the box there, else just below the
+/// first. The boxes on the way down from the root to the top have at most one sibling each in the
+/// list, so with ranges of width 1 that are decided at width ε it never holds more than
+/// m·⌈log₂(1/ε)⌉ + 1 boxes; b times that when b boxes are taken at once.
+class Frontier {
+ public:
+  explicit Frontier(std::size_t variables);
+
+  [[nodiscard]] bool empty() const noexcept { return size_ == 0; }
+  [[nodiscard]] std::size_t size() const noexcept { return size_; }
+  [[nodiscard]] std::size_t max_size() const noexcept { return max_size_; }
+
+  /// The box on top. The span is valid until the next insertion.
+  [[nodiscard]] OpenBox top() const noexcept;
+  void pop() noexcept;
+
+  /// The box at the far end.
+  [[nodiscard]] OpenBox end() const noexcept;
+  void pop_end() noexcept;
+
+  /// false when memory is exhausted; the list is then as before.
+  [[nodiscard]] bool push_top(const OpenBox& box, double width) noexcept;
+  [[nodiscard]] bool push_end(const OpenBox& box, double width) noexcept;
+
+  /// Both halves of a box that was on top.
+  [[nodiscard]] bool push_halves(const OpenBox& first, double first_width, const OpenBox& second,
+                                 double second_width) noexcept;
+
+ private:
+  struct Slot {
+    BoxId id;
+    std::uint32_t depth;
+    double width;
+  };
+  [[nodiscard]] OpenBox at(std::size_t slot) const noexcept;
+  [[nodiscard]] bool grow() noexcept;
+  [[nodiscard]] std::size_t slot(std::size_t from_end) const noexcept {
+    return (end_ + from_end) % slots_.size();
+  }
+  void store(std::size_t slot, const OpenBox& box, double width) noexcept;
+
+  // A ring: the far end at end_, the top at end_ + size_ − 1.
+  std::size_t variables_;
+  std::size_t end_ = 0;
+  std::size_t size_ = 0;
+  std::size_t max_size_ = 0;
+  std::vector<Slot> slots_;
+  std::vector<Interval> boxes_;
+};
+
+}  // namespace regulus

@@ -1,0 +1,53 @@
+// SPDX-License-Identifier: Apache-2.0
+// The events of a search. Certificates, checkpoints, progress displays and pavings are observers.
+#pragma once
+
+#include <cstdint>
+#include <span>
+
+#include "regulus/interval/interval.hpp"
+#include "regulus/search/problem.hpp"
+#include "regulus/search/result.hpp"
+
+namespace regulus {
+
+/// The root is 0; the lower half of a split gets the next free number, the upper half the one
+/// after.
+using BoxId = std::uint64_t;
+
+struct OpenBox {
+  BoxId id = 0;
+  std::uint32_t depth = 0;  ///< splits above it
+  std::span<const Interval> box;
+};
+
+struct Split {
+  BoxId parent;
+  std::uint32_t variable;
+  double at;
+  BoxId lower;  ///< lower + 1 is the upper half
+};
+
+/// What the test that certified a leaf used: entry p of K is preconditioner[p·8], entry i of v is
+/// vector[i·8] (null if the rule has none).
+struct Proof {
+  const double* preconditioner = nullptr;
+  const double* vector = nullptr;
+};
+
+class Observer {
+ public:
+  Observer() = default;
+  Observer(const Observer&) = delete;
+  Observer& operator=(const Observer&) = delete;
+  virtual ~Observer() = default;
+
+  virtual void on_start(const Problem&, const Settings&) noexcept {}
+  virtual void on_split(const OpenBox&, const Split&) noexcept {}
+  virtual void on_leaf(const OpenBox&, Rule, const Proof&) noexcept {}
+  /// After each batch of boxes.
+  virtual void on_progress(const Statistics&, std::uint64_t /*frontier*/) noexcept {}
+  virtual void on_finish(const Result&) noexcept {}
+};
+
+}  // namespace regulus

@@ -1,0 +1,98 @@
+// SPDX-License-Identifier: Apache-2.0
+// What is to be certified, and how to go about it.
+#pragma once
+
+#include <atomic>
+#include <cstdint>
+#include <limits>
+#include <optional>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "regulus/interval/interval.hpp"
+#include "regulus/kernel/abi.hpp"
+
+namespace regulus {
+
+/// A set of values for every variable of a kernel (motion parameters, then uncertain quantities)
+/// over which it is to be certified.
+///
+/// A range such as ±15·π/180 does not end in doubles, so each variable has two: `outer` holds the
+/// true range and is what is proved free; `inner` lies within the true range and is where witnesses
+/// may lie. nullopt where no double is within the true range (a single irrational value): a witness
+/// then speaks of all of `outer`, which includes the true value. For a ball, `outer` is a box
+/// around it and `inner` a box inside it.
+struct Problem {
+  const regulus_kernel* kernel = nullptr;
+  std::vector<Interval> outer;
+  std::vector<std::optional<Interval>> inner;
+  Interval alpha{0.0};  ///< encloses the threshold α ≥ 0
+};
+
+/// The regularity tests tried on each box, in the order of the name; kAuto is the H-matrix test on
+/// natural, then on mean-value bounds of K·A.
+enum class Method : std::uint8_t {
+  kAuto,
+  kReg,
+  kRegRohn,
+  kKj,
+  kKjRohn,
+  kJk,
+  kJkRohn,
+  kKjNumeric,
+  kJkNumeric,
+};
+
+enum class Determinant : std::uint8_t { kExpansion, kElimination };
+
+/// kWidest: largest width. kWeighted: largest width relative to the range of the variable. kImpact:
+/// largest contribution to the spectral radius that blocks the H-matrix test.
+enum class Bisection : std::uint8_t { kWidest, kWeighted, kImpact };
+
+/// Whether uncertain quantities are kept whole in the matrix elements (the paper's D) or bisected
+/// like motion parameters (V).
+enum class Uncertainty : std::uint8_t { kElements, kVariables };
+
+/// Asks for the determinant at a point with more digits than doubles have.
+class DeterminantOracle {
+ public:
+  DeterminantOracle() = default;
+  DeterminantOracle(const DeterminantOracle&) = delete;
+  DeterminantOracle& operator=(const DeterminantOracle&) = delete;
+  virtual ~DeterminantOracle() = default;
+
+  /// Ensures   det A(p) ∈ result for all p in `point`; nullopt if A is not certainly defined there.
+  [[nodiscard]] virtual std::optional<Interval> enclose(
+      std::span<const Interval> point) noexcept = 0;
+};
+
+struct Settings {
+  Method method = Method::kAuto;
+  Determinant determinant = Determinant::kExpansion;
+  Bisection bisection = Bisection::kImpact;
+  Uncertainty uncertainty = Uncertainty::kElements;
+  std::uint64_t max_boxes = std::numeric_limits<std::uint64_t>::max();
+  double time_limit = std::numeric_limits<double>::infinity();  ///< seconds
+  const std::atomic<bool>* interrupt = nullptr;                 ///< true: stop soon
+  /// Boxes are not split in a variable narrower than this part of its range; a box that can no
+  /// longer be split is reported as blocking. 0: until no double lies strictly inside.
+  double min_relative_width = 0x1p-40;
+  /// How long to look for a singularity once it is known that NO SINGULARITY cannot be shown.
+  std::uint64_t boxes_after_problem = 4096;
+  /// Evaluate at most this many boxes at once, 1…8. With 1 the order is the paper's.
+  unsigned batch = 8;
+  /// Give every box of the variety its verdict, even after a witness is found.
+  bool exhaustive = false;
+  DeterminantOracle* oracle = nullptr;
+};
+
+/// What is wrong with the problem or the settings, in words; nullopt when a search can be made.
+[[nodiscard]] std::optional<std::string> find_fault(const Problem& problem,
+                                                    const Settings& settings);
+
+[[nodiscard]] const char* name(Method method) noexcept;
+[[nodiscard]] std::optional<Method> parse_method(std::string_view text) noexcept;
+
+}  // namespace regulus

@@ -1,0 +1,77 @@
+// SPDX-License-Identifier: Apache-2.0
+// What the search claims, and why.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <optional>
+#include <vector>
+
+#include "regulus/interval/interval.hpp"
+#include "regulus/search/problem.hpp"
+
+namespace regulus {
+
+enum class Verdict : std::uint8_t { kNoSingularity, kSingularity, kPossibleProblem };
+
+/// Why a verdict, or what stood in the way of one.
+enum class Reason : std::uint8_t {
+  kAllBoxesCertified,
+  kOppositeSigns,     ///< two points, det of opposite signs, joined within the variety
+  kSmallDeterminant,  ///< a point with |det| ≤ α
+  kWidth,             ///< a box at the minimum width could not be decided
+  kUncertainty,       ///< at one pose the uncertain quantities alone defeat the test
+  kUndefined,         ///< an expression is undefined at, or near, a pose
+  kBoxBudget,
+  kTimeBudget,
+  kInterrupted,
+  kMemory,
+  kBadProblem,
+};
+
+/// What was decided about a box, and by which test.
+enum class Rule : std::uint8_t {
+  kOutside,      ///< a constraint is positive throughout
+  kHMatrix,      ///< Pv < v, natural entries
+  kMeanValue,    ///< Pv < v, smaller of natural and mean-value bounds
+  kDeterminant,  ///< interval determinant
+  kRohn,         ///< vertex determinants
+  kBlocked,      ///< not decided and not split any more
+};
+inline constexpr std::size_t kRules = 6;
+
+struct WitnessPoint {
+  std::vector<Interval> variables;  ///< thin wherever the range holds a double
+  Interval determinant;             ///< of A for opposite signs, of J⁻¹ for a small determinant
+  std::vector<Interval> pose;
+};
+
+/// Two points of opposite signs, or one of small determinant.
+struct Witness {
+  std::vector<WitnessPoint> points;
+  std::vector<Interval> near;  ///< two points: the middle of the segment that joins them
+  std::vector<Interval> near_pose;
+};
+
+struct Statistics {
+  std::uint64_t boxes = 0;  ///< evaluated
+  std::uint64_t max_frontier = 0;
+  std::uint64_t probes = 0;  ///< points at which a determinant was computed in search of a witness
+  std::array<std::uint64_t, kRules> leaves{};
+  double seconds = 0;
+};
+
+struct Result {
+  Verdict verdict = Verdict::kPossibleProblem;
+  Reason reason = Reason::kBadProblem;
+  Method method = Method::kAuto;
+  Statistics statistics;
+  std::optional<Witness> witness;
+  std::vector<Interval> blocking_box;  ///< POSSIBLE PROBLEM: the box that stands in the way
+};
+
+[[nodiscard]] const char* name(Verdict verdict) noexcept;
+[[nodiscard]] const char* describe(Reason reason) noexcept;
+[[nodiscard]] const char* name(Rule rule) noexcept;
+
+}  // namespace regulus

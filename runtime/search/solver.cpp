@@ -1,0 +1,336 @@
+// SPDX-License-Identifier: Apache-2.0
+// Algorithm 1 on up to eight boxes at a time, with the constraints of Table II.
+//
+// A box is left for one of three reasons: a constraint excludes it, a test certifies it, or it
+// cannot be decided and is not to be split any more. The last kind rules out NO SINGULARITY; the
+// search then goes on for a while, widest boxes first, since SINGULARITY may still be shown.
+#include "regulus/search/solver.hpp"
+
+#include <chrono>
+
+#include "regulus/kernel/rounding_scope.hpp"
+#include "regulus/search/batch.hpp"
+#include "regulus/search/bisector.hpp"
+#include "regulus/search/frontier.hpp"
+#include "regulus/search/tests.hpp"
+#include "regulus/search/witness_search.hpp"
+
+namespace regulus {
+namespace {
+
+using Clock = std::chrono::steady_clock;
+
+/// How many splits lie between two checks that the uncertainty leaves the box a chance.
+constexpr std::uint32_t kStallCheck = 12;
+
+/// Witness searches that start from boxes that could not be decided.
+constexpr std::uint64_t kMaxDescentsFromBlocked = 16;
+
+class Search {
+ public:
+  Search(const Problem& problem, const Settings& settings, Observer* observer)
+      : problem_(problem),
+        settings_(settings),
+        observer_(observer != nullptr ? *observer : silent_),
+        batch_(problem, settings),
+        center_(problem, settings),
+        tests_(make_tests(problem, settings)),
+        bisector_(problem, settings),
+        witness_(problem, settings),
+        frontier_(problem.kernel->variables),
+        current_(kLanes * problem.kernel->variables),
+        half_(problem.kernel->variables),
+        blocking_(problem.kernel->variables),
+        keeps_uncertainty_whole_(problem.kernel->variables > problem.kernel->motion_variables &&
+                                 settings.uncertainty == Uncertainty::kElements) {}
+
+  Result run(std::span<const OpenBox> open, BoxId next_id);
+
+ private:
+  void loop() noexcept;
+  [[nodiscard]] bool must_stop() noexcept;
+  void stop(Reason reason) noexcept;
+  void stop_at_open_box(Reason reason) noexcept;
+
+  void load_batch() noexcept;
+  void decide_batch() noexcept;
+  [[nodiscard]] LaneMask leave_outside(LaneMask lanes) noexcept;
+  [[nodiscard]] LaneMask leave_certified(LaneMask lanes) noexcept;
+  void leave(std::size_t lane, Rule rule, const Proof& proof) noexcept;
+  void look_for_witness(LaneMask undecided) noexcept;
+  void split_or_block(std::size_t lane) noexcept;
+  void split(std::size_t lane, std::size_t variable) noexcept;
+  void block(std::size_t lane, Reason reason) noexcept;
+  [[nodiscard]] bool hopeless_under_uncertainty(std::size_t lane) noexcept;
+  [[nodiscard]] Result conclude();
+
+  [[nodiscard]] std::span<Interval> box_of(std::size_t lane) noexcept {
+    const std::size_t variables = problem_.kernel->variables;
+    return {current_.data() + lane * variables, variables};
+  }
+  [[nodiscard]] bool looking_for_witness() const noexcept {
+    return !settings_.exhaustive && !witness_.found();
+  }
+
+  Observer silent_;
+  const Problem& problem_;
+  const Settings& settings_;
+  Observer& observer_;
+  Batch batch_, center_;
+  TestSequence tests_;
+  Bisector bisector_;
+  WitnessSearch witness_;
+  Frontier frontier_;
+  std::vector<Interval> current_, half_, blocking_;
+  OpenBox open_[kLanes];
+  BoxId next_id_ = 1;
+  const bool keeps_uncertainty_whole_;
+  bool blocked_ = false;
+  bool stopped_ = false;
+  bool exhausted_ = false;  ///< stopped by a budget or from outside, not by a verdict
+  Reason reason_ = Reason::kAllBoxesCertified;
+  std::uint64_t boxes_when_blocked_ = 0;
+  std::uint64_t next_descent_ = 1;
+  Statistics statistics_;
+  Clock::time_point start_ = Clock::now();
+};
+
+double seconds_since(Clock::time_point start) noexcept {
+  return std::chrono::duration<double>(Clock::now() - start).count();
+}
+
+Result Search::run(std::span<const OpenBox> open, BoxId next_id) {
+  next_id_ = next_id;
+  observer_.on_start(problem_, settings_);
+  batch_.clear();
+  batch_.load(0, problem_.outer);
+  batch_.seal(1);
+  batch_.learn_from_root();
+  for (std::size_t k = open.size(); k-- > 0;)
+    if (!frontier_.push_top(open[k], bisector_.approx_relative_width(open[k].box)))
+      stop_at_open_box(Reason::kMemory);
+  loop();
+  Result result = conclude();
+  observer_.on_finish(result);
+  return result;
+}
+
+void Search::loop() noexcept {
+  while (!frontier_.empty() && !stopped_) {
+    if (must_stop()) return;
+    load_batch();
+    decide_batch();
+    observer_.on_progress(statistics_, frontier_.size());
+  }
+}
+
+bool Search::must_stop() noexcept {
+  if (settings_.interrupt != nullptr && settings_.interrupt->load(std::memory_order_relaxed))
+    stop_at_open_box(Reason::kInterrupted);
+  else if (statistics_.boxes >= settings_.max_boxes)
+    stop_at_open_box(Reason::kBoxBudget);
+  else if (seconds_since(start_) >= settings_.time_limit)
+    stop_at_open_box(Reason::kTimeBudget);
+  else if (blocked_ && !settings_.exhaustive &&
+           statistics_.boxes - boxes_when_blocked_ >= settings_.boxes_after_problem)
+    stopped_ = true;
+  return stopped_;
+}
+
+void Search::stop_at_open_box(Reason reason) noexcept {
+  stopped_ = exhausted_ = true;
+  if (blocked_) return;
+  reason_ = reason;
+  if (frontier_.empty()) return;
+  const OpenBox top = frontier_.top();
+  std::copy(top.box.begin(), top.box.end(), blocking_.begin());
+}
+
+void Search::load_batch() noexcept {
+  batch_.clear();
+  std::size_t count = 0;
+  while (count < settings_.batch && !frontier_.empty() && statistics_.boxes < settings_.max_boxes) {
+    // Once NO SINGULARITY is out of reach, the widest boxes show most of what is left.
+    const OpenBox next = blocked_ ? frontier_.end() : frontier_.top();
+    std::copy(next.box.begin(), next.box.end(), box_of(count).begin());
+    open_[count] = {next.id, next.depth, box_of(count)};
+    batch_.load(count, open_[count].box);
+    blocked_ ? frontier_.pop_end() : frontier_.pop();
+    ++count;
+    ++statistics_.boxes;
+  }
+  batch_.seal(count);
+}
+
+/// Steps 5–30 for each box of the batch. Undecided boxes are split last to first, so that the first
+/// ends on top again.
+void Search::decide_batch() noexcept {
+  LaneMask lanes = leave_outside(batch_.loaded());
+  LaneMask undecided = leave_certified(lanes);
+  if (!settings_.exhaustive) {
+    witness_.look_at_midpoints(batch_, lanes);
+    look_for_witness(undecided);
+    if (witness_.found()) {
+      stopped_ = true;
+      return;
+    }
+  }
+  for (std::size_t lane = kLanes; lane-- > 0 && !stopped_;)
+    if (has_lane(undecided, lane)) split_or_block(lane);
+}
+
+void Search::leave(std::size_t lane, Rule rule, const Proof& proof) noexcept {
+  ++statistics_.leaves[static_cast<std::size_t>(rule)];
+  observer_.on_leaf(open_[lane], rule, proof);
+}
+
+LaneMask Search::leave_outside(LaneMask lanes) noexcept {
+  const LaneMask outside = batch_.certain_outside();
+  for_each_lane(outside, [this](std::size_t lane) { leave(lane, Rule::kOutside, {}); });
+  return lanes & ~outside;
+}
+
+LaneMask Search::leave_certified(LaneMask lanes) noexcept {
+  for (const auto& test : tests_) {
+    if (lanes == 0) break;
+    const LaneMask certified = test->certify(batch_, lanes) & lanes;
+    const bool has_vector = test->rule() == Rule::kHMatrix || test->rule() == Rule::kMeanValue;
+    for_each_lane(certified, [&](std::size_t lane) {
+      leave(lane, test->rule(),
+            {batch_.preconditioner() + lane, has_vector ? batch_.vector() + lane : nullptr});
+    });
+    lanes &= ~certified;
+  }
+  return lanes;
+}
+
+/// Corners first, then downhill: from all of the variety when the number of boxes reaches a power
+/// of two, so that the effort stays in proportion; with constraints from boxes inside them, since
+/// only there a segment can be certified.
+void Search::look_for_witness(LaneMask undecided) noexcept {
+  if (undecided == 0 || !looking_for_witness()) return;
+  if (statistics_.boxes < next_descent_) return;
+  if (problem_.kernel->constraints > 0) {
+    undecided &= batch_.certain_inside();
+    if (undecided == 0) return;
+    next_descent_ = statistics_.boxes + 1 + statistics_.boxes / 8;
+  } else {
+    if (next_descent_ == 1) witness_.look_at_corners();
+    next_descent_ = 2 * statistics_.boxes;
+  }
+  std::size_t lane = 0;
+  while (!has_lane(undecided, lane)) ++lane;
+  witness_.descend(open_[lane].box);
+}
+
+void Search::split_or_block(std::size_t lane) noexcept {
+  const bool outside_at_middle = has_lane(batch_.midpoint_outside(), lane);
+  // No box that holds this point will ever be certified.
+  if (!has_lane(batch_.midpoint_defined(), lane) && !outside_at_middle)
+    return block(lane, Reason::kUndefined);
+  if (open_[lane].depth % kStallCheck == kStallCheck - 1 && hopeless_under_uncertainty(lane))
+    return block(lane, Reason::kUncertainty);
+  const std::optional<std::size_t> variable = bisector_.choose(batch_, lane);
+  if (variable) return split(lane, *variable);
+  LaneMask defined = 1U << lane;
+  static_cast<void>(batch_.product({}, defined));
+  block(lane, defined != 0 ? Reason::kWidth : Reason::kUndefined);
+}
+
+void Search::split(std::size_t lane, std::size_t variable) noexcept {
+  const OpenBox parent = open_[lane];
+  const std::span<Interval> lower = box_of(lane);
+  const Halves halves = *bisect(lower[variable]);
+  observer_.on_split(parent,
+                     {parent.id, static_cast<std::uint32_t>(variable), halves.left.hi, next_id_});
+  std::copy(lower.begin(), lower.end(), half_.begin());
+  lower[variable] = halves.left;
+  half_[variable] = halves.right;
+  const OpenBox first{next_id_, parent.depth + 1, lower};
+  const OpenBox second{next_id_ + 1, parent.depth + 1, half_};
+  next_id_ += 2;
+  if (!frontier_.push_halves(first, bisector_.approx_relative_width(first.box), second,
+                             bisector_.approx_relative_width(second.box)))
+    stop_at_open_box(Reason::kMemory);
+}
+
+void Search::block(std::size_t lane, Reason reason) noexcept {
+  leave(lane, Rule::kBlocked, {});
+  if (!blocked_) {
+    blocked_ = true;
+    reason_ = reason;
+    boxes_when_blocked_ = statistics_.boxes;
+    std::copy(open_[lane].box.begin(), open_[lane].box.end(), blocking_.begin());
+  }
+  const std::uint64_t blocked = statistics_.leaves[static_cast<std::size_t>(Rule::kBlocked)];
+  if (!looking_for_witness() || blocked > kMaxDescentsFromBlocked) return;
+  witness_.descend(open_[lane].box);
+  stopped_ = witness_.found();
+}
+
+/// At the middle of the box, as a single pose, the tests fail for the whole of the uncertainty: no
+/// box around that pose can do better, except by the rounding of K.
+bool Search::hopeless_under_uncertainty(std::size_t lane) noexcept {
+  if (!keeps_uncertainty_whole_) return false;
+  const std::size_t motion = problem_.kernel->motion_variables;
+  std::copy(open_[lane].box.begin(), open_[lane].box.end(), half_.begin());
+  for (std::size_t k = 0; k < motion; ++k) half_[k] = Interval(mid(half_[k]));
+  center_.clear();
+  center_.load(0, half_);
+  center_.seal(1);
+  if (center_.certain_outside() != 0) return false;
+  for (const auto& test : tests_)
+    if (test->certify(center_, 1U) != 0) return false;
+  return true;
+}
+
+Result Search::conclude() {
+  Result result;
+  result.method = settings_.method;
+  statistics_.max_frontier = frontier_.max_size();
+  statistics_.probes = witness_.probes();
+  if (witness_.found()) {
+    result.verdict = Verdict::kSingularity;
+    result.reason = witness_.reason();
+    result.witness = witness_.witness();
+  } else if (!blocked_ && !exhausted_ && frontier_.empty()) {
+    result.verdict = Verdict::kNoSingularity;
+    result.reason = Reason::kAllBoxesCertified;
+  } else {
+    result.verdict = Verdict::kPossibleProblem;
+    result.reason = reason_;
+    result.blocking_box = blocking_;
+  }
+  statistics_.seconds = seconds_since(start_);
+  result.statistics = statistics_;
+  return result;
+}
+
+/// Kept out of line, so that no floating-point work moves out of the rounding scope of its caller.
+[[gnu::noinline]] Result search(const Problem& problem, const Settings& settings,
+                                std::span<const OpenBox> open, BoxId next_id, Observer* observer) {
+  return Search(problem, settings, observer).run(open, next_id);
+}
+
+Result faulty(const Settings& settings) {
+  Result result;
+  result.method = settings.method;
+  result.reason = Reason::kBadProblem;
+  return result;
+}
+
+}  // namespace
+
+Result resume(const Problem& problem, const Settings& settings, std::span<const OpenBox> open,
+              BoxId next_id, Observer* observer) {
+  if (find_fault(problem, settings)) return faulty(settings);
+  const RoundingScope scope(REGULUS_ROUND_NEAREST);
+  return search(problem, settings, open, next_id, observer);
+}
+
+Result solve(const Problem& problem, const Settings& settings, Observer* observer) {
+  const OpenBox root{0, 0, problem.outer};
+  return resume(problem, settings, {&root, 1}, 1, observer);
+}
+
+}  // namespace regulus

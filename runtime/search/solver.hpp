@@ -1,0 +1,28 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "regulus/search/observer.hpp"
+#include "regulus/search/problem.hpp"
+#include "regulus/search/result.hpp"
+
+namespace regulus {
+
+/// Decides whether the matrix of a kernel has full column rank (α = 0), or |det J⁻¹| > α, over the
+/// whole of a problem's set of motion parameters and uncertain quantities.
+///
+/// Requires  nothing: a faulty problem gives POSSIBLE PROBLEM, kBadProblem (see find_fault).
+/// Ensures   kNoSingularity: for every variable in its true range with all constraints ≤ 0, J⁻¹ is
+///           defined and of full column rank, and |det J⁻¹| > α if α > 0. kSingularity: the
+///           result's witness proves the contrary. Otherwise nothing is claimed and reason and
+///           blocking_box say why. Re-entrant; the caller's floating-point environment is kept.
+/// Source    Merlet, T-RO 2007, Algorithm 1 and Table II.
+[[nodiscard]] Result solve(const Problem& problem, const Settings& settings,
+                           Observer* observer = nullptr);
+
+/// The same, continuing from the boxes still open in an earlier search of the same problem; the
+/// numbers of new boxes start at `next_id`.
+[[nodiscard]] Result resume(const Problem& problem, const Settings& settings,
+                            std::span<const OpenBox> open, BoxId next_id,
+                            Observer* observer = nullptr);
+
+}  // namespace regulus

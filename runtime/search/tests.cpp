@@ -1,0 +1,127 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "regulus/search/tests.hpp"
+
+#include "regulus/regularity/h_matrix.hpp"
+#include "regulus/regularity/rohn.hpp"
+
+namespace regulus {
+namespace {
+
+using Side = ProductForm::Side;
+
+/// Lower bounds of |det A| decide against the threshold; α = 0 needs only their sign.
+template <typename LowerBound>
+LaneMask above_threshold(Batch& batch, LaneMask lanes, LowerBound&& lower_rd) noexcept {
+  LaneMask certain = 0;
+  for_each_lane(lanes, [&](std::size_t lane) {
+    if (batch.certain_above_threshold(lane, lower_rd(lane))) certain |= 1U << lane;
+  });
+  return certain;
+}
+
+/// Pv < v for P ≥ |KA − I|.
+class HMatrixTest final : public RegularityTest {
+ public:
+  HMatrixTest(Rule rule, double alpha) noexcept : RegularityTest(rule), alpha_(alpha) {}
+
+  LaneMask certify(Batch& batch, LaneMask lanes) noexcept override {
+    const std::size_t n = batch.kernel().columns;
+    const bool mean_value = rule() == Rule::kMeanValue;
+    const double* P = mean_value ? batch.mean_value_bounds() : batch.natural_bounds();
+    double* v = batch.candidate_vector();
+    lanes &= certain_h_matrix(P, n, v);
+    batch.keep_vector(lanes);
+    if (alpha_ == 0.0) return above_threshold(batch, lanes, [](std::size_t) { return 1.0; });
+    double product_rd[kLanes];
+    determinant_rd(P, n, product_rd);
+    // |det A| = |det KA| / |det K|.
+    return above_threshold(batch, lanes, [&](std::size_t lane) {
+      return div_rd(product_rd[lane], mag(batch.preconditioner_determinant(lane)));
+    });
+  }
+
+ private:
+  double alpha_;
+};
+
+/// An interval determinant of A, or of its product with K divided by that of K.
+class DeterminantTest final : public RegularityTest {
+ public:
+  DeterminantTest(ProductForm form, Determinant determinant, double alpha) noexcept
+      : RegularityTest(Rule::kDeterminant), form_(form), determinant_(determinant), alpha_(alpha) {}
+
+  LaneMask certify(Batch& batch, LaneMask lanes) noexcept override {
+    const double* product = batch.product(form_, lanes);
+    const std::size_t n = batch.kernel().columns;
+    return above_threshold(batch, lanes, [&](std::size_t lane) {
+      const IntervalMatrix M = interval_lane(product, n, lane);
+      const double lower =
+          mig(determinant_ == Determinant::kExpansion ? enclose_determinant(M)
+                                                      : enclose_determinant_by_elimination(M));
+      // α = 0: a product is regular only if both factors are.
+      if (form_.side == Side::kNone || alpha_ == 0.0) return lower;
+      return div_rd(lower, mag(batch.preconditioner_determinant(lane)));
+    });
+  }
+
+ private:
+  ProductForm form_;
+  Determinant determinant_;
+  double alpha_;
+};
+
+/// Rohn's vertex determinants. They show regularity, not a distance from it: α = 0 only.
+class RohnTest final : public RegularityTest {
+ public:
+  explicit RohnTest(ProductForm form) noexcept : RegularityTest(Rule::kRohn), form_(form) {}
+
+  LaneMask certify(Batch& batch, LaneMask lanes) noexcept override {
+    const double* product = batch.product(form_, lanes);
+    lanes = certain_rohn(product, batch.kernel().columns, lanes);
+    return above_threshold(batch, lanes, [](std::size_t) { return 1.0; });
+  }
+
+ private:
+  ProductForm form_;
+};
+
+ProductForm form_of(Method method) noexcept {
+  switch (method) {
+    case Method::kKj:
+    case Method::kKjRohn:
+      return {Side::kLeft, false};
+    case Method::kJk:
+    case Method::kJkRohn:
+      return {Side::kRight, false};
+    case Method::kKjNumeric:
+      return {Side::kLeft, true};
+    case Method::kJkNumeric:
+      return {Side::kRight, true};
+    default:
+      return {Side::kNone, false};
+  }
+}
+
+bool with_rohn(Method method) noexcept {
+  return method == Method::kRegRohn || method == Method::kKjRohn || method == Method::kJkRohn;
+}
+
+}  // namespace
+
+TestSequence make_tests(const Problem& problem, const Settings& settings) {
+  const double alpha = problem.alpha.hi;
+  const regulus_kernel& kernel = *problem.kernel;
+  TestSequence tests;
+  if (settings.method == Method::kAuto) {
+    tests.push_back(std::make_unique<HMatrixTest>(Rule::kHMatrix, alpha));
+    if (kernel.left_derivatives != nullptr && kernel.left_product != nullptr)
+      tests.push_back(std::make_unique<HMatrixTest>(Rule::kMeanValue, alpha));
+    return tests;
+  }
+  const ProductForm form = form_of(settings.method);
+  tests.push_back(std::make_unique<DeterminantTest>(form, settings.determinant, alpha));
+  if (with_rohn(settings.method) && alpha == 0.0) tests.push_back(std::make_unique<RohnTest>(form));
+  return tests;
+}
+
+}  // namespace regulus

@@ -1,0 +1,35 @@
+// SPDX-License-Identifier: Apache-2.0
+// The regularity tests a method is made of, each on eight boxes at a time.
+#pragma once
+
+#include <memory>
+#include <vector>
+
+#include "regulus/search/batch.hpp"
+#include "regulus/search/result.hpp"
+
+namespace regulus {
+
+class RegularityTest {
+ public:
+  explicit RegularityTest(Rule rule) noexcept : rule_(rule) {}
+  RegularityTest(const RegularityTest&) = delete;
+  RegularityTest& operator=(const RegularityTest&) = delete;
+  virtual ~RegularityTest() = default;
+
+  [[nodiscard]] Rule rule() const noexcept { return rule_; }
+
+  /// Ensures   in each returned lane, a subset of `lanes`: at every point of the box J⁻¹ is defined
+  ///           and has full column rank, and |det J⁻¹| > α if α > 0.
+  [[nodiscard]] virtual LaneMask certify(Batch& batch, LaneMask lanes) noexcept = 0;
+
+ private:
+  Rule rule_;
+};
+
+using TestSequence = std::vector<std::unique_ptr<RegularityTest>>;
+
+/// The tests of settings.method, in the order in which they are to be tried.
+[[nodiscard]] TestSequence make_tests(const Problem& problem, const Settings& settings);
+
+}  // namespace regulus

@@ -1,0 +1,151 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "regulus/search/witness_search.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace regulus {
+namespace {
+
+/// A failed proof of opposite signs is tried again when a candidate is better by this factor.
+constexpr double kWorthAnotherTry = 2.0;
+
+/// Points of small determinant that are tried although earlier ones were not better by far.
+constexpr unsigned kMaxSmallTries = 64;
+
+}  // namespace
+
+WitnessSearch::WitnessSearch(const Problem& problem, const Settings& settings)
+    : problem_(problem),
+      oracle_(settings.oracle),
+      variables_(problem.kernel->variables),
+      square_(problem.kernel->rows == problem.kernel->columns),
+      scaled_(problem.alpha.hi > 0.0),
+      points_(problem, settings),
+      box_(variables_),
+      current_(variables_),
+      trial_(variables_),
+      middle_(variables_) {
+  for (Candidate* candidate : {&positive_, &negative_, &small_})
+    candidate->point.resize(variables_);
+}
+
+double WitnessSearch::inner_lo(std::size_t variable) const noexcept {
+  const auto& inner = problem_.inner[variable];
+  return inner ? inner->lo : mid(problem_.outer[variable]);
+}
+
+double WitnessSearch::inner_hi(std::size_t variable) const noexcept {
+  const auto& inner = problem_.inner[variable];
+  return inner ? inner->hi : mid(problem_.outer[variable]);
+}
+
+Interval WitnessSearch::within_inner(std::size_t variable, double x) const noexcept {
+  const auto& inner = problem_.inner[variable];
+  return inner ? Interval(std::clamp(x, inner->lo, inner->hi)) : problem_.outer[variable];
+}
+
+void WitnessSearch::load_point(std::size_t lane, const double* point) noexcept {
+  for (std::size_t k = 0; k < variables_; ++k) box_[k] = within_inner(k, point[k]);
+  points_.load(lane, box_);
+}
+
+void WitnessSearch::evaluate_points(std::size_t count) noexcept {
+  points_.seal(count);
+  probes_ += count;
+}
+
+double WitnessSearch::approx_objective(Batch& batch, std::size_t lane) const noexcept {
+  const double determinant = batch.approx_determinant(lane);
+  return scaled_ ? determinant * batch.approx_row_scale(lane) : determinant;
+}
+
+void WitnessSearch::copy_midpoint(Batch& batch, std::size_t lane, Candidate& candidate) noexcept {
+  for (std::size_t k = 0; k < variables_; ++k)
+    candidate.point[k] = std::clamp(batch.midpoint(k, lane), inner_lo(k), inner_hi(k));
+}
+
+void WitnessSearch::offer(Batch& batch, std::size_t lane) noexcept {
+  // A matrix that elimination breaks down on has no inverse: as small as it gets.
+  const double approx =
+      has_lane(batch.preconditioned(), lane) ? approx_objective(batch, lane) : 0.0;
+  Candidate& side = approx > 0.0 ? positive_ : negative_;
+  if (approx != 0.0 && std::fabs(approx) > std::fabs(side.approx)) {
+    copy_midpoint(batch, lane, side);
+    side.approx = approx;
+  }
+  const double magnitude = std::fabs(approx);
+  if (magnitude <= problem_.alpha.lo && (!small_known_ || magnitude <= small_.approx)) {
+    copy_midpoint(batch, lane, small_);
+    small_.approx = magnitude;
+    small_known_ = small_fresh_ = true;
+  }
+}
+
+void WitnessSearch::look_at_midpoints(Batch& batch, LaneMask lanes) noexcept {
+  if (!square_ || found_) return;
+  lanes &= batch.midpoint_defined() & batch.midpoint_inside();
+  for_each_lane(lanes, [&](std::size_t lane) { offer(batch, lane); });
+  try_small();
+  try_opposite_signs();
+}
+
+void WitnessSearch::try_small() noexcept {
+  if (found_ || !small_fresh_ || small_tries_ == kMaxSmallTries) return;
+  small_fresh_ = false;
+  ++small_tries_;
+  const std::optional<Interval> determinant = certify_point(small_.point, true);
+  if (!determinant || !(mag(*determinant) <= problem_.alpha.lo)) return;
+  small_.determinant = *determinant;
+  reason_ = Reason::kSmallDeterminant;
+  found_ = true;
+}
+
+void WitnessSearch::try_opposite_signs() noexcept {
+  if (found_ || positive_.approx == 0.0 || negative_.approx == 0.0) return;
+  if (positive_.approx < kWorthAnotherTry * positive_.tried &&
+      -negative_.approx < kWorthAnotherTry * negative_.tried)
+    return;
+  positive_.tried = positive_.approx;
+  negative_.tried = -negative_.approx;
+  const std::optional<Interval> above = certify_point(positive_.point, false);
+  const std::optional<Interval> below = certify_point(negative_.point, false);
+  if (!above || !below || certain_sign(*above) <= 0 || certain_sign(*below) >= 0) return;
+  if (!certain_segment(positive_.point, negative_.point)) return;
+  positive_.determinant = *above;
+  negative_.determinant = *below;
+  reason_ = Reason::kOppositeSigns;
+  found_ = true;
+  close_in();
+}
+
+Interval WitnessSearch::enclose_at(std::size_t lane, bool scaled) noexcept {
+  LaneMask defined = 1U << lane;
+  const double* matrix = points_.product({}, defined);
+  if (defined == 0) return kEntire;
+  const IntervalMatrix M = interval_lane(matrix, points_.kernel().columns, lane);
+  Interval determinant = enclose_determinant_by_elimination(M);
+  if (certain_sign(determinant) == 0)
+    determinant = intersect(determinant, enclose_determinant(M)).value_or(determinant);
+  return scaled ? determinant * points_.row_scale(lane) : determinant;
+}
+
+/// Encloses det A (with row scales: det J⁻¹) at a point; nullopt if the point is not certainly in
+/// the variety or J⁻¹ not certainly defined there.
+std::optional<Interval> WitnessSearch::certify_point(const std::vector<double>& point,
+                                                     bool scaled) noexcept {
+  points_.clear();
+  load_point(0, point.data());
+  evaluate_points(1);
+  LaneMask defined = points_.certain_inside() & points_.certain_posed() & 1U;
+  static_cast<void>(points_.product({}, defined));
+  if (defined == 0) return std::nullopt;
+  const Interval determinant = enclose_at(0, scaled);
+  const bool decided = certain_sign(determinant) != 0 || mag(determinant) <= problem_.alpha.lo;
+  if (decided || oracle_ == nullptr) return determinant;
+  const std::optional<Interval> sharper = oracle_->enclose(box_);
+  if (!sharper) return determinant;
+  return scaled ? *sharper * points_.row_scale(0) : *sharper;
+}
+
+}  // namespace regulus

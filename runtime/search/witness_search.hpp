@@ -1,0 +1,87 @@
+// SPDX-License-Identifier: Apache-2.0
+// Looking for a proof of SINGULARITY. Determinants in plain doubles say where to look; a claim
+// needs certified enclosures at the points and, for two points of opposite signs, a segment between
+// them that is certified to stay in the variety and where the matrix is defined throughout: then A
+// is continuous along it and det A vanishes on it.
+#pragma once
+
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "regulus/search/batch.hpp"
+#include "regulus/search/result.hpp"
+
+namespace regulus {
+
+class WitnessSearch {
+ public:
+  WitnessSearch(const Problem& problem, const Settings& settings);
+
+  /// A proof was found.
+  [[nodiscard]] bool found() const noexcept { return found_; }
+  [[nodiscard]] Reason reason() const noexcept { return reason_; }
+  [[nodiscard]] std::uint64_t probes() const noexcept { return probes_; }
+
+  /// Looks at the midpoints of those lanes, whose determinants come with their preconditioners.
+  void look_at_midpoints(Batch& batch, LaneMask lanes) noexcept;
+
+  /// Looks at the corners of the variety; at 64 of them when there are more.
+  void look_at_corners() noexcept;
+
+  /// Descends from the middle of `box`, one variable at a time, towards the other sign or towards
+  /// determinant 0, moving the uncertain quantities too.
+  void descend(std::span<const Interval> box) noexcept;
+
+  /// The proof, complete with poses. Requires found().
+  [[nodiscard]] Witness witness();
+
+ private:
+  struct Candidate {
+    std::vector<double> point;
+    double approx = 0.0;  ///< determinant, to nearest; 0 = no candidate
+    double tried = 0.0;   ///< magnitude at which a proof last failed
+    Interval determinant;
+  };
+
+  [[nodiscard]] double inner_lo(std::size_t variable) const noexcept;
+  [[nodiscard]] double inner_hi(std::size_t variable) const noexcept;
+  [[nodiscard]] Interval within_inner(std::size_t variable, double x) const noexcept;
+  void load_point(std::size_t lane, const double* point) noexcept;
+  void evaluate_points(std::size_t count) noexcept;
+  [[nodiscard]] double approx_objective(Batch& batch, std::size_t lane) const noexcept;
+
+  void offer(Batch& batch, std::size_t lane) noexcept;
+  void copy_midpoint(Batch& batch, std::size_t lane, Candidate& candidate) noexcept;
+  void try_opposite_signs() noexcept;
+  void try_small() noexcept;
+
+  [[nodiscard]] std::optional<Interval> certify_point(const std::vector<double>& point,
+                                                      bool scaled) noexcept;
+  [[nodiscard]] Interval enclose_at(std::size_t lane, bool scaled) noexcept;
+  [[nodiscard]] bool certain_segment(const std::vector<double>& from,
+                                     const std::vector<double>& to) noexcept;
+  void load_piece(std::size_t lane, const std::vector<double>& from, const std::vector<double>& to,
+                  Interval part) noexcept;
+  void close_in() noexcept;
+
+  bool step(std::span<const Interval> box, std::size_t first, double sign, double& best) noexcept;
+  [[nodiscard]] WitnessPoint report(const std::vector<double>& point, Interval determinant);
+  [[nodiscard]] std::vector<Interval> pose_of(const std::vector<Interval>& point);
+
+  const Problem& problem_;
+  DeterminantOracle* oracle_;
+  std::size_t variables_;
+  bool square_, scaled_;
+  Batch points_;
+  std::vector<Interval> box_;
+  Candidate positive_, negative_, small_;
+  std::vector<double> current_, trial_, middle_;
+  std::uint64_t probes_ = 0;
+  bool small_known_ = false, small_fresh_ = false;
+  unsigned small_tries_ = 0;
+  bool found_ = false;
+  Reason reason_ = Reason::kOppositeSigns;
+};
+
+}  // namespace regulus
