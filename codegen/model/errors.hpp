@@ -13,9 +13,7 @@ class InputError : public std::runtime_error {
   /// line 0 = not known or not a file. `symbol` is the name at fault, empty if none.
   InputError(const std::string& file, int line, const std::string& found,
              const std::string& expected, const std::string& symbol = {})
-      : std::runtime_error((file.empty() ? std::string()
-                                         : file + (line > 0 ? ":" + std::to_string(line) : "") + ": ") +
-                           "found " + found + ", expected " + expected),
+      : std::runtime_error(message(file, line, found, expected)),
         file_(file),
         line_(line),
         symbol_(symbol) {}
@@ -25,6 +23,14 @@ class InputError : public std::runtime_error {
   [[nodiscard]] const std::string& symbol() const noexcept { return symbol_; }
 
  private:
+  static std::string message(const std::string& file, int line, const std::string& found,
+                             const std::string& expected) {
+    std::string text = file;
+    if (!file.empty() && line > 0) text.append(":").append(std::to_string(line));
+    if (!file.empty()) text.append(": ");
+    return text.append("found ").append(found).append(", expected ").append(expected);
+  }
+
   std::string file_;
   int line_;
   std::string symbol_;

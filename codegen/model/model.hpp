@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What a robot is: its pose parameters, its geometry, its inverse Jacobian and its motions, as GiNaC
-// expressions with exact numbers. Filled from a model file (model_file.hpp) or by C++ code.
+// What a robot is: its pose parameters, its geometry, its inverse Jacobian and its motions, as
+// GiNaC expressions with exact numbers. Filled from a model file (model_file.hpp) or by C++ code.
 //
 // Symbols are real: for a complex one GiNaC turns abs(x)^2 into x*conjugate(x).
 //
@@ -36,8 +36,8 @@ struct GeometryParameter {
   std::string name;
   GiNaC::ex value;
   GiNaC::ex tolerance = 0;  ///< for a member of a ball: the ball's radius
-  std::string group;  ///< what --tolerance GROUP=E sets; empty = none
-  int ball = -1;      ///< index into Model::balls when its point varies in a ball, otherwise −1
+  std::string group;        ///< what --tolerance GROUP=E sets; empty = none
+  int ball = -1;  ///< index into Model::balls when its point varies in a ball, otherwise −1
 };
 
 /// A point of the geometry that lies within `radius` of its nominal position.
@@ -69,8 +69,8 @@ struct Motion {
 struct Model {
   std::string name;
   std::string source;
-  std::string path;         ///< of the file it came from; empty when built in C++
-  std::string sha256;       ///< of the file's bytes, lower-case hexadecimal
+  std::string path;    ///< of the file it came from; empty when built in C++
+  std::string sha256;  ///< of the file's bytes, lower-case hexadecimal
   std::vector<PoseParameter> pose;
   std::vector<GeometryParameter> geometry;
   std::vector<Ball> balls;

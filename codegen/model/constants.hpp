@@ -1,0 +1,27 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What is asked of constants wherever they come from: a file or a command line.
+#pragma once
+
+#include "regulus/codegen/model/expression_parser.hpp"
+#include "regulus/codegen/model/model.hpp"
+
+namespace regulus::codegen {
+
+/// lo ≤ hi. Throws InputError for a range that is certainly reversed; ends that only floating-point
+/// evaluation could tell apart in that order pass, and the range is then the hull of both.
+[[nodiscard]] Range checked_range(const Term& lo, const Term& hi, const Place& place);
+
+/// A tolerance, an error or a threshold: throws InputError when negative.
+[[nodiscard]] GiNaC::ex checked_nonnegative(const Term& value, const Place& place);
+
+/// "LO:HI", or "V" for the range that is one value. Conditions of the constants are added to
+/// `must_be_defined`.
+[[nodiscard]] Range parse_range(std::string_view text, const Place& place,
+                                std::vector<GiNaC::ex>& must_be_defined);
+
+void append(std::vector<GiNaC::ex>& all, const std::vector<GiNaC::ex>& more);
+
+/// Without repetitions, in the order of first occurrence.
+[[nodiscard]] std::vector<GiNaC::ex> distinct(const std::vector<GiNaC::ex>& all);
+
+}  // namespace regulus::codegen

@@ -1,0 +1,74 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "regulus/codegen/model/declarations.hpp"
+
+#include <algorithm>
+#include <utility>
+
+#include "regulus/codegen/model/errors.hpp"
+#include "regulus/codegen/model/names.hpp"
+
+namespace regulus::codegen {
+
+void require_free_name(const std::string& name, const Place& place) {
+  const std::string found = "the name " + in_quotes(name) + " for " + place.key;
+  if (!is_name(name))
+    throw InputError(place.file, place.line, found,
+                     "a letter, then letters, digits and underscores, at most 64 in all", name);
+  if (is_reserved(name))
+    throw InputError(place.file, place.line, "the reserved name " + in_quotes(name), "another name",
+                     name);
+}
+
+void Declarations::declare(const std::string& name, Term meaning, const Place& place) {
+  insert(name, {.meaning = std::move(meaning), .place = place});
+}
+
+void Declarations::declare_expression(const std::string& name, std::string text,
+                                      const Place& place) {
+  insert(name, {.state = State::kUnread, .text = std::move(text), .place = place});
+}
+
+void Declarations::insert(const std::string& name, Declaration declaration) {
+  const Place place = declaration.place;
+  require_free_name(name, place);
+  const auto [at, inserted] = declarations_.emplace(name, std::move(declaration));
+  if (inserted) return;
+  const Place& first = at->second.place;
+  throw InputError(place.file, place.line,
+                   in_quotes(name) + " declared twice, as " + first.key +
+                       (first.line > 0 ? " (line " + std::to_string(first.line) + ")" : "") +
+                       " and as " + place.key,
+                   "a name that is not declared yet", name);
+}
+
+const Term* Declarations::find(const std::string& name, int depth) {
+  const auto at = declarations_.find(name);
+  if (at == declarations_.end()) return nullptr;
+  Declaration& declaration = at->second;
+  if (declaration.state == State::kBeingRead) refuse_cycle(name);
+  if (declaration.state == State::kUnread) {
+    declaration.state = State::kBeingRead;
+    being_read_.push_back(name);
+    declaration.meaning = parse_expression(declaration.text, *this, declaration.place, depth);
+    being_read_.pop_back();
+    declaration.state = State::kRead;
+  }
+  return &declaration.meaning;
+}
+
+std::vector<std::string> Declarations::all() const {
+  std::vector<std::string> names;
+  for (const auto& [name, declaration] : declarations_) names.push_back(name);
+  return names;
+}
+
+void Declarations::refuse_cycle(const std::string& name) const {
+  const auto begin = std::ranges::find(being_read_, name);
+  std::string cycle;
+  for (auto it = begin; it != being_read_.end(); ++it) cycle += *it + " -> ";
+  const Place& place = declarations_.at(name).place;
+  throw InputError(place.file, place.line, "the cycle " + cycle + name,
+                   "sub-expressions that do not use themselves", name);
+}
+
+}  // namespace regulus::codegen

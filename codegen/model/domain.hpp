@@ -1,0 +1,23 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The domains of partial operations, recorded as expressions that are defined exactly there.
+//
+// An expression recorded for an operation is that operation on the operand as GiNaC has simplified
+// it. What was needed for the operand itself to be defined has been recorded when the operand was
+// built, so a simplification across the two (1/(1/x) into x) loses nothing: x ≠ 0 is already there.
+#pragma once
+
+#include "regulus/codegen/model/term.hpp"
+
+namespace regulus::codegen {
+
+// Each records in `result` what the operand must satisfy, unless the operand's form shows it, and
+// throws Refusal when the operand is a constant that does not satisfy it.
+
+void require_nonzero(Term& result, const GiNaC::ex& operand, bool constant);
+void require_nonnegative(Term& result, const GiNaC::ex& operand, bool constant);
+void require_positive(Term& result, const GiNaC::ex& operand, bool constant);
+void require_unit_range(Term& result, const GiNaC::ex& operand, bool constant);  ///< |x| ≤ 1
+void require_no_pole_of_tan(Term& result, const GiNaC::ex& operand);
+void require_off_branch_cut(Term& result, const GiNaC::ex& ordinate, const GiNaC::ex& abscissa);
+
+}  // namespace regulus::codegen

@@ -1,0 +1,226 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "regulus/codegen/model/expression_parser.hpp"
+
+#include <exception>
+#include <utility>
+
+#include "regulus/codegen/model/decimal.hpp"
+#include "regulus/codegen/model/errors.hpp"
+#include "regulus/codegen/model/lexer.hpp"
+#include "regulus/codegen/model/names.hpp"
+#include "regulus/codegen/model/real_functions.hpp"
+#include "regulus/codegen/model/sign.hpp"
+
+namespace regulus::codegen {
+namespace {
+
+class Parser {
+ public:
+  Parser(std::string_view text, Names& names, const Place& place, int depth)
+      : text_(text), names_(names), place_(place), lexer_(text), depth_(depth) {}
+
+  Term parse() {
+    advance();
+    Term result = parse_sum();
+    if (token_.kind != Token::Kind::kEnd)
+      refuse(token_, "an operator or the end of the expression");
+    return result;
+  }
+
+ private:
+  using Kind = Token::Kind;
+
+  /// One level of recursion, counted so that nesting cannot exhaust the stack.
+  class Level {
+   public:
+    explicit Level(Parser& parser) : parser_(parser) {
+      if (++parser_.depth_ > kMostDepth)
+        parser_.fail("an expression nested too deeply at " + parser_.describe(parser_.token_),
+                     "at most " + std::to_string(kMostDepth) + " levels");
+    }
+    ~Level() { --parser_.depth_; }
+    Level(const Level&) = delete;
+    Level& operator=(const Level&) = delete;
+
+   private:
+    Parser& parser_;
+  };
+
+  Term parse_sum() {
+    const Level level(*this);
+    std::vector<Operand> operands;
+    operands.push_back({parse_product()});
+    while (token_.is('+') || token_.is('-')) {
+      const bool inverted = token_.is('-');
+      advance();
+      operands.push_back({parse_product(), inverted});
+    }
+    return combine(sum, std::move(operands));
+  }
+
+  Term parse_product() {
+    std::vector<Operand> operands;
+    operands.push_back({parse_factor()});
+    while (token_.is('*') || token_.is('/')) {
+      const bool inverted = token_.is('/');
+      advance();
+      operands.push_back({parse_factor(), inverted});
+    }
+    return combine(product, std::move(operands));
+  }
+
+  Term combine(Term (*operation)(std::vector<Operand>), std::vector<Operand> operands) {
+    if (operands.size() == 1 && !operands.front().inverted) return std::move(operands.front().term);
+    return guarded(token_, [&] { return operation(std::move(operands)); });
+  }
+
+  Term parse_factor() {
+    if (!token_.is('+') && !token_.is('-')) return parse_power();
+    const Level level(*this);
+    const Token sign = token_;
+    advance();
+    std::vector<Operand> operand;
+    operand.push_back({parse_factor(), sign.is('-')});
+    return guarded(sign, [&] { return sum(std::move(operand)); });
+  }
+
+  Term parse_power() {
+    Term base = parse_primary();
+    if (!token_.is('^')) return base;
+    const Level level(*this);
+    const Token caret = token_;
+    advance();
+    const Term exponent = parse_factor();
+    return guarded(caret, [&] { return power(base, exponent); });
+  }
+
+  Term parse_primary() {
+    const Token start = token_;
+    if (start.kind == Kind::kNumber) return parse_number();
+    if (start.kind == Kind::kName) return parse_name();
+    if (!start.is('(')) refuse(start, "a number, a name or '('");
+    advance();
+    Term inner = parse_sum();
+    expect(')', start);
+    return inner;
+  }
+
+  Term parse_number() {
+    const auto value = exact_decimal(token_.text);
+    if (!value) refuse(token_, "at most 1000 digits and an exponent within ±1000");
+    advance();
+    return number(*value);
+  }
+
+  Term parse_name() {
+    const Token name = token_;
+    advance();
+    if (is_function(name.text)) return parse_call(name);
+    if (name.text == "pi") return constant(GiNaC::Pi);
+    if (name.text == "deg") return constant(GiNaC::Pi / 180);
+    const std::string key(name.text);
+    const Term* meaning = is_name(key) ? names_.find(key, depth_) : nullptr;
+    if (!meaning) refuse_undeclared(name);
+    return *meaning;
+  }
+
+  Term parse_call(const Token& name) {
+    const Token bracket = token_;
+    if (!bracket.is('(')) refuse(bracket, "'(' after the function " + std::string(name.text));
+    advance();
+    std::vector<Term> arguments;
+    arguments.push_back(parse_sum());
+    while (token_.is(',')) {
+      advance();
+      arguments.push_back(parse_sum());
+    }
+    expect(')', bracket);
+    return guarded(name, [&] { return call(name.text, std::move(arguments)); });
+  }
+
+  /// Runs an operation; its refusal, or GiNaC's (a pole, 0^0), becomes an error that says where.
+  template <typename Operation>
+  Term guarded(const Token& at, Operation operation) try {
+    Term result = operation();
+    if (result.constant && GiNaC::is_a<GiNaC::numeric>(result.value) &&
+        !result.value.info(GiNaC::info_flags::rational))
+      throw Refusal{"a value that is not real", "real arithmetic"};
+    return result;
+  } catch (const Refusal& refusal) {
+    fail(refusal.found + " at " + describe(at), refusal.expected);
+  } catch (const InputError&) {
+    throw;
+  } catch (const std::exception& error) {
+    fail(std::string("an operation that has no value (") + error.what() + ") at " + describe(at),
+         "arithmetic that is defined");
+  }
+
+  void advance() { token_ = lexer_.next(); }
+
+  void expect(char symbol, const Token& opening) {
+    if (!token_.is(symbol))
+      refuse(token_, std::string("'") + symbol + "' for the '(' at character " +
+                         std::to_string(opening.column));
+    advance();
+  }
+
+  [[nodiscard]] std::string describe(const Token& token) const {
+    const std::string what = token.kind == Kind::kEnd ? "the end" : in_quotes(token.text);
+    return what + " (character " + std::to_string(token.column) + " of " + in_quotes(text_) + ")";
+  }
+
+  [[noreturn]] void refuse(const Token& found, const std::string& expected) const {
+    fail(describe(found), expected, found.kind == Kind::kName ? std::string(found.text) : "");
+  }
+
+  [[noreturn]] void refuse_undeclared(const Token& name) const {
+    const std::vector<std::string> known = names_.all();
+    std::string expected = known.empty() ? "a constant expression" : "a declared name";
+    const std::string meant = nearest(name.text, known);
+    if (!meant.empty()) expected += ", perhaps " + in_quotes(meant);
+    fail("undeclared name " + describe(name), expected, std::string(name.text));
+  }
+
+  [[noreturn]] void fail(const std::string& found, const std::string& expected,
+                         const std::string& symbol = {}) const {
+    throw InputError(place_.file, place_.line,
+                     found + (place_.key.empty() ? "" : " in " + place_.key), expected,
+                     symbol.empty() ? place_.key : symbol);
+  }
+
+  std::string_view text_;
+  Names& names_;
+  const Place& place_;
+  Lexer lexer_;
+  Token token_;
+  int depth_;
+};
+
+class NoNames final : public Names {
+ public:
+  const Term* find(const std::string&, int) override { return nullptr; }
+  std::vector<std::string> all() const override { return {}; }
+};
+
+}  // namespace
+
+Term parse_expression(std::string_view text, Names& names, const Place& place, int depth) {
+  if (text.size() > kLongestExpression)
+    throw InputError(place.file, place.line,
+                     "an expression of " + std::to_string(text.size()) + " bytes" +
+                         (place.key.empty() ? "" : " in " + place.key),
+                     "at most " + std::to_string(kLongestExpression), place.key);
+  return Parser(text, names, place, depth).parse();
+}
+
+Term parse_constant(std::string_view text, const Place& place) {
+  NoNames names;
+  Term result = parse_expression(text, names, place);
+  if (!approx_value(result.value))
+    throw InputError(place.file, place.line,
+                     in_quotes(text) + (place.key.empty() ? "" : " in " + place.key),
+                     "a finite real number", place.key);
+  return result;
+}
+
+}  // namespace regulus::codegen

@@ -1,0 +1,55 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Reads arithmetic from untrusted text. Nothing of the text reaches another parser or a compiler.
+//
+//   sum     = [+|-] product { (+|-) product }
+//   product = factor { (*|/) factor }
+//   factor  = (+|-) factor | power
+//   power   = primary [ ^ factor ]                 so -x^2 = -(x^2) and 2^3^2 = 2^9
+//   primary = number | name | name ( sum {, sum} ) | ( sum )
+//
+// Numbers are decimals with an optional exponent and mean exactly what they say. pi and deg =
+// pi/180 are known everywhere.
+#pragma once
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "regulus/codegen/model/term.hpp"
+
+namespace regulus::codegen {
+
+/// The names an expression may use.
+class Names {
+ public:
+  virtual ~Names() = default;
+
+  /// The meaning of a name, nullptr if it has none. `depth` is how deep in nested expressions the
+  /// name stands; whoever parses another expression to answer passes it on.
+  [[nodiscard]] virtual const Term* find(const std::string& name, int depth) = 0;
+
+  /// For suggesting the one that may have been meant.
+  [[nodiscard]] virtual std::vector<std::string> all() const = 0;
+};
+
+/// Where an expression stands, for messages.
+struct Place {
+  std::string file;
+  int line = 0;       ///< 0 = not in a file
+  std::string key{};  ///< e.g. "let.rho_1"; empty if it has none
+};
+
+constexpr std::size_t kLongestExpression = 65536;
+
+/// The expression in `text`. Takes time linear in its length.
+///
+/// Ensures   numbers in the result are exact rationals, constants are pi or unevaluated; throws
+///           InputError with file, line and column for anything else than arithmetic on `names`,
+///           and beyond the limits of term.hpp or kLongestExpression bytes.
+[[nodiscard]] Term parse_expression(std::string_view text, Names& names, const Place& place,
+                                    int depth = 0);
+
+/// The same for an expression that uses no names but pi and deg, and whose value is finite.
+[[nodiscard]] Term parse_constant(std::string_view text, const Place& place);
+
+}  // namespace regulus::codegen

@@ -1,0 +1,138 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "regulus/codegen/model/gough.hpp"
+
+#include "regulus/codegen/model/rotation.hpp"
+
+namespace regulus::codegen {
+namespace {
+
+using GiNaC::ex;
+
+constexpr std::array<const char*, 3> kAxes = {"x", "y", "z"};
+
+std::vector<std::string> orientation_names(Orientation orientation) {
+  switch (orientation) {
+    case Orientation::kEulerZxz:
+      return {"psi", "theta", "phi"};
+    case Orientation::kRollPitchYaw:
+      return {"roll", "pitch", "yaw"};
+    case Orientation::kQuaternion:
+      break;
+  }
+  return {"q0", "q1", "q2", "q3"};
+}
+
+void add_pose_parameter(Model& model, const std::string& name, const std::string& unit) {
+  model.pose.push_back({GiNaC::realsymbol(name), name, unit});
+}
+
+void add_pose(Model& model, const Gough& robot) {
+  for (const char* axis : kAxes) add_pose_parameter(model, axis, robot.unit);
+  const bool angles = robot.orientation != Orientation::kQuaternion;
+  for (const std::string& name : orientation_names(robot.orientation))
+    add_pose_parameter(model, name, angles ? "rad" : "1");
+}
+
+/// One side of the robot: its anchors become geometry parameters and, if so shaped, balls.
+struct Side {
+  std::string letter;
+  std::string group;
+  const std::array<Point, 6>& anchors;
+  ex tolerance;
+};
+
+/// Returns the anchors as symbols.
+std::array<Point, 6> add_side(Model& model, const Side& side, ToleranceShape shape) {
+  std::array<Point, 6> symbols;
+  for (std::size_t i = 0; i < 6; ++i) {
+    Ball ball{.members = {}, .radius = side.tolerance, .group = side.group};
+    const int index = shape == ToleranceShape::kBall ? static_cast<int>(model.balls.size()) : -1;
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+      const std::string name = side.letter + std::to_string(i + 1) + "_" + kAxes[axis];
+      const GiNaC::realsymbol symbol(name);
+      symbols[i][axis] = symbol;
+      ball.members.push_back(model.geometry.size());
+      model.geometry.push_back(
+          {symbol, name, side.anchors[i][axis], side.tolerance, side.group, index});
+    }
+    if (shape == ToleranceShape::kBall) model.balls.push_back(ball);
+  }
+  return symbols;
+}
+
+/// The rotation as S/N with S = N·R free of divisions.
+struct ScaledRotation {
+  GiNaC::matrix S;
+  ex N = 1;
+};
+
+ex squared_norm(const Model& model) {
+  ex sum = 0;
+  for (std::size_t i = 3; i < model.pose.size(); ++i) sum += pow(model.pose[i].symbol, 2);
+  return sum;
+}
+
+ScaledRotation rotation(const Model& model, Orientation orientation) {
+  const auto q = [&model](std::size_t i) -> ex { return model.pose[3 + i].symbol; };
+  switch (orientation) {
+    case Orientation::kEulerZxz:
+      return {rotation_euler_zxz(q(0), q(1), q(2))};
+    case Orientation::kRollPitchYaw:
+      return {rotation_roll_pitch_yaw(q(0), q(1), q(2))};
+    case Orientation::kQuaternion:
+      break;
+  }
+  return {scaled_rotation_quaternion(q(0), q(1), q(2), q(3)), squared_norm(model)};
+}
+
+Point times(const GiNaC::matrix& S, const Point& b) {
+  Point result;
+  for (unsigned i = 0; i < 3; ++i) result[i] = S(i, 0) * b[0] + S(i, 1) * b[1] + S(i, 2) * b[2];
+  return result;
+}
+
+Point cross(const Point& u, const Point& v) {
+  return {u[1] * v[2] - u[2] * v[1], u[2] * v[0] - u[0] * v[2], u[0] * v[1] - u[1] * v[0]};
+}
+
+/// Row `leg` of N·M: (N(X − a) + Sb, Sb × (X − a)); and its row scale 1/(Nρ).
+void set_leg(Model& model, unsigned leg, const ScaledRotation& R, const Point& a, const Point& b) {
+  const Point Sb = times(R.S, b);
+  Point from_a;
+  for (std::size_t i = 0; i < 3; ++i) from_a[i] = model.pose[i].symbol - a[i];
+  const Point moment = cross(Sb, from_a);
+  ex squared_length = 0;
+  for (unsigned i = 0; i < 3; ++i) {
+    const ex direction = R.N * from_a[i] + Sb[i];
+    model.matrix(leg, i) = direction;
+    model.matrix(leg, 3 + i) = moment[i];
+    squared_length += pow(direction, 2);
+  }
+  model.row_scale.push_back(pow(squared_length, GiNaC::numeric(-1, 2)));
+}
+
+}  // namespace
+
+Model gough_model(const Gough& robot) {
+  Model model;
+  model.name = robot.name;
+  model.source = robot.source;
+  add_pose(model, robot);
+  const auto a =
+      add_side(model, {"a", "base", robot.base, robot.base_tolerance}, robot.tolerance_shape);
+  const auto b = add_side(model, {"b", "platform", robot.platform, robot.platform_tolerance},
+                          robot.tolerance_shape);
+  const ScaledRotation R = rotation(model, robot.orientation);
+  model.matrix = GiNaC::matrix(6, 6);
+  for (unsigned leg = 0; leg < 6; ++leg) set_leg(model, leg, R, a[leg], b[leg]);
+  if (robot.orientation == Orientation::kQuaternion) model.must_be_defined.push_back(pow(R.N, -1));
+  return model;
+}
+
+std::vector<ex> gough_constraints(const Model& model, Orientation orientation) {
+  if (orientation != Orientation::kQuaternion) return {};
+  const ex N = squared_norm(model);
+  return {N - 4, GiNaC::numeric(1, 4) - N};
+}
+
+}  // namespace regulus::codegen

@@ -1,0 +1,62 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The Gough family: a platform on six legs, each between an anchor A_i of the base and B_i of the
+// platform.
+#pragma once
+
+#include <array>
+#include <string>
+#include <vector>
+
+#include "regulus/codegen/model/model.hpp"
+
+namespace regulus::codegen {
+
+/// How the platform's orientation is described, with the names of its pose parameters.
+enum class Orientation {
+  kEulerZxz,      ///< psi theta phi, R = Rz(psi)·Rx(theta)·Rz(phi)
+  kRollPitchYaw,  ///< roll pitch yaw, R = Rz(yaw)·Ry(pitch)·Rx(roll)
+  kQuaternion,    ///< q0 q1 q2 q3, R the rotation of q/|q|
+};
+
+/// What an anchor's tolerance means: ± on each coordinate, or the radius of a ball.
+enum class ToleranceShape { kBox, kBall };
+
+using Point = std::array<GiNaC::ex, 3>;
+
+struct Gough {
+  std::string name;
+  std::string source;
+  std::string unit = "1";  ///< of lengths
+  Orientation orientation = Orientation::kEulerZxz;
+  std::array<Point, 6> base{};      ///< A_i in the reference frame
+  std::array<Point, 6> platform{};  ///< B_i in the mobile frame, whose origin C is the pose's x y z
+  GiNaC::ex base_tolerance = 0;
+  GiNaC::ex platform_tolerance = 0;
+  ToleranceShape tolerance_shape = ToleranceShape::kBox;
+};
+
+/// The model of a six-legged platform, without motions.
+///
+/// Its anchors are geometry parameters a1_x … a6_z of group "base" and b1_x … b6_z of group
+/// "platform", exact ones too, so that a tolerance can be set later. Row i of the matrix is
+///
+///   M_i = (A_iB_i, CB_i × A_iB_i), row_scale 1/ρ_i,   and CB × AB = CB × (C − A),
+///
+/// the right-hand side being the form that is used: it has fewer occurrences of the pose.
+///
+/// A quaternion need not have norm 1: q and λq are the same orientation, so that ranges and control
+/// errors may leave the unit sphere. Its rows are multiplied by |q|² to remain polynomials
+/// (row_scale 1/(|q|²ρ_i)), and 1/|q|² must be defined.
+///
+/// Shape     6×6, rows by leg, columns by twist (velocity of C, angular velocity).
+/// Units     columns 0–2 unit (unit·|q|² likewise), columns 3–5 unit².
+/// Ensures   where ρ_i = 0 row i is zero, so that a regular matrix has a defined row scale.
+/// Source    Merlet, T-RO 2007, Eqs. (5)–(7).
+[[nodiscard]] Model gough_model(const Gough& robot);
+
+/// The constraints (each ≤ 0) of every motion of such a robot: 1/4 ≤ |q|² ≤ 4 for a quaternion, to
+/// keep away from q = 0 where there is no orientation; none otherwise. A shell and not the sphere
+/// |q| = 1: no box lies inside a sphere, so that nothing could be shown to be singular.
+[[nodiscard]] std::vector<GiNaC::ex> gough_constraints(const Model& model, Orientation orientation);
+
+}  // namespace regulus::codegen

@@ -1,0 +1,99 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "regulus/codegen/model/model_file.hpp"
+
+#include <algorithm>
+#include <array>
+#include <fstream>
+#include <system_error>
+
+#include "regulus/codegen/model/constants.hpp"
+#include "regulus/codegen/model/errors.hpp"
+#include "regulus/codegen/model/names.hpp"
+#include "regulus/codegen/model/sections.hpp"
+#include "regulus/codegen/model/sha256.hpp"
+
+namespace regulus::codegen {
+namespace {
+
+toml::table parse_toml(std::string_view text, const std::string& file) try {
+  return toml::parse(text);
+} catch (const toml::parse_error& error) {
+  throw InputError(file, static_cast<int>(error.source().begin.line),
+                   "text that is not TOML (" + printable(error.description()) + ")", "TOML 1.0");
+}
+
+void check_version(const TomlReader& toml, const TomlEntry& root) {
+  const TomlEntry version = toml.required(root, "regulus");
+  const auto* number = version.node->as_integer();
+  if (!number || number->get() != 1) toml.refuse(version, "the format version 1");
+}
+
+void read_header(ModelReading& reading, const TomlEntry& root) {
+  check_version(reading.toml, root);
+  reading.model.name = reading.toml.label(reading.toml.required(root, "name"));
+  const TomlEntry source = reading.toml.optional(root, "source");
+  if (source.node) reading.model.source = reading.toml.label(source);
+}
+
+/// The robot, by one of the two ways to write it.
+void read_robot(ModelReading& reading, const TomlEntry& root) {
+  const TomlReader& toml = reading.toml;
+  const TomlEntry gough = toml.optional(root, "gough");
+  if (!gough.node) {
+    read_pose(reading, toml.required(root, "pose"));
+    if (const TomlEntry e = toml.optional(root, "geometry"); e.node) read_geometry(reading, e);
+    if (const TomlEntry e = toml.optional(root, "let"); e.node) read_let(reading, e);
+    read_matrix(reading, toml.required(root, "matrix"));
+    return;
+  }
+  for (const char* key : {"pose", "geometry", "let", "matrix"})
+    if (const TomlEntry e = toml.optional(root, key); e.node)
+      toml.refuse(e, std::string("[") + key + "] together with [gough]", "one or the other");
+  read_gough(reading, gough);
+}
+
+std::string read_bytes(const std::filesystem::path& path) {
+  const auto fail = [&path](const std::string& why) -> FileError {
+    return FileError("cannot read " + in_quotes(path.string()) + ": " + why);
+  };
+  std::error_code error;
+  const auto status = std::filesystem::status(path, error);
+  if (!std::filesystem::exists(status)) throw fail("no such file");
+  if (std::filesystem::is_directory(status)) throw fail("it is a directory");
+  std::ifstream file(path, std::ios::binary);
+  if (!file) throw fail("permission denied");
+  std::string bytes(kLargestModelFile + 1, '\0');
+  file.read(bytes.data(), static_cast<std::streamsize>(bytes.size()));
+  if (file.bad()) throw fail("read error");
+  bytes.resize(static_cast<std::size_t>(file.gcount()));
+  return bytes;
+}
+
+}  // namespace
+
+Model parse_model(std::string_view text, const std::string& name_for_errors) {
+  static const std::array<std::string, 9> kKeys = {
+      "regulus", "name", "source", "pose", "geometry", "let", "matrix", "gough", "motion"};
+  if (text.size() > kLargestModelFile)
+    throw InputError(name_for_errors, 0,
+                     "more than " + std::to_string(kLargestModelFile) + " bytes", "a model file");
+  const toml::table document = parse_toml(text, name_for_errors);
+  ModelReading reading{TomlReader(name_for_errors)};
+  const TomlEntry root{.key = {}, .path = {}, .node = &document, .line = 1};
+  (void)reading.toml.entries(root, kKeys);
+
+  read_header(reading, root);
+  read_robot(reading, root);
+  read_motions(reading, reading.toml.required(root, "motion"));
+  reading.model.must_be_defined = distinct(reading.model.must_be_defined);
+  reading.model.sha256 = sha256(text);
+  return std::move(reading.model);
+}
+
+Model load_model(const std::filesystem::path& path) {
+  Model model = parse_model(read_bytes(path), path.string());
+  model.path = path.string();
+  return model;
+}
+
+}  // namespace regulus::codegen

@@ -1,0 +1,25 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Model files: TOML, untrusted.
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <string_view>
+
+#include "regulus/codegen/model/model.hpp"
+
+namespace regulus::codegen {
+
+constexpr std::size_t kLargestModelFile = std::size_t{4} << 20;
+
+/// The model in a file.
+///
+/// Ensures   every number in it is exact: decimals are rationals, pi and roots stay symbols. Throws
+///           InputError with file and line for whatever is not a model, FileError when the file
+///           cannot be read.
+[[nodiscard]] Model load_model(const std::filesystem::path& path);
+
+/// The same for text that has been read already; path stays empty.
+[[nodiscard]] Model parse_model(std::string_view text, const std::string& name_for_errors);
+
+}  // namespace regulus::codegen

@@ -1,0 +1,183 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// [motion.NAME]: a box of poses, or poses that depend on parameters.
+#include <algorithm>
+#include <array>
+
+#include "regulus/codegen/model/constants.hpp"
+#include "regulus/codegen/model/names.hpp"
+#include "regulus/codegen/model/sections.hpp"
+
+namespace regulus::codegen {
+namespace {
+
+/// The names of a motion: its parameters, and the declared ones where those may be used.
+class MotionNames final : public Names {
+ public:
+  explicit MotionNames(Declarations* declared) : declared_(declared) {}
+
+  void add(const MotionParameter& parameter) {
+    parameters_.emplace(parameter.name, variable(parameter.symbol));
+  }
+
+  const Term* find(const std::string& name, int depth) override {
+    if (const auto at = parameters_.find(name); at != parameters_.end()) return &at->second;
+    return declared_ ? declared_->find(name, depth) : nullptr;
+  }
+
+  std::vector<std::string> all() const override {
+    std::vector<std::string> names = declared_ ? declared_->all() : std::vector<std::string>{};
+    for (const auto& [name, term] : parameters_) names.push_back(name);
+    return names;
+  }
+
+ private:
+  Declarations* declared_;
+  std::map<std::string, Term> parameters_;
+};
+
+class MotionReader {
+ public:
+  MotionReader(ModelReading& reading, const TomlEntry& entry)
+      : reading_(reading), toml_(reading.toml), entry_(entry) {}
+
+  Motion read() {
+    check_keys();
+    motion_.name = entry_.key;
+    read_parameters();
+    read_ranges();
+    check_dimension();
+    read_pose();
+    read_error();
+    read_constraints();
+    read_alpha();
+    motion_.must_be_defined = distinct(motion_.must_be_defined);
+    return std::move(motion_);
+  }
+
+ private:
+  void check_keys() {
+    std::vector<std::string> known = pose_names();
+    for (const char* key : {"parameters", "constraints", "error", "alpha"}) known.push_back(key);
+    (void)toml_.entries(entry_, known);
+  }
+
+  std::vector<std::string> pose_names() const {
+    std::vector<std::string> names;
+    for (const PoseParameter& p : reading_.model.pose) names.push_back(p.name);
+    return names;
+  }
+
+  void read_parameters() {
+    const TomlEntry parameters = toml_.optional(entry_, "parameters");
+    if (!parameters.node) return;
+    for (const TomlEntry& parameter : toml_.entries(parameters)) {
+      require_free_name(parameter.key, toml_.place(parameter));
+      if (reading_.names.find(parameter.key, 0))
+        toml_.refuse(parameter,
+                     in_quotes(parameter.key) + " declared twice, here as " + parameter.path,
+                     "a name that is not declared yet");
+      motion_.parameters.push_back(
+          {GiNaC::realsymbol(parameter.key), parameter.key, "1", range(parameter)});
+    }
+    if (motion_.parameters.empty())
+      toml_.refuse(parameters, "no parameter in " + parameters.path,
+                   "at least one, with its range");
+  }
+
+  /// Pose parameters that are given a range are motion parameters themselves.
+  void read_ranges() {
+    for (const PoseParameter& p : reading_.model.pose) {
+      const TomlEntry given = toml_.required(entry_, p.name);
+      if (given.node->is_array())
+        motion_.parameters.push_back({p.symbol, p.name, p.unit, range(given)});
+    }
+  }
+
+  void check_dimension() const {
+    if (motion_.parameters.size() > reading_.model.pose.size())
+      toml_.refuse(
+          entry_, std::to_string(motion_.parameters.size()) + " parameters in " + entry_.path,
+          "at most as many as pose parameters, " + std::to_string(reading_.model.pose.size()));
+  }
+
+  void read_pose() {
+    MotionNames names(nullptr);
+    for (const MotionParameter& parameter : motion_.parameters) names.add(parameter);
+    for (const PoseParameter& p : reading_.model.pose) {
+      const TomlEntry given = toml_.required(entry_, p.name);
+      motion_.pose.push_back(given.node->is_array() ? GiNaC::ex(p.symbol)
+                                                    : recorded(toml_.expression(given, names)));
+      check_finite(given, motion_.pose.back());
+    }
+  }
+
+  void check_finite(const TomlEntry& given, const GiNaC::ex& value) const {
+    if (GiNaC::is_a<GiNaC::numeric>(value) && !value.info(GiNaC::info_flags::rational))
+      toml_.refuse(given, "a finite number, a range or an expression");
+  }
+
+  void read_error() {
+    motion_.error.assign(reading_.model.pose.size(), 0);
+    const TomlEntry error = toml_.optional(entry_, "error");
+    if (!error.node) return;
+    const std::vector<std::string> names = pose_names();
+    for (const TomlEntry& given : toml_.entries(error, names)) {
+      const auto at = std::ranges::find(names, given.key) - names.begin();
+      motion_.error[static_cast<std::size_t>(at)] = nonnegative(given);
+    }
+  }
+
+  void read_constraints() {
+    MotionNames names(&reading_.names);
+    for (const MotionParameter& parameter : motion_.parameters) names.add(parameter);
+    motion_.constraints = reading_.motion_constraints;
+    const TomlEntry constraints = toml_.optional(entry_, "constraints");
+    if (!constraints.node) return;
+    for (const TomlEntry& given : toml_.elements(constraints, "a list of expressions, each ≤ 0"))
+      motion_.constraints.push_back(recorded(toml_.expression(given, names)));
+  }
+
+  void read_alpha() {
+    const TomlEntry alpha = toml_.optional(entry_, "alpha");
+    if (alpha.node) motion_.alpha = nonnegative(alpha);
+  }
+
+  Range range(const TomlEntry& entry) {
+    const auto ends = toml_.elements(entry, "a range [lower, upper]");
+    if (ends.size() != 2)
+      toml_.refuse(entry, std::to_string(ends.size()) + " numbers in " + entry.path,
+                   "a range [lower, upper]");
+    const Term lo = toml_.constant(ends[0]);
+    const Term hi = toml_.constant(ends[1]);
+    append(motion_.must_be_defined, lo.must_be_defined);
+    append(motion_.must_be_defined, hi.must_be_defined);
+    return checked_range(lo, hi, toml_.place(entry));
+  }
+
+  GiNaC::ex nonnegative(const TomlEntry& entry) {
+    const Term term = toml_.constant(entry);
+    append(motion_.must_be_defined, term.must_be_defined);
+    return checked_nonnegative(term, toml_.place(entry));
+  }
+
+  GiNaC::ex recorded(const Term& term) {
+    append(motion_.must_be_defined, term.must_be_defined);
+    return term.value;
+  }
+
+  ModelReading& reading_;
+  const TomlReader& toml_;
+  const TomlEntry& entry_;
+  Motion motion_;
+};
+
+}  // namespace
+
+void read_motions(ModelReading& reading, const TomlEntry& motions) {
+  for (const TomlEntry& entry : reading.toml.entries(motions))
+    reading.model.motions.push_back(MotionReader(reading, entry).read());
+  if (reading.model.motions.empty())
+    reading.toml.refuse(motions, "no motion", "at least one table [motion.NAME]");
+}
+
+}  // namespace regulus::codegen

@@ -1,0 +1,102 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "regulus/codegen/model/names.hpp"
+
+#include <algorithm>
+#include <numeric>
+
+#include "regulus/codegen/model/real_functions.hpp"
+
+namespace regulus::codegen {
+namespace {
+
+constexpr std::size_t kLongestName = 64;
+constexpr std::size_t kLongestQuote = 40;
+constexpr std::size_t kLongestLabel = 200;
+constexpr std::size_t kMostAlternatives = 12;
+
+bool is_letter(char c) noexcept { return ('a' <= c && c <= 'z') || ('A' <= c && c <= 'Z'); }
+bool is_digit(char c) noexcept { return '0' <= c && c <= '9'; }
+
+/// Levenshtein's distance, by rows.
+std::size_t edit_distance(std::string_view a, std::string_view b) {
+  std::vector<std::size_t> row(b.size() + 1);
+  std::iota(row.begin(), row.end(), std::size_t{0});
+  for (std::size_t i = 1; i <= a.size(); ++i) {
+    std::size_t diagonal = std::exchange(row[0], i);
+    for (std::size_t j = 1; j <= b.size(); ++j) {
+      const std::size_t substituted = diagonal + (a[i - 1] == b[j - 1] ? 0 : 1);
+      diagonal = std::exchange(row[j], std::min({row[j] + 1, row[j - 1] + 1, substituted}));
+    }
+  }
+  return row.back();
+}
+
+/// k_ digits _ digits: how the symbolic stage names the entries of K.
+bool is_preconditioner_entry(std::string_view name) {
+  if (!name.starts_with("k_")) return false;
+  const std::size_t bar = name.find('_', 2);
+  if (bar == std::string_view::npos || bar == 2 || bar + 1 == name.size()) return false;
+  const auto all_digits = [](std::string_view s) { return std::ranges::all_of(s, is_digit); };
+  return all_digits(name.substr(2, bar - 2)) && all_digits(name.substr(bar + 1));
+}
+
+}  // namespace
+
+bool is_name(std::string_view text) noexcept {
+  return !text.empty() && text.size() <= kLongestName && is_letter(text.front()) &&
+         std::ranges::all_of(text, [](char c) { return is_letter(c) || is_digit(c) || c == '_'; });
+}
+
+bool is_reserved(std::string_view name) {
+  return name == "pi" || name == "deg" || is_function(name) || is_preconditioner_entry(name);
+}
+
+std::string nearest(std::string_view name, std::span<const std::string> candidates) {
+  if (name.size() > kLongestName) return {};
+  std::size_t fewest = name.size() / 3 + 2;
+  std::string best;
+  for (const std::string& candidate : candidates) {
+    const std::size_t distance = edit_distance(name, candidate);
+    if (distance < fewest && distance < candidate.size()) fewest = distance, best = candidate;
+  }
+  return best;
+}
+
+std::string alternatives(std::span<const std::string> words) {
+  const std::size_t shown = std::min(words.size(), kMostAlternatives);
+  std::string text;
+  for (std::size_t i = 0; i < shown; ++i) {
+    if (i > 0) text += i + 1 == words.size() ? " or " : ", ";
+    text += words[i];
+  }
+  return shown < words.size() ? text + " …" : text;
+}
+
+std::string printable(std::string_view text) {
+  constexpr std::string_view kDigits = "0123456789abcdef";
+  std::string safe;
+  for (const char c : text) {
+    const auto byte = static_cast<unsigned char>(c);
+    if (' ' <= c && c <= '~')
+      safe += c;
+    else
+      safe += std::string("\\x") + kDigits[byte >> 4] + kDigits[byte & 0xf];
+  }
+  return safe;
+}
+
+std::string in_quotes(std::string_view text) {
+  std::string quoted(1, '\'');
+  quoted += printable(text.substr(0, kLongestQuote));
+  if (text.size() > kLongestQuote) quoted += "…";
+  return quoted += '\'';
+}
+
+bool is_label(std::string_view text) noexcept {
+  return text.size() <= kLongestLabel && std::ranges::none_of(text, [](char c) {
+           const auto byte = static_cast<unsigned char>(c);
+           return byte < 0x20 || byte == 0x7f || byte == '\\';
+         });
+}
+
+}  // namespace regulus::codegen

@@ -1,0 +1,128 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "regulus/codegen/model/overrides.hpp"
+
+#include <algorithm>
+
+#include "regulus/codegen/model/constants.hpp"
+#include "regulus/codegen/model/errors.hpp"
+#include "regulus/codegen/model/names.hpp"
+
+namespace regulus::codegen {
+namespace {
+
+using GiNaC::ex;
+
+[[noreturn]] void refuse(const std::string& found, const std::string& expected,
+                         const std::string& symbol) {
+  throw InputError("", 0, found, expected, symbol);
+}
+
+std::string listed(const std::vector<std::string>& words, const std::string& none) {
+  return words.empty() ? none : alternatives(words);
+}
+
+bool is_constant(const ex& e) {
+  return !GiNaC::is_a<GiNaC::symbol>(e) && std::all_of(e.begin(), e.end(), is_constant);
+}
+
+std::vector<std::string> changeable(const Model& model, const Motion& motion) {
+  std::vector<std::string> names;
+  for (const MotionParameter& p : motion.parameters) names.push_back(p.name);
+  for (std::size_t i = 0; i < model.pose.size(); ++i)
+    if (is_constant(motion.pose[i])) names.push_back(model.pose[i].name);
+  return names;
+}
+
+std::vector<std::string> split(std::string_view list) {
+  std::vector<std::string> parts;
+  for (std::size_t begin = 0; begin <= list.size();) {
+    const std::size_t end = std::min(list.find(',', begin), list.size());
+    parts.emplace_back(list.substr(begin, end - begin));
+    begin = end + 1;
+  }
+  return parts;
+}
+
+/// Frees a pose parameter that the motion holds constant.
+bool free_constant(const Model& model, Motion& motion, const std::string& name,
+                   const Range& range) {
+  for (std::size_t i = 0; i < model.pose.size(); ++i) {
+    const PoseParameter& p = model.pose[i];
+    if (p.name != name || !is_constant(motion.pose[i])) continue;
+    motion.pose[i] = p.symbol;
+    motion.parameters.push_back({p.symbol, p.name, p.unit, range});
+    return true;
+  }
+  return false;
+}
+
+}  // namespace
+
+const Motion& find_motion(const Model& model, std::string_view name) {
+  std::vector<std::string> names;
+  for (const Motion& motion : model.motions) {
+    if (motion.name == name) return motion;
+    names.push_back(motion.name);
+  }
+  if (name.empty() && model.motions.size() == 1) return model.motions.front();
+  const std::string meant = nearest(name, names);
+  refuse(name.empty() ? "no motion" : "the motion " + in_quotes(name),
+         !meant.empty() ? in_quotes(meant) : listed(names, "a model that has motions"),
+         std::string(name));
+}
+
+void set_range(const Model& model, Motion& motion, const std::string& parameter,
+               std::string_view text) {
+  const Range range = parse_range(text, {.file = "", .key = parameter}, motion.must_be_defined);
+  const auto at = std::ranges::find(motion.parameters, parameter, &MotionParameter::name);
+  if (at != motion.parameters.end())
+    at->range = range;
+  else if (!free_constant(model, motion, parameter, range))
+    refuse("the range of " + in_quotes(parameter),
+           listed(changeable(model, motion), "a motion with parameters"), parameter);
+}
+
+void set_alpha(Motion& motion, std::string_view alpha) {
+  const Place place{.file = "", .key = "alpha"};
+  const Term term = parse_constant(alpha, place);
+  append(motion.must_be_defined, term.must_be_defined);
+  motion.alpha = checked_nonnegative(term, place);
+}
+
+void set_alpha(Motion& motion, const ex& alpha) {
+  motion.alpha = checked_nonnegative(constant(alpha), {.file = "", .key = "alpha"});
+}
+
+void set_tolerance(Model& model, std::string_view groups, std::string_view tolerance) {
+  const Term term = parse_constant(tolerance, {.file = "", .key = std::string(groups)});
+  append(model.must_be_defined, term.must_be_defined);
+  set_tolerance(model, groups, term.value);
+}
+
+void set_tolerance(Model& model, std::string_view groups, const ex& tolerance) {
+  const ex checked =
+      checked_nonnegative(constant(tolerance), {.file = "", .key = std::string(groups)});
+  const std::vector<std::string> known = tolerance_groups(model);
+  const std::vector<std::string> wanted = split(groups);
+  for (const std::string& group : wanted)
+    if (std::ranges::find(known, group) == known.end())
+      refuse("the group " + in_quotes(group), listed(known, "a model with groups"), group);
+
+  const auto is_wanted = [&wanted](const std::string& group) {
+    return std::ranges::find(wanted, group) != wanted.end();
+  };
+  for (GeometryParameter& g : model.geometry)
+    if (is_wanted(g.group)) g.tolerance = checked;
+  for (Ball& ball : model.balls)
+    if (is_wanted(ball.group)) ball.radius = checked;
+}
+
+std::vector<std::string> tolerance_groups(const Model& model) {
+  std::vector<std::string> groups;
+  for (const GeometryParameter& g : model.geometry)
+    if (!g.group.empty() && std::ranges::find(groups, g.group) == groups.end())
+      groups.push_back(g.group);
+  return groups;
+}
+
+}  // namespace regulus::codegen

@@ -1,0 +1,38 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What a command line changes in a model: ranges, threshold, tolerances. All texts may be
+// expressions
+// ("-5*deg:5*deg"); mistakes are InputError without a file.
+#pragma once
+
+#include <string>
+#include <string_view>
+
+#include "regulus/codegen/model/model.hpp"
+
+namespace regulus::codegen {
+
+/// The motion of that name; with an empty name the only one. Throws InputError that lists the
+/// names.
+[[nodiscard]] const Motion& find_motion(const Model& model, std::string_view name = {});
+
+/// Sets the range of a motion parameter, "LO:HI" or "V". A pose parameter that is constant in the
+/// motion becomes a motion parameter.
+void set_range(const Model& model, Motion& motion, const std::string& parameter,
+               std::string_view range);
+
+void set_alpha(Motion& motion, std::string_view alpha);
+
+/// Requires  alpha ≥ 0.
+void set_alpha(Motion& motion, const GiNaC::ex& alpha);
+
+/// Sets the tolerance, or the radius of the balls, of every member of the groups: a comma list such
+/// as "base,platform". Throws InputError that lists the groups when one is unknown.
+void set_tolerance(Model& model, std::string_view groups, std::string_view tolerance);
+
+/// Requires  tolerance ≥ 0.
+void set_tolerance(Model& model, std::string_view groups, const GiNaC::ex& tolerance);
+
+/// The groups of the model, each once, in the order of the geometry.
+[[nodiscard]] std::vector<std::string> tolerance_groups(const Model& model);
+
+}  // namespace regulus::codegen

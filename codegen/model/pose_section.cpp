@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// [pose] and [let]: what the matrix is written in.
+#include <algorithm>
+#include <array>
+
+#include "regulus/codegen/model/sections.hpp"
+
+namespace regulus::codegen {
+
+void read_pose(ModelReading& reading, const TomlEntry& pose) {
+  static const std::array<std::string, 4> kMotionKeys = {"parameters", "constraints", "alpha",
+                                                         "error"};
+  for (const TomlEntry& entry : reading.toml.entries(pose)) {
+    if (std::ranges::find(kMotionKeys, entry.key) != kMotionKeys.end())
+      reading.toml.refuse(entry,
+                          "the pose parameter '" + entry.key + "', which is a key of motions",
+                          "another name");
+    const GiNaC::realsymbol symbol(entry.key);
+    reading.names.declare(entry.key, variable(symbol), reading.toml.place(entry));
+    reading.model.pose.push_back({symbol, entry.key, reading.toml.label(entry)});
+  }
+  if (reading.model.pose.empty())
+    reading.toml.refuse(pose, "an empty [pose]", "at least one pose parameter and its unit");
+}
+
+void read_let(ModelReading& reading, const TomlEntry& let) {
+  const std::vector<TomlEntry> entries = reading.toml.entries(let);
+  for (const TomlEntry& entry : entries) {
+    if (entry.node->is_string())
+      reading.names.declare_expression(entry.key, reading.toml.text(entry, "an expression"),
+                                       reading.toml.place(entry));
+    else
+      reading.names.declare(entry.key, reading.toml.constant(entry), reading.toml.place(entry));
+  }
+  // An unused one is read as well: a mistake in it is a mistake in the file.
+  for (const TomlEntry& entry : entries) (void)reading.names.find(entry.key, 0);
+}
+
+}  // namespace regulus::codegen

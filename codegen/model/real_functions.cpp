@@ -1,0 +1,88 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "regulus/codegen/model/real_functions.hpp"
+
+#include <algorithm>
+#include <array>
+
+#include "regulus/codegen/model/domain.hpp"
+#include "regulus/codegen/model/growth.hpp"
+
+namespace regulus::codegen {
+namespace {
+
+using GiNaC::ex;
+
+/// Records the domain in the first argument and returns the value.
+using Apply = ex (*)(Term& result, const std::vector<Term>& arguments);
+
+ex apply_sqrt(Term& result, const std::vector<Term>& x) {
+  require_nonnegative(result, x[0].value, x[0].constant);
+  // GiNaC::sqrt on a number would give a float.
+  return GiNaC::pow(x[0].value, GiNaC::numeric(1, 2));
+}
+
+ex apply_sin(Term&, const std::vector<Term>& x) { return GiNaC::sin(x[0].value); }
+ex apply_cos(Term&, const std::vector<Term>& x) { return GiNaC::cos(x[0].value); }
+
+ex apply_tan(Term& result, const std::vector<Term>& x) {
+  require_no_pole_of_tan(result, x[0].value);
+  return GiNaC::tan(x[0].value);
+}
+
+ex apply_asin(Term& result, const std::vector<Term>& x) {
+  require_unit_range(result, x[0].value, x[0].constant);
+  return GiNaC::asin(x[0].value);
+}
+
+ex apply_acos(Term& result, const std::vector<Term>& x) {
+  require_unit_range(result, x[0].value, x[0].constant);
+  return GiNaC::acos(x[0].value);
+}
+
+ex apply_atan(Term&, const std::vector<Term>& x) { return GiNaC::atan(x[0].value); }
+
+ex apply_atan2(Term& result, const std::vector<Term>& x) {
+  require_off_branch_cut(result, x[0].value, x[1].value);
+  return GiNaC::atan2(x[0].value, x[1].value);
+}
+
+ex apply_exp(Term&, const std::vector<Term>& x) { return GiNaC::exp(x[0].value); }
+
+ex apply_log(Term& result, const std::vector<Term>& x) {
+  require_positive(result, x[0].value, x[0].constant);
+  return GiNaC::log(x[0].value);
+}
+
+ex apply_abs(Term&, const std::vector<Term>& x) { return GiNaC::abs(x[0].value); }
+
+constexpr std::size_t kFunctions = 11;
+constexpr std::array<Apply, kFunctions> kApply = {apply_sqrt, apply_sin,  apply_cos,  apply_tan,
+                                                  apply_asin, apply_acos, apply_atan, apply_atan2,
+                                                  apply_exp,  apply_log,  apply_abs};
+
+std::size_t index_of(std::string_view name) {
+  const auto names = function_names();
+  return static_cast<std::size_t>(std::ranges::find(names, name) - names.begin());
+}
+
+}  // namespace
+
+std::span<const std::string> function_names() {
+  static const std::array<std::string, kFunctions> kNames = {
+      "sqrt", "sin", "cos", "tan", "asin", "acos", "atan", "atan2", "exp", "log", "abs"};
+  return kNames;
+}
+
+bool is_function(std::string_view name) { return index_of(name) < kFunctions; }
+
+Term call(std::string_view name, std::vector<Term> arguments) {
+  const std::size_t wanted = name == "atan2" ? 2 : 1;
+  if (arguments.size() != wanted)
+    throw Refusal{std::string(name) + " with " + std::to_string(arguments.size()) + " arguments",
+                  wanted == 1 ? "one argument" : "two arguments, atan2(y, x)"};
+  Term result = grow(arguments);
+  result.value = kApply[index_of(name)](result, arguments);
+  return result;
+}
+
+}  // namespace regulus::codegen

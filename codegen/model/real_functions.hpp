@@ -1,0 +1,25 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The functions a model file may call, with the domains on which they are real.
+#pragma once
+
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "regulus/codegen/model/term.hpp"
+
+namespace regulus::codegen {
+
+/// sqrt sin cos tan asin acos atan atan2 exp log abs.
+[[nodiscard]] std::span<const std::string> function_names();
+
+[[nodiscard]] bool is_function(std::string_view name);
+
+/// The function applied to the arguments; where it is partial, its domain is recorded.
+///
+/// Requires  is_function(name).
+/// Ensures   throws Refusal for a wrong number of arguments, or constants outside the domain.
+[[nodiscard]] Term call(std::string_view name, std::vector<Term> arguments);
+
+}  // namespace regulus::codegen

@@ -1,0 +1,84 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "regulus/codegen/model/sign.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <exception>
+
+namespace regulus::codegen {
+namespace {
+
+using GiNaC::ex;
+using GiNaC::is_a;
+
+template <typename Predicate>
+bool all_operands(const ex& e, Predicate predicate) {
+  return std::all_of(e.begin(), e.end(), predicate);
+}
+
+const GiNaC::numeric* numeric_exponent(const ex& power) {
+  const ex& exponent = power.op(1);
+  return is_a<GiNaC::numeric>(exponent) ? &GiNaC::ex_to<GiNaC::numeric>(exponent) : nullptr;
+}
+
+/// Powers that are not negative whatever the sign of the base: even ones, and roots, which are
+/// defined for a base that is not negative only.
+bool is_even_or_root(const GiNaC::numeric& exponent) {
+  return exponent.is_even() || (exponent.is_rational() && !exponent.is_integer());
+}
+
+bool is_function_named(const ex& e, const char* name) {
+  return is_a<GiNaC::function>(e) && GiNaC::ex_to<GiNaC::function>(e).get_name() == name;
+}
+
+}  // namespace
+
+bool certain_nonnegative(const ex& e) {
+  if (is_a<GiNaC::numeric>(e)) return e.info(GiNaC::info_flags::nonnegative);
+  if (is_a<GiNaC::add>(e) || is_a<GiNaC::mul>(e)) return all_operands(e, certain_nonnegative);
+  if (is_a<GiNaC::power>(e)) {
+    const GiNaC::numeric* exponent = numeric_exponent(e);
+    return exponent && (is_even_or_root(*exponent) || certain_nonnegative(e.op(0)));
+  }
+  return e.is_equal(GiNaC::Pi) || is_function_named(e, "exp") || is_function_named(e, "abs") ||
+         is_function_named(e, "acos");
+}
+
+bool certain_positive(const ex& e) {
+  if (is_a<GiNaC::numeric>(e)) return e.info(GiNaC::info_flags::positive);
+  if (is_a<GiNaC::add>(e))
+    return all_operands(e, certain_nonnegative) &&
+           std::any_of(e.begin(), e.end(), certain_positive);
+  if (is_a<GiNaC::mul>(e)) return all_operands(e, certain_positive);
+  if (is_a<GiNaC::power>(e)) {
+    const GiNaC::numeric* exponent = numeric_exponent(e);
+    if (!exponent) return false;
+    return certain_positive(e.op(0)) || (exponent->is_negative() && is_even_or_root(*exponent));
+  }
+  return e.is_equal(GiNaC::Pi) || is_function_named(e, "exp");
+}
+
+bool certain_defined(const ex& e) {
+  if (!all_operands(e, certain_defined)) return false;
+  if (is_a<GiNaC::power>(e)) {
+    const GiNaC::numeric* exponent = numeric_exponent(e);
+    if (!exponent) return false;
+    if (exponent->is_pos_integer()) return true;
+    return exponent->is_positive() ? certain_nonnegative(e.op(0)) : certain_positive(e.op(0));
+  }
+  if (!is_a<GiNaC::function>(e)) return true;
+  const auto is_total = [&e](const char* name) { return is_function_named(e, name); };
+  return is_total("sin") || is_total("cos") || is_total("atan") || is_total("exp") ||
+         is_total("abs");
+}
+
+std::optional<double> approx_value(const ex& constant) try {
+  const ex value = constant.evalf();
+  if (!is_a<GiNaC::numeric>(value) || !value.info(GiNaC::info_flags::real)) return std::nullopt;
+  const double approximate = GiNaC::ex_to<GiNaC::numeric>(value).to_double();
+  return std::isfinite(approximate) ? std::optional(approximate) : std::nullopt;
+} catch (const std::exception&) {
+  return std::nullopt;
+}
+
+}  // namespace regulus::codegen

@@ -1,0 +1,89 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "regulus/codegen/model/term.hpp"
+
+#include <algorithm>
+#include <utility>
+
+#include "regulus/codegen/model/domain.hpp"
+#include "regulus/codegen/model/growth.hpp"
+
+namespace regulus::codegen {
+namespace {
+
+using GiNaC::ex;
+using GiNaC::numeric;
+
+bool is_rational(const ex& e) { return e.info(GiNaC::info_flags::rational); }
+
+bool is_dyadic(const numeric& exponent) {
+  const numeric denominator = exponent.denom();
+  return denominator == 1 || denominator == 2 || denominator == 4 || denominator == 8;
+}
+
+numeric checked_exponent(const Term& exponent) {
+  if (!exponent.constant || !is_rational(exponent.value))
+    throw Refusal{"an exponent that is not a rational constant", "an integer or a fraction"};
+  const numeric& value = GiNaC::ex_to<numeric>(exponent.value);
+  if (GiNaC::abs(value) > kLargestPower)
+    throw Refusal{"an exponent beyond ±" + std::to_string(kLargestPower), "a smaller exponent"};
+  return value;
+}
+
+/// x^(p/q) where q is not a power of two, for x > 0.
+ex fractional_power(Term& result, const Term& base, const numeric& exponent) {
+  require_positive(result, base.value, base.constant);
+  if (is_rational(base.value)) {
+    const ex root = GiNaC::pow(base.value, exponent);
+    if (is_rational(root)) return root;
+  }
+  return GiNaC::exp(exponent * GiNaC::log(base.value));
+}
+
+}  // namespace
+
+Term number(const numeric& value) {
+  Term result{.value = value};
+  result.bits = value.numer().int_length() + value.denom().int_length();
+  return result;
+}
+
+Term constant(const ex& value) { return Term{.value = value}; }
+
+Term variable(const GiNaC::realsymbol& symbol) { return Term{.value = symbol, .constant = false}; }
+
+Term sum(std::vector<Operand> operands) {
+  Term result = grow(operands);
+  GiNaC::exvector terms;
+  terms.reserve(operands.size());
+  for (const Operand& o : operands) terms.push_back(o.inverted ? -o.term.value : o.term.value);
+  result.value = GiNaC::add(terms);
+  return result;
+}
+
+Term product(std::vector<Operand> operands) {
+  Term result = grow(operands);
+  GiNaC::exvector factors;
+  factors.reserve(operands.size());
+  for (const Operand& o : operands) {
+    if (o.inverted) require_nonzero(result, o.term.value, o.term.constant);
+    factors.push_back(o.inverted ? GiNaC::pow(o.term.value, -1) : o.term.value);
+  }
+  result.value = GiNaC::mul(factors);
+  return result;
+}
+
+Term power(const Term& base, const Term& exponent) {
+  const numeric n = checked_exponent(exponent);
+  Term result = grow_by_power(base, exponent, n);
+  if (n.is_negative() || (n.is_zero() && base.value.is_zero()))
+    require_nonzero(result, base.value, base.constant);
+  if (!is_dyadic(n)) {
+    result.value = fractional_power(result, base, n);
+    return result;
+  }
+  if (!n.is_integer()) require_nonnegative(result, base.value, base.constant);
+  result.value = GiNaC::pow(base.value, n);
+  return result;
+}
+
+}  // namespace regulus::codegen

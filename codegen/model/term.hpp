@@ -1,0 +1,64 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// A written expression while it is read: the GiNaC expression it simplifies to, what must be
+// defined for the written one to be defined, and how large it has grown. Untrusted text is read
+// with these operations only.
+#pragma once
+
+#include <ginac/ginac.h>
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace regulus::codegen {
+
+/// Why an operation is refused. Whoever knows file and line turns it into an InputError.
+struct Refusal {
+  std::string found;
+  std::string expected;
+};
+
+struct Term {
+  GiNaC::ex value;
+  /// Expressions that are all defined exactly where the written expression is, as far as `value`
+  /// does not show it. An operation that has a value everywhere its operands have one adds nothing.
+  std::vector<GiNaC::ex> must_be_defined{};
+  bool constant = true;  ///< no symbol was written in it
+  int depth = 1;         ///< of the written tree, named sub-expressions included
+  double size = 1;       ///< nodes of that tree
+  double bits = 0;       ///< bound of the bits in its exact coefficients
+};
+
+// The limits keep a small file from asking for unbounded memory, time or stack: doubling chains of
+// named sub-expressions, towers of powers, deep nesting.
+constexpr int kMostDepth = 256;
+constexpr double kLargestSize = 1e5;
+constexpr double kMostBits = 1e6;
+constexpr int kLargestPower = 100;
+
+[[nodiscard]] Term number(const GiNaC::numeric& value);
+[[nodiscard]] Term constant(const GiNaC::ex& value);
+[[nodiscard]] Term variable(const GiNaC::realsymbol& symbol);
+
+/// Operands of one chain a + b − c … or a · b / c …, in the order they are written.
+struct Operand {
+  Term term;
+  bool inverted = false;  ///< subtracted, or divided by
+};
+
+// All throw Refusal when the result would not be real, or exceed a limit above.
+
+[[nodiscard]] Term sum(std::vector<Operand> operands);
+
+/// Divisors are recorded as having to be non-zero.
+[[nodiscard]] Term product(std::vector<Operand> operands);
+
+/// base^exponent for a constant rational exponent, |exponent| ≤ kLargestPower.
+///
+/// Ensures   an integer exponent is repeated multiplication (x^0 = 1 wherever x is defined), a
+/// dyadic
+///           one (x^(3/2)) needs x ≥ 0 and becomes roots, any other (x^(1/3)) needs x > 0 and
+///           becomes exp(exponent · log x). A negative one needs x ≠ 0 besides.
+[[nodiscard]] Term power(const Term& base, const Term& exponent);
+
+}  // namespace regulus::codegen

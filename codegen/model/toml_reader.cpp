@@ -1,0 +1,160 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "regulus/codegen/model/toml_reader.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <tuple>
+
+#include "regulus/codegen/model/decimal.hpp"
+#include "regulus/codegen/model/declarations.hpp"
+#include "regulus/codegen/model/errors.hpp"
+#include "regulus/codegen/model/names.hpp"
+
+namespace regulus::codegen {
+namespace {
+
+int line_of(const toml::source_region& source) { return static_cast<int>(source.begin.line); }
+
+std::string join(const std::string& path, const std::string& key) {
+  return path.empty() ? key : path + "." + key;
+}
+
+std::string describe(const toml::node& node) {
+  switch (node.type()) {
+    case toml::node_type::table:
+      return "a table";
+    case toml::node_type::array:
+      return "an array of " + std::to_string(node.as_array()->size());
+    case toml::node_type::string:
+      return "the string " + in_quotes(node.as_string()->get());
+    case toml::node_type::integer:
+      return "the integer " + std::to_string(node.as_integer()->get());
+    case toml::node_type::floating_point: {
+      const double value = node.as_floating_point()->get();
+      return std::isnan(value) ? "nan" : std::isinf(value) ? "an infinite number" : "a number";
+    }
+    case toml::node_type::boolean:
+      return "a boolean";
+    default:
+      return "a date or time";
+  }
+}
+
+}  // namespace
+
+std::vector<TomlEntry> TomlReader::entries(const TomlEntry& entry) const {
+  struct Positioned {
+    toml::source_position position;
+    TomlEntry entry;
+  };
+  std::vector<Positioned> found;
+  for (const auto& [key, node] : table_of(entry)) {
+    const std::string name(key.str());
+    if (!is_name(name))
+      throw InputError(
+          file_, line_of(key.source()),
+          "the key " + in_quotes(name) + (entry.path.empty() ? "" : " in " + entry.path),
+          "a letter, then letters, digits and underscores, at most 64 in all", name);
+    found.push_back(
+        {key.source().begin, {name, join(entry.path, name), &node, line_of(key.source())}});
+  }
+  std::ranges::sort(found, {}, [](const Positioned& p) {
+    return std::tuple(p.position.line, p.position.column);
+  });
+  std::vector<TomlEntry> result;
+  for (Positioned& p : found) result.push_back(std::move(p.entry));
+  return result;
+}
+
+std::vector<TomlEntry> TomlReader::entries(const TomlEntry& table,
+                                           std::span<const std::string> known) const {
+  std::vector<TomlEntry> result = entries(table);
+  for (const TomlEntry& entry : result) {
+    if (std::ranges::find(known, entry.key) != known.end()) continue;
+    const std::string meant = nearest(entry.key, known);
+    throw InputError(file_, entry.line, "the unknown key " + in_quotes(entry.path),
+                     meant.empty() ? alternatives(known) : in_quotes(meant), entry.key);
+  }
+  return result;
+}
+
+TomlEntry TomlReader::optional(const TomlEntry& table, const std::string& key) const {
+  const toml::node* node = table_of(table).get(key);
+  return {key, join(table.path, key), node, node ? line_of(node->source()) : table.line};
+}
+
+TomlEntry TomlReader::required(const TomlEntry& table, const std::string& key) const {
+  TomlEntry entry = optional(table, key);
+  if (entry.node) return entry;
+  throw InputError(file_, table.line,
+                   "no " + in_quotes(key) + (table.path.empty() ? "" : " in " + table.path),
+                   in_quotes(entry.path), key);
+}
+
+std::vector<TomlEntry> TomlReader::elements(const TomlEntry& entry,
+                                            const std::string& expected) const {
+  const toml::array* array = entry.node->as_array();
+  if (!array) refuse(entry, expected);
+  std::vector<TomlEntry> result;
+  for (const toml::node& node : *array)
+    result.push_back({entry.key, entry.path + "[" + std::to_string(result.size() + 1) + "]", &node,
+                      line_of(node.source())});
+  return result;
+}
+
+std::string TomlReader::text(const TomlEntry& entry, const std::string& expected) const {
+  const auto* text = entry.node->as_string();
+  if (!text) refuse(entry, expected);
+  return text->get();
+}
+
+std::string TomlReader::label(const TomlEntry& entry) const {
+  const std::string expected = "a string of at most 200 bytes without control characters or \\";
+  std::string result = text(entry, expected);
+  if (!is_label(result)) refuse(entry, expected);
+  return result;
+}
+
+std::string TomlReader::name(const TomlEntry& entry) const {
+  std::string result = text(entry, "a name in a string");
+  require_free_name(result, place(entry));
+  return result;
+}
+
+Term TomlReader::expression(const TomlEntry& entry, Names& names) const {
+  if (const auto* text = entry.node->as_string())
+    return parse_expression(text->get(), names, place(entry));
+  return number_of(entry);
+}
+
+Term TomlReader::constant(const TomlEntry& entry) const {
+  if (const auto* text = entry.node->as_string()) return parse_constant(text->get(), place(entry));
+  return number_of(entry);
+}
+
+Term TomlReader::number_of(const TomlEntry& entry) const {
+  const std::string expected = "a finite number, or an expression in a string";
+  if (const auto* integer = entry.node->as_integer()) return number(exact_integer(integer->get()));
+  const auto* real = entry.node->as_floating_point();
+  if (!real || !std::isfinite(real->get())) refuse(entry, expected);
+  return number(shortest_decimal(real->get()));
+}
+
+Place TomlReader::place(const TomlEntry& entry) const { return {file_, entry.line, entry.path}; }
+
+void TomlReader::refuse(const TomlEntry& entry, const std::string& found,
+                        const std::string& expected) const {
+  throw InputError(file_, entry.line, found, expected, entry.path);
+}
+
+void TomlReader::refuse(const TomlEntry& entry, const std::string& expected) const {
+  refuse(entry, describe(*entry.node) + " for " + entry.path, expected);
+}
+
+const toml::table& TomlReader::table_of(const TomlEntry& entry) const {
+  const toml::table* table = entry.node->as_table();
+  if (!table) refuse(entry, "a table");
+  return *table;
+}
+
+}  // namespace regulus::codegen
