@@ -3,19 +3,22 @@
 // kernel function, and on to a Module.
 #pragma once
 
+#include <map>
 #include <string>
 #include <vector>
 
 #include "regulus/codegen/model/model.hpp"
 #include "regulus/codegen/program/module.hpp"
 #include "regulus/codegen/symbolic/expression.hpp"
+#include "regulus/codegen/symbolic/measure.hpp"
+#include "regulus/codegen/symbolic/rewrite.hpp"
 
 namespace regulus::codegen {
 
 enum class VariableKind {
-  kMotion,     // a motion parameter t_j
-  kGeometry,   // an uncertain constant of the robot
-  kControl,    // the control error of a pose parameter
+  kMotion,    // a motion parameter t_j
+  kGeometry,  // an uncertain constant of the robot
+  kControl,   // the control error of a pose parameter
 };
 
 /// An input of every kernel function. Motion parameters come first.
@@ -24,28 +27,59 @@ struct Variable {
   std::string unit;
   VariableKind kind = VariableKind::kMotion;
   Range range;
-  int ball = -1;       ///< Model::balls index when its range is one axis of a ball
+  int ball = -1;  ///< Model::balls index when its range is one axis of a ball
+};
+
+/// Which functions to form.
+struct FormulationOptions {
+  bool matrix = true;
+  bool left_product = true;
+  bool derivatives = true;
+  bool right_product = true;
+  RewriteOptions rewriting;
+};
+
+/// How one entry came to its form.
+struct EntryStatistics {
+  Occurrences natural;  ///< of the entry as the model writes it
+  Occurrences rewritten;
+  std::string passes;
 };
 
 /// Everything a kernel computes, after substitution of the motion variety and rewriting.
-/// K's entries are the symbols k_1_1 … (n×m), row-major.
+/// K's entries are the points k_1_1 … (n×m), row-major.
 struct Formulation {
   std::string model;
   std::string motion;
   std::vector<Variable> variables;
   int rows = 0;
   int columns = 0;
-  std::vector<Expression> matrix;         ///< A, m·n, row-major
-  std::vector<Expression> left_product;   ///< K·A, n·n
+  std::vector<Expression> matrix;            ///< A, m·n, row-major
+  std::vector<Expression> left_product;      ///< K·A, n·n
   std::vector<Expression> left_derivatives;  ///< ∂_k(K·A), variables·n·n
-  std::vector<Expression> right_product;  ///< A·K, m·m; empty unless m = n
-  std::vector<Expression> row_scale;      ///< one entry, the product of the row scales; empty if none
+  std::vector<Expression> right_product;     ///< A·K, m·m; empty unless m = n
+  std::vector<Expression> row_scale;  ///< one entry, the product of the row scales; empty if none
   std::vector<Expression> constraints;
   std::vector<Expression> pose;
+
+  /// Expressions without which a value of the functions means nothing: roots, denominators … of the
+  /// model and the motion as written, which rewriting or differentiation may have removed. `lower`
+  /// makes every function undefined where one of these is.
+  std::vector<Expression> must_be_defined;
+  /// The same for constraints and pose: of the motion alone.
+  std::vector<Expression> motion_must_be_defined;
+
+  std::vector<Expression> natural_matrix;  ///< A as the model writes it
+  /// Per entry, by the name of the kernel function. Derivatives have no natural counts.
+  std::map<std::string, std::vector<EntryStatistics>> statistics;
 };
 
+/// The name of an entry of K, from 1: k_1_2.
+[[nodiscard]] std::string point_name(int row, int column);
+
 /// Throws InputError when the model and the motion do not fit together.
-[[nodiscard]] Formulation formulate(const Model& model, const Motion& motion);
+[[nodiscard]] Formulation formulate(const Model& model, const Motion& motion,
+                                    const FormulationOptions& options = {});
 
 /// The program of every function, in canonical order.
 [[nodiscard]] Module lower(const Formulation& formulation);

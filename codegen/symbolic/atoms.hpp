@@ -1,0 +1,63 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The indeterminates of polynomials: variables, and whatever is not a polynomial in them.
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <unordered_map>
+#include <vector>
+
+#include "regulus/codegen/symbolic/expression.hpp"
+
+namespace regulus::codegen {
+
+using Atom = char16_t;
+
+/// A product of atoms: each as often as its exponent says, in increasing order. Up to degree seven
+/// a string needs no memory of its own.
+using AtomProduct = std::u16string;
+
+/// Numbers atoms: variables, calls, 1/(…) in one series; the atoms without variables (entries of K,
+/// pi, sqrt(3), …), which make up the coefficients, in another.
+class AtomTable {
+ public:
+  /// The variables get the first numbers, in their order; the entries of K likewise.
+  AtomTable(const std::vector<std::string>& variables, const std::vector<std::string>& points);
+
+  /// Requires  the expression is not a constant, sum, product or positive power.
+  [[nodiscard]] Atom variable_atom(const Expression& e) { return number(e, variables_); }
+  [[nodiscard]] Atom coefficient_atom(const Expression& e) { return number(e, coefficients_); }
+
+  [[nodiscard]] const Expression& variable_expression(Atom a) const { return variables_.list[a]; }
+  [[nodiscard]] const Expression& coefficient_expression(Atom a) const {
+    return coefficients_.list[a];
+  }
+
+  /// An order for ties: by the first declared variable an atom depends on, then by content.
+  [[nodiscard]] bool precedes(Atom a, Atom b) const;
+
+ private:
+  struct Series {
+    Expressions list;
+    std::unordered_map<Expression, Atom, ExpressionHash> numbers;
+  };
+  Atom number(const Expression& e, Series& series);
+  [[nodiscard]] std::size_t first_variable(const Expression& e) const;
+
+  std::unordered_map<std::string, std::size_t> declared_;
+  Series variables_, coefficients_;
+  std::vector<std::size_t> ranks_;  // of the variable atoms
+};
+
+/// The product of two atom products.
+[[nodiscard]] AtomProduct multiply(const AtomProduct& a, const AtomProduct& b);
+
+/// a/b. False if b does not divide a.
+[[nodiscard]] bool divide(const AtomProduct& a, const AtomProduct& b, AtomProduct& quotient);
+
+/// Lexicographic order of exponents, earlier atoms first: compatible with multiplication.
+[[nodiscard]] bool lex_greater(const AtomProduct& a, const AtomProduct& b) noexcept;
+
+[[nodiscard]] int exponent_of(const AtomProduct& p, Atom a) noexcept;
+
+}  // namespace regulus::codegen

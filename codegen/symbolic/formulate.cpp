@@ -1,0 +1,259 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <algorithm>
+#include <unordered_set>
+#include <utility>
+
+#include "regulus/codegen/symbolic/derivative.hpp"
+#include "regulus/codegen/symbolic/evaluate.hpp"
+#include "regulus/codegen/symbolic/formulation.hpp"
+#include "regulus/codegen/symbolic/substitution.hpp"
+
+namespace regulus::codegen {
+namespace {
+
+std::size_t index(int i) { return static_cast<std::size_t>(i); }
+
+std::vector<std::string> point_names(int rows, int columns) {
+  std::vector<std::string> names;
+  for (int i = 1; i <= rows; ++i)
+    for (int j = 1; j <= columns; ++j) names.push_back(point_name(i, j));
+  return names;
+}
+
+/// A linear combination of entries of A with entries of K: one entry of K·A or of A·K.
+struct Entry {
+  Polynomial polynomial;
+  Expression natural;    // with the entries of A as the model writes them
+  Expression rewritten;  // with the entries of A rewritten
+};
+
+class Formulator {
+ public:
+  Formulator(const Model& model, const Motion& motion, const FormulationOptions& options)
+      : model_(model),
+        motion_(motion),
+        options_(options),
+        substitution_(model, motion),
+        rewriter_(substitution_.names(),
+                  point_names(static_cast<int>(model.matrix.cols()),
+                              static_cast<int>(model.matrix.rows())),
+                  options.rewriting) {
+    result_.model = model.name;
+    result_.motion = motion.name;
+    result_.variables = substitution_.variables();
+    result_.rows = static_cast<int>(model.matrix.rows());
+    result_.columns = static_cast<int>(model.matrix.cols());
+  }
+
+  Formulation run() {
+    form_matrix();
+    if (options_.left_product || options_.derivatives) form_left_product();
+    if (options_.right_product && result_.rows == result_.columns) form_right_product();
+    form_row_scale();
+    form_motion();
+    collect_must_be_defined();
+    if (!options_.matrix) result_.matrix.clear();
+    if (!options_.left_product) result_.left_product.clear();
+    return std::move(result_);
+  }
+
+ private:
+  void form_matrix() {
+    for (int i = 0; i < result_.rows; ++i)
+      for (int j = 0; j < result_.columns; ++j) {
+        const Expression natural =
+            substitution_.apply(model_.matrix(static_cast<unsigned>(i), static_cast<unsigned>(j)));
+        result_.natural_matrix.push_back(natural);
+        expanded_.push_back(rewriter_.expand(natural));
+        const Rewritten form = rewriter_.rewrite(natural);
+        result_.matrix.push_back(form.expression);
+        result_.statistics["matrix"].push_back(
+            {count_occurrences(natural), count_occurrences(form.expression), form.passes});
+      }
+  }
+
+  /// Σ_j points[j]·A[entries[j]].
+  Entry combine(const std::vector<std::string>& points, const std::vector<std::size_t>& entries) {
+    std::vector<Term> terms;
+    Expressions natural, rewritten;
+    for (std::size_t j = 0; j < points.size(); ++j) {
+      const Expression k = point(points[j]);
+      const AtomProduct atom(1, rewriter_.atoms().coefficient_atom(k));
+      for (const Term& term : expanded_[entries[j]].terms())
+        terms.push_back(
+            {Monomial{term.monomial.variables, multiply(term.monomial.coefficients, atom)},
+             term.factor});
+      natural.push_back(k * result_.natural_matrix[entries[j]]);
+      rewritten.push_back(k * result_.matrix[entries[j]]);
+    }
+    return {Polynomial(std::move(terms)), sum(std::move(natural)), sum(std::move(rewritten))};
+  }
+
+  /// Rows of K·A differ in the names of K's entries alone: the first is formed, the others copied.
+  void form_left_product() {
+    std::vector<Entry> row;
+    for (int c = 0; c < result_.columns; ++c) {
+      std::vector<std::string> points;
+      std::vector<std::size_t> entries;
+      for (int j = 0; j < result_.rows; ++j) {
+        points.push_back(point_name(1, j + 1));
+        entries.push_back(index(j * result_.columns + c));
+      }
+      row.push_back(combine(points, entries));
+    }
+    Expressions forms;
+    std::vector<EntryStatistics> statistics;
+    for (const Entry& entry : row) {
+      const Rewritten form = rewriter_.best_form(entry.polynomial, &entry.rewritten);
+      forms.push_back(form.expression);
+      statistics.push_back(
+          {count_occurrences(entry.natural), count_occurrences(form.expression), form.passes});
+    }
+    append_rows(forms, statistics, result_.left_product, result_.statistics["left_product"]);
+    if (options_.derivatives) form_left_derivatives(row);
+  }
+
+  void form_left_derivatives(const std::vector<Entry>& row) {
+    for (const Variable& v : result_.variables) {
+      PolynomialDifferentiator by(v.name, rewriter_.atoms(), rewriter_.expander());
+      Expressions forms;
+      std::vector<EntryStatistics> statistics;
+      for (const Entry& entry : row) {
+        const Rewritten form = rewriter_.best_form(by.derivative(entry.polynomial));
+        forms.push_back(form.expression);
+        statistics.push_back({{}, count_occurrences(form.expression), form.passes});
+      }
+      append_rows(forms, statistics, result_.left_derivatives,
+                  result_.statistics["left_derivatives"]);
+    }
+  }
+
+  void append_rows(const Expressions& first, const std::vector<EntryStatistics>& statistics,
+                   Expressions& to, std::vector<EntryStatistics>& statistics_to) {
+    for (int i = 1; i <= result_.columns; ++i) {
+      const Expressions row = i == 1 ? first : substitute(first, renaming_rows(i));
+      to.insert(to.end(), row.begin(), row.end());
+      statistics_to.insert(statistics_to.end(), statistics.begin(), statistics.end());
+    }
+  }
+
+  /// k_1_j → k_i_j.
+  ReplacementOf renaming_rows(int i) const {
+    std::map<std::string, Expression> names;
+    for (int j = 1; j <= result_.rows; ++j)
+      names.emplace(point_name(1, j), point(point_name(i, j)));
+    return renaming(std::move(names));
+  }
+
+  /// k_j_1 → k_j_i.
+  ReplacementOf renaming_columns(int i) const {
+    std::map<std::string, Expression> names;
+    for (int j = 1; j <= result_.columns; ++j)
+      names.emplace(point_name(j, 1), point(point_name(j, i)));
+    return renaming(std::move(names));
+  }
+
+  static ReplacementOf renaming(std::map<std::string, Expression> names) {
+    return [names = std::move(names)](const Expression& e) -> std::optional<Expression> {
+      if (e.kind() != Kind::kPoint) return std::nullopt;
+      return names.at(e.name());
+    };
+  }
+
+  void form_right_product() {
+    std::vector<EntryStatistics>& statistics = result_.statistics["right_product"];
+    for (int r = 0; r < result_.rows; ++r) {
+      std::vector<std::string> points;
+      std::vector<std::size_t> entries;
+      for (int j = 0; j < result_.columns; ++j) {
+        points.push_back(point_name(j + 1, 1));
+        entries.push_back(index(r * result_.columns + j));
+      }
+      const Entry entry = combine(points, entries);
+      const Rewritten form = rewriter_.best_form(entry.polynomial, &entry.rewritten);
+      const EntryStatistics of_entry = {count_occurrences(entry.natural),
+                                        count_occurrences(form.expression), form.passes};
+      for (int c = 1; c <= result_.rows; ++c) {
+        result_.right_product.push_back(c == 1 ? form.expression
+                                               : substitute(form.expression, renaming_columns(c)));
+        statistics.push_back(of_entry);
+      }
+    }
+  }
+
+  Expression rewritten(const Expression& natural, const std::string& function) {
+    Rewritten form = rewriter_.rewrite(natural);
+    result_.statistics[function].push_back(
+        {count_occurrences(natural), count_occurrences(form.expression), form.passes});
+    return form.expression;
+  }
+
+  void form_row_scale() {
+    if (model_.row_scale.empty()) return;
+    Expressions factors;
+    for (const GiNaC::ex& scale : model_.row_scale) factors.push_back(substitution_.apply(scale));
+    result_.row_scale = {rewritten(product(std::move(factors)), "row_scale")};
+  }
+
+  void form_motion() {
+    // A constraint cuts the variety of commanded poses; control errors come on top of those.
+    for (const GiNaC::ex& constraint : motion_.constraints)
+      result_.constraints.push_back(
+          rewritten(substitution_.apply_commanded(constraint), "constraint"));
+    for (const PoseParameter& p : model_.pose)
+      result_.pose.push_back(rewritten(substitution_.apply(p.symbol), "pose"));
+  }
+
+  void collect_must_be_defined() {
+    Expressions of_motion, all;
+    for (const GiNaC::ex& e : motion_.must_be_defined) append_partial(e, of_motion);
+    for (const GiNaC::ex& e : motion_.pose) append_partial(e, of_motion);
+    all = of_motion;
+    for (const GiNaC::ex& e : model_.must_be_defined) append_partial(e, all);
+    for (unsigned i = 0; i < model_.matrix.rows(); ++i)
+      for (unsigned j = 0; j < model_.matrix.cols(); ++j) append_partial(model_.matrix(i, j), all);
+    result_.motion_must_be_defined = outermost(of_motion);
+    result_.must_be_defined = outermost(all);
+  }
+
+  void append_partial(const GiNaC::ex& e, Expressions& to) {
+    for (const Expression& partial : substitution_.partial_operations(e)) {
+      Expression form = rewriter_.with_rewritten_arguments(partial);
+      if (!form.is_total()) to.push_back(std::move(form));
+    }
+  }
+
+  /// In canonical order, without repetitions, without those that are part of another.
+  static Expressions outermost(const Expressions& all) {
+    std::unordered_set<Expression, ExpressionHash> inner;
+    for (const Expression& e : all)
+      for (const Expression& operand : e.operands())
+        for (const Expression& node : partial_nodes(operand)) inner.insert(node);
+    Expressions result;
+    for (const Expression& e : all)
+      if (inner.insert(e).second) result.push_back(e);
+    std::sort(result.begin(), result.end(),
+              [](const Expression& a, const Expression& b) { return compare(a, b) < 0; });
+    return result;
+  }
+
+  const Model& model_;
+  const Motion& motion_;
+  const FormulationOptions options_;
+  Substitution substitution_;
+  Rewriter rewriter_;
+  std::vector<Polynomial> expanded_;  // the entries of A
+  Formulation result_;
+};
+
+}  // namespace
+
+std::string point_name(int row, int column) {
+  return "k_" + std::to_string(row) + "_" + std::to_string(column);
+}
+
+Formulation formulate(const Model& model, const Motion& motion, const FormulationOptions& options) {
+  return Formulator(model, motion, options).run();
+}
+
+}  // namespace regulus::codegen

@@ -1,0 +1,117 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "regulus/codegen/symbolic/from_ginac.hpp"
+
+#include <cln/complex.h>
+#include <cln/integer.h>
+
+#include <array>
+#include <sstream>
+#include <string>
+#include <utility>
+
+#include "regulus/codegen/model/errors.hpp"
+
+namespace regulus::codegen {
+namespace {
+
+[[noreturn]] void refuse(const GiNaC::ex& e, const std::string& expected) {
+  std::ostringstream found;
+  found << e;
+  throw InputError("", 0, "'" + found.str() + "'", expected, found.str());
+}
+
+cln::cl_RA rational(const GiNaC::ex& e) {
+  const auto& number = GiNaC::ex_to<GiNaC::numeric>(e);
+  if (!number.is_rational()) refuse(e, "an exact rational number");
+  return cln::the<cln::cl_RA>(number.to_cl_N());
+}
+
+cln::cl_RA rational_content(const Expression& sum_expression) {
+  cln::cl_I numerator = 0, denominator = 1;
+  for (const Expression& term : sum_expression.operands()) {
+    const cln::cl_RA c = coefficient_of(term);
+    numerator = cln::gcd(numerator, cln::numerator(c));
+    denominator = cln::lcm(denominator, cln::denominator(c));
+  }
+  return numerator / denominator;
+}
+
+/// base^exponent with the content and the sign of a sum taken out. GiNaC takes them out by itself,
+/// with the sign of whichever term comes first in an order that changes with addresses.
+Expression normalized_power(const Expression& base, int exponent) {
+  if (base.kind() != Kind::kSum) return power(base, exponent);
+  const Signed form = normalize_sign(base);
+  const cln::cl_RA content = rational_content(form.form);
+  if (zerop(content)) return power(base, exponent);
+  const cln::cl_RA factor = cln::expt(form.sign * content, exponent);
+  return product({Expression(factor), power(divide_by(form.form, content), exponent)});
+}
+
+struct Named {
+  const char* name;
+  Call function;
+};
+
+constexpr std::array<Named, 10> kFunctions = {{{"sin", Call::kSin},
+                                               {"cos", Call::kCos},
+                                               {"tan", Call::kTan},
+                                               {"asin", Call::kAsin},
+                                               {"acos", Call::kAcos},
+                                               {"atan", Call::kAtan},
+                                               {"atan2", Call::kAtan2},
+                                               {"exp", Call::kExp},
+                                               {"log", Call::kLog},
+                                               {"abs", Call::kAbs}}};
+
+}  // namespace
+
+Expression GinacReader::read(const GiNaC::ex& e) {
+  if (GiNaC::is_a<GiNaC::numeric>(e)) return Expression(rational(e));
+  if (const auto found = known_.find(e); found != known_.end()) return found->second;
+  Expression result = converted(e);
+  known_.emplace(e, result);
+  return result;
+}
+
+Expression GinacReader::converted(const GiNaC::ex& e) {
+  if (GiNaC::is_a<GiNaC::symbol>(e)) {
+    const auto meaning = symbols_.find(e);
+    if (meaning == symbols_.end()) refuse(e, "a pose, geometry or motion parameter");
+    return meaning->second;
+  }
+  if (e.is_equal(GiNaC::Pi)) return pi();
+  if (GiNaC::is_a<GiNaC::add>(e)) return sum(read_operands(e));
+  if (GiNaC::is_a<GiNaC::mul>(e)) return product(read_operands(e));
+  if (GiNaC::is_a<GiNaC::power>(e)) return read_power(e);
+  if (GiNaC::is_a<GiNaC::function>(e)) return read_function(e);
+  refuse(e, "an arithmetic expression");
+}
+
+Expressions GinacReader::read_operands(const GiNaC::ex& e) {
+  Expressions operands;
+  operands.reserve(e.nops());
+  for (std::size_t i = 0; i < e.nops(); ++i) operands.push_back(read(e.op(i)));
+  return operands;
+}
+
+Expression GinacReader::read_power(const GiNaC::ex& e) {
+  const GiNaC::ex exponent = e.op(1);
+  if (!GiNaC::is_a<GiNaC::numeric>(exponent)) refuse(e, "an integer or half-integer exponent");
+  const auto& n = GiNaC::ex_to<GiNaC::numeric>(exponent);
+  const GiNaC::numeric twice = n * 2;
+  constexpr int kLargestExponent = 1 << 20;
+  if (!twice.is_integer() || GiNaC::abs(twice) > kLargestExponent)
+    refuse(e, "an integer or half-integer exponent of moderate size");
+  const Expression base = read(e.op(0));
+  if (n.is_integer()) return normalized_power(base, n.to_int());
+  return power(call(Call::kSqrt, {base}), twice.to_int());
+}
+
+Expression GinacReader::read_function(const GiNaC::ex& e) {
+  const std::string name = GiNaC::ex_to<GiNaC::function>(e).get_name();
+  for (const Named& known : kFunctions)
+    if (name == known.name) return call(known.function, read_operands(e));
+  refuse(e, "one of the functions sqrt sin cos tan asin acos atan atan2 exp log abs");
+}
+
+}  // namespace regulus::codegen

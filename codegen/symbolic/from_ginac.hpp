@@ -1,0 +1,35 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <ginac/ginac.h>
+
+#include <map>
+
+#include "regulus/codegen/symbolic/expression.hpp"
+
+namespace regulus::codegen {
+
+/// What each GiNaC symbol stands for. Looked up only, never walked through: its order is GiNaC's.
+using SymbolMeaning = std::map<GiNaC::ex, Expression, GiNaC::ex_is_less>;
+
+/// Converts GiNaC expressions; what they share stays shared.
+class GinacReader {
+ public:
+  explicit GinacReader(const SymbolMeaning& symbols) : symbols_(symbols) {}
+
+  /// Ensures   the same function, independent of the order in which GiNaC keeps its terms.
+  ///           Throws InputError for floating-point or complex numbers, undeclared symbols,
+  ///           unknown functions and powers that are neither integer nor half-integer.
+  [[nodiscard]] Expression read(const GiNaC::ex& e);
+
+ private:
+  Expression converted(const GiNaC::ex& e);
+  Expression read_power(const GiNaC::ex& e);
+  Expression read_function(const GiNaC::ex& e);
+  Expressions read_operands(const GiNaC::ex& e);
+
+  const SymbolMeaning& symbols_;
+  std::map<GiNaC::ex, Expression, GiNaC::ex_is_less> known_;
+};
+
+}  // namespace regulus::codegen

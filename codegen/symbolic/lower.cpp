@@ -1,0 +1,139 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <unordered_set>
+#include <utility>
+
+#include "regulus/codegen/symbolic/formulation.hpp"
+#include "regulus/codegen/symbolic/lowering.hpp"
+
+namespace regulus::codegen {
+namespace {
+
+struct Shape {
+  const char* name;    // the field of regulus_kernel
+  const char* symbol;  // for comments
+  int rows;
+  int columns;
+  bool uses_points;
+};
+
+/// The conditions that no sub-expression of the outputs evaluates anyway.
+Expressions missing_conditions(const Expressions& outputs, const Expressions& conditions) {
+  if (conditions.empty()) return {};
+  std::unordered_set<Expression, ExpressionHash> present;
+  std::vector<Expression> stack = outputs;
+  while (!stack.empty()) {
+    const Expression e = std::move(stack.back());
+    stack.pop_back();
+    if (present.insert(e).second)
+      stack.insert(stack.end(), e.operands().begin(), e.operands().end());
+  }
+  Expressions missing;
+  for (const Expression& condition : conditions)
+    if (present.count(condition) == 0) missing.push_back(condition);
+  return missing;
+}
+
+std::string occurrence_text(const EntryStatistics& entry) {
+  std::string text;
+  for (const auto& [name, count] : entry.rewritten) {
+    text += (text.empty() ? "" : ", ") + name + " " + std::to_string(count);
+    const auto natural = entry.natural.find(name);
+    if (natural != entry.natural.end() && natural->second != count)
+      text += " (natural " + std::to_string(natural->second) + ")";
+  }
+  return text.empty() ? "none" : text;
+}
+
+/// "(K·A)[0][1]: horner. Occurrences: x 1 (natural 6)", indices from 0 as in the emitted code.
+std::vector<std::string> comments(const Shape& shape, const std::vector<EntryStatistics>& entries) {
+  std::vector<std::string> result;
+  for (std::size_t i = 0; i < entries.size(); ++i) {
+    const std::size_t columns = static_cast<std::size_t>(shape.columns);
+    result.push_back(std::string(shape.symbol) + "[" + std::to_string(i / columns) + "][" +
+                     std::to_string(i % columns) + "]: " + entries[i].passes +
+                     ". Occurrences: " + occurrence_text(entries[i]));
+  }
+  return result;
+}
+
+std::string title(const Shape& shape, const std::vector<EntryStatistics>& entries) {
+  Occurrences natural, rewritten;
+  for (const EntryStatistics& entry : entries) {
+    for (const auto& [name, count] : entry.natural) natural[name] += count;
+    for (const auto& [name, count] : entry.rewritten) rewritten[name] += count;
+  }
+  std::string text = std::string(shape.symbol) +
+                     ", rewritten (T-RO 2007, §III-B1): " + std::to_string(total(rewritten)) +
+                     " occurrences of variables";
+  if (!natural.empty()) text += ", " + std::to_string(total(natural)) + " as written";
+  return text;
+}
+
+class ModuleBuilder {
+ public:
+  explicit ModuleBuilder(const Formulation& formulation) : f_(formulation) {
+    module_.model = f_.model;
+    module_.motion = f_.motion;
+    for (const Variable& v : f_.variables) {
+      module_.variables.push_back(v.name);
+      if (v.kind == VariableKind::kMotion) ++module_.motion_variables;
+    }
+    module_.rows = f_.rows;
+    module_.columns = f_.columns;
+    module_.constraints = static_cast<int>(f_.constraints.size());
+    module_.pose_parameters = static_cast<int>(f_.pose.size());
+    for (int i = 1; i <= f_.columns; ++i)
+      for (int j = 1; j <= f_.rows; ++j) points_.push_back(point_name(i, j));
+  }
+
+  void add(const Shape& shape, const Expressions& outputs, const Expressions& conditions) {
+    if (outputs.empty()) return;
+    Lowering lowering(module_.variables, shape.uses_points ? points_ : std::vector<std::string>());
+    const Expressions missing = missing_conditions(outputs, conditions);
+    for (std::size_t i = 0; i < outputs.size(); ++i) {
+      if (i == 0)
+        lowering.output_where_defined(outputs[i], missing);
+      else
+        lowering.output(outputs[i]);
+    }
+    const auto found = f_.statistics.find(shape.name);
+    const std::vector<EntryStatistics> entries =
+        found == f_.statistics.end() ? std::vector<EntryStatistics>() : found->second;
+    Function function;
+    function.name = shape.name;
+    function.title = title(shape, entries);
+    function.program = std::move(lowering).finish();
+    function.rows = shape.rows;
+    function.columns = shape.columns;
+    function.output_comments = comments(shape, entries);
+    module_.functions.push_back(std::move(function));
+  }
+
+  Module take() { return std::move(module_); }
+
+ private:
+  const Formulation& f_;
+  Module module_;
+  std::vector<std::string> points_;
+};
+
+}  // namespace
+
+Module lower(const Formulation& f) {
+  ModuleBuilder builder(f);
+  const int variables = static_cast<int>(f.variables.size());
+  const int constraints = static_cast<int>(f.constraints.size());
+  const int pose = static_cast<int>(f.pose.size());
+  const int m = f.rows, n = f.columns;
+  builder.add({"matrix", "A", m, n, false}, f.matrix, f.must_be_defined);
+  builder.add({"left_product", "(K·A)", n, n, true}, f.left_product, f.must_be_defined);
+  builder.add({"left_derivatives", "∂(K·A)", variables * n, n, true}, f.left_derivatives,
+              f.must_be_defined);
+  builder.add({"right_product", "(A·K)", m, m, true}, f.right_product, f.must_be_defined);
+  builder.add({"row_scale", "scale", 1, 1, false}, f.row_scale, {});
+  builder.add({"constraint", "H", constraints, 1, false}, f.constraints, f.motion_must_be_defined);
+  builder.add({"pose", "X", pose, 1, false}, f.pose, f.motion_must_be_defined);
+  return builder.take();
+}
+
+}  // namespace regulus::codegen

@@ -1,0 +1,124 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "regulus/codegen/symbolic/polynomial.hpp"
+
+#include <algorithm>
+#include <utility>
+
+namespace regulus::codegen {
+namespace {
+
+void combine_like_terms(std::vector<Term>& terms) {
+  std::size_t kept = 0;
+  for (std::size_t i = 0; i < terms.size();) {
+    cln::cl_RA factor = terms[i].factor;
+    std::size_t next = i + 1;
+    for (; next < terms.size() && terms[next].monomial == terms[i].monomial; ++next)
+      factor = factor + terms[next].factor;
+    if (!zerop(factor)) {
+      if (kept != i) terms[kept].monomial = std::move(terms[i].monomial);
+      terms[kept++].factor = factor;
+    }
+    i = next;
+  }
+  terms.resize(kept);
+}
+
+Monomial monomial_product(const Monomial& a, const Monomial& b) {
+  return {multiply(a.variables, b.variables), multiply(a.coefficients, b.coefficients)};
+}
+
+bool divide_term(const Term& a, const Term& b, Term& quotient) {
+  if (!divide(a.monomial.variables, b.monomial.variables, quotient.monomial.variables) ||
+      !divide(a.monomial.coefficients, b.monomial.coefficients, quotient.monomial.coefficients))
+    return false;
+  quotient.factor = a.factor / b.factor;
+  return true;
+}
+
+Polynomial times_term(const Polynomial& p, const Term& term) {
+  std::vector<Term> terms;
+  terms.reserve(p.terms().size());
+  for (const Term& t : p.terms())
+    terms.push_back({monomial_product(t.monomial, term.monomial), t.factor * term.factor});
+  return Polynomial(std::move(terms));
+}
+
+}  // namespace
+
+bool lex_greater(const Monomial& a, const Monomial& b) noexcept {
+  if (a.variables != b.variables) return lex_greater(a.variables, b.variables);
+  return lex_greater(a.coefficients, b.coefficients);
+}
+
+Polynomial::Polynomial(const cln::cl_RA& constant) {
+  if (!zerop(constant)) terms_.push_back({Monomial{}, constant});
+}
+
+Polynomial::Polynomial(std::vector<Term> terms) : terms_(std::move(terms)) {
+  const auto greater = [](const Term& a, const Term& b) {
+    return lex_greater(a.monomial, b.monomial);
+  };
+  if (!std::is_sorted(terms_.begin(), terms_.end(), greater))
+    std::sort(terms_.begin(), terms_.end(), greater);
+  combine_like_terms(terms_);
+}
+
+bool Polynomial::has_variables() const noexcept {
+  return !terms_.empty() && !terms_.front().monomial.variables.empty();
+}
+
+Polynomial operator+(const Polynomial& a, const Polynomial& b) {
+  std::vector<Term> terms = a.terms();
+  terms.insert(terms.end(), b.terms().begin(), b.terms().end());
+  return Polynomial(std::move(terms));
+}
+
+Polynomial operator*(const Polynomial& a, const Polynomial& b) {
+  std::vector<Term> terms;
+  terms.reserve(a.terms().size() * b.terms().size());
+  for (const Term& s : a.terms())
+    for (const Term& t : b.terms())
+      terms.push_back({monomial_product(s.monomial, t.monomial), s.factor * t.factor});
+  return Polynomial(std::move(terms));
+}
+
+Polynomial operator*(const Polynomial& a, const cln::cl_RA& factor) {
+  return times_term(a, Term{Monomial{}, factor});
+}
+
+bool operator==(const Polynomial& a, const Polynomial& b) {
+  return std::equal(a.terms().begin(), a.terms().end(), b.terms().begin(), b.terms().end(),
+                    [](const Term& s, const Term& t) {
+                      return s.monomial == t.monomial && s.factor == t.factor;
+                    });
+}
+
+std::optional<Polynomial> divide_exactly(const Polynomial& a, const Polynomial& b) {
+  if (a.is_zero()) return Polynomial();
+  Term quotient;
+  // The least terms have to divide, too: a test that fails early for nearly all pairs.
+  if (!divide_term(a.terms().back(), b.terms().back(), quotient)) return std::nullopt;
+  std::vector<Term> quotients;
+  Polynomial rest = a;
+  while (!rest.is_zero()) {
+    if (!divide_term(rest.terms().front(), b.terms().front(), quotient)) return std::nullopt;
+    if (quotients.size() >= a.terms().size()) return std::nullopt;
+    quotients.push_back(quotient);
+    rest = rest + times_term(b, Term{quotient.monomial, -quotient.factor});
+  }
+  return Polynomial(std::move(quotients));
+}
+
+std::vector<Group> groups(const Polynomial& p) {
+  std::vector<Group> result;
+  for (std::size_t i = 0; i < p.terms().size(); ++i) {
+    if (i > 0 &&
+        p.terms()[i].monomial.variables == p.terms()[result.back().first].monomial.variables)
+      result.back().last = i + 1;
+    else
+      result.push_back({i, i + 1});
+  }
+  return result;
+}
+
+}  // namespace regulus::codegen

@@ -1,0 +1,110 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "regulus/codegen/symbolic/print.hpp"
+
+#include <cln/rational_io.h>
+
+#include <sstream>
+
+namespace regulus::codegen {
+namespace {
+
+enum class Binding { kSum, kProduct, kPower };
+
+std::string print(const Expression& e, Binding context);
+
+std::string parenthesized(const std::string& text, bool needed) {
+  return needed ? std::string("(").append(text).append(")") : text;
+}
+
+std::string print_constant(const cln::cl_RA& value, Binding context) {
+  std::ostringstream text;
+  text << value;
+  const bool fraction = text.str().find('/') != std::string::npos;
+  const bool tight = context == Binding::kPower || (context == Binding::kProduct && fraction);
+  return parenthesized(text.str(), (minusp(value) && context != Binding::kSum) || tight);
+}
+
+std::string print_call(const Expression& e) {
+  std::string text = name_of(e.function());
+  const char* separator = "(";
+  for (const Expression& argument : e.operands()) {
+    text.append(separator).append(print(argument, Binding::kSum));
+    separator = ", ";
+  }
+  return text + ")";
+}
+
+std::string print_power(const Expression& base, int exponent) {
+  if (exponent == 1) return print(base, Binding::kPower);
+  return print(base, Binding::kPower) + "^" + std::to_string(exponent);
+}
+
+bool divides(const Expression& factor) {
+  return factor.kind() == Kind::kPower && factor.exponent() < 0;
+}
+
+void append_factor(std::string& text, const std::string& factor) {
+  if (!text.empty()) text.append("*");
+  text.append(factor);
+}
+
+std::string print_product(const Expressions& factors, Binding context) {
+  const bool minus = factors[0].is_constant(-1);
+  std::string numerator, denominator;
+  int denominators = 0;
+  for (std::size_t i = minus ? 1 : 0; i < factors.size(); ++i) {
+    const Expression& factor = factors[i];
+    if (i == 0 && factor.kind() == Kind::kConstant) {
+      numerator = print_constant(factor.value(), Binding::kSum);
+    } else if (divides(factor)) {
+      append_factor(denominator, print_power(factor.operands()[0], -factor.exponent()));
+      ++denominators;
+    } else {
+      append_factor(numerator, print(factor, Binding::kProduct));
+    }
+  }
+  if (numerator.empty()) numerator.push_back('1');
+  if (denominators > 0) numerator.append("/").append(parenthesized(denominator, denominators > 1));
+  const std::string text = std::string(minus ? "-" : "").append(numerator);
+  const bool leading_minus = text.front() == '-';
+  return parenthesized(
+      text, context == Binding::kPower || (context == Binding::kProduct && leading_minus));
+}
+
+std::string print_sum(const Expressions& terms, Binding context) {
+  std::string text;
+  for (const Expression& term : terms) {
+    const bool subtracted = !text.empty() && minusp(coefficient_of(term));
+    if (!text.empty()) text.append(subtracted ? " - " : " + ");
+    text += subtracted ? print(divide_by(term, -1), Binding::kProduct) : print(term, Binding::kSum);
+  }
+  return parenthesized(text, context != Binding::kSum);
+}
+
+std::string print(const Expression& e, Binding context) {
+  switch (e.kind()) {
+    case Kind::kConstant:
+      return print_constant(e.value(), context);
+    case Kind::kPi:
+      return "pi";
+    case Kind::kPoint:
+    case Kind::kVariable:
+      return e.name();
+    case Kind::kPower:
+      if (e.exponent() < 0) return print_product({e}, context);
+      return parenthesized(print_power(e.operands()[0], e.exponent()), context == Binding::kPower);
+    case Kind::kCall:
+      return print_call(e);
+    case Kind::kProduct:
+      return print_product(e.operands(), context);
+    case Kind::kSum:
+      return print_sum(e.operands(), context);
+  }
+  return {};
+}
+
+}  // namespace
+
+std::string to_string(const Expression& expression) { return print(expression, Binding::kSum); }
+
+}  // namespace regulus::codegen

@@ -1,0 +1,62 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Tries the rewriting passes and keeps the form with the least dependency.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "regulus/codegen/symbolic/measure.hpp"
+#include "regulus/codegen/symbolic/passes.hpp"
+
+namespace regulus::codegen {
+
+struct RewriteOptions {
+  bool horner = true;
+  bool trigonometric = true;
+};
+
+/// A form and how it was found.
+struct Rewritten {
+  Expression expression;
+  std::string passes;  ///< "natural", "collect", "horner", "angles + horner", …
+};
+
+/// Rewrites expressions in one set of variables. Results depend on the expressions and on the order
+/// of the names alone.
+class Rewriter {
+ public:
+  /// `variables` in the order in which ties between them are decided, `points` K's entries.
+  Rewriter(const std::vector<std::string>& variables, const std::vector<std::string>& points,
+           const RewriteOptions& options = {});
+  Rewriter(const Rewriter&) = delete;
+  Rewriter& operator=(const Rewriter&) = delete;
+
+  /// The best form of e.
+  ///
+  /// Ensures   the same function wherever e is defined. width_cost(result) ≤ width_cost(e).
+  ///           A division or root may cancel: where e is undefined nothing is said.
+  [[nodiscard]] Rewritten rewrite(const Expression& e);
+
+  /// e with the arguments of its functions and its denominators rewritten, and else as it was.
+  [[nodiscard]] Expression with_rewritten_arguments(const Expression& e);
+
+  /// Of e, after its arguments were rewritten; as one indeterminate if that is too large.
+  [[nodiscard]] Polynomial expand(const Expression& e);
+
+  /// The best of the forms of p, and of `natural` if one is given.
+  [[nodiscard]] Rewritten best_form(const Polynomial& p, const Expression* natural = nullptr);
+
+  [[nodiscard]] AtomTable& atoms() noexcept { return atoms_; }
+  [[nodiscard]] Expander& expander() noexcept { return expander_; }
+
+ private:
+  Expression prepared(const Expression& e);
+  Expression simplified_argument(const Expression& e);
+
+  RewriteOptions options_;
+  AtomTable atoms_;
+  Expander expander_;
+  std::unordered_map<Expression, Expression, ExpressionHash> prepared_;
+};
+
+}  // namespace regulus::codegen
