@@ -94,14 +94,6 @@ REGULUS_INLINE I div(I x, I y, unsigned& undefined) {
 }
 REGULUS_INLINE I sqrt(I x, unsigned& undefined) { return joined(sqrt(x.a), sqrt(x.b), undefined); }
 
-/// `x` as a result of the interval library, which set `outside` where the argument leaves the
-/// domain.
-REGULUS_INLINE I accepted(I x, unsigned outside, unsigned& undefined) {
-  undefined |= outside;
-  return joined({within(x.a, simd::kMaxMagnitude), x.a}, {within(x.b, simd::kMaxMagnitude), x.b},
-                undefined);
-}
-
 }  // namespace avx2
 }  // namespace regulus::pack
 

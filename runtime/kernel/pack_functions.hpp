@@ -20,48 +20,47 @@ unsigned regulus_x8_atan2(const double* in, double* out);
 namespace regulus::pack {
 inline namespace REGULUS_PACK_ISA {
 
-/// A function of the library: one interval in, one out, the mask of lanes outside the domain.
+/// A function of the library: one interval in, one out, the mask of undefined lanes. The outputs
+/// are 0 in those, and at most 2^128 in magnitude in the others (regulus/interval/x8.hpp).
 using LibraryFunction = unsigned (*)(const double* in, double* out);
 
-/// A function that is defined and bounded everywhere.
-REGULUS_INLINE I call_total(LibraryFunction f, I x) {
+REGULUS_INLINE I call_library(LibraryFunction f, I x, unsigned& undefined) {
   alignas(64) double in[16], out[16];
   store(in, 0, x);
-  f(in, out);
+  undefined |= f(in, out);
   return load(out, 0);
 }
-REGULUS_INLINE I call_partial(LibraryFunction f, I x, unsigned& undefined) {
-  alignas(64) double in[16], out[16];
-  store(in, 0, x);
-  const unsigned outside = f(in, out);
-  return accepted(load(out, 0), outside, undefined);
+/// Of a function that is defined and bounded everywhere.
+REGULUS_INLINE I call_library(LibraryFunction f, I x) {
+  unsigned none = 0;
+  return call_library(f, x, none);
 }
 
-REGULUS_INLINE I sin(I x) { return call_total(regulus_x8_sin, x); }
-REGULUS_INLINE I cos(I x) { return call_total(regulus_x8_cos, x); }
-REGULUS_INLINE I atan(I x) { return call_total(regulus_x8_atan, x); }
+REGULUS_INLINE I sin(I x) { return call_library(regulus_x8_sin, x); }
+REGULUS_INLINE I cos(I x) { return call_library(regulus_x8_cos, x); }
+REGULUS_INLINE I atan(I x) { return call_library(regulus_x8_atan, x); }
 REGULUS_INLINE I tan(I x, unsigned& undefined) {
-  return call_partial(regulus_x8_tan, x, undefined);
+  return call_library(regulus_x8_tan, x, undefined);
 }
 REGULUS_INLINE I asin(I x, unsigned& undefined) {
-  return call_partial(regulus_x8_asin, x, undefined);
+  return call_library(regulus_x8_asin, x, undefined);
 }
 REGULUS_INLINE I acos(I x, unsigned& undefined) {
-  return call_partial(regulus_x8_acos, x, undefined);
+  return call_library(regulus_x8_acos, x, undefined);
 }
 REGULUS_INLINE I exp(I x, unsigned& undefined) {
-  return call_partial(regulus_x8_exp, x, undefined);
+  return call_library(regulus_x8_exp, x, undefined);
 }
 REGULUS_INLINE I log(I x, unsigned& undefined) {
-  return call_partial(regulus_x8_log, x, undefined);
+  return call_library(regulus_x8_log, x, undefined);
 }
 
 REGULUS_INLINE I atan2(I y, I x, unsigned& undefined) {
   alignas(64) double in[32], out[16];
   store(in, 0, y);
   store(in, 1, x);
-  const unsigned outside = regulus_x8_atan2(in, out);
-  return accepted(load(out, 0), outside, undefined);
+  undefined |= regulus_x8_atan2(in, out);
+  return load(out, 0);
 }
 
 /// Both at the cost of little more than one.

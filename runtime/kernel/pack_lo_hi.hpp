@@ -152,13 +152,6 @@ REGULUS_INLINE I sqrt(I x, unsigned& undefined) {
   return defined_where(usable & within(root, simd::kMaxMagnitude), root, undefined);
 }
 
-/// `x` as a result of the interval library, which set `outside` where the argument leaves the
-/// domain.
-REGULUS_INLINE I accepted(I x, unsigned outside, unsigned& undefined) {
-  undefined |= outside;
-  return defined_where(within(x, simd::kMaxMagnitude), x, undefined);
-}
-
 }  // namespace REGULUS_PACK_ISA
 }  // namespace regulus::pack
 
