@@ -1,0 +1,27 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+# Finds the newest Clang and LLVM libraries, 22 down to 19, and makes the target regulus_clang of
+# their two shared libraries. Set LLVM_DIR to choose another installation.
+#
+# The targets of ClangConfig.cmake are not used: it refuses to load when a tool that Debian puts
+# into another package is missing.
+find_package(LLVM CONFIG QUIET
+             HINTS /usr/lib/llvm-22/lib/cmake/llvm /usr/lib/llvm-21/lib/cmake/llvm
+                   /usr/lib/llvm-20/lib/cmake/llvm /usr/lib/llvm-19/lib/cmake/llvm)
+if(NOT LLVM_FOUND OR LLVM_VERSION_MAJOR LESS 19)
+  regulus_missing("LLVM 19 or newer" llvm-22-dev)
+endif()
+
+find_library(REGULUS_CLANG_LIBRARY
+             NAMES clang-cpp libclang-cpp.so.${LLVM_VERSION_MAJOR}.${LLVM_VERSION_MINOR}
+             HINTS ${LLVM_LIBRARY_DIRS} NO_DEFAULT_PATH)
+find_path(REGULUS_CLANG_INCLUDE_DIR clang/Frontend/CompilerInstance.h HINTS ${LLVM_INCLUDE_DIRS}
+          NO_DEFAULT_PATH)
+if(NOT REGULUS_CLANG_LIBRARY OR NOT REGULUS_CLANG_INCLUDE_DIR)
+  regulus_missing("Clang ${LLVM_VERSION_MAJOR} as a library" libclang-${LLVM_VERSION_MAJOR}-dev)
+endif()
+
+add_library(regulus_clang INTERFACE IMPORTED)
+target_include_directories(regulus_clang SYSTEM INTERFACE ${LLVM_INCLUDE_DIRS}
+                                                          ${REGULUS_CLANG_INCLUDE_DIR})
+target_link_libraries(regulus_clang INTERFACE ${REGULUS_CLANG_LIBRARY} LLVM)
+message(STATUS "In-process compiler: Clang ${LLVM_PACKAGE_VERSION}")

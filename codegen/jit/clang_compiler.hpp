@@ -1,0 +1,49 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The program's side of the compiler plugin.
+#pragma once
+
+#include <filesystem>
+#include <stdexcept>
+#include <string>
+
+#include "regulus/codegen/jit/compilation.hpp"
+
+namespace regulus::codegen {
+
+/// The plugin cannot be opened: the installation is incomplete.
+class CompilerUnavailable : public std::runtime_error {
+ public:
+  using std::runtime_error::runtime_error;
+};
+
+struct CompiledObject {
+  std::string object;       ///< ELF, relocatable; empty when the text has an error
+  std::string diagnostics;  ///< of the compiler; may be there without an error
+  double open_seconds = 0;  ///< loading the compiler, the first time
+  double front_end_seconds = 0;
+  double optimiser_seconds = 0;
+  double code_generation_seconds = 0;
+};
+
+/// Clang in this process, in a plugin: 200 MB of libraries that a run with a warm cache never
+/// loads.
+class ClangCompiler {
+ public:
+  /// Looks for the plugin beside the executable, as it is installed, then where it was built.
+  ClangCompiler();
+
+  /// Version of Clang and, of each library that takes part, the size and the time of the last
+  /// change: enough to notice an exchanged compiler without loading it.
+  [[nodiscard]] const std::string& identity() const noexcept { return identity_; }
+
+  /// Opens the plugin if this is the first time, and compiles.
+  /// Ensures   the caller's floating-point environment is kept; the compiler sees the default one.
+  /// Throws    CompilerUnavailable.
+  [[nodiscard]] CompiledObject compile(const Compilation& compilation) const;
+
+ private:
+  std::filesystem::path plugin_;
+  std::string identity_;
+};
+
+}  // namespace regulus::codegen

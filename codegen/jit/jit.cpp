@@ -1,0 +1,160 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "regulus/codegen/jit/jit.hpp"
+
+#include <chrono>
+#include <span>
+
+#include "regulus/codegen/jit/clang_compiler.hpp"
+#include "regulus/codegen/jit/kernel_compilation.hpp"
+#include "regulus/codegen/jit/object_cache.hpp"
+#include "regulus/kernel/self_test.hpp"
+
+namespace regulus::codegen {
+namespace {
+
+/// Adds the time it lives to a number of seconds.
+class Timer {
+ public:
+  explicit Timer(double& seconds) noexcept : seconds_(seconds) {}
+  ~Timer() {
+    seconds_ += std::chrono::duration<double>(std::chrono::steady_clock::now() - start_).count();
+  }
+  Timer(const Timer&) = delete;
+  Timer& operator=(const Timer&) = delete;
+
+ private:
+  double& seconds_;
+  std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
+};
+
+LoadedObject load(std::string_view object, CompileReport& report) {
+  const Timer timer(report.load_seconds);
+  return load_object(std::as_bytes(std::span(object)), kernel_externals());
+}
+
+/// A cache entry that is sound but cannot be loaded is one more damaged entry.
+std::optional<LoadedObject> load_from_cache(const ObjectCache& cache, const std::string& key,
+                                            CompileReport& report) {
+  ObjectCache::Entry entry;
+  {
+    const Timer timer(report.cache_seconds);
+    entry = cache.read(key);
+  }
+  report.cache_note = entry.note;
+  if (!entry.object) return std::nullopt;
+  try {
+    return load(*entry.object, report);
+  } catch (const LoadError& error) {
+    report.cache_note = error.what();
+    return std::nullopt;
+  }
+}
+
+std::string compile_object(const ClangCompiler& compiler, const Compilation& compilation,
+                           CompileReport& report) {
+  const std::string text(compilation.source.text);
+  try {
+    CompiledObject compiled = compiler.compile(compilation);
+    report.open_compiler_seconds = compiled.open_seconds;
+    report.front_end_seconds = compiled.front_end_seconds;
+    report.optimiser_seconds = compiled.optimiser_seconds;
+    report.code_generation_seconds = compiled.code_generation_seconds;
+    if (!compiled.object.empty()) return std::move(compiled.object);
+    throw CompileError("the generated text does not compile:\n" + compiled.diagnostics,
+                       compiled.diagnostics, text);
+  } catch (const CompilerUnavailable& error) {
+    throw CompileError(error.what(), {}, text);
+  }
+}
+
+LoadedObject load_fresh(const std::string& object, std::string_view text, CompileReport& report) {
+  try {
+    return load(object, report);
+  } catch (const LoadError& error) {
+    throw CompileError("the compiled text cannot be loaded: " + std::string(error.what()), {},
+                       std::string(text));
+  }
+}
+
+std::optional<ObjectCache> open_cache(const CompileOptions& options, CompileReport& report) {
+  if (!options.use_cache) return std::nullopt;
+  const Timer timer(report.cache_seconds);
+  ObjectCache cache(options.cache_directory.empty() ? default_cache_directory()
+                                                    : options.cache_directory);
+  report.cache_note = cache.refusal();
+  if (!cache.refusal().empty()) return std::nullopt;
+  return cache;
+}
+
+void append_note(CompileReport& report, const std::string& note) {
+  if (note.empty()) return;
+  report.cache_note.append(report.cache_note.empty() ? "" : "; ").append(note);
+}
+
+LoadedObject compile_or_find(std::string_view text, const CompileOptions& options,
+                             CompileReport& report) {
+  const ClangCompiler compiler;
+  const Compilation compilation = kernel_compilation(text, options.isa);
+  const auto cache = open_cache(options, report);
+  if (!cache) return load_fresh(compile_object(compiler, compilation, report), text, report);
+
+  std::string key;
+  {
+    const Timer timer(report.cache_seconds);
+    key = object_key(compilation, compiler.identity());
+  }
+  if (auto found = load_from_cache(*cache, key, report)) {
+    report.cache = CacheUse::kHit;
+    return std::move(*found);
+  }
+  report.cache = CacheUse::kMiss;
+  const std::string object = compile_object(compiler, compilation, report);
+  LoadedObject loaded = load_fresh(object, text, report);
+  const Timer timer(report.cache_seconds);
+  append_note(report, cache->write(key, object));
+  return loaded;
+}
+
+}  // namespace
+
+std::string_view name(CacheUse use) noexcept {
+  switch (use) {
+    case CacheUse::kHit:
+      return "hit";
+    case CacheUse::kMiss:
+      return "miss";
+    case CacheUse::kOff:
+      break;
+  }
+  return "off";
+}
+
+MachineCode compile_text(std::string_view text, const CompileOptions& options) {
+  CompileReport report;
+  std::optional<LoadedObject> loaded;
+  {
+    const Timer timer(report.total_seconds);
+    loaded.emplace(compile_or_find(text, options, report));
+  }
+  return MachineCode(std::move(*loaded), std::move(report));
+}
+
+CompiledKernel compile_kernel(const EmittedKernel& emitted, const CompileOptions& options) {
+  MachineCode code = compile_text(emitted.source, options);
+  const auto* kernel =
+      static_cast<const regulus_kernel*>(code.symbol(emitted.symbol, sizeof(regulus_kernel)));
+  if (!kernel || kernel->abi != REGULUS_KERNEL_ABI)
+    throw CompileError("the generated text defines no kernel '" + emitted.symbol + "' of ABI " +
+                           std::to_string(static_cast<int>(REGULUS_KERNEL_ABI)),
+                       {}, emitted.source);
+  return {std::move(code), kernel};
+}
+
+std::optional<std::string> rounding_self_test(const CompileOptions& options) {
+  const MachineCode code = compile_text(kSelfTestSource, options);
+  const auto function = reinterpret_cast<regulus_function>(code.symbol(kSelfTestSymbol));
+  if (!function) throw CompileError("the self-test is missing", {}, kSelfTestSource);
+  return check_self_test(function, options.isa);
+}
+
+}  // namespace regulus::codegen

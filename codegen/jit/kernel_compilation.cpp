@@ -1,0 +1,62 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "regulus/codegen/jit/kernel_compilation.hpp"
+
+#include <cstring>
+
+#include "regulus/floating_point_flags.hpp"
+#include "regulus/interval/x8.hpp"
+#include "regulus/kernel/kernel_headers.hpp"
+
+namespace regulus::codegen {
+namespace {
+
+/// The processor is the oldest x86-64 plus the instruction set's own flags, so that the object
+/// depends on nothing of this machine. -O1 makes the front end write code that passes may change;
+/// which passes run is kPasses alone.
+constexpr const char* kFlags[] = {"--target=x86_64-unknown-linux-gnu",
+                                  "-std=c++20",
+                                  "-O1",
+                                  "-w",
+                                  "-fPIC",
+                                  "-ffreestanding",
+                                  "-nostdinc",
+                                  "-nostdinc++",
+                                  "-fno-exceptions",
+                                  "-fno-rtti",
+                                  "-fno-asynchronous-unwind-tables",
+                                  "-fno-stack-protector",
+                                  "-DREGULUS_NO_SYSTEM_HEADERS"};
+
+/// Callees are inlined into a function after they have themselves been simplified: doing it the
+/// other way round takes three times as long. Then intervals become registers, and choices whose
+/// sign is known disappear.
+constexpr const char* kPasses = "cgscc(inline,function(sroa,early-cse,instsimplify)),globaldce";
+
+}  // namespace
+
+Compilation kernel_compilation(std::string_view text, Isa isa) {
+  Compilation compilation;
+  compilation.source = {"kernel.cpp", text};
+  for (const KernelHeader& header : kernel_headers())
+    compilation.headers.push_back({header.path, header.text});
+  auto& flags = compilation.flags;
+  flags.assign(std::begin(kFlags), std::end(kFlags));
+  flags.insert(flags.end(), std::begin(kFloatingPointFlags), std::end(kFloatingPointFlags));
+  const auto isa_flags = compile_flags(isa);
+  flags.insert(flags.end(), isa_flags.begin(), isa_flags.end());
+  compilation.passes = kPasses;
+  return compilation;
+}
+
+std::vector<ExternalSymbol> kernel_externals() {
+  std::vector<ExternalSymbol> externals{{"memcpy", reinterpret_cast<const void*>(&std::memcpy)},
+                                        {"memmove", reinterpret_cast<const void*>(&std::memmove)},
+                                        {"memset", reinterpret_cast<const void*>(&std::memset)}};
+  const regulus_x8_function_table table = regulus_x8_functions();
+  for (unsigned i = 0; i < table.count; ++i)
+    externals.push_back(
+        {table.functions[i].name, reinterpret_cast<const void*>(table.functions[i].address)});
+  return externals;
+}
+
+}  // namespace regulus::codegen

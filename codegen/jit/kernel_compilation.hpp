@@ -1,0 +1,19 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <string_view>
+#include <vector>
+
+#include "regulus/codegen/jit/compilation.hpp"
+#include "regulus/codegen/jit/object_loader.hpp"
+#include "regulus/kernel/isa.hpp"
+
+namespace regulus::codegen {
+
+/// How the text of a kernel is compiled: the headers, flags and passes of every kernel for `isa`.
+[[nodiscard]] Compilation kernel_compilation(std::string_view text, Isa isa);
+
+/// What a kernel may call.
+[[nodiscard]] std::vector<ExternalSymbol> kernel_externals();
+
+}  // namespace regulus::codegen

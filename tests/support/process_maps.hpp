@@ -1,0 +1,48 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What is mapped in this process, as the kernel sees it.
+#pragma once
+
+#include <cstdint>
+#include <fstream>
+#include <optional>
+#include <sstream>
+#include <string>
+#include <vector>
+
+namespace regulus::test {
+
+struct MappedRange {
+  std::uintptr_t begin, end;
+  std::string rights;  ///< such as "r-xp"
+  std::string file;
+};
+
+inline std::vector<MappedRange> mapped_ranges() {
+  std::vector<MappedRange> ranges;
+  std::ifstream maps("/proc/self/maps");
+  for (std::string line; std::getline(maps, line);) {
+    std::istringstream fields(line);
+    MappedRange range{};
+    char dash = 0;
+    std::string offset, device, inode;
+    fields >> std::hex >> range.begin >> dash >> range.end >> range.rights >> offset >> device >>
+        inode >> range.file;
+    ranges.push_back(range);
+  }
+  return ranges;
+}
+
+inline std::optional<MappedRange> range_of(const void* address) {
+  const auto at = reinterpret_cast<std::uintptr_t>(address);
+  for (const MappedRange& range : mapped_ranges())
+    if (range.begin <= at && at < range.end) return range;
+  return std::nullopt;
+}
+
+inline bool is_mapped(const std::string& part_of_file_name) {
+  for (const MappedRange& range : mapped_ranges())
+    if (range.file.find(part_of_file_name) != std::string::npos) return true;
+  return false;
+}
+
+}  // namespace regulus::test

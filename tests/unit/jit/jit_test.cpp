@@ -1,0 +1,134 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "regulus/codegen/jit/jit.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cfenv>
+#include <cstring>
+
+#include "regulus/interval/x8.hpp"
+#include "regulus/kernel/buffers.hpp"
+#include "regulus/kernel/call.hpp"
+#include "support/process_maps.hpp"
+#include "support/temporary_directory.hpp"
+
+namespace regulus::codegen {
+namespace {
+
+/// Two variables x, y and one entry k of K: k·x + y·y, sin(x), x/y.
+EmittedKernel small_kernel() {
+  EmittedKernel kernel;
+  kernel.symbol = "small_kernel";
+  kernel.source = R"(
+#include "regulus/kernel/abi.hpp"
+#include "regulus/kernel/pack.hpp"
+namespace {
+unsigned matrix(const double* boxes, const double* points, double* out, const void*) {
+  using namespace regulus::pack;
+  unsigned undefined = 0;
+  const I x = load(boxes, 0);
+  const I y = load(boxes, 1);
+  store(out, 0, point(points, 0) * x + y * y);
+  store(out, 1, sin(x));
+  store(out, 2, div(x, y, undefined));
+  return undefined;
+}
+}  // namespace
+extern "C" const regulus_kernel small_kernel = {
+    REGULUS_KERNEL_ABI, regulus::pack::kRounding, 2, 2, 1, 1, 0, 0, matrix, nullptr, nullptr,
+    nullptr, nullptr, nullptr, nullptr, nullptr, "small"};
+)";
+  return kernel;
+}
+
+class JitTest : public testing::TestWithParam<Isa> {
+ protected:
+  void SetUp() override {
+    if (!supported(GetParam())) GTEST_SKIP() << "this processor lacks " << name(GetParam());
+  }
+
+  test::TemporaryDirectory directory_;
+  CompileOptions options_{GetParam(), true, directory_.path() / "cache"};
+};
+
+TEST_P(JitTest, CompiledCodeEnclosesWhatItComputes) {
+  const CompiledKernel compiled = compile_kernel(small_kernel(), options_);
+  const Kernel kernel(*compiled.kernel());
+  EXPECT_EQ(compiled.kernel()->rounding, required_rounding(GetParam()));
+  IntervalRows boxes(2), out(3);
+  PointRows points(1);
+  points.set_all_lanes(0, 3.0);
+  boxes.set_all_lanes(0, {0.5, 1.0});
+  boxes.set_all_lanes(1, {-2.0, 1.0});
+  boxes.set(1, 3, {2.0, 4.0});
+  const unsigned undefined =
+      kernel.call(kernel.functions().matrix, boxes.data(), points.data(), out.data());
+  EXPECT_EQ(undefined, kAllLanes & ~(1u << 3));  // y contains 0 in the others
+  EXPECT_LE(out.get(0, 0).lo, 1.5 - 2.0);
+  EXPECT_GE(out.get(0, 0).hi, 3.0 + 4.0);
+  EXPECT_LE(out.get(1, 3).lo, 0x1.eaee8744b05efp-2);  // below sin(1/2)
+  EXPECT_GE(out.get(1, 3).hi, 0x1.aed548f090cefp-1);  // above sin(1)
+  EXPECT_LE(out.get(2, 3).lo, 0.125);
+  EXPECT_GE(out.get(2, 3).hi, 0.5);
+}
+
+TEST_P(JitTest, PassesTheRoundingSelfTest) {
+  EXPECT_EQ(rounding_self_test(options_), std::nullopt);
+  EXPECT_EQ(rounding_self_test(options_), std::nullopt);  // from the cache
+}
+
+TEST_P(JitTest, TheSecondTimeTheCodeComesFromTheCache) {
+  const CompiledKernel first = compile_kernel(small_kernel(), options_);
+  EXPECT_EQ(first.cache(), "miss");
+  EXPECT_EQ(first.cache_note(), "");
+  EXPECT_GT(first.report().front_end_seconds, 0);
+  const CompiledKernel second = compile_kernel(small_kernel(), options_);
+  EXPECT_EQ(second.cache(), "hit");
+  EXPECT_EQ(second.report().front_end_seconds, 0);
+  EXPECT_STREQ(second.kernel()->identity, "small");
+  EXPECT_NE(first.kernel(), second.kernel());
+}
+
+TEST_P(JitTest, AnotherTextIsAnotherEntry) {
+  (void)compile_kernel(small_kernel(), options_);
+  EmittedKernel other = small_kernel();
+  other.source += " ";
+  EXPECT_EQ(compile_kernel(other, options_).cache(), "miss");
+}
+
+TEST_P(JitTest, WithoutTheCacheNothingIsWritten) {
+  options_.use_cache = false;
+  const CompiledKernel compiled = compile_kernel(small_kernel(), options_);
+  EXPECT_EQ(compiled.cache(), "off");
+  EXPECT_EQ(compiled.cache_note(), "");
+  EXPECT_FALSE(std::filesystem::exists(options_.cache_directory));
+}
+
+TEST_P(JitTest, TheCallersRoundingModeIsKeptAndHasNoInfluence) {
+  const MachineCode nearest = compile_text(small_kernel().source, options_);
+  options_.use_cache = false;
+  ASSERT_EQ(std::fesetround(FE_UPWARD), 0);
+  const MachineCode upward = compile_text(small_kernel().source, options_);
+  EXPECT_EQ(std::fegetround(), FE_UPWARD);
+  std::fesetround(FE_TONEAREST);
+  EXPECT_NE(upward.symbol("small_kernel"), nullptr);
+}
+
+TEST_P(JitTest, CodeLivesAsLongAsOneCopy) {
+  const void* address = nullptr;
+  {
+    std::optional<MachineCode> first = compile_text(small_kernel().source, options_);
+    const MachineCode second = *first;
+    first.reset();
+    address = second.symbol("small_kernel");
+    EXPECT_EQ(test::range_of(address).value().rights, "r--p");
+  }
+  const auto range = test::range_of(address);
+  EXPECT_TRUE(!range || range->rights != "r--p");
+}
+
+INSTANTIATE_TEST_SUITE_P(EveryInstructionSet, JitTest, testing::ValuesIn(kAllIsas),
+                         [](const auto& isa) { return std::string(name(isa.param)); });
+
+}  // namespace
+}  // namespace regulus::codegen
