@@ -39,6 +39,13 @@ inline unsigned store_defined(double* block, const Partial<Vector>& result) noex
   return lane_bits(undefined);
 }
 
+/// For functions that are defined and at most 2^128 everywhere.
+inline unsigned store_total(double* block, const Bounds<Vector>& value, VectorMask bad) noexcept {
+  const Vector zero = splat<Vector>(0);
+  store(block, {select(bad, zero, value.lo), select(bad, zero, value.hi)});
+  return lane_bits(bad);
+}
+
 template <class Function>
 inline unsigned for_each_vector(Function function) noexcept {
   unsigned undefined = 0;
@@ -56,15 +63,16 @@ unsigned apply(const double* in, double* out) noexcept {
   });
 }
 
-inline Partial<Vector> sin_partial(Bounds<Vector> x) noexcept {
-  return {sin_cos_bounds(x).sin, VectorMask{}};
+template <Bounds<Vector> (*kFunction)(Bounds<Vector>) noexcept>
+unsigned apply_total(const double* in, double* out) noexcept {
+  return for_each_vector([=](int lane) {
+    const Bounds<Vector> x = load(in + lane);
+    return store_total(out + lane, kFunction(x), malformed(x));
+  });
 }
-inline Partial<Vector> cos_partial(Bounds<Vector> x) noexcept {
-  return {sin_cos_bounds(x).cos, VectorMask{}};
-}
-inline Partial<Vector> atan_partial(Bounds<Vector> x) noexcept {
-  return {atan_bounds(x), VectorMask{}};
-}
+
+inline Bounds<Vector> sin_bounds(Bounds<Vector> x) noexcept { return sin_cos_bounds(x).sin; }
+inline Bounds<Vector> cos_bounds(Bounds<Vector> x) noexcept { return sin_cos_bounds(x).cos; }
 inline Partial<Vector> exp_partial(Bounds<Vector> x) noexcept {
   return {exp_bounds(x), VectorMask{}};
 }
@@ -73,9 +81,8 @@ inline unsigned apply_sincos(const double* in, double* out) noexcept {
   return for_each_vector([=](int lane) {
     const Bounds<Vector> x = load(in + lane);
     const SinCosBounds<Vector> both = sin_cos_bounds(x);
-    const VectorMask undefined = malformed(x);
-    return store_defined(out + lane, {both.sin, undefined}) |
-           store_defined(out + 2 * kX8Lanes + lane, {both.cos, undefined});
+    store_total(out + 2 * kX8Lanes + lane, both.cos, malformed(x));
+    return store_total(out + lane, both.sin, malformed(x));
   });
 }
 
@@ -89,13 +96,13 @@ inline unsigned apply_atan2(const double* in, double* out) noexcept {
   });
 }
 
-inline constexpr X8Backend kBackend{apply<sin_partial>,
-                                    apply<cos_partial>,
+inline constexpr X8Backend kBackend{apply_total<sin_bounds>,
+                                    apply_total<cos_bounds>,
                                     apply_sincos,
                                     apply<tan_bounds<Vector>>,
                                     apply<asin_bounds<Vector>>,
                                     apply<acos_bounds<Vector>>,
-                                    apply<atan_partial>,
+                                    apply_total<atan_bounds<Vector>>,
                                     apply_atan2,
                                     apply<exp_partial>,
                                     apply<log_bounds<Vector>>};

@@ -42,7 +42,7 @@ inline HalfAngle<T> arcsine_of_magnitude(T x) noexcept {
   const T root_low = ((z - square.high) - square.low) / divisor;
   const T s = select(halved, root, x);
   const T s_low = select(halved, root_low, splat<T>(0));
-  return {{s, s * (z * horner(z, kAsinCoefficients)) + s_low}, halved};
+  return {{s, s * (z * polynomial(z, kAsinCoefficients)) + s_low}, halved};
 }
 
 /// base + factor·angle, rounded once at the end. Requires |factor| = 1 or 2, base = 0 or ≥

@@ -72,7 +72,7 @@ inline Parts<T> atan_parts(T t) noexcept {
   const T den = select(centre.infinite, t, splat<T>(1) + centre.c * t);
   const T u = num / den;
   const T z = u * u;
-  const T tail = u * (z * horner(z, kAtanCoefficients));
+  const T tail = u * (z * polynomial(z, kAtanCoefficients));
   const Parts<T> head = fast_two_sum(centre.high, u);
   return {head.high, head.low + (centre.low + tail)};
 }

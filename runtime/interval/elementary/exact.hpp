@@ -46,11 +46,15 @@ inline Parts<T> two_product(T a, T b) noexcept {
   return {product, low};
 }
 
-/// coefficients[0] + coefficients[1]·x + …, by Horner's rule.
+/// c[0] + c[1]·x + …, by Horner's rule in x² over pairs: half the latency of the rule in x.
 template <class T, int kTerms>
-inline T horner(T x, const double (&coefficients)[kTerms]) noexcept {
-  T sum = splat<T>(coefficients[kTerms - 1]);
-  for (int i = kTerms - 2; i >= 0; --i) sum = sum * x + splat<T>(coefficients[i]);
+inline T polynomial(T x, const double (&c)[kTerms]) noexcept {
+  static_assert(kTerms >= 3);
+  const auto pair = [&](int i) { return splat<T>(c[i]) + splat<T>(c[i + 1]) * x; };
+  const T square = x * x;
+  constexpr bool kOdd = kTerms % 2 != 0;
+  T sum = kOdd ? splat<T>(c[kTerms - 1]) : pair(kTerms - 2);
+  for (int i = kTerms - (kOdd ? 3 : 4); i >= 0; i -= 2) sum = pair(i) + square * sum;
   return sum;
 }
 

@@ -45,7 +45,7 @@ inline constexpr double kExpCoefficients[] = {
 template <class T>
 inline Parts<T> exp_parts(Parts<T> r) noexcept {
   const Parts<T> head = fast_two_sum(splat<T>(1), r.high);
-  const T tail = (r.high * r.high) * horner(r.high, kExpCoefficients);
+  const T tail = (r.high * r.high) * polynomial(r.high, kExpCoefficients);
   return {head.high, tail + (head.low + r.low * head.high)};
 }
 
@@ -129,7 +129,7 @@ inline Parts<T> log_parts(T k, T f) noexcept {
   const T s = f / (splat<T>(2) + f);
   const T z = s * s;
   const T h = (f * splat<T>(0.5)) * f;
-  const T correction = s * (h + z * horner(z, kLogCoefficients)) + k * splat<T>(kLog2Low);
+  const T correction = s * (h + z * polynomial(z, kLogCoefficients)) + k * splat<T>(kLog2Low);
   const Parts<T> head = fast_two_sum(k * splat<T>(kLog2High), f);
   return {head.high, head.low - (h - correction)};
 }

@@ -111,6 +111,7 @@ template <class T>
 inline T with_sign_of(T x, T s) noexcept {
   return from_bits(to_bits(x) | (to_bits(s) & kSignBit));
 }
+
 template <class T>
 inline T smaller(T a, T b) noexcept {
   return select(less(b, a), b, a);
@@ -119,6 +120,13 @@ template <class T>
 inline T larger(T a, T b) noexcept {
   return select(less(a, b), b, a);
 }
+#if REGULUS_VECTOR_BYTES == 64
+inline Vector smaller(Vector a, Vector b) noexcept { return _mm512_maskz_min_pd(0xff, b, a); }
+inline Vector larger(Vector a, Vector b) noexcept { return _mm512_maskz_max_pd(0xff, b, a); }
+#elif REGULUS_VECTOR_BYTES == 32
+inline Vector smaller(Vector a, Vector b) noexcept { return _mm256_min_pd(b, a); }
+inline Vector larger(Vector a, Vector b) noexcept { return _mm256_max_pd(b, a); }
+#endif
 
 }  // namespace REGULUS_LANES_ISA
 }  // namespace regulus::elementary

@@ -21,12 +21,26 @@ struct Partial {
   Mask<T> undefined;
 };
 
+/// 1 for x with a clear sign bit, −1 for the others: in units of the last place, away from −∞.
+template <class T>
+inline Bits<T> upward_unit(T x) noexcept {
+  return (Bits<T>)(((Mask<T>)to_bits(x) >> 63) | 1);
+}
+
+// The neighbours of a finite x that is not 0.
+template <class T>
+inline T step_up_nonzero(T x) noexcept {
+  return from_bits(to_bits(x) + upward_unit(x));
+}
+template <class T>
+inline T step_down_nonzero(T x) noexcept {
+  return from_bits(to_bits(x) - upward_unit(x));
+}
+
 /// The next double in the direction of +∞; −0 counts as 0. Requires x finite.
 template <class T>
 inline T step_up(T x) noexcept {
-  const T positive_zero = x + splat<T>(0);
-  const Mask<T> one_outward = less(positive_zero, splat<T>(0)) | 1;
-  return from_bits(to_bits(positive_zero) + (Bits<T>)one_outward);
+  return step_up_nonzero(x + splat<T>(0));
 }
 template <class T>
 inline T step_down(T x) noexcept {
@@ -36,11 +50,11 @@ inline T step_down(T x) noexcept {
 // For functions whose computed value is 0 exactly where their value is 0.
 template <class T>
 inline T step_up_unless_zero(T x) noexcept {
-  return select(equal(x, splat<T>(0)), x, step_up(x));
+  return select(equal(x, splat<T>(0)), x, step_up_nonzero(x));
 }
 template <class T>
 inline T step_down_unless_zero(T x) noexcept {
-  return select(equal(x, splat<T>(0)), x, step_down(x));
+  return select(equal(x, splat<T>(0)), x, step_down_nonzero(x));
 }
 
 }  // namespace REGULUS_LANES_ISA

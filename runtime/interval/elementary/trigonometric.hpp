@@ -48,8 +48,8 @@ struct QuarterTurns {
 };
 
 /// Requires  nothing.
-/// Ensures   where valid: |x − k·π/2 − (r.high + r.low)| < 2^-69·|r|, r.high the nearest double to
-///           r.high + r.low; r is zero only for x = 0 and has its exact sign.
+/// Ensures   where valid: |x − k·π/2 − (r.high + r.low)| < 2^-69·|r|, |r.low| ≤ 2^-52·|r.high| or
+///           ≤ 2^-83; r.high is 0 only for x = 0 and has the sign of r.
 ///
 /// |k| < 2^20 since 2^20·2/π < 0.64·2^20. x − k·C₁ is exact: either k = 0, or |x| ≥ 1/2 and it is a
 /// multiple of 2^-53 below 1. The two TwoSums are exact. What is left is
@@ -57,11 +57,11 @@ struct QuarterTurns {
 ///  ≥
 ///    2^-46 the three roundings stay below 2^-98·|r|. If |h₂| is smaller, then |h₁| < 2^-45, both
 ///    differences were exact (multiples of 2^-98) and the low parts are 0;
-///  - k·C₄ rounded (2^-83·2^-53) and k·δ (2^-139): below 2^-134. No double up to 2^20, indeed none
-///  at
-///    all, comes closer than 2^-62 to a multiple of π/2 other than 0 (Muller et al., Handbook of
-///    Floating-Point Arithmetic, 2nd ed., §10.2), so this is below 2^-72·|r|.
-/// |r.low| ≤ ulp/2 of h₂ or ≤ 2^-83 while |h₂| > 2^-63: FastTwoSum applies.
+///  - k·C₄ rounded (2^-83·2^-53) and k·δ (2^-139): below 2^-134. No double but 0 comes closer to a
+///    multiple of π/2 than 2^-62 (Muller et al., Handbook of Floating-Point Arithmetic, 2nd ed.,
+///    §10.2), so this is below 2^-72·|r|.
+/// Each TwoSum leaves at most half an ulp of its high part, and the two high parts agree but for
+/// 2^-49; when |h₂| is so small that this matters, only k·C₄ is left, and |h₂| > 2^-63.
 template <class T>
 inline QuarterTurns<T> reduce(T x) noexcept {
   const T shifted = x * splat<T>(kTwoOverPi) + splat<T>(kToInteger);
@@ -70,7 +70,7 @@ inline QuarterTurns<T> reduce(T x) noexcept {
   const Parts<T> h2 = two_sum(h1.high, -(k * splat<T>(kHalfPi3)));
   const T low = (h1.low + h2.low) - k * splat<T>(kHalfPi4);
   const Mask<T> valid = ~less(splat<T>(kReductionLimit), magnitude(x)) & equal(x, x);
-  return {fast_two_sum(h2.high, low), to_bits(shifted), valid};
+  return {{h2.high, low}, to_bits(shifted), valid};
 }
 
 template <class T>
@@ -81,27 +81,24 @@ struct SinCosParts {
 
 /// sin(r) and cos(r) as high + low.
 ///
-/// Requires  |r.high| ≤ 0.7854, r.high nearest to r.high + r.low.
+/// Requires  |r.high| ≤ 0.7854, r.low as reduce leaves it.
 /// Ensures   |high + low − f(r)| < half the distance from the nearest double of high + low to
-/// either
-///           neighbour of it, so that high + low, rounded once more, is one step from a bound.
+///           either neighbour of it: rounded once more, it is one step from a bound.
 ///
 /// With z = r², u = 2^-53, |r| = π/4 (the worst place; errors are absolute):
 ///   sin: low = r·z·P(z) is −0.079, four roundings 4u·0.079; r.low·(1 − z/2) replaces r.low·cos r,
-///        which errs by r.low·z²/24 < 2^-59; adding the two, u·0.079; the polynomial 2^-58·0.71.
-///        Sum 0.43u, where half the distance is u/2 (sin in [1/2, 1)). Below 1/2, low shrinks as
-///        r³.
+///        which errs by r.low·z²/24 < 2^-58; adding the two, u·0.079; the polynomial 2^-58·0.71.
+///        Sum 0.44u, where half the distance is u/2 (sin in [1/2, 1)). Below, low shrinks as r³.
 ///   cos: 1 − z/2 is exact with its remainder but for the rounding of z, u/4; z²·Q(z) is 0.016,
-///   four
-///        roundings 0.064u; r·r.low for sin(r)·r.low errs by r³/6·r.low < 0.05u. Sum below 0.4u,
-///        where half the distance is u/2.
+///        four roundings 0.064u; r·r.low for sin(r)·r.low errs by r³/6·r.low < 0.08u. Sum below
+///        0.42u, where half the distance is u/2.
 template <class T>
 inline SinCosParts<T> sin_cos_parts(Parts<T> r) noexcept {
   const T z = r.high * r.high;
   const T half_z = z * splat<T>(0.5);
   const Parts<T> cos_head = fast_two_sum(splat<T>(1), -half_z);
-  const T sin_tail = r.high * (z * horner(z, kSinCoefficients)) + r.low * cos_head.high;
-  const T cos_tail = (z * z) * horner(z, kCosCoefficients) - r.high * r.low;
+  const T sin_tail = r.high * (z * polynomial(z, kSinCoefficients)) + r.low * cos_head.high;
+  const T cos_tail = (z * z) * polynomial(z, kCosCoefficients) - r.high * r.low;
   return {{r.high, sin_tail}, {cos_head.high, cos_head.low + cos_tail}};
 }
 
@@ -157,7 +154,7 @@ struct SinCosBounds {
 
 /// Ensures   both enclosures, 2 ulp; [−1, 1] where a bound is beyond the reduction limit.
 template <class T>
-inline SinCosBounds<T> sin_cos_bounds(Bounds<T> x) noexcept {
+[[gnu::always_inline]] inline SinCosBounds<T> sin_cos_bounds(Bounds<T> x) noexcept {
   const SinCosPoint<T> a = sin_cos_point(x.lo);
   const SinCosPoint<T> b = sin_cos_point(x.hi);
   const Mask<T> invalid = ~(a.valid & b.valid);
