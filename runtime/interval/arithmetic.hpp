@@ -43,7 +43,7 @@ namespace regulus {
     return kEntire;
   }
   if (y.hi < 0) return div(-x, -y, undefined);
-  if (x.hi <= 0) return -div(-x, y, undefined);
+  if (x.lo < 0 && x.hi <= 0) return -div(-x, y, undefined);
   return {div_rd(x.lo, x.lo >= 0 ? y.hi : y.lo), div_ru(x.hi, y.lo)};
 }
 
