@@ -6,6 +6,8 @@
 // Rounding  every + − * / and fma on vectors here is upward, by MXCSR.
 #pragma once
 
+#include "regulus/kernel/simd.hpp"
+
 namespace regulus::pack {
 inline namespace avx2 {
 

@@ -18,6 +18,15 @@ using simd::max, simd::min;
 
 inline constexpr unsigned kRounding = 0;  // REGULUS_ROUND_NEAREST
 
+REGULUS_INLINE V select(M m, V x, V y) { return m ? x : y; }
+
+REGULUS_INLINE V row(const double* rows, int index) {
+  return *reinterpret_cast<const simd::V8InMemory*>(rows + 8 * index);
+}
+REGULUS_INLINE void store_row(double* rows, int index, V x) {
+  *reinterpret_cast<simd::V8InMemory*>(rows + 8 * index) = x;
+}
+
 /// mul_rd for factors that are not negative: neither is the result.
 REGULUS_INLINE V mul_rd_nonnegative(V a, V b) { return mul_rd(a, b); }
 

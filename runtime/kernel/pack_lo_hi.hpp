@@ -21,16 +21,13 @@ struct I {
   V lo, hi;
 };
 
-REGULUS_INLINE V row(const double* rows, int index) {
-  return *reinterpret_cast<const simd::V8InMemory*>(rows + 8 * index);
-}
 REGULUS_INLINE I load(const double* boxes, int v) {
   return {row(boxes, 2 * v), row(boxes, 2 * v + 1)};
 }
 REGULUS_INLINE P point(const double* points, int p) { return P(row(points, p)); }
 REGULUS_INLINE void store(double* out, int e, I x) {
-  *reinterpret_cast<simd::V8InMemory*>(out + 16 * e) = x.lo;
-  *reinterpret_cast<simd::V8InMemory*>(out + 16 * e + 8) = x.hi;
+  store_row(out, 2 * e, x.lo);
+  store_row(out, 2 * e + 1, x.hi);
 }
 REGULUS_INLINE I constant(double lo, double hi) { return {splat(lo), splat(hi)}; }
 REGULUS_INLINE I thin(P p) { return {p.v, p.v}; }
@@ -51,8 +48,8 @@ REGULUS_INLINE I operator-(P p, I x) { return {sub_rd(p.v, x.hi), sub_ru(p.v, x.
 
 /// The bound of y that makes a·y least, and the one that makes it greatest. For a = ±0 either will
 /// do.
-REGULUS_INLINE V least_factor(V a, I y) { return negative(a) ? y.hi : y.lo; }
-REGULUS_INLINE V greatest_factor(V a, I y) { return negative(a) ? y.lo : y.hi; }
+REGULUS_INLINE V least_factor(V a, I y) { return select(negative(a), y.hi, y.lo); }
+REGULUS_INLINE V greatest_factor(V a, I y) { return select(negative(a), y.lo, y.hi); }
 
 REGULUS_INLINE I operator*(P p, I x) {
   return {mul_rd(p.v, least_factor(p.v, x)), mul_ru(p.v, greatest_factor(p.v, x))};
@@ -113,19 +110,19 @@ REGULUS_INLINE I pow(I x, unsigned n) {
   const I a = abs(x);
   if (n % 2 == 0) return {power_rd(a.lo, n), power_ru(a.hi, n)};
   const V at_lo = max(x.lo, -x.lo), at_hi = max(x.hi, -x.hi);
-  const V low = negative(x.lo) ? power_ru(at_lo, n - 1) : power_rd(at_lo, n - 1);
-  const V high = negative(x.hi) ? power_rd(at_hi, n - 1) : power_ru(at_hi, n - 1);
+  const V low = select(negative(x.lo), power_ru(at_lo, n - 1), power_rd(at_lo, n - 1));
+  const V high = select(negative(x.hi), power_rd(at_hi, n - 1), power_ru(at_hi, n - 1));
   return {mul_rd(x.lo, low), mul_ru(x.hi, high)};
 }
 
 /// x where `good`; otherwise 0, and the lane's bit is set.
 REGULUS_INLINE I defined_where(M good, I x, unsigned& undefined) {
   undefined |= bits(~good);
-  return {good ? x.lo : splat(0.0), good ? x.hi : splat(0.0)};
+  return {select(good, x.lo, splat(0.0)), select(good, x.hi, splat(0.0))};
 }
 /// Whether −limit ≤ x ≤ limit; false for a NaN in either bound.
 REGULUS_INLINE M within(I x, double limit) {
-  return (x.lo >= splat(-limit)) & (x.hi <= splat(limit));
+  return (splat(-limit) <= x.lo) & (x.hi <= splat(limit));
 }
 
 REGULUS_INLINE I checked(I x, unsigned& undefined) {
@@ -137,17 +134,17 @@ REGULUS_INLINE I checked(I x, unsigned& undefined) {
 /// is NaN.
 REGULUS_INLINE I div(I x, I y, unsigned& undefined) {
   const M flip = y.hi < splat(0.0);
-  const M usable = flip | (y.lo > splat(0.0));
-  const I divisor = {usable ? (flip ? -y.hi : y.lo) : splat(1.0),
-                     usable ? (flip ? -y.lo : y.hi) : splat(1.0)};
-  const I numerator = {flip ? -x.hi : x.lo, flip ? -x.lo : x.hi};
+  const M usable = flip | (splat(0.0) < y.lo);
+  const I divisor = {select(usable, select(flip, -y.hi, y.lo), splat(1.0)),
+                     select(usable, select(flip, -y.lo, y.hi), splat(1.0))};
+  const I numerator = {select(flip, -x.hi, x.lo), select(flip, -x.lo, x.hi)};
   const I quotient = {div_rd(numerator.lo, greatest_factor(numerator.lo, divisor)),
                       div_ru(numerator.hi, least_factor(numerator.hi, divisor))};
   return defined_where(usable & within(quotient, simd::kMaxMagnitude), quotient, undefined);
 }
 
 REGULUS_INLINE I sqrt(I x, unsigned& undefined) {
-  const M usable = x.lo >= splat(0.0);
+  const M usable = splat(0.0) <= x.lo;
   const I root = {sqrt_rd(max(x.lo, splat(0.0))), sqrt_ru(max(x.hi, splat(0.0)))};
   return defined_where(usable & within(root, simd::kMaxMagnitude), root, undefined);
 }

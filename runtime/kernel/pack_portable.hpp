@@ -1,109 +1,93 @@
 // SPDX-License-Identifier: Apache-2.0
-// Packs for any processor: operations to nearest, then outward. The vectors are the compiler's; it
-// splits them into what the processor has.
+// Packs for any processor: operations to nearest, then outward, on four pairs of lanes.
 //
-// Rounding  MXCSR (or its like) to nearest, no flush to zero. Sound with any optimisation that
+// Rounding  to nearest (MXCSR or its like), no flush to zero. Sound with any optimisation that
 // keeps
 //           IEEE arithmetic, since no bound depends on a rounding mode the compiler may not know.
-// Source    the step: Rump, Zimmermann, Boldo, Melquiond, "Computing predecessor and successor in
-//           rounding to nearest", BIT 49 (2009), Algorithm 1; the error of a sum: Knuth, TAOCP
-//           2, 4.2.2.
 #pragma once
 
+#include "regulus/kernel/pack_portable_pair.hpp"
 #include "regulus/kernel/simd.hpp"
 
 namespace regulus::pack {
 inline namespace portable {
 
-using V = simd::V8;
-using M = simd::M8;
-
 inline constexpr unsigned kRounding = 0;  // REGULUS_ROUND_NEAREST
 
-REGULUS_INLINE V splat(double c) { return V{c, c, c, c, c, c, c, c}; }
-REGULUS_INLINE V min(V a, V b) { return a < b ? a : b; }
-REGULUS_INLINE V max(V a, V b) { return a > b ? a : b; }
-REGULUS_INLINE M negative(V x) { return x < splat(0.0); }
-REGULUS_INLINE V magnitude(V x) {
-  return reinterpret_cast<V>(reinterpret_cast<M>(x) & simd::kMagnitudeBits);
+struct V {
+  simd::V2 a, b, c, d;
+};
+struct M {
+  simd::M2 a, b, c, d;
+};
+
+REGULUS_INLINE V splat(double x) {
+  const simd::V2 two = pair::splat(x);
+  return {two, two, two, two};
 }
 
-REGULUS_INLINE unsigned bits(M m) {
-  unsigned result = 0;
-  for (int lane = 0; lane < 8; ++lane) result |= static_cast<unsigned>(m[lane] & 1) << lane;
-  return result;
-}
+#define REGULUS_ON_PAIRS_1(result, name, argument, function)             \
+  REGULUS_INLINE result name(argument x) {                               \
+    return {function(x.a), function(x.b), function(x.c), function(x.d)}; \
+  }
+#define REGULUS_ON_PAIRS_2(result, name, argument, function)                                 \
+  REGULUS_INLINE result name(argument x, argument y) {                                       \
+    return {function(x.a, y.a), function(x.b, y.b), function(x.c, y.c), function(x.d, y.d)}; \
+  }
 
-/// At least the distance from x to its neighbours: fl(fl(φ|x|) + η), φ = 2⁻⁵³(1 + 2⁻⁵²), η =
-/// 2⁻¹⁰⁷⁴.
-REGULUS_INLINE V step(V x) {
-  return magnitude(x) * splat(0x1.0000000000001p-53) + splat(simd::kMinSubnormal);
-}
-
-/// At most the double before x; with x = fl(v), at most v. Overflow of v to +∞ gives a finite
-/// bound.
-REGULUS_INLINE V below(V x) {
-  const V finite_above = min(x, splat(simd::kMaxDouble));
-  return finite_above - step(finite_above);
-}
-
-/// At least the double after x; with x = fl(v), at least v.
-REGULUS_INLINE V above(V x) {
-  const V finite_below = max(x, splat(-simd::kMaxDouble));
-  return finite_below + step(finite_below);
-}
-
-/// a + b − fl(a + b), exact when it is finite (an overflow on the way makes it ±∞ or NaN).
-REGULUS_INLINE V error_of_sum(V a, V b, V sum) {
-  const V from_b = sum - a;
-  return (a - (sum - from_b)) + (b - from_b);
-}
-
-REGULUS_INLINE V add_rd(V a, V b) {
-  const V sum = a + b;
-  const V error = error_of_sum(a, b, sum);
-  return ((error >= splat(0.0)) & (error < splat(simd::kInfinity))) ? sum : below(sum);
-}
-REGULUS_INLINE V add_ru(V a, V b) {
-  const V sum = a + b;
-  const V error = error_of_sum(a, b, sum);
-  return ((error <= splat(0.0)) & (error > splat(-simd::kInfinity))) ? sum : above(sum);
-}
-REGULUS_INLINE V sub_rd(V a, V b) { return add_rd(a, -b); }
-REGULUS_INLINE V sub_ru(V a, V b) { return add_ru(a, -b); }
-
-// A product with a zero factor is exact; keeping it spreads no noise through sparse matrices.
-REGULUS_INLINE M zero_factor(V a, V b) { return (a == splat(0.0)) | (b == splat(0.0)); }
-REGULUS_INLINE V mul_rd(V a, V b) {
-  const V product = a * b;
-  return zero_factor(a, b) ? product : below(product);
-}
-REGULUS_INLINE V mul_ru(V a, V b) {
-  const V product = a * b;
-  return zero_factor(a, b) ? product : above(product);
-}
+REGULUS_ON_PAIRS_1(V, operator-, V, pair::negate)
+REGULUS_ON_PAIRS_2(V, min, V, pair::min)
+REGULUS_ON_PAIRS_2(V, max, V, pair::max)
+REGULUS_ON_PAIRS_2(V, add_rd, V, pair::add_rd)
+REGULUS_ON_PAIRS_2(V, add_ru, V, pair::add_ru)
+REGULUS_ON_PAIRS_2(V, mul_rd, V, pair::mul_rd)
+REGULUS_ON_PAIRS_2(V, mul_ru, V, pair::mul_ru)
 /// mul_rd for factors that are not negative: neither is the result.
-REGULUS_INLINE V mul_rd_nonnegative(V a, V b) { return max(mul_rd(a, b), splat(0.0)); }
+REGULUS_ON_PAIRS_2(V, mul_rd_nonnegative, V, pair::mul_rd_nonnegative)
+REGULUS_ON_PAIRS_2(V, div_rd, V, pair::div_rd)
+REGULUS_ON_PAIRS_2(V, div_ru, V, pair::div_ru)
+REGULUS_ON_PAIRS_1(V, sqrt_rd, V, pair::sqrt_rd)
+REGULUS_ON_PAIRS_1(V, sqrt_ru, V, pair::sqrt_ru)
+REGULUS_ON_PAIRS_1(M, negative, V, pair::negative)
+REGULUS_ON_PAIRS_2(M, operator<, V, pair::less)
+REGULUS_ON_PAIRS_2(M, operator<=, V, pair::less_equal)
+REGULUS_ON_PAIRS_2(M, operator&, M, pair::both)
+REGULUS_ON_PAIRS_2(M, operator|, M, pair::either)
+REGULUS_ON_PAIRS_1(M, operator~, M, pair::opposite)
 
-REGULUS_INLINE V fma_rd(V a, V b, V c) { return add_rd(mul_rd(a, b), c); }
-REGULUS_INLINE V fma_ru(V a, V b, V c) { return add_ru(mul_ru(a, b), c); }
+#undef REGULUS_ON_PAIRS_1
+#undef REGULUS_ON_PAIRS_2
 
-REGULUS_INLINE V div_rd(V a, V b) {
-  const V quotient = a / b;
-  return a == splat(0.0) ? quotient : below(quotient);
+REGULUS_INLINE V select(M m, V x, V y) {
+  return {pair::select(m.a, x.a, y.a), pair::select(m.b, x.b, y.b), pair::select(m.c, x.c, y.c),
+          pair::select(m.d, x.d, y.d)};
 }
-REGULUS_INLINE V div_ru(V a, V b) {
-  const V quotient = a / b;
-  return a == splat(0.0) ? quotient : above(quotient);
+REGULUS_INLINE unsigned bits(M m) {
+  return pair::bits(m.a) | pair::bits(m.b) << 2 | pair::bits(m.c) << 4 | pair::bits(m.d) << 6;
 }
 
-REGULUS_INLINE V sqrt_nearest(V a) {
-  V root = a;
-  for (int lane = 0; lane < 8; ++lane) root[lane] = __builtin_sqrt(a[lane]);
-  return root;
+REGULUS_INLINE V sub_rd(V x, V y) { return add_rd(x, -y); }
+REGULUS_INLINE V sub_ru(V x, V y) { return add_ru(x, -y); }
+REGULUS_INLINE V fma_rd(V x, V y, V z) { return add_rd(mul_rd(x, y), z); }
+REGULUS_INLINE V fma_ru(V x, V y, V z) { return add_ru(mul_ru(x, y), z); }
+
+REGULUS_INLINE simd::V2 row_part(const double* rows, int start) {
+  return *reinterpret_cast<const simd::V2InMemory*>(rows + start);
 }
-REGULUS_INLINE V sqrt_rd(V a) { return max(below(sqrt_nearest(a)), splat(0.0)); }
-REGULUS_INLINE V sqrt_ru(V a) { return a == splat(0.0) ? a : above(sqrt_nearest(a)); }
+REGULUS_INLINE void store_row_part(double* rows, int start, simd::V2 two) {
+  *reinterpret_cast<simd::V2InMemory*>(rows + start) = two;
+}
+REGULUS_INLINE V row(const double* rows, int index) {
+  const int i = 8 * index;
+  return {row_part(rows, i), row_part(rows, i + 2), row_part(rows, i + 4), row_part(rows, i + 6)};
+}
+REGULUS_INLINE void store_row(double* rows, int index, V x) {
+  const int i = 8 * index;
+  store_row_part(rows, i, x.a);
+  store_row_part(rows, i + 2, x.b);
+  store_row_part(rows, i + 4, x.c);
+  store_row_part(rows, i + 6, x.d);
+}
 
 }  // namespace portable
 }  // namespace regulus::pack

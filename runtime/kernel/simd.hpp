@@ -20,10 +20,13 @@ using V8 = double __attribute__((vector_size(64)));
 using M8 = long long __attribute__((vector_size(64)));  // a mask: all ones where true
 using V4 = double __attribute__((vector_size(32)));
 using M4 = long long __attribute__((vector_size(32)));
+using V2 = double __attribute__((vector_size(16)));
+using M2 = long long __attribute__((vector_size(16)));
 
 // The same types for access to arrays of double.
 using V8InMemory = double __attribute__((vector_size(64), may_alias));
 using V4InMemory = double __attribute__((vector_size(32), may_alias));
+using V2InMemory = double __attribute__((vector_size(16), may_alias));
 
 inline constexpr double kInfinity = __builtin_inf();
 inline constexpr double kMaxDouble = __DBL_MAX__;
