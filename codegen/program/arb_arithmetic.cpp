@@ -6,11 +6,20 @@
 namespace regulus::codegen {
 namespace {
 
-bool certain_within_one(const Ball& a) {
-  Ball one(1.0);
-  Ball magnitude;
-  arb_abs(magnitude.get(), a.get());
-  return arb_le(magnitude.get(), one.get()) != 0;
+/// |a| − 1.
+Ball beyond_one(const Ball& a, long precision) {
+  Ball result;
+  arb_abs(result.get(), a.get());
+  arb_sub_ui(result.get(), result.get(), 1, precision);
+  return result;
+}
+
+// A ball that is not finite stands for a value that is lost already: it violates nothing for
+// certain.
+bool certain_negative(const Ball& a) { return arb_is_finite(a.get()) && arb_is_negative(a.get()); }
+bool certain_positive(const Ball& a) { return arb_is_finite(a.get()) && arb_is_positive(a.get()); }
+bool certain_nonpositive(const Ball& a) {
+  return arb_is_finite(a.get()) && arb_is_nonpositive(a.get());
 }
 
 }  // namespace
@@ -46,7 +55,7 @@ Ball ArbArithmetic::multiply(const Ball& a, const Ball& b) const {
 }
 
 Ball ArbArithmetic::divide(const Ball& a, const Ball& b) {
-  require(!arb_contains_zero(b.get()));
+  require(!arb_contains_zero(b.get()), arb_is_zero(b.get()));
   Ball result;
   arb_div(result.get(), a.get(), b.get(), precision_);
   return result;
@@ -59,7 +68,8 @@ Ball ArbArithmetic::power(const Ball& a, unsigned exponent) const {
 }
 
 Ball ArbArithmetic::atan2(const Ball& a, const Ball& b) {
-  require(arb_is_nonzero(a.get()) || arb_is_positive(b.get()));
+  require(arb_is_nonzero(a.get()) || arb_is_positive(b.get()),
+          arb_is_zero(a.get()) && certain_nonpositive(b));
   Ball result;
   arb_atan2(result.get(), a.get(), b.get(), precision_);
   return result;
@@ -68,16 +78,18 @@ Ball ArbArithmetic::atan2(const Ball& a, const Ball& b) {
 void ArbArithmetic::require_domain(Op function, const Ball& a) {
   switch (function) {
     case Op::kSqrt:
-      return require(arb_is_nonnegative(a.get()));
+      return require(arb_is_nonnegative(a.get()), certain_negative(a));
     case Op::kLog:
-      return require(arb_is_positive(a.get()));
+      return require(arb_is_positive(a.get()), certain_nonpositive(a));
     case Op::kAsin:
-    case Op::kAcos:
-      return require(certain_within_one(a));
+    case Op::kAcos: {
+      const Ball beyond = beyond_one(a, precision_);
+      return require(arb_is_nonpositive(beyond.get()), certain_positive(beyond));
+    }
     case Op::kTan: {
       Ball cosine;
       arb_cos(cosine.get(), a.get(), precision_);
-      return require(!arb_contains_zero(cosine.get()));
+      return require(!arb_contains_zero(cosine.get()), false);
     }
     default:
       return;

@@ -17,7 +17,9 @@ class ArbArithmetic {
   explicit ArbArithmetic(long precision) noexcept : precision_(precision) {}
 
   [[nodiscard]] bool undefined() const noexcept { return undefined_; }
-  void clear() noexcept { undefined_ = false; }
+  /// Whether some operation certainly has no value at any point of its operands.
+  [[nodiscard]] bool certainly_undefined() const noexcept { return violated_; }
+  void clear() noexcept { undefined_ = violated_ = false; }
 
   [[nodiscard]] Ball constant(const cln::cl_RA& value) const { return Ball(value, precision_); }
   [[nodiscard]] Ball pi() const;
@@ -33,11 +35,15 @@ class ArbArithmetic {
   [[nodiscard]] Ball call(Op function, const Ball& a);
 
  private:
-  void require(bool certain) noexcept { undefined_ = undefined_ || !certain; }
+  void require(bool certain, bool violated) noexcept {
+    undefined_ = undefined_ || !certain;
+    violated_ = violated_ || violated;
+  }
   void require_domain(Op function, const Ball& a);
 
   long precision_;
   bool undefined_ = false;
+  bool violated_ = false;
 };
 
 }  // namespace regulus::codegen

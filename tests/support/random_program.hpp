@@ -1,0 +1,134 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Random expressions, built through anything that has the functions of ProgramBuilder.
+#pragma once
+
+#include <cln/rational.h>
+
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "regulus/codegen/program/canonical.hpp"
+#include "regulus/codegen/program/program.hpp"
+#include "support/random_source.hpp"
+
+namespace regulus::test {
+
+struct ProgramShape {
+  int inputs = 3;
+  int points = 4;
+  int operations = 12;
+  int outputs = 2;
+  bool functions = true;  ///< false: + − × ÷ and small powers only
+  int largest_power = 4;
+};
+
+inline std::vector<std::string> numbered_names(const char* prefix, int count) {
+  std::vector<std::string> names;
+  for (int i = 1; i <= count; ++i) names.push_back(prefix + std::to_string(i));
+  return names;
+}
+
+/// Writes every operation down as it is called: no folding, no sharing. What ProgramBuilder must
+/// agree with.
+class RawBuilder {
+ public:
+  using NodeId = codegen::NodeId;
+  using Op = codegen::Op;
+
+  RawBuilder(std::vector<std::string> inputs, std::vector<std::string> points) {
+    program_.inputs = std::move(inputs);
+    program_.points = std::move(points);
+  }
+  NodeId constant(const cln::cl_RA& value) {
+    program_.constants.push_back(value);
+    return push({Op::kConstant, 0, 0, static_cast<std::uint32_t>(program_.constants.size() - 1)});
+  }
+  NodeId pi() { return push({Op::kPi}); }
+  NodeId input(std::uint32_t index) { return push({Op::kInput, 0, 0, index}); }
+  NodeId point(std::uint32_t index) { return push({Op::kPoint, 0, 0, index}); }
+  NodeId negate(NodeId a) { return push({Op::kNegate, a}); }
+  NodeId add(NodeId a, NodeId b) { return push({Op::kAdd, a, b}); }
+  NodeId subtract(NodeId a, NodeId b) { return push({Op::kSubtract, a, b}); }
+  NodeId multiply(NodeId a, NodeId b) { return push({Op::kMultiply, a, b}); }
+  NodeId divide(NodeId a, NodeId b) { return push({Op::kDivide, a, b}); }
+  NodeId power(NodeId a, int n) {
+    if (n < 0) return divide(constant(1), power(a, -n));
+    if (n == 0) return add(multiply(constant(0), a), constant(1));
+    return n == 1 ? a : push({Op::kPower, a, 0, static_cast<std::uint32_t>(n)});
+  }
+  NodeId call(Op function, NodeId a) { return push({function, a}); }
+  NodeId atan2(NodeId a, NodeId b) { return push({Op::kAtan2, a, b}); }
+  void output(NodeId id) { program_.outputs.push_back(id); }
+  codegen::Program finish() && { return codegen::canonical(std::move(program_)); }
+
+ private:
+  NodeId push(codegen::Node node) {
+    program_.nodes.push_back(node);
+    return static_cast<NodeId>(program_.nodes.size() - 1);
+  }
+  codegen::Program program_;
+};
+
+inline cln::cl_RA random_rational(RandomSource& random) {
+  const long numerator = static_cast<long>(random.below(13)) - 6;
+  const long denominators[] = {1, 1, 2, 3, 4, 10, 180};
+  return cln::cl_RA(numerator) / denominators[random.below(7)];
+}
+
+/// One more node from those in `pool`.
+template <class Builder>
+codegen::NodeId random_node(RandomSource& random, Builder& builder, const ProgramShape& shape,
+                            const std::vector<codegen::NodeId>& pool) {
+  using codegen::Op;
+  const auto pick = [&] { return pool[random.below(pool.size())]; };
+  const codegen::NodeId a = pick();
+  const codegen::NodeId b = pick();
+  const int n =
+      static_cast<int>(random.below(static_cast<std::uint64_t>(shape.largest_power) + 2)) - 1;
+  switch (random.below(shape.functions ? 14 : 10)) {
+    case 0:
+    case 1:
+      return builder.add(a, b);
+    case 2:
+    case 3:
+      return builder.subtract(a, b);
+    case 4:
+    case 5:
+    case 6:
+      return builder.multiply(a, b);
+    case 7:
+      return builder.negate(a);
+    case 8:
+      return builder.power(a, n);
+    case 9:
+      return builder.divide(a, b);
+    case 10:
+      return builder.atan2(a, b);
+    case 11:
+      return builder.call(random.one_in(2) ? Op::kSin : Op::kCos, a);
+    default: {
+      constexpr Op kFunctions[] = {Op::kSqrt, Op::kTan, Op::kAsin, Op::kAcos,
+                                   Op::kAtan, Op::kExp, Op::kLog,  Op::kAbs};
+      return builder.call(kFunctions[random.below(8)], a);
+    }
+  }
+}
+
+/// The same source and shape give the same expressions with every builder.
+template <class Builder>
+codegen::Program random_program(RandomSource& random, const ProgramShape& shape) {
+  Builder builder(numbered_names("x", shape.inputs), numbered_names("k_1_", shape.points));
+  std::vector<codegen::NodeId> pool;
+  for (int i = 0; i < shape.inputs; ++i) pool.push_back(builder.input(static_cast<unsigned>(i)));
+  for (int i = 0; i < shape.points; ++i) pool.push_back(builder.point(static_cast<unsigned>(i)));
+  pool.push_back(builder.constant(random_rational(random)));
+  pool.push_back(builder.constant(random_rational(random)));
+  if (shape.functions && random.one_in(3)) pool.push_back(builder.pi());
+  for (int i = 0; i < shape.operations; ++i)
+    pool.push_back(random_node(random, builder, shape, pool));
+  for (int i = 0; i < shape.outputs; ++i) builder.output(pool[pool.size() - 1 - random.below(4)]);
+  return std::move(builder).finish();
+}
+
+}  // namespace regulus::test
