@@ -175,9 +175,10 @@ class Parser {
 
   [[noreturn]] void refuse_undeclared(const Token& name) const {
     const std::vector<std::string> known = names_.all();
-    std::string expected = known.empty() ? "a constant expression" : "a declared name";
     const std::string meant = nearest(name.text, known);
-    if (!meant.empty()) expected += ", perhaps " + in_quotes(meant);
+    const std::string expected = known.empty()    ? "a constant expression"
+                                 : !meant.empty() ? "a declared name, perhaps " + in_quotes(meant)
+                                                  : "a declared name: " + alternatives(known);
     fail("undeclared name " + describe(name), expected, std::string(name.text));
   }
 

@@ -54,9 +54,11 @@ bool is_reserved(std::string_view name) {
 std::string nearest(std::string_view name, std::span<const std::string> candidates) {
   if (name.size() > kLongestName) return {};
   std::size_t fewest = name.size() / 3 + 2;
+  const std::string stem = std::string(name) + "_";
   std::string best;
   for (const std::string& candidate : candidates) {
-    const std::size_t distance = edit_distance(name, candidate);
+    const bool is_stem = candidate.starts_with(stem);
+    const std::size_t distance = is_stem ? 1 : edit_distance(name, candidate);
     if (distance < fewest && distance < candidate.size()) fewest = distance, best = candidate;
   }
   return best;

@@ -18,7 +18,7 @@ namespace regulus::codegen {
 [[nodiscard]] bool is_reserved(std::string_view name);
 
 /// The candidate that differs from `name` by the fewest edits, if by few enough to be a slip of the
-/// pen; otherwise empty.
+/// pen, or that continues it (p1_1 for p1); otherwise empty.
 [[nodiscard]] std::string nearest(std::string_view name, std::span<const std::string> candidates);
 
 /// "a", "a or b", "a, b or c"; of many, the first ones and "…".

@@ -3,7 +3,11 @@
 
 #include <algorithm>
 #include <cmath>
-#include <exception>
+#include <functional>
+#include <limits>
+#include <numbers>
+#include <numeric>
+#include <string>
 
 namespace regulus::codegen {
 namespace {
@@ -29,6 +33,41 @@ bool is_even_or_root(const GiNaC::numeric& exponent) {
 
 bool is_function_named(const ex& e, const char* name) {
   return is_a<GiNaC::function>(e) && GiNaC::ex_to<GiNaC::function>(e).get_name() == name;
+}
+
+constexpr double kNoValue = std::numeric_limits<double>::quiet_NaN();
+
+double approx(const ex& e);
+
+double approx_call(const GiNaC::function& f) {
+  const double x = approx(f.op(0));
+  const std::string name = f.get_name();
+  if (name == "sin") return std::sin(x);
+  if (name == "cos") return std::cos(x);
+  if (name == "tan") return std::tan(x);
+  if (name == "asin") return std::asin(x);
+  if (name == "acos") return std::acos(x);
+  if (name == "atan") return std::atan(x);
+  if (name == "atan2") return std::atan2(x, approx(f.op(1)));
+  if (name == "exp") return std::exp(x);
+  if (name == "log") return std::log(x);
+  return name == "abs" ? std::fabs(x) : kNoValue;
+}
+
+/// Not a number, or infinite, if some part of e is.
+double approx(const ex& e) {
+  if (is_a<GiNaC::numeric>(e))
+    return e.info(GiNaC::info_flags::real) ? GiNaC::ex_to<GiNaC::numeric>(e).to_double() : kNoValue;
+  if (e.is_equal(GiNaC::Pi)) return std::numbers::pi;
+  const auto of_operands = [&e](double start, auto operation) {
+    return std::accumulate(e.begin(), e.end(), start, [&](double so_far, const ex& operand) {
+      return operation(so_far, approx(operand));
+    });
+  };
+  if (is_a<GiNaC::add>(e)) return of_operands(0.0, std::plus<>());
+  if (is_a<GiNaC::mul>(e)) return of_operands(1.0, std::multiplies<>());
+  if (is_a<GiNaC::power>(e)) return std::pow(approx(e.op(0)), approx(e.op(1)));
+  return is_a<GiNaC::function>(e) ? approx_call(GiNaC::ex_to<GiNaC::function>(e)) : kNoValue;
 }
 
 }  // namespace
@@ -72,13 +111,9 @@ bool certain_defined(const ex& e) {
          is_total("abs");
 }
 
-std::optional<double> approx_value(const ex& constant) try {
-  const ex value = constant.evalf();
-  if (!is_a<GiNaC::numeric>(value) || !value.info(GiNaC::info_flags::real)) return std::nullopt;
-  const double approximate = GiNaC::ex_to<GiNaC::numeric>(value).to_double();
-  return std::isfinite(approximate) ? std::optional(approximate) : std::nullopt;
-} catch (const std::exception&) {
-  return std::nullopt;
+std::optional<double> approx_value(const ex& constant) {
+  const double value = approx(constant);
+  return std::isfinite(value) ? std::optional(value) : std::nullopt;
 }
 
 }  // namespace regulus::codegen

@@ -19,7 +19,8 @@ namespace regulus::codegen {
 [[nodiscard]] bool certain_defined(const GiNaC::ex& e);
 
 /// A constant's approximate value, for refusing input early and for messages: no bound is claimed.
-/// nullopt when it has no real, finite value that floating-point evaluation can find.
+/// nullopt when it, or a part of it, is not a real number in the range of doubles. (Not by evalf():
+/// beyond its exponent range it gives exp(exp(exp(9))) = 1.)
 [[nodiscard]] std::optional<double> approx_value(const GiNaC::ex& constant);
 
 }  // namespace regulus::codegen

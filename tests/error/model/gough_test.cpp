@@ -1,0 +1,72 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "error/model/refusal.hpp"
+
+namespace regulus::codegen {
+namespace {
+
+using test::expect_refused;
+using test::expect_refused_gough;
+using test::kExampleGough;
+
+TEST(GoughRefusal, TogetherWithMatrix) {
+  expect_refused(kExampleGough + "[matrix]\nrows = [[1]]\n", 19, "[matrix] together with [gough]",
+                 "one or the other");
+}
+
+TEST(GoughRefusal, TogetherWithPose) {
+  expect_refused(kExampleGough + "[pose]\nx = \"cm\"\n", 19, "[pose] together with [gough]",
+                 "one or the other");
+}
+
+TEST(GoughRefusal, UnknownOrientation) {
+  expect_refused_gough("\"euler-zxz\"", "\"euler-zyz\"", 5, "the string 'euler-zyz'",
+                       "\"euler-zxz\", \"roll-pitch-yaw\" or \"quaternion\"");
+}
+
+TEST(GoughRefusal, OrientationOfAnotherType) {
+  expect_refused_gough("\"euler-zxz\"", "1", 5, "the integer 1 for gough.orientation",
+                       "\"euler-zxz\"");
+}
+
+TEST(GoughRefusal, MissingOrientation) {
+  expect_refused_gough("orientation = \"euler-zxz\"\n", "", 4, "no 'orientation' in gough",
+                       "'gough.orientation'");
+}
+
+TEST(GoughRefusal, UnknownToleranceShape) {
+  expect_refused_gough("\"box\"", "\"sphere\"", 10, "the string 'sphere'", "\"box\" or \"ball\"");
+}
+
+TEST(GoughRefusal, UnknownKey) {
+  expect_refused_gough("base_tolerance", "base_tolerence", 9, "unknown key 'gough.base_tolerence'",
+                       "'base_tolerance'");
+}
+
+TEST(GoughRefusal, MissingBase) {
+  expect_refused_gough("base = ", "base_tolerance = 1 #", 9, "not TOML", "TOML");
+}
+
+TEST(GoughRefusal, FivePoints) {
+  expect_refused_gough("[-9, 9, 0], ", "", 7, "5 points in gough.base",
+                       "6 points of 3 coordinates");
+}
+
+TEST(GoughRefusal, PointOfTwoCoordinates) {
+  expect_refused_gough("[-7, -1, 0]", "[-7, -1]", 8, "2 coordinates in gough.platform[6]", "3");
+}
+
+TEST(GoughRefusal, CoordinateThatUsesAName) {
+  expect_refused_gough("[-7, -1, 0]", "[-7, -1, \"x\"]", 8, "undeclared name 'x'", "a constant");
+}
+
+TEST(GoughRefusal, NegativeTolerance) {
+  expect_refused_gough("base_tolerance = 0.05", "base_tolerance = -0.05", 9,
+                       "the negative number -0.050000 in gough.base_tolerance", "a number ≥ 0");
+}
+
+TEST(GoughRefusal, MotionInTheWrongAngles) {
+  expect_refused_gough("psi = 0", "roll = 0", 16, "unknown key 'motion.small.roll'", "phi");
+}
+
+}  // namespace
+}  // namespace regulus::codegen

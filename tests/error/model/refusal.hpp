@@ -1,0 +1,44 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <string>
+
+#include "regulus/codegen/model/errors.hpp"
+#include "regulus/codegen/model/model_file.hpp"
+#include "support/example_model.hpp"
+
+namespace regulus::codegen::test {
+
+/// Expects that the model is refused at that line, with messages that contain the given words.
+inline void expect_refused(const std::string& text, int line, const std::string& found,
+                           const std::string& expected) {
+  try {
+    (void)parse_model(text, "m.toml");
+    ADD_FAILURE() << "accepted; expected: found " << found << ", expected " << expected;
+  } catch (const InputError& error) {
+    const std::string message = error.what();
+    const std::size_t comma = message.rfind(", expected ");
+    ASSERT_NE(comma, std::string::npos) << message;
+    EXPECT_EQ(error.file(), "m.toml");
+    EXPECT_EQ(error.line(), line) << message;
+    EXPECT_THAT(message, testing::StartsWith("m.toml:" + std::to_string(line) + ": found "));
+    EXPECT_THAT(message.substr(0, comma), testing::HasSubstr(found));
+    EXPECT_THAT(message.substr(comma), testing::HasSubstr(expected));
+  }
+}
+
+/// The same for the example with one change.
+inline void expect_refused_change(const std::string& from, const std::string& to, int line,
+                                  const std::string& found, const std::string& expected) {
+  expect_refused(changed(kExample, from, to), line, found, expected);
+}
+
+inline void expect_refused_gough(const std::string& from, const std::string& to, int line,
+                                 const std::string& found, const std::string& expected) {
+  expect_refused(changed(kExampleGough, from, to), line, found, expected);
+}
+
+}  // namespace regulus::codegen::test
