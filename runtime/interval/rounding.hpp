@@ -30,19 +30,21 @@ inline constexpr double kMinSubnormal = std::numeric_limits<double>::denorm_min(
 /// The greatest double < x; −∞ for −∞ and NaN for NaN.
 [[nodiscard]] inline double next_down(double x) noexcept { return -next_up(-x); }
 
-/// Doubles with the sign of (exact result − nearest result); NaN where that sign is not known,
-/// which is only where the nearest result or an operand is infinite, or a sum involves ±kMaxDouble.
+/// Doubles with the sign of (exact result − nearest result); NaN, or of either sign, where the
+/// nearest result or an operand is infinite.
 namespace residual {
 
 inline constexpr double kTwo300 = 0x1p300;
 inline constexpr double kTwo600 = 0x1p600;
 
 /// Ensures   the exact error of s = a + b.
-/// Source    Knuth, TAOCP vol. 2, §4.2.2, Theorem B (TwoSum). Sums cannot underflow inexactly.
+/// Source    Dekker 1971 (FastTwoSum). Sums do not underflow inexactly, and with |a| ≥ |b| the
+///           difference s − a cannot overflow when s does not.
 [[nodiscard]] inline double of_sum(double a, double b, double s) noexcept {
-  const double b_part = s - a;
-  const double a_part = s - b_part;
-  return (a - a_part) + (b - b_part);
+  const bool ordered = std::fabs(a) >= std::fabs(b);
+  const double larger = ordered ? a : b;
+  const double smaller = ordered ? b : a;
+  return smaller - (s - larger);
 }
 
 /// Ensures   the sign of a·b − p, for p = a·b.
@@ -58,12 +60,12 @@ inline constexpr double kTwo600 = 0x1p600;
 
 /// Ensures   the sign of (a/b − q), for q = a/b, b finite and not 0.
 ///
-/// a − q·b is a multiple of ulp(q)·ulp(b). With q normal that is ≥ |a|·2^-107; with q subnormal it
-/// is 2^-1074·ulp(b) where |b| > |a|·2^1021. Either way it is ≥ 2^-1074 when |a| ≥ 2^-500. Below, a
-/// is scaled by 2^600, and so is the smaller of |q| and |b|: their product is < 2^-498, thus the
-/// smaller one is < 2^-249. After scaling ulp(q)·ulp(b)·2^600 ≥ 2^-1074 because ulp(q)·ulp(b) ≥
-/// 2^-1285: for q normal it is ≥ 2^-1074·2^-107, and for q subnormal |b| > 2^-1074+1021, so ≥
-/// 2^-1074-105.
+/// Its sign is that of a − q·b, exact but for one rounding: right unless that underflows. a − q·b
+/// is a multiple of ulp(a) ≥ |a|·2^-53 or of ulp(q)·ulp(b). The latter is ≥ |q·b|·2^-106 ≥
+/// |a|·2^-107 for q normal. For q subnormal or 0, |b| ≥ |a|·2^1021, so it is ≥ 2^-1074·|a|·2^968.
+/// All are ≥ 2^-1074 for |a| ≥ 2^-500; for smaller ones, |a| ≥ 2^-1074 still, they are after
+/// scaling by 2^600. There |q·b| < 2^-499, so that the smaller factor is < 2^-249 and can be the
+/// one to scale.
 [[nodiscard]] inline double of_quotient(double a, double b, double q) noexcept {
   double remainder;
   if (std::fabs(a) >= 0x1p-500)
@@ -75,8 +77,9 @@ inline constexpr double kTwo600 = 0x1p600;
   return b > 0 ? remainder : -remainder;
 }
 
-/// Ensures   the sign of √x − s, for s = √x, x ≥ 0. x − s² ≥ x·2^-106 in magnitude or 0; scaled as
-/// above.
+/// Ensures   the sign of √x − s, for s = √x, x ≥ 0.
+///
+/// It is that of x − s², a multiple of x·2^-106; scaled as above where this is below 2^-1074.
 [[nodiscard]] inline double of_sqrt(double x, double s) noexcept {
   if (x >= 0x1p-900) return std::fma(-s, s, x);
   return std::fma(-(s * kTwo300), s * kTwo300, x * kTwo600);

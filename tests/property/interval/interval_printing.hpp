@@ -1,0 +1,15 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Intervals in the messages of failed tests, exactly.
+#pragma once
+
+#include <ostream>
+
+#include "regulus/interval/type.hpp"
+
+namespace regulus {
+
+inline void PrintTo(const Interval& x, std::ostream* out) {
+  *out << std::hexfloat << '[' << x.lo << ", " << x.hi << ']' << std::defaultfloat;
+}
+
+}  // namespace regulus
