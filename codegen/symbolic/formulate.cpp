@@ -20,6 +20,15 @@ std::vector<std::string> point_names(int rows, int columns) {
   return names;
 }
 
+/// Motion parameters range over far more than the uncertain quantities do, and are what is
+/// bisected: an occurrence of one is worth many of theirs.
+RewriteOptions weighted(RewriteOptions options, const std::vector<Variable>& variables) {
+  constexpr std::uint64_t kMotionWeight = 16;
+  for (const Variable& v : variables)
+    if (v.kind == VariableKind::kMotion) options.weights.emplace(v.name, kMotionWeight);
+  return options;
+}
+
 /// A linear combination of entries of A with entries of K: one entry of K·A or of A·K.
 struct Entry {
   Polynomial polynomial;
@@ -37,7 +46,7 @@ class Formulator {
         rewriter_(substitution_.names(),
                   point_names(static_cast<int>(model.matrix.cols()),
                               static_cast<int>(model.matrix.rows())),
-                  options.rewriting) {
+                  weighted(options.rewriting, substitution_.variables())) {
     result_.model = model.name;
     result_.motion = motion.name;
     result_.variables = substitution_.variables();

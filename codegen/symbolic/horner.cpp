@@ -16,6 +16,17 @@ struct Split {
   Polynomial rest;
 };
 
+/// In how many monomials each atom is.
+std::map<Atom, int> monomials_with(const Polynomial& p) {
+  std::map<Atom, int> counts;
+  for (const Group group : groups(p)) {
+    const AtomProduct& variables = p.terms()[group.first].monomial.variables;
+    for (std::size_t i = 0; i < variables.size(); ++i)
+      if (i == 0 || variables[i] != variables[i - 1]) ++counts[variables[i]];
+  }
+  return counts;
+}
+
 class Nesting {
  public:
   Nesting(const AtomTable& atoms, const HornerOptions& options)
@@ -23,7 +34,7 @@ class Nesting {
 
   Expression form(const Polynomial& p) {
     if (p.is_zero()) return Expression(0);
-    const std::optional<Atom> atom = most_frequent(p);
+    const std::optional<Atom> atom = next_atom(p);
     if (!atom) return collect(p, atoms_);
     if (options_.factor)
       if (const auto common = common_coefficient(p))
@@ -38,22 +49,26 @@ class Nesting {
   }
 
  private:
-  /// The atom in most monomials; none if no atom is in two.
-  std::optional<Atom> most_frequent(const Polynomial& p) const {
-    std::map<Atom, int> monomials;
-    for (const Group group : groups(p)) {
-      const AtomProduct& variables = p.terms()[group.first].monomial.variables;
-      for (std::size_t i = 0; i < variables.size(); ++i)
-        if (i == 0 || variables[i] != variables[i - 1]) ++monomials[variables[i]];
-    }
+  /// The atom to take out; none if no atom is in two monomials.
+  std::optional<Atom> next_atom(const Polynomial& p) const {
     std::optional<Atom> best;
-    int most = 1;
-    for (const auto& [atom, count] : monomials) {
-      if (count < most || (count == most && (!best || !atoms_.precedes(atom, *best)))) continue;
+    int most = 0;
+    for (const auto& [atom, count] : monomials_with(p)) {
+      if (count < 2 || (best && !preferred(atom, count, *best, most))) continue;
       best = atom;
       most = count;
     }
     return best;
+  }
+
+  bool preferred(Atom atom, int count, Atom best, int most) const {
+    if (options_.order == HornerOrder::kVariablesFirst && is_variable(atom) != is_variable(best))
+      return is_variable(atom);
+    return count != most ? count > most : atoms_.precedes(atom, best);
+  }
+
+  bool is_variable(Atom atom) const {
+    return atoms_.variable_expression(atom).kind() == Kind::kVariable;
   }
 
   static Split taken_out(const Polynomial& p, Atom atom) {
@@ -101,6 +116,11 @@ class Nesting {
 };
 
 }  // namespace
+
+bool can_nest(const Polynomial& p) {
+  const std::map<Atom, int> counts = monomials_with(p);
+  return std::any_of(counts.begin(), counts.end(), [](const auto& c) { return c.second > 1; });
+}
 
 Expression horner(const Polynomial& p, const AtomTable& atoms, const HornerOptions& options) {
   return Nesting(atoms, options).form(p);

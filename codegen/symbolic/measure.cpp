@@ -13,6 +13,11 @@ std::uint64_t add(std::uint64_t a, std::uint64_t b) noexcept {
   return a > kMost - b ? kMost : a + b;
 }
 
+std::uint64_t multiply(std::uint64_t a, std::uint64_t b) noexcept {
+  constexpr std::uint64_t kMost = std::numeric_limits<std::uint64_t>::max();
+  return b != 0 && a > kMost / b ? kMost : a * b;
+}
+
 /// How often a node of the shared graph would appear in the printed form.
 struct Appearances {
   std::uint64_t outside = 0;  ///< not inside a sine or cosine
@@ -99,6 +104,14 @@ std::uint64_t total(const Occurrences& occurrences) noexcept {
   return result;
 }
 
+std::uint64_t printed_size(const Expression& expression) {
+  const Graph graph({expression});
+  std::uint64_t size = 0;
+  for (std::size_t i = 0; i < graph.nodes().size(); ++i)
+    size = add(size, add(graph[i].outside, graph[i].inside));
+  return size;
+}
+
 std::uint64_t count_operations(const Expressions& expressions) {
   // Equal nodes at two addresses count once, as they do in the program.
   std::unordered_map<Expression, bool, ExpressionHash> seen;
@@ -109,13 +122,15 @@ std::uint64_t count_operations(const Expressions& expressions) {
   return result;
 }
 
-std::uint64_t width_cost(const Expression& expression) {
+std::uint64_t width_cost(const Expression& expression, const Weights& weights) {
   const Graph graph({expression});
   std::uint64_t cost = 0;
   for (std::size_t i = 0; i < graph.nodes().size(); ++i) {
-    if (graph.nodes()[i].kind() != Kind::kVariable) continue;
-    const Appearances& count = graph[i];
-    cost = add(cost, add(add(count.outside, count.outside), count.inside));
+    const Expression& e = graph.nodes()[i];
+    if (e.kind() != Kind::kVariable) continue;
+    const auto weight = weights.find(e.name());
+    const std::uint64_t once = add(add(graph[i].outside, graph[i].outside), graph[i].inside);
+    cost = add(cost, multiply(once, weight == weights.end() ? 1 : weight->second));
   }
   return cost;
 }

@@ -24,12 +24,21 @@ namespace regulus::codegen {
 /// Source    Merlet, T-RO 2007, §III-B1.
 [[nodiscard]] Expression collect(const Polynomial& p, const AtomTable& atoms);
 
+/// Whether some atom is in two monomials, so that Horner's form differs from the collected one.
+[[nodiscard]] bool can_nest(const Polynomial& p);
+
+enum class HornerOrder {
+  kMostFrequent,    ///< the atom in most monomials is taken out first
+  kVariablesFirst,  ///< variables before functions of them, then by frequency
+};
+
 struct HornerOptions {
+  HornerOrder order = HornerOrder::kMostFrequent;
   bool factor = true;            ///< look for (q + s)·t in q·t + s·t
   bool complete_squares = true;  ///< a·t² + b·t → a·(t + b/2a)² − b²/4a
 };
 
-/// Nested form: the atom that most monomials contain is taken out of them, and again in what it
+/// Nested form: an atom that several monomials contain is taken out of them, and again in what it
 /// multiplies and in what is left. Ties go to the atom that comes first in AtomTable::precedes.
 [[nodiscard]] Expression horner(const Polynomial& p, const AtomTable& atoms,
                                 const HornerOptions& options = {});

@@ -75,8 +75,9 @@ std::string print_sum(const Expressions& terms, Binding context) {
   std::string text;
   for (const Expression& term : terms) {
     const bool subtracted = !text.empty() && minusp(coefficient_of(term));
+    const Expression shown = subtracted ? divide_by(term, -1) : term;
     if (!text.empty()) text.append(subtracted ? " - " : " + ");
-    text += subtracted ? print(divide_by(term, -1), Binding::kProduct) : print(term, Binding::kSum);
+    text.append(print(shown, shown.kind() == Kind::kSum ? Binding::kProduct : Binding::kSum));
   }
   return parenthesized(text, context != Binding::kSum);
 }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "regulus/codegen/symbolic/rewrite.hpp"
 
+#include <algorithm>
 #include <cstdint>
 #include <optional>
 #include <utility>
@@ -11,22 +12,32 @@ namespace {
 /// The cheapest form offered so far. On equal width the one with fewer operations, then the first.
 class Choice {
  public:
-  void offer(Expression e, const char* passes) {
-    const std::uint64_t width = width_cost(e);
+  explicit Choice(const Weights& weights) : weights_(weights) {}
+
+  void offer(Expression e, std::string passes) {
+    const std::uint64_t width = width_cost(e, weights_);
     if (best_ && width > width_) return;
-    const std::uint64_t operations = count_operations({e});
-    if (best_ && width == width_ && operations >= operations_) return;
-    best_ = Rewritten{std::move(e), passes};
+    if (best_ && width == width_ && count_operations({e}) >= count_operations({best_->expression}))
+      return;
+    best_ = Rewritten{std::move(e), std::move(passes)};
     width_ = width;
-    operations_ = operations;
   }
   [[nodiscard]] Rewritten take() { return std::move(*best_); }
 
  private:
+  const Weights& weights_;
   std::optional<Rewritten> best_;
   std::uint64_t width_ = 0;
-  std::uint64_t operations_ = 0;
 };
+
+void offer_forms(Choice& choice, const Polynomial& p, const AtomTable& atoms, bool nest,
+                 const std::string& prefix) {
+  if (!nest || !can_nest(p)) return choice.offer(collect(p, atoms), prefix + "collect");
+  HornerOptions options;
+  choice.offer(horner(p, atoms, options), prefix + "horner");
+  options.order = HornerOrder::kVariablesFirst;
+  choice.offer(horner(p, atoms, options), prefix + "horner, variables first");
+}
 
 bool is_odd(Call function) {
   return function == Call::kSin || function == Call::kTan || function == Call::kAsin ||
@@ -41,6 +52,28 @@ Expression symmetric_call(Call function, Expressions arguments) {
   const Signed argument = normalize_sign(arguments[0]);
   const Expression value = call(function, {argument.form});
   return is_odd(function) && argument.sign < 0 ? -value : value;
+}
+
+bool evidently_nonnegative(const Expression& e) {
+  const auto all_operands = [&e] {
+    return std::all_of(e.operands().begin(), e.operands().end(), evidently_nonnegative);
+  };
+  switch (e.kind()) {
+    case Kind::kConstant:
+      return !minusp(e.value());
+    case Kind::kPi:
+      return true;
+    case Kind::kPower:
+      return e.exponent() % 2 == 0 || all_operands();
+    case Kind::kCall:
+      return e.function() == Call::kSqrt || e.function() == Call::kExp ||
+             e.function() == Call::kAbs;
+    case Kind::kProduct:
+    case Kind::kSum:
+      return all_operands();
+    default:
+      return false;
+  }
 }
 
 }  // namespace
@@ -65,29 +98,31 @@ Polynomial Rewriter::expand(const Expression& e) {
 }
 
 Rewritten Rewriter::best_form(const Polynomial& p, const Expression* natural) {
-  Choice choice;
+  Choice choice(options_.weights);
   if (natural != nullptr) choice.offer(*natural, "natural");
-  choice.offer(collect(p, atoms_), "collect");
-  if (!options_.horner) return choice.take();
-  choice.offer(horner(p, atoms_), "horner");
-  if (!options_.trigonometric) return choice.take();
-  const std::function<Expression(const Expression&)> simplify = [this](const Expression& e) {
-    return simplified_argument(e);
-  };
-  const Polynomial merged = merge_angles(p, atoms_, expander_, simplify, {true, false});
-  if (!(merged == p)) choice.offer(horner(merged, atoms_), "angles + horner");
-  const Polynomial doubled = merge_angles(p, atoms_, expander_, simplify, {true, true});
-  if (!(doubled == merged)) choice.offer(horner(doubled, atoms_), "double angles + horner");
+  offer_forms(choice, p, atoms_, options_.horner, "");
+  if (options_.trigonometric) {
+    const Polynomial merged = merge(p, false);
+    if (!(merged == p)) offer_forms(choice, merged, atoms_, options_.horner, "angles + ");
+    const Polynomial doubled = merge(p, true);
+    if (!(doubled == merged))
+      offer_forms(choice, doubled, atoms_, options_.horner, "double angles + ");
+  }
   return choice.take();
+}
+
+Polynomial Rewriter::merge(const Polynomial& p, bool double_angles) {
+  const auto simplify = [this](const Expression& e) { return simplified_argument(e); };
+  return merge_angles(p, atoms_, expander_, simplify, {true, double_angles});
 }
 
 Expression Rewriter::prepared(const Expression& e) {
   if (e.operands().empty()) return e;
   if (const auto found = prepared_.find(e); found != prepared_.end()) return found->second;
+  const bool opaque = e.kind() == Kind::kCall || e.kind() == Kind::kPower;
   Expressions operands;
-  const bool opaque = e.kind() == Kind::kCall || (e.kind() == Kind::kPower && e.exponent() < 0);
   for (const Expression& operand : e.operands())
-    operands.push_back(opaque ? rewrite(operand).expression : prepared(operand));
+    operands.push_back(opaque ? argument_form(operand) : prepared(operand));
   Expression result;
   switch (e.kind()) {
     case Kind::kCall:
@@ -104,6 +139,11 @@ Expression Rewriter::prepared(const Expression& e) {
   }
   prepared_.emplace(e, result);
   return result;
+}
+
+Expression Rewriter::argument_form(const Expression& e) {
+  // A root or logarithm of a sum of squares is certainly defined as long as the squares are seen.
+  return evidently_nonnegative(e) ? prepared(e) : rewrite(e).expression;
 }
 
 Expression Rewriter::simplified_argument(const Expression& e) {

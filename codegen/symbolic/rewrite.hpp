@@ -13,6 +13,7 @@ namespace regulus::codegen {
 struct RewriteOptions {
   bool horner = true;
   bool trigonometric = true;
+  Weights weights;  ///< of the variables' occurrences, when forms are compared
 };
 
 /// A form and how it was found.
@@ -33,7 +34,8 @@ class Rewriter {
 
   /// The best form of e.
   ///
-  /// Ensures   the same function wherever e is defined. width_cost(result) ≤ width_cost(e).
+  /// Ensures   the same function wherever e is defined. width_cost(result) ≤ width_cost(e),
+  ///           with the weights of the options.
   ///           A division or root may cancel: where e is undefined nothing is said.
   [[nodiscard]] Rewritten rewrite(const Expression& e);
 
@@ -51,7 +53,9 @@ class Rewriter {
 
  private:
   Expression prepared(const Expression& e);
+  Expression argument_form(const Expression& e);
   Expression simplified_argument(const Expression& e);
+  Polynomial merge(const Polynomial& p, bool double_angles);
 
   RewriteOptions options_;
   AtomTable atoms_;

@@ -61,6 +61,8 @@ class AngleMerger {
  private:
   bool step() {
     const std::vector<Angle> angles = find_angles();
+    if (angles.empty()) return false;
+    monomials_ = by_monomial(p_);
     for (const Angle& a : angles)
       if (merge_squares(a) || (options_.double_angles && merge_double(a))) return true;
     if (!options_.sums) return false;
@@ -105,7 +107,7 @@ class AngleMerger {
   bool merge_double(const Angle& u) {
     const AtomProduct sc = pair(u.sine, u.cosine);
     AtomProduct cofactor;
-    for (const auto& [variables, f] : by_monomial(p_)) {
+    for (const auto& [variables, f] : monomials_) {
       if (!divide(variables, sc, cofactor)) continue;
       replace({{variables, f}}, times_variables(circular(Call::kSin, {u.argument, u.argument}, f) *
                                                     (cln::cl_RA(1) / 2),
@@ -134,12 +136,11 @@ class AngleMerger {
   /// Replaces f·first·m + g·second·m by merge(f, g)·m for the first cofactor m where that exists.
   template <class Merge>
   bool rewrite_pairs(const AtomProduct& first, const AtomProduct& second, const Merge& merge) {
-    const ByMonomial all = by_monomial(p_);
     AtomProduct cofactor;
-    for (const auto& [variables, f] : all) {
+    for (const auto& [variables, f] : monomials_) {
       if (!divide(variables, first, cofactor)) continue;
-      const auto partner = all.find(multiply(cofactor, second));
-      if (partner == all.end()) continue;
+      const auto partner = monomials_.find(multiply(cofactor, second));
+      if (partner == monomials_.end()) continue;
       const std::optional<Polynomial> merged = merge(f, partner->second);
       if (!merged) continue;
       replace({{variables, f}, *partner}, times_variables(*merged, cofactor));
@@ -166,6 +167,7 @@ class AngleMerger {
   }
 
   Polynomial p_;
+  ByMonomial monomials_;  // of p_
   AtomTable& atoms_;
   Expander& expander_;
   const std::function<Expression(const Expression&)>& simplify_;

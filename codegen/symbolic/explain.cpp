@@ -1,0 +1,203 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "regulus/codegen/symbolic/explain.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cstdint>
+#include <map>
+#include <utility>
+
+#include "regulus/codegen/symbolic/print.hpp"
+
+namespace regulus::codegen {
+namespace {
+
+bool is_operation(const Node& node) {
+  return node.op != Op::kConstant && node.op != Op::kPi && node.op != Op::kInput &&
+         node.op != Op::kPoint;
+}
+
+std::string shortened(const Expression& e, std::size_t longest) {
+  const std::uint64_t size = printed_size(e);
+  if (size > 4 * longest) return fmt::format("({} symbols and operations)", size);
+  std::string text = to_string(e);
+  if (text.size() <= longest) return text;
+  const std::size_t cut = text.size() - longest;
+  return text.substr(0, longest) + fmt::format(" … ({} characters more)", cut);
+}
+
+std::string to_text(const Occurrences& occurrences) {
+  std::string text;
+  for (const auto& [name, count] : occurrences)
+    text += fmt::format("{}{} {}", text.empty() ? "" : ", ", name, count);
+  return text.empty() ? "none" : text;
+}
+
+Occurrences added_up(const std::vector<EntryStatistics>& entries,
+                     Occurrences EntryStatistics::*which) {
+  Occurrences result;
+  for (const EntryStatistics& entry : entries)
+    for (const auto& [name, count] : entry.*which) result[name] += count;
+  return result;
+}
+
+std::uint64_t count_of(const Occurrences& occurrences, const std::string& name) {
+  const auto found = occurrences.find(name);
+  return found == occurrences.end() ? 0 : found->second;
+}
+
+class Explanation {
+ public:
+  Explanation(const Model& model, const Motion& motion, const ExplainOptions& options)
+      : f_(formulate(model, motion)), module_(lower(f_)), options_(options) {}
+
+  std::string text() {
+    heading();
+    matrix();
+    left_entries();
+    if (!f_.right_product.empty()) right_entries();
+    occurrence_table();
+    functions();
+    return std::move(text_);
+  }
+
+ private:
+  template <class... Arguments>
+  void line(fmt::format_string<Arguments...> format, Arguments&&... arguments) {
+    text_ += fmt::format(format, std::forward<Arguments>(arguments)...);
+    text_ += '\n';
+  }
+
+  void heading() {
+    line("{}: A is {}×{}, {} variables", f_.model, f_.rows, f_.columns, f_.variables.size());
+    for (const Variable& v : f_.variables)
+      if (v.kind != VariableKind::kMotion)
+        line("  {} is {}", v.name,
+             v.kind == VariableKind::kGeometry ? "uncertain geometry" : "a control error");
+    for (const Expression& e : f_.must_be_defined)
+      line("  defined only where {} is", shortened(e, options_.longest));
+    line("");
+  }
+
+  void matrix() {
+    line("The matrix A");
+    for (int i = 0; i < f_.rows; ++i)
+      for (int j = 0; j < f_.columns; ++j)
+        line("  A({},{}) = {}", i + 1, j + 1,
+             shortened(f_.natural_matrix[at(i, j, f_.columns)], options_.longest));
+    line("");
+  }
+
+  void entry(const std::string& name, const Expression& natural, const Expression& form,
+             const EntryStatistics& statistics) {
+    line("  {}", name);
+    line("    form 1, as written: {}", shortened(natural, options_.longest));
+    line("      occurrences: {}", to_text(statistics.natural));
+    line("    form 2, {}: {}", statistics.passes, shortened(form, options_.longest));
+    line("      occurrences: {}", to_text(statistics.rewritten));
+  }
+
+  void left_entries() {
+    line("K·A, K known when the kernel runs (T-RO 2007, §III-B1){}",
+         options_.all_entries ? "" : "; the other rows have the same forms in other entries of K");
+    const std::vector<EntryStatistics>& statistics = f_.statistics.at("left_product");
+    for (int i = 0; i < (options_.all_entries ? f_.columns : 1); ++i)
+      for (int c = 0; c < f_.columns; ++c) {
+        Expressions natural;
+        for (int j = 0; j < f_.rows; ++j)
+          natural.push_back(point(point_name(i + 1, j + 1)) *
+                            f_.natural_matrix[at(j, c, f_.columns)]);
+        const std::size_t k = at(i, c, f_.columns);
+        entry(fmt::format("(K·A)({},{})", i + 1, c + 1), sum(std::move(natural)),
+              f_.left_product[k], statistics[k]);
+      }
+    line("");
+  }
+
+  void right_entries() {
+    line("A·K{}", options_.all_entries
+                      ? ""
+                      : "; the other columns have the same forms in other entries of K");
+    const std::vector<EntryStatistics>& statistics = f_.statistics.at("right_product");
+    for (int r = 0; r < f_.rows; ++r)
+      for (int c = 0; c < (options_.all_entries ? f_.rows : 1); ++c) {
+        Expressions natural;
+        for (int j = 0; j < f_.columns; ++j)
+          natural.push_back(point(point_name(j + 1, c + 1)) *
+                            f_.natural_matrix[at(r, j, f_.columns)]);
+        const std::size_t k = at(r, c, f_.rows);
+        entry(fmt::format("(A·K)({},{})", r + 1, c + 1), sum(std::move(natural)),
+              f_.right_product[k], statistics[k]);
+      }
+    line("");
+  }
+
+  void occurrence_table() {
+    line("Occurrences of each variable, as written → rewritten");
+    line("  {:<16}{:>16}{:>16}{:>16}", "", "A", "K·A", "A·K");
+    std::map<std::string, std::pair<Occurrences, Occurrences>> totals;
+    for (const auto& [function, entries] : f_.statistics)
+      totals[function] = {added_up(entries, &EntryStatistics::natural),
+                          added_up(entries, &EntryStatistics::rewritten)};
+    for (const Variable& v : f_.variables) {
+      std::string row = fmt::format("  {:<16}", v.name);
+      for (const char* function : {"matrix", "left_product", "right_product"}) {
+        const auto found = totals.find(function);
+        row += fmt::format("{:>16}",
+                           found == totals.end()
+                               ? "-"
+                               : fmt::format("{} → {}", count_of(found->second.first, v.name),
+                                             count_of(found->second.second, v.name)));
+      }
+      line("{}", row);
+    }
+    line("");
+  }
+
+  void functions() {
+    line("Functions of the kernel");
+    for (const Function& function : module_.functions) {
+      const auto operations =
+          std::count_if(function.program.nodes.begin(), function.program.nodes.end(), is_operation);
+      std::map<std::string, int> passes;
+      for (const EntryStatistics& entry : f_.statistics.at(function.name)) ++passes[entry.passes];
+      std::string chosen;
+      for (const auto& [name, count] : passes)
+        chosen += fmt::format("{}{} {}", chosen.empty() ? "" : ", ", name, count);
+      line("  {:<18}{:>5} outputs {:>6} operations  forms: {}", function.name,
+           function.program.outputs.size(), operations, chosen);
+    }
+  }
+
+  static std::size_t at(int row, int column, int columns) {
+    return static_cast<std::size_t>(row * columns + column);
+  }
+
+  Formulation f_;
+  Module module_;
+  const ExplainOptions options_;
+  std::string text_;
+};
+
+}  // namespace
+
+std::string explain(const Model& model, const Motion& motion, const ExplainOptions& options) {
+  return Explanation(model, motion, options).text();
+}
+
+std::string explain(const Model& model, const ExplainOptions& options) {
+  return explain(model, pose_as_motion(model), options);
+}
+
+Motion pose_as_motion(const Model& model) {
+  Motion motion;
+  for (const PoseParameter& p : model.pose) {
+    motion.parameters.push_back({p.symbol, p.name, p.unit, {0, 0}});
+    motion.pose.push_back(p.symbol);
+    motion.error.push_back(0);
+  }
+  return motion;
+}
+
+}  // namespace regulus::codegen

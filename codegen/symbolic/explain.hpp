@@ -1,0 +1,29 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What the symbolic stage did to a model, for people.
+#pragma once
+
+#include <cstddef>
+#include <string>
+
+#include "regulus/codegen/symbolic/formulation.hpp"
+
+namespace regulus::codegen {
+
+struct ExplainOptions {
+  bool all_entries = false;    ///< every entry of K·A and A·K, not one row and one column
+  std::size_t longest = 1200;  ///< characters of one expression; what is cut is said to be
+};
+
+/// The matrix, the forms of K·A's and A·K's entries before and after, how often each variable
+/// occurs in them, the passes that were chosen and the operations that are left.
+[[nodiscard]] std::string explain(const Model& model, const Motion& motion,
+                                  const ExplainOptions& options = {});
+
+/// The same over the pose parameters themselves.
+[[nodiscard]] std::string explain(const Model& model, const ExplainOptions& options = {});
+
+/// The box variety in which every pose parameter is its own motion parameter. Its ranges are
+/// points: it is for forms, not for verdicts.
+[[nodiscard]] Motion pose_as_motion(const Model& model);
+
+}  // namespace regulus::codegen

@@ -1,0 +1,143 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Each pass gives the same function: values at random rational points are equal, exactly.
+#include "regulus/codegen/symbolic/passes.hpp"
+
+#include <gtest/gtest.h>
+
+#include "regulus/codegen/symbolic/derivative.hpp"
+#include "regulus/codegen/symbolic/measure.hpp"
+#include "regulus/codegen/symbolic/rewrite.hpp"
+#include "support/symbolic/exact_values.hpp"
+
+namespace regulus::codegen::test {
+namespace {
+
+class Passes : public ::testing::Test {
+ protected:
+  /// Calls check(natural, polynomial) for many random expressions.
+  template <class Check>
+  void for_random_polynomials(int count, Check check) {
+    for (int i = 0; i < count; ++i) {
+      Rewriter rewriter(variable_names(), point_names());
+      const Expression e = RandomExpressions(random_).polynomial(3);
+      const std::optional<Polynomial> p = rewriter.expander().expand(e);
+      if (!p) continue;
+      ++checked_;
+      check(e, *p, rewriter);
+      if (HasFailure()) FAIL() << "for " << to_string(e);
+    }
+    EXPECT_GT(checked_, count / 2);
+  }
+
+  void expect_equal(const Expression& a, const Expression& b) {
+    for (int i = 0; i < 2; ++i) {
+      ExactValues values(random_);
+      EXPECT_EQ(values(a), values(b)) << to_string(a).substr(0, 500) << "\n"
+                                      << to_string(b).substr(0, 500);
+    }
+  }
+
+  std::mt19937_64 random_{20070601};
+  int checked_ = 0;
+};
+
+TEST_F(Passes, CollectIsExact) {
+  for_random_polynomials(300, [&](const Expression& e, const Polynomial& p, Rewriter& rewriter) {
+    expect_equal(e, collect(p, rewriter.atoms()));
+  });
+}
+
+TEST_F(Passes, HornerIsExactInEveryVariant) {
+  for_random_polynomials(300, [&](const Expression& e, const Polynomial& p, Rewriter& rewriter) {
+    for (const HornerOrder order : {HornerOrder::kMostFrequent, HornerOrder::kVariablesFirst})
+      for (const bool factor : {false, true})
+        for (const bool squares : {false, true})
+          expect_equal(e, horner(p, rewriter.atoms(), {order, factor, squares}));
+  });
+}
+
+TEST_F(Passes, HornerNeverCostsMoreThanCollect) {
+  for_random_polynomials(300, [&](const Expression&, const Polynomial& p, Rewriter& rewriter) {
+    const std::uint64_t collected = width_cost(collect(p, rewriter.atoms()));
+    EXPECT_LE(width_cost(horner(p, rewriter.atoms())), collected);
+    EXPECT_LE(width_cost(horner(p, rewriter.atoms(), {HornerOrder::kVariablesFirst, true, true})),
+              collected);
+  });
+}
+
+TEST_F(Passes, MergingAnglesIsExact) {
+  int merged_some = 0;
+  for_random_polynomials(300, [&](const Expression& e, const Polynomial& p, Rewriter& rewriter) {
+    const auto simplify = [&](const Expression& argument) {
+      return collect(*rewriter.expander().expand(argument), rewriter.atoms());
+    };
+    for (const TrigonometricOptions options :
+         {TrigonometricOptions{true, false}, {true, true}, {false, true}, {false, false}}) {
+      const Polynomial merged =
+          merge_angles(p, rewriter.atoms(), rewriter.expander(), simplify, options);
+      merged_some += !(merged == p);
+      expect_equal(e, collect(merged, rewriter.atoms()));
+    }
+  });
+  EXPECT_GT(merged_some, 50);
+}
+
+TEST_F(Passes, DivisionFindsWhatWasMultiplied) {
+  int divided = 0;
+  for (int i = 0; i < 300; ++i) {
+    Rewriter rewriter(variable_names(), point_names());
+    RandomExpressions expressions(random_);
+    const auto p = rewriter.expander().expand(expressions.polynomial(2));
+    const auto q = rewriter.expander().expand(expressions.polynomial(2));
+    if (!p || !q || q->is_zero() || p->terms().size() * q->terms().size() > 5000) continue;
+    const auto quotient = divide_exactly(*p * *q, *q);
+    ASSERT_TRUE(quotient.has_value());
+    EXPECT_TRUE(*quotient == *p);
+    ++divided;
+    if (q->terms().size() < 2) continue;
+    EXPECT_FALSE(divide_exactly(*p * *q + Polynomial(1), *q).has_value());
+  }
+  EXPECT_GT(divided, 150);
+}
+
+TEST_F(Passes, RewritingIsExactAndNeverCostsMore) {
+  int rewritten = 0, evaluated = 0;
+  for (int i = 0; i < 400; ++i) {
+    Rewriter rewriter(variable_names(), point_names());
+    const Expression e = RandomExpressions(random_).general(3);
+    const Rewritten result = rewriter.rewrite(e);
+    EXPECT_LE(width_cost(result.expression), width_cost(e)) << to_string(e);
+    rewritten += !(result.expression == e);
+    ExactValues values(random_);
+    std::optional<cl_RA> expected;
+    try {
+      expected = values(e);
+    } catch (const std::domain_error&) {
+      continue;  // undefined at this point: nothing is claimed there
+    }
+    ++evaluated;
+    EXPECT_EQ(*expected, values(result.expression))
+        << to_string(e) << "\n"
+        << to_string(result.expression) << " by " << result.passes;
+  }
+  EXPECT_GT(rewritten, 150);
+  EXPECT_GT(evaluated, 250);
+}
+
+TEST_F(Passes, FormsDoNotDependOnTheOrderOfOperands) {
+  for (int i = 0; i < 200; ++i) {
+    const std::uint64_t seed = random_();
+    std::mt19937_64 one(seed);
+    const Expression e = RandomExpressions(one).polynomial(3);
+    Rewriter first(variable_names(), point_names()), second(variable_names(), point_names());
+    // The second rewriter has met other expressions before, so that its atoms are numbered
+    // differently.
+    static_cast<void>(
+        second.rewrite(call(Call::kCos, {variable("c")}) * call(Call::kSin, {variable("b")}) +
+                       call(Call::kCos, {variable("a")})));
+    EXPECT_EQ(to_string(first.rewrite(e).expression), to_string(second.rewrite(e).expression));
+  }
+}
+
+}  // namespace
+}  // namespace regulus::codegen::test

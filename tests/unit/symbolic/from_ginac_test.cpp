@@ -1,0 +1,64 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "regulus/codegen/symbolic/from_ginac.hpp"
+
+#include <gtest/gtest.h>
+
+#include "regulus/codegen/model/errors.hpp"
+#include "regulus/codegen/symbolic/print.hpp"
+
+namespace regulus::codegen {
+namespace {
+
+using GiNaC::ex, GiNaC::numeric, GiNaC::pow;
+
+class FromGinac : public ::testing::Test {
+ protected:
+  std::string text(const ex& e) { return to_string(GinacReader(meaning).read(e)); }
+
+  void expect_refused(const ex& e, const std::string& expected) {
+    try {
+      static_cast<void>(GinacReader(meaning).read(e));
+      FAIL() << e << " was accepted";
+    } catch (const InputError& error) {
+      EXPECT_NE(std::string(error.what()).find(expected), std::string::npos) << error.what();
+    }
+  }
+
+  GiNaC::realsymbol x{"x"}, y{"y"};
+  SymbolMeaning meaning{{x, variable("x")}, {y, variable("y")}};
+};
+
+TEST_F(FromGinac, RationalsStayExact) { EXPECT_EQ(text(x * numeric(1, 3)), "1/3*x"); }
+
+TEST_F(FromGinac, HalfIntegerPowersAreRoots) {
+  EXPECT_EQ(text(GiNaC::sqrt(x + y)), "sqrt(x + y)");
+  EXPECT_EQ(text(pow(x + y, numeric(3, 2))), "sqrt(x + y)^3");
+  EXPECT_EQ(text(pow(x + y, numeric(-1, 2))), "1/sqrt(x + y)");
+}
+
+TEST_F(FromGinac, FunctionsKeepTheirArguments) {
+  EXPECT_EQ(text(GiNaC::atan2(y, x)), "atan2(y, x)");
+  EXPECT_EQ(text(GiNaC::sin(GiNaC::Pi * x)), "sin(pi*x)");
+  EXPECT_EQ(text(GiNaC::abs(x - y)), "abs(x - y)");
+}
+
+TEST_F(FromGinac, SignsOfPowersDoNotDependOnTermOrder) {
+  EXPECT_EQ(text(pow(x - y, 3)), "(x - y)^3");
+  EXPECT_EQ(text(pow(y - x, 3)), "-(x - y)^3");
+  EXPECT_EQ(text(pow(y - x, -2)), "1/(x - y)^2");
+  EXPECT_EQ(text(pow(6 * y - 4 * x, 2)), "4*(2*x - 3*y)^2");
+}
+
+TEST_F(FromGinac, RefusesWhatIsNotExact) {
+  expect_refused(x * numeric(0.5), "exact rational");
+  expect_refused(x * GiNaC::I, "exact rational");
+  expect_refused(x + GiNaC::Catalan, "arithmetic expression");
+  expect_refused(pow(x, numeric(1, 3)), "half-integer");
+  expect_refused(pow(x, y), "half-integer");
+  expect_refused(pow(x, numeric("10000000000")), "moderate size");
+  expect_refused(GiNaC::step(x), "functions sqrt sin");
+  expect_refused(x + GiNaC::realsymbol("stranger"), "pose, geometry or motion");
+}
+
+}  // namespace
+}  // namespace regulus::codegen

@@ -1,0 +1,103 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "regulus/codegen/symbolic/rewrite.hpp"
+
+#include <gtest/gtest.h>
+
+#include "regulus/codegen/symbolic/print.hpp"
+
+namespace regulus::codegen {
+namespace {
+
+const Expression x = variable("x"), y = variable("y"), z = variable("z");
+const Expression a = variable("a"), b = variable("b"), c = variable("c");
+
+Expression sine(const Expression& e) { return call(Call::kSin, {e}); }
+Expression cosine(const Expression& e) { return call(Call::kCos, {e}); }
+
+std::string form(const Expression& e, const RewriteOptions& options = {}) {
+  Rewriter rewriter({"x", "y", "z", "a", "b", "c"}, {"k_1_1", "k_1_2"}, options);
+  return to_string(rewriter.rewrite(e).expression);
+}
+
+TEST(Rewrite, CosineOfASum) {
+  EXPECT_EQ(form(cosine(a) * cosine(b) - sine(a) * sine(b)), "cos(a + b)");
+  EXPECT_EQ(form(cosine(a) * cosine(b) + sine(a) * sine(b)), "cos(a - b)");
+}
+
+TEST(Rewrite, SineOfASum) {
+  EXPECT_EQ(form(sine(a) * cosine(b) + cosine(a) * sine(b)), "sin(a + b)");
+  EXPECT_EQ(form(sine(a) * cosine(b) - cosine(a) * sine(b)), "sin(a - b)");
+}
+
+TEST(Rewrite, SumOfThreeAngles) {
+  const Expression s = sine(a + b), k = cosine(a + b);
+  EXPECT_EQ(form(k * cosine(c) - s * sine(c)), "cos(a + b + c)");
+  const Expression ab = cosine(a) * cosine(b) - sine(a) * sine(b);
+  const Expression sab = sine(a) * cosine(b) + cosine(a) * sine(b);
+  EXPECT_EQ(form(x * (ab * cosine(c) - sab * sine(c))), "x*cos(a + b + c)");
+}
+
+TEST(Rewrite, SquaresOfSineAndCosineAddUpToOne) {
+  EXPECT_EQ(form(power(sine(a), 2) + power(cosine(a), 2)), "1");
+  EXPECT_EQ(form(x * power(sine(a), 2) + x * power(cosine(a), 2)), "x");
+  EXPECT_EQ(form(Expression(3) * power(sine(a), 2) + Expression(5) * power(cosine(a), 2)),
+            "2*cos(a)^2 + 3");
+}
+
+TEST(Rewrite, DoubleAngles) {
+  EXPECT_EQ(form(Expression(2) * sine(a) * cosine(a)), "sin(2*a)");
+  EXPECT_EQ(form(power(cosine(a), 2) - power(sine(a), 2)), "cos(2*a)");
+}
+
+TEST(Rewrite, OppositeAnglesHaveOneForm) {
+  EXPECT_EQ(form(sine(a - b) + sine(b - a)), "0");
+  EXPECT_EQ(form(cosine(a - b) - cosine(b - a)), "0");
+}
+
+TEST(Rewrite, ProductsAreFoundAgain) {
+  EXPECT_EQ(form(x * y + Expression(2) * x + y + Expression(2)), "(x + 1)*(y + 2)");
+  EXPECT_EQ(form(x * y * z + x * y + x * z + y * z + x + y + z + Expression(1)),
+            "(x + 1)*(y + 1)*(z + 1)");
+}
+
+TEST(Rewrite, ArgumentsAndDenominatorsAreRewritten) {
+  EXPECT_EQ(form(sine(x * y + x * z)), "sin(x*(y + z))");
+  EXPECT_EQ(form(power(x * y + x * z, -1)), "1/(x*(y + z))");
+  EXPECT_EQ(form(call(Call::kSqrt, {power(x, 2) - Expression(2) * x})), "sqrt((x - 1)^2 - 1)");
+}
+
+TEST(Rewrite, SumsOfSquaresUnderARootStaySumsOfSquares) {
+  const Expression leg = power(x - cosine(a), 2) + power(y - sine(a), 2);
+  EXPECT_EQ(form(call(Call::kSqrt, {leg})), "sqrt((x - cos(a))^2 + (y - sin(a))^2)");
+}
+
+TEST(Rewrite, EntriesOfKAreAddedBeforeTheyMeetVariables) {
+  const Expression k1 = point("k_1_1"), k2 = point("k_1_2");
+  EXPECT_EQ(form(k1 * (x + Expression(3)) + k2 * (x - Expression(3))),
+            "x*(k_1_1 + k_1_2) + 3*(k_1_1 - k_1_2)");
+}
+
+TEST(Rewrite, TheWeightsDecideBetweenForms) {
+  // x*y + x*z + y*w: either x or y can be taken out.
+  const Expression e = x * y + x * z + y * a;
+  Rewriter light({"x", "y", "z", "a"}, {}, {true, true, {{"y", 16}}});
+  const Rewritten result = light.rewrite(e);
+  EXPECT_LE(width_cost(result.expression, {{"y", 16}}), width_cost(e, {{"y", 16}}));
+}
+
+TEST(Rewrite, HugePowersAreNotMultipliedOut) {
+  const Expression e = power(x + y, 1000);
+  EXPECT_EQ(form(e), "(x + y)^1000");
+}
+
+TEST(Rewrite, ExpansionsThatExplodeAreGivenUp) {
+  Expressions factors;
+  for (int i = 0; i < 40; ++i)
+    factors.push_back(variable(std::string("v").append(std::to_string(i))) + cosine(variable("w")) +
+                      Expression(i));
+  const Expression e = product(factors);
+  EXPECT_EQ(form(e), to_string(e));
+}
+
+}  // namespace
+}  // namespace regulus::codegen
