@@ -49,7 +49,7 @@ Term grow_by_power(const Term& base, const Term& exponent, const GiNaC::numeric&
   Term result;
   absorb(result, base);
   absorb(result, exponent);
-  result.bits *= std::max(1.0, std::fabs(value.to_double()));
+  result.bits = base.bits * std::max(1.0, std::fabs(value.to_double()));
   check_limits(result);
   return result;
 }

@@ -53,7 +53,13 @@ ex apply_log(Term& result, const std::vector<Term>& x) {
   return GiNaC::log(x[0].value);
 }
 
-ex apply_abs(Term&, const std::vector<Term>& x) { return GiNaC::abs(x[0].value); }
+/// For an operand that GiNaC does not know to be real, such as log(x), its abs(u)^2 becomes
+/// u·conjugate(u), and so do derivatives.
+ex apply_abs(Term&, const std::vector<Term>& x) {
+  const ex& u = x[0].value;
+  if (u.info(GiNaC::info_flags::real)) return GiNaC::abs(u);
+  return GiNaC::pow(GiNaC::pow(u, 2), GiNaC::numeric(1, 2));
+}
 
 constexpr std::size_t kFunctions = 11;
 constexpr std::array<Apply, kFunctions> kApply = {apply_sqrt, apply_sin,  apply_cos,  apply_tan,
