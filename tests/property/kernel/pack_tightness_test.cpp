@@ -1,0 +1,117 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// How close the bounds are to the tightest ones, and that lanes are called undefined only when they
+// are. Containment is not the subject here, except where both bounds must be the tightest.
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "property/kernel/pack_workload.hpp"
+#include "support/ulps.hpp"
+
+namespace regulus::test {
+namespace {
+
+using Op = PackOperation;
+
+/// Roundings between the arguments and a bound.
+int roundings(Op operation) {
+  switch (operation) {
+    case Op::power_3:
+    case Op::power_4:
+      return 2;
+    case Op::power_5:
+    case Op::power_6:
+      return 3;
+    case Op::power_11:
+      return 5;
+    default:
+      return 1;
+  }
+}
+
+bool is_exact(Op operation) {
+  return operation == Op::negate || operation == Op::negate_point || operation == Op::absolute ||
+         operation == Op::check;
+}
+bool is_sum(Op operation) {
+  return operation == Op::add || operation == Op::subtract || operation == Op::add_point ||
+         operation == Op::point_add || operation == Op::subtract_point ||
+         operation == Op::point_subtract || operation == Op::points_add ||
+         operation == Op::points_subtract;
+}
+bool is_mul_add(Op operation) {
+  return operation == Op::mul_add_points || operation == Op::mul_add_point ||
+         operation == Op::mul_add_by_point || operation == Op::mul_add_intervals;
+}
+
+/// Doubles that a bound may lie outside the tightest one; nullopt for no budget. With directed
+/// rounding one operation is tightest, and a power of k roundings loses what its first k − 1 lose,
+/// multiplied by the exponents that follow. The portable step is one double, two near 2^-1021, and
+/// there a mul_add rounds its product first: after cancellation that is any number of doubles.
+std::optional<std::int64_t> budget(const Variant& variant, Op operation) {
+  const int count = roundings(operation);
+  if (variant.isa != Isa::kPortable) return count == 1 ? 0 : 4 * (count - 1) + count * count;
+  if (is_mul_add(operation)) return std::nullopt;
+  if (is_exact(operation)) return 0;
+  if (is_sum(operation)) return 1;
+  return count == 1 ? 2 : 8 * count + 2 * count * count;
+}
+
+/// The magnitude of the arguments. The error of a sum, by which portable sums avoid steps, is not
+/// known close to overflow.
+double limit(Op operation) { return is_sum(operation) ? 0x1p1000 : kMaxDouble; }
+
+/// Whether the packs should call the operation undefined: true and false when the tightest bounds
+/// say so, nullopt when the outward rounding of 2^128 may decide.
+std::optional<bool> undefined_on(Op operation, const std::optional<Tightest>& tightest) {
+  if (!tightest) return true;
+  if (operation != Op::divide && operation != Op::square_root) return false;
+  const double magnitude = std::max(std::fabs(tightest->lo), std::fabs(tightest->hi));
+  if (magnitude > 0x1p128) return true;
+  if (magnitude < 0x1.fffffffffff00p127) return false;
+  return std::nullopt;
+}
+
+class PackTightnessTest : public ::testing::TestWithParam<Op> {
+ protected:
+  void check(const Variant& variant, const Workload& work,
+             const std::vector<std::optional<Tightest>>& tightest) {
+    const Results results = work.evaluate(variant, GetParam());
+    const auto allowed = budget(variant, GetParam());
+    for (std::size_t i = 0; i < work.size(); ++i) {
+      const auto expected = undefined_on(GetParam(), tightest[i]);
+      ASSERT_EQ(results.is_undefined(i), expected.value_or(results.is_undefined(i)))
+          << variant.name << " for " << describe(work.arguments(i));
+      if (results.is_undefined(i) || !allowed) continue;
+      const Tightest computed = results.bounds(i);
+      const std::int64_t below = ordinal(tightest[i]->lo) - ordinal(computed.lo);
+      const std::int64_t above = ordinal(computed.hi) - ordinal(tightest[i]->hi);
+      ASSERT_TRUE(0 <= below && below <= *allowed && 0 <= above && above <= *allowed)
+          << variant.name << ": " << describe(computed) << ", tightest " << describe(*tightest[i])
+          << " for " << describe(work.arguments(i));
+    }
+  }
+};
+
+/// This also makes the packs agree: AVX-512 and AVX2 compute the same bounds, inside the portable
+/// ones.
+TEST_P(PackTightnessTest, IsWithinItsBudget) {
+  const double most = limit(GetParam());
+  CornerInputs inputs(7 + static_cast<unsigned>(GetParam()), -most, most);
+  constexpr std::size_t kGroups = 1024;
+  const Workload work(kGroups, inputs);
+  PackOracle oracle;
+  std::vector<std::optional<Tightest>> tightest(work.size());
+  for (std::size_t i = 0; i < work.size(); ++i)
+    tightest[i] = oracle.on(GetParam(), work.arguments(i));
+  for (const Variant& variant : variants()) {
+    check(variant, work, tightest);
+    if (HasFatalFailure()) return;
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(Packs, PackTightnessTest, ::testing::ValuesIn(arithmetic_operations()),
+                         [](const ::testing::TestParamInfo<Op>& i) { return name_of(i.param); });
+
+}  // namespace
+}  // namespace regulus::test

@@ -1,0 +1,32 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <span>
+#include <string_view>
+#include <vector>
+
+#include "property/kernel/pack_operations.hpp"
+#include "regulus/kernel/abi.hpp"
+#include "regulus/kernel/isa.hpp"
+
+namespace regulus::test {
+
+/// The packs as one compiler made them.
+struct Variant {
+  std::string_view name;  ///< "g++ -O2 avx512"
+  Isa isa;
+  bool primary;  ///< by the compiler of this build, at -O2
+  EvaluatePack evaluate;
+};
+
+/// Those that this processor can run.
+[[nodiscard]] std::vector<Variant> variants();
+
+/// The self-test for AVX2, compiled with optimisation and without the project's rounding flags.
+struct Unflagged {
+  std::string_view compiler;
+  regulus_function self_test;
+};
+[[nodiscard]] std::span<const Unflagged> unflagged_self_tests();
+
+}  // namespace regulus::test

@@ -1,0 +1,18 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <gtest/gtest.h>
+
+#include "property/kernel/pack_variants.hpp"
+#include "regulus/kernel/self_test.hpp"
+
+namespace regulus::test {
+namespace {
+
+TEST(SelfTestFlags, FailsForOptimisedCodeCompiledWithoutTheRoundingFlags) {
+  if (!supported(Isa::kAvx2)) GTEST_SKIP() << "needs AVX2";
+  ASSERT_FALSE(unflagged_self_tests().empty());
+  for (const Unflagged& program : unflagged_self_tests())
+    EXPECT_TRUE(check_self_test(program.self_test, Isa::kAvx2)) << program.compiler;
+}
+
+}  // namespace
+}  // namespace regulus::test
