@@ -17,7 +17,7 @@ set(codegen_driver     interval kernel regularity search codegen/model codegen/p
                        codegen/emit codegen/jit codegen/driver)
 
 # Headers of the whole project that carry no layer: the compiler flags, the version.
-set(everywhere regulus/floating_point_flags.hpp regulus/version.hpp)
+set(everywhere regulus/floating_point_flags.hpp regulus/instruction_set_flags.hpp regulus/version.hpp)
 set(extra_codegen_jit regulus/codegen/model/sha256.hpp)
 
 set(only_ginac  codegen/model codegen/symbolic codegen/driver)
