@@ -31,13 +31,15 @@ void midpoints_of(const double* intervals, std::size_t entries, double* points) 
 
 }  // namespace
 
-Batch::Batch(const Problem& problem, const Settings&)
+Batch::Batch(const Problem& problem, const Settings& settings)
     : caller_(*problem.kernel),
       kernel_(*problem.kernel),
       alpha_(problem.alpha),
       variables_(kernel_.variables),
       rows_(kernel_.rows),
-      columns_(kernel_.columns) {
+      columns_(kernel_.columns),
+      sees_mean_values_(settings.method == Method::kAuto && kernel_.left_derivatives != nullptr &&
+                        kernel_.left_product != nullptr) {
   const std::size_t v = variables_ * kLanes;
   const std::size_t mn = rows_ * columns_ * kLanes;
   const std::size_t nn = columns_ * columns_ * kLanes;
@@ -46,6 +48,7 @@ Batch::Batch(const Problem& problem, const Settings&)
   const std::size_t pose = kernel_.pose_parameters * kLanes;
   boxes_ = AlignedBuffer(2 * v);
   thin_ = AlignedBuffer(2 * v);
+  thinned_ = AlignedBuffer(2 * v);
   midpoint_ = AlignedBuffer(v);
   radius_ = AlignedBuffer(v);
   matrix_ = AlignedBuffer(2 * mn);
@@ -56,7 +59,7 @@ Batch::Batch(const Problem& problem, const Settings&)
   left_numeric_ = AlignedBuffer(2 * nn);
   right_ = AlignedBuffer(2 * mm);
   right_numeric_ = AlignedBuffer(2 * mm);
-  derivatives_ = AlignedBuffer(kernel_.left_derivatives != nullptr ? 2 * nn * variables_ : 0);
+  derivatives_ = AlignedBuffer(sees_mean_values_ ? 2 * nn * variables_ : 0);
   bounds_ = AlignedBuffer(nn);
   center_ = AlignedBuffer(nn);
   vector_ = AlignedBuffer(columns_ * kLanes);

@@ -79,7 +79,7 @@ class Batch {
   /// K, n×m, point layout.
   [[nodiscard]] const double* preconditioner() noexcept;
   [[nodiscard]] Interval preconditioner_determinant(std::size_t lane) noexcept;
-  /// det A to nearest; with scale, det J⁻¹.
+  /// det A to nearest.
   [[nodiscard]] double approx_determinant(std::size_t lane) noexcept;
   [[nodiscard]] double approx_row_scale(std::size_t lane) noexcept;
   /// Every constraint is certainly ≤ 0 at the midpoint.
@@ -93,15 +93,12 @@ class Batch {
   [[nodiscard]] double* natural_bounds() noexcept;
   /// The same, lowered to the mean-value bound where that is smaller.
   [[nodiscard]] double* mean_value_bounds() noexcept;
-  [[nodiscard]] bool has_derivatives() const noexcept {
-    return kernel_.left_derivatives != nullptr;
-  }
   /// Where a test computes its v; keep_vector then saves those that proved something.
   [[nodiscard]] double* candidate_vector() noexcept { return candidate_vector_.get(); }
   void keep_vector(LaneMask lanes) noexcept;
   /// v of the test that certified a lane.
   [[nodiscard]] const double* vector() const noexcept { return vector_.get(); }
-  /// What each variable adds to the spectral radius of P, roughly; point layout.
+  /// What each variable adds to the spectral radius of P, roughly; point layout. P is that of K·A.
   [[nodiscard]] const double* approx_impact() noexcept;
 
   /// Declares that the boxes of this batch contain all boxes to come, so that what holds on the
@@ -138,22 +135,23 @@ class Batch {
   void compute_posed() noexcept;
   void compute_midpoint() noexcept;
   void compute_derivatives() noexcept;
-  void multiply_left() noexcept;
+  void multiply_left(const double* matrix, double* out) noexcept;
+  LaneMask left_product_on(const double* boxes, double* out) noexcept;
   void multiply_right() noexcept;
   void impact_from_derivatives() noexcept;
-  void impact_from_differences() noexcept;
-  void add_difference(std::size_t variable, double* magnitude) noexcept;
+  void impact_from_fixing() noexcept;
   void weigh_impact(std::size_t variable, std::size_t entry, const double* magnitude) noexcept;
 
   const Kernel caller_;
   const regulus_kernel& kernel_;
   const Interval alpha_;
   const std::size_t variables_, rows_, columns_;
+  const bool sees_mean_values_;  ///< the method uses them and the kernel has derivatives
   bool posed_everywhere_ = false;
   unsigned done_ = 0;
   LaneMask loaded_ = 0;
 
-  AlignedBuffer boxes_, thin_, midpoint_, radius_;
+  AlignedBuffer boxes_, thin_, thinned_, midpoint_, radius_;
   AlignedBuffer matrix_, midpoint_matrix_, approx_matrix_, preconditioner_;
   AlignedBuffer left_, right_, left_numeric_, right_numeric_, derivatives_;
   AlignedBuffer bounds_, center_, vector_, candidate_vector_, right_perron_, left_perron_;

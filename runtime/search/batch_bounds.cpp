@@ -36,7 +36,7 @@ void Batch::compute_derivatives() noexcept {
 
 double* Batch::mean_value_bounds() noexcept {
   double* bounds = natural_bounds();
-  if (!has_derivatives() || kernel_.left_product == nullptr || !begin(kMeanValue)) return bounds;
+  if (!sees_mean_values_ || !begin(kMeanValue)) return bounds;
   compute_derivatives();
   const LaneMask center_defined =
       call(kernel_.left_product, thin_.get(), preconditioner(), scratch_.get());
@@ -71,41 +71,25 @@ void Batch::impact_from_derivatives() noexcept {
   }
 }
 
-/// magnitude[e] ≈ |K·(A(t₀ + r_k e_k) − A(t₀ − r_k e_k))|/2, in point layout.
-void Batch::add_difference(std::size_t variable, double* magnitude) noexcept {
-  const std::size_t entries = rows_ * columns_;
-  LaneMask defined = kEveryLane;
-  std::fill_n(approx_matrix_.get(), entries * kLanes, 0.0);
-  for (const double sign : {-0.5, 0.5}) {
-    for (std::size_t lane = 0; lane < kLanes; ++lane)
-      thin_[lower_at(variable, lane)] = thin_[upper_at(variable, lane)] =
-          boxes_[sign < 0 ? lower_at(variable, lane) : upper_at(variable, lane)];
-    defined &= call(kernel_.matrix, thin_.get(), nullptr, scratch_.get());
-    for (std::size_t e = 0; e < entries; ++e)
-      for (std::size_t lane = 0; lane < kLanes; ++lane)
-        approx_matrix_[point_at(e, lane)] +=
-            sign * 0.5 * (scratch_[lower_at(e, lane)] + scratch_[upper_at(e, lane)]);
-  }
-  for (std::size_t lane = 0; lane < kLanes; ++lane)
-    thin_[lower_at(variable, lane)] = thin_[upper_at(variable, lane)] =
-        midpoint_[point_at(variable, lane)];
-  for (std::size_t i = 0; i < columns_; ++i)
-    for (std::size_t j = 0; j < columns_; ++j)
-      for (std::size_t lane = 0; lane < kLanes; ++lane) {
-        double sum = 0.0;
-        for (std::size_t p = 0; p < rows_; ++p)
-          sum += preconditioner_[point_at(i * rows_ + p, lane)] *
-                 approx_matrix_[point_at(p * columns_ + j, lane)];
-        magnitude[point_at(i * columns_ + j, lane)] = has_lane(defined, lane) ? std::fabs(sum) : 0;
-      }
-}
-
-void Batch::impact_from_differences() noexcept {
-  static_cast<void>(preconditioned());  // approx_matrix_ is free from here on
+/// By how much the bounds shrink when one variable is fixed at its midpoint: what a test on natural
+/// entries stands to gain, true influence and overestimation alike.
+void Batch::impact_from_fixing() noexcept {
+  const std::size_t entries = columns_ * columns_;
+  std::copy_n(boxes_.get(), 2 * variables_ * kLanes, thinned_.get());
   for (std::size_t k = 0; k < variables_; ++k) {
-    add_difference(k, center_.get());
-    for (std::size_t e = 0; e < columns_ * columns_; ++e)
-      weigh_impact(k, e, center_.get() + e * kLanes);
+    double* range = thinned_.get() + lower_at(k, 0);
+    std::copy_n(thin_.get() + lower_at(k, 0), 2 * kLanes, range);
+    const LaneMask defined = left_product_on(thinned_.get(), scratch_.get());
+    std::copy_n(boxes_.get() + lower_at(k, 0), 2 * kLanes, range);
+    distance_to_identity_ru(scratch_.get(), columns_, center_.get());
+    for (std::size_t e = 0; e < entries; ++e) {
+      double gain[kLanes];
+      for (std::size_t lane = 0; lane < kLanes; ++lane) {
+        const double difference = bounds_[point_at(e, lane)] - center_[point_at(e, lane)];
+        gain[lane] = has_lane(defined, lane) && difference > 0.0 ? difference : 0.0;
+      }
+      weigh_impact(k, e, gain);
+    }
   }
 }
 
@@ -119,10 +103,10 @@ const double* Batch::approx_impact() noexcept {
     P[e] = bounds[e] < kInfinity ? bounds[e] : 1.0;
   approx_perron(P, columns_, right_perron_.get(), left_perron_.get(), approx_radius);
   std::fill_n(impact_.get(), variables_ * kLanes, 0.0);
-  if (has_derivatives())
+  if (sees_mean_values_)
     impact_from_derivatives();
   else
-    impact_from_differences();
+    impact_from_fixing();
   return impact_.get();
 }
 

@@ -16,7 +16,7 @@ void store(double* x, std::size_t entry, std::size_t lane, Interval value) noexc
 
 }  // namespace
 
-void Batch::multiply_left() noexcept {
+void Batch::multiply_left(const double* matrix, double* out) noexcept {
   const double* K = preconditioner();
   for_each_lane(loaded_, [&](std::size_t lane) {
     for (std::size_t i = 0; i < columns_; ++i)
@@ -24,8 +24,8 @@ void Batch::multiply_left() noexcept {
         Interval sum(0.0);
         for (std::size_t p = 0; p < rows_; ++p)
           sum += Interval(K[point_at(i * rows_ + p, lane)]) *
-                 interval_at(matrix_.get(), p * columns_ + j, lane);
-        store(left_numeric_.get(), i * columns_ + j, lane, sum);
+                 interval_at(matrix, p * columns_ + j, lane);
+        store(out, i * columns_ + j, lane, sum);
       }
   });
 }
@@ -42,6 +42,14 @@ void Batch::multiply_right() noexcept {
         store(right_numeric_.get(), i * rows_ + j, lane, sum);
       }
   });
+}
+
+LaneMask Batch::left_product_on(const double* boxes, double* out) noexcept {
+  if (kernel_.left_product != nullptr)
+    return call(kernel_.left_product, boxes, preconditioner(), out);
+  const LaneMask defined = call(kernel_.matrix, boxes, nullptr, midpoint_matrix_.get());
+  multiply_left(midpoint_matrix_.get(), out);
+  return defined;
 }
 
 const double* Batch::product(ProductForm form, LaneMask& lanes) noexcept {
@@ -63,7 +71,7 @@ const double* Batch::product(ProductForm form, LaneMask& lanes) noexcept {
   lanes &= matrix_defined_ & loaded_;
   if (form.side == Side::kNone) return matrix_.get();
   if (form.side == Side::kLeft) {
-    if (begin(kLeftNumeric)) multiply_left();
+    if (begin(kLeftNumeric)) multiply_left(matrix_.get(), left_numeric_.get());
     return left_numeric_.get();
   }
   if (begin(kRightNumeric)) multiply_right();

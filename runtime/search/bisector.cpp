@@ -5,8 +5,20 @@
 
 namespace regulus {
 
+namespace {
+
+/// Impact is about K·A in symbolic form; for tests on other forms it may be blind to what they see.
+Bisection fitting(const Settings& settings) {
+  const bool sees_left = settings.method == Method::kAuto || settings.method == Method::kKj ||
+                         settings.method == Method::kKjRohn;
+  return settings.bisection == Bisection::kImpact && !sees_left ? Bisection::kWeighted
+                                                                : settings.bisection;
+}
+
+}  // namespace
+
 Bisector::Bisector(const Problem& problem, const Settings& settings)
-    : bisection_(settings.bisection),
+    : bisection_(fitting(settings)),
       splittable_(settings.uncertainty == Uncertainty::kVariables
                       ? problem.kernel->variables
                       : problem.kernel->motion_variables) {

@@ -48,7 +48,8 @@ enum class Method : std::uint8_t {
 enum class Determinant : std::uint8_t { kExpansion, kElimination };
 
 /// kWidest: largest width. kWeighted: largest width relative to the range of the variable. kImpact:
-/// largest contribution to the spectral radius that blocks the H-matrix test.
+/// largest contribution to the spectral radius of |KA − I|; methods that look at another matrix
+/// than symbolic K·A are bisected kWeighted instead.
 enum class Bisection : std::uint8_t { kWidest, kWeighted, kImpact };
 
 /// Whether uncertain quantities are kept whole in the matrix elements (the paper's D) or bisected

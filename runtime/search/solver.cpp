@@ -61,6 +61,8 @@ class Search {
   void split_or_block(std::size_t lane) noexcept;
   void split(std::size_t lane, std::size_t variable) noexcept;
   void block(std::size_t lane, Reason reason) noexcept;
+  void load_center(std::size_t lane, std::size_t thin_variables) noexcept;
+  [[nodiscard]] bool undefined_at_middle(std::size_t lane) noexcept;
   [[nodiscard]] bool hopeless_under_uncertainty(std::size_t lane) noexcept;
   [[nodiscard]] Result conclude();
 
@@ -151,11 +153,12 @@ void Search::load_batch() noexcept {
   std::size_t count = 0;
   while (count < settings_.batch && !frontier_.empty() && statistics_.boxes < settings_.max_boxes) {
     // Once NO SINGULARITY is out of reach, the widest boxes show most of what is left.
-    const OpenBox next = blocked_ ? frontier_.end() : frontier_.top();
+    const bool from_end = blocked_ && !settings_.exhaustive;
+    const OpenBox next = from_end ? frontier_.end() : frontier_.top();
     std::copy(next.box.begin(), next.box.end(), box_of(count).begin());
     open_[count] = {next.id, next.depth, box_of(count)};
     batch_.load(count, open_[count].box);
-    blocked_ ? frontier_.pop_end() : frontier_.pop();
+    from_end ? frontier_.pop_end() : frontier_.pop();
     ++count;
     ++statistics_.boxes;
   }
@@ -224,15 +227,13 @@ void Search::look_for_witness(LaneMask undecided) noexcept {
 }
 
 void Search::split_or_block(std::size_t lane) noexcept {
-  const bool outside_at_middle = has_lane(batch_.midpoint_outside(), lane);
-  // No box that holds this point will ever be certified.
-  if (!has_lane(batch_.midpoint_defined(), lane) && !outside_at_middle)
-    return block(lane, Reason::kUndefined);
+  // No box that holds such a point will ever be certified.
+  if (undefined_at_middle(lane)) return block(lane, Reason::kUndefined);
   if (open_[lane].depth % kStallCheck == kStallCheck - 1 && hopeless_under_uncertainty(lane))
     return block(lane, Reason::kUncertainty);
   const std::optional<std::size_t> variable = bisector_.choose(batch_, lane);
   if (variable) return split(lane, *variable);
-  LaneMask defined = 1U << lane;
+  LaneMask defined = batch_.certain_posed() & 1U << lane;
   static_cast<void>(batch_.product({}, defined));
   block(lane, defined != 0 ? Reason::kWidth : Reason::kUndefined);
 }
@@ -256,10 +257,11 @@ void Search::split(std::size_t lane, std::size_t variable) noexcept {
 
 void Search::block(std::size_t lane, Reason reason) noexcept {
   leave(lane, Rule::kBlocked, {});
-  if (!blocked_) {
+  if (!blocked_) boxes_when_blocked_ = statistics_.boxes;
+  // Near a pole many boxes are too narrow to split; the one that is undefined says why.
+  if (!blocked_ || (reason == Reason::kUndefined && reason_ == Reason::kWidth)) {
     blocked_ = true;
     reason_ = reason;
-    boxes_when_blocked_ = statistics_.boxes;
     std::copy(open_[lane].box.begin(), open_[lane].box.end(), blocking_.begin());
   }
   const std::uint64_t blocked = statistics_.leaves[static_cast<std::size_t>(Rule::kBlocked)];
@@ -268,16 +270,29 @@ void Search::block(std::size_t lane, Reason reason) noexcept {
   stopped_ = witness_.found();
 }
 
+/// The box of a lane with its first variables fixed at their midpoints, alone in center_.
+void Search::load_center(std::size_t lane, std::size_t thin_variables) noexcept {
+  std::copy(open_[lane].box.begin(), open_[lane].box.end(), half_.begin());
+  for (std::size_t k = 0; k < thin_variables; ++k) half_[k] = Interval(mid(half_[k]));
+  center_.clear();
+  center_.load(0, half_);
+  center_.seal(1);
+}
+
+/// J⁻¹ or the pose is not defined at the middle of the box, which may lie in the variety.
+bool Search::undefined_at_middle(std::size_t lane) noexcept {
+  if (has_lane(batch_.midpoint_outside(), lane)) return false;
+  if (!has_lane(batch_.midpoint_defined(), lane)) return true;
+  if (has_lane(batch_.certain_posed(), lane)) return false;
+  load_center(lane, problem_.kernel->variables);
+  return center_.certain_posed() == 0;
+}
+
 /// At the middle of the box, as a single pose, the tests fail for the whole of the uncertainty: no
 /// box around that pose can do better, except by the rounding of K.
 bool Search::hopeless_under_uncertainty(std::size_t lane) noexcept {
   if (!keeps_uncertainty_whole_) return false;
-  const std::size_t motion = problem_.kernel->motion_variables;
-  std::copy(open_[lane].box.begin(), open_[lane].box.end(), half_.begin());
-  for (std::size_t k = 0; k < motion; ++k) half_[k] = Interval(mid(half_[k]));
-  center_.clear();
-  center_.load(0, half_);
-  center_.seal(1);
+  load_center(lane, problem_.kernel->motion_variables);
   if (center_.certain_outside() != 0) return false;
   for (const auto& test : tests_)
     if (test->certify(center_, 1U) != 0) return false;
