@@ -10,7 +10,7 @@
 #include "regulus/interval/interval.hpp"
 #include "regulus/kernel/abi.hpp"
 
-namespace regulus::testing {
+namespace regulus::test {
 
 using Values = std::vector<Interval>;
 
@@ -141,4 +141,4 @@ inline Values FixtureKernel::right_product(const Values& x, std::span<const doub
   return out;
 }
 
-}  // namespace regulus::testing
+}  // namespace regulus::test

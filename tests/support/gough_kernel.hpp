@@ -7,7 +7,7 @@
 
 #include "support/fixture_kernel.hpp"
 
-namespace regulus::testing {
+namespace regulus::test {
 
 using Anchors = std::array<std::array<double, 3>, 6>;
 
@@ -206,4 +206,4 @@ inline Angle plus_minus_degrees(double degrees) {
   return {{-radians.hi, radians.hi}, {-radians.lo, radians.lo}};
 }
 
-}  // namespace regulus::testing
+}  // namespace regulus::test

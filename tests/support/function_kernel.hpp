@@ -1,0 +1,82 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Kernels from lambdas, and the problems they are searched in.
+#pragma once
+
+#include <functional>
+#include <utility>
+
+#include "regulus/search/solver.hpp"
+#include "support/fixture_kernel.hpp"
+
+namespace regulus::test {
+
+class FunctionKernel : public FixtureKernel {
+ public:
+  using Function = std::function<Values(const Values&)>;
+
+  FunctionKernel(unsigned variables, unsigned rows, unsigned columns, Function matrix)
+      : FixtureKernel(variables, variables, rows, columns), matrix_(std::move(matrix)) {}
+
+  /// The last `count` variables are uncertain quantities.
+  FunctionKernel& with_uncertain(unsigned count) {
+    functions().motion_variables = functions().variables - count;
+    functions().pose_parameters = functions().motion_variables;
+    return *this;
+  }
+  /// ∂_kA for each variable k, one after the other.
+  FunctionKernel& with_derivatives(Function derivatives) {
+    derivatives_ = std::move(derivatives);
+    enable_derivatives();
+    return *this;
+  }
+  FunctionKernel& with_row_scale(Function scale) {
+    scale_ = std::move(scale);
+    enable_row_scale();
+    return *this;
+  }
+  FunctionKernel& with_constraints(unsigned count, Function constraint) {
+    constraint_ = std::move(constraint);
+    enable_constraints(count);
+    return *this;
+  }
+  FunctionKernel& with_pose(unsigned count, Function pose) {
+    pose_ = std::move(pose);
+    functions().pose_parameters = count;
+    return *this;
+  }
+
+  Values matrix(const Values& x) const override { return matrix_(x); }
+  Values row_scale(const Values& x) const override { return scale_(x); }
+  Values constraint(const Values& x) const override { return constraint_(x); }
+  Values pose(const Values& x) const override { return pose_ ? pose_(x) : FixtureKernel::pose(x); }
+  Values left_derivatives(const Values& x, std::span<const double> K) const override {
+    const Values D = derivatives_(x);
+    const std::size_t m = get()->rows, n = get()->columns;
+    Values out;
+    for (std::size_t k = 0; k < get()->variables; ++k)
+      for (std::size_t i = 0; i < n; ++i)
+        for (std::size_t j = 0; j < n; ++j) {
+          Interval sum(0.0);
+          for (std::size_t p = 0; p < m; ++p)
+            sum += Interval(K[i * m + p]) * D[(k * m + p) * n + j];
+          out.push_back(sum);
+        }
+    return out;
+  }
+
+ private:
+  Function matrix_, derivatives_, scale_, constraint_, pose_;
+};
+
+/// A problem whose ranges end in doubles.
+inline Problem problem_over(const FixtureKernel& kernel, const std::vector<Interval>& ranges,
+                            Interval alpha = Interval(0.0)) {
+  Problem problem;
+  problem.kernel = kernel.get();
+  problem.outer = ranges;
+  problem.inner.assign(ranges.begin(), ranges.end());
+  problem.alpha = alpha;
+  return problem;
+}
+
+}  // namespace regulus::test

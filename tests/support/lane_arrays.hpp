@@ -1,0 +1,52 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Matrices in the layouts of regulus/regularity/lanes.hpp, and matrices within their bounds.
+#pragma once
+
+#include <algorithm>
+#include <vector>
+
+#include "regulus/regularity/lanes.hpp"
+#include "support/exact.hpp"
+#include "support/random_source.hpp"
+
+namespace regulus::test {
+
+using Random = RandomSource;
+
+inline double uniform(Random& random, double lo, double hi) { return random.between(lo, hi); }
+
+/// A double of [lo, hi]; an end in two cases of three, since extremes sit there.
+inline double member(Random& random, double lo, double hi) {
+  const auto kind = random.next() % 3;
+  if (kind == 0) return lo;
+  if (kind == 1) return hi;
+  return std::clamp(uniform(random, 0, 1) * (hi - lo) + lo, lo, hi);
+}
+
+/// A number that is often awkward: 0, ±1, tiny, huge, or anything in between.
+inline double awkward(Random& random) {
+  switch (random.next() % 8) {
+    case 0:
+      return 0.0;
+    case 1:
+      return -0.0;
+    case 2:
+      return random.next() % 2 == 0 ? 1.0 : -1.0;
+    case 3:
+      return std::ldexp(uniform(random, -1, 1), -1060);
+    case 4:
+      return std::ldexp(uniform(random, -1, 1), static_cast<int>(random.next() % 200) - 100);
+    default:
+      return uniform(random, -3, 3);
+  }
+}
+
+/// One lane of an array of intervals, as intervals.
+inline std::vector<Interval> interval_lane_of(const std::vector<double>& x, std::size_t lane) {
+  std::vector<Interval> result;
+  for (std::size_t e = 0; lower_at(e, lane) < x.size(); ++e)
+    result.emplace_back(x[lower_at(e, lane)], x[upper_at(e, lane)]);
+  return result;
+}
+
+}  // namespace regulus::test

@@ -1,0 +1,112 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "regulus/regularity/h_matrix.hpp"
+
+#include <gtest/gtest.h>
+
+#include <limits>
+#include <vector>
+
+namespace regulus {
+namespace {
+
+std::vector<double> in_every_lane(const std::vector<double>& entries) {
+  std::vector<double> x(entries.size() * kLanes);
+  for (std::size_t e = 0; e < entries.size(); ++e)
+    for (std::size_t l = 0; l < kLanes; ++l) x[point_at(e, l)] = entries[e];
+  return x;
+}
+
+LaneMask certify(const std::vector<double>& entries, std::size_t n) {
+  const std::vector<double> P = in_every_lane(entries);
+  std::vector<double> v(n * kLanes);
+  return certain_h_matrix(P.data(), n, v.data());
+}
+
+TEST(HMatrix, CertifiesUpToSpectralRadiusOne) {
+  EXPECT_EQ(certify({0.999999}, 1), kEveryLane);
+  EXPECT_EQ(certify({1.0}, 1), 0U);
+  // ρ = √(ab): cyclic, and badly scaled.
+  EXPECT_EQ(certify({0, 1e6, 0.99e-6, 0}, 2), kEveryLane);
+  EXPECT_EQ(certify({0, 1e6, 1.01e-6, 0}, 2), 0U);
+  // Reducible: only the diagonal counts.
+  EXPECT_EQ(certify({0.5, 1e9, 0, 0.5}, 2), kEveryLane);
+}
+
+TEST(HMatrix, NeverCertifiesWhatIsNotFinite) {
+  const double infinity = std::numeric_limits<double>::infinity();
+  const double nan = std::numeric_limits<double>::quiet_NaN();
+  for (const double bad : {infinity, nan, 1e308})
+    for (std::size_t e = 0; e < 4; ++e) {
+      std::vector<double> P{0.1, 0.2, 0.2, 0.1};
+      P[e] = bad;
+      EXPECT_EQ(certify(P, 2), 0U) << bad << " at " << e;
+    }
+}
+
+TEST(HMatrix, DecidesEachLaneByItself) {
+  std::vector<double> P(kLanes), v(kLanes);
+  for (std::size_t l = 0; l < kLanes; ++l) P[l] = l % 3 == 0 ? 0.5 : 1.5;
+  EXPECT_EQ(certain_h_matrix(P.data(), 1, v.data()), 0b01001001U);
+}
+
+TEST(HMatrix, ContractionRefusesVectorsThatAreNotPositiveAndFinite) {
+  const std::vector<double> P = in_every_lane({0.5, 0, 0, 0.5});
+  EXPECT_EQ(certain_contraction(P.data(), in_every_lane({1, 1}).data(), 2), kEveryLane);
+  EXPECT_EQ(certain_contraction(P.data(), in_every_lane({1, 0}).data(), 2), 0U);
+  EXPECT_EQ(certain_contraction(P.data(), in_every_lane({-1, -1}).data(), 2), 0U);
+  EXPECT_EQ(certain_contraction(
+                P.data(), in_every_lane({1, std::numeric_limits<double>::infinity()}).data(), 2),
+            0U);
+}
+
+TEST(HMatrix, ContractionFailsAtEqualityAndWithinRounding) {
+  const std::vector<double> P = in_every_lane({1.0});
+  EXPECT_EQ(certain_contraction(P.data(), in_every_lane({1}).data(), 1), 0U);
+  const std::vector<double> close = in_every_lane({1.0 - 0x1p-53});
+  EXPECT_EQ(certain_contraction(close.data(), in_every_lane({1}).data(), 1), 0U);
+}
+
+TEST(HMatrix, DistanceToIdentityTakesTheFartherBound) {
+  const std::vector<double> product = in_every_lane({0.75, 1.5, -3, 2, -1, 0.5, 0.5, 1});
+  std::vector<double> P(4 * kLanes);
+  distance_to_identity_ru(product.data(), 2, P.data());
+  EXPECT_GE(P[0], 0.5);
+  EXPECT_LE(P[0], 0.5 + 0x1p-50);
+  EXPECT_EQ(P[point_at(1, 0)], 3.0);
+  EXPECT_EQ(P[point_at(2, 0)], 1.0);
+  EXPECT_GE(P[point_at(3, 0)], 0.5);
+}
+
+TEST(HMatrix, MeanValueLowersOnlyTheLanesAsked) {
+  const std::vector<double> center = in_every_lane({0.125});
+  const std::vector<double> derivatives = in_every_lane({-2, 1});
+  const std::vector<double> radius = in_every_lane({0.25});
+  std::vector<double> P = in_every_lane({4});
+  lower_to_mean_value_ru(center.data(), derivatives.data(), radius.data(), 1, 1, 0b10U, P.data());
+  EXPECT_EQ(P[0], 4.0);
+  EXPECT_GE(P[1], 0.625);
+  EXPECT_LE(P[1], 0.625 + 0x1p-45);
+}
+
+TEST(HMatrix, MeanValueNeverRaisesABound) {
+  const std::vector<double> center = in_every_lane({1});
+  const std::vector<double> derivatives = in_every_lane({-2, 1});
+  const std::vector<double> radius = in_every_lane({8});
+  std::vector<double> P = in_every_lane({4});
+  lower_to_mean_value_ru(center.data(), derivatives.data(), radius.data(), 1, 1, kEveryLane,
+                         P.data());
+  EXPECT_EQ(P[0], 4.0);
+}
+
+TEST(HMatrix, PerronVectorsOfAKnownMatrix) {
+  // P = u wᵀ has right vector u, left vector w, radius wᵀu.
+  const std::vector<double> P = in_every_lane({0.1, 0.3, 0.2, 0.6});  // u = (1, 2), w = (0.1, 0.3)
+  std::vector<double> v(2 * kLanes), y(2 * kLanes), radius(kLanes);
+  approx_perron(P.data(), 2, v.data(), y.data(), radius.data());
+  EXPECT_NEAR(v[point_at(0, 5)] / v[point_at(1, 5)], 0.5, 1e-3);
+  EXPECT_NEAR(y[point_at(0, 5)] / y[point_at(1, 5)], 1.0 / 3, 1e-3);
+  EXPECT_NEAR(radius[5], 0.7, 1e-3);
+}
+
+}  // namespace
+}  // namespace regulus

@@ -1,0 +1,88 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "regulus/regularity/midpoint_inverse.hpp"
+
+#include <gtest/gtest.h>
+
+#include <vector>
+
+#include "support/lane_arrays.hpp"
+
+namespace regulus {
+namespace {
+
+using test::Random;
+
+/// Largest |(KA − I)[i][j]| of a lane.
+double residual(const std::vector<double>& K, const std::vector<double>& A, std::size_t m,
+                std::size_t n, std::size_t lane) {
+  double largest = 0;
+  for (std::size_t i = 0; i < n; ++i)
+    for (std::size_t j = 0; j < n; ++j) {
+      double sum = i == j ? -1.0 : 0.0;
+      for (std::size_t p = 0; p < m; ++p)
+        sum += K[point_at(i * m + p, lane)] * A[point_at(p * n + j, lane)];
+      largest = std::max(largest, std::fabs(sum));
+    }
+  return largest;
+}
+
+TEST(MidpointInverse, InvertsRandomMatricesOfEveryOrder) {
+  Random random(1);
+  for (std::size_t n = 1; n <= kMaxColumns; ++n) {
+    std::vector<double> A(n * n * kLanes), K(A.size()), det(kLanes);
+    for (double& x : A) x = test::uniform(random, -1, 1);
+    for (std::size_t i = 0; i < n; ++i)
+      for (std::size_t l = 0; l < kLanes; ++l) A[point_at(i * n + i, l)] += 4.0;
+    EXPECT_EQ(approx_inverse(A.data(), n, n, K.data(), det.data()), 0U);
+    for (std::size_t l = 0; l < kLanes; ++l) EXPECT_LT(residual(K, A, n, n, l), 1e-11) << n;
+  }
+}
+
+TEST(MidpointInverse, ExchangesRowsLaneByLane) {
+  // Lane 0 needs no exchange, lane 1 does; both have determinants of known sign.
+  std::vector<double> A(4 * kLanes, 0.0), K(4 * kLanes), det(kLanes);
+  for (std::size_t l = 0; l < kLanes; ++l) {
+    const bool swapped = l % 2 == 1;
+    A[point_at(swapped ? 1 : 0, l)] = 2.0;
+    A[point_at(swapped ? 2 : 3, l)] = 3.0;
+  }
+  EXPECT_EQ(approx_inverse(A.data(), 2, 2, K.data(), det.data()), 0U);
+  for (std::size_t l = 0; l < kLanes; ++l) {
+    EXPECT_EQ(det[l], l % 2 == 1 ? -6.0 : 6.0);
+    EXPECT_LT(residual(K, A, 2, 2, l), 1e-15);
+  }
+}
+
+TEST(MidpointInverse, FlagsExactlyTheSingularLanes) {
+  std::vector<double> A(4 * kLanes), K(4 * kLanes), det(kLanes);
+  for (std::size_t l = 0; l < kLanes; ++l) {
+    A[point_at(0, l)] = 1.0;
+    A[point_at(1, l)] = 2.0;
+    A[point_at(2, l)] = 2.0;
+    A[point_at(3, l)] = l == 3 ? 4.0 : 5.0;
+  }
+  EXPECT_EQ(approx_inverse(A.data(), 2, 2, K.data(), det.data()), 1U << 3);
+}
+
+TEST(MidpointInverse, InvertsTallMatricesFromTheLeftInMixedUnits) {
+  Random random(2);
+  const std::size_t m = 8, n = 6;
+  std::vector<double> A(m * n * kLanes), K(A.size()), det(kLanes);
+  for (std::size_t e = 0; e < m * n; ++e)
+    for (std::size_t l = 0; l < kLanes; ++l)
+      A[point_at(e, l)] = test::uniform(random, -1, 1) * (e % n < 3 ? 1.0 : 1e7);
+  EXPECT_EQ(approx_inverse(A.data(), m, n, K.data(), det.data()), 0U);
+  // In the units of the columns: (KA)[i][j] carries unit j over unit i.
+  for (std::size_t l = 0; l < kLanes; ++l) {
+    std::vector<double> scaled_A = A, scaled_K = K;
+    for (std::size_t p = 0; p < m; ++p)
+      for (std::size_t j = 3; j < n; ++j) {
+        scaled_A[point_at(p * n + j, l)] *= 1e-7;
+        scaled_K[point_at(j * m + p, l)] *= 1e7;
+      }
+    EXPECT_LT(residual(scaled_K, scaled_A, m, n, l), 1e-9);
+  }
+}
+
+}  // namespace
+}  // namespace regulus

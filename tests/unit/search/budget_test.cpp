@@ -1,0 +1,241 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Budgets, events, faults, and the floating-point environment.
+#include <gtest/gtest.h>
+#include <xmmintrin.h>
+
+#include <array>
+#include <atomic>
+#include <map>
+#include <thread>
+
+#include "support/function_kernel.hpp"
+
+namespace regulus {
+namespace {
+
+using test::FunctionKernel;
+using test::problem_over;
+using test::Values;
+
+/// Regular everywhere, but intervals need some hundred boxes to see it.
+class Laborious : public FunctionKernel {
+ public:
+  Laborious()
+      : FunctionKernel(2, 1, 1, [](const Values& x) {
+          return Values{x[0] * x[0] - x[0] * x[0] + x[1] * x[0] - x[0] * x[1] + 0.125};
+        }) {}
+};
+const std::vector<Interval> kUnitSquare{{0, 1}, {0, 1}};
+
+TEST(Budget, TheLaboriousMatrixIsRegular) {
+  const Laborious kernel;
+  const Result result = solve(problem_over(kernel, kUnitSquare), {});
+  EXPECT_EQ(result.verdict, Verdict::kNoSingularity);
+  EXPECT_GT(result.statistics.boxes, 100U);
+}
+
+TEST(Budget, StopsAtTheNumberOfBoxes) {
+  const Laborious kernel;
+  for (const std::uint64_t limit : {0U, 1U, 5U, 20U}) {
+    Settings settings;
+    settings.max_boxes = limit;
+    const Result result = solve(problem_over(kernel, kUnitSquare), settings);
+    EXPECT_EQ(result.verdict, Verdict::kPossibleProblem);
+    EXPECT_EQ(result.reason, Reason::kBoxBudget);
+    EXPECT_EQ(result.statistics.boxes, limit);
+    EXPECT_EQ(result.blocking_box.size(), 2U);
+  }
+}
+
+TEST(Budget, StopsAtTheTimeLimit) {
+  const Laborious kernel;
+  Settings settings;
+  settings.time_limit = 0;
+  const Result result = solve(problem_over(kernel, kUnitSquare), settings);
+  EXPECT_EQ(result.verdict, Verdict::kPossibleProblem);
+  EXPECT_EQ(result.reason, Reason::kTimeBudget);
+}
+
+TEST(Budget, StopsWhenInterrupted) {
+  const Laborious kernel;
+  const std::atomic<bool> interrupt{true};
+  Settings settings;
+  settings.interrupt = &interrupt;
+  const Result result = solve(problem_over(kernel, kUnitSquare), settings);
+  EXPECT_EQ(result.verdict, Verdict::kPossibleProblem);
+  EXPECT_EQ(result.reason, Reason::kInterrupted);
+}
+
+/// Follows the events of a search and checks that they describe a tree of halves.
+class Recorder : public Observer {
+ public:
+  void on_start(const Problem& problem, const Settings&) noexcept override {
+    open[0] = problem.outer;
+  }
+  void on_split(const OpenBox& box, const Split& split) noexcept override {
+    ASSERT_TRUE(open.count(box.id));
+    std::vector<Interval> lower = open[box.id], upper = lower;
+    EXPECT_TRUE(std::equal(lower.begin(), lower.end(), box.box.begin()));
+    lower[split.variable].hi = split.at;
+    upper[split.variable].lo = split.at;
+    open.erase(box.id);
+    EXPECT_TRUE(open.emplace(split.lower, lower).second);
+    EXPECT_TRUE(open.emplace(split.lower + 1, upper).second);
+    next_id = split.lower + 2;
+  }
+  void on_leaf(const OpenBox& box, Rule rule, const Proof& proof) noexcept override {
+    ASSERT_TRUE(open.count(box.id));
+    EXPECT_TRUE(std::equal(box.box.begin(), box.box.end(), open[box.id].begin()));
+    if (rule == Rule::kHMatrix) {
+      ASSERT_NE(proof.vector, nullptr);
+      EXPECT_GT(proof.vector[0], 0.0);
+      EXPECT_NE(proof.preconditioner[0], 0.0);
+    }
+    open.erase(box.id);
+    ++leaves;
+  }
+  void on_progress(const Statistics& statistics, std::uint64_t frontier) noexcept override {
+    boxes = statistics.boxes;
+    EXPECT_EQ(frontier, open.size());
+  }
+  void on_finish(const Result& result) noexcept override { finished = result.verdict; }
+
+  std::map<BoxId, std::vector<Interval>> open;
+  BoxId next_id = 1;
+  std::uint64_t leaves = 0, boxes = 0;
+  std::optional<Verdict> finished;
+};
+
+TEST(Observer, SeesATreeWhoseLeavesCoverTheVariety) {
+  const Laborious kernel;
+  Recorder recorder;
+  const Result result = solve(problem_over(kernel, kUnitSquare), {}, &recorder);
+  EXPECT_TRUE(recorder.open.empty());
+  EXPECT_EQ(recorder.leaves, result.statistics.leaves[static_cast<std::size_t>(Rule::kHMatrix)]);
+  EXPECT_EQ(2 * recorder.leaves - 1, result.statistics.boxes);
+  EXPECT_EQ(recorder.boxes, result.statistics.boxes);
+  EXPECT_EQ(recorder.finished, Verdict::kNoSingularity);
+}
+
+TEST(Observer, AnInterruptedSearchCanBeResumedFromItsOpenBoxes) {
+  const Laborious kernel;
+  const Problem problem = problem_over(kernel, kUnitSquare);
+  const std::uint64_t whole = solve(problem, {}).statistics.boxes;
+  Recorder recorder;
+  Settings settings;
+  settings.max_boxes = 40;
+  ASSERT_EQ(solve(problem, settings, &recorder).verdict, Verdict::kPossibleProblem);
+  ASSERT_FALSE(recorder.open.empty());
+  const auto kept = recorder.open;
+  std::vector<OpenBox> open;
+  for (const auto& [id, box] : kept) open.push_back({id, 1, box});
+  const Result rest = resume(problem, {}, open, recorder.next_id);
+  EXPECT_EQ(rest.verdict, Verdict::kNoSingularity);
+  EXPECT_EQ(rest.statistics.boxes + 40, whole);
+}
+
+TEST(Observer, AnExhaustiveSearchVisitsEverything) {
+  const FunctionKernel kernel(1, 1, 1, [](const Values& x) { return Values{x[0] - 0.3}; });
+  Settings settings;
+  settings.exhaustive = true;
+  settings.min_relative_width = 0x1p-6;
+  Recorder recorder;
+  const Result result = solve(problem_over(kernel, {{-1, 1}}), settings, &recorder);
+  EXPECT_TRUE(recorder.open.empty());
+  EXPECT_EQ(result.verdict, Verdict::kPossibleProblem);
+  EXPECT_GE(result.statistics.leaves[static_cast<std::size_t>(Rule::kBlocked)], 1U);
+  EXPECT_GE(result.statistics.leaves[static_cast<std::size_t>(Rule::kHMatrix)], 4U);
+}
+
+TEST(Environment, IsKeptAndDoesNotMatter) {
+  const Laborious kernel;
+  const Problem problem = problem_over(kernel, kUnitSquare);
+  const Result reference = solve(problem, {});
+  const unsigned saved = _mm_getcsr();
+  for (const unsigned mode : {0x3F80U, 0x5F80U, 0x7F80U, 0x9FC0U}) {
+    _mm_setcsr(mode);
+    const Result result = solve(problem, {});
+    const unsigned after = _mm_getcsr();
+    _mm_setcsr(saved);
+    EXPECT_EQ(after & ~0x3FU, mode);
+    EXPECT_EQ(result.verdict, reference.verdict);
+    EXPECT_EQ(result.statistics.boxes, reference.statistics.boxes);
+  }
+}
+
+TEST(Environment, SearchesRunSideBySide) {
+  const Laborious kernel;
+  const Problem problem = problem_over(kernel, kUnitSquare);
+  const std::uint64_t boxes = solve(problem, {}).statistics.boxes;
+  std::array<std::uint64_t, 4> found{};
+  std::vector<std::thread> threads;
+  for (std::uint64_t& count : found)
+    threads.emplace_back([&] { count = solve(problem, {}).statistics.boxes; });
+  for (std::thread& thread : threads) thread.join();
+  for (const std::uint64_t count : found) EXPECT_EQ(count, boxes);
+}
+
+void expect_fault(const Problem& problem, const Settings& settings, const std::string& words) {
+  const std::optional<std::string> fault = find_fault(problem, settings);
+  ASSERT_TRUE(fault);
+  EXPECT_NE(fault->find(words), std::string::npos) << *fault;
+  const Result result = solve(problem, settings);
+  EXPECT_EQ(result.verdict, Verdict::kPossibleProblem);
+  EXPECT_EQ(result.reason, Reason::kBadProblem);
+}
+
+TEST(Faults, AreNamedAndNeverSearched) {
+  const Laborious kernel;
+  const Problem good = problem_over(kernel, kUnitSquare);
+  EXPECT_EQ(find_fault(good, {}), std::nullopt);
+  Problem bad = good;
+  bad.kernel = nullptr;
+  expect_fault(bad, {}, "no kernel");
+  bad = good;
+  bad.outer.pop_back();
+  expect_fault(bad, {}, "2 variables");
+  bad = good;
+  bad.outer[1] = {0, 0x1p65};
+  expect_fault(bad, {}, "2^64");
+  bad = good;
+  bad.inner[0] = Interval(-1, 1);
+  expect_fault(bad, {}, "inner range");
+  bad = good;
+  bad.alpha = Interval(-1, 1);
+  expect_fault(bad, {}, "threshold");
+  Settings settings;
+  settings.batch = 9;
+  expect_fault(good, settings, "batch");
+  settings = {};
+  settings.min_relative_width = -1;
+  expect_fault(good, settings, "width");
+}
+
+TEST(Faults, TallMatricesHaveNoDeterminant) {
+  const FunctionKernel kernel(1, 2, 1, [](const Values& x) { return Values{x[0], 1.0}; });
+  Problem problem = problem_over(kernel, {{-1, 1}});
+  Settings settings;
+  settings.method = Method::kReg;
+  expect_fault(problem, settings, "square");
+  problem.alpha = Interval(1.0);
+  expect_fault(problem, {}, "square");
+}
+
+TEST(Faults, AKernelOfAnotherAbiIsRefused) {
+  Laborious kernel;
+  kernel.functions().abi = REGULUS_KERNEL_ABI + 1;
+  expect_fault(problem_over(kernel, kUnitSquare), {}, "ABI");
+}
+
+TEST(Methods, HaveNamesThatReadBack) {
+  for (const char* text :
+       {"auto", "reg", "reg+rohn", "kj", "kj+rohn", "jk", "jk+rohn", "kj-numeric", "jk-numeric"}) {
+    const std::optional<Method> method = parse_method(text);
+    ASSERT_TRUE(method) << text;
+    EXPECT_STREQ(name(*method), text);
+  }
+  EXPECT_EQ(parse_method("rohn"), std::nullopt);
+}
+
+}  // namespace
+}  // namespace regulus
