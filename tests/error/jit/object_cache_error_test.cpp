@@ -88,28 +88,22 @@ TEST_F(ObjectCacheErrorTest, RefusesADirectoryThatCannotBeMade) {
   EXPECT_THAT(ObjectCache("").refusal(), HasSubstr("XDG_CACHE_HOME"));
 }
 
-TEST_F(ObjectCacheErrorTest, IgnoresEveryTruncation) {
-  write_sound_entry();
-  const std::string bytes = read_entry();
-  const ObjectCache cache(path_);
-  for (std::size_t size = 0; size < bytes.size(); ++size) {
-    overwrite_entry(bytes.substr(0, size));
-    EXPECT_FALSE(cache.read(kKey).object) << size;
+TEST_F(ObjectCacheErrorTest, IgnoresATruncatedEntry) {
+  for (const std::size_t kept : {0u, 1u, 100u, 160u}) {
+    write_sound_entry();
+    overwrite_entry(read_entry().substr(0, kept));
+    expect_distrust("is damaged");
   }
-  expect_distrust("is damaged");
 }
 
-TEST_F(ObjectCacheErrorTest, IgnoresEveryFlippedBit) {
-  write_sound_entry();
-  const std::string bytes = read_entry();
-  const ObjectCache cache(path_);
-  for (std::size_t bit = 0; bit < 8 * bytes.size(); ++bit) {
-    std::string altered = bytes;
-    altered[bit / 8] = static_cast<char>(altered[bit / 8] ^ (1 << bit % 8));
-    overwrite_entry(altered);
-    EXPECT_FALSE(cache.read(kKey).object) << bit;
+TEST_F(ObjectCacheErrorTest, IgnoresAnAlteredEntry) {
+  for (const std::size_t place : {0u, 20u, 90u, 100u, 165u}) {
+    write_sound_entry();
+    std::string bytes = read_entry();
+    bytes[place] = static_cast<char>(bytes[place] ^ 1);
+    overwrite_entry(bytes);
+    expect_distrust("is damaged");
   }
-  expect_distrust("is damaged");
 }
 
 TEST_F(ObjectCacheErrorTest, IgnoresBytesAfterTheEnd) {

@@ -4,9 +4,9 @@
 #include <gtest/gtest.h>
 
 #include <cfenv>
-#include <cstring>
 
-#include "regulus/interval/x8.hpp"
+#include "regulus/codegen/jit/clang_compiler.hpp"
+#include "regulus/codegen/jit/kernel_compilation.hpp"
 #include "regulus/kernel/buffers.hpp"
 #include "regulus/kernel/call.hpp"
 #include "support/process_maps.hpp"
@@ -105,13 +105,17 @@ TEST_P(JitTest, WithoutTheCacheNothingIsWritten) {
 }
 
 TEST_P(JitTest, TheCallersRoundingModeIsKeptAndHasNoInfluence) {
-  const MachineCode nearest = compile_text(small_kernel().source, options_);
-  options_.use_cache = false;
+  const ClangCompiler compiler;
+  const std::string text = small_kernel().source;
+  const Compilation compilation = kernel_compilation(text, GetParam());
+  const std::string nearest = compiler.compile(compilation).object;
   ASSERT_EQ(std::fesetround(FE_UPWARD), 0);
-  const MachineCode upward = compile_text(small_kernel().source, options_);
-  EXPECT_EQ(std::fegetround(), FE_UPWARD);
+  const std::string upward = compiler.compile(compilation).object;
+  const int mode = std::fegetround();
   std::fesetround(FE_TONEAREST);
-  EXPECT_NE(upward.symbol("small_kernel"), nullptr);
+  EXPECT_EQ(mode, FE_UPWARD);
+  EXPECT_NE(nearest, "");
+  EXPECT_EQ(upward, nearest);
 }
 
 TEST_P(JitTest, CodeLivesAsLongAsOneCopy) {
