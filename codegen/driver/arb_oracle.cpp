@@ -1,0 +1,64 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "regulus/codegen/driver/arb_oracle.hpp"
+
+#include <arb_mat.h>
+
+#include <exception>
+
+#include "regulus/codegen/program/arb_arithmetic.hpp"
+#include "regulus/codegen/program/interpreter.hpp"
+
+namespace regulus::codegen {
+namespace {
+
+constexpr long kFirstBits = 106;
+
+/// An owned arb_mat_t.
+class BallMatrix {
+ public:
+  BallMatrix(int rows, int columns) { arb_mat_init(value_, rows, columns); }
+  BallMatrix(const BallMatrix&) = delete;
+  BallMatrix& operator=(const BallMatrix&) = delete;
+  ~BallMatrix() { arb_mat_clear(value_); }
+  [[nodiscard]] arb_mat_struct* get() noexcept { return value_; }
+
+ private:
+  arb_mat_t value_;
+};
+
+Ball determinant(const std::vector<Ball>& entries, int size, long bits) {
+  BallMatrix matrix(size, size);
+  for (int i = 0; i < size; ++i)
+    for (int j = 0; j < size; ++j)
+      arb_set(arb_mat_entry(matrix.get(), i, j), entries[std::size_t(i * size + j)].get());
+  Ball result;
+  arb_mat_det(result.get(), matrix.get(), bits);
+  return result;
+}
+
+}  // namespace
+
+std::optional<Interval> ArbOracle::enclose_with(std::span<const Interval> point, long bits) {
+  ArbArithmetic arithmetic(bits);
+  std::vector<Ball> inputs;
+  for (const Interval& x : point) inputs.emplace_back(x, bits);
+  const std::vector<Ball> entries =
+      evaluate<ArbArithmetic>(matrix_, std::span<const Ball>(inputs), {}, arithmetic);
+  if (arithmetic.undefined()) return std::nullopt;
+  return determinant(entries, size_, bits).enclosure();
+}
+
+// Out of memory is one more way of not knowing.
+std::optional<Interval> ArbOracle::enclose(std::span<const Interval> point) noexcept try {
+  std::optional<Interval> enclosure;
+  for (long bits = kFirstBits; bits <= max_bits_; bits *= 2) {
+    enclosure = enclose_with(point, bits);
+    if (bits > bits_) bits_ = bits;
+    if (enclosure && (enclosure->lo > 0 || enclosure->hi < 0)) break;
+  }
+  return enclosure;
+} catch (const std::exception&) {
+  return std::nullopt;
+}
+
+}  // namespace regulus::codegen

@@ -1,0 +1,15 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The commands. Each prints its result and returns the exit code.
+#pragma once
+
+#include <string>
+
+#include "regulus/codegen/driver/options.hpp"
+
+namespace regulus::codegen {
+
+/// `typed`: the command line as typed, for the header of generated text.
+[[nodiscard]] int run_check(const CheckCommand& command, const std::string& typed);
+[[nodiscard]] int run_explain(const ExplainCommand& command, const std::string& typed);
+
+}  // namespace regulus::codegen

@@ -1,0 +1,33 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <iostream>
+
+#include "regulus/codegen/driver/commands.hpp"
+#include "regulus/codegen/driver/exit_code.hpp"
+#include "regulus/codegen/driver/pipeline.hpp"
+#include "regulus/codegen/model/model_file.hpp"
+#include "regulus/codegen/symbolic/explain.hpp"
+
+namespace regulus::codegen {
+namespace {
+
+/// Without a motion the forms are shown over the pose parameters themselves.
+std::string forms(const ExplainCommand& command) {
+  ExplainOptions options;
+  options.all_entries = command.all_entries;
+  if (command.model.motion.empty()) return explain(load_model(command.model.path), options);
+  const Request request = read_request(command.model);
+  return explain(request.model, request.motion, options);
+}
+
+std::string kernel_text(const ExplainCommand& command, const std::string& typed) {
+  return emit_kernel(read_request(command.model), Method::kAuto, typed).source;
+}
+
+}  // namespace
+
+int run_explain(const ExplainCommand& command, const std::string& typed) {
+  std::cout << (command.stage == "text" ? kernel_text(command, typed) : forms(command));
+  return 0;
+}
+
+}  // namespace regulus::codegen

@@ -1,0 +1,33 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <atomic>
+#include <csignal>
+#include <thread>
+
+namespace regulus::codegen {
+
+/// Turns SIGINT and SIGTERM into a flag that the search reads, while it lives.
+///
+/// The signals are blocked and taken by a thread of our own, so nothing runs in a signal handler
+/// and no global is needed. Construct it before any other thread starts: threads inherit the mask.
+/// A second SIGINT ends the process at once.
+class InterruptGuard {
+ public:
+  InterruptGuard();
+  ~InterruptGuard();
+  InterruptGuard(const InterruptGuard&) = delete;
+  InterruptGuard& operator=(const InterruptGuard&) = delete;
+
+  [[nodiscard]] const std::atomic<bool>& requested() const noexcept { return requested_; }
+
+ private:
+  void wait_for_signals();
+
+  std::atomic<bool> requested_{false};
+  std::atomic<bool> ending_{false};
+  sigset_t previous_{};
+  std::thread watcher_;
+};
+
+}  // namespace regulus::codegen

@@ -1,0 +1,52 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <iostream>
+
+#include "regulus/codegen/driver/commands.hpp"
+#include "regulus/codegen/driver/exit_code.hpp"
+#include "regulus/codegen/driver/pipeline.hpp"
+#include "regulus/codegen/jit/jit.hpp"
+#include "regulus/codegen/model/errors.hpp"
+
+namespace {
+
+using namespace regulus::codegen;
+
+int run(const CommandLine& line, const std::string& command) {
+  if (line.exit_code) return *line.exit_code;
+  if (line.check) return run_check(*line.check, command);
+  return run_explain(*line.explain, command);
+}
+
+int complain(const std::exception& error, ExitCode code) {
+  std::cerr << "regulus: " << error.what() << '\n';
+  return code;
+}
+
+/// The words that were typed, the program by its name alone: a path means nothing elsewhere.
+std::string typed(int argc, char** argv) {
+  std::string command = "regulus";
+  for (int i = 1; i < argc; ++i) command += std::string(" ") + argv[i];
+  return command;
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  try {
+    return run(parse_command_line(argc, argv), typed(argc, argv));
+  } catch (const UsageError& error) {
+    return complain(error, kUsageError);
+  } catch (const InputError& error) {
+    return complain(error, kBadInput);
+  } catch (const FileError& error) {
+    return complain(error, kFileTrouble);
+  } catch (const CompileError& error) {
+    std::cerr << "regulus: internal error: the generated kernel did not compile\n"
+              << error.what() << "\n--- the text ---\n"
+              << error.text();
+    return kInternalFault;
+  } catch (const std::exception& error) {
+    std::cerr << "regulus: internal error: ";
+    return complain(error, kInternalFault);
+  }
+}

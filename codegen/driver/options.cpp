@@ -1,0 +1,119 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "regulus/codegen/driver/options.hpp"
+
+#include <CLI/CLI.hpp>
+#include <iostream>
+#include <map>
+
+#include "regulus/codegen/driver/exit_code.hpp"
+#include "regulus/version.hpp"
+
+namespace regulus::codegen {
+namespace {
+
+constexpr const char* kDescription =
+    "Regulus proves that a parallel robot has no singular pose in a workspace or on a trajectory, "
+    "or\n"
+    "shows one, whatever the rounding, the manufacturing tolerances and the control errors.\n\n"
+    "  regulus check models/robot_1.toml wide_15\n\n"
+    "The last line on standard output is the verdict:\n"
+    "  NO SINGULARITY    proved for every pose and every uncertain value declared   (exit 0)\n"
+    "  SINGULARITY       a witness proves it                                        (exit 1)\n"
+    "  POSSIBLE PROBLEM  neither could be shown; the report says why and where      (exit 2)";
+
+constexpr const char* kExitCodes =
+    "Exit: 0, 1, 2 as the verdict; 64 usage, 65 bad model, 70 internal fault, 74 file trouble.";
+
+void add_model_options(CLI::App& app, ModelOptions& options) {
+  app.add_option("MODEL", options.path, "Model file (TOML)")->required();
+  app.add_option("MOTION", options.motion,
+                 "Motion variety; may be left out when the model has one");
+  app.add_option("--range", options.ranges,
+                 "Range of a motion parameter, p=LO:HI, expressions allowed: psi=-5*deg:5*deg")
+      ->take_all()
+      ->expected(1)
+      ->type_name("p=LO:HI");
+  app.add_option("--tolerance", options.tolerances,
+                 "Tolerance of a group of constants, e.g. base,platform=0.1")
+      ->take_all()
+      ->expected(1)
+      ->type_name("GROUP=E");
+  app.add_option("--alpha", options.alpha, "Threshold: certify |det J^-1| > A instead of full rank")
+      ->type_name("A");
+}
+
+void add_search_options(CLI::App& app, SearchOptions& options) {
+  app.add_option("--method", options.method, "How a box is decided")
+      ->check(CLI::IsMember({"auto", "reg", "kj", "jk"}))
+      ->capture_default_str();
+  app.add_option("--determinant", options.determinant,
+                 "How the determinant of an interval matrix is enclosed")
+      ->check(CLI::IsMember({"expansion", "gauss"}))
+      ->capture_default_str();
+  app.add_option("--bisect", options.bisect, "Which range is split")
+      ->check(CLI::IsMember({"widest", "weighted", "impact"}))
+      ->capture_default_str();
+  app.add_option("--uncertainty", options.uncertainty,
+                 "Uncertain quantities: kept whole in the matrix elements, or split like variables")
+      ->check(CLI::IsMember({"elements", "variables"}))
+      ->capture_default_str();
+  const std::map<std::string, Engine> engines{{"jit", Engine::kJit},
+                                              {"interpreted", Engine::kInterpreted}};
+  app.add_option("--engine", options.engine, "How the model's functions run")
+      ->transform(CLI::CheckedTransformer(engines).description("{jit,interpreted}"));
+  app.add_option("--isa", options.isa,
+                 "Instruction set of the kernel; the best the CPU has by default")
+      ->check(CLI::IsMember({"avx512", "avx2", "portable"}));
+  app.add_option("--max-boxes", options.max_boxes, "Stop after N boxes")->type_name("N");
+  app.add_option("--time-limit", options.time_limit, "Stop after S seconds")
+      ->check(CLI::PositiveNumber)
+      ->type_name("S");
+  app.add_flag("--no-cache{false}", options.use_cache, "Compile anew and keep nothing");
+}
+
+void add_output_options(CLI::App& app, OutputOptions& options) {
+  app.add_flag("--json", options.json, "The report on standard output, as one JSON object");
+  app.add_flag("--quiet", options.quiet, "Nothing but the verdict (or the JSON report)");
+}
+
+}  // namespace
+
+CommandLine parse_command_line(int argc, const char* const* argv) {
+  CLI::App app{kDescription, "regulus"};
+  app.set_version_flag("--version", std::string("regulus ") + kVersion);
+  app.require_subcommand(1);
+  app.footer(kExitCodes);
+
+  CheckCommand check;
+  CLI::App* check_command =
+      app.add_subcommand("check", "Prove that a motion variety has no singular pose, or show one");
+  add_model_options(*check_command, check.model);
+  add_search_options(*check_command, check.search);
+  add_output_options(*check_command, check.output);
+  check_command->footer(kExitCodes);
+
+  ExplainCommand explain;
+  CLI::App* explain_command = app.add_subcommand(
+      "explain", "Show the symbolic forms and the occurrences of each variable before and after");
+  add_model_options(*explain_command, explain.model);
+  explain_command->add_flag("--all", explain.all_entries,
+                            "Every entry, not only the first of each kind");
+  explain_command
+      ->add_option("--stage", explain.stage,
+                   "What to show: the forms, or the C++ text of the kernel")
+      ->check(CLI::IsMember({"forms", "text"}))
+      ->capture_default_str();
+
+  CommandLine result;
+  try {
+    app.parse(argc, argv);
+  } catch (const CLI::ParseError& error) {
+    result.exit_code = app.exit(error) == 0 ? 0 : kUsageError;
+    return result;
+  }
+  if (check_command->parsed()) result.check = check;
+  if (explain_command->parsed()) result.explain = explain;
+  return result;
+}
+
+}  // namespace regulus::codegen

@@ -1,0 +1,71 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The command line, as values. Names that the option texts spell are those of DESIGN's command
+// table.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace regulus::codegen {
+
+enum class Engine { kJit, kInterpreted };
+
+/// `--tolerance base,platform=0.1`
+struct ToleranceOption {
+  std::string groups;
+  std::string value;
+};
+
+/// What every command that reads a model takes: which variety, with which changes.
+struct ModelOptions {
+  std::string path;
+  std::string motion;               ///< empty: the model's only one
+  std::vector<std::string> ranges;  ///< "p=LO:HI"
+  std::vector<std::string> tolerances;
+  std::string alpha;  ///< empty: the motion's own
+};
+
+/// How the search runs.
+struct SearchOptions {
+  std::string method = "auto";
+  std::string determinant = "expansion";
+  std::string bisect = "impact";
+  std::string uncertainty = "elements";
+  Engine engine = Engine::kJit;
+  std::string isa;  ///< empty: the best this CPU has
+  bool use_cache = true;
+  std::uint64_t max_boxes = 0;  ///< 0: no bound
+  double time_limit = 0;        ///< seconds, 0: no bound
+};
+
+struct OutputOptions {
+  bool json = false;
+  bool quiet = false;
+};
+
+struct CheckCommand {
+  ModelOptions model;
+  SearchOptions search;
+  OutputOptions output;
+};
+
+struct ExplainCommand {
+  ModelOptions model;
+  bool all_entries = false;
+  std::string stage = "forms";  ///< or "text": the C++ of the kernel
+};
+
+/// What was asked. Exactly one command is set; none when `exit_code` is (--help, --version, an
+/// error).
+struct CommandLine {
+  std::optional<int> exit_code;
+  std::optional<CheckCommand> check;
+  std::optional<ExplainCommand> explain;
+};
+
+/// Parses the arguments. Prints help, the version and usage errors itself.
+[[nodiscard]] CommandLine parse_command_line(int argc, const char* const* argv);
+
+}  // namespace regulus::codegen

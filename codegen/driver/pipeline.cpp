@@ -1,0 +1,149 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "regulus/codegen/driver/pipeline.hpp"
+
+#include "regulus/codegen/emit/emit.hpp"
+#include "regulus/codegen/jit/jit.hpp"
+#include "regulus/codegen/model/errors.hpp"
+#include "regulus/codegen/model/model_file.hpp"
+#include "regulus/codegen/model/overrides.hpp"
+#include "regulus/codegen/program/interpreted_kernel.hpp"
+#include "regulus/kernel/self_test.hpp"
+
+namespace regulus::codegen {
+namespace {
+
+class CompiledCode : public LoadedKernel {
+ public:
+  explicit CompiledCode(CompiledKernel code) : code_(std::move(code)) {}
+  const regulus_kernel& functions() const noexcept override { return *code_.kernel(); }
+
+ private:
+  CompiledKernel code_;
+};
+
+class InterpretedPrograms : public LoadedKernel {
+ public:
+  explicit InterpretedPrograms(const Module& module) : kernel_(module) {}
+  const regulus_kernel& functions() const noexcept override { return *kernel_.get(); }
+
+ private:
+  InterpretedKernel kernel_;
+};
+
+/// "GROUP=VALUE" in two.
+std::pair<std::string, std::string> split_assignment(const std::string& text, const char* option) {
+  const std::size_t equals = text.find('=');
+  if (equals == std::string::npos || equals == 0)
+    throw UsageError(std::string(option) + ": found '" + text + "', expected NAME=VALUE");
+  return {text.substr(0, equals), text.substr(equals + 1)};
+}
+
+/// Runs an override; its complaints are about the command line, not about the model file.
+template <class Change>
+void from_option(const char* option, Change change) {
+  try {
+    change();
+  } catch (const InputError& error) {
+    throw UsageError(std::string(option) + ": " + error.what());
+  }
+}
+
+Isa chosen_isa(const SearchOptions& search) {
+  if (search.isa.empty()) return best_isa();
+  const Isa isa = parse_isa(search.isa).value();
+  if (!supported(isa)) throw UsageError("--isa: this processor cannot run " + search.isa);
+  return isa;
+}
+
+void require_sound_rounding(const std::optional<std::string>& failure) {
+  if (failure) throw InternalError("the rounding self-test failed: " + *failure);
+}
+
+void load_kernel(Preparation& p, const SearchOptions& search, const std::string& command) {
+  Stopwatch watch;
+  require_sound_rounding(self_test(Isa::kPortable));
+  if (search.engine == Engine::kInterpreted) {
+    p.isa = Isa::kPortable;
+    p.cache = "off";
+    p.kernel = std::make_unique<InterpretedPrograms>(p.module);
+    p.seconds.compile = watch.lap();
+    return;
+  }
+  p.isa = chosen_isa(search);
+  EmitOptions emit_options;
+  emit_options.command = command;
+  emit_options.source = p.request.model.source;
+  const EmittedKernel text = emit(p.module, emit_options);
+  p.seconds.emit = watch.lap();
+
+  CompileOptions options;
+  options.isa = p.isa;
+  options.use_cache = search.use_cache;
+  require_sound_rounding(rounding_self_test(options));
+  CompiledKernel code = compile_kernel(text, options);
+  p.cache = code.cache();
+  p.cache_note = code.cache_note();
+  p.kernel = std::make_unique<CompiledCode>(std::move(code));
+  p.seconds.compile = watch.lap();
+}
+
+}  // namespace
+
+Request read_request(const ModelOptions& options) {
+  Request request;
+  request.model = load_model(options.path);
+  for (const std::string& tolerance : options.tolerances) {
+    const auto [groups, value] = split_assignment(tolerance, "--tolerance");
+    from_option("--tolerance", [&] { set_tolerance(request.model, groups, value); });
+  }
+  from_option("MOTION", [&] { request.motion = find_motion(request.model, options.motion); });
+  for (const std::string& range : options.ranges) {
+    const auto [parameter, value] = split_assignment(range, "--range");
+    from_option("--range", [&] { set_range(request.model, request.motion, parameter, value); });
+  }
+  if (!options.alpha.empty())
+    from_option("--alpha", [&] { set_alpha(request.motion, options.alpha); });
+  return request;
+}
+
+FormulationOptions functions_needed(Method method) {
+  FormulationOptions options;
+  options.left_product =
+      method == Method::kAuto || method == Method::kKj || method == Method::kKjRohn;
+  options.derivatives = method == Method::kAuto;
+  options.right_product = method == Method::kJk || method == Method::kJkRohn;
+  return options;
+}
+
+Preparation prepare(const ModelOptions& model, const SearchOptions& search,
+                    const std::string& command) {
+  Preparation p;
+  Stopwatch watch;
+  p.request = read_request(model);
+  p.seconds.model = watch.lap();
+  const Method method = parse_method(search.method).value();
+  p.formulation = formulate(p.request.model, p.request.motion, functions_needed(method));
+  p.module = lower(p.formulation);
+  p.variety = enclose_variety(p.request.model, p.request.motion, p.formulation);
+  p.seconds.symbolic = watch.lap();
+  load_kernel(p, search, command);
+  return p;
+}
+
+Problem Preparation::problem() const {
+  Problem problem;
+  problem.kernel = &kernel->functions();
+  problem.outer = variety.outer;
+  problem.inner = variety.inner;
+  problem.alpha = variety.alpha;
+  return problem;
+}
+
+EmittedKernel emit_kernel(const Request& request, Method method, const std::string& command) {
+  EmitOptions options;
+  options.command = command;
+  options.source = request.model.source;
+  return emit(lower(formulate(request.model, request.motion, functions_needed(method))), options);
+}
+
+}  // namespace regulus::codegen

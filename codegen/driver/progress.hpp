@@ -1,0 +1,32 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <chrono>
+#include <cstdio>
+
+#include "regulus/search/observer.hpp"
+
+namespace regulus::codegen {
+
+/// Shows on a terminal how far a search is: boxes, volume decided, rate, time. One line, rewritten
+/// a few times a second, erased at the end. Construct it only when the stream is a terminal.
+class ProgressDisplay : public Observer {
+ public:
+  explicit ProgressDisplay(std::FILE* terminal) : terminal_(terminal) {}
+
+  void on_start(const Problem&, const Settings&) noexcept override;
+  void on_leaf(const OpenBox& box, Rule rule, const Proof& proof) noexcept override;
+  void on_progress(const Statistics& statistics, std::uint64_t frontier) noexcept override;
+  void on_finish(const Result& result) noexcept override;
+
+ private:
+  using Clock = std::chrono::steady_clock;
+
+  std::FILE* terminal_;
+  Clock::time_point start_{};
+  Clock::time_point last_{};
+  double decided_ = 0;  ///< part of the root's volume, 0 … 1; for display only
+  bool shown_ = false;
+};
+
+}  // namespace regulus::codegen

@@ -1,0 +1,25 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What was found, for people and for programs.
+#pragma once
+
+#include <nlohmann/json_fwd.hpp>
+#include <string>
+
+#include "regulus/codegen/driver/pipeline.hpp"
+#include "regulus/search/result.hpp"
+
+namespace regulus::codegen {
+
+/// The report as a JSON object. Bounds are [lo, hi]; an infinite bound is null.
+[[nodiscard]] nlohmann::ordered_json json_report(const Preparation& preparation,
+                                                 const SearchOptions& search, const Result& result);
+
+/// The lines that precede the verdict on a terminal: what was asked, how it was decided, what is
+/// claimed, and where it fails.
+[[nodiscard]] std::string text_report(const Preparation& preparation, const SearchOptions& search,
+                                      const Result& result);
+
+/// What the verdict says about this model, in words.
+[[nodiscard]] std::string claim(const Preparation& preparation, const Result& result);
+
+}  // namespace regulus::codegen

@@ -1,0 +1,21 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "regulus/codegen/driver/settings.hpp"
+
+namespace regulus::codegen {
+
+Settings settings_from(const SearchOptions& options) {
+  Settings settings;
+  settings.method = parse_method(options.method).value();
+  settings.determinant =
+      options.determinant == "gauss" ? Determinant::kElimination : Determinant::kExpansion;
+  settings.bisection = options.bisect == "widest"     ? Bisection::kWidest
+                       : options.bisect == "weighted" ? Bisection::kWeighted
+                                                      : Bisection::kImpact;
+  settings.uncertainty =
+      options.uncertainty == "variables" ? Uncertainty::kVariables : Uncertainty::kElements;
+  if (options.max_boxes != 0) settings.max_boxes = options.max_boxes;
+  if (options.time_limit != 0) settings.time_limit = options.time_limit;
+  return settings;
+}
+
+}  // namespace regulus::codegen

@@ -1,0 +1,28 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "regulus/codegen/model/model.hpp"
+#include "regulus/codegen/symbolic/formulation.hpp"
+#include "regulus/interval/interval.hpp"
+
+namespace regulus::codegen {
+
+/// The exact ranges of a formulation's variables as doubles: outward for what must be proved,
+/// inward for where a witness may lie (see Problem).
+struct Variety {
+  std::vector<Interval> outer;
+  std::vector<std::optional<Interval>> inner;
+  Interval alpha{0.0};
+};
+
+/// Throws InputError when a range or the threshold has no certain value.
+[[nodiscard]] Variety enclose_variety(const Model& model, const Motion& motion,
+                                      const Formulation& formulation);
+
+/// A constant expression, outward. Throws InputError naming `what` when it has no certain value.
+[[nodiscard]] Interval enclose_constant(const GiNaC::ex& value, const std::string& what);
+
+}  // namespace regulus::codegen
