@@ -67,7 +67,7 @@ class GeometryReader {
                    "1 to " + std::to_string(kMostCoordinates));
     Model& model = reading_.model;
     const int index = written.ball ? static_cast<int>(model.balls.size()) : -1;
-    Ball ball{.members = {}, .radius = written.tolerance, .group = written.group};
+    ToleranceBall ball{.members = {}, .radius = written.tolerance, .group = written.group};
     for (std::size_t i = 0; i < coordinates.size(); ++i) {
       ball.members.push_back(model.geometry.size());
       add(entry.key + "_" + std::to_string(i + 1), written, coordinates[i], index);

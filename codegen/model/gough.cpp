@@ -45,7 +45,7 @@ struct Side {
 std::array<Point, 6> add_side(Model& model, const Side& side, ToleranceShape shape) {
   std::array<Point, 6> symbols;
   for (std::size_t i = 0; i < 6; ++i) {
-    Ball ball{.members = {}, .radius = side.tolerance, .group = side.group};
+    ToleranceBall ball{.members = {}, .radius = side.tolerance, .group = side.group};
     const int index = shape == ToleranceShape::kBall ? static_cast<int>(model.balls.size()) : -1;
     for (std::size_t axis = 0; axis < 3; ++axis) {
       const std::string name = side.letter + std::to_string(i + 1) + "_" + kAxes[axis];

@@ -41,7 +41,7 @@ struct GeometryParameter {
 };
 
 /// A point of the geometry that lies within `radius` of its nominal position.
-struct Ball {
+struct ToleranceBall {
   std::vector<std::size_t> members;  ///< indices into Model::geometry, the point's coordinates
   GiNaC::ex radius = 0;
   std::string group;
@@ -73,7 +73,7 @@ struct Model {
   std::string sha256;  ///< of the file's bytes, lower-case hexadecimal
   std::vector<PoseParameter> pose;
   std::vector<GeometryParameter> geometry;
-  std::vector<Ball> balls;
+  std::vector<ToleranceBall> balls;
   GiNaC::matrix matrix;              ///< m×n, m ≥ n, in the pose and geometry symbols
   std::vector<GiNaC::ex> row_scale;  ///< empty, or m positive factors: J⁻¹ row = row_scale · row
   std::vector<GiNaC::ex> must_be_defined;  ///< of matrix and row_scale; log(s): s must be positive

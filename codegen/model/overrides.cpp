@@ -113,7 +113,7 @@ void set_tolerance(Model& model, std::string_view groups, const ex& tolerance) {
   };
   for (GeometryParameter& g : model.geometry)
     if (is_wanted(g.group)) g.tolerance = checked;
-  for (Ball& ball : model.balls)
+  for (ToleranceBall& ball : model.balls)
     if (is_wanted(ball.group)) ball.radius = checked;
 }
 

@@ -22,7 +22,7 @@ struct Magnitude {
 std::vector<Magnitude> by_magnitude(const Polynomial& p, const AtomTable& atoms, Group group) {
   std::vector<Magnitude> magnitudes;
   for (std::size_t i = group.first; i < group.last; ++i) {
-    const Term& term = p.terms()[i];
+    const PolynomialTerm& term = p.terms()[i];
     const Expression e = coefficient_product(term.monomial.coefficients, atoms);
     const auto alike = std::find_if(magnitudes.begin(), magnitudes.end(), [&](const Magnitude& m) {
       return m.factor == term.factor || m.factor == -term.factor;

@@ -88,15 +88,15 @@ Expression Differentiator::of_call(const Expression& e) {
 }
 
 Polynomial PolynomialDifferentiator::derivative(const Polynomial& p) {
-  std::vector<Term> terms;
-  for (const Term& term : p.terms()) {
+  std::vector<PolynomialTerm> terms;
+  for (const PolynomialTerm& term : p.terms()) {
     const AtomProduct& variables = term.monomial.variables;
     for (std::size_t i = 0; i < variables.size();) {
       const Atom atom = variables[i];
       const int exponent = exponent_of(variables, atom);
       AtomProduct others = variables;
       others.erase(i, 1);
-      for (const Term& inner : of_atom(atom).terms())
+      for (const PolynomialTerm& inner : of_atom(atom).terms())
         terms.push_back(
             {Monomial{multiply(others, inner.monomial.variables),
                       multiply(term.monomial.coefficients, inner.monomial.coefficients)},

@@ -20,12 +20,12 @@ std::optional<Polynomial> Expander::expand(const Expression& e) {
 }
 
 Polynomial Expander::atom(const Expression& e) {
-  Term term{Monomial{}, 1};
+  PolynomialTerm term{Monomial{}, 1};
   if (e.has_variables())
     term.monomial.variables = AtomProduct(1, atoms_->variable_atom(e));
   else
     term.monomial.coefficients = AtomProduct(1, atoms_->coefficient_atom(e));
-  return Polynomial(std::vector<Term>{std::move(term)});
+  return Polynomial(std::vector<PolynomialTerm>{std::move(term)});
 }
 
 std::optional<Polynomial> Expander::expanded(const Expression& e) {
@@ -42,7 +42,7 @@ std::optional<Polynomial> Expander::expanded(const Expression& e) {
 }
 
 std::optional<Polynomial> Expander::expand_sum(const Expressions& terms) {
-  std::vector<Term> all;
+  std::vector<PolynomialTerm> all;
   for (const Expression& term : terms) {
     const std::optional<Polynomial> p = expand(term);
     if (!p || all.size() + p->terms().size() > most_terms_) return std::nullopt;

@@ -7,9 +7,9 @@ namespace regulus::codegen {
 namespace {
 
 Polynomial coefficient_polynomial(const Polynomial& p, Group group) {
-  std::vector<Term> terms(p.terms().begin() + static_cast<std::ptrdiff_t>(group.first),
-                          p.terms().begin() + static_cast<std::ptrdiff_t>(group.last));
-  for (Term& term : terms) term.monomial.variables.clear();
+  std::vector<PolynomialTerm> terms(p.terms().begin() + static_cast<std::ptrdiff_t>(group.first),
+                                    p.terms().begin() + static_cast<std::ptrdiff_t>(group.last));
+  for (PolynomialTerm& term : terms) term.monomial.variables.clear();
   return Polynomial(std::move(terms));
 }
 
@@ -22,9 +22,9 @@ std::optional<CommonFactor> common_coefficient(const Polynomial& p) {
   // Rational factors do not need to be taken out: they cost nothing in width.
   if (result.factor.terms().size() < 2) return std::nullopt;
   const cln::cl_RA lead = result.factor.terms()[0].factor;
-  std::vector<Term> rest;
+  std::vector<PolynomialTerm> rest;
   for (const Group group : all) {
-    const Term& first = p.terms()[group.first];
+    const PolynomialTerm& first = p.terms()[group.first];
     const cln::cl_RA ratio = first.factor / lead;
     if (!(coefficient_polynomial(p, group) == result.factor * ratio)) return std::nullopt;
     rest.push_back({Monomial{first.monomial.variables, {}}, ratio});

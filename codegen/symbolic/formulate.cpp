@@ -83,12 +83,12 @@ class Formulator {
 
   /// Σ_j points[j]·A[entries[j]].
   Entry combine(const std::vector<std::string>& points, const std::vector<std::size_t>& entries) {
-    std::vector<Term> terms;
+    std::vector<PolynomialTerm> terms;
     Expressions natural, rewritten;
     for (std::size_t j = 0; j < points.size(); ++j) {
       const Expression k = point(points[j]);
       const AtomProduct atom(1, rewriter_.atoms().coefficient_atom(k));
-      for (const Term& term : expanded_[entries[j]].terms())
+      for (const PolynomialTerm& term : expanded_[entries[j]].terms())
         terms.push_back(
             {Monomial{term.monomial.variables, multiply(term.monomial.coefficients, atom)},
              term.factor});

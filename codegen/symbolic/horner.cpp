@@ -73,26 +73,26 @@ class Nesting {
 
   static Split taken_out(const Polynomial& p, Atom atom) {
     int least = 0;
-    for (const Term& term : p.terms()) {
+    for (const PolynomialTerm& term : p.terms()) {
       const int exponent = exponent_of(term.monomial.variables, atom);
       if (exponent > 0 && (least == 0 || exponent < least)) least = exponent;
     }
     const AtomProduct outer(static_cast<std::size_t>(least), atom);
-    std::vector<Term> inner, rest;
-    for (const Term& term : p.terms()) {
-      Term quotient{Monomial{{}, term.monomial.coefficients}, term.factor};
+    std::vector<PolynomialTerm> inner, rest;
+    for (const PolynomialTerm& term : p.terms()) {
+      PolynomialTerm quotient{Monomial{{}, term.monomial.coefficients}, term.factor};
       const bool divisible = divide(term.monomial.variables, outer, quotient.monomial.variables);
       (divisible ? inner : rest).push_back(divisible ? std::move(quotient) : term);
     }
-    return {Polynomial(std::vector<Term>{{Monomial{outer, {}}, 1}}), Polynomial(std::move(inner)),
-            Polynomial(std::move(rest))};
+    return {Polynomial(std::vector<PolynomialTerm>{{Monomial{outer, {}}, 1}}),
+            Polynomial(std::move(inner)), Polynomial(std::move(rest))};
   }
 
   /// Where p is a·t² + b·t plus terms without t, with rational a and b.
   std::optional<Expression> completed_square(const Polynomial& p, Atom t) {
     cln::cl_RA a = 0, b = 0;
-    std::vector<Term> rest;
-    for (const Term& term : p.terms()) {
+    std::vector<PolynomialTerm> rest;
+    for (const PolynomialTerm& term : p.terms()) {
       const AtomProduct& variables = term.monomial.variables;
       const int exponent = exponent_of(variables, t);
       if (exponent == 0) {

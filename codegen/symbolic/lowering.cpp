@@ -32,17 +32,28 @@ Op operation_of(Call function) {
   return kOperations[static_cast<std::size_t>(function)];
 }
 
+/// The operands without variables, then the others.
+Expressions fixed_first(const Expressions& operands) {
+  Expressions ordered;
+  ordered.reserve(operands.size());
+  for (const bool has_variables : {false, true})
+    for (const Expression& e : operands)
+      if (e.has_variables() == has_variables) ordered.push_back(e);
+  return ordered;
+}
+
 /// The order of evaluation of a sum: what has no variables comes first and is added up by itself;
 /// a term that is added, not subtracted, leads if there is one.
-Expressions summation_order(Expressions terms) {
-  const auto is_fixed = [](const Expression& t) { return !t.has_variables(); };
-  const auto variable_terms = std::stable_partition(terms.begin(), terms.end(), is_fixed);
-  const auto begin = variable_terms == terms.begin() ? variable_terms : terms.begin();
-  const auto end = variable_terms == terms.begin() ? terms.end() : variable_terms;
-  const auto lead =
-      std::find_if(begin, end, [](const Expression& t) { return !minusp(coefficient_of(t)); });
-  if (lead != end) std::rotate(begin, lead, lead + 1);
-  return terms;
+Expressions summation_order(const Expressions& terms) {
+  Expressions ordered = fixed_first(terms);
+  const bool fixed = !ordered.front().has_variables();
+  const auto end = std::find_if(ordered.begin(), ordered.end(), [fixed](const Expression& t) {
+    return t.has_variables() == fixed;
+  });
+  const auto lead = std::find_if(ordered.begin(), end,
+                                 [](const Expression& t) { return !minusp(coefficient_of(t)); });
+  if (lead != end) std::rotate(ordered.begin(), lead, lead + 1);
+  return ordered;
 }
 
 }  // namespace
@@ -98,14 +109,11 @@ NodeId Lowering::lower_call(const Expression& e) {
 
 NodeId Lowering::lower_product(const Expressions& factors) {
   // Constants and entries of K precede variables in the canonical order, but sums of them do not.
-  Expressions ordered = factors;
-  std::stable_partition(ordered.begin(), ordered.end(),
-                        [](const Expression& f) { return !f.has_variables(); });
   std::optional<NodeId> numerator, denominator;
   const auto multiply_into = [this](std::optional<NodeId>& to, NodeId factor) {
     to = to ? builder_.multiply(*to, factor) : factor;
   };
-  for (const Expression& factor : ordered) {
+  for (const Expression& factor : fixed_first(factors)) {
     if (factor.kind() == Kind::kPower && factor.exponent() < 0)
       multiply_into(denominator, lower(power(factor.operands()[0], -factor.exponent())));
     else

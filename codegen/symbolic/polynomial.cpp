@@ -7,7 +7,7 @@
 namespace regulus::codegen {
 namespace {
 
-void combine_like_terms(std::vector<Term>& terms) {
+void combine_like_terms(std::vector<PolynomialTerm>& terms) {
   std::size_t kept = 0;
   for (std::size_t i = 0; i < terms.size();) {
     cln::cl_RA factor = terms[i].factor;
@@ -27,7 +27,7 @@ Monomial monomial_product(const Monomial& a, const Monomial& b) {
   return {multiply(a.variables, b.variables), multiply(a.coefficients, b.coefficients)};
 }
 
-bool divide_term(const Term& a, const Term& b, Term& quotient) {
+bool divide_term(const PolynomialTerm& a, const PolynomialTerm& b, PolynomialTerm& quotient) {
   if (!divide(a.monomial.variables, b.monomial.variables, quotient.monomial.variables) ||
       !divide(a.monomial.coefficients, b.monomial.coefficients, quotient.monomial.coefficients))
     return false;
@@ -35,10 +35,10 @@ bool divide_term(const Term& a, const Term& b, Term& quotient) {
   return true;
 }
 
-Polynomial times_term(const Polynomial& p, const Term& term) {
-  std::vector<Term> terms;
+Polynomial times_term(const Polynomial& p, const PolynomialTerm& term) {
+  std::vector<PolynomialTerm> terms;
   terms.reserve(p.terms().size());
-  for (const Term& t : p.terms())
+  for (const PolynomialTerm& t : p.terms())
     terms.push_back({monomial_product(t.monomial, term.monomial), t.factor * term.factor});
   return Polynomial(std::move(terms));
 }
@@ -54,8 +54,8 @@ Polynomial::Polynomial(const cln::cl_RA& constant) {
   if (!zerop(constant)) terms_.push_back({Monomial{}, constant});
 }
 
-Polynomial::Polynomial(std::vector<Term> terms) : terms_(std::move(terms)) {
-  const auto greater = [](const Term& a, const Term& b) {
+Polynomial::Polynomial(std::vector<PolynomialTerm> terms) : terms_(std::move(terms)) {
+  const auto greater = [](const PolynomialTerm& a, const PolynomialTerm& b) {
     return lex_greater(a.monomial, b.monomial);
   };
   if (!std::is_sorted(terms_.begin(), terms_.end(), greater))
@@ -68,43 +68,43 @@ bool Polynomial::has_variables() const noexcept {
 }
 
 Polynomial operator+(const Polynomial& a, const Polynomial& b) {
-  std::vector<Term> terms = a.terms();
+  std::vector<PolynomialTerm> terms = a.terms();
   terms.insert(terms.end(), b.terms().begin(), b.terms().end());
   return Polynomial(std::move(terms));
 }
 
 Polynomial operator*(const Polynomial& a, const Polynomial& b) {
-  std::vector<Term> terms;
+  std::vector<PolynomialTerm> terms;
   terms.reserve(a.terms().size() * b.terms().size());
-  for (const Term& s : a.terms())
-    for (const Term& t : b.terms())
+  for (const PolynomialTerm& s : a.terms())
+    for (const PolynomialTerm& t : b.terms())
       terms.push_back({monomial_product(s.monomial, t.monomial), s.factor * t.factor});
   return Polynomial(std::move(terms));
 }
 
 Polynomial operator*(const Polynomial& a, const cln::cl_RA& factor) {
-  return times_term(a, Term{Monomial{}, factor});
+  return times_term(a, PolynomialTerm{Monomial{}, factor});
 }
 
 bool operator==(const Polynomial& a, const Polynomial& b) {
   return std::equal(a.terms().begin(), a.terms().end(), b.terms().begin(), b.terms().end(),
-                    [](const Term& s, const Term& t) {
+                    [](const PolynomialTerm& s, const PolynomialTerm& t) {
                       return s.monomial == t.monomial && s.factor == t.factor;
                     });
 }
 
 std::optional<Polynomial> divide_exactly(const Polynomial& a, const Polynomial& b) {
   if (a.is_zero()) return Polynomial();
-  Term quotient;
+  PolynomialTerm quotient;
   // The least terms have to divide, too: a test that fails early for nearly all pairs.
   if (!divide_term(a.terms().back(), b.terms().back(), quotient)) return std::nullopt;
-  std::vector<Term> quotients;
+  std::vector<PolynomialTerm> quotients;
   Polynomial rest = a;
   while (!rest.is_zero()) {
     if (!divide_term(rest.terms().front(), b.terms().front(), quotient)) return std::nullopt;
     if (quotients.size() >= a.terms().size()) return std::nullopt;
     quotients.push_back(quotient);
-    rest = rest + times_term(b, Term{quotient.monomial, -quotient.factor});
+    rest = rest + times_term(b, PolynomialTerm{quotient.monomial, -quotient.factor});
   }
   return Polynomial(std::move(quotients));
 }

@@ -20,7 +20,7 @@ struct Monomial {
 
 [[nodiscard]] bool lex_greater(const Monomial& a, const Monomial& b) noexcept;
 
-struct Term {
+struct PolynomialTerm {
   Monomial monomial;
   cln::cl_RA factor;
 };
@@ -32,14 +32,14 @@ class Polynomial {
   Polynomial() = default;
   explicit Polynomial(const cln::cl_RA& constant);
   /// Orders the terms and combines like ones.
-  explicit Polynomial(std::vector<Term> terms);
+  explicit Polynomial(std::vector<PolynomialTerm> terms);
 
-  [[nodiscard]] const std::vector<Term>& terms() const noexcept { return terms_; }
+  [[nodiscard]] const std::vector<PolynomialTerm>& terms() const noexcept { return terms_; }
   [[nodiscard]] bool is_zero() const noexcept { return terms_.empty(); }
   [[nodiscard]] bool has_variables() const noexcept;
 
  private:
-  std::vector<Term> terms_;
+  std::vector<PolynomialTerm> terms_;
 };
 
 [[nodiscard]] Polynomial operator+(const Polynomial& a, const Polynomial& b);

@@ -21,7 +21,7 @@ using ByMonomial = std::map<AtomProduct, Polynomial, LexGreater>;
 ByMonomial by_monomial(const Polynomial& p) {
   ByMonomial result;
   for (const Group group : groups(p)) {
-    std::vector<Term> terms;
+    std::vector<PolynomialTerm> terms;
     for (std::size_t i = group.first; i < group.last; ++i)
       terms.push_back({Monomial{{}, p.terms()[i].monomial.coefficients}, p.terms()[i].factor});
     result.emplace(p.terms()[group.first].monomial.variables, Polynomial(std::move(terms)));
@@ -30,8 +30,9 @@ ByMonomial by_monomial(const Polynomial& p) {
 }
 
 Polynomial times_variables(const Polynomial& coefficient, const AtomProduct& variables) {
-  std::vector<Term> terms = coefficient.terms();
-  for (Term& term : terms) term.monomial.variables = multiply(term.monomial.variables, variables);
+  std::vector<PolynomialTerm> terms = coefficient.terms();
+  for (PolynomialTerm& term : terms)
+    term.monomial.variables = multiply(term.monomial.variables, variables);
   return Polynomial(std::move(terms));
 }
 
@@ -74,7 +75,7 @@ class AngleMerger {
 
   std::vector<Angle> find_angles() {
     AtomProduct seen;
-    for (const Term& term : p_.terms()) seen += term.monomial.variables;
+    for (const PolynomialTerm& term : p_.terms()) seen += term.monomial.variables;
     std::sort(seen.begin(), seen.end());
     seen.erase(std::unique(seen.begin(), seen.end()), seen.end());
     std::sort(seen.begin(), seen.end(), [&](Atom a, Atom b) { return atoms_.precedes(a, b); });
