@@ -39,11 +39,12 @@ bool is_plain(std::uint32_t code) {
     std::uint32_t first;
     std::uint32_t last;
   };
-  constexpr std::array<Range, 7> kPlain = {{{0x20, 0x7E},
+  constexpr std::array<Range, 8> kPlain = {{{0x20, 0x7E},
                                             {0xA1, 0xAC},
                                             {0xAE, 0x24F},
                                             {0x391, 0x3C9},
                                             {0x2013, 0x2014},
+                                            {0x2026, 0x2026},
                                             {0x2070, 0x209C},
                                             {0x2190, 0x22FF}}};
   return code != '\\' && std::any_of(kPlain.begin(), kPlain.end(), [&](const Range& range) {

@@ -1,0 +1,45 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <filesystem>
+#include <fstream>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+#include "support/spawned_compiler.hpp"
+
+namespace regulus::test {
+
+/// g++ and the newest Clang, as far as they are installed.
+inline std::vector<std::string> installed_compilers() {
+  std::vector<std::string> found;
+  if (is_installed("g++")) found.push_back("g++");
+  for (const char* clang : {"clang++-22", "clang++"})
+    if (is_installed(clang)) {
+      found.push_back(clang);
+      break;
+    }
+  return found;
+}
+
+/// Whether the compiler accepts the text without a warning. Makes no code.
+inline bool compiles_without_warnings(const std::string& compiler, const std::string& text, Isa isa,
+                                      const std::filesystem::path& directory) {
+  const auto source = directory / "text.cpp";
+  std::ofstream(source) << text;
+  std::vector<std::string> command{compiler,
+                                   "-std=c++20",
+                                   "-fsyntax-only",
+                                   "-Wall",
+                                   "-Wextra",
+                                   "-Werror",
+                                   "-I" REGULUS_BINARY_DIR "/include"};
+  command.insert(command.end(), std::begin(kFloatingPointFlags), std::end(kFloatingPointFlags));
+  const auto flags = compile_flags(isa);
+  command.insert(command.end(), flags.begin(), flags.end());
+  command.push_back(source.string());
+  return run(command) == 0;
+}
+
+}  // namespace regulus::test
