@@ -24,8 +24,8 @@ class TightBinary {
   Interval operator()(double a, double b) {
     a_ = a;
     b_ = b;
-    const testing::Tightest z = testing::tightest(
-        result_, [&](mpfr_ptr r, mpfr_rnd_t direction) { f_(r, a_, b_, direction); });
+    const Tightest z =
+        tightest(result_, [&](mpfr_ptr r, mpfr_rnd_t direction) { f_(r, a_, b_, direction); });
     return {z.lo, z.hi};
   }
 
@@ -38,7 +38,7 @@ class TightBinary {
 
  private:
   Binary f_;
-  testing::MpfrNumber a_, b_, result_;
+  MpfrNumber a_, b_, result_;
 };
 
 /// Points of doubles, of which both bounds are then tight roundings of one number.
@@ -101,13 +101,13 @@ TEST(Arithmetic, QuotientsOfIntervalsAreTight) {
 
 TEST(Arithmetic, SquareRootsAreTight) {
   CornerInputs inputs(9, 0);
-  testing::MpfrNumber x;
-  testing::MpfrNumber result;
+  MpfrNumber x;
+  MpfrNumber result;
   for (int i = 0; i < kCases; ++i) {
     const double a = inputs.number();
     x = a;
-    const auto exact = testing::tightest(
-        result, [&](mpfr_ptr r, mpfr_rnd_t direction) { mpfr_sqrt(r, x, direction); });
+    const auto exact =
+        tightest(result, [&](mpfr_ptr r, mpfr_rnd_t direction) { mpfr_sqrt(r, x, direction); });
     ASSERT_EQ(sqrt(Interval(a)), Interval(exact.lo, exact.hi)) << std::hexfloat << a;
   }
 }
@@ -124,11 +124,11 @@ TEST(Arithmetic, SquaresAreTight) {
 
 /// xⁿ is monotone on each side of 0, so the ends and 0 give its range.
 Interval exact_power(Interval x, int n) {
-  testing::MpfrNumber base;
-  testing::MpfrNumber result;
+  MpfrNumber base;
+  MpfrNumber result;
   const auto at = [&](double a) {
     base = a;
-    const auto z = testing::tightest(
+    const auto z = tightest(
         result, [&](mpfr_ptr r, mpfr_rnd_t direction) { mpfr_pow_si(r, base, n, direction); });
     return Interval{z.lo, z.hi};
   };
