@@ -43,7 +43,8 @@ TEST(GoughRefusal, UnknownKey) {
 }
 
 TEST(GoughRefusal, MissingBase) {
-  expect_refused_gough("base = ", "base_tolerance = 1 #", 9, "not TOML", "TOML");
+  expect_refused("regulus = 1\nname = \"a\"\n\n[gough]\norientation = \"quaternion\"\n", 4,
+                 "no 'base' in gough", "'gough.base'");
 }
 
 TEST(GoughRefusal, FivePoints) {

@@ -47,9 +47,14 @@ double logarithm(double a) {
 }
 
 double arc_sine(double a) {
-  if (std::fabs(std::fabs(a) - 1) < kNear && std::fabs(a) != 1) return kAmbiguous;
-  return std::asin(a);
+  return std::fabs(std::fabs(a) - 1) < kNear ? kAmbiguous : std::asin(a);
 }
+
+double tangent(double a) {
+  return std::fabs(std::cos(a)) < kNear ? kAmbiguous : settle(std::tan(a));
+}
+
+double arc_cosine(double a) { return std::isinf(arc_sine(a)) ? kAmbiguous : std::acos(a); }
 
 double angle(double y, double x) {
   if (y == 0 && x == 0) return kUndefined;
@@ -63,7 +68,7 @@ class Generator {
 
   Written expression(int depth) {
     if (depth == 0) return leaf();
-    switch (pick(12)) {
+    switch (pick(17)) {
       case 0:
         return binary(depth, "+", [](double a, double b) { return settle(a + b); });
       case 1:
@@ -84,6 +89,16 @@ class Generator {
         return square(depth);
       case 10:
         return unary(depth, "abs", [](double a) { return std::fabs(a); });
+      case 11:
+        return unary(depth, "acos", arc_cosine);
+      case 12:
+        return unary(depth, "tan", tangent);
+      case 13:
+        return unary(depth, "atan", [](double a) { return std::atan(a); });
+      case 14:
+        return unary(depth, "exp", [](double a) { return settle(std::exp(a)); });
+      case 15:
+        return unary(depth, "cos", [](double a) { return std::cos(a); });
       default:
         return atan2(depth);
     }
