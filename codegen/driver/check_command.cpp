@@ -43,9 +43,9 @@ Result search(Preparation& preparation, const CheckCommand& command,
 
 }  // namespace
 
-int run_check(const CheckCommand& command, const std::string& typed) {
+int run_check(const CheckCommand& command) {
   const InterruptGuard interrupt;
-  Preparation preparation = prepare(command.model, command.search, typed);
+  Preparation preparation = prepare(command.model, command.search);
   const Result result = search(preparation, command, interrupt.requested());
   if (!command.output.quiet) std::cerr << text_report(preparation, command.search, result);
   if (command.output.json)

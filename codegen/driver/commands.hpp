@@ -8,8 +8,9 @@
 
 namespace regulus::codegen {
 
+[[nodiscard]] int run_check(const CheckCommand& command);
+
 /// `typed`: the command line as typed, for the header of generated text.
-[[nodiscard]] int run_check(const CheckCommand& command, const std::string& typed);
 [[nodiscard]] int run_explain(const ExplainCommand& command, const std::string& typed);
 
 }  // namespace regulus::codegen

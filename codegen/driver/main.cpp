@@ -13,7 +13,7 @@ using namespace regulus::codegen;
 
 int run(const CommandLine& line, const std::string& command) {
   if (line.exit_code) return *line.exit_code;
-  if (line.check) return run_check(*line.check, command);
+  if (line.check) return run_check(*line.check);
   return run_explain(*line.explain, command);
 }
 

@@ -44,7 +44,8 @@ void add_model_options(CLI::App& app, ModelOptions& options) {
 
 void add_search_options(CLI::App& app, SearchOptions& options) {
   app.add_option("--method", options.method, "How a box is decided")
-      ->check(CLI::IsMember({"auto", "reg", "kj", "jk"}))
+      ->check(CLI::IsMember({"auto", "reg", "reg+rohn", "kj", "kj+rohn", "jk", "jk+rohn",
+                             "kj-numeric", "jk-numeric"}))
       ->capture_default_str();
   app.add_option("--determinant", options.determinant,
                  "How the determinant of an interval matrix is enclosed")
@@ -68,7 +69,8 @@ void add_search_options(CLI::App& app, SearchOptions& options) {
   app.add_option("--time-limit", options.time_limit, "Stop after S seconds")
       ->check(CLI::PositiveNumber)
       ->type_name("S");
-  app.add_flag("--no-cache{false}", options.use_cache, "Compile anew and keep nothing");
+  app.add_flag_callback(
+      "--no-cache", [&options] { options.use_cache = false; }, "Compile anew and keep nothing");
 }
 
 void add_output_options(CLI::App& app, OutputOptions& options) {

@@ -59,7 +59,15 @@ void require_sound_rounding(const std::optional<std::string>& failure) {
   if (failure) throw InternalError("the rounding self-test failed: " + *failure);
 }
 
-void load_kernel(Preparation& p, const SearchOptions& search, const std::string& command) {
+/// Without the names of model and motion: the text then depends on what is computed alone, and
+/// motions of the same expressions share one entry of the cache.
+Module anonymous(Module module) {
+  module.model.clear();
+  module.motion.clear();
+  return module;
+}
+
+void load_kernel(Preparation& p, const SearchOptions& search) {
   Stopwatch watch;
   require_sound_rounding(self_test(Isa::kPortable));
   if (search.engine == Engine::kInterpreted) {
@@ -70,10 +78,7 @@ void load_kernel(Preparation& p, const SearchOptions& search, const std::string&
     return;
   }
   p.isa = chosen_isa(search);
-  EmitOptions emit_options;
-  emit_options.command = command;
-  emit_options.source = p.request.model.source;
-  const EmittedKernel text = emit(p.module, emit_options);
+  const EmittedKernel text = emit(anonymous(p.module));
   p.seconds.emit = watch.lap();
 
   CompileOptions options;
@@ -115,8 +120,7 @@ FormulationOptions functions_needed(Method method) {
   return options;
 }
 
-Preparation prepare(const ModelOptions& model, const SearchOptions& search,
-                    const std::string& command) {
+Preparation prepare(const ModelOptions& model, const SearchOptions& search) {
   Preparation p;
   Stopwatch watch;
   p.request = read_request(model);
@@ -126,7 +130,7 @@ Preparation prepare(const ModelOptions& model, const SearchOptions& search,
   p.module = lower(p.formulation);
   p.variety = enclose_variety(p.request.model, p.request.motion, p.formulation);
   p.seconds.symbolic = watch.lap();
-  load_kernel(p, search, command);
+  load_kernel(p, search);
   return p;
 }
 

@@ -69,8 +69,7 @@ struct Preparation {
 };
 
 /// Runs every stage up to the search. Throws CompileError and InternalError too.
-[[nodiscard]] Preparation prepare(const ModelOptions& model, const SearchOptions& search,
-                                  const std::string& command);
+[[nodiscard]] Preparation prepare(const ModelOptions& model, const SearchOptions& search);
 
 /// Which functions a method calls; the others need not be formed or compiled.
 [[nodiscard]] FormulationOptions functions_needed(Method method);

@@ -160,9 +160,12 @@ std::string size_words(const Preparation& p) {
 
 std::string claim(const Preparation& p, const Result& result) {
   const bool threshold = p.variety.alpha.hi > 0;
+  const std::size_t uncertain = uncertain_count(p);
   const std::string set =
-      fmt::format("every pose of the variety and every value of the {} uncertain quantities",
-                  uncertain_count(p));
+      uncertain == 0
+          ? "every pose of the variety"
+          : fmt::format("every pose of the variety and every value of the {} uncertain quantities",
+                        uncertain);
   switch (result.verdict) {
     case Verdict::kNoSingularity:
       return threshold ? fmt::format("|det J⁻¹| > {} for {}", short_interval(p.variety.alpha), set)

@@ -62,7 +62,7 @@ TEST_P(PaperVerdicts, AreReachedWithinTheBoxBudget) {
   ModelOptions model;
   model.path = std::string(REGULUS_SOURCE_DIR "/models/") + expected.model + ".toml";
   model.motion = expected.motion;
-  const Preparation preparation = prepare(model, search_options(engine), "regulus check");
+  const Preparation preparation = prepare(model, search_options(engine));
   const Result result = solve(preparation.problem(), settings_from(search_options(engine)));
 
   EXPECT_EQ(result.verdict, expected.verdict) << describe(result.reason);
