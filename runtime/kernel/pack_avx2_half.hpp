@@ -138,8 +138,9 @@ REGULUS_INLINE V sqrt_rd(V a) {
   return reinterpret_cast<V>(reinterpret_cast<M>(root) + above);
 }
 
+// max gives its second operand when one is a NaN: it stays one, and the lane is reported.
 REGULUS_INLINE Partial sqrt(Half x) {
-  const V lo = max(-x.nlo, splat(0.0)), hi = max(x.hi, splat(0.0));
+  const V lo = max(splat(0.0), -x.nlo), hi = max(splat(0.0), x.hi);
   const Half root = {-sqrt_rd(lo), simd::sqrt(hi)};
   return {(x.nlo <= splat(0.0)) & within(root, simd::kMaxMagnitude), root};
 }

@@ -143,9 +143,10 @@ REGULUS_INLINE I div(I x, I y, unsigned& undefined) {
   return defined_where(usable & within(quotient, simd::kMaxMagnitude), quotient, undefined);
 }
 
+// max gives its second operand when one is a NaN: it stays one, and the lane is reported.
 REGULUS_INLINE I sqrt(I x, unsigned& undefined) {
   const M usable = splat(0.0) <= x.lo;
-  const I root = {sqrt_rd(max(x.lo, splat(0.0))), sqrt_ru(max(x.hi, splat(0.0)))};
+  const I root = {sqrt_rd(max(splat(0.0), x.lo)), sqrt_ru(max(splat(0.0), x.hi))};
   return defined_where(usable & within(root, simd::kMaxMagnitude), root, undefined);
 }
 

@@ -17,6 +17,7 @@ using simd::M2;
 using simd::V2;
 
 REGULUS_INLINE V2 splat(double c) { return V2{c, c}; }
+// As the processors' instructions: the second operand where either is a NaN.
 REGULUS_INLINE V2 min(V2 a, V2 b) { return a < b ? a : b; }
 REGULUS_INLINE V2 max(V2 a, V2 b) { return a > b ? a : b; }
 REGULUS_INLINE V2 magnitude(V2 x) {
@@ -35,13 +36,13 @@ REGULUS_INLINE V2 step(V2 x) {
 /// At most the double before x; with x = fl(v), at most v. Overflow of v to +∞ gives a finite
 /// bound.
 REGULUS_INLINE V2 below(V2 x) {
-  const V2 finite_above = min(x, splat(simd::kMaxDouble));
+  const V2 finite_above = min(splat(simd::kMaxDouble), x);
   return finite_above - step(finite_above);
 }
 
 /// At least the double after x; with x = fl(v), at least v.
 REGULUS_INLINE V2 above(V2 x) {
-  const V2 finite_below = max(x, splat(-simd::kMaxDouble));
+  const V2 finite_below = max(splat(-simd::kMaxDouble), x);
   return finite_below + step(finite_below);
 }
 

@@ -44,6 +44,11 @@ bool is_mul_add(Op operation) {
          operation == Op::mul_add_by_point || operation == Op::mul_add_intervals;
 }
 
+bool is_never_negative(Op operation) {
+  return operation == Op::square || operation == Op::power_2 || operation == Op::power_4 ||
+         operation == Op::power_6 || operation == Op::absolute || operation == Op::square_root;
+}
+
 /// Doubles that a bound may lie outside the tightest one; nullopt for no budget. With directed
 /// rounding one operation is tightest, and a power of k roundings loses what its first k − 1 lose,
 /// multiplied by the exponents that follow. The portable step is one double, two near 2^-1021, and
@@ -84,6 +89,8 @@ class PackTightnessTest : public ::testing::TestWithParam<Op> {
           << variant.name << " for " << describe(work.arguments(i));
       if (results.is_undefined(i) || !allowed) continue;
       const Tightest computed = results.bounds(i);
+      ASSERT_TRUE(computed.lo >= 0 || !is_never_negative(GetParam()))
+          << variant.name << ": " << describe(computed) << " for " << describe(work.arguments(i));
       const std::int64_t below = ordinal(tightest[i]->lo) - ordinal(computed.lo);
       const std::int64_t above = ordinal(computed.hi) - ordinal(tightest[i]->hi);
       ASSERT_TRUE(0 <= below && below <= *allowed && 0 <= above && above <= *allowed)
