@@ -66,6 +66,14 @@ ExpressionText PartWriter::render(NodeId id) {
   }
 }
 
+/// The left operand first: using a value may print its declaration, and the text must not depend on
+/// the order in which the compiler of this file evaluates arguments.
+ExpressionText PartWriter::combine(BinaryText operation, NodeId a, NodeId b) {
+  const ExpressionText left = use(a);
+  const ExpressionText right = use(b);
+  return operation(left, right);
+}
+
 /// The pack tells factors apart by the signs of the left one's bounds: a value used often goes
 /// there, since the compiler looks at its signs once.
 std::pair<NodeId, NodeId> PartWriter::factors(NodeId id) const {
@@ -77,7 +85,7 @@ std::pair<NodeId, NodeId> PartWriter::factors(NodeId id) const {
 
 ExpressionText PartWriter::render_product(NodeId id) {
   const auto [a, b] = factors(id);
-  return product(use(a), use(b));
+  return combine(product, a, b);
 }
 
 /// The product that the sum can take in as mul_add. From a − b·c the sign goes to a factor that is
@@ -98,7 +106,7 @@ std::optional<NodeId> PartWriter::fused_product(NodeId sum) const {
 ExpressionText PartWriter::render_sum(NodeId id) {
   const Node& n = node(id);
   if (const std::optional<NodeId> fused = fused_product(id)) return render_mul_add(id, *fused);
-  return n.op == Op::kAdd ? sum(use(n.a), use(n.b)) : difference(use(n.a), use(n.b));
+  return combine(n.op == Op::kAdd ? sum : difference, n.a, n.b);
 }
 
 ExpressionText PartWriter::render_mul_add(NodeId id, NodeId fused) {
@@ -123,7 +131,7 @@ ExpressionText PartWriter::render_power(NodeId id) {
   if (n.index != 2)
     return atom(concatenate({"pow(", as_interval(n.a), ", ", std::to_string(n.index), ")"}));
   if (is_interval(n.a)) return atom(concatenate({"sqr(", use(n.a).text, ")"}));
-  return product(use(n.a), use(n.a));
+  return combine(product, n.a, n.a);
 }
 
 ExpressionText PartWriter::render_call(NodeId id) {

@@ -103,8 +103,10 @@ bool PartWriter::write_sine_and_cosine(NodeId id) {
   const NodeId sine = node(id).op == Op::kSin ? id : partner->second;
   const NodeId cosine = node(id).op == Op::kSin ? partner->second : id;
   const std::string argument = as_interval(node(id).a);
-  statements_ += "  I " + names_.of(sine) + ", " + names_.of(cosine) + ";\n  sincos(" + argument +
-                 ", " + names_.of(sine) + ", " + names_.of(cosine) + ");\n";
+  const std::string sine_name = names_.of(sine);
+  const std::string cosine_name = names_.of(cosine);
+  statements_ += concatenate({"  I ", sine_name, ", ", cosine_name, ";\n  sincos(", argument, ", ",
+                              sine_name, ", ", cosine_name, ");\n"});
   for (const NodeId both : {sine, cosine}) {
     named_[both] = true;
     keep_for_later_parts(both);

@@ -56,6 +56,8 @@ class PartWriter {
   /// The expression that computes the node, short enough for a line.
   [[nodiscard]] ExpressionText compute(NodeId id);
   [[nodiscard]] ExpressionText render(NodeId id);
+  using BinaryText = ExpressionText (*)(const ExpressionText&, const ExpressionText&);
+  [[nodiscard]] ExpressionText combine(BinaryText operation, NodeId a, NodeId b);
   [[nodiscard]] std::pair<NodeId, NodeId> factors(NodeId product) const;
   [[nodiscard]] ExpressionText render_product(NodeId id);
   [[nodiscard]] ExpressionText render_sum(NodeId id);
