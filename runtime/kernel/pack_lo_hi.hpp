@@ -56,9 +56,9 @@ REGULUS_INLINE I operator*(P p, I x) {
 }
 REGULUS_INLINE I operator*(I x, P p) { return p * x; }
 
-/// For fixed y-choice the product is monotone in x: least over y is concave, greatest is convex in
-/// x, so both extremes are at x.lo or x.hi. Two products per bound instead of four; when the sign
-/// of x is known to the compiler, the choice of y costs nothing.
+/// min over y of x·y is concave in x and max is convex, so both extremes are at x.lo or x.hi. Two
+/// products per bound instead of four; when the sign of x is known to the compiler, the choice of y
+/// costs nothing.
 REGULUS_INLINE I operator*(I x, I y) {
   return {min(mul_rd(x.lo, least_factor(x.lo, y)), mul_rd(x.hi, least_factor(x.hi, y))),
           max(mul_ru(x.lo, greatest_factor(x.lo, y)), mul_ru(x.hi, greatest_factor(x.hi, y)))};
