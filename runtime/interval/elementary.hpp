@@ -4,9 +4,8 @@
 //
 // Requires  MXCSR at nearest (regulus/interval/rounding.hpp).
 // Ensures   f(t) ∈ result for every t ∈ x, and no bound lies further out than stated, in units in
-// the
-//           last place of the exact bound. sin 0, tan 0, asin 0, atan 0, atan2(0, 1), exp 0, log 1,
-//           cos 0 and acos 1 are exact.
+//           the last place of the exact bound. sin 0, cos 0, tan 0, asin 0, acos 1, atan 0,
+//           atan2(0, 1), exp 0 and log 1 are exact.
 //
 // The forms with `undefined` behave as in regulus/interval/arithmetic.hpp.
 #pragma once

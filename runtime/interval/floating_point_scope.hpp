@@ -29,8 +29,7 @@ inline void write_mxcsr(unsigned value) noexcept {
 }
 
 /// Ensures   until it is destroyed: the given rounding, FTZ and DAZ off, every exception masked.
-/// Then
-///           these are as before. Writes MXCSR only where that changes anything: it is slow.
+///           Then these are as before. Writes MXCSR only where that changes anything: it is slow.
 class FloatingPointScope {
  public:
   explicit FloatingPointScope(FloatingPointRounding rounding) noexcept : saved_(read_mxcsr()) {

@@ -13,8 +13,7 @@ namespace regulus {
 /// The closed set of the reals x with lo ≤ x ≤ hi.
 ///
 /// Ensures   lo ≤ hi, lo < +∞, hi > −∞, no NaN. Whatever else it is built from (a NaN, bounds in
-/// the
-///           wrong order, an infinite point) widens to [−∞, ∞]: it never shrinks a set.
+///           the wrong order, an infinite point) widens to [−∞, ∞]: it never shrinks a set.
 struct Interval {
   double lo = 0;
   double hi = 0;

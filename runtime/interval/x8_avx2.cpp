@@ -3,6 +3,6 @@
 
 namespace regulus {
 
-const X8Backend kX8Avx2 = elementary::for_avx2::kBackend;
+const X8Backend kX8Avx2 = elementary::kBackend;
 
 }  // namespace regulus

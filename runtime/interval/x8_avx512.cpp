@@ -3,6 +3,6 @@
 
 namespace regulus {
 
-const X8Backend kX8Avx512 = elementary::for_avx512::kBackend;
+const X8Backend kX8Avx512 = elementary::kBackend;
 
 }  // namespace regulus

@@ -3,6 +3,6 @@
 
 namespace regulus {
 
-const X8Backend kX8Baseline = elementary::for_baseline::kBackend;
+const X8Backend kX8Baseline = elementary::kBackend;
 
 }  // namespace regulus

@@ -16,14 +16,17 @@ inline namespace REGULUS_LANES_ISA {
 
 inline constexpr int kX8Lanes = 8;
 
+/// Doubles in memory, seen as a vector.
+typedef Vector VectorInMemory __attribute__((may_alias));
+
 inline Bounds<Vector> load(const double* block) noexcept {
-  return {*reinterpret_cast<const Vector*>(block),
-          *reinterpret_cast<const Vector*>(block + kX8Lanes)};
+  return {*reinterpret_cast<const VectorInMemory*>(block),
+          *reinterpret_cast<const VectorInMemory*>(block + kX8Lanes)};
 }
 
 inline void store(double* block, const Bounds<Vector>& value) noexcept {
-  *reinterpret_cast<Vector*>(block) = value.lo;
-  *reinterpret_cast<Vector*>(block + kX8Lanes) = value.hi;
+  *reinterpret_cast<VectorInMemory*>(block) = value.lo;
+  *reinterpret_cast<VectorInMemory*>(block + kX8Lanes) = value.hi;
 }
 
 inline VectorMask malformed(const Bounds<Vector>& x) noexcept { return ~(x.lo <= x.hi); }

@@ -2,9 +2,8 @@
 // asin and acos of bounds and of intervals.
 //
 // Claim     one step outward of the nearly nearest value encloses the function.
-// Argument  beside arcsine_of_magnitude; tests/property/interval/error_bound_test.cpp re-proves it
-// by
-//           interval error analysis of this code, the polynomial against Arb.
+// Argument  beside arcsine_of_magnitude. tests/property/interval/error_bound_test.cpp re-proves the
+//           claim by interval error analysis of this code, the polynomial by Arb.
 // Test      tests/property/interval/elementary_test.cpp, containment against Arb.
 #pragma once
 
@@ -45,8 +44,9 @@ inline HalfAngle<T> arcsine_of_magnitude(T x) noexcept {
   return {{s, s * (z * polynomial(z, kAsinCoefficients)) + s_low}, halved};
 }
 
-/// base + factor·angle, rounded once at the end. Requires |factor| = 1 or 2, base = 0 or ≥
-/// |factor·angle|.
+/// base + factor·angle, rounded once at the end.
+///
+/// Requires  |factor| = 1 or 2; base = 0 or ≥ |factor·angle|.
 template <class T>
 inline T assemble(Parts<T> base, T factor, Parts<T> angle) noexcept {
   const Parts<T> head = fast_two_sum(base.high, factor * angle.high);
@@ -70,8 +70,8 @@ inline T asin_point(T x) noexcept {
   return with_sign_of(assemble(half_pi_where<T>(half.halved), factor, half.asin), x);
 }
 
-/// acos x = π/2 − asin x, 2·asin √((1 − x)/2), or π − 2·asin √((1 − |x|)/2) for x < −1/2. 0 iff x
-/// is 1.
+/// acos x = π/2 − asin x; 2·asin √((1 − x)/2) for x > 1/2; π − 2·asin √((1 + x)/2) for x < −1/2.
+/// 0 iff x is 1.
 ///
 /// The second is relatively as accurate as asin of a number ≤ 1/2; the others exceed π/3 and have
 /// the absolute error of asin.

@@ -87,10 +87,13 @@ inline Bounds<T> atan_bounds(Bounds<T> x) noexcept {
   return {step_down_unless_zero(nearly(x.lo)), step_up_unless_zero(nearly(x.hi))};
 }
 
+/// How far the nearly nearest angle of a point may be from a bound.
+inline constexpr int kAngleSteps = 2;
+
 /// The angle of (x, y), x given by its magnitude and its sign, y ≥ 0: in [0, π].
 ///
 /// Requires  |x|, y not both 0 and not both ∞.
-/// Ensures   two steps outward enclose the angle. 0 for y = 0, x > 0.
+/// Ensures   kAngleSteps outward enclose the angle. 0 for y = 0, x > 0.
 ///
 /// With t = min/max ≤ 1 rounded, the angle is atan t, π/2 − atan t, π/2 + atan t or π − atan t. The
 /// quotient adds 2^-53·t/(1 + t²) < 2^-53·atan t, at most the distance of the neighbours of atan t,
@@ -135,8 +138,8 @@ inline Partial<T> atan2_bounds(Bounds<T> y, Bounds<T> x) noexcept {
   const T y_last = select(less(x_last, zero), y.lo, y.hi);
   const T first = atan2_point(y_first, x_first);
   const T last = atan2_point(y_last, x_last);
-  const Bounds<T> value{select(equal(y_first, zero), zero, step_down(step_down(first))),
-                        select(equal(y_last, zero), zero, step_up(step_up(last)))};
+  const Bounds<T> value{select(equal(y_first, zero), zero, steps_down<kAngleSteps>(first)),
+                        select(equal(y_last, zero), zero, steps_up<kAngleSteps>(last))};
   const Mask<T> touches_cut = ~less(zero, x.lo) & ~less(zero, y.lo) & ~less(y.hi, zero);
   return {value, touches_cut};
 }

@@ -30,8 +30,8 @@ inline Parts<T> fast_two_sum(T a, T b) noexcept {
   return {sum, b - (sum - a)};
 }
 
-/// Requires  |a|, |b| < 2^996; a·b = 0 or |a·b| ≥ 2^-968. Source: Dekker 1971, Veltkamp's
-/// splitting.
+/// Requires  |a|, |b| < 2^996; a·b = 0 or |a·b| ≥ 2^-968.
+/// Source    Dekker 1971, with Veltkamp's splitting.
 template <class T>
 inline Parts<T> two_product(T a, T b) noexcept {
   const T product = a * b;

@@ -66,7 +66,7 @@ struct ExpPoint {
 /// Requires  kExpLeast ≤ x ≤ kExpMost.
 ///
 /// |k| ≤ 1077, so k·high is exact, and so is x − k·high: for k ≠ 0 both are multiples of 2^-54,
-/// their difference is below 1/2. k·low errs by 2^-34-53, k·δ by 2^-91: nothing at the scale of
+/// their difference is below 1/2. k·low errs by 2^-34-53, k·δ by 2^-91, which is nothing beside
 /// 2^-54.
 template <class T>
 inline ExpPoint<T> exp_point(T x) noexcept {
@@ -79,19 +79,19 @@ inline ExpPoint<T> exp_point(T x) noexcept {
   return {parts.high + parts.low, power_of_two<T>(half), power_of_two<T>(k_bits - half)};
 }
 
-/// Scaling by powers of two is exact down to 2^-1022; below, it rounds by at most half a distance
-/// and one step more restores the bound.
+/// Scaling by powers of two is exact above 2^-1022. Below it rounds, possibly up to 2^-1022 itself,
+/// by at most half a distance: one step more restores the bound.
 template <class T>
 inline T scale_down(T mantissa_lo, const ExpPoint<T>& at) noexcept {
   const T nearest = mantissa_lo * at.scale * at.rest;
   const T positive = larger(step_down(nearest), splat<T>(0));
-  return smaller(select(less(nearest, splat<T>(0x1p-1022)), positive, nearest),
+  return smaller(select(less(splat<T>(0x1p-1022), nearest), nearest, positive),
                  splat<T>(0x1.fffffffffffffp+1023));
 }
 template <class T>
 inline T scale_up(T mantissa_hi, const ExpPoint<T>& at) noexcept {
   const T nearest = mantissa_hi * at.scale * at.rest;
-  return select(less(nearest, splat<T>(0x1p-1022)), step_up(nearest), nearest);
+  return select(less(splat<T>(0x1p-1022), nearest), nearest, step_up(nearest));
 }
 
 /// Ensures   tight within 2 ulp, 3 below 2^-1022. Infinite bounds allowed.
@@ -145,8 +145,7 @@ inline T log_point(T x) noexcept {
   const T normal = select(subnormal, x * splat<T>(0x1p54), x);
   const Bits<T> offset = to_bits(normal) - kLeastMantissa;
   const T m = from_bits(to_bits(normal) - (offset & kExponentField));
-  // k + 1024 is not negative, and is the integer part of a double whose bits start with those of
-  // 2^52.
+  // k + 1024 ≥ 0; added to the bits of 2^52 it makes the double 2^52 + k + 1024.
   const Bits<T> biased = (offset + (std::uint64_t{1024} << 52)) >> 52;
   const T k = from_bits(biased + 0x4330000000000000) - splat<T>(0x1p52 + 1024);
   const Parts<T> parts = log_parts(select(subnormal, k - splat<T>(54), k), m - splat<T>(1));

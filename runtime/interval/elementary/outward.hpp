@@ -47,6 +47,16 @@ inline T step_down(T x) noexcept {
   return -step_up(-x);
 }
 
+template <int kSteps, class T>
+inline T steps_up(T x) noexcept {
+  for (int i = 0; i < kSteps; ++i) x = step_up(x);
+  return x;
+}
+template <int kSteps, class T>
+inline T steps_down(T x) noexcept {
+  return -steps_up<kSteps>(-x);
+}
+
 // For functions whose computed value is 0 exactly where their value is 0.
 template <class T>
 inline T step_up_unless_zero(T x) noexcept {

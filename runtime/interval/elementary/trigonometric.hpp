@@ -1,13 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
 // sin, cos and tan of a bound, then of an interval.
 //
-// Claim     for |x| ≤ 2^20 the nearest double to (high + low) of sin x and of cos x misses the
-// exact
-//           value by less than the distance to the next double on either side: one step outward
-//           encloses it. Two steps for tan.
-// Argument  beside each function; tests/property/interval/error_bound_test.cpp re-proves the bounds
-//           of sin_cos_parts and tan_quotient by interval error analysis of this very code over all
-//           reduced arguments, the polynomials against Arb.
+// Claim     for |x| ≤ 2^20 the computed sin x and cos x miss the exact value by less than the
+//           distance to the next double on either side: one step outward is a bound. tan: two.
+// Argument  beside each function. tests/property/interval/error_bound_test.cpp re-proves the bounds
+//           of sin_cos_parts and tan_point by interval error analysis of this very code over all
+//           reduced arguments, the polynomials by Arb; reduction_test.cpp measures reduce.
+// Test      tests/property/interval/elementary_test.cpp, containment against Arb.
 // Test      tests/property/interval/elementary_test.cpp, containment against Arb.
 #pragma once
 
@@ -47,16 +46,14 @@ struct QuarterTurns {
   Mask<T> valid;  ///< |x| ≤ kReductionLimit; elsewhere r and k are meaningless
 };
 
-/// Requires  nothing.
 /// Ensures   where valid: |x − k·π/2 − (r.high + r.low)| < 2^-69·|r|, |r.low| ≤ 2^-52·|r.high| or
 ///           ≤ 2^-83; r.high is 0 only for x = 0 and has the sign of r.
 ///
 /// |k| < 2^20 since 2^20·2/π < 0.64·2^20. x − k·C₁ is exact: either k = 0, or |x| ≥ 1/2 and it is a
 /// multiple of 2^-53 below 1. The two TwoSums are exact. What is left is
-///  - the sum of their low parts and k·C₄: each low part is ≤ 2^-53 of its high part, so while |h₂|
-///  ≥
-///    2^-46 the three roundings stay below 2^-98·|r|. If |h₂| is smaller, then |h₁| < 2^-45, both
-///    differences were exact (multiples of 2^-98) and the low parts are 0;
+///  - the sum of their low parts and k·C₄: each low part is ≤ 2^-53 of its high part, so the three
+///    roundings stay below 2^-98·|r| while |h₂| ≥ 2^-46. If |h₂| is smaller, then |h₁| < 2^-45,
+///    both differences were exact (multiples of 2^-98) and the low parts are 0;
 ///  - k·C₄ rounded (2^-83·2^-53) and k·δ (2^-139): below 2^-134. No double but 0 comes closer to a
 ///    multiple of π/2 than 2^-62 (Muller et al., Handbook of Floating-Point Arithmetic, 2nd ed.,
 ///    §10.2), so this is below 2^-72·|r|.
@@ -168,8 +165,11 @@ template <class T>
 
 /// num/den rounded once, of unevaluated sums.
 ///
-/// Requires  |num.low| ≤ |num.high|/2, |den.low| ≤ |den.high|/2, quotients within 2^±100.
+/// Requires  |num.low| ≤ |num.high|/2, |den.low| ≤ |den.high|/2, |num/den| < 2^100, den = 1 or
+///           |num| > 2^-100.
 /// Ensures   the relative error before the last rounding is below 2^-100 + that of num and den.
+///
+/// TwoProduct is exact: no part underflows, unless den = 1 where each is 0 or exact.
 template <class T>
 inline T quotient(Parts<T> num, Parts<T> den) noexcept {
   const Parts<T> n = fast_two_sum(num.high, num.low);
@@ -179,6 +179,9 @@ inline T quotient(Parts<T> num, Parts<T> den) noexcept {
   const T remainder = ((n.high - back.high) - back.low) + (n.low - q * d.low);
   return q + remainder / d.high;
 }
+
+/// How far the nearly nearest tangent may be from a bound.
+inline constexpr int kTanSteps = 2;
 
 /// tan(r) if k is even, −1/tan(r) if it is odd: tan(k·π/2 + r).
 template <class T>
@@ -204,8 +207,8 @@ inline Partial<T> tan_bounds(Bounds<T> x) noexcept {
   const T at_lo = tan_point(a);
   const T at_hi = tan_point(b);
   const T zero = splat<T>(0);
-  return {{select(equal(x.lo, zero), zero, step_down(step_down(at_lo))),
-           select(equal(x.hi, zero), zero, step_up(step_up(at_hi)))},
+  return {{select(equal(x.lo, zero), zero, steps_down<kTanSteps>(at_lo)),
+           select(equal(x.hi, zero), zero, steps_up<kTanSteps>(at_hi))},
           ~(a.valid & b.valid) | differ(half_turn(a), half_turn(b))};
 }
 

@@ -137,7 +137,7 @@ double tangent_use(const TrackedParts& num, double num_method, const TrackedPart
       (n.carried + num_method) / mig(n.range) + (d.carried + den_method) / mig(d.range) + 0x1p-100;
   const Interval q = n.range / d.range;
   const Tracked result(q, mag(q) * relative * (1 + 0x1p-40), Tracked::kLeastGrid);
-  return used(result, 0, 2);
+  return used(result, 0, el::kTanSteps);
 }
 
 TEST(ErrorBound, TangentIsTwoStepsFromABound) {
@@ -187,8 +187,8 @@ TEST(ErrorBound, AngleIsTwoStepsFromABound) {
     for (const std::int64_t negative : {0, -1}) {
       const Tracked flat = el::angle_of(larger, negative, smaller);
       const Tracked steep = el::angle_of(smaller, negative, larger);
-      worst = std::max({worst, used(flat, method + (negative ? 0x1p-106 : 0), 2),
-                        used(steep, method + 0x1p-107, 2)});
+      worst = std::max({worst, used(flat, method + (negative ? 0x1p-106 : 0), el::kAngleSteps),
+                        used(steep, method + 0x1p-107, el::kAngleSteps)});
     }
     return worst;
   };
