@@ -2,8 +2,8 @@
 # Finds the newest Clang and LLVM libraries, 22 down to 19, and makes the target regulus_clang of
 # their two shared libraries. Set LLVM_DIR to choose another installation.
 #
-# The targets of ClangConfig.cmake are not used: it refuses to load when a tool that Debian puts
-# into another package is missing.
+# Clang is found beside LLVM by file name: ClangConfig.cmake would import every static library and
+# tool of the installation, where one shared library is linked.
 find_package(LLVM CONFIG QUIET
              HINTS /usr/lib/llvm-22/lib/cmake/llvm /usr/lib/llvm-21/lib/cmake/llvm
                    /usr/lib/llvm-20/lib/cmake/llvm /usr/lib/llvm-19/lib/cmake/llvm)

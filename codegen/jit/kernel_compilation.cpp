@@ -27,8 +27,8 @@ constexpr const char* kFlags[] = {"--target=x86_64-unknown-linux-gnu",
                                   "-fno-stack-protector",
                                   "-DREGULUS_NO_SYSTEM_HEADERS"};
 
-/// Callees are inlined into a function after they have themselves been simplified: doing it the
-/// other way round takes three times as long. Then intervals become registers, and choices whose
+/// Callees are inlined into a function after they have themselves been simplified: the other way
+/// round takes more than twice as long. Then intervals become registers, and choices whose
 /// sign is known disappear.
 constexpr const char* kPasses = "cgscc(inline,function(sroa,early-cse,instsimplify)),globaldce";
 
