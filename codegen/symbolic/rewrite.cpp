@@ -129,7 +129,8 @@ Expression Rewriter::prepared(const Expression& e) {
       result = symmetric_call(e.function(), std::move(operands));
       break;
     case Kind::kPower:
-      result = power(operands[0], e.exponent());
+      result = power(e.exponent() % 2 == 0 ? normalize_sign(operands[0]).form : operands[0],
+                     e.exponent());
       break;
     case Kind::kProduct:
       result = product(std::move(operands));

@@ -82,6 +82,68 @@ TEST_F(Passes, MergingAnglesIsExact) {
   EXPECT_GT(merged_some, 50);
 }
 
+/// ±m·(cos u cos v ± sin u sin v) and ±m·(sin u cos v ± cos u sin v), with signs and factors drawn
+/// anew, so that some pairs match a formula and some only look alike.
+Expression nearly_an_addition_formula(RandomExpressions& expressions) {
+  const Expression u = expressions.angle(), v = expressions.angle();
+  const auto circular = [&](const Expression& angle) {
+    return call(expressions.below(2) == 0 ? Call::kSin : Call::kCos, {angle});
+  };
+  const Expression m = expressions.leaf();
+  Expressions terms;
+  for (int i = 0; i < 4; ++i) {
+    const Expression factor(expressions.below(2) * 2 - 1 + (expressions.below(6) == 0));
+    terms.push_back(product({factor, m, circular(u), circular(v)}));
+  }
+  return sum(terms);
+}
+
+TEST_F(Passes, MergingAnglesIsExactWhereAdditionFormulasNearlyMatch) {
+  int new_angles = 0;
+  for (int i = 0; i < 500; ++i) {
+    Rewriter rewriter(variable_names(), point_names());
+    RandomExpressions expressions(random_);
+    const Expression e =
+        nearly_an_addition_formula(expressions) + nearly_an_addition_formula(expressions);
+    const auto simplify = [&](const Expression& argument) {
+      return collect(*rewriter.expander().expand(argument), rewriter.atoms());
+    };
+    for (const bool doubles : {false, true}) {
+      const Polynomial merged = merge_angles(*rewriter.expander().expand(e), rewriter.atoms(),
+                                             rewriter.expander(), simplify, {true, doubles});
+      const Expression form = collect(merged, rewriter.atoms());
+      new_angles += count_occurrences(form) != count_occurrences(e);
+      expect_equal(e, form);
+    }
+    ASSERT_FALSE(HasFailure()) << to_string(e);
+  }
+  EXPECT_GT(new_angles, 300);
+}
+
+TEST_F(Passes, FactoredSplitsMultiplyBackToTheOriginal) {
+  int by_first = 0, by_second = 0;
+  for (int i = 0; i < 300; ++i) {
+    Rewriter rewriter(variable_names(), point_names());
+    RandomExpressions expressions(random_);
+    const auto polynomial = [&](int depth) {
+      return *rewriter.expander().expand(expressions.polynomial(depth));
+    };
+    const Polynomial outer = polynomial(0), common = polynomial(1), s = polynomial(1);
+    if (outer.is_zero() || common.is_zero() || s.is_zero()) continue;
+    // r a multiple of q, then q a multiple of r.
+    if (const auto f = factor_split(outer, common, common * s)) {
+      ++by_first;
+      EXPECT_TRUE(f->first * f->second == outer * common + common * s);
+    }
+    if (const auto f = factor_split(outer, common * s, common)) {
+      ++by_second;
+      EXPECT_TRUE(f->first * f->second == outer * common * s + common);
+    }
+  }
+  EXPECT_GT(by_first, 50);
+  EXPECT_GT(by_second, 50);
+}
+
 TEST_F(Passes, DivisionFindsWhatWasMultiplied) {
   int divided = 0;
   for (int i = 0; i < 300; ++i) {

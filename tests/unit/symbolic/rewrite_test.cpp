@@ -54,6 +54,10 @@ TEST(Rewrite, OppositeAnglesHaveOneForm) {
   EXPECT_EQ(form(cosine(a - b) - cosine(b - a)), "0");
 }
 
+TEST(Rewrite, EvenPowersOfOppositesHaveOneForm) {
+  EXPECT_EQ(form(call(Call::kSqrt, {power(y - x, 2) + power(-z, 4)})), "sqrt(z^4 + (x - y)^2)");
+}
+
 TEST(Rewrite, ProductsAreFoundAgain) {
   EXPECT_EQ(form(x * y + Expression(2) * x + y + Expression(2)), "(x + 1)*(y + 2)");
   EXPECT_EQ(form(x * y * z + x * y + x * z + y * z + x + y + z + Expression(1)),
