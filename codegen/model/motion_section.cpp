@@ -6,6 +6,7 @@
 #include "regulus/codegen/model/constants.hpp"
 #include "regulus/codegen/model/names.hpp"
 #include "regulus/codegen/model/sections.hpp"
+#include "regulus/codegen/model/sign.hpp"
 
 namespace regulus::codegen {
 namespace {
@@ -106,14 +107,15 @@ class MotionReader {
     for (const PoseParameter& p : reading_.model.pose) {
       const TomlEntry given = toml_.required(entry_, p.name);
       motion_.pose.push_back(given.node->is_array() ? GiNaC::ex(p.symbol)
-                                                    : recorded(toml_.expression(given, names)));
-      check_finite(given, motion_.pose.back());
+                                                    : pose_expression(given, names));
     }
   }
 
-  void check_finite(const TomlEntry& given, const GiNaC::ex& value) const {
-    if (GiNaC::is_a<GiNaC::numeric>(value) && !value.info(GiNaC::info_flags::rational))
+  GiNaC::ex pose_expression(const TomlEntry& given, MotionNames& names) {
+    const Term term = toml_.expression(given, names);
+    if (term.constant && !approx_value(term.value))
       toml_.refuse(given, "a finite number, a range or an expression");
+    return recorded(term);
   }
 
   void read_error() {

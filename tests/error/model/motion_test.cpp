@@ -61,6 +61,11 @@ TEST(MotionRefusal, RangeThatOverflows) {
                         "a finite real number");
 }
 
+TEST(MotionRefusal, PoseThatOverflows) {
+  expect_refused_change("phi = 0", "phi = \"exp(exp(9))\"", 43, "the string 'exp(exp(9))'",
+                        "a finite number");
+}
+
 TEST(MotionRefusal, RangeOfThreeNumbers) {
   expect_refused_change("y = [4, 5]", "y = [4, 5, 6]", 34, "3 numbers in motion.small.y",
                         "a range [lower, upper]");
