@@ -41,7 +41,7 @@
 #include <utility>
 #include <vector>
 
-#include "../clang_interface.h"
+#include "regulus/codegen/jit/clang_interface.h"
 
 static_assert(LLVM_VERSION_MAJOR >= 19, "LLVM 19 or newer is needed");
 
