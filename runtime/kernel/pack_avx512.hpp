@@ -33,5 +33,6 @@ REGULUS_INLINE V mul_rd_nonnegative(V a, V b) { return mul_rd(a, b); }
 }  // namespace avx512
 }  // namespace regulus::pack
 
+#define REGULUS_PACK_OPERATION REGULUS_INLINE
 #define REGULUS_PACK_ISA avx512
 #include "regulus/kernel/pack_lo_hi.hpp"

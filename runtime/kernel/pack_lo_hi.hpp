@@ -4,6 +4,9 @@
 //
 // All operands must be finite. min and max drop a NaN, so 0·∞ could hide an unbounded factor;
 // `checked` after whatever can overflow is what guarantees that no infinity comes this far.
+//
+// REGULUS_PACK_OPERATION, also from the including header, says whether rounded operations are
+// inlined into the kernel (a few instructions each) or called (a hundred).
 #pragma once
 
 namespace regulus::pack {
@@ -33,25 +36,25 @@ REGULUS_INLINE I constant(double lo, double hi) { return {splat(lo), splat(hi)};
 REGULUS_INLINE I thin(P p) { return {p.v, p.v}; }
 
 REGULUS_INLINE I operator-(I x) { return {-x.hi, -x.lo}; }
-REGULUS_INLINE I operator+(I x, I y) { return {add_rd(x.lo, y.lo), add_ru(x.hi, y.hi)}; }
-REGULUS_INLINE I operator-(I x, I y) { return {sub_rd(x.lo, y.hi), sub_ru(x.hi, y.lo)}; }
+REGULUS_PACK_OPERATION I operator+(I x, I y) { return {add_rd(x.lo, y.lo), add_ru(x.hi, y.hi)}; }
+REGULUS_PACK_OPERATION I operator-(I x, I y) { return {sub_rd(x.lo, y.hi), sub_ru(x.hi, y.lo)}; }
 
 REGULUS_INLINE P operator-(P p) { return P(-p.v); }
-REGULUS_INLINE I operator+(P p, P q) { return {add_rd(p.v, q.v), add_ru(p.v, q.v)}; }
-REGULUS_INLINE I operator-(P p, P q) { return {sub_rd(p.v, q.v), sub_ru(p.v, q.v)}; }
-REGULUS_INLINE I operator*(P p, P q) { return {mul_rd(p.v, q.v), mul_ru(p.v, q.v)}; }
+REGULUS_PACK_OPERATION I operator+(P p, P q) { return {add_rd(p.v, q.v), add_ru(p.v, q.v)}; }
+REGULUS_PACK_OPERATION I operator-(P p, P q) { return {sub_rd(p.v, q.v), sub_ru(p.v, q.v)}; }
+REGULUS_PACK_OPERATION I operator*(P p, P q) { return {mul_rd(p.v, q.v), mul_ru(p.v, q.v)}; }
 
-REGULUS_INLINE I operator+(I x, P p) { return {add_rd(x.lo, p.v), add_ru(x.hi, p.v)}; }
+REGULUS_PACK_OPERATION I operator+(I x, P p) { return {add_rd(x.lo, p.v), add_ru(x.hi, p.v)}; }
 REGULUS_INLINE I operator+(P p, I x) { return x + p; }
-REGULUS_INLINE I operator-(I x, P p) { return {sub_rd(x.lo, p.v), sub_ru(x.hi, p.v)}; }
-REGULUS_INLINE I operator-(P p, I x) { return {sub_rd(p.v, x.hi), sub_ru(p.v, x.lo)}; }
+REGULUS_PACK_OPERATION I operator-(I x, P p) { return {sub_rd(x.lo, p.v), sub_ru(x.hi, p.v)}; }
+REGULUS_PACK_OPERATION I operator-(P p, I x) { return {sub_rd(p.v, x.hi), sub_ru(p.v, x.lo)}; }
 
 /// The bound of y that makes a·y least, and the one that makes it greatest. For a = ±0 either will
 /// do.
 REGULUS_INLINE V least_factor(V a, I y) { return select(negative(a), y.hi, y.lo); }
 REGULUS_INLINE V greatest_factor(V a, I y) { return select(negative(a), y.lo, y.hi); }
 
-REGULUS_INLINE I operator*(P p, I x) {
+REGULUS_PACK_OPERATION I operator*(P p, I x) {
   return {mul_rd(p.v, least_factor(p.v, x)), mul_ru(p.v, greatest_factor(p.v, x))};
 }
 REGULUS_INLINE I operator*(I x, P p) { return p * x; }
@@ -59,17 +62,19 @@ REGULUS_INLINE I operator*(I x, P p) { return p * x; }
 /// min over y of x·y is concave in x and max is convex, so both extremes are at x.lo or x.hi. Two
 /// products per bound instead of four; when the sign of x is known to the compiler, the choice of y
 /// costs nothing.
-REGULUS_INLINE I operator*(I x, I y) {
+REGULUS_PACK_OPERATION I operator*(I x, I y) {
   return {min(mul_rd(x.lo, least_factor(x.lo, y)), mul_rd(x.hi, least_factor(x.hi, y))),
           max(mul_ru(x.lo, greatest_factor(x.lo, y)), mul_ru(x.hi, greatest_factor(x.hi, y)))};
 }
 
-REGULUS_INLINE I mul_add(P p, P q, I z) { return {fma_rd(p.v, q.v, z.lo), fma_ru(p.v, q.v, z.hi)}; }
-REGULUS_INLINE I mul_add(P p, I x, I z) {
+REGULUS_PACK_OPERATION I mul_add(P p, P q, I z) {
+  return {fma_rd(p.v, q.v, z.lo), fma_ru(p.v, q.v, z.hi)};
+}
+REGULUS_PACK_OPERATION I mul_add(P p, I x, I z) {
   return {fma_rd(p.v, least_factor(p.v, x), z.lo), fma_ru(p.v, greatest_factor(p.v, x), z.hi)};
 }
 REGULUS_INLINE I mul_add(I x, P p, I z) { return mul_add(p, x, z); }
-REGULUS_INLINE I mul_add(I x, I y, I z) {
+REGULUS_PACK_OPERATION I mul_add(I x, I y, I z) {
   return {min(fma_rd(x.lo, least_factor(x.lo, y), z.lo), fma_rd(x.hi, least_factor(x.hi, y), z.lo)),
           max(fma_ru(x.lo, greatest_factor(x.lo, y), z.hi),
               fma_ru(x.hi, greatest_factor(x.hi, y), z.hi))};
@@ -80,7 +85,7 @@ REGULUS_INLINE V mignitude(I x) { return max(max(x.lo, -x.hi), splat(0.0)); }
 REGULUS_INLINE V magnitude(I x) { return max(-x.lo, x.hi); }
 
 REGULUS_INLINE I abs(I x) { return {mignitude(x), magnitude(x)}; }
-REGULUS_INLINE I sqr(I x) {
+REGULUS_PACK_OPERATION I sqr(I x) {
   const I a = abs(x);
   return {mul_rd_nonnegative(a.lo, a.lo), mul_ru(a.hi, a.hi)};
 }
@@ -106,7 +111,7 @@ REGULUS_INLINE V power_ru(V a, unsigned n) {
 
 /// xⁿ, n ≥ 2. An odd power is monotone: aⁿ = a·|a|ⁿ⁻¹ at each bound, where a negative a needs the
 /// other bound of |a|ⁿ⁻¹.
-REGULUS_INLINE I pow(I x, unsigned n) {
+REGULUS_PACK_OPERATION I pow(I x, unsigned n) {
   const I a = abs(x);
   if (n % 2 == 0) return {power_rd(a.lo, n), power_ru(a.hi, n)};
   const V at_lo = max(x.lo, -x.lo), at_hi = max(x.hi, -x.hi);
@@ -125,14 +130,14 @@ REGULUS_INLINE M within(I x, double limit) {
   return (splat(-limit) <= x.lo) & (x.hi <= splat(limit));
 }
 
-REGULUS_INLINE I checked(I x, unsigned& undefined) {
+REGULUS_PACK_OPERATION I checked(I x, unsigned& undefined) {
   return defined_where(within(x, simd::kMaxDouble) & (x.lo <= x.hi), x, undefined);
 }
 
 /// A negative divisor is made positive by changing both signs; then lo/hi of the divisor follow
 /// from the sign of the numerator. An unusable divisor is replaced by 1, so that nothing traps or
 /// is NaN.
-REGULUS_INLINE I div(I x, I y, unsigned& undefined) {
+REGULUS_PACK_OPERATION I div(I x, I y, unsigned& undefined) {
   const M flip = y.hi < splat(0.0);
   const M usable = flip | (splat(0.0) < y.lo);
   const I divisor = {select(usable, select(flip, -y.hi, y.lo), splat(1.0)),
@@ -144,7 +149,7 @@ REGULUS_INLINE I div(I x, I y, unsigned& undefined) {
 }
 
 // max gives its second operand when one is a NaN: it stays one, and the lane is reported.
-REGULUS_INLINE I sqrt(I x, unsigned& undefined) {
+REGULUS_PACK_OPERATION I sqrt(I x, unsigned& undefined) {
   const M usable = splat(0.0) <= x.lo;
   const I root = {sqrt_rd(max(splat(0.0), x.lo)), sqrt_ru(max(splat(0.0), x.hi))};
   return defined_where(usable & within(root, simd::kMaxMagnitude), root, undefined);

@@ -92,5 +92,8 @@ REGULUS_INLINE void store_row(double* rows, int index, V x) {
 }  // namespace portable
 }  // namespace regulus::pack
 
+// An operation is some hundred instructions: inlined, a kernel of 1500 operations takes a compiler
+// half a minute, and gains little.
+#define REGULUS_PACK_OPERATION static inline __attribute__((noinline))
 #define REGULUS_PACK_ISA portable
 #include "regulus/kernel/pack_lo_hi.hpp"
