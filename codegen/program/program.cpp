@@ -120,8 +120,6 @@ NodeId ProgramBuilder::negate(NodeId a) {
   const Node node = at(a);
   if (node.op == Op::kNegate) return node.a;
   if (node.op == Op::kConstant) return constant(-value(a));
-  if (node.op == Op::kSubtract) return subtract(node.b, node.a);
-  if (node.op == Op::kMultiply && is_constant(node.a)) return scale(-value(node.a), node.b);
   return intern({Op::kNegate, a});
 }
 
@@ -129,6 +127,7 @@ NodeId ProgramBuilder::add(NodeId a, NodeId b) {
   if (is_constant(a) && is_constant(b)) return constant(value(a) + value(b));
   if (is_zero(a)) return b;
   if (is_zero(b)) return a;
+  if (is_negation(a) && is_negation(b)) return negate(add(at(a).a, at(b).a));
   if (is_negation(b)) return subtract(a, at(b).a);
   if (is_negation(a)) return subtract(b, at(a).a);
   return intern({Op::kAdd, a, b});
@@ -140,6 +139,9 @@ NodeId ProgramBuilder::subtract(NodeId a, NodeId b) {
   if (is_zero(a)) return negate(b);
   if (is_zero(b)) return a;
   if (is_negation(b)) return add(a, at(b).a);
+  if (is_negation(a)) return negate(add(at(a).a, b));
+  const auto reverse = known_.find(std::make_tuple(Op::kSubtract, b, a, 0U));
+  if (reverse != known_.end()) return intern({Op::kNegate, reverse->second});
   return intern({Op::kSubtract, a, b});
 }
 
@@ -151,7 +153,7 @@ NodeId ProgramBuilder::scale(const cln::cl_RA& factor, NodeId a) {
   if (node.op == Op::kMultiply && is_constant(node.a)) return scale(factor * value(node.a), node.b);
   if (cln::zerop(factor)) return zero_where_defined(a);
   if (factor == 1) return a;
-  if (factor == -1) return negate(a);
+  if (cln::minusp(factor)) return negate(scale(-factor, a));
   const NodeId constant_factor = constant(factor);
   return intern({Op::kMultiply, constant_factor, a});
 }
@@ -169,6 +171,8 @@ NodeId ProgramBuilder::multiply(NodeId a, NodeId b) {
 NodeId ProgramBuilder::divide(NodeId a, NodeId b) {
   if (is_constant(b) && !is_zero(b)) return scale(cln::recip(value(b)), a);
   if (is_negation(a) && is_negation(b)) return divide(at(a).a, at(b).a);
+  if (is_negation(a)) return negate(divide(at(a).a, b));
+  if (is_negation(b)) return negate(divide(a, at(b).a));
   require(a);
   return intern({Op::kDivide, a, b});
 }

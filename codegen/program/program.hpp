@@ -65,7 +65,8 @@ struct Program {
 /// stored in the order they are given: the caller decides on a canonical order (a·b after b·a is
 /// b·a again). Trivial identities (x + 0, 1·x, 0·x, −(−x), x·x = x², operations on rational
 /// constants) are folded exactly and never lose a condition of definedness: 0·x keeps x when x can
-/// be undefined, and x/x stays.
+/// be undefined, and x/x stays. Signs move outwards, so that expressions which differ by their sign
+/// are shared, too: −7·x is −(7·x), and b − a after a − b is −(a − b).
 ///
 /// Requires  every NodeId comes from this builder; indices name a declared input or point.
 ///           std::out_of_range otherwise.

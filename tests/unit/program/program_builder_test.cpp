@@ -114,11 +114,21 @@ TEST(ProgramBuilder, MovesSignsOutwards) {
               [](auto& b) { return b.negate(x(b)); });
 }
 
+TEST(ProgramBuilder, SharesWhatDiffersByItsSignAlone) {
+  ProgramBuilder b({"x", "y"}, {});
+  EXPECT_EQ(b.subtract(y(b), x(b)), b.negate(b.subtract(x(b), y(b))));
+  EXPECT_EQ(b.multiply(b.constant(-7), x(b)), b.negate(b.multiply(b.constant(7), x(b))));
+  EXPECT_EQ(b.subtract(b.negate(x(b)), y(b)), b.negate(b.add(x(b), y(b))));
+  EXPECT_EQ(b.add(b.negate(x(b)), b.negate(y(b))), b.negate(b.add(x(b), y(b))));
+  EXPECT_EQ(b.divide(b.negate(x(b)), y(b)), b.negate(b.divide(x(b), y(b))));
+}
+
 TEST(ProgramBuilder, SharesEqualNodesInEitherOrder) {
   ProgramBuilder b({"x", "y"}, {});
   EXPECT_EQ(b.add(x(b), y(b)), b.add(y(b), x(b)));
   EXPECT_EQ(b.multiply(x(b), y(b)), b.multiply(y(b), x(b)));
   EXPECT_NE(b.subtract(x(b), y(b)), b.subtract(y(b), x(b)));
+  EXPECT_NE(b.divide(x(b), y(b)), b.divide(y(b), x(b)));
   EXPECT_EQ(b.constant("2/4"), b.constant("1/2"));
 }
 
