@@ -7,11 +7,11 @@
 namespace regulus::codegen {
 
 struct EmitOptions {
-  std::string prefix = "generated";    ///< the kernel is the symbol <prefix>_kernel; not "regulus"
-  std::string command;                 ///< the command line that made it, for the header comment
-  std::string source;                  ///< who published the model, for the header comment
-  bool manifest = false;               ///< fill EmittedKernel::manifest
-  unsigned operations_per_part = 200;  ///< longer functions are cut, for the compiler's sake
+  std::string prefix = "generated";   ///< the kernel is the symbol <prefix>_kernel; not "regulus"
+  std::string command;                ///< the command line that made it, for the header comment
+  std::string source;                 ///< who published the model, for the header comment
+  bool manifest = false;              ///< fill EmittedKernel::manifest
+  unsigned operations_per_part = 64;  ///< longer functions are cut: see Part in function_plan.hpp
 };
 
 struct EmittedKernel {

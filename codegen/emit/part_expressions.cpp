@@ -25,7 +25,7 @@ ExpressionText PartWriter::compute(NodeId id) {
     const std::vector<NodeId> operands = deferred_operands(id);
     if (operands.empty()) break;
     define_deferred(*std::max_element(operands.begin(), operands.end(), [&](NodeId x, NodeId y) {
-      return render(x).text.size() < render(y).text.size();
+      return deferred_.at(x).text.size() < deferred_.at(y).text.size();
     }));
     result = render(id);
   }
@@ -40,7 +40,7 @@ std::vector<NodeId> PartWriter::deferred_operands(NodeId id) const {
     const int count = operand_count(node(of).op);
     for (int k = 0; k < count; ++k) {
       const NodeId operand = k == 0 ? node(of).a : node(of).b;
-      if (deferred_[operand] && operand != except) found.push_back(operand);
+      if (is_deferred(operand) && operand != except) found.push_back(operand);
     }
   };
   const std::optional<NodeId> product = fused_product(id);
@@ -53,7 +53,7 @@ ExpressionText PartWriter::render(NodeId id) {
   const Node& n = node(id);
   switch (n.op) {
     case Op::kNegate:
-      return negation(use(n.a));
+      return render_negation(n.a);
     case Op::kAdd:
     case Op::kSubtract:
       return render_sum(id);
@@ -64,6 +64,16 @@ ExpressionText PartWriter::render(NodeId id) {
     default:
       return render_call(id);
   }
+}
+
+/// −a, the sign taken into a difference or into a factor that is a P where nothing else reads them.
+ExpressionText PartWriter::render_negation(NodeId a) {
+  const Node& n = node(a);
+  if (is_deferred(a) && n.op == Op::kSubtract && !fused_product(a))
+    return combine(difference, n.b, n.a);
+  if (is_deferred(a) && n.op == Op::kMultiply && !is_interval(n.a))
+    return product(atom(negated_point(n.a)), use(n.b));
+  return negation(use(a));
 }
 
 /// The left operand first: using a value may print its declaration, and the text must not depend on
@@ -93,7 +103,7 @@ ExpressionText PartWriter::render_product(NodeId id) {
 std::optional<NodeId> PartWriter::fused_product(NodeId sum) const {
   const Node& n = node(sum);
   const auto is_free_product = [&](NodeId id) {
-    return deferred_[id] && node(id).op == Op::kMultiply;
+    return is_deferred(id) && node(id).op == Op::kMultiply;
   };
   if (n.op == Op::kAdd && is_free_product(n.b)) return n.b;
   if (n.op == Op::kAdd && is_free_product(n.a)) return n.a;
@@ -150,7 +160,7 @@ std::string PartWriter::as_interval(NodeId id) {
 
 ExpressionText PartWriter::use(NodeId id) {
   if (plan_.leaves[id]) return use_leaf(id);
-  if (deferred_[id]) return render(id);
+  if (const auto found = deferred_.find(id); found != deferred_.end()) return found->second;
   if (!named_[id]) {
     named_[id] = true;
     usage_.shared = true;

@@ -36,7 +36,6 @@ PartWriter::PartWriter(const Module& module, const Function& function, const Fun
       plan_(plan),
       names_(names),
       part_(part),
-      deferred_(function.program.nodes.size(), false),
       named_(function.program.nodes.size(), false) {}
 
 void PartWriter::write() {
@@ -85,11 +84,11 @@ void PartWriter::write_compute(NodeId id) {
   if (named_[id]) return;
   if (write_sine_and_cosine(id)) return;
   if (node(id).op == Op::kPower && plan_.magnitudes.needs_check[id]) return write_checked_power(id);
-  const std::string expression = compute(id).text;
+  ExpressionText expression = compute(id);
   if (can_be_deferred(id))
-    deferred_[id] = true;
+    deferred_.emplace(id, std::move(expression));
   else
-    define(id, expression);
+    define(id, expression.text);
 }
 
 bool PartWriter::can_be_deferred(NodeId id) const {
@@ -119,7 +118,7 @@ bool PartWriter::write_sine_and_cosine(NodeId id) {
 void PartWriter::write_checked_power(NodeId id) {
   const NodeId a = node(id).a;
   const std::uint32_t n = node(id).index;
-  if (deferred_[a]) define_deferred(a);
+  if (is_deferred(a)) define_deferred(a);
   const std::string base = as_interval(a);
   std::string value = base;
   std::string expression;
@@ -150,8 +149,8 @@ void PartWriter::define(NodeId id, const std::string& expression) {
 }
 
 void PartWriter::define_deferred(NodeId id) {
-  const std::string expression = compute(id).text;
-  deferred_[id] = false;
+  const std::string expression = std::move(deferred_.at(id).text);
+  deferred_.erase(id);
   define(id, expression);
 }
 

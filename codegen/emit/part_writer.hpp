@@ -5,6 +5,7 @@
 #include <map>
 #include <optional>
 #include <string>
+#include <unordered_map>
 #include <utility>
 #include <vector>
 
@@ -38,6 +39,7 @@ class PartWriter {
 
  private:
   [[nodiscard]] const Node& node(NodeId id) const { return function_.program.nodes[id]; }
+  [[nodiscard]] bool is_deferred(NodeId id) const { return deferred_.count(id) != 0; }
   [[nodiscard]] bool is_interval(NodeId id) const { return plan_.forms[id] == Form::kInterval; }
 
   void find_partners(const Part& part);
@@ -59,6 +61,7 @@ class PartWriter {
   using BinaryText = ExpressionText (*)(const ExpressionText&, const ExpressionText&);
   [[nodiscard]] ExpressionText combine(BinaryText operation, NodeId a, NodeId b);
   [[nodiscard]] std::pair<NodeId, NodeId> factors(NodeId product) const;
+  [[nodiscard]] ExpressionText render_negation(NodeId a);
   [[nodiscard]] ExpressionText render_product(NodeId id);
   [[nodiscard]] ExpressionText render_sum(NodeId id);
   [[nodiscard]] ExpressionText render_mul_add(NodeId sum, NodeId product);
@@ -79,8 +82,8 @@ class PartWriter {
   const FunctionPlan& plan_;
   ValueNames& names_;
   std::uint32_t part_;
-  std::vector<bool> deferred_;
-  std::vector<bool> named_;           ///< has a name in this part
+  std::unordered_map<NodeId, ExpressionText> deferred_;  ///< what will be written where it is used
+  std::vector<bool> named_;                              ///< has a name in this part
   std::map<NodeId, NodeId> partner_;  ///< the cosine of a sine's argument and the reverse
   std::string declarations_;
   std::string statements_;

@@ -55,14 +55,21 @@ TEST(EmittedText, OfAFunctionInPartsIsAsRecorded) {
   expect_golden("long", emit_sample(long_module(16)));
 }
 
-/// What the processes that EmittedTextIsTheSameInEveryProcess starts do. Nothing when run by
-/// itself.
-TEST(EmittedText, IsWrittenForAnotherProcess) {
-  const char* path = std::getenv(kOutputVariable);
-  if (path == nullptr) GTEST_SKIP() << "no process asks for it";
-  std::ofstream file(path, std::ios::binary);
+std::string emit_samples() {
+  std::string text;
   for (const Module& module : {planar_module(), everything_module(), long_module(150)})
-    file << emit_sample(module);
+    text += emit_sample(module);
+  return text;
+}
+
+/// Run by IsTheSameInEveryProcess in processes of their own, with the path to write to.
+TEST(EmittedText, CanBeWrittenToAFile) {
+  const TemporaryDirectory directory;
+  const char* wanted = std::getenv(kOutputVariable);
+  const std::filesystem::path path =
+      wanted ? std::filesystem::path(wanted) : directory.path() / "0";
+  std::ofstream(path, std::ios::binary) << emit_samples();
+  EXPECT_EQ(read(path), emit_samples());
 }
 
 bool run_in_another_process(const std::filesystem::path& output) {
@@ -71,7 +78,7 @@ bool run_in_another_process(const std::filesystem::path& output) {
   if (child == 0) {
     ::setenv(kOutputVariable, output.c_str(), 1);
     const int quiet = ::dup2(::fileno(std::fopen("/dev/null", "w")), STDOUT_FILENO);
-    ::execl(self.c_str(), self.c_str(), "--gtest_filter=EmittedText.IsWrittenForAnotherProcess",
+    ::execl(self.c_str(), self.c_str(), "--gtest_filter=EmittedText.CanBeWrittenToAFile",
             static_cast<char*>(nullptr));
     std::_Exit(quiet < 0 ? 1 : 2);
   }
@@ -82,9 +89,7 @@ bool run_in_another_process(const std::filesystem::path& output) {
 
 TEST(EmittedText, IsTheSameInEveryProcess) {
   const TemporaryDirectory directory;
-  std::string expected;
-  for (const Module& module : {planar_module(), everything_module(), long_module(150)})
-    expected += emit_sample(module);
+  const std::string expected = emit_samples();
   for (int i = 0; i < 20; ++i) {
     const std::filesystem::path output = directory.path() / std::to_string(i);
     ASSERT_TRUE(run_in_another_process(output));

@@ -67,6 +67,18 @@ TEST(Emit, FusesAProductWithASum) {
               HasSubstr("mul_add(k_1_1, v_x, thin(k_1_1))"));
 }
 
+TEST(Emit, TakesASignIntoWhatNothingElseReads) {
+  EXPECT_THAT(constraint_text([](auto& b) { return b.negate(b.subtract(x(b), y(b))); }),
+              HasSubstr("store(out, 0, v_y - v_x);"));
+  EXPECT_THAT(constraint_text([](auto& b) { return b.multiply(b.constant(-7), x(b)); }),
+              HasSubstr("store(out, 0, P(-7.0) * v_x);"));
+  EXPECT_THAT(constraint_text([](auto& b) {
+                const NodeId difference = b.subtract(x(b), y(b));
+                return b.divide(b.negate(difference), b.call(Op::kExp, difference));
+              }),
+              HasSubstr("store(out, 0, -t_"));
+}
+
 TEST(Emit, SquaresInsteadOfMultiplying) {
   EXPECT_THAT(constraint_text([](auto& b) { return b.multiply(x(b), x(b)); }),
               HasSubstr("sqr(v_x)"));
