@@ -82,11 +82,15 @@ TEST(Rewrite, EntriesOfKAreAddedBeforeTheyMeetVariables) {
 }
 
 TEST(Rewrite, TheWeightsDecideBetweenForms) {
-  // x*y + x*z + y*w: either x or y can be taken out.
-  const Expression e = x * y + x * z + y * a;
-  Rewriter light({"x", "y", "z", "a"}, {}, {true, true, {{"y", 16}}});
-  const Rewritten result = light.rewrite(e);
-  EXPECT_LE(width_cost(result.expression, {{"y", 16}}), width_cost(e, {{"y", 16}}));
+  // Two legs with uncertain anchors: as written each anchor occurs once and x twice.
+  const Expression e = point("k_1_1") * a * (y - x) + point("k_1_2") * b * (z - x);
+  const auto occurrences = [&](const Weights& weights) {
+    Rewriter rewriter({"x", "y", "z", "a", "b"}, {"k_1_1", "k_1_2"}, {true, true, weights});
+    return count_occurrences(rewriter.rewrite(e).expression);
+  };
+  EXPECT_EQ(occurrences({}), (Occurrences{{"x", 2}, {"y", 1}, {"z", 1}, {"a", 1}, {"b", 1}}));
+  EXPECT_EQ(occurrences({{"x", 16}}),
+            (Occurrences{{"x", 1}, {"y", 1}, {"z", 1}, {"a", 2}, {"b", 2}}));
 }
 
 TEST(Rewrite, HugePowersAreNotMultipliedOut) {
