@@ -9,7 +9,7 @@
 namespace regulus {
 namespace {
 
-constexpr std::size_t kEntries = kMaxColumns * kMaxColumns;
+constexpr std::size_t kEntries = kMaxOrder * kMaxOrder;
 
 /// x·(1 + 2^-51): above the exact value of one sum whose floating-point value is x ≥ 0. A sum of
 /// doubles that is not zero is a multiple of 2^-1074, and here (l − 1) at least 2^-53: the product
@@ -60,7 +60,7 @@ void multiply_row(const double* row, const double* v, std::size_t n, double* sum
 /// One step of v ← Pv/‖Pv‖ + v/2; the second term damps the swinging of cyclic matrices.
 void power_step(const double* P, std::size_t n, std::size_t row_stride, std::size_t column_stride,
                 double* v, double* norm) noexcept {
-  double w[kMaxColumns * kLanes] = {};
+  double w[kMaxOrder * kLanes] = {};
   for (std::size_t lane = 0; lane < kLanes; ++lane) norm[lane] = 0.0;
   for (std::size_t i = 0; i < n; ++i) {
     for (std::size_t j = 0; j < n; ++j)

@@ -2,7 +2,7 @@
 // The H-matrix test: if P ≥ |B − I|, v > 0 and Pv < v, then B is regular, for every B that P
 // bounds. Proof: Pv < v gives ρ(|B − I|) ≤ ρ(P) < 1, so B = I − (I − B) has no null vector.
 //
-// P, v, y are in point layout, n×n row-major and n; n ≤ kMaxColumns. Lanes whose input is not
+// P, v, y are in point layout, n×n row-major and n; n ≤ kMaxOrder. Lanes whose input is not
 // finite come out undecided, never certified.
 #pragma once
 

@@ -16,6 +16,9 @@ inline constexpr std::size_t kLanes = 8;
 inline constexpr std::size_t kMaxColumns = 12;
 inline constexpr std::size_t kMaxRows = 24;
 
+/// The largest order of a matrix P given to the H-matrix test (regulus/regularity/structured.hpp).
+inline constexpr std::size_t kMaxOrder = kMaxColumns + kMaxRows;
+
 /// Bit l speaks of lane l.
 using LaneMask = unsigned;
 inline constexpr LaneMask kEveryLane = (1U << kLanes) - 1;

@@ -31,13 +31,16 @@ void midpoints_of(const double* intervals, std::size_t entries, double* points) 
 
 }  // namespace
 
-Batch::Batch(const Problem& problem, const Settings& settings)
+Batch::Batch(const Problem& problem, const Settings& settings, const RowStructure& structure)
     : caller_(*problem.kernel),
       kernel_(*problem.kernel),
       alpha_(problem.alpha),
       variables_(kernel_.variables),
       rows_(kernel_.rows),
       columns_(kernel_.columns),
+      splittable_(settings.uncertainty == Uncertainty::kVariables ? kernel_.variables
+                                                                  : kernel_.motion_variables),
+      structure_(structure),
       sees_mean_values_(settings.method == Method::kAuto && kernel_.left_derivatives != nullptr &&
                         kernel_.left_product != nullptr) {
   const std::size_t v = variables_ * kLanes;
@@ -51,6 +54,8 @@ Batch::Batch(const Problem& problem, const Settings& settings)
   thinned_ = AlignedBuffer(2 * v);
   midpoint_ = AlignedBuffer(v);
   radius_ = AlignedBuffer(v);
+  nominal_ = AlignedBuffer(2 * v);
+  wide_radius_ = AlignedBuffer(v);
   matrix_ = AlignedBuffer(2 * mn);
   midpoint_matrix_ = AlignedBuffer(2 * mn);
   approx_matrix_ = AlignedBuffer(mn);
@@ -60,12 +65,15 @@ Batch::Batch(const Problem& problem, const Settings& settings)
   right_ = AlignedBuffer(2 * mm);
   right_numeric_ = AlignedBuffer(2 * mm);
   derivatives_ = AlignedBuffer(sees_mean_values_ ? 2 * nn * variables_ : 0);
+  full_derivatives_ = AlignedBuffer(structure_.empty() ? 0 : 2 * nn * variables_);
+  structured_ = AlignedBuffer(structure_.empty() ? 0 : order() * order() * kLanes);
+  slopes_ = AlignedBuffer(structure_.empty() ? 0 : nn * variables_);
   bounds_ = AlignedBuffer(nn);
   center_ = AlignedBuffer(nn);
-  vector_ = AlignedBuffer(columns_ * kLanes);
-  candidate_vector_ = AlignedBuffer(columns_ * kLanes);
-  right_perron_ = AlignedBuffer(columns_ * kLanes);
-  left_perron_ = AlignedBuffer(columns_ * kLanes);
+  vector_ = AlignedBuffer(order() * kLanes);
+  candidate_vector_ = AlignedBuffer(order() * kLanes);
+  right_perron_ = AlignedBuffer(order() * kLanes);
+  left_perron_ = AlignedBuffer(order() * kLanes);
   impact_ = AlignedBuffer(v);
   scratch_ = AlignedBuffer(std::max({2 * mn, 2 * nn, 2 * h, 2 * pose}));
 }
@@ -76,27 +84,27 @@ void Batch::clear() noexcept {
 }
 
 void Batch::load(std::size_t lane, std::span<const Interval> box) noexcept {
-  for (std::size_t k = 0; k < variables_; ++k) {
-    boxes_[lower_at(k, lane)] = box[k].lo;
-    boxes_[upper_at(k, lane)] = box[k].hi;
-    const double middle = mid(box[k]);
-    midpoint_[point_at(k, lane)] = middle;
-    thin_[lower_at(k, lane)] = thin_[upper_at(k, lane)] = middle;
-    radius_[point_at(k, lane)] = rad_ru(box[k]);
-  }
+  for (std::size_t k = 0; k < variables_; ++k) load_variable(k, lane, box[k]);
   loaded_ |= 1U << lane;
+}
+
+void Batch::load_variable(std::size_t k, std::size_t lane, Interval x) noexcept {
+  const double middle = mid(x);
+  const double radius = rad_ru(x);
+  const bool fixed = structure_.touches_one_row(k);
+  boxes_[lower_at(k, lane)] = x.lo;
+  boxes_[upper_at(k, lane)] = x.hi;
+  midpoint_[point_at(k, lane)] = middle;
+  thin_[lower_at(k, lane)] = thin_[upper_at(k, lane)] = middle;
+  radius_[point_at(k, lane)] = radius;
+  nominal_[lower_at(k, lane)] = fixed ? middle : x.lo;
+  nominal_[upper_at(k, lane)] = fixed ? middle : x.hi;
+  wide_radius_[point_at(k, lane)] = fixed ? 0.0 : radius;
 }
 
 void Batch::seal(std::size_t count) noexcept {
   for (std::size_t k = 0; k < variables_; ++k)
-    for (std::size_t lane = count; lane < kLanes; ++lane) {
-      boxes_[lower_at(k, lane)] = boxes_[lower_at(k, 0)];
-      boxes_[upper_at(k, lane)] = boxes_[upper_at(k, 0)];
-      thin_[lower_at(k, lane)] = thin_[lower_at(k, 0)];
-      thin_[upper_at(k, lane)] = thin_[upper_at(k, 0)];
-      midpoint_[point_at(k, lane)] = midpoint_[point_at(k, 0)];
-      radius_[point_at(k, lane)] = radius_[point_at(k, 0)];
-    }
+    for (std::size_t lane = count; lane < kLanes; ++lane) load_variable(k, lane, box(k, 0));
 }
 
 bool Batch::begin(Stage stage) noexcept {
@@ -209,9 +217,9 @@ double Batch::approx_determinant(std::size_t lane) noexcept {
   return approx_determinant_[lane];
 }
 
-void Batch::keep_vector(LaneMask lanes) noexcept {
-  for_each_lane(lanes, [this](std::size_t lane) {
-    for (std::size_t i = 0; i < columns_; ++i)
+void Batch::keep_vector(LaneMask lanes, std::size_t entries) noexcept {
+  for_each_lane(lanes, [this, entries](std::size_t lane) {
+    for (std::size_t i = 0; i < entries; ++i)
       vector_[point_at(i, lane)] = candidate_vector_[point_at(i, lane)];
   });
 }

@@ -9,6 +9,7 @@
 #include "regulus/kernel/call.hpp"
 #include "regulus/regularity/determinant.hpp"
 #include "regulus/regularity/lanes.hpp"
+#include "regulus/regularity/structured.hpp"
 #include "regulus/search/aligned_buffer.hpp"
 #include "regulus/search/problem.hpp"
 
@@ -36,7 +37,7 @@ struct ProductForm {
 
 class Batch {
  public:
-  Batch(const Problem& problem, const Settings& settings);
+  Batch(const Problem& problem, const Settings& settings, const RowStructure& structure);
 
   /// Forgets everything. Then load 1…8 lanes from 0, without gaps, and seal.
   void clear() noexcept;
@@ -87,15 +88,20 @@ class Batch {
   /// Some constraint is certainly positive at the midpoint.
   [[nodiscard]] LaneMask midpoint_outside() noexcept;
 
-  // For the H-matrix test and for bisection.
+  // For the H-matrix test and for bisection. Uncertain quantities that touch one row only are at
+  // their midpoints in the first two.
 
   /// P ≥ |KA − I| from natural entries; +∞ in lanes without.
   [[nodiscard]] double* natural_bounds() noexcept;
   /// The same, lowered to the mean-value bound where that is smaller.
   [[nodiscard]] double* mean_value_bounds() noexcept;
+  /// T of regulus/regularity/structured.hpp, of order order(); +∞ in lanes without.
+  [[nodiscard]] double* structured_bounds() noexcept;
+  [[nodiscard]] bool is_structured() const noexcept { return !structure_.empty(); }
+  [[nodiscard]] std::size_t order() const noexcept { return columns_ + structure_.rows.size(); }
   /// Where a test computes its v; keep_vector then saves those that proved something.
   [[nodiscard]] double* candidate_vector() noexcept { return candidate_vector_.get(); }
-  void keep_vector(LaneMask lanes) noexcept;
+  void keep_vector(LaneMask lanes, std::size_t entries) noexcept;
   /// v of the test that certified a lane.
   [[nodiscard]] const double* vector() const noexcept { return vector_.get(); }
   /// What each variable adds to the spectral radius of P, roughly; point layout. P is that of K·A.
@@ -127,7 +133,9 @@ class Batch {
     kImpact = 1U << 11,
     kDerivatives = 1U << 12,
     kMidpointScale = 1U << 13,
+    kStructured = 1U << 14,
   };
+  void load_variable(std::size_t variable, std::size_t lane, Interval x) noexcept;
   [[nodiscard]] bool begin(Stage stage) noexcept;
   LaneMask call(regulus_function function, const double* boxes, const double* points,
                 double* out) noexcept;
@@ -135,26 +143,32 @@ class Batch {
   void compute_posed() noexcept;
   void compute_midpoint() noexcept;
   void compute_derivatives() noexcept;
+  [[nodiscard]] StructuredInput structured_input() noexcept;
   void multiply_left(const double* matrix, double* out) noexcept;
   LaneMask left_product_on(const double* boxes, double* out) noexcept;
   void multiply_right() noexcept;
   void impact_from_derivatives() noexcept;
   void impact_from_fixing() noexcept;
-  void weigh_impact(std::size_t variable, std::size_t entry, const double* magnitude) noexcept;
+  void weigh_impact(std::size_t variable, std::size_t row, std::size_t column,
+                    const double* magnitude) noexcept;
 
   const Kernel caller_;
   const regulus_kernel& kernel_;
   const Interval alpha_;
   const std::size_t variables_, rows_, columns_;
+  const std::size_t splittable_;  ///< the variables 0 … splittable_ − 1 may be split
+  const RowStructure& structure_;
   const bool sees_mean_values_;  ///< the method uses them and the kernel has derivatives
   bool posed_everywhere_ = false;
   unsigned done_ = 0;
   LaneMask loaded_ = 0;
 
   AlignedBuffer boxes_, thin_, thinned_, midpoint_, radius_;
+  AlignedBuffer nominal_, wide_radius_;  // as boxes_ and radius_, without what touches one row only
   AlignedBuffer matrix_, midpoint_matrix_, approx_matrix_, preconditioner_;
-  AlignedBuffer left_, right_, left_numeric_, right_numeric_, derivatives_;
-  AlignedBuffer bounds_, center_, vector_, candidate_vector_, right_perron_, left_perron_;
+  AlignedBuffer left_, right_, left_numeric_, right_numeric_, derivatives_, full_derivatives_;
+  AlignedBuffer bounds_, structured_, slopes_, center_, vector_, candidate_vector_, right_perron_,
+      left_perron_;
   AlignedBuffer impact_, scratch_;
   double approx_determinant_[kLanes] = {};
   double approx_scale_[kLanes] = {};

@@ -29,10 +29,11 @@ struct Split {
 };
 
 /// What the test that certified a leaf used: entry p of K is preconditioner[p·8], entry i of v is
-/// vector[i·8] (null if the rule has none).
+/// vector[i·8], i < order (0 if the rule has no v; for kStructured more than the columns).
 struct Proof {
   const double* preconditioner = nullptr;
   const double* vector = nullptr;
+  std::size_t order = 0;
 };
 
 class Observer {

@@ -51,6 +51,8 @@ const char* name(Rule rule) noexcept {
       return "h-matrix";
     case Rule::kMeanValue:
       return "mean-value";
+    case Rule::kStructured:
+      return "structured";
     case Rule::kDeterminant:
       return "determinant";
     case Rule::kRohn:

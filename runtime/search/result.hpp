@@ -34,11 +34,12 @@ enum class Rule : std::uint8_t {
   kOutside,      ///< a constraint is positive throughout
   kHMatrix,      ///< Pv < v, natural entries
   kMeanValue,    ///< Pv < v, smaller of natural and mean-value bounds
+  kStructured,   ///< Tv < v, uncertain quantities by the row they touch
   kDeterminant,  ///< interval determinant
   kRohn,         ///< vertex determinants
   kBlocked,      ///< not decided and not split any more
 };
-inline constexpr std::size_t kRules = 6;
+inline constexpr std::size_t kRules = 7;
 
 struct WitnessPoint {
   std::vector<Interval> variables;  ///< thin wherever the range holds a double

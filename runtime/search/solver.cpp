@@ -12,6 +12,7 @@
 #include "regulus/search/batch.hpp"
 #include "regulus/search/bisector.hpp"
 #include "regulus/search/frontier.hpp"
+#include "regulus/search/row_structure.hpp"
 #include "regulus/search/tests.hpp"
 #include "regulus/search/witness_search.hpp"
 
@@ -32,9 +33,10 @@ class Search {
       : problem_(problem),
         settings_(settings),
         observer_(observer != nullptr ? *observer : silent_),
-        batch_(problem, settings),
-        center_(problem, settings),
-        tests_(make_tests(problem, settings)),
+        structure_(find_row_structure(problem, settings)),
+        batch_(problem, settings, structure_),
+        center_(problem, settings, structure_),
+        tests_(make_tests(problem, settings, structure_)),
         bisector_(problem, settings),
         witness_(problem, settings),
         frontier_(problem.kernel->variables),
@@ -56,6 +58,7 @@ class Search {
   void decide_batch() noexcept;
   [[nodiscard]] LaneMask leave_outside(LaneMask lanes) noexcept;
   [[nodiscard]] LaneMask leave_certified(LaneMask lanes) noexcept;
+  [[nodiscard]] std::size_t vector_order(Rule rule) const noexcept;
   void leave(std::size_t lane, Rule rule, const Proof& proof) noexcept;
   void look_for_witness(LaneMask undecided) noexcept;
   void split_or_block(std::size_t lane) noexcept;
@@ -78,6 +81,7 @@ class Search {
   const Problem& problem_;
   const Settings& settings_;
   Observer& observer_;
+  const RowStructure structure_;
   Batch batch_, center_;
   TestSequence tests_;
   Bisector bisector_;
@@ -197,14 +201,19 @@ LaneMask Search::leave_certified(LaneMask lanes) noexcept {
   for (const auto& test : tests_) {
     if (lanes == 0) break;
     const LaneMask certified = test->certify(batch_, lanes) & lanes;
-    const bool has_vector = test->rule() == Rule::kHMatrix || test->rule() == Rule::kMeanValue;
+    const std::size_t order = vector_order(test->rule());
     for_each_lane(certified, [&](std::size_t lane) {
-      leave(lane, test->rule(),
-            {batch_.preconditioner() + lane, has_vector ? batch_.vector() + lane : nullptr});
+      const double* vector = order > 0 ? batch_.vector() + lane : nullptr;
+      leave(lane, test->rule(), {batch_.preconditioner() + lane, vector, order});
     });
     lanes &= ~certified;
   }
   return lanes;
+}
+
+std::size_t Search::vector_order(Rule rule) const noexcept {
+  if (rule == Rule::kStructured) return batch_.order();
+  return rule == Rule::kHMatrix || rule == Rule::kMeanValue ? problem_.kernel->columns : 0;
 }
 
 /// Corners first, then downhill: from all of the variety when the number of boxes reaches a power

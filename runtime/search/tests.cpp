@@ -19,18 +19,17 @@ LaneMask above_threshold(Batch& batch, LaneMask lanes, LowerBound&& lower_rd) no
   return certain;
 }
 
-/// Pv < v for P ≥ |KA − I|.
+/// Pv < v for P ≥ |KA − I|, or Tv < v for T ≥ |B − I| with det B = det KA.
 class HMatrixTest final : public RegularityTest {
  public:
   HMatrixTest(Rule rule, double alpha) noexcept : RegularityTest(rule), alpha_(alpha) {}
 
   LaneMask certify(Batch& batch, LaneMask lanes) noexcept override {
-    const std::size_t n = batch.kernel().columns;
-    const bool mean_value = rule() == Rule::kMeanValue;
-    const double* P = mean_value ? batch.mean_value_bounds() : batch.natural_bounds();
-    double* v = batch.candidate_vector();
-    lanes &= certain_h_matrix(P, n, v);
-    batch.keep_vector(lanes);
+    const bool structured = rule() == Rule::kStructured;
+    const std::size_t n = structured ? batch.order() : batch.kernel().columns;
+    const double* P = bounds(batch);
+    lanes &= certain_h_matrix(P, n, batch.candidate_vector());
+    batch.keep_vector(lanes, n);
     if (alpha_ == 0.0) return above_threshold(batch, lanes, [](std::size_t) { return 1.0; });
     double product_rd[kLanes];
     determinant_rd(P, n, product_rd);
@@ -41,6 +40,17 @@ class HMatrixTest final : public RegularityTest {
   }
 
  private:
+  [[nodiscard]] const double* bounds(Batch& batch) const noexcept {
+    switch (rule()) {
+      case Rule::kStructured:
+        return batch.structured_bounds();
+      case Rule::kMeanValue:
+        return batch.mean_value_bounds();
+      default:
+        return batch.natural_bounds();
+    }
+  }
+
   double alpha_;
 };
 
@@ -108,10 +118,15 @@ bool with_rohn(Method method) noexcept {
 
 }  // namespace
 
-TestSequence make_tests(const Problem& problem, const Settings& settings) {
+TestSequence make_tests(const Problem& problem, const Settings& settings,
+                        const RowStructure& structure) {
   const double alpha = problem.alpha.hi;
   const regulus_kernel& kernel = *problem.kernel;
   TestSequence tests;
+  if (!structure.empty()) {
+    tests.push_back(std::make_unique<HMatrixTest>(Rule::kStructured, alpha));
+    return tests;
+  }
   if (settings.method == Method::kAuto) {
     tests.push_back(std::make_unique<HMatrixTest>(Rule::kHMatrix, alpha));
     if (kernel.left_derivatives != nullptr && kernel.left_product != nullptr)

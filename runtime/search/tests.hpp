@@ -30,6 +30,7 @@ class RegularityTest {
 using TestSequence = std::vector<std::unique_ptr<RegularityTest>>;
 
 /// The tests of settings.method, in the order in which they are to be tried.
-[[nodiscard]] TestSequence make_tests(const Problem& problem, const Settings& settings);
+[[nodiscard]] TestSequence make_tests(const Problem& problem, const Settings& settings,
+                                      const RowStructure& structure);
 
 }  // namespace regulus

@@ -21,7 +21,7 @@ WitnessSearch::WitnessSearch(const Problem& problem, const Settings& settings)
       variables_(problem.kernel->variables),
       square_(problem.kernel->rows == problem.kernel->columns),
       scaled_(problem.alpha.hi > 0.0),
-      points_(problem, settings),
+      points_(problem, settings, no_structure_),
       box_(variables_),
       current_(variables_),
       trial_(variables_),

@@ -73,6 +73,7 @@ class WitnessSearch {
   DeterminantOracle* oracle_;
   std::size_t variables_;
   bool square_, scaled_;
+  RowStructure no_structure_;
   Batch points_;
   std::vector<Interval> box_;
   Candidate positive_, negative_, small_;

@@ -28,6 +28,15 @@ class RandomMatrix : public test::FixtureKernel {
   }
 
   void use_derivatives() { enable_derivatives(); }
+  /// The variable appears in one row only.
+  void confine(unsigned variable, unsigned row) {
+    const unsigned n = get()->variables;
+    for (unsigned e = 0; e < coefficients_.size(); ++e) {
+      if (e / get()->columns == row) continue;
+      coefficients_[e][1 + variable] = coefficients_[e][1 + n + variable] = 0.0;
+      if (variable < 2) coefficients_[e][1 + 2 * n] = 0.0;
+    }
+  }
   void constrain(std::vector<double> center, double radius, bool inside) {
     center_ = std::move(center);
     radius_ = radius;
@@ -293,12 +302,15 @@ TEST(Verdict, TallMatricesAreOfFullRankWhereCertified) {
 TEST(Verdict, UncertainQuantitiesNeverContradictExactDeterminants) {
   Random random(105);
   Tally tally;
+  std::uint64_t structured = 0;
   for (int round = 0; round < 300; ++round) {
     const unsigned n = 2 + static_cast<unsigned>(random.below(3));
     RandomMatrix kernel(random, 3, n, n, random.one_in(2) ? 3.0 : 1.5);
     kernel.functions().motion_variables = 1;
     kernel.functions().pose_parameters = 1;
     if (random.one_in(2)) kernel.use_derivatives();
+    if (random.one_in(2)) kernel.confine(1, static_cast<unsigned>(random.below(n)));
+    if (random.one_in(2)) kernel.confine(2, static_cast<unsigned>(random.below(n)));
     const double e = std::ldexp(1.0, -static_cast<int>(random.below(5)));
     const std::vector<Interval> ranges{{-1, 1}, {-e, e}, {-e, e}};
     const Problem problem = test::problem_over(kernel, ranges);
@@ -306,6 +318,7 @@ TEST(Verdict, UncertainQuantitiesNeverContradictExactDeterminants) {
     settings.uncertainty = random.one_in(2) ? Uncertainty::kElements : Uncertainty::kVariables;
     const Result result = solve(problem, settings);
     tally.count(result.verdict);
+    structured += result.statistics.leaves[static_cast<std::size_t>(Rule::kStructured)];
     const Grid grid = look(kernel, ranges, 4);
     if (result.verdict == Verdict::kNoSingularity) {
       ASSERT_FALSE(grid.zero || (grid.negative && grid.positive)) << round;
@@ -314,6 +327,7 @@ TEST(Verdict, UncertainQuantitiesNeverContradictExactDeterminants) {
   }
   EXPECT_GT(tally.free, 50);
   EXPECT_GT(tally.singular, 50);
+  EXPECT_GT(structured, 100U);
 }
 
 }  // namespace

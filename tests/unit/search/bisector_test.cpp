@@ -24,7 +24,8 @@ class BisectorTest : public ::testing::TestWithParam<bool> {
   }
 
   std::optional<std::size_t> choose(const Settings& settings, const Values& box) {
-    Batch batch(problem_, settings);
+    const RowStructure structure;
+    Batch batch(problem_, settings, structure);
     batch.clear();
     batch.load(0, box);
     batch.seal(1);

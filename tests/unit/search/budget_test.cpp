@@ -163,6 +163,23 @@ TEST(Environment, IsKeptAndDoesNotMatter) {
   }
 }
 
+TEST(Environment, IsToNearestInsideTheSearch) {
+  class Watch : public Observer {
+   public:
+    void on_progress(const Statistics&, std::uint64_t) noexcept override {
+      seen = _mm_getcsr() & ~0x3FU;
+    }
+    unsigned seen = 0;
+  };
+  const Laborious kernel;
+  Watch watch;
+  const unsigned saved = _mm_getcsr();
+  _mm_setcsr(0xDFC0U);  // upward, flush to zero, denormals are zero
+  static_cast<void>(solve(problem_over(kernel, kUnitSquare), {}, &watch));
+  _mm_setcsr(saved);
+  EXPECT_EQ(watch.seen, 0x1F80U);
+}
+
 TEST(Environment, SearchesRunSideBySide) {
   const Laborious kernel;
   const Problem problem = problem_over(kernel, kUnitSquare);

@@ -173,6 +173,13 @@ TEST(Solver, ThresholdsAreStrict) {
   EXPECT_EQ(solve(problem_over(kernel, {{2, 3}}, 2.5), {}).verdict, Verdict::kSingularity);
 }
 
+TEST(Solver, ALowerBoundEqualToTheThresholdIsNotAbove) {
+  // The interval determinant over the whole box is exactly [2, 3].
+  const FunctionKernel kernel(1, 1, 1, [](const Values& x) { return Values{x[0]}; });
+  EXPECT_EQ(solve(problem_over(kernel, {{2, 3}}, 2.0), with_method(Method::kReg)).verdict,
+            Verdict::kSingularity);
+}
+
 TEST(Solver, AThresholdBetweenDoublesIsNotDecidedWithinItsEnclosure) {
   const FunctionKernel kernel(1, 1, 1, [](const Values& x) { return Values{x[0]}; });
   const Interval alpha(1.0, 1.0 + 0x1p-20);
@@ -211,6 +218,15 @@ TEST(Solver, EveryMethodHonoursThresholds) {
     EXPECT_EQ(verdict(3.9), Verdict::kNoSingularity) << name(method);
     EXPECT_EQ(verdict(4.1), Verdict::kSingularity) << name(method);
   }
+}
+
+TEST(Solver, APointOfSmallDeterminantMustLieInTheVariety) {
+  // Only x ≤ 0.6 belongs to it, and witnesses only to x ≥ 0.75: every midpoint is moved out.
+  FunctionKernel kernel(1, 1, 1, [](const Values& x) { return Values{x[0]}; });
+  kernel.with_constraints(1, [](const Values& x) { return Values{x[0] - 0.6}; });
+  Problem problem = problem_over(kernel, {{0, 1}}, 10.0);
+  problem.inner[0] = Interval(0.75, 1);
+  EXPECT_EQ(solve(problem, {}).verdict, Verdict::kPossibleProblem);
 }
 
 // Uncertain quantities.
