@@ -6,6 +6,7 @@
 #include <nlohmann/json.hpp>
 #include <optional>
 
+#include "regulus/codegen/driver/arb_oracle.hpp"
 #include "regulus/codegen/driver/commands.hpp"
 #include "regulus/codegen/driver/exit_code.hpp"
 #include "regulus/codegen/driver/interrupt.hpp"
@@ -34,10 +35,16 @@ Result search(Preparation& preparation, const CheckCommand& command,
               const std::atomic<bool>& interrupt) {
   Settings settings = settings_from(command.search);
   settings.interrupt = &interrupt;
+  std::optional<ArbOracle> oracle;
+  const Module& module = preparation.module;
+  if (module.rows == module.columns)
+    settings.oracle =
+        &oracle.emplace(module.find("matrix")->program, module.rows, command.search.precision);
   std::optional<ProgressDisplay> display;
   if (!command.output.quiet && isatty(STDERR_FILENO) != 0) display.emplace(stderr);
   const Result result = solve(preparation.problem(), settings, display ? &*display : nullptr);
   preparation.seconds.search = result.statistics.seconds;
+  if (oracle) preparation.bits = oracle->bits();
   return result;
 }
 

@@ -69,6 +69,11 @@ void add_search_options(CLI::App& app, SearchOptions& options) {
   app.add_option("--time-limit", options.time_limit, "Stop after S seconds")
       ->check(CLI::PositiveNumber)
       ->type_name("S");
+  app.add_option("--precision", options.precision,
+                 "Most bits that are tried where doubles cannot decide")
+      ->check(CLI::Range(53L, 1L << 20))
+      ->type_name("BITS")
+      ->capture_default_str();
   app.add_flag_callback(
       "--no-cache", [&options] { options.use_cache = false; }, "Compile anew and keep nothing");
 }

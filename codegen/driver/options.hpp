@@ -38,6 +38,7 @@ struct SearchOptions {
   bool use_cache = true;
   std::uint64_t max_boxes = 0;  ///< 0: no bound
   double time_limit = 0;        ///< seconds, 0: no bound
+  long precision = 1024;        ///< most bits where doubles cannot decide
 };
 
 struct OutputOptions {

@@ -63,6 +63,7 @@ struct Preparation {
   std::string cache;       ///< "hit", "miss" or "off"
   std::string cache_note;  ///< why the cache could not be used; empty if it could
   StageSeconds seconds;
+  long bits = 53;  ///< the most that the search computed with
 
   /// Refers to the kernel of this preparation.
   [[nodiscard]] Problem problem() const;

@@ -195,7 +195,7 @@ Json json_report(const Preparation& p, const SearchOptions& search, const Result
   report["max_frontier"] = result.statistics.max_frontier;
   report["leaves"] = json_leaves(result.statistics);
   report["probes"] = result.statistics.probes;
-  report["bits"] = 53;
+  report["bits"] = p.bits;
   report["witness"] = json_witness(p, result);
   report["blocking_box"] =
       result.blocking_box.empty()

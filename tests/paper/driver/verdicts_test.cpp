@@ -67,7 +67,9 @@ TEST_P(PaperVerdicts, AreReachedWithinTheBoxBudget) {
 
   EXPECT_EQ(result.verdict, expected.verdict) << describe(result.reason);
   EXPECT_LE(result.statistics.boxes, 2 * expected.max_boxes);
-  if (expected.max_boxes == 1) EXPECT_EQ(result.statistics.boxes, 1u);
+  if (expected.max_boxes == 1) {
+    EXPECT_EQ(result.statistics.boxes, 1u);
+  }
   if (expected.verdict != kSingular) return;
   ASSERT_TRUE(result.witness);
   ASSERT_EQ(result.witness->points.size(), 2u);

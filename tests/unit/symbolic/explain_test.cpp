@@ -20,7 +20,7 @@ TEST(Explain, ShowsBothFormsOfAnEntryAndWhatTheyCost) {
   EXPECT_THAT(text, HasSubstr("form 2, horner: x*(k_1_1 + k_1_2 + k_1_3 + k_1_4 + k_1_5 + k_1_6)"));
   EXPECT_THAT(text, HasSubstr("occurrences: phi 4, psi 2, theta 1, x 1"));
   EXPECT_THAT(text, HasSubstr("1440 → 60"));
-  EXPECT_THAT(text, HasSubstr("left_product         36 outputs    674 operations"));
+  EXPECT_THAT(text, HasSubstr("left_product         36 outputs"));
 }
 
 TEST(Explain, ShowsOneRowUnlessAskedForAll) {

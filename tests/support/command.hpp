@@ -1,0 +1,80 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Runs a program as a person would: with arguments, without a terminal.
+#pragma once
+
+#include <fcntl.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <array>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+namespace regulus::test {
+
+struct CommandResult {
+  int exit_code = -1;  ///< −1: ended by a signal
+  std::string output;  ///< standard output
+  std::string errors;  ///< standard error
+};
+
+/// A program that has been started and not yet waited for.
+class RunningCommand {
+ public:
+  explicit RunningCommand(const std::vector<std::string>& words) {
+    std::array<int, 2> out{}, err{};
+    if (pipe2(out.data(), O_CLOEXEC) != 0 || pipe2(err.data(), O_CLOEXEC) != 0)
+      throw std::runtime_error("no pipe");
+    pid_ = fork();
+    if (pid_ == 0) become(words, out[1], err[1]);
+    close(out[1]);
+    close(err[1]);
+    out_ = out[0];
+    err_ = err[0];
+  }
+  RunningCommand(const RunningCommand&) = delete;
+  RunningCommand& operator=(const RunningCommand&) = delete;
+
+  [[nodiscard]] pid_t pid() const noexcept { return pid_; }
+
+  /// Reads to the end. Standard error is read first: it must hold what fits into a pipe.
+  [[nodiscard]] CommandResult wait() {
+    CommandResult result;
+    result.output = drain(out_);
+    result.errors = drain(err_);
+    int status = 0;
+    waitpid(pid_, &status, 0);
+    if (WIFEXITED(status)) result.exit_code = WEXITSTATUS(status);
+    return result;
+  }
+
+ private:
+  [[noreturn]] static void become(const std::vector<std::string>& words, int out, int err) {
+    std::vector<char*> arguments;
+    for (const std::string& word : words) arguments.push_back(const_cast<char*>(word.c_str()));
+    arguments.push_back(nullptr);
+    dup2(out, STDOUT_FILENO);
+    dup2(err, STDERR_FILENO);
+    execv(arguments[0], arguments.data());
+    _exit(127);
+  }
+
+  static std::string drain(int descriptor) {
+    std::string text;
+    std::array<char, 4096> buffer{};
+    for (ssize_t n; (n = read(descriptor, buffer.data(), buffer.size())) > 0;)
+      text.append(buffer.data(), std::size_t(n));
+    close(descriptor);
+    return text;
+  }
+
+  pid_t pid_ = -1;
+  int out_ = -1, err_ = -1;
+};
+
+[[nodiscard]] inline CommandResult run_command(const std::vector<std::string>& words) {
+  return RunningCommand(words).wait();
+}
+
+}  // namespace regulus::test

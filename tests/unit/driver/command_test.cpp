@@ -1,0 +1,162 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The command as its users see it: exit codes, what is on which stream, the JSON report.
+#include "support/command.hpp"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <csignal>
+#include <fstream>
+#include <nlohmann/json.hpp>
+#include <thread>
+
+#include "support/temporary_directory.hpp"
+
+namespace regulus::test {
+namespace {
+
+using nlohmann::json;
+using testing::AllOf;
+using testing::EndsWith;
+using testing::HasSubstr;
+
+const std::string kCommand = REGULUS_BINARY_DIR "/bin/regulus";
+const std::string kRobot1 = REGULUS_SOURCE_DIR "/models/robot_1.toml";
+const std::string kPlanar = REGULUS_SOURCE_DIR "/models/planar_3rpr.toml";
+
+CommandResult regulus(std::vector<std::string> words) {
+  words.insert(words.begin(), kCommand);
+  return run_command(words);
+}
+
+TEST(Command, PutsTheVerdictAloneOnStandardOutput) {
+  const CommandResult none = regulus({"check", kPlanar, "regular"});
+  EXPECT_EQ(none.output, "NO SINGULARITY\n");
+  EXPECT_EQ(none.exit_code, 0);
+  EXPECT_THAT(none.errors, HasSubstr("the full 3×3 matrix has full rank"));
+
+  const CommandResult singular = regulus({"check", kPlanar, "crossing"});
+  EXPECT_EQ(singular.output, "SINGULARITY\n");
+  EXPECT_EQ(singular.exit_code, 1);
+}
+
+TEST(Command, SaysNothingElseWhenQuiet) {
+  EXPECT_EQ(regulus({"check", kPlanar, "regular", "--quiet"}).errors, "");
+}
+
+TEST(Command, ShowsNoProgressInAPipe) {
+  EXPECT_THAT(regulus({"check", kPlanar, "regular"}).errors, testing::Not(HasSubstr("\r")));
+}
+
+TEST(Command, ReportsEveryPromisedKeyAsJson) {
+  const json report = json::parse(regulus({"check", kPlanar, "crossing", "--json"}).output);
+  for (const char* key :
+       {"verdict", "reason", "alpha", "method", "boxes", "max_frontier", "bits", "motion", "model",
+        "model_sha256", "witness", "blocking_box", "seconds", "engine", "isa", "cache"})
+    EXPECT_TRUE(report.contains(key)) << key;
+  for (const char* stage : {"model", "symbolic", "emit", "compile", "search", "total"})
+    EXPECT_TRUE(report["seconds"].contains(stage)) << stage;
+  EXPECT_EQ(report["verdict"], "singularity");
+  ASSERT_EQ(report["witness"]["points"].size(), 2u);
+  for (const json& point : report["witness"]["points"])
+    for (const char* key : {"parameters", "pose", "uncertain", "determinant"})
+      EXPECT_TRUE(point.contains(key)) << key;
+}
+
+TEST(Command, GivesAWitnessInsideTheVariety) {
+  const json report = json::parse(regulus({"check", kPlanar, "crossing", "--json"}).output);
+  for (const json& point : report["witness"]["points"]) {
+    const json& x = point["parameters"]["x"];
+    EXPECT_GE(x[0].get<double>(), -2);
+    EXPECT_LE(x[1].get<double>(), 4);
+  }
+}
+
+TEST(Command, ChangesARangeFromTheCommandLine) {
+  const CommandResult narrowed =
+      regulus({"check", kPlanar, "crossing", "--range", "phi=-15*deg:5*deg", "--quiet"});
+  EXPECT_EQ(narrowed.output, "NO SINGULARITY\n");
+}
+
+TEST(Command, ComparesWithAThreshold) {
+  const auto verdict = [](const std::string& alpha) {
+    return regulus({"check", kPlanar, "regular", "--alpha", alpha, "--quiet"}).output;
+  };
+  EXPECT_EQ(verdict("1/1000"), "NO SINGULARITY\n");
+  EXPECT_EQ(verdict("1000"), "SINGULARITY\n");
+}
+
+TEST(Command, AgreesWithItselfOnEveryEngineAndMethod) {
+  for (const char* method :
+       {"auto", "reg", "reg+rohn", "kj", "kj+rohn", "jk", "jk+rohn", "kj-numeric", "jk-numeric"}) {
+    EXPECT_EQ(regulus({"check", kPlanar, "regular", "--quiet", "--engine", "interpreted",
+                       "--method", method})
+                  .output,
+              "NO SINGULARITY\n")
+        << method;
+  }
+}
+
+TEST(Command, StopsAtABudgetWithAReason) {
+  const CommandResult stopped = regulus(
+      {"check", kRobot1, "wide_15", "--max-boxes", "3", "--json", "--engine", "interpreted"});
+  EXPECT_EQ(stopped.exit_code, 2);
+  const json report = json::parse(stopped.output);
+  EXPECT_EQ(report["verdict"], "possible-problem");
+  EXPECT_THAT(report["reason"].get<std::string>(), HasSubstr("number of boxes"));
+  EXPECT_FALSE(report["blocking_box"].is_null());
+}
+
+TEST(Command, EndsWithAReportWhenInterrupted) {
+  RunningCommand running({kCommand, "check", kRobot1, "wide_15", "--method", "reg", "--engine",
+                          "interpreted", "--json", "--quiet"});
+  std::this_thread::sleep_for(std::chrono::seconds(2));
+  kill(running.pid(), SIGINT);
+  const CommandResult result = running.wait();
+  EXPECT_EQ(result.exit_code, 2);
+  EXPECT_THAT(json::parse(result.output)["reason"].get<std::string>(), HasSubstr("interrupted"));
+}
+
+TEST(Command, RefusesWrongUseWith64) {
+  for (const std::vector<std::string>& words : std::vector<std::vector<std::string>>{
+           {},
+           {"check"},
+           {"no-such-command"},
+           {"check", kPlanar, "no_such_motion"},
+           {"check", kPlanar},
+           {"check", kPlanar, "regular", "--method", "guess"},
+           {"check", kPlanar, "regular", "--range", "phi"},
+           {"check", kPlanar, "regular", "--range", "phi=2:1"},
+           {"check", kPlanar, "regular", "--tolerance", "nothing=0.1"},
+           {"check", kPlanar, "regular", "--alpha", "-1"},
+       })
+    EXPECT_EQ(regulus(words).exit_code, 64) << testing::PrintToString(words);
+}
+
+TEST(Command, RefusesABadModelWith65AndAMissingOneWith74) {
+  const TemporaryDirectory folder;
+  const std::string path = (folder.path() / "bad.toml").string();
+  std::ofstream(path) << "regulus = 1\nname = \"bad\"\nwheels = 4\n";
+  const CommandResult bad = regulus({"check", path});
+  EXPECT_EQ(bad.exit_code, 65);
+  EXPECT_THAT(bad.errors,
+              AllOf(HasSubstr("bad.toml:3: found"), HasSubstr("wheels"), HasSubstr("expected")));
+  EXPECT_EQ(regulus({"check", "/no/such/model.toml"}).exit_code, 74);
+}
+
+TEST(Command, HasHelpForEveryCommand) {
+  EXPECT_THAT(regulus({"--help"}).output, HasSubstr("POSSIBLE PROBLEM"));
+  EXPECT_THAT(regulus({"check", "--help"}).output, HasSubstr("--tolerance"));
+  EXPECT_THAT(regulus({"explain", "--help"}).output, HasSubstr("MODEL"));
+  EXPECT_THAT(regulus({"--version"}).output, testing::StartsWith("regulus "));
+}
+
+TEST(Command, ExplainsThePapersTwoForms) {
+  const CommandResult explained = regulus({"explain", kRobot1});
+  EXPECT_EQ(explained.exit_code, 0);
+  EXPECT_THAT(explained.output, HasSubstr("form 1, as written: k_1_1*(x + "));
+  EXPECT_THAT(explained.output, HasSubstr("x*(k_1_1 + k_1_2 + k_1_3 + k_1_4 + k_1_5 + k_1_6)"));
+}
+
+}  // namespace
+}  // namespace regulus::test
