@@ -56,7 +56,8 @@ enum class Bisection : std::uint8_t { kWidest, kWeighted, kImpact };
 /// like motion parameters (V).
 enum class Uncertainty : std::uint8_t { kElements, kVariables };
 
-/// Asks for the determinant at a point with more digits than doubles have.
+/// Asks for the determinant with more digits than doubles have, at a point or over a box that is
+/// too narrow to split.
 class DeterminantOracle {
  public:
   DeterminantOracle() = default;
@@ -64,7 +65,8 @@ class DeterminantOracle {
   DeterminantOracle& operator=(const DeterminantOracle&) = delete;
   virtual ~DeterminantOracle() = default;
 
-  /// Ensures   det A(p) ∈ result for all p in `point`; nullopt if A is not certainly defined there.
+  /// Ensures   det A(p) ∈ result for all p in `point`; nullopt if A is not certainly defined all
+  ///           over it.
   [[nodiscard]] virtual std::optional<Interval> enclose(
       std::span<const Interval> point) noexcept = 0;
 };

@@ -57,6 +57,8 @@ const char* name(Rule rule) noexcept {
       return "determinant";
     case Rule::kRohn:
       return "rohn";
+    case Rule::kMultiprecision:
+      return "multiprecision";
     case Rule::kBlocked:
       return "blocked";
   }

@@ -31,15 +31,16 @@ enum class Reason : std::uint8_t {
 
 /// What was decided about a box, and by which test.
 enum class Rule : std::uint8_t {
-  kOutside,      ///< a constraint is positive throughout
-  kHMatrix,      ///< Pv < v, natural entries
-  kMeanValue,    ///< Pv < v, smaller of natural and mean-value bounds
-  kStructured,   ///< Tv < v, uncertain quantities by the row they touch
-  kDeterminant,  ///< interval determinant
-  kRohn,         ///< vertex determinants
-  kBlocked,      ///< not decided and not split any more
+  kOutside,         ///< a constraint is positive throughout
+  kHMatrix,         ///< Pv < v, natural entries
+  kMeanValue,       ///< Pv < v, smaller of natural and mean-value bounds
+  kStructured,      ///< Tv < v, uncertain quantities by the row they touch
+  kDeterminant,     ///< interval determinant
+  kRohn,            ///< vertex determinants
+  kMultiprecision,  ///< the determinant, with more bits than doubles have
+  kBlocked,         ///< not decided and not split any more
 };
-inline constexpr std::size_t kRules = 7;
+inline constexpr std::size_t kRules = 8;
 
 struct WitnessPoint {
   std::vector<Interval> variables;  ///< thin wherever the range holds a double

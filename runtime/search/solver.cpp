@@ -6,6 +6,7 @@
 // search then goes on for a while, widest boxes first, since SINGULARITY may still be shown.
 #include "regulus/search/solver.hpp"
 
+#include <algorithm>
 #include <chrono>
 
 #include "regulus/kernel/rounding_scope.hpp"
@@ -66,6 +67,7 @@ class Search {
   void block(std::size_t lane, Reason reason) noexcept;
   void load_center(std::size_t lane, std::size_t thin_variables) noexcept;
   [[nodiscard]] bool undefined_at_middle(std::size_t lane) noexcept;
+  [[nodiscard]] bool certified_by_oracle(std::size_t lane) noexcept;
   [[nodiscard]] bool hopeless_under_uncertainty(std::size_t lane) noexcept;
   [[nodiscard]] Result conclude();
 
@@ -100,6 +102,10 @@ class Search {
   Statistics statistics_;
   Clock::time_point start_ = Clock::now();
 };
+
+bool is_point(std::span<const Interval> box) noexcept {
+  return std::all_of(box.begin(), box.end(), [](const Interval& x) { return x.lo == x.hi; });
+}
 
 double seconds_since(Clock::time_point start) noexcept {
   return std::chrono::duration<double>(Clock::now() - start).count();
@@ -236,12 +242,17 @@ void Search::look_for_witness(LaneMask undecided) noexcept {
 }
 
 void Search::split_or_block(std::size_t lane) noexcept {
-  // No box that holds such a point will ever be certified.
-  if (undefined_at_middle(lane)) return block(lane, Reason::kUndefined);
+  // No box that holds such a point will ever be certified in doubles.
+  if (undefined_at_middle(lane)) {
+    if (is_point(open_[lane].box) && certified_by_oracle(lane))
+      return leave(lane, Rule::kMultiprecision, {});
+    return block(lane, Reason::kUndefined);
+  }
   if (open_[lane].depth % kStallCheck == kStallCheck - 1 && hopeless_under_uncertainty(lane))
     return block(lane, Reason::kUncertainty);
   const std::optional<std::size_t> variable = bisector_.choose(batch_, lane);
   if (variable) return split(lane, *variable);
+  if (certified_by_oracle(lane)) return leave(lane, Rule::kMultiprecision, {});
   LaneMask defined = batch_.certain_posed() & 1U << lane;
   static_cast<void>(batch_.product({}, defined));
   block(lane, defined != 0 ? Reason::kWidth : Reason::kUndefined);
@@ -295,6 +306,15 @@ bool Search::undefined_at_middle(std::size_t lane) noexcept {
   if (has_lane(batch_.certain_posed(), lane)) return false;
   load_center(lane, problem_.kernel->variables);
   return center_.certain_posed() == 0;
+}
+
+/// The last resort for a box that cannot be split: more digits than doubles have.
+bool Search::certified_by_oracle(std::size_t lane) noexcept {
+  const regulus_kernel& kernel = *problem_.kernel;
+  if (settings_.oracle == nullptr || kernel.rows != kernel.columns) return false;
+  if (!has_lane(batch_.certain_posed(), lane)) return false;
+  const std::optional<Interval> determinant = settings_.oracle->enclose(open_[lane].box);
+  return determinant && batch_.certain_above_threshold(lane, mig(*determinant));
 }
 
 /// At the middle of the box, as a single pose, the tests fail for the whole of the uncertainty: no

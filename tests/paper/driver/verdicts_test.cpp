@@ -87,5 +87,40 @@ INSTANTIATE_TEST_SUITE_P(Tables, PaperVerdicts,
                          testing::Combine(testing::ValuesIn(kCases), testing::ValuesIn(kEngines)),
                          case_name);
 
+/// §II-A: −0.827…, where doubles give −10²³ and intervals of doubles a width of 10²³.
+class Rump : public testing::TestWithParam<const char*> {
+ protected:
+  Preparation preparation = [] {
+    ModelOptions model;
+    model.path = REGULUS_SOURCE_DIR "/models/rump.toml";
+    return prepare(model, search_options(GetParam()));
+  }();
+  Settings settings;
+
+  void SetUp() override {
+    if (!available(GetParam())) GTEST_SKIP() << "this processor has no " << GetParam();
+  }
+};
+
+TEST_P(Rump, IsNotDecidedInDoubles) {
+  EXPECT_EQ(solve(preparation.problem(), settings).verdict, Verdict::kPossibleProblem);
+}
+
+TEST_P(Rump, IsDecidedWithMoreBits) {
+  ArbOracle oracle(preparation.module.find("matrix")->program, 1, 1024);
+  settings.oracle = &oracle;
+  const Result result = solve(preparation.problem(), settings);
+  EXPECT_EQ(result.verdict, Verdict::kNoSingularity) << describe(result.reason);
+  EXPECT_GT(oracle.bits(), 53);
+}
+
+TEST_P(Rump, StaysUndecidedWithTooFewBits) {
+  ArbOracle oracle(preparation.module.find("matrix")->program, 1, 106);
+  settings.oracle = &oracle;
+  EXPECT_EQ(solve(preparation.problem(), settings).verdict, Verdict::kPossibleProblem);
+}
+
+INSTANTIATE_TEST_SUITE_P(Section2A, Rump, testing::ValuesIn(kEngines));
+
 }  // namespace
 }  // namespace regulus::codegen
