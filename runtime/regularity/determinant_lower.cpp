@@ -18,7 +18,7 @@ constexpr double kTwoTerms = raise_factor(2);
 double one_operation_rd(double x) noexcept { return x * (1.0 - 0x1p-50) - 0x1p-1000; }
 
 struct ComparisonMatrix {
-  double a[kMaxOrder * kMaxOrder * kLanes];
+  alignas(64) double a[kMaxOrder * kMaxOrder * kLanes];
   std::size_t n;
 
   double& at(std::size_t i, std::size_t j, std::size_t lane) noexcept {

@@ -19,7 +19,7 @@ double one_sum_ru(double x) noexcept { return x * (1.0 + 0x1p-51); }
 /// Solves (I − P)v = 1 without pivoting, which is stable exactly where it matters: I − P is then an
 /// M-matrix, all pivots are positive and every sum in the elimination has terms of one sign.
 void solve_for_ones(const double* P, std::size_t n, double* v) noexcept {
-  double a[kEntries * kLanes];
+  alignas(64) double a[kEntries * kLanes];
   for (std::size_t e = 0; e < n * n * kLanes; ++e) a[e] = -P[e];
   for (std::size_t i = 0; i < n; ++i)
     for (std::size_t lane = 0; lane < kLanes; ++lane) {
@@ -50,26 +50,26 @@ void solve_for_ones(const double* P, std::size_t n, double* v) noexcept {
   }
 }
 
-void multiply_row(const double* row, const double* v, std::size_t n, double* sum) noexcept {
-  for (std::size_t lane = 0; lane < kLanes; ++lane) sum[lane] = 0.0;
-  for (std::size_t j = 0; j < n; ++j)
-    for (std::size_t lane = 0; lane < kLanes; ++lane)
-      sum[lane] += row[point_at(j, lane)] * v[point_at(j, lane)];
+/// Pv; with the strides exchanged, Pᵀv.
+void multiply(const double* P, const double* v, std::size_t n, std::size_t row_stride,
+              std::size_t column_stride, double* product) noexcept {
+  for (std::size_t i = 0; i < n; ++i) {
+    OctetSum sum;
+    for (std::size_t j = 0; j < n; ++j)
+      sum.add_product(P + point_at(i * row_stride + j * column_stride, 0), v + point_at(j, 0));
+    sum.store(product + point_at(i, 0));
+  }
 }
 
 /// One step of v ← Pv/‖Pv‖ + v/2; the second term damps the swinging of cyclic matrices.
 void power_step(const double* P, std::size_t n, std::size_t row_stride, std::size_t column_stride,
                 double* v, double* norm) noexcept {
-  double w[kMaxOrder * kLanes] = {};
+  alignas(64) double w[kMaxOrder * kLanes];
+  multiply(P, v, n, row_stride, column_stride, w);
   for (std::size_t lane = 0; lane < kLanes; ++lane) norm[lane] = 0.0;
-  for (std::size_t i = 0; i < n; ++i) {
-    for (std::size_t j = 0; j < n; ++j)
-      for (std::size_t lane = 0; lane < kLanes; ++lane)
-        w[point_at(i, lane)] +=
-            P[point_at(i * row_stride + j * column_stride, lane)] * v[point_at(j, lane)];
+  for (std::size_t i = 0; i < n; ++i)
     for (std::size_t lane = 0; lane < kLanes; ++lane)
       norm[lane] = std::max(norm[lane], w[point_at(i, lane)]);
-  }
   double largest[kLanes] = {};
   for (std::size_t i = 0; i < n; ++i)
     for (std::size_t lane = 0; lane < kLanes; ++lane) {
@@ -122,14 +122,14 @@ void lower_to_mean_value_ru(const double* center, const double* derivatives, con
 LaneMask certain_contraction(const double* P, const double* v, std::size_t n) noexcept {
   const double factor = raise_factor(n);
   LaneMask certain = kEveryLane;
+  alignas(64) double sum[kMaxOrder * kLanes];
+  multiply(P, v, n, n, 1, sum);
   for (std::size_t i = 0; i < n; ++i) {
-    double sum[kLanes];
-    multiply_row(P + i * n * kLanes, v, n, sum);
     for (std::size_t lane = 0; lane < kLanes; ++lane) {
       const double vi = v[point_at(i, lane)];
       // Written so that NaN fails; an infinite v fails because Pv < v then has no meaning.
       const bool holds = vi > 0.0 && vi < std::numeric_limits<double>::infinity() &&
-                         raise_ru(sum[lane], factor) < vi;
+                         raise_ru(sum[point_at(i, lane)], factor) < vi;
       certain &= ~(static_cast<LaneMask>(!holds) << lane);
     }
   }
@@ -144,11 +144,12 @@ LaneMask certain_h_matrix(const double* P, std::size_t n, double* v) noexcept {
 void determinant_ru(const double* P, const double* v, std::size_t n, double* upper) noexcept {
   const double factor = raise_factor(n);
   for (std::size_t lane = 0; lane < kLanes; ++lane) upper[lane] = 1.0;
+  alignas(64) double sum[kMaxOrder * kLanes];
+  multiply(P, v, n, n, 1, sum);
   for (std::size_t i = 0; i < n; ++i) {
-    double sum[kLanes];
-    multiply_row(P + i * n * kLanes, v, n, sum);
     for (std::size_t lane = 0; lane < kLanes; ++lane) {
-      const double ratio = raise_ru(raise_ru(sum[lane], factor) / v[point_at(i, lane)], factor);
+      const double ratio =
+          raise_ru(raise_ru(sum[point_at(i, lane)], factor) / v[point_at(i, lane)], factor);
       upper[lane] = raise_ru(upper[lane] * raise_ru(1.0 + ratio, factor), factor);
     }
   }

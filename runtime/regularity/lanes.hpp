@@ -7,6 +7,7 @@
 #pragma once
 
 #include <cstddef>
+#include <cstring>
 
 namespace regulus {
 
@@ -32,6 +33,35 @@ inline constexpr LaneMask kEveryLane = (1U << kLanes) - 1;
 [[nodiscard]] constexpr std::size_t upper_at(std::size_t entry, std::size_t lane) noexcept {
   return (2 * entry + 1) * kLanes + lane;
 }
+
+/// Eight running sums that stay in registers, as pairs: what every 64-bit processor adds in one
+/// instruction. Compilers spill a plain array that is summed over in an outer loop.
+class OctetSum {
+ public:
+  /// Adds a·b lane by lane; each is rounded twice, never contracted.
+  void add_product(const double* a, const double* b) noexcept {
+    add_pair(a0_, a, b);
+    add_pair(a1_, a + 2, b + 2);
+    add_pair(a2_, a + 4, b + 4);
+    add_pair(a3_, a + 6, b + 6);
+  }
+  void store(double* out) const noexcept {
+    std::memcpy(out, &a0_, sizeof a0_);
+    std::memcpy(out + 2, &a1_, sizeof a1_);
+    std::memcpy(out + 4, &a2_, sizeof a2_);
+    std::memcpy(out + 6, &a3_, sizeof a3_);
+  }
+
+ private:
+  using Pair = double __attribute__((vector_size(16)));
+  static void add_pair(Pair& sum, const double* a, const double* b) noexcept {
+    Pair x, y;
+    std::memcpy(&x, a, sizeof x);
+    std::memcpy(&y, b, sizeof y);
+    sum += x * y;
+  }
+  Pair a0_{}, a1_{}, a2_{}, a3_{};
+};
 
 /// What raise_ru multiplies by, for sums of at most `terms` products.
 [[nodiscard]] constexpr double raise_factor(std::size_t terms) noexcept {

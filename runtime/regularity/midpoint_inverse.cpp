@@ -119,9 +119,9 @@ void multiply_transpose(const double* a, std::size_t m, std::size_t n, double* g
 
 void left_inverse(const double* a, std::size_t m, std::size_t n, double* inverse,
                   double* determinant) noexcept {
-  double scaled[kMaxRows * kMaxColumns * kLanes];
-  double scale[kMaxColumns * kLanes];
-  double gram[kMaxColumns * kMaxColumns * kLanes];
+  alignas(64) double scaled[kMaxRows * kMaxColumns * kLanes];
+  alignas(64) double scale[kMaxColumns * kLanes];
+  alignas(64) double gram[kMaxColumns * kMaxColumns * kLanes];
   scale_columns(a, m, n, scaled, scale);
   multiply_transpose(scaled, m, n, gram);
   invert_square(gram, n, determinant);

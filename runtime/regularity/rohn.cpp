@@ -111,8 +111,8 @@ int common_sign(const double* determinant, double error) noexcept {
 bool certain_rohn(const Bounds& bounds) noexcept {
   const std::size_t n = bounds.n;
   const double error = error_bound_ru(bounds);
-  double vertex[kMaxRohn * kMaxRohn * kLanes];
-  double minors[kMaxSets * kLanes];
+  alignas(64) double vertex[kMaxRohn * kMaxRohn * kLanes];
+  alignas(64) double minors[kMaxSets * kLanes];
   int sign = 0;
   for (std::size_t c = 0; c < std::size_t{1} << (2 * n - 1); c += kLanes) {
     fill_vertices(bounds, c, vertex);

@@ -7,7 +7,12 @@
 namespace regulus {
 namespace {
 
-using Lanes = double[kLanes];
+/// On a cache line of its own: a store that crosses lines cannot be forwarded to the next load.
+struct alignas(64) Lanes {
+  double value[kLanes];
+  double& operator[](std::size_t lane) noexcept { return value[lane]; }
+  double operator[](std::size_t lane) const noexcept { return value[lane]; }
+};
 
 double larger(double a, double b) noexcept { return b > a ? b : a; }
 
@@ -19,6 +24,17 @@ double larger(double a, double b) noexcept { return b > a ? b : a; }
 double signed_sum_ru(double sum, double magnitudes, std::size_t terms) noexcept {
   const double error = magnitudes * (static_cast<double>(terms + 4) * 0x1p-50);
   return raise_ru(std::fabs(sum) + error, raise_factor(terms));
+}
+
+/// sum[j] = Σᵢ w[i]·M[i][j].
+void combine(const Lanes* w, const double* M, std::size_t n, std::size_t columns,
+             Lanes* sum) noexcept {
+  for (std::size_t j = 0; j < columns; ++j) {
+    OctetSum total;
+    for (std::size_t i = 0; i < n; ++i)
+      total.add_product(w[i].value, M + point_at(i * columns + j, 0));
+    total.store(sum[j].value);
+  }
 }
 
 /// E = (KA(t₀, u₀) − I) + Σ_p K∂_pA·(t_p − t₀_p), prepared for |wᵀE|_j ≤ Σ_p |Σᵢ wᵢ·M_p[i][j]| + Σᵢ
@@ -34,25 +50,16 @@ class Defect {
     for (std::size_t e = 0; e < entries * kLanes; ++e) rest_[e] = raise_ru(rest_[e], factor);
   }
 
-  /// ≥ |wᵀE|, entry j, to be raised by the caller for n + variables + 2 terms.
-  void bound(const Lanes* w, std::size_t j, Lanes& result) const noexcept {
-    weigh(rest_, w, j, result);
+  /// ≥ |wᵀE|, to be raised by the caller for n + variables + 2 terms.
+  void bound(const Lanes* w, const Lanes* magnitude_of_w, Lanes* result) const noexcept {
+    combine(magnitude_of_w, rest_, in_.n, in_.n, result);
     for (std::size_t slope = 0; slope < slopes_; ++slope) {
-      const double* middle = in_.workspace + slope * in_.n * in_.n * kLanes;
-      Lanes sum = {};
-      for (std::size_t i = 0; i < in_.n; ++i)
+      Lanes sum[kMaxColumns];
+      combine(w, in_.workspace + slope * in_.n * in_.n * kLanes, in_.n, in_.n, sum);
+      for (std::size_t j = 0; j < in_.n; ++j)
         for (std::size_t lane = 0; lane < kLanes; ++lane)
-          sum[lane] += w[i][lane] * middle[point_at(i * in_.n + j, lane)];
-      for (std::size_t lane = 0; lane < kLanes; ++lane) result[lane] += std::fabs(sum[lane]);
+          result[j][lane] += std::fabs(sum[j][lane]);
     }
-  }
-
-  /// Σᵢ |wᵢ|·M[i][j].
-  void weigh(const double* M, const Lanes* w, std::size_t j, Lanes& sum) const noexcept {
-    for (std::size_t lane = 0; lane < kLanes; ++lane) sum[lane] = 0.0;
-    for (std::size_t i = 0; i < in_.n; ++i)
-      for (std::size_t lane = 0; lane < kLanes; ++lane)
-        sum[lane] += std::fabs(w[i][lane]) * M[point_at(i * in_.n + j, lane)];
   }
 
  private:
@@ -78,79 +85,80 @@ class Defect {
 
   const StructuredInput& in_;
   std::size_t slopes_ = 0;
-  double rest_[kMaxColumns * kMaxColumns * kLanes];
+  alignas(64) double rest_[kMaxColumns * kMaxColumns * kLanes];
+};
+
+/// How the vectors w of one row l are read off: (K∂_kA)[i][j] = K[i][l]·w_j for every i, so by way
+/// of the i with the largest K[i][l].
+struct RowReader {
+  std::size_t entry[kLanes];
+  double reciprocal[kLanes];
+
+  RowReader(const StructuredInput& in, std::size_t row) noexcept {
+    for (std::size_t lane = 0; lane < kLanes; ++lane) {
+      const auto value = [&](std::size_t i) { return in.K[point_at(i * in.m + row, lane)]; };
+      entry[lane] = 0;
+      for (std::size_t i = 1; i < in.n; ++i)
+        if (std::fabs(value(i)) > std::fabs(value(entry[lane]))) entry[lane] = i;
+      reciprocal[lane] = 1.0 / value(entry[lane]);
+    }
+  }
 };
 
 /// One variable u_k that touches one row: w_k⁰, the distance of w_k from it, and what follows.
 class RowTerm {
  public:
-  RowTerm(const StructuredInput& input, std::size_t variable, std::size_t row) noexcept
+  RowTerm(const StructuredInput& input, std::size_t variable, const RowReader& reader) noexcept
       : in_(input) {
-    choose_entry(row);
-    enclose_row(variable, row);
+    enclose_row(variable, reader);
   }
 
-  /// ≥ |w⁰ᵀK|, entry `column`.
-  void preconditioned_ru(std::size_t column, Lanes& bound) const noexcept {
-    for (std::size_t lane = 0; lane < kLanes; ++lane) {
-      double sum = 0.0, magnitudes = 0.0;
-      for (std::size_t i = 0; i < in_.n; ++i) {
-        const double term = middle_[i][lane] * in_.K[point_at(i * in_.m + column, lane)];
-        sum += term;
-        magnitudes += std::fabs(term);
-      }
-      bound[lane] = signed_sum_ru(sum, magnitudes, in_.n);
-    }
+  /// ≥ |w⁰ᵀK|, all m entries; magnitude_of_K is |K|.
+  void preconditioned_ru(const double* magnitude_of_K, Lanes* bound) const noexcept {
+    Lanes sum[kMaxRows];
+    combine(middle_, in_.K, in_.n, in_.m, sum);
+    combine(magnitude_, magnitude_of_K, in_.n, in_.m, bound);
+    for (std::size_t j = 0; j < in_.m; ++j)
+      for (std::size_t lane = 0; lane < kLanes; ++lane)
+        bound[j][lane] = signed_sum_ru(sum[j][lane], bound[j][lane], in_.n);
   }
 
-  /// ≥ |w⁰ᵀE| + |w − w⁰|, entry j.
-  void defect_ru(const Defect& defect, std::size_t j, Lanes& bound) const noexcept {
-    Lanes by_P, by_slope;
-    defect.weigh(in_.P, middle_, j, by_P);
-    defect.bound(middle_, j, by_slope);
+  /// ≥ |w⁰ᵀE| + |w − w⁰|, all n entries.
+  void defect_ru(const Defect& defect, Lanes* bound) const noexcept {
+    Lanes by_P[kMaxColumns];
+    combine(magnitude_, in_.P, in_.n, in_.n, by_P);
+    defect.bound(middle_, magnitude_, bound);
     const double factor = raise_factor(in_.n + in_.variables + 4);
-    for (std::size_t lane = 0; lane < kLanes; ++lane) {
-      const bool slopes_known = (in_.nominal_lanes >> lane & 1U) != 0;
-      const double least =
-          slopes_known && by_slope[lane] < by_P[lane] ? by_slope[lane] : by_P[lane];
-      bound[lane] = raise_ru(least + distance_[j][lane], factor);
-    }
+    for (std::size_t j = 0; j < in_.n; ++j)
+      for (std::size_t lane = 0; lane < kLanes; ++lane) {
+        const bool slopes_known = (in_.nominal_lanes >> lane & 1U) != 0;
+        const double least =
+            slopes_known && bound[j][lane] < by_P[j][lane] ? bound[j][lane] : by_P[j][lane];
+        bound[j][lane] = raise_ru(least + distance_[j][lane], factor);
+      }
   }
 
  private:
-  /// (K∂_kA)[i][j] = K[i][l]·w_j for every i: w is read off where K[i][l] is largest.
-  void choose_entry(std::size_t row) noexcept {
-    for (std::size_t lane = 0; lane < kLanes; ++lane) {
-      const auto size = [&](std::size_t i) {
-        return std::fabs(in_.K[point_at(i * in_.m + row, lane)]);
-      };
-      entry_[lane] = 0;
-      for (std::size_t i = 1; i < in_.n; ++i)
-        if (size(i) > size(entry_[lane])) entry_[lane] = i;
-    }
-  }
-
-  /// Rounding: a quotient errs by at most 2^-52 of itself and 2^-1074, as do the differences;
-  /// K[i][l] = 0 makes everything NaN, which no test accepts.
-  void enclose_row(std::size_t variable, std::size_t row) noexcept {
+  /// Rounding: a bound times the rounded reciprocal errs by less than 2^-50 of itself and 2^-1074;
+  /// K[i][l] = 0 makes everything infinite or NaN, which no test accepts.
+  void enclose_row(std::size_t variable, const RowReader& reader) noexcept {
+    const double factor = raise_factor(3);
     for (std::size_t j = 0; j < in_.n; ++j)
       for (std::size_t lane = 0; lane < kLanes; ++lane) {
-        const std::size_t i = entry_[lane];
-        const double k = in_.K[point_at(i * in_.m + row, lane)];
-        const std::size_t e = (variable * in_.n + i) * in_.n + j;
-        const double a = in_.full[lower_at(e, lane)] / k;
-        const double b = in_.full[upper_at(e, lane)] / k;
+        const std::size_t e = (variable * in_.n + reader.entry[lane]) * in_.n + j;
+        const double a = in_.full[lower_at(e, lane)] * reader.reciprocal[lane];
+        const double b = in_.full[upper_at(e, lane)] * reader.reciprocal[lane];
         const double w = 0.5 * a + 0.5 * b;
-        const double error = (std::fabs(a) + std::fabs(b)) * 0x1p-51;
+        const double error = (std::fabs(a) + std::fabs(b)) * 0x1p-49;
         middle_[j][lane] = w;
-        distance_[j][lane] =
-            raise_ru(larger(std::fabs(a - w), std::fabs(b - w)) + error, raise_factor(2));
+        magnitude_[j][lane] = std::fabs(w);
+        distance_[j][lane] = raise_ru(larger(std::fabs(a - w), std::fabs(b - w)) + error, factor);
       }
   }
 
   const StructuredInput& in_;
-  std::size_t entry_[kLanes];
   Lanes middle_[kMaxColumns];
+  Lanes magnitude_[kMaxColumns];
   Lanes distance_[kMaxColumns];
 };
 
@@ -166,6 +174,20 @@ void copy_upper_rows(const RowStructure& structure, const StructuredInput& in, d
   }
 }
 
+/// Adds Δ_k (…) to a row of Q and R.
+void add_term(const RowStructure& structure, const StructuredInput& in, const Defect& defect,
+              const double* magnitude_of_K, const RowTerm& term, std::size_t k,
+              double* lower_row) noexcept {
+  Lanes left[kMaxColumns], right[kMaxRows];
+  term.defect_ru(defect, left);
+  term.preconditioned_ru(magnitude_of_K, right);
+  for (std::size_t j = 0; j < in.n + structure.rows.size(); ++j) {
+    const Lanes& bound = j < in.n ? left[j] : right[structure.rows[j - in.n]];
+    for (std::size_t lane = 0; lane < kLanes; ++lane)
+      lower_row[point_at(j, lane)] += bound[lane] * in.radius[point_at(k, lane)];
+  }
+}
+
 }  // namespace
 
 void structured_bounds_ru(const RowStructure& structure, const StructuredInput& in,
@@ -173,20 +195,14 @@ void structured_bounds_ru(const RowStructure& structure, const StructuredInput& 
   const std::size_t order = in.n + structure.rows.size();
   copy_upper_rows(structure, in, T);
   const Defect defect(structure, in);
-  for (std::size_t k = 0; k < in.variables; ++k) {
-    if (!structure.touches_one_row(k)) continue;
-    const auto slot = static_cast<std::size_t>(structure.slot[k]);
-    const RowTerm term(in, k, structure.rows[slot]);
-    double* target = T + (in.n + slot) * order * kLanes;
-    for (std::size_t j = 0; j < order; ++j) {
-      Lanes bound;
-      if (j < in.n)
-        term.defect_ru(defect, j, bound);
-      else
-        term.preconditioned_ru(structure.rows[j - in.n], bound);
-      for (std::size_t lane = 0; lane < kLanes; ++lane)
-        target[point_at(j, lane)] += bound[lane] * in.radius[point_at(k, lane)];
-    }
+  alignas(64) double magnitude_of_K[kMaxColumns * kMaxRows * kLanes];
+  for (std::size_t e = 0; e < in.n * in.m * kLanes; ++e) magnitude_of_K[e] = std::fabs(in.K[e]);
+  for (std::size_t slot = 0; slot < structure.rows.size(); ++slot) {
+    const RowReader reader(in, structure.rows[slot]);
+    double* lower_row = T + (in.n + slot) * order * kLanes;
+    for (std::size_t k = 0; k < in.variables; ++k)
+      if (structure.slot[k] == static_cast<int>(slot))
+        add_term(structure, in, defect, magnitude_of_K, RowTerm(in, k, reader), k, lower_row);
   }
   const double factor = raise_factor(in.variables + 1);
   for (std::size_t e = in.n * order * kLanes; e < order * order * kLanes; ++e)
