@@ -19,7 +19,8 @@ struct ProgramShape {
   int points = 4;
   int operations = 12;
   int outputs = 2;
-  bool functions = true;  ///< false: + − × ÷ and small powers only
+  bool functions = true;   ///< false: + − × ÷ and small powers only
+  bool tree_like = false;  ///< most nodes are used once, as in rewritten formulas
   int largest_power = 4;
 };
 
@@ -76,14 +77,39 @@ inline cln::cl_RA random_rational(RandomSource& random) {
   return cln::cl_RA(numerator) / denominators[random.below(7)];
 }
 
+/// The nodes made so far, and those that nothing uses yet.
+struct NodePool {
+  std::vector<codegen::NodeId> all;
+  std::vector<codegen::NodeId> unused;
+
+  void add(codegen::NodeId id) {
+    all.push_back(id);
+    unused.push_back(id);
+  }
+  codegen::NodeId pick(RandomSource& random, bool tree_like) {
+    if (!tree_like || unused.empty() || random.one_in(3)) return all[random.below(all.size())];
+    const std::size_t i = random.below(unused.size());
+    const codegen::NodeId id = unused[i];
+    unused.erase(unused.begin() + static_cast<std::ptrdiff_t>(i));
+    return id;
+  }
+};
+
+template <class Builder>
+codegen::NodeId random_coefficient(RandomSource& random, Builder& builder,
+                                   const ProgramShape& shape) {
+  if (shape.points == 0 || random.one_in(3)) return builder.constant(random_rational(random));
+  return builder.point(
+      static_cast<unsigned>(random.below(static_cast<std::uint64_t>(shape.points))));
+}
+
 /// One more node from those in `pool`.
 template <class Builder>
 codegen::NodeId random_node(RandomSource& random, Builder& builder, const ProgramShape& shape,
-                            const std::vector<codegen::NodeId>& pool) {
+                            NodePool& pool) {
   using codegen::Op;
-  const auto pick = [&] { return pool[random.below(pool.size())]; };
-  const codegen::NodeId a = pick();
-  const codegen::NodeId b = pick();
+  const codegen::NodeId a = pool.pick(random, shape.tree_like);
+  const codegen::NodeId b = pool.pick(random, shape.tree_like);
   const int n =
       static_cast<int>(random.below(static_cast<std::uint64_t>(shape.largest_power) + 2)) - 1;
   switch (random.below(shape.functions ? 14 : 10)) {
@@ -95,8 +121,11 @@ codegen::NodeId random_node(RandomSource& random, Builder& builder, const Progra
       return builder.subtract(a, b);
     case 4:
     case 5:
-    case 6:
       return builder.multiply(a, b);
+    case 6: {
+      const codegen::NodeId factor = random_coefficient(random, builder, shape);
+      return random.one_in(2) ? builder.multiply(a, factor) : builder.multiply(factor, a);
+    }
     case 7:
       return builder.negate(a);
     case 8:
@@ -119,15 +148,15 @@ codegen::NodeId random_node(RandomSource& random, Builder& builder, const Progra
 template <class Builder>
 codegen::Program random_program(RandomSource& random, const ProgramShape& shape) {
   Builder builder(numbered_names("x", shape.inputs), numbered_names("k_1_", shape.points));
-  std::vector<codegen::NodeId> pool;
-  for (int i = 0; i < shape.inputs; ++i) pool.push_back(builder.input(static_cast<unsigned>(i)));
-  for (int i = 0; i < shape.points; ++i) pool.push_back(builder.point(static_cast<unsigned>(i)));
-  pool.push_back(builder.constant(random_rational(random)));
-  pool.push_back(builder.constant(random_rational(random)));
-  if (shape.functions && random.one_in(3)) pool.push_back(builder.pi());
-  for (int i = 0; i < shape.operations; ++i)
-    pool.push_back(random_node(random, builder, shape, pool));
-  for (int i = 0; i < shape.outputs; ++i) builder.output(pool[pool.size() - 1 - random.below(4)]);
+  NodePool pool;
+  for (int i = 0; i < shape.inputs; ++i) pool.add(builder.input(static_cast<unsigned>(i)));
+  for (int i = 0; i < shape.points; ++i) pool.add(builder.point(static_cast<unsigned>(i)));
+  pool.add(builder.constant(random_rational(random)));
+  pool.add(builder.constant(random_rational(random)));
+  if (shape.functions && random.one_in(3)) pool.add(builder.pi());
+  for (int i = 0; i < shape.operations; ++i) pool.add(random_node(random, builder, shape, pool));
+  for (int i = 0; i < shape.outputs; ++i)
+    builder.output(pool.all[pool.all.size() - 1 - random.below(shape.tree_like ? 2 : 4)]);
   return std::move(builder).finish();
 }
 

@@ -34,7 +34,7 @@ class RandomSource {
 /// huge values of either sign.
 inline double corner_double(RandomSource& random, int largest_exponent) {
   const double sign = random.one_in(2) ? -1.0 : 1.0;
-  switch (random.below(8)) {
+  switch (random.below(9)) {
     case 0:
       return sign * 0.0;
     case 1:
@@ -42,6 +42,8 @@ inline double corner_double(RandomSource& random, int largest_exponent) {
     case 2:
       return sign * std::ldexp(1.0 + random.unit(), -static_cast<int>(random.below(1075)));
     case 3:
+      return sign * std::ldexp(1.0, largest_exponent);
+    case 4:
       return sign * std::ldexp(0.5 + random.unit() / 2,
                                static_cast<int>(
                                    random.below(static_cast<std::uint64_t>(largest_exponent) + 1)));

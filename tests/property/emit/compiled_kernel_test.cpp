@@ -5,9 +5,9 @@ namespace regulus::test {
 namespace {
 
 TEST_F(CompiledKernels, EncloseArbOrReportTheLaneAsUndefined) {
-  build(1, 8, "-O1");
+  build(1, 16, "-O1");
   compare(100);
-  expect_enough(20000, 1000);
+  expect_enough(40000, 4000);
 }
 
 TEST(CompiledText, IsAcceptedWithoutWarnings) {

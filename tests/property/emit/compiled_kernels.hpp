@@ -37,32 +37,33 @@ inline constexpr NamedField kFields[] = {{"left_product", &regulus_kernel::left_
                                          {"constraint", &regulus_kernel::constraint},
                                          {"pose", &regulus_kernel::pose}};
 
-/// Random expressions as the functions of a kernel of a 1×1 matrix.
+/// Random expressions as the functions of a kernel of a 2×2 matrix.
 inline Module random_module(std::uint64_t seed) {
   RandomSource random(seed);
   Module m;
   m.model = "random " + std::to_string(seed);
-  m.rows = m.columns = 1;
+  m.rows = m.columns = 2;
   m.constraints = 3;
   m.pose_parameters = 2;
   ProgramShape shape;
-  shape.points = 1;
+  shape.points = 4;
   m.variables = numbered_names("x", shape.inputs);
   m.motion_variables = shape.inputs;
   const auto add = [&](const char* name, int outputs, int operations) {
     shape.outputs = outputs;
     shape.operations = operations;
     shape.functions = !random.one_in(3);
-    shape.largest_power = random.one_in(4) ? 17 : 4;
+    shape.tree_like = random.one_in(2);
+    shape.largest_power = random.one_in(3) ? 24 : 4;
     m.functions.push_back(
         {name, "random", random_program<codegen::ProgramBuilder>(random, shape), outputs, 1, {}});
     m.functions.back().program.inputs = m.variables;
   };
-  add("left_product", 1, 4);
+  add("left_product", 4, 8);
   add("row_scale", 1, 7);
   add("constraint", 3, 12);
   add("pose", 2, 30);
-  add("matrix", 1, 3);
+  add("matrix", 4, 3);
   return m;
 }
 
@@ -92,19 +93,20 @@ struct Case {
   std::vector<std::vector<Sample>> samples;  ///< per lane
 };
 
-inline Sample sample_at(const Program& program, const std::vector<double>& inputs, double k) {
+inline Sample sample_at(const Program& program, const std::vector<double>& inputs,
+                        const std::vector<double>& k) {
   ArbArithmetic arithmetic(200);
   std::vector<Ball> in;
   for (const double x : inputs) in.emplace_back(x);
   std::vector<Ball> points;
-  if (!program.points.empty()) points.emplace_back(k);
+  for (const double x : k) points.emplace_back(x);
   auto outputs = codegen::evaluate(program, std::span<const Ball>(in),
                                    std::span<const Ball>(points), arithmetic);
   return {arithmetic.certainly_undefined(), !arithmetic.undefined(), std::move(outputs)};
 }
 
 inline Case random_case(RandomSource& random, const Program& program) {
-  Case result{BoxBatch(program.inputs.size()), PointRows(1), {}};
+  Case result{BoxBatch(program.inputs.size()), PointRows(program.points.size()), {}};
   for (std::size_t lane = 0; lane < kLanes; ++lane) {
     const int largest_exponent = random.one_in(4) ? 64 : 3;
     std::vector<Interval> box;
@@ -112,8 +114,11 @@ inline Case random_case(RandomSource& random, const Program& program) {
       box.push_back(corner_interval(random, largest_exponent));
       result.boxes.set(v, lane, box.back());
     }
-    const double k = corner_double(random, largest_exponent == 64 ? 128 : 3);
-    result.points.set(0, lane, k);
+    std::vector<double> k;
+    for (std::size_t p = 0; p < program.points.size(); ++p) {
+      k.push_back(corner_double(random, largest_exponent == 64 ? 128 : 3));
+      result.points.set(p, lane, k.back());
+    }
     std::vector<Sample> samples;
     for (int i = 0; i < 2; ++i) {
       std::vector<double> point;
@@ -171,7 +176,8 @@ class CompiledKernels : public testing::Test {
       modules_.push_back(random_module(seed));
       codegen::EmitOptions options;
       options.prefix = "random_" + std::to_string(seed);
-      options.operations_per_part = seed % 3 == 0 ? 5 : 200;
+      constexpr unsigned kPartLengths[] = {1, 3, 7, 64};
+      options.operations_per_part = kPartLengths[seed % 4];
       texts.push_back(codegen::emit(modules_.back(), options));
     }
     const std::string text = in_one_text(texts);

@@ -84,6 +84,7 @@ TEST(Interpreter, EnclosesArbAtPointsOfTheBox) {
     RandomSource random(seed);
     ProgramShape shape;
     shape.operations = 2 + static_cast<int>(random.below(14));
+    shape.tree_like = seed % 2 == 0;
     const Program program = random_program<codegen::ProgramBuilder>(random, shape);
     const Box box = random_box(random, shape, seed % 4 == 0 ? 64 : 4);
     const IntervalResult found = evaluate_box(program, box);

@@ -60,6 +60,8 @@ TEST(Emit, FusesAProductWithASum) {
               HasSubstr("mul_add(k_1_1, v_x, v_y)"));
   EXPECT_THAT(constraint_text([](auto& b) { return b.subtract(y(b), b.multiply(k(b), x(b))); }),
               HasSubstr("mul_add(-k_1_1, v_x, v_y)"));
+  EXPECT_THAT(constraint_text([](auto& b) { return b.subtract(y(b), b.multiply(x(b), k(b))); }),
+              HasSubstr("mul_add(v_x, -k_1_1, v_y)"));
   EXPECT_THAT(constraint_text(
                   [](auto& b) { return b.subtract(y(b), b.multiply(b.constant("3/2"), x(b))); }),
               HasSubstr("mul_add(P(-0x1.8p+0), v_x, v_y)"));
