@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: Apache-2.0
 # Short names for the usual work; everything is in CMake. `make help` lists them.
-.PHONY: help demo build test test-all asan ubsan clang dependencies format clean
+.PHONY: help demo build test test-all paper asan ubsan clang dependencies format clean
 .DEFAULT_GOAL := help
 
 help:           ## this list
@@ -24,6 +24,13 @@ test-all: dependencies  ## every test, the slow ones too
 	cmake --preset release -DREGULUS_TESTS=ON
 	cmake --build --preset release
 	ctest --preset all
+
+paper: dependencies  ## the paper's Tables IV-VII, run again: tests/paper/RESULTS.md
+	cmake --preset release -DREGULUS_TESTS=ON
+	cmake --build --preset release --target paper_tables
+	build/bin/paper_tables 10 >build/RESULTS.md
+	mv build/RESULTS.md tests/paper/RESULTS.md
+	@cat tests/paper/RESULTS.md
 
 asan ubsan clang: dependencies  ## the fast tests under that preset
 	cmake --preset $@

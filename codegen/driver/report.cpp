@@ -17,9 +17,11 @@ std::string text_interval(const Interval& x) {
   return x.lo == x.hi ? fmt::format("{}", x.lo) : fmt::format("[{}, {}]", x.lo, x.hi);
 }
 
-/// A bound short enough to read; never used for anything that is certified.
+/// Short enough to read; never used for anything that is certified.
 std::string short_interval(const Interval& x) {
-  return x.lo == x.hi ? fmt::format("{:.6g}", x.lo) : fmt::format("[{:.6g}, {:.6g}]", x.lo, x.hi);
+  const std::string lo = fmt::format("{:.6g}", x.lo);
+  const std::string hi = fmt::format("{:.6g}", x.hi);
+  return lo == hi ? lo : fmt::format("[{}, {}]", lo, hi);
 }
 
 std::string unit_suffix(const std::string& unit) {
@@ -139,8 +141,9 @@ std::string witness_lines(const Preparation& p, const Result& result) {
   if (!result.witness) return "";
   std::string lines = "witness\n";
   for (const WitnessPoint& point : result.witness->points)
-    lines += fmt::format("           determinant in {} at {}\n", short_interval(point.determinant),
-                         place_words(p, point.variables));
+    lines += fmt::format("           determinant {} {} at {}\n",
+                         point.determinant.lo == point.determinant.hi ? "=" : "in",
+                         short_interval(point.determinant), place_words(p, point.variables));
   if (!result.witness->near.empty())
     lines += fmt::format("           it vanishes on the segment between them, near {}\n",
                          place_words(p, result.witness->near));
@@ -189,7 +192,8 @@ Json json_report(const Preparation& p, const SearchOptions& search, const Result
   report["model"] = p.request.model.name;
   report["model_sha256"] = p.request.model.sha256;
   report["motion"] = p.request.motion.name;
-  report["alpha"] = json_interval(p.variety.alpha);
+  report["alpha"] = mid(p.variety.alpha);
+  report["alpha_enclosure"] = json_interval(p.variety.alpha);
   report["method"] = name(result.method);
   report["boxes"] = result.statistics.boxes;
   report["max_frontier"] = result.statistics.max_frontier;

@@ -8,6 +8,7 @@
 #include <csignal>
 #include <fstream>
 #include <nlohmann/json.hpp>
+#include <sstream>
 #include <thread>
 
 #include "support/temporary_directory.hpp"
@@ -149,6 +150,33 @@ TEST(Command, HasHelpForEveryCommand) {
   EXPECT_THAT(regulus({"check", "--help"}).output, HasSubstr("--tolerance"));
   EXPECT_THAT(regulus({"explain", "--help"}).output, HasSubstr("MODEL"));
   EXPECT_THAT(regulus({"--version"}).output, testing::StartsWith("regulus "));
+}
+
+/// The lines under "$ regulus …" in the README, without what differs from run to run.
+std::string shown_in_readme(const std::string& command) {
+  std::ifstream readme(REGULUS_SOURCE_DIR "/README.md");
+  std::string line, shown;
+  while (std::getline(readme, line) && line != "$ " + command) continue;
+  while (std::getline(readme, line) && line != "```") shown += line + '\n';
+  return shown;
+}
+
+std::string without_timings(const std::string& text) {
+  std::istringstream lines(text);
+  std::string line, kept;
+  while (std::getline(lines, line))
+    if (!line.starts_with("time ") && !line.starts_with("method ")) kept += line + '\n';
+  return kept;
+}
+
+TEST(Command, PrintsWhatTheReadmeShows) {
+  for (const auto& [model, motion] : {std::pair{"robot_1", "wide_15"}, {"robot_2", "table5_30"}}) {
+    const std::string words = std::string("models/") + model + ".toml";
+    const CommandResult real = regulus({"check", REGULUS_SOURCE_DIR "/" + words, motion});
+    const std::string shown = shown_in_readme("regulus check " + words + " " + motion);
+    EXPECT_NE(shown, "");
+    EXPECT_EQ(without_timings(shown), without_timings(real.errors + real.output));
+  }
 }
 
 TEST(Command, ExplainsThePapersTwoForms) {
