@@ -25,10 +25,11 @@ test-all: dependencies  ## every test, the slow ones too
 	cmake --build --preset release
 	ctest --preset all
 
-paper: dependencies  ## the paper's Tables IV-VII, run again: tests/paper/RESULTS.md
+LIMIT ?= 10
+paper: dependencies  ## the paper's Tables IV-VII, run again: tests/paper/RESULTS.md (LIMIT seconds a cell)
 	cmake --preset release -DREGULUS_TESTS=ON
 	cmake --build --preset release --target paper_tables
-	build/bin/paper_tables 10 >build/RESULTS.md
+	build/bin/paper_tables $(LIMIT) >build/RESULTS.md
 	mv build/RESULTS.md tests/paper/RESULTS.md
 	@cat tests/paper/RESULTS.md
 

@@ -47,6 +47,11 @@ Expression normalized_power(const Expression& base, int exponent) {
   return product({Expression(factor), power(divide_by(form.form, content), exponent)});
 }
 
+Expressions normalized_factors(Expressions factors) {
+  for (Expression& factor : factors) factor = normalized_power(factor, 1);
+  return factors;
+}
+
 struct Named {
   const char* name;
   Call function;
@@ -81,7 +86,7 @@ Expression GinacReader::converted(const GiNaC::ex& e) {
   }
   if (e.is_equal(GiNaC::Pi)) return pi();
   if (GiNaC::is_a<GiNaC::add>(e)) return sum(read_operands(e));
-  if (GiNaC::is_a<GiNaC::mul>(e)) return product(read_operands(e));
+  if (GiNaC::is_a<GiNaC::mul>(e)) return product(normalized_factors(read_operands(e)));
   if (GiNaC::is_a<GiNaC::power>(e)) return read_power(e);
   if (GiNaC::is_a<GiNaC::function>(e)) return read_function(e);
   refuse(e, "an arithmetic expression");
