@@ -19,8 +19,8 @@ std::string text_interval(const Interval& x) {
 
 /// Short enough to read; never used for anything that is certified.
 std::string short_interval(const Interval& x) {
-  const std::string lo = fmt::format("{:.6g}", x.lo);
-  const std::string hi = fmt::format("{:.6g}", x.hi);
+  const std::string lo = fmt::format("{:.6g}", x.lo + 0.0);  // −0 reads as 0
+  const std::string hi = fmt::format("{:.6g}", x.hi + 0.0);
   return lo == hi ? lo : fmt::format("[{}, {}]", lo, hi);
 }
 
@@ -134,7 +134,7 @@ std::string place_words(const Preparation& p, const std::vector<Interval>& varia
     words += fmt::format("{}{} = {}", words.empty() ? "" : ", ", variable.name,
                          text_interval(variables[i]));
   }
-  return words;
+  return words.empty() ? "the only pose" : words;
 }
 
 std::string witness_lines(const Preparation& p, const Result& result) {

@@ -145,6 +145,20 @@ TEST(Command, RefusesABadModelWith65AndAMissingOneWith74) {
   EXPECT_EQ(regulus({"check", "/no/such/model.toml"}).exit_code, 74);
 }
 
+TEST(Command, ChecksAVarietyOfOnePose) {
+  const TemporaryDirectory folder;
+  const std::string path = (folder.path() / "fixed.toml").string();
+  std::ofstream(path) << "regulus = 1\nname = \"fixed\"\nsource = \"a test\"\n"
+                         "[pose]\nx = \"m\"\ny = \"m\"\n"
+                         "[matrix]\nrows = [[\"x - 1\", \"y\"], [\"x + 1\", \"y\"]]\n"
+                         "[motion.regular]\nx = \"sqrt(2)\"\ny = \"pi\"\n"
+                         "[motion.singular]\nx = 0.5\ny = 0\n";
+  EXPECT_EQ(regulus({"check", path, "regular"}).output, "NO SINGULARITY\n");
+  const CommandResult singular = regulus({"check", path, "singular"});
+  EXPECT_EQ(singular.output, "SINGULARITY\n");
+  EXPECT_THAT(singular.errors, HasSubstr("determinant = 0 at the only pose"));
+}
+
 TEST(Command, HasHelpForEveryCommand) {
   EXPECT_THAT(regulus({"--help"}).output, HasSubstr("POSSIBLE PROBLEM"));
   EXPECT_THAT(regulus({"check", "--help"}).output, HasSubstr("--tolerance"));
