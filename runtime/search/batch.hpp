@@ -4,6 +4,7 @@
 // construction.
 #pragma once
 
+#include <optional>
 #include <span>
 
 #include "regulus/kernel/call.hpp"
@@ -68,6 +69,9 @@ class Batch {
   [[nodiscard]] Interval row_scale(std::size_t lane) noexcept;
   /// K·A, A·K or A in interval layout; lanes that are not defined are taken out of `lanes`.
   [[nodiscard]] const double* product(ProductForm form, LaneMask& lanes) noexcept;
+  /// Encloses det A (`scaled`: det J⁻¹) over a box of a square kernel; nullopt if it is not
+  /// certainly defined there.
+  [[nodiscard]] std::optional<Interval> determinant(std::size_t lane, bool scaled) noexcept;
   /// Whether |det J⁻¹| > α follows from |det A| ≥ lower.
   [[nodiscard]] bool certain_above_threshold(std::size_t lane, double lower) noexcept;
 

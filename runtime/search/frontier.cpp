@@ -71,6 +71,8 @@ bool Frontier::push_end(const OpenBox& box, double width) noexcept {
 
 bool Frontier::push_halves(const OpenBox& first, double first_width, const OpenBox& second,
                            double second_width) noexcept {
+  while (size_ + 2 > slots_.size())
+    if (!grow()) return false;
   const bool to_end = size_ == 0 || second_width > slots_[end_].width;
   const bool stored = to_end ? push_end(second, second_width) : push_top(second, second_width);
   return stored && push_top(first, first_width);

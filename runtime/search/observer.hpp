@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <span>
 
 #include "regulus/interval/interval.hpp"
@@ -28,12 +29,17 @@ struct Split {
   BoxId lower;  ///< lower + 1 is the upper half
 };
 
-/// What the test that certified a leaf used: entry p of K is preconditioner[p·8], entry i of v is
-/// vector[i·8], i < order (0 if the rule has no v; for kStructured more than the columns).
+/// What stands behind a leaf. For the test that certified it: entry p of K is preconditioner[p·8],
+/// entry i of v is vector[i·8], i < order (0 if the rule has no v; for kStructured more than the
+/// columns).
 struct Proof {
   const double* preconditioner = nullptr;
   const double* vector = nullptr;
   std::size_t order = 0;
+  const Witness* witness = nullptr;            ///< kWitness: valid during the call
+  Reason reason = Reason::kAllBoxesCertified;  ///< kWitness: which proof; kBlocked: what blocks
+  /// Encloses det over the box, if Settings::enclose_determinants asks for it and it is defined.
+  std::optional<Interval> determinant{};
 };
 
 class Observer {
@@ -46,6 +52,8 @@ class Observer {
   virtual void on_start(const Problem&, const Settings&) noexcept {}
   virtual void on_split(const OpenBox&, const Split&) noexcept {}
   virtual void on_leaf(const OpenBox&, Rule, const Proof&) noexcept {}
+  /// When a budget, an interrupt or memory ends the search: each box that was not decided.
+  virtual void on_open(const OpenBox&) noexcept {}
   /// After each batch of boxes.
   virtual void on_progress(const Statistics&, std::uint64_t /*frontier*/) noexcept {}
   virtual void on_finish(const Result&) noexcept {}

@@ -86,8 +86,13 @@ struct Settings {
   std::uint64_t boxes_after_problem = 4096;
   /// Evaluate at most this many boxes at once, 1…8. With 1 the order is the paper's.
   unsigned batch = 8;
-  /// Give every box of the variety its verdict, even after a witness is found.
+  /// Give every box of the variety its verdict: one that is not certified is split down to the
+  /// minimum width, and there searched for a singularity inside it.
   bool exhaustive = false;
+  /// Exhaustive searches: split a box down to the minimum width even where it could be certified.
+  bool split_certified = false;
+  /// Hand the observer an enclosure of the determinant over each leaf: of A, or of J⁻¹ if α > 0.
+  bool enclose_determinants = false;
   DeterminantOracle* oracle = nullptr;
 };
 

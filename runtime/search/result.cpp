@@ -59,6 +59,8 @@ const char* name(Rule rule) noexcept {
       return "rohn";
     case Rule::kMultiprecision:
       return "multiprecision";
+    case Rule::kWitness:
+      return "witness";
     case Rule::kBlocked:
       return "blocked";
   }

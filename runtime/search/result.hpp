@@ -38,9 +38,10 @@ enum class Rule : std::uint8_t {
   kDeterminant,     ///< interval determinant
   kRohn,            ///< vertex determinants
   kMultiprecision,  ///< the determinant, with more bits than doubles have
+  kWitness,         ///< a singularity inside the box is certified; exhaustive searches only
   kBlocked,         ///< not decided and not split any more
 };
-inline constexpr std::size_t kRules = 8;
+inline constexpr std::size_t kRules = 9;
 
 struct WitnessPoint {
   std::vector<Interval> variables;  ///< thin wherever the range holds a double

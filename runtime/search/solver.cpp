@@ -4,6 +4,8 @@
 // A box is left for one of three reasons: a constraint excludes it, a test certifies it, or it
 // cannot be decided and is not to be split any more. The last kind rules out NO SINGULARITY; the
 // search then goes on for a while, widest boxes first, since SINGULARITY may still be shown.
+// An exhaustive search goes through all boxes, and looks for a singularity inside each that
+// remains.
 #include "regulus/search/solver.hpp"
 
 #include <algorithm>
@@ -12,6 +14,7 @@
 #include "regulus/kernel/rounding_scope.hpp"
 #include "regulus/search/batch.hpp"
 #include "regulus/search/bisector.hpp"
+#include "regulus/search/box_witness.hpp"
 #include "regulus/search/frontier.hpp"
 #include "regulus/search/row_structure.hpp"
 #include "regulus/search/tests.hpp"
@@ -40,6 +43,7 @@ class Search {
         tests_(make_tests(problem, settings, structure_)),
         bisector_(problem, settings),
         witness_(problem, settings),
+        box_witness_(problem, settings),
         frontier_(problem.kernel->variables),
         current_(kLanes * problem.kernel->variables),
         half_(problem.kernel->variables),
@@ -59,13 +63,20 @@ class Search {
   void decide_batch() noexcept;
   [[nodiscard]] LaneMask leave_outside(LaneMask lanes) noexcept;
   [[nodiscard]] LaneMask leave_certified(LaneMask lanes) noexcept;
+  [[nodiscard]] LaneMask leave_small(LaneMask lanes) noexcept;
+  [[nodiscard]] LaneMask at_minimum_width(LaneMask lanes) noexcept;
   [[nodiscard]] std::size_t vector_order(Rule rule) const noexcept;
-  void leave(std::size_t lane, Rule rule, const Proof& proof) noexcept;
+  void leave(std::size_t lane, Rule rule, Proof proof) noexcept;
+  void leave_with_witness(std::size_t lane) noexcept;
+  void leave_undecided(std::size_t lane, Reason reason) noexcept;
+  void report_open() noexcept;
   void look_for_witness(LaneMask undecided) noexcept;
   void split_or_block(std::size_t lane) noexcept;
+  void split_or_look_inside(std::size_t lane) noexcept;
   void split(std::size_t lane, std::size_t variable) noexcept;
   void block(std::size_t lane, Reason reason) noexcept;
   void load_center(std::size_t lane, std::size_t thin_variables) noexcept;
+  [[nodiscard]] Reason reason_at_minimum_width(std::size_t lane) noexcept;
   [[nodiscard]] bool undefined_at_middle(std::size_t lane) noexcept;
   [[nodiscard]] bool certified_by_oracle(std::size_t lane) noexcept;
   [[nodiscard]] bool hopeless_under_uncertainty(std::size_t lane) noexcept;
@@ -88,6 +99,9 @@ class Search {
   TestSequence tests_;
   Bisector bisector_;
   WitnessSearch witness_;
+  BoxWitness box_witness_;
+  std::optional<Witness> first_witness_;  ///< of an exhaustive search
+  Reason first_witness_reason_ = Reason::kOppositeSigns;
   Frontier frontier_;
   std::vector<Interval> current_, half_, blocking_;
   OpenBox open_[kLanes];
@@ -122,6 +136,7 @@ Result Search::run(std::span<const OpenBox> open, BoxId next_id) {
     if (!frontier_.push_top(open[k], bisector_.approx_relative_width(open[k].box)))
       stop_at_open_box(Reason::kMemory);
   loop();
+  if (exhausted_) report_open();
   Result result = conclude();
   observer_.on_finish(result);
   return result;
@@ -178,9 +193,13 @@ void Search::load_batch() noexcept {
 /// Steps 5–30 for each box of the batch. Undecided boxes are split last to first, so that the first
 /// ends on top again.
 void Search::decide_batch() noexcept {
-  LaneMask lanes = leave_outside(batch_.loaded());
-  LaneMask undecided = leave_certified(lanes);
-  if (!settings_.exhaustive) {
+  const LaneMask lanes = leave_outside(batch_.loaded());
+  LaneMask undecided = 0;
+  if (settings_.exhaustive) {
+    const LaneMask leavable = settings_.split_certified ? at_minimum_width(lanes) : lanes;
+    undecided = (lanes & ~leavable) | leave_small(leave_certified(leavable));
+  } else {
+    undecided = leave_certified(lanes);
     witness_.look_at_midpoints(batch_, lanes);
     look_for_witness(undecided);
     if (witness_.found()) {
@@ -188,13 +207,54 @@ void Search::decide_batch() noexcept {
       return;
     }
   }
-  for (std::size_t lane = kLanes; lane-- > 0 && !stopped_;)
-    if (has_lane(undecided, lane)) split_or_block(lane);
+  for (std::size_t lane = kLanes; lane-- > 0;)
+    if (has_lane(undecided, lane))
+      exhausted_ ? observer_.on_open(open_[lane]) : split_or_block(lane);
 }
 
-void Search::leave(std::size_t lane, Rule rule, const Proof& proof) noexcept {
+void Search::leave(std::size_t lane, Rule rule, Proof proof) noexcept {
   ++statistics_.leaves[static_cast<std::size_t>(rule)];
+  if (settings_.enclose_determinants && rule != Rule::kOutside)
+    proof.determinant = batch_.determinant(lane, problem_.alpha.hi > 0.0);
   observer_.on_leaf(open_[lane], rule, proof);
+}
+
+void Search::leave_with_witness(std::size_t lane) noexcept {
+  Proof proof;
+  proof.witness = &box_witness_.witness();
+  proof.reason = box_witness_.reason();
+  if (!first_witness_) first_witness_reason_ = proof.reason, first_witness_ = *proof.witness;
+  leave(lane, Rule::kWitness, proof);
+}
+
+void Search::leave_undecided(std::size_t lane, Reason reason) noexcept {
+  Proof proof;
+  proof.reason = reason;
+  leave(lane, Rule::kBlocked, proof);
+}
+
+/// The frontier is emptied: the search is over.
+void Search::report_open() noexcept {
+  for (; !frontier_.empty(); frontier_.pop()) observer_.on_open(frontier_.top());
+}
+
+/// Lanes that bisection is done with.
+LaneMask Search::at_minimum_width(LaneMask lanes) noexcept {
+  LaneMask result = 0;
+  for_each_lane(lanes, [&](std::size_t lane) {
+    if (!bisector_.choose(batch_, lane)) result |= 1U << lane;
+  });
+  return result;
+}
+
+LaneMask Search::leave_small(LaneMask lanes) noexcept {
+  LaneMask rest = lanes;
+  for_each_lane(lanes, [&](std::size_t lane) {
+    if (!box_witness_.small_throughout(batch_, lane)) return;
+    leave_with_witness(lane);
+    rest &= ~(1U << lane);
+  });
+  return rest;
 }
 
 LaneMask Search::leave_outside(LaneMask lanes) noexcept {
@@ -242,6 +302,8 @@ void Search::look_for_witness(LaneMask undecided) noexcept {
 }
 
 void Search::split_or_block(std::size_t lane) noexcept {
+  if (stopped_) return;
+  if (settings_.exhaustive) return split_or_look_inside(lane);
   // No box that holds such a point will ever be certified in doubles.
   if (undefined_at_middle(lane)) {
     if (is_point(open_[lane].box) && certified_by_oracle(lane))
@@ -253,9 +315,21 @@ void Search::split_or_block(std::size_t lane) noexcept {
   const std::optional<std::size_t> variable = bisector_.choose(batch_, lane);
   if (variable) return split(lane, *variable);
   if (certified_by_oracle(lane)) return leave(lane, Rule::kMultiprecision, {});
+  block(lane, reason_at_minimum_width(lane));
+}
+
+void Search::split_or_look_inside(std::size_t lane) noexcept {
+  const std::optional<std::size_t> variable = bisector_.choose(batch_, lane);
+  if (variable) return split(lane, *variable);
+  if (certified_by_oracle(lane)) return leave(lane, Rule::kMultiprecision, {});
+  if (box_witness_.somewhere_in(open_[lane].box)) return leave_with_witness(lane);
+  block(lane, reason_at_minimum_width(lane));
+}
+
+Reason Search::reason_at_minimum_width(std::size_t lane) noexcept {
   LaneMask defined = batch_.certain_posed() & 1U << lane;
   static_cast<void>(batch_.product({}, defined));
-  block(lane, defined != 0 ? Reason::kWidth : Reason::kUndefined);
+  return defined != 0 ? Reason::kWidth : Reason::kUndefined;
 }
 
 void Search::split(std::size_t lane, std::size_t variable) noexcept {
@@ -271,12 +345,15 @@ void Search::split(std::size_t lane, std::size_t variable) noexcept {
   const OpenBox second{next_id_ + 1, parent.depth + 1, half_};
   next_id_ += 2;
   if (!frontier_.push_halves(first, bisector_.approx_relative_width(first.box), second,
-                             bisector_.approx_relative_width(second.box)))
+                             bisector_.approx_relative_width(second.box))) {
     stop_at_open_box(Reason::kMemory);
+    observer_.on_open(first);
+    observer_.on_open(second);
+  }
 }
 
 void Search::block(std::size_t lane, Reason reason) noexcept {
-  leave(lane, Rule::kBlocked, {});
+  leave_undecided(lane, reason);
   if (!blocked_) boxes_when_blocked_ = statistics_.boxes;
   // Near a pole many boxes are too narrow to split; the one that is undefined says why.
   if (!blocked_ || (reason == Reason::kUndefined && reason_ == Reason::kWidth)) {
@@ -332,8 +409,12 @@ Result Search::conclude() {
   Result result;
   result.method = settings_.method;
   statistics_.max_frontier = frontier_.max_size();
-  statistics_.probes = witness_.probes();
-  if (witness_.found()) {
+  statistics_.probes = witness_.probes() + box_witness_.probes();
+  if (first_witness_) {
+    result.verdict = Verdict::kSingularity;
+    result.reason = first_witness_reason_;
+    result.witness = first_witness_;
+  } else if (witness_.found()) {
     result.verdict = Verdict::kSingularity;
     result.reason = witness_.reason();
     result.witness = witness_.witness();

@@ -21,27 +21,50 @@ WitnessSearch::WitnessSearch(const Problem& problem, const Settings& settings)
       variables_(problem.kernel->variables),
       square_(problem.kernel->rows == problem.kernel->columns),
       scaled_(problem.alpha.hi > 0.0),
+      closes_in_(!settings.exhaustive),
+      inner_(problem.inner),
       points_(problem, settings, no_structure_),
+      pose_(2 * std::size_t{problem.kernel->pose_parameters} * kLanes),
       box_(variables_),
       current_(variables_),
       trial_(variables_),
       middle_(variables_) {
   for (Candidate* candidate : {&positive_, &negative_, &small_})
     candidate->point.resize(variables_);
+  witness_.points.reserve(2);
+}
+
+void WitnessSearch::forget() noexcept {
+  for (Candidate* candidate : {&positive_, &negative_, &small_})
+    candidate->approx = candidate->tried = 0.0;
+  small_known_ = small_fresh_ = found_ = false;
+  small_tries_ = 0;
+}
+
+bool WitnessSearch::look_inside(std::span<const Interval> box) noexcept {
+  forget();
+  for (std::size_t k = 0; k < variables_; ++k) {
+    const auto& inner = problem_.inner[k];
+    inner_[k] = inner ? intersect(*inner, box[k]) : std::nullopt;
+    if (inner && !inner_[k]) return false;
+  }
+  descend(box);
+  if (!found_) look_at_corners();
+  return found_;
 }
 
 double WitnessSearch::inner_lo(std::size_t variable) const noexcept {
-  const auto& inner = problem_.inner[variable];
+  const auto& inner = inner_[variable];
   return inner ? inner->lo : mid(problem_.outer[variable]);
 }
 
 double WitnessSearch::inner_hi(std::size_t variable) const noexcept {
-  const auto& inner = problem_.inner[variable];
+  const auto& inner = inner_[variable];
   return inner ? inner->hi : mid(problem_.outer[variable]);
 }
 
 Interval WitnessSearch::within_inner(std::size_t variable, double x) const noexcept {
-  const auto& inner = problem_.inner[variable];
+  const auto& inner = inner_[variable];
   return inner ? Interval(std::clamp(x, inner->lo, inner->hi)) : problem_.outer[variable];
 }
 
@@ -116,7 +139,7 @@ void WitnessSearch::try_opposite_signs() noexcept {
   negative_.determinant = *below;
   reason_ = Reason::kOppositeSigns;
   found_ = true;
-  close_in();
+  if (closes_in_) close_in();
 }
 
 Interval WitnessSearch::enclose_at(std::size_t lane, bool scaled) noexcept {

@@ -33,8 +33,12 @@ class WitnessSearch {
   /// determinant 0, moving the uncertain quantities too.
   void descend(std::span<const Interval> box) noexcept;
 
-  /// The proof, complete with poses. Requires found().
-  [[nodiscard]] Witness witness();
+  /// Forgets what was found and looks inside `box` alone: in its middle, downhill, at its corners.
+  /// Returns found().
+  bool look_inside(std::span<const Interval> box) noexcept;
+
+  /// The proof, complete with poses, valid until the next search. Requires found().
+  [[nodiscard]] const Witness& witness() noexcept;
 
  private:
   struct Candidate {
@@ -44,6 +48,7 @@ class WitnessSearch {
     Interval determinant;
   };
 
+  void forget() noexcept;
   [[nodiscard]] double inner_lo(std::size_t variable) const noexcept;
   [[nodiscard]] double inner_hi(std::size_t variable) const noexcept;
   [[nodiscard]] Interval within_inner(std::size_t variable, double x) const noexcept;
@@ -66,15 +71,18 @@ class WitnessSearch {
   void close_in() noexcept;
 
   bool step(std::span<const Interval> box, std::size_t first, double sign, double& best) noexcept;
-  [[nodiscard]] WitnessPoint report(const std::vector<double>& point, Interval determinant);
-  [[nodiscard]] std::vector<Interval> pose_of(const std::vector<Interval>& point);
+  void report(WitnessPoint& into, const Candidate& candidate) noexcept;
+  void copy_pose(const std::vector<Interval>& point, std::vector<Interval>& pose) noexcept;
 
   const Problem& problem_;
   DeterminantOracle* oracle_;
   std::size_t variables_;
   bool square_, scaled_;
+  bool closes_in_;  ///< exhaustive searches keep the points apart: they only name a box
+  std::vector<std::optional<Interval>> inner_;  ///< where points may lie: all of it, or one box's
   RowStructure no_structure_;
   Batch points_;
+  AlignedBuffer pose_;
   std::vector<Interval> box_;
   Candidate positive_, negative_, small_;
   std::vector<double> current_, trial_, middle_;
@@ -83,6 +91,7 @@ class WitnessSearch {
   unsigned small_tries_ = 0;
   bool found_ = false;
   Reason reason_ = Reason::kOppositeSigns;
+  Witness witness_;
 };
 
 }  // namespace regulus

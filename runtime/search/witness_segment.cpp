@@ -77,40 +77,42 @@ void WitnessSearch::close_in() noexcept {
   negative_ = far_negative;
 }
 
-std::vector<Interval> WitnessSearch::pose_of(const std::vector<Interval>& point) {
-  const std::size_t count = problem_.kernel->pose_parameters;
-  if (problem_.kernel->pose == nullptr) return {};
+void WitnessSearch::copy_pose(const std::vector<Interval>& point,
+                              std::vector<Interval>& pose) noexcept {
+  pose.clear();
+  if (problem_.kernel->pose == nullptr) return;
   points_.clear();
   points_.load(0, point);
   points_.seal(1);
-  AlignedBuffer out(2 * count * kLanes);
-  if (!has_lane(points_.call_on_boxes(problem_.kernel->pose, out.get()), 0)) return {};
-  std::vector<Interval> pose(count);
-  for (std::size_t k = 0; k < count; ++k) pose[k] = {out[lower_at(k, 0)], out[upper_at(k, 0)]};
-  return pose;
+  if (!has_lane(points_.call_on_boxes(problem_.kernel->pose, pose_.get()), 0)) return;
+  for (std::size_t k = 0; k < problem_.kernel->pose_parameters; ++k)
+    pose.push_back({pose_[lower_at(k, 0)], pose_[upper_at(k, 0)]});
 }
 
-WitnessPoint WitnessSearch::report(const std::vector<double>& point, Interval determinant) {
-  WitnessPoint result;
+void WitnessSearch::report(WitnessPoint& into, const Candidate& candidate) noexcept {
+  into.variables.clear();
   for (std::size_t k = 0; k < variables_; ++k)
-    result.variables.push_back(within_inner(k, point[k]));
-  result.determinant = determinant;
-  result.pose = pose_of(result.variables);
-  return result;
+    into.variables.push_back(within_inner(k, candidate.point[k]));
+  into.determinant = candidate.determinant;
+  copy_pose(into.variables, into.pose);
 }
 
-Witness WitnessSearch::witness() {
-  Witness witness;
+/// Fills the same vectors each time: they grow once.
+const Witness& WitnessSearch::witness() noexcept {
+  witness_.near.clear();
+  witness_.near_pose.clear();
   if (reason_ == Reason::kSmallDeterminant) {
-    witness.points.push_back(report(small_.point, small_.determinant));
-    return witness;
+    witness_.points.resize(1);
+    report(witness_.points[0], small_);
+    return witness_;
   }
-  witness.points.push_back(report(positive_.point, positive_.determinant));
-  witness.points.push_back(report(negative_.point, negative_.determinant));
+  witness_.points.resize(2);
+  report(witness_.points[0], positive_);
+  report(witness_.points[1], negative_);
   for (std::size_t k = 0; k < variables_; ++k)
-    witness.near.push_back(within_inner(k, 0.5 * positive_.point[k] + 0.5 * negative_.point[k]));
-  witness.near_pose = pose_of(witness.near);
-  return witness;
+    witness_.near.push_back(within_inner(k, 0.5 * positive_.point[k] + 0.5 * negative_.point[k]));
+  copy_pose(witness_.near, witness_.near_pose);
+  return witness_;
 }
 
 }  // namespace regulus

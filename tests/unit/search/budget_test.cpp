@@ -142,8 +142,8 @@ TEST(Observer, AnExhaustiveSearchVisitsEverything) {
   Recorder recorder;
   const Result result = solve(problem_over(kernel, {{-1, 1}}), settings, &recorder);
   EXPECT_TRUE(recorder.open.empty());
-  EXPECT_EQ(result.verdict, Verdict::kPossibleProblem);
-  EXPECT_GE(result.statistics.leaves[static_cast<std::size_t>(Rule::kBlocked)], 1U);
+  EXPECT_EQ(result.verdict, Verdict::kSingularity);
+  EXPECT_EQ(result.statistics.leaves[static_cast<std::size_t>(Rule::kWitness)], 1U);
   EXPECT_GE(result.statistics.leaves[static_cast<std::size_t>(Rule::kHMatrix)], 4U);
 }
 

@@ -1,0 +1,84 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "regulus/search/paving.hpp"
+
+namespace regulus {
+namespace {
+
+/// A range between neighbouring doubles is a single value: it is never split.
+bool is_single_value(Interval x) noexcept { return !bisect(x).has_value(); }
+
+/// The boxes overlap in their faces alone, so their true volumes add up to at most the total; sums
+/// of rounded bounds may say more.
+Interval at_most_one(Interval x) noexcept {
+  return intersect(x, Interval(0.0, 1.0)).value_or(Interval(0.0, 1.0));
+}
+
+}  // namespace
+
+Claim claim_of(Rule rule) noexcept {
+  switch (rule) {
+    case Rule::kOutside:
+      return Claim::kOutside;
+    case Rule::kWitness:
+      return Claim::kSingular;
+    case Rule::kBlocked:
+      return Claim::kUndecided;
+    case Rule::kHMatrix:
+    case Rule::kMeanValue:
+    case Rule::kStructured:
+    case Rule::kDeterminant:
+    case Rule::kRohn:
+    case Rule::kMultiprecision:
+      return Claim::kFree;
+  }
+  return Claim::kUndecided;
+}
+
+const char* name(Claim claim) noexcept {
+  switch (claim) {
+    case Claim::kFree:
+      return "free";
+    case Claim::kSingular:
+      return "singular";
+    case Claim::kUndecided:
+      return "undecided";
+    case Claim::kOutside:
+      return "outside";
+  }
+  return "";
+}
+
+Volumes::Volumes(const Problem& problem) : problem_(problem) {
+  for (std::size_t k = 0; k < problem.kernel->motion_variables; ++k)
+    if (!is_single_value(problem.outer[k])) axes_.push_back(k);
+  total_ = volume(problem.outer);
+}
+
+Interval Volumes::volume(std::span<const Interval> box) const noexcept {
+  Interval product(1.0);
+  for (const std::size_t k : axes_) {
+    const auto& inner = problem_.inner[k];
+    const std::optional<Interval> within = inner ? intersect(*inner, box[k]) : std::nullopt;
+    const double least = within ? sub_rd(within->hi, within->lo) : 0.0;
+    product = product * Interval(least, width_ru(box[k]));
+  }
+  return product;
+}
+
+void Volumes::add(Claim claim, std::span<const Interval> box) noexcept {
+  Share& share = shares_[static_cast<std::size_t>(claim)];
+  ++share.boxes;
+  share.volume += volume(box);
+}
+
+void Volumes::add_unfinished(std::span<const Interval> box) noexcept {
+  add(Claim::kUndecided, box);
+  ++unfinished_.boxes;
+  unfinished_.volume += volume(box);
+}
+
+Interval Volumes::fraction(const Share& share) const noexcept {
+  return at_most_one(share.volume / total_);
+}
+
+}  // namespace regulus
