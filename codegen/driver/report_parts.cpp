@@ -1,0 +1,159 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "regulus/codegen/driver/report_parts.hpp"
+
+#include <fmt/format.h>
+
+namespace regulus::codegen {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+std::string text_interval(const Interval& x) {
+  return x.lo == x.hi ? fmt::format("{}", x.lo) : fmt::format("[{}, {}]", x.lo, x.hi);
+}
+
+Json json_variables(const Preparation& p, std::span<const Interval> values, bool motion) {
+  Json object = Json::object();
+  const auto& variables = p.formulation.variables;
+  for (std::size_t i = 0; i < values.size() && i < variables.size(); ++i)
+    if (is_motion(variables[i]) == motion) object[variables[i].name] = json_interval(values[i]);
+  return object;
+}
+
+std::string variable_lines(const Preparation& p, bool motion) {
+  std::string lines;
+  const auto& variables = p.formulation.variables;
+  for (std::size_t i = 0; i < variables.size(); ++i) {
+    if (is_motion(variables[i]) != motion) continue;
+    const std::string range = short_interval(p.variety.outer[i]);
+    lines += fmt::format("           {} {} {}{}\n", variables[i].name,
+                         range.front() == '[' ? "in" : "=", range, unit_suffix(variables[i].unit));
+  }
+  return lines;
+}
+
+/// More than this many uncertain quantities are counted, not listed.
+constexpr std::size_t kListed = 8;
+
+std::string uncertain_lines(const Preparation& p) {
+  const std::size_t count = uncertain_count(p);
+  if (count == 0) return "uncertain  nothing: geometry and control are taken as exact\n";
+  std::string lines = fmt::format("uncertain  {} quantities\n", count);
+  return count <= kListed ? lines + variable_lines(p, false) : lines;
+}
+
+std::string engine_words(const Preparation& p, const SearchOptions& search) {
+  if (search.engine == Engine::kInterpreted) return "interpreted";
+  return fmt::format("compiled for {}, cache {}", name(p.isa), p.cache);
+}
+
+}  // namespace
+
+Json json_interval(const Interval& x) { return Json::array({x.lo, x.hi}); }
+
+Json json_parameters(const Preparation& p, std::span<const Interval> variables) {
+  return json_variables(p, variables, true);
+}
+
+Json json_uncertain(const Preparation& p, std::span<const Interval> variables) {
+  return json_variables(p, variables, false);
+}
+
+Json json_pose(const Preparation& p, std::span<const Interval> pose) {
+  Json object = Json::object();
+  const auto& parameters = p.request.model.pose;
+  for (std::size_t i = 0; i < pose.size() && i < parameters.size(); ++i)
+    object[parameters[i].name] = json_interval(pose[i]);
+  return object;
+}
+
+Json json_point(const Preparation& p, const WitnessPoint& point) {
+  return {{"parameters", json_parameters(p, point.variables)},
+          {"pose", json_pose(p, point.pose)},
+          {"uncertain", json_uncertain(p, point.variables)},
+          {"determinant", json_interval(point.determinant)}};
+}
+
+Json json_seconds(const StageSeconds& s) {
+  return {{"model", s.model},   {"symbolic", s.symbolic},
+          {"emit", s.emit},     {"compile", s.compile},
+          {"search", s.search}, {"total", s.model + s.symbolic + s.emit + s.compile + s.search}};
+}
+
+const char* json_name(Verdict verdict) {
+  switch (verdict) {
+    case Verdict::kNoSingularity:
+      return "no-singularity";
+    case Verdict::kSingularity:
+      return "singularity";
+    case Verdict::kPossibleProblem:
+      return "possible-problem";
+  }
+  return "";
+}
+
+std::string short_interval(const Interval& x) {
+  const std::string lo = fmt::format("{:.6g}", x.lo + 0.0);  // −0 reads as 0
+  const std::string hi = fmt::format("{:.6g}", x.hi + 0.0);
+  return lo == hi ? lo : fmt::format("[{}, {}]", lo, hi);
+}
+
+std::string unit_suffix(const std::string& unit) {
+  return unit.empty() || unit == "1" ? "" : " " + unit;
+}
+
+bool is_motion(const Variable& variable) { return variable.kind == VariableKind::kMotion; }
+
+std::size_t uncertain_count(const Preparation& p) {
+  std::size_t count = 0;
+  for (const Variable& variable : p.formulation.variables) count += !is_motion(variable);
+  return count;
+}
+
+std::string place_words(const Preparation& p, std::span<const Interval> variables) {
+  std::string words;
+  for (std::size_t i = 0; i < variables.size(); ++i) {
+    const Variable& variable = p.formulation.variables[i];
+    if (!is_motion(variable)) continue;
+    words += fmt::format("{}{} = {}", words.empty() ? "" : ", ", variable.name,
+                         text_interval(variables[i]));
+  }
+  return words.empty() ? "the only pose" : words;
+}
+
+std::string pose_line(const Preparation& p, std::span<const Interval> pose) {
+  const auto& parameters = p.request.model.pose;
+  const auto& variables = p.formulation.variables;
+  bool shown = false;
+  std::string words;
+  for (std::size_t i = 0; i < pose.size() && i < parameters.size(); ++i) {
+    shown = shown || i >= variables.size() || variables[i].name != parameters[i].name;
+    words += fmt::format("{}{} = {}", words.empty() ? "" : ", ", parameters[i].name,
+                         text_interval(pose[i]));
+  }
+  return shown ? fmt::format("           where the pose is {}\n", words) : "";
+}
+
+std::string size_words(const Preparation& p) {
+  return fmt::format("full {}×{} matrix", p.formulation.rows, p.formulation.columns);
+}
+
+std::string question_lines(const Preparation& p) {
+  return fmt::format("model      {}\nmotion     {}\n", p.request.model.name,
+                     p.request.motion.name) +
+         variable_lines(p, true) + uncertain_lines(p);
+}
+
+std::string method_lines(const Preparation& p, const SearchOptions& search, Method method) {
+  const std::string line =
+      fmt::format("method     {}, {}\n", name(method), engine_words(p, search));
+  return p.cache_note.empty() ? line : line + fmt::format("           {}\n", p.cache_note);
+}
+
+std::string time_line(const StageSeconds& s) {
+  return fmt::format(
+      "time       model {:.1f} ms, symbolic {:.1f}, emit {:.1f}, compile {:.1f}, search {:.3f}\n",
+      1e3 * s.model, 1e3 * s.symbolic, 1e3 * s.emit, 1e3 * s.compile, 1e3 * s.search);
+}
+
+}  // namespace regulus::codegen

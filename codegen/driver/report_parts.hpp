@@ -1,0 +1,51 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What the reports of several commands have in common: numbers, places, and the lines that say what
+// was asked and how it was decided.
+#pragma once
+
+#include <nlohmann/json.hpp>
+#include <span>
+#include <string>
+
+#include "regulus/codegen/driver/pipeline.hpp"
+#include "regulus/search/result.hpp"
+
+namespace regulus::codegen {
+
+/// [lo, hi]; JSON has no infinities, a bound that is one becomes null.
+[[nodiscard]] nlohmann::ordered_json json_interval(const Interval& x);
+
+/// Values of the motion parameters, or of the other variables, by name.
+[[nodiscard]] nlohmann::ordered_json json_parameters(const Preparation& preparation,
+                                                     std::span<const Interval> variables);
+[[nodiscard]] nlohmann::ordered_json json_uncertain(const Preparation& preparation,
+                                                    std::span<const Interval> variables);
+[[nodiscard]] nlohmann::ordered_json json_pose(const Preparation& preparation,
+                                               std::span<const Interval> pose);
+[[nodiscard]] nlohmann::ordered_json json_point(const Preparation& preparation,
+                                                const WitnessPoint& point);
+[[nodiscard]] nlohmann::ordered_json json_seconds(const StageSeconds& seconds);
+[[nodiscard]] const char* json_name(Verdict verdict);
+
+/// Short enough to read; never used for anything that is certified.
+[[nodiscard]] std::string short_interval(const Interval& x);
+/// " cm"; nothing for the unit 1.
+[[nodiscard]] std::string unit_suffix(const std::string& unit);
+[[nodiscard]] bool is_motion(const Variable& variable);
+[[nodiscard]] std::size_t uncertain_count(const Preparation& preparation);
+/// "x = 3, y = [4, 5]": the motion parameters.
+[[nodiscard]] std::string place_words(const Preparation& preparation,
+                                      std::span<const Interval> variables);
+/// The pose in a line of its own; nothing when the motion parameters are its parameters.
+[[nodiscard]] std::string pose_line(const Preparation& preparation, std::span<const Interval> pose);
+/// "full 6×6 matrix"
+[[nodiscard]] std::string size_words(const Preparation& preparation);
+
+/// The lines about model, motion and uncertain quantities.
+[[nodiscard]] std::string question_lines(const Preparation& preparation);
+/// The line about method and engine.
+[[nodiscard]] std::string method_lines(const Preparation& preparation, const SearchOptions& search,
+                                       Method method);
+[[nodiscard]] std::string time_line(const StageSeconds& seconds);
+
+}  // namespace regulus::codegen

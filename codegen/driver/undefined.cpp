@@ -1,0 +1,122 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "regulus/codegen/driver/undefined.hpp"
+
+#include <fmt/format.h>
+
+#include <nlohmann/json.hpp>
+#include <unordered_set>
+
+#include "regulus/codegen/driver/report_parts.hpp"
+#include "regulus/codegen/program/enclose.hpp"
+#include "regulus/codegen/program/interval_arithmetic.hpp"
+#include "regulus/codegen/symbolic/lowering.hpp"
+#include "regulus/codegen/symbolic/print.hpp"
+#include "regulus/codegen/symbolic/substitution.hpp"
+
+namespace regulus::codegen {
+namespace {
+
+/// As kernels have it: beyond this a root or a quotient counts as undefined.
+constexpr double kLargestValue = 0x1p128;
+
+Program program_of(const Formulation& formulation, const Expressions& outputs) {
+  std::vector<std::string> names;
+  for (const Variable& variable : formulation.variables) names.push_back(variable.name);
+  Lowering lowering(names, {});
+  for (const Expression& output : outputs) lowering.output(output);
+  return std::move(lowering).finish();
+}
+
+/// The outputs over a box; nullopt unless certainly defined all over it.
+std::optional<std::vector<Interval>> enclose_over(const Program& program,
+                                                  std::span<const Interval> box) {
+  IntervalArithmetic arithmetic(kLargestValue);
+  std::vector<Interval> values(program.nodes.size());
+  run<IntervalArithmetic, Interval>(program, enclose_constant_nodes(program), box, {}, values,
+                                    arithmetic);
+  if (arithmetic.undefined()) return std::nullopt;
+  std::vector<Interval> outputs;
+  for (const NodeId output : program.outputs) outputs.push_back(values[output]);
+  return outputs;
+}
+
+std::vector<Interval> middle_of(std::span<const Interval> box) {
+  std::vector<Interval> middle;
+  for (const Interval& x : box) middle.emplace_back(mid(x));
+  return middle;
+}
+
+}  // namespace
+
+Definedness::Definedness(const Formulation& formulation)
+    : pose_(program_of(formulation, formulation.pose)) {
+  std::unordered_set<Expression, ExpressionHash> seen;
+  for (const Expression& condition : formulation.must_be_defined)
+    for (const Expression& e : partial_nodes(condition)) {
+      if (!seen.insert(e).second) continue;
+      const Expressions& arguments = e.operands();
+      operations_.push_back({to_string(e), arguments.size() == 1 ? to_string(arguments[0]) : "",
+                             program_of(formulation, {e}), program_of(formulation, arguments)});
+    }
+}
+
+std::vector<UndefinedExpression> Definedness::undefined_over(std::span<const Interval> box) const {
+  std::vector<UndefinedExpression> found;
+  for (const Operation& operation : operations_) {
+    const auto argument = enclose_over(operation.argument, box);
+    if (argument && !enclose_over(operation.whole, box))
+      found.push_back({operation.text, operation.argument_text, argument->front()});
+  }
+  return found;
+}
+
+std::vector<Interval> Definedness::pose_over(std::span<const Interval> box) const {
+  return enclose_over(pose_, box).value_or(std::vector<Interval>{});
+}
+
+Undefined Definedness::look_at(std::span<const Interval> box) const {
+  Undefined result;
+  result.variables = middle_of(box);
+  result.expressions = undefined_over(result.variables);
+  if (result.expressions.empty()) {
+    result.variables.assign(box.begin(), box.end());
+    result.expressions = undefined_over(box);
+  }
+  result.pose = pose_over(result.variables);
+  return result;
+}
+
+Undefined find_undefined(const Preparation& p, std::span<const Interval> box) {
+  return Definedness(p.formulation).look_at(box);
+}
+
+nlohmann::ordered_json json_undefined(const Preparation& p, const Undefined& undefined) {
+  auto expressions = nlohmann::ordered_json::array();
+  for (const UndefinedExpression& e : undefined.expressions) {
+    nlohmann::ordered_json object = {{"expression", e.text}};
+    if (!e.argument.empty()) {
+      object["argument"] = e.argument;
+      object["enclosure"] = json_interval(e.enclosure);
+    }
+    expressions.push_back(std::move(object));
+  }
+  return {{"parameters", json_parameters(p, undefined.variables)},
+          {"pose", json_pose(p, undefined.pose)},
+          {"uncertain", json_uncertain(p, undefined.variables)},
+          {"expressions", expressions}};
+}
+
+std::string undefined_lines(const Preparation& p, const Undefined& undefined) {
+  std::string lines;
+  for (const UndefinedExpression& e : undefined.expressions)
+    lines += fmt::format("undefined  {}{}\n", e.text,
+                         e.argument.empty() ? ""
+                                            : fmt::format(", where {} {} {}", e.argument,
+                                                          is_thin(e.enclosure) ? "=" : "in",
+                                                          short_interval(e.enclosure)));
+  if (undefined.expressions.empty()) lines = "undefined  a value is too large to be enclosed\n";
+  return lines + fmt::format("           at {}\n", place_words(p, undefined.variables)) +
+         pose_line(p, undefined.pose);
+}
+
+}  // namespace regulus::codegen
