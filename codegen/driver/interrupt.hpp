@@ -19,6 +19,8 @@ class InterruptGuard {
   InterruptGuard(const InterruptGuard&) = delete;
   InterruptGuard& operator=(const InterruptGuard&) = delete;
 
+  /// Asks for an end from within, as a signal does from outside.
+  void request() noexcept { requested_ = true; }
   [[nodiscard]] const std::atomic<bool>& requested() const noexcept { return requested_; }
 
  private:

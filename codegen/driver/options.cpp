@@ -24,6 +24,10 @@ constexpr const char* kDescription =
 constexpr const char* kExitCodes =
     "Exit: 0, 1, 2 as the verdict; 64 usage, 65 bad model, 70 internal fault, 74 file trouble.";
 
+constexpr const char* kLocateExitCodes =
+    "Exit: 0 every box is free, 1 some box is certified singular, 2 otherwise;\n"
+    "64 usage, 65 bad model, 70 internal fault, 74 file trouble.";
+
 void add_model_options(CLI::App& app, ModelOptions& options) {
   app.add_option("MODEL", options.path, "Model file (TOML)")->required();
   app.add_option("MOTION", options.motion,
@@ -83,6 +87,25 @@ void add_output_options(CLI::App& app, OutputOptions& options) {
   app.add_flag("--quiet", options.quiet, "Nothing but the verdict (or the JSON report)");
 }
 
+void add_paving_options(CLI::App& app, LocateCommand& command) {
+  app.add_option("--resolution", command.resolution,
+                 "Split boxes until every range is cut to this part, such as 1/64; by default from "
+                 "1/512 for one range to 1/4 for six")
+      ->type_name("R");
+  app.add_option("--output", command.lines,
+                 "Where the boxes go, one JSON object a line; - is standard output, the default "
+                 "unless --json")
+      ->type_name("FILE.jsonl");
+  app.add_option("--picture", command.pictures, "Draw the paving; may be repeated")
+      ->take_all()
+      ->expected(1)
+      ->type_name("FILE.svg|FILE.png");
+  app.add_option("--axes", command.axes,
+                 "The two motion parameters to draw; a range of one value, --range p=V, cuts a "
+                 "slice")
+      ->type_name("p,q");
+}
+
 }  // namespace
 
 CommandLine parse_command_line(int argc, const char* const* argv) {
@@ -98,6 +121,15 @@ CommandLine parse_command_line(int argc, const char* const* argv) {
   add_search_options(*check_command, check.search);
   add_output_options(*check_command, check.output);
   check_command->footer(kExitCodes);
+
+  LocateCommand locate;
+  CLI::App* locate_command = app.add_subcommand(
+      "locate", "Pave a motion variety: certified free, certified singular, undecided; draw it");
+  add_model_options(*locate_command, locate.model);
+  add_paving_options(*locate_command, locate);
+  add_search_options(*locate_command, locate.search);
+  add_output_options(*locate_command, locate.output);
+  locate_command->footer(kLocateExitCodes);
 
   ExplainCommand explain;
   CLI::App* explain_command = app.add_subcommand(
@@ -119,6 +151,7 @@ CommandLine parse_command_line(int argc, const char* const* argv) {
     return result;
   }
   if (check_command->parsed()) result.check = check;
+  if (locate_command->parsed()) result.locate = locate;
   if (explain_command->parsed()) result.explain = explain;
   return result;
 }

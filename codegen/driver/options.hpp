@@ -52,6 +52,16 @@ struct CheckCommand {
   OutputOptions output;
 };
 
+struct LocateCommand {
+  ModelOptions model;
+  SearchOptions search;
+  OutputOptions output;
+  std::string resolution;  ///< part of each range, an expression; empty: by the number of ranges
+  std::string axes;        ///< "p,q"; empty: the first two that are not single values
+  std::string lines;       ///< file of the JSON lines, "-" = standard output; empty: see --json
+  std::vector<std::string> pictures;
+};
+
 struct ExplainCommand {
   ModelOptions model;
   bool all_entries = false;
@@ -63,6 +73,7 @@ struct ExplainCommand {
 struct CommandLine {
   std::optional<int> exit_code;
   std::optional<CheckCommand> check;
+  std::optional<LocateCommand> locate;
   std::optional<ExplainCommand> explain;
 };
 

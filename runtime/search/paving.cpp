@@ -71,13 +71,14 @@ void Volumes::add(Claim claim, std::span<const Interval> box) noexcept {
   share.volume += volume(box);
 }
 
-void Volumes::add_unfinished(std::span<const Interval> box) noexcept {
-  add(Claim::kUndecided, box);
+void Volumes::on_open(const OpenBox& box) noexcept {
+  add(Claim::kUndecided, box.box);
   ++unfinished_.boxes;
-  unfinished_.volume += volume(box);
+  unfinished_.volume += volume(box.box);
 }
 
 Interval Volumes::fraction(const Share& share) const noexcept {
+  if (share.boxes == 0) return Interval(0.0);
   return at_most_one(share.volume / total_);
 }
 

@@ -33,12 +33,15 @@ struct Share {
 /// Ensures   every volume encloses that of the true ranges: upper bounds from the boxes, lower
 ///           bounds from their part within the inner ranges.
 /// Rounding  outward.
-class Volumes {
+class Volumes final : public Observer {
  public:
   explicit Volumes(const Problem& problem);
 
+  void on_leaf(const OpenBox& box, Rule rule, const Proof&) noexcept override {
+    add(claim_of(rule), box.box);
+  }
+  void on_open(const OpenBox& box) noexcept override;
   void add(Claim claim, std::span<const Interval> box) noexcept;
-  void add_unfinished(std::span<const Interval> box) noexcept;
 
   [[nodiscard]] const Share& of(Claim claim) const noexcept {
     return shares_[static_cast<std::size_t>(claim)];

@@ -69,6 +69,8 @@ struct Result {
   Reason reason = Reason::kBadProblem;
   Method method = Method::kAuto;
   Statistics statistics;
+  /// The budget, interrupt or lack of memory that left boxes open.
+  std::optional<Reason> stopped_by;
   std::optional<Witness> witness;
   std::vector<Interval> blocking_box;  ///< POSSIBLE PROBLEM: the box that stands in the way
 };

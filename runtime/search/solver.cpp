@@ -78,6 +78,7 @@ class Search {
   void load_center(std::size_t lane, std::size_t thin_variables) noexcept;
   [[nodiscard]] Reason reason_at_minimum_width(std::size_t lane) noexcept;
   [[nodiscard]] bool undefined_at_middle(std::size_t lane) noexcept;
+  [[nodiscard]] bool certified_by_determinant(std::size_t lane) noexcept;
   [[nodiscard]] bool certified_by_oracle(std::size_t lane) noexcept;
   [[nodiscard]] bool hopeless_under_uncertainty(std::size_t lane) noexcept;
   [[nodiscard]] Result conclude();
@@ -110,6 +111,7 @@ class Search {
   bool blocked_ = false;
   bool stopped_ = false;
   bool exhausted_ = false;  ///< stopped by a budget or from outside, not by a verdict
+  std::optional<Reason> stopped_by_;
   Reason reason_ = Reason::kAllBoxesCertified;
   std::uint64_t boxes_when_blocked_ = 0;
   std::uint64_t next_descent_ = 1;
@@ -119,6 +121,10 @@ class Search {
 
 bool is_point(std::span<const Interval> box) noexcept {
   return std::all_of(box.begin(), box.end(), [](const Interval& x) { return x.lo == x.hi; });
+}
+
+bool cannot_be_halved(std::span<const Interval> box) noexcept {
+  return std::none_of(box.begin(), box.end(), [](const Interval& x) { return bisect(x); });
 }
 
 double seconds_since(Clock::time_point start) noexcept {
@@ -166,6 +172,7 @@ bool Search::must_stop() noexcept {
 
 void Search::stop_at_open_box(Reason reason) noexcept {
   stopped_ = exhausted_ = true;
+  stopped_by_ = reason;
   if (blocked_) return;
   reason_ = reason;
   if (frontier_.empty()) return;
@@ -321,7 +328,10 @@ void Search::split_or_block(std::size_t lane) noexcept {
 void Search::split_or_look_inside(std::size_t lane) noexcept {
   const std::optional<std::size_t> variable = bisector_.choose(batch_, lane);
   if (variable) return split(lane, *variable);
-  if (certified_by_oracle(lane)) return leave(lane, Rule::kMultiprecision, {});
+  if (certified_by_determinant(lane)) return leave(lane, Rule::kDeterminant, {});
+  // More digits do not help a box that is wide: they cost much and decide nothing.
+  if (cannot_be_halved(open_[lane].box) && certified_by_oracle(lane))
+    return leave(lane, Rule::kMultiprecision, {});
   if (box_witness_.somewhere_in(open_[lane].box)) return leave_with_witness(lane);
   block(lane, reason_at_minimum_width(lane));
 }
@@ -385,6 +395,13 @@ bool Search::undefined_at_middle(std::size_t lane) noexcept {
   return center_.certain_posed() == 0;
 }
 
+/// Both ways of enclosing the determinant together: the tests look at K·A or at A alone.
+bool Search::certified_by_determinant(std::size_t lane) noexcept {
+  if (problem_.kernel->rows != problem_.kernel->columns) return false;
+  const std::optional<Interval> determinant = batch_.determinant(lane, false);
+  return determinant && batch_.certain_above_threshold(lane, mig(*determinant));
+}
+
 /// The last resort for a box that cannot be split: more digits than doubles have.
 bool Search::certified_by_oracle(std::size_t lane) noexcept {
   const regulus_kernel& kernel = *problem_.kernel;
@@ -408,6 +425,7 @@ bool Search::hopeless_under_uncertainty(std::size_t lane) noexcept {
 Result Search::conclude() {
   Result result;
   result.method = settings_.method;
+  result.stopped_by = stopped_by_;
   statistics_.max_frontier = frontier_.max_size();
   statistics_.probes = witness_.probes() + box_witness_.probes();
   if (first_witness_) {

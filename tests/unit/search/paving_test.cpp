@@ -30,11 +30,11 @@ class Collector : public Observer {
     Leaf leaf{
         {box.box.begin(), box.box.end()}, claim_of(rule), proof.reason, {}, proof.determinant};
     if (proof.witness != nullptr) leaf.points = proof.witness->points;
-    volumes.add(leaf.claim, box.box);
+    volumes.on_leaf(box, rule, proof);
     leaves.push_back(leaf);
   }
   void on_open(const OpenBox& box) noexcept override {
-    volumes.add_unfinished(box.box);
+    volumes.on_open(box);
     ++open;
   }
 

@@ -1,0 +1,116 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <fstream>
+#include <iostream>
+#include <memory>
+#include <nlohmann/json.hpp>
+#include <optional>
+
+#include "regulus/codegen/driver/canvas.hpp"
+#include "regulus/codegen/driver/commands.hpp"
+#include "regulus/codegen/driver/gnuplot.hpp"
+#include "regulus/codegen/driver/interrupt.hpp"
+#include "regulus/codegen/driver/paving_options.hpp"
+#include "regulus/codegen/driver/paving_report.hpp"
+#include "regulus/codegen/driver/paving_writer.hpp"
+#include "regulus/codegen/driver/picture.hpp"
+#include "regulus/codegen/driver/search_run.hpp"
+#include "regulus/codegen/model/errors.hpp"
+#include "regulus/search/observers.hpp"
+
+namespace regulus::codegen {
+namespace {
+
+/// Where the JSON lines go: a file, standard output, or nowhere.
+class LinesFile {
+ public:
+  explicit LinesFile(const LocateCommand& command) : name_(chosen(command)) {
+    if (name_ == "-" && command.output.json)
+      throw UsageError("--json: found --output -, expected one of them on standard output");
+    if (name_.empty() || name_ == "-") return;
+    file_.open(name_);
+    if (!file_) throw FileError("cannot write " + name_);
+  }
+
+  [[nodiscard]] bool wanted() const { return !name_.empty(); }
+  [[nodiscard]] bool is_standard_output() const { return name_ == "-"; }
+  [[nodiscard]] std::string name() const {
+    return is_standard_output() ? "standard output" : name_;
+  }
+  [[nodiscard]] std::ostream& stream() { return is_standard_output() ? std::cout : file_; }
+
+ private:
+  static std::string chosen(const LocateCommand& command) {
+    return command.lines.empty() && !command.output.json ? std::string("-") : command.lines;
+  }
+
+  std::string name_;
+  std::ofstream file_;
+};
+
+/// The pictures, their files opened and gnuplot started before the search: what cannot be had is
+/// said at once.
+class Pictures {
+ public:
+  Pictures(const std::vector<std::string>& files, const Preparation& preparation,
+           const PavingOptions& options)
+      : files_(files) {
+    if (files_.empty()) return;
+    for (const std::string& file : files_) plotters_.push_back(std::make_unique<Gnuplot>(file));
+    canvas_.emplace(preparation, options);
+  }
+
+  [[nodiscard]] Observer* canvas() { return canvas_ ? &*canvas_ : nullptr; }
+  void draw(const Preparation& preparation, const PavingOptions& options, const Volumes& volumes) {
+    for (std::size_t i = 0; i < files_.size(); ++i)
+      plotters_[i]->draw(picture_commands(files_[i], preparation, options, volumes, *canvas_));
+  }
+
+ private:
+  std::vector<std::string> files_;
+  std::vector<std::unique_ptr<Gnuplot>> plotters_;
+  std::optional<Canvas> canvas_;
+};
+
+std::vector<Observer*> present(std::initializer_list<Observer*> observers) {
+  std::vector<Observer*> result;
+  for (Observer* observer : observers)
+    if (observer != nullptr) result.push_back(observer);
+  return result;
+}
+
+}  // namespace
+
+int run_locate(const LocateCommand& command) {
+  for (const std::string& picture : command.pictures) require_picture_format(picture);
+  InterruptGuard interrupt;
+  Preparation preparation = prepare(command.model, command.search);
+  const PavingOptions options = resolve_paving(command, preparation);
+  LinesFile lines(command);
+  Pictures pictures(command.pictures, preparation, options);
+  std::optional<PavingWriter> writer;
+  if (lines.wanted()) writer.emplace(lines.stream(), preparation, options, interrupt);
+  const Problem problem = preparation.problem();
+  Volumes volumes(problem);
+  Observers observers(present({&volumes, writer ? &*writer : nullptr, pictures.canvas()}));
+
+  Settings settings = paving_settings(command, options, preparation);
+  settings.interrupt = &interrupt.requested();
+  const Result result =
+      run_search(preparation, command.search, command.output, settings, &observers);
+
+  const auto summary = json_paving_summary(preparation, options, volumes, result);
+  if (writer) writer->finish(summary, lines.name());
+  pictures.draw(preparation, options, volumes);
+  if (!command.output.quiet)
+    std::cerr << paving_report(preparation, command.search, options, volumes, result);
+  if (command.output.json)
+    std::cout << summary.dump(2) << '\n';
+  else if (!lines.is_standard_output())
+    std::cout << name(result.verdict) << '\n';
+  else if (!command.output.quiet)
+    std::cerr << name(result.verdict) << '\n';
+  std::cout.flush();
+  return exit_code_of(result.verdict);
+}
+
+}  // namespace regulus::codegen

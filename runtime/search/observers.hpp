@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <utility>
+#include <vector>
+
+#include "regulus/search/observer.hpp"
+
+namespace regulus {
+
+/// Tells several observers, in their order. It does not own them.
+class Observers final : public Observer {
+ public:
+  explicit Observers(std::vector<Observer*> observers) : observers_(std::move(observers)) {}
+
+  void on_start(const Problem& problem, const Settings& settings) noexcept override {
+    for (Observer* o : observers_) o->on_start(problem, settings);
+  }
+  void on_split(const OpenBox& box, const Split& split) noexcept override {
+    for (Observer* o : observers_) o->on_split(box, split);
+  }
+  void on_leaf(const OpenBox& box, Rule rule, const Proof& proof) noexcept override {
+    for (Observer* o : observers_) o->on_leaf(box, rule, proof);
+  }
+  void on_open(const OpenBox& box) noexcept override {
+    for (Observer* o : observers_) o->on_open(box);
+  }
+  void on_progress(const Statistics& statistics, std::uint64_t frontier) noexcept override {
+    for (Observer* o : observers_) o->on_progress(statistics, frontier);
+  }
+  void on_finish(const Result& result) noexcept override {
+    for (Observer* o : observers_) o->on_finish(result);
+  }
+
+ private:
+  std::vector<Observer*> observers_;
+};
+
+}  // namespace regulus
