@@ -93,7 +93,7 @@ int run_locate(const LocateCommand& command) {
   Volumes volumes(problem);
   Observers observers(present({&volumes, writer ? &*writer : nullptr, pictures.canvas()}));
 
-  Settings settings = paving_settings(command, options, preparation);
+  Settings settings = paving_settings(command, options);
   settings.interrupt = &interrupt.requested();
   const Result result =
       run_search(preparation, command.search, command.output, settings, &observers);

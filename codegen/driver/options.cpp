@@ -33,7 +33,8 @@ void add_model_options(CLI::App& app, ModelOptions& options) {
   app.add_option("MOTION", options.motion,
                  "Motion variety; may be left out when the model has one");
   app.add_option("--range", options.ranges,
-                 "Range of a motion parameter, p=LO:HI, expressions allowed: psi=-5*deg:5*deg")
+                 "Range of a motion parameter, p=LO:HI, or its value, p=V; expressions allowed: "
+                 "psi=-5*deg:5*deg")
       ->take_all()
       ->expected(1)
       ->type_name("p=LO:HI");

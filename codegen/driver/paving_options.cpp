@@ -74,6 +74,9 @@ PavingOptions resolve_paving(const LocateCommand& command, const Preparation& pr
         "only");
   PavingOptions options;
   options.axes = Volumes(preparation.problem()).axes();
+  const Formulation& formulation = preparation.formulation;
+  options.encloses_determinants =
+      options.axes.size() == 1 && formulation.rows == formulation.columns;
   options.resolution = command.resolution.empty() ? default_resolution(options.axes.size())
                                                   : parse_resolution(command.resolution);
   options.drawn = options.axes;
@@ -84,16 +87,13 @@ PavingOptions resolve_paving(const LocateCommand& command, const Preparation& pr
   return options;
 }
 
-Settings paving_settings(const LocateCommand& command, const PavingOptions& options,
-                         const Preparation& preparation) {
+Settings paving_settings(const LocateCommand& command, const PavingOptions& options) {
   // Halves are rounded: a little more, so that 1/64 takes six halvings and no seventh.
   constexpr double kSlack = 1 + 0x1p-30;
   Settings settings = settings_from(command.search);
   settings.exhaustive = true;
   settings.min_relative_width = options.resolution * kSlack;
-  const bool square = preparation.formulation.rows == preparation.formulation.columns;
-  settings.enclose_determinants = options.encloses_determinants() && square;
-  settings.split_certified = options.encloses_determinants();
+  settings.enclose_determinants = settings.split_certified = options.encloses_determinants;
   return settings;
 }
 

@@ -18,8 +18,8 @@ struct PavingOptions {
   /// Those to draw: two, or the only one; empty if there is none.
   std::vector<std::size_t> drawn;
 
-  /// A paving of one range is drawn as the determinant over it.
-  [[nodiscard]] bool encloses_determinants() const { return axes.size() == 1; }
+  /// A paving of one range is drawn as the determinant over it, if the matrix has one.
+  bool encloses_determinants = false;
 };
 
 /// Throws UsageError for an unknown axis or a resolution that is not in (0, 1].
@@ -27,7 +27,6 @@ struct PavingOptions {
                                            const Preparation& preparation);
 
 /// How the search has to run for it.
-[[nodiscard]] Settings paving_settings(const LocateCommand& command, const PavingOptions& options,
-                                       const Preparation& preparation);
+[[nodiscard]] Settings paving_settings(const LocateCommand& command, const PavingOptions& options);
 
 }  // namespace regulus::codegen

@@ -119,7 +119,7 @@ Json json_paving_header(const Preparation& p, const PavingOptions& options) {
                  {"alpha_enclosure", json_interval(p.variety.alpha)},
                  {"resolution", options.resolution},
                  {"claims", claims}};
-  if (options.encloses_determinants())
+  if (options.encloses_determinants)
     header["determinant_of"] =
         p.variety.alpha.hi > 0 ? "J^-1" : "the matrix as the model writes it";
   return header;
@@ -162,7 +162,8 @@ std::string paving_report(const Preparation& p, const SearchOptions& search,
                           const PavingOptions& options, const Volumes& volumes,
                           const Result& result) {
   std::string text = question_lines(p) + method_lines(p, search, result.method);
-  text += fmt::format("resolution 1/{:g} of each range\n", 1 / options.resolution);
+  if (!options.axes.empty())
+    text += fmt::format("resolution 1/{:g} of each range\n", 1 / options.resolution);
   text += fmt::format("boxes      {} evaluated, at most {} waiting\n", result.statistics.boxes,
                       result.statistics.max_frontier);
   text += time_line(p.seconds) + share_lines(p, volumes, result);

@@ -22,16 +22,6 @@ Json json_determinant(const std::optional<Interval>& determinant) {
 
 }  // namespace
 
-PavingWriter::PavingWriter(std::ostream& out, const Preparation& preparation,
-                           const PavingOptions& options, InterruptGuard& interrupt)
-    : out_(out),
-      preparation_(preparation),
-      interrupt_(interrupt),
-      definedness_(preparation.formulation),
-      encloses_determinants_(options.encloses_determinants()) {
-  write(json_paving_header(preparation, options));
-}
-
 void PavingWriter::write(const Json& line) {
   out_ << line.dump() << '\n';
   if (!out_) failed_ = true;
@@ -47,6 +37,16 @@ void PavingWriter::write_safely(Line line) noexcept {
     failed_ = true;
   }
   if (failed_) interrupt_.request();
+}
+
+PavingWriter::PavingWriter(std::ostream& out, const Preparation& preparation,
+                           const PavingOptions& options, InterruptGuard& interrupt)
+    : out_(out),
+      preparation_(preparation),
+      interrupt_(interrupt),
+      definedness_(preparation.formulation),
+      encloses_determinants_(options.encloses_determinants) {
+  write_safely([&] { return json_paving_header(preparation, options); });
 }
 
 Json PavingWriter::leaf(const OpenBox& box, Rule rule, const Proof& proof) const {

@@ -46,27 +46,40 @@ std::string label_of(const Variable& variable) {
 }
 
 /// The motion parameters that are not drawn, at their values or over their ranges.
-std::string others(const Preparation& p, const PavingOptions& options) {
-  std::string words;
+std::vector<std::string> others(const Preparation& p, const PavingOptions& options) {
+  std::vector<std::string> words;
   bool projected = false;
   for (std::size_t k = 0; k < p.formulation.variables.size(); ++k) {
     const Variable& variable = p.formulation.variables[k];
     if (!is_motion(variable) || std::ranges::count(options.drawn, k) != 0) continue;
     const bool ranges = std::ranges::count(options.axes, k) != 0;
     projected = projected || ranges;
-    words +=
-        fmt::format("{}{} {} {}{}", words.empty() ? "" : ", ", variable.name, ranges ? "in" : "=",
-                    short_interval(p.variety.outer[k]), unit_suffix(variable.unit));
+    words.push_back(fmt::format("{} {} {}{}", variable.name, ranges ? "in" : "=",
+                                short_interval(p.variety.outer[k]), unit_suffix(variable.unit)));
   }
-  if (projected) words += ": the worst of them";
+  if (projected) words.back() += ": the worst of them";
   return words;
 }
 
+/// Joined with commas, in lines that fit over a picture.
+std::vector<std::string> wrapped(const std::vector<std::string>& words) {
+  constexpr std::size_t kLine = 70;
+  std::vector<std::string> lines;
+  for (const std::string& word : words) {
+    if (!lines.empty()) lines.back() += ',';
+    if (lines.empty() || lines.back().size() + word.size() > kLine)
+      lines.push_back(word);
+    else
+      lines.back() += ' ' + word;
+  }
+  return lines;
+}
+
 std::string title(const Preparation& p, const PavingOptions& options) {
-  const std::string first = fmt::format("{}, {}", p.request.model.name, p.request.motion.name);
-  const std::string second = others(p, options);
-  std::string text = "set title " + Gnuplot::quoted(first);
-  if (!second.empty()) text += ".newline." + Gnuplot::quoted(second);
+  std::string text = "set title " + Gnuplot::quoted(fmt::format("{}, {}", p.request.model.name,
+                                                                p.request.motion.name));
+  for (const std::string& line : wrapped(others(p, options)))
+    text += ".newline." + Gnuplot::quoted(line);
   return text + '\n';
 }
 
@@ -177,16 +190,32 @@ Interval visible(Interval band, Interval y) {
   return {band.lo - missing / 2, band.hi + missing / 2};
 }
 
-/// Over each tile the enclosure of the determinant; all of the height where there is none.
+/// Over each tile the enclosure of the determinant; over a run of tiles that have none all of the
+/// height.
 std::string bands(const Canvas& canvas, Claim claim, Interval x, Interval y) {
-  std::string lines;
-  for (std::size_t column = 0; column < canvas.columns(); ++column) {
-    if (canvas.claim(column, 0) != claim) continue;
+  const std::size_t count = canvas.columns();
+  const auto has_band = [&](std::size_t column) {
     const DeterminantTile& tile = canvas.determinant(column);
-    lines += corners(part_of(x, column, column + 1, canvas.columns()),
-                     tile.known && !tile.unknown ? visible(tile.enclosure, y) : y);
+    return tile.known && !tile.unknown;
+  };
+  std::string lines;
+  for (std::size_t begin = 0, end; begin < count; begin = end) {
+    end = begin + 1;
+    if (canvas.claim(begin, 0) != claim) continue;
+    const bool band = has_band(begin);
+    while (!band && end < count && canvas.claim(end, 0) == claim && !has_band(end)) ++end;
+    lines += corners(overlapping(part_of(x, begin, end, count), x, count),
+                     band ? visible(canvas.determinant(begin).enclosure, y) : y);
   }
   return lines;
+}
+
+/// A line at 0, broken ones at the threshold.
+void append_levels(std::vector<std::string>& parts, double alpha) {
+  parts.emplace_back("0 with lines linecolor rgb '#000000' notitle");
+  if (alpha == 0) return;
+  for (const double level : {alpha, -alpha})
+    parts.push_back(fmt::format("{} with lines linecolor rgb '#000000' dashtype 2 notitle", level));
 }
 
 std::string curve(const Preparation& p, const PavingOptions& options, const Volumes& volumes,
@@ -195,19 +224,16 @@ std::string curve(const Preparation& p, const PavingOptions& options, const Volu
   const double alpha = p.variety.alpha.hi;
   const Interval y = height(canvas, alpha);
   std::string text = range_of("x", x) + range_of("y", y);
-  text += fmt::format("set ylabel {}\nset format y '%g'\n",
-                      alpha > 0 ? "'det J⁻¹'" : "'determinant of the matrix'");
+  text += !options.encloses_determinants ? "unset ytics\n"
+          : alpha > 0                    ? "set ylabel 'det J⁻¹'\n"
+                                         : "set ylabel 'determinant of the matrix'\n";
   std::vector<std::string> parts;
   for (const Claim claim : kDrawingOrder) {
     const std::string lines = bands(canvas, claim, x, y);
     text += data_block(claim, lines);
     if (!lines.empty()) parts.push_back(plotted(claim));
   }
-  parts.emplace_back("0 with lines linecolor rgb '#000000' notitle");
-  if (alpha > 0)
-    for (const double level : {alpha, -alpha})
-      parts.push_back(
-          fmt::format("{} with lines linecolor rgb '#000000' dashtype 2 notitle", level));
+  if (options.encloses_determinants) append_levels(parts, alpha);
   append_legends(parts, volumes);
   return text + plot_command(parts);
 }

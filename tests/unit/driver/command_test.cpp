@@ -11,6 +11,7 @@
 #include <sstream>
 #include <thread>
 
+#include "support/readme.hpp"
 #include "support/temporary_directory.hpp"
 
 namespace regulus::test {
@@ -164,23 +165,6 @@ TEST(Command, HasHelpForEveryCommand) {
   EXPECT_THAT(regulus({"check", "--help"}).output, HasSubstr("--tolerance"));
   EXPECT_THAT(regulus({"explain", "--help"}).output, HasSubstr("MODEL"));
   EXPECT_THAT(regulus({"--version"}).output, testing::StartsWith("regulus "));
-}
-
-/// The lines under "$ regulus …" in the README, without what differs from run to run.
-std::string shown_in_readme(const std::string& command) {
-  std::ifstream readme(REGULUS_SOURCE_DIR "/README.md");
-  std::string line, shown;
-  while (std::getline(readme, line) && line != "$ " + command) continue;
-  while (std::getline(readme, line) && line != "```") shown += line + '\n';
-  return shown;
-}
-
-std::string without_timings(const std::string& text) {
-  std::istringstream lines(text);
-  std::string line, kept;
-  while (std::getline(lines, line))
-    if (!line.starts_with("time ") && !line.starts_with("method ")) kept += line + '\n';
-  return kept;
 }
 
 TEST(Command, PrintsWhatTheReadmeShows) {

@@ -69,6 +69,16 @@ TEST_F(PictureFile, ShowsTheDeterminantOverATrajectory) {
                          HasSubstr("free 100 %")));
 }
 
+TEST_F(PictureFile, HasNoDeterminantWhereTheMatrixHasNone) {
+  const std::string path = (folder_.path() / "redundant.toml").string();
+  std::ofstream(path) << "regulus = 1\nname = \"redundant\"\nsource = \"a test\"\n"
+                         "[pose]\nx = \"m\"\n[matrix]\nrows = [[\"x\"], [\"x - 1\"]]\n"
+                         "[motion.m]\nx = [-1, 2]\n";
+  const std::string svg = draw("redundant.svg", {path});
+  EXPECT_EQ(result_.exit_code, 0) << result_.errors;
+  EXPECT_THAT(svg, AllOf(HasSubstr("free 100 %"), Not(HasSubstr("determinant"))));
+}
+
 TEST_F(PictureFile, MayBeAPng) {
   const std::string png = draw("plane.png", {kPlanar, "crossing", "--range", "phi=25*deg"});
   EXPECT_THAT(png, StartsWith("\x89PNG"));
