@@ -207,6 +207,32 @@ TEST(Paving, EnclosesTheDeterminantOfEveryPiece) {
   }
 }
 
+TEST(Paving, DividesTheDeterminantOfKAByThatOfK) {
+  const FunctionKernel kernel(1, 1, 1, [](const Values& x) { return Values{x[0] + 1.5}; });
+  const Problem problem = problem_over(kernel, {{-1, 1}});
+  Settings settings = exhaustive(1);
+  settings.enclose_determinants = true;
+  Collector paving(problem);
+  static_cast<void>(solve(problem, settings, &paving));
+  ASSERT_EQ(paving.leaves.size(), 1U);
+  EXPECT_TRUE(certain_subset({0.5, 2.5}, *paving.leaves[0].determinant));
+}
+
+TEST(Paving, ClaimsNoSingularityWhereTheVarietyMayBeEmpty) {
+  FunctionKernel kernel(1, 1, 1, [](const Values& x) { return Values{x[0] * Interval(0.125)}; });
+  // Positive everywhere, but intervals of this width do not see it.
+  kernel.with_constraints(1,
+                          [](const Values& x) { return Values{x[0] * x[0] - x[0] * x[0] + 0.1}; });
+  for (const double alpha : {0.0, 1.0}) {
+    const Problem problem = problem_over(kernel, {{-1, 1}}, Interval(alpha));
+    Settings settings = exhaustive(0.5);
+    Collector paving(problem);
+    EXPECT_NE(solve(problem, settings, &paving).verdict, Verdict::kSingularity);
+    EXPECT_EQ(paving.volumes.of(Claim::kSingular).boxes, 0U);
+    EXPECT_GT(paving.volumes.of(Claim::kUndecided).boxes, 0U);
+  }
+}
+
 TEST(Paving, GivesTheDeterminantOfTheScaledMatrixUnderAThreshold) {
   FunctionKernel kernel(1, 1, 1, [](const Values&) { return Values{Interval(3.0)}; });
   kernel.with_row_scale([](const Values&) { return Values{Interval(0.5)}; });
