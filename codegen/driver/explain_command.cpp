@@ -14,13 +14,17 @@ namespace {
 std::string forms(const ExplainCommand& command) {
   ExplainOptions options;
   options.all_entries = command.all_entries;
+  options.formulation.determinant = command.method == name(Method::kClosedForm);
+  options.formulation.determinant_budget = command.symbolic_budget;
   if (command.model.motion.empty()) return explain(load_model(command.model.path), options);
   const Request request = read_request(command.model);
   return explain(request.model, request.motion, options);
 }
 
 std::string kernel_text(const ExplainCommand& command, const std::string& typed) {
-  return emit_kernel(read_request(command.model), Method::kAuto, typed).source;
+  return emit_kernel(read_request(command.model), parse_method(command.method).value(), typed,
+                     command.symbolic_budget)
+      .source;
 }
 
 }  // namespace

@@ -6,6 +6,7 @@
 #include "regulus/codegen/driver/pipeline.hpp"
 #include "regulus/codegen/jit/jit.hpp"
 #include "regulus/codegen/model/errors.hpp"
+#include "regulus/codegen/symbolic/determinant.hpp"
 
 namespace {
 
@@ -37,6 +38,9 @@ int main(int argc, char** argv) {
     return run(parse_command_line(argc, argv), typed(argc, argv));
   } catch (const UsageError& error) {
     return complain(error, kUsageError);
+  } catch (const ClosedFormError& error) {
+    std::cerr << "regulus: --method closed-form: " << error.what() << '\n';
+    return kUsageError;
   } catch (const InputError& error) {
     return complain(error, kBadInput);
   } catch (const FileError& error) {

@@ -47,11 +47,21 @@ void add_model_options(CLI::App& app, ModelOptions& options) {
       ->type_name("A");
 }
 
-void add_search_options(CLI::App& app, SearchOptions& options) {
-  app.add_option("--method", options.method, "How a box is decided")
+void add_method_options(CLI::App& app, std::string& method, std::uint64_t& budget) {
+  app.add_option("--method", method, "How a box is decided")
       ->check(CLI::IsMember({"auto", "reg", "reg+rohn", "kj", "kj+rohn", "jk", "jk+rohn",
-                             "kj-numeric", "jk-numeric"}))
+                             "kj-numeric", "jk-numeric", "closed-form"}))
       ->capture_default_str();
+  app.add_option("--symbolic-budget", budget,
+                 "Most terms that --method closed-form may multiply out; the default takes of the "
+                 "order of a second")
+      ->check(CLI::PositiveNumber)
+      ->type_name("TERMS")
+      ->capture_default_str();
+}
+
+void add_search_options(CLI::App& app, SearchOptions& options) {
+  add_method_options(app, options.method, options.symbolic_budget);
   app.add_option("--determinant", options.determinant,
                  "How the determinant of an interval matrix is enclosed")
       ->check(CLI::IsMember({"expansion", "gauss"}))
@@ -151,6 +161,8 @@ CommandLine parse_command_line(int argc, const char* const* argv) {
     result.exit_code = app.exit(error) == 0 ? 0 : kUsageError;
     return result;
   }
+  add_method_options(*explain_command, explain.method, explain.symbolic_budget);
+
   if (check_command->parsed()) result.check = check;
   if (locate_command->parsed()) result.locate = locate;
   if (explain_command->parsed()) result.explain = explain;

@@ -8,6 +8,8 @@
 #include <string>
 #include <vector>
 
+#include "regulus/codegen/symbolic/formulation.hpp"
+
 namespace regulus::codegen {
 
 enum class Engine { kJit, kInterpreted };
@@ -36,9 +38,10 @@ struct SearchOptions {
   Engine engine = Engine::kJit;
   std::string isa;  ///< empty: the best this CPU has
   bool use_cache = true;
-  std::uint64_t max_boxes = 0;  ///< 0: no bound
-  double time_limit = 0;        ///< seconds, 0: no bound
-  long precision = 1024;        ///< most bits where doubles cannot decide
+  std::uint64_t max_boxes = 0;                         ///< 0: no bound
+  double time_limit = 0;                               ///< seconds, 0: no bound
+  std::uint64_t symbolic_budget = kDeterminantBudget;  ///< terms of a closed form
+  long precision = 1024;                               ///< most bits where doubles cannot decide
 };
 
 struct OutputOptions {
@@ -66,6 +69,8 @@ struct ExplainCommand {
   ModelOptions model;
   bool all_entries = false;
   std::string stage = "forms";  ///< or "text": the C++ of the kernel
+  std::string method = "auto";  ///< whose functions are shown
+  std::uint64_t symbolic_budget = kDeterminantBudget;
 };
 
 /// What was asked. Exactly one command is set; none when `exit_code` is (--help, --version, an

@@ -111,12 +111,14 @@ Request read_request(const ModelOptions& options) {
   return request;
 }
 
-FormulationOptions functions_needed(Method method) {
+FormulationOptions functions_needed(Method method, std::uint64_t symbolic_budget) {
   FormulationOptions options;
   options.left_product =
       method == Method::kAuto || method == Method::kKj || method == Method::kKjRohn;
   options.derivatives = method == Method::kAuto;
   options.right_product = method == Method::kJk || method == Method::kJkRohn;
+  options.determinant = method == Method::kClosedForm;
+  options.determinant_budget = symbolic_budget;
   return options;
 }
 
@@ -126,7 +128,8 @@ Preparation prepare(const ModelOptions& model, const SearchOptions& search) {
   p.request = read_request(model);
   p.seconds.model = watch.lap();
   const Method method = parse_method(search.method).value();
-  p.formulation = formulate(p.request.model, p.request.motion, functions_needed(method));
+  p.formulation = formulate(p.request.model, p.request.motion,
+                            functions_needed(method, search.symbolic_budget));
   p.module = lower(p.formulation);
   p.variety = enclose_variety(p.request.model, p.request.motion, p.formulation);
   p.seconds.symbolic = watch.lap();
@@ -143,11 +146,14 @@ Problem Preparation::problem() const {
   return problem;
 }
 
-EmittedKernel emit_kernel(const Request& request, Method method, const std::string& command) {
+EmittedKernel emit_kernel(const Request& request, Method method, const std::string& command,
+                          std::uint64_t symbolic_budget) {
   EmitOptions options;
   options.command = command;
   options.source = request.model.source;
-  return emit(lower(formulate(request.model, request.motion, functions_needed(method))), options);
+  return emit(
+      lower(formulate(request.model, request.motion, functions_needed(method, symbolic_budget))),
+      options);
 }
 
 }  // namespace regulus::codegen

@@ -69,15 +69,18 @@ struct Preparation {
   [[nodiscard]] Problem problem() const;
 };
 
-/// Runs every stage up to the search. Throws CompileError and InternalError too.
+/// Runs every stage up to the search. Throws FileError, InputError, ClosedFormError, CompileError
+/// and InternalError too.
 [[nodiscard]] Preparation prepare(const ModelOptions& model, const SearchOptions& search);
 
 /// Which functions a method calls; the others need not be formed or compiled.
-[[nodiscard]] FormulationOptions functions_needed(Method method);
+[[nodiscard]] FormulationOptions functions_needed(
+    Method method, std::uint64_t symbolic_budget = kDeterminantBudget);
 
 /// The C++ text of a request's kernel, as `check` compiles it.
 [[nodiscard]] EmittedKernel emit_kernel(const Request& request, Method method,
-                                        const std::string& command);
+                                        const std::string& command,
+                                        std::uint64_t symbolic_budget = kDeterminantBudget);
 
 /// Measures the time since its construction or the last lap.
 class Stopwatch {

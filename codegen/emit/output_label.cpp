@@ -20,6 +20,8 @@ std::string output_label(const Module& module, const Function& function, std::si
   if (function.name == "left_derivatives")
     return entry("∂(K·A)", output % (columns * columns), columns) + "/∂" +
            module.variables[output / (columns * columns)];
+  if (function.name == "determinant") return "det A";
+  if (function.name == "determinant_derivatives") return "∂ det A/∂" + module.variables[output];
   if (function.name == "row_scale") return "product of the row scales";
   return function.name + "[" + std::to_string(output) + "]";
 }

@@ -75,13 +75,16 @@ struct Field {
   regulus_function regulus_kernel::*member;
 };
 
-constexpr std::array<Field, 7> kFields = {{{"matrix", &regulus_kernel::matrix},
-                                           {"left_product", &regulus_kernel::left_product},
-                                           {"left_derivatives", &regulus_kernel::left_derivatives},
-                                           {"right_product", &regulus_kernel::right_product},
-                                           {"row_scale", &regulus_kernel::row_scale},
-                                           {"constraint", &regulus_kernel::constraint},
-                                           {"pose", &regulus_kernel::pose}}};
+constexpr std::array<Field, 9> kFields = {
+    {{"matrix", &regulus_kernel::matrix},
+     {"left_product", &regulus_kernel::left_product},
+     {"left_derivatives", &regulus_kernel::left_derivatives},
+     {"right_product", &regulus_kernel::right_product},
+     {"row_scale", &regulus_kernel::row_scale},
+     {"constraint", &regulus_kernel::constraint},
+     {"pose", &regulus_kernel::pose},
+     {"determinant", &regulus_kernel::determinant},
+     {"determinant_derivatives", &regulus_kernel::determinant_derivatives}}};
 
 using PreparedFunctions = std::array<PreparedFunction, kFields.size()>;
 

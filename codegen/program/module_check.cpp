@@ -27,14 +27,20 @@ long expected_outputs(const Module& module, const std::string& name) {
   if (name == "row_scale") return 1;
   if (name == "constraint") return module.constraints;
   if (name == "pose") return module.pose_parameters;
+  if (name == "determinant") return 1;
+  if (name == "determinant_derivatives") return static_cast<long>(module.variables.size());
   return -1;
+}
+
+bool needs_square_matrix(const std::string& name) {
+  return name == "right_product" || name == "determinant" || name == "determinant_derivatives";
 }
 
 void check_shape(const Module& module, const Function& function) {
   const long expected = expected_outputs(module, function.name);
   const auto found = static_cast<long>(function.program.outputs.size());
   require(expected >= 0, function, "not a function of the kernel ABI");
-  require(function.name != "right_product" || module.rows == module.columns, function,
+  require(!needs_square_matrix(function.name) || module.rows == module.columns, function,
           "needs a square matrix");
   if (found != expected)
     refuse(function,

@@ -50,13 +50,14 @@ std::uint64_t count_of(const Occurrences& occurrences, const std::string& name) 
 class Explanation {
  public:
   Explanation(const Model& model, const Motion& motion, const ExplainOptions& options)
-      : f_(formulate(model, motion)), module_(lower(f_)), options_(options) {}
+      : f_(formulate(model, motion, options.formulation)), module_(lower(f_)), options_(options) {}
 
   std::string text() {
     heading();
     matrix();
     left_entries();
     if (!f_.right_product.empty()) right_entries();
+    if (!f_.determinant.empty()) closed_form();
     occurrence_table();
     functions();
     return std::move(text_);
@@ -130,6 +131,13 @@ class Explanation {
         entry(fmt::format("(A·K)({},{})", r + 1, c + 1), sum(std::move(natural)),
               f_.right_product[k], statistics[k]);
       }
+    line("");
+  }
+
+  void closed_form() {
+    line("det A in closed form: {} terms were multiplied out", f_.determinant_terms);
+    line("  {}", shortened(f_.determinant[0], options_.longest));
+    line("    occurrences: {}", to_text(count_occurrences(f_.determinant)));
     line("");
   }
 

@@ -10,8 +10,9 @@
 namespace regulus::codegen {
 
 struct ExplainOptions {
-  bool all_entries = false;    ///< every entry of K·A and A·K, not one row and one column
-  std::size_t longest = 1200;  ///< characters of one expression; what is cut is said to be
+  bool all_entries = false;        ///< every entry of K·A and A·K, not one row and one column
+  FormulationOptions formulation;  ///< matrix and products are always formed
+  std::size_t longest = 1200;      ///< characters of one expression; what is cut is said to be
 };
 
 /// The matrix, the forms of K·A's and A·K's entries before and after, how often each variable

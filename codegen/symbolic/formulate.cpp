@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "regulus/codegen/symbolic/derivative.hpp"
+#include "regulus/codegen/symbolic/determinant.hpp"
 #include "regulus/codegen/symbolic/evaluate.hpp"
 #include "regulus/codegen/symbolic/formulation.hpp"
 #include "regulus/codegen/symbolic/substitution.hpp"
@@ -58,6 +59,7 @@ class Formulator {
     form_matrix();
     if (options_.left_product || options_.derivatives) form_left_product();
     if (options_.right_product && result_.rows == result_.columns) form_right_product();
+    if (options_.determinant) form_determinant();
     form_row_scale();
     form_motion();
     collect_must_be_defined();
@@ -188,6 +190,32 @@ class Formulator {
         statistics.push_back(of_entry);
       }
     }
+  }
+
+  /// det A over the motion: the entries of a rotation are multiplied out in sines and cosines,
+  /// which leaves fewer terms than taking them as indeterminates would, since their relations are
+  /// used.
+  void form_determinant() {
+    if (result_.rows != result_.columns)
+      throw ClosedFormError("the matrix is " + std::to_string(result_.rows) + "×" +
+                            std::to_string(result_.columns) +
+                            "; only a square one has a determinant");
+    TermBudget budget(options_.determinant_budget);
+    const Polynomial p = determinant(expanded_, result_.columns, rewriter_.atoms(), budget);
+    result_.determinant = {nested(p, "determinant")};
+    for (const Variable& v : result_.variables) {
+      budget.spend(p.terms().size());
+      PolynomialDifferentiator by(v.name, rewriter_.atoms(), rewriter_.expander());
+      const Polynomial slope = without_squared_sines(by.derivative(p), rewriter_.atoms());
+      result_.determinant_derivatives.push_back(nested(slope, "determinant_derivatives"));
+    }
+    result_.determinant_terms = budget.spent();
+  }
+
+  Expression nested(const Polynomial& p, const std::string& function) {
+    Rewritten form = rewriter_.nested_form(p);
+    result_.statistics[function].push_back({{}, count_occurrences(form.expression), form.passes});
+    return form.expression;
   }
 
   Expression rewritten(const Expression& natural, const std::string& function) {

@@ -3,6 +3,7 @@
 // kernel function, and on to a Module.
 #pragma once
 
+#include <cstdint>
 #include <map>
 #include <string>
 #include <vector>
@@ -30,12 +31,18 @@ struct Variable {
   int ball = -1;  ///< Model::balls index when its range is one axis of a ball
 };
 
+/// Terms a determinant in closed form may take: of the order of a second, and twice what robot 2
+/// takes.
+inline constexpr std::uint64_t kDeterminantBudget = 500000;
+
 /// Which functions to form.
 struct FormulationOptions {
   bool matrix = true;
   bool left_product = true;
   bool derivatives = true;
   bool right_product = true;
+  bool determinant = false;  ///< in closed form, and its derivatives; of square matrices only
+  std::uint64_t determinant_budget = kDeterminantBudget;  ///< see TermBudget
   RewriteOptions rewriting;
 };
 
@@ -61,6 +68,9 @@ struct Formulation {
   std::vector<Expression> row_scale;  ///< one entry, the product of the row scales; empty if none
   std::vector<Expression> constraints;
   std::vector<Expression> pose;
+  std::vector<Expression> determinant;              ///< one entry, det A; empty unless asked for
+  std::vector<Expression> determinant_derivatives;  ///< ∂_k det A, one for each variable
+  std::uint64_t determinant_terms = 0;              ///< what TermBudget counted
 
   /// Expressions without which a value of the functions means nothing: roots, denominators … of the
   /// model and the motion as written, which rewriting or differentiation may have removed. `lower`
@@ -77,7 +87,8 @@ struct Formulation {
 /// The name of an entry of K, from 1: k_1_2.
 [[nodiscard]] std::string point_name(int row, int column);
 
-/// Throws InputError when the model and the motion do not fit together.
+/// Throws InputError when the model and the motion do not fit together, ClosedFormError
+/// (determinant.hpp) when a determinant is asked for and cannot be had.
 [[nodiscard]] Formulation formulate(const Model& model, const Motion& motion,
                                     const FormulationOptions& options = {});
 

@@ -133,6 +133,9 @@ Module lower(const Formulation& f) {
   builder.add({"row_scale", "scale", 1, 1, false}, f.row_scale, {});
   builder.add({"constraint", "H", constraints, 1, false}, f.constraints, f.motion_must_be_defined);
   builder.add({"pose", "X", pose, 1, false}, f.pose, f.motion_must_be_defined);
+  builder.add({"determinant", "det A", 1, 1, false}, f.determinant, f.must_be_defined);
+  builder.add({"determinant_derivatives", "∂ det A", variables, 1, false},
+              f.determinant_derivatives, f.must_be_defined);
   return builder.take();
 }
 

@@ -111,6 +111,12 @@ Rewritten Rewriter::best_form(const Polynomial& p, const Expression* natural) {
   return choice.take();
 }
 
+Rewritten Rewriter::nested_form(const Polynomial& p) {
+  Choice choice(options_.weights);
+  offer_forms(choice, p, atoms_, options_.horner, "");
+  return choice.take();
+}
+
 Polynomial Rewriter::merge(const Polynomial& p, bool double_angles) {
   const auto simplify = [this](const Expression& e) { return simplified_argument(e); };
   return merge_angles(p, atoms_, expander_, simplify, {true, double_angles});

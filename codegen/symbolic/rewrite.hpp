@@ -48,6 +48,10 @@ class Rewriter {
   /// The best of the forms of p, and of `natural` if one is given.
   [[nodiscard]] Rewritten best_form(const Polynomial& p, const Expression* natural = nullptr);
 
+  /// The best of the nested forms of p, its angles as they are: the time grows little faster than
+  /// the number of terms, where merging angles takes its square.
+  [[nodiscard]] Rewritten nested_form(const Polynomial& p);
+
   [[nodiscard]] AtomTable& atoms() noexcept { return atoms_; }
   [[nodiscard]] Expander& expander() noexcept { return expander_; }
 

@@ -3,7 +3,7 @@
 // no other header, so that code compiled in process can include it.
 #pragma once
 
-enum { REGULUS_KERNEL_ABI = 1, REGULUS_LANES = 8 };
+enum { REGULUS_KERNEL_ABI = 2, REGULUS_LANES = 8 };
 
 /// How MXCSR must be set while a function of the kernel runs. The caller sets it and restores it.
 enum { REGULUS_ROUND_NEAREST = 0, REGULUS_ROUND_UPWARD = 1 };
@@ -38,8 +38,10 @@ typedef struct regulus_kernel {
   regulus_function right_product;     ///< A·K, K n×m: m·m outputs; null unless m = n
   regulus_function
       row_scale;  ///< product of the row scales: 1 output, positive; null when all are 1
-  regulus_function constraint;  ///< H_j, each ≤ 0 inside the variety: `constraints` outputs
-  regulus_function pose;        ///< the pose as a function of the variables
-  const void* context;          ///< passed to every function
-  const char* identity;         ///< hash of the program the kernel was generated from
+  regulus_function constraint;   ///< H_j, each ≤ 0 inside the variety: `constraints` outputs
+  regulus_function pose;         ///< the pose as a function of the variables
+  regulus_function determinant;  ///< det A in closed form: 1 output; null unless formed
+  regulus_function determinant_derivatives;  ///< ∂_k det A: variables outputs; null unless formed
+  const void* context;                       ///< passed to every function
+  const char* identity;                      ///< hash of the program the kernel was generated from
 } regulus_kernel;

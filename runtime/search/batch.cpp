@@ -42,7 +42,8 @@ Batch::Batch(const Problem& problem, const Settings& settings, const RowStructur
                                                                   : kernel_.motion_variables),
       structure_(structure),
       sees_mean_values_(settings.method == Method::kAuto && kernel_.left_derivatives != nullptr &&
-                        kernel_.left_product != nullptr) {
+                        kernel_.left_product != nullptr),
+      sees_determinant_(settings.method == Method::kClosedForm) {
   const std::size_t v = variables_ * kLanes;
   const std::size_t mn = rows_ * columns_ * kLanes;
   const std::size_t nn = columns_ * columns_ * kLanes;
@@ -75,6 +76,11 @@ Batch::Batch(const Problem& problem, const Settings& settings, const RowStructur
   right_perron_ = AlignedBuffer(order() * kLanes);
   left_perron_ = AlignedBuffer(order() * kLanes);
   impact_ = AlignedBuffer(v);
+  determinant_ = AlignedBuffer(2 * kLanes);
+  monotone_ = AlignedBuffer(2 * kLanes);
+  determinant_slopes_ = AlignedBuffer(sees_determinant_ ? 2 * v : 0);
+  face_ = AlignedBuffer(sees_determinant_ ? 2 * v : 0);
+  face_center_ = AlignedBuffer(sees_determinant_ ? 2 * v : 0);
   scratch_ = AlignedBuffer(std::max({2 * mn, 2 * nn, 2 * h, 2 * pose}));
 }
 

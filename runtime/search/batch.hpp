@@ -79,6 +79,15 @@ class Batch {
 
   /// A is defined at the midpoint.
   [[nodiscard]] LaneMask midpoint_defined() noexcept;
+  // The determinant in closed form: one entry, interval layout; [−∞, ∞] in lanes without.
+
+  /// From the kernel's `determinant` over the boxes.
+  [[nodiscard]] const double* natural_determinant() noexcept;
+  /// The same, narrowed by the signs and the magnitudes of the derivatives.
+  ///
+  /// Requires  the kernel has them.
+  [[nodiscard]] const double* monotone_determinant() noexcept;
+
   /// A is defined at the midpoint and K was found.
   [[nodiscard]] LaneMask preconditioned() noexcept;
   /// K, n×m, point layout.
@@ -108,7 +117,8 @@ class Batch {
   void keep_vector(LaneMask lanes, std::size_t entries) noexcept;
   /// v of the test that certified a lane.
   [[nodiscard]] const double* vector() const noexcept { return vector_.get(); }
-  /// What each variable adds to the spectral radius of P, roughly; point layout. P is that of K·A.
+  /// What each variable adds to the spectral radius of P, roughly, P being that of K·A; for the
+  /// method closed-form what it adds to the width of the determinant. Point layout.
   [[nodiscard]] const double* approx_impact() noexcept;
 
   /// Declares that the boxes of this batch contain all boxes to come, so that what holds on the
@@ -142,6 +152,9 @@ class Batch {
   void load_variable(std::size_t variable, std::size_t lane, Interval x) noexcept;
   [[nodiscard]] bool begin(Stage stage) noexcept;
   LaneMask call(regulus_function function, const double* boxes, const double* points,
+    kDeterminant = 1U << 15,
+    kDeterminantDerivatives = 1U << 16,
+    kMonotone = 1U << 17,
                 double* out) noexcept;
   void constraints_on(const double* boxes, LaneMask& inside, LaneMask& outside) noexcept;
   void compute_posed() noexcept;
@@ -155,6 +168,10 @@ class Batch {
   void impact_from_fixing() noexcept;
   void weigh_impact(std::size_t variable, std::size_t row, std::size_t column,
                     const double* magnitude) noexcept;
+  void compute_determinant_derivatives() noexcept;
+  void load_face(bool least) noexcept;
+  void narrow_on_face(bool least) noexcept;
+  void impact_on_determinant() noexcept;
 
   const Kernel caller_;
   const regulus_kernel& kernel_;
@@ -167,6 +184,7 @@ class Batch {
   unsigned done_ = 0;
   LaneMask loaded_ = 0;
 
+  const bool sees_determinant_;  ///< the method uses its closed form
   AlignedBuffer boxes_, thin_, thinned_, midpoint_, radius_;
   AlignedBuffer nominal_, wide_radius_;  // as boxes_ and radius_, without what touches one row only
   AlignedBuffer matrix_, midpoint_matrix_, approx_matrix_, preconditioner_;
@@ -178,8 +196,10 @@ class Batch {
   double approx_scale_[kLanes] = {};
   double scale_[2 * kLanes] = {};
   LaneMask inside_ = 0, outside_ = 0, midpoint_inside_ = 0, midpoint_outside_ = 0;
+  AlignedBuffer determinant_, monotone_, determinant_slopes_, face_, face_center_;
   LaneMask posed_ = 0, matrix_defined_ = 0, left_defined_ = 0, right_defined_ = 0;
   LaneMask midpoint_defined_ = 0, preconditioned_ = 0, derivatives_defined_ = 0;
 };
 
 }  // namespace regulus
+  LaneMask determinant_slopes_defined_ = 0;

@@ -129,6 +129,10 @@ void Batch::impact_from_fixing() noexcept {
 
 const double* Batch::approx_impact() noexcept {
   if (!begin(kImpact)) return impact_.get();
+  if (sees_determinant_) {
+    impact_on_determinant();
+    return impact_.get();
+  }
   // A copy, with a neutral matrix where nothing is known: the bounds themselves stay bounds.
   double P[kMaxOrder * kMaxOrder * kLanes];
   double approx_radius[kLanes];

@@ -7,12 +7,13 @@ namespace regulus {
 
 namespace {
 
-/// Impact is about K·A in symbolic form; for tests on other forms it may be blind to what they see.
+/// Impact is about K·A in symbolic form, or about the determinant in closed form; for tests on
+/// other forms it may be blind to what they see.
 Bisection fitting(const Settings& settings) {
-  const bool sees_left = settings.method == Method::kAuto || settings.method == Method::kKj ||
-                         settings.method == Method::kKjRohn;
-  return settings.bisection == Bisection::kImpact && !sees_left ? Bisection::kWeighted
-                                                                : settings.bisection;
+  const bool is_seen = settings.method == Method::kAuto || settings.method == Method::kKj ||
+                       settings.method == Method::kKjRohn || settings.method == Method::kClosedForm;
+  return settings.bisection == Bisection::kImpact && !is_seen ? Bisection::kWeighted
+                                                              : settings.bisection;
 }
 
 }  // namespace

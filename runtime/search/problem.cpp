@@ -12,7 +12,7 @@
 namespace regulus {
 namespace {
 
-constexpr std::array<std::pair<Method, const char*>, 9> kMethodNames{{
+constexpr std::array<std::pair<Method, const char*>, 10> kMethodNames{{
     {Method::kAuto, "auto"},
     {Method::kReg, "reg"},
     {Method::kRegRohn, "reg+rohn"},
@@ -22,6 +22,7 @@ constexpr std::array<std::pair<Method, const char*>, 9> kMethodNames{{
     {Method::kJkRohn, "jk+rohn"},
     {Method::kKjNumeric, "kj-numeric"},
     {Method::kJkNumeric, "jk-numeric"},
+    {Method::kClosedForm, "closed-form"},
 }};
 
 std::optional<std::string> fault_of_range(const Problem& problem, std::size_t k) {
@@ -48,6 +49,12 @@ std::optional<std::string> fault_of_kernel(const regulus_kernel& kernel) {
   return std::nullopt;
 }
 
+std::optional<std::string> fault_of_method(const regulus_kernel& kernel, Method method) {
+  if (method == Method::kClosedForm && kernel.determinant == nullptr)
+    return "method closed-form needs a kernel with the determinant in closed form";
+  return std::nullopt;
+}
+
 }  // namespace
 
 std::optional<std::string> find_fault(const Problem& problem, const Settings& settings) {
@@ -63,7 +70,7 @@ std::optional<std::string> find_fault(const Problem& problem, const Settings& se
     return "the threshold is not a finite number ≥ 0";
   if (settings.batch < 1 || settings.batch > kLanes) return "the batch is not of 1 to 8 boxes";
   if (!(settings.min_relative_width >= 0.0)) return "the minimum width is negative";
-  if (kernel.rows == kernel.columns) return std::nullopt;
+  if (kernel.rows == kernel.columns) return fault_of_method(kernel, settings.method);
   if (problem.alpha.hi > 0.0) return "a threshold needs a square matrix";
   if (settings.method != Method::kAuto)
     return "method " + std::string(name(settings.method)) + " needs a square matrix";

@@ -44,6 +44,7 @@ enum class Method : std::uint8_t {
   kKjNumeric,
   kJkNumeric,
 };
+  kClosedForm,  ///< the kernel's closed form of the determinant
 
 enum class Determinant : std::uint8_t { kExpansion, kElimination };
 

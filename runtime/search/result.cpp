@@ -57,6 +57,8 @@ const char* name(Rule rule) noexcept {
       return "determinant";
     case Rule::kRohn:
       return "rohn";
+    case Rule::kClosedForm:
+      return "closed-form";
     case Rule::kMultiprecision:
       return "multiprecision";
     case Rule::kWitness:

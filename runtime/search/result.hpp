@@ -37,11 +37,12 @@ enum class Rule : std::uint8_t {
   kStructured,      ///< Tv < v, uncertain quantities by the row they touch
   kDeterminant,     ///< interval determinant
   kRohn,            ///< vertex determinants
+  kClosedForm,      ///< the determinant in closed form, or its values on faces of the box
   kMultiprecision,  ///< the determinant, with more bits than doubles have
   kWitness,         ///< a singularity inside the box is certified; exhaustive searches only
   kBlocked,         ///< not decided and not split any more
 };
-inline constexpr std::size_t kRules = 9;
+inline constexpr std::size_t kRules = static_cast<std::size_t>(Rule::kBlocked) + 1;
 
 struct WitnessPoint {
   std::vector<Interval> variables;  ///< thin wherever the range holds a double

@@ -80,6 +80,27 @@ class DeterminantTest final : public RegularityTest {
   double alpha_;
 };
 
+/// The determinant as one expression of the variables: no dependency between entries is lost.
+class ClosedFormTest final : public RegularityTest {
+ public:
+  ClosedFormTest() noexcept : RegularityTest(Rule::kClosedForm) {}
+
+  LaneMask certify(Batch& batch, LaneMask lanes) noexcept override {
+    const LaneMask natural = certify(batch, lanes, batch.natural_determinant());
+    const LaneMask rest = lanes & ~natural;
+    if (rest == 0 || batch.kernel().determinant_derivatives == nullptr) return natural;
+    return natural | certify(batch, rest, batch.monotone_determinant());
+  }
+
+ private:
+  /// A lane that is not defined is enclosed by all numbers.
+  static LaneMask certify(Batch& batch, LaneMask lanes, const double* determinant) noexcept {
+    return above_threshold(batch, lanes, [&](std::size_t lane) {
+      return mig(Interval{determinant[lower_at(0, lane)], determinant[upper_at(0, lane)]});
+    });
+  }
+};
+
 /// Rohn's vertex determinants. They show regularity, not a distance from it: α = 0 only.
 class RohnTest final : public RegularityTest {
  public:
@@ -140,3 +161,7 @@ TestSequence make_tests(const Problem& problem, const Settings& settings,
 }
 
 }  // namespace regulus
+  if (settings.method == Method::kClosedForm) {
+    tests.push_back(std::make_unique<ClosedFormTest>());
+    return tests;
+  }

@@ -36,6 +36,8 @@ class FixtureKernel {
   }
   [[nodiscard]] virtual Values row_scale(const Values&) const { return {}; }
   [[nodiscard]] virtual Values constraint(const Values&) const { return {}; }
+  [[nodiscard]] virtual Values determinant(const Values&) const { return {}; }
+  [[nodiscard]] virtual Values determinant_derivatives(const Values&) const { return {}; }
   [[nodiscard]] virtual Values pose(const Values& x) const {
     return {x.begin(), x.begin() + kernel_.pose_parameters};
   }
@@ -44,6 +46,8 @@ class FixtureKernel {
   void enable_derivatives();
   void enable_row_scale();
   void enable_constraints(unsigned count);
+  void enable_determinant();
+  void enable_determinant_derivatives();
 
  private:
   regulus_kernel kernel_{};
@@ -115,6 +119,12 @@ inline void FixtureKernel::enable_derivatives() {
 }
 inline void FixtureKernel::enable_row_scale() {
   kernel_.row_scale = detail::plain<&FixtureKernel::row_scale>;
+}
+inline void FixtureKernel::enable_determinant() {
+  kernel_.determinant = detail::plain<&FixtureKernel::determinant>;
+}
+inline void FixtureKernel::enable_determinant_derivatives() {
+  kernel_.determinant_derivatives = detail::plain<&FixtureKernel::determinant_derivatives>;
 }
 inline void FixtureKernel::enable_constraints(unsigned count) {
   kernel_.constraints = count;

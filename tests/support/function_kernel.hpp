@@ -39,6 +39,16 @@ class FunctionKernel : public FixtureKernel {
     enable_constraints(count);
     return *this;
   }
+  FunctionKernel& with_determinant(Function determinant) {
+    determinant_ = std::move(determinant);
+    enable_determinant();
+    return *this;
+  }
+  FunctionKernel& with_determinant_derivatives(Function derivatives) {
+    determinant_derivatives_ = std::move(derivatives);
+    enable_determinant_derivatives();
+    return *this;
+  }
   FunctionKernel& with_pose(unsigned count, Function pose) {
     pose_ = std::move(pose);
     functions().pose_parameters = count;
@@ -48,6 +58,10 @@ class FunctionKernel : public FixtureKernel {
   Values matrix(const Values& x) const override { return matrix_(x); }
   Values row_scale(const Values& x) const override { return scale_(x); }
   Values constraint(const Values& x) const override { return constraint_(x); }
+  Values determinant(const Values& x) const override { return determinant_(x); }
+  Values determinant_derivatives(const Values& x) const override {
+    return determinant_derivatives_(x);
+  }
   Values pose(const Values& x) const override { return pose_ ? pose_(x) : FixtureKernel::pose(x); }
   Values left_derivatives(const Values& x, std::span<const double> K) const override {
     const Values D = derivatives_(x);
@@ -65,7 +79,8 @@ class FunctionKernel : public FixtureKernel {
   }
 
  private:
-  Function matrix_, derivatives_, scale_, constraint_, pose_;
+  Function matrix_, derivatives_, scale_, constraint_, pose_, determinant_,
+      determinant_derivatives_;
 };
 
 /// A problem whose ranges end in doubles.

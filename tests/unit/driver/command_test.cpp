@@ -89,8 +89,8 @@ TEST(Command, ComparesWithAThreshold) {
 }
 
 TEST(Command, AgreesWithItselfOnEveryEngineAndMethod) {
-  for (const char* method :
-       {"auto", "reg", "reg+rohn", "kj", "kj+rohn", "jk", "jk+rohn", "kj-numeric", "jk-numeric"}) {
+  for (const char* method : {"auto", "reg", "reg+rohn", "kj", "kj+rohn", "jk", "jk+rohn",
+                             "kj-numeric", "jk-numeric", "closed-form"}) {
     EXPECT_EQ(regulus({"check", kPlanar, "regular", "--quiet", "--engine", "interpreted",
                        "--method", method})
                   .output,
@@ -133,6 +133,31 @@ TEST(Command, RefusesWrongUseWith64) {
            {"check", kPlanar, "regular", "--alpha", "-1"},
        })
     EXPECT_EQ(regulus(words).exit_code, 64) << testing::PrintToString(words);
+}
+
+TEST(Command, RefusesAClosedFormBeyondItsBudgetWithTheWayOut) {
+  const CommandResult refused = regulus({"check", kRobot1, "wide_15", "--method", "closed-form",
+                                         "--tolerance", "base,platform=0.01"});
+  EXPECT_EQ(refused.exit_code, 64);
+  EXPECT_EQ(refused.output, "");
+  EXPECT_THAT(refused.errors,
+              AllOf(HasSubstr("the determinant takes at least "), HasSubstr("the budget is 500000"),
+                    HasSubstr("another method"), HasSubstr("--symbolic-budget")));
+  EXPECT_THAT(
+      regulus({"check", kPlanar, "regular", "--method", "closed-form", "--symbolic-budget", "20"})
+          .errors,
+      HasSubstr("the budget is 20:"));
+}
+
+TEST(Command, RefusesAClosedFormOfAMatrixThatIsNotSquare) {
+  const TemporaryDirectory folder;
+  const std::string path = (folder.path() / "redundant.toml").string();
+  std::ofstream(path) << "regulus = 1\nname = \"redundant\"\nsource = \"a test\"\n"
+                         "[pose]\nx = \"m\"\n[matrix]\nrows = [[\"x\"], [\"x + 1\"]]\n"
+                         "[motion.all]\nx = [0, 1]\n";
+  const CommandResult refused = regulus({"check", path, "--method", "closed-form"});
+  EXPECT_EQ(refused.exit_code, 64);
+  EXPECT_THAT(refused.errors, HasSubstr("2×1; only a square one has a determinant"));
 }
 
 TEST(Command, RefusesABadModelWith65AndAMissingOneWith74) {
@@ -179,11 +204,15 @@ TEST(Command, PrintsWhatTheReadmeShows) {
 
 /// Address randomisation changes the order in which GiNaC keeps terms; nothing may come of it.
 TEST(Command, EmitsTheSameBytesInTwentyProcesses) {
-  for (const auto& [model, motion] :
-       {std::pair{"robot_2", "table5_30"}, {"robot_1", "T2_errors"}, {"planar_3rpr", "circle"}}) {
+  for (const auto& [model, motion, method] : {std::tuple{"robot_2", "table5_30", "auto"},
+                                              {"robot_1", "T2_errors", "auto"},
+                                              {"planar_3rpr", "circle", "auto"},
+                                              {"robot_1", "T2_errors", "closed-form"}}) {
     const std::vector<std::string> words{
-        "explain", std::string(REGULUS_SOURCE_DIR "/models/") + model + ".toml", motion, "--stage",
-        "text"};
+        "explain", std::string(REGULUS_SOURCE_DIR "/models/") + model + ".toml",
+        motion,    "--stage",
+        "text",    "--method",
+        method};
     const std::string first = regulus(words).output;
     EXPECT_NE(first, "");
     for (int process = 1; process < 20; ++process)

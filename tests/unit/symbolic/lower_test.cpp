@@ -66,14 +66,22 @@ bool undefined(const Module& module, const std::string& function, double lo, dou
   return arithmetic.undefined();
 }
 
-constexpr const char* kMatrixFunctions[] = {"matrix", "left_product", "left_derivatives",
-                                            "right_product"};
+constexpr const char* kMatrixFunctions[] = {"matrix",           "left_product",
+                                            "left_derivatives", "right_product",
+                                            "determinant",      "determinant_derivatives"};
+
+/// Everything there is.
+Module lowered(const Model& model, const Motion& motion) {
+  FormulationOptions options;
+  options.determinant = true;
+  return lower(formulate(model, motion, options));
+}
 
 TEST(Lower, DerivativesAreUndefinedWhereTheFunctionIs) {
   // The derivative of a logarithm, 1/x, is defined for negative x as well.
   const GiNaC::realsymbol x("x");
   const Model model = model_with(x, GiNaC::log(x));
-  const Module module = lower(formulate(model, box_motion(model)));
+  const Module module = lowered(model, box_motion(model));
   for (const char* function : kMatrixFunctions) {
     EXPECT_TRUE(undefined(module, function, -2, -1)) << function;
     EXPECT_FALSE(undefined(module, function, 1, 2)) << function;
@@ -83,7 +91,7 @@ TEST(Lower, DerivativesAreUndefinedWhereTheFunctionIs) {
 TEST(Lower, TheCutOfAtan2IsUndefinedInDerivatives) {
   const GiNaC::realsymbol x("x");
   const Model model = model_with(x, GiNaC::atan2(x, GiNaC::ex(-1)));
-  const Module module = lower(formulate(model, box_motion(model)));
+  const Module module = lowered(model, box_motion(model));
   for (const char* function : kMatrixFunctions)
     EXPECT_TRUE(undefined(module, function, -1, 1)) << function;
 }
@@ -92,7 +100,7 @@ TEST(Lower, WhatCancelsInRewritingStillHasToBeDefined) {
   // (x - 1)/x - 1 + 1/x is 0 wherever it is defined.
   const GiNaC::realsymbol x("x");
   const Model model = model_with(x, 3 + (x - 1) / x * (x - 1) - 1 / x * (x * (x - 2) + 1));
-  const Module module = lower(formulate(model, box_motion(model)));
+  const Module module = lowered(model, box_motion(model));
   for (const char* function : kMatrixFunctions) {
     EXPECT_TRUE(undefined(module, function, -1, 1)) << function;
     EXPECT_FALSE(undefined(module, function, 1, 2)) << function;
@@ -103,7 +111,7 @@ TEST(Lower, WhatTheModelSaysMustBeDefinedHasToBe) {
   const GiNaC::realsymbol x("x");
   Model model = model_with(x, x + 5);
   model.must_be_defined = {GiNaC::pow(x - 1, -1), GiNaC::sqrt(x)};
-  const Module module = lower(formulate(model, box_motion(model)));
+  const Module module = lowered(model, box_motion(model));
   for (const char* function : kMatrixFunctions) {
     EXPECT_TRUE(undefined(module, function, -2, -1)) << function;
     EXPECT_TRUE(undefined(module, function, 0, 1)) << function;
@@ -119,9 +127,9 @@ TEST(Lower, WhatTheMotionSaysMustBeDefinedHasToBe) {
   motion.pose = {t + 1};
   motion.constraints = {t - 5};
   motion.must_be_defined = {GiNaC::log(t)};
-  const Module module = lower(formulate(model, motion));
-  for (const char* function :
-       {"matrix", "left_product", "left_derivatives", "right_product", "constraint", "pose"})
+  const Module module = lowered(model, motion);
+  for (const char* function : {"matrix", "left_product", "left_derivatives", "right_product",
+                               "determinant", "determinant_derivatives", "constraint", "pose"})
     EXPECT_TRUE(undefined(module, function, -2, -1)) << function;
 }
 
@@ -134,7 +142,7 @@ TEST(Lower, DefinednessIsNotEvaluatedTwice) {
 
 TEST(Lower, ModulesBecomeKernels) {
   const Model model = robot_1({0, true, false});
-  const Module module = lower(formulate(model, box_motion(model)));
+  const Module module = lowered(model, box_motion(model));
   check_module(module);
   EXPECT_EQ(module.motion_variables, 6);
   EXPECT_EQ(module.rows, 6);
