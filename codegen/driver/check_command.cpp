@@ -15,6 +15,8 @@ int run_check(const CheckCommand& command) {
   Preparation preparation = prepare(command.model, command.search);
   Settings settings = settings_from(command.search);
   settings.interrupt = &interrupt.requested();
+  for (const FilterFile& filter : preparation.filters)
+    settings.filters.push_back(&filter.interface());
   const Result result = run_search(preparation, command.search, command.output, settings);
   if (!command.output.quiet) std::cerr << text_report(preparation, command.search, result);
   if (command.output.json)

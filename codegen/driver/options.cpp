@@ -60,6 +60,16 @@ void add_method_options(CLI::App& app, std::string& method, std::uint64_t& budge
       ->capture_default_str();
 }
 
+void add_filter_option(CLI::App& app, SearchOptions& options) {
+  app.add_option(
+         "--filter", options.filters,
+         "Shared object with a regularity test of your own, tried on what the method leaves "
+         "undecided; the report names it (regulus/search/filter.h)")
+      ->take_all()
+      ->expected(1)
+      ->type_name("FILE.so");
+}
+
 void add_search_options(CLI::App& app, SearchOptions& options) {
   add_method_options(app, options.method, options.symbolic_budget);
   app.add_option("--determinant", options.determinant,
@@ -130,6 +140,7 @@ CommandLine parse_command_line(int argc, const char* const* argv) {
       app.add_subcommand("check", "Prove that a motion variety has no singular pose, or show one");
   add_model_options(*check_command, check.model);
   add_search_options(*check_command, check.search);
+  add_filter_option(*check_command, check.search);
   add_output_options(*check_command, check.output);
   check_command->footer(kExitCodes);
 
@@ -154,6 +165,8 @@ CommandLine parse_command_line(int argc, const char* const* argv) {
       ->check(CLI::IsMember({"forms", "text"}))
       ->capture_default_str();
 
+  add_method_options(*explain_command, explain.method, explain.symbolic_budget);
+
   CommandLine result;
   try {
     app.parse(argc, argv);
@@ -161,8 +174,6 @@ CommandLine parse_command_line(int argc, const char* const* argv) {
     result.exit_code = app.exit(error) == 0 ? 0 : kUsageError;
     return result;
   }
-  add_method_options(*explain_command, explain.method, explain.symbolic_budget);
-
   if (check_command->parsed()) result.check = check;
   if (locate_command->parsed()) result.locate = locate;
   if (explain_command->parsed()) result.explain = explain;

@@ -38,6 +38,7 @@ struct SearchOptions {
   Engine engine = Engine::kJit;
   std::string isa;  ///< empty: the best this CPU has
   bool use_cache = true;
+  std::vector<std::string> filters;                    ///< shared objects
   std::uint64_t max_boxes = 0;                         ///< 0: no bound
   double time_limit = 0;                               ///< seconds, 0: no bound
   std::uint64_t symbolic_budget = kDeterminantBudget;  ///< terms of a closed form

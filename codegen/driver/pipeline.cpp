@@ -126,6 +126,7 @@ Preparation prepare(const ModelOptions& model, const SearchOptions& search) {
   Preparation p;
   Stopwatch watch;
   p.request = read_request(model);
+  for (const std::string& path : search.filters) p.filters.emplace_back(path);
   p.seconds.model = watch.lap();
   const Method method = parse_method(search.method).value();
   p.formulation = formulate(p.request.model, p.request.motion,

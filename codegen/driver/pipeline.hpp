@@ -6,6 +6,7 @@
 #include <memory>
 #include <string>
 
+#include "regulus/codegen/driver/filter_file.hpp"
 #include "regulus/codegen/driver/options.hpp"
 #include "regulus/codegen/driver/variety.hpp"
 #include "regulus/codegen/emit/emitted_kernel.hpp"
@@ -59,6 +60,7 @@ struct Preparation {
   Module module;
   Variety variety;
   std::unique_ptr<LoadedKernel> kernel;
+  std::vector<FilterFile> filters;  ///< in the order of Settings::filters
   Isa isa = Isa::kPortable;
   std::string cache;       ///< "hit", "miss" or "off"
   std::string cache_note;  ///< why the cache could not be used; empty if it could

@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include <nlohmann/json.hpp>
+#include <numeric>
 
 #include "regulus/codegen/driver/report_parts.hpp"
 #include "regulus/codegen/driver/undefined.hpp"
@@ -60,6 +61,40 @@ std::string blocking_lines(const Preparation& p, const Result& result) {
   return line + undefined_lines(p, find_undefined(p, result.blocking_box));
 }
 
+std::uint64_t rests_on(const Result& result, std::size_t filter) {
+  return filter < result.filter_boxes.size() ? result.filter_boxes[filter] : 0;
+}
+
+std::string filter_lines(const Preparation& p, const Result& result) {
+  std::string lines;
+  for (std::size_t i = 0; i < p.filters.size(); ++i)
+    lines += fmt::format("filter     {} ({}): {} boxes rest on it\n", p.filters[i].name(),
+                         p.filters[i].path(), rests_on(result, i));
+  return lines;
+}
+
+Json json_filters(const Preparation& p, const Result& result) {
+  Json filters = Json::array();
+  for (std::size_t i = 0; i < p.filters.size(); ++i)
+    filters.push_back({{"path", p.filters[i].path()},
+                       {"name", p.filters[i].name()},
+                       {"sha256", p.filters[i].sha256()},
+                       {"boxes", rests_on(result, i)}});
+  return filters;
+}
+
+/// What a claim about the whole of a variety owes to tests that are not ours.
+std::string reservations(const Preparation& p, const Result& result) {
+  const std::uint64_t certified = std::accumulate(result.statistics.leaves.begin(),
+                                                  result.statistics.leaves.end(), std::uint64_t{0});
+  std::string words;
+  for (std::size_t i = 0; i < p.filters.size(); ++i)
+    if (rests_on(result, i) > 0)
+      words += fmt::format("; {} of {} boxes rest on the filter {}, which Regulus has not checked",
+                           rests_on(result, i), certified, p.filters[i].name());
+  return words;
+}
+
 }  // namespace
 
 std::string claim(const Preparation& p, const Result& result) {
@@ -72,8 +107,9 @@ std::string claim(const Preparation& p, const Result& result) {
                         uncertain);
   switch (result.verdict) {
     case Verdict::kNoSingularity:
-      return threshold ? fmt::format("|det J⁻¹| > {} for {}", short_interval(p.variety.alpha), set)
-                       : fmt::format("the {} has full rank for {}", size_words(p), set);
+      return (threshold ? fmt::format("|det J⁻¹| > {} for {}", short_interval(p.variety.alpha), set)
+                        : fmt::format("the {} has full rank for {}", size_words(p), set)) +
+             reservations(p, result);
     case Verdict::kSingularity:
       return threshold
                  ? fmt::format("the variety holds a pose with |det J⁻¹| ≤ {}",
@@ -99,6 +135,7 @@ Json json_report(const Preparation& p, const SearchOptions& search, const Result
   report["boxes"] = result.statistics.boxes;
   report["max_frontier"] = result.statistics.max_frontier;
   report["leaves"] = json_leaves(result.statistics);
+  report["filters"] = json_filters(p, result);
   report["probes"] = result.statistics.probes;
   report["bits"] = p.bits;
   report["witness"] = json_witness(p, result);
@@ -114,6 +151,7 @@ Json json_report(const Preparation& p, const SearchOptions& search, const Result
 
 std::string text_report(const Preparation& p, const SearchOptions& search, const Result& result) {
   std::string text = question_lines(p) + method_lines(p, search, result.method);
+  text += filter_lines(p, result);
   text += fmt::format("boxes      {} evaluated, at most {} waiting\n", result.statistics.boxes,
                       result.statistics.max_frontier);
   text += time_line(p.seconds) + witness_lines(p, result) + blocking_lines(p, result);

@@ -184,6 +184,11 @@ Interval Batch::row_scale(std::size_t lane) noexcept {
   return {scale_[lower_at(0, lane)], scale_[upper_at(0, lane)]};
 }
 
+const double* Batch::row_scales() noexcept {
+  if (begin(kPosed)) compute_posed();
+  return scale_;
+}
+
 void Batch::learn_from_root() noexcept { posed_everywhere_ = has_lane(certain_posed(), 0); }
 
 bool Batch::certain_above_threshold(std::size_t lane, double lower) noexcept {

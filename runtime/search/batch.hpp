@@ -50,6 +50,8 @@ class Batch {
   [[nodiscard]] Interval box(std::size_t variable, std::size_t lane) const noexcept {
     return {boxes_[lower_at(variable, lane)], boxes_[upper_at(variable, lane)]};
   }
+  /// All of them, interval layout.
+  [[nodiscard]] const double* boxes() const noexcept { return boxes_.get(); }
   [[nodiscard]] double midpoint(std::size_t variable, std::size_t lane) const noexcept {
     return midpoint_[point_at(variable, lane)];
   }
@@ -67,6 +69,8 @@ class Batch {
   [[nodiscard]] LaneMask certain_posed() noexcept;
   /// Encloses the product of the row scales.
   [[nodiscard]] Interval row_scale(std::size_t lane) noexcept;
+  /// Of all lanes, one entry, interval layout.
+  [[nodiscard]] const double* row_scales() noexcept;
   /// K·A, A·K or A in interval layout; lanes that are not defined are taken out of `lanes`.
   [[nodiscard]] const double* product(ProductForm form, LaneMask& lanes) noexcept;
   /// Encloses det A (`scaled`: det J⁻¹) over a box of a square kernel; nullopt if it is not
@@ -75,10 +79,6 @@ class Batch {
   /// Whether |det J⁻¹| > α follows from |det A| ≥ lower.
   [[nodiscard]] bool certain_above_threshold(std::size_t lane, double lower) noexcept;
 
-  // At the midpoints.
-
-  /// A is defined at the midpoint.
-  [[nodiscard]] LaneMask midpoint_defined() noexcept;
   // The determinant in closed form: one entry, interval layout; [−∞, ∞] in lanes without.
 
   /// From the kernel's `determinant` over the boxes.
@@ -88,6 +88,10 @@ class Batch {
   /// Requires  the kernel has them.
   [[nodiscard]] const double* monotone_determinant() noexcept;
 
+  // At the midpoints.
+
+  /// A is defined at the midpoint.
+  [[nodiscard]] LaneMask midpoint_defined() noexcept;
   /// A is defined at the midpoint and K was found.
   [[nodiscard]] LaneMask preconditioned() noexcept;
   /// K, n×m, point layout.
@@ -148,13 +152,13 @@ class Batch {
     kDerivatives = 1U << 12,
     kMidpointScale = 1U << 13,
     kStructured = 1U << 14,
+    kDeterminant = 1U << 15,
+    kDeterminantDerivatives = 1U << 16,
+    kMonotone = 1U << 17,
   };
   void load_variable(std::size_t variable, std::size_t lane, Interval x) noexcept;
   [[nodiscard]] bool begin(Stage stage) noexcept;
   LaneMask call(regulus_function function, const double* boxes, const double* points,
-    kDeterminant = 1U << 15,
-    kDeterminantDerivatives = 1U << 16,
-    kMonotone = 1U << 17,
                 double* out) noexcept;
   void constraints_on(const double* boxes, LaneMask& inside, LaneMask& outside) noexcept;
   void compute_posed() noexcept;
@@ -164,14 +168,14 @@ class Batch {
   void multiply_left(const double* matrix, double* out) noexcept;
   LaneMask left_product_on(const double* boxes, double* out) noexcept;
   void multiply_right() noexcept;
-  void impact_from_derivatives() noexcept;
-  void impact_from_fixing() noexcept;
-  void weigh_impact(std::size_t variable, std::size_t row, std::size_t column,
-                    const double* magnitude) noexcept;
   void compute_determinant_derivatives() noexcept;
   void load_face(bool least) noexcept;
   void narrow_on_face(bool least) noexcept;
   void impact_on_determinant() noexcept;
+  void impact_from_derivatives() noexcept;
+  void impact_from_fixing() noexcept;
+  void weigh_impact(std::size_t variable, std::size_t row, std::size_t column,
+                    const double* magnitude) noexcept;
 
   const Kernel caller_;
   const regulus_kernel& kernel_;
@@ -180,11 +184,11 @@ class Batch {
   const std::size_t splittable_;  ///< the variables 0 … splittable_ − 1 may be split
   const RowStructure& structure_;
   const bool sees_mean_values_;  ///< the method uses them and the kernel has derivatives
+  const bool sees_determinant_;  ///< the method uses its closed form
   bool posed_everywhere_ = false;
   unsigned done_ = 0;
   LaneMask loaded_ = 0;
 
-  const bool sees_determinant_;  ///< the method uses its closed form
   AlignedBuffer boxes_, thin_, thinned_, midpoint_, radius_;
   AlignedBuffer nominal_, wide_radius_;  // as boxes_ and radius_, without what touches one row only
   AlignedBuffer matrix_, midpoint_matrix_, approx_matrix_, preconditioner_;
@@ -192,14 +196,14 @@ class Batch {
   AlignedBuffer bounds_, structured_, slopes_, center_, vector_, candidate_vector_, right_perron_,
       left_perron_;
   AlignedBuffer impact_, scratch_;
+  AlignedBuffer determinant_, monotone_, determinant_slopes_, face_, face_center_;
   double approx_determinant_[kLanes] = {};
   double approx_scale_[kLanes] = {};
-  double scale_[2 * kLanes] = {};
+  alignas(64) double scale_[2 * kLanes] = {};
   LaneMask inside_ = 0, outside_ = 0, midpoint_inside_ = 0, midpoint_outside_ = 0;
-  AlignedBuffer determinant_, monotone_, determinant_slopes_, face_, face_center_;
   LaneMask posed_ = 0, matrix_defined_ = 0, left_defined_ = 0, right_defined_ = 0;
   LaneMask midpoint_defined_ = 0, preconditioned_ = 0, derivatives_defined_ = 0;
+  LaneMask determinant_slopes_defined_ = 0;
 };
 
 }  // namespace regulus
-  LaneMask determinant_slopes_defined_ = 0;

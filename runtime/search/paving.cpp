@@ -22,6 +22,7 @@ Claim claim_of(Rule rule) noexcept {
     case Rule::kWitness:
       return Claim::kSingular;
     case Rule::kBlocked:
+    case Rule::kFilter:  // what nobody has checked is no claim of ours
       return Claim::kUndecided;
     case Rule::kHMatrix:
     case Rule::kMeanValue:

@@ -70,6 +70,8 @@ std::optional<std::string> find_fault(const Problem& problem, const Settings& se
     return "the threshold is not a finite number ≥ 0";
   if (settings.batch < 1 || settings.batch > kLanes) return "the batch is not of 1 to 8 boxes";
   if (!(settings.min_relative_width >= 0.0)) return "the minimum width is negative";
+  for (const regulus_filter_interface* filter : settings.filters)
+    if (auto fault = find_fault(*filter)) return fault;
   if (kernel.rows == kernel.columns) return fault_of_method(kernel, settings.method);
   if (problem.alpha.hi > 0.0) return "a threshold needs a square matrix";
   if (settings.method != Method::kAuto)

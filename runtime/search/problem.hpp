@@ -13,6 +13,7 @@
 
 #include "regulus/interval/interval.hpp"
 #include "regulus/kernel/abi.hpp"
+#include "regulus/search/filter.hpp"
 
 namespace regulus {
 
@@ -43,8 +44,8 @@ enum class Method : std::uint8_t {
   kJkRohn,
   kKjNumeric,
   kJkNumeric,
-};
   kClosedForm,  ///< the kernel's closed form of the determinant
+};
 
 enum class Determinant : std::uint8_t { kExpansion, kElimination };
 
@@ -95,6 +96,8 @@ struct Settings {
   /// Hand the observer an enclosure of the determinant over each leaf: of A, or of J⁻¹ if α > 0.
   bool enclose_determinants = false;
   DeterminantOracle* oracle = nullptr;
+  /// Tests that are not ours, asked in this order about what ours leave undecided (filter.h).
+  std::vector<const regulus_filter_interface*> filters;
 };
 
 /// What is wrong with the problem or the settings, in words; nullopt when a search can be made.

@@ -59,6 +59,8 @@ const char* name(Rule rule) noexcept {
       return "rohn";
     case Rule::kClosedForm:
       return "closed-form";
+    case Rule::kFilter:
+      return "filter";
     case Rule::kMultiprecision:
       return "multiprecision";
     case Rule::kWitness:

@@ -38,6 +38,7 @@ enum class Rule : std::uint8_t {
   kDeterminant,     ///< interval determinant
   kRohn,            ///< vertex determinants
   kClosedForm,      ///< the determinant in closed form, or its values on faces of the box
+  kFilter,          ///< a filter vouches for it; Regulus has not checked that
   kMultiprecision,  ///< the determinant, with more bits than doubles have
   kWitness,         ///< a singularity inside the box is certified; exhaustive searches only
   kBlocked,         ///< not decided and not split any more
@@ -72,6 +73,7 @@ struct Result {
   Statistics statistics;
   /// The budget, interrupt or lack of memory that left boxes open.
   std::optional<Reason> stopped_by;
+  std::vector<std::uint64_t> filter_boxes;  ///< how many rest on each of Settings::filters
   std::optional<Witness> witness;
   std::vector<Interval> blocking_box;  ///< POSSIBLE PROBLEM: the box that stands in the way
 };

@@ -9,6 +9,7 @@
 #include "regulus/search/solver.hpp"
 
 #include <algorithm>
+#include <bit>
 #include <chrono>
 
 #include "regulus/kernel/rounding_scope.hpp"
@@ -48,6 +49,7 @@ class Search {
         current_(kLanes * problem.kernel->variables),
         half_(problem.kernel->variables),
         blocking_(problem.kernel->variables),
+        filter_boxes_(settings.filters.size()),
         keeps_uncertainty_whole_(problem.kernel->variables > problem.kernel->motion_variables &&
                                  settings.uncertainty == Uncertainty::kElements) {}
 
@@ -65,6 +67,7 @@ class Search {
   [[nodiscard]] LaneMask leave_certified(LaneMask lanes) noexcept;
   [[nodiscard]] LaneMask leave_small(LaneMask lanes) noexcept;
   [[nodiscard]] LaneMask at_minimum_width(LaneMask lanes) noexcept;
+  void count_filter(std::size_t test, LaneMask certified) noexcept;
   [[nodiscard]] std::size_t vector_order(Rule rule) const noexcept;
   void leave(std::size_t lane, Rule rule, Proof proof) noexcept;
   void leave_with_witness(std::size_t lane) noexcept;
@@ -105,6 +108,7 @@ class Search {
   Reason first_witness_reason_ = Reason::kOppositeSigns;
   Frontier frontier_;
   std::vector<Interval> current_, half_, blocking_;
+  std::vector<std::uint64_t> filter_boxes_;
   OpenBox open_[kLanes];
   BoxId next_id_ = 1;
   const bool keeps_uncertainty_whole_;
@@ -271,9 +275,10 @@ LaneMask Search::leave_outside(LaneMask lanes) noexcept {
 }
 
 LaneMask Search::leave_certified(LaneMask lanes) noexcept {
-  for (const auto& test : tests_) {
-    if (lanes == 0) break;
+  for (std::size_t t = 0; t < tests_.size() && lanes != 0; ++t) {
+    const auto& test = tests_[t];
     const LaneMask certified = test->certify(batch_, lanes) & lanes;
+    if (test->rule() == Rule::kFilter) count_filter(t, certified);
     const std::size_t order = vector_order(test->rule());
     for_each_lane(certified, [&](std::size_t lane) {
       const double* vector = order > 0 ? batch_.vector() + lane : nullptr;
@@ -282,6 +287,12 @@ LaneMask Search::leave_certified(LaneMask lanes) noexcept {
     lanes &= ~certified;
   }
   return lanes;
+}
+
+/// Filters are the last of the tests.
+void Search::count_filter(std::size_t test, LaneMask certified) noexcept {
+  const std::size_t ours = tests_.size() - filter_boxes_.size();
+  filter_boxes_[test - ours] += static_cast<std::uint64_t>(std::popcount(certified));
 }
 
 std::size_t Search::vector_order(Rule rule) const noexcept {
@@ -446,6 +457,7 @@ Result Search::conclude() {
   }
   statistics_.seconds = seconds_since(start_);
   result.statistics = statistics_;
+  result.filter_boxes = filter_boxes_;
   return result;
 }
 

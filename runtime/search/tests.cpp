@@ -116,6 +116,28 @@ class RohnTest final : public RegularityTest {
   ProductForm form_;
 };
 
+/// A test that is not ours. That J⁻¹ and the pose are defined is shown by us all the same.
+class FilterTest final : public RegularityTest {
+ public:
+  FilterTest(const regulus_filter_interface& filter, double alpha) noexcept
+      : RegularityTest(Rule::kFilter), filter_(filter), alpha_(alpha) {}
+
+  LaneMask certify(Batch& batch, LaneMask lanes) noexcept override {
+    lanes &= batch.certain_posed();
+    const double* product = batch.product({Side::kLeft, false}, lanes);
+    const double* matrix = batch.product({}, lanes);
+    if (lanes == 0) return 0;
+    const regulus_kernel& kernel = batch.kernel();
+    return call_filter(filter_, {lanes, kernel.variables, kernel.motion_variables, kernel.rows,
+                                 kernel.columns, batch.boxes(), matrix, batch.preconditioner(),
+                                 product, batch.row_scales(), alpha_});
+  }
+
+ private:
+  const regulus_filter_interface& filter_;
+  double alpha_;
+};
+
 ProductForm form_of(Method method) noexcept {
   switch (method) {
     case Method::kKj:
@@ -137,10 +159,9 @@ bool with_rohn(Method method) noexcept {
   return method == Method::kRegRohn || method == Method::kKjRohn || method == Method::kJkRohn;
 }
 
-}  // namespace
-
-TestSequence make_tests(const Problem& problem, const Settings& settings,
-                        const RowStructure& structure) {
+/// Ours, in the order of the method's name.
+TestSequence tests_of_method(const Problem& problem, const Settings& settings,
+                             const RowStructure& structure) {
   const double alpha = problem.alpha.hi;
   const regulus_kernel& kernel = *problem.kernel;
   TestSequence tests;
@@ -154,14 +175,24 @@ TestSequence make_tests(const Problem& problem, const Settings& settings,
       tests.push_back(std::make_unique<HMatrixTest>(Rule::kMeanValue, alpha));
     return tests;
   }
+  if (settings.method == Method::kClosedForm) {
+    tests.push_back(std::make_unique<ClosedFormTest>());
+    return tests;
+  }
   const ProductForm form = form_of(settings.method);
   tests.push_back(std::make_unique<DeterminantTest>(form, settings.determinant, alpha));
   if (with_rohn(settings.method) && alpha == 0.0) tests.push_back(std::make_unique<RohnTest>(form));
   return tests;
 }
 
+}  // namespace
+
+TestSequence make_tests(const Problem& problem, const Settings& settings,
+                        const RowStructure& structure) {
+  TestSequence tests = tests_of_method(problem, settings, structure);
+  for (const regulus_filter_interface* filter : settings.filters)
+    tests.push_back(std::make_unique<FilterTest>(*filter, problem.alpha.hi));
+  return tests;
+}
+
 }  // namespace regulus
-  if (settings.method == Method::kClosedForm) {
-    tests.push_back(std::make_unique<ClosedFormTest>());
-    return tests;
-  }

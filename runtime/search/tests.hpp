@@ -29,7 +29,7 @@ class RegularityTest {
 
 using TestSequence = std::vector<std::unique_ptr<RegularityTest>>;
 
-/// The tests of settings.method, in the order in which they are to be tried.
+/// The tests of settings.method in the order in which they are to be tried, then settings.filters.
 [[nodiscard]] TestSequence make_tests(const Problem& problem, const Settings& settings,
                                       const RowStructure& structure);
 

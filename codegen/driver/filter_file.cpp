@@ -1,0 +1,56 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "regulus/codegen/driver/filter_file.hpp"
+
+#include <dlfcn.h>
+
+#include <cfenv>
+#include <filesystem>
+#include <fstream>
+#include <iterator>
+
+#include "regulus/codegen/model/errors.hpp"
+#include "regulus/codegen/model/sha256.hpp"
+
+namespace regulus::codegen {
+namespace {
+
+constexpr const char* kSymbol = "regulus_filter";
+
+std::string contents(const std::string& path) {
+  std::ifstream file(path, std::ios::binary);
+  std::string bytes{std::istreambuf_iterator<char>(file), {}};
+  // A folder opens and cannot be read.
+  if (!file || std::filesystem::is_directory(path))
+    throw FileError(path + ": cannot be read as a filter");
+  return bytes;
+}
+
+/// What a file built with -ffast-math runs as it is loaded flushes subnormals to zero from then on:
+/// the floating-point environment is put back. The path is made absolute because a bare name would
+/// be looked for elsewhere.
+void* load(const std::string& path) {
+  std::fenv_t kept;
+  std::fegetenv(&kept);
+  void* const library = dlopen(std::filesystem::absolute(path).c_str(), RTLD_NOW | RTLD_LOCAL);
+  std::fesetenv(&kept);
+  return library;
+}
+
+}  // namespace
+
+void FilterFile::Close::operator()(void* library) const noexcept { dlclose(library); }
+
+FilterFile::FilterFile(const std::string& path)
+    : path_(path), sha256_(codegen::sha256(contents(path))), library_(load(path)) {
+  if (!library_)
+    throw InputError(path, 0, std::string("no shared object that loads (") + dlerror() + ")",
+                     "a shared object with " + std::string(kSymbol));
+  filter_ = static_cast<const regulus_filter_interface*>(dlsym(library_.get(), kSymbol));
+  if (filter_ == nullptr)
+    throw InputError(path, 0, "no symbol " + std::string(kSymbol),
+                     "a regulus_filter_interface of that name, see regulus/search/filter.h");
+  if (const auto fault = find_fault(*filter_))
+    throw InputError(path, 0, *fault, "an interface as regulus/search/filter.h declares it");
+}
+
+}  // namespace regulus::codegen
