@@ -1,0 +1,132 @@
+// SPDX-License-Identifier: Apache-2.0
+// Error: a bound of a minor of order k is a sum of products, each of an entry's bound and a minor's
+// bound, of which min and max choose one. These change by no more than what they choose among, so
+// by induction the computed bound differs from that of exact interval arithmetic by less than
+// ((1+u)^t − 1)·perm|A|, t = k(k+1)/2 roundings on the longest way (one product and k − 1 additions
+// a level) and u = 2^-52 (any rounding mode), apart from underflows: at most n·2^n·4 products lose
+// at most 2^-1074 each, which is multiplied on by entries of the remaining rows; with M the largest
+// magnitude, at least 1, that is below n·2^n·4·2^-1074·n!·M^n ≤ 2^-1040·M^n for n ≤ 8. An overflow
+// makes the permanent infinite or NaN, whose factor exceeds (1+u)^t at each level: no bound then.
+#include "regulus/regularity/expansion.hpp"
+
+#include <algorithm>
+#include <array>
+
+#include "regulus/interval/interval.hpp"
+#include "regulus/regularity/expansion_backend.hpp"
+#include "regulus/regularity/expansion_error.hpp"
+
+namespace regulus {
+namespace {
+
+constexpr std::size_t kMaxEntries = kMaxEightExpansion * kMaxEightExpansion;
+
+struct alignas(64) Workspace {
+  double matrix[2 * kMaxEntries * kLanes];
+  double magnitude[kMaxEntries * kLanes];
+  double bounds[2 * kLanes];
+  double permanent[kLanes];
+};
+
+using Order = std::array<unsigned char, kMaxEightExpansion>;
+
+/// Rows, or columns, from the widest to the narrowest. A choice, not a bound.
+Order by_width(const double* matrix, std::size_t n, std::size_t lane, bool rows) noexcept {
+  double width[kMaxEightExpansion] = {};
+  for (std::size_t e = 0; e < n * n; ++e)
+    width[rows ? e / n : e % n] += matrix[upper_at(e, lane)] - matrix[lower_at(e, lane)];
+  Order order;
+  for (std::size_t i = 0; i < n; ++i) order[i] = static_cast<unsigned char>(i);
+  std::sort(order.begin(), order.begin() + n, [&](unsigned char i, unsigned char k) {
+    return width[i] > width[k] || (width[i] == width[k] && i < k);
+  });
+  return order;
+}
+
+bool is_odd(const Order& order, std::size_t n) noexcept {
+  bool odd = false;
+  for (std::size_t i = 0; i < n; ++i)
+    for (std::size_t k = i + 1; k < n; ++k) odd ^= order[i] > order[k];
+  return odd;
+}
+
+/// Copies a lane with its rows in the order of their widths, or its columns as rows.
+bool arrange(const double* matrix, std::size_t n, std::size_t lane, bool rows,
+             Workspace& work) noexcept {
+  const Order order = by_width(matrix, n, lane, rows);
+  for (std::size_t i = 0; i < n; ++i)
+    for (std::size_t j = 0; j < n; ++j) {
+      const std::size_t e = rows ? order[i] * n + j : j * n + order[i];
+      work.matrix[lower_at(i * n + j, lane)] = matrix[lower_at(e, lane)];
+      work.matrix[upper_at(i * n + j, lane)] = matrix[upper_at(e, lane)];
+    }
+  return is_odd(order, n);
+}
+
+struct Determinants {
+  Interval lane[kLanes];
+};
+
+void expand(const double* matrix, std::size_t n, bool rows, const double* error, Workspace& work,
+            Determinants& determinants) noexcept {
+  bool odd[kLanes];
+  for (std::size_t lane = 0; lane < kLanes; ++lane)
+    odd[lane] = arrange(matrix, n, lane, rows, work);
+  expansion_backend().expand(work.matrix, static_cast<unsigned>(n), work.bounds);
+  for (std::size_t lane = 0; lane < kLanes; ++lane) {
+    if (!(error[lane] < kInfinity)) continue;
+    const Interval value(sub_rd(work.bounds[lane], error[lane]),
+                         add_ru(work.bounds[kLanes + lane], error[lane]));
+    // Both enclose all determinants, so they meet.
+    determinants.lane[lane] =
+        intersect(determinants.lane[lane], odd[lane] ? -value : value).value_or(kEntire);
+  }
+}
+
+void errors_ru(const double* matrix, std::size_t n, Workspace& work, double* error) noexcept {
+  for (std::size_t e = 0; e < n * n; ++e)
+    for (std::size_t lane = 0; lane < kLanes; ++lane)
+      work.magnitude[point_at(e, lane)] =
+          magnitude_of(matrix[lower_at(e, lane)], matrix[upper_at(e, lane)]);
+  expansion_backend().permanent(work.magnitude, static_cast<unsigned>(n), raise_factor(n),
+                                work.permanent);
+  for (std::size_t lane = 0; lane < kLanes; ++lane)
+    error[lane] =
+        expansion_error_ru(work.magnitude, n, lane, work.permanent[lane], n * (n + 1) / 2);
+}
+
+}  // namespace
+
+void enclose_determinants(const double* matrix, std::size_t n, double* lower,
+                          double* upper) noexcept {
+  Determinants determinants;
+  for (Interval& value : determinants.lane) value = kEntire;
+  if (n <= kMaxEightExpansion) {
+    Workspace work;
+    double error[kLanes];
+    errors_ru(matrix, n, work, error);
+    expand(matrix, n, true, error, work, determinants);
+    expand(matrix, n, false, error, work, determinants);
+  }
+  for (std::size_t lane = 0; lane < kLanes; ++lane) {
+    lower[lane] = determinants.lane[lane].lo;
+    upper[lane] = determinants.lane[lane].hi;
+  }
+}
+
+const ExpansionBackend& expansion_backend(X8Isa isa) noexcept {
+#if defined(__x86_64__)
+  if (isa == X8Isa::kAvx512) return kExpansionAvx512;
+  if (isa == X8Isa::kAvx2) return kExpansionAvx2;
+#endif
+  static_cast<void>(isa);
+  return kExpansionBaseline;
+}
+
+const ExpansionBackend& expansion_backend() noexcept {
+  for (const X8Isa isa : {X8Isa::kAvx512, X8Isa::kAvx2})
+    if (x8_available(isa)) return expansion_backend(isa);
+  return kExpansionBaseline;
+}
+
+}  // namespace regulus
