@@ -73,8 +73,9 @@ void add_filter_option(CLI::App& app, SearchOptions& options) {
 void add_search_options(CLI::App& app, SearchOptions& options) {
   add_method_options(app, options.method, options.symbolic_budget);
   app.add_option("--determinant", options.determinant,
-                 "How the determinant of an interval matrix is enclosed")
-      ->check(CLI::IsMember({"expansion", "gauss"}))
+                 "How the determinant of an interval matrix is enclosed: by expansion, by Gaussian "
+                 "elimination, or by the latter where the former decides nothing (both)")
+      ->check(CLI::IsMember({"expansion", "gauss", "both"}))
       ->capture_default_str();
   app.add_option("--bisect", options.bisect, "Which range is split")
       ->check(CLI::IsMember({"widest", "weighted", "impact"}))

@@ -32,7 +32,7 @@ struct ModelOptions {
 /// How the search runs.
 struct SearchOptions {
   std::string method = "auto";
-  std::string determinant = "expansion";
+  std::string determinant = "both";
   std::string bisect = "impact";
   std::string uncertainty = "elements";
   Engine engine = Engine::kJit;

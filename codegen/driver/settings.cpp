@@ -6,8 +6,9 @@ namespace regulus::codegen {
 Settings settings_from(const SearchOptions& options) {
   Settings settings;
   settings.method = parse_method(options.method).value();
-  settings.determinant =
-      options.determinant == "gauss" ? Determinant::kElimination : Determinant::kExpansion;
+  settings.determinant = options.determinant == "gauss"       ? Determinant::kElimination
+                         : options.determinant == "expansion" ? Determinant::kExpansion
+                                                              : Determinant::kBoth;
   settings.bisection = options.bisect == "widest"     ? Bisection::kWidest
                        : options.bisect == "weighted" ? Bisection::kWeighted
                                                       : Bisection::kImpact;

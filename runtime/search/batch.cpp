@@ -41,6 +41,7 @@ Batch::Batch(const Problem& problem, const Settings& settings, const RowStructur
       splittable_(settings.uncertainty == Uncertainty::kVariables ? kernel_.variables
                                                                   : kernel_.motion_variables),
       structure_(structure),
+      form_(form_of(settings.method)),
       sees_mean_values_(settings.method == Method::kAuto && kernel_.left_derivatives != nullptr &&
                         kernel_.left_product != nullptr),
       sees_determinant_(settings.method == Method::kClosedForm) {

@@ -29,13 +29,6 @@ constexpr void for_each_lane(LaneMask lanes, Visit&& visit) {
   return (lanes >> lane & 1U) != 0;
 }
 
-/// Which product of the matrix with K a test looks at, and whether it is the symbolic one.
-struct ProductForm {
-  enum class Side : unsigned char { kNone, kLeft, kRight };
-  Side side = Side::kNone;
-  bool numeric = false;
-};
-
 class Batch {
  public:
   Batch(const Problem& problem, const Settings& settings, const RowStructure& structure);
@@ -121,7 +114,8 @@ class Batch {
   void keep_vector(LaneMask lanes, std::size_t entries) noexcept;
   /// v of the test that certified a lane.
   [[nodiscard]] const double* vector() const noexcept { return vector_.get(); }
-  /// What each variable adds to the spectral radius of P, roughly, P being that of K·A; for the
+  /// What each variable adds to the spectral radius of |NM − I|, roughly, where M is the matrix the
+  /// method looks at and N inverts its middle: K for A itself, I for a product with K; for the
   /// method closed-form what it adds to the width of the determinant. Point layout.
   [[nodiscard]] const double* approx_impact() noexcept;
 
@@ -166,14 +160,17 @@ class Batch {
   void compute_derivatives() noexcept;
   [[nodiscard]] StructuredInput structured_input() noexcept;
   void multiply_left(const double* matrix, double* out) noexcept;
+  void multiply_right(const double* matrix, double* out) noexcept;
   LaneMask left_product_on(const double* boxes, double* out) noexcept;
-  void multiply_right() noexcept;
+  LaneMask product_on(ProductForm form, const double* boxes, double* out) noexcept;
   void compute_determinant_derivatives() noexcept;
   void load_face(bool least) noexcept;
   void narrow_on_face(bool least) noexcept;
   void impact_on_determinant() noexcept;
   void impact_from_derivatives() noexcept;
   void impact_from_fixing() noexcept;
+  void approx_distances(double* P) noexcept;
+  void weigh_rows() noexcept;
   void weigh_impact(std::size_t variable, std::size_t row, std::size_t column,
                     const double* magnitude) noexcept;
 
@@ -183,6 +180,7 @@ class Batch {
   const std::size_t variables_, rows_, columns_;
   const std::size_t splittable_;  ///< the variables 0 … splittable_ − 1 may be split
   const RowStructure& structure_;
+  const ProductForm form_;       ///< what the method looks at
   const bool sees_mean_values_;  ///< the method uses them and the kernel has derivatives
   const bool sees_determinant_;  ///< the method uses its closed form
   bool posed_everywhere_ = false;

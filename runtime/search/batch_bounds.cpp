@@ -1,9 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Bounds of |KA − I| over the boxes of a batch, and what each variable contributes to them.
-#include <algorithm>
-#include <cmath>
-#include <limits>
-
+// Bounds of |KA − I| over the boxes of a batch.
 #include "regulus/regularity/h_matrix.hpp"
 #include "regulus/search/batch.hpp"
 
@@ -78,74 +74,6 @@ double* Batch::structured_bounds() noexcept {
     fill_lane(structured_.get(), order() * order(), lane, kInfinity);
   });
   return structured_.get();
-}
-
-void Batch::weigh_impact(std::size_t variable, std::size_t row, std::size_t column,
-                         const double* magnitude) noexcept {
-  const double* v = right_perron_.get() + column * kLanes;
-  const double* y = left_perron_.get() + row * kLanes;
-  for (std::size_t lane = 0; lane < kLanes; ++lane)
-    impact_[point_at(variable, lane)] += y[lane] * magnitude[lane] * v[lane];
-}
-
-void Batch::impact_from_derivatives() noexcept {
-  compute_derivatives();
-  const std::size_t entries = columns_ * columns_;
-  for (std::size_t k = 0; k < splittable_; ++k) {
-    for (std::size_t e = 0; e < entries; ++e) {
-      double magnitude[kLanes];
-      for (std::size_t lane = 0; lane < kLanes; ++lane)
-        magnitude[lane] = std::max(std::fabs(derivatives_[lower_at(k * entries + e, lane)]),
-                                   std::fabs(derivatives_[upper_at(k * entries + e, lane)])) *
-                          radius_[point_at(k, lane)];
-      weigh_impact(k, e / columns_, e % columns_, magnitude);
-    }
-    for_each_lane(kEveryLane & ~derivatives_defined_,
-                  [&](std::size_t lane) { impact_[point_at(k, lane)] = 0.0; });
-  }
-}
-
-/// By how much the bounds shrink when one variable is fixed at its midpoint: what a test on natural
-/// entries stands to gain, true influence and overestimation alike.
-void Batch::impact_from_fixing() noexcept {
-  const std::size_t entries = columns_ * columns_;
-  std::copy_n(boxes_.get(), 2 * variables_ * kLanes, thinned_.get());
-  for (std::size_t k = 0; k < splittable_; ++k) {
-    double* range = thinned_.get() + lower_at(k, 0);
-    std::copy_n(thin_.get() + lower_at(k, 0), 2 * kLanes, range);
-    const LaneMask defined = left_product_on(thinned_.get(), scratch_.get());
-    std::copy_n(boxes_.get() + lower_at(k, 0), 2 * kLanes, range);
-    distance_to_identity_ru(scratch_.get(), columns_, center_.get());
-    for (std::size_t e = 0; e < entries; ++e) {
-      double gain[kLanes];
-      for (std::size_t lane = 0; lane < kLanes; ++lane) {
-        const double difference = bounds_[point_at(e, lane)] - center_[point_at(e, lane)];
-        gain[lane] = has_lane(defined, lane) && difference > 0.0 ? difference : 0.0;
-      }
-      weigh_impact(k, e / columns_, e % columns_, gain);
-    }
-  }
-}
-
-const double* Batch::approx_impact() noexcept {
-  if (!begin(kImpact)) return impact_.get();
-  if (sees_determinant_) {
-    impact_on_determinant();
-    return impact_.get();
-  }
-  // A copy, with a neutral matrix where nothing is known: the bounds themselves stay bounds.
-  double P[kMaxOrder * kMaxOrder * kLanes];
-  double approx_radius[kLanes];
-  const std::size_t n = order();
-  const double* bounds = is_structured() ? structured_bounds() : natural_bounds();
-  for (std::size_t e = 0; e < n * n * kLanes; ++e) P[e] = bounds[e] < kInfinity ? bounds[e] : 1.0;
-  approx_perron(P, n, right_perron_.get(), left_perron_.get(), approx_radius);
-  std::fill_n(impact_.get(), variables_ * kLanes, 0.0);
-  if (sees_mean_values_)
-    impact_from_derivatives();
-  else
-    impact_from_fixing();
-  return impact_.get();
 }
 
 }  // namespace regulus

@@ -5,21 +5,8 @@
 
 namespace regulus {
 
-namespace {
-
-/// Impact is about K·A in symbolic form, or about the determinant in closed form; for tests on
-/// other forms it may be blind to what they see.
-Bisection fitting(const Settings& settings) {
-  const bool is_seen = settings.method == Method::kAuto || settings.method == Method::kKj ||
-                       settings.method == Method::kKjRohn || settings.method == Method::kClosedForm;
-  return settings.bisection == Bisection::kImpact && !is_seen ? Bisection::kWeighted
-                                                              : settings.bisection;
-}
-
-}  // namespace
-
 Bisector::Bisector(const Problem& problem, const Settings& settings)
-    : bisection_(fitting(settings)),
+    : bisection_(settings.bisection),
       splittable_(settings.uncertainty == Uncertainty::kVariables
                       ? problem.kernel->variables
                       : problem.kernel->motion_variables) {

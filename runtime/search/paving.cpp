@@ -28,6 +28,7 @@ Claim claim_of(Rule rule) noexcept {
     case Rule::kMeanValue:
     case Rule::kStructured:
     case Rule::kDeterminant:
+    case Rule::kElimination:
     case Rule::kRohn:
     case Rule::kClosedForm:
     case Rule::kMultiprecision:

@@ -79,6 +79,28 @@ std::optional<std::string> find_fault(const Problem& problem, const Settings& se
   return std::nullopt;
 }
 
+ProductForm form_of(Method method) noexcept {
+  using Side = ProductForm::Side;
+  switch (method) {
+    case Method::kAuto:
+    case Method::kKj:
+    case Method::kKjRohn:
+      return {Side::kLeft, false};
+    case Method::kJk:
+    case Method::kJkRohn:
+      return {Side::kRight, false};
+    case Method::kKjNumeric:
+      return {Side::kLeft, true};
+    case Method::kJkNumeric:
+      return {Side::kRight, true};
+    case Method::kReg:
+    case Method::kRegRohn:
+    case Method::kClosedForm:
+      break;
+  }
+  return {Side::kNone, false};
+}
+
 const char* name(Method method) noexcept {
   for (const auto& [value, text] : kMethodNames)
     if (value == method) return text;

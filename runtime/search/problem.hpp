@@ -47,11 +47,24 @@ enum class Method : std::uint8_t {
   kClosedForm,  ///< the kernel's closed form of the determinant
 };
 
-enum class Determinant : std::uint8_t { kExpansion, kElimination };
+/// The matrix whose regularity a method looks at: A, or its product with K, and whether that is
+/// multiplied out symbolically or from the entries of A.
+struct ProductForm {
+  enum class Side : std::uint8_t { kNone, kLeft, kRight };
+  Side side = Side::kNone;
+  bool numeric = false;
+
+  friend constexpr bool operator==(const ProductForm&, const ProductForm&) = default;
+};
+
+[[nodiscard]] ProductForm form_of(Method method) noexcept;
+
+/// How the determinant of an interval matrix is bounded. kBoth: by expansion, and by elimination
+/// where that decides nothing and no stronger test follows.
+enum class Determinant : std::uint8_t { kExpansion, kElimination, kBoth };
 
 /// kWidest: largest width. kWeighted: largest width relative to the range of the variable. kImpact:
-/// largest contribution to the spectral radius of |KA − I|; methods that look at another matrix
-/// than symbolic K·A are bisected kWeighted instead.
+/// largest contribution to what keeps the matrix of the method from being certified, roughly.
 enum class Bisection : std::uint8_t { kWidest, kWeighted, kImpact };
 
 /// Whether uncertain quantities are kept whole in the matrix elements (the paper's D) or bisected
@@ -75,7 +88,7 @@ class DeterminantOracle {
 
 struct Settings {
   Method method = Method::kAuto;
-  Determinant determinant = Determinant::kExpansion;
+  Determinant determinant = Determinant::kBoth;
   Bisection bisection = Bisection::kImpact;
   Uncertainty uncertainty = Uncertainty::kElements;
   std::uint64_t max_boxes = std::numeric_limits<std::uint64_t>::max();

@@ -55,6 +55,8 @@ const char* name(Rule rule) noexcept {
       return "structured";
     case Rule::kDeterminant:
       return "determinant";
+    case Rule::kElimination:
+      return "elimination";
     case Rule::kRohn:
       return "rohn";
     case Rule::kClosedForm:

@@ -35,7 +35,8 @@ enum class Rule : std::uint8_t {
   kHMatrix,         ///< Pv < v, natural entries
   kMeanValue,       ///< Pv < v, smaller of natural and mean-value bounds
   kStructured,      ///< Tv < v, uncertain quantities by the row they touch
-  kDeterminant,     ///< interval determinant
+  kDeterminant,     ///< interval determinant, by expansion
+  kElimination,     ///< interval determinant, by elimination
   kRohn,            ///< vertex determinants
   kClosedForm,      ///< the determinant in closed form, or its values on faces of the box
   kFilter,          ///< a filter vouches for it; Regulus has not checked that

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "regulus/search/tests.hpp"
 
+#include "regulus/regularity/expansion.hpp"
 #include "regulus/regularity/h_matrix.hpp"
 #include "regulus/regularity/rohn.hpp"
 
@@ -57,17 +58,14 @@ class HMatrixTest final : public RegularityTest {
 /// An interval determinant of A, or of its product with K divided by that of K.
 class DeterminantTest final : public RegularityTest {
  public:
-  DeterminantTest(ProductForm form, Determinant determinant, double alpha) noexcept
-      : RegularityTest(Rule::kDeterminant), form_(form), determinant_(determinant), alpha_(alpha) {}
+  DeterminantTest(Rule rule, ProductForm form, double alpha) noexcept
+      : RegularityTest(rule), form_(form), alpha_(alpha) {}
 
   LaneMask certify(Batch& batch, LaneMask lanes) noexcept override {
     const double* product = batch.product(form_, lanes);
-    const std::size_t n = batch.kernel().columns;
+    const Determinants determinants = enclose(product, batch.kernel().columns, lanes);
     return above_threshold(batch, lanes, [&](std::size_t lane) {
-      const IntervalMatrix M = interval_lane(product, n, lane);
-      const double lower =
-          mig(determinant_ == Determinant::kExpansion ? enclose_determinant(M)
-                                                      : enclose_determinant_by_elimination(M));
+      const double lower = mig(determinants.of[lane]);
       // α = 0: a product is regular only if both factors are.
       if (form_.side == Side::kNone || alpha_ == 0.0) return lower;
       return div_rd(lower, mag(batch.preconditioner_determinant(lane)));
@@ -75,8 +73,27 @@ class DeterminantTest final : public RegularityTest {
   }
 
  private:
+  struct Determinants {
+    Interval of[kLanes];
+  };
+
+  [[nodiscard]] Determinants enclose(const double* matrix, std::size_t n,
+                                     LaneMask lanes) const noexcept {
+    Determinants result;
+    if (rule() == Rule::kElimination) {
+      for_each_lane(lanes, [&](std::size_t lane) {
+        result.of[lane] = enclose_determinant_by_elimination(interval_lane(matrix, n, lane));
+      });
+    } else if (lanes != 0) {
+      double lower[kLanes], upper[kLanes];
+      enclose_determinants(matrix, n, lower, upper);
+      for (std::size_t lane = 0; lane < kLanes; ++lane)
+        result.of[lane] = Interval(lower[lane], upper[lane]);
+    }
+    return result;
+  }
+
   ProductForm form_;
-  Determinant determinant_;
   double alpha_;
 };
 
@@ -138,23 +155,6 @@ class FilterTest final : public RegularityTest {
   double alpha_;
 };
 
-ProductForm form_of(Method method) noexcept {
-  switch (method) {
-    case Method::kKj:
-    case Method::kKjRohn:
-      return {Side::kLeft, false};
-    case Method::kJk:
-    case Method::kJkRohn:
-      return {Side::kRight, false};
-    case Method::kKjNumeric:
-      return {Side::kLeft, true};
-    case Method::kJkNumeric:
-      return {Side::kRight, true};
-    default:
-      return {Side::kNone, false};
-  }
-}
-
 bool with_rohn(Method method) noexcept {
   return method == Method::kRegRohn || method == Method::kKjRohn || method == Method::kJkRohn;
 }
@@ -180,8 +180,14 @@ TestSequence tests_of_method(const Problem& problem, const Settings& settings,
     return tests;
   }
   const ProductForm form = form_of(settings.method);
-  tests.push_back(std::make_unique<DeterminantTest>(form, settings.determinant, alpha));
-  if (with_rohn(settings.method) && alpha == 0.0) tests.push_back(std::make_unique<RohnTest>(form));
+  const bool rohn = with_rohn(settings.method) && alpha == 0.0;
+  if (settings.determinant != Determinant::kElimination)
+    tests.push_back(std::make_unique<DeterminantTest>(Rule::kDeterminant, form, alpha));
+  // What elimination shows regular, Rohn's test does too.
+  if (settings.determinant == Determinant::kElimination ||
+      (settings.determinant == Determinant::kBoth && !rohn))
+    tests.push_back(std::make_unique<DeterminantTest>(Rule::kElimination, form, alpha));
+  if (rohn) tests.push_back(std::make_unique<RohnTest>(form));
   return tests;
 }
 
