@@ -77,6 +77,12 @@ void add_search_options(CLI::App& app, SearchOptions& options) {
                  "elimination, or by the latter where the former decides nothing (both)")
       ->check(CLI::IsMember({"expansion", "gauss", "both"}))
       ->capture_default_str();
+  app.add_option("--entries", options.entries,
+                 "How a method of the paper encloses the entries of its matrix: as rewritten "
+                 "(natural), or sharpened by their derivatives too; "
+                 "auto: the latter for K·J^-1 and where uncertain quantities are split")
+      ->check(CLI::IsMember({"auto", "natural", "derivatives"}))
+      ->capture_default_str();
   app.add_option("--bisect", options.bisect, "Which range is split")
       ->check(CLI::IsMember({"widest", "weighted", "impact"}))
       ->capture_default_str();

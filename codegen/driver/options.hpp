@@ -33,6 +33,7 @@ struct ModelOptions {
 struct SearchOptions {
   std::string method = "auto";
   std::string determinant = "both";
+  std::string entries = "auto";
   std::string bisect = "impact";
   std::string uncertainty = "elements";
   Engine engine = Engine::kJit;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "regulus/codegen/driver/pipeline.hpp"
 
+#include "regulus/codegen/driver/settings.hpp"
 #include "regulus/codegen/emit/emit.hpp"
 #include "regulus/codegen/jit/jit.hpp"
 #include "regulus/codegen/model/errors.hpp"
@@ -111,12 +112,14 @@ Request read_request(const ModelOptions& options) {
   return request;
 }
 
-FormulationOptions functions_needed(Method method, std::uint64_t symbolic_budget) {
+FormulationOptions functions_needed(Method method, Entries entries, std::uint64_t symbolic_budget) {
+  const ProductForm form = form_of(method);
+  const bool derivatives = entries == Entries::kDerivatives;
   FormulationOptions options;
-  options.left_product =
-      method == Method::kAuto || method == Method::kKj || method == Method::kKjRohn;
-  options.derivatives = method == Method::kAuto;
-  options.right_product = method == Method::kJk || method == Method::kJkRohn;
+  options.left_product = form == ProductForm{ProductForm::Side::kLeft, false};
+  options.right_product = form == ProductForm{ProductForm::Side::kRight, false};
+  options.derivatives = options.left_product && (derivatives || method == Method::kAuto);
+  options.matrix_derivatives = derivatives && !options.left_product;
   options.determinant = method == Method::kClosedForm;
   options.determinant_budget = symbolic_budget;
   return options;
@@ -129,8 +132,9 @@ Preparation prepare(const ModelOptions& model, const SearchOptions& search) {
   for (const std::string& path : search.filters) p.filters.emplace_back(path);
   p.seconds.model = watch.lap();
   const Method method = parse_method(search.method).value();
-  p.formulation = formulate(p.request.model, p.request.motion,
-                            functions_needed(method, search.symbolic_budget));
+  p.formulation =
+      formulate(p.request.model, p.request.motion,
+                functions_needed(method, settings_from(search).entries, search.symbolic_budget));
   p.module = lower(p.formulation);
   p.variety = enclose_variety(p.request.model, p.request.motion, p.formulation);
   p.seconds.symbolic = watch.lap();
@@ -152,9 +156,9 @@ EmittedKernel emit_kernel(const Request& request, Method method, const std::stri
   EmitOptions options;
   options.command = command;
   options.source = request.model.source;
-  return emit(
-      lower(formulate(request.model, request.motion, functions_needed(method, symbolic_budget))),
-      options);
+  return emit(lower(formulate(request.model, request.motion,
+                              functions_needed(method, Entries::kNatural, symbolic_budget))),
+              options);
 }
 
 }  // namespace regulus::codegen

@@ -77,7 +77,8 @@ struct Preparation {
 
 /// Which functions a method calls; the others need not be formed or compiled.
 [[nodiscard]] FormulationOptions functions_needed(
-    Method method, std::uint64_t symbolic_budget = kDeterminantBudget);
+    Method method, Entries entries = Entries::kNatural,
+    std::uint64_t symbolic_budget = kDeterminantBudget);
 
 /// The C++ text of a request's kernel, as `check` compiles it.
 [[nodiscard]] EmittedKernel emit_kernel(const Request& request, Method method,

@@ -14,6 +14,10 @@ Settings settings_from(const SearchOptions& options) {
                                                       : Bisection::kImpact;
   settings.uncertainty =
       options.uncertainty == "variables" ? Uncertainty::kVariables : Uncertainty::kElements;
+  settings.entries = options.entries == "natural" ? Entries::kNatural
+                     : options.entries == "derivatives"
+                         ? Entries::kDerivatives
+                         : fitting_entries(settings.method, settings.uncertainty);
   if (options.max_boxes != 0) settings.max_boxes = options.max_boxes;
   if (options.time_limit != 0) settings.time_limit = options.time_limit;
   return settings;

@@ -16,9 +16,11 @@ namespace regulus::codegen {
 namespace {
 
 /// The functions of regulus_kernel in the order of its fields.
-constexpr std::array<const char*, 9> kFunctions = {
-    "matrix",     "left_product", "left_derivatives", "right_product",          "row_scale",
-    "constraint", "pose",         "determinant",      "determinant_derivatives"};
+constexpr std::array<const char*, 10> kFunctions = {"matrix",        "matrix_derivatives",
+                                                    "left_product",  "left_derivatives",
+                                                    "right_product", "row_scale",
+                                                    "constraint",    "pose",
+                                                    "determinant",   "determinant_derivatives"};
 
 std::string header(const Module& module, const EmitOptions& options, const std::string& identity) {
   const auto optional_line = [](const char* label, const std::string& text) {

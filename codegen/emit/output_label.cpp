@@ -15,6 +15,9 @@ std::string output_label(const Module& module, const Function& function, std::si
   const auto rows = static_cast<std::size_t>(module.rows);
   const auto columns = static_cast<std::size_t>(module.columns);
   if (function.name == "matrix") return entry("A", output, columns);
+  if (function.name == "matrix_derivatives")
+    return entry("∂A", output % (rows * columns), columns) + "/∂" +
+           module.variables[output / (rows * columns)];
   if (function.name == "left_product") return entry("(K·A)", output, columns);
   if (function.name == "right_product") return entry("(A·K)", output, rows);
   if (function.name == "left_derivatives")

@@ -75,8 +75,9 @@ struct Field {
   regulus_function regulus_kernel::*member;
 };
 
-constexpr std::array<Field, 9> kFields = {
+constexpr std::array<Field, 10> kFields = {
     {{"matrix", &regulus_kernel::matrix},
+     {"matrix_derivatives", &regulus_kernel::matrix_derivatives},
      {"left_product", &regulus_kernel::left_product},
      {"left_derivatives", &regulus_kernel::left_derivatives},
      {"right_product", &regulus_kernel::right_product},

@@ -20,6 +20,8 @@ long expected_outputs(const Module& module, const std::string& name) {
   const long rows = module.rows;
   const long columns = module.columns;
   if (name == "matrix") return rows * columns;
+  if (name == "matrix_derivatives")
+    return static_cast<long>(module.variables.size()) * rows * columns;
   if (name == "left_product") return columns * columns;
   if (name == "left_derivatives")
     return static_cast<long>(module.variables.size()) * columns * columns;

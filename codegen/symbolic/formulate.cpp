@@ -57,6 +57,7 @@ class Formulator {
 
   Formulation run() {
     form_matrix();
+    if (options_.matrix_derivatives) form_matrix_derivatives();
     if (options_.left_product || options_.derivatives) form_left_product();
     if (options_.right_product && result_.rows == result_.columns) form_right_product();
     if (options_.determinant) form_determinant();
@@ -81,6 +82,18 @@ class Formulator {
         result_.statistics["matrix"].push_back(
             {count_occurrences(natural), count_occurrences(form.expression), form.passes});
       }
+  }
+
+  void form_matrix_derivatives() {
+    for (const Variable& v : result_.variables) {
+      PolynomialDifferentiator by(v.name, rewriter_.atoms(), rewriter_.expander());
+      for (const Polynomial& entry : expanded_) {
+        const Rewritten form = rewriter_.best_form(by.derivative(entry));
+        result_.matrix_derivatives.push_back(form.expression);
+        result_.statistics["matrix_derivatives"].push_back(
+            {{}, count_occurrences(form.expression), form.passes});
+      }
+    }
   }
 
   /// Σ_j points[j]·A[entries[j]].

@@ -38,6 +38,7 @@ inline constexpr std::uint64_t kDeterminantBudget = 500000;
 /// Which functions to form.
 struct FormulationOptions {
   bool matrix = true;
+  bool matrix_derivatives = true;
   bool left_product = true;
   bool derivatives = true;
   bool right_product = true;
@@ -61,10 +62,11 @@ struct Formulation {
   std::vector<Variable> variables;
   int rows = 0;
   int columns = 0;
-  std::vector<Expression> matrix;            ///< A, m·n, row-major
-  std::vector<Expression> left_product;      ///< K·A, n·n
-  std::vector<Expression> left_derivatives;  ///< ∂_k(K·A), variables·n·n
-  std::vector<Expression> right_product;     ///< A·K, m·m; empty unless m = n
+  std::vector<Expression> matrix;              ///< A, m·n, row-major
+  std::vector<Expression> matrix_derivatives;  ///< ∂_kA, variables·m·n
+  std::vector<Expression> left_product;        ///< K·A, n·n
+  std::vector<Expression> left_derivatives;    ///< ∂_k(K·A), variables·n·n
+  std::vector<Expression> right_product;       ///< A·K, m·m; empty unless m = n
   std::vector<Expression> row_scale;  ///< one entry, the product of the row scales; empty if none
   std::vector<Expression> constraints;
   std::vector<Expression> pose;

@@ -126,6 +126,8 @@ Module lower(const Formulation& f) {
   const int pose = static_cast<int>(f.pose.size());
   const int m = f.rows, n = f.columns;
   builder.add({"matrix", "A", m, n, false}, f.matrix, f.must_be_defined);
+  builder.add({"matrix_derivatives", "∂A", variables * m, n, false}, f.matrix_derivatives,
+              f.must_be_defined);
   builder.add({"left_product", "(K·A)", n, n, true}, f.left_product, f.must_be_defined);
   builder.add({"left_derivatives", "∂(K·A)", variables * n, n, true}, f.left_derivatives,
               f.must_be_defined);

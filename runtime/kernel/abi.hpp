@@ -32,8 +32,9 @@ typedef struct regulus_kernel {
   unsigned rows, columns;     ///< m, n
   unsigned constraints;       ///< number of inequality constraints
   unsigned pose_parameters;
-  regulus_function matrix;            ///< A: m·n outputs
-  regulus_function left_product;      ///< K·A, K n×m: n·n outputs
+  regulus_function matrix;              ///< A: m·n outputs
+  regulus_function matrix_derivatives;  ///< ∂_kA for each variable k: variables·m·n outputs
+  regulus_function left_product;        ///< K·A, K n×m: n·n outputs
   regulus_function left_derivatives;  ///< ∂_k(K·A) for each variable k: variables·n·n outputs
   regulus_function right_product;     ///< A·K, K n×m: m·m outputs; null unless m = n
   regulus_function

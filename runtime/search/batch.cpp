@@ -29,6 +29,13 @@ void midpoints_of(const double* intervals, std::size_t entries, double* points) 
           0.5 * intervals[lower_at(e, lane)] + 0.5 * intervals[upper_at(e, lane)];
 }
 
+/// Left products have their own derivatives; the others get theirs from those of A.
+bool knows_derivatives(const regulus_kernel& kernel, ProductForm form) noexcept {
+  if (form == ProductForm{ProductForm::Side::kLeft, false} && kernel.left_product != nullptr)
+    return kernel.left_derivatives != nullptr;
+  return kernel.matrix_derivatives != nullptr;
+}
+
 }  // namespace
 
 Batch::Batch(const Problem& problem, const Settings& settings, const RowStructure& structure)
@@ -42,6 +49,8 @@ Batch::Batch(const Problem& problem, const Settings& settings, const RowStructur
                                                                   : kernel_.motion_variables),
       structure_(structure),
       form_(form_of(settings.method)),
+      sharpens_(settings.entries == Entries::kDerivatives && settings.method != Method::kAuto &&
+                settings.method != Method::kClosedForm && knows_derivatives(kernel_, form_)),
       sees_mean_values_(settings.method == Method::kAuto && kernel_.left_derivatives != nullptr &&
                         kernel_.left_product != nullptr),
       sees_determinant_(settings.method == Method::kClosedForm) {
@@ -66,7 +75,11 @@ Batch::Batch(const Problem& problem, const Settings& settings, const RowStructur
   left_numeric_ = AlignedBuffer(2 * nn);
   right_ = AlignedBuffer(2 * mm);
   right_numeric_ = AlignedBuffer(2 * mm);
-  derivatives_ = AlignedBuffer(sees_mean_values_ ? 2 * nn * variables_ : 0);
+  derivatives_ = AlignedBuffer(sees_mean_values_ || sharpens_ ? 2 * nn * variables_ : 0);
+  matrix_derivatives_ = AlignedBuffer(sharpens_ ? 2 * mn * variables_ : 0);
+  face_boxes_ = AlignedBuffer(sharpens_ ? 2 * v : 0);
+  face_points_ = AlignedBuffer(sharpens_ ? mn : 0);
+  face_entries_ = AlignedBuffer(sharpens_ ? 2 * nn : 0);
   full_derivatives_ = AlignedBuffer(structure_.empty() ? 0 : 2 * nn * variables_);
   structured_ = AlignedBuffer(structure_.empty() ? 0 : order() * order() * kLanes);
   slopes_ = AlignedBuffer(structure_.empty() ? 0 : nn * variables_);

@@ -149,6 +149,7 @@ class Batch {
     kDeterminant = 1U << 15,
     kDeterminantDerivatives = 1U << 16,
     kMonotone = 1U << 17,
+    kSharpened = 1U << 18,
   };
   void load_variable(std::size_t variable, std::size_t lane, Interval x) noexcept;
   [[nodiscard]] bool begin(Stage stage) noexcept;
@@ -158,11 +159,16 @@ class Batch {
   void compute_posed() noexcept;
   void compute_midpoint() noexcept;
   void compute_derivatives() noexcept;
+  [[nodiscard]] LaneMask derivatives_of_product() noexcept;
   [[nodiscard]] StructuredInput structured_input() noexcept;
-  void multiply_left(const double* matrix, double* out) noexcept;
-  void multiply_right(const double* matrix, double* out) noexcept;
-  LaneMask left_product_on(const double* boxes, double* out) noexcept;
-  LaneMask product_on(ProductForm form, const double* boxes, double* out) noexcept;
+  void multiply_left(const double* matrix, const double* K, double* out) const noexcept;
+  void multiply_right(const double* matrix, const double* K, double* out) const noexcept;
+  LaneMask product_on(const double* boxes, const double* K, double* out) noexcept;
+  double* computed_product(ProductForm form, LaneMask& lanes) noexcept;
+  void sharpen(double* entries, LaneMask lanes) noexcept;
+  void intersect_with_mean_value(double* entries, LaneMask lanes) noexcept;
+  void intersect_with_faces(double* entries, LaneMask lanes) noexcept;
+  friend class FaceEvaluation;
   void compute_determinant_derivatives() noexcept;
   void load_face(bool least) noexcept;
   void narrow_on_face(bool least) noexcept;
@@ -181,6 +187,7 @@ class Batch {
   const std::size_t splittable_;  ///< the variables 0 … splittable_ − 1 may be split
   const RowStructure& structure_;
   const ProductForm form_;       ///< what the method looks at
+  const bool sharpens_;          ///< the entries of that, by their derivatives
   const bool sees_mean_values_;  ///< the method uses them and the kernel has derivatives
   const bool sees_determinant_;  ///< the method uses its closed form
   bool posed_everywhere_ = false;
@@ -193,6 +200,7 @@ class Batch {
   AlignedBuffer left_, right_, left_numeric_, right_numeric_, derivatives_, full_derivatives_;
   AlignedBuffer bounds_, structured_, slopes_, center_, vector_, candidate_vector_, right_perron_,
       left_perron_;
+  AlignedBuffer face_boxes_, face_points_, face_entries_, matrix_derivatives_;
   AlignedBuffer impact_, scratch_;
   AlignedBuffer determinant_, monotone_, determinant_slopes_, face_, face_center_;
   double approx_determinant_[kLanes] = {};

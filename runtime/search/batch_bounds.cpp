@@ -17,7 +17,7 @@ double* Batch::natural_bounds() noexcept {
   LaneMask defined = preconditioned();
   const double* entries = left_.get();
   if (is_structured())
-    defined &= left_product_on(nominal_.get(), left_.get());
+    defined &= product_on(nominal_.get(), preconditioner(), left_.get());
   else
     entries = product({ProductForm::Side::kLeft, false}, defined);
   distance_to_identity_ru(entries, columns_, bounds_.get());
@@ -25,13 +25,6 @@ double* Batch::natural_bounds() noexcept {
     fill_lane(bounds_.get(), columns_ * columns_, lane, kInfinity);
   });
   return bounds_.get();
-}
-
-void Batch::compute_derivatives() noexcept {
-  if (!begin(kDerivatives)) return;
-  derivatives_defined_ =
-      call(kernel_.left_derivatives, nominal_.get(), preconditioner(), derivatives_.get()) &
-      preconditioned();
 }
 
 double* Batch::mean_value_bounds() noexcept {

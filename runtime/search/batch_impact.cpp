@@ -48,7 +48,7 @@ void Batch::impact_from_fixing() noexcept {
   for (std::size_t k = 0; k < splittable_; ++k) {
     double* range = thinned_.get() + lower_at(k, 0);
     std::copy_n(thin_.get() + lower_at(k, 0), 2 * kLanes, range);
-    const LaneMask defined = known & product_on(form_, thinned_.get(), scratch_.get());
+    const LaneMask defined = known & product_on(thinned_.get(), preconditioner(), scratch_.get());
     std::copy_n(boxes_.get() + lower_at(k, 0), 2 * kLanes, range);
     for (std::size_t e = 0; e < entries; ++e) {
       double gain[kLanes];
@@ -116,7 +116,7 @@ const double* Batch::approx_impact() noexcept {
   approx_perron(P, order(), right_perron_.get(), left_perron_.get(), approx_radius);
   if (form_.side == ProductForm::Side::kNone) weigh_rows();
   std::fill_n(impact_.get(), variables_ * kLanes, 0.0);
-  if (sees_mean_values_)
+  if (sees_mean_values_ || sharpens_)
     impact_from_derivatives();
   else
     impact_from_fixing();

@@ -7,6 +7,15 @@
 namespace regulus {
 namespace {
 
+using Side = ProductForm::Side;
+
+/// The kernel's function for a product with K; null for A, for numeric products and where the
+/// kernel has none.
+regulus_function symbolic_product(const regulus_kernel& kernel, ProductForm form) noexcept {
+  if (form.side == Side::kNone || form.numeric) return nullptr;
+  return form.side == Side::kLeft ? kernel.left_product : kernel.right_product;
+}
+
 /// Σ kₚ·mₚ for eight lanes of points kₚ and intervals mₚ, bounded outward at the end.
 ///
 /// Rounding  The bound of a product is one of k·lo and k·hi, rounded; with t terms and u = 2^-52
@@ -44,8 +53,7 @@ class ProductSum {
 
 }  // namespace
 
-void Batch::multiply_left(const double* matrix, double* out) noexcept {
-  const double* K = preconditioner();
+void Batch::multiply_left(const double* matrix, const double* K, double* out) const noexcept {
   for (std::size_t i = 0; i < columns_; ++i)
     for (std::size_t j = 0; j < columns_; ++j) {
       ProductSum sum;
@@ -58,8 +66,7 @@ void Batch::multiply_left(const double* matrix, double* out) noexcept {
     }
 }
 
-void Batch::multiply_right(const double* matrix, double* out) noexcept {
-  const double* K = preconditioner();
+void Batch::multiply_right(const double* matrix, const double* K, double* out) const noexcept {
   for (std::size_t i = 0; i < rows_; ++i)
     for (std::size_t j = 0; j < rows_; ++j) {
       ProductSum sum;
@@ -72,49 +79,43 @@ void Batch::multiply_right(const double* matrix, double* out) noexcept {
     }
 }
 
-LaneMask Batch::left_product_on(const double* boxes, double* out) noexcept {
-  return product_on({ProductForm::Side::kLeft, false}, boxes, out);
-}
-
-/// As product(), on any eight boxes with the K of this batch.
-LaneMask Batch::product_on(ProductForm form, const double* boxes, double* out) noexcept {
-  using Side = ProductForm::Side;
-  if (form.side == Side::kNone) return call(kernel_.matrix, boxes, nullptr, out);
-  const regulus_function symbolic =
-      form.side == Side::kLeft ? kernel_.left_product : kernel_.right_product;
-  if (!form.numeric && symbolic != nullptr) return call(symbolic, boxes, preconditioner(), out);
+/// The matrix that the method looks at, on any eight boxes and with any K.
+LaneMask Batch::product_on(const double* boxes, const double* K, double* out) noexcept {
+  if (form_.side == Side::kNone) return call(kernel_.matrix, boxes, nullptr, out);
+  if (const regulus_function symbolic = symbolic_product(kernel_, form_))
+    return call(symbolic, boxes, K, out);
   const LaneMask defined = call(kernel_.matrix, boxes, nullptr, midpoint_matrix_.get());
-  if (form.side == Side::kLeft)
-    multiply_left(midpoint_matrix_.get(), out);
-  else
-    multiply_right(midpoint_matrix_.get(), out);
+  form_.side == Side::kLeft ? multiply_left(midpoint_matrix_.get(), K, out)
+                            : multiply_right(midpoint_matrix_.get(), K, out);
   return defined;
 }
 
-const double* Batch::product(ProductForm form, LaneMask& lanes) noexcept {
-  using Side = ProductForm::Side;
+double* Batch::computed_product(ProductForm form, LaneMask& lanes) noexcept {
   if (form.side != Side::kNone) lanes &= preconditioned();
-  if (form.side == Side::kLeft && !form.numeric && kernel_.left_product != nullptr) {
-    if (begin(kLeft))
-      left_defined_ = call(kernel_.left_product, boxes_.get(), preconditioner(), left_.get());
-    lanes &= left_defined_ & loaded_;
-    return left_.get();
-  }
-  if (form.side == Side::kRight && !form.numeric && kernel_.right_product != nullptr) {
-    if (begin(kRight))
-      right_defined_ = call(kernel_.right_product, boxes_.get(), preconditioner(), right_.get());
-    lanes &= right_defined_ & loaded_;
-    return right_.get();
+  const bool left = form.side == Side::kLeft;
+  if (const regulus_function symbolic = symbolic_product(kernel_, form)) {
+    AlignedBuffer& out = left ? left_ : right_;
+    LaneMask& defined = left ? left_defined_ : right_defined_;
+    if (begin(left ? kLeft : kRight))
+      defined = call(symbolic, boxes_.get(), preconditioner(), out.get());
+    lanes &= defined & loaded_;
+    return out.get();
   }
   if (begin(kMatrix)) matrix_defined_ = call(kernel_.matrix, boxes_.get(), nullptr, matrix_.get());
   lanes &= matrix_defined_ & loaded_;
   if (form.side == Side::kNone) return matrix_.get();
-  if (form.side == Side::kLeft) {
-    if (begin(kLeftNumeric)) multiply_left(matrix_.get(), left_numeric_.get());
+  if (left) {
+    if (begin(kLeftNumeric)) multiply_left(matrix_.get(), preconditioner(), left_numeric_.get());
     return left_numeric_.get();
   }
-  if (begin(kRightNumeric)) multiply_right(matrix_.get(), right_numeric_.get());
+  if (begin(kRightNumeric)) multiply_right(matrix_.get(), preconditioner(), right_numeric_.get());
   return right_numeric_.get();
+}
+
+const double* Batch::product(ProductForm form, LaneMask& lanes) noexcept {
+  double* entries = computed_product(form, lanes);
+  if (sharpens_ && form == form_ && begin(kSharpened)) sharpen(entries, lanes);
+  return entries;
 }
 
 }  // namespace regulus

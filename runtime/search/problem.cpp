@@ -101,6 +101,12 @@ ProductForm form_of(Method method) noexcept {
   return {Side::kNone, false};
 }
 
+Entries fitting_entries(Method method, Uncertainty uncertainty) noexcept {
+  if (method == Method::kAuto || method == Method::kClosedForm) return Entries::kNatural;
+  const bool left = form_of(method).side == ProductForm::Side::kLeft;
+  return left || uncertainty == Uncertainty::kVariables ? Entries::kDerivatives : Entries::kNatural;
+}
+
 const char* name(Method method) noexcept {
   for (const auto& [value, text] : kMethodNames)
     if (value == method) return text;

@@ -63,13 +63,23 @@ struct ProductForm {
 /// where that decides nothing and no stronger test follows.
 enum class Determinant : std::uint8_t { kExpansion, kElimination, kBoth };
 
-/// kWidest: largest width. kWeighted: largest width relative to the range of the variable. kImpact:
-/// largest contribution to what keeps the matrix of the method from being certified, roughly.
-enum class Bisection : std::uint8_t { kWidest, kWeighted, kImpact };
-
 /// Whether uncertain quantities are kept whole in the matrix elements (the paper's D) or bisected
 /// like motion parameters (V).
 enum class Uncertainty : std::uint8_t { kElements, kVariables };
+
+/// How the entries of the matrix that a method of the paper looks at are enclosed. kNatural: by the
+/// rewritten expressions. kDerivatives: by these, by the mean-value form, and by the values at the
+/// ends of the ranges of the variables in which an entry is monotone. kAuto bounds them in its own
+/// way.
+enum class Entries : std::uint8_t { kNatural, kDerivatives };
+
+/// What costs the least time on the paper's tables: derivatives for K·A, and for every method where
+/// uncertain quantities are split.
+[[nodiscard]] Entries fitting_entries(Method method, Uncertainty uncertainty) noexcept;
+
+/// kWidest: largest width. kWeighted: largest width relative to the range of the variable. kImpact:
+/// largest contribution to what keeps the matrix of the method from being certified, roughly.
+enum class Bisection : std::uint8_t { kWidest, kWeighted, kImpact };
 
 /// Asks for the determinant with more digits than doubles have, at a point or over a box that is
 /// too narrow to split.
@@ -89,6 +99,7 @@ class DeterminantOracle {
 struct Settings {
   Method method = Method::kAuto;
   Determinant determinant = Determinant::kBoth;
+  Entries entries = Entries::kNatural;
   Bisection bisection = Bisection::kImpact;
   Uncertainty uncertainty = Uncertainty::kElements;
   std::uint64_t max_boxes = std::numeric_limits<std::uint64_t>::max();

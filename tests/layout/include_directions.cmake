@@ -6,7 +6,7 @@ cmake_minimum_required(VERSION 3.25)
 
 set(runtime_interval   interval interval/elementary)
 set(runtime_kernel     interval kernel)
-set(runtime_regularity interval regularity)
+set(runtime_regularity interval interval/elementary regularity)
 set(runtime_search     interval kernel regularity search)
 set(codegen_program    interval kernel codegen/program)
 set(codegen_model      codegen/model)

@@ -31,9 +31,9 @@ class FixtureKernel {
   [[nodiscard]] virtual Values matrix(const Values& x) const = 0;
   [[nodiscard]] virtual Values left_product(const Values& x, std::span<const double> K) const;
   [[nodiscard]] virtual Values right_product(const Values& x, std::span<const double> K) const;
-  [[nodiscard]] virtual Values left_derivatives(const Values&, std::span<const double>) const {
-    return {};
-  }
+  /// ∂_kA for each variable k, one after the other; what enable_derivatives needs.
+  [[nodiscard]] virtual Values matrix_derivatives(const Values&) const { return {}; }
+  [[nodiscard]] virtual Values left_derivatives(const Values& x, std::span<const double> K) const;
   [[nodiscard]] virtual Values row_scale(const Values&) const { return {}; }
   [[nodiscard]] virtual Values constraint(const Values&) const { return {}; }
   [[nodiscard]] virtual Values determinant(const Values&) const { return {}; }
@@ -115,6 +115,7 @@ inline FixtureKernel::FixtureKernel(unsigned variables, unsigned motion_variable
 }
 
 inline void FixtureKernel::enable_derivatives() {
+  kernel_.matrix_derivatives = detail::plain<&FixtureKernel::matrix_derivatives>;
   kernel_.left_derivatives = detail::with_points<&FixtureKernel::left_derivatives>;
 }
 inline void FixtureKernel::enable_row_scale() {
@@ -138,6 +139,20 @@ inline Values FixtureKernel::left_product(const Values& x, std::span<const doubl
   for (std::size_t i = 0; i < n; ++i)
     for (std::size_t j = 0; j < n; ++j)
       for (std::size_t p = 0; p < m; ++p) out[i * n + j] += Interval(K[i * m + p]) * A[p * n + j];
+  return out;
+}
+
+inline Values FixtureKernel::left_derivatives(const Values& x, std::span<const double> K) const {
+  const Values D = matrix_derivatives(x);
+  const std::size_t m = kernel_.rows, n = kernel_.columns;
+  Values out;
+  for (std::size_t k = 0; k < kernel_.variables; ++k)
+    for (std::size_t i = 0; i < n; ++i)
+      for (std::size_t j = 0; j < n; ++j) {
+        Interval sum(0.0);
+        for (std::size_t p = 0; p < m; ++p) sum += Interval(K[i * m + p]) * D[(k * m + p) * n + j];
+        out.push_back(sum);
+      }
   return out;
 }
 

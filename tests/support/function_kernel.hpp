@@ -63,20 +63,7 @@ class FunctionKernel : public FixtureKernel {
     return determinant_derivatives_(x);
   }
   Values pose(const Values& x) const override { return pose_ ? pose_(x) : FixtureKernel::pose(x); }
-  Values left_derivatives(const Values& x, std::span<const double> K) const override {
-    const Values D = derivatives_(x);
-    const std::size_t m = get()->rows, n = get()->columns;
-    Values out;
-    for (std::size_t k = 0; k < get()->variables; ++k)
-      for (std::size_t i = 0; i < n; ++i)
-        for (std::size_t j = 0; j < n; ++j) {
-          Interval sum(0.0);
-          for (std::size_t p = 0; p < m; ++p)
-            sum += Interval(K[i * m + p]) * D[(k * m + p) * n + j];
-          out.push_back(sum);
-        }
-    return out;
-  }
+  Values matrix_derivatives(const Values& x) const override { return derivatives_(x); }
 
  private:
   Function matrix_, derivatives_, scale_, constraint_, pose_, determinant_,

@@ -56,6 +56,12 @@ class GoughKernel : public FixtureKernel {
     return combine(values(x), K);
   }
 
+  Values matrix_derivatives(const Values& x) const override {
+    std::vector<double> identity(36, 0.0);
+    for (std::size_t i = 0; i < 6; ++i) identity[7 * i] = 1.0;
+    return left_derivatives(x, identity);
+  }
+
   Values left_derivatives(const Values& x, std::span<const double> K) const override {
     Values out;
     for (std::size_t k = 0; k < 6; ++k) {

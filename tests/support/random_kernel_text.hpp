@@ -92,7 +92,8 @@ class RandomKernelText {
         "  return undefined;\n}\n}  // namespace\nextern \"C\" {\nextern const regulus_kernel " +
         kRandomKernelSymbol + ";\nconst regulus_kernel " + kRandomKernelSymbol +
         " = {REGULUS_KERNEL_ABI, kRounding, 6, 6, 6, 6, 0, 0, matrix, nullptr, nullptr,\n"
-        "    nullptr, nullptr, nullptr, nullptr, nullptr, nullptr, nullptr, \"random\"};\n}\n";
+        "    nullptr, nullptr, nullptr, nullptr, nullptr, nullptr, nullptr, nullptr, "
+        "\"random\"};\n}\n";
   }
 
   int number(int below) { return static_cast<int>(random_() % static_cast<std::uint64_t>(below)); }

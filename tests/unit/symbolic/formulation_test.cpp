@@ -67,6 +67,9 @@ void expect_exact_derivatives(const Formulation& f) {
     Differentiator by(f.variables[v].name);
     std::vector<cl_RA> slopes;
     for (const Expression& e : f.natural_matrix) slopes.push_back(values(by.derivative(e)));
+    for (std::size_t e = 0; e < slopes.size(); ++e)
+      EXPECT_EQ(values(f.matrix_derivatives[v * slopes.size() + e]), slopes[e])
+          << f.variables[v].name << " " << e;
     for (int r = 0; r < f.columns; ++r)
       for (int c = 0; c < f.columns; ++c) {
         cl_RA expected = 0;

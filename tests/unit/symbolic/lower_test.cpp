@@ -66,9 +66,9 @@ bool undefined(const Module& module, const std::string& function, double lo, dou
   return arithmetic.undefined();
 }
 
-constexpr const char* kMatrixFunctions[] = {"matrix",           "left_product",
-                                            "left_derivatives", "right_product",
-                                            "determinant",      "determinant_derivatives"};
+constexpr const char* kMatrixFunctions[] = {
+    "matrix",        "matrix_derivatives", "left_product",           "left_derivatives",
+    "right_product", "determinant",        "determinant_derivatives"};
 
 /// Everything there is.
 Module lowered(const Model& model, const Motion& motion) {
