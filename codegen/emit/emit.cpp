@@ -7,6 +7,7 @@
 
 #include "regulus/codegen/emit/comment.hpp"
 #include "regulus/codegen/emit/function_writer.hpp"
+#include "regulus/codegen/emit/literal.hpp"
 #include "regulus/codegen/emit/manifest.hpp"
 #include "regulus/codegen/emit/names.hpp"
 #include "regulus/codegen/program/module_check.hpp"
@@ -53,6 +54,51 @@ bool is_present(const Module& module, const char* name) {
   return function != nullptr && !function->program.outputs.empty();
 }
 
+std::string list_of(const Function& function) {
+  std::string text = "const regulus_derivative " + function.name + "_list[] = {\n";
+  for (const DerivativeIndex& d : function.derivatives)
+    text +=
+        "    {" + std::to_string(d.row) + ", " + std::to_string(d.column) + ", " +
+        std::to_string(d.first) + ", " +
+        (d.second == DerivativeIndex::kNone ? "REGULUS_FIRST_ORDER" : std::to_string(d.second)) +
+        "},\n";
+  return text + "};\n";
+}
+
+std::string derivatives_field(const Module& module, const std::string& function, const char* name) {
+  if (!is_present(module, function.c_str())) return field("{nullptr, nullptr, 0}", name);
+  const std::size_t count = module.find(function)->derivatives.size();
+  return field("{" + function + ", " + function + "_list, " + std::to_string(count) + "}", name);
+}
+
+/// The lists of the expansion's functions, then the table itself.
+std::string expansion_table(const Module& module) {
+  if (!module.expansion) return "";
+  const Expansion& expansion = *module.expansion;
+  std::string text;
+  const std::string listed[] = {expansion.first, "expansion_second", "row_first", "row_second"};
+  for (const std::string& name : listed)
+    if (is_present(module, name.c_str())) text += list_of(*module.find(name));
+  text += "const int row_of_variable[] = {";
+  for (const int row : expansion.row_of_variable) text += std::to_string(row) + ", ";
+  text += "};\n";
+  if (!expansion.nominal.empty()) {
+    text += "const double nominal[] = {\n";
+    for (const Interval& x : expansion.nominal)
+      text += "    " + literal(x.lo) + ", " + literal(x.hi) + ",\n";
+    text += "};\n";
+  }
+  text += "const regulus_expansion expansion = {\n";
+  text += field("row_of_variable", "row_of_variable");
+  text += field(expansion.nominal.empty() ? "nullptr" : "nominal", "nominal");
+  text += field(expansion.product, "product");
+  text += derivatives_field(module, expansion.first, "first");
+  text += derivatives_field(module, "expansion_second", "second");
+  text += derivatives_field(module, "row_first", "row_first");
+  text += derivatives_field(module, "row_second", "row_second");
+  return text + "};\n\n";
+}
+
 std::string kernel_table(const Module& module, const std::string& symbol,
                          const std::string& identity) {
   std::string text = "extern \"C\" {\nextern const regulus_kernel " + symbol +
@@ -66,6 +112,7 @@ std::string kernel_table(const Module& module, const std::string& symbol,
   text += field(std::to_string(module.pose_parameters), "pose_parameters");
   for (const char* name : kFunctions)
     text += field(is_present(module, name) ? name : "nullptr", name);
+  text += field(module.expansion ? "&expansion" : "nullptr", "expansion");
   text += field("nullptr", "context") + field("\"" + identity + "\"", "identity");
   return text + "};\n}\n";
 }
@@ -87,6 +134,7 @@ EmittedKernel emit(const Module& module, const EmitOptions& options) {
     if (!function.program.outputs.empty())
       kernel.source += write_function(module, function, plans.back()) + "\n";
   }
+  kernel.source += expansion_table(module);
   kernel.source += "}  // namespace\n\n" + kernel_table(module, kernel.symbol, kernel.identity);
   if (options.manifest) kernel.manifest = write_manifest(module, options, kernel, plans);
   return kernel;

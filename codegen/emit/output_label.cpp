@@ -25,6 +25,16 @@ std::string output_label(const Module& module, const Function& function, std::si
            module.variables[output / (columns * columns)];
   if (function.name == "determinant") return "det A";
   if (function.name == "determinant_derivatives") return "∂ det A/∂" + module.variables[output];
+  if (function.name == "nominal_product") return entry("(K·A)", output, columns);
+  if (!function.derivatives.empty()) {
+    const DerivativeIndex& d = function.derivatives[output];
+    const bool of_row = function.name == "row_first" || function.name == "row_second";
+    std::string by = "/∂" + module.variables[static_cast<std::size_t>(d.first)];
+    if (d.second != DerivativeIndex::kNone)
+      by += "∂" + module.variables[static_cast<std::size_t>(d.second)];
+    return std::string(of_row ? "∂A[" : "∂(K·A)[") + std::to_string(d.row) + "][" +
+           std::to_string(d.column) + "]" + by;
+  }
   if (function.name == "row_scale") return "product of the row scales";
   return function.name + "[" + std::to_string(output) + "]";
 }

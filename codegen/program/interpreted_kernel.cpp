@@ -75,7 +75,8 @@ struct Field {
   regulus_function regulus_kernel::*member;
 };
 
-constexpr std::array<Field, 10> kFields = {
+// Functions of the expansion have no field of their own in regulus_kernel.
+constexpr std::array<Field, 15> kFields = {
     {{"matrix", &regulus_kernel::matrix},
      {"matrix_derivatives", &regulus_kernel::matrix_derivatives},
      {"left_product", &regulus_kernel::left_product},
@@ -85,7 +86,12 @@ constexpr std::array<Field, 10> kFields = {
      {"constraint", &regulus_kernel::constraint},
      {"pose", &regulus_kernel::pose},
      {"determinant", &regulus_kernel::determinant},
-     {"determinant_derivatives", &regulus_kernel::determinant_derivatives}}};
+     {"determinant_derivatives", &regulus_kernel::determinant_derivatives},
+     {"nominal_product", nullptr},
+     {"nominal_first", nullptr},
+     {"expansion_second", nullptr},
+     {"row_first", nullptr},
+     {"row_second", nullptr}}};
 
 using PreparedFunctions = std::array<PreparedFunction, kFields.size()>;
 
@@ -107,10 +113,59 @@ constexpr std::array<regulus_function, kFields.size()> make_callers(std::index_s
 
 constexpr auto kCallers = make_callers(std::make_index_sequence<kFields.size()>());
 
+/// A function's list of derivatives, as the ABI wants it.
+std::vector<regulus_derivative> derivative_list(const Function& function) {
+  std::vector<regulus_derivative> list;
+  for (const DerivativeIndex& d : function.derivatives)
+    list.push_back({static_cast<unsigned>(d.row), static_cast<unsigned>(d.column),
+                    static_cast<unsigned>(d.first),
+                    d.second == DerivativeIndex::kNone ? unsigned{REGULUS_FIRST_ORDER}
+                                                       : static_cast<unsigned>(d.second)});
+  return list;
+}
+
+/// regulus_expansion and the arrays it points to.
+class InterpretedExpansion {
+ public:
+  void fill(const Module& module) {
+    const Expansion& expansion = *module.expansion;
+    rows_ = expansion.row_of_variable;
+    for (const Interval& x : expansion.nominal) nominal_.insert(nominal_.end(), {x.lo, x.hi});
+    table_.row_of_variable = rows_.data();
+    table_.nominal = nominal_.empty() ? nullptr : nominal_.data();
+    table_.product = kCallers[index_of(expansion.product)];
+    table_.first = derivatives(module, expansion.first, 0);
+    table_.second = derivatives(module, "expansion_second", 1);
+    table_.row_first = derivatives(module, "row_first", 2);
+    table_.row_second = derivatives(module, "row_second", 3);
+  }
+  [[nodiscard]] const regulus_expansion* table() const noexcept { return &table_; }
+
+ private:
+  static std::size_t index_of(const std::string& name) {
+    std::size_t i = 0;
+    while (name != kFields[i].name) ++i;
+    return i;
+  }
+  regulus_derivatives derivatives(const Module& module, const std::string& name, std::size_t list) {
+    const Function* function = module.find(name);
+    if (function == nullptr || function->program.outputs.empty()) return {nullptr, nullptr, 0};
+    lists_[list] = derivative_list(*function);
+    return {kCallers[index_of(name)], lists_[list].data(),
+            static_cast<unsigned>(lists_[list].size())};
+  }
+
+  std::vector<int> rows_;
+  std::vector<double> nominal_;
+  std::array<std::vector<regulus_derivative>, 4> lists_;
+  regulus_expansion table_{};
+};
+
 }  // namespace
 
 struct InterpretedKernel::State {
   PreparedFunctions functions;
+  InterpretedExpansion expansion;
   std::string identity;
   regulus_kernel kernel{};
 };
@@ -133,7 +188,11 @@ InterpretedKernel::InterpretedKernel(const Module& module) : state_(std::make_un
     const Function* function = module.find(kFields[i].name);
     if (function == nullptr || function->program.outputs.empty()) continue;
     state_->functions[i] = {function->program, enclose_constant_nodes(function->program)};
-    kernel.*kFields[i].member = kCallers[i];
+    if (kFields[i].member != nullptr) kernel.*kFields[i].member = kCallers[i];
+  }
+  if (module.expansion) {
+    state_->expansion.fill(module);
+    kernel.expansion = state_->expansion.table();
   }
 }
 

@@ -2,12 +2,24 @@
 // All functions of one model over one motion variety: what becomes a kernel.
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "regulus/codegen/program/program.hpp"
+#include "regulus/interval/interval.hpp"
 
 namespace regulus::codegen {
+
+/// A derivative of a matrix entry by variables, counted from 0; `second` is kNone for a first
+/// derivative.
+struct DerivativeIndex {
+  static constexpr int kNone = -1;
+  int row = 0;
+  int column = 0;
+  int first = 0;
+  int second = kNone;
+};
 
 /// One function of a kernel. `name` is its field in regulus_kernel (regulus/kernel/abi.hpp).
 struct Function {
@@ -16,7 +28,17 @@ struct Function {
   Program program;
   int rows = 1;  ///< shape of the outputs, row-major
   int columns = 1;
-  std::vector<std::string> output_comments;  ///< per output, or empty: occurrences, form
+  std::vector<std::string> output_comments;       ///< per output, or empty: occurrences, form
+  std::vector<DerivativeIndex> derivatives = {};  ///< per output, where outputs are derivatives
+};
+
+/// What regulus_expansion says besides its functions expansion_second, row_first, row_second.
+struct Expansion {
+  static constexpr int kNoRow = -1;
+  std::string product;               ///< name of the function that is K·A at ū
+  std::string first;                 ///< of the function that is its derivatives
+  std::vector<int> row_of_variable;  ///< or kNoRow
+  std::vector<Interval> nominal;     ///< per variable, or empty
 };
 
 struct Module {
@@ -29,6 +51,7 @@ struct Module {
   int constraints = 0;
   int pose_parameters = 0;
   std::vector<Function> functions;
+  std::optional<Expansion> expansion = {};
 
   [[nodiscard]] const Function* find(const std::string& name) const {
     for (const Function& f : functions)

@@ -15,8 +15,14 @@ void require(bool condition, const Function& function, const char* reason) {
   if (!condition) refuse(function, reason);
 }
 
+bool lists_derivatives(const std::string& name) {
+  return name == "nominal_first" || name == "expansion_second" || name == "row_first" ||
+         name == "row_second";
+}
+
 /// How many outputs the ABI gives the function; −1 for a name it does not know.
-long expected_outputs(const Module& module, const std::string& name) {
+long expected_outputs(const Module& module, const Function& function) {
+  const std::string& name = function.name;
   const long rows = module.rows;
   const long columns = module.columns;
   if (name == "matrix") return rows * columns;
@@ -31,6 +37,8 @@ long expected_outputs(const Module& module, const std::string& name) {
   if (name == "pose") return module.pose_parameters;
   if (name == "determinant") return 1;
   if (name == "determinant_derivatives") return static_cast<long>(module.variables.size());
+  if (name == "nominal_product") return columns * columns;
+  if (lists_derivatives(name)) return static_cast<long>(function.derivatives.size());
   return -1;
 }
 
@@ -39,7 +47,7 @@ bool needs_square_matrix(const std::string& name) {
 }
 
 void check_shape(const Module& module, const Function& function) {
-  const long expected = expected_outputs(module, function.name);
+  const long expected = expected_outputs(module, function);
   const auto found = static_cast<long>(function.program.outputs.size());
   require(expected >= 0, function, "not a function of the kernel ABI");
   require(!needs_square_matrix(function.name) || module.rows == module.columns, function,
@@ -52,6 +60,33 @@ void check_shape(const Module& module, const Function& function) {
           "must read all entries of K or none");
   require(function.program.inputs == module.variables, function,
           "must read the variables of its module");
+}
+
+void check_derivatives(const Module& module, const Function& function) {
+  const bool of_second_order = function.name == "expansion_second" || function.name == "row_second";
+  const auto variables = static_cast<int>(module.variables.size());
+  for (const DerivativeIndex& d : function.derivatives) {
+    require(d.row >= 0 && d.row < module.rows && d.column >= 0 && d.column < module.columns,
+            function, "a derivative of no entry");
+    require(d.first >= 0 && d.first < variables, function, "a derivative by no variable");
+    require(of_second_order ? d.second >= d.first && d.second < variables
+                            : d.second == DerivativeIndex::kNone,
+            function, "a derivative of another order");
+  }
+}
+
+void check_expansion(const Module& module) {
+  const Expansion& expansion = *module.expansion;
+  const auto fits = [&](const std::string& name, bool listed) {
+    const Function* function = module.find(name);
+    return function != nullptr &&
+           (!listed || function->derivatives.size() == function->program.outputs.size());
+  };
+  if (!fits(expansion.product, false) || (!expansion.first.empty() && !fits(expansion.first, true)))
+    throw std::invalid_argument("the expansion lacks its product or its first derivatives");
+  if (expansion.row_of_variable.size() != module.variables.size() ||
+      (!expansion.nominal.empty() && expansion.nominal.size() != module.variables.size()))
+    throw std::invalid_argument("the expansion has not one row, or value, for each variable");
 }
 
 void check_node(const Function& function, std::size_t i) {
@@ -81,10 +116,12 @@ void check_module(const Module& module) {
   for (const Function& function : module.functions) {
     require(names.insert(function.name).second, function, "given twice");
     check_shape(module, function);
+    check_derivatives(module, function);
     for (std::size_t i = 0; i < function.program.nodes.size(); ++i) check_node(function, i);
     for (const NodeId output : function.program.outputs)
       require(output < function.program.nodes.size(), function, "output is no node");
   }
+  if (module.expansion) check_expansion(module);
 }
 
 }  // namespace regulus::codegen

@@ -35,6 +35,14 @@ void print_names(std::ostream& text, const char* what, const std::vector<std::st
   text << '\n';
 }
 
+void print_expansion(std::ostream& text, const Expansion& expansion) {
+  text << "expansion " << expansion.product << ' ' << expansion.first << "\nrows";
+  for (const int row : expansion.row_of_variable) text << ' ' << row;
+  text << "\nnominal" << std::hexfloat;
+  for (const Interval& x : expansion.nominal) text << ' ' << x.lo << ' ' << x.hi;
+  text << '\n' << std::defaultfloat;
+}
+
 void print_leaf(std::ostream& text, const Program& program, const Node& node) {
   if (node.op == Op::kConstant)
     text << ' ' << program.constants[node.index];
@@ -70,8 +78,13 @@ std::string to_text(const Module& module) {
   text << "motion_variables " << module.motion_variables << "\nrows " << module.rows << "\ncolumns "
        << module.columns << "\nconstraints " << module.constraints << "\npose_parameters "
        << module.pose_parameters << '\n';
-  for (const Function& function : module.functions)
+  for (const Function& function : module.functions) {
     text << "function " << function.name << '\n' << to_text(function.program);
+    for (const DerivativeIndex& d : function.derivatives)
+      text << "derivative " << d.row << ' ' << d.column << ' ' << d.first << ' ' << d.second
+           << '\n';
+  }
+  if (module.expansion) print_expansion(text, *module.expansion);
   return text.str();
 }
 

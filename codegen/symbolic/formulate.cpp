@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <algorithm>
+#include <set>
 #include <unordered_set>
 #include <utility>
 
@@ -7,6 +8,7 @@
 #include "regulus/codegen/symbolic/determinant.hpp"
 #include "regulus/codegen/symbolic/evaluate.hpp"
 #include "regulus/codegen/symbolic/formulation.hpp"
+#include "regulus/codegen/symbolic/from_ginac.hpp"
 #include "regulus/codegen/symbolic/substitution.hpp"
 
 namespace regulus::codegen {
@@ -29,6 +31,12 @@ RewriteOptions weighted(RewriteOptions options, const std::vector<Variable>& var
     if (v.kind == VariableKind::kMotion) options.weights.emplace(v.name, kMotionWeight);
   return options;
 }
+
+/// A in the forms that products with K are made of.
+struct MatrixForms {
+  std::vector<Polynomial> expanded;
+  Expressions natural, rewritten;
+};
 
 /// A linear combination of entries of A with entries of K: one entry of K·A or of A·K.
 struct Entry {
@@ -58,7 +66,11 @@ class Formulator {
   Formulation run() {
     form_matrix();
     if (options_.matrix_derivatives) form_matrix_derivatives();
-    if (options_.left_product || options_.derivatives) form_left_product();
+    const bool expands = options_.expansion != ExpansionForm::kNone && !result_.variables.empty();
+    const bool at_nominal =
+        expands && options_.expansion == ExpansionForm::kAtNominal && has_row_quantity();
+    if ((options_.left_product || options_.derivatives) && !at_nominal) form_left_product();
+    if (expands) form_expansion(at_nominal);
     if (options_.right_product && result_.rows == result_.columns) form_right_product();
     if (options_.determinant) form_determinant();
     form_row_scale();
@@ -76,9 +88,11 @@ class Formulator {
         const Expression natural =
             substitution_.apply(model_.matrix(static_cast<unsigned>(i), static_cast<unsigned>(j)));
         result_.natural_matrix.push_back(natural);
-        expanded_.push_back(rewriter_.expand(natural));
         const Rewritten form = rewriter_.rewrite(natural);
         result_.matrix.push_back(form.expression);
+        forms_.expanded.push_back(rewriter_.expand(natural));
+        forms_.natural.push_back(natural);
+        forms_.rewritten.push_back(form.expression);
         result_.statistics["matrix"].push_back(
             {count_occurrences(natural), count_occurrences(form.expression), form.passes});
       }
@@ -87,7 +101,7 @@ class Formulator {
   void form_matrix_derivatives() {
     for (const Variable& v : result_.variables) {
       PolynomialDifferentiator by(v.name, rewriter_.atoms(), rewriter_.expander());
-      for (const Polynomial& entry : expanded_) {
+      for (const Polynomial& entry : forms_.expanded) {
         const Rewritten form = rewriter_.best_form(by.derivative(entry));
         result_.matrix_derivatives.push_back(form.expression);
         result_.statistics["matrix_derivatives"].push_back(
@@ -97,24 +111,25 @@ class Formulator {
   }
 
   /// Σ_j points[j]·A[entries[j]].
-  Entry combine(const std::vector<std::string>& points, const std::vector<std::size_t>& entries) {
+  Entry combine(const MatrixForms& A, const std::vector<std::string>& points,
+                const std::vector<std::size_t>& entries) {
     std::vector<PolynomialTerm> terms;
     Expressions natural, rewritten;
     for (std::size_t j = 0; j < points.size(); ++j) {
       const Expression k = point(points[j]);
       const AtomProduct atom(1, rewriter_.atoms().coefficient_atom(k));
-      for (const PolynomialTerm& term : expanded_[entries[j]].terms())
+      for (const PolynomialTerm& term : A.expanded[entries[j]].terms())
         terms.push_back(
             {Monomial{term.monomial.variables, multiply(term.monomial.coefficients, atom)},
              term.factor});
-      natural.push_back(k * result_.natural_matrix[entries[j]]);
-      rewritten.push_back(k * result_.matrix[entries[j]]);
+      natural.push_back(k * A.natural[entries[j]]);
+      rewritten.push_back(k * A.rewritten[entries[j]]);
     }
     return {Polynomial(std::move(terms)), sum(std::move(natural)), sum(std::move(rewritten))};
   }
 
-  /// Rows of K·A differ in the names of K's entries alone: the first is formed, the others copied.
-  void form_left_product() {
+  /// The first row of K·A. Rows differ in the names of K's entries alone.
+  std::vector<Entry> first_row(const MatrixForms& A) {
     std::vector<Entry> row;
     for (int c = 0; c < result_.columns; ++c) {
       std::vector<std::string> points;
@@ -123,8 +138,13 @@ class Formulator {
         points.push_back(point_name(1, j + 1));
         entries.push_back(index(j * result_.columns + c));
       }
-      row.push_back(combine(points, entries));
+      row.push_back(combine(A, points, entries));
     }
+    return row;
+  }
+
+  void form_left_product() {
+    const std::vector<Entry> row = first_row(forms_);
     Expressions forms;
     std::vector<EntryStatistics> statistics;
     for (const Entry& entry : row) {
@@ -193,7 +213,7 @@ class Formulator {
         points.push_back(point_name(j + 1, 1));
         entries.push_back(index(r * result_.columns + j));
       }
-      const Entry entry = combine(points, entries);
+      const Entry entry = combine(forms_, points, entries);
       const Rewritten form = rewriter_.best_form(entry.polynomial, &entry.rewritten);
       const EntryStatistics of_entry = {count_occurrences(entry.natural),
                                         count_occurrences(form.expression), form.passes};
@@ -214,7 +234,7 @@ class Formulator {
                             std::to_string(result_.columns) +
                             "; only a square one has a determinant");
     TermBudget budget(options_.determinant_budget);
-    const Polynomial p = determinant(expanded_, result_.columns, rewriter_.atoms(), budget);
+    const Polynomial p = determinant(forms_.expanded, result_.columns, rewriter_.atoms(), budget);
     result_.determinant = {nested(p, "determinant")};
     for (const Variable& v : result_.variables) {
       budget.spend(p.terms().size());
@@ -229,6 +249,125 @@ class Formulator {
     Rewritten form = rewriter_.nested_form(p);
     result_.statistics[function].push_back({{}, count_occurrences(form.expression), form.passes});
     return form.expression;
+  }
+
+  /// The only row in which an uncertain quantity occurs, or Expansion::kNoRow.
+  int row_of(const Variable& v) const {
+    if (v.kind == VariableKind::kMotion) return Expansion::kNoRow;
+    std::set<int> rows;
+    for (std::size_t e = 0; e < forms_.rewritten.size(); ++e)
+      if (count_occurrences(forms_.rewritten[e]).count(v.name) != 0)
+        rows.insert(static_cast<int>(e) / result_.columns);
+    return rows.size() == 1 ? *rows.begin() : Expansion::kNoRow;
+  }
+
+  bool has_row_quantity() const {
+    return std::any_of(result_.variables.begin(), result_.variables.end(),
+                       [this](const Variable& v) { return row_of(v) != Expansion::kNoRow; });
+  }
+
+  void form_expansion(bool at_nominal) {
+    ExpansionForms& x = result_.expansion.emplace();
+    for (const Variable& v : result_.variables) x.row_of_variable.push_back(row_of(v));
+    if (!at_nominal) return form_expansion_of(first_row(forms_));
+    std::map<std::string, Expression> values;
+    const SymbolMeaning no_symbols;
+    for (std::size_t v = 0; v < result_.variables.size(); ++v) {
+      const Variable& variable = result_.variables[v];
+      const bool fixed = x.row_of_variable[v] != Expansion::kNoRow;
+      x.nominal.push_back(
+          fixed ? GinacReader(no_symbols).read((variable.range.lo + variable.range.hi) / 2)
+                : Expression(0));
+      if (fixed) values.emplace(variable.name, x.nominal.back());
+    }
+    const std::vector<Entry> row = first_row(nominal_forms(values));
+    Expressions forms;
+    std::vector<EntryStatistics> statistics;
+    for (const Entry& entry : row) {
+      const Rewritten form = rewriter_.best_form(entry.polynomial, &entry.rewritten);
+      forms.push_back(form.expression);
+      statistics.push_back(
+          {count_occurrences(entry.natural), count_occurrences(form.expression), form.passes});
+    }
+    append_rows(forms, statistics, x.product, result_.statistics["nominal_product"]);
+    form_expansion_of(row);
+  }
+
+  /// A with uncertain quantities at their values.
+  MatrixForms nominal_forms(const std::map<std::string, Expression>& values) {
+    const ReplacementOf value_of = [&](const Expression& e) -> std::optional<Expression> {
+      if (e.kind() != Kind::kVariable) return std::nullopt;
+      const auto found = values.find(e.name());
+      return found == values.end() ? std::nullopt : std::optional(found->second);
+    };
+    MatrixForms A;
+    A.natural = substitute(forms_.natural, value_of);
+    for (const Expression& natural : A.natural) {
+      A.expanded.push_back(rewriter_.expand(natural));
+      A.rewritten.push_back(rewriter_.rewrite(natural).expression);
+    }
+    return A;
+  }
+
+  /// All derivatives that are not zero, from the first row of K·A.
+  void form_expansion_of(const std::vector<Entry>& row) {
+    ExpansionForms& x = *result_.expansion;
+    std::vector<PolynomialDifferentiator> by;
+    for (const Variable& v : result_.variables)
+      by.emplace_back(v.name, rewriter_.atoms(), rewriter_.expander());
+    const auto touches_one_row = [&](std::size_t v) {
+      return x.row_of_variable[v] != Expansion::kNoRow;
+    };
+    for (std::size_t p = 0; p < by.size(); ++p) {
+      if (touches_one_row(p)) continue;
+      for (int c = 0; c < result_.columns; ++c) {
+        const Polynomial first = by[p].derivative(row[index(c)].polynomial);
+        if (!x.product.empty())
+          append_column({0, c, static_cast<int>(p)}, first, "nominal_first", x.first);
+        for (std::size_t q = p; q < by.size(); ++q)
+          if (!touches_one_row(q))
+            append_column({0, c, static_cast<int>(p), static_cast<int>(q)}, by[q].derivative(first),
+                          "expansion_second", x.second);
+      }
+    }
+    for (int i = 0; i < result_.rows; ++i)
+      for (int j = 0; j < result_.columns; ++j) form_row_derivatives(i, j, by);
+  }
+
+  void append_column(DerivativeIndex place, const Polynomial& p, const std::string& function,
+                     DerivativeForms& to) {
+    if (p.is_zero()) return;
+    const Rewritten form = rewriter_.best_form(p);
+    append_rows({form.expression}, {{{}, count_occurrences(form.expression), form.passes}},
+                to.forms, result_.statistics[function]);
+    for (place.row = 0; place.row < result_.columns; ++place.row) to.places.push_back(place);
+  }
+
+  /// ∂A[i][j] by quantities that touch row i only, and the second derivatives that go with them.
+  void form_row_derivatives(int i, int j, std::vector<PolynomialDifferentiator>& by) {
+    ExpansionForms& x = *result_.expansion;
+    const Polynomial& entry = forms_.expanded[index(i * result_.columns + j)];
+    const auto append = [&](const DerivativeIndex& place, const Polynomial& p,
+                            const std::string& function, DerivativeForms& to) {
+      if (p.is_zero()) return;
+      const Rewritten form = rewriter_.quick_form(p);
+      to.places.push_back(place);
+      to.forms.push_back(form.expression);
+      result_.statistics[function].push_back({{}, count_occurrences(form.expression), form.passes});
+    };
+    for (std::size_t k = 0; k < by.size(); ++k) {
+      if (x.row_of_variable[k] != i) continue;
+      const int variable = static_cast<int>(k);
+      const Polynomial first = by[k].derivative(entry);
+      append({i, j, variable}, first, "row_first", x.row_first);
+      for (std::size_t q = 0; q < by.size(); ++q) {
+        const bool same_row = x.row_of_variable[q] == i;
+        if (same_row && q < k) continue;  // found from the other
+        const int other = static_cast<int>(q);
+        append({i, j, std::min(variable, other), std::max(variable, other)},
+               by[q].derivative(first), "row_second", x.row_second);
+      }
+    }
   }
 
   Expression rewritten(const Expression& natural, const std::string& function) {
@@ -292,7 +431,7 @@ class Formulator {
   const FormulationOptions options_;
   Substitution substitution_;
   Rewriter rewriter_;
-  std::vector<Polynomial> expanded_;  // the entries of A
+  MatrixForms forms_;  // of A
   Formulation result_;
 };
 

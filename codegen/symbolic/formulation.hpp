@@ -5,6 +5,7 @@
 
 #include <cstdint>
 #include <map>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -34,6 +35,13 @@ struct Variable {
 /// Terms a determinant in closed form may take: of the order of a second, and twice what robot 2
 /// takes.
 inline constexpr std::uint64_t kDeterminantBudget = 500000;
+/// Whether Taylor's expansion of K·A is formed, and at which values of the uncertain quantities
+/// that touch one row only.
+enum class ExpansionForm {
+  kNone,
+  kAtNominal,  ///< at their nominal values: for boxes that are never split in them
+  kAtBox,      ///< at the midpoints of a box
+};
 
 /// Which functions to form.
 struct FormulationOptions {
@@ -44,7 +52,25 @@ struct FormulationOptions {
   bool right_product = true;
   bool determinant = false;  ///< in closed form, and its derivatives; of square matrices only
   std::uint64_t determinant_budget = kDeterminantBudget;  ///< see TermBudget
+  /// With an expansion at nominal values left product and derivatives are left out if any quantity
+  /// touches one row only: they would be blind to it, and wide.
+  ExpansionForm expansion = ExpansionForm::kNone;
   RewriteOptions rewriting;
+};
+
+/// Derivatives that are not zero everywhere.
+struct DerivativeForms {
+  std::vector<DerivativeIndex> places;
+  std::vector<Expression> forms;
+};
+
+/// See regulus_expansion. `product` and `first` are empty when left_product and left_derivatives
+/// serve as such.
+struct ExpansionForms {
+  std::vector<int> row_of_variable;  ///< or Expansion::kNoRow
+  std::vector<Expression> nominal;   ///< per variable, constants; empty for kAtBox
+  std::vector<Expression> product;
+  DerivativeForms first, second, row_first, row_second;
 };
 
 /// How one entry came to its form.
@@ -67,6 +93,7 @@ struct Formulation {
   std::vector<Expression> left_product;        ///< K·A, n·n
   std::vector<Expression> left_derivatives;    ///< ∂_k(K·A), variables·n·n
   std::vector<Expression> right_product;       ///< A·K, m·m; empty unless m = n
+  std::optional<ExpansionForms> expansion;
   std::vector<Expression> row_scale;  ///< one entry, the product of the row scales; empty if none
   std::vector<Expression> constraints;
   std::vector<Expression> pose;

@@ -2,6 +2,8 @@
 #include <unordered_set>
 #include <utility>
 
+#include "regulus/codegen/model/errors.hpp"
+#include "regulus/codegen/program/enclose.hpp"
 #include "regulus/codegen/symbolic/formulation.hpp"
 #include "regulus/codegen/symbolic/lowering.hpp"
 
@@ -109,9 +111,55 @@ class ModuleBuilder {
     module_.functions.push_back(std::move(function));
   }
 
+  void add(const Shape& shape, const DerivativeForms& derivatives, const Expressions& conditions) {
+    if (derivatives.forms.empty()) return;
+    add(shape, derivatives.forms, conditions);
+    module_.functions.back().derivatives = derivatives.places;
+  }
+
+  void add_expansion() {
+    if (!f_.expansion) return;
+    const ExpansionForms& x = *f_.expansion;
+    const int n = f_.columns;
+    const auto count = [](const DerivativeForms& d) { return static_cast<int>(d.forms.size()); };
+    Expansion& expansion = module_.expansion.emplace();
+    expansion.row_of_variable = x.row_of_variable;
+    expansion.product = x.product.empty() ? "left_product" : "nominal_product";
+    expansion.first = x.product.empty() ? "left_derivatives" : "nominal_first";
+    for (const Expression& value : x.nominal) expansion.nominal.push_back(enclose_value(value));
+    add({"nominal_product", "(K·A)", n, n, true}, x.product, f_.must_be_defined);
+    add({"nominal_first", "∂(K·A)", count(x.first), 1, true}, x.first, f_.must_be_defined);
+    add({"expansion_second", "∂²(K·A)", count(x.second), 1, true}, x.second, f_.must_be_defined);
+    add({"row_first", "∂A", count(x.row_first), 1, false}, x.row_first, f_.must_be_defined);
+    add({"row_second", "∂²A", count(x.row_second), 1, false}, x.row_second, f_.must_be_defined);
+    for (Function& function : module_.functions)
+      if (function.name == "left_derivatives") function.derivatives = all_derivatives();
+    if (x.product.empty()) return;
+    if (x.first.forms.empty()) expansion.first.clear();
+  }
+
   Module take() { return std::move(module_); }
 
  private:
+  static Interval enclose_value(const Expression& value) {
+    Lowering lowering({}, {});
+    lowering.output(value);
+    const std::optional<Interval> enclosure = enclose(std::move(lowering).finish());
+    if (!enclosure)
+      throw InputError("", 0, "an uncertain quantity without a certain value",
+                       "a constant expression that is defined");
+    return *enclosure;
+  }
+
+  /// The outputs of left_derivatives in their order.
+  [[nodiscard]] std::vector<DerivativeIndex> all_derivatives() const {
+    std::vector<DerivativeIndex> all;
+    for (int v = 0; v < static_cast<int>(f_.variables.size()); ++v)
+      for (int i = 0; i < f_.columns; ++i)
+        for (int j = 0; j < f_.columns; ++j) all.push_back({i, j, v});
+    return all;
+  }
+
   const Formulation& f_;
   Module module_;
   std::vector<std::string> points_;
@@ -138,6 +186,7 @@ Module lower(const Formulation& f) {
   builder.add({"determinant", "det A", 1, 1, false}, f.determinant, f.must_be_defined);
   builder.add({"determinant_derivatives", "∂ det A", variables, 1, false},
               f.determinant_derivatives, f.must_be_defined);
+  builder.add_expansion();
   return builder.take();
 }
 

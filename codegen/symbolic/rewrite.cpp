@@ -117,6 +117,8 @@ Rewritten Rewriter::nested_form(const Polynomial& p) {
   return choice.take();
 }
 
+Rewritten Rewriter::quick_form(const Polynomial& p) { return {horner(p, atoms_), "horner"}; }
+
 Polynomial Rewriter::merge(const Polynomial& p, bool double_angles) {
   const auto simplify = [this](const Expression& e) { return simplified_argument(e); };
   return merge_angles(p, atoms_, expander_, simplify, {true, double_angles});

@@ -51,6 +51,8 @@ class Rewriter {
   /// The best of the nested forms of p, its angles as they are: the time grows little faster than
   /// the number of terms, where merging angles takes its square.
   [[nodiscard]] Rewritten nested_form(const Polynomial& p);
+  /// The Horner form of p, without looking for a better one.
+  [[nodiscard]] Rewritten quick_form(const Polynomial& p);
 
   [[nodiscard]] AtomTable& atoms() noexcept { return atoms_; }
   [[nodiscard]] Expander& expander() noexcept { return expander_; }

@@ -22,6 +22,37 @@ enum { REGULUS_ROUND_NEAREST = 0, REGULUS_ROUND_UPWARD = 1 };
 typedef unsigned (*regulus_function)(const double* boxes, const double* points, double* out,
                                      const void* context);
 
+/// Which derivative an output is: of entry (row, column) by variable `first`, and by `second` ≥
+/// first too unless that is REGULUS_FIRST_ORDER.
+typedef struct regulus_derivative {
+  unsigned row, column;
+  unsigned first, second;
+} regulus_derivative;
+
+enum { REGULUS_FIRST_ORDER = 0x7fffffff };
+
+/// A function whose outputs are derivatives, one for each place listed. Derivatives of that order
+/// that are not listed are zero wherever A is defined. `function` is null when the list is empty.
+typedef struct regulus_derivatives {
+  regulus_function function;
+  const regulus_derivative* list;
+  unsigned count;
+} regulus_derivatives;
+
+/// Taylor's expansion of K·A to second order. Uncertain quantities that touch one row of A only
+/// are kept apart: A is expanded at their nominal values ū.
+typedef struct regulus_expansion {
+  const int* row_of_variable;  ///< the only row that an uncertain quantity touches, or −1
+  /// Bounds of ū, lower and upper for each variable, unused where row_of_variable is −1. Null: the
+  /// functions at ū take those quantities from `boxes` like any other.
+  const double* nominal;
+  regulus_function product;        ///< K·A at ū, n·n outputs
+  regulus_derivatives first;       ///< of K·A at ū, n×n, by variables without a row of their own
+  regulus_derivatives second;      ///< the same, second order
+  regulus_derivatives row_first;   ///< of A, by variables that touch one row
+  regulus_derivatives row_second;  ///< of A, by at least one variable that touches one row
+} regulus_expansion;
+
 /// A kernel: the functions of one model over one motion variety. n columns, m ≥ n rows.
 /// Variables are the motion parameters, then the uncertain quantities. Functions may be null.
 typedef struct regulus_kernel {
@@ -43,6 +74,7 @@ typedef struct regulus_kernel {
   regulus_function pose;         ///< the pose as a function of the variables
   regulus_function determinant;  ///< det A in closed form: 1 output; null unless formed
   regulus_function determinant_derivatives;  ///< ∂_k det A: variables outputs; null unless formed
+  const regulus_expansion* expansion;        ///< may be null
   const void* context;                       ///< passed to every function
   const char* identity;                      ///< hash of the program the kernel was generated from
 } regulus_kernel;

@@ -36,7 +36,7 @@ unsigned matrix(const double* boxes, const double* points, double* out, const vo
 }  // namespace
 extern "C" const regulus_kernel small_kernel = {
     REGULUS_KERNEL_ABI, regulus::pack::kRounding, 2, 2, 1, 1, 0, 0, matrix, nullptr, nullptr,
-    nullptr, nullptr, nullptr, nullptr, nullptr, nullptr, nullptr, nullptr, "small"};
+    nullptr, nullptr, nullptr, nullptr, nullptr, nullptr, nullptr, nullptr, nullptr, "small"};
 )";
   return kernel;
 }
