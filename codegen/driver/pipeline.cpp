@@ -112,10 +112,14 @@ Request read_request(const ModelOptions& options) {
   return request;
 }
 
-FormulationOptions functions_needed(Method method, Entries entries, std::uint64_t symbolic_budget) {
+FormulationOptions functions_needed(Method method, const Settings& settings,
+                                    std::uint64_t symbolic_budget) {
   const ProductForm form = form_of(method);
-  const bool derivatives = entries == Entries::kDerivatives;
+  const bool derivatives = settings.entries == Entries::kDerivatives;
   FormulationOptions options;
+  if (method == Method::kAuto)
+    options.expansion = settings.uncertainty == Uncertainty::kElements ? ExpansionForm::kAtNominal
+                                                                       : ExpansionForm::kAtBox;
   options.left_product = form == ProductForm{ProductForm::Side::kLeft, false};
   options.right_product = form == ProductForm{ProductForm::Side::kRight, false};
   options.derivatives = options.left_product && (derivatives || method == Method::kAuto);
@@ -134,7 +138,7 @@ Preparation prepare(const ModelOptions& model, const SearchOptions& search) {
   const Method method = parse_method(search.method).value();
   p.formulation =
       formulate(p.request.model, p.request.motion,
-                functions_needed(method, settings_from(search).entries, search.symbolic_budget));
+                functions_needed(method, settings_from(search), search.symbolic_budget));
   p.module = lower(p.formulation);
   p.variety = enclose_variety(p.request.model, p.request.motion, p.formulation);
   p.seconds.symbolic = watch.lap();
@@ -157,7 +161,7 @@ EmittedKernel emit_kernel(const Request& request, Method method, const std::stri
   options.command = command;
   options.source = request.model.source;
   return emit(lower(formulate(request.model, request.motion,
-                              functions_needed(method, Entries::kNatural, symbolic_budget))),
+                              functions_needed(method, Settings{}, symbolic_budget))),
               options);
 }
 

@@ -77,7 +77,7 @@ struct Preparation {
 
 /// Which functions a method calls; the others need not be formed or compiled.
 [[nodiscard]] FormulationOptions functions_needed(
-    Method method, Entries entries = Entries::kNatural,
+    Method method, const Settings& settings = {},
     std::uint64_t symbolic_budget = kDeterminantBudget);
 
 /// The C++ text of a request's kernel, as `check` compiles it.

@@ -20,6 +20,9 @@ inline constexpr std::size_t kMaxRows = 24;
 /// The largest order of a matrix P given to the H-matrix test (regulus/regularity/structured.hpp).
 inline constexpr std::size_t kMaxOrder = kMaxColumns + kMaxRows;
 
+/// The most variables that bounds of second order move with.
+inline constexpr std::size_t kMaxWide = 64;
+
 /// Bit l speaks of lane l.
 using LaneMask = unsigned;
 inline constexpr LaneMask kEveryLane = (1U << kLanes) - 1;

@@ -36,6 +36,21 @@ bool knows_derivatives(const regulus_kernel& kernel, ProductForm form) noexcept 
   return kernel.matrix_derivatives != nullptr;
 }
 
+std::vector<DerivativePlace> places(const regulus_derivatives& derivatives) {
+  std::vector<DerivativePlace> list;
+  for (unsigned i = 0; i < derivatives.count; ++i) {
+    const regulus_derivative& d = derivatives.list[i];
+    list.push_back({d.row, d.column, d.first, d.second});
+  }
+  return list;
+}
+
+DerivativeLists listed_derivatives(const regulus_kernel& kernel) {
+  const regulus_expansion& x = *kernel.expansion;
+  return {kernel.rows,      kernel.columns,      kernel.variables,    places(x.first),
+          places(x.second), places(x.row_first), places(x.row_second)};
+}
+
 }  // namespace
 
 Batch::Batch(const Problem& problem, const Settings& settings, const RowStructure& structure)
@@ -65,8 +80,6 @@ Batch::Batch(const Problem& problem, const Settings& settings, const RowStructur
   thinned_ = AlignedBuffer(2 * v);
   midpoint_ = AlignedBuffer(v);
   radius_ = AlignedBuffer(v);
-  nominal_ = AlignedBuffer(2 * v);
-  wide_radius_ = AlignedBuffer(v);
   matrix_ = AlignedBuffer(2 * mn);
   midpoint_matrix_ = AlignedBuffer(2 * mn);
   approx_matrix_ = AlignedBuffer(mn);
@@ -80,9 +93,18 @@ Batch::Batch(const Problem& problem, const Settings& settings, const RowStructur
   face_boxes_ = AlignedBuffer(sharpens_ ? 2 * v : 0);
   face_points_ = AlignedBuffer(sharpens_ ? mn : 0);
   face_entries_ = AlignedBuffer(sharpens_ ? 2 * nn : 0);
-  full_derivatives_ = AlignedBuffer(structure_.empty() ? 0 : 2 * nn * variables_);
-  structured_ = AlignedBuffer(structure_.empty() ? 0 : order() * order() * kLanes);
-  slopes_ = AlignedBuffer(structure_.empty() ? 0 : nn * variables_);
+  if (structure_.is_known()) {
+    const regulus_expansion& x = *kernel_.expansion;
+    second_order_.emplace(listed_derivatives(kernel_), structure_);
+    expanded_ = AlignedBuffer(2 * v);
+    expanded_radius_ = AlignedBuffer(v);
+    center_product_ = AlignedBuffer(2 * nn);
+    first_ = AlignedBuffer(2 * kLanes * x.first.count);
+    second_ = AlignedBuffer(2 * kLanes * x.second.count);
+    row_first_ = AlignedBuffer(2 * kLanes * x.row_first.count);
+    row_second_ = AlignedBuffer(2 * kLanes * x.row_second.count);
+    second_order_bounds_ = AlignedBuffer(order() * order() * kLanes);
+  }
   bounds_ = AlignedBuffer(nn);
   center_ = AlignedBuffer(nn);
   vector_ = AlignedBuffer(order() * kLanes);
@@ -111,15 +133,29 @@ void Batch::load(std::size_t lane, std::span<const Interval> box) noexcept {
 void Batch::load_variable(std::size_t k, std::size_t lane, Interval x) noexcept {
   const double middle = mid(x);
   const double radius = rad_ru(x);
-  const bool fixed = structure_.touches_one_row(k);
   boxes_[lower_at(k, lane)] = x.lo;
   boxes_[upper_at(k, lane)] = x.hi;
   midpoint_[point_at(k, lane)] = middle;
   thin_[lower_at(k, lane)] = thin_[upper_at(k, lane)] = middle;
   radius_[point_at(k, lane)] = radius;
-  nominal_[lower_at(k, lane)] = fixed ? middle : x.lo;
-  nominal_[upper_at(k, lane)] = fixed ? middle : x.hi;
-  wide_radius_[point_at(k, lane)] = fixed ? 0.0 : radius;
+}
+
+/// The point to expand at, and how far from it the box reaches.
+void Batch::load_expansion_point() noexcept {
+  std::copy_n(thin_.get(), 2 * variables_ * kLanes, expanded_.get());
+  std::copy_n(radius_.get(), variables_ * kLanes, expanded_radius_.get());
+  const double* nominal = kernel_.expansion->nominal;
+  if (nominal == nullptr) return;
+  for (std::size_t k = 0; k < variables_; ++k) {
+    if (!structure_.touches_one_row(k)) continue;
+    const double lo = nominal[2 * k], hi = nominal[2 * k + 1];
+    for (std::size_t lane = 0; lane < kLanes; ++lane) {
+      expanded_[lower_at(k, lane)] = lo;
+      expanded_[upper_at(k, lane)] = hi;
+      const Interval x{boxes_[lower_at(k, lane)], boxes_[upper_at(k, lane)]};
+      expanded_radius_[point_at(k, lane)] = std::max(sub_ru(x.hi, lo), sub_ru(hi, x.lo));
+    }
+  }
 }
 
 void Batch::seal(std::size_t count) noexcept {

@@ -10,7 +10,7 @@
 #include "regulus/kernel/call.hpp"
 #include "regulus/regularity/determinant.hpp"
 #include "regulus/regularity/lanes.hpp"
-#include "regulus/regularity/structured.hpp"
+#include "regulus/regularity/second_order.hpp"
 #include "regulus/search/aligned_buffer.hpp"
 #include "regulus/search/problem.hpp"
 
@@ -98,25 +98,26 @@ class Batch {
   /// Some constraint is certainly positive at the midpoint.
   [[nodiscard]] LaneMask midpoint_outside() noexcept;
 
-  // For the H-matrix test and for bisection. Uncertain quantities that touch one row only are at
-  // their midpoints in the first two.
+  // For the H-matrix test and for bisection.
 
   /// P ≥ |KA − I| from natural entries; +∞ in lanes without.
   [[nodiscard]] double* natural_bounds() noexcept;
   /// The same, lowered to the mean-value bound where that is smaller.
   [[nodiscard]] double* mean_value_bounds() noexcept;
-  /// T of regulus/regularity/structured.hpp, of order order(); +∞ in lanes without.
-  [[nodiscard]] double* structured_bounds() noexcept;
-  [[nodiscard]] bool is_structured() const noexcept { return !structure_.empty(); }
+  /// T of regulus/regularity/second_order.hpp, of order order(); +∞ in lanes without.
+  [[nodiscard]] double* second_order_bounds() noexcept;
   [[nodiscard]] std::size_t order() const noexcept { return columns_ + structure_.rows.size(); }
+  /// Upper bounds of |det K(t)|/|det K| for the preconditioner that belongs to T.
+  void moving_determinant_ru(double* upper) noexcept;
   /// Where a test computes its v; keep_vector then saves those that proved something.
   [[nodiscard]] double* candidate_vector() noexcept { return candidate_vector_.get(); }
   void keep_vector(LaneMask lanes, std::size_t entries) noexcept;
   /// v of the test that certified a lane.
   [[nodiscard]] const double* vector() const noexcept { return vector_.get(); }
-  /// What each variable adds to the spectral radius of |NM − I|, roughly, where M is the matrix the
-  /// method looks at and N inverts its middle: K for A itself, I for a product with K; for the
-  /// method closed-form what it adds to the width of the determinant. Point layout.
+  /// What each variable adds to the spectral radius of T or, without it, of |NM − I|, where M is
+  /// the matrix the method looks at and N inverts its middle: K for A itself, I for a product with
+  /// K; for the method closed-form what it adds to the width of the determinant. Roughly; point
+  /// layout.
   [[nodiscard]] const double* approx_impact() noexcept;
 
   /// Declares that the boxes of this batch contain all boxes to come, so that what holds on the
@@ -145,7 +146,7 @@ class Batch {
     kImpact = 1U << 11,
     kDerivatives = 1U << 12,
     kMidpointScale = 1U << 13,
-    kStructured = 1U << 14,
+    kSecondOrder = 1U << 14,
     kDeterminant = 1U << 15,
     kDeterminantDerivatives = 1U << 16,
     kMonotone = 1U << 17,
@@ -160,7 +161,6 @@ class Batch {
   void compute_midpoint() noexcept;
   void compute_derivatives() noexcept;
   [[nodiscard]] LaneMask derivatives_of_product() noexcept;
-  [[nodiscard]] StructuredInput structured_input() noexcept;
   void multiply_left(const double* matrix, const double* K, double* out) const noexcept;
   void multiply_right(const double* matrix, const double* K, double* out) const noexcept;
   LaneMask product_on(const double* boxes, const double* K, double* out) noexcept;
@@ -173,7 +173,11 @@ class Batch {
   void load_face(bool least) noexcept;
   void narrow_on_face(bool least) noexcept;
   void impact_on_determinant() noexcept;
+  void load_expansion_point() noexcept;
+  [[nodiscard]] LaneMask call_listed(const regulus_derivatives& derivatives, const double* boxes,
+                                     double* out) noexcept;
   void impact_from_derivatives() noexcept;
+  void perron_of(const double* bounds, std::size_t n) noexcept;
   void impact_from_fixing() noexcept;
   void approx_distances(double* P) noexcept;
   void weigh_rows() noexcept;
@@ -195,11 +199,12 @@ class Batch {
   LaneMask loaded_ = 0;
 
   AlignedBuffer boxes_, thin_, thinned_, midpoint_, radius_;
-  AlignedBuffer nominal_, wide_radius_;  // as boxes_ and radius_, without what touches one row only
   AlignedBuffer matrix_, midpoint_matrix_, approx_matrix_, preconditioner_;
-  AlignedBuffer left_, right_, left_numeric_, right_numeric_, derivatives_, full_derivatives_;
-  AlignedBuffer bounds_, structured_, slopes_, center_, vector_, candidate_vector_, right_perron_,
-      left_perron_;
+  AlignedBuffer left_, right_, left_numeric_, right_numeric_, derivatives_;
+  std::optional<SecondOrderBounds> second_order_;
+  AlignedBuffer expanded_, expanded_radius_, center_product_;
+  AlignedBuffer first_, second_, row_first_, row_second_, second_order_bounds_;
+  AlignedBuffer bounds_, center_, vector_, candidate_vector_, right_perron_, left_perron_;
   AlignedBuffer face_boxes_, face_points_, face_entries_, matrix_derivatives_;
   AlignedBuffer impact_, scratch_;
   AlignedBuffer determinant_, monotone_, determinant_slopes_, face_, face_center_;

@@ -15,11 +15,7 @@ void fill_lane(double* x, std::size_t entries, std::size_t lane, double value) n
 double* Batch::natural_bounds() noexcept {
   if (!begin(kNatural)) return bounds_.get();
   LaneMask defined = preconditioned();
-  const double* entries = left_.get();
-  if (is_structured())
-    defined &= product_on(nominal_.get(), preconditioner(), left_.get());
-  else
-    entries = product({ProductForm::Side::kLeft, false}, defined);
+  const double* entries = product({ProductForm::Side::kLeft, false}, defined);
   distance_to_identity_ru(entries, columns_, bounds_.get());
   for_each_lane(kEveryLane & ~defined, [this](std::size_t lane) {
     fill_lane(bounds_.get(), columns_ * columns_, lane, kInfinity);
@@ -31,42 +27,45 @@ double* Batch::mean_value_bounds() noexcept {
   double* bounds = natural_bounds();
   if (!sees_mean_values_ || !begin(kMeanValue)) return bounds;
   compute_derivatives();
-  const LaneMask center_defined =
-      call(kernel_.left_product, thin_.get(), preconditioner(), scratch_.get());
+  derivatives_defined_ &=
+      call(kernel_.left_product, thin_.get(), preconditioner(), scratch_.get()) & preconditioned();
   distance_to_identity_ru(scratch_.get(), columns_, center_.get());
-  derivatives_defined_ &= center_defined;
-  lower_to_mean_value_ru(center_.get(), derivatives_.get(), wide_radius_.get(), columns_,
-                         variables_, derivatives_defined_, bounds);
+  lower_to_mean_value_ru(center_.get(), derivatives_.get(), radius_.get(), columns_, variables_,
+                         derivatives_defined_, bounds);
   return bounds;
 }
 
-StructuredInput Batch::structured_input() noexcept {
-  return {rows_,
-          columns_,
-          variables_,
-          bounds_.get(),
-          center_.get(),
-          preconditioner_.get(),
-          derivatives_.get(),
-          derivatives_defined_,
-          full_derivatives_.get(),
-          radius_.get(),
-          slopes_.get()};
+LaneMask Batch::call_listed(const regulus_derivatives& derivatives, const double* boxes,
+                            double* out) noexcept {
+  if (derivatives.function == nullptr) return kEveryLane;
+  return call(derivatives.function, boxes, preconditioner(), out);
 }
 
-double* Batch::structured_bounds() noexcept {
-  static_cast<void>(mean_value_bounds());
-  if (!begin(kStructured)) return structured_.get();
-  LaneMask defined =
-      call(kernel_.left_derivatives, boxes_.get(), preconditioner(), full_derivatives_.get()) &
-      preconditioned();
-  // The matrix, too, must be defined for all uncertain values.
-  static_cast<void>(product({}, defined));
-  structured_bounds_ru(structure_, structured_input(), structured_.get());
-  for_each_lane(kEveryLane & ~defined, [this](std::size_t lane) {
-    fill_lane(structured_.get(), order() * order(), lane, kInfinity);
-  });
-  return structured_.get();
+double* Batch::second_order_bounds() noexcept {
+  double* T = second_order_bounds_.get();
+  if (!begin(kSecondOrder)) return T;
+  const regulus_expansion& x = *kernel_.expansion;
+  load_expansion_point();
+  LaneMask defined = preconditioned();
+  defined &= call(x.product, expanded_.get(), preconditioner(), center_product_.get());
+  defined &= call_listed(x.first, expanded_.get(), first_.get());
+  defined &= call_listed(x.row_first, expanded_.get(), row_first_.get());
+  defined &= call_listed(x.second, boxes_.get(), second_.get());
+  defined &= call_listed(x.row_second, boxes_.get(), row_second_.get());
+  // Any of the kernel's functions says where A is not defined.
+  if (x.second.function == nullptr && x.row_second.function == nullptr)
+    static_cast<void>(product({}, defined));
+  second_order_->bound_ru({preconditioner(), center_product_.get(), first_.get(), second_.get(),
+                           row_first_.get(), row_second_.get(), expanded_radius_.get()},
+                          T);
+  for_each_lane(kEveryLane & ~defined,
+                [&](std::size_t lane) { fill_lane(T, order() * order(), lane, kInfinity); });
+  return T;
+}
+
+void Batch::moving_determinant_ru(double* upper) noexcept {
+  static_cast<void>(second_order_bounds());
+  second_order_->moving_determinant_ru(upper);
 }
 
 }  // namespace regulus

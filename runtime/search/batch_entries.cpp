@@ -39,7 +39,7 @@ LaneMask Batch::derivatives_of_product() noexcept {
   using Side = ProductForm::Side;
   if (form_ == ProductForm{Side::kLeft, false} && kernel_.left_derivatives != nullptr)
     return preconditioned() &
-           call(kernel_.left_derivatives, nominal_.get(), preconditioner(), derivatives_.get());
+           call(kernel_.left_derivatives, boxes_.get(), preconditioner(), derivatives_.get());
   double* of_matrix = form_.side == Side::kNone ? derivatives_.get() : matrix_derivatives_.get();
   const LaneMask defined = call(kernel_.matrix_derivatives, boxes_.get(), nullptr, of_matrix);
   if (form_.side == Side::kNone) return defined;

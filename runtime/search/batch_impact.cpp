@@ -105,15 +105,19 @@ const double* Batch::approx_impact() noexcept {
   }
   double P[kMaxOrder * kMaxOrder * kLanes];
   double approx_radius[kLanes];
-  if (sees_mean_values_) {
+  if (sees_mean_values_ || second_order_) {
     // A copy, with a neutral 1 where nothing is known: the bounds themselves stay bounds.
-    const double* bounds = is_structured() ? structured_bounds() : natural_bounds();
+    const double* bounds = second_order_ ? second_order_bounds() : natural_bounds();
     for (std::size_t e = 0; e < order() * order() * kLanes; ++e)
       P[e] = bounds[e] < kInfinity ? bounds[e] : 1.0;
   } else {
     approx_distances(P);
   }
   approx_perron(P, order(), right_perron_.get(), left_perron_.get(), approx_radius);
+  if (second_order_) {
+    second_order_->approx_impact(right_perron_.get(), left_perron_.get(), impact_.get());
+    return impact_.get();
+  }
   if (form_.side == ProductForm::Side::kNone) weigh_rows();
   std::fill_n(impact_.get(), variables_ * kLanes, 0.0);
   if (sees_mean_values_ || sharpens_)

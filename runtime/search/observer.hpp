@@ -30,7 +30,7 @@ struct Split {
 };
 
 /// What stands behind a leaf. For the test that certified it: entry p of K is preconditioner[p·8],
-/// entry i of v is vector[i·8], i < order (0 if the rule has no v; for kStructured more than the
+/// entry i of v is vector[i·8], i < order (0 if the rule has no v; for kSecondOrder more than the
 /// columns).
 struct Proof {
   const double* preconditioner = nullptr;

@@ -26,7 +26,7 @@ Claim claim_of(Rule rule) noexcept {
       return Claim::kUndecided;
     case Rule::kHMatrix:
     case Rule::kMeanValue:
-    case Rule::kStructured:
+    case Rule::kSecondOrder:
     case Rule::kDeterminant:
     case Rule::kElimination:
     case Rule::kRohn:

@@ -51,8 +51,8 @@ const char* name(Rule rule) noexcept {
       return "h-matrix";
     case Rule::kMeanValue:
       return "mean-value";
-    case Rule::kStructured:
-      return "structured";
+    case Rule::kSecondOrder:
+      return "second order";
     case Rule::kDeterminant:
       return "determinant";
     case Rule::kElimination:

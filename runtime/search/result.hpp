@@ -34,7 +34,7 @@ enum class Rule : std::uint8_t {
   kOutside,         ///< a constraint is positive throughout
   kHMatrix,         ///< Pv < v, natural entries
   kMeanValue,       ///< Pv < v, smaller of natural and mean-value bounds
-  kStructured,      ///< Tv < v, uncertain quantities by the row they touch
+  kSecondOrder,     ///< Tv < v, second order, uncertain quantities by the row they touch
   kDeterminant,     ///< interval determinant, by expansion
   kElimination,     ///< interval determinant, by elimination
   kRohn,            ///< vertex determinants

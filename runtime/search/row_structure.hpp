@@ -1,16 +1,17 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include "regulus/regularity/structured.hpp"
+#include "regulus/regularity/second_order.hpp"
 #include "regulus/search/problem.hpp"
 
 namespace regulus {
 
-/// Finds the uncertain quantities that touch one row of the matrix only.
-///
-/// Ensures   a variable is given row l only if its partial derivatives of all other rows are 0 all
-///           over the problem's box, as proved by enclosures that are exactly [0, 0] there. Empty
-///           when the method does not use it, or derivatives are missing or not defined everywhere.
+/// Whether the search uses the kernel's expansion. One at nominal values is of no use where
+/// uncertain quantities are bisected.
+[[nodiscard]] bool uses_expansion(const regulus_kernel& kernel, const Settings& settings) noexcept;
+
+/// The uncertain quantities that touch one row of the matrix only, as the kernel's expansion says.
+/// Empty when the search does not use it.
 [[nodiscard]] RowStructure find_row_structure(const Problem& problem, const Settings& settings);
 
 }  // namespace regulus

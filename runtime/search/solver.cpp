@@ -296,7 +296,7 @@ void Search::count_filter(std::size_t test, LaneMask certified) noexcept {
 }
 
 std::size_t Search::vector_order(Rule rule) const noexcept {
-  if (rule == Rule::kStructured) return batch_.order();
+  if (rule == Rule::kSecondOrder) return batch_.order();
   return rule == Rule::kHMatrix || rule == Rule::kMeanValue ? problem_.kernel->columns : 0;
 }
 

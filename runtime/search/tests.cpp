@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "regulus/search/tests.hpp"
 
+#include <algorithm>
+
 #include "regulus/regularity/expansion.hpp"
 #include "regulus/regularity/h_matrix.hpp"
 #include "regulus/regularity/rohn.hpp"
@@ -26,25 +28,28 @@ class HMatrixTest final : public RegularityTest {
   HMatrixTest(Rule rule, double alpha) noexcept : RegularityTest(rule), alpha_(alpha) {}
 
   LaneMask certify(Batch& batch, LaneMask lanes) noexcept override {
-    const bool structured = rule() == Rule::kStructured;
-    const std::size_t n = structured ? batch.order() : batch.kernel().columns;
+    const bool moving = rule() == Rule::kSecondOrder;
+    const std::size_t n = moving ? batch.order() : batch.kernel().columns;
     const double* P = bounds(batch);
     lanes &= certain_h_matrix(P, n, batch.candidate_vector());
     batch.keep_vector(lanes, n);
     if (alpha_ == 0.0) return above_threshold(batch, lanes, [](std::size_t) { return 1.0; });
-    double product_rd[kLanes];
+    double product_rd[kLanes], moving_ru[kLanes];
     determinant_rd(P, n, product_rd);
+    std::fill_n(moving_ru, kLanes, 1.0);
+    if (moving) batch.moving_determinant_ru(moving_ru);
     // |det A| = |det KA| / |det K|.
     return above_threshold(batch, lanes, [&](std::size_t lane) {
-      return div_rd(product_rd[lane], mag(batch.preconditioner_determinant(lane)));
+      return div_rd(product_rd[lane],
+                    mul_ru(mag(batch.preconditioner_determinant(lane)), moving_ru[lane]));
     });
   }
 
  private:
   [[nodiscard]] const double* bounds(Batch& batch) const noexcept {
     switch (rule()) {
-      case Rule::kStructured:
-        return batch.structured_bounds();
+      case Rule::kSecondOrder:
+        return batch.second_order_bounds();
       case Rule::kMeanValue:
         return batch.mean_value_bounds();
       default:
@@ -165,14 +170,13 @@ TestSequence tests_of_method(const Problem& problem, const Settings& settings,
   const double alpha = problem.alpha.hi;
   const regulus_kernel& kernel = *problem.kernel;
   TestSequence tests;
-  if (!structure.empty()) {
-    tests.push_back(std::make_unique<HMatrixTest>(Rule::kStructured, alpha));
-    return tests;
-  }
   if (settings.method == Method::kAuto) {
-    tests.push_back(std::make_unique<HMatrixTest>(Rule::kHMatrix, alpha));
-    if (kernel.left_derivatives != nullptr && kernel.left_product != nullptr)
+    // Where quantities touch one row only, bounds that are blind to it are far wider.
+    if (structure.empty()) tests.push_back(std::make_unique<HMatrixTest>(Rule::kHMatrix, alpha));
+    if (structure.empty() && kernel.left_derivatives != nullptr && kernel.left_product != nullptr)
       tests.push_back(std::make_unique<HMatrixTest>(Rule::kMeanValue, alpha));
+    if (structure.is_known())
+      tests.push_back(std::make_unique<HMatrixTest>(Rule::kSecondOrder, alpha));
     return tests;
   }
   if (settings.method == Method::kClosedForm) {

@@ -207,7 +207,6 @@ TEST(Verdict, TallMatricesAreOfFullRankWhereCertified) {
 TEST(Verdict, UncertainQuantitiesNeverContradictExactDeterminants) {
   Random random(105);
   Tally tally;
-  std::uint64_t structured = 0;
   for (int round = 0; round < 300; ++round) {
     const unsigned n = 2 + static_cast<unsigned>(random.below(3));
     RandomMatrix kernel(random, 3, n, n, random.one_in(2) ? 3.0 : 1.5);
@@ -223,7 +222,6 @@ TEST(Verdict, UncertainQuantitiesNeverContradictExactDeterminants) {
     settings.uncertainty = random.one_in(2) ? Uncertainty::kElements : Uncertainty::kVariables;
     const Result result = solve(problem, settings);
     tally.count(result.verdict);
-    structured += result.statistics.leaves[static_cast<std::size_t>(Rule::kStructured)];
     const Grid grid = look(kernel, ranges, 4);
     if (result.verdict == Verdict::kNoSingularity) {
       ASSERT_FALSE(grid.zero || (grid.negative && grid.positive)) << round;
@@ -232,7 +230,6 @@ TEST(Verdict, UncertainQuantitiesNeverContradictExactDeterminants) {
   }
   EXPECT_GT(tally.free, 50);
   EXPECT_GT(tally.singular, 50);
-  EXPECT_GT(structured, 100U);
 }
 
 }  // namespace
