@@ -337,7 +337,7 @@ class Formulator {
   void append_column(DerivativeIndex place, const Polynomial& p, const std::string& function,
                      DerivativeForms& to) {
     if (p.is_zero()) return;
-    const Rewritten form = rewriter_.best_form(p);
+    const Rewritten form = rewriter_.nested_form(p);
     append_rows({form.expression}, {{{}, count_occurrences(form.expression), form.passes}},
                 to.forms, result_.statistics[function]);
     for (place.row = 0; place.row < result_.columns; ++place.row) to.places.push_back(place);
