@@ -82,7 +82,8 @@ void SecondOrderBounds::moving_determinant_ru(double* upper) const noexcept {
     }
     for (std::size_t i = 0; i < n; ++i) {
       trace += kGamma * sum_D_(i, i)[l];
-      scale[i] = std::sqrt(v[point_at(i, l)] / y[point_at(i, l)]);
+      const double ratio = v[point_at(i, l)] / y[point_at(i, l)];
+      scale[i] = ratio > 0x1p-100 && ratio < 0x1p100 ? std::sqrt(ratio) : 1.0;
     }
     for (std::size_t i = 0; i < n; ++i)
       for (std::size_t j = 0; j < n; ++j) {
