@@ -71,6 +71,13 @@ std::string derivatives_field(const Module& module, const std::string& function,
   return field("{" + function + ", " + function + "_list, " + std::to_string(count) + "}", name);
 }
 
+std::string integers(const std::string& name, const std::vector<int>& values) {
+  if (values.empty()) return "";
+  std::string text = "const int " + name + "[] = {";
+  for (const int value : values) text += std::to_string(value) + ", ";
+  return text + "};\n";
+}
+
 /// The lists of the expansion's functions, then the table itself.
 std::string expansion_table(const Module& module) {
   if (!module.expansion) return "";
@@ -79,9 +86,8 @@ std::string expansion_table(const Module& module) {
   const std::string listed[] = {expansion.first, "expansion_second", "row_first", "row_second"};
   for (const std::string& name : listed)
     if (is_present(module, name.c_str())) text += list_of(*module.find(name));
-  text += "const int row_of_variable[] = {";
-  for (const int row : expansion.row_of_variable) text += std::to_string(row) + ", ";
-  text += "};\n";
+  text += integers("row_of_variable", expansion.row_of_variable);
+  text += integers("ball_of_variable", expansion.ball_of_variable);
   if (!expansion.nominal.empty()) {
     text += "const double nominal[] = {\n";
     for (const Interval& x : expansion.nominal)
@@ -90,6 +96,8 @@ std::string expansion_table(const Module& module) {
   }
   text += "const regulus_expansion expansion = {\n";
   text += field("row_of_variable", "row_of_variable");
+  text += field(expansion.ball_of_variable.empty() ? "nullptr" : "ball_of_variable",
+                "ball_of_variable");
   text += field(expansion.nominal.empty() ? "nullptr" : "nominal", "nominal");
   text += field(expansion.product, "product");
   text += derivatives_field(module, expansion.first, "first");

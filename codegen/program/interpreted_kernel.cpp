@@ -130,6 +130,8 @@ class InterpretedExpansion {
   void fill(const Module& module) {
     const Expansion& expansion = *module.expansion;
     rows_ = expansion.row_of_variable;
+    balls_ = expansion.ball_of_variable;
+    table_.ball_of_variable = balls_.empty() ? nullptr : balls_.data();
     for (const Interval& x : expansion.nominal) nominal_.insert(nominal_.end(), {x.lo, x.hi});
     table_.row_of_variable = rows_.data();
     table_.nominal = nominal_.empty() ? nullptr : nominal_.data();
@@ -155,7 +157,7 @@ class InterpretedExpansion {
             static_cast<unsigned>(lists_[list].size())};
   }
 
-  std::vector<int> rows_;
+  std::vector<int> rows_, balls_;
   std::vector<double> nominal_;
   std::array<std::vector<regulus_derivative>, 4> lists_;
   regulus_expansion table_{};

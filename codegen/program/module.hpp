@@ -35,10 +35,11 @@ struct Function {
 /// What regulus_expansion says besides its functions expansion_second, row_first, row_second.
 struct Expansion {
   static constexpr int kNoRow = -1;
-  std::string product;               ///< name of the function that is K·A at ū
-  std::string first;                 ///< of the function that is its derivatives
-  std::vector<int> row_of_variable;  ///< or kNoRow
-  std::vector<Interval> nominal;     ///< per variable, or empty
+  std::string product;                ///< name of the function that is K·A at ū
+  std::string first;                  ///< of the function that is its derivatives
+  std::vector<int> row_of_variable;   ///< or kNoRow
+  std::vector<int> ball_of_variable;  ///< or −1; empty if there are no balls
+  std::vector<Interval> nominal;      ///< per variable, or empty
 };
 
 struct Module {

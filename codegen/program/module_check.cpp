@@ -85,6 +85,8 @@ void check_expansion(const Module& module) {
   if (!fits(expansion.product, false) || (!expansion.first.empty() && !fits(expansion.first, true)))
     throw std::invalid_argument("the expansion lacks its product or its first derivatives");
   if (expansion.row_of_variable.size() != module.variables.size() ||
+      (!expansion.ball_of_variable.empty() &&
+       expansion.ball_of_variable.size() != module.variables.size()) ||
       (!expansion.nominal.empty() && expansion.nominal.size() != module.variables.size()))
     throw std::invalid_argument("the expansion has not one row, or value, for each variable");
 }

@@ -38,6 +38,8 @@ void print_names(std::ostream& text, const char* what, const std::vector<std::st
 void print_expansion(std::ostream& text, const Expansion& expansion) {
   text << "expansion " << expansion.product << ' ' << expansion.first << "\nrows";
   for (const int row : expansion.row_of_variable) text << ' ' << row;
+  text << "\nballs";
+  for (const int ball : expansion.ball_of_variable) text << ' ' << ball;
   text << "\nnominal" << std::hexfloat;
   for (const Interval& x : expansion.nominal) text << ' ' << x.lo << ' ' << x.hi;
   text << '\n' << std::defaultfloat;

@@ -270,6 +270,9 @@ class Formulator {
     ExpansionForms& x = result_.expansion.emplace();
     for (const Variable& v : result_.variables) x.row_of_variable.push_back(row_of(v));
     if (!at_nominal) return form_expansion_of(first_row(forms_));
+    const auto in_ball = [](const Variable& v) { return v.ball >= 0; };
+    if (std::any_of(result_.variables.begin(), result_.variables.end(), in_ball))
+      for (const Variable& v : result_.variables) x.ball_of_variable.push_back(v.ball);
     std::map<std::string, Expression> values;
     const SymbolMeaning no_symbols;
     for (std::size_t v = 0; v < result_.variables.size(); ++v) {

@@ -67,8 +67,9 @@ struct DerivativeForms {
 /// See regulus_expansion. `product` and `first` are empty when left_product and left_derivatives
 /// serve as such.
 struct ExpansionForms {
-  std::vector<int> row_of_variable;  ///< or Expansion::kNoRow
-  std::vector<Expression> nominal;   ///< per variable, constants; empty for kAtBox
+  std::vector<int> row_of_variable;   ///< or Expansion::kNoRow
+  std::vector<int> ball_of_variable;  ///< or −1; empty if there are no balls
+  std::vector<Expression> nominal;    ///< per variable, constants; empty for kAtBox
   std::vector<Expression> product;
   DerivativeForms first, second, row_first, row_second;
 };

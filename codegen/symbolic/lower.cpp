@@ -124,6 +124,7 @@ class ModuleBuilder {
     const auto count = [](const DerivativeForms& d) { return static_cast<int>(d.forms.size()); };
     Expansion& expansion = module_.expansion.emplace();
     expansion.row_of_variable = x.row_of_variable;
+    expansion.ball_of_variable = x.ball_of_variable;
     expansion.product = x.product.empty() ? "left_product" : "nominal_product";
     expansion.first = x.product.empty() ? "left_derivatives" : "nominal_first";
     for (const Expression& value : x.nominal) expansion.nominal.push_back(enclose_value(value));

@@ -43,6 +43,8 @@ typedef struct regulus_derivatives {
 /// are kept apart: A is expanded at their nominal values ū.
 typedef struct regulus_expansion {
   const int* row_of_variable;  ///< the only row that an uncertain quantity touches, or −1
+  /// For each variable the number of the ball it is a coordinate of, or −1. Null: there are none.
+  const int* ball_of_variable;
   /// Bounds of ū, lower and upper for each variable, unused where row_of_variable is −1. Null: the
   /// functions at ū take those quantities from `boxes` like any other.
   const double* nominal;

@@ -23,6 +23,9 @@ inline constexpr std::size_t kMaxOrder = kMaxColumns + kMaxRows;
 /// The most variables that bounds of second order move with.
 inline constexpr std::size_t kMaxWide = 64;
 
+/// The most coordinates of one ball that are taken together.
+inline constexpr std::size_t kMaxBall = 16;
+
 /// Bit l speaks of lane l.
 using LaneMask = unsigned;
 inline constexpr LaneMask kEveryLane = (1U << kLanes) - 1;

@@ -57,6 +57,11 @@ class OctetMatrix {
     for (Octet& x : entries_)
       for (std::size_t l = 0; l < kLanes; ++l) x[l] = raise_ru(x[l], factor);
   }
+  /// Entries become their square roots, to nearest.
+  void root() noexcept {
+    for (Octet& x : entries_)
+      for (std::size_t l = 0; l < kLanes; ++l) x[l] = std::sqrt(x[l]);
+  }
   void load(const double* points) noexcept {
     for (std::size_t e = 0; e < entries_.size(); ++e)
       std::memcpy(entries_[e].value, points + point_at(e, 0), sizeof(Octet));

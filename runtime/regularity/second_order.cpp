@@ -13,6 +13,7 @@ SecondOrderBounds::SecondOrderBounds(const DerivativeLists& lists, const RowStru
       radius_(lists.variables) {
   list_wide(lists, structure);
   list_rows(lists, structure);
+  group_row_variables(structure);
   const std::size_t m = rows_, n = columns_, slots = touched_.size();
   for (WideVariable& w : wide_) {
     w.D = w.defect = OctetMatrix(n, n);
@@ -26,6 +27,28 @@ SecondOrderBounds::SecondOrderBounds(const DerivativeLists& lists, const RowStru
   R_ = OctetMatrix(slots, slots);
   row_ = OctetMatrix(1, n);
   slope_ = OctetMatrix(wide_.size(), n);
+  columns_of_group_ = OctetMatrix(1 + wide_.size(), n);
+  R_of_group_ = OctetMatrix(1 + wide_.size(), slots);
+}
+
+/// Coordinates of one ball form a group if they touch the same row.
+void SecondOrderBounds::group_row_variables(const RowStructure& structure) {
+  const auto ball_of = [&](std::size_t k) {
+    return structure.ball.empty() ? RowStructure::kNoBall
+                                  : structure.ball[row_variables_[k].variable];
+  };
+  for (std::size_t k = 0; k < row_variables_.size(); ++k) {
+    const auto joins = [&](const Group& group) {
+      return ball_of(k) != RowStructure::kNoBall && ball_of(group.front()) == ball_of(k) &&
+             row_variables_[group.front()].slot == row_variables_[k].slot &&
+             group.size() < kMaxBall;
+    };
+    const auto known = std::find_if(groups_.begin(), groups_.end(), joins);
+    if (known != groups_.end())
+      known->push_back(k);
+    else
+      groups_.push_back({k});
+  }
 }
 
 /// The index of a wide variable, which is added if need be.

@@ -34,6 +34,9 @@
 //     T = [ P  |K₀| + Σ_p r_p|D_pK₀| ]     Q_lj = Σ_k Δ_k(|w_k(t)|ᵀP + |w_k − w_k(t)|ᵀ)_j
 //         [ Q            R           ]     R_lj = Σ_k Δ_k|w_k(t)ᵀK(t)|_j
 //
+// The coordinates of a point in a ball of radius ρ, ‖δ‖ ≤ ρ, contribute ρ·‖x‖ instead of
+// Δ·Σ_k|x_k|.
+//
 // The H-matrix test and its bounds of determinants then apply to T.
 #pragma once
 
@@ -49,6 +52,10 @@ struct RowStructure {
   static constexpr int kWide = -1;
   std::vector<int> slot;          ///< for each variable: an index into rows, or kWide; or empty
   std::vector<std::size_t> rows;  ///< the rows touched
+  /// For each variable: the number of the ball whose coordinate it is, or kNoBall; empty if there
+  /// are none. The radius of such a variable is that of its ball.
+  std::vector<int> ball = {};
+  static constexpr int kNoBall = -1;
 
   /// Whether anything was found out about the variables.
   [[nodiscard]] bool is_known() const noexcept { return !slot.empty(); }
@@ -128,6 +135,9 @@ class SecondOrderBounds {
     OctetMatrix R;                                          ///< its part of row `slot` of R
   };
 
+  using Group = std::vector<std::size_t>;  ///< indices of row variables
+
+  void group_row_variables(const RowStructure& structure);
   void list_wide(const DerivativeLists& lists, const RowStructure& structure);
   void list_rows(const DerivativeLists& lists, const RowStructure& structure);
   [[nodiscard]] std::size_t wide_index(std::size_t variable);
@@ -137,7 +147,11 @@ class SecondOrderBounds {
   void add_second_order(const SecondOrderInput& input) noexcept;
   void add_pair(const SecondOrderInput& input, const Pair& pair) noexcept;
   void bound_defect() noexcept;
-  void bound_row_variable(const SecondOrderInput& input, RowVariable& u) noexcept;
+  static void accumulate(Octet& sum, const Octet& x, bool ball) noexcept;
+  static void finish(OctetMatrix& sums, bool ball) noexcept;
+  void bound_group(const SecondOrderInput& input, const Group& group) noexcept;
+  void read_row_variable(const SecondOrderInput& input, const RowVariable& u) noexcept;
+  void add_group(std::size_t slot, const Octet& range, RowVariable* single) noexcept;
   void bound_rows() noexcept;
   void assemble(double* T) const noexcept;
 
@@ -145,6 +159,7 @@ class SecondOrderBounds {
   std::vector<WideVariable> wide_;
   std::vector<Pair> pairs_;
   std::vector<RowVariable> row_variables_;
+  std::vector<Group> groups_;         ///< one variable, or the coordinates of a point in a ball
   std::vector<std::size_t> touched_;  ///< rows, by slot
 
   // For one batch. A sum over p has the weights r_p, over p, q the weights r_pr_q.
@@ -156,6 +171,7 @@ class SecondOrderBounds {
   OctetMatrix weight_, weight_of_g_, rest_;   // slots×n: Σ_k Δ_k of |w̄_k|, Σ_p r_p|g_kp|, …
   OctetMatrix R_;                             // slots×slots
   OctetMatrix row_, slope_;                   // 1×n: w̄_k; wide×n: g_kp
+  OctetMatrix columns_of_group_, R_of_group_;  // (1 + wide)×n and (1 + wide)×slots
 };
 
 }  // namespace regulus

@@ -41,7 +41,7 @@ void SecondOrderBounds::bound_ru(const SecondOrderInput& input, double* T) noexc
   rest_.clear();
   R_.clear();
   for (WideVariable& w : wide_) w.R.clear();
-  for (RowVariable& u : row_variables_) bound_row_variable(input, u);
+  for (const Group& group : groups_) bound_group(input, group);
   bound_rows();
   assemble(T);
 }
@@ -143,8 +143,60 @@ void SecondOrderBounds::bound_defect() noexcept {
   P_.raise(kTerms);
 }
 
-/// Adds what u_k contributes to R, to the weights of Q and to the rest of its row.
-void SecondOrderBounds::bound_row_variable(const SecondOrderInput& input, RowVariable& u) noexcept {
+/// Sums |x|, or for the members of a ball x²: |Σ_k δ_kx_k| ≤ ρ·(Σ_k x_k²)^½ when ‖δ‖ ≤ ρ.
+void SecondOrderBounds::accumulate(Octet& sum, const Octet& x, bool ball) noexcept {
+  for (std::size_t l = 0; l < kLanes; ++l) sum[l] += ball ? x[l] * x[l] : std::fabs(x[l]);
+}
+
+/// Σ|x| or (Σx²)^½, from above, of what was accumulated.
+void SecondOrderBounds::finish(OctetMatrix& sums, bool ball) noexcept {
+  sums.raise(kMaxBall);
+  if (!ball) return;
+  sums.root();
+  sums.raise(1);
+}
+
+/// Adds what one uncertain quantity, or the coordinates of a point in a ball, contribute to R, to
+/// the weights of Q and to the rest of their row. The bounds of a ball hold for the weights and for
+/// what rounding adds, too, by Minkowski's inequality.
+void SecondOrderBounds::bound_group(const SecondOrderInput& input, const Group& group) noexcept {
+  const bool ball = group.size() > 1;
+  const std::size_t slot = row_variables_[group.front()].slot;
+  Octet range = radius_[row_variables_[group.front()].variable];
+  columns_of_group_.clear();
+  R_of_group_.clear();
+  for (const std::size_t k : group) {
+    RowVariable& u = row_variables_[k];
+    for (std::size_t l = 0; l < kLanes; ++l) range[l] = std::max(range[l], radius_[u.variable][l]);
+    read_row_variable(input, u);
+    // |w̄_kᵀK₀| and |(g_kpᵀ − w̄_kᵀD_p)K₀| at the rows touched; |w̄_k| and |g_kp|.
+    for (const Entry& e : u.first)
+      accumulate(columns_of_group_(0, e.column), row_(0, e.column), ball);
+    for (std::size_t p = 0; p < wide_.size(); ++p)
+      for (const Entry& e : u.mixed[p])
+        accumulate(columns_of_group_(1 + p, e.column), slope_(p, e.column), ball);
+    for (std::size_t s = 0; s < touched_.size(); ++s) {
+      const std::size_t r = touched_[s];
+      Octet fixed{};
+      for (const Entry& e : u.first) add_product(fixed, row_(0, e.column), K_(e.column, r));
+      accumulate(R_of_group_(0, s), fixed, ball);
+      for (std::size_t p = 0; p < wide_.size(); ++p) {
+        Octet moving{};
+        for (const Entry& e : u.mixed[p]) add_product(moving, slope_(p, e.column), K_(e.column, r));
+        for (const Entry& e : u.first)
+          subtract_product(moving, row_(0, e.column), wide_[p].DK(e.column, r));
+        accumulate(R_of_group_(1 + p, s), moving, ball);
+      }
+    }
+  }
+  finish(columns_of_group_, ball);
+  finish(R_of_group_, ball);
+  add_group(slot, range, ball ? nullptr : &row_variables_[group.front()]);
+}
+
+/// w̄_k and g_kp; what is left of the row goes into the rest.
+void SecondOrderBounds::read_row_variable(const SecondOrderInput& input,
+                                          const RowVariable& u) noexcept {
   const Octet& range = radius_[u.variable];
   row_.clear();
   slope_.clear();
@@ -152,17 +204,15 @@ void SecondOrderBounds::bound_row_variable(const SecondOrderInput& input, RowVar
     for (std::size_t l = 0; l < kLanes; ++l) {
       const Middle w = middle_of(input.row_first, e.at, l);
       row_(0, e.column)[l] = w.middle;
-      weight_(u.slot, e.column)[l] += std::fabs(w.middle) * range[l];
       rest_(u.slot, e.column)[l] += w.distance * range[l];
     }
   for (std::size_t p = 0; p < wide_.size(); ++p)
     for (const Entry& e : u.mixed[p])
       for (std::size_t l = 0; l < kLanes; ++l) {
         const Middle g = middle_of(input.row_second, e.at, l);
-        const double r = product_ru(radius_[wide_[p].variable][l], range[l]);
         slope_(p, e.column)[l] = g.middle;
-        weight_of_g_(u.slot, e.column)[l] += std::fabs(g.middle) * r;
-        rest_(u.slot, e.column)[l] += g.distance * r;
+        rest_(u.slot, e.column)[l] +=
+            g.distance * product_ru(radius_[wide_[p].variable][l], range[l]);
       }
   for (const auto& [other, entries] : u.same_row)
     for (const Entry& e : entries)
@@ -171,27 +221,25 @@ void SecondOrderBounds::bound_row_variable(const SecondOrderInput& input, RowVar
                                           std::fabs(input.row_second[upper_at(e.at, l)]));
         rest_(u.slot, e.column)[l] += magnitude * product_ru(radius_[other][l], range[l]);
       }
-  Octet weights[kMaxWide];
-  for (std::size_t p = 0; p < wide_.size(); ++p)
-    for (std::size_t l = 0; l < kLanes; ++l)
-      weights[p][l] = product_ru(radius_[wide_[p].variable][l], range[l]);
-  // |w̄_kᵀK₀| and r_p|(g_kpᵀ − w̄_kᵀD_p)K₀| at the rows touched.
-  for (std::size_t s = 0; s < touched_.size(); ++s) {
-    const std::size_t r = touched_[s];
-    Octet fixed{};
-    for (const Entry& e : u.first) add_product(fixed, row_(0, e.column), K_(e.column, r));
-    Octet& part = u.R(0, s);
-    part = {};
-    add_magnitude(part, fixed, range);
-    for (std::size_t p = 0; p < wide_.size(); ++p) {
-      Octet moving{};
-      for (const Entry& e : u.mixed[p]) add_product(moving, slope_(p, e.column), K_(e.column, r));
-      for (const Entry& e : u.first)
-        subtract_product(moving, row_(0, e.column), wide_[p].DK(e.column, r));
-      add_magnitude(part, moving, weights[p]);
-      add_magnitude(wide_[p].R(u.slot, s), moving, weights[p]);
+}
+
+void SecondOrderBounds::add_group(std::size_t slot, const Octet& range,
+                                  RowVariable* single) noexcept {
+  for (std::size_t j = 0; j < columns_; ++j)
+    add_product(weight_(slot, j), columns_of_group_(0, j), range);
+  if (single != nullptr) single->R.clear();
+  for (std::size_t p = 0; p <= wide_.size(); ++p) {
+    Octet weight = range;  // Δ, then r_pΔ
+    if (p > 0)
+      for (std::size_t l = 0; l < kLanes; ++l)
+        weight[l] = product_ru(radius_[wide_[p - 1].variable][l], range[l]);
+    for (std::size_t j = 0; p > 0 && j < columns_; ++j)
+      add_product(weight_of_g_(slot, j), columns_of_group_(p, j), weight);
+    for (std::size_t s = 0; s < touched_.size(); ++s) {
+      add_product(R_(slot, s), R_of_group_(p, s), weight);
+      if (single != nullptr) add_product(single->R(0, s), R_of_group_(p, s), weight);
+      if (p > 0) add_product(wide_[p - 1].R(slot, s), R_of_group_(p, s), weight);
     }
-    add(R_(u.slot, s), part);
   }
 }
 

@@ -28,6 +28,10 @@ RowStructure find_row_structure(const Problem& problem, const Settings& settings
   for (std::size_t k = kernel.motion_variables; k < kernel.variables; ++k)
     if (const int row = kernel.expansion->row_of_variable[k]; row >= 0)
       structure.slot[k] = static_cast<int>(slot_of(structure.rows, static_cast<std::size_t>(row)));
+  // A box that may be split in them holds only part of a ball, and more than that part.
+  if (kernel.expansion->nominal != nullptr && kernel.expansion->ball_of_variable != nullptr)
+    structure.ball.assign(kernel.expansion->ball_of_variable,
+                          kernel.expansion->ball_of_variable + kernel.variables);
   return structure;
 }
 

@@ -27,6 +27,7 @@ struct Family {
   std::vector<std::size_t> row;                     // of u_k
   std::vector<std::vector<std::vector<double>>> w;  // of u_k: five, n
   std::vector<double> radius;                       // of t and each u
+  bool in_balls = false;                            // u_{2i}, u_{2i+1}: a point in a disc
 
   Family(Random& random, std::size_t order, std::size_t extra_rows)
       : m(order + extra_rows), n(order) {
@@ -81,7 +82,32 @@ struct Family {
       result.slot.push_back(static_cast<int>(known - result.rows.begin()));
       if (known == result.rows.end()) result.rows.push_back(l);
     }
+    if (in_balls) {
+      result.ball.assign(kWide, RowStructure::kNoBall);
+      for (std::size_t k = 0; k < row.size(); ++k) result.ball.push_back(static_cast<int>(k / 2));
+    }
     return result;
+  }
+
+  void put_in_balls() {
+    in_balls = true;
+    for (std::size_t k = 1; k < row.size(); k += 2) radius[kWide + k] = radius[kWide + k - 1];
+  }
+
+  /// Values of t and u, within their discs.
+  [[nodiscard]] std::vector<Exact> member(Random& random) const {
+    std::vector<Exact> x;
+    for (const double r : radius) x.emplace_back(test::member(random, -r, r));
+    for (std::size_t k = 0; in_balls && k + 1 < row.size(); k += 2) {
+      const double r = radius[kWide + k];
+      if (random.one_in(3)) {
+        x[kWide + k + random.below(2)] = Exact(0.0);
+      } else {  // 0.6² + 0.8² = 1, and less
+        x[kWide + k] = Exact(0.59 * (random.one_in(2) ? r : -r));
+        x[kWide + k + 1] = Exact(0.79 * (random.one_in(2) ? r : -r));
+      }
+    }
+    return x;
   }
 
   [[nodiscard]] Interval range(std::size_t k) const { return {-radius[k], radius[k]}; }
@@ -195,14 +221,13 @@ TEST(SecondOrder, ClaimsHoldForExactMembers) {
   Random random(21);
   int certified = 0, refused = 0, moving = 0;
   for (int round = 0; round < 400; ++round) {
-    const Family f(random, 1 + random.below(4), random.below(2));
+    Family f(random, 1 + random.below(4), random.below(2));
+    if (random.one_in(2)) f.put_in_balls();
     const Inputs in(random, f);
     const Bounds bounds(f, in);
     ++(bounds.regular ? certified : refused);
     for (int sample = 0; sample < 12; ++sample) {
-      std::vector<Exact> x;
-      for (const double r : f.radius) x.emplace_back(test::member(random, -r, r));
-      const Exact det = determinant(product_with_K(f, in, f.at(x)), f.n);
+      const Exact det = determinant(product_with_K(f, in, f.at(f.member(random))), f.n);
       if (bounds.regular) {
         ASSERT_EQ(det.sign(), 1) << round;
         ASSERT_GT(bounds.lower[0], 0.0) << round;
@@ -217,6 +242,27 @@ TEST(SecondOrder, ClaimsHoldForExactMembers) {
   EXPECT_GT(certified, 80);
   EXPECT_GT(refused, 80);
   EXPECT_GT(moving, 500);
+}
+
+TEST(SecondOrder, ABallIsBoundedBetterThanTheBoxAroundIt) {
+  Random random(24);
+  int better = 0;
+  for (int round = 0; round < 100; ++round) {
+    Family f(random, 4, 0);
+    f.put_in_balls();
+    Random same(round);
+    const Inputs in(same, f);
+    const Bounds ball(f, in);
+    f.in_balls = false;
+    const Bounds box(f, in);
+    double most = 0;
+    for (std::size_t e = 0; e < ball.T.size(); ++e) {
+      ASSERT_LE(ball.T[e], box.T[e] * (1 + 1e-9));
+      most = std::max(most, box.T[e] - ball.T[e]);
+    }
+    better += most > 1e-3;
+  }
+  EXPECT_GT(better, 90);
 }
 
 TEST(SecondOrder, LosesNothingOfFirstOrderInThePose) {
