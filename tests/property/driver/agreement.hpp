@@ -1,0 +1,91 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// All methods, with uncertain quantities kept whole and split, on the same problem.
+#pragma once
+
+#include <gtest/gtest.h>
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "property/driver/random_models.hpp"
+
+namespace regulus::codegen::test {
+
+/// A motion of one of the models shipped, or, where `model` is empty, a random model of that seed.
+struct AgreementCase {
+  const char* model;
+  const char* motion;
+  const char* tolerance = "";
+  std::uint64_t seed = 0;
+  std::optional<Verdict> expected = {};
+};
+
+struct Effort {
+  std::uint64_t max_boxes;
+  double time_limit;  ///< seconds, of one search; 0: no bound
+  std::uint64_t closed_form_terms;
+};
+
+class Agreement {
+ public:
+  explicit Agreement(const AgreementCase& problem) : problem_(problem) {
+    if (*problem.model != 0) {
+      options_.path = std::string(REGULUS_SOURCE_DIR "/models/") + problem.model + ".toml";
+      options_.motion = problem.motion;
+      if (*problem.tolerance != 0) options_.tolerances = {problem.tolerance};
+      return;
+    }
+    RandomSource random(problem.seed);
+    text_ = RandomModel(random).text().file();
+    options_.path = (directory_.path() / "model.toml").string();
+    std::ofstream(options_.path) << text_;
+  }
+
+  /// Ensures   no two verdicts contradict each other, nor what is known of the problem.
+  void expect_of_all(const Effort& effort) {
+    for (const char* method : kMethods)
+      for (const char* uncertainty : {"elements", "variables"}) {
+        const std::optional<Verdict> verdict = verdict_of(method, uncertainty, effort);
+        if (!verdict || *verdict == Verdict::kPossibleProblem) continue;
+        ++decided;
+        if (!first_) first_ = verdict, first_by_ = method;
+        EXPECT_EQ(*verdict, *first_) << method << ' ' << uncertainty << " against " << first_by_
+                                     << " on " << options_.path << ' ' << options_.motion << '\n'
+                                     << text_;
+        EXPECT_EQ(*verdict, problem_.expected.value_or(*verdict)) << method << ' ' << uncertainty;
+      }
+  }
+
+  int decided = 0;
+
+ private:
+  std::optional<Verdict> verdict_of(const char* method, const char* uncertainty,
+                                    const Effort& effort) const {
+    Road road;
+    road.search.method = method;
+    road.search.uncertainty = uncertainty;
+    road.search.engine = Engine::kInterpreted;
+    road.search.max_boxes = effort.max_boxes;
+    road.search.time_limit = effort.time_limit;
+    road.search.symbolic_budget = effort.closed_form_terms;
+    try {
+      const Preparation preparation = prepare(options_, road.search);
+      const Problem problem = preparation.problem();
+      const Result result = solve(problem, road.settings());
+      if (result.reason == Reason::kBadProblem) return std::nullopt;
+      return result.verdict;
+    } catch (const ClosedFormError&) {
+      return std::nullopt;
+    }
+  }
+
+  const AgreementCase& problem_;
+  regulus::test::TemporaryDirectory directory_;
+  ModelOptions options_;
+  std::string text_;
+  std::optional<Verdict> first_;
+  std::string first_by_;
+};
+
+}  // namespace regulus::codegen::test

@@ -1,0 +1,32 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "property/driver/random_models.hpp"
+
+namespace regulus::codegen::test {
+namespace {
+
+TEST(RandomModels, AreNeverJudgedWrongly) {
+  RandomSource random(20070611);
+  Judge judge(random);
+  for (int model = 0; model < 50; ++model)
+    judge.run(RandomModel(random).text(),
+              random_road(random, kMethods[model % std::size(kMethods)]));
+  EXPECT_GT(judge.tally.leaves_by_rows, 0U);
+  judge.tally.expect_leaves({Rule::kSecondOrder, Rule::kDeterminant, Rule::kElimination}, 5);
+  judge.tally.expect_teeth(6);
+}
+
+TEST(AdversarialModels, AreNeverJudgedWrongly) {
+  RandomSource random(20070612);
+  Judge judge(random);
+  for (int model = 0; model < 150; ++model)
+    judge.run(AdversarialModel(random).text(),
+              random_road(random, kMethods[model % std::size(kMethods)]));
+  judge.tally.expect_each_verdict(1);
+  judge.tally.expect_leaves({Rule::kMeanValue, Rule::kSecondOrder, Rule::kDeterminant,
+                             Rule::kElimination, Rule::kClosedForm, Rule::kMultiprecision},
+                            5);
+  judge.tally.expect_teeth(30);
+}
+
+}  // namespace
+}  // namespace regulus::codegen::test
