@@ -2,6 +2,7 @@
 #include <iostream>
 #include <nlohmann/json.hpp>
 
+#include "regulus/codegen/driver/always_singular.hpp"
 #include "regulus/codegen/driver/commands.hpp"
 #include "regulus/codegen/driver/interrupt.hpp"
 #include "regulus/codegen/driver/report.hpp"
@@ -17,7 +18,8 @@ int run_check(const CheckCommand& command) {
   settings.interrupt = &interrupt.requested();
   for (const FilterFile& filter : preparation.filters)
     settings.filters.push_back(&filter.interface());
-  const Result result = run_search(preparation, command.search, command.output, settings);
+  Result result = run_search(preparation, command.search, command.output, settings);
+  recognise_always_singular(preparation, result);
   if (!command.output.quiet) std::cerr << text_report(preparation, command.search, result);
   if (command.output.json)
     std::cout << json_report(preparation, command.search, result).dump(2) << '\n';

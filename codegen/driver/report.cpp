@@ -111,6 +111,8 @@ std::string claim(const Preparation& p, const Result& result) {
                         : fmt::format("the {} has full rank for {}", size_words(p), set)) +
              reservations(p, result);
     case Verdict::kSingularity:
+      if (result.reason == Reason::kAlwaysSingular)
+        return fmt::format("the {} is singular at {}", size_words(p), set);
       return threshold
                  ? fmt::format("the variety holds a pose with |det J⁻¹| ≤ {}",
                                short_interval(p.variety.alpha))

@@ -23,6 +23,8 @@ const char* describe(Reason reason) noexcept {
       return "two points with determinants of opposite signs, joined within the variety";
     case Reason::kSmallDeterminant:
       return "a point whose determinant is at most the threshold";
+    case Reason::kAlwaysSingular:
+      return "the determinant vanishes identically, by exact algebra";
     case Reason::kWidth:
       return "a box at the minimum width could not be decided";
     case Reason::kUncertainty:

@@ -19,6 +19,7 @@ enum class Reason : std::uint8_t {
   kAllBoxesCertified,
   kOppositeSigns,     ///< two points, det of opposite signs, joined within the variety
   kSmallDeterminant,  ///< a point with |det| ≤ α
+  kAlwaysSingular,    ///< the determinant is the zero function, by exact algebra
   kWidth,             ///< a box at the minimum width could not be decided
   kUncertainty,       ///< at one pose the uncertain quantities alone defeat the test
   kUndefined,         ///< an expression is undefined at, or near, a pose
