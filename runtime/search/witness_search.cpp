@@ -113,6 +113,17 @@ void WitnessSearch::look_at_midpoints(Batch& batch, LaneMask lanes) noexcept {
   try_opposite_signs();
 }
 
+void WitnessSearch::look_at(std::span<const std::vector<double>> points) noexcept {
+  for (std::size_t other = 0; other < points.size() && !found_; ++other) {
+    forget();
+    points_.clear();
+    load_point(0, points[0].data());
+    load_point(1, points[other].data());
+    evaluate_points(2);
+    look_at_midpoints(points_, points_.loaded());
+  }
+}
+
 void WitnessSearch::try_small() noexcept {
   if (found_ || !small_fresh_ || small_tries_ == kMaxSmallTries) return;
   small_fresh_ = false;

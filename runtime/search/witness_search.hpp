@@ -26,6 +26,9 @@ class WitnessSearch {
   /// Looks at the midpoints of those lanes, whose determinants come with their preconditioners.
   void look_at_midpoints(Batch& batch, LaneMask lanes) noexcept;
 
+  /// Looks at these points, each moved into the inner ranges: the first with each of the others.
+  void look_at(std::span<const std::vector<double>> points) noexcept;
+
   /// Looks at the corners of the variety; at 64 of them when there are more.
   void look_at_corners() noexcept;
 

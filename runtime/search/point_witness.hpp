@@ -1,0 +1,21 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include "regulus/search/problem.hpp"
+#include "regulus/search/result.hpp"
+
+namespace regulus {
+
+/// Certifies a singularity at the first of these points, or between it and one of the others.
+///
+/// Requires  find_fault finds none.
+/// Ensures   kSingularity: the result's witness proves it, as that of `solve` does. Otherwise
+///           POSSIBLE PROBLEM, kWidth, and nothing is claimed. Points are moved into the problem's
+///           inner ranges. The caller's floating-point environment is kept.
+[[nodiscard]] Result prove_singularity(const Problem& problem, const Settings& settings,
+                                       std::span<const std::vector<double>> points);
+
+}  // namespace regulus
