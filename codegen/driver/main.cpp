@@ -16,6 +16,7 @@ int run(const CommandLine& line, const std::string& command) {
   if (line.exit_code) return *line.exit_code;
   if (line.check) return run_check(*line.check);
   if (line.locate) return run_locate(*line.locate);
+  if (line.margin) return run_margin(*line.margin);
   return run_explain(*line.explain, command);
 }
 

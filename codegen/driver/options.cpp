@@ -28,6 +28,16 @@ constexpr const char* kLocateExitCodes =
     "Exit: 0 every box is free, 1 some box is certified singular, 2 otherwise;\n"
     "64 usage, 65 bad model, 70 internal fault, 74 file trouble.";
 
+constexpr const char* kMarginFooter =
+    "One of the options --tolerance, --alpha and --scale takes a range LO:HI; with LO: alone the\n"
+    "upper end is found. The last line on standard output is the bracket:\n"
+    "  SAFE UP TO a, NOT AT b   proved at a, and so below; a witness shows a singularity at b\n"
+    "Exit: 0 the bracket is as narrow as --gap asks, or all of LO:HI is safe; 1 LO is not safe;\n"
+    "2 a limit, an interrupt or the strength of the tests ended it earlier;\n"
+    "64 usage, 65 bad model, 70 internal fault, 74 file trouble.";
+
+constexpr double kMarginSeconds = 60;
+
 void add_model_options(CLI::App& app, ModelOptions& options) {
   app.add_option("MODEL", options.path, "Model file (TOML)")->required();
   app.add_option("MOTION", options.motion,
@@ -134,6 +144,27 @@ void add_paving_options(CLI::App& app, LocateCommand& command) {
       ->type_name("p,q");
 }
 
+void add_margin_options(CLI::App& app, MarginCommand& command) {
+  app.get_option("--tolerance")
+      ->description(
+          "Tolerance of a group of constants; a range, base,platform=0:0.2, asks for the "
+          "largest that is safe")
+      ->type_name("GROUP=E|GROUP=LO:HI");
+  app.get_option("--alpha")
+      ->description("Threshold of |det J^-1|; a range asks for the largest that is exceeded")
+      ->type_name("A|LO:HI");
+  app.add_option("--scale", command.scale,
+                 "How far the ranges of a box variety may grow about their middles: 1 is as "
+                 "declared")
+      ->type_name("LO:HI");
+  app.add_option("--gap", command.gap, "Stop when (b - a)/b is at most this")
+      ->type_name("G")
+      ->capture_default_str();
+  command.search.time_limit = kMarginSeconds;
+  app.get_option("--time-limit")->description("Stop after S seconds of search")->default_str("60");
+  app.get_option("--max-boxes")->description("Most boxes of each search");
+}
+
 }  // namespace
 
 CommandLine parse_command_line(int argc, const char* const* argv) {
@@ -160,6 +191,16 @@ CommandLine parse_command_line(int argc, const char* const* argv) {
   add_output_options(*locate_command, locate.output);
   locate_command->footer(kLocateExitCodes);
 
+  MarginCommand margin;
+  CLI::App* margin_command = app.add_subcommand(
+      "margin", "Bracket the largest tolerance, threshold or size of a motion that is safe");
+  add_model_options(*margin_command, margin.model);
+  add_search_options(*margin_command, margin.search);
+  add_filter_option(*margin_command, margin.search);
+  add_margin_options(*margin_command, margin);
+  add_output_options(*margin_command, margin.output);
+  margin_command->footer(kMarginFooter);
+
   ExplainCommand explain;
   CLI::App* explain_command = app.add_subcommand(
       "explain", "Show the symbolic forms and the occurrences of each variable before and after");
@@ -183,6 +224,7 @@ CommandLine parse_command_line(int argc, const char* const* argv) {
   }
   if (check_command->parsed()) result.check = check;
   if (locate_command->parsed()) result.locate = locate;
+  if (margin_command->parsed()) result.margin = margin;
   if (explain_command->parsed()) result.explain = explain;
   return result;
 }

@@ -67,6 +67,15 @@ struct LocateCommand {
   std::vector<std::string> pictures;
 };
 
+/// One of the model's tolerances, its alpha, or `scale` is a range LO:HI.
+struct MarginCommand {
+  ModelOptions model;
+  SearchOptions search;
+  OutputOptions output;
+  std::string scale;  ///< empty: not that
+  std::string gap = "0.01";
+};
+
 struct ExplainCommand {
   ModelOptions model;
   bool all_entries = false;
@@ -81,6 +90,7 @@ struct CommandLine {
   std::optional<int> exit_code;
   std::optional<CheckCommand> check;
   std::optional<LocateCommand> locate;
+  std::optional<MarginCommand> margin;
   std::optional<ExplainCommand> explain;
 };
 

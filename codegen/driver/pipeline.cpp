@@ -31,24 +31,6 @@ class InterpretedPrograms : public LoadedKernel {
   InterpretedKernel kernel_;
 };
 
-/// "GROUP=VALUE" in two.
-std::pair<std::string, std::string> split_assignment(const std::string& text, const char* option) {
-  const std::size_t equals = text.find('=');
-  if (equals == std::string::npos || equals == 0)
-    throw UsageError(std::string(option) + ": found '" + text + "', expected NAME=VALUE");
-  return {text.substr(0, equals), text.substr(equals + 1)};
-}
-
-/// Runs an override; its complaints are about the command line, not about the model file.
-template <class Change>
-void from_option(const char* option, Change change) {
-  try {
-    change();
-  } catch (const InputError& error) {
-    throw UsageError(std::string(option) + ": " + error.what());
-  }
-}
-
 Isa chosen_isa(const SearchOptions& search) {
   if (search.isa.empty()) return best_isa();
   const Isa isa = parse_isa(search.isa).value();
@@ -95,6 +77,13 @@ void load_kernel(Preparation& p, const SearchOptions& search) {
 
 }  // namespace
 
+std::pair<std::string, std::string> split_assignment(const std::string& text, const char* option) {
+  const std::size_t equals = text.find('=');
+  if (equals == std::string::npos || equals == 0)
+    throw UsageError(std::string(option) + ": found '" + text + "', expected NAME=VALUE");
+  return {text.substr(0, equals), text.substr(equals + 1)};
+}
+
 Request read_request(const ModelOptions& options) {
   Request request;
   request.model = load_model(options.path);
@@ -130,11 +119,17 @@ FormulationOptions functions_needed(Method method, const Settings& settings,
 }
 
 Preparation prepare(const ModelOptions& model, const SearchOptions& search) {
+  Stopwatch watch;
+  Request request = read_request(model);
+  return prepare(std::move(request), watch.lap(), search);
+}
+
+Preparation prepare(Request request, double model_seconds, const SearchOptions& search) {
   Preparation p;
   Stopwatch watch;
-  p.request = read_request(model);
+  p.request = std::move(request);
   for (const std::string& path : search.filters) p.filters.emplace_back(path);
-  p.seconds.model = watch.lap();
+  p.seconds.model = model_seconds + watch.lap();
   const Method method = parse_method(search.method).value();
   p.formulation =
       formulate(p.request.model, p.request.motion,

@@ -5,11 +5,13 @@
 #include <chrono>
 #include <memory>
 #include <string>
+#include <utility>
 
 #include "regulus/codegen/driver/filter_file.hpp"
 #include "regulus/codegen/driver/options.hpp"
 #include "regulus/codegen/driver/variety.hpp"
 #include "regulus/codegen/emit/emitted_kernel.hpp"
+#include "regulus/codegen/model/errors.hpp"
 #include "regulus/codegen/model/model.hpp"
 #include "regulus/codegen/program/module.hpp"
 #include "regulus/codegen/symbolic/formulation.hpp"
@@ -43,6 +45,20 @@ struct Request {
 /// Throws InputError or FileError for the file, UsageError for the options.
 [[nodiscard]] Request read_request(const ModelOptions& options);
 
+/// "GROUP=VALUE" in two. Throws UsageError naming the option.
+[[nodiscard]] std::pair<std::string, std::string> split_assignment(const std::string& text,
+                                                                   const char* option);
+
+/// Runs an override; its complaints are about the command line, not about the model file.
+template <class Change>
+void from_option(const char* option, Change change) {
+  try {
+    change();
+  } catch (const InputError& error) {
+    throw UsageError(std::string(option) + ": " + error.what());
+  }
+}
+
 /// Keeps what a kernel's functions need: compiled code, or programs to interpret.
 class LoadedKernel {
  public:
@@ -74,6 +90,9 @@ struct Preparation {
 /// Runs every stage up to the search. Throws FileError, InputError, ClosedFormError, CompileError
 /// and InternalError too.
 [[nodiscard]] Preparation prepare(const ModelOptions& model, const SearchOptions& search);
+/// The same for a request that has been read, which took `model_seconds`.
+[[nodiscard]] Preparation prepare(Request request, double model_seconds,
+                                  const SearchOptions& search);
 
 /// Which functions a method calls; the others need not be formed or compiled.
 [[nodiscard]] FormulationOptions functions_needed(

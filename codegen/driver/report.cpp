@@ -14,19 +14,6 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-Json json_witness(const Preparation& p, const Result& result) {
-  if (!result.witness) return nullptr;
-  Json points = Json::array();
-  for (const WitnessPoint& point : result.witness->points) points.push_back(json_point(p, point));
-  Json witness = {{"points", points}};
-  const std::vector<Interval>& near = result.witness->near;
-  if (!near.empty())
-    witness["near"] = {{"parameters", json_parameters(p, near)},
-                       {"pose", json_pose(p, result.witness->near_pose)},
-                       {"uncertain", json_uncertain(p, near)}};
-  return witness;
-}
-
 Json json_leaves(const Statistics& statistics) {
   Json object = Json::object();
   for (std::size_t rule = 0; rule < kRules; ++rule)
@@ -39,19 +26,6 @@ Json json_blocking_box(const Preparation& p, const Result& result) {
   Json box = json_parameters(p, result.blocking_box);
   box.update(json_uncertain(p, result.blocking_box));
   return box;
-}
-
-std::string witness_lines(const Preparation& p, const Result& result) {
-  if (!result.witness) return "";
-  std::string lines = "witness\n";
-  for (const WitnessPoint& point : result.witness->points)
-    lines += fmt::format("           determinant {} {} at {}\n",
-                         point.determinant.lo == point.determinant.hi ? "=" : "in",
-                         short_interval(point.determinant), place_words(p, point.variables));
-  if (!result.witness->near.empty())
-    lines += fmt::format("           it vanishes on the segment between them, near {}\n",
-                         place_words(p, result.witness->near));
-  return lines;
 }
 
 std::string blocking_lines(const Preparation& p, const Result& result) {

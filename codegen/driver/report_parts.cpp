@@ -74,6 +74,19 @@ Json json_point(const Preparation& p, const WitnessPoint& point) {
           {"determinant", json_interval(point.determinant)}};
 }
 
+Json json_witness(const Preparation& p, const Result& result) {
+  if (!result.witness) return nullptr;
+  Json points = Json::array();
+  for (const WitnessPoint& point : result.witness->points) points.push_back(json_point(p, point));
+  Json witness = {{"points", points}};
+  const std::vector<Interval>& near = result.witness->near;
+  if (!near.empty())
+    witness["near"] = {{"parameters", json_parameters(p, near)},
+                       {"pose", json_pose(p, result.witness->near_pose)},
+                       {"uncertain", json_uncertain(p, near)}};
+  return witness;
+}
+
 Json json_seconds(const StageSeconds& s) {
   return {{"model", s.model},   {"symbolic", s.symbolic},
           {"emit", s.emit},     {"compile", s.compile},
@@ -132,6 +145,19 @@ std::string pose_line(const Preparation& p, std::span<const Interval> pose) {
                          text_interval(pose[i]));
   }
   return shown ? fmt::format("           where the pose is {}\n", words) : "";
+}
+
+std::string witness_lines(const Preparation& p, const Result& result) {
+  if (!result.witness) return "";
+  std::string lines = "witness\n";
+  for (const WitnessPoint& point : result.witness->points)
+    lines += fmt::format("           determinant {} {} at {}\n",
+                         point.determinant.lo == point.determinant.hi ? "=" : "in",
+                         short_interval(point.determinant), place_words(p, point.variables));
+  if (!result.witness->near.empty())
+    lines += fmt::format("           it vanishes on the segment between them, near {}\n",
+                         place_words(p, result.witness->near));
+  return lines;
 }
 
 std::string size_words(const Preparation& p) {

@@ -24,6 +24,9 @@ namespace regulus::codegen {
                                                std::span<const Interval> pose);
 [[nodiscard]] nlohmann::ordered_json json_point(const Preparation& preparation,
                                                 const WitnessPoint& point);
+/// null without a witness.
+[[nodiscard]] nlohmann::ordered_json json_witness(const Preparation& preparation,
+                                                  const Result& result);
 [[nodiscard]] nlohmann::ordered_json json_seconds(const StageSeconds& seconds);
 [[nodiscard]] const char* json_name(Verdict verdict);
 
@@ -38,6 +41,8 @@ namespace regulus::codegen {
                                       std::span<const Interval> variables);
 /// The pose in a line of its own; nothing when the motion parameters are its parameters.
 [[nodiscard]] std::string pose_line(const Preparation& preparation, std::span<const Interval> pose);
+/// The points of a witness and what holds there; nothing without one.
+[[nodiscard]] std::string witness_lines(const Preparation& preparation, const Result& result);
 /// "full 6×6 matrix"
 [[nodiscard]] std::string size_words(const Preparation& preparation);
 

@@ -1,0 +1,162 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "regulus/codegen/driver/margin_question.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "regulus/codegen/model/constants.hpp"
+#include "regulus/codegen/model/decimal.hpp"
+#include "regulus/codegen/model/overrides.hpp"
+#include "regulus/codegen/model/sign.hpp"
+
+namespace regulus::codegen {
+namespace {
+
+using GiNaC::ex;
+
+MarginValue read_value(const std::string& text, const char* option) {
+  MarginValue value{text, 0, 0, {}};
+  from_option(option, [&] {
+    const Place place{.file = "", .key = option};
+    const Term term = parse_constant(text, place);
+    value.exact = checked_nonnegative(term, place);
+    value.must_be_defined = term.must_be_defined;
+    value.approx = approx_value(value.exact).value_or(0);
+  });
+  return value;
+}
+
+bool is_range(const std::string& text) { return text.find(':') != std::string::npos; }
+
+void read_range(MarginQuestion& question, const std::string& text, const char* option) {
+  const std::size_t colon = text.find(':');
+  if (colon == std::string::npos)
+    throw UsageError(std::string(option) + ": found '" + text + "', expected LO:HI");
+  question.low = read_value(text.substr(0, colon), option);
+  if (colon + 1 == text.size()) return;
+  question.high = read_value(text.substr(colon + 1), option);
+  if (!(question.low.approx < question.high->approx))
+    throw UsageError(std::string(option) + ": found '" + text + "', expected LO below HI");
+}
+
+/// Only where a pose parameter is its own motion parameter a range has a size that means anything.
+void require_box_variety(const Request& request) {
+  const Motion& motion = request.motion;
+  for (const MotionParameter& p : motion.parameters) {
+    const auto same = [&p](const PoseParameter& pose) { return pose.symbol.is_equal(p.symbol); };
+    if (std::none_of(request.model.pose.begin(), request.model.pose.end(), same))
+      throw UsageError("--scale: found the motion '" + motion.name + "' with the parameter '" +
+                       p.name + "', expected a box variety: its ranges are those of the pose");
+  }
+}
+
+void scale_ranges(Motion& motion, const ex& scale) {
+  for (MotionParameter& p : motion.parameters) {
+    const ex middle = (p.range.lo + p.range.hi) / 2;
+    const ex half = (p.range.hi - p.range.lo) / 2 * scale;
+    p.range = {middle - half, middle + half};
+  }
+}
+
+/// The range of a variable at the tolerances and ranges of a request.
+Range range_at(const Request& request, const Variable& variable) {
+  for (const MotionParameter& p : request.motion.parameters)
+    if (variable.kind == VariableKind::kMotion && p.name == variable.name) return p.range;
+  for (const GeometryParameter& g : request.model.geometry)
+    if (variable.kind == VariableKind::kGeometry && g.name == variable.name) {
+      const bool in_ball = g.ball >= 0;
+      const ex spread =
+          in_ball ? request.model.balls.at(static_cast<std::size_t>(g.ball)).radius : g.tolerance;
+      return {g.value - spread, g.value + spread};
+    }
+  if (variable.kind != VariableKind::kControl)
+    throw InternalError("the variable " + variable.name + " is not of the request");
+  return variable.range;
+}
+
+}  // namespace
+
+MarginValue decimal_value(double value) {
+  return {fmt::format("{}", value), shortest_decimal(value), value, {}};
+}
+
+MarginQuestion take_question(MarginCommand& command) {
+  MarginQuestion question;
+  int ranges = 0;
+  auto& tolerances = command.model.tolerances;
+  for (std::size_t i = tolerances.size(); i-- > 0;) {
+    if (!is_range(tolerances[i])) continue;
+    ++ranges;
+    question.growing = Growing::kTolerance;
+    const auto [groups, range] = split_assignment(tolerances[i], "--tolerance");
+    question.groups = groups;
+    read_range(question, range, "--tolerance");
+    tolerances.erase(tolerances.begin() + std::ptrdiff_t(i));
+  }
+  if (is_range(command.model.alpha)) {
+    ++ranges;
+    question.growing = Growing::kAlpha;
+    read_range(question, command.model.alpha, "--alpha");
+    command.model.alpha.clear();
+  }
+  if (!command.scale.empty()) {
+    ++ranges;
+    question.growing = Growing::kScale;
+    read_range(question, command.scale, "--scale");
+  }
+  if (ranges != 1)
+    throw UsageError(
+        fmt::format("margin: found {} ranges, expected one of --tolerance "
+                    "GROUP=LO:HI, --alpha LO:HI, --scale LO:HI",
+                    ranges));
+  return question;
+}
+
+MarginRequest::MarginRequest(Request nominal, const MarginQuestion& question)
+    : nominal_(std::move(nominal)), question_(question) {
+  auto& conditions = nominal_.model.must_be_defined;
+  append(conditions, question.low.must_be_defined);
+  if (question.high) append(conditions, question.high->must_be_defined);
+  if (question.growing == Growing::kScale) require_box_variety(nominal_);
+  if (question.growing == Growing::kAlpha &&
+      nominal_.model.matrix.rows() != nominal_.model.matrix.cols())
+    throw UsageError("--alpha: found a matrix that is not square, expected one with a determinant");
+}
+
+Request MarginRequest::at(const MarginValue& value) const {
+  Request request = nominal_;
+  switch (question_.growing) {
+    case Growing::kTolerance:
+      from_option("--tolerance",
+                  [&] { set_tolerance(request.model, question_.groups, value.exact); });
+      break;
+    case Growing::kAlpha:
+      from_option("--alpha", [&] { set_alpha(request.motion, value.exact); });
+      break;
+    case Growing::kScale:
+      scale_ranges(request.motion, value.exact);
+      break;
+  }
+  return request;
+}
+
+void MarginRequest::replan(Preparation& p, const MarginValue& value) const {
+  p.request = at(value);
+  for (Variable& variable : p.formulation.variables) variable.range = range_at(p.request, variable);
+  p.variety = enclose_variety(p.request.model, p.request.motion, p.formulation);
+}
+
+std::string growing_words(const MarginQuestion& question) {
+  switch (question.growing) {
+    case Growing::kTolerance:
+      return "tolerance of " + question.groups;
+    case Growing::kAlpha:
+      return "alpha";
+    case Growing::kScale:
+      return "scale of the motion's ranges";
+  }
+  return "";
+}
+
+}  // namespace regulus::codegen
