@@ -20,9 +20,6 @@ inline constexpr std::size_t kMaxRows = 24;
 /// The largest order of a matrix P given to the H-matrix test (regulus/regularity/structured.hpp).
 inline constexpr std::size_t kMaxOrder = kMaxColumns + kMaxRows;
 
-/// The most variables that bounds of second order move with.
-inline constexpr std::size_t kMaxWide = 64;
-
 /// The most coordinates of one ball that are taken together.
 inline constexpr std::size_t kMaxBall = 16;
 

@@ -49,6 +49,53 @@ std::optional<std::string> fault_of_kernel(const regulus_kernel& kernel) {
   return std::nullopt;
 }
 
+bool places_fit(const regulus_kernel& kernel, const regulus_derivatives& derivatives, unsigned rows,
+                bool second_order) {
+  for (unsigned i = 0; i < derivatives.count; ++i) {
+    const regulus_derivative& d = derivatives.list[i];
+    if (d.row >= rows || d.column >= kernel.columns || d.first >= kernel.variables) return false;
+    if (second_order && (d.second < d.first || d.second >= kernel.variables)) return false;
+  }
+  return derivatives.count == 0 || derivatives.function != nullptr;
+}
+
+/// Derivatives of A by quantities that touch one row are in that row.
+bool rows_fit(const regulus_expansion& x, const regulus_derivatives& derivatives,
+              bool second_order) {
+  for (unsigned i = 0; i < derivatives.count; ++i) {
+    const regulus_derivative& d = derivatives.list[i];
+    const int row = static_cast<int>(d.row);
+    const int of_first = x.row_of_variable[d.first];
+    const int of_second = second_order ? x.row_of_variable[d.second] : -1;
+    if (of_first < 0 && of_second < 0) return false;
+    if ((of_first >= 0 && of_first != row) || (of_second >= 0 && of_second != row)) return false;
+  }
+  return true;
+}
+
+std::optional<std::string> fault_of_expansion(const Problem& problem) {
+  const regulus_kernel& kernel = *problem.kernel;
+  if (kernel.expansion == nullptr) return std::nullopt;
+  const regulus_expansion& x = *kernel.expansion;
+  if (x.product == nullptr || x.row_of_variable == nullptr)
+    return "the kernel's expansion has no product or no rows of its variables";
+  for (unsigned k = 0; k < kernel.variables; ++k) {
+    if (x.row_of_variable[k] >= static_cast<int>(kernel.rows))
+      return "the kernel's expansion gives a variable a row that does not exist";
+    // Taylor's theorem needs the path from the nominal value to stay in the box.
+    if (x.nominal == nullptr || x.row_of_variable[k] < 0) continue;
+    if (!certain_subset({x.nominal[2 * k], x.nominal[2 * k + 1]}, problem.outer[k]))
+      return "variable " + std::to_string(k) + " has a nominal value outside its range";
+  }
+  if (!places_fit(kernel, x.first, kernel.columns, false) ||
+      !places_fit(kernel, x.second, kernel.columns, true) ||
+      !places_fit(kernel, x.row_first, kernel.rows, false) ||
+      !places_fit(kernel, x.row_second, kernel.rows, true) || !rows_fit(x, x.row_first, false) ||
+      !rows_fit(x, x.row_second, true))
+    return "the kernel's expansion lists a derivative of no entry, or of another row";
+  return std::nullopt;
+}
+
 std::optional<std::string> fault_of_method(const regulus_kernel& kernel, Method method) {
   if (method == Method::kClosedForm && kernel.determinant == nullptr)
     return "method closed-form needs a kernel with the determinant in closed form";
@@ -66,6 +113,7 @@ std::optional<std::string> find_fault(const Problem& problem, const Settings& se
            std::to_string(problem.outer.size());
   for (std::size_t k = 0; k < problem.outer.size(); ++k)
     if (auto fault = fault_of_range(problem, k)) return fault;
+  if (auto fault = fault_of_expansion(problem)) return fault;
   if (!(problem.alpha.lo >= 0.0 && problem.alpha.hi < kInfinity))
     return "the threshold is not a finite number ≥ 0";
   if (settings.batch < 1 || settings.batch > kLanes) return "the batch is not of 1 to 8 boxes";

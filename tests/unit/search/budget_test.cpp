@@ -244,6 +244,32 @@ TEST(Faults, AKernelOfAnotherAbiIsRefused) {
   expect_fault(problem_over(kernel, kUnitSquare), {}, "ABI");
 }
 
+TEST(Faults, OfTheExpansionAreNamed) {
+  Laborious kernel;
+  const auto product = [](const double*, const double*, double*, const void*) { return 0U; };
+  const int rows[] = {-1, 0};
+  const double nominal[] = {0, 0, 0.5, 0.5};
+  const regulus_derivative place{0, 0, 1, REGULUS_FIRST_ORDER};
+  regulus_expansion expansion{rows, nullptr, nominal, product, {}, {}, {product, &place, 1}, {}};
+  kernel.functions().expansion = &expansion;
+  const Problem problem = problem_over(kernel, kUnitSquare);
+  EXPECT_EQ(find_fault(problem, {}), std::nullopt);
+
+  const double outside[] = {0, 0, 1.5, 1.5};
+  expansion.nominal = outside;
+  expect_fault(problem, {}, "nominal value");
+  expansion.nominal = nominal;
+  const int wide[] = {-1, -1};
+  expansion.row_of_variable = wide;
+  expect_fault(problem, {}, "another row");
+  const int too_far[] = {-1, 7};
+  expansion.row_of_variable = too_far;
+  expect_fault(problem, {}, "does not exist");
+  expansion.row_of_variable = rows;
+  expansion.product = nullptr;
+  expect_fault(problem, {}, "no product");
+}
+
 TEST(Methods, HaveNamesThatReadBack) {
   for (const char* text :
        {"auto", "reg", "reg+rohn", "kj", "kj+rohn", "jk", "jk+rohn", "kj-numeric", "jk-numeric"}) {
