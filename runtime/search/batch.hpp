@@ -177,7 +177,6 @@ class Batch {
   [[nodiscard]] LaneMask call_listed(const regulus_derivatives& derivatives, const double* boxes,
                                      double* out) noexcept;
   void impact_from_derivatives() noexcept;
-  void perron_of(const double* bounds, std::size_t n) noexcept;
   void impact_from_fixing() noexcept;
   void approx_distances(double* P) noexcept;
   void weigh_rows() noexcept;
