@@ -143,8 +143,8 @@ class Formulator {
     return row;
   }
 
-  void form_left_product() {
-    const std::vector<Entry> row = first_row(forms_);
+  void append_best_forms(const std::vector<Entry>& row, const std::string& function,
+                         Expressions& to) {
     Expressions forms;
     std::vector<EntryStatistics> statistics;
     for (const Entry& entry : row) {
@@ -153,7 +153,12 @@ class Formulator {
       statistics.push_back(
           {count_occurrences(entry.natural), count_occurrences(form.expression), form.passes});
     }
-    append_rows(forms, statistics, result_.left_product, result_.statistics["left_product"]);
+    append_rows(forms, statistics, to, result_.statistics[function]);
+  }
+
+  void form_left_product() {
+    const std::vector<Entry> row = first_row(forms_);
+    append_best_forms(row, "left_product", result_.left_product);
     if (options_.derivatives) form_left_derivatives(row);
   }
 
@@ -284,15 +289,7 @@ class Formulator {
       if (fixed) values.emplace(variable.name, x.nominal.back());
     }
     const std::vector<Entry> row = first_row(nominal_forms(values));
-    Expressions forms;
-    std::vector<EntryStatistics> statistics;
-    for (const Entry& entry : row) {
-      const Rewritten form = rewriter_.best_form(entry.polynomial, &entry.rewritten);
-      forms.push_back(form.expression);
-      statistics.push_back(
-          {count_occurrences(entry.natural), count_occurrences(form.expression), form.passes});
-    }
-    append_rows(forms, statistics, x.product, result_.statistics["nominal_product"]);
+    append_best_forms(row, "nominal_product", x.product);
     form_expansion_of(row);
   }
 
