@@ -6,9 +6,11 @@
 
 namespace regulus {
 
-SecondOrderBounds::SecondOrderBounds(const DerivativeLists& lists, const RowStructure& structure)
+SecondOrderBounds::SecondOrderBounds(const DerivativeLists& lists, const RowStructure& structure,
+                                     bool moves)
     : rows_(lists.rows),
       columns_(lists.columns),
+      moves_(moves),
       touched_(structure.rows),
       radius_(lists.variables) {
   list_wide(lists, structure);

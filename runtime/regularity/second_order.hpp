@@ -91,7 +91,9 @@ struct SecondOrderInput {
 class SecondOrderBounds {
  public:
   /// Requires  places as documented: a variable that `structure` gives a row is listed with it.
-  SecondOrderBounds(const DerivativeLists& lists, const RowStructure& structure);
+  /// Ensures   `moves` false: D_p = 0 and g_kp = 0, which the derivation allows like any others; K
+  ///           and w_k then stay as they are at t₀, and P is of first order.
+  SecondOrderBounds(const DerivativeLists& lists, const RowStructure& structure, bool moves = true);
 
   /// n, and one more for each row touched.
   [[nodiscard]] std::size_t order() const noexcept { return columns_ + touched_.size(); }
@@ -156,6 +158,7 @@ class SecondOrderBounds {
   void assemble(double* T) const noexcept;
 
   std::size_t rows_, columns_;
+  bool moves_;
   std::vector<WideVariable> wide_;
   std::vector<Pair> pairs_;
   std::vector<RowVariable> row_variables_;

@@ -28,6 +28,11 @@ Middle middle_of(const double* intervals, std::size_t at, std::size_t lane) noex
   return {middle, std::max(hi - middle, middle - lo)};
 }
 
+/// 0 instead of the middle.
+Middle zero_of(const double* intervals, std::size_t at, std::size_t lane) noexcept {
+  return {0.0, std::max(intervals[upper_at(at, lane)], -intervals[lower_at(at, lane)])};
+}
+
 double product_ru(double a, double b) noexcept { return raise_ru(a * b, raise_factor(1)); }
 
 }  // namespace
@@ -67,12 +72,14 @@ void SecondOrderBounds::read_center(const SecondOrderInput& input) noexcept {
   for (WideVariable& w : wide_) {
     const Octet& r = radius_[w.variable];
     w.D.clear();
+    w.defect.clear();
     for (const Entry& e : w.first)
       for (std::size_t l = 0; l < kLanes; ++l) {
-        const Middle d = middle_of(input.first, e.at, l);
+        const Middle d = moves_ ? middle_of(input.first, e.at, l) : zero_of(input.first, e.at, l);
         w.D(e.row, e.column)[l] = d.middle;
-        sum_d_(e.row, e.column)[l] += d.distance * r[l];
+        w.defect(e.row, e.column)[l] += d.distance * r[l];
       }
+    sum_d_.add(w.defect);
     sum_D_.add_magnitudes(w.D, r);
     if (touched_.empty()) continue;
     w.DK.clear();
@@ -87,7 +94,6 @@ void SecondOrderBounds::read_center(const SecondOrderInput& input) noexcept {
 void SecondOrderBounds::add_second_order(const SecondOrderInput& input) noexcept {
   radius_of_B_.clear();
   magnitude_of_B_.clear();
-  for (WideVariable& w : wide_) w.defect.clear();
   for (const Pair& pair : pairs_) add_pair(input, pair);
   radius_of_B_.raise(kTerms);
   magnitude_of_B_.raise(kTerms);
@@ -122,15 +128,15 @@ void SecondOrderBounds::add_pair(const SecondOrderInput& input, const Pair& pair
   q.defect.add_magnitudes(pair_, half);
 }
 
-/// P ≥ |E|: what add_pair found (the radii of B_pq among it), plus
+/// P ≥ |E|: what read_center and add_pair found (Σr|d| and the radii of B_pq among it), plus
 ///
-///     e + Σr|d| + Σr|D|·(e + Σr|d| + ½Σrr|B|) + γ(Σr|D|·Σr|D| + ½Σrr|B|).
+///     e + Σr|D|·(e + Σr|d| + ½Σrr|B|) + γ(Σr|D|·Σr|D| + ½Σrr|B|).
 void SecondOrderBounds::bound_defect() noexcept {
   OctetMatrix& sum = pair_;  // free by now
   sum.clear();
   sum.add(e_);
-  sum.add(sum_d_);
   P_.add(sum);
+  sum.add(sum_d_);
   sum.add(magnitude_of_B_);
   sum.raise(3);
   P_.add_product(sum_D_, sum);
@@ -209,7 +215,8 @@ void SecondOrderBounds::read_row_variable(const SecondOrderInput& input,
   for (std::size_t p = 0; p < wide_.size(); ++p)
     for (const Entry& e : u.mixed[p])
       for (std::size_t l = 0; l < kLanes; ++l) {
-        const Middle g = middle_of(input.row_second, e.at, l);
+        const Middle g =
+            moves_ ? middle_of(input.row_second, e.at, l) : zero_of(input.row_second, e.at, l);
         slope_(p, e.column)[l] = g.middle;
         rest_(u.slot, e.column)[l] +=
             g.distance * product_ru(radius_[wide_[p].variable][l], range[l]);

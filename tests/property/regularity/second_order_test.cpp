@@ -197,8 +197,8 @@ struct Bounds {
   std::vector<double> T, v, lower, moving;
   bool regular;
 
-  Bounds(const Family& f, const Inputs& in) : lower(kLanes), moving(kLanes) {
-    SecondOrderBounds bounds(in.lists, f.structure());
+  Bounds(const Family& f, const Inputs& in, bool moves = true) : lower(kLanes), moving(kLanes) {
+    SecondOrderBounds bounds(in.lists, f.structure(), moves);
     T.resize(bounds.order() * bounds.order() * kLanes);
     v.resize(bounds.order() * kLanes);
     bounds.bound_ru(in.input(), T.data());
@@ -220,11 +220,11 @@ std::vector<Exact> product_with_K(const Family& f, const Inputs& in, const std::
 TEST(SecondOrder, ClaimsHoldForExactMembers) {
   Random random(21);
   int certified = 0, refused = 0, moving = 0;
-  for (int round = 0; round < 400; ++round) {
+  for (int round = 0; round < 600; ++round) {
     Family f(random, 1 + random.below(4), random.below(2));
     if (random.one_in(2)) f.put_in_balls();
     const Inputs in(random, f);
-    const Bounds bounds(f, in);
+    const Bounds bounds(f, in, round % 3 != 0);
     ++(bounds.regular ? certified : refused);
     for (int sample = 0; sample < 12; ++sample) {
       const Exact det = determinant(product_with_K(f, in, f.at(f.member(random))), f.n);
@@ -263,6 +263,15 @@ TEST(SecondOrder, ABallIsBoundedBetterThanTheBoxAroundIt) {
     better += most > 1e-3;
   }
   EXPECT_GT(better, 90);
+}
+
+TEST(SecondOrder, WithoutMovingKeepsThePreconditionerWhereItIs) {
+  Random random(25);
+  for (int round = 0; round < 20; ++round) {
+    Family f(random, 3, 0);
+    const Inputs in(random, f);
+    EXPECT_EQ(Bounds(f, in, false).moving, std::vector<double>(kLanes, std::nextafter(1.0, 2.0)));
+  }
 }
 
 TEST(SecondOrder, LosesNothingOfFirstOrderInThePose) {
