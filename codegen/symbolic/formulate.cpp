@@ -258,7 +258,7 @@ class Formulator {
 
   /// The only row in which an uncertain quantity occurs, or Expansion::kNoRow.
   int row_of(const Variable& v) const {
-    if (v.kind == VariableKind::kMotion) return Expansion::kNoRow;
+    if (v.kind == VariableKind::kMotion || !options_.rows) return Expansion::kNoRow;
     std::set<int> rows;
     for (std::size_t e = 0; e < forms_.rewritten.size(); ++e)
       if (count_occurrences(forms_.rewritten[e]).count(v.name) != 0)

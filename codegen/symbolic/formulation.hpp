@@ -55,6 +55,7 @@ struct FormulationOptions {
   /// With an expansion at nominal values left product and derivatives are left out if any quantity
   /// touches one row only: they would be blind to it, and wide.
   ExpansionForm expansion = ExpansionForm::kNone;
+  bool rows = true;  ///< false: the expansion treats every quantity as if it touched several rows
   RewriteOptions rewriting;
 };
 

@@ -30,10 +30,12 @@ class Choice {
   std::uint64_t width_ = 0;
 };
 
-void offer_forms(Choice& choice, const Polynomial& p, const AtomTable& atoms, bool nest,
-                 const std::string& prefix) {
-  if (!nest || !can_nest(p)) return choice.offer(collect(p, atoms), prefix + "collect");
-  HornerOptions options;
+void offer_forms(Choice& choice, const Polynomial& p, const AtomTable& atoms,
+                 const RewriteOptions& rewriting, const std::string& prefix) {
+  const bool nest = rewriting.rewrite && rewriting.horner && can_nest(p);
+  if (!nest) return choice.offer(collect(p, atoms), prefix + "collect");
+  HornerOptions options = rewriting.nesting;
+  options.order = HornerOrder::kMostFrequent;
   choice.offer(horner(p, atoms, options), prefix + "horner");
   options.order = HornerOrder::kVariablesFirst;
   choice.offer(horner(p, atoms, options), prefix + "horner, variables first");
@@ -100,24 +102,27 @@ Polynomial Rewriter::expand(const Expression& e) {
 Rewritten Rewriter::best_form(const Polynomial& p, const Expression* natural) {
   Choice choice(options_.weights);
   if (natural != nullptr) choice.offer(*natural, "natural");
-  offer_forms(choice, p, atoms_, options_.horner, "");
-  if (options_.trigonometric) {
+  if (natural != nullptr && !options_.rewrite) return choice.take();
+  offer_forms(choice, p, atoms_, options_, "");
+  if (options_.rewrite && options_.trigonometric) {
     const Polynomial merged = merge(p, false);
-    if (!(merged == p)) offer_forms(choice, merged, atoms_, options_.horner, "angles + ");
+    if (!(merged == p)) offer_forms(choice, merged, atoms_, options_, "angles + ");
     const Polynomial doubled = merge(p, true);
-    if (!(doubled == merged))
-      offer_forms(choice, doubled, atoms_, options_.horner, "double angles + ");
+    if (!(doubled == merged)) offer_forms(choice, doubled, atoms_, options_, "double angles + ");
   }
   return choice.take();
 }
 
 Rewritten Rewriter::nested_form(const Polynomial& p) {
   Choice choice(options_.weights);
-  offer_forms(choice, p, atoms_, options_.horner, "");
+  offer_forms(choice, p, atoms_, options_, "");
   return choice.take();
 }
 
-Rewritten Rewriter::quick_form(const Polynomial& p) { return {horner(p, atoms_), "horner"}; }
+Rewritten Rewriter::quick_form(const Polynomial& p) {
+  if (!options_.rewrite || !options_.horner) return {collect(p, atoms_), "collect"};
+  return {horner(p, atoms_, options_.nesting), "horner"};
+}
 
 Polynomial Rewriter::merge(const Polynomial& p, bool double_angles) {
   const auto simplify = [this](const Expression& e) { return simplified_argument(e); };

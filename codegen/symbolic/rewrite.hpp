@@ -11,9 +11,13 @@
 namespace regulus::codegen {
 
 struct RewriteOptions {
+  /// Look for better forms; else an expression stays as it is written, a derivative is multiplied
+  /// out.
+  bool rewrite = true;
   bool horner = true;
   bool trigonometric = true;
-  Weights weights;  ///< of the variables' occurrences, when forms are compared
+  HornerOptions nesting;  ///< where `horner`; its order is chosen by trying
+  Weights weights;        ///< of the variables' occurrences, when forms are compared
 };
 
 /// A form and how it was found.
@@ -51,7 +55,7 @@ class Rewriter {
   /// The best of the nested forms of p, its angles as they are: the time grows little faster than
   /// the number of terms, where merging angles takes its square.
   [[nodiscard]] Rewritten nested_form(const Polynomial& p);
-  /// The Horner form of p, without looking for a better one.
+  /// The Horner form of p if the options allow it, without looking for a better one.
   [[nodiscard]] Rewritten quick_form(const Polynomial& p);
 
   [[nodiscard]] AtomTable& atoms() noexcept { return atoms_; }

@@ -44,6 +44,17 @@ TEST(Rewrite, SquaresOfSineAndCosineAddUpToOne) {
             "2*cos(a)^2 + 3");
 }
 
+TEST(Rewrite, LeavesWhatIsWrittenWhereItIsToldTo) {
+  RewriteOptions off;
+  off.rewrite = false;
+  EXPECT_EQ(form(x * y + x * z), "x*(y + z)");
+  EXPECT_EQ(form(x * y + x * z, off), "x*y + x*z");
+  EXPECT_EQ(form(power(x, 2) + Expression(2) * x), "(x + 1)^2 - 1");
+  RewriteOptions no_squares;
+  no_squares.nesting.complete_squares = false;
+  EXPECT_EQ(form(power(x, 2) + Expression(2) * x, no_squares), "x*(x + 2)");
+}
+
 TEST(Rewrite, DoubleAngles) {
   EXPECT_EQ(form(Expression(2) * sine(a) * cosine(a)), "sin(2*a)");
   EXPECT_EQ(form(power(cosine(a), 2) - power(sine(a), 2)), "cos(2*a)");
@@ -85,7 +96,9 @@ TEST(Rewrite, TheWeightsDecideBetweenForms) {
   // Two legs with uncertain anchors: as written each anchor occurs once and x twice.
   const Expression e = point("k_1_1") * a * (y - x) + point("k_1_2") * b * (z - x);
   const auto occurrences = [&](const Weights& weights) {
-    Rewriter rewriter({"x", "y", "z", "a", "b"}, {"k_1_1", "k_1_2"}, {true, true, weights});
+    RewriteOptions options;
+    options.weights = weights;
+    Rewriter rewriter({"x", "y", "z", "a", "b"}, {"k_1_1", "k_1_2"}, options);
     return count_occurrences(rewriter.rewrite(e).expression);
   };
   EXPECT_EQ(occurrences({}), (Occurrences{{"x", 2}, {"y", 1}, {"z", 1}, {"a", 1}, {"b", 1}}));
