@@ -98,7 +98,7 @@ int run_locate(const LocateCommand& command) {
   const Result result =
       run_search(preparation, command.search, command.output, settings, &observers);
 
-  const auto summary = json_paving_summary(preparation, options, volumes, result);
+  const auto summary = json_paving_summary(preparation, command.search, options, volumes, result);
   if (writer) writer->finish(summary, lines.name());
   pictures.draw(preparation, options, volumes);
   if (!command.output.quiet)

@@ -125,6 +125,7 @@ Json json_margin(const Preparation& p, const SearchOptions& search, const Margin
   report["model_sha256"] = p.request.model.sha256;
   report["motion"] = p.request.motion.name;
   report["method"] = search.method;
+  report["without"] = search.without;
   report["witness"] = margin.refuted ? json_witness(p, margin.refuted->result) : Json(nullptr);
   report["boxes"] = margin.boxes;
   report["steps"] = json_steps(margin);

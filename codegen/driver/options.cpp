@@ -6,6 +6,7 @@
 #include <map>
 
 #include "regulus/codegen/driver/exit_code.hpp"
+#include "regulus/codegen/driver/ingredients.hpp"
 #include "regulus/version.hpp"
 
 namespace regulus::codegen {
@@ -100,6 +101,14 @@ void add_search_options(CLI::App& app, SearchOptions& options) {
                  "Uncertain quantities: kept whole in the matrix elements, or split like variables")
       ->check(CLI::IsMember({"elements", "variables"}))
       ->capture_default_str();
+  app.add_option("--without", options.without,
+                 "Leave out an ingredient, to see what it contributes; may be repeated. Never "
+                 "unsound. " +
+                     ingredient_words())
+      ->take_all()
+      ->expected(1)
+      ->check(CLI::IsMember(ingredient_names()).description(""))
+      ->type_name("NAME");
   const std::map<std::string, Engine> engines{{"jit", Engine::kJit},
                                               {"interpreted", Engine::kInterpreted}};
   app.add_option("--engine", options.engine, "How the model's functions run")

@@ -40,6 +40,7 @@ struct SearchOptions {
   std::string isa;  ///< empty: the best this CPU has
   bool use_cache = true;
   std::vector<std::string> filters;                    ///< shared objects
+  std::vector<std::string> without;                    ///< see ingredients.hpp
   std::uint64_t max_boxes = 0;                         ///< 0: no bound
   double time_limit = 0;                               ///< seconds, 0: no bound
   std::uint64_t symbolic_budget = kDeterminantBudget;  ///< terms of a closed form

@@ -125,7 +125,8 @@ Json json_paving_header(const Preparation& p, const PavingOptions& options) {
   return header;
 }
 
-Json json_paving_summary(const Preparation& p, const PavingOptions& options, const Volumes& volumes,
+Json json_paving_summary(const Preparation& p, const SearchOptions& search,
+                         const PavingOptions& options, const Volumes& volumes,
                          const Result& result) {
   Json summary = {
       {"verdict", json_name(result.verdict)},    {"reason", describe(result.reason)},
@@ -138,6 +139,7 @@ Json json_paving_summary(const Preparation& p, const PavingOptions& options, con
   summary["unfinished"] = json_share(volumes, volumes.unfinished());
   summary["stopped_by"] = result.stopped_by ? Json(describe(*result.stopped_by)) : Json(nullptr);
   summary["method"] = name(result.method);
+  summary["without"] = search.without;
   summary["boxes"] = result.statistics.boxes;
   summary["max_frontier"] = result.statistics.max_frontier;
   summary["probes"] = result.statistics.probes;

@@ -16,6 +16,7 @@ namespace regulus::codegen {
 
 /// Number, volume and fraction of each kind of box; what was not finished, and why.
 [[nodiscard]] nlohmann::ordered_json json_paving_summary(const Preparation& preparation,
+                                                         const SearchOptions& search,
                                                          const PavingOptions& options,
                                                          const Volumes& volumes,
                                                          const Result& result);

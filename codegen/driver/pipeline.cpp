@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "regulus/codegen/driver/pipeline.hpp"
 
+#include "regulus/codegen/driver/ingredients.hpp"
 #include "regulus/codegen/driver/settings.hpp"
 #include "regulus/codegen/emit/emit.hpp"
 #include "regulus/codegen/jit/jit.hpp"
@@ -131,9 +132,10 @@ Preparation prepare(Request request, double model_seconds, const SearchOptions& 
   for (const std::string& path : search.filters) p.filters.emplace_back(path);
   p.seconds.model = model_seconds + watch.lap();
   const Method method = parse_method(search.method).value();
-  p.formulation =
-      formulate(p.request.model, p.request.motion,
-                functions_needed(method, settings_from(search), search.symbolic_budget));
+  FormulationOptions functions =
+      functions_needed(method, settings_from(search), search.symbolic_budget);
+  leave_out(search.without, functions);
+  p.formulation = formulate(p.request.model, p.request.motion, functions);
   p.module = lower(p.formulation);
   p.variety = enclose_variety(p.request.model, p.request.motion, p.formulation);
   p.seconds.symbolic = watch.lap();

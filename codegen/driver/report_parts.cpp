@@ -170,9 +170,13 @@ std::string question_lines(const Preparation& p) {
          variable_lines(p, true) + uncertain_lines(p);
 }
 
+std::string without_words(const SearchOptions& search) {
+  return search.without.empty() ? "" : fmt::format(" without {}", fmt::join(search.without, ", "));
+}
+
 std::string method_lines(const Preparation& p, const SearchOptions& search, Method method) {
-  const std::string line =
-      fmt::format("method     {}, {}\n", name(method), engine_words(p, search));
+  const std::string line = fmt::format("method     {}{}, {}\n", name(method), without_words(search),
+                                       engine_words(p, search));
   return p.cache_note.empty() ? line : line + fmt::format("           {}\n", p.cache_note);
 }
 

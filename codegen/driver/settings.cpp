@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "regulus/codegen/driver/settings.hpp"
 
+#include "regulus/codegen/driver/ingredients.hpp"
+
 namespace regulus::codegen {
 
 Settings settings_from(const SearchOptions& options) {
@@ -20,6 +22,7 @@ Settings settings_from(const SearchOptions& options) {
                          : fitting_entries(settings.method, settings.uncertainty);
   if (options.max_boxes != 0) settings.max_boxes = options.max_boxes;
   if (options.time_limit != 0) settings.time_limit = options.time_limit;
+  leave_out(options.without, settings);
   return settings;
 }
 

@@ -95,7 +95,7 @@ Batch::Batch(const Problem& problem, const Settings& settings, const RowStructur
   face_entries_ = AlignedBuffer(sharpens_ ? 2 * nn : 0);
   if (structure_.is_known()) {
     const regulus_expansion& x = *kernel_.expansion;
-    second_order_.emplace(listed_derivatives(kernel_), structure_);
+    second_order_.emplace(listed_derivatives(kernel_), structure_, settings.ingredients.moving);
     expanded_ = AlignedBuffer(2 * v);
     expanded_radius_ = AlignedBuffer(v);
     center_product_ = AlignedBuffer(2 * nn);

@@ -14,6 +14,7 @@
 #include "regulus/interval/interval.hpp"
 #include "regulus/kernel/abi.hpp"
 #include "regulus/search/filter.hpp"
+#include "regulus/search/ingredients.hpp"
 
 namespace regulus {
 
@@ -120,6 +121,7 @@ struct Settings {
   /// Hand the observer an enclosure of the determinant over each leaf: of A, or of J⁻¹ if α > 0.
   bool enclose_determinants = false;
   DeterminantOracle* oracle = nullptr;
+  Ingredients ingredients;
   /// Tests that are not ours, asked in this order about what ours leave undecided (filter.h).
   std::vector<const regulus_filter_interface*> filters;
 };

@@ -211,7 +211,7 @@ void Search::decide_batch() noexcept {
     undecided = (lanes & ~leavable) | leave_small(leave_certified(leavable));
   } else {
     undecided = leave_certified(lanes);
-    witness_.look_at_midpoints(batch_, lanes);
+    if (settings_.ingredients.midpoints) witness_.look_at_midpoints(batch_, lanes);
     look_for_witness(undecided);
     if (witness_.found()) {
       stopped_ = true;
@@ -425,7 +425,7 @@ bool Search::certified_by_oracle(std::size_t lane) noexcept {
 /// At the middle of the box, as a single pose, the tests fail for the whole of the uncertainty: no
 /// box around that pose can do better, except by the rounding of K.
 bool Search::hopeless_under_uncertainty(std::size_t lane) noexcept {
-  if (!keeps_uncertainty_whole_) return false;
+  if (!keeps_uncertainty_whole_ || !settings_.ingredients.stall) return false;
   load_center(lane, problem_.kernel->motion_variables);
   if (center_.certain_outside() != 0) return false;
   for (const auto& test : tests_)

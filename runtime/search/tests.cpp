@@ -169,11 +169,14 @@ TestSequence tests_of_method(const Problem& problem, const Settings& settings,
                              const RowStructure& structure) {
   const double alpha = problem.alpha.hi;
   const regulus_kernel& kernel = *problem.kernel;
+  const Ingredients& use = settings.ingredients;
   TestSequence tests;
   if (settings.method == Method::kAuto) {
     // Where quantities touch one row only, bounds that are blind to it are far wider.
-    if (structure.empty()) tests.push_back(std::make_unique<HMatrixTest>(Rule::kHMatrix, alpha));
-    if (structure.empty() && kernel.left_derivatives != nullptr && kernel.left_product != nullptr)
+    if (structure.empty() && use.natural)
+      tests.push_back(std::make_unique<HMatrixTest>(Rule::kHMatrix, alpha));
+    if (structure.empty() && use.mean_value && kernel.left_derivatives != nullptr &&
+        kernel.left_product != nullptr)
       tests.push_back(std::make_unique<HMatrixTest>(Rule::kMeanValue, alpha));
     if (structure.is_known())
       tests.push_back(std::make_unique<HMatrixTest>(Rule::kSecondOrder, alpha));

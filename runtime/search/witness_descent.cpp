@@ -17,7 +17,7 @@ constexpr std::size_t kVariablesAtOnce = kLanes / 2;
 /// Corner number c: bit k of c says which end variable k takes, repeating from the sixth variable
 /// on, shifted so that variables six apart do not always agree.
 void WitnessSearch::look_at_corners() noexcept {
-  if (!square_) return;
+  if (!square_ || !uses_corners_) return;
   const std::size_t ends = std::min<std::size_t>(variables_, 6);
   const std::size_t corners = std::min(kMaxCorners, std::size_t{1} << ends);
   for (std::size_t first = 0; first < corners && !found_; first += kLanes) {
@@ -64,7 +64,7 @@ bool WitnessSearch::step(std::span<const Interval> box, std::size_t first, doubl
 }
 
 void WitnessSearch::descend(std::span<const Interval> box) noexcept {
-  if (!square_ || found_) return;
+  if (!square_ || !uses_descents_ || found_) return;
   for (std::size_t k = 0; k < variables_; ++k)
     current_[k] = std::clamp(mid(box[k]), inner_lo(k), inner_hi(k));
   points_.clear();

@@ -21,6 +21,8 @@ WitnessSearch::WitnessSearch(const Problem& problem, const Settings& settings)
       variables_(problem.kernel->variables),
       square_(problem.kernel->rows == problem.kernel->columns),
       scaled_(problem.alpha.hi > 0.0),
+      uses_corners_(settings.ingredients.corners),
+      uses_descents_(settings.ingredients.descents),
       closes_in_(!settings.exhaustive),
       inner_(problem.inner),
       points_(problem, settings, no_structure_),

@@ -81,6 +81,7 @@ class WitnessSearch {
   DeterminantOracle* oracle_;
   std::size_t variables_;
   bool square_, scaled_;
+  const bool uses_corners_, uses_descents_;
   bool closes_in_;  ///< exhaustive searches keep the points apart: they only name a box
   std::vector<std::optional<Interval>> inner_;  ///< where points may lie: all of it, or one box's
   RowStructure no_structure_;

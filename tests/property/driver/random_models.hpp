@@ -12,6 +12,7 @@
 #include <string>
 
 #include "regulus/codegen/driver/arb_oracle.hpp"
+#include "regulus/codegen/driver/ingredients.hpp"
 #include "regulus/codegen/driver/pipeline.hpp"
 #include "regulus/codegen/driver/settings.hpp"
 #include "regulus/codegen/model/errors.hpp"
@@ -82,18 +83,22 @@ struct Road {
   SearchOptions search;
   unsigned batch = 8;
   std::uint64_t boxes_after_problem = 40;
+  std::vector<std::string> without = {};  ///< of the search, beyond search.without
 
   [[nodiscard]] Settings settings() const {
     Settings settings = settings_from(search);
     settings.batch = batch;
     settings.boxes_after_problem = boxes_after_problem;
+    leave_out(without, settings);
     return settings;
   }
 
   [[nodiscard]] std::string describe() const {
     return search.method + ' ' + search.determinant + ' ' + search.entries + ' ' + search.bisect +
            ' ' + search.uncertainty + " batch " + std::to_string(batch) + " boxes " +
-           std::to_string(search.max_boxes);
+           std::to_string(search.max_boxes) +
+           fmt::format(" without {}; and {}", fmt::join(search.without, ", "),
+                       fmt::join(without, ", "));
   }
 };
 
@@ -111,6 +116,15 @@ inline Road random_road(RandomSource& random, const std::string& method) {
   road.search.max_boxes = random.one_in(4) ? 30 : 300;
   road.search.symbolic_budget = 20000;
   road.batch = 1 + static_cast<unsigned>(random.below(8));
+  return road;
+}
+
+/// A third of the ingredients left out; every other time the symbolic stage is not told.
+inline Road random_road_without(RandomSource& random, const std::string& method) {
+  Road road = random_road(random, method);
+  std::vector<std::string>& without = random.one_in(2) ? road.search.without : road.without;
+  for (const std::string& name : ingredient_names())
+    if (random.one_in(3)) without.push_back(name);
   return road;
 }
 

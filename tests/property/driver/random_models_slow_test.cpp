@@ -34,6 +34,16 @@ TEST(RandomModels, OfAutoAreNeverJudgedWrongly) {
   judge.tally.expect_teeth(500);
 }
 
+TEST(RandomModels, AreNeverJudgedWronglyWithoutSomeIngredients) {
+  RandomSource random(5);
+  Judge judge(random);
+  for (int model = 0; model < 2000; ++model)
+    judge.run(model % 2 == 0 ? RandomModel(random).text() : AdversarialModel(random).text(),
+              random_road_without(random, "auto"));
+  EXPECT_GT(judge.tally.leaves_by_rows, 100U) << judge.tally.describe();
+  judge.tally.expect_leaves({Rule::kHMatrix, Rule::kMeanValue, Rule::kSecondOrder}, 50);
+}
+
 TEST(AdversarialModels, OfAutoAreNeverJudgedWrongly) {
   RandomSource random(3);
   Judge judge(random);

@@ -28,5 +28,16 @@ TEST(AdversarialModels, AreNeverJudgedWrongly) {
   judge.tally.expect_teeth(30);
 }
 
+TEST(RandomModels, AreNeverJudgedWronglyWithoutSomeIngredients) {
+  RandomSource random(20070613);
+  Judge judge(random);
+  for (int model = 0; model < 60; ++model)
+    judge.run(model % 2 == 0 ? RandomModel(random).text() : AdversarialModel(random).text(),
+              random_road_without(random,
+                                  model % 6 == 5 ? kMethods[model % std::size(kMethods)] : "auto"));
+  EXPECT_GT(judge.tally.leaves_by_rows, 0U);
+  judge.tally.expect_leaves({Rule::kHMatrix, Rule::kMeanValue, Rule::kSecondOrder}, 5);
+}
+
 }  // namespace
 }  // namespace regulus::codegen::test

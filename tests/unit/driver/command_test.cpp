@@ -135,6 +135,28 @@ TEST(Command, RefusesWrongUseWith64) {
     EXPECT_EQ(regulus(words).exit_code, 64) << testing::PrintToString(words);
 }
 
+TEST(Command, LeavesOutAnIngredientAndSaysSo) {
+  const auto report = [](std::vector<std::string> options) {
+    options.insert(options.begin(), {"check", kRobot1, "wide_15", "--json"});
+    return json::parse(regulus(options).output);
+  };
+  const json whole = report({});
+  EXPECT_EQ(whole["without"], json::array());
+  const json fixed = report({"--without", "moving", "--without", "corners"});
+  EXPECT_EQ(fixed["without"], json({"moving", "corners"}));
+  EXPECT_EQ(fixed["verdict"], "no-singularity");
+  EXPECT_GT(fixed["boxes"], whole["boxes"]);
+  EXPECT_THAT(regulus({"check", kPlanar, "regular", "--without", "rewriting"}).errors,
+              HasSubstr("auto without rewriting"));
+}
+
+TEST(Command, RefusesAnUnknownIngredientWithTheNamesOfAll) {
+  const CommandResult refused = regulus({"check", kPlanar, "regular", "--without", "magic"});
+  EXPECT_EQ(refused.exit_code, 64);
+  EXPECT_THAT(refused.errors,
+              AllOf(HasSubstr("--without: magic not in"), HasSubstr("moving"), HasSubstr("batch")));
+}
+
 TEST(Command, RefusesAClosedFormBeyondItsBudgetWithTheWayOut) {
   const CommandResult refused = regulus({"check", kRobot1, "wide_15", "--method", "closed-form",
                                          "--tolerance", "base,platform=0.01"});
