@@ -8,7 +8,7 @@
 #include "regulus/codegen/symbolic/determinant.hpp"
 #include "regulus/kernel/call.hpp"
 #include "regulus/regularity/lanes.hpp"
-#include "regulus/search/aligned_buffer.hpp"
+#include "regulus/regularity/aligned_buffer.hpp"
 
 namespace regulus::codegen {
 namespace {

@@ -15,7 +15,7 @@ bool x8_available(X8Isa isa) noexcept {
     case X8Isa::kBaseline:
       return true;
     case X8Isa::kAvx2:
-      return __builtin_cpu_supports("avx2") != 0;
+      return __builtin_cpu_supports("avx2") != 0 && __builtin_cpu_supports("fma") != 0;
     case X8Isa::kAvx512:
       return __builtin_cpu_supports("avx512f") != 0 && __builtin_cpu_supports("avx512dq") != 0;
   }

@@ -84,8 +84,13 @@ unsigned Kernel::call(regulus_function function, const double* boxes, const doub
   if (function == nullptr) return kAllLanes;
   unsigned outside = lanes_outside_contract(boxes, kernel_->variables);
   if (points != nullptr) outside |= point_lanes_outside_contract(points, this->points());
+  return outside | call_within_contract(function, boxes, points, out);
+}
+
+unsigned Kernel::call_within_contract(regulus_function function, const double* boxes,
+                                      const double* points, double* out) const noexcept {
   const RoundingScope scope(kernel_->rounding);
-  return outside | function(boxes, points, out, kernel_->context);
+  return function(boxes, points, out, kernel_->context);
 }
 
 }  // namespace regulus

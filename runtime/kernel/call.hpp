@@ -45,6 +45,12 @@ class Kernel {
   [[nodiscard]] unsigned call(regulus_function function, const double* boxes, const double* points,
                               double* out) const noexcept;
 
+  /// The same for inputs that are known to be within the contract.
+  ///
+  /// Requires  `function` is not null; lanes_outside_contract(boxes) is 0, and that of the points.
+  [[nodiscard]] unsigned call_within_contract(regulus_function function, const double* boxes,
+                                              const double* points, double* out) const noexcept;
+
  private:
   const regulus_kernel* kernel_;
 };

@@ -3,83 +3,17 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstring>
 #include <limits>
+
+#include "regulus/regularity/backend.hpp"
 
 namespace regulus {
 namespace {
-
-constexpr std::size_t kEntries = kMaxOrder * kMaxOrder;
 
 /// x·(1 + 2^-51): above the exact value of one sum whose floating-point value is x ≥ 0. A sum of
 /// doubles that is not zero is a multiple of 2^-1074, and here (l − 1) at least 2^-53: the product
 /// cannot underflow.
 double one_sum_ru(double x) noexcept { return x * (1.0 + 0x1p-51); }
-
-/// Solves (I − P)v = 1 without pivoting, which is stable exactly where it matters: I − P is then an
-/// M-matrix, all pivots are positive and every sum in the elimination has terms of one sign.
-void solve_for_ones(const double* P, std::size_t n, double* v) noexcept {
-  alignas(64) double a[kEntries * kLanes];
-  for (std::size_t e = 0; e < n * n * kLanes; ++e) a[e] = -P[e];
-  for (std::size_t i = 0; i < n; ++i)
-    for (std::size_t lane = 0; lane < kLanes; ++lane) {
-      a[point_at(i * n + i, lane)] += 1.0;
-      v[point_at(i, lane)] = 1.0;
-    }
-  for (std::size_t k = 0; k < n; ++k) {
-    double reciprocal[kLanes];
-    for (std::size_t lane = 0; lane < kLanes; ++lane)
-      reciprocal[lane] = 1.0 / a[point_at(k * n + k, lane)];
-    for (std::size_t i = k + 1; i < n; ++i) {
-      double factor[kLanes];
-      for (std::size_t lane = 0; lane < kLanes; ++lane) {
-        factor[lane] = a[point_at(i * n + k, lane)] * reciprocal[lane];
-        v[point_at(i, lane)] -= factor[lane] * v[point_at(k, lane)];
-      }
-      for (std::size_t j = k + 1; j < n; ++j)
-        for (std::size_t lane = 0; lane < kLanes; ++lane)
-          a[point_at(i * n + j, lane)] -= factor[lane] * a[point_at(k * n + j, lane)];
-    }
-  }
-  for (std::size_t i = n; i-- > 0;) {
-    for (std::size_t j = i + 1; j < n; ++j)
-      for (std::size_t lane = 0; lane < kLanes; ++lane)
-        v[point_at(i, lane)] -= a[point_at(i * n + j, lane)] * v[point_at(j, lane)];
-    for (std::size_t lane = 0; lane < kLanes; ++lane)
-      v[point_at(i, lane)] /= a[point_at(i * n + i, lane)];
-  }
-}
-
-/// Pv; with the strides exchanged, Pᵀv.
-void multiply(const double* P, const double* v, std::size_t n, std::size_t row_stride,
-              std::size_t column_stride, double* product) noexcept {
-  for (std::size_t i = 0; i < n; ++i) {
-    OctetSum sum;
-    for (std::size_t j = 0; j < n; ++j)
-      sum.add_product(P + point_at(i * row_stride + j * column_stride, 0), v + point_at(j, 0));
-    sum.store(product + point_at(i, 0));
-  }
-}
-
-/// One step of v ← Pv/‖Pv‖ + v/2; the second term damps the swinging of cyclic matrices.
-void power_step(const double* P, std::size_t n, std::size_t row_stride, std::size_t column_stride,
-                double* v, double* norm) noexcept {
-  alignas(64) double w[kMaxOrder * kLanes];
-  multiply(P, v, n, row_stride, column_stride, w);
-  for (std::size_t lane = 0; lane < kLanes; ++lane) norm[lane] = 0.0;
-  for (std::size_t i = 0; i < n; ++i)
-    for (std::size_t lane = 0; lane < kLanes; ++lane)
-      norm[lane] = std::max(norm[lane], w[point_at(i, lane)]);
-  double largest[kLanes] = {};
-  for (std::size_t i = 0; i < n; ++i)
-    for (std::size_t lane = 0; lane < kLanes; ++lane) {
-      double& x = v[point_at(i, lane)];
-      x = norm[lane] > 0.0 ? w[point_at(i, lane)] / norm[lane] + 0.5 * x : x;
-      largest[lane] = std::max(largest[lane], x);
-    }
-  for (std::size_t i = 0; i < n; ++i)
-    for (std::size_t lane = 0; lane < kLanes; ++lane) v[point_at(i, lane)] /= largest[lane];
-}
 
 }  // namespace
 
@@ -123,7 +57,7 @@ LaneMask certain_contraction(const double* P, const double* v, std::size_t n) no
   const double factor = raise_factor(n);
   LaneMask certain = kEveryLane;
   alignas(64) double sum[kMaxOrder * kLanes];
-  multiply(P, v, n, n, 1, sum);
+  regularity_backend().multiply(P, v, static_cast<unsigned>(n), sum);
   for (std::size_t i = 0; i < n; ++i) {
     for (std::size_t lane = 0; lane < kLanes; ++lane) {
       const double vi = v[point_at(i, lane)];
@@ -137,7 +71,7 @@ LaneMask certain_contraction(const double* P, const double* v, std::size_t n) no
 }
 
 LaneMask certain_h_matrix(const double* P, std::size_t n, double* v) noexcept {
-  solve_for_ones(P, n, v);
+  regularity_backend().solve_for_ones(P, static_cast<unsigned>(n), v);
   return certain_contraction(P, v, n);
 }
 
@@ -145,7 +79,7 @@ void determinant_ru(const double* P, const double* v, std::size_t n, double* upp
   const double factor = raise_factor(n);
   for (std::size_t lane = 0; lane < kLanes; ++lane) upper[lane] = 1.0;
   alignas(64) double sum[kMaxOrder * kLanes];
-  multiply(P, v, n, n, 1, sum);
+  regularity_backend().multiply(P, v, static_cast<unsigned>(n), sum);
   for (std::size_t i = 0; i < n; ++i) {
     for (std::size_t lane = 0; lane < kLanes; ++lane) {
       const double ratio =
@@ -157,13 +91,7 @@ void determinant_ru(const double* P, const double* v, std::size_t n, double* upp
 
 void approx_perron(const double* P, std::size_t n, double* v, double* y,
                    double* approx_radius) noexcept {
-  constexpr int kSteps = 12;
-  double norm[kLanes];
-  for (std::size_t e = 0; e < n * kLanes; ++e) v[e] = y[e] = 1.0;
-  for (int step = 0; step < kSteps; ++step) {
-    power_step(P, n, 1, n, y, norm);
-    power_step(P, n, n, 1, v, approx_radius);
-  }
+  regularity_backend().perron(P, static_cast<unsigned>(n), v, y, approx_radius);
 }
 
 }  // namespace regulus

@@ -17,7 +17,8 @@ inline constexpr std::size_t kLanes = 8;
 inline constexpr std::size_t kMaxColumns = 12;
 inline constexpr std::size_t kMaxRows = 24;
 
-/// The largest order of a matrix P given to the H-matrix test (regulus/regularity/structured.hpp).
+/// The largest order of a matrix P given to the H-matrix test
+/// (regulus/regularity/second_order.hpp).
 inline constexpr std::size_t kMaxOrder = kMaxColumns + kMaxRows;
 
 /// The most coordinates of one ball that are taken together.
@@ -37,35 +38,6 @@ inline constexpr LaneMask kEveryLane = (1U << kLanes) - 1;
   return (2 * entry + 1) * kLanes + lane;
 }
 
-/// Eight running sums that stay in registers, as pairs: what every 64-bit processor adds in one
-/// instruction. Compilers spill a plain array that is summed over in an outer loop.
-class OctetSum {
- public:
-  /// Adds a·b lane by lane; each is rounded twice, never contracted.
-  void add_product(const double* a, const double* b) noexcept {
-    add_pair(a0_, a, b);
-    add_pair(a1_, a + 2, b + 2);
-    add_pair(a2_, a + 4, b + 4);
-    add_pair(a3_, a + 6, b + 6);
-  }
-  void store(double* out) const noexcept {
-    std::memcpy(out, &a0_, sizeof a0_);
-    std::memcpy(out + 2, &a1_, sizeof a1_);
-    std::memcpy(out + 4, &a2_, sizeof a2_);
-    std::memcpy(out + 6, &a3_, sizeof a3_);
-  }
-
- private:
-  using Pair = double __attribute__((vector_size(16)));
-  static void add_pair(Pair& sum, const double* a, const double* b) noexcept {
-    Pair x, y;
-    std::memcpy(&x, a, sizeof x);
-    std::memcpy(&y, b, sizeof y);
-    sum += x * y;
-  }
-  Pair a0_{}, a1_{}, a2_{}, a3_{};
-};
-
 /// What raise_ru multiplies by, for sums of at most `terms` products.
 [[nodiscard]] constexpr double raise_factor(std::size_t terms) noexcept {
   return 1.0 + static_cast<double>(terms + 4) * 0x1p-51;
@@ -74,7 +46,8 @@ class OctetSum {
 /// An upper bound of s = Σ aᵢbᵢ from its floating-point value f.
 ///
 /// Requires  at most `terms` < 2^40 products, factor = raise_factor(terms), aᵢ, bᵢ ≥ 0; f computed
-///           by one multiplication a term and any order of additions, in any rounding mode.
+///           by one multiplication a term and any order of additions, in any rounding mode; some
+///           of both may be fused.
 /// Ensures   s ≤ result. An overflow gives +∞, an invalid operation NaN: no comparison holds then.
 /// Rounding  With u = 2^-52 (any mode) a product is a·b(1+δ) + η, |δ| ≤ u, |η| ≤ 2^-1074, and a sum
 ///           (a+b)(1+δ) without η, since sums of doubles that small are exact. A term passes at

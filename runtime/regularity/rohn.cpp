@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // A vertex determinant is Laplace's sum over sets of columns of a minor of the upper rows times one
 // of the lower three. For fixed v a row has two forms, uᵢ = ±1, so that the minors of all choices
-// of u are few; see expansion_lanes.hpp.
+// of u are few; see minors_lanes.hpp.
 //
 // Error: each of the n! products is rounded at most h(h+1)/2 times in the minor of the h upper
 // rows, b(b+1)/2 times in that of the b lower ones, and C(n, h) times in the product and the sum of
@@ -10,8 +10,8 @@
 
 #include <algorithm>
 
-#include "regulus/regularity/expansion_backend.hpp"
-#include "regulus/regularity/expansion_error.hpp"
+#include "regulus/regularity/backend.hpp"
+#include "regulus/regularity/minors_error.hpp"
 
 namespace regulus {
 namespace {
@@ -39,9 +39,9 @@ void errors_ru(const double* matrix, std::size_t n, double* error) noexcept {
     for (std::size_t lane = 0; lane < kLanes; ++lane)
       magnitude[point_at(e, lane)] =
           magnitude_of(matrix[lower_at(e, lane)], matrix[upper_at(e, lane)]);
-  expansion_backend().permanent(magnitude, static_cast<unsigned>(n), raise_factor(n), permanent);
+  regularity_backend().permanent(magnitude, static_cast<unsigned>(n), raise_factor(n), permanent);
   for (std::size_t lane = 0; lane < kLanes; ++lane)
-    error[lane] = expansion_error_ru(magnitude, n, lane, permanent[lane], roundings(n));
+    error[lane] = minors_error_ru(magnitude, n, lane, permanent[lane], roundings(n));
 }
 
 bool certain_rohn(const double* matrix, std::size_t n, std::size_t lane, double error) noexcept {
@@ -50,7 +50,7 @@ bool certain_rohn(const double* matrix, std::size_t n, std::size_t lane, double 
     lo[e] = matrix[lower_at(e, lane)];
     hi[e] = matrix[upper_at(e, lane)];
   }
-  return expansion_backend().vertices_share_sign(lo, hi, static_cast<unsigned>(n), error);
+  return regularity_backend().vertices_share_sign(lo, hi, static_cast<unsigned>(n), error);
 }
 
 }  // namespace

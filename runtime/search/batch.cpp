@@ -62,6 +62,7 @@ Batch::Batch(const Problem& problem, const Settings& settings, const RowStructur
       columns_(kernel_.columns),
       splittable_(settings.uncertainty == Uncertainty::kVariables ? kernel_.variables
                                                                   : kernel_.motion_variables),
+      changing_(variables_),
       structure_(structure),
       form_(form_of(settings.method)),
       sharpens_(settings.entries == Entries::kDerivatives && settings.method != Method::kAuto &&
@@ -95,7 +96,10 @@ Batch::Batch(const Problem& problem, const Settings& settings, const RowStructur
   face_entries_ = AlignedBuffer(sharpens_ ? 2 * nn : 0);
   if (structure_.is_known()) {
     const regulus_expansion& x = *kernel_.expansion;
-    second_order_.emplace(listed_derivatives(kernel_), structure_, settings.ingredients.moving);
+    second_order_.emplace(
+        listed_derivatives(kernel_), structure_,
+        SecondOrderOptions{.moves = settings.ingredients.moving,
+                           .weighs_row_variables = splittable_ > kernel_.motion_variables});
     expanded_ = AlignedBuffer(2 * v);
     expanded_radius_ = AlignedBuffer(v);
     center_product_ = AlignedBuffer(2 * nn);
@@ -126,13 +130,14 @@ void Batch::clear() noexcept {
 }
 
 void Batch::load(std::size_t lane, std::span<const Interval> box) noexcept {
-  for (std::size_t k = 0; k < variables_; ++k) load_variable(k, lane, box[k]);
+  for (std::size_t k = 0; k < changing_; ++k) load_variable(k, lane, box[k]);
   loaded_ |= 1U << lane;
 }
 
 void Batch::load_variable(std::size_t k, std::size_t lane, Interval x) noexcept {
-  const double middle = mid(x);
-  const double radius = rad_ru(x);
+  const bool thin = x.lo == x.hi;
+  const double middle = thin ? x.lo : mid(x);
+  const double radius = thin ? 0.0 : rad_ru(x);
   boxes_[lower_at(k, lane)] = x.lo;
   boxes_[upper_at(k, lane)] = x.hi;
   midpoint_[point_at(k, lane)] = middle;
@@ -142,11 +147,13 @@ void Batch::load_variable(std::size_t k, std::size_t lane, Interval x) noexcept 
 
 /// The point to expand at, and how far from it the box reaches.
 void Batch::load_expansion_point() noexcept {
-  std::copy_n(thin_.get(), 2 * variables_ * kLanes, expanded_.get());
-  std::copy_n(radius_.get(), variables_ * kLanes, expanded_radius_.get());
+  const std::size_t count = expansion_point_known_ ? changing_ : variables_;
+  expansion_point_known_ = true;
+  std::copy_n(thin_.get(), 2 * count * kLanes, expanded_.get());
+  std::copy_n(radius_.get(), count * kLanes, expanded_radius_.get());
   const double* nominal = kernel_.expansion->nominal;
   if (nominal == nullptr) return;
-  for (std::size_t k = 0; k < variables_; ++k) {
+  for (std::size_t k = 0; k < count; ++k) {
     if (!structure_.touches_one_row(k)) continue;
     const double lo = nominal[2 * k], hi = nominal[2 * k + 1];
     for (std::size_t lane = 0; lane < kLanes; ++lane) {
@@ -156,11 +163,22 @@ void Batch::load_expansion_point() noexcept {
       expanded_radius_[point_at(k, lane)] = std::max(sub_ru(x.hi, lo), sub_ru(hi, x.lo));
     }
   }
+  if (count == variables_)
+    expansion_outside_contract_ =
+        lanes_outside_contract(expanded_.get(), static_cast<unsigned>(variables_));
 }
 
 void Batch::seal(std::size_t count) noexcept {
-  for (std::size_t k = 0; k < variables_; ++k)
-    for (std::size_t lane = count; lane < kLanes; ++lane) load_variable(k, lane, box(k, 0));
+  const auto copy = [count](double* row) { std::fill(row + count, row + kLanes, row[0]); };
+  for (std::size_t k = 0; k < changing_; ++k) {
+    for (double* bounds : {boxes_.get(), thin_.get()})
+      copy(bounds + lower_at(k, 0)), copy(bounds + upper_at(k, 0));
+    copy(midpoint_.get() + point_at(k, 0));
+    copy(radius_.get() + point_at(k, 0));
+  }
+  // A midpoint, or any other part of a box that is within the contract, is within it too.
+  const LaneMask changed = lanes_outside_contract(boxes_.get(), static_cast<unsigned>(changing_));
+  outside_contract_ = changing_ < variables_ ? fixed_outside_contract_ | changed : changed;
 }
 
 bool Batch::begin(Stage stage) noexcept {
@@ -171,7 +189,9 @@ bool Batch::begin(Stage stage) noexcept {
 
 LaneMask Batch::call(regulus_function function, const double* boxes, const double* points,
                      double* out) noexcept {
-  return kEveryLane & ~caller_.call(function, boxes, points, out);
+  if (function == nullptr) return 0;
+  return kEveryLane & ~outside_contract_ &
+         ~caller_.call_within_contract(function, boxes, points, out);
 }
 
 void Batch::constraints_on(const double* boxes, LaneMask& inside, LaneMask& outside) noexcept {
@@ -239,7 +259,11 @@ const double* Batch::row_scales() noexcept {
   return scale_;
 }
 
-void Batch::learn_from_root() noexcept { posed_everywhere_ = has_lane(certain_posed(), 0); }
+void Batch::learn_from_root() noexcept {
+  posed_everywhere_ = has_lane(certain_posed(), 0);
+  changing_ = splittable_;
+  fixed_outside_contract_ = outside_contract_;
+}
 
 bool Batch::certain_above_threshold(std::size_t lane, double lower) noexcept {
   if (!(lower > 0.0) || !has_lane(certain_posed(), lane)) return false;

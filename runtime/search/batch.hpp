@@ -8,10 +8,10 @@
 #include <span>
 
 #include "regulus/kernel/call.hpp"
+#include "regulus/regularity/aligned_buffer.hpp"
 #include "regulus/regularity/determinant.hpp"
 #include "regulus/regularity/lanes.hpp"
 #include "regulus/regularity/second_order.hpp"
-#include "regulus/search/aligned_buffer.hpp"
 #include "regulus/search/problem.hpp"
 
 namespace regulus {
@@ -120,8 +120,11 @@ class Batch {
   /// layout.
   [[nodiscard]] const double* approx_impact() noexcept;
 
-  /// Declares that the boxes of this batch contain all boxes to come, so that what holds on the
-  /// whole of lane 0 need not be asked again.
+  /// Declares that the box of this batch contains all boxes to come, and agrees with them in the
+  /// variables that may not be split: what holds on all of it need not be asked again, and those
+  /// variables need not be loaded again.
+  ///
+  /// Requires  that box is in every lane.
   void learn_from_root() noexcept;
 
   /// Calls a function of the kernel on the boxes.
@@ -174,6 +177,7 @@ class Batch {
   void narrow_on_face(bool least) noexcept;
   void impact_on_determinant() noexcept;
   void load_expansion_point() noexcept;
+  [[nodiscard]] SecondOrderInput second_order_input() noexcept;
   [[nodiscard]] LaneMask call_listed(const regulus_derivatives& derivatives, const double* boxes,
                                      double* out) noexcept;
   void impact_from_derivatives() noexcept;
@@ -188,12 +192,16 @@ class Batch {
   const Interval alpha_;
   const std::size_t variables_, rows_, columns_;
   const std::size_t splittable_;  ///< the variables 0 … splittable_ − 1 may be split
+  std::size_t changing_;  ///< the variables 0 … changing_ − 1 differ from batch to batch
   const RowStructure& structure_;
   const ProductForm form_;       ///< what the method looks at
   const bool sharpens_;          ///< the entries of that, by their derivatives
   const bool sees_mean_values_;  ///< the method uses them and the kernel has derivatives
   const bool sees_determinant_;  ///< the method uses its closed form
   bool posed_everywhere_ = false;
+  bool expansion_point_known_ = false;
+  LaneMask outside_contract_ = 0;  ///< of the kernel
+  LaneMask fixed_outside_contract_ = 0, expansion_outside_contract_ = 0;
   unsigned done_ = 0;
   LaneMask loaded_ = 0;
 

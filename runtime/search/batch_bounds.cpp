@@ -41,12 +41,17 @@ LaneMask Batch::call_listed(const regulus_derivatives& derivatives, const double
   return call(derivatives.function, boxes, preconditioner(), out);
 }
 
+SecondOrderInput Batch::second_order_input() noexcept {
+  return {preconditioner(), center_product_.get(), first_.get(),          second_.get(),
+          row_first_.get(), row_second_.get(),     expanded_radius_.get()};
+}
+
 double* Batch::second_order_bounds() noexcept {
   double* T = second_order_bounds_.get();
   if (!begin(kSecondOrder)) return T;
   const regulus_expansion& x = *kernel_.expansion;
   load_expansion_point();
-  LaneMask defined = preconditioned();
+  LaneMask defined = preconditioned() & ~expansion_outside_contract_;
   defined &= call(x.product, expanded_.get(), preconditioner(), center_product_.get());
   defined &= call_listed(x.first, expanded_.get(), first_.get());
   defined &= call_listed(x.row_first, expanded_.get(), row_first_.get());
@@ -55,9 +60,7 @@ double* Batch::second_order_bounds() noexcept {
   // Any of the kernel's functions says where A is not defined.
   if (x.second.function == nullptr && x.row_second.function == nullptr)
     static_cast<void>(product({}, defined));
-  second_order_->bound_ru({preconditioner(), center_product_.get(), first_.get(), second_.get(),
-                           row_first_.get(), row_second_.get(), expanded_radius_.get()},
-                          T);
+  second_order_->bound_ru(second_order_input(), T);
   for_each_lane(kEveryLane & ~defined,
                 [&](std::size_t lane) { fill_lane(T, order() * order(), lane, kInfinity); });
   return T;
@@ -65,7 +68,7 @@ double* Batch::second_order_bounds() noexcept {
 
 void Batch::moving_determinant_ru(double* upper) noexcept {
   static_cast<void>(second_order_bounds());
-  second_order_->moving_determinant_ru(upper);
+  second_order_->moving_determinant_ru(second_order_input(), upper);
 }
 
 }  // namespace regulus

@@ -115,7 +115,8 @@ const double* Batch::approx_impact() noexcept {
   }
   approx_perron(P, order(), right_perron_.get(), left_perron_.get(), approx_radius);
   if (second_order_) {
-    second_order_->approx_impact(right_perron_.get(), left_perron_.get(), impact_.get());
+    second_order_->approx_impact(second_order_input(), right_perron_.get(), left_perron_.get(),
+                                 impact_.get());
     return impact_.get();
   }
   if (form_.side == ProductForm::Side::kNone) weigh_rows();

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include "regulus/regularity/second_order.hpp"
+#include "regulus/regularity/row_structure.hpp"
 #include "regulus/search/problem.hpp"
 
 namespace regulus {

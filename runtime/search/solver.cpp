@@ -78,12 +78,12 @@ class Search {
   void split_or_look_inside(std::size_t lane) noexcept;
   void split(std::size_t lane, std::size_t variable) noexcept;
   void block(std::size_t lane, Reason reason) noexcept;
-  void load_center(std::size_t lane, std::size_t thin_variables) noexcept;
+  void load_center(std::size_t lane, std::size_t thin_variables, std::size_t center) noexcept;
   [[nodiscard]] Reason reason_at_minimum_width(std::size_t lane) noexcept;
   [[nodiscard]] bool undefined_at_middle(std::size_t lane) noexcept;
   [[nodiscard]] bool certified_by_determinant(std::size_t lane) noexcept;
   [[nodiscard]] bool certified_by_oracle(std::size_t lane) noexcept;
-  [[nodiscard]] bool hopeless_under_uncertainty(std::size_t lane) noexcept;
+  [[nodiscard]] LaneMask hopeless_under_uncertainty(LaneMask lanes) noexcept;
   [[nodiscard]] Result conclude();
 
   [[nodiscard]] std::span<Interval> box_of(std::size_t lane) noexcept {
@@ -110,6 +110,7 @@ class Search {
   std::vector<Interval> current_, half_, blocking_;
   std::vector<std::uint64_t> filter_boxes_;
   OpenBox open_[kLanes];
+  LaneMask hopeless_ = 0;  ///< of the batch
   BoxId next_id_ = 1;
   const bool keeps_uncertainty_whole_;
   bool blocked_ = false;
@@ -218,6 +219,7 @@ void Search::decide_batch() noexcept {
       return;
     }
   }
+  hopeless_ = hopeless_under_uncertainty(undecided);
   for (std::size_t lane = kLanes; lane-- > 0;)
     if (has_lane(undecided, lane))
       exhausted_ ? observer_.on_open(open_[lane]) : split_or_block(lane);
@@ -328,8 +330,7 @@ void Search::split_or_block(std::size_t lane) noexcept {
       return leave(lane, Rule::kMultiprecision, {});
     return block(lane, Reason::kUndefined);
   }
-  if (open_[lane].depth % kStallCheck == kStallCheck - 1 && hopeless_under_uncertainty(lane))
-    return block(lane, Reason::kUncertainty);
+  if (has_lane(hopeless_, lane)) return block(lane, Reason::kUncertainty);
   const std::optional<std::size_t> variable = bisector_.choose(batch_, lane);
   if (variable) return split(lane, *variable);
   if (certified_by_oracle(lane)) return leave(lane, Rule::kMultiprecision, {});
@@ -388,13 +389,13 @@ void Search::block(std::size_t lane, Reason reason) noexcept {
   stopped_ = witness_.found();
 }
 
-/// The box of a lane with its first variables fixed at their midpoints, alone in center_.
-void Search::load_center(std::size_t lane, std::size_t thin_variables) noexcept {
+/// The box of a lane with its first variables fixed at their midpoints, to a lane of center_.
+void Search::load_center(std::size_t lane, std::size_t thin_variables,
+                         std::size_t center) noexcept {
   std::copy(open_[lane].box.begin(), open_[lane].box.end(), half_.begin());
   for (std::size_t k = 0; k < thin_variables; ++k) half_[k] = Interval(mid(half_[k]));
-  center_.clear();
-  center_.load(0, half_);
-  center_.seal(1);
+  if (center == 0) center_.clear();
+  center_.load(center, half_);
 }
 
 /// J⁻¹ or the pose is not defined at the middle of the box, which may lie in the variety.
@@ -402,7 +403,8 @@ bool Search::undefined_at_middle(std::size_t lane) noexcept {
   if (has_lane(batch_.midpoint_outside(), lane)) return false;
   if (!has_lane(batch_.midpoint_defined(), lane)) return true;
   if (has_lane(batch_.certain_posed(), lane)) return false;
-  load_center(lane, problem_.kernel->variables);
+  load_center(lane, problem_.kernel->variables, 0);
+  center_.seal(1);
   return center_.certain_posed() == 0;
 }
 
@@ -423,14 +425,23 @@ bool Search::certified_by_oracle(std::size_t lane) noexcept {
 }
 
 /// At the middle of the box, as a single pose, the tests fail for the whole of the uncertainty: no
-/// box around that pose can do better, except by the rounding of K.
-bool Search::hopeless_under_uncertainty(std::size_t lane) noexcept {
-  if (!keeps_uncertainty_whole_ || !settings_.ingredients.stall) return false;
-  load_center(lane, problem_.kernel->motion_variables);
-  if (center_.certain_outside() != 0) return false;
+/// box around that pose can do better, except by the rounding of K. Asked now and then.
+LaneMask Search::hopeless_under_uncertainty(LaneMask lanes) noexcept {
+  if (!keeps_uncertainty_whole_ || settings_.exhaustive || !settings_.ingredients.stall) return 0;
+  std::size_t asked[kLanes], count = 0;
+  for_each_lane(lanes, [&](std::size_t lane) {
+    if (open_[lane].depth % kStallCheck != kStallCheck - 1) return;
+    load_center(lane, problem_.kernel->motion_variables, count);
+    asked[count++] = lane;
+  });
+  if (count == 0) return 0;
+  center_.seal(count);
+  LaneMask left = center_.loaded() & ~center_.certain_outside();
   for (const auto& test : tests_)
-    if (test->certify(center_, 1U) != 0) return false;
-  return true;
+    if (left != 0) left &= ~test->certify(center_, left);
+  LaneMask hopeless = 0;
+  for_each_lane(left, [&](std::size_t center) { hopeless |= 1U << asked[center]; });
+  return hopeless;
 }
 
 Result Search::conclude() {

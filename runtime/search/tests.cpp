@@ -3,8 +3,8 @@
 
 #include <algorithm>
 
-#include "regulus/regularity/expansion.hpp"
 #include "regulus/regularity/h_matrix.hpp"
+#include "regulus/regularity/minors.hpp"
 #include "regulus/regularity/rohn.hpp"
 
 namespace regulus {

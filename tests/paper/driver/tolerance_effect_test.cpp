@@ -19,7 +19,7 @@
 #include "regulus/interval/interval.hpp"
 #include "regulus/kernel/call.hpp"
 #include "regulus/regularity/determinant.hpp"
-#include "regulus/search/aligned_buffer.hpp"
+#include "regulus/regularity/aligned_buffer.hpp"
 
 namespace regulus::codegen {
 namespace {

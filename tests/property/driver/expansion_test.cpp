@@ -15,7 +15,7 @@
 #include "regulus/interval/arithmetic.hpp"
 #include "regulus/kernel/call.hpp"
 #include "regulus/regularity/lanes.hpp"
-#include "regulus/search/aligned_buffer.hpp"
+#include "regulus/regularity/aligned_buffer.hpp"
 #include "support/random_source.hpp"
 #include "support/temporary_directory.hpp"
 

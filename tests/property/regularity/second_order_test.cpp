@@ -197,14 +197,17 @@ struct Bounds {
   std::vector<double> T, v, lower, moving;
   bool regular;
 
-  Bounds(const Family& f, const Inputs& in, bool moves = true) : lower(kLanes), moving(kLanes) {
-    SecondOrderBounds bounds(in.lists, f.structure(), moves);
+  Bounds(const Family& f, const Inputs& in, bool moves = true,
+         const RegularityBackend& backend = regularity_backend())
+      : lower(kLanes), moving(kLanes) {
+    SecondOrderBounds bounds(in.lists, f.structure(), {.moves = moves}, backend);
     T.resize(bounds.order() * bounds.order() * kLanes);
     v.resize(bounds.order() * kLanes);
-    bounds.bound_ru(in.input(), T.data());
+    const SecondOrderInput input = in.input();
+    bounds.bound_ru(input, T.data());
     regular = certain_h_matrix(T.data(), bounds.order(), v.data()) == kEveryLane;
     determinant_rd(T.data(), bounds.order(), lower.data());
-    bounds.moving_determinant_ru(moving.data());
+    bounds.moving_determinant_ru(input, moving.data());
   }
 };
 

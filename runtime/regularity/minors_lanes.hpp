@@ -1,21 +1,19 @@
 // SPDX-License-Identifier: Apache-2.0
-// Builds an ExpansionBackend with the vectors of the instruction set that the including file is
-// compiled for. Included by expansion_baseline.cpp, expansion_avx2.cpp, expansion_avx512.cpp only.
+// The loops over minors, with the vectors of the instruction set that the including file is
+// compiled for. Included by backend_baseline.cpp, backend_avx2.cpp, backend_avx512.cpp only.
 //
 // Only always-inlined or ISA-namespaced functions may be used here; see elementary/lanes.hpp.
 #pragma once
 
-#include "regulus/interval/elementary/lanes.hpp"
-#include "regulus/regularity/expansion_backend.hpp"
+#include "regulus/regularity/octet_lanes.hpp"
 
-namespace regulus::expansion {
+namespace regulus::minors {
 inline namespace REGULUS_LANES_ISA {
 
-using namespace elementary::REGULUS_LANES_ISA;
+using namespace octet::REGULUS_LANES_ISA;
 
-inline constexpr unsigned kOctet = 8;
-inline constexpr unsigned kMaxExpanded = 8;
-inline constexpr unsigned kMaxSets = 1U << kMaxExpanded;
+inline constexpr unsigned kMaxOfMinors = 8;
+inline constexpr unsigned kMaxSets = 1U << kMaxOfMinors;
 
 typedef Vector VectorOfMatrix __attribute__((may_alias));
 
@@ -87,28 +85,6 @@ inline void permanent(const double* magnitude, unsigned n, double factor, double
   }
 }
 
-/// Eight doubles, as few vectors as they fill.
-struct Octet {
-  static constexpr unsigned kParts = kOctet / kVectorLanes;
-  Vector part[kParts];
-
-  static Octet of(double c) noexcept {
-    Octet x;
-    for (Vector& p : x.part) p = splat<Vector>(c);
-    return x;
-  }
-  double& lane(unsigned l) noexcept { return reinterpret_cast<double*>(part)[l]; }
-  [[nodiscard]] double lane(unsigned l) const noexcept {
-    return reinterpret_cast<const double*>(part)[l];
-  }
-  void add_product(const Octet& a, const Octet& b) noexcept {
-    for (unsigned p = 0; p < kParts; ++p) part[p] += a.part[p] * b.part[p];
-  }
-  void subtract_product(const Octet& a, const Octet& b) noexcept {
-    for (unsigned p = 0; p < kParts; ++p) part[p] -= a.part[p] * b.part[p];
-  }
-};
-
 /// Some rows of the matrix for eight choices of their signs uᵢ, lane by lane, and both signs of vⱼ.
 class SignedRows {
  public:
@@ -137,7 +113,7 @@ class SignedRows {
 
   /// Minors of the first k rows and each set of k columns; bit j of v set means vⱼ = −1.
   void minors_for(unsigned v, Octet* minors) const noexcept {
-    Octet row[kMaxExpanded * kMaxExpanded];
+    Octet row[kMaxOfMinors * kMaxOfMinors];
     for (unsigned e = 0; e < count_ * n_; ++e) row[e] = form_[v >> (e % n_) & 1U][e];
     minors[0] = Octet::of(1.0);
     Octet sum = Octet::of(0.0);
@@ -159,8 +135,8 @@ class SignedRows {
   };
   unsigned count_, n_;
   unsigned term_count_ = 0;
-  Term terms_[kMaxExpanded * kMaxSets / 2];
-  Octet form_[2][kMaxExpanded * kMaxExpanded];  ///< vⱼ = 1, vⱼ = −1
+  Term terms_[kMaxOfMinors * kMaxSets / 2];
+  Octet form_[2][kMaxOfMinors * kMaxOfMinors];  ///< vⱼ = 1, vⱼ = −1
 };
 
 /// Laplace's expansion along the upper rows: which minors are multiplied, and with which sign.
@@ -250,7 +226,5 @@ inline bool vertices_share_sign(const double* lo, const double* hi, unsigned n,
   return true;
 }
 
-inline constexpr ExpansionBackend kExpansion{expand, permanent, vertices_share_sign};
-
 }  // namespace REGULUS_LANES_ISA
-}  // namespace regulus::expansion
+}  // namespace regulus::minors

@@ -24,9 +24,9 @@ namespace regulus {
 ///           magnitude): (1+u)^t − 1 ≤ 2tu, and 3·8·2^8·4·8!·2^-1074 ≤ 2^-1040. ∞ or NaN where
 ///           there is no bound.
 /// Rounding  up.
-[[nodiscard]] inline double expansion_error_ru(const double* magnitude, std::size_t n,
-                                               std::size_t lane, double permanent,
-                                               std::size_t roundings) noexcept {
+[[nodiscard]] inline double minors_error_ru(const double* magnitude, std::size_t n,
+                                            std::size_t lane, double permanent,
+                                            std::size_t roundings) noexcept {
   double largest = 1.0;
   for (std::size_t e = 0; e < n * n; ++e) largest = std::max(largest, magnitude[point_at(e, lane)]);
   double power = 0x1p-1040;

@@ -7,19 +7,19 @@
 // at most 2^-1074 each, which is multiplied on by entries of the remaining rows; with M the largest
 // magnitude, at least 1, that is below n·2^n·4·2^-1074·n!·M^n ≤ 2^-1040·M^n for n ≤ 8. An overflow
 // makes the permanent infinite or NaN, whose factor exceeds (1+u)^t at each level: no bound then.
-#include "regulus/regularity/expansion.hpp"
+#include "regulus/regularity/minors.hpp"
 
 #include <algorithm>
 #include <array>
 
 #include "regulus/interval/interval.hpp"
-#include "regulus/regularity/expansion_backend.hpp"
-#include "regulus/regularity/expansion_error.hpp"
+#include "regulus/regularity/backend.hpp"
+#include "regulus/regularity/minors_error.hpp"
 
 namespace regulus {
 namespace {
 
-constexpr std::size_t kMaxEntries = kMaxEightExpansion * kMaxEightExpansion;
+constexpr std::size_t kMaxEntries = kMaxEightMinors * kMaxEightMinors;
 
 struct alignas(64) Workspace {
   double matrix[2 * kMaxEntries * kLanes];
@@ -28,11 +28,11 @@ struct alignas(64) Workspace {
   double permanent[kLanes];
 };
 
-using Order = std::array<unsigned char, kMaxEightExpansion>;
+using Order = std::array<unsigned char, kMaxEightMinors>;
 
 /// Rows, or columns, from the widest to the narrowest. A choice, not a bound.
 Order by_width(const double* matrix, std::size_t n, std::size_t lane, bool rows) noexcept {
-  double width[kMaxEightExpansion] = {};
+  double width[kMaxEightMinors] = {};
   for (std::size_t e = 0; e < n * n; ++e)
     width[rows ? e / n : e % n] += matrix[upper_at(e, lane)] - matrix[lower_at(e, lane)];
   Order order;
@@ -72,7 +72,7 @@ void expand(const double* matrix, std::size_t n, bool rows, const double* error,
   bool odd[kLanes];
   for (std::size_t lane = 0; lane < kLanes; ++lane)
     odd[lane] = arrange(matrix, n, lane, rows, work);
-  expansion_backend().expand(work.matrix, static_cast<unsigned>(n), work.bounds);
+  regularity_backend().expand(work.matrix, static_cast<unsigned>(n), work.bounds);
   for (std::size_t lane = 0; lane < kLanes; ++lane) {
     if (!(error[lane] < kInfinity)) continue;
     const Interval value(sub_rd(work.bounds[lane], error[lane]),
@@ -88,11 +88,10 @@ void errors_ru(const double* matrix, std::size_t n, Workspace& work, double* err
     for (std::size_t lane = 0; lane < kLanes; ++lane)
       work.magnitude[point_at(e, lane)] =
           magnitude_of(matrix[lower_at(e, lane)], matrix[upper_at(e, lane)]);
-  expansion_backend().permanent(work.magnitude, static_cast<unsigned>(n), raise_factor(n),
-                                work.permanent);
+  regularity_backend().permanent(work.magnitude, static_cast<unsigned>(n), raise_factor(n),
+                                 work.permanent);
   for (std::size_t lane = 0; lane < kLanes; ++lane)
-    error[lane] =
-        expansion_error_ru(work.magnitude, n, lane, work.permanent[lane], n * (n + 1) / 2);
+    error[lane] = minors_error_ru(work.magnitude, n, lane, work.permanent[lane], n * (n + 1) / 2);
 }
 
 }  // namespace
@@ -101,7 +100,7 @@ void enclose_determinants(const double* matrix, std::size_t n, double* lower,
                           double* upper) noexcept {
   Determinants determinants;
   for (Interval& value : determinants.lane) value = kEntire;
-  if (n <= kMaxEightExpansion) {
+  if (n <= kMaxEightMinors) {
     Workspace work;
     double error[kLanes];
     errors_ru(matrix, n, work, error);
@@ -112,21 +111,6 @@ void enclose_determinants(const double* matrix, std::size_t n, double* lower,
     lower[lane] = determinants.lane[lane].lo;
     upper[lane] = determinants.lane[lane].hi;
   }
-}
-
-const ExpansionBackend& expansion_backend(X8Isa isa) noexcept {
-#if defined(__x86_64__)
-  if (isa == X8Isa::kAvx512) return kExpansionAvx512;
-  if (isa == X8Isa::kAvx2) return kExpansionAvx2;
-#endif
-  static_cast<void>(isa);
-  return kExpansionBaseline;
-}
-
-const ExpansionBackend& expansion_backend() noexcept {
-  for (const X8Isa isa : {X8Isa::kAvx512, X8Isa::kAvx2})
-    if (x8_available(isa)) return expansion_backend(isa);
-  return kExpansionBaseline;
 }
 
 }  // namespace regulus

@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Determinants of eight matrices at once, against exact arithmetic and on every instruction set.
-#include "regulus/regularity/expansion.hpp"
+#include "regulus/regularity/minors.hpp"
 
 #include <gtest/gtest.h>
 
 #include <vector>
 
+#include "regulus/regularity/backend.hpp"
 #include "regulus/regularity/determinant.hpp"
-#include "regulus/regularity/expansion_backend.hpp"
 #include "regulus/regularity/rohn.hpp"
 #include "support/lane_arrays.hpp"
 
@@ -41,7 +41,7 @@ std::vector<Exact> random_member(Random& random, const std::vector<double>& x, s
   return member;
 }
 
-TEST(Expansion, EnclosesTheDeterminantsOfExactMembers) {
+TEST(Minors, EnclosesTheDeterminantsOfExactMembers) {
   Random random(31);
   std::size_t bounded = 0;
   for (int round = 0; round < 600; ++round) {
@@ -59,7 +59,7 @@ TEST(Expansion, EnclosesTheDeterminantsOfExactMembers) {
   EXPECT_GT(bounded, 3000U);
 }
 
-TEST(Expansion, OfThinMatricesLosesLittleMoreThanTheRounding) {
+TEST(Minors, OfThinMatricesLosesLittleMoreThanTheRounding) {
   Random random(32);
   for (int round = 0; round < 100; ++round) {
     std::vector<double> x(2 * 36 * kLanes);
@@ -72,7 +72,7 @@ TEST(Expansion, OfThinMatricesLosesLittleMoreThanTheRounding) {
   }
 }
 
-TEST(Expansion, OfWideMatricesIsAboutAsTightAsTheRecursion) {
+TEST(Minors, OfWideMatricesIsAboutAsTightAsTheRecursion) {
   Random random(33);
   double eight = 0, recursive = 0;
   for (int round = 0; round < 50; ++round) {
@@ -94,7 +94,7 @@ TEST(Expansion, OfWideMatricesIsAboutAsTightAsTheRecursion) {
   EXPECT_LT(eight, 1.02 * recursive);
 }
 
-TEST(Expansion, BoundsNothingAfterAnOverflow) {
+TEST(Minors, BoundsNothingAfterAnOverflow) {
   std::vector<double> x(2 * 4 * kLanes, 1.0);
   x[lower_at(0, 2)] = x[upper_at(0, 2)] = 0x1p1000;
   x[lower_at(3, 2)] = x[upper_at(3, 2)] = 0x1p1000;
@@ -105,7 +105,7 @@ TEST(Expansion, BoundsNothingAfterAnOverflow) {
   EXPECT_LT(upper[1], 1e-14);
 }
 
-TEST(Expansion, IsTheSameOnEveryInstructionSet) {
+TEST(Minors, IsTheSameOnEveryInstructionSet) {
   Random random(34);
   for (int round = 0; round < 50; ++round) {
     const unsigned n = 1 + static_cast<unsigned>(random.next() % 7);
@@ -115,15 +115,15 @@ TEST(Expansion, IsTheSameOnEveryInstructionSet) {
     std::vector<double> lo(n * n), hi(n * n);
     for (std::size_t e = 0; e < lo.size(); ++e)
       lo[e] = matrix[lower_at(e, 0)], hi[e] = matrix[upper_at(e, 0)];
-    const ExpansionBackend& reference = expansion_backend(X8Isa::kBaseline);
+    const RegularityBackend& reference = regularity_backend(X8Isa::kBaseline);
     reference.expand(matrix, n, expected);
     const bool share = reference.vertices_share_sign(lo.data(), hi.data(), n, 1e-12);
     for (const X8Isa isa : kX8Isas) {
       if (!x8_available(isa)) continue;
-      expansion_backend(isa).expand(matrix, n, found);
+      regularity_backend(isa).expand(matrix, n, found);
       for (std::size_t i = 0; i < 2 * kLanes; ++i)
         ASSERT_TRUE(found[i] == expected[i] || (std::isnan(found[i]) && std::isnan(expected[i])));
-      EXPECT_EQ(expansion_backend(isa).vertices_share_sign(lo.data(), hi.data(), n, 1e-12), share);
+      EXPECT_EQ(regularity_backend(isa).vertices_share_sign(lo.data(), hi.data(), n, 1e-12), share);
     }
   }
 }

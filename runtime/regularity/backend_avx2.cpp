@@ -1,0 +1,8 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "regulus/regularity/backend_lanes.hpp"
+
+namespace regulus {
+
+const RegularityBackend kRegularityAvx2 = regularity::kBackend;
+
+}  // namespace regulus

@@ -1,0 +1,21 @@
+// SPDX-License-Identifier: Apache-2.0
+// All that backend_*.cpp compile for one instruction set each.
+#pragma once
+
+#include "regulus/regularity/backend.hpp"
+#include "regulus/regularity/h_matrix_lanes.hpp"
+#include "regulus/regularity/inverse_lanes.hpp"
+#include "regulus/regularity/minors_lanes.hpp"
+#include "regulus/regularity/second_order_impact_lanes.hpp"
+#include "regulus/regularity/second_order_lanes.hpp"
+
+namespace regulus::regularity {
+inline namespace REGULUS_LANES_ISA {
+
+inline constexpr RegularityBackend kBackend{
+    minors::expand,           minors::permanent,   minors::vertices_share_sign,
+    h_matrix::solve_for_ones, h_matrix::multiply,  h_matrix::perron,
+    inverse::invert,          second_order::bound, second_order::impact};
+
+}  // namespace REGULUS_LANES_ISA
+}  // namespace regulus::regularity

@@ -1,8 +1,0 @@
-// SPDX-License-Identifier: Apache-2.0
-#include "regulus/regularity/expansion_lanes.hpp"
-
-namespace regulus {
-
-const ExpansionBackend kExpansionBaseline = expansion::kExpansion;
-
-}  // namespace regulus

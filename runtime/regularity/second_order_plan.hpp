@@ -1,0 +1,96 @@
+// SPDX-License-Identifier: Apache-2.0
+// What second_order.hpp has to sum over, and where its numbers are kept: plain arrays, so that code
+// compiled for any instruction set may read them.
+#pragma once
+
+#include "regulus/regularity/lanes.hpp"
+
+namespace regulus {
+
+/// A part of an array.
+struct PlanRange {
+  unsigned begin = 0, end = 0;
+  [[nodiscard]] __attribute__((always_inline)) constexpr unsigned size() const noexcept {
+    return end - begin;
+  }
+};
+
+struct SecondOrderPlan {
+  /// One listed derivative: `at` in its list.
+  struct Entry {
+    unsigned row, column, at;
+  };
+  struct Wide {
+    unsigned variable;
+    PlanRange columns;  ///< in `columns`: those of D_p that are not zero
+    PlanRange first;    ///< in `entries`; a column there is an index into `columns`
+    unsigned D;         ///< where D_p starts in `D`: rows n, columns as listed
+  };
+  struct Pair {
+    unsigned p, q;  ///< of wide variables, p ≤ q
+  };
+  struct SameRow {
+    unsigned variable;
+    PlanRange second;  ///< in `entries`
+  };
+  struct RowVariable {
+    unsigned variable, slot;
+    PlanRange first;     ///< in `entries`
+    unsigned mixed;      ///< in `mixed`: one range of `entries` for each wide variable
+    PlanRange same_row;  ///< in `same_rows`: by itself and those before it
+  };
+  /// One uncertain quantity, or the coordinates of a point in a ball: a part of `row_variables`.
+  struct Group {
+    PlanRange members;
+    unsigned slot;
+  };
+
+  unsigned rows, columns_of_A, slots, wides, pairs, groups;
+  bool moves;                 ///< whether K(t) and w_k(t) do
+  bool weighs_row_variables;  ///< whether their impact is asked for
+  const unsigned* touched;    ///< rows, by slot
+  const unsigned* columns;
+  const Entry* entries;
+  const Wide* wide;
+  const Pair* pair;
+  const unsigned* pair_rows;  ///< for each pair: where each row begins in `entries`, and ends
+  const PlanRange* mixed;
+  const SameRow* same_rows;
+  const RowVariable* row_variables;
+  const Group* group;
+};
+
+/// For one batch, in point layout. n columns of A, s slots, w wide variables. A sum over p has the
+/// weights r_p, over p, q the weights r_pr_q.
+struct SecondOrderWork {
+  double *K, *abs_K;                 // n×s: at the rows touched
+  double *D, *DK, *sum_DK;           // as planned; w·n×s; n×s
+  double *e, *sum_d, *sum_D;         // n×n
+  double* magnitude_of_B;            // n×n: ½ Σ_pq of |∂_p∂_qB|
+  double *linear, *rounding, *P;     // n×n
+  double *pair_row, *pair_radius;    // n
+  double* pairs;                     // for each row: what each pair adds to that of P
+  double *weight, *weight_of_g;      // s×n: Σ_k Δ_k of |w̄_k|, of Σ_p r_p|g_kp|
+  double* rest;                      // s×n: what is left of |w_k − w_k(t)|
+  double *R, *R_of_wide, *R_of_row;  // s×s; (1 + w)·s×s: fixed, by each p; s for each row variable
+  double *center, *slope;            // n: w̄_k by entry; w·n: g_kp by entry
+  double *weight_of_value, *weight_of_row;  // 1 + w; s
+  double *group_R, *group_lower;            // (1 + w)·s, (1 + w)·n
+};
+
+/// Values for eight boxes, in the layouts of regulus/regularity/lanes.hpp.
+struct SecondOrderInput {
+  const double* K;           ///< n×m, points
+  const double* product;     ///< B(t₀), n×n, intervals
+  const double* first;       ///< at (t₀, ū), intervals
+  const double* second;      ///< over the boxes, intervals
+  const double* row_first;   ///< at (t₀, ū), intervals
+  const double* row_second;  ///< over the boxes, intervals
+  const double* radius;      ///< r_p, Δ_k: of each variable, points
+};
+
+/// γ of second_order_lanes.hpp, for sums of at most 64 terms.
+inline constexpr double kSecondOrderGamma = (64 + 4) * 0x1p-50;
+static_assert(2 * kMaxRows + 1 < 64);
+
+}  // namespace regulus
