@@ -7,8 +7,8 @@
 #include "regulus/codegen/driver/arb_oracle.hpp"
 #include "regulus/codegen/symbolic/determinant.hpp"
 #include "regulus/kernel/call.hpp"
-#include "regulus/regularity/lanes.hpp"
 #include "regulus/regularity/aligned_buffer.hpp"
+#include "regulus/regularity/lanes.hpp"
 
 namespace regulus::codegen {
 namespace {

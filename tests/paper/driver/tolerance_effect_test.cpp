@@ -18,8 +18,8 @@
 #include "regulus/codegen/symbolic/formulation.hpp"
 #include "regulus/interval/interval.hpp"
 #include "regulus/kernel/call.hpp"
-#include "regulus/regularity/determinant.hpp"
 #include "regulus/regularity/aligned_buffer.hpp"
+#include "regulus/regularity/determinant.hpp"
 
 namespace regulus::codegen {
 namespace {

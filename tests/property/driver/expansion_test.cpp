@@ -14,8 +14,8 @@
 #include "regulus/codegen/symbolic/formulation.hpp"
 #include "regulus/interval/arithmetic.hpp"
 #include "regulus/kernel/call.hpp"
-#include "regulus/regularity/lanes.hpp"
 #include "regulus/regularity/aligned_buffer.hpp"
+#include "regulus/regularity/lanes.hpp"
 #include "support/random_source.hpp"
 #include "support/temporary_directory.hpp"
 
