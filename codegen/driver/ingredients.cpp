@@ -68,8 +68,7 @@ std::vector<std::string> ingredient_names() {
 std::string ingredient_words() {
   std::string words;
   for (const Ingredient& ingredient : kIngredients)
-    words +=
-        fmt::format("{}{} ({})", words.empty() ? "" : ", ", ingredient.name, ingredient.meaning);
+    words += fmt::format("\n  {:13} {}", ingredient.name, ingredient.meaning);
   return words;
 }
 

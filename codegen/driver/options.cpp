@@ -102,8 +102,8 @@ void add_search_options(CLI::App& app, SearchOptions& options) {
       ->check(CLI::IsMember({"elements", "variables"}))
       ->capture_default_str();
   app.add_option("--without", options.without,
-                 "Leave out an ingredient, to see what it contributes; may be repeated. Never "
-                 "unsound. " +
+                 "Leave out an ingredient, to see what it contributes; may be repeated; "
+                 "slower, never unsound:" +
                      ingredient_words())
       ->take_all()
       ->expected(1)
