@@ -11,11 +11,16 @@ namespace {
 
 using nlohmann::json;
 
-json margin(const std::string& motion, const std::vector<std::string>& question) {
+const char* const kRobot1 = "models/robot_1.toml";
+const char* const kUnscaled = "tests/paper/models/robot_1_unscaled.toml";
+
+/// The bracket ends of itself, in half a minute if the machine does nothing else.
+json margin(const std::string& model, const std::string& motion,
+            const std::vector<std::string>& question) {
   std::vector<std::string> words{REGULUS_BINARY_DIR "/bin/regulus", "margin",
-                                 REGULUS_SOURCE_DIR "/models/robot_1.toml", motion};
+                                 REGULUS_SOURCE_DIR "/" + model, motion};
   words.insert(words.end(), question.begin(), question.end());
-  words.insert(words.end(), {"--json", "--quiet", "--time-limit", "60"});
+  words.insert(words.end(), {"--json", "--quiet", "--time-limit", "300"});
   return json::parse(run_command(words).output);
 }
 
@@ -24,19 +29,23 @@ double nearness(const json& report) {
 }
 
 TEST(Margin, OfAnchorsIsKnownToATenthWithinFifteenDegrees) {
-  const json report = margin("wide_15", {"--tolerance", "base,platform=0:1"});
+  const json report = margin(kRobot1, "wide_15", {"--tolerance", "base,platform=0:1"});
   EXPECT_LE(report["refuted"], 0.1345);
   EXPECT_GE(nearness(report), 0.90);
 }
 
 TEST(Margin, OfAnchorsIsKnownToAFifthWithinFiveDegrees) {
-  const json report = margin("table4_5", {"--tolerance", "base,platform=0:1"});
+  const json report = margin(kRobot1, "table4_5", {"--tolerance", "base,platform=0:1"});
   EXPECT_LE(report["refuted"], 0.236);
-  EXPECT_GE(nearness(report), 0.80);
+  EXPECT_GE(nearness(report), 0.82);
 }
 
 TEST(Margin, OfTheThresholdIsKnownToATwentieth) {
-  EXPECT_GE(nearness(margin("wide_15", {"--alpha", "0:"})), 0.95);
+  EXPECT_GE(nearness(margin(kRobot1, "wide_15", {"--alpha", "0:"})), 0.95);
+}
+
+TEST(Margin, OfTheThresholdWithoutRowScalesIsKnownToATwentieth) {
+  EXPECT_GE(nearness(margin(kUnscaled, "wide_15", {"--alpha", "0:"})), 0.95);
 }
 
 }  // namespace
