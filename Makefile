@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: Apache-2.0
 # Short names for the usual work; everything is in CMake. `make help` lists them.
-.PHONY: help demo build test test-all paper asan ubsan clang dependencies format clean
+.PHONY: help demo build test test-all paper growth ablation asan ubsan clang dependencies format clean
 .DEFAULT_GOAL := help
 
 help:           ## this list
@@ -32,6 +32,18 @@ paper: dependencies  ## the paper's Tables IV-VII, run again: tests/paper/RESULT
 	build/bin/paper_tables $(LIMIT) >build/RESULTS.md
 	mv build/RESULTS.md tests/paper/RESULTS.md
 	@cat tests/paper/RESULTS.md
+
+growth: dependencies  ## boxes by tolerance and by range: tests/paper/GROWTH.md, growth.svg (LIMIT seconds a cell)
+	cmake --preset release -DREGULUS_TESTS=ON
+	cmake --build --preset release --target growth_tables
+	build/bin/growth_tables build/growth.svg $(LIMIT) >build/GROWTH.md
+	mv build/GROWTH.md build/growth.svg tests/paper/
+
+ablation: dependencies  ## what each ingredient contributes: tests/paper/ABLATION.md (LIMIT seconds a cell)
+	cmake --preset release -DREGULUS_TESTS=ON
+	cmake --build --preset release --target ablation_tables
+	build/bin/ablation_tables $(LIMIT) >build/ABLATION.md
+	mv build/ABLATION.md tests/paper/ABLATION.md
 
 asan ubsan clang: dependencies  ## the fast tests under that preset
 	cmake --preset $@

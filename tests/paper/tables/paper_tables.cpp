@@ -7,28 +7,10 @@
 #include <iostream>
 
 #include "paper/tables/run_cell.hpp"
+#include "paper/tables/words.hpp"
 
 namespace regulus::test {
 namespace {
-
-const char* letter(Verdict verdict) {
-  switch (verdict) {
-    case Verdict::kNoSingularity:
-      return "N";
-    case Verdict::kSingularity:
-      return "S";
-    case Verdict::kPossibleProblem:
-      return "P";
-  }
-  return "";
-}
-
-/// Five digits are still read at a glance; more are rounded to thousands.
-std::string count(std::uint64_t boxes) {
-  constexpr std::uint64_t kThousand = 1000;
-  return boxes < 100 * kThousand ? fmt::format("{}", boxes)
-                                 : fmt::format("{} k", (boxes + kThousand / 2) / kThousand);
-}
 
 std::string found(const PaperCell& cell, const Result& result, double limit) {
   const std::string boxes = count(result.statistics.boxes);

@@ -1,0 +1,33 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// How the tables write numbers and verdicts.
+#pragma once
+
+#include <fmt/format.h>
+
+#include <cstdint>
+#include <string>
+
+#include "regulus/search/result.hpp"
+
+namespace regulus::test {
+
+inline const char* letter(Verdict verdict) {
+  switch (verdict) {
+    case Verdict::kNoSingularity:
+      return "N";
+    case Verdict::kSingularity:
+      return "S";
+    case Verdict::kPossibleProblem:
+      return "P";
+  }
+  return "";
+}
+
+/// Five digits are still read at a glance; more are rounded to thousands.
+inline std::string count(std::uint64_t boxes) {
+  constexpr std::uint64_t kThousand = 1000;
+  return boxes < 100 * kThousand ? fmt::format("{}", boxes)
+                                 : fmt::format("{} k", (boxes + kThousand / 2) / kThousand);
+}
+
+}  // namespace regulus::test
