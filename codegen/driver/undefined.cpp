@@ -9,7 +9,6 @@
 #include "regulus/codegen/driver/report_parts.hpp"
 #include "regulus/codegen/program/enclose.hpp"
 #include "regulus/codegen/program/interval_arithmetic.hpp"
-#include "regulus/codegen/symbolic/lowering.hpp"
 #include "regulus/codegen/symbolic/print.hpp"
 #include "regulus/codegen/symbolic/substitution.hpp"
 
@@ -18,14 +17,6 @@ namespace {
 
 /// As kernels have it: beyond this a root or a quotient counts as undefined.
 constexpr double kLargestValue = 0x1p128;
-
-Program program_of(const Formulation& formulation, const Expressions& outputs) {
-  std::vector<std::string> names;
-  for (const Variable& variable : formulation.variables) names.push_back(variable.name);
-  Lowering lowering(names, {});
-  for (const Expression& output : outputs) lowering.output(output);
-  return std::move(lowering).finish();
-}
 
 /// The outputs over a box; nullopt unless certainly defined all over it.
 std::optional<std::vector<Interval>> enclose_over(const Program& program,
@@ -49,14 +40,15 @@ std::vector<Interval> middle_of(std::span<const Interval> box) {
 }  // namespace
 
 Definedness::Definedness(const Formulation& formulation)
-    : pose_(program_of(formulation, formulation.pose)) {
+    : pose_(lower_outputs(formulation, formulation.pose)) {
   std::unordered_set<Expression, ExpressionHash> seen;
   for (const Expression& condition : formulation.must_be_defined)
     for (const Expression& e : partial_nodes(condition)) {
       if (!seen.insert(e).second) continue;
       const Expressions& arguments = e.operands();
       operations_.push_back({to_string(e), arguments.size() == 1 ? to_string(arguments[0]) : "",
-                             program_of(formulation, {e}), program_of(formulation, arguments)});
+                             lower_outputs(formulation, {e}),
+                             lower_outputs(formulation, arguments)});
     }
 }
 

@@ -111,6 +111,16 @@ void set_leg(Model& model, unsigned leg, const ScaledRotation& R, const Point& a
   model.row_scale.push_back(pow(squared_length, GiNaC::numeric(-1, 2)));
 }
 
+/// The velocity of C and the angular velocity, both in the reference frame.
+std::vector<TwistComponent> twist_of_platform(const std::string& unit) {
+  std::vector<TwistComponent> twist;
+  for (const char* name : {"v_x", "v_y", "v_z"})
+    twist.push_back({TwistComponent::Kind::kLinear, name, unit});
+  for (const char* name : {"w_x", "w_y", "w_z"})
+    twist.push_back({TwistComponent::Kind::kAngular, name, "rad"});
+  return twist;
+}
+
 }  // namespace
 
 Model gough_model(const Gough& robot) {
@@ -123,6 +133,7 @@ Model gough_model(const Gough& robot) {
   const auto b = add_side(model, {"b", "platform", robot.platform, robot.platform_tolerance},
                           robot.tolerance_shape);
   const ScaledRotation R = rotation(model, robot.orientation);
+  model.twist = twist_of_platform(robot.unit);
   model.matrix = GiNaC::matrix(6, 6);
   for (unsigned leg = 0; leg < 6; ++leg) set_leg(model, leg, R, a[leg], b[leg]);
   if (robot.orientation == Orientation::kQuaternion) model.must_be_defined.push_back(pow(R.N, -1));

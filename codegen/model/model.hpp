@@ -30,6 +30,14 @@ struct PoseParameter {
   std::string unit;  ///< a label; "1" = none
 };
 
+/// What a column of the matrix is multiplied with.
+struct TwistComponent {
+  enum class Kind { kLinear, kAngular };
+  Kind kind = Kind::kLinear;
+  std::string name;
+  std::string unit;  ///< of the motion, not of its rate: "cm", "rad"
+};
+
 /// One scalar constant of the robot: value ± tolerance. tolerance 0 = exact.
 struct GeometryParameter {
   GiNaC::realsymbol symbol;
@@ -76,6 +84,7 @@ struct Model {
   std::vector<ToleranceBall> balls;
   GiNaC::matrix matrix;              ///< m×n, m ≥ n, in the pose and geometry symbols
   std::vector<GiNaC::ex> row_scale;  ///< empty, or m positive factors: J⁻¹ row = row_scale · row
+  std::vector<TwistComponent> twist;       ///< by column; empty where nobody says what columns are
   std::vector<GiNaC::ex> must_be_defined;  ///< of matrix and row_scale; log(s): s must be positive
   std::vector<Motion> motions;
 };

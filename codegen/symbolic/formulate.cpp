@@ -379,9 +379,9 @@ class Formulator {
 
   void form_row_scale() {
     if (model_.row_scale.empty()) return;
-    Expressions factors;
-    for (const GiNaC::ex& scale : model_.row_scale) factors.push_back(substitution_.apply(scale));
-    result_.row_scale = {rewritten(product(std::move(factors)), "row_scale")};
+    for (const GiNaC::ex& scale : model_.row_scale)
+      result_.natural_row_scale.push_back(substitution_.apply(scale));
+    result_.row_scale = {rewritten(product(result_.natural_row_scale), "row_scale")};
   }
 
   void form_motion() {

@@ -110,7 +110,8 @@ struct Formulation {
   /// The same for constraints and pose: of the motion alone.
   std::vector<Expression> motion_must_be_defined;
 
-  std::vector<Expression> natural_matrix;  ///< A as the model writes it
+  std::vector<Expression> natural_matrix;     ///< A as the model writes it
+  std::vector<Expression> natural_row_scale;  ///< per row, as written; empty if there are none
   /// Per entry, by the name of the kernel function. Derivatives have no natural counts.
   std::map<std::string, std::vector<EntryStatistics>> statistics;
 };
@@ -122,6 +123,11 @@ struct Formulation {
 /// (determinant.hpp) when a determinant is asked for and cannot be had.
 [[nodiscard]] Formulation formulate(const Model& model, const Motion& motion,
                                     const FormulationOptions& options = {});
+
+/// A program of expressions over the formulation's variables, which need not be functions of the
+/// kernel.
+[[nodiscard]] Program lower_outputs(const Formulation& formulation,
+                                    const std::vector<Expression>& outputs);
 
 /// The program of every function, in canonical order.
 [[nodiscard]] Module lower(const Formulation& formulation);

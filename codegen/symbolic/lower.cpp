@@ -168,6 +168,14 @@ class ModuleBuilder {
 
 }  // namespace
 
+Program lower_outputs(const Formulation& f, const Expressions& outputs) {
+  std::vector<std::string> names;
+  for (const Variable& variable : f.variables) names.push_back(variable.name);
+  Lowering lowering(names, {});
+  for (const Expression& output : outputs) lowering.output(output);
+  return std::move(lowering).finish();
+}
+
 Module lower(const Formulation& f) {
   ModuleBuilder builder(f);
   const int variables = static_cast<int>(f.variables.size());
