@@ -38,6 +38,11 @@ if(NOT nlohmann_json_FOUND)
   regulus_missing("nlohmann-json" nlohmann-json3-dev)
 endif()
 
+find_package(Eigen3 QUIET NO_MODULE)
+if(NOT Eigen3_FOUND)
+  regulus_missing(Eigen libeigen3-dev)
+endif()
+
 # Arb became part of FLINT with FLINT 3; before, it is a library of its own (named flint-arb on Debian).
 find_path(ARB_INCLUDE_DIR arb.h PATH_SUFFIXES flint)
 if(NOT ARB_INCLUDE_DIR)

@@ -96,7 +96,8 @@ std::optional<Witness> witness_of(const Preparation& p) {
     if (std::any_of(constraints->begin(), constraints->end(),
                     [](const Interval& h) { return !(h.hi <= 0.0); }))
       continue;
-    return Witness{{{point, Interval(0.0), *pose}}, {}, {}};
+    const WitnessPoint here{point, Interval(0.0), *pose};
+    return Witness{{here}, here};
   }
   return std::nullopt;
 }

@@ -5,11 +5,24 @@
 #include "regulus/codegen/driver/always_singular.hpp"
 #include "regulus/codegen/driver/commands.hpp"
 #include "regulus/codegen/driver/interrupt.hpp"
+#include "regulus/codegen/driver/least_singular.hpp"
 #include "regulus/codegen/driver/report.hpp"
 #include "regulus/codegen/driver/search_run.hpp"
 #include "regulus/codegen/driver/settings.hpp"
 
 namespace regulus::codegen {
+
+namespace {
+
+/// Where to look, when all that is known is that no proof was found.
+std::optional<LeastSingular> nearest_singular(const Preparation& preparation,
+                                              const Result& result) {
+  if (result.verdict != Verdict::kPossibleProblem || result.reason == Reason::kUndefined)
+    return std::nullopt;
+  return approx_least_singular(preparation, result.blocking_box);
+}
+
+}  // namespace
 
 int run_check(const CheckCommand& command) {
   const InterruptGuard interrupt;
@@ -20,9 +33,10 @@ int run_check(const CheckCommand& command) {
     settings.filters.push_back(&filter.interface());
   Result result = run_search(preparation, command.search, command.output, settings);
   recognise_always_singular(preparation, result);
-  if (!command.output.quiet) std::cerr << text_report(preparation, command.search, result);
+  const auto nearest = nearest_singular(preparation, result);
+  if (!command.output.quiet) std::cerr << text_report(preparation, command.search, result, nearest);
   if (command.output.json)
-    std::cout << json_report(preparation, command.search, result).dump(2) << '\n';
+    std::cout << json_report(preparation, command.search, result, nearest).dump(2) << '\n';
   else
     std::cout << name(result.verdict) << '\n';
   std::cout.flush();

@@ -95,8 +95,8 @@ int run_locate(const LocateCommand& command) {
 
   Settings settings = paving_settings(command, options);
   settings.interrupt = &interrupt.requested();
-  const Result result =
-      run_search(preparation, command.search, command.output, settings, &observers);
+  Result result = run_search(preparation, command.search, command.output, settings, &observers);
+  close_in_on_witness(preparation, command.search, settings, result);
 
   const auto summary = json_paving_summary(preparation, command.search, options, volumes, result);
   if (writer) writer->finish(summary, lines.name());

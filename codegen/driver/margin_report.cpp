@@ -6,6 +6,7 @@
 #include <nlohmann/json.hpp>
 
 #include "regulus/codegen/driver/report_parts.hpp"
+#include "regulus/codegen/driver/witness_report.hpp"
 #include "regulus/codegen/model/decimal.hpp"
 
 namespace regulus::codegen {

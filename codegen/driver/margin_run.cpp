@@ -6,7 +6,6 @@
 
 #include "regulus/codegen/driver/report.hpp"
 #include "regulus/codegen/driver/search_run.hpp"
-#include "regulus/search/point_witness.hpp"
 
 namespace regulus::codegen {
 namespace {
@@ -112,8 +111,9 @@ bool MarginRun::refute_at_found() {
     const MarginValue value =
         value_of(least <= low ? low : std::clamp(wanted, low, end_of(question_)));
     if (bracket_.refuted() && value.approx >= *bracket_.refuted()) return false;
-    const Problem problem = problem_at(value);
-    const Result result = prove_singularity(problem, settings_, witness_->points_at(value.approx));
+    request_.replan(preparation_, value);
+    const Result result =
+        prove_between(preparation_, command_.search, settings_, witness_->points_at(value.approx));
     if (result.verdict != Verdict::kSingularity) continue;
     note({value, result, claim(preparation_, result)}, false);
     return true;

@@ -19,7 +19,8 @@ constexpr const char* kDescription =
     "  regulus check models/robot_1.toml wide_15\n\n"
     "The last line on standard output is the verdict:\n"
     "  NO SINGULARITY    proved for every pose and every uncertain value declared   (exit 0)\n"
-    "  SINGULARITY       a witness proves it                                        (exit 1)\n"
+    "  SINGULARITY       a witness proves it; the report shows the pose, the twist\n"
+    "                    that is lost there and the rows that are dependent         (exit 1)\n"
     "  POSSIBLE PROBLEM  neither could be shown; the report says why and where      (exit 2)";
 
 constexpr const char* kExitCodes =

@@ -7,6 +7,7 @@
 
 #include "regulus/codegen/driver/report_parts.hpp"
 #include "regulus/codegen/driver/undefined.hpp"
+#include "regulus/codegen/driver/witness_report.hpp"
 
 namespace regulus::codegen {
 namespace {
@@ -146,6 +147,7 @@ Json json_paving_summary(const Preparation& p, const SearchOptions& search,
   summary["bits"] = p.bits;
   if (result.reason == Reason::kUndefined)
     summary["undefined"] = json_undefined(p, find_undefined(p, result.blocking_box));
+  summary["witness"] = json_witness(p, result);
   summary["seconds"] = json_seconds(p.seconds);
   return summary;
 }
@@ -168,7 +170,7 @@ std::string paving_report(const Preparation& p, const SearchOptions& search,
     text += fmt::format("resolution 1/{:g} of each range\n", 1 / options.resolution);
   text += fmt::format("boxes      {} evaluated, at most {} waiting\n", result.statistics.boxes,
                       result.statistics.max_frontier);
-  text += time_line(p.seconds) + share_lines(p, volumes, result);
+  text += time_line(p.seconds) + share_lines(p, volumes, result) + witness_lines(p, result);
   if (result.reason == Reason::kUndefined)
     text += undefined_lines(p, find_undefined(p, result.blocking_box));
   return text + fmt::format("claim      {}\n           {}\n",

@@ -3,6 +3,7 @@
 
 #include "regulus/codegen/driver/paving_report.hpp"
 #include "regulus/codegen/driver/report_parts.hpp"
+#include "regulus/codegen/driver/witness_report.hpp"
 #include "regulus/codegen/model/errors.hpp"
 
 namespace regulus::codegen {

@@ -8,6 +8,7 @@
 
 #include "regulus/codegen/driver/report_parts.hpp"
 #include "regulus/codegen/driver/undefined.hpp"
+#include "regulus/codegen/driver/witness_report.hpp"
 
 namespace regulus::codegen {
 namespace {
@@ -97,7 +98,8 @@ std::string claim(const Preparation& p, const Result& result) {
   return "";
 }
 
-Json json_report(const Preparation& p, const SearchOptions& search, const Result& result) {
+Json json_report(const Preparation& p, const SearchOptions& search, const Result& result,
+                 const std::optional<LeastSingular>& nearest) {
   Json report;
   report["verdict"] = json_name(result.verdict);
   report["claim"] = claim(p, result);
@@ -117,6 +119,7 @@ Json json_report(const Preparation& p, const SearchOptions& search, const Result
   report["bits"] = p.bits;
   report["witness"] = json_witness(p, result);
   report["blocking_box"] = json_blocking_box(p, result);
+  if (nearest) report["nearest_singular"] = json_nearest(p, *nearest);
   if (result.reason == Reason::kUndefined && !result.blocking_box.empty())
     report["undefined"] = json_undefined(p, find_undefined(p, result.blocking_box));
   report["engine"] = search.engine == Engine::kInterpreted ? "interpreted" : "jit";
@@ -126,12 +129,14 @@ Json json_report(const Preparation& p, const SearchOptions& search, const Result
   return report;
 }
 
-std::string text_report(const Preparation& p, const SearchOptions& search, const Result& result) {
+std::string text_report(const Preparation& p, const SearchOptions& search, const Result& result,
+                        const std::optional<LeastSingular>& nearest) {
   std::string text = question_lines(p) + method_lines(p, search, result.method);
   text += filter_lines(p, result);
   text += fmt::format("boxes      {} evaluated, at most {} waiting\n", result.statistics.boxes,
                       result.statistics.max_frontier);
-  text += time_line(p.seconds) + witness_lines(p, result) + blocking_lines(p, result);
+  text += time_line(p.seconds) + witness_lines(p, result) + blocking_lines(p, result) +
+          nearest_lines(p, nearest);
   return text + fmt::format("claim      {}\n", claim(p, result));
 }
 

@@ -3,21 +3,26 @@
 #pragma once
 
 #include <nlohmann/json_fwd.hpp>
+#include <optional>
 #include <string>
 
+#include "regulus/codegen/driver/least_singular.hpp"
 #include "regulus/codegen/driver/pipeline.hpp"
 #include "regulus/search/result.hpp"
 
 namespace regulus::codegen {
 
-/// The report as a JSON object. Bounds are [lo, hi]; an infinite bound is null.
-[[nodiscard]] nlohmann::ordered_json json_report(const Preparation& preparation,
-                                                 const SearchOptions& search, const Result& result);
+/// The report as a JSON object. Bounds are [lo, hi]; an infinite bound is null. `nearest`: where to
+/// look, when nothing was proved.
+[[nodiscard]] nlohmann::ordered_json json_report(
+    const Preparation& preparation, const SearchOptions& search, const Result& result,
+    const std::optional<LeastSingular>& nearest = std::nullopt);
 
 /// The lines that precede the verdict on a terminal: what was asked, how it was decided, what is
 /// claimed, and where it fails.
 [[nodiscard]] std::string text_report(const Preparation& preparation, const SearchOptions& search,
-                                      const Result& result);
+                                      const Result& result,
+                                      const std::optional<LeastSingular>& nearest = std::nullopt);
 
 /// What the verdict says about this model, in words.
 [[nodiscard]] std::string claim(const Preparation& preparation, const Result& result);

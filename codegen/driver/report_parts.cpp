@@ -42,6 +42,31 @@ std::string uncertain_lines(const Preparation& p) {
   return count <= kListed ? lines + variable_lines(p, false) : lines;
 }
 
+/// "x = 3, y = [4, 5]": of the motion parameters or of the other variables.
+std::string assignments(const Preparation& p, std::span<const Interval> values, bool motion,
+                        std::string (*text)(const Interval&)) {
+  std::string words;
+  for (std::size_t i = 0; i < values.size(); ++i) {
+    const Variable& variable = p.formulation.variables[i];
+    if (is_motion(variable) != motion) continue;
+    words += fmt::format("{}{} = {}", words.empty() ? "" : ", ", variable.name, text(values[i]));
+  }
+  return words;
+}
+
+std::string pose_line_of(const Preparation& p, std::span<const Interval> pose,
+                         std::string (*text)(const Interval&)) {
+  const auto& parameters = p.request.model.pose;
+  const auto& variables = p.formulation.variables;
+  bool shown = false;
+  std::string words;
+  for (std::size_t i = 0; i < pose.size() && i < parameters.size(); ++i) {
+    shown = shown || i >= variables.size() || variables[i].name != parameters[i].name;
+    words += fmt::format("{}{} = {}", words.empty() ? "" : ", ", parameters[i].name, text(pose[i]));
+  }
+  return shown ? fmt::format("           where the pose is {}\n", words) : "";
+}
+
 std::string engine_words(const Preparation& p, const SearchOptions& search) {
   if (search.engine == Engine::kInterpreted) return "interpreted";
   return fmt::format("compiled for {}, cache {}", name(p.isa), p.cache);
@@ -65,26 +90,6 @@ Json json_pose(const Preparation& p, std::span<const Interval> pose) {
   for (std::size_t i = 0; i < pose.size() && i < parameters.size(); ++i)
     object[parameters[i].name] = json_interval(pose[i]);
   return object;
-}
-
-Json json_point(const Preparation& p, const WitnessPoint& point) {
-  return {{"parameters", json_parameters(p, point.variables)},
-          {"pose", json_pose(p, point.pose)},
-          {"uncertain", json_uncertain(p, point.variables)},
-          {"determinant", json_interval(point.determinant)}};
-}
-
-Json json_witness(const Preparation& p, const Result& result) {
-  if (!result.witness) return nullptr;
-  Json points = Json::array();
-  for (const WitnessPoint& point : result.witness->points) points.push_back(json_point(p, point));
-  Json witness = {{"points", points}};
-  const std::vector<Interval>& near = result.witness->near;
-  if (!near.empty())
-    witness["near"] = {{"parameters", json_parameters(p, near)},
-                       {"pose", json_pose(p, result.witness->near_pose)},
-                       {"uncertain", json_uncertain(p, near)}};
-  return witness;
 }
 
 Json json_seconds(const StageSeconds& s) {
@@ -124,40 +129,30 @@ std::size_t uncertain_count(const Preparation& p) {
 }
 
 std::string place_words(const Preparation& p, std::span<const Interval> variables) {
-  std::string words;
-  for (std::size_t i = 0; i < variables.size(); ++i) {
-    const Variable& variable = p.formulation.variables[i];
-    if (!is_motion(variable)) continue;
-    words += fmt::format("{}{} = {}", words.empty() ? "" : ", ", variable.name,
-                         text_interval(variables[i]));
-  }
+  const std::string words = assignments(p, variables, true, text_interval);
   return words.empty() ? "the only pose" : words;
 }
 
-std::string pose_line(const Preparation& p, std::span<const Interval> pose) {
-  const auto& parameters = p.request.model.pose;
-  const auto& variables = p.formulation.variables;
-  bool shown = false;
-  std::string words;
-  for (std::size_t i = 0; i < pose.size() && i < parameters.size(); ++i) {
-    shown = shown || i >= variables.size() || variables[i].name != parameters[i].name;
-    words += fmt::format("{}{} = {}", words.empty() ? "" : ", ", parameters[i].name,
-                         text_interval(pose[i]));
-  }
-  return shown ? fmt::format("           where the pose is {}\n", words) : "";
+std::string short_place_words(const Preparation& p, std::span<const Interval> variables) {
+  const std::string words = assignments(p, variables, true, short_interval);
+  return words.empty() ? "the only pose" : words;
 }
 
-std::string witness_lines(const Preparation& p, const Result& result) {
-  if (!result.witness) return "";
-  std::string lines = "witness\n";
-  for (const WitnessPoint& point : result.witness->points)
-    lines += fmt::format("           determinant {} {} at {}\n",
-                         point.determinant.lo == point.determinant.hi ? "=" : "in",
-                         short_interval(point.determinant), place_words(p, point.variables));
-  if (!result.witness->near.empty())
-    lines += fmt::format("           it vanishes on the segment between them, near {}\n",
-                         place_words(p, result.witness->near));
-  return lines;
+std::string uncertain_values_line(const Preparation& p, std::span<const Interval> variables) {
+  const std::size_t count = uncertain_count(p);
+  if (count == 0) return "";
+  if (count > kListed)
+    return fmt::format("           with values of the {} uncertain quantities that --json lists\n",
+                       count);
+  return fmt::format("           with {}\n", assignments(p, variables, false, short_interval));
+}
+
+std::string pose_line(const Preparation& p, std::span<const Interval> pose) {
+  return pose_line_of(p, pose, text_interval);
+}
+
+std::string short_pose_line(const Preparation& p, std::span<const Interval> pose) {
+  return pose_line_of(p, pose, short_interval);
 }
 
 std::string size_words(const Preparation& p) {

@@ -22,11 +22,6 @@ namespace regulus::codegen {
                                                     std::span<const Interval> variables);
 [[nodiscard]] nlohmann::ordered_json json_pose(const Preparation& preparation,
                                                std::span<const Interval> pose);
-[[nodiscard]] nlohmann::ordered_json json_point(const Preparation& preparation,
-                                                const WitnessPoint& point);
-/// null without a witness.
-[[nodiscard]] nlohmann::ordered_json json_witness(const Preparation& preparation,
-                                                  const Result& result);
 [[nodiscard]] nlohmann::ordered_json json_seconds(const StageSeconds& seconds);
 [[nodiscard]] const char* json_name(Verdict verdict);
 
@@ -39,10 +34,16 @@ namespace regulus::codegen {
 /// "x = 3, y = [4, 5]": the motion parameters.
 [[nodiscard]] std::string place_words(const Preparation& preparation,
                                       std::span<const Interval> variables);
+/// The same with six digits.
+[[nodiscard]] std::string short_place_words(const Preparation& preparation,
+                                            std::span<const Interval> variables);
+/// The uncertain quantities, in a line of its own; that there are many, if there are.
+[[nodiscard]] std::string uncertain_values_line(const Preparation& preparation,
+                                                std::span<const Interval> variables);
 /// The pose in a line of its own; nothing when the motion parameters are its parameters.
 [[nodiscard]] std::string pose_line(const Preparation& preparation, std::span<const Interval> pose);
-/// The points of a witness and what holds there; nothing without one.
-[[nodiscard]] std::string witness_lines(const Preparation& preparation, const Result& result);
+[[nodiscard]] std::string short_pose_line(const Preparation& preparation,
+                                          std::span<const Interval> pose);
 /// "full 6×6 matrix"
 [[nodiscard]] std::string size_words(const Preparation& preparation);
 

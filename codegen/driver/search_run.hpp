@@ -3,6 +3,9 @@
 // code for its verdict.
 #pragma once
 
+#include <span>
+#include <vector>
+
 #include "regulus/codegen/driver/exit_code.hpp"
 #include "regulus/codegen/driver/pipeline.hpp"
 #include "regulus/search/observer.hpp"
@@ -13,6 +16,16 @@ namespace regulus::codegen {
 [[nodiscard]] Result run_search(Preparation& preparation, const SearchOptions& search,
                                 const OutputOptions& output, Settings settings,
                                 Observer* observer = nullptr);
+
+/// Certifies a singularity at the first of these points of the variety, or between it and one of
+/// the others, and closes in on it (see prove_singularity).
+[[nodiscard]] Result prove_between(Preparation& preparation, const SearchOptions& search,
+                                   Settings settings, std::span<const std::vector<double>> points);
+
+/// Closes in on the first singularity of a paving, whose points are as far apart as its box is
+/// wide; where that does not succeed the result stays as it is.
+void close_in_on_witness(Preparation& preparation, const SearchOptions& search, Settings settings,
+                         Result& result);
 
 [[nodiscard]] ExitCode exit_code_of(Verdict verdict);
 

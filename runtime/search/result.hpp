@@ -56,8 +56,9 @@ struct WitnessPoint {
 /// Two points of opposite signs, or one of small determinant.
 struct Witness {
   std::vector<WitnessPoint> points;
-  std::vector<Interval> near;  ///< two points: the middle of the segment that joins them
-  std::vector<Interval> near_pose;
+  /// Where the determinant is smallest of all points that were looked at on the way to the zero.
+  /// Exhaustive searches do not close in: absent.
+  std::optional<WitnessPoint> near{};
 };
 
 struct Statistics {

@@ -31,7 +31,7 @@ WitnessSearch::WitnessSearch(const Problem& problem, const Settings& settings)
       current_(variables_),
       trial_(variables_),
       middle_(variables_) {
-  for (Candidate* candidate : {&positive_, &negative_, &small_})
+  for (Candidate* candidate : {&positive_, &negative_, &small_, &nearest_})
     candidate->point.resize(variables_);
   witness_.points.reserve(2);
 }

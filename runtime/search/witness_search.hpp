@@ -72,9 +72,12 @@ class WitnessSearch {
   void load_piece(std::size_t lane, const std::vector<double>& from, const std::vector<double>& to,
                   Interval part) noexcept;
   void close_in() noexcept;
+  [[nodiscard]] bool find_middle(const Candidate& a, const Candidate& b) noexcept;
+  void approach_nearest(Candidate& side) noexcept;
 
   bool step(std::span<const Interval> box, std::size_t first, double sign, double& best) noexcept;
   void report(WitnessPoint& into, const Candidate& candidate) noexcept;
+  [[nodiscard]] const Candidate& closest_to_zero() const noexcept;
   void copy_pose(const std::vector<Interval>& point, std::vector<Interval>& pose) noexcept;
 
   const Problem& problem_;
@@ -89,6 +92,7 @@ class WitnessSearch {
   AlignedBuffer pose_;
   std::vector<Interval> box_;
   Candidate positive_, negative_, small_;
+  Candidate nearest_;  ///< between the two, where the sign could not be told
   std::vector<double> current_, trial_, middle_;
   std::uint64_t probes_ = 0;
   bool small_known_ = false, small_fresh_ = false;

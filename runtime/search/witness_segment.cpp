@@ -53,28 +53,52 @@ bool WitnessSearch::certain_segment(const std::vector<double>& from,
   return true;
 }
 
-/// Shortens the segment while the sign of its middle can be told. Each shorter pair is a proof of
-/// its own: its signs are certified, and so is its segment.
+/// The middle of two points, into middle_; false when it is one of them.
+bool WitnessSearch::find_middle(const Candidate& a, const Candidate& b) noexcept {
+  for (std::size_t k = 0; k < variables_; ++k)
+    middle_[k] = std::clamp(0.5 * a.point[k] + 0.5 * b.point[k], inner_lo(k), inner_hi(k));
+  return middle_ != a.point && middle_ != b.point;
+}
+
+/// Shortens the segment while the sign of its middle can be told, and then from both sides towards
+/// a middle whose sign cannot. Each shorter pair is a proof of its own: its signs are certified,
+/// and so is its segment.
 void WitnessSearch::close_in() noexcept {
   const Candidate far_positive = positive_;
   const Candidate far_negative = negative_;
-  for (int step = 0; step < kMaxCloseIn; ++step) {
-    bool moved = false;
-    for (std::size_t k = 0; k < variables_; ++k) {
-      middle_[k] =
-          std::clamp(0.5 * positive_.point[k] + 0.5 * negative_.point[k], inner_lo(k), inner_hi(k));
-      moved = moved || (middle_[k] != positive_.point[k] && middle_[k] != negative_.point[k]);
-    }
-    if (!moved) break;
+  nearest_.determinant = kEntire;
+  for (int step = 0; step < kMaxCloseIn && find_middle(positive_, negative_); ++step) {
     const std::optional<Interval> determinant = certify_point(middle_, false);
-    if (!determinant || certain_sign(*determinant) == 0) break;
-    Candidate& side = certain_sign(*determinant) > 0 ? positive_ : negative_;
+    if (!determinant) break;
+    const int sign = certain_sign(*determinant);
+    Candidate& side = sign > 0 ? positive_ : sign < 0 ? negative_ : nearest_;
     side.point = middle_;
     side.determinant = *determinant;
+    if (sign != 0) continue;
+    approach_nearest(positive_);
+    approach_nearest(negative_);
+    break;
   }
   if (certain_segment(positive_.point, negative_.point)) return;
   positive_ = far_positive;
   negative_ = far_negative;
+}
+
+/// Halves the way to nearest_ as long as the sign is certainly the same.
+void WitnessSearch::approach_nearest(Candidate& side) noexcept {
+  for (int step = 0; step < kMaxCloseIn && find_middle(side, nearest_); ++step) {
+    const std::optional<Interval> determinant = certify_point(middle_, false);
+    if (!determinant || certain_sign(*determinant) != certain_sign(side.determinant)) return;
+    side.point = middle_;
+    side.determinant = *determinant;
+  }
+}
+
+const WitnessSearch::Candidate& WitnessSearch::closest_to_zero() const noexcept {
+  const auto closer = [](const Candidate& a, const Candidate& b) -> const Candidate& {
+    return mag(b.determinant) < mag(a.determinant) ? b : a;
+  };
+  return closer(nearest_, closer(positive_, negative_));
 }
 
 void WitnessSearch::copy_pose(const std::vector<Interval>& point,
@@ -99,19 +123,13 @@ void WitnessSearch::report(WitnessPoint& into, const Candidate& candidate) noexc
 
 /// Fills the same vectors each time: they grow once.
 const Witness& WitnessSearch::witness() noexcept {
-  witness_.near.clear();
-  witness_.near_pose.clear();
-  if (reason_ == Reason::kSmallDeterminant) {
-    witness_.points.resize(1);
-    report(witness_.points[0], small_);
-    return witness_;
-  }
-  witness_.points.resize(2);
-  report(witness_.points[0], positive_);
-  report(witness_.points[1], negative_);
-  for (std::size_t k = 0; k < variables_; ++k)
-    witness_.near.push_back(within_inner(k, 0.5 * positive_.point[k] + 0.5 * negative_.point[k]));
-  copy_pose(witness_.near, witness_.near_pose);
+  const bool small = reason_ == Reason::kSmallDeterminant;
+  witness_.points.resize(small ? 1 : 2);
+  report(witness_.points[0], small ? small_ : positive_);
+  if (!small) report(witness_.points[1], negative_);
+  if (!closes_in_) return witness_;
+  if (!witness_.near) witness_.near.emplace();
+  report(*witness_.near, small ? small_ : closest_to_zero());
   return witness_;
 }
 

@@ -59,10 +59,18 @@ TEST(Command, ReportsEveryPromisedKeyAsJson) {
   for (const char* stage : {"model", "symbolic", "emit", "compile", "search", "total"})
     EXPECT_TRUE(report["seconds"].contains(stage)) << stage;
   EXPECT_EQ(report["verdict"], "singularity");
-  ASSERT_EQ(report["witness"]["points"].size(), 2u);
-  for (const json& point : report["witness"]["points"])
+  const json& witness = report["witness"];
+  ASSERT_EQ(witness["points"].size(), 2u);
+  for (const json& point : {witness["points"][0], witness["points"][1], witness["near"]})
     for (const char* key : {"parameters", "pose", "uncertain", "determinant"})
       EXPECT_TRUE(point.contains(key)) << key;
+  for (const char* key : {"vanishes_within", "nullity", "singular_values"})
+    EXPECT_TRUE(witness.contains(key)) << key;
+  EXPECT_EQ(witness["twist"]["columns"].size(), 3u);
+  EXPECT_EQ(witness["twist"]["vectors"][0].size(), 3u);
+  EXPECT_EQ(witness["twist"]["normalised"], "the largest entry is 1");
+  EXPECT_EQ(witness["rows"]["vectors"][0].size(), 3u);
+  for (const char* part : {"twist", "rows"}) EXPECT_EQ(witness[part]["approximate"], true);
 }
 
 TEST(Command, GivesAWitnessInsideTheVariety) {
@@ -204,7 +212,8 @@ TEST(Command, ChecksAVarietyOfOnePose) {
   EXPECT_EQ(regulus({"check", path, "regular"}).output, "NO SINGULARITY\n");
   const CommandResult singular = regulus({"check", path, "singular"});
   EXPECT_EQ(singular.output, "SINGULARITY\n");
-  EXPECT_THAT(singular.errors, HasSubstr("determinant = 0 at the only pose"));
+  EXPECT_THAT(singular.errors,
+              AllOf(HasSubstr("witness    the only pose\n"), HasSubstr("determinant = 0 there\n")));
 }
 
 TEST(Command, HasHelpForEveryCommand) {
@@ -215,7 +224,8 @@ TEST(Command, HasHelpForEveryCommand) {
 }
 
 TEST(Command, PrintsWhatTheReadmeShows) {
-  for (const auto& [model, motion] : {std::pair{"robot_1", "wide_15"}, {"robot_2", "table5_30"}}) {
+  for (const auto& [model, motion] :
+       {std::pair{"robot_1", "wide_15"}, {"robot_2", "table5_30"}, {"robot_1", "wide_40"}}) {
     const std::string words = std::string("models/") + model + ".toml";
     const CommandResult real = regulus({"check", REGULUS_SOURCE_DIR "/" + words, motion});
     const std::string shown = shown_in_readme("regulus check " + words + " " + motion);

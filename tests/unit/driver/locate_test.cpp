@@ -142,6 +142,20 @@ TEST_F(PlanarSlice, HasTheCurveBetweenTwoPointsOfEverySingularBox) {
   EXPECT_GT(singular, 60);
 }
 
+TEST_F(PlanarSlice, ClosesInOnTheFirstSingularityItFound) {
+  const json& witness = paving().summary["witness"];
+  const json& near = witness["near"]["parameters"];
+  const double x = near["x"][0], y = near["y"][0];
+  EXPECT_NEAR(curve_.at(x, y), 0, 1e-9);
+  EXPECT_EQ(witness["nullity"], 1);
+  EXPECT_EQ(witness["rows"]["taking_part"].size(), 3u);
+  for (const json& box : paving().boxes) {
+    if (box["kind"] != "singular") continue;
+    EXPECT_TRUE(holds(box["box"]["x"], x) && holds(box["box"]["y"], y));
+    break;
+  }
+}
+
 TEST_F(PlanarSlice, HasVolumesThatAddUpToItsOwn) {
   const json& summary = paving().summary;
   double lo = 0, hi = 0, boxes = 0;

@@ -120,6 +120,14 @@ TEST_F(Margin, ReportsEveryKeyThatProgramsReadAndAConcreteWitness) {
   }
   EXPECT_GT(points[0]["determinant"][0], 0);
   EXPECT_LT(points[1]["determinant"][1], 0);
+  const json near = found["witness"]["near"];
+  const double a = near["uncertain"]["a"][0], x = near["parameters"]["x"][0];
+  EXPECT_NEAR(a, x * x / 2, 1e-14);
+  EXPECT_LE(near["determinant"][1].get<double>() - near["determinant"][0].get<double>(), 1e-14);
+  // (a, x/2)·v = 0 and (x, 1)·v = 0
+  const json v = found["witness"]["twist"]["vectors"][0];
+  EXPECT_NEAR(v[1].get<double>() / v[0].get<double>(), -x, 1e-12);
+  EXPECT_EQ(found["witness"]["rows"]["taking_part"], json({1, 2}));
   std::uint64_t boxes = 0;
   for (const json& step : found["steps"]) {
     boxes += step["boxes"].get<std::uint64_t>();

@@ -43,8 +43,23 @@ TEST(Solver, ProvesASingularityByOppositeSignsAndClosesIn) {
   EXPECT_LT(witness.points[1].determinant.hi, 0);
   EXPECT_GT(witness.points[0].variables[0].lo, kThird.lo);
   EXPECT_LT(witness.points[1].variables[0].hi, kThird.hi);
-  EXPECT_NEAR(witness.near[0].lo, 1.0 / 3, 1e-12);
-  EXPECT_EQ(witness.near_pose.size(), 1U);
+  ASSERT_TRUE(witness.near);
+  EXPECT_NEAR(witness.near->variables[0].lo, 1.0 / 3, 1e-15);
+  EXPECT_EQ(witness.near->pose.size(), 1U);
+  for (const WitnessPoint& point : witness.points)
+    EXPECT_LE(mag(witness.near->determinant), mag(point.determinant));
+}
+
+TEST(Solver, ClosesInFromBothSidesOnAPointWhoseSignCannotBeTold) {
+  const Interval noise(-1e-6, 1e-6);
+  const FunctionKernel kernel(1, 1, 1, [&](const Values& x) { return Values{x[0] + noise}; });
+  const Result result = solve(problem_over(kernel, {{-1, 1}}), {});
+  ASSERT_EQ(result.reason, Reason::kOppositeSigns);
+  for (const WitnessPoint& point : result.witness->points)
+    EXPECT_LE(mag(point.variables[0]), 2.1e-6);
+  ASSERT_TRUE(result.witness->near);
+  EXPECT_EQ(result.witness->near->variables[0], Interval(0.0));
+  EXPECT_TRUE(contains(result.witness->near->determinant, 0.0));
 }
 
 TEST(Solver, ProvesASingularityAtAPointOfDeterminantZero) {
@@ -54,6 +69,8 @@ TEST(Solver, ProvesASingularityAtAPointOfDeterminantZero) {
   EXPECT_EQ(result.reason, Reason::kSmallDeterminant);
   ASSERT_EQ(result.witness->points.size(), 1U);
   EXPECT_EQ(result.witness->points[0].determinant, Interval(0.0));
+  ASSERT_TRUE(result.witness->near);
+  EXPECT_EQ(result.witness->near->variables, result.witness->points[0].variables);
 }
 
 TEST(Solver, DoesNotDecideAZeroThatIsTouched) {

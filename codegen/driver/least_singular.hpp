@@ -1,0 +1,28 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Where a matrix comes nearest to losing rank, when nothing could be proved. Of a matrix with more
+// rows than columns nothing can ever be: no sign changes where it loses rank.
+#pragma once
+
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "regulus/codegen/driver/lost_twist.hpp"
+#include "regulus/codegen/driver/pipeline.hpp"
+
+namespace regulus::codegen {
+
+/// A point of the variety and what is lost there. Approximate: nothing is claimed.
+struct LeastSingular {
+  std::vector<Interval> variables;  ///< thin
+  std::vector<Interval> pose;       ///< thin; empty where it has no value
+  Degeneracy degeneracy;
+};
+
+/// The point of the least singular value that was met on ways downhill, from the middle of
+/// `box` and then from other places of the variety until a singular value is negligible; nullopt if
+/// J⁻¹ had no value at any of them.
+[[nodiscard]] std::optional<LeastSingular> approx_least_singular(const Preparation& preparation,
+                                                                 std::span<const Interval> box);
+
+}  // namespace regulus::codegen
