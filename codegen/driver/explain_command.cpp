@@ -17,6 +17,7 @@ std::string forms(const ExplainCommand& command) {
   options.formulation.determinant = command.method == name(Method::kClosedForm);
   options.formulation.determinant_budget = command.symbolic_budget;
   if (command.model.motion.empty()) return explain(load_model(command.model.path), options);
+  options.formulation.columns = functions_needed(parse_method(command.method).value()).columns;
   const Request request = read_request(command.model);
   return explain(request.model, request.motion, options);
 }

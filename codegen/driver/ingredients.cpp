@@ -27,6 +27,8 @@ constexpr Ingredient kIngredients[] = {
      [](FormulationOptions& f) { f.rewriting.nesting.complete_squares = false; }},
     {"factoring", "common factors among these", keep_search,
      [](FormulationOptions& f) { f.rewriting.nesting.factor = false; }},
+    {"columns", "column operations of determinant 1", keep_search,
+     [](FormulationOptions& f) { f.columns = ColumnSearch::kNone; }},
     {"natural", "the test on K·J^-1 as rewritten",
      [](Settings& s) { s.ingredients.natural = false; }, keep_functions},
     {"mean-value", "the test on its mean-value form",

@@ -114,6 +114,9 @@ FormulationOptions functions_needed(Method method, const Settings& settings,
   options.right_product = form == ProductForm{ProductForm::Side::kRight, false};
   options.derivatives = options.left_product && (derivatives || method == Method::kAuto);
   options.matrix_derivatives = derivatives && !options.left_product;
+  if (form.side == ProductForm::Side::kLeft)
+    options.columns =
+        method == Method::kAuto ? ColumnSearch::kSecondOrder : ColumnSearch::kFirstOrder;
   options.determinant = method == Method::kClosedForm;
   options.determinant_budget = symbolic_budget;
   return options;
@@ -135,6 +138,8 @@ Preparation prepare(Request request, double model_seconds, const SearchOptions& 
   FormulationOptions functions =
       functions_needed(method, settings_from(search), search.symbolic_budget);
   leave_out(search.without, functions);
+  // Who wrote a filter knows the model's own matrix.
+  if (!search.filters.empty()) functions.columns = ColumnSearch::kNone;
   p.formulation = formulate(p.request.model, p.request.motion, functions);
   p.module = lower(p.formulation);
   p.variety = enclose_variety(p.request.model, p.request.motion, p.formulation);

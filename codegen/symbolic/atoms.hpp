@@ -33,6 +33,10 @@ class AtomTable {
     return coefficients_.list[a];
   }
 
+  /// How many there are by now: their numbers are 0 … count − 1.
+  [[nodiscard]] std::size_t variable_atoms() const noexcept { return variables_.list.size(); }
+  [[nodiscard]] std::size_t coefficient_atoms() const noexcept { return coefficients_.list.size(); }
+
   /// An order for ties: by the first declared variable an atom depends on, then by content.
   [[nodiscard]] bool precedes(Atom a, Atom b) const;
 

@@ -55,6 +55,7 @@ class Explanation {
   std::string text() {
     heading();
     matrix();
+    if (f_.column_trials) column_operations(*f_.column_trials);
     left_entries();
     if (!f_.right_product.empty()) right_entries();
     if (!f_.determinant.empty()) closed_form();
@@ -87,6 +88,33 @@ class Explanation {
       for (int j = 0; j < f_.columns; ++j)
         line("  A({},{}) = {}", i + 1, j + 1,
              shortened(f_.natural_matrix[at(i, j, f_.columns)], options_.longest));
+    line("");
+  }
+
+  void operation_lines(const std::vector<AppliedOperation>& operations) {
+    for (const AppliedOperation& o : operations)
+      line("    column {} += {} · column {}", o.target + 1,
+           shortened(o.multiplier, options_.longest), o.source + 1);
+  }
+
+  void column_operations(const ColumnTrials& trials) {
+    line("Column operations of determinant 1: A·V in place of A");
+    if (!trials.complete) line("  A has too many terms to look at all operations");
+    if (trials.tried.empty()) return line("  none saves a term\n");
+    line("  tried: they leave {} terms of {}", trials.terms_after, trials.terms_before);
+    operation_lines(trials.tried);
+    if (trials.radius_of_all == 0) {
+      line("  not compared: {}\n", trials.halvings == 0 ? "A is likely to be certified as it is"
+                                                        : "no bounds of A were found");
+      return;
+    }
+    line("  radius of the bounds, below 1 they certify; boxes after {} halvings of the motion",
+         trials.halvings);
+    line("    {:.3f} of A, {:.3f} of A·V, {:.3f} of A·V with half of each multiplier",
+         trials.radius, trials.radius_of_all, trials.radius_of_half);
+    line("  kept: {}", trials.kept.empty() ? "none; K·A below is of the model's A"
+                                           : "these; A stands for A·V in K·A below");
+    operation_lines(trials.kept);
     line("");
   }
 

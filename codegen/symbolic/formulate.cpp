@@ -4,6 +4,7 @@
 #include <unordered_set>
 #include <utility>
 
+#include "regulus/codegen/symbolic/column_choice.hpp"
 #include "regulus/codegen/symbolic/derivative.hpp"
 #include "regulus/codegen/symbolic/determinant.hpp"
 #include "regulus/codegen/symbolic/evaluate.hpp"
@@ -35,7 +36,9 @@ RewriteOptions weighted(RewriteOptions options, const std::vector<Variable>& var
 /// A in the forms that products with K are made of.
 struct MatrixForms {
   std::vector<Polynomial> expanded;
-  Expressions natural, rewritten;
+  Expressions natural;  // as the model writes it
+  Expressions formed;   // the same after column operations, not multiplied out
+  Expressions rewritten;
 };
 
 /// A linear combination of entries of A with entries of K: one entry of K·A or of A·K.
@@ -65,13 +68,14 @@ class Formulator {
 
   Formulation run() {
     form_matrix();
+    if (options_.right_product && result_.rows == result_.columns) form_right_product();
+    if (options_.columns != ColumnSearch::kNone && options_.rewriting.rewrite) change_columns();
     if (options_.matrix_derivatives) form_matrix_derivatives();
     const bool expands = options_.expansion != ExpansionForm::kNone && !result_.variables.empty();
     const bool at_nominal =
         expands && options_.expansion == ExpansionForm::kAtNominal && has_row_quantity();
     if ((options_.left_product || options_.derivatives) && !at_nominal) form_left_product();
     if (expands) form_expansion(at_nominal);
-    if (options_.right_product && result_.rows == result_.columns) form_right_product();
     if (options_.determinant) form_determinant();
     form_row_scale();
     form_motion();
@@ -92,10 +96,39 @@ class Formulator {
         result_.matrix.push_back(form.expression);
         forms_.expanded.push_back(rewriter_.expand(natural));
         forms_.natural.push_back(natural);
+        forms_.formed.push_back(natural);
         forms_.rewritten.push_back(form.expression);
         result_.statistics["matrix"].push_back(
             {count_occurrences(natural), count_occurrences(form.expression), form.passes});
       }
+  }
+
+  /// From A to A·V where that has the narrower bounds.
+  void change_columns() {
+    const bool second_order = options_.columns == ColumnSearch::kSecondOrder;
+    BoundsSetting setting{result_.variables, {}, second_order};
+    for (const Variable& v : result_.variables)
+      setting.row_of_variable.push_back(second_order ? row_of(v) : Expansion::kNoRow);
+    PolynomialMatrix A{result_.columns, forms_.expanded};
+    ColumnDecision decision = choose_columns(A, rewriter_, setting);
+    for (const ColumnOperation& operation : decision.kept) apply(operation, A);
+    forms_.expanded = std::move(A.entries);
+    for (const AppliedOperation& operation : decision.trials.kept) change_column(operation);
+    result_.column_trials = std::move(decision.trials);
+  }
+
+  void change_column(const AppliedOperation& operation) {
+    for (int i = 0; i < result_.rows; ++i) {
+      const std::size_t target = index(i * result_.columns + operation.target);
+      Expression& formed = forms_.formed[target];
+      formed = formed +
+               operation.multiplier * forms_.formed[index(i * result_.columns + operation.source)];
+      const Rewritten form = rewriter_.best_form(forms_.expanded[target]);
+      forms_.rewritten[target] = result_.matrix[target] = form.expression;
+      EntryStatistics& statistics = result_.statistics["matrix"][target];
+      statistics.rewritten = count_occurrences(form.expression);
+      statistics.passes = form.passes;
+    }
   }
 
   void form_matrix_derivatives() {
@@ -302,9 +335,10 @@ class Formulator {
     };
     MatrixForms A;
     A.natural = substitute(forms_.natural, value_of);
-    for (const Expression& natural : A.natural) {
-      A.expanded.push_back(rewriter_.expand(natural));
-      A.rewritten.push_back(rewriter_.rewrite(natural).expression);
+    A.formed = substitute(forms_.formed, value_of);
+    for (const Expression& formed : A.formed) {
+      A.expanded.push_back(rewriter_.expand(formed));
+      A.rewritten.push_back(rewriter_.rewrite(formed).expression);
     }
     return A;
   }

@@ -43,6 +43,14 @@ enum class ExpansionForm {
   kAtBox,      ///< at the midpoints of a box
 };
 
+/// Whether A·V may take the place of A where that makes the bounds of K·A narrower, V a product of
+/// column operations of determinant 1; and which bounds decide.
+enum class ColumnSearch {
+  kNone,
+  kFirstOrder,   ///< natural and mean-value bounds
+  kSecondOrder,  ///< those of the expansion at nominal values
+};
+
 /// Which functions to form.
 struct FormulationOptions {
   bool matrix = true;
@@ -56,6 +64,7 @@ struct FormulationOptions {
   /// touches one row only: they would be blind to it, and wide.
   ExpansionForm expansion = ExpansionForm::kNone;
   bool rows = true;  ///< false: the expansion treats every quantity as if it touched several rows
+  ColumnSearch columns = ColumnSearch::kNone;
   RewriteOptions rewriting;
 };
 
@@ -82,8 +91,34 @@ struct EntryStatistics {
   std::string passes;
 };
 
+/// Column `target` += multiplier · column `source`; counted from 0.
+struct AppliedOperation {
+  int target = 0;
+  int source = 0;
+  Expression multiplier;
+};
+
+/// Which column operations were tried and kept, and the figures that decided. A radius is an
+/// approximate spectral radius of the bounds over boxes of the motion: below 1 they certify.
+struct ColumnTrials {
+  std::vector<AppliedOperation> tried;  ///< in their order; empty: none saves a term
+  std::vector<AppliedOperation> kept;   ///< none, these, or these with half of each multiplier
+  std::size_t terms_before = 0, terms_after = 0;  ///< of A multiplied out, and after all tried
+  int halvings = 0;   ///< of the motion until A's bounds certify a box, the most on eight ways
+  double radius = 0;  ///< of A
+  double radius_of_all = 0;   ///< after all tried; 0: not compared
+  double radius_of_half = 0;  ///< with half of each multiplier
+  bool complete = true;       ///< false: A has too many terms to look at all operations
+};
+
 /// Everything a kernel computes, after substitution of the motion variety and rewriting.
 /// K's entries are the points k_1_1 … (n×m), row-major.
+///
+/// With column operations A is the model's matrix times V in all functions of the kernel, K
+/// included, as it is found from `matrix`. det V = 1 wherever A is defined, so that determinants,
+/// their signs, ranks, row scales and dependencies between rows are the model's own. What is not,
+/// null vectors on the right and the entries themselves, is to be taken from `natural_matrix`, in
+/// which V has no part. The right product is formed of the model's matrix.
 struct Formulation {
   std::string model;
   std::string motion;
@@ -109,6 +144,8 @@ struct Formulation {
   std::vector<Expression> must_be_defined;
   /// The same for constraints and pose: of the motion alone.
   std::vector<Expression> motion_must_be_defined;
+
+  std::optional<ColumnTrials> column_trials;  ///< if column operations were asked for
 
   std::vector<Expression> natural_matrix;     ///< A as the model writes it
   std::vector<Expression> natural_row_scale;  ///< per row, as written; empty if there are none

@@ -10,7 +10,7 @@ set(runtime_regularity interval interval/elementary regularity)
 set(runtime_search     interval kernel regularity search)
 set(codegen_program    interval kernel codegen/program)
 set(codegen_model      codegen/model)
-set(codegen_symbolic   interval codegen/model codegen/program codegen/symbolic)
+set(codegen_symbolic   interval regularity codegen/model codegen/program codegen/symbolic)
 set(codegen_emit       interval kernel codegen/program codegen/emit)
 set(codegen_jit        interval kernel codegen/emit codegen/jit)
 set(codegen_driver     interval kernel regularity search codegen/model codegen/program codegen/symbolic
