@@ -8,17 +8,21 @@ set(runtime_interval   interval interval/elementary)
 set(runtime_kernel     interval kernel)
 set(runtime_regularity interval interval/elementary regularity)
 set(runtime_search     interval kernel regularity search)
+set(runtime_certificate interval kernel regularity search certificate)
+set(runtime_certificate_verifier certificate/verifier)
 set(codegen_program    interval kernel codegen/program)
 set(codegen_model      codegen/model)
 set(codegen_symbolic   interval regularity codegen/model codegen/program codegen/symbolic)
 set(codegen_emit       interval kernel codegen/program codegen/emit)
 set(codegen_jit        interval kernel codegen/emit codegen/jit)
-set(codegen_driver     interval kernel regularity search codegen/model codegen/program codegen/symbolic
+set(codegen_driver     interval kernel regularity search certificate certificate/verifier codegen/model codegen/program codegen/symbolic
                        codegen/emit codegen/jit codegen/driver)
 
 # Headers of the whole project that carry no layer: the compiler flags, the version.
 set(everywhere regulus/floating_point_flags.hpp regulus/instruction_set_flags.hpp regulus/version.hpp)
 set(extra_codegen_jit regulus/codegen/model/sha256.hpp)
+# Of what writes certificates the verifier knows the format alone.
+set(extra_runtime_certificate_verifier regulus/certificate/format.hpp)
 
 set(only_ginac  codegen/model codegen/symbolic codegen/driver)
 set(only_cln    codegen/model codegen/symbolic codegen/program codegen/emit codegen/driver)
@@ -35,7 +39,8 @@ macro(check_library file folder line name pattern)
   endif()
 endmacro()
 
-file(GLOB folders LIST_DIRECTORIES true RELATIVE ${SOURCE_DIR} ${SOURCE_DIR}/runtime/* ${SOURCE_DIR}/codegen/*)
+file(GLOB folders LIST_DIRECTORIES true RELATIVE ${SOURCE_DIR} ${SOURCE_DIR}/runtime/* ${SOURCE_DIR}/codegen/*
+     ${SOURCE_DIR}/runtime/certificate/verifier)
 foreach(folder IN LISTS folders)
   if(NOT IS_DIRECTORY ${SOURCE_DIR}/${folder})
     continue()
@@ -46,6 +51,9 @@ foreach(folder IN LISTS folders)
     continue()
   endif()
   file(GLOB_RECURSE sources RELATIVE ${SOURCE_DIR} ${SOURCE_DIR}/${folder}/*.[ch]pp)
+  if(folder STREQUAL runtime/certificate)
+    list(FILTER sources EXCLUDE REGEX "^runtime/certificate/verifier/")
+  endif()
   foreach(source IN LISTS sources)
     file(STRINGS ${SOURCE_DIR}/${source} lines REGEX "^[ \t]*#[ \t]*include")
     foreach(line IN LISTS lines)

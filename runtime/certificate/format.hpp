@@ -1,0 +1,53 @@
+// SPDX-License-Identifier: Apache-2.0
+// What writer and verifier of certificates agree on; FORMAT.md explains it.
+#pragma once
+
+#include <cstddef>
+#include <string>
+
+namespace regulus::format {
+
+inline constexpr const char* kMagic = "regulus-certificate 1";
+inline constexpr const char* kNoSingularity = "NO SINGULARITY";
+inline constexpr const char* kSingularity = "SINGULARITY";
+inline constexpr const char* kOppositeSigns = "opposite-signs";
+inline constexpr const char* kSmallDeterminant = "small-determinant";
+inline constexpr const char* kAlwaysSingular = "always-singular";
+
+// Limits: a file beyond them is no certificate, so that reading one takes bounded memory and stack.
+inline constexpr std::size_t kLongestLine = 1 << 20;
+inline constexpr std::size_t kLongestName = 80;
+inline constexpr std::size_t kMostNodes = 1 << 20;
+inline constexpr int kMostNesting = 300;
+inline constexpr int kDeepestNode = 4000;  ///< operations upon operations
+inline constexpr int kMostPower = 1 << 20;
+inline constexpr std::size_t kMostDigits = 4096;
+inline constexpr std::size_t kMostRows = 32;
+inline constexpr std::size_t kMostVariables = 128;
+inline constexpr std::size_t kMostLines = 20000;   ///< of the header
+inline constexpr std::size_t kMostOpen = 1 << 22;  ///< boxes that wait at one time
+
+/// What a claim is about.
+struct ClaimedSet {
+  std::size_t rows = 0, columns = 0;
+  std::size_t uncertain = 0;  ///< quantities, control errors among them
+  bool has_threshold = false;
+};
+
+/// The one wording of a claim.
+[[nodiscard]] inline std::string claim_words(const ClaimedSet& set, bool singular) {
+  const std::string matrix = "the full " + std::to_string(set.rows) + "x" +
+                             std::to_string(set.columns) + " matrix of the model";
+  const std::string values =
+      set.uncertain == 0
+          ? ""
+          : " and value of the " + std::to_string(set.uncertain) + " uncertain quantities";
+  const std::string about = set.has_threshold ? "|det| of " + matrix : matrix;
+  if (singular)
+    return about + (set.has_threshold ? " is at most alpha" : " is singular") + " at some pose" +
+           values + " of the variety";
+  return about + (set.has_threshold ? " exceeds alpha" : " is defined and has full rank") +
+         " at every pose" + values + " of the variety";
+}
+
+}  // namespace regulus::format

@@ -1,0 +1,29 @@
+// SPDX-License-Identifier: Apache-2.0
+// The elementary functions over intervals of doubles, from Arb's values at their ends.
+#pragma once
+
+#include <arb.h>
+
+#include "regulus/certificate/verifier/expression.hpp"
+#include "regulus/certificate/verifier/interval.hpp"
+
+namespace regulus::verifier {
+
+using ArbFunction = void (*)(arb_t, const arb_t, slong);
+
+/// Arb's for a function of one argument other than kAbs.
+[[nodiscard]] ArbFunction function_in_arb(Op function);
+
+/// Encloses f over x for the functions of one argument, kSqrt … kAbs.
+///
+/// Requires  x bounded.
+/// Ensures   contains f(t) for every t in x; not bounded unless f is defined at every t in x.
+[[nodiscard]] Interval apply(Op function, Interval x);
+
+/// The same for atan2(y, x), which is undefined where y = 0, x ≤ 0.
+[[nodiscard]] Interval apply_atan2(Interval y, Interval x);
+
+[[nodiscard]] Interval enclose_pi();
+[[nodiscard]] Interval enclose(const Rational& value);
+
+}  // namespace regulus::verifier

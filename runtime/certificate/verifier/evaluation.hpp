@@ -1,0 +1,63 @@
+// SPDX-License-Identifier: Apache-2.0
+// Values of expressions over a box, in intervals of doubles or in Arb.
+#pragma once
+
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "regulus/certificate/verifier/ball.hpp"
+#include "regulus/certificate/verifier/expression.hpp"
+#include "regulus/certificate/verifier/interval.hpp"
+
+namespace regulus::verifier {
+
+using Box = std::vector<Interval>;
+
+/// Which variables each node depends on.
+class Dependence {
+ public:
+  Dependence(const Graph& graph, std::size_t variables);
+  [[nodiscard]] bool on(NodeId node, std::size_t variable) const {
+    return depends_[std::size_t(node) * variables_ + variable];
+  }
+
+ private:
+  std::size_t variables_;
+  std::vector<bool> depends_;
+};
+
+/// The roots and everything they are made of, operands first.
+[[nodiscard]] std::vector<NodeId> ingredients(const Graph& graph, const std::vector<NodeId>& roots);
+
+/// Evaluates what some roots are made of. No memory is taken after construction.
+class Evaluation {
+ public:
+  Evaluation(const Graph& graph, const std::vector<NodeId>& roots);
+
+  /// Ensures   true only if every operation that the roots are made of is defined at every point
+  ///           of the box; value(n) then encloses node n over the box, and is bounded.
+  [[nodiscard]] bool run(const Box& box);
+
+  /// Of a root or what it is made of; 0 for kNoNode.
+  [[nodiscard]] Interval value(NodeId node) const {
+    return node == kNoNode ? Interval{} : values_[std::size_t(node)];
+  }
+
+ private:
+  struct Step {
+    NodeId id;
+    Node node;
+    Interval constant;  ///< kConstant, kPi
+  };
+  std::vector<Step> steps_;
+  std::vector<Interval> values_;  ///< by node
+};
+
+/// The same in Arb: the values of the roots in their order; nullopt unless every operation is
+/// defined at every point.
+[[nodiscard]] std::optional<std::vector<Ball>> evaluate(const Graph& graph,
+                                                        const std::vector<NodeId>& roots,
+                                                        std::span<const Ball> variables, long bits);
+
+}  // namespace regulus::verifier

@@ -1,0 +1,249 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "regulus/certificate/verifier/expression.hpp"
+
+#include <algorithm>
+#include <array>
+#include <utility>
+
+#include "regulus/certificate/format.hpp"
+
+namespace regulus::verifier {
+namespace {
+
+constexpr std::array<std::pair<std::string_view, Op>, 11> kFunctions = {{{"sqrt", Op::kSqrt},
+                                                                         {"sin", Op::kSin},
+                                                                         {"cos", Op::kCos},
+                                                                         {"tan", Op::kTan},
+                                                                         {"asin", Op::kAsin},
+                                                                         {"acos", Op::kAcos},
+                                                                         {"atan", Op::kAtan},
+                                                                         {"exp", Op::kExp},
+                                                                         {"log", Op::kLog},
+                                                                         {"abs", Op::kAbs},
+                                                                         {"atan2", Op::kAtan2}}};
+
+// The classifications of <cctype> depend on the locale.
+bool is_digit(char c) noexcept { return '0' <= c && c <= '9'; }
+bool is_letter(char c) noexcept { return ('a' <= c && c <= 'z') || ('A' <= c && c <= 'Z'); }
+
+/// Recursive descent, at most format::kMostNesting deep.
+class Parser {
+ public:
+  Parser(std::string_view text, const Scope& scope, Graph& graph)
+      : text_(text), scope_(scope), graph_(graph) {}
+
+  NodeId whole() {
+    const NodeId result = sum();
+    if (at_ != text_.size()) fail("an operator or the end");
+    return result;
+  }
+
+ private:
+  NodeId sum() {
+    NodeId left = product();
+    for (;;) {
+      if (take('+'))
+        left = graph_.add(Op::kAdd, left, product());
+      else if (take('-'))
+        left = graph_.add(Op::kSubtract, left, product());
+      else
+        return left;
+    }
+  }
+
+  NodeId product() {
+    NodeId left = factor();
+    for (;;) {
+      if (take('*'))
+        left = graph_.add(Op::kMultiply, left, factor());
+      else if (take('/'))
+        left = graph_.add(Op::kDivide, left, factor());
+      else
+        return left;
+    }
+  }
+
+  NodeId factor() {
+    if (take('-')) {
+      if (++depth_ > format::kMostNesting) fail("fewer levels");
+      const NodeId operand = factor();
+      --depth_;
+      return graph_.add(Op::kNegate, operand);
+    }
+    const NodeId base = primary();
+    if (!take('^')) return base;
+    const int exponent = integer();
+    return exponent == 1 ? base : graph_.add(Op::kPower, base, exponent);
+  }
+
+  int integer() {
+    int value = 0;
+    const std::size_t begin = at_;
+    for (; at_ < text_.size() && is_digit(text_[at_]); ++at_) {
+      value = 10 * value + (text_[at_] - '0');
+      if (value > format::kMostPower) fail("a smaller exponent");
+    }
+    if (at_ == begin || value == 0) fail("a positive integer as exponent");
+    skip_space();
+    return value;
+  }
+
+  NodeId primary() {
+    if (++depth_ > format::kMostNesting) fail("fewer levels");
+    NodeId result;
+    if (take('(')) {
+      result = sum();
+      expect(')');
+    } else if (at_ < text_.size() && (is_digit(text_[at_]) || text_[at_] == '.')) {
+      result = number();
+    } else {
+      result = named();
+    }
+    --depth_;
+    return result;
+  }
+
+  NodeId number() {
+    const std::size_t begin = at_;
+    const auto digits = [this] {
+      while (at_ < text_.size() && is_digit(text_[at_])) ++at_;
+    };
+    digits();
+    if (at_ < text_.size() && text_[at_] == '.') ++at_, digits();
+    if (at_ < text_.size() && text_[at_] == 'e') {
+      ++at_;
+      if (at_ < text_.size() && (text_[at_] == '-' || text_[at_] == '+')) ++at_;
+      digits();
+    }
+    const NodeId result = graph_.number(text_.substr(begin, at_ - begin));
+    skip_space();
+    return result;
+  }
+
+  NodeId named() {
+    std::size_t end = at_;
+    while (end < text_.size() &&
+           (is_letter(text_[end]) || is_digit(text_[end]) || text_[end] == '_'))
+      ++end;
+    const std::string_view name = text_.substr(at_, end - at_);
+    if (!is_name(name)) fail("a number, a name or a parenthesis");
+    at_ = end;
+    skip_space();
+    if (take('(')) return call(name);
+    if (name == "pi") return graph_.add(Op::kPi);
+    const auto found = scope_.find(name);
+    if (found == scope_.end()) fail("a name that is declared, not " + std::string(name));
+    return found->second;
+  }
+
+  NodeId call(std::string_view name) {
+    for (const auto& [known, op] : kFunctions) {
+      if (name != known) continue;
+      const NodeId first = sum();
+      NodeId second = 0;
+      if (op == Op::kAtan2) {
+        expect(',');
+        second = sum();
+      }
+      expect(')');
+      return graph_.add(op, first, second);
+    }
+    fail("a function, not " + std::string(name));
+  }
+
+  bool take(char c) {
+    if (at_ == text_.size() || text_[at_] != c) return false;
+    ++at_;
+    skip_space();
+    return true;
+  }
+
+  void expect(char c) {
+    if (!take(c)) fail(std::string(1, c));
+  }
+
+  void skip_space() {
+    while (at_ < text_.size() && text_[at_] == ' ') ++at_;
+  }
+
+  [[noreturn]] void fail(const std::string& expected) const {
+    throw Rejection("in an expression, at character " + std::to_string(at_ + 1) + ": expected " +
+                    expected);
+  }
+
+  std::string_view text_;
+  const Scope& scope_;
+  Graph& graph_;
+  std::size_t at_ = 0;
+  int depth_ = 0;
+};
+
+/// A decimal as digits·10^exponent. Throws Rejection.
+std::pair<std::string, long> decimal_parts(std::string_view text) {
+  const std::size_t e = std::min(text.find('e'), text.size());
+  std::string digits(text.substr(0, e));
+  long exponent = 0;
+  if (e < text.size()) {
+    const std::string written(text.substr(e + 1));
+    if (written.empty() || !is_digit(written.back()) || written.size() > 6)
+      throw Rejection("a number with the exponent '" + written + "'");
+    exponent = std::stol(written);
+  }
+  if (const std::size_t dot = digits.find('.'); dot != std::string::npos) {
+    exponent -= long(digits.size() - dot - 1);
+    digits.erase(dot, 1);
+  }
+  if (digits.empty() || digits.size() > format::kMostDigits ||
+      std::abs(exponent) > long(format::kMostDigits))
+    throw Rejection("a number without digits, or with more than " +
+                    std::to_string(format::kMostDigits));
+  return {digits, exponent};
+}
+
+}  // namespace
+
+NodeId Graph::add(Op op, int a, int b) {
+  const auto [place, is_new] = known_.try_emplace({op, a, b}, NodeId(nodes_.size()));
+  if (!is_new) return place->second;
+  int depth = 0;
+  if (operands(op) > 0) depth = depth_[std::size_t(a)] + 1;
+  if (operands(op) > 1) depth = std::max(depth, depth_[std::size_t(b)] + 1);
+  if (nodes_.size() >= format::kMostNodes || depth > format::kDeepestNode)
+    throw Rejection("more operations than are allowed");
+  nodes_.push_back({op, a, b});
+  depth_.push_back(depth);
+  return place->second;
+}
+
+NodeId Graph::number(std::string_view text) {
+  if (const auto known = numbers_.find(text); known != numbers_.end()) return known->second;
+  const auto [digits, exponent] = decimal_parts(text);
+  Rational& value = rationals_.emplace_back();
+  Rational ten;
+  fmpz_set_str(fmpq_numref(value.get()), digits.c_str(), 10);
+  fmpq_set_si(ten.get(), 10, 1);
+  fmpq_pow_si(ten.get(), ten.get(), exponent);
+  fmpq_mul(value.get(), value.get(), ten.get());
+  const NodeId node = add(Op::kConstant, int(rationals_.size()) - 1);
+  numbers_.emplace(text, node);
+  return node;
+}
+
+NodeId parse(std::string_view text, const Scope& scope, Graph& graph) {
+  return Parser(text, scope, graph).whole();
+}
+
+bool is_name(std::string_view text) noexcept {
+  if (text.empty() || text.size() > format::kLongestName || !is_letter(text[0])) return false;
+  for (const char c : text)
+    if (!is_letter(c) && !is_digit(c) && c != '_') return false;
+  return true;
+}
+
+bool is_reserved(std::string_view text) noexcept {
+  for (const auto& [name, op] : kFunctions)
+    if (text == name) return true;
+  return text == "pi";
+}
+
+}  // namespace regulus::verifier

@@ -1,0 +1,122 @@
+// SPDX-License-Identifier: Apache-2.0
+// The expressions of a certificate as a graph in which equal sub-expressions are one node.
+#pragma once
+
+#include <fmpq.h>
+
+#include <deque>
+#include <map>
+#include <stdexcept>
+#include <string>
+#include <string_view>
+#include <tuple>
+#include <vector>
+
+namespace regulus::verifier {
+
+/// The file is not a certificate, or proves nothing: what is wrong with it, in words.
+class Rejection : public std::runtime_error {
+ public:
+  using std::runtime_error::runtime_error;
+};
+
+/// Neither a proof nor a refutation was found: what stood in the way.
+class Unfinished : public std::runtime_error {
+ public:
+  using std::runtime_error::runtime_error;
+};
+
+enum class Op {
+  kConstant,  ///< rationals()[a]
+  kPi,
+  kVariable,  ///< number a
+  kNegate,
+  kAdd,
+  kSubtract,
+  kMultiply,
+  kDivide,
+  kPower,  ///< node a to the integer b ≥ 1
+  kSqrt,
+  kSin,
+  kCos,
+  kTan,
+  kAsin,
+  kAcos,
+  kAtan,
+  kExp,
+  kLog,
+  kAbs,
+  kAtan2,
+  kSign,  ///< of derivatives only: 1 for a > 0, −1 for a < 0, all of [−1, 1] for 0
+};
+
+/// How many nodes an operation is made of: `a`, or `a` and `b`.
+[[nodiscard]] constexpr int operands(Op op) noexcept {
+  switch (op) {
+    case Op::kConstant:
+    case Op::kPi:
+    case Op::kVariable:
+      return 0;
+    case Op::kAdd:
+    case Op::kSubtract:
+    case Op::kMultiply:
+    case Op::kDivide:
+    case Op::kAtan2:
+      return 2;
+    default:
+      return 1;
+  }
+}
+
+using NodeId = int;
+inline constexpr NodeId kNoNode = -1;
+
+struct Node {
+  Op op;
+  NodeId a = 0, b = 0;
+};
+
+/// An owned fmpq_t.
+class Rational {
+ public:
+  Rational() { fmpq_init(value_); }
+  Rational(const Rational&) = delete;
+  Rational& operator=(const Rational&) = delete;
+  ~Rational() { fmpq_clear(value_); }
+  [[nodiscard]] fmpq* get() noexcept { return value_; }
+  [[nodiscard]] const fmpq* get() const noexcept { return value_; }
+
+ private:
+  fmpq_t value_;
+};
+
+/// Operands come before the nodes that use them.
+class Graph {
+ public:
+  [[nodiscard]] NodeId add(Op op, int a = 0, int b = 0);
+  /// A decimal such as 12, 0.5 or 1e-3, exactly.
+  [[nodiscard]] NodeId number(std::string_view digits);
+
+  [[nodiscard]] const std::vector<Node>& nodes() const noexcept { return nodes_; }
+  [[nodiscard]] const Rational& rational(int index) const { return rationals_[std::size_t(index)]; }
+
+ private:
+  std::vector<Node> nodes_;
+  std::vector<int> depth_;  ///< bounded, so that recursion is
+  std::map<std::tuple<Op, int, int>, NodeId> known_;
+  std::map<std::string, NodeId, std::less<>> numbers_;
+  std::deque<Rational> rationals_;
+};
+
+using Scope = std::map<std::string, NodeId, std::less<>>;
+
+/// The node of an expression of FORMAT.md whose names are those of `scope`. Throws Rejection.
+[[nodiscard]] NodeId parse(std::string_view text, const Scope& scope, Graph& graph);
+
+/// Whether the text can be a name.
+[[nodiscard]] bool is_name(std::string_view text) noexcept;
+
+/// Whether the text is a name that expressions use themselves: pi and the functions.
+[[nodiscard]] bool is_reserved(std::string_view text) noexcept;
+
+}  // namespace regulus::verifier

@@ -1,0 +1,117 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "regulus/certificate/verifier/leaf.hpp"
+
+namespace regulus::verifier {
+namespace {
+
+constexpr long kFirstBits = 64;
+constexpr std::size_t kProbeBits = 7, kProbes = 1 << kProbeBits;
+
+/// Splits box k of a pair at its middle.
+std::pair<Box, Box> halves(const Box& box, std::size_t k) {
+  std::pair<Box, Box> result{box, box};
+  result.first[k].hi = result.second[k].lo = mid(box[k]);
+  return result;
+}
+
+}  // namespace
+
+std::optional<PointValues> values_over(const Question& q, const Box& box, long bits) {
+  std::vector<Ball> variables;
+  for (const Interval x : box) variables.emplace_back(x, bits);
+  std::vector<NodeId> roots = q.matrix;
+  const std::vector<NodeId> kNone;
+  for (const auto* list :
+       {&q.constraints, q.has_threshold ? &q.scale : &kNone, &q.defined, &q.motion_defined})
+    roots.insert(roots.end(), list->begin(), list->end());
+  const auto values = evaluate(q.graph, roots, variables, bits);
+  if (!values) return std::nullopt;
+
+  PointValues result;
+  auto next = values->begin();
+  const std::vector<Ball> matrix(next, next + std::ptrdiff_t(q.matrix.size()));
+  next += std::ptrdiff_t(q.matrix.size());
+  result.constraints.assign(next, next + std::ptrdiff_t(q.constraints.size()));
+  next += std::ptrdiff_t(q.constraints.size());
+  result.determinant = determinant(matrix, q.columns, bits);
+  for (std::size_t i = 0; q.has_threshold && i < q.scale.size(); ++i, ++next)
+    arb_mul(result.determinant.get(), result.determinant.get(), next->get(), bits);
+  return result;
+}
+
+LeafProver::LeafProver(Question& question, const Variety& variety, const Options& options,
+                       std::uint64_t& boxes)
+    : q_(question), variety_(variety), options_(options), test_(question, variety), boxes_(boxes) {}
+
+void LeafProver::prove(const Box& box) {
+  const std::uint64_t before = boxes_;
+  waiting_.assign(1, box);
+  while (!waiting_.empty()) {
+    const Box part = std::move(waiting_.back());
+    waiting_.pop_back();
+    ++boxes_;
+    if (boxes_ > options_.max_boxes || boxes_ - before > options_.max_boxes_per_leaf)
+      give_up(box, "not proved in " + std::to_string(boxes_ - before) + " smaller boxes");
+    const auto answer = test_.decide(part);
+    if (answer == RegularityTest::Answer::kOutside) continue;
+    if (answer == RegularityTest::Answer::kOpen || boxes_ == before + 1) look_for_contradiction();
+    if (answer == RegularityTest::Answer::kRegular) continue;
+    if (const auto k = test_.variable_to_split(part)) {
+      auto [lower, upper] = halves(part, *k);
+      waiting_.push_back(std::move(upper));
+      waiting_.push_back(std::move(lower));
+    } else if (!proved_with_more_bits(part)) {
+      give_up(box, "not proved in a box that cannot be split any more");
+    }
+  }
+}
+
+/// Looks at some more points of the leaf first: next to a singularity on one side of it only the
+/// sign of that side is met.
+void LeafProver::give_up(const Box& box, const std::string& why) {
+  for (std::size_t probe = 0; probe < kProbes; ++probe) {
+    Box corner = box;
+    for (std::size_t k = 0; k < box.size(); ++k) {
+      const bool upper = ((probe >> (k % kProbeBits)) & 1) != 0;
+      if (variety_.inner[k])
+        corner[k] = point(mid({upper ? mid(box[k]) : box[k].lo, upper ? box[k].hi : mid(box[k])}));
+    }
+    (void)test_.decide(corner);
+    look_for_contradiction();
+  }
+  throw Unfinished(why);
+}
+
+/// Two points of opposite signs refute the claim, since a variety without constraints is convex:
+/// on the segment between them the matrix is singular or not defined.
+void LeafProver::look_for_contradiction() {
+  if (q_.has_threshold && q_.rows == q_.columns && certain_at_middle())
+    throw Rejection("|det| is at most alpha at the middle of a part of it");
+  if (!q_.constraints.empty()) return;
+  const int sign = test_.sign_at_middle();
+  if (sign == 0 || !certain_inside(q_, variety_, test_.middle())) return;
+  if (sign_ * sign < 0)
+    throw Rejection(
+        "the determinant has opposite signs at two points of the variety, one of them in it");
+  sign_ = sign;
+}
+
+/// |det J⁻¹| ≤ α at the middle of a box, a point of the variety.
+bool LeafProver::certain_at_middle() const {
+  const auto values = values_over(q_, test_.middle(), kFirstBits);
+  if (!values || !(mag(values->determinant.enclosure()) <= variety_.alpha.lo)) return false;
+  for (const Ball& h : values->constraints)
+    if (!arb_is_nonpositive(h.get())) return false;
+  return certain_inside(q_, variety_, test_.middle());
+}
+
+bool LeafProver::proved_with_more_bits(const Box& box) const {
+  if (q_.rows != q_.columns) return false;
+  for (long bits = kFirstBits; bits <= options_.max_bits; bits *= 2) {
+    const auto values = values_over(q_, box, bits);
+    if (values && mig(values->determinant.enclosure()) > variety_.alpha.hi) return true;
+  }
+  return false;
+}
+
+}  // namespace regulus::verifier

@@ -1,0 +1,25 @@
+// SPDX-License-Identifier: Apache-2.0
+// The second part of a certificate: a tree of boxes, or a witness.
+#pragma once
+
+#include "regulus/certificate/verifier/leaf.hpp"
+
+namespace regulus::verifier {
+
+/// Reads splits and leaves up to the end of the file, and proves each leaf as it comes. Returns
+/// when the claim NO SINGULARITY is proved; throws Rejection or Unfinished.
+void check_tree(Lines& lines, Question& question, const Variety& variety, const Options& options,
+                Verification& counts);
+
+/// The same for the claim SINGULARITY and its witness.
+void check_witness(Lines& lines, const Question& question, const Variety& variety,
+                   const Options& options);
+
+/// The double that a C99 hexadecimal or a decimal text denotes. Throws Rejection for another text,
+/// and for what is not finite.
+[[nodiscard]] double read_double(std::string_view text);
+
+/// The words of a line.
+[[nodiscard]] std::vector<std::string_view> words_of(std::string_view line);
+
+}  // namespace regulus::verifier

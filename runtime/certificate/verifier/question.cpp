@@ -1,0 +1,259 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "regulus/certificate/verifier/question.hpp"
+
+#include <algorithm>
+#include <charconv>
+#include <set>
+
+namespace regulus::verifier {
+namespace {
+
+/// Cuts `text` at the first `mark`; false if there is none.
+bool cut(std::string_view text, std::string_view mark, std::string_view& before,
+         std::string_view& after) {
+  const std::size_t at = text.find(mark);
+  if (at == std::string_view::npos) return false;
+  before = text.substr(0, at);
+  after = text.substr(at + mark.size());
+  return true;
+}
+
+class QuestionReader {
+ public:
+  QuestionReader(Lines& lines, Question& question) : lines_(lines), q_(question) {}
+
+  void read() {
+    advance();
+    if (lines_.text() != format::kMagic)
+      throw Rejection("found another first line, expected '" + std::string(format::kMagic) + "'");
+    advance();
+    read_verdict();
+    const std::string claim(take("claim"));
+    read_labels();
+    read_variables();
+    read_poses();
+    read_model();
+    read_motion();
+    if (lines_.text() != "proof") throw Rejection("expected the line 'proof'");
+    if (claim != format::claim_words(q_.claimed_set(), q_.singular))
+      throw Rejection("the claim is not about this matrix and set: expected '" +
+                      format::claim_words(q_.claimed_set(), q_.singular) + "'");
+  }
+
+ private:
+  void advance() {
+    if (!lines_.next()) throw Rejection("the file ends before the proof");
+    if (lines_.number() > format::kMostLines) throw Rejection("a header that is too long");
+  }
+
+  /// Whether the line is `key` alone, or begins with it and a space.
+  bool is(std::string_view key) const {
+    const std::string& line = lines_.text();
+    return line.starts_with(key) && (line.size() == key.size() || line[key.size()] == ' ');
+  }
+  /// What follows a key that the line begins with.
+  std::string_view rest_of(std::string_view key) const {
+    const std::string_view line = lines_.text();
+    return line.substr(std::min(key.size() + 1, line.size()));
+  }
+
+  /// The rest of a line that must begin with `key`, which is left.
+  std::string take(std::string_view key) {
+    if (!is(key)) throw Rejection("expected a line '" + std::string(key) + " …'");
+    std::string rest(rest_of(key));
+    advance();
+    return rest;
+  }
+
+  void read_verdict() {
+    const std::string verdict = take("verdict");
+    q_.singular = verdict == format::kSingularity;
+    if (!q_.singular && verdict != format::kNoSingularity)
+      throw Rejection("the verdict is neither '" + std::string(format::kNoSingularity) + "' nor '" +
+                      format::kSingularity + "'");
+  }
+
+  void read_labels() {
+    q_.model = take("model");
+    q_.sha256 = take("sha256");
+    q_.motion = take("motion");
+    const std::string alpha = take("alpha");
+    q_.alpha = constant(alpha);
+    q_.has_threshold = alpha != "0";
+  }
+
+  NodeId constant(std::string_view text) { return parse(text, {}, q_.graph); }
+
+  void declare(Scope& scope, std::string_view name, NodeId meaning) {
+    if (!is_name(name) || is_reserved(name))
+      throw Rejection("'" + std::string(name) + "' cannot be a name");
+    if (!scope.emplace(name, meaning).second)
+      throw Rejection("'" + std::string(name) + "' is declared twice");
+  }
+
+  NodeId add_variable(std::string name, VariableKind kind, NodeId lo, NodeId hi) {
+    if (q_.variables.size() == format::kMostVariables) throw Rejection("too many variables");
+    const NodeId node = q_.graph.add(Op::kVariable, int(q_.variables.size()));
+    q_.variables.push_back({std::move(name), kind, lo, hi});
+    return node;
+  }
+
+  /// parameter, constant, uncertain and ball lines.
+  void read_variables() {
+    std::string_view name, value, lo, hi;
+    while (is("parameter")) {
+      if (!cut(rest_of("parameter"), " in ", name, value) || !cut(value, " : ", lo, hi))
+        throw Rejection("expected 'parameter NAME in LO : HI'");
+      declare(
+          parameters_, name,
+          add_variable(std::string(name), VariableKind::kParameter, constant(lo), constant(hi)));
+      advance();
+    }
+    for (;; advance()) {
+      if (is("constant") && cut(rest_of("constant"), " = ", name, value))
+        declare(geometry_, name, constant(value));
+      else if (is("uncertain") && cut(rest_of("uncertain"), " = ", name, value) &&
+               cut(value, " +- ", lo, hi))
+        read_uncertain(std::string(name), constant(lo), constant(hi));
+      else if (is("ball"))
+        read_ball(rest_of("ball"));
+      else
+        return;
+    }
+  }
+
+  void read_uncertain(const std::string& name, NodeId middle, NodeId spread) {
+    spreads_.resize(q_.variables.size(), -1);
+    spreads_.push_back(spread);
+    middles_.resize(q_.variables.size(), -1);
+    middles_.push_back(middle);
+    declare(
+        geometry_, name,
+        add_variable(name, VariableKind::kUncertain, q_.graph.add(Op::kSubtract, middle, spread),
+                     q_.graph.add(Op::kAdd, middle, spread)));
+  }
+
+  /// The names of earlier uncertain quantities with one spread, none of them in two balls.
+  void read_ball(std::string_view names) {
+    BallOfVariables ball;
+    while (!names.empty()) {
+      std::string_view name = names, rest;
+      if (cut(names, " ", name, rest))
+        names = rest;
+      else
+        names = {};
+      const auto found = geometry_.find(name);
+      const Node node =
+          found == geometry_.end() ? Node{Op::kPi} : q_.graph.nodes()[std::size_t(found->second)];
+      if (node.op != Op::kVariable || !in_ball_.insert(node.a).second)
+        throw Rejection("'" + std::string(name) + "' cannot be a coordinate of this ball");
+      const NodeId spread = spreads_[std::size_t(node.a)];
+      if (!ball.members.empty() && spread != ball.radius) throw Rejection("a ball with two radii");
+      ball.radius = spread;
+      ball.members.push_back(std::size_t(node.a));
+      ball.middles.push_back(middles_[std::size_t(node.a)]);
+    }
+    if (ball.members.empty()) throw Rejection("a ball without coordinates");
+    q_.balls.push_back(std::move(ball));
+  }
+
+  /// pose NAME = EXPRESSION [+- ERROR]: as commanded in constraints, with its error in the matrix.
+  void read_poses() {
+    Scope scope = parameters_;
+    for (const auto& [name, node] : geometry_) declare(scope, name, node);
+    commanded_ = scope;
+    actual_ = geometry_;
+    std::string_view name, value, expression, error;
+    for (; is("pose"); advance()) {
+      if (!cut(rest_of("pose"), " = ", name, value)) throw Rejection("expected 'pose NAME = …'");
+      const bool has_error = cut(value, " +- ", expression, error);
+      const NodeId commanded = parse(has_error ? expression : value, scope, q_.graph);
+      read_pose(std::string(name), commanded, has_error ? constant(error) : -1);
+    }
+  }
+
+  void read_pose(const std::string& name, NodeId commanded, NodeId error) {
+    NodeId actual = commanded;
+    if (error >= 0)
+      actual = q_.graph.add(Op::kAdd, commanded,
+                            add_variable(name + " error", VariableKind::kError,
+                                         q_.graph.add(Op::kNegate, error), error));
+    declare(actual_, name, actual);
+    // A parameter of the same name must be the same thing: constraints may use both.
+    const auto known = commanded_.find(name);
+    if (known != commanded_.end() && known->second != commanded)
+      throw Rejection("'" + name + "' is a parameter, and another pose parameter");
+    commanded_.emplace(name, commanded);
+  }
+
+  void read_model() {
+    std::string_view name, value;
+    for (; is("let"); advance()) {
+      if (!cut(rest_of("let"), " = ", name, value)) throw Rejection("expected 'let NAME = …'");
+      declare(actual_, name, parse(value, actual_, q_.graph));
+    }
+    const std::string shape = take("matrix");
+    if (!cut(shape, " ", name, value)) throw Rejection("expected 'matrix ROWS COLUMNS'");
+    q_.rows = read_count(name, format::kMostRows);
+    q_.columns = read_count(value, q_.rows);
+    if (q_.columns < 1) throw Rejection("a matrix without columns");
+    for (std::size_t e = 0; e < q_.rows * q_.columns; ++e)
+      q_.matrix.push_back(parse(take("entry"), actual_, q_.graph));
+    read_list("scale", actual_, q_.scale);
+    if (!q_.scale.empty() && q_.scale.size() != q_.rows)
+      throw Rejection("another number of scales than of rows");
+    read_list("defined", actual_, q_.defined);
+  }
+
+  void read_motion() {
+    read_list("motion-defined", commanded_, q_.motion_defined);
+    read_list("constraint", commanded_, q_.constraints);
+    if (q_.has_threshold && q_.rows != q_.columns)
+      throw Rejection("a threshold for the determinant of a matrix that is not square");
+  }
+
+  void read_list(std::string_view key, const Scope& scope, std::vector<NodeId>& list) {
+    while (is(key)) list.push_back(parse(take(key), scope, q_.graph));
+  }
+
+  Lines& lines_;
+  Question& q_;
+  Scope parameters_, geometry_, commanded_, actual_;
+  std::vector<NodeId> middles_, spreads_;  ///< of each variable that is an uncertain quantity
+  std::set<int> in_ball_;
+};
+
+}  // namespace
+
+bool Lines::next() {
+  text_.clear();
+  ++number_;
+  for (int c; (c = in_.get()) != std::istream::traits_type::eof();) {
+    if (c == '\n') return true;
+    if (c < ' ' || c == 127) throw Rejection("a control character");
+    if (text_.size() == format::kLongestLine) throw Rejection("a line that is too long");
+    text_.push_back(char(c));
+  }
+  if (in_.bad()) throw std::runtime_error("the file cannot be read");
+  if (!text_.empty()) throw Rejection("the last line is not ended");
+  return false;
+}
+
+format::ClaimedSet Question::claimed_set() const {
+  format::ClaimedSet set{rows, columns, 0, has_threshold};
+  for (const Variable& v : variables) set.uncertain += v.kind != VariableKind::kParameter;
+  return set;
+}
+
+void read_question(Lines& lines, Question& question) { QuestionReader(lines, question).read(); }
+
+std::size_t read_count(std::string_view text, std::size_t most) {
+  std::size_t value = 0;
+  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
+  if (error != std::errc() || end != text.data() + text.size() || value > most)
+    throw Rejection("found '" + std::string(text.substr(0, 40)) + "', expected a number up to " +
+                    std::to_string(most));
+  return value;
+}
+
+}  // namespace regulus::verifier

@@ -1,0 +1,72 @@
+// SPDX-License-Identifier: Apache-2.0
+// The first part of a certificate: what is claimed about which matrix over which set.
+#pragma once
+
+#include <istream>
+#include <string>
+#include <vector>
+
+#include "regulus/certificate/format.hpp"
+#include "regulus/certificate/verifier/expression.hpp"
+
+namespace regulus::verifier {
+
+/// Reads lines of bounded length and remembers which one it is at, for whoever catches a Rejection.
+class Lines {
+ public:
+  explicit Lines(std::istream& in) : in_(in) {}
+
+  /// The next line, without its end; false at the end of the file. Throws Rejection for one that is
+  /// too long, not ended, or holds bytes that are not text.
+  [[nodiscard]] bool next();
+  [[nodiscard]] const std::string& text() const noexcept { return text_; }
+  [[nodiscard]] std::size_t number() const noexcept { return number_; }
+
+ private:
+  std::istream& in_;
+  std::string text_;
+  std::size_t number_ = 0;
+};
+
+enum class VariableKind { kParameter, kUncertain, kError };
+
+/// Lies between the values of two constant expressions.
+struct Variable {
+  std::string name;
+  VariableKind kind;
+  NodeId lo, hi;
+};
+
+/// Uncertain quantities, the coordinates of a point in a ball: the distance from the middles of
+/// their ranges is at most `radius`, a constant expression.
+struct BallOfVariables {
+  std::vector<std::size_t> members;
+  std::vector<NodeId> middles;
+  NodeId radius = -1;
+};
+
+struct Question {
+  bool singular = false;  ///< the claim
+  std::string model, sha256, motion;
+  Graph graph;
+  NodeId alpha = -1;
+  std::vector<Variable> variables;  ///< in the order of their numbers
+  std::vector<BallOfVariables> balls;
+  std::size_t rows = 0, columns = 0;
+  std::vector<NodeId> matrix;          ///< row-major
+  std::vector<NodeId> scale;           ///< empty, or a factor for each row
+  std::vector<NodeId> defined;         ///< the model means nothing where these are undefined
+  std::vector<NodeId> motion_defined;  ///< the motion means nothing where these are undefined
+  std::vector<NodeId> constraints;     ///< each ≤ 0 in the variety
+  bool has_threshold = false;          ///< alpha is not written as 0
+
+  [[nodiscard]] format::ClaimedSet claimed_set() const;
+};
+
+/// Reads up to and including the line `proof`. Throws Rejection.
+void read_question(Lines& lines, Question& question);
+
+/// A decimal number without sign, at most `most`. Throws std::runtime_error.
+[[nodiscard]] std::size_t read_count(std::string_view text, std::size_t most);
+
+}  // namespace regulus::verifier

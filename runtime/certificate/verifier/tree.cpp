@@ -1,0 +1,129 @@
+// SPDX-License-Identifier: Apache-2.0
+// Each box is split or is a leaf, once; a split lies strictly inside; none is left at the end. So
+// the leaves tile the box that the variety is in.
+#include <array>
+#include <charconv>
+#include <unordered_map>
+
+#include "regulus/certificate/verifier/proof.hpp"
+
+namespace regulus::verifier {
+namespace {
+
+constexpr std::array<std::string_view, 10> kRules = {
+    "outside",     "h-matrix", "mean-value",  "second-order", "determinant",
+    "elimination", "rohn",     "closed-form", "filter",       "multiprecision"};
+
+class TreeChecker {
+ public:
+  TreeChecker(Lines& lines, Question& q, const Variety& variety, const Options& options,
+              Verification& counts)
+      : lines_(lines), counts_(counts), prover_(q, variety, options, counts.boxes) {
+    open_.emplace(0, variety.outer);
+  }
+
+  void check() {
+    for (;;) {
+      if (!lines_.next()) throw Rejection("the file ends before its tree does");
+      const auto words = words_of(lines_.text());
+      if (words.size() == 4 && words[0] == "s")
+        split(words);
+      else if (words.size() == 3 && words[0] == "l")
+        leaf(words);
+      else if (words.size() == 2 && words[0] == "end")
+        return end(words);
+      else
+        throw Rejection("expected 's BOX VARIABLE AT', 'l BOX RULE' or 'end LEAVES'");
+    }
+  }
+
+ private:
+  using Open = std::unordered_map<std::uint64_t, Box>;
+
+  Open::iterator find(std::string_view text) {
+    const auto box = open_.find(read_count(text, std::size_t(-1)));
+    if (box == open_.end())
+      throw Rejection("box " + std::string(text) + " is not one that is open");
+    return box;
+  }
+
+  void split(const std::vector<std::string_view>& words) {
+    const auto parent = find(words[1]);
+    Box lower = std::move(parent->second);
+    open_.erase(parent);
+    const std::size_t k = read_count(words[2], format::kMostVariables);
+    const double at = read_double(words[3]);
+    if (k >= lower.size()) throw Rejection("there is no variable " + std::string(words[2]));
+    if (!(lower[k].lo < at && at < lower[k].hi)) throw Rejection("the split is not inside the box");
+    if (open_.size() > format::kMostOpen) throw Rejection("too many boxes are open");
+    Box upper = lower;
+    lower[k].hi = upper[k].lo = at;
+    open_.emplace(next_++, std::move(lower));
+    open_.emplace(next_++, std::move(upper));
+  }
+
+  void leaf(const std::vector<std::string_view>& words) {
+    const auto box = find(words[1]);
+    if (std::find(kRules.begin(), kRules.end(), words[2]) == kRules.end())
+      throw Rejection("there is no rule '" + std::string(words[2]) + "'");
+    const std::string here = "leaf " + std::string(words[1]) + " (" + std::string(words[2]) + "): ";
+    ++counts_.leaves;
+    try {
+      prover_.prove(box->second);
+    } catch (const Rejection& why) {
+      throw Rejection(here + why.what());
+    } catch (const Unfinished& why) {
+      throw Unfinished(here + why.what());
+    }
+    open_.erase(box);
+  }
+
+  void end(const std::vector<std::string_view>& words) {
+    if (!open_.empty())
+      throw Rejection(std::to_string(open_.size()) + " boxes are without a leaf, box " +
+                      std::to_string(open_.begin()->first) + " among them");
+    if (read_count(words[1], std::size_t(-1)) != counts_.leaves)
+      throw Rejection("another number of leaves than there are");
+    if (lines_.next()) throw Rejection("something after the end");
+  }
+
+  Lines& lines_;
+  Verification& counts_;
+  LeafProver prover_;
+  Open open_;
+  std::uint64_t next_ = 1;
+};
+
+}  // namespace
+
+void check_tree(Lines& lines, Question& question, const Variety& variety, const Options& options,
+                Verification& counts) {
+  TreeChecker(lines, question, variety, options, counts).check();
+}
+
+double read_double(std::string_view text) {
+  std::string_view digits = text;
+  const bool negative = digits.starts_with('-');
+  if (negative) digits.remove_prefix(1);
+  const bool hexadecimal = digits.starts_with("0x");
+  if (hexadecimal) digits.remove_prefix(2);
+  double value = 0;
+  const auto format = hexadecimal ? std::chars_format::hex : std::chars_format::general;
+  const char* last = digits.data() + digits.size();
+  const auto [end, error] = std::from_chars(digits.data(), last, value, format);
+  if (digits.starts_with('-') || error != std::errc() || end != last || !(value < kInfinity))
+    throw Rejection("'" + std::string(text.substr(0, 40)) + "' is not a number");
+  return negative ? -value : value;
+}
+
+std::vector<std::string_view> words_of(std::string_view line) {
+  std::vector<std::string_view> words;
+  for (std::size_t begin = 0; begin <= line.size();) {
+    const std::size_t end = std::min(line.find(' ', begin), line.size());
+    words.push_back(line.substr(begin, end - begin));
+    begin = end + 1;
+  }
+  return words;
+}
+
+}  // namespace regulus::verifier

@@ -1,0 +1,76 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "regulus/certificate/verifier/verify.hpp"
+
+#include <cfenv>
+
+#include "regulus/certificate/verifier/proof.hpp"
+
+namespace regulus::verifier {
+namespace {
+
+void check(Lines& lines, Question& question, const Options& options, Verification& result) {
+  read_question(lines, question);
+  result.claim = format::claim_words(question.claimed_set(), question.singular);
+  result.model = question.model;
+  result.sha256 = question.sha256;
+  result.motion = question.motion;
+  const Variety variety = enclose_variety(question);
+  if (question.singular)
+    check_witness(lines, question, variety, options);
+  else
+    check_tree(lines, question, variety, options, result);
+}
+
+std::string at_line(const Lines& lines, const std::string& why) {
+  return "line " + std::to_string(lines.number()) + ": " + why;
+}
+
+}  // namespace
+
+Verification verify(std::istream& file, const Options& options) {
+  if (std::fegetround() != FE_TONEAREST)
+    throw std::runtime_error("the processor does not round to nearest");
+  Verification result;
+  Lines lines(file);
+  Question question;
+  try {
+    check(lines, question, options, result);
+    result.outcome = Outcome::kVerified;
+  } catch (const Rejection& rejection) {
+    result.outcome = Outcome::kRejected;
+    result.reason = at_line(lines, rejection.what());
+  } catch (const Unfinished& unfinished) {
+    result.outcome = Outcome::kUnfinished;
+    result.reason = at_line(lines, unfinished.what());
+  }
+  return result;
+}
+
+std::string describe(const Verification& v) {
+  std::string text;
+  const auto line = [&text](const std::string& key, const std::string& value) {
+    if (!value.empty()) text += key + std::string(11 - key.size(), ' ') + value + '\n';
+  };
+  line("model", v.model);
+  line("sha256", v.sha256);
+  line("motion", v.motion);
+  line("claim", v.claim);
+  if (v.leaves > 0)
+    line("leaves", std::to_string(v.leaves) + ", in " + std::to_string(v.boxes) + " boxes");
+  line("reason", v.reason);
+  return text;
+}
+
+const char* name(Outcome outcome) noexcept {
+  switch (outcome) {
+    case Outcome::kVerified:
+      return "VERIFIED";
+    case Outcome::kRejected:
+      return "REJECTED";
+    case Outcome::kUnfinished:
+      break;
+  }
+  return "UNFINISHED";
+}
+
+}  // namespace regulus::verifier

@@ -1,0 +1,147 @@
+// SPDX-License-Identifier: Apache-2.0
+// A point whose determinant is at most alpha, or two points of opposite signs and the segment that
+// joins them, on which the model is defined and no constraint is violated.
+#include "regulus/certificate/verifier/proof.hpp"
+
+namespace regulus::verifier {
+namespace {
+
+constexpr std::size_t kMostPieces = 1 << 14;
+constexpr double kShortestPiece = 0x1p-40;
+
+class WitnessChecker {
+ public:
+  WitnessChecker(Lines& lines, const Question& q, const Variety& variety, const Options& options)
+      : lines_(lines), q_(q), variety_(variety), options_(options) {}
+
+  void check() {
+    if (q_.rows != q_.columns) throw Rejection("a singularity is shown for square matrices only");
+    const std::string reason = next_line();
+    if (reason == std::string("reason ") + format::kOppositeSigns) return check_signs();
+    if (reason == std::string("reason ") + format::kSmallDeterminant) return check_small();
+    if (reason == std::string("reason ") + format::kAlwaysSingular)
+      throw Unfinished(
+          "that a determinant is 0 everywhere rests on exact algebra, which is not checked");
+    throw Rejection("expected 'reason " + std::string(format::kOppositeSigns) + "' or '" +
+                    format::kSmallDeterminant + "'");
+  }
+
+ private:
+  const std::string& next_line() {
+    if (!lines_.next()) throw Rejection("the file ends before the witness does");
+    return lines_.text();
+  }
+
+  /// `point SIGN X …`, where X is a number or LO:HI.
+  Box read_point(std::string_view sign) {
+    const auto words = words_of(next_line());
+    if (words.size() != q_.variables.size() + 2 || words[0] != "point" || words[1] != sign)
+      throw Rejection("expected 'point " + std::string(sign) + "' and " +
+                      std::to_string(q_.variables.size()) + " numbers");
+    Box result;
+    for (std::size_t k = 0; k < q_.variables.size(); ++k) {
+      const std::string_view word = words[k + 2];
+      const std::size_t colon = word.find(':');
+      const double lo = read_double(word.substr(0, colon));
+      const double hi = colon == std::string_view::npos ? lo : read_double(word.substr(colon + 1));
+      if (!(lo <= hi)) throw Rejection("the interval " + std::string(word) + " is empty");
+      result.push_back({lo, hi});
+    }
+    if (!certain_inside(q_, variety_, result))
+      throw Rejection("the point is not certainly within the ranges");
+    return result;
+  }
+
+  void read_end() {
+    if (next_line() != "end") throw Rejection("expected 'end'");
+    if (lines_.next()) throw Rejection("something after the end");
+  }
+
+  void check_signs() {
+    const Box positive = read_point("+");
+    require_sign(positive, 1);
+    const Box negative = read_point("-");
+    require_sign(negative, -1);
+    if (next_line() != "path segment") throw Rejection("expected 'path segment'");
+    check_segment(positive, negative);
+    read_end();
+  }
+
+  void require_sign(const Box& point, int sign) {
+    for (long bits = 64; bits <= options_.max_bits; bits *= 2) {
+      const auto values = values_over(q_, point, bits);
+      if (!values) continue;
+      if (sign > 0 ? arb_is_positive(values->determinant.get())
+                   : arb_is_negative(values->determinant.get()))
+        return;
+      if (arb_is_nonzero(values->determinant.get()))
+        throw Rejection("the determinant has the other sign at this point");
+    }
+    throw Unfinished("the determinant at this point has no certain sign");
+  }
+
+  void check_small() {
+    const Box point = read_point("0");
+    read_end();
+    for (long bits = 64; bits <= options_.max_bits; bits *= 2) {
+      const auto values = values_over(q_, point, bits);
+      if (!values) continue;
+      const Interval size = values->determinant.enclosure();
+      if (mig(size) > variety_.alpha.hi) throw Rejection("the determinant is greater than alpha");
+      if (mag(size) <= variety_.alpha.lo && !certain_violated(*values)) return;
+    }
+    throw Unfinished("the determinant at the point is not certainly at most alpha");
+  }
+
+  /// Some constraint is not certainly ≤ 0.
+  [[nodiscard]] static bool certain_violated(const PointValues& values) {
+    for (const Ball& h : values.constraints)
+      if (!arb_is_nonpositive(h.get())) return true;
+    return false;
+  }
+
+  /// Piece by piece, each in the box around it.
+  void check_segment(const Box& from, const Box& to) {
+    std::vector<NodeId> roots = q_.matrix;
+    for (const auto* list : {&q_.constraints, &q_.defined, &q_.motion_defined})
+      roots.insert(roots.end(), list->begin(), list->end());
+    if (q_.has_threshold) roots.insert(roots.end(), q_.scale.begin(), q_.scale.end());
+    Evaluation evaluation(q_.graph, roots);
+    std::vector<Interval> waiting{{0.0, 1.0}};
+    for (std::size_t pieces = 0; !waiting.empty(); ++pieces) {
+      const Interval part = waiting.back();
+      waiting.pop_back();
+      if (is_clear(evaluation, from, to, part)) continue;
+      if (pieces == kMostPieces || part.hi - part.lo < kShortestPiece)
+        throw Unfinished("the segment is not certainly within the variety, with the model defined");
+      waiting.push_back({mid(part), part.hi});
+      waiting.push_back({part.lo, mid(part)});
+    }
+  }
+
+  bool is_clear(Evaluation& evaluation, const Box& from, const Box& to, Interval part) const {
+    Box box(from.size());
+    for (std::size_t k = 0; k < box.size(); ++k)
+      box[k] = from[k].lo == to[k].lo && from[k].hi == to[k].hi
+                   ? from[k]
+                   : from[k] + (to[k] - from[k]) * part;
+    if (!evaluation.run(box)) return false;
+    for (const NodeId h : q_.constraints)
+      if (!(evaluation.value(h).hi <= 0.0)) return false;
+    return true;
+  }
+
+  Lines& lines_;
+  const Question& q_;
+  const Variety& variety_;
+  const Options& options_;
+};
+
+}  // namespace
+
+void check_witness(Lines& lines, const Question& question, const Variety& variety,
+                   const Options& options) {
+  WitnessChecker(lines, question, variety, options).check();
+}
+
+}  // namespace regulus::verifier

@@ -1,0 +1,168 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Small certificates, each for one thing that the verifier must tell apart.
+#include <gtest/gtest.h>
+
+#include <cfenv>
+
+#include "support/certificate_texts.hpp"
+
+namespace regulus::test {
+namespace {
+
+using verifier::Outcome;
+
+Outcome outcome_of(const std::string& text) { return verify_text(text).outcome; }
+
+Outcome of_scalar(const std::string& entry, const std::string& range = "1 : 2") {
+  return outcome_of(scalar_question(entry, range) + kOneLeaf);
+}
+
+TEST(AnEntryWithoutZero, IsVerified) {
+  for (const char* entry :
+       {"x", "x^2 - 1/2", "sin(x)", "1/x", "sqrt(x) - 3", "exp(-x)", "log(x + 1)", "atan2(x, -x)",
+        "-abs(x)", "x - x + 1", "asin(x/3)", "acos(x/3)", "tan(x/2)", "cos(pi*x) - 3/2", "1e-3*x"})
+    EXPECT_EQ(of_scalar(entry), Outcome::kVerified) << entry;
+}
+
+TEST(AnEntryThatChangesItsSign, IsRejected) {
+  for (const char* entry : {"x - 3/2", "sin(2*x)", "x^2 - 2", "1 - log(x + 1)"})
+    EXPECT_EQ(of_scalar(entry), Outcome::kRejected) << entry;
+}
+
+TEST(AnEntryThatTouchesZero, IsUnfinished) {
+  for (const char* entry : {"(x - 3/2)^2", "x - 1", "abs(x - 3/2)", "x - x", "2 - x"})
+    EXPECT_EQ(of_scalar(entry), Outcome::kUnfinished) << entry;
+}
+
+TEST(AnEntryThatIsNotDefinedSomewhere, IsNotVerified) {
+  for (const char* entry :
+       {"1/(x - 3/2)^2", "sqrt(x - 3/2) + 1", "2 + log(x - 1)", "3 + asin(x)", "x*(1/(x - 1))",
+        "tan(pi*x/2)^2 + 1", "9 + atan2(x - 3/2, -x)", "3 + 0*sqrt(x - 3/2)"})
+    EXPECT_NE(of_scalar(entry), Outcome::kVerified) << entry;
+}
+
+TEST(AConditionThatIsNotDefined, IsNotVerified) {
+  EXPECT_EQ(outcome_of(scalar_question("x") + "defined sqrt(x - 1)\n" + kOneLeaf),
+            Outcome::kUnfinished);
+  EXPECT_EQ(outcome_of(scalar_question("x") + "defined sqrt(x - 1/2)\n" + kOneLeaf),
+            Outcome::kVerified);
+  EXPECT_NE(outcome_of(scalar_question("x") + "motion-defined 1/(x - 3/2)\n" + kOneLeaf),
+            Outcome::kVerified);
+}
+
+TEST(ARangeWithIrrationalEnds, IsEnclosedFromOutside) {
+  EXPECT_EQ(of_scalar("x - pi/12 - 1e-12", "0 : pi/12"), Outcome::kVerified);
+  EXPECT_NE(of_scalar("x - pi/12", "0 : pi/12"), Outcome::kVerified);
+  EXPECT_NE(of_scalar("x - 1/10", "0 : 1/10"), Outcome::kVerified);
+}
+
+TEST(AnEmptyRange, IsRejected) { EXPECT_EQ(of_scalar("x", "2 : 1"), Outcome::kRejected); }
+
+TEST(PosesOutsideAConstraint, AreNotClaimed) {
+  const std::string constraint = "constraint 3/2 - x\n";  // x ≥ 3/2
+  EXPECT_EQ(outcome_of(scalar_question("x - 5/4") + constraint + kOneLeaf), Outcome::kVerified);
+  EXPECT_NE(outcome_of(scalar_question("x - 7/4") + constraint + kOneLeaf), Outcome::kVerified);
+  // Where a constraint is not defined nothing is outside it.
+  EXPECT_NE(
+      outcome_of(scalar_question("x - 5/4") + "constraint 1/(5/4 - x) + 9 + 3/2 - x\n" + kOneLeaf),
+      Outcome::kVerified);
+}
+
+std::string two_by_two(const std::string& alpha, const std::string& entries,
+                       const std::string& words) {
+  return "regulus-certificate 1\nverdict NO SINGULARITY\nclaim " + words +
+         "\nmodel m\nsha256 -\nmotion only\nalpha " + alpha +
+         "\nparameter x in -1 : 1\nuncertain a = 2 +- 1/4\nuncertain b = 2 +- 1/4\nball a b\n"
+         "pose x = x +- 1/8\nmatrix 2 2\n" +
+         entries + kOneLeaf;
+}
+
+constexpr const char* kAbove =
+    "|det| of the full 2x2 matrix of the model exceeds alpha at every pose and value of the 3 "
+    "uncertain quantities of the variety";
+
+TEST(AThreshold, IsExceededWithUncertainQuantitiesInABallAndAControlError) {
+  // det = a·b − x², |x| ≤ 9/8, (a, b) within 1/4 of (2, 2): at least (2 − √2/8)² − (9/8)² = 2.058;
+  // without the ball (7/4)² − (9/8)² = 1.797.
+  const std::string entries = "entry a\nentry x\nentry x\nentry b\n";
+  EXPECT_EQ(outcome_of(two_by_two("19/10", entries, kAbove)), Outcome::kVerified);
+  EXPECT_NE(outcome_of(two_by_two("21/10", entries, kAbove)), Outcome::kVerified);
+  EXPECT_EQ(outcome_of(two_by_two("4", entries, kAbove)), Outcome::kRejected);
+}
+
+TEST(AThreshold, IsAboutTheScaledRows) {
+  const std::string entries = "entry a\nentry x\nentry x\nentry b\nscale 1/10\nscale 10\n";
+  EXPECT_EQ(outcome_of(two_by_two("19/10", entries, kAbove)), Outcome::kVerified);
+  const std::string smaller = "entry a\nentry x\nentry x\nentry b\nscale 1/10\nscale 9\n";
+  EXPECT_NE(outcome_of(two_by_two("19/10", smaller, kAbove)), Outcome::kVerified);
+}
+
+TEST(AMatrixWithMoreRowsThanColumns, IsVerifiedForFullColumnRank) {
+  const auto text = [](const std::string& second) {
+    return "regulus-certificate 1\nverdict NO SINGULARITY\nclaim the full 2x1 matrix of the model "
+           "is defined and has full rank at every pose of the variety\nmodel m\nsha256 -\nmotion "
+           "only\nalpha 0\nparameter x in -1 : 1\npose x = x\nmatrix 2 1\nentry x\nentry " +
+           second + "\n" + kOneLeaf;
+  };
+  EXPECT_EQ(outcome_of(text("1 - x")), Outcome::kVerified);
+  EXPECT_NE(outcome_of(text("2*x")), Outcome::kVerified);
+}
+
+TEST(ATree, IsVerifiedLeafByLeaf) {
+  const std::string question = scalar_question("x - 1/2");
+  const auto v = verify_text(question +
+                             "proof\ns 0 0 0x1.8p+0\ns 2 0 0x1.cp+0\nl 4 filter\nl 1 "
+                             "multiprecision\nl 3 outside\nend 3\n");
+  EXPECT_EQ(v.outcome, Outcome::kVerified) << v.reason;
+  EXPECT_EQ(v.leaves, 3u);
+}
+
+TEST(AWitnessOfOppositeSigns, IsVerifiedIfTheMatrixIsDefinedInBetween) {
+  const std::string points =
+      "proof\nreason opposite-signs\npoint + 0x1p+1\npoint - 0x1p+0\npath segment\nend\n";
+  const auto question = [](const std::string& entry, const std::string& more = "") {
+    return scalar_question(entry, "0 : 3", kSingular1) + more;
+  };
+  EXPECT_EQ(outcome_of(question("x - 3/2") + points), Outcome::kVerified);
+  EXPECT_EQ(outcome_of(question("1/(x - 3/2)") + points), Outcome::kUnfinished) << "a pole";
+  EXPECT_EQ(outcome_of(question("x - 1/2") + points), Outcome::kRejected);
+  EXPECT_EQ(outcome_of(question("x - 3/2", "constraint 1/100 - (x - 3/2)^2\n") + points),
+            Outcome::kUnfinished)
+      << "the segment leaves the variety";
+  EXPECT_EQ(outcome_of(question("x - 3/2", "constraint (x - 3/2)^2 - 1\n") + points),
+            Outcome::kVerified);
+}
+
+TEST(AWitnessOfASmallDeterminant, IsVerifiedAtOnePoint) {
+  const std::string head =
+      "regulus-certificate 1\nverdict SINGULARITY\nclaim |det| of the full 1x1 matrix of the model "
+      "is at most alpha at some pose of the variety\nmodel m\nsha256 -\nmotion only\nalpha 1/2\n"
+      "parameter x in 0 : 3\npose x = x\nmatrix 1 1\nentry x\nscale 2\nproof\nreason "
+      "small-determinant\npoint 0 ";
+  EXPECT_EQ(outcome_of(head + "0x1p-2\nend\n"), Outcome::kVerified);
+  EXPECT_EQ(outcome_of(head + "0x1.1p-2\nend\n"), Outcome::kRejected);
+  EXPECT_EQ(outcome_of(head + "-0x1p-2\nend\n"), Outcome::kRejected) << "outside the range";
+}
+
+TEST(ASingularityEverywhere, RestsOnAlgebraThatIsNotChecked) {
+  EXPECT_EQ(outcome_of(scalar_question("x - x", "0 : 3", kSingular1) +
+                       "proof\nreason always-singular\npoint 0 0x1p+0\nend\n"),
+            Outcome::kUnfinished);
+}
+
+TEST(EffortThatIsBounded, LeavesAProofUnfinished) {
+  verifier::Options options;
+  options.max_boxes = 3;
+  const std::string text = scalar_question("sin(20*x) + 21/20") + kOneLeaf;
+  EXPECT_EQ(verify_text(text, options).outcome, Outcome::kUnfinished);
+  EXPECT_EQ(verify_text(text).outcome, Outcome::kVerified);
+}
+
+TEST(ARoundingModeOtherThanToNearest, IsRefused) {
+  std::fesetround(FE_UPWARD);
+  EXPECT_THROW((void)verify_text(scalar_question("x") + kOneLeaf), std::runtime_error);
+  std::fesetround(FE_TONEAREST);
+}
+
+}  // namespace
+}  // namespace regulus::test
