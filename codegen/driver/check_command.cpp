@@ -3,6 +3,7 @@
 #include <nlohmann/json.hpp>
 
 #include "regulus/codegen/driver/always_singular.hpp"
+#include "regulus/codegen/driver/certificate_file.hpp"
 #include "regulus/codegen/driver/commands.hpp"
 #include "regulus/codegen/driver/interrupt.hpp"
 #include "regulus/codegen/driver/least_singular.hpp"
@@ -31,14 +32,21 @@ int run_check(const CheckCommand& command) {
   settings.interrupt = &interrupt.requested();
   for (const FilterFile& filter : preparation.filters)
     settings.filters.push_back(&filter.interface());
-  Result result = run_search(preparation, command.search, command.output, settings);
+  CertificateFile certificate(command.certificate, preparation);
+  Result result =
+      run_search(preparation, command.search, command.output, settings, certificate.observer());
   recognise_always_singular(preparation, result);
+  certificate.finish(result);
   const auto nearest = nearest_singular(preparation, result);
-  if (!command.output.quiet) std::cerr << text_report(preparation, command.search, result, nearest);
-  if (command.output.json)
-    std::cout << json_report(preparation, command.search, result, nearest).dump(2) << '\n';
-  else
+  if (!command.output.quiet)
+    std::cerr << text_report(preparation, command.search, result, nearest) << certificate.line();
+  if (command.output.json) {
+    nlohmann::ordered_json report = json_report(preparation, command.search, result, nearest);
+    certificate.add_to(report);
+    std::cout << report.dump(2) << '\n';
+  } else {
     std::cout << name(result.verdict) << '\n';
+  }
   std::cout.flush();
   return exit_code_of(result.verdict);
 }

@@ -17,6 +17,7 @@ int run(const CommandLine& line, const std::string& command) {
   if (line.check) return run_check(*line.check);
   if (line.locate) return run_locate(*line.locate);
   if (line.margin) return run_margin(*line.margin);
+  if (line.verify) return run_verify(*line.verify);
   return run_explain(*line.explain, command);
 }
 

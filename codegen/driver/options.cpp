@@ -38,6 +38,17 @@ constexpr const char* kMarginFooter =
     "2 a limit, an interrupt or the strength of the tests ended it earlier;\n"
     "64 usage, 65 bad model, 70 internal fault, 74 file trouble.";
 
+constexpr const char* kVerifyFooter =
+    "The last line on standard output is the answer:\n"
+    "  VERIFIED    the claim was proved anew, by none of the code that made the certificate (exit "
+    "0)\n"
+    "  REJECTED    not a certificate, incomplete, or false; standard error says why       (exit "
+    "1)\n"
+    "  UNFINISHED  neither could be shown                                                 (exit "
+    "2)\n"
+    "64 usage, 65 bad model, 70 internal fault, 74 file trouble. regulus-verify does the same "
+    "alone.";
+
 constexpr double kMarginSeconds = 60;
 
 void add_model_options(CLI::App& app, ModelOptions& options) {
@@ -135,6 +146,19 @@ void add_output_options(CLI::App& app, OutputOptions& options) {
   app.add_flag("--quiet", options.quiet, "Nothing but the verdict (or the JSON report)");
 }
 
+void add_certificate_option(CLI::App& app, std::string& path) {
+  app.add_option("--certificate", path,
+                 "Write a proof of the verdict that `regulus verify` can check")
+      ->type_name("FILE");
+}
+
+void add_verify_options(CLI::App& app, VerifyCommand& command) {
+  app.add_option("CERTIFICATE", command.path, "What --certificate wrote")->required();
+  app.add_option("--model", command.model, "Also check that it is about this model file")
+      ->type_name("MODEL");
+  app.add_flag("--quiet", command.quiet, "Nothing but the answer");
+}
+
 void add_paving_options(CLI::App& app, LocateCommand& command) {
   app.add_option("--resolution", command.resolution,
                  "Split boxes until every range is cut to this part, such as 1/64; by default from "
@@ -189,6 +213,7 @@ CommandLine parse_command_line(int argc, const char* const* argv) {
   add_model_options(*check_command, check.model);
   add_search_options(*check_command, check.search);
   add_filter_option(*check_command, check.search);
+  add_certificate_option(*check_command, check.certificate);
   add_output_options(*check_command, check.output);
   check_command->footer(kExitCodes);
 
@@ -225,6 +250,12 @@ CommandLine parse_command_line(int argc, const char* const* argv) {
 
   add_method_options(*explain_command, explain.method, explain.symbolic_budget);
 
+  VerifyCommand verify;
+  CLI::App* verify_command =
+      app.add_subcommand("verify", "Check a certificate, independently of what made it");
+  add_verify_options(*verify_command, verify);
+  verify_command->footer(kVerifyFooter);
+
   CommandLine result;
   try {
     app.parse(argc, argv);
@@ -236,6 +267,7 @@ CommandLine parse_command_line(int argc, const char* const* argv) {
   if (locate_command->parsed()) result.locate = locate;
   if (margin_command->parsed()) result.margin = margin;
   if (explain_command->parsed()) result.explain = explain;
+  if (verify_command->parsed()) result.verify = verify;
   return result;
 }
 

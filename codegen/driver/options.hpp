@@ -56,6 +56,7 @@ struct CheckCommand {
   ModelOptions model;
   SearchOptions search;
   OutputOptions output;
+  std::string certificate;  ///< file; empty: none
 };
 
 struct LocateCommand {
@@ -77,6 +78,12 @@ struct MarginCommand {
   std::string gap = "0.01";
 };
 
+struct VerifyCommand {
+  std::string path;
+  std::string model;  ///< the model file it must be about; empty: any
+  bool quiet = false;
+};
+
 struct ExplainCommand {
   ModelOptions model;
   bool all_entries = false;
@@ -93,6 +100,7 @@ struct CommandLine {
   std::optional<LocateCommand> locate;
   std::optional<MarginCommand> margin;
   std::optional<ExplainCommand> explain;
+  std::optional<VerifyCommand> verify;
 };
 
 /// Parses the arguments. Prints help, the version and usage errors itself.

@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What --certificate asks for.
+#pragma once
+
+#include <nlohmann/json_fwd.hpp>
+#include <optional>
+#include <string>
+
+#include "regulus/certificate/writer.hpp"
+#include "regulus/codegen/driver/pipeline.hpp"
+
+namespace regulus::codegen {
+
+class CertificateFile {
+ public:
+  /// `path` empty: none is wanted. Throws FileError when it cannot be made, before the search.
+  CertificateFile(const std::string& path, const Preparation& preparation);
+
+  /// Watches the search; nullptr if none is wanted.
+  [[nodiscard]] Observer* observer() noexcept { return writer_ ? &*writer_ : nullptr; }
+
+  /// Puts the file in its place if the verdict claims something. Throws FileError.
+  void finish(const Result& result);
+
+  [[nodiscard]] bool written() const noexcept { return written_; }
+  /// A line of the report; empty if none was wanted.
+  [[nodiscard]] std::string line() const;
+  /// The key `certificate` of a JSON report: the file, null if none could be written.
+  void add_to(nlohmann::ordered_json& report) const;
+
+ private:
+  std::optional<CertificateWriter> writer_;
+  bool written_ = false;
+};
+
+}  // namespace regulus::codegen

@@ -1,0 +1,50 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// GiNaC expressions as text in the language of certificates.
+#pragma once
+
+#include <ginac/ginac.h>
+
+#include <map>
+#include <set>
+#include <string>
+#include <vector>
+
+namespace regulus::codegen {
+
+/// Writes expressions; what occurs several times in them becomes a `let` of its own.
+class ExpressionLines {
+ public:
+  /// Names that a `let` must not take.
+  explicit ExpressionLines(std::set<std::string> taken) : taken_(std::move(taken)) {}
+
+  /// Announces an expression that will be written: its repeated parts are counted.
+  void announce(const GiNaC::ex& e);
+
+  /// The text of an expression; the `let` lines that it needs and that have not been written yet
+  /// are added to `lets`.
+  [[nodiscard]] std::string write(const GiNaC::ex& e, std::string& lets);
+
+ private:
+  using Strength = int;  ///< of the operator that a text ends with
+  struct Text {
+    std::string text;
+    Strength strength;
+  };
+
+  [[nodiscard]] Text text_of(const GiNaC::ex& e, std::string& lets);
+  [[nodiscard]] Text bare_text(const GiNaC::ex& e, std::string& lets);
+  [[nodiscard]] Text sum(const GiNaC::ex& e, std::string& lets);
+  [[nodiscard]] Text product(const GiNaC::ex& e, std::string& lets);
+  [[nodiscard]] Text power(const GiNaC::ex& e, std::string& lets);
+  [[nodiscard]] Text call(const GiNaC::ex& e, std::string& lets);
+  [[nodiscard]] std::string unused_name();
+
+  std::set<std::string> taken_;
+  std::map<GiNaC::ex, int, GiNaC::ex_is_less> count_;
+  std::map<GiNaC::ex, std::string, GiNaC::ex_is_less> named_;
+};
+
+/// An expression without `let` lines.
+[[nodiscard]] std::string expression_text(const GiNaC::ex& e);
+
+}  // namespace regulus::codegen

@@ -1,0 +1,154 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "regulus/certificate/writer.hpp"
+
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include <cerrno>
+#include <cinttypes>
+#include <cstdlib>
+#include <cstring>
+#include <stdexcept>
+#include <utility>
+
+#include "regulus/certificate/format.hpp"
+
+namespace regulus {
+namespace {
+
+/// The word of FORMAT.md for a rule; a certificate is of no use where it has none.
+const char* word_of(Rule rule) noexcept {
+  switch (rule) {
+    case Rule::kOutside:
+      return "outside";
+    case Rule::kHMatrix:
+      return "h-matrix";
+    case Rule::kMeanValue:
+      return "mean-value";
+    case Rule::kSecondOrder:
+      return "second-order";
+    case Rule::kDeterminant:
+      return "determinant";
+    case Rule::kElimination:
+      return "elimination";
+    case Rule::kRohn:
+      return "rohn";
+    case Rule::kClosedForm:
+      return "closed-form";
+    case Rule::kFilter:
+      return "filter";
+    case Rule::kMultiprecision:
+      return "multiprecision";
+    case Rule::kWitness:
+    case Rule::kBlocked:
+      break;
+  }
+  return "none";
+}
+
+const char* word_of(Reason reason) noexcept {
+  if (reason == Reason::kSmallDeterminant) return format::kSmallDeterminant;
+  return reason == Reason::kAlwaysSingular ? format::kAlwaysSingular : format::kOppositeSigns;
+}
+
+std::string hexadecimal(double x) {
+  char text[32];
+  std::snprintf(text, sizeof text, "%a", x);
+  return text;
+}
+
+/// mkstemp makes a file that only its owner may read; a certificate is for others too.
+void allow_as_usual(int descriptor) noexcept {
+  const mode_t mask = umask(0);
+  umask(mask);
+  static_cast<void>(fchmod(descriptor, 0666 & ~mask));
+}
+
+}  // namespace
+
+CertificateWriter::CertificateWriter(std::string path, CertifiedQuestion question)
+    : path_(std::move(path)), temporary_(path_ + ".XXXXXX"), question_(std::move(question)) {
+  const int descriptor = mkstemp(temporary_.data());
+  check(descriptor >= 0, "be made");
+  allow_as_usual(descriptor);
+  file_.reset(fdopen(descriptor, "w"));
+  if (!file_) {
+    ::close(descriptor);
+    ::unlink(temporary_.c_str());
+  }
+  check(file_ != nullptr, "be made");
+}
+
+CertificateWriter::~CertificateWriter() {
+  if (!in_place_) ::unlink(temporary_.c_str());
+}
+
+void CertificateWriter::check(bool done, const char* what) const {
+  if (done) return;
+  throw std::runtime_error("the certificate " + path_ + " cannot " + what + ": " +
+                           std::strerror(errno));
+}
+
+/// A failure to write stays with the file: finish() asks for it.
+void CertificateWriter::put(const std::string& text) noexcept {
+  std::fputs(text.c_str(), file_.get());
+}
+
+void CertificateWriter::write_head(const char* verdict, const std::string& claim) noexcept {
+  put(std::string(format::kMagic) + "\nverdict " + verdict + "\nclaim " + claim + '\n' +
+      question_.text + "proof\n");
+}
+
+/// Splits and leaves are a proof of NO SINGULARITY if they are all that comes.
+void CertificateWriter::on_start(const Problem&, const Settings&) noexcept {
+  write_head(format::kNoSingularity, question_.no_singularity);
+}
+
+void CertificateWriter::on_split(const OpenBox&, const Split& split) noexcept {
+  std::fprintf(file_.get(), "s %" PRIu64 " %" PRIu32 " %a\n", split.parent, split.variable,
+               split.at);
+}
+
+void CertificateWriter::on_leaf(const OpenBox& box, Rule rule, const Proof&) noexcept {
+  ++leaves_;
+  std::fprintf(file_.get(), "l %" PRIu64 " %s\n", box.id, word_of(rule));
+}
+
+void CertificateWriter::write_point(const WitnessPoint& point, const char* sign) noexcept {
+  std::string line = std::string("point ") + sign;
+  for (const Interval& x : point.variables) {
+    line += ' ' + hexadecimal(x.lo);
+    if (x.hi != x.lo) line += ':' + hexadecimal(x.hi);
+  }
+  put(line + '\n');
+}
+
+void CertificateWriter::write_witness(const Result& result) noexcept {
+  put(std::string("reason ") + word_of(result.reason) + '\n');
+  const bool signs = result.reason == Reason::kOppositeSigns;
+  for (const WitnessPoint& point : result.witness->points)
+    write_point(point, !signs ? "0" : point.determinant.lo > 0.0 ? "+" : "-");
+  if (signs) put("path segment\n");
+  put("end\n");
+}
+
+bool CertificateWriter::finish(const Result& result) {
+  if (result.verdict == Verdict::kPossibleProblem) return false;
+  if (result.verdict == Verdict::kSingularity) {
+    check(std::fflush(file_.get()) == 0 && ftruncate(fileno(file_.get()), 0) == 0 &&
+              std::fseek(file_.get(), 0, SEEK_SET) == 0,
+          "be written");
+    write_head(format::kSingularity, question_.singularity);
+    write_witness(result);
+  } else {
+    put("end " + std::to_string(leaves_) + '\n');
+  }
+  check(std::fflush(file_.get()) == 0 && std::ferror(file_.get()) == 0 &&
+            fsync(fileno(file_.get())) == 0,
+        "be written");
+  check(std::rename(temporary_.c_str(), path_.c_str()) == 0, "be put in its place");
+  in_place_ = true;
+  return true;
+}
+
+}  // namespace regulus

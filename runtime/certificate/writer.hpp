@@ -1,0 +1,59 @@
+// SPDX-License-Identifier: Apache-2.0
+// Writes a certificate (FORMAT.md) while the search runs.
+#pragma once
+
+#include <cstdint>
+#include <cstdio>
+#include <memory>
+#include <string>
+
+#include "regulus/search/observer.hpp"
+
+namespace regulus {
+
+/// What a certificate says about the question, as text.
+struct CertifiedQuestion {
+  std::string text;            ///< FORMAT.md, "The question": lines from `model` to `constraint`
+  std::string no_singularity;  ///< the claim, for either verdict
+  std::string singularity;
+};
+
+/// Splits and leaves go to a file next to the one that is wanted, as they come; finish() puts it in
+/// its place. Nothing is left behind otherwise.
+class CertificateWriter final : public Observer {
+ public:
+  /// Throws std::runtime_error when no file can be made there.
+  CertificateWriter(std::string path, CertifiedQuestion question);
+  ~CertificateWriter() override;
+
+  void on_start(const Problem& problem, const Settings& settings) noexcept override;
+  void on_split(const OpenBox& box, const Split& split) noexcept override;
+  void on_leaf(const OpenBox& box, Rule rule, const Proof& proof) noexcept override;
+
+  /// Throws std::runtime_error when something could not be written; the file at `path` is then as
+  /// it was before.
+  ///
+  /// Ensures   false for POSSIBLE PROBLEM, which claims nothing: no file is written.
+  [[nodiscard]] bool finish(const Result& result);
+
+  [[nodiscard]] const std::string& path() const noexcept { return path_; }
+
+ private:
+  struct Close {
+    void operator()(std::FILE* file) const noexcept { std::fclose(file); }
+  };
+
+  void write_head(const char* verdict, const std::string& claim) noexcept;
+  void write_witness(const Result& result) noexcept;
+  void write_point(const WitnessPoint& point, const char* sign) noexcept;
+  void put(const std::string& text) noexcept;
+  void check(bool done, const char* what) const;
+
+  std::string path_, temporary_;
+  CertifiedQuestion question_;
+  std::unique_ptr<std::FILE, Close> file_;
+  std::uint64_t leaves_ = 0;
+  bool in_place_ = false;
+};
+
+}  // namespace regulus
