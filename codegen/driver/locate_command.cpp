@@ -6,6 +6,7 @@
 #include <optional>
 
 #include "regulus/codegen/driver/canvas.hpp"
+#include "regulus/codegen/driver/certificate_file.hpp"
 #include "regulus/codegen/driver/commands.hpp"
 #include "regulus/codegen/driver/gnuplot.hpp"
 #include "regulus/codegen/driver/interrupt.hpp"
@@ -91,18 +92,23 @@ int run_locate(const LocateCommand& command) {
   if (lines.wanted()) writer.emplace(lines.stream(), preparation, options, interrupt);
   const Problem problem = preparation.problem();
   Volumes volumes(problem);
-  Observers observers(present({&volumes, writer ? &*writer : nullptr, pictures.canvas()}));
+  CertificateFile certificate(command.certificate, preparation);
+  Observers observers(
+      present({&volumes, writer ? &*writer : nullptr, pictures.canvas(), certificate.observer()}));
 
   Settings settings = paving_settings(command, options);
   settings.interrupt = &interrupt.requested();
   Result result = run_search(preparation, command.search, command.output, settings, &observers);
   close_in_on_witness(preparation, command.search, settings, result);
 
-  const auto summary = json_paving_summary(preparation, command.search, options, volumes, result);
+  certificate.finish(result);
+  auto summary = json_paving_summary(preparation, command.search, options, volumes, result);
+  certificate.add_to(summary);
   if (writer) writer->finish(summary, lines.name());
   pictures.draw(preparation, options, volumes);
   if (!command.output.quiet)
-    std::cerr << paving_report(preparation, command.search, options, volumes, result);
+    std::cerr << paving_report(preparation, command.search, options, volumes, result)
+              << certificate.line();
   if (command.output.json)
     std::cout << summary.dump(2) << '\n';
   else if (!lines.is_standard_output())

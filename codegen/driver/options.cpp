@@ -154,7 +154,8 @@ void add_certificate_option(CLI::App& app, std::string& path) {
 
 void add_verify_options(CLI::App& app, VerifyCommand& command) {
   app.add_option("CERTIFICATE", command.path, "What --certificate wrote")->required();
-  app.add_option("--model", command.model, "Also check that it is about this model file")
+  app.add_option("--model", command.model,
+                 "Also check, by its SHA-256, that it is about this model file")
       ->type_name("MODEL");
   app.add_flag("--quiet", command.quiet, "Nothing but the answer");
 }
@@ -223,6 +224,7 @@ CommandLine parse_command_line(int argc, const char* const* argv) {
   add_model_options(*locate_command, locate.model);
   add_paving_options(*locate_command, locate);
   add_search_options(*locate_command, locate.search);
+  add_certificate_option(*locate_command, locate.certificate);
   add_output_options(*locate_command, locate.output);
   locate_command->footer(kLocateExitCodes);
 

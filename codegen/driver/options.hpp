@@ -67,6 +67,7 @@ struct LocateCommand {
   std::string axes;        ///< "p,q"; empty: the first two that are not single values
   std::string lines;       ///< file of the JSON lines, "-" = standard output; empty: see --json
   std::vector<std::string> pictures;
+  std::string certificate;  ///< file; empty: none
 };
 
 /// One of the model's tolerances, its alpha, or `scale` is a range LO:HI.

@@ -14,8 +14,13 @@ int main(int argc, char** argv) {
     std::cerr << "regulus-verify: cannot read " << argv[1] << '\n';
     return 74;
   }
-  const auto v = regulus::verifier::verify(file);
-  std::cerr << regulus::verifier::describe(v);
-  std::cout << regulus::verifier::name(v.outcome) << '\n';
-  return int(v.outcome);
+  try {
+    const auto v = regulus::verifier::verify(file);
+    std::cerr << regulus::verifier::describe(v);
+    std::cout << regulus::verifier::name(v.outcome) << '\n';
+    return static_cast<int>(v.outcome);
+  } catch (const std::exception& error) {
+    std::cerr << "regulus-verify: " << argv[1] << ": " << error.what() << '\n';
+    return 74;
+  }
 }

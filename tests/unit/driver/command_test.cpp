@@ -261,5 +261,46 @@ TEST(Command, ExplainsThePapersTwoForms) {
   EXPECT_THAT(explained.output, HasSubstr("x*(k_1_1 + k_1_2 + k_1_3 + k_1_4 + k_1_5 + k_1_6)"));
 }
 
+TEST(Command, WritesACertificateThatBothVerifiersAccept) {
+  const TemporaryDirectory directory;
+  const std::string file = (directory.path() / "proof.txt").string();
+  for (const char* motion : {"regular", "crossing"}) {
+    regulus({"check", kPlanar, motion, "--certificate", file});
+    const CommandResult verified = regulus({"verify", file, "--model", kPlanar});
+    EXPECT_EQ(verified.output, "VERIFIED\n") << verified.errors;
+    EXPECT_EQ(verified.exit_code, 0);
+    EXPECT_EQ(run_command({REGULUS_BINARY_DIR "/bin/regulus-verify", file}).output, "VERIFIED\n");
+    const CommandResult other = regulus({"verify", file, "--model", kRobot1});
+    EXPECT_EQ(other.output, "REJECTED\n");
+    EXPECT_EQ(other.exit_code, 1);
+    EXPECT_THAT(other.errors, HasSubstr("is not about"));
+  }
+}
+
+TEST(Command, WritesTheCertificateOfALocatedSingularity) {
+  const TemporaryDirectory directory;
+  const std::string file = (directory.path() / "proof.txt").string();
+  regulus({"locate", kPlanar, "crossing", "--certificate", file, "--quiet"});
+  EXPECT_EQ(regulus({"verify", file}).output, "VERIFIED\n");
+}
+
+TEST(Command, SaysWhyACertificateCannotBeWritten) {
+  const CommandResult refused =
+      regulus({"check", kPlanar, "regular", "--certificate", "/nowhere/at/all"});
+  EXPECT_EQ(refused.exit_code, 74);
+  EXPECT_THAT(refused.errors, HasSubstr("cannot be made: No such file or directory"));
+  EXPECT_EQ(regulus({"verify", "/nowhere/at/all"}).exit_code, 74);
+}
+
+TEST(Command, WritesNoCertificateWhereNothingIsClaimed) {
+  const TemporaryDirectory directory;
+  const std::string file = (directory.path() / "proof.txt").string();
+  const CommandResult none =
+      regulus({"check", kRobot1, "wide_15", "--max-boxes", "1", "--certificate", file});
+  EXPECT_EQ(none.exit_code, 2);
+  EXPECT_THAT(none.errors, HasSubstr("certificate none"));
+  EXPECT_TRUE(std::filesystem::is_empty(directory.path()));
+}
+
 }  // namespace
 }  // namespace regulus::test
