@@ -43,6 +43,8 @@ constexpr Ingredient kIngredients[] = {
      [](FormulationOptions& f) { f.rows = false; }},
     {"balls", "points in balls taken by their norm",
      [](Settings& s) { s.ingredients.balls = false; }, keep_functions},
+    {"orthants", "direction by direction of the uncertain rows",
+     [](Settings& s) { s.ingredients.orthants = false; }, keep_functions},
     {"midpoints", "witnesses sought at the middles of boxes",
      [](Settings& s) { s.ingredients.midpoints = false; }, keep_functions},
     {"corners", "at corners", [](Settings& s) { s.ingredients.corners = false; }, keep_functions},

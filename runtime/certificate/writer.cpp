@@ -27,6 +27,8 @@ const char* word_of(Rule rule) noexcept {
       return "mean-value";
     case Rule::kSecondOrder:
       return "second-order";
+    case Rule::kOrthants:
+      return "orthants";
     case Rule::kDeterminant:
       return "determinant";
     case Rule::kElimination:

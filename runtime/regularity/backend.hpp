@@ -11,6 +11,8 @@ namespace regulus {
 struct SecondOrderPlan;
 struct SecondOrderInput;
 struct SecondOrderWork;
+struct OrthantProblem;
+struct OrthantCell;
 
 struct RegularityBackend {
   // minors_lanes.hpp. Sets of columns are bit masks.
@@ -46,6 +48,13 @@ struct RegularityBackend {
   void (*weigh_second_order)(const SecondOrderPlan& plan, const SecondOrderInput& input,
                              const SecondOrderWork& work, const double* v, const double* y,
                              double* impact) noexcept;
+
+  // orthants_lanes.hpp
+
+  /// For each row, in which of eight orthants its |ρ_l| may be ζ_l.
+  void (*possible_rows)(const OrthantProblem& problem, unsigned first, unsigned* lanes) noexcept;
+  /// Which of eight cells may hold a ρ.
+  unsigned (*remaining_cells)(const OrthantProblem& problem, const OrthantCell* cells) noexcept;
 };
 
 /// Requires  x8_available(isa) before a function of it is called.

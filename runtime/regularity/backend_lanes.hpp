@@ -6,6 +6,7 @@
 #include "regulus/regularity/h_matrix_lanes.hpp"
 #include "regulus/regularity/inverse_lanes.hpp"
 #include "regulus/regularity/minors_lanes.hpp"
+#include "regulus/regularity/orthants_lanes.hpp"
 #include "regulus/regularity/second_order_impact_lanes.hpp"
 #include "regulus/regularity/second_order_lanes.hpp"
 
@@ -15,7 +16,8 @@ inline namespace REGULUS_LANES_ISA {
 inline constexpr RegularityBackend kBackend{
     minors::expand,           minors::permanent,   minors::vertices_share_sign,
     h_matrix::solve_for_ones, h_matrix::multiply,  h_matrix::perron,
-    inverse::invert,          second_order::bound, second_order::impact};
+    inverse::invert,          second_order::bound, second_order::impact,
+    orthants::possible,       orthants::remaining};
 
 }  // namespace REGULUS_LANES_ISA
 }  // namespace regulus::regularity

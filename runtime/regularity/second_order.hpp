@@ -42,6 +42,7 @@
 
 #include "regulus/regularity/aligned_buffer.hpp"
 #include "regulus/regularity/backend.hpp"
+#include "regulus/regularity/orthants.hpp"
 #include "regulus/regularity/second_order_lists.hpp"
 
 namespace regulus {
@@ -78,6 +79,16 @@ class SecondOrderBounds {
   /// Rounding  upward.
   /// Source    |ln|det(I + X)| − tr X| ≤ f²/(2 − 2f) for ‖X‖_F ≤ f < 1, as |tr Xʲ| ≤ ‖X‖_Fʲ.
   void moving_determinant_ru(const SecondOrderInput& input, double* upper) const noexcept;
+
+  /// Whether A is regular because no direction of the uncertain rows can make it singular, after
+  /// bound_ru with this T; regulus/regularity/orthants.hpp.
+  ///
+  /// Shape     guess: order() in point layout, positive, of which the lower part is used: how large
+  ///           the |ρ_l| are likely to be. hint: a cell that remained before.
+  /// Ensures   in each returned lane, a subset of `lanes`: A is regular all over the box.
+  [[nodiscard]] LaneMask certain_by_orthants(const SecondOrderInput& input, const double* T,
+                                             const double* guess, LaneMask lanes,
+                                             OrthantCell& hint) const noexcept;
 
   /// Roughly what each variable adds to yᵀTv, after bound_ru; points.
   void approx_impact(const SecondOrderInput& input, const double* v, const double* y,

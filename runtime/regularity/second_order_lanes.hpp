@@ -291,10 +291,12 @@ class Bounding {
                        magnitude(Octets{w_.slope}[p * n_ + k - mixed.begin]), weight[1 + p]);
     }
     const Octets R = Octets{w_.R_of_wide} + u.slot * s_, own = Octets{w_.R_of_row} + index * s_;
+    const Octets forms = Octets{w_.forms} + index * s_;
     if (plan_.weighs_row_variables) clear(own, s_);
     multiply_row_variable(
         u, [&](unsigned p, unsigned j, const Octet& x) __attribute__((always_inline)) {
           R.add_fused(p * s_ * s_ + j, magnitude(x), weight[p]);
+          if (p == 0) forms.put(j, x);
           if (plan_.weighs_row_variables) own.add_fused(j, magnitude(x), weight[p]);
         });
   }
@@ -315,9 +317,12 @@ class Bounding {
       add_squares(u.first, {w_.center}, lower);
       for (unsigned p = 0; p < wides_; ++p)
         add_squares(plan_.mixed[u.mixed + p], Octets{w_.slope} + p * n_, lower + (1 + p) * n_);
+      const Octets forms = Octets{w_.forms} + k * s_;
       multiply_row_variable(
-          u, [&](unsigned p, unsigned j, const Octet& x)
-                 __attribute__((always_inline)) { R.add_fused(p * s_ + j, x, x); });
+          u, [&](unsigned p, unsigned j, const Octet& x) __attribute__((always_inline)) {
+            R.add_fused(p * s_ + j, x, x);
+            if (p == 0) forms.put(j, x);
+          });
       if (plan_.weighs_row_variables) clear(Octets{w_.R_of_row} + k * s_, s_);
     }
     take_roots(R, (1 + wides_) * s_);
@@ -360,14 +365,14 @@ class Bounding {
     for (unsigned i = 0; i < s_; ++i) bound_row(i);
   }
 
-  /// Row i of R: the parts of u and of each wide variable, and what is left.
+  /// Row i of R: the parts of u, of each wide variable, and what is left.
   REGULUS_OCTET void bound_row(unsigned i) noexcept {
-    const Octets row = Octets{w_.R} + i * s_, slack{w_.K}, rounding{w_.weight_of_row};
+    const Octets row = Octets{w_.moving} + i * s_, slack{w_.K}, rounding{w_.weight_of_row};
     const Octets g = Octets{w_.weight_of_g} + i * n_, weight = Octets{w_.weight} + i * n_;
     clear(rounding, s_);
     for (unsigned j = 0; j < s_; ++j) {
       Octet sum = Octet::of(0.0);
-      for (unsigned p = 0; p <= wides_; ++p)
+      for (unsigned p = 1; p <= wides_; ++p)
         sum = sum + Octets{w_.R_of_wide}[(p * s_ + i) * s_ + j];
       row.put(j, sum);
     }
@@ -378,6 +383,10 @@ class Bounding {
       row.put(j,
               raised(row[j] + raised(rounding[j], kManyTerms) * Octet::of(2.0 * kSecondOrderGamma),
                      kManyTerms));
+    for (unsigned j = 0; j < s_; ++j) {
+      const unsigned e = i * s_ + j;
+      Octets{w_.R}.put(e, raised(row[j] + Octets{w_.R_of_wide}[e], kManyTerms));
+    }
   }
 
   REGULUS_OCTET void assemble(Octets T) noexcept {

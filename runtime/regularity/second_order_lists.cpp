@@ -205,6 +205,8 @@ std::size_t deal(double* begin, const Sizes& size, SecondOrderWork& work) noexce
   dealer.give(work.R, s * s);
   dealer.give(work.R_of_wide, (1 + w) * s * s);
   dealer.give(work.R_of_row, rows * s);
+  dealer.give(work.forms, rows * s);
+  dealer.give(work.moving, s * s);
   dealer.give(work.slope, w * n);
   dealer.give(work.weight_of_value, 1 + w);
   dealer.give(work.weight_of_row, s);

@@ -35,6 +35,7 @@ class SecondOrderLists {
   [[nodiscard]] SecondOrderWork work(AlignedBuffer& numbers) const noexcept;
 
   [[nodiscard]] std::size_t variables() const noexcept { return variables_; }
+  [[nodiscard]] std::size_t row_variables() const noexcept { return row_variables_.size(); }
 
  private:
   using Entry = SecondOrderPlan::Entry;

@@ -73,6 +73,7 @@ struct SecondOrderWork {
   double *weight, *weight_of_g;      // s×n: Σ_k Δ_k of |w̄_k|, of Σ_p r_p|g_kp|
   double* rest;                      // s×n: what is left of |w_k − w_k(t)|
   double *R, *R_of_wide, *R_of_row;  // s×s; (1 + w)·s×s: fixed, by each p; s for each row variable
+  double *forms, *moving;            // s for each row variable: w̄_kᵀK₀; s×s: R without these
   double *center, *slope;            // n: w̄_k by entry; w·n: g_kp by entry
   double *weight_of_value, *weight_of_row;  // 1 + w; s
   double *group_R, *group_lower;            // (1 + w)·s, (1 + w)·n

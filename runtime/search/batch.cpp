@@ -168,14 +168,24 @@ void Batch::load_expansion_point() noexcept {
         lanes_outside_contract(expanded_.get(), static_cast<unsigned>(variables_));
 }
 
-void Batch::seal(std::size_t count) noexcept {
-  const auto copy = [count](double* row) { std::fill(row + count, row + kLanes, row[0]); };
+/// To the lanes from `from` on.
+void Batch::copy_first_lane(std::size_t from) noexcept {
+  const auto copy = [from](double* row) { std::fill(row + from, row + kLanes, row[0]); };
   for (std::size_t k = 0; k < changing_; ++k) {
     for (double* bounds : {boxes_.get(), thin_.get()})
       copy(bounds + lower_at(k, 0)), copy(bounds + upper_at(k, 0));
     copy(midpoint_.get() + point_at(k, 0));
     copy(radius_.get() + point_at(k, 0));
   }
+}
+
+void Batch::spread(std::size_t count) noexcept {
+  copy_first_lane(1);
+  loaded_ = kEveryLane >> (kLanes - count);
+}
+
+void Batch::seal(std::size_t count) noexcept {
+  copy_first_lane(count);
   // A midpoint, or any other part of a box that is within the contract, is within it too.
   const LaneMask changed = lanes_outside_contract(boxes_.get(), static_cast<unsigned>(changing_));
   outside_contract_ = changing_ < variables_ ? fixed_outside_contract_ | changed : changed;

@@ -36,6 +36,11 @@ class Batch {
   /// Forgets everything. Then load 1…8 lanes from 0, without gaps, and seal.
   void clear() noexcept;
   void load(std::size_t lane, std::span<const Interval> box) noexcept;
+  /// Loads copies of lane 0 into the lanes before `count`, of which single ranges may then change.
+  void spread(std::size_t count) noexcept;
+  void change(std::size_t lane, std::size_t variable, Interval x) noexcept {
+    load_variable(variable, lane, x);
+  }
   /// Fills the lanes from `count` on with copies of lane 0: kernels want eight proper boxes.
   void seal(std::size_t count) noexcept;
 
@@ -109,6 +114,10 @@ class Batch {
   [[nodiscard]] std::size_t order() const noexcept { return columns_ + structure_.rows.size(); }
   /// Upper bounds of |det K(t)|/|det K| for the preconditioner that belongs to T.
   void moving_determinant_ru(double* upper) noexcept;
+  /// Perron vector and spectral radius of T, or of P where there is no T; roughly.
+  [[nodiscard]] double approx_spectral_radius(std::size_t lane) noexcept;
+  /// SecondOrderBounds::certain_by_orthants on T.
+  [[nodiscard]] LaneMask certain_by_orthants(LaneMask lanes) noexcept;
   /// Where a test computes its v; keep_vector then saves those that proved something.
   [[nodiscard]] double* candidate_vector() noexcept { return candidate_vector_.get(); }
   void keep_vector(LaneMask lanes, std::size_t entries) noexcept;
@@ -154,8 +163,10 @@ class Batch {
     kDeterminantDerivatives = 1U << 16,
     kMonotone = 1U << 17,
     kSharpened = 1U << 18,
+    kPerron = 1U << 19,
   };
   void load_variable(std::size_t variable, std::size_t lane, Interval x) noexcept;
+  void copy_first_lane(std::size_t from) noexcept;
   [[nodiscard]] bool begin(Stage stage) noexcept;
   LaneMask call(regulus_function function, const double* boxes, const double* points,
                 double* out) noexcept;
@@ -175,6 +186,7 @@ class Batch {
   void compute_determinant_derivatives() noexcept;
   void load_face(bool least) noexcept;
   void narrow_on_face(bool least) noexcept;
+  void compute_perron() noexcept;
   void impact_on_determinant() noexcept;
   void load_expansion_point() noexcept;
   [[nodiscard]] SecondOrderInput second_order_input() noexcept;
@@ -215,6 +227,8 @@ class Batch {
   AlignedBuffer face_boxes_, face_points_, face_entries_, matrix_derivatives_;
   AlignedBuffer impact_, scratch_;
   AlignedBuffer determinant_, monotone_, determinant_slopes_, face_, face_center_;
+  double approx_spectral_radius_[kLanes] = {};
+  OrthantCell orthant_hint_{};
   double approx_determinant_[kLanes] = {};
   double approx_scale_[kLanes] = {};
   alignas(64) double scale_[2 * kLanes] = {};

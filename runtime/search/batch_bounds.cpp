@@ -66,6 +66,14 @@ double* Batch::second_order_bounds() noexcept {
   return T;
 }
 
+LaneMask Batch::certain_by_orthants(LaneMask lanes) noexcept {
+  if (lanes == 0) return 0;
+  const double* T = second_order_bounds();
+  if (begin(kPerron)) compute_perron();
+  return second_order_->certain_by_orthants(second_order_input(), T, right_perron_.get(), lanes,
+                                            orthant_hint_);
+}
+
 void Batch::moving_determinant_ru(double* upper) noexcept {
   static_cast<void>(second_order_bounds());
   second_order_->moving_determinant_ru(second_order_input(), upper);

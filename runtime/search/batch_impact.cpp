@@ -97,14 +97,8 @@ void Batch::weigh_rows() noexcept {
   std::copy_n(weight, n * kLanes, left_perron_.get());
 }
 
-const double* Batch::approx_impact() noexcept {
-  if (!begin(kImpact)) return impact_.get();
-  if (sees_determinant_) {
-    impact_on_determinant();
-    return impact_.get();
-  }
+void Batch::compute_perron() noexcept {
   double P[kMaxOrder * kMaxOrder * kLanes];
-  double approx_radius[kLanes];
   if (sees_mean_values_ || second_order_) {
     // A copy, with a neutral 1 where nothing is known: the bounds themselves stay bounds.
     const double* bounds = second_order_ ? second_order_bounds() : natural_bounds();
@@ -113,7 +107,21 @@ const double* Batch::approx_impact() noexcept {
   } else {
     approx_distances(P);
   }
-  approx_perron(P, order(), right_perron_.get(), left_perron_.get(), approx_radius);
+  approx_perron(P, order(), right_perron_.get(), left_perron_.get(), approx_spectral_radius_);
+}
+
+double Batch::approx_spectral_radius(std::size_t lane) noexcept {
+  if (begin(kPerron)) compute_perron();
+  return approx_spectral_radius_[lane];
+}
+
+const double* Batch::approx_impact() noexcept {
+  if (!begin(kImpact)) return impact_.get();
+  if (sees_determinant_) {
+    impact_on_determinant();
+    return impact_.get();
+  }
+  if (begin(kPerron)) compute_perron();
   if (second_order_) {
     second_order_->approx_impact(second_order_input(), right_perron_.get(), left_perron_.get(),
                                  impact_.get());

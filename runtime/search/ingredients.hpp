@@ -13,9 +13,10 @@ struct Ingredients {
   bool second_order = true;  ///< on its expansion (regulus/regularity/second_order.hpp)
 
   // Of that expansion.
-  bool moving = true;  ///< K(t) and w_k(t) move with the pose; else D_p = g_kp = 0
-  bool rows = true;    ///< quantities that touch one row only are taken by that row
-  bool balls = true;   ///< the coordinates of a point in a ball are taken by their Euclidean norm
+  bool moving = true;    ///< K(t) and w_k(t) move with the pose; else D_p = g_kp = 0
+  bool rows = true;      ///< quantities that touch one row only are taken by that row
+  bool orthants = true;  ///< direction by direction, where the test on T fails narrowly
+  bool balls = true;     ///< the coordinates of a point in a ball are taken by their Euclidean norm
 
   // Where to look for a singularity.
   bool midpoints = true;  ///< at the midpoints of boxes

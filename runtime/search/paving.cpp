@@ -27,6 +27,7 @@ Claim claim_of(Rule rule) noexcept {
     case Rule::kHMatrix:
     case Rule::kMeanValue:
     case Rule::kSecondOrder:
+    case Rule::kOrthants:
     case Rule::kDeterminant:
     case Rule::kElimination:
     case Rule::kRohn:

@@ -55,6 +55,8 @@ const char* name(Rule rule) noexcept {
       return "mean-value";
     case Rule::kSecondOrder:
       return "second order";
+    case Rule::kOrthants:
+      return "orthants";
     case Rule::kDeterminant:
       return "determinant";
     case Rule::kElimination:

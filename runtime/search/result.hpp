@@ -36,6 +36,7 @@ enum class Rule : std::uint8_t {
   kHMatrix,         ///< Pv < v, natural entries
   kMeanValue,       ///< Pv < v, smaller of natural and mean-value bounds
   kSecondOrder,     ///< Tv < v, second order, uncertain quantities by the row they touch
+  kOrthants,        ///< the same bounds, direction by direction of the uncertain rows
   kDeterminant,     ///< interval determinant, by expansion
   kElimination,     ///< interval determinant, by elimination
   kRohn,            ///< vertex determinants

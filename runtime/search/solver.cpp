@@ -279,7 +279,7 @@ LaneMask Search::leave_outside(LaneMask lanes) noexcept {
 LaneMask Search::leave_certified(LaneMask lanes) noexcept {
   for (std::size_t t = 0; t < tests_.size() && lanes != 0; ++t) {
     const auto& test = tests_[t];
-    const LaneMask certified = test->certify(batch_, lanes) & lanes;
+    const LaneMask certified = test->certify(batch_, lanes, Effort::kPaying) & lanes;
     if (test->rule() == Rule::kFilter) count_filter(t, certified);
     const std::size_t order = vector_order(test->rule());
     for_each_lane(certified, [&](std::size_t lane) {
@@ -303,7 +303,7 @@ std::size_t Search::vector_order(Rule rule) const noexcept {
 }
 
 /// Corners first, then downhill: from all of the variety when the number of boxes reaches a power
-/// of two, so that the effort stays in proportion; with constraints from boxes inside them, since
+/// of four, so that the effort stays in proportion; with constraints from boxes inside them, since
 /// only there a segment can be certified.
 void Search::look_for_witness(LaneMask undecided) noexcept {
   if (undecided == 0 || !looking_for_witness()) return;
@@ -314,7 +314,7 @@ void Search::look_for_witness(LaneMask undecided) noexcept {
     next_descent_ = statistics_.boxes + 1 + statistics_.boxes / 8;
   } else {
     if (next_descent_ == 1) witness_.look_at_corners();
-    next_descent_ = 2 * statistics_.boxes;
+    next_descent_ = 4 * statistics_.boxes;
   }
   std::size_t lane = 0;
   while (!has_lane(undecided, lane)) ++lane;
@@ -438,7 +438,7 @@ LaneMask Search::hopeless_under_uncertainty(LaneMask lanes) noexcept {
   center_.seal(count);
   LaneMask left = center_.loaded() & ~center_.certain_outside();
   for (const auto& test : tests_)
-    if (left != 0) left &= ~test->certify(center_, left);
+    if (left != 0) left &= ~test->certify(center_, left, Effort::kAll);
   LaneMask hopeless = 0;
   for_each_lane(left, [&](std::size_t center) { hopeless |= 1U << asked[center]; });
   return hopeless;
@@ -485,11 +485,22 @@ Result faulty(const Settings& settings) {
   return result;
 }
 
+/// Uncertain quantities that are kept whole have their whole range in every box.
+bool keeps_ranges(const Problem& problem, const Settings& settings, const OpenBox& open) noexcept {
+  if (open.box.size() != problem.outer.size()) return false;
+  if (settings.uncertainty == Uncertainty::kVariables) return true;
+  const std::size_t first = problem.kernel->motion_variables;
+  return std::equal(open.box.begin() + static_cast<std::ptrdiff_t>(first), open.box.end(),
+                    problem.outer.begin() + static_cast<std::ptrdiff_t>(first));
+}
+
 }  // namespace
 
 Result resume(const Problem& problem, const Settings& settings, std::span<const OpenBox> open,
               BoxId next_id, Observer* observer) {
   if (find_fault(problem, settings)) return faulty(settings);
+  for (const OpenBox& box : open)
+    if (!keeps_ranges(problem, settings, box)) return faulty(settings);
   const RoundingScope scope(REGULUS_ROUND_NEAREST);
   return search(problem, settings, open, next_id, observer);
 }

@@ -20,7 +20,8 @@ namespace regulus {
                            Observer* observer = nullptr);
 
 /// The same, continuing from the boxes still open in an earlier search of the same problem; the
-/// numbers of new boxes start at `next_id`.
+/// numbers of new boxes start at `next_id`. Boxes that have not the whole range of an uncertain
+/// quantity that is kept whole are none of that search: kBadProblem.
 [[nodiscard]] Result resume(const Problem& problem, const Settings& settings,
                             std::span<const OpenBox> open, BoxId next_id,
                             Observer* observer = nullptr);

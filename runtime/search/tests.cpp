@@ -27,7 +27,7 @@ class HMatrixTest final : public RegularityTest {
  public:
   HMatrixTest(Rule rule, double alpha) noexcept : RegularityTest(rule), alpha_(alpha) {}
 
-  LaneMask certify(Batch& batch, LaneMask lanes) noexcept override {
+  LaneMask certify(Batch& batch, LaneMask lanes, Effort /*effort*/) noexcept override {
     const bool moving = rule() == Rule::kSecondOrder;
     const std::size_t n = moving ? batch.order() : batch.kernel().columns;
     const double* P = bounds(batch);
@@ -60,13 +60,53 @@ class HMatrixTest final : public RegularityTest {
   double alpha_;
 };
 
+/// Up to where a test has been paying. Its own result is the measure: where it certified, a little
+/// further is worth a try; where it failed, the limit comes closer. Boxes below it are about as
+/// likely to be certified as not, or more.
+class LearnedLimit {
+ public:
+  [[nodiscard]] bool worth_trying(double distance) const noexcept { return distance < limit_; }
+  void learn(double distance, bool certified) noexcept {
+    if (certified)
+      limit_ = std::max(limit_, distance + kStep);
+    else
+      limit_ -= kRetreat * (limit_ - distance);
+  }
+
+ private:
+  static constexpr double kStep = 0.01, kRetreat = 0.25;
+  double limit_ = 1.1;
+};
+
+/// The same T, direction by direction, where its spectral radius exceeds 1 by little enough. It
+/// shows regularity, not a distance from it: α = 0 only.
+class OrthantTest final : public RegularityTest {
+ public:
+  OrthantTest() noexcept : RegularityTest(Rule::kOrthants) {}
+
+  LaneMask certify(Batch& batch, LaneMask lanes, Effort effort) noexcept override {
+    LaneMask certain = 0;
+    for_each_lane(lanes, [&](std::size_t lane) {
+      const double radius = batch.approx_spectral_radius(lane);
+      if (effort == Effort::kPaying && !limit_.worth_trying(radius)) return;
+      const LaneMask empty = batch.certain_by_orthants(1U << lane);
+      if (effort == Effort::kPaying) limit_.learn(radius, empty != 0);
+      certain |= empty;
+    });
+    return above_threshold(batch, certain, [](std::size_t) { return 1.0; });
+  }
+
+ private:
+  LearnedLimit limit_;
+};
+
 /// An interval determinant of A, or of its product with K divided by that of K.
 class DeterminantTest final : public RegularityTest {
  public:
   DeterminantTest(Rule rule, ProductForm form, double alpha) noexcept
       : RegularityTest(rule), form_(form), alpha_(alpha) {}
 
-  LaneMask certify(Batch& batch, LaneMask lanes) noexcept override {
+  LaneMask certify(Batch& batch, LaneMask lanes, Effort /*effort*/) noexcept override {
     const double* product = batch.product(form_, lanes);
     const Determinants determinants = enclose(product, batch.kernel().columns, lanes);
     return above_threshold(batch, lanes, [&](std::size_t lane) {
@@ -107,7 +147,7 @@ class ClosedFormTest final : public RegularityTest {
  public:
   ClosedFormTest() noexcept : RegularityTest(Rule::kClosedForm) {}
 
-  LaneMask certify(Batch& batch, LaneMask lanes) noexcept override {
+  LaneMask certify(Batch& batch, LaneMask lanes, Effort /*effort*/) noexcept override {
     const LaneMask natural = certify(batch, lanes, batch.natural_determinant());
     const LaneMask rest = lanes & ~natural;
     if (rest == 0 || batch.kernel().determinant_derivatives == nullptr) return natural;
@@ -128,7 +168,7 @@ class RohnTest final : public RegularityTest {
  public:
   explicit RohnTest(ProductForm form) noexcept : RegularityTest(Rule::kRohn), form_(form) {}
 
-  LaneMask certify(Batch& batch, LaneMask lanes) noexcept override {
+  LaneMask certify(Batch& batch, LaneMask lanes, Effort /*effort*/) noexcept override {
     const double* product = batch.product(form_, lanes);
     lanes = certain_rohn(product, batch.kernel().columns, lanes);
     return above_threshold(batch, lanes, [](std::size_t) { return 1.0; });
@@ -144,7 +184,7 @@ class FilterTest final : public RegularityTest {
   FilterTest(const regulus_filter_interface& filter, double alpha) noexcept
       : RegularityTest(Rule::kFilter), filter_(filter), alpha_(alpha) {}
 
-  LaneMask certify(Batch& batch, LaneMask lanes) noexcept override {
+  LaneMask certify(Batch& batch, LaneMask lanes, Effort /*effort*/) noexcept override {
     lanes &= batch.certain_posed();
     const double* product = batch.product({Side::kLeft, false}, lanes);
     const double* matrix = batch.product({}, lanes);
@@ -180,6 +220,8 @@ TestSequence tests_of_method(const Problem& problem, const Settings& settings,
       tests.push_back(std::make_unique<HMatrixTest>(Rule::kMeanValue, alpha));
     if (structure.is_known())
       tests.push_back(std::make_unique<HMatrixTest>(Rule::kSecondOrder, alpha));
+    if (structure.is_known() && !structure.empty() && alpha == 0.0 && use.orthants)
+      tests.push_back(std::make_unique<OrthantTest>());
     return tests;
   }
   if (settings.method == Method::kClosedForm) {

@@ -41,13 +41,12 @@ bool WitnessSearch::step(std::span<const Interval> box, std::size_t first, doubl
                          double& best) noexcept {
   const std::size_t last = std::min(first + kVariablesAtOnce, variables_);
   points_.clear();
+  load_point(0, current_.data());
+  points_.spread(2 * (last - first));
   std::size_t count = 0;
   for (std::size_t k = first; k < last; ++k)
-    for (const double end : {box[k].lo, box[k].hi}) {
-      trial_ = current_;
-      trial_[k] = std::clamp(end, inner_lo(k), inner_hi(k));
-      load_point(count++, trial_.data());
-    }
+    for (const double end : {box[k].lo, box[k].hi})
+      points_.change(count++, k, within_inner(k, std::clamp(end, inner_lo(k), inner_hi(k))));
   evaluate_points(count);
   std::size_t chosen = kLanes;
   const LaneMask usable = points_.preconditioned() & points_.midpoint_inside();

@@ -29,7 +29,6 @@ WitnessSearch::WitnessSearch(const Problem& problem, const Settings& settings)
       pose_(2 * std::size_t{problem.kernel->pose_parameters} * kLanes),
       box_(variables_),
       current_(variables_),
-      trial_(variables_),
       middle_(variables_) {
   for (Candidate* candidate : {&positive_, &negative_, &small_, &nearest_})
     candidate->point.resize(variables_);

@@ -93,7 +93,7 @@ class WitnessSearch {
   std::vector<Interval> box_;
   Candidate positive_, negative_, small_;
   Candidate nearest_;  ///< between the two, where the sign could not be told
-  std::vector<double> current_, trial_, middle_;
+  std::vector<double> current_, middle_;
   std::uint64_t probes_ = 0;
   bool small_known_ = false, small_fresh_ = false;
   unsigned small_tries_ = 0;

@@ -10,9 +10,9 @@
 namespace regulus::verifier {
 namespace {
 
-constexpr std::array<std::string_view, 10> kRules = {
-    "outside",     "h-matrix", "mean-value",  "second-order", "determinant",
-    "elimination", "rohn",     "closed-form", "filter",       "multiprecision"};
+constexpr std::array<std::string_view, 11> kRules = {
+    "outside", "h-matrix",    "mean-value", "second-order",   "determinant", "elimination",
+    "rohn",    "closed-form", "filter",     "multiprecision", "orthants"};
 
 class TreeChecker {
  public:

@@ -134,6 +134,20 @@ TEST(Observer, AnInterruptedSearchCanBeResumedFromItsOpenBoxes) {
   EXPECT_EQ(rest.statistics.boxes + 40, whole);
 }
 
+TEST(Observer, BoxesOfAnotherUncertaintyAreRefused) {
+  FunctionKernel kernel(2, 1, 1, [](const Values& x) { return Values{x[0] + x[1] + 3.0}; });
+  kernel.with_uncertain(1);
+  const Problem problem = problem_over(kernel, {Interval(-1, 1), Interval(-1, 1)});
+  const std::vector<Interval> whole{Interval(0, 1), Interval(-1, 1)};
+  const std::vector<Interval> part{Interval(0, 1), Interval(0, 1)};
+  const OpenBox of_it{1, 1, whole}, of_another{1, 1, part};
+  EXPECT_EQ(resume(problem, {}, {&of_it, 1}, 2).verdict, Verdict::kNoSingularity);
+  EXPECT_EQ(resume(problem, {}, {&of_another, 1}, 2).reason, Reason::kBadProblem);
+  Settings settings;
+  settings.uncertainty = Uncertainty::kVariables;
+  EXPECT_EQ(resume(problem, settings, {&of_another, 1}, 2).verdict, Verdict::kNoSingularity);
+}
+
 TEST(Observer, AnExhaustiveSearchVisitsEverything) {
   const FunctionKernel kernel(1, 1, 1, [](const Values& x) { return Values{x[0] - 0.3}; });
   Settings settings;
