@@ -29,6 +29,10 @@ using Clock = std::chrono::steady_clock;
 /// How many splits lie between two checks that the uncertainty leaves the box a chance.
 constexpr std::uint32_t kStallCheck = 12;
 
+/// How many splits lie between two boxes on which every test is tried: one that stopped paying
+/// elsewhere may be the only one that can certify a box, however small.
+constexpr std::uint32_t kEveryTest = 4;
+
 /// Witness searches that start from boxes that could not be decided.
 constexpr std::uint64_t kMaxDescentsFromBlocked = 16;
 
@@ -277,9 +281,13 @@ LaneMask Search::leave_outside(LaneMask lanes) noexcept {
 }
 
 LaneMask Search::leave_certified(LaneMask lanes) noexcept {
+  LaneMask anyway = 0;
+  for_each_lane(lanes, [&](std::size_t lane) {
+    if (open_[lane].depth % kEveryTest == kEveryTest - 1) anyway |= 1U << lane;
+  });
   for (std::size_t t = 0; t < tests_.size() && lanes != 0; ++t) {
     const auto& test = tests_[t];
-    const LaneMask certified = test->certify(batch_, lanes, Effort::kPaying) & lanes;
+    const LaneMask certified = test->certify(batch_, lanes, anyway) & lanes;
     if (test->rule() == Rule::kFilter) count_filter(t, certified);
     const std::size_t order = vector_order(test->rule());
     for_each_lane(certified, [&](std::size_t lane) {
@@ -438,7 +446,7 @@ LaneMask Search::hopeless_under_uncertainty(LaneMask lanes) noexcept {
   center_.seal(count);
   LaneMask left = center_.loaded() & ~center_.certain_outside();
   for (const auto& test : tests_)
-    if (left != 0) left &= ~test->certify(center_, left, Effort::kAll);
+    if (left != 0) left &= ~test->certify(center_, left, left);
   LaneMask hopeless = 0;
   for_each_lane(left, [&](std::size_t center) { hopeless |= 1U << asked[center]; });
   return hopeless;

@@ -27,7 +27,7 @@ class HMatrixTest final : public RegularityTest {
  public:
   HMatrixTest(Rule rule, double alpha) noexcept : RegularityTest(rule), alpha_(alpha) {}
 
-  LaneMask certify(Batch& batch, LaneMask lanes, Effort /*effort*/) noexcept override {
+  LaneMask certify(Batch& batch, LaneMask lanes, LaneMask /*anyway*/) noexcept override {
     const bool moving = rule() == Rule::kSecondOrder;
     const std::size_t n = moving ? batch.order() : batch.kernel().columns;
     const double* P = bounds(batch);
@@ -69,7 +69,7 @@ class LearnedLimit {
   void learn(double distance, bool certified) noexcept {
     if (certified)
       limit_ = std::max(limit_, distance + kStep);
-    else
+    else if (distance < limit_)
       limit_ -= kRetreat * (limit_ - distance);
   }
 
@@ -84,13 +84,13 @@ class OrthantTest final : public RegularityTest {
  public:
   OrthantTest() noexcept : RegularityTest(Rule::kOrthants) {}
 
-  LaneMask certify(Batch& batch, LaneMask lanes, Effort effort) noexcept override {
+  LaneMask certify(Batch& batch, LaneMask lanes, LaneMask anyway) noexcept override {
     LaneMask certain = 0;
     for_each_lane(lanes, [&](std::size_t lane) {
       const double radius = batch.approx_spectral_radius(lane);
-      if (effort == Effort::kPaying && !limit_.worth_trying(radius)) return;
+      if (!has_lane(anyway, lane) && !limit_.worth_trying(radius)) return;
       const LaneMask empty = batch.certain_by_orthants(1U << lane);
-      if (effort == Effort::kPaying) limit_.learn(radius, empty != 0);
+      limit_.learn(radius, empty != 0);
       certain |= empty;
     });
     return above_threshold(batch, certain, [](std::size_t) { return 1.0; });
@@ -106,7 +106,7 @@ class DeterminantTest final : public RegularityTest {
   DeterminantTest(Rule rule, ProductForm form, double alpha) noexcept
       : RegularityTest(rule), form_(form), alpha_(alpha) {}
 
-  LaneMask certify(Batch& batch, LaneMask lanes, Effort /*effort*/) noexcept override {
+  LaneMask certify(Batch& batch, LaneMask lanes, LaneMask /*anyway*/) noexcept override {
     const double* product = batch.product(form_, lanes);
     const Determinants determinants = enclose(product, batch.kernel().columns, lanes);
     return above_threshold(batch, lanes, [&](std::size_t lane) {
@@ -147,7 +147,7 @@ class ClosedFormTest final : public RegularityTest {
  public:
   ClosedFormTest() noexcept : RegularityTest(Rule::kClosedForm) {}
 
-  LaneMask certify(Batch& batch, LaneMask lanes, Effort /*effort*/) noexcept override {
+  LaneMask certify(Batch& batch, LaneMask lanes, LaneMask /*anyway*/) noexcept override {
     const LaneMask natural = certify(batch, lanes, batch.natural_determinant());
     const LaneMask rest = lanes & ~natural;
     if (rest == 0 || batch.kernel().determinant_derivatives == nullptr) return natural;
@@ -168,7 +168,7 @@ class RohnTest final : public RegularityTest {
  public:
   explicit RohnTest(ProductForm form) noexcept : RegularityTest(Rule::kRohn), form_(form) {}
 
-  LaneMask certify(Batch& batch, LaneMask lanes, Effort /*effort*/) noexcept override {
+  LaneMask certify(Batch& batch, LaneMask lanes, LaneMask /*anyway*/) noexcept override {
     const double* product = batch.product(form_, lanes);
     lanes = certain_rohn(product, batch.kernel().columns, lanes);
     return above_threshold(batch, lanes, [](std::size_t) { return 1.0; });
@@ -184,7 +184,7 @@ class FilterTest final : public RegularityTest {
   FilterTest(const regulus_filter_interface& filter, double alpha) noexcept
       : RegularityTest(Rule::kFilter), filter_(filter), alpha_(alpha) {}
 
-  LaneMask certify(Batch& batch, LaneMask lanes, Effort /*effort*/) noexcept override {
+  LaneMask certify(Batch& batch, LaneMask lanes, LaneMask /*anyway*/) noexcept override {
     lanes &= batch.certain_posed();
     const double* product = batch.product({Side::kLeft, false}, lanes);
     const double* matrix = batch.product({}, lanes);

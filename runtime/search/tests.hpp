@@ -10,9 +10,6 @@
 
 namespace regulus {
 
-/// Whether a test that costs much more than others is to be tried only where it has been paying.
-enum class Effort : std::uint8_t { kPaying, kAll };
-
 class RegularityTest {
  public:
   explicit RegularityTest(Rule rule) noexcept : rule_(rule) {}
@@ -24,7 +21,11 @@ class RegularityTest {
 
   /// Ensures   in each returned lane, a subset of `lanes`: at every point of the box J⁻¹ is defined
   ///           and has full column rank, and |det J⁻¹| > α if α > 0.
-  [[nodiscard]] virtual LaneMask certify(Batch& batch, LaneMask lanes, Effort effort) noexcept = 0;
+  ///
+  /// A test that costs much more than others is tried where it has been paying, and in the lanes
+  /// of `anyway`.
+  [[nodiscard]] virtual LaneMask certify(Batch& batch, LaneMask lanes,
+                                         LaneMask anyway) noexcept = 0;
 
  private:
   Rule rule_;
