@@ -36,10 +36,11 @@ Order by_width(const double* matrix, std::size_t n, std::size_t lane, bool rows)
   for (std::size_t e = 0; e < n * n; ++e)
     width[rows ? e / n : e % n] += matrix[upper_at(e, lane)] - matrix[lower_at(e, lane)];
   Order order;
-  for (std::size_t i = 0; i < n; ++i) order[i] = static_cast<unsigned char>(i);
-  std::sort(order.begin(), order.begin() + n, [&](unsigned char i, unsigned char k) {
-    return width[i] > width[k] || (width[i] == width[k] && i < k);
-  });
+  for (std::size_t k = 0; k < n; ++k) {
+    std::size_t at = k;
+    for (; at > 0 && width[order[at - 1]] < width[k]; --at) order[at] = order[at - 1];
+    order[at] = static_cast<unsigned char>(k);
+  }
   return order;
 }
 
