@@ -3,6 +3,7 @@
 // compiled for. Nothing here is a bound by itself: h_matrix.cpp says what follows from it.
 #pragma once
 
+#include "regulus/regularity/lanes.hpp"
 #include "regulus/regularity/octet_lanes.hpp"
 
 namespace regulus::h_matrix {
@@ -10,14 +11,12 @@ inline namespace REGULUS_LANES_ISA {
 
 using namespace octet::REGULUS_LANES_ISA;
 
-inline constexpr unsigned kLargestOrder = 36;
-
 inline Octets constant(const double* x) noexcept { return {const_cast<double*>(x)}; }
 
 /// Solves (I − P)v = 1 without pivoting, which is stable exactly where it matters: I − P is then an
 /// M-matrix, all pivots are positive and every sum in the elimination has terms of one sign.
 inline void solve_for_ones(const double* P, unsigned n, double* result) noexcept {
-  alignas(64) double numbers[kLargestOrder * kLargestOrder * kOctet];
+  alignas(64) double numbers[kMaxOrder * kMaxOrder * kOctet];
   const Octets a{numbers}, v{result};
   const Octet one = Octet::of(1.0), zero = Octet::of(0.0);
   for (unsigned i = 0; i < n; ++i) {
@@ -77,7 +76,7 @@ inline Octet power_step(Octets w, Octets v, unsigned n) noexcept {
 
 inline void perron(const double* P, unsigned n, double* v, double* y, double* radius) noexcept {
   constexpr int kSteps = 12;
-  alignas(64) double product[kLargestOrder * kOctet];
+  alignas(64) double product[kMaxOrder * kOctet];
   for (unsigned i = 0; i < n; ++i) {
     Octet::of(1.0).store(v + i * kOctet);
     Octet::of(1.0).store(y + i * kOctet);

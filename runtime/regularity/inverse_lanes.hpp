@@ -3,14 +3,13 @@
 // a row that has a larger one changes places with the pivot row in those lanes only.
 #pragma once
 
+#include "regulus/regularity/lanes.hpp"
 #include "regulus/regularity/octet_lanes.hpp"
 
 namespace regulus::inverse {
 inline namespace REGULUS_LANES_ISA {
 
 using namespace octet::REGULUS_LANES_ISA;
-
-inline constexpr unsigned kMostColumns = 12;
 
 /// Exchanges entries of two rows, or columns, where large > small.
 REGULUS_OCTET void exchange(Octets a, unsigned i, unsigned k, const Octet& small,
@@ -25,7 +24,7 @@ inline void invert(double* matrix, unsigned n, double* determinant) noexcept {
   const Octet one = Octet::of(1.0), zero = Octet::of(0.0);
   Octet product = one;
   // Of each comparison: the magnitudes that were compared.
-  Octet small[kMostColumns * kMostColumns], large[kMostColumns * kMostColumns];
+  Octet small[kMaxColumns * kMaxColumns], large[kMaxColumns * kMaxColumns];
   for (unsigned k = 0; k < n; ++k) {
     for (unsigned i = k + 1; i < n; ++i) {
       const Octet pivot = magnitude(a[k * n + k]), other = magnitude(a[i * n + k]);

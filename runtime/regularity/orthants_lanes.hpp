@@ -13,8 +13,8 @@ inline namespace REGULUS_LANES_ISA {
 
 using namespace octet::REGULUS_LANES_ISA;
 
-inline constexpr double kFewTerms = 1.0 + (16 + 4) * 0x1p-51;
-inline constexpr double kManyTerms = 1.0 + (0x1p16 + 4) * 0x1p-51;
+inline constexpr double kFewTerms = raise_factor(16);
+inline constexpr double kManyTerms = raise_factor(std::size_t{1} << 16);
 inline constexpr unsigned kMaxSteps = 16;
 
 class Cells {

@@ -17,11 +17,11 @@ inline namespace REGULUS_LANES_ISA {
 
 using namespace octet::REGULUS_LANES_ISA;
 
-/// raise_factor of lanes.hpp: for one term, a few, and any sum of magnitudes here, which costs
+/// For one term, a few, and any sum of magnitudes here, which costs
 /// 2^-35 of it.
-inline constexpr double kOneTerm = 1.0 + (1 + 4) * 0x1p-51;
-inline constexpr double kFewTerms = 1.0 + (16 + 4) * 0x1p-51;
-inline constexpr double kManyTerms = 1.0 + (0x1p16 + 4) * 0x1p-51;
+inline constexpr double kOneTerm = raise_factor(1);
+inline constexpr double kFewTerms = raise_factor(16);
+inline constexpr double kManyTerms = raise_factor(std::size_t{1} << 16);
 
 REGULUS_OCTET Octet product_ru(const Octet& a, const Octet& b) noexcept {
   return raised(a * b, kOneTerm);
