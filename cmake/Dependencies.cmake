@@ -1,10 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-# Finds every dependency and names the Debian package of a missing one.
-
-macro(regulus_missing what package)
-  message(FATAL_ERROR "${what} was not found. On Debian: apt-get install ${package}. "
-                      "(`make dependencies` installs everything in cmake/packages-debian.txt.)")
-endmacro()
+# Finds what the front end needs and names the Debian package of what is missing.
 
 # regulus_pkg(TARGET MODULE PACKAGE): an imported target from a pkg-config module.
 function(regulus_pkg target module package)

@@ -48,12 +48,18 @@ std::optional<Interval> ArbOracle::enclose_with(std::span<const Interval> point,
   return determinant(entries, size_, bits).enclosure();
 }
 
+void ArbOracle::note_bits(long bits) noexcept {
+  long most = bits_;
+  while (bits > most && !bits_.compare_exchange_weak(most, bits)) {
+  }
+}
+
 // Out of memory is one more way of not knowing.
 std::optional<Interval> ArbOracle::enclose(std::span<const Interval> point) noexcept try {
   std::optional<Interval> enclosure;
   for (long bits = kFirstBits; bits <= max_bits_; bits *= 2) {
     enclosure = enclose_with(point, bits);
-    if (bits > bits_) bits_ = bits;
+    note_bits(bits);
     if (enclosure && (enclosure->lo > 0 || enclosure->hi < 0)) break;
   }
   return enclosure;

@@ -128,6 +128,9 @@ void add_search_options(CLI::App& app, SearchOptions& options) {
   app.add_option("--isa", options.isa,
                  "Instruction set of the kernel; the best the CPU has by default")
       ->check(CLI::IsMember({"avx512", "avx2", "portable"}));
+  app.add_option("--threads", options.threads, "Search by N threads; default: one a processor")
+      ->type_name("N")
+      ->check(CLI::Range(1U, kMaxThreads));
   app.add_option("--max-boxes", options.max_boxes, "Stop after N boxes")->type_name("N");
   app.add_option("--time-limit", options.time_limit, "Stop after S seconds")
       ->check(CLI::PositiveNumber)

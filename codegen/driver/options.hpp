@@ -42,6 +42,7 @@ struct SearchOptions {
   std::vector<std::string> filters;                    ///< shared objects
   std::vector<std::string> without;                    ///< see ingredients.hpp
   std::uint64_t max_boxes = 0;                         ///< 0: no bound
+  unsigned threads = 0;                                ///< 0: as many as there are processors
   double time_limit = 0;                               ///< seconds, 0: no bound
   std::uint64_t symbolic_budget = kDeterminantBudget;  ///< terms of a closed form
   long precision = 1024;                               ///< most bits where doubles cannot decide

@@ -7,6 +7,7 @@
 #include <numeric>
 
 #include "regulus/codegen/driver/report_parts.hpp"
+#include "regulus/codegen/driver/settings.hpp"
 #include "regulus/codegen/driver/undefined.hpp"
 #include "regulus/codegen/driver/witness_report.hpp"
 
@@ -125,6 +126,7 @@ Json json_report(const Preparation& p, const SearchOptions& search, const Result
   report["engine"] = search.engine == Engine::kInterpreted ? "interpreted" : "jit";
   report["isa"] = name(p.isa);
   report["cache"] = p.cache;
+  report["threads"] = settings_from(search).threads;
   report["seconds"] = json_seconds(p.seconds);
   return report;
 }

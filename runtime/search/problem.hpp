@@ -64,6 +64,8 @@ struct ProductForm {
 /// where that decides nothing and no stronger test follows.
 enum class Determinant : std::uint8_t { kExpansion, kElimination, kBoth };
 
+inline constexpr unsigned kMaxThreads = 1024;
+
 /// Whether uncertain quantities are kept whole in the matrix elements (the paper's D) or bisected
 /// like motion parameters (V).
 enum class Uncertainty : std::uint8_t { kElements, kVariables };
@@ -83,7 +85,7 @@ enum class Entries : std::uint8_t { kNatural, kDerivatives };
 enum class Bisection : std::uint8_t { kWidest, kWeighted, kImpact };
 
 /// Asks for the determinant with more digits than doubles have, at a point or over a box that is
-/// too narrow to split.
+/// too narrow to split. Several threads may ask at once.
 class DeterminantOracle {
  public:
   DeterminantOracle() = default;
@@ -113,6 +115,9 @@ struct Settings {
   std::uint64_t boxes_after_problem = 4096;
   /// Evaluate at most this many boxes at once, 1…8. With 1 the order is the paper's.
   unsigned batch = 8;
+  /// Decide batches by this many threads, 1…kMaxThreads; the observer is told by the caller's. With
+  /// filters by one. Nothing that comes of the search depends on it but the time.
+  unsigned threads = 1;
   /// Give every box of the variety its verdict: one that is not certified is split down to the
   /// minimum width, and there searched for a singularity inside it.
   bool exhaustive = false;

@@ -9,16 +9,11 @@
 #include "regulus/search/solver.hpp"
 
 #include <algorithm>
-#include <bit>
 #include <chrono>
 
 #include "regulus/kernel/rounding_scope.hpp"
-#include "regulus/search/batch.hpp"
-#include "regulus/search/bisector.hpp"
-#include "regulus/search/box_witness.hpp"
 #include "regulus/search/frontier.hpp"
-#include "regulus/search/row_structure.hpp"
-#include "regulus/search/tests.hpp"
+#include "regulus/search/round.hpp"
 #include "regulus/search/witness_search.hpp"
 
 namespace regulus {
@@ -26,15 +21,13 @@ namespace {
 
 using Clock = std::chrono::steady_clock;
 
-/// How many splits lie between two checks that the uncertainty leaves the box a chance.
-constexpr std::uint32_t kStallCheck = 12;
-
-/// How many splits lie between two boxes on which every test is tried: one that stopped paying
-/// elsewhere may be the only one that can certify a box, however small.
-constexpr std::uint32_t kEveryTest = 4;
-
 /// Witness searches that start from boxes that could not be decided.
 constexpr std::uint64_t kMaxDescentsFromBlocked = 16;
+
+/// A round has one batch more for each so many boxes that were evaluated before: a search that
+/// ends early does not look much further than it must, a long one keeps its threads busy.
+constexpr std::uint64_t kBoxesABatch = 64;
+constexpr std::uint64_t kMaxBatches = 64;
 
 class Search {
  public:
@@ -43,57 +36,33 @@ class Search {
         settings_(settings),
         observer_(observer != nullptr ? *observer : silent_),
         structure_(find_row_structure(problem, settings)),
-        batch_(problem, settings, structure_),
-        center_(problem, settings, structure_),
-        tests_(make_tests(problem, settings, structure_)),
-        bisector_(problem, settings),
+        round_(problem, settings, structure_, deadline()),
         witness_(problem, settings),
-        box_witness_(problem, settings),
         frontier_(problem.kernel->variables),
-        current_(kLanes * problem.kernel->variables),
         half_(problem.kernel->variables),
         blocking_(problem.kernel->variables),
-        filter_boxes_(settings.filters.size()),
-        keeps_uncertainty_whole_(problem.kernel->variables > problem.kernel->motion_variables &&
-                                 settings.uncertainty == Uncertainty::kElements) {}
+        filter_boxes_(settings.filters.size()) {}
 
   Result run(std::span<const OpenBox> open, BoxId next_id);
 
  private:
   void loop() noexcept;
   [[nodiscard]] bool must_stop() noexcept;
-  void stop(Reason reason) noexcept;
   void stop_at_open_box(Reason reason) noexcept;
 
-  void load_batch() noexcept;
-  void decide_batch() noexcept;
-  [[nodiscard]] LaneMask leave_outside(LaneMask lanes) noexcept;
-  [[nodiscard]] LaneMask leave_certified(LaneMask lanes) noexcept;
-  [[nodiscard]] LaneMask leave_small(LaneMask lanes) noexcept;
-  [[nodiscard]] LaneMask at_minimum_width(LaneMask lanes) noexcept;
-  void count_filter(std::size_t test, LaneMask certified) noexcept;
-  [[nodiscard]] std::size_t vector_order(Rule rule) const noexcept;
-  void leave(std::size_t lane, Rule rule, Proof proof) noexcept;
-  void leave_with_witness(std::size_t lane) noexcept;
-  void leave_undecided(std::size_t lane, Reason reason) noexcept;
+  void load_round() noexcept;
+  void load(Decisions& batch) noexcept;
+  void give_back(Decisions& batch) noexcept;
+  void close_leaves(Decisions& batch) noexcept;
+  void leave(const Decisions& batch, std::size_t lane) noexcept;
+  void look_for_witness(Decisions& batch) noexcept;
+  void split_rest(Decisions& batch) noexcept;
+  void split(Decisions& batch, std::size_t lane) noexcept;
+  void block(Decisions& batch, std::size_t lane) noexcept;
   void report_open() noexcept;
-  void look_for_witness(LaneMask undecided) noexcept;
-  void split_or_block(std::size_t lane) noexcept;
-  void split_or_look_inside(std::size_t lane) noexcept;
-  void split(std::size_t lane, std::size_t variable) noexcept;
-  void block(std::size_t lane, Reason reason) noexcept;
-  void load_center(std::size_t lane, std::size_t thin_variables, std::size_t center) noexcept;
-  [[nodiscard]] Reason reason_at_minimum_width(std::size_t lane) noexcept;
-  [[nodiscard]] bool undefined_at_middle(std::size_t lane) noexcept;
-  [[nodiscard]] bool certified_by_determinant(std::size_t lane) noexcept;
-  [[nodiscard]] bool certified_by_oracle(std::size_t lane) noexcept;
-  [[nodiscard]] LaneMask hopeless_under_uncertainty(LaneMask lanes) noexcept;
   [[nodiscard]] Result conclude();
 
-  [[nodiscard]] std::span<Interval> box_of(std::size_t lane) noexcept {
-    const std::size_t variables = problem_.kernel->variables;
-    return {current_.data() + lane * variables, variables};
-  }
+  [[nodiscard]] Clock::time_point deadline() const noexcept;
   [[nodiscard]] bool looking_for_witness() const noexcept {
     return !settings_.exhaustive && !witness_.found();
   }
@@ -102,21 +71,17 @@ class Search {
   const Problem& problem_;
   const Settings& settings_;
   Observer& observer_;
+  const Clock::time_point start_ = Clock::now();
   const RowStructure structure_;
-  Batch batch_, center_;
-  TestSequence tests_;
-  Bisector bisector_;
+  Round round_;
+  LearnedLimit limit_;
   WitnessSearch witness_;
-  BoxWitness box_witness_;
   std::optional<Witness> first_witness_;  ///< of an exhaustive search
   Reason first_witness_reason_ = Reason::kOppositeSigns;
   Frontier frontier_;
-  std::vector<Interval> current_, half_, blocking_;
+  std::vector<Interval> half_, blocking_;
   std::vector<std::uint64_t> filter_boxes_;
-  OpenBox open_[kLanes];
-  LaneMask hopeless_ = 0;  ///< of the batch
   BoxId next_id_ = 1;
-  const bool keeps_uncertainty_whole_;
   bool blocked_ = false;
   bool stopped_ = false;
   bool exhausted_ = false;  ///< stopped by a budget or from outside, not by a verdict
@@ -124,31 +89,26 @@ class Search {
   Reason reason_ = Reason::kAllBoxesCertified;
   std::uint64_t boxes_when_blocked_ = 0;
   std::uint64_t next_descent_ = 1;
+  std::uint64_t probes_in_boxes_ = 0;
   Statistics statistics_;
-  Clock::time_point start_ = Clock::now();
 };
-
-bool is_point(std::span<const Interval> box) noexcept {
-  return std::all_of(box.begin(), box.end(), [](const Interval& x) { return x.lo == x.hi; });
-}
-
-bool cannot_be_halved(std::span<const Interval> box) noexcept {
-  return std::none_of(box.begin(), box.end(), [](const Interval& x) { return bisect(x); });
-}
 
 double seconds_since(Clock::time_point start) noexcept {
   return std::chrono::duration<double>(Clock::now() - start).count();
 }
 
+/// A limit that no clock will reach is none.
+Clock::time_point Search::deadline() const noexcept {
+  const std::chrono::duration<double> limit(settings_.time_limit);
+  if (!(limit < std::chrono::hours(24 * 365 * 100))) return Clock::time_point::max();
+  return start_ + std::chrono::duration_cast<Clock::duration>(limit);
+}
+
 Result Search::run(std::span<const OpenBox> open, BoxId next_id) {
   next_id_ = next_id;
   observer_.on_start(problem_, settings_);
-  batch_.clear();
-  batch_.load(0, problem_.outer);
-  batch_.seal(1);
-  batch_.learn_from_root();
   for (std::size_t k = open.size(); k-- > 0;)
-    if (!frontier_.push_top(open[k], bisector_.approx_relative_width(open[k].box)))
+    if (!frontier_.push_top(open[k], round_.bisector().approx_relative_width(open[k].box)))
       stop_at_open_box(Reason::kMemory);
   loop();
   if (exhausted_) report_open();
@@ -157,11 +117,16 @@ Result Search::run(std::span<const OpenBox> open, BoxId next_id) {
   return result;
 }
 
+/// What follows from the batches of a round is drawn in two passes, so that a singularity met in
+/// any of them ends the search before boxes are split; undecided boxes are split last to first, so
+/// that the first ends on top again.
 void Search::loop() noexcept {
   while (!frontier_.empty() && !stopped_) {
     if (must_stop()) return;
-    load_batch();
-    decide_batch();
+    load_round();
+    round_.decide(limit_);
+    for (std::size_t i = 0; i < round_.size() && !stopped_; ++i) close_leaves(round_.batch(i));
+    for (std::size_t i = round_.size(); i-- > 0 && !witness_.found();) split_rest(round_.batch(i));
     observer_.on_progress(statistics_, frontier_.size());
   }
 }
@@ -189,135 +154,72 @@ void Search::stop_at_open_box(Reason reason) noexcept {
   std::copy(top.box.begin(), top.box.end(), blocking_.begin());
 }
 
-void Search::load_batch() noexcept {
-  batch_.clear();
-  std::size_t count = 0;
-  while (count < settings_.batch && !frontier_.empty() && statistics_.boxes < settings_.max_boxes) {
-    // Once NO SINGULARITY is out of reach, the widest boxes show most of what is left.
-    const bool from_end = blocked_ && !settings_.exhaustive;
-    const OpenBox next = from_end ? frontier_.end() : frontier_.top();
-    std::copy(next.box.begin(), next.box.end(), box_of(count).begin());
-    open_[count] = {next.id, next.depth, box_of(count)};
-    batch_.load(count, open_[count].box);
+/// The order of the paper asks for one box at a time.
+void Search::load_round() noexcept {
+  const std::uint64_t most = settings_.batch == 1 ? 1 : 1 + statistics_.boxes / kBoxesABatch;
+  round_.clear();
+  while (round_.size() < std::min(most, kMaxBatches) && !frontier_.empty() &&
+         statistics_.boxes < settings_.max_boxes) {
+    Decisions* batch = round_.append();
+    if (batch == nullptr) break;
+    load(*batch);
+  }
+  if (round_.size() == 0) stop_at_open_box(Reason::kMemory);
+}
+
+void Search::load(Decisions& batch) noexcept {
+  // Once NO SINGULARITY is out of reach, the widest boxes show most of what is left.
+  const bool from_end = blocked_ && !settings_.exhaustive;
+  while (batch.count() < settings_.batch && !frontier_.empty() &&
+         statistics_.boxes < settings_.max_boxes) {
+    batch.add(from_end ? frontier_.end() : frontier_.top());
     from_end ? frontier_.pop_end() : frontier_.pop();
-    ++count;
     ++statistics_.boxes;
   }
-  batch_.seal(count);
 }
 
-/// Steps 5–30 for each box of the batch. Undecided boxes are split last to first, so that the first
-/// ends on top again.
-void Search::decide_batch() noexcept {
-  const LaneMask lanes = leave_outside(batch_.loaded());
-  LaneMask undecided = 0;
-  if (settings_.exhaustive) {
-    const LaneMask leavable = settings_.split_certified ? at_minimum_width(lanes) : lanes;
-    undecided = (lanes & ~leavable) | leave_small(leave_certified(leavable));
-  } else {
-    undecided = leave_certified(lanes);
-    if (settings_.ingredients.midpoints) witness_.look_at_midpoints(batch_, lanes);
-    look_for_witness(undecided);
-    if (witness_.found()) {
-      stopped_ = true;
-      return;
-    }
+/// A batch that was not decided because the search is to stop.
+void Search::give_back(Decisions& batch) noexcept {
+  for (std::size_t lane = batch.count(); lane-- > 0; --statistics_.boxes) {
+    const OpenBox& box = batch.open(lane);
+    if (!frontier_.push_top(box, round_.bisector().approx_relative_width(box.box)))
+      observer_.on_open(box);
   }
-  hopeless_ = hopeless_under_uncertainty(undecided);
-  for (std::size_t lane = kLanes; lane-- > 0;)
-    if (has_lane(undecided, lane))
-      exhausted_ ? observer_.on_open(open_[lane]) : split_or_block(lane);
 }
 
-void Search::leave(std::size_t lane, Rule rule, Proof proof) noexcept {
+void Search::close_leaves(Decisions& batch) noexcept {
+  if (!batch.decided) return;
+  for (std::size_t t = 0; t < batch.effort.trials; ++t) limit_.learn(batch.effort.trial[t]);
+  probes_in_boxes_ += batch.probes;
+  for (std::size_t lane = 0; lane < batch.count(); ++lane) {
+    const Decision& decision = batch.decision[lane];
+    if (decision.kind != Decision::Kind::kLeaf || decision.rule == Rule::kBlocked) continue;
+    if (decision.rule == Rule::kFilter) ++filter_boxes_[decision.filter];
+    if (decision.witness && !first_witness_)
+      first_witness_reason_ = decision.reason, first_witness_ = decision.witness;
+    leave(batch, lane);
+  }
+  if (settings_.exhaustive) return;
+  witness_.look_at_midpoints(batch);
+  look_for_witness(batch);
+  stopped_ = witness_.found();
+}
+
+void Search::leave(const Decisions& batch, std::size_t lane) noexcept {
+  const Rule rule = batch.decision[lane].rule;
   ++statistics_.leaves[static_cast<std::size_t>(rule)];
-  if (settings_.enclose_determinants && rule != Rule::kOutside)
-    proof.determinant = batch_.determinant(lane, problem_.alpha.hi > 0.0);
-  observer_.on_leaf(open_[lane], rule, proof);
-}
-
-void Search::leave_with_witness(std::size_t lane) noexcept {
-  Proof proof;
-  proof.witness = &box_witness_.witness();
-  proof.reason = box_witness_.reason();
-  if (!first_witness_) first_witness_reason_ = proof.reason, first_witness_ = *proof.witness;
-  leave(lane, Rule::kWitness, proof);
-}
-
-void Search::leave_undecided(std::size_t lane, Reason reason) noexcept {
-  Proof proof;
-  proof.reason = reason;
-  leave(lane, Rule::kBlocked, proof);
-}
-
-/// The frontier is emptied: the search is over.
-void Search::report_open() noexcept {
-  for (; !frontier_.empty(); frontier_.pop()) observer_.on_open(frontier_.top());
-}
-
-/// Lanes that bisection is done with.
-LaneMask Search::at_minimum_width(LaneMask lanes) noexcept {
-  LaneMask result = 0;
-  for_each_lane(lanes, [&](std::size_t lane) {
-    if (!bisector_.choose(batch_, lane)) result |= 1U << lane;
-  });
-  return result;
-}
-
-LaneMask Search::leave_small(LaneMask lanes) noexcept {
-  LaneMask rest = lanes;
-  for_each_lane(lanes, [&](std::size_t lane) {
-    if (!box_witness_.small_throughout(batch_, lane)) return;
-    leave_with_witness(lane);
-    rest &= ~(1U << lane);
-  });
-  return rest;
-}
-
-LaneMask Search::leave_outside(LaneMask lanes) noexcept {
-  const LaneMask outside = batch_.certain_outside();
-  for_each_lane(outside, [this](std::size_t lane) { leave(lane, Rule::kOutside, {}); });
-  return lanes & ~outside;
-}
-
-LaneMask Search::leave_certified(LaneMask lanes) noexcept {
-  LaneMask anyway = 0;
-  for_each_lane(lanes, [&](std::size_t lane) {
-    if (open_[lane].depth % kEveryTest == kEveryTest - 1) anyway |= 1U << lane;
-  });
-  for (std::size_t t = 0; t < tests_.size() && lanes != 0; ++t) {
-    const auto& test = tests_[t];
-    const LaneMask certified = test->certify(batch_, lanes, anyway) & lanes;
-    if (test->rule() == Rule::kFilter) count_filter(t, certified);
-    const std::size_t order = vector_order(test->rule());
-    for_each_lane(certified, [&](std::size_t lane) {
-      const double* vector = order > 0 ? batch_.vector() + lane : nullptr;
-      leave(lane, test->rule(), {batch_.preconditioner() + lane, vector, order});
-    });
-    lanes &= ~certified;
-  }
-  return lanes;
-}
-
-/// Filters are the last of the tests.
-void Search::count_filter(std::size_t test, LaneMask certified) noexcept {
-  const std::size_t ours = tests_.size() - filter_boxes_.size();
-  filter_boxes_[test - ours] += static_cast<std::uint64_t>(std::popcount(certified));
-}
-
-std::size_t Search::vector_order(Rule rule) const noexcept {
-  if (rule == Rule::kSecondOrder) return batch_.order();
-  return rule == Rule::kHMatrix || rule == Rule::kMeanValue ? problem_.kernel->columns : 0;
+  observer_.on_leaf(batch.open(lane), rule, batch.proof(lane));
 }
 
 /// Corners first, then downhill: from all of the variety when the number of boxes reaches a power
 /// of four, so that the effort stays in proportion; with constraints from boxes inside them, since
 /// only there a segment can be certified.
-void Search::look_for_witness(LaneMask undecided) noexcept {
+void Search::look_for_witness(Decisions& batch) noexcept {
+  LaneMask undecided = batch.uncertified;
   if (undecided == 0 || !looking_for_witness()) return;
   if (statistics_.boxes < next_descent_) return;
   if (problem_.kernel->constraints > 0) {
-    undecided &= batch_.certain_inside();
+    undecided &= batch.inside;
     if (undecided == 0) return;
     next_descent_ = statistics_.boxes + 1 + statistics_.boxes / 8;
   } else {
@@ -326,130 +228,61 @@ void Search::look_for_witness(LaneMask undecided) noexcept {
   }
   std::size_t lane = 0;
   while (!has_lane(undecided, lane)) ++lane;
-  witness_.descend(open_[lane].box);
+  witness_.descend(batch.open(lane).box);
 }
 
-void Search::split_or_block(std::size_t lane) noexcept {
-  if (stopped_) return;
-  if (settings_.exhaustive) return split_or_look_inside(lane);
-  // No box that holds such a point will ever be certified in doubles.
-  if (undefined_at_middle(lane)) {
-    if (is_point(open_[lane].box) && certified_by_oracle(lane))
-      return leave(lane, Rule::kMultiprecision, {});
-    return block(lane, Reason::kUndefined);
+void Search::split_rest(Decisions& batch) noexcept {
+  if (!batch.decided) return give_back(batch);
+  for (std::size_t lane = batch.count(); lane-- > 0 && !witness_.found();) {
+    const Decision& decision = batch.decision[lane];
+    if (decision.kind == Decision::Kind::kSplit)
+      exhausted_ ? observer_.on_open(batch.open(lane)) : split(batch, lane);
+    else if (decision.rule == Rule::kBlocked)
+      block(batch, lane);
   }
-  if (has_lane(hopeless_, lane)) return block(lane, Reason::kUncertainty);
-  const std::optional<std::size_t> variable = bisector_.choose(batch_, lane);
-  if (variable) return split(lane, *variable);
-  if (certified_by_oracle(lane)) return leave(lane, Rule::kMultiprecision, {});
-  block(lane, reason_at_minimum_width(lane));
 }
 
-void Search::split_or_look_inside(std::size_t lane) noexcept {
-  const std::optional<std::size_t> variable = bisector_.choose(batch_, lane);
-  if (variable) return split(lane, *variable);
-  if (certified_by_determinant(lane)) return leave(lane, Rule::kDeterminant, {});
-  // More digits do not help a box that is wide: they cost much and decide nothing.
-  if (cannot_be_halved(open_[lane].box) && certified_by_oracle(lane))
-    return leave(lane, Rule::kMultiprecision, {});
-  if (box_witness_.somewhere_in(open_[lane].box)) return leave_with_witness(lane);
-  block(lane, reason_at_minimum_width(lane));
-}
-
-Reason Search::reason_at_minimum_width(std::size_t lane) noexcept {
-  LaneMask defined = batch_.certain_posed() & 1U << lane;
-  static_cast<void>(batch_.product({}, defined));
-  return defined != 0 ? Reason::kWidth : Reason::kUndefined;
-}
-
-void Search::split(std::size_t lane, std::size_t variable) noexcept {
-  const OpenBox parent = open_[lane];
-  const std::span<Interval> lower = box_of(lane);
+void Search::split(Decisions& batch, std::size_t lane) noexcept {
+  const OpenBox& parent = batch.open(lane);
+  const std::uint32_t variable = batch.decision[lane].variable;
+  const std::span<Interval> lower = batch.box_of(lane);
   const Halves halves = *bisect(lower[variable]);
-  observer_.on_split(parent,
-                     {parent.id, static_cast<std::uint32_t>(variable), halves.left.hi, next_id_});
+  observer_.on_split(parent, {parent.id, variable, halves.left.hi, next_id_});
   std::copy(lower.begin(), lower.end(), half_.begin());
   lower[variable] = halves.left;
   half_[variable] = halves.right;
   const OpenBox first{next_id_, parent.depth + 1, lower};
   const OpenBox second{next_id_ + 1, parent.depth + 1, half_};
   next_id_ += 2;
-  if (!frontier_.push_halves(first, bisector_.approx_relative_width(first.box), second,
-                             bisector_.approx_relative_width(second.box))) {
+  const Bisector& bisector = round_.bisector();
+  if (!frontier_.push_halves(first, bisector.approx_relative_width(first.box), second,
+                             bisector.approx_relative_width(second.box))) {
     stop_at_open_box(Reason::kMemory);
     observer_.on_open(first);
     observer_.on_open(second);
   }
 }
 
-void Search::block(std::size_t lane, Reason reason) noexcept {
-  leave_undecided(lane, reason);
+void Search::block(Decisions& batch, std::size_t lane) noexcept {
+  leave(batch, lane);
+  const Reason reason = batch.decision[lane].reason;
+  const std::span<const Interval> box = batch.box_of(lane);
   if (!blocked_) boxes_when_blocked_ = statistics_.boxes;
   // Near a pole many boxes are too narrow to split; the one that is undefined says why.
   if (!blocked_ || (reason == Reason::kUndefined && reason_ == Reason::kWidth)) {
     blocked_ = true;
     reason_ = reason;
-    std::copy(open_[lane].box.begin(), open_[lane].box.end(), blocking_.begin());
+    std::copy(box.begin(), box.end(), blocking_.begin());
   }
   const std::uint64_t blocked = statistics_.leaves[static_cast<std::size_t>(Rule::kBlocked)];
   if (!looking_for_witness() || blocked > kMaxDescentsFromBlocked) return;
-  witness_.descend(open_[lane].box);
-  stopped_ = witness_.found();
+  witness_.descend(box);
+  stopped_ = stopped_ || witness_.found();
 }
 
-/// The box of a lane with its first variables fixed at their midpoints, to a lane of center_.
-void Search::load_center(std::size_t lane, std::size_t thin_variables,
-                         std::size_t center) noexcept {
-  std::copy(open_[lane].box.begin(), open_[lane].box.end(), half_.begin());
-  for (std::size_t k = 0; k < thin_variables; ++k) half_[k] = Interval(mid(half_[k]));
-  if (center == 0) center_.clear();
-  center_.load(center, half_);
-}
-
-/// J⁻¹ or the pose is not defined at the middle of the box, which may lie in the variety.
-bool Search::undefined_at_middle(std::size_t lane) noexcept {
-  if (has_lane(batch_.midpoint_outside(), lane)) return false;
-  if (!has_lane(batch_.midpoint_defined(), lane)) return true;
-  if (has_lane(batch_.certain_posed(), lane)) return false;
-  load_center(lane, problem_.kernel->variables, 0);
-  center_.seal(1);
-  return center_.certain_posed() == 0;
-}
-
-/// Both ways of enclosing the determinant together: the tests look at K·A or at A alone.
-bool Search::certified_by_determinant(std::size_t lane) noexcept {
-  if (problem_.kernel->rows != problem_.kernel->columns) return false;
-  const std::optional<Interval> determinant = batch_.determinant(lane, false);
-  return determinant && batch_.certain_above_threshold(lane, mig(*determinant));
-}
-
-/// The last resort for a box that cannot be split: more digits than doubles have.
-bool Search::certified_by_oracle(std::size_t lane) noexcept {
-  const regulus_kernel& kernel = *problem_.kernel;
-  if (settings_.oracle == nullptr || kernel.rows != kernel.columns) return false;
-  if (!has_lane(batch_.certain_posed(), lane)) return false;
-  const std::optional<Interval> determinant = settings_.oracle->enclose(open_[lane].box);
-  return determinant && batch_.certain_above_threshold(lane, mig(*determinant));
-}
-
-/// At the middle of the box, as a single pose, the tests fail for the whole of the uncertainty: no
-/// box around that pose can do better, except by the rounding of K. Asked now and then.
-LaneMask Search::hopeless_under_uncertainty(LaneMask lanes) noexcept {
-  if (!keeps_uncertainty_whole_ || settings_.exhaustive || !settings_.ingredients.stall) return 0;
-  std::size_t asked[kLanes], count = 0;
-  for_each_lane(lanes, [&](std::size_t lane) {
-    if (open_[lane].depth % kStallCheck != kStallCheck - 1) return;
-    load_center(lane, problem_.kernel->motion_variables, count);
-    asked[count++] = lane;
-  });
-  if (count == 0) return 0;
-  center_.seal(count);
-  LaneMask left = center_.loaded() & ~center_.certain_outside();
-  for (const auto& test : tests_)
-    if (left != 0) left &= ~test->certify(center_, left, left);
-  LaneMask hopeless = 0;
-  for_each_lane(left, [&](std::size_t center) { hopeless |= 1U << asked[center]; });
-  return hopeless;
+/// The frontier is emptied: the search is over.
+void Search::report_open() noexcept {
+  for (; !frontier_.empty(); frontier_.pop()) observer_.on_open(frontier_.top());
 }
 
 Result Search::conclude() {
@@ -457,7 +290,7 @@ Result Search::conclude() {
   result.method = settings_.method;
   result.stopped_by = stopped_by_;
   statistics_.max_frontier = frontier_.max_size();
-  statistics_.probes = witness_.probes() + box_witness_.probes();
+  statistics_.probes = witness_.probes() + probes_in_boxes_;
   if (first_witness_) {
     result.verdict = Verdict::kSingularity;
     result.reason = first_witness_reason_;

@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "regulus/search/tests.hpp"
 
-#include <algorithm>
-
 #include "regulus/regularity/h_matrix.hpp"
 #include "regulus/regularity/minors.hpp"
 #include "regulus/regularity/rohn.hpp"
@@ -27,7 +25,7 @@ class HMatrixTest final : public RegularityTest {
  public:
   HMatrixTest(Rule rule, double alpha) noexcept : RegularityTest(rule), alpha_(alpha) {}
 
-  LaneMask certify(Batch& batch, LaneMask lanes, LaneMask /*anyway*/) noexcept override {
+  LaneMask certify(Batch& batch, LaneMask lanes, Effort& /*effort*/) noexcept override {
     const bool moving = rule() == Rule::kSecondOrder;
     const std::size_t n = moving ? batch.order() : batch.kernel().columns;
     const double* P = bounds(batch);
@@ -60,44 +58,23 @@ class HMatrixTest final : public RegularityTest {
   double alpha_;
 };
 
-/// Up to where a test has been paying. Its own result is the measure: where it certified, a little
-/// further is worth a try; where it failed, the limit comes closer. Boxes below it are about as
-/// likely to be certified as not, or more.
-class LearnedLimit {
- public:
-  [[nodiscard]] bool worth_trying(double distance) const noexcept { return distance < limit_; }
-  void learn(double distance, bool certified) noexcept {
-    if (certified)
-      limit_ = std::max(limit_, distance + kStep);
-    else if (distance < limit_)
-      limit_ -= kRetreat * (limit_ - distance);
-  }
-
- private:
-  static constexpr double kStep = 0.01, kRetreat = 0.25;
-  double limit_ = 1.1;
-};
-
 /// The same T, direction by direction, where its spectral radius exceeds 1 by little enough. It
 /// shows regularity, not a distance from it: α = 0 only.
 class OrthantTest final : public RegularityTest {
  public:
   OrthantTest() noexcept : RegularityTest(Rule::kOrthants) {}
 
-  LaneMask certify(Batch& batch, LaneMask lanes, LaneMask anyway) noexcept override {
+  LaneMask certify(Batch& batch, LaneMask lanes, Effort& effort) noexcept override {
     LaneMask certain = 0;
     for_each_lane(lanes, [&](std::size_t lane) {
       const double radius = batch.approx_spectral_radius(lane);
-      if (!has_lane(anyway, lane) && !limit_.worth_trying(radius)) return;
+      if (!has_lane(effort.anyway, lane) && !effort.limit.worth_trying(radius)) return;
       const LaneMask empty = batch.certain_by_orthants(1U << lane);
-      limit_.learn(radius, empty != 0);
+      effort.note({radius, empty != 0});
       certain |= empty;
     });
     return above_threshold(batch, certain, [](std::size_t) { return 1.0; });
   }
-
- private:
-  LearnedLimit limit_;
 };
 
 /// An interval determinant of A, or of its product with K divided by that of K.
@@ -106,7 +83,7 @@ class DeterminantTest final : public RegularityTest {
   DeterminantTest(Rule rule, ProductForm form, double alpha) noexcept
       : RegularityTest(rule), form_(form), alpha_(alpha) {}
 
-  LaneMask certify(Batch& batch, LaneMask lanes, LaneMask /*anyway*/) noexcept override {
+  LaneMask certify(Batch& batch, LaneMask lanes, Effort& /*effort*/) noexcept override {
     const double* product = batch.product(form_, lanes);
     const Determinants determinants = enclose(product, batch.kernel().columns, lanes);
     return above_threshold(batch, lanes, [&](std::size_t lane) {
@@ -147,7 +124,7 @@ class ClosedFormTest final : public RegularityTest {
  public:
   ClosedFormTest() noexcept : RegularityTest(Rule::kClosedForm) {}
 
-  LaneMask certify(Batch& batch, LaneMask lanes, LaneMask /*anyway*/) noexcept override {
+  LaneMask certify(Batch& batch, LaneMask lanes, Effort& /*effort*/) noexcept override {
     const LaneMask natural = certify(batch, lanes, batch.natural_determinant());
     const LaneMask rest = lanes & ~natural;
     if (rest == 0 || batch.kernel().determinant_derivatives == nullptr) return natural;
@@ -168,7 +145,7 @@ class RohnTest final : public RegularityTest {
  public:
   explicit RohnTest(ProductForm form) noexcept : RegularityTest(Rule::kRohn), form_(form) {}
 
-  LaneMask certify(Batch& batch, LaneMask lanes, LaneMask /*anyway*/) noexcept override {
+  LaneMask certify(Batch& batch, LaneMask lanes, Effort& /*effort*/) noexcept override {
     const double* product = batch.product(form_, lanes);
     lanes = certain_rohn(product, batch.kernel().columns, lanes);
     return above_threshold(batch, lanes, [](std::size_t) { return 1.0; });
@@ -184,7 +161,7 @@ class FilterTest final : public RegularityTest {
   FilterTest(const regulus_filter_interface& filter, double alpha) noexcept
       : RegularityTest(Rule::kFilter), filter_(filter), alpha_(alpha) {}
 
-  LaneMask certify(Batch& batch, LaneMask lanes, LaneMask /*anyway*/) noexcept override {
+  LaneMask certify(Batch& batch, LaneMask lanes, Effort& /*effort*/) noexcept override {
     lanes &= batch.certain_posed();
     const double* product = batch.product({Side::kLeft, false}, lanes);
     const double* matrix = batch.product({}, lanes);

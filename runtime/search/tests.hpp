@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "regulus/search/batch.hpp"
+#include "regulus/search/learned_limit.hpp"
 #include "regulus/search/result.hpp"
 
 namespace regulus {
@@ -22,10 +23,8 @@ class RegularityTest {
   /// Ensures   in each returned lane, a subset of `lanes`: at every point of the box J⁻¹ is defined
   ///           and has full column rank, and |det J⁻¹| > α if α > 0.
   ///
-  /// A test that costs much more than others is tried where it has been paying, and in the lanes
-  /// of `anyway`.
-  [[nodiscard]] virtual LaneMask certify(Batch& batch, LaneMask lanes,
-                                         LaneMask anyway) noexcept = 0;
+  /// A test that costs much more than others is tried where `effort` says, once in a lane.
+  [[nodiscard]] virtual LaneMask certify(Batch& batch, LaneMask lanes, Effort& effort) noexcept = 0;
 
  private:
   Rule rule_;

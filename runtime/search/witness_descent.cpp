@@ -31,7 +31,7 @@ void WitnessSearch::look_at_corners() noexcept {
       load_point(lane, current_.data());
     }
     evaluate_points(count);
-    look_at_midpoints(points_, points_.loaded());
+    look_at_points(points_.loaded());
   }
 }
 
@@ -51,14 +51,14 @@ bool WitnessSearch::step(std::span<const Interval> box, std::size_t first, doubl
   std::size_t chosen = kLanes;
   const LaneMask usable = points_.preconditioned() & points_.midpoint_inside();
   for_each_lane(usable, [&](std::size_t lane) {
-    const double value = sign * approx_objective(points_, lane);
+    const double value = sign * approx_objective(lane);
     if (value < best) best = value, chosen = lane;
   });
   if (chosen != kLanes) {
     const std::size_t k = first + chosen / 2;
     current_[k] = points_.midpoint(k, chosen);
   }
-  look_at_midpoints(points_, points_.loaded());
+  look_at_points(points_.loaded());
   return chosen != kLanes;
 }
 
@@ -70,13 +70,13 @@ void WitnessSearch::descend(std::span<const Interval> box) noexcept {
   load_point(0, current_.data());
   evaluate_points(1);
   if ((points_.preconditioned() & points_.midpoint_inside()) == 0) return;
-  const double start = approx_objective(points_, 0);
+  const double start = approx_objective(0);
   const double sign = start < 0.0 ? -1.0 : 1.0;
   double best = std::fabs(start);
   // A segment can only be certified inside constraints, so the pair must come from this box.
   if (problem_.kernel->constraints > 0) positive_.approx = negative_.approx = 0.0;
   if (problem_.kernel->constraints > 0) positive_.tried = negative_.tried = 0.0;
-  look_at_midpoints(points_, 1U);
+  look_at_points(1U);
   for (int sweep = 0; sweep < kMaxSweeps && best > 0.0 && !found_; ++sweep) {
     bool moved = false;
     for (std::size_t k = 0; k < variables_ && !found_; k += kVariablesAtOnce)

@@ -79,37 +79,52 @@ void WitnessSearch::evaluate_points(std::size_t count) noexcept {
   probes_ += count;
 }
 
-double WitnessSearch::approx_objective(Batch& batch, std::size_t lane) const noexcept {
-  const double determinant = batch.approx_determinant(lane);
-  return scaled_ ? determinant * batch.approx_row_scale(lane) : determinant;
+double WitnessSearch::approx_objective(std::size_t lane) noexcept {
+  const double determinant = points_.approx_determinant(lane);
+  return scaled_ ? determinant * points_.approx_row_scale(lane) : determinant;
 }
 
-void WitnessSearch::copy_midpoint(Batch& batch, std::size_t lane, Candidate& candidate) noexcept {
+template <typename Middle>
+void WitnessSearch::copy_middle(Middle middle, Candidate& candidate) noexcept {
   for (std::size_t k = 0; k < variables_; ++k)
-    candidate.point[k] = std::clamp(batch.midpoint(k, lane), inner_lo(k), inner_hi(k));
+    candidate.point[k] = std::clamp(middle(k), inner_lo(k), inner_hi(k));
 }
 
-void WitnessSearch::offer(Batch& batch, std::size_t lane) noexcept {
-  // A matrix that elimination breaks down on has no inverse: as small as it gets.
-  const double approx =
-      has_lane(batch.preconditioned(), lane) ? approx_objective(batch, lane) : 0.0;
+/// The determinant at a point, roughly, and the point's coordinate k as middle(k).
+template <typename Middle>
+void WitnessSearch::offer(double approx, Middle middle) noexcept {
   Candidate& side = approx > 0.0 ? positive_ : negative_;
   if (approx != 0.0 && std::fabs(approx) > std::fabs(side.approx)) {
-    copy_midpoint(batch, lane, side);
+    copy_middle(middle, side);
     side.approx = approx;
   }
   const double magnitude = std::fabs(approx);
   if (magnitude <= problem_.alpha.lo && (!small_known_ || magnitude <= small_.approx)) {
-    copy_midpoint(batch, lane, small_);
+    copy_middle(middle, small_);
     small_.approx = magnitude;
     small_known_ = small_fresh_ = true;
   }
 }
 
-void WitnessSearch::look_at_midpoints(Batch& batch, LaneMask lanes) noexcept {
+void WitnessSearch::look_at_midpoints(Decisions& batch) noexcept {
   if (!square_ || found_) return;
-  lanes &= batch.midpoint_defined() & batch.midpoint_inside();
-  for_each_lane(lanes, [&](std::size_t lane) { offer(batch, lane); });
+  const Sightings& seen = batch.sightings;
+  for_each_lane(seen.lanes, [&](std::size_t lane) {
+    const std::span<const Interval> box = batch.box_of(lane);
+    offer(seen.approx[lane],
+          [box](std::size_t k) { return box[k].lo == box[k].hi ? box[k].lo : mid(box[k]); });
+  });
+  try_small();
+  try_opposite_signs();
+}
+
+/// The same for the points that are loaded.
+void WitnessSearch::look_at_points(LaneMask lanes) noexcept {
+  if (!square_ || found_) return;
+  const Sightings seen = sight_midpoints(points_, lanes, scaled_);
+  for_each_lane(seen.lanes, [&](std::size_t lane) {
+    offer(seen.approx[lane], [this, lane](std::size_t k) { return points_.midpoint(k, lane); });
+  });
   try_small();
   try_opposite_signs();
 }
@@ -121,7 +136,7 @@ void WitnessSearch::look_at(std::span<const std::vector<double>> points) noexcep
     load_point(0, points[0].data());
     load_point(1, points[other].data());
     evaluate_points(2);
-    look_at_midpoints(points_, points_.loaded());
+    look_at_points(points_.loaded());
   }
 }
 

@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "regulus/search/batch.hpp"
+#include "regulus/search/decisions.hpp"
 #include "regulus/search/result.hpp"
 
 namespace regulus {
@@ -23,8 +24,8 @@ class WitnessSearch {
   [[nodiscard]] Reason reason() const noexcept { return reason_; }
   [[nodiscard]] std::uint64_t probes() const noexcept { return probes_; }
 
-  /// Looks at the midpoints of those lanes, whose determinants come with their preconditioners.
-  void look_at_midpoints(Batch& batch, LaneMask lanes) noexcept;
+  /// Looks at the middles of boxes that were decided, by what was seen there.
+  void look_at_midpoints(Decisions& batch) noexcept;
 
   /// Looks at these points, each moved into the inner ranges: the first with each of the others.
   void look_at(std::span<const std::vector<double>> points) noexcept;
@@ -57,10 +58,13 @@ class WitnessSearch {
   [[nodiscard]] Interval within_inner(std::size_t variable, double x) const noexcept;
   void load_point(std::size_t lane, const double* point) noexcept;
   void evaluate_points(std::size_t count) noexcept;
-  [[nodiscard]] double approx_objective(Batch& batch, std::size_t lane) const noexcept;
+  [[nodiscard]] double approx_objective(std::size_t lane) noexcept;
 
-  void offer(Batch& batch, std::size_t lane) noexcept;
-  void copy_midpoint(Batch& batch, std::size_t lane, Candidate& candidate) noexcept;
+  void look_at_points(LaneMask lanes) noexcept;
+  template <typename Middle>
+  void offer(double approx, Middle middle) noexcept;
+  template <typename Middle>
+  void copy_middle(Middle middle, Candidate& candidate) noexcept;
   void try_opposite_signs() noexcept;
   void try_small() noexcept;
 

@@ -1,0 +1,260 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "regulus/search/decider.hpp"
+
+#include <algorithm>
+
+namespace regulus {
+namespace {
+
+/// How many splits lie between two checks that the uncertainty leaves the box a chance.
+constexpr std::uint32_t kStallCheck = 12;
+
+/// How many splits lie between two boxes on which every test is tried: one that stopped paying
+/// elsewhere may be the only one that can certify a box, however small.
+constexpr std::uint32_t kEveryTest = 4;
+
+bool is_point(std::span<const Interval> box) noexcept {
+  return std::all_of(box.begin(), box.end(), [](const Interval& x) { return x.lo == x.hi; });
+}
+
+bool cannot_be_halved(std::span<const Interval> box) noexcept {
+  return std::none_of(box.begin(), box.end(), [](const Interval& x) { return bisect(x); });
+}
+
+}  // namespace
+
+Sightings sight_midpoints(Batch& batch, LaneMask lanes, bool scaled) noexcept {
+  Sightings sightings;
+  sightings.lanes = lanes & batch.midpoint_defined() & batch.midpoint_inside();
+  for_each_lane(sightings.lanes, [&](std::size_t lane) {
+    // A matrix that elimination breaks down on has no inverse: as small as it gets.
+    double approx = 0.0;
+    if (has_lane(batch.preconditioned(), lane)) {
+      approx = batch.approx_determinant(lane);
+      if (scaled) approx *= batch.approx_row_scale(lane);
+    }
+    sightings.approx[lane] = approx;
+  });
+  return sightings;
+}
+
+Decider::Decider(const Problem& problem, const Settings& settings, const RowStructure& structure)
+    : problem_(problem),
+      settings_(settings),
+      keeps_uncertainty_whole_(problem.kernel->variables > problem.kernel->motion_variables &&
+                               settings.uncertainty == Uncertainty::kElements),
+      sights_midpoints_(!settings.exhaustive && settings.ingredients.midpoints &&
+                        problem.kernel->rows == problem.kernel->columns),
+      scaled_(problem.alpha.hi > 0.0),
+      batch_(problem, settings, structure),
+      center_(problem, settings, structure),
+      tests_(make_tests(problem, settings, structure)),
+      bisector_(problem, settings),
+      middle_(problem.kernel->variables) {
+  if (settings.exhaustive) box_witness_.emplace(problem, settings);
+  batch_.clear();
+  batch_.load(0, problem.outer);
+  batch_.seal(1);
+  batch_.learn_from_root();
+}
+
+/// Steps 5–30 of Algorithm 1.
+void Decider::decide(Decisions& decisions, bool keep_proofs) noexcept {
+  out_ = &decisions;
+  batch_.clear();
+  for (std::size_t lane = 0; lane < decisions.count(); ++lane) {
+    batch_.load(lane, decisions.box_of(lane));
+    if (decisions.open(lane).depth % kEveryTest == kEveryTest - 1)
+      decisions.effort.anyway |= 1U << lane;
+  }
+  batch_.seal(decisions.count());
+
+  const LaneMask lanes = leave_outside(batch_.loaded());
+  LaneMask undecided = 0;
+  if (settings_.exhaustive) {
+    const LaneMask leavable = settings_.split_certified ? at_minimum_width(lanes) : lanes;
+    undecided = (lanes & ~leavable) | leave_small(leave_certified(leavable));
+    for_each_lane(undecided, [this](std::size_t lane) { split_or_look_inside(lane); });
+  } else {
+    undecided = leave_certified(lanes);
+    const LaneMask hopeless = hopeless_under_uncertainty(undecided);
+    for_each_lane(undecided, [this, hopeless](std::size_t lane) {
+      split_or_block(lane, has_lane(hopeless, lane));
+    });
+  }
+  decisions.uncertified = undecided;
+  decisions.inside = undecided != 0 ? batch_.certain_inside() : 0;
+  if (sights_midpoints_) decisions.sightings = sight_midpoints(batch_, lanes, scaled_);
+  decisions.preconditioner = batch_.preconditioner();
+  decisions.vector = batch_.vector();
+  if (keep_proofs) decisions.keep_proofs(batch_);
+  decisions.decided = true;
+}
+
+void Decider::leave(std::size_t lane, Rule rule, std::size_t order) noexcept {
+  Decision& decision = out_->decision[lane];
+  decision = {};
+  decision.rule = rule;
+  decision.reason = Reason::kAllBoxesCertified;
+  decision.order = order;
+  if (settings_.enclose_determinants && rule != Rule::kOutside)
+    decision.determinant = batch_.determinant(lane, scaled_);
+}
+
+void Decider::leave_with_witness(std::size_t lane) noexcept {
+  leave(lane, Rule::kWitness);
+  out_->decision[lane].witness = box_witness_->witness();
+  out_->decision[lane].reason = box_witness_->reason();
+}
+
+/// Lanes that bisection is done with.
+LaneMask Decider::at_minimum_width(LaneMask lanes) noexcept {
+  LaneMask result = 0;
+  for_each_lane(lanes, [&](std::size_t lane) {
+    if (!bisector_.choose(batch_, lane)) result |= 1U << lane;
+  });
+  return result;
+}
+
+LaneMask Decider::leave_small(LaneMask lanes) noexcept {
+  LaneMask rest = lanes;
+  for_each_lane(lanes, [&](std::size_t lane) {
+    if (!box_witness_->small_throughout(batch_, lane)) return;
+    leave_with_witness(lane);
+    rest &= ~(1U << lane);
+  });
+  return rest;
+}
+
+LaneMask Decider::leave_outside(LaneMask lanes) noexcept {
+  const LaneMask outside = batch_.certain_outside();
+  for_each_lane(outside, [this](std::size_t lane) { leave(lane, Rule::kOutside); });
+  return lanes & ~outside;
+}
+
+/// Filters are the last of the tests.
+LaneMask Decider::leave_certified(LaneMask lanes) noexcept {
+  const std::size_t ours = tests_.size() - settings_.filters.size();
+  for (std::size_t t = 0; t < tests_.size() && lanes != 0; ++t) {
+    const auto& test = tests_[t];
+    const LaneMask certified = test->certify(batch_, lanes, out_->effort) & lanes;
+    const std::size_t order = vector_order(test->rule());
+    for_each_lane(certified, [&](std::size_t lane) {
+      leave(lane, test->rule(), order);
+      if (t >= ours) out_->decision[lane].filter = t - ours;
+    });
+    lanes &= ~certified;
+  }
+  return lanes;
+}
+
+std::size_t Decider::vector_order(Rule rule) const noexcept {
+  if (rule == Rule::kSecondOrder) return batch_.order();
+  return rule == Rule::kHMatrix || rule == Rule::kMeanValue ? problem_.kernel->columns : 0;
+}
+
+void Decider::split_or_block(std::size_t lane, bool hopeless) noexcept {
+  // No box that holds such a point will ever be certified in doubles.
+  if (undefined_at_middle(lane)) {
+    if (is_point(out_->box_of(lane)) && certified_by_oracle(lane))
+      return leave(lane, Rule::kMultiprecision);
+    return block(lane, Reason::kUndefined);
+  }
+  if (hopeless) return block(lane, Reason::kUncertainty);
+  const std::optional<std::size_t> variable = bisector_.choose(batch_, lane);
+  if (variable) return split(lane, *variable);
+  if (certified_by_oracle(lane)) return leave(lane, Rule::kMultiprecision);
+  block(lane, reason_at_minimum_width(lane));
+}
+
+void Decider::split_or_look_inside(std::size_t lane) noexcept {
+  const std::optional<std::size_t> variable = bisector_.choose(batch_, lane);
+  if (variable) return split(lane, *variable);
+  if (certified_by_determinant(lane)) return leave(lane, Rule::kDeterminant);
+  // More digits do not help a box that is wide: they cost much and decide nothing.
+  if (cannot_be_halved(out_->box_of(lane)) && certified_by_oracle(lane))
+    return leave(lane, Rule::kMultiprecision);
+  const std::uint64_t before = box_witness_->probes();
+  const bool found = box_witness_->somewhere_in(out_->box_of(lane));
+  out_->probes += box_witness_->probes() - before;
+  if (found) return leave_with_witness(lane);
+  block(lane, reason_at_minimum_width(lane));
+}
+
+void Decider::split(std::size_t lane, std::size_t variable) noexcept {
+  Decision& decision = out_->decision[lane];
+  decision = {};
+  decision.kind = Decision::Kind::kSplit;
+  decision.variable = static_cast<std::uint32_t>(variable);
+}
+
+void Decider::block(std::size_t lane, Reason reason) noexcept {
+  leave(lane, Rule::kBlocked);
+  out_->decision[lane].reason = reason;
+}
+
+Reason Decider::reason_at_minimum_width(std::size_t lane) noexcept {
+  LaneMask defined = batch_.certain_posed() & 1U << lane;
+  static_cast<void>(batch_.product({}, defined));
+  return defined != 0 ? Reason::kWidth : Reason::kUndefined;
+}
+
+/// The box of a lane with its first variables fixed at their midpoints, to a lane of center_.
+void Decider::load_center(std::size_t lane, std::size_t thin_variables,
+                          std::size_t center) noexcept {
+  const std::span<const Interval> box = out_->box_of(lane);
+  std::copy(box.begin(), box.end(), middle_.begin());
+  for (std::size_t k = 0; k < thin_variables; ++k) middle_[k] = Interval(mid(middle_[k]));
+  if (center == 0) center_.clear();
+  center_.load(center, middle_);
+}
+
+/// J⁻¹ or the pose is not defined at the middle of the box, which may lie in the variety.
+bool Decider::undefined_at_middle(std::size_t lane) noexcept {
+  if (has_lane(batch_.midpoint_outside(), lane)) return false;
+  if (!has_lane(batch_.midpoint_defined(), lane)) return true;
+  if (has_lane(batch_.certain_posed(), lane)) return false;
+  load_center(lane, problem_.kernel->variables, 0);
+  center_.seal(1);
+  return center_.certain_posed() == 0;
+}
+
+/// Both ways of enclosing the determinant together: the tests look at K·A or at A alone.
+bool Decider::certified_by_determinant(std::size_t lane) noexcept {
+  if (problem_.kernel->rows != problem_.kernel->columns) return false;
+  const std::optional<Interval> determinant = batch_.determinant(lane, false);
+  return determinant && batch_.certain_above_threshold(lane, mig(*determinant));
+}
+
+/// The last resort for a box that cannot be split: more digits than doubles have.
+bool Decider::certified_by_oracle(std::size_t lane) noexcept {
+  const regulus_kernel& kernel = *problem_.kernel;
+  if (settings_.oracle == nullptr || kernel.rows != kernel.columns) return false;
+  if (!has_lane(batch_.certain_posed(), lane)) return false;
+  const std::optional<Interval> determinant = settings_.oracle->enclose(out_->box_of(lane));
+  return determinant && batch_.certain_above_threshold(lane, mig(*determinant));
+}
+
+/// At the middle of the box, as a single pose, the tests fail for the whole of the uncertainty: no
+/// box around that pose can do better, except by the rounding of K. Asked now and then.
+LaneMask Decider::hopeless_under_uncertainty(LaneMask lanes) noexcept {
+  if (!keeps_uncertainty_whole_ || !settings_.ingredients.stall) return 0;
+  std::size_t asked[kLanes], count = 0;
+  for_each_lane(lanes, [&](std::size_t lane) {
+    if (out_->open(lane).depth % kStallCheck != kStallCheck - 1) return;
+    load_center(lane, problem_.kernel->motion_variables, count);
+    asked[count++] = lane;
+  });
+  if (count == 0) return 0;
+  center_.seal(count);
+  LaneMask left = center_.loaded() & ~center_.certain_outside();
+  Effort every;
+  every.anyway = left;
+  for (const auto& test : tests_)
+    if (left != 0) left &= ~test->certify(center_, left, every);
+  LaneMask hopeless = 0;
+  for_each_lane(left, [&](std::size_t center) { hopeless |= 1U << asked[center]; });
+  return hopeless;
+}
+
+}  // namespace regulus

@@ -1,0 +1,61 @@
+// SPDX-License-Identifier: Apache-2.0
+// Everything about a batch of boxes that can be told without the others: which are outside, which
+// a test certifies, where the rest are to be split or what is to be said about them. Each thread
+// has one of its own.
+#pragma once
+
+#include "regulus/search/batch.hpp"
+#include "regulus/search/bisector.hpp"
+#include "regulus/search/box_witness.hpp"
+#include "regulus/search/decisions.hpp"
+#include "regulus/search/row_structure.hpp"
+#include "regulus/search/tests.hpp"
+
+namespace regulus {
+
+class Decider {
+ public:
+  /// All three must outlive it.
+  Decider(const Problem& problem, const Settings& settings, const RowStructure& structure);
+
+  /// Decides the boxes of `decisions`, 1…8. Their proofs refer to this object until its next call
+  /// unless `keep_proofs`.
+  ///
+  /// Rounding  to nearest.
+  void decide(Decisions& decisions, bool keep_proofs) noexcept;
+
+  [[nodiscard]] const Bisector& bisector() const noexcept { return bisector_; }
+  /// Entries of v.
+  [[nodiscard]] std::size_t order() const noexcept { return batch_.order(); }
+
+ private:
+  void leave(std::size_t lane, Rule rule, std::size_t order = 0) noexcept;
+  void leave_with_witness(std::size_t lane) noexcept;
+  [[nodiscard]] LaneMask leave_outside(LaneMask lanes) noexcept;
+  [[nodiscard]] LaneMask leave_certified(LaneMask lanes) noexcept;
+  [[nodiscard]] LaneMask leave_small(LaneMask lanes) noexcept;
+  [[nodiscard]] LaneMask at_minimum_width(LaneMask lanes) noexcept;
+  [[nodiscard]] std::size_t vector_order(Rule rule) const noexcept;
+  void split_or_block(std::size_t lane, bool hopeless) noexcept;
+  void split_or_look_inside(std::size_t lane) noexcept;
+  void split(std::size_t lane, std::size_t variable) noexcept;
+  void block(std::size_t lane, Reason reason) noexcept;
+  void load_center(std::size_t lane, std::size_t thin_variables, std::size_t center) noexcept;
+  [[nodiscard]] Reason reason_at_minimum_width(std::size_t lane) noexcept;
+  [[nodiscard]] bool undefined_at_middle(std::size_t lane) noexcept;
+  [[nodiscard]] bool certified_by_determinant(std::size_t lane) noexcept;
+  [[nodiscard]] bool certified_by_oracle(std::size_t lane) noexcept;
+  [[nodiscard]] LaneMask hopeless_under_uncertainty(LaneMask lanes) noexcept;
+
+  const Problem& problem_;
+  const Settings& settings_;
+  const bool keeps_uncertainty_whole_, sights_midpoints_, scaled_;
+  Batch batch_, center_;
+  TestSequence tests_;
+  Bisector bisector_;
+  std::optional<BoxWitness> box_witness_;  ///< of an exhaustive search
+  std::vector<Interval> middle_;
+  Decisions* out_ = nullptr;
+};
+
+}  // namespace regulus

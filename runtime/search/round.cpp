@@ -1,0 +1,94 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "regulus/search/round.hpp"
+
+#include <tbb/global_control.h>
+#include <tbb/parallel_for.h>
+#include <tbb/task_arena.h>
+
+#include <exception>
+#include <new>
+
+#include "regulus/kernel/rounding_scope.hpp"
+
+namespace regulus {
+
+/// Where the threads live; the caller is the first of them.
+class Round::Threads {
+ public:
+  explicit Threads(unsigned count)
+      : allowed_(tbb::global_control::max_allowed_parallelism, count),
+        arena_(static_cast<int>(count)) {}
+
+  /// Calls `body(thread, index)` for each index below `count`; thread < the number of threads.
+  template <typename Body>
+  void for_each(std::size_t count, const Body& body) {
+    arena_.execute([&] {
+      tbb::parallel_for(
+          std::size_t{0}, count,
+          [&body](std::size_t index) {
+            body(static_cast<std::size_t>(tbb::this_task_arena::current_thread_index()), index);
+          },
+          tbb::simple_partitioner());
+    });
+  }
+
+ private:
+  tbb::global_control allowed_;  ///< more than there are processors, if so asked
+  tbb::task_arena arena_;
+};
+
+Round::Round(const Problem& problem, const Settings& settings, const RowStructure& structure,
+             Clock::time_point deadline)
+    : problem_(problem),
+      settings_(settings),
+      structure_(structure),
+      deadline_(deadline),
+      // Code that is not ours may count on being called by one thread at a time.
+      thread_count_(settings.filters.empty() ? settings.threads : 1) {
+  deciders_.push_back(std::make_unique<Decider>(problem, settings, structure));
+}
+
+Round::~Round() = default;
+
+Decisions* Round::append() noexcept try {
+  if (size_ == batches_.size())
+    batches_.push_back(std::make_unique<Decisions>(*problem_.kernel, deciders_.front()->order()));
+  Decisions* next = batches_[size_++].get();
+  next->clear();
+  return next;
+} catch (const std::bad_alloc&) {
+  return nullptr;
+}
+
+bool Round::must_stop() const noexcept {
+  return (settings_.interrupt != nullptr && settings_.interrupt->load(std::memory_order_relaxed)) ||
+         Clock::now() >= deadline_;
+}
+
+void Round::decide(Decider& decider, std::size_t index) noexcept {
+  const RoundingScope scope(REGULUS_ROUND_NEAREST);
+  if (index == 0 || !must_stop()) decider.decide(batch(index), size_ > 1);
+}
+
+void Round::decide_in_parallel() {
+  if (!threads_) {
+    while (deciders_.size() < thread_count_)
+      deciders_.push_back(std::make_unique<Decider>(problem_, settings_, structure_));
+    threads_ = std::make_unique<Threads>(thread_count_);
+  }
+  threads_->for_each(
+      size_, [this](std::size_t thread, std::size_t index) { decide(*deciders_[thread], index); });
+}
+
+void Round::decide(const LearnedLimit& limit) noexcept {
+  for (std::size_t i = 0; i < size_; ++i) batch(i).effort.limit = limit;
+  // Without the means for more threads one does the work.
+  if (thread_count_ > 1 && size_ > 1) try {
+      decide_in_parallel();
+    } catch (const std::exception&) {
+    }
+  for (std::size_t i = 0; i < size_; ++i)
+    if (!batch(i).decided) decide(*deciders_.front(), i);
+}
+
+}  // namespace regulus

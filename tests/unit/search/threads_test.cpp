@@ -1,0 +1,229 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Whatever the number of threads, a search tells its observer the same, to the last bit.
+#include <gtest/gtest.h>
+
+#include <atomic>
+#include <cfenv>
+#include <cstdio>
+
+#include "support/function_kernel.hpp"
+#include "support/gough_kernel.hpp"
+
+namespace regulus {
+namespace {
+
+using test::FunctionKernel;
+using test::problem_over;
+using test::Values;
+
+/// Everything an observer is told, in words.
+class EventLog : public Observer {
+ public:
+  explicit EventLog(const Problem& problem) : kernel_(*problem.kernel) {}
+
+  void on_split(const OpenBox& box, const Split& split) noexcept override {
+    put(box);
+    text += " split " + std::to_string(split.variable) + ' ' + std::to_string(split.lower);
+    put(split.at);
+    text += '\n';
+  }
+  void on_leaf(const OpenBox& box, Rule rule, const Proof& proof) noexcept override {
+    put(box);
+    text += std::string(" leaf ") + name(rule) + ", " + describe(proof.reason);
+    for (unsigned p = 0; p < kernel_.rows * kernel_.columns; ++p)
+      put(proof.preconditioner[p * REGULUS_LANES]);
+    for (std::size_t i = 0; i < proof.order; ++i) put(proof.vector[i * REGULUS_LANES]);
+    if (proof.determinant) put(*proof.determinant);
+    if (proof.witness != nullptr) put(*proof.witness);
+    text += '\n';
+  }
+  void on_open(const OpenBox& box) noexcept override {
+    put(box);
+    text += " open\n";
+  }
+  void on_progress(const Statistics& statistics, std::uint64_t frontier) noexcept override {
+    text += std::to_string(statistics.boxes) + " boxes, " + std::to_string(frontier) + " open\n";
+  }
+  void on_finish(const Result& result) noexcept override {
+    text += name(result.verdict) + std::string(", ") + describe(result.reason);
+    if (result.witness) put(*result.witness);
+    for (const Interval& x : result.blocking_box) put(x);
+    text += ' ' + std::to_string(result.statistics.probes) + ' ' +
+            std::to_string(result.statistics.max_frontier) + '\n';
+  }
+
+  std::string text;
+
+ private:
+  void put(double x) noexcept {
+    char number[32];
+    std::snprintf(number, sizeof number, " %a", x);
+    text += number;
+  }
+  void put(const Interval& x) noexcept { put(x.lo), put(x.hi); }
+  void put(const Witness& witness) noexcept {
+    for (const WitnessPoint& point : witness.points) {
+      for (const Interval& x : point.variables) put(x);
+      put(point.determinant);
+    }
+  }
+  void put(const OpenBox& box) noexcept {
+    text += std::to_string(box.id) + '@' + std::to_string(box.depth);
+    for (const Interval& x : box.box) put(x);
+  }
+
+  const regulus_kernel& kernel_;
+};
+
+struct Logged {
+  Result result;
+  std::string events;
+};
+
+Logged search_by(unsigned threads, const Problem& problem, Settings settings) {
+  settings.threads = threads;
+  EventLog log(problem);
+  Logged logged;
+  logged.result = solve(problem, settings, &log);
+  logged.events = std::move(log.text);
+  return logged;
+}
+
+/// `least` boxes are enough for rounds of many batches.
+void expect_the_same(const Problem& problem, const Settings& settings, std::uint64_t least,
+                     Verdict verdict) {
+  const Logged one = search_by(1, problem, settings);
+  EXPECT_EQ(one.result.verdict, verdict) << describe(one.result.reason);
+  EXPECT_GE(one.result.statistics.boxes, least);
+  for (const unsigned threads : {2U, 3U, 8U})
+    EXPECT_TRUE(search_by(threads, problem, settings).events == one.events) << threads;
+}
+
+/// A = [[x, y], [−y, x]] − r·[[1, 0], [0, 1]]: singular where x = r and y = 0 alone.
+FunctionKernel point_of_singularity(double r) {
+  return {2, 2, 2, [r](const Values& x) {
+            return Values{x[0] - Interval(r), x[1], -x[1], x[0] - Interval(r)};
+          }};
+}
+
+/// det A = x² + y² − 1.
+FunctionKernel circle() {
+  return {2, 2, 2, [](const Values& x) { return Values{x[0] + 1.0, x[1], -x[1], x[0] - 1.0}; }};
+}
+
+TEST(Threads, LeaveAProofOfManyBoxesAsItIs) {
+  const FunctionKernel kernel = point_of_singularity(1.0);
+  expect_the_same(problem_over(kernel, {{0x1p-30, 0.999999}, {-1, 1}}), {}, 100,
+                  Verdict::kNoSingularity);
+  const test::GoughKernel gough(test::kRobot2);
+  const test::Angle angle = test::plus_minus_degrees(38);
+  Problem problem;
+  problem.kernel = gough.get();
+  problem.outer = {{-200, 200}, {-200, 200}, {2800, 3200}, angle.outer, angle.outer, angle.outer};
+  problem.inner = {Interval{-200, 200}, Interval{-200, 200}, Interval{2800, 3200},
+                   angle.inner,         angle.inner,         angle.inner};
+  Settings settings;
+  settings.max_boxes = 2000;
+  const Logged one = search_by(1, problem, settings);
+  EXPECT_TRUE(search_by(4, problem, settings).events == one.events);
+}
+
+TEST(Threads, LeaveAWitnessAsItIs) {
+  const FunctionKernel kernel = circle();
+  Settings settings;
+  settings.ingredients.descents = settings.ingredients.corners = false;
+  expect_the_same(problem_over(kernel, {{0.125, 0.70710678}, {0, 0.70710679}}), settings, 100,
+                  Verdict::kSingularity);
+}
+
+TEST(Threads, LeaveWhatBlocksAsItIs) {
+  const FunctionKernel kernel = point_of_singularity(0.3);
+  expect_the_same(problem_over(kernel, {{-1, 1}, {-1, 1}}), {}, 200, Verdict::kPossibleProblem);
+}
+
+TEST(Threads, LeaveAPavingAsItIs) {
+  const FunctionKernel kernel = circle();
+  Settings settings;
+  settings.exhaustive = settings.enclose_determinants = true;
+  settings.min_relative_width = 0x1p-6;
+  expect_the_same(problem_over(kernel, {{-2, 2}, {-2, 2}}), settings, 500, Verdict::kSingularity);
+}
+
+TEST(Threads, LeaveASearchWithinConstraintsAsItIs) {
+  FunctionKernel kernel = circle();
+  kernel.with_constraints(1, [](const Values& x) { return Values{sqr(x[0]) + sqr(x[1]) - 0.9}; });
+  expect_the_same(problem_over(kernel, {{-2, 2}, {-2, 2}}), {}, 200, Verdict::kNoSingularity);
+}
+
+TEST(Threads, AreStoppedByABudgetInTheMiddleOfARound) {
+  const FunctionKernel kernel = point_of_singularity(0.3);
+  Settings settings;
+  settings.max_boxes = 317;
+  expect_the_same(problem_over(kernel, {{-1, 1}, {-1, 1}}), settings, 317,
+                  Verdict::kPossibleProblem);
+}
+
+/// Interrupts the search after so many evaluations, from within a batch.
+class Interrupted : public test::FixtureKernel {
+ public:
+  explicit Interrupted(std::uint64_t after) : FixtureKernel(1, 1, 1, 1), left_(after) {}
+  Values matrix(const Values& x) const override {
+    if (left_.fetch_sub(1) == 1) interrupt.store(true);
+    // Regular, but decided only where boxes are narrow.
+    return {sqr(x[0]) - x[0] + Interval(0.2501)};
+  }
+  mutable std::atomic<bool> interrupt{false};
+
+ private:
+  mutable std::atomic<std::uint64_t> left_;
+};
+
+TEST(Threads, AnInterruptLosesNoBox) {
+  for (const unsigned threads : {1U, 2U, 4U})
+    for (const std::uint64_t after : {1U, 300U, 5000U, 20000U}) {
+      const Interrupted kernel(after);
+      const Problem problem = problem_over(kernel, {{-1, 2}});
+      Settings settings;
+      settings.interrupt = &kernel.interrupt;
+      settings.threads = threads;
+      /// Twice the ends of leaves and open boxes, added up, cover the range once.
+      class Cover : public Observer {
+       public:
+        void on_leaf(const OpenBox& box, Rule, const Proof&) noexcept override { add(box); }
+        void on_open(const OpenBox& box) noexcept override { add(box); }
+        double width = 0;
+
+       private:
+        void add(const OpenBox& box) noexcept { width += box.box[0].hi - box.box[0].lo; }
+      } cover;
+      const Result result = solve(problem, settings, &cover);
+      EXPECT_DOUBLE_EQ(cover.width, 3.0) << threads << " threads, after " << after;
+      if (result.verdict != Verdict::kNoSingularity) {
+        EXPECT_EQ(result.reason, Reason::kInterrupted);
+      }
+    }
+}
+
+TEST(Threads, KeepTheCallersRoundingMode) {
+  const FunctionKernel kernel = point_of_singularity(1.0);
+  const Problem problem = problem_over(kernel, {{0x1p-30, 0.999999}, {-1, 1}});
+  const std::string expected = search_by(1, problem, {}).events;
+  std::fesetround(FE_DOWNWARD);
+  const std::string events = search_by(4, problem, {}).events;
+  EXPECT_EQ(std::fegetround(), FE_DOWNWARD);
+  std::fesetround(FE_TONEAREST);
+  EXPECT_TRUE(events == expected);
+}
+
+TEST(Threads, NoneOrTooManyAreAFault) {
+  const FunctionKernel kernel = circle();
+  const Problem problem = problem_over(kernel, {{2, 3}, {2, 3}});
+  Settings settings;
+  for (const unsigned threads : {0U, kMaxThreads + 1}) {
+    settings.threads = threads;
+    EXPECT_EQ(solve(problem, settings).reason, Reason::kBadProblem);
+  }
+}
+
+}  // namespace
+}  // namespace regulus
