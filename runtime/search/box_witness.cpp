@@ -4,7 +4,7 @@
 namespace regulus {
 
 BoxWitness::BoxWitness(const Problem& problem, const Settings& settings)
-    : problem_(problem), search_(problem, settings), whole_{{WitnessPoint{}}} {
+    : problem_(problem), search_(problem, settings, false), whole_{{WitnessPoint{}}} {
   whole_.points[0].variables.resize(problem.kernel->variables);
 }
 

@@ -47,7 +47,7 @@ Decider::Decider(const Problem& problem, const Settings& settings, const RowStru
                         problem.kernel->rows == problem.kernel->columns),
       scaled_(problem.alpha.hi > 0.0),
       batch_(problem, settings, structure),
-      center_(problem, settings, structure),
+      center_(problem, settings, keeps_uncertainty_whole_ ? structure : no_structure_),
       tests_(make_tests(problem, settings, structure)),
       bisector_(problem, settings),
       middle_(problem.kernel->variables) {

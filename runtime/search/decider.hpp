@@ -50,7 +50,9 @@ class Decider {
   const Problem& problem_;
   const Settings& settings_;
   const bool keeps_uncertainty_whole_, sights_midpoints_, scaled_;
-  Batch batch_, center_;
+  const RowStructure no_structure_;
+  Batch batch_;
+  Batch center_;  ///< asked for regularity only if uncertain quantities are kept whole
   TestSequence tests_;
   Bisector bisector_;
   std::optional<BoxWitness> box_witness_;  ///< of an exhaustive search

@@ -5,15 +5,8 @@
 #include <new>
 
 namespace regulus {
-namespace {
-
-/// Room for the deepest search of a usual problem, so that growing is the exception.
-constexpr std::size_t kFirstCapacity = 1024;
-
-}  // namespace
-
-Frontier::Frontier(std::size_t variables)
-    : variables_(variables), slots_(kFirstCapacity), boxes_(kFirstCapacity * variables) {}
+Frontier::Frontier(std::size_t variables, std::size_t capacity)
+    : variables_(variables), slots_(capacity), boxes_(capacity * variables) {}
 
 OpenBox Frontier::at(std::size_t s) const noexcept {
   return {slots_[s].id, slots_[s].depth, {boxes_.data() + s * variables_, variables_}};

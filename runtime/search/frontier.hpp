@@ -18,11 +18,14 @@ namespace regulus {
 /// m·⌈log₂(1/ε)⌉ + 1 boxes; b times that when b boxes are taken at once.
 class Frontier {
  public:
-  explicit Frontier(std::size_t variables);
+  /// Room for that many boxes, at least one, before memory is asked for.
+  explicit Frontier(std::size_t variables, std::size_t capacity = 64);
 
   [[nodiscard]] bool empty() const noexcept { return size_ == 0; }
   [[nodiscard]] std::size_t size() const noexcept { return size_; }
   [[nodiscard]] std::size_t max_size() const noexcept { return max_size_; }
+
+  void clear() noexcept { end_ = size_ = max_size_ = 0; }
 
   /// The box on top. The span is valid until the next insertion.
   [[nodiscard]] OpenBox top() const noexcept;

@@ -28,6 +28,7 @@ constexpr std::array<std::pair<Method, const char*>, 10> kMethodNames{{
 std::optional<std::string> fault_of_range(const Problem& problem, std::size_t k) {
   const Interval& outer = problem.outer[k];
   const std::string variable = "variable " + std::to_string(k);
+  if (!(outer.lo <= outer.hi)) return variable + " has no range: its bounds are not in order";
   if (!(mag(outer) <= kMaxBoxMagnitude)) return variable + " ranges beyond 2^64";
   const auto& inner = problem.inner[k];
   if (inner && !certain_subset(*inner, outer))

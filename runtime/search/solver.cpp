@@ -37,7 +37,7 @@ class Search {
         observer_(observer != nullptr ? *observer : silent_),
         structure_(find_row_structure(problem, settings)),
         round_(problem, settings, structure_, deadline()),
-        witness_(problem, settings),
+        witness_(problem, settings, !settings.exhaustive),
         frontier_(problem.kernel->variables),
         half_(problem.kernel->variables),
         blocking_(problem.kernel->variables),

@@ -15,7 +15,7 @@ constexpr unsigned kMaxSmallTries = 64;
 
 }  // namespace
 
-WitnessSearch::WitnessSearch(const Problem& problem, const Settings& settings)
+WitnessSearch::WitnessSearch(const Problem& problem, const Settings& settings, bool closes_in)
     : problem_(problem),
       oracle_(settings.oracle),
       variables_(problem.kernel->variables),
@@ -23,7 +23,7 @@ WitnessSearch::WitnessSearch(const Problem& problem, const Settings& settings)
       scaled_(problem.alpha.hi > 0.0),
       uses_corners_(settings.ingredients.corners),
       uses_descents_(settings.ingredients.descents),
-      closes_in_(!settings.exhaustive),
+      closes_in_(closes_in),
       inner_(problem.inner),
       points_(problem, settings, no_structure_),
       pose_(2 * std::size_t{problem.kernel->pose_parameters} * kLanes),

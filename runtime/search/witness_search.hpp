@@ -17,7 +17,11 @@ namespace regulus {
 
 class WitnessSearch {
  public:
-  WitnessSearch(const Problem& problem, const Settings& settings);
+  /// `closes_in`: a proof by two points is brought as close to the zero between them as can be.
+  WitnessSearch(const Problem& problem, const Settings& settings, bool closes_in = true);
+
+  /// As though nothing had been looked at yet.
+  void forget() noexcept;
 
   /// A proof was found.
   [[nodiscard]] bool found() const noexcept { return found_; }
@@ -44,6 +48,12 @@ class WitnessSearch {
   /// The proof, complete with poses, valid until the next search. Requires found().
   [[nodiscard]] const Witness& witness() noexcept;
 
+  /// How many points the proof has, and where one of them lies. Requires found(); n entries.
+  [[nodiscard]] std::size_t points() const noexcept {
+    return reason_ == Reason::kSmallDeterminant ? 1 : 2;
+  }
+  void copy_point(std::size_t index, std::span<Interval> variables) const noexcept;
+
  private:
   struct Candidate {
     std::vector<double> point;
@@ -52,7 +62,6 @@ class WitnessSearch {
     Interval determinant;
   };
 
-  void forget() noexcept;
   [[nodiscard]] double inner_lo(std::size_t variable) const noexcept;
   [[nodiscard]] double inner_hi(std::size_t variable) const noexcept;
   [[nodiscard]] Interval within_inner(std::size_t variable, double x) const noexcept;
@@ -89,7 +98,7 @@ class WitnessSearch {
   std::size_t variables_;
   bool square_, scaled_;
   const bool uses_corners_, uses_descents_;
-  bool closes_in_;  ///< exhaustive searches keep the points apart: they only name a box
+  bool closes_in_;
   std::vector<std::optional<Interval>> inner_;  ///< where points may lie: all of it, or one box's
   RowStructure no_structure_;
   Batch points_;

@@ -121,6 +121,11 @@ void WitnessSearch::report(WitnessPoint& into, const Candidate& candidate) noexc
   copy_pose(into.variables, into.pose);
 }
 
+void WitnessSearch::copy_point(std::size_t index, std::span<Interval> variables) const noexcept {
+  const Candidate& candidate = points() == 1 ? small_ : index == 0 ? positive_ : negative_;
+  for (std::size_t k = 0; k < variables_; ++k) variables[k] = within_inner(k, candidate.point[k]);
+}
+
 /// Fills the same vectors each time: they grow once.
 const Witness& WitnessSearch::witness() noexcept {
   const bool small = reason_ == Reason::kSmallDeterminant;

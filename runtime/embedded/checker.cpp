@@ -1,0 +1,137 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "regulus/embedded/checker.hpp"
+
+#include <algorithm>
+#include <stdexcept>
+
+#include "regulus/kernel/rounding_scope.hpp"
+
+namespace regulus {
+namespace {
+
+Problem make_problem(const regulus_kernel& kernel, std::span<const Interval> ranges, double alpha) {
+  Problem problem;
+  problem.kernel = &kernel;
+  problem.outer.assign(ranges.begin(), ranges.end());
+  problem.inner.assign(ranges.begin(), ranges.end());
+  // A negative number or a NaN is a fault that is found below.
+  problem.alpha.lo = problem.alpha.hi = alpha;
+  return problem;
+}
+
+const Problem& sound(const Problem& problem, const Settings& settings, unsigned max_boxes) {
+  if (max_boxes < 1 || max_boxes > Checker::kMaxBoxes)
+    throw std::invalid_argument("the number of boxes is not from 1 to 1048576");
+  if (const auto fault = find_fault(problem, settings)) throw std::invalid_argument(*fault);
+  return problem;
+}
+
+bool within(Interval part, Interval whole) noexcept {
+  return whole.lo <= part.lo && part.lo <= part.hi && part.hi <= whole.hi;
+}
+
+}  // namespace
+
+Checker::Checker(const regulus_kernel& kernel, std::span<const Interval> ranges, unsigned max_boxes,
+                 double alpha)
+    : problem_(make_problem(kernel, ranges, alpha)),
+      structure_(find_row_structure(sound(problem_, settings_, max_boxes), settings_)),
+      max_boxes_(max_boxes),
+      decider_(problem_, settings_, structure_),
+      batch_(kernel, decider_.order()),
+      witness_(problem_, settings_, false),
+      frontier_(kernel.variables, std::size_t{max_boxes} + 2),
+      half_(kernel.variables),
+      places_(2 * std::size_t{kernel.variables}) {
+  // What is initialised on first use is used here.
+  static_cast<void>(check({problem_.outer.data(), kernel.motion_variables}));
+}
+
+/// Kept out of line, so that no floating-point work moves out of the rounding scope of its caller.
+[[gnu::noinline]] Check Checker::search(std::span<const Interval> piece) noexcept {
+  std::copy(problem_.outer.begin(), problem_.outer.end(), half_.begin());
+  std::copy(piece.begin(), piece.end(), half_.begin());
+  const OpenBox root{0, 0, half_};
+  boxes_ = 0;
+  limit_ = {};
+  witness_.forget();
+  frontier_.clear();
+  static_cast<void>(frontier_.push_top(root, decider_.bisector().approx_relative_width(half_)));
+  Check check;
+  while (!frontier_.empty()) {
+    if (boxes_ == max_boxes_) return stopped_at(Reason::kBoxBudget, frontier_.top().box);
+    load_batch();
+    batch_.effort.limit = limit_;
+    decider_.decide(batch_, false);
+    if (!draw_conclusions(check)) return check;
+  }
+  check.verdict = Verdict::kNoSingularity;
+  check.reason = Reason::kAllBoxesCertified;
+  check.boxes = boxes_;
+  return check;
+}
+
+Check Checker::check(std::span<const Interval> piece) noexcept {
+  bool fits = piece.size() == kernel().motion_variables;
+  for (std::size_t k = 0; fits && k < piece.size(); ++k) fits = within(piece[k], problem_.outer[k]);
+  if (!fits) return {};
+  const RoundingScope scope(REGULUS_ROUND_NEAREST);
+  return search(piece);
+}
+
+void Checker::load_batch() noexcept {
+  batch_.clear();
+  for (; batch_.count() < kLanes && boxes_ < max_boxes_ && !frontier_.empty(); ++boxes_) {
+    batch_.add(frontier_.top());
+    frontier_.pop();
+  }
+}
+
+/// Whether the search goes on; if not, `check` says why.
+bool Checker::draw_conclusions(Check& check) noexcept {
+  for (std::size_t t = 0; t < batch_.effort.trials; ++t) limit_.learn(batch_.effort.trial[t]);
+  witness_.look_at_midpoints(batch_);
+  if (witness_.found()) {
+    const std::size_t variables = kernel().variables;
+    for (std::size_t p = 0; p < witness_.points(); ++p)
+      witness_.copy_point(p, {places_.data() + p * variables, variables});
+    check = {Verdict::kSingularity,
+             witness_.reason(),
+             boxes_,
+             {places_.data(), witness_.points() * variables}};
+    return false;
+  }
+  for (std::size_t lane = batch_.count(); lane-- > 0;) {
+    const Decision& decision = batch_.decision[lane];
+    if (decision.kind == Decision::Kind::kSplit) {
+      split(lane);
+    } else if (decision.rule == Rule::kBlocked) {
+      check = stopped_at(decision.reason, batch_.box_of(lane));
+      return false;
+    }
+  }
+  return true;
+}
+
+Check Checker::stopped_at(Reason reason, std::span<const Interval> box) noexcept {
+  std::copy(box.begin(), box.end(), places_.begin());
+  return {Verdict::kPossibleProblem, reason, boxes_, {places_.data(), box.size()}};
+}
+
+void Checker::split(std::size_t lane) noexcept {
+  const std::span<Interval> lower = batch_.box_of(lane);
+  const std::uint32_t variable = batch_.decision[lane].variable;
+  const std::uint32_t depth = batch_.open(lane).depth + 1;
+  const Halves halves = *bisect(lower[variable]);
+  std::copy(lower.begin(), lower.end(), half_.begin());
+  lower[variable] = halves.left;
+  half_[variable] = halves.right;
+  const Bisector& bisector = decider_.bisector();
+  // There is room: a box that is split has left the frontier, so it never holds more than boxes_
+  // + 1.
+  static_cast<void>(frontier_.push_halves({0, depth, lower}, bisector.approx_relative_width(lower),
+                                          {0, depth, half_},
+                                          bisector.approx_relative_width(half_)));
+}
+
+}  // namespace regulus

@@ -1,0 +1,185 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "regulus/embedded/checker.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cfenv>
+#include <cmath>
+#include <limits>
+
+#include "counted_calls.hpp"
+#include "regulus/embedded/checker.h"
+#include "regulus/search/solver.hpp"
+#include "static_kernel.hpp"
+
+namespace regulus {
+namespace {
+
+using Piece = std::vector<Interval>;
+
+class Embedded : public testing::Test {
+ protected:
+  const double r_ = 0.5;
+  const regulus_kernel point_ = test::static_kernel(test::point_matrix, 2, &r_);
+  const regulus_kernel line_ = test::static_kernel(test::line_matrix, 1, &r_);
+  const Piece ranges_ = {{-1, 1}, {-1, 1}, {-0.0625, 0.0625}};
+};
+
+TEST_F(Embedded, ACheckDecidesAsTheSearchDoes) {
+  Checker checker(point_, ranges_, 1000);
+  const Piece pieces[] = {{{-1, 0.25}, {-1, 1}},       {{-1, 1}, {0.25, 1}},
+                          {{0.5625, 1}, {0x1p-20, 1}}, {{0, 1}, {-1, 1}},
+                          {{0.45, 0.46}, {0, 0.1}},    {{-1, -1}, {0, 0}}};
+  for (const Piece& piece : pieces) {
+    const Check check = checker.check(piece);
+    Problem problem;
+    problem.kernel = &point_;
+    problem.outer = {piece[0], piece[1], ranges_[2]};
+    problem.inner.assign(problem.outer.begin(), problem.outer.end());
+    EXPECT_EQ(check.verdict, solve(problem, {}).verdict) << piece[0].lo << ' ' << piece[0].hi;
+  }
+}
+
+TEST_F(Embedded, ASingularityIsProvedByPointsOfThePiece) {
+  Checker checker(line_, ranges_, 1000);
+  const Piece piece = {{-0.75, 0.5}, {0, 1}};
+  const Check check = checker.check(piece);
+  ASSERT_EQ(check.verdict, Verdict::kSingularity);
+  EXPECT_EQ(check.reason, Reason::kOppositeSigns);
+  ASSERT_EQ(check.places.size(), 6U);
+  for (std::size_t k = 0; k < 6; ++k)
+    EXPECT_TRUE(certain_subset(check.places[k], k % 3 < 2 ? piece[k % 3] : ranges_[2]));
+  EXPECT_GT(check.places[0].lo + check.places[2].lo, 0.0);
+  EXPECT_LT(check.places[3].hi + check.places[5].hi, 0.0);
+}
+
+TEST_F(Embedded, AThresholdIsHeldOrAPointBelowItIsShown) {
+  Checker checker(line_, ranges_, 1000, 0.25);
+  const Check safe = checker.check(Piece{{0.375, 1}, {0, 1}});
+  EXPECT_EQ(safe.verdict, Verdict::kNoSingularity) << describe(safe.reason);
+  const Check small = checker.check(Piece{{0.0, 0.25}, {0, 1}});
+  EXPECT_EQ(small.verdict, Verdict::kSingularity);
+  EXPECT_EQ(small.reason, Reason::kSmallDeterminant);
+  EXPECT_EQ(small.places.size(), 3U);
+}
+
+TEST_F(Embedded, NoMoreBoxesAreEvaluatedThanAllowed) {
+  const Piece piece = {{0.65, 1}, {-1, 1}};
+  const unsigned whole = Checker(point_, ranges_, 100000).check(piece).boxes;
+  ASSERT_GT(whole, 20U);
+  for (unsigned most = 1; most < whole; ++most) {
+    Checker checker(point_, ranges_, most);
+    const Check check = checker.check(piece);
+    EXPECT_EQ(check.verdict, Verdict::kPossibleProblem);
+    EXPECT_EQ(check.reason, Reason::kBoxBudget);
+    EXPECT_EQ(check.boxes, most);
+    ASSERT_EQ(check.places.size(), 3U);
+    EXPECT_TRUE(certain_subset(check.places[0], piece[0]));
+  }
+  EXPECT_EQ(Checker(point_, ranges_, whole).check(piece).verdict, Verdict::kNoSingularity);
+}
+
+TEST_F(Embedded, ACheckRemembersNothingOfThoseBefore) {
+  Checker used(point_, ranges_, 500);
+  const Piece pieces[] = {{{0.65, 1}, {-1, 1}}, {{0, 1}, {-1, 1}}, {{-1, 0.4}, {0, 1}}};
+  for (int round = 0; round < 3; ++round)
+    for (const Piece& piece : pieces) {
+      const Check again = used.check(piece);
+      Checker fresh(point_, ranges_, 500);
+      const Check first = fresh.check(piece);
+      EXPECT_EQ(again.verdict, first.verdict);
+      EXPECT_EQ(again.boxes, first.boxes);
+      EXPECT_TRUE(std::equal(again.places.begin(), again.places.end(), first.places.begin(),
+                             first.places.end()));
+    }
+}
+
+TEST_F(Embedded, PiecesThatDoNotFitAreRefused) {
+  Checker checker(point_, ranges_, 100);
+  constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
+  Piece reversed = {{0, 0.25}, {0, 1}}, unknown = reversed;
+  reversed[0].lo = 0.3;
+  unknown[1].hi = kNaN;
+  for (const Piece& piece : {Piece{{-2, 0}, {0, 1}}, Piece{{0, 1}}, Piece{}, reversed, unknown,
+                             Piece{{0, 1}, {0, 1}, {0, 0}}}) {
+    const Check check = checker.check(piece);
+    EXPECT_EQ(check.verdict, Verdict::kPossibleProblem);
+    EXPECT_EQ(check.reason, Reason::kBadProblem);
+    EXPECT_TRUE(check.places.empty());
+  }
+}
+
+TEST_F(Embedded, FaultyProblemsAreRefusedWhenTheCheckerIsMade) {
+  EXPECT_THROW(Checker(point_, ranges_, 0), std::invalid_argument);
+  EXPECT_THROW(Checker(point_, ranges_, Checker::kMaxBoxes + 1), std::invalid_argument);
+  EXPECT_THROW(Checker(point_, ranges_, 1, -1.0), std::invalid_argument);
+  EXPECT_THROW(Checker(point_, Piece{{0, 1}}, 1), std::invalid_argument);
+}
+
+TEST_F(Embedded, AMillionChecksNeitherAllocateNorLock) {
+  if (!test::kCallsAreCounted) GTEST_SKIP() << "a sanitizer owns the allocator";
+  const double lower[] = {-1, -1, -0.0625}, upper[] = {1, 1, 0.0625};
+  regulus_checker* checker = regulus_checker_new(&point_, lower, upper, 0.0, 64, nullptr, 0);
+  ASSERT_NE(checker, nullptr);
+  const std::uint64_t allocations = test::allocations(), locks = test::locks();
+  std::uint64_t verdicts[3] = {};
+  regulus_check_report report;
+  for (int i = 0; i < 1'000'000; ++i) {
+    // Most pieces are decided at once; some take many boxes, and some more than there may be.
+    const double y = 0.25 + 0.0000005 * i;
+    const double from[] = {-1.0, i % 1013 == 0 ? -y : y},
+                 to[] = {i % 97 == 0 || i % 1013 == 0 ? 1.0 : -0.25, y + 0.25};
+    ++verdicts[regulus_check(checker, from, to, &report)];
+    ASSERT_LE(report.boxes, 64U);
+  }
+  EXPECT_EQ(test::allocations(), allocations);
+  EXPECT_EQ(test::locks(), locks);
+  EXPECT_GT(verdicts[REGULUS_CHECK_NO_SINGULARITY], 900'000U);
+  EXPECT_GT(verdicts[REGULUS_CHECK_POSSIBLE_PROBLEM], 100U);
+  regulus_checker_free(checker);
+}
+
+TEST_F(Embedded, TheCallersFloatingPointEnvironmentIsKept) {
+  Checker checker(point_, ranges_, 1000);
+  const Piece piece = {{0.65, 1}, {-1, 1}};
+  const Check expected = checker.check(piece);
+  for (const int mode : {FE_DOWNWARD, FE_UPWARD, FE_TOWARDZERO}) {
+    std::fesetround(mode);
+    const Check check = checker.check(piece);
+    EXPECT_EQ(std::fegetround(), mode);
+    std::fesetround(FE_TONEAREST);
+    EXPECT_EQ(check.verdict, expected.verdict);
+    EXPECT_EQ(check.boxes, expected.boxes);
+  }
+}
+
+TEST_F(Embedded, TheCInterfaceSaysTheSame) {
+  const double lower[] = {-1, -1, -0.0625}, upper[] = {1, 1, 0.0625};
+  char fault[16];
+  EXPECT_EQ(regulus_checker_new(nullptr, lower, upper, 0.0, 10, fault, sizeof fault), nullptr);
+  EXPECT_STREQ(fault, "the kernel or a");
+  EXPECT_EQ(regulus_checker_new(&line_, upper, lower, 0.0, 10, nullptr, 0), nullptr);
+
+  regulus_checker* checker =
+      regulus_checker_new(&line_, lower, upper, 0.0, 10, fault, sizeof fault);
+  ASSERT_NE(checker, nullptr);
+  regulus_check_report report;
+  const double safe_from[] = {0.25, 0}, safe_to[] = {0.5, 1};
+  EXPECT_EQ(regulus_check(checker, safe_from, safe_to, &report), REGULUS_CHECK_NO_SINGULARITY);
+  EXPECT_EQ(report.reason, REGULUS_CHECK_ALL_CERTIFIED);
+  EXPECT_EQ(report.places, 0U);
+  const double singular_from[] = {-0.75, 0}, singular_to[] = {0.5, 1};
+  EXPECT_EQ(regulus_check(checker, singular_from, singular_to, &report), REGULUS_CHECK_SINGULARITY);
+  ASSERT_EQ(report.places, 2U);
+  EXPECT_GT(report.place[0] + report.place[4], 0.0);
+  EXPECT_EQ(regulus_check(checker, singular_to, singular_from, nullptr),
+            REGULUS_CHECK_POSSIBLE_PROBLEM);
+  const double beyond[] = {2, 1};
+  EXPECT_EQ(regulus_check(checker, singular_from, beyond, &report), REGULUS_CHECK_POSSIBLE_PROBLEM);
+  EXPECT_EQ(report.reason, REGULUS_CHECK_BAD_RANGES);
+  regulus_checker_free(checker);
+  regulus_checker_free(nullptr);
+}
+
+}  // namespace
+}  // namespace regulus
