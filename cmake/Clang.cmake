@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-# Finds the newest Clang and LLVM libraries, 22 down to 19, and makes the target regulus_clang of
-# their two shared libraries. Set LLVM_DIR to choose another installation.
+# Finds the newest Clang and LLVM libraries, 22 down to 19, and makes of their two shared
+# libraries the targets regulus_llvm and regulus_clang, which has both. Set LLVM_DIR to choose another
+# installation.
 #
 # Clang is found beside LLVM by file name: ClangConfig.cmake would import every static library and
 # tool of the installation, where one shared library is linked.
@@ -20,8 +21,10 @@ if(NOT REGULUS_CLANG_LIBRARY OR NOT REGULUS_CLANG_INCLUDE_DIR)
   regulus_missing("Clang ${LLVM_VERSION_MAJOR} as a library" libclang-${LLVM_VERSION_MAJOR}-dev)
 endif()
 
+add_library(regulus_llvm INTERFACE IMPORTED)
+target_include_directories(regulus_llvm SYSTEM INTERFACE ${LLVM_INCLUDE_DIRS})
+target_link_libraries(regulus_llvm INTERFACE LLVM)
 add_library(regulus_clang INTERFACE IMPORTED)
-target_include_directories(regulus_clang SYSTEM INTERFACE ${LLVM_INCLUDE_DIRS}
-                                                          ${REGULUS_CLANG_INCLUDE_DIR})
-target_link_libraries(regulus_clang INTERFACE ${REGULUS_CLANG_LIBRARY} LLVM)
+target_include_directories(regulus_clang SYSTEM INTERFACE ${REGULUS_CLANG_INCLUDE_DIR})
+target_link_libraries(regulus_clang INTERFACE ${REGULUS_CLANG_LIBRARY} regulus_llvm)
 message(STATUS "In-process compiler: Clang ${LLVM_PACKAGE_VERSION}")

@@ -14,17 +14,16 @@
 namespace regulus::codegen {
 namespace {
 
-constexpr const char* kPluginName = "libregulus-clang.so";
-
-std::filesystem::path find_plugin() {
+/// Beside the executable, as it is installed, then where it was built.
+std::filesystem::path find_plugin(const std::filesystem::path& built) {
   std::error_code error;
   const auto executable = std::filesystem::read_symlink("/proc/self/exe", error);
   if (!error)
     for (const char* folder : {"../lib/regulus", "../lib"}) {
-      const auto candidate = executable.parent_path() / folder / kPluginName;
+      const auto candidate = executable.parent_path() / folder / built.filename();
       if (std::filesystem::exists(candidate, error)) return candidate;
     }
-  return REGULUS_CLANG_PLUGIN;
+  return built;
 }
 
 /// "PATH SIZE SECONDS.NANOSECONDS", or "PATH absent".
@@ -43,7 +42,8 @@ Function find_function(void* library, const char* name) {
 }
 
 /// The handle is never given back: LLVM cannot be unloaded, and opening it again costs nothing.
-regulus_clang_compile_function open_plugin(const std::filesystem::path& plugin) {
+template <class Function>
+Function open_plugin(const std::filesystem::path& plugin, const char* symbol) {
   void* library = ::dlopen(plugin.c_str(), RTLD_LAZY | RTLD_LOCAL | RTLD_NODELETE);
   if (!library) {
     const char* reason = ::dlerror();
@@ -54,7 +54,16 @@ regulus_clang_compile_function open_plugin(const std::filesystem::path& plugin) 
       find_function<regulus_clang_interface_function>(library, REGULUS_CLANG_INTERFACE_SYMBOL);
   if (version() != REGULUS_CLANG_INTERFACE)
     throw CompilerUnavailable("the compiler plugin belongs to another version: " + plugin.string());
-  return find_function<regulus_clang_compile_function>(library, REGULUS_CLANG_COMPILE_SYMBOL);
+  return find_function<Function>(library, symbol);
+}
+
+/// The plugin's function, and how long it took to have it.
+template <class Function>
+Function open(const std::filesystem::path& plugin, const char* symbol, double& seconds) {
+  const auto start = std::chrono::steady_clock::now();
+  const auto function = open_plugin<Function>(plugin, symbol);
+  seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+  return function;
 }
 
 regulus_bytes bytes_of(std::string_view text) { return {text.data(), text.size()}; }
@@ -97,18 +106,40 @@ class DefaultFloatingPoint {
 }  // namespace
 
 ClangCompiler::ClangCompiler()
-    : plugin_(find_plugin()),
-      identity_("Clang " REGULUS_CLANG_VERSION "; " + file_identity(plugin_) + "; " +
-                file_identity(REGULUS_CLANG_LIBRARY) + "; " + file_identity(REGULUS_LLVM_LIBRARY)) {
-}
+    : reader_(find_plugin(REGULUS_READER_PLUGIN)),
+      plugin_(find_plugin(REGULUS_CLANG_PLUGIN)),
+      identity_("Clang " REGULUS_CLANG_VERSION "; " + file_identity(reader_) + "; " +
+                file_identity(plugin_) + "; " + file_identity(REGULUS_CLANG_LIBRARY) + "; " +
+                file_identity(REGULUS_LLVM_LIBRARY)) {}
 
 CompiledObject ClangCompiler::compile(const Compilation& compilation) const {
+  CompiledObject result = read(compilation);
+  if (result.not_read.empty()) return result;
+  CompiledObject compiled = compile_any(compilation);
+  compiled.not_read = std::move(result.not_read);
+  compiled.open_seconds += result.open_seconds;
+  return compiled;
+}
+
+CompiledObject ClangCompiler::read(const Compilation& compilation) const {
   const DefaultFloatingPoint environment;
   CompiledObject result;
-  const auto start = std::chrono::steady_clock::now();
-  const regulus_clang_compile_function compile_text = open_plugin(plugin_);
-  result.open_seconds =
-      std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+  const auto compile_kernel = open<regulus_reader_compile_function>(
+      reader_, REGULUS_READER_COMPILE_SYMBOL, result.open_seconds);
+  const regulus_reader_request request{bytes_of(compilation.source.text),
+                                       bytes_of(compilation.isa)};
+  const regulus_clang_sink sink = sink_into(result);
+  const int outcome = compile_kernel(&request, &sink);
+  if (outcome != REGULUS_READER_DONE) result.object.clear();
+  if (outcome == REGULUS_READER_OUTSIDE) result.not_read = std::move(result.diagnostics);
+  return result;
+}
+
+CompiledObject ClangCompiler::compile_any(const Compilation& compilation) const {
+  const DefaultFloatingPoint environment;
+  CompiledObject result;
+  const auto compile_text = open<regulus_clang_compile_function>(
+      plugin_, REGULUS_CLANG_COMPILE_SYMBOL, result.open_seconds);
   std::vector<regulus_named_text> headers;
   for (const NamedText& header : compilation.headers) headers.push_back(named(header));
   std::vector<const char*> flags;

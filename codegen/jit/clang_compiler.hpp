@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The program's side of the compiler plugin.
+// The program's side of the compiler plugins.
 #pragma once
 
 #include <filesystem>
@@ -19,29 +19,37 @@ class CompilerUnavailable : public std::runtime_error {
 struct CompiledObject {
   std::string object;       ///< ELF, relocatable; empty when the text has an error
   std::string diagnostics;  ///< of the compiler; may be there without an error
+  std::string not_read;     ///< why it took a C++ compiler, where the text is no plain kernel
   double open_seconds = 0;  ///< loading the compiler, the first time
   double front_end_seconds = 0;
   double optimiser_seconds = 0;
   double code_generation_seconds = 0;
 };
 
-/// Clang in this process, in a plugin: 200 MB of libraries that a run with a warm cache never
-/// loads.
+/// LLVM and Clang in this process, in plugins: 200 MB of libraries that a run with a warm cache
+/// never loads. Emitted kernels are read and built with LLVM alone; any other C++ text takes Clang.
 class ClangCompiler {
  public:
-  /// Looks for the plugin beside the executable, as it is installed, then where it was built.
+  /// Looks for the plugins beside the executable, as they are installed, then where they were
+  /// built.
   ClangCompiler();
 
   /// Version of Clang and, of each library that takes part, the size and the time of the last
   /// change: enough to notice an exchanged compiler without loading it.
   [[nodiscard]] const std::string& identity() const noexcept { return identity_; }
 
-  /// Opens the plugin if this is the first time, and compiles.
+  /// Opens the plugins it needs if this is the first time, and compiles.
   /// Ensures   the caller's floating-point environment is kept; the compiler sees the default one.
   /// Throws    CompilerUnavailable.
   [[nodiscard]] CompiledObject compile(const Compilation& compilation) const;
 
+  /// As compile, but as C++ whatever the text: the reference for what compile makes of a kernel.
+  [[nodiscard]] CompiledObject compile_any(const Compilation& compilation) const;
+
  private:
+  [[nodiscard]] CompiledObject read(const Compilation& compilation) const;
+
+  std::filesystem::path reader_;
   std::filesystem::path plugin_;
   std::string identity_;
 };

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What the program and the compiler plugin say to each other: plain C, so that neither side sees
+// What the program and its compiler plugins say to each other: plain C, so that neither side sees
 // the other's LLVM version, standard library or exceptions.
 #pragma once
 
 #include <stddef.h>
 
 /// Changes with every incompatible change of this file; the loader refuses another number.
-enum { REGULUS_CLANG_INTERFACE = 1 };
+enum { REGULUS_CLANG_INTERFACE = 2 };
 
 /// Bytes with a length; `data` is also followed by a zero.
 typedef struct regulus_bytes {
@@ -50,3 +50,18 @@ typedef int (*regulus_clang_interface_function)(void);
 /// Compiles a C++ text to a relocatable ELF object for x86-64. Returns 0 on success.
 typedef int (*regulus_clang_compile_function)(const regulus_clang_request* request,
                                               const regulus_clang_sink* sink);
+
+/// The text of a kernel, and the name of the instruction set that it is for.
+typedef struct regulus_reader_request {
+  regulus_bytes text;
+  regulus_bytes isa;
+} regulus_reader_request;
+
+enum { REGULUS_READER_DONE = 0, REGULUS_READER_FAILED = 1, REGULUS_READER_OUTSIDE = 2 };
+
+#define REGULUS_READER_COMPILE_SYMBOL "regulus_reader_compile"
+
+/// Compiles what is written in the part of C++ that emitted kernels use; nothing but the text and
+/// the arithmetic of packs enters. Otherwise REGULUS_READER_OUTSIDE, and the diagnostics say why.
+typedef int (*regulus_reader_compile_function)(const regulus_reader_request* request,
+                                               const regulus_clang_sink* sink);

@@ -33,6 +33,7 @@ std::string object_key(const Compilation& compilation, std::string_view compiler
   parts.add(std::to_string(kLoaderVersion));
   parts.add(std::to_string(static_cast<int>(REGULUS_KERNEL_ABI)));
   parts.add(compiler);
+  parts.add(compilation.isa);
   parts.add(compilation.passes);
   parts.begin_list(compilation.flags.size());
   for (const std::string& flag : compilation.flags) parts.add(flag);

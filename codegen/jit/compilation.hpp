@@ -19,6 +19,7 @@ struct Compilation {
   std::vector<NamedText> headers;  ///< found by #include "name"; nothing else is
   std::vector<std::string> flags;  ///< of the clang++ command line
   std::string passes;              ///< optimiser pipeline, in the syntax of `opt -passes=`
+  std::string_view isa = {};       ///< the name of the instruction set
 };
 
 /// The name of the compilation's object in the cache.

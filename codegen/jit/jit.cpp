@@ -55,6 +55,7 @@ std::string compile_object(const ClangCompiler& compiler, const Compilation& com
   const std::string text(compilation.source.text);
   try {
     CompiledObject compiled = compiler.compile(compilation);
+    report.not_read = compiled.not_read;
     report.open_compiler_seconds = compiled.open_seconds;
     report.front_end_seconds = compiled.front_end_seconds;
     report.optimiser_seconds = compiled.optimiser_seconds;

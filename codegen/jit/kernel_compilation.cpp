@@ -37,6 +37,7 @@ constexpr const char* kPasses = "cgscc(inline,function(sroa,early-cse,instsimpli
 Compilation kernel_compilation(std::string_view text, Isa isa) {
   Compilation compilation;
   compilation.source = {"kernel.cpp", text};
+  compilation.isa = name(isa);
   for (const KernelHeader& header : kernel_headers())
     compilation.headers.push_back({header.path, header.text});
   auto& flags = compilation.flags;

@@ -15,7 +15,7 @@ set(codegen_program    interval kernel codegen/program)
 set(codegen_model      codegen/model)
 set(codegen_symbolic   interval regularity codegen/model codegen/program codegen/symbolic)
 set(codegen_emit       interval kernel codegen/program codegen/emit)
-set(codegen_jit        interval kernel codegen/emit codegen/jit)
+set(codegen_jit        interval kernel codegen/emit codegen/jit codegen/jit/reader codegen/jit/builder codegen/jit/plugin)
 set(codegen_driver     interval kernel regularity search certificate certificate/verifier codegen/model codegen/program codegen/symbolic
                        codegen/emit codegen/jit codegen/driver)
 

@@ -36,6 +36,7 @@ class RandomKernelText {
 
   std::string operation(int values) {
     const std::string x = value(values), y = value(values);
+    if (number(6) == 0) return rarer_operation(x, y);
     switch (number(12)) {
       case 0:
         return x + " + " + y;
@@ -62,6 +63,38 @@ class RandomKernelText {
         return "div(" + x + ", " + y + ", undefined)";
       default:
         return number(8) == 0 ? "sin(" + x + ")" : "P(-3.5) * " + x;
+    }
+  }
+
+  /// Functions, operators next to each other, and signs.
+  std::string rarer_operation(const std::string& x, const std::string& y) {
+    switch (number(12)) {
+      case 0:
+        return "checked(pow(" + x + " * P(0x1p-3), " + std::to_string(2 + number(6)) +
+               "), undefined)";
+      case 1:
+        return "sqrt(abs(" + x + "), undefined)";
+      case 2:
+        return "atan2(" + x + ", " + y + ", undefined)";
+      case 3:
+        return "atan(" + x + ") - asin(P(0.03125) * sin(" + y + "), undefined)";
+      case 4:
+        return "checked(" + x + " - " + y + " * P(0.5) - " + entry() + " * " + entry() +
+               ", undefined)";
+      case 5:
+        return "checked(-(" + x + " + " + y + ") * -" + entry() + ", undefined)";
+      case 6:
+        return "checked(" + x + " - (" + y + " - " + entry() + "), undefined)";
+      case 7:
+        return "checked(mul_add(" + x + ", " + y + ", thin(-" + entry() + ")), undefined)";
+      case 8:
+        return "checked(mul_add(" + x + ", " + entry() + ", -" + y + "), undefined)";
+      case 9:
+        return "mul_add(" + entry() + ", P(-3.0), constant(-0.0, 0x1p-1074))";
+      case 10:
+        return "cos(" + x + ") - P(2.0)";
+      default:
+        return "exp(sin(" + x + "), undefined)";
     }
   }
 

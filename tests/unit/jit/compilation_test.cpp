@@ -19,7 +19,7 @@ Compilation small_compilation() {
 }
 
 TEST(ObjectKey, DependsOnEveryPart) {
-  std::vector<Compilation> all(13, small_compilation());
+  std::vector<Compilation> all(14, small_compilation());
   all[1].source.text = "texts";
   all[2].source.name = "sources.cpp";
   all[3].headers[0].text = "First";
@@ -32,6 +32,7 @@ TEST(ObjectKey, DependsOnEveryPart) {
   all[10].headers = {{"a.hpp", "firstb.hppsecond"}};
   all[11].flags = {"-y", "-x"};
   all[12].source = {"source", ".cpptext"};
+  all[13].isa = "avx2";
   std::set<std::string> keys;
   for (const Compilation& compilation : all) keys.insert(object_key(compilation, "compiler"));
   keys.insert(object_key(all[0], "compiler 2"));
