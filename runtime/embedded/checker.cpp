@@ -30,6 +30,22 @@ bool within(Interval part, Interval whole) noexcept {
   return whole.lo <= part.lo && part.lo <= part.hi && part.hi <= whole.hi;
 }
 
+bool has_width(Interval x) noexcept { return x.lo < x.hi; }
+
+/// A range in up to `most` ≤ kLanes parts, which cover it.
+std::size_t cut(Interval range, std::size_t most, Interval* parts) noexcept {
+  std::size_t count = 1;
+  parts[0] = range;
+  while (count < most) {
+    const std::optional<Halves> halves = bisect(parts[0]);  // the oldest: none is wider
+    if (!halves) break;
+    std::rotate(parts, parts + 1, parts + count);
+    parts[count - 1] = halves->left;
+    parts[count++] = halves->right;
+  }
+  return count;
+}
+
 }  // namespace
 
 Checker::Checker(const regulus_kernel& kernel, std::span<const Interval> ranges, unsigned max_boxes,
@@ -40,7 +56,7 @@ Checker::Checker(const regulus_kernel& kernel, std::span<const Interval> ranges,
       decider_(problem_, settings_, structure_),
       batch_(kernel, decider_.order()),
       witness_(problem_, settings_, false),
-      frontier_(kernel.variables, std::size_t{max_boxes} + 2),
+      frontier_(kernel.variables, std::size_t{max_boxes} + kLanes + 1),
       half_(kernel.variables),
       places_(2 * std::size_t{kernel.variables}) {
   // What is initialised on first use is used here.
@@ -49,14 +65,10 @@ Checker::Checker(const regulus_kernel& kernel, std::span<const Interval> ranges,
 
 /// Kept out of line, so that no floating-point work moves out of the rounding scope of its caller.
 [[gnu::noinline]] Check Checker::search(std::span<const Interval> piece) noexcept {
-  std::copy(problem_.outer.begin(), problem_.outer.end(), half_.begin());
-  std::copy(piece.begin(), piece.end(), half_.begin());
-  const OpenBox root{0, 0, half_};
   boxes_ = 0;
   limit_ = {};
   witness_.forget();
-  frontier_.clear();
-  static_cast<void>(frontier_.push_top(root, decider_.bisector().approx_relative_width(half_)));
+  load_frontier(piece);
   Check check;
   while (!frontier_.empty()) {
     if (boxes_ == max_boxes_) return stopped_at(Reason::kBoxBudget, frontier_.top().box);
@@ -77,6 +89,27 @@ Check Checker::check(std::span<const Interval> piece) noexcept {
   if (!fits) return {};
   const RoundingScope scope(REGULUS_ROUND_NEAREST);
   return search(piece);
+}
+
+/// A batch costs the same however many boxes it has: what can only be split in one variable, such
+/// as a trajectory, starts as eight.
+void Checker::load_frontier(std::span<const Interval> piece) noexcept {
+  std::copy(problem_.outer.begin(), problem_.outer.end(), half_.begin());
+  std::copy(piece.begin(), piece.end(), half_.begin());
+  frontier_.clear();
+  const auto push = [this] {
+    static_cast<void>(
+        frontier_.push_top({0, 0, half_}, decider_.bisector().approx_relative_width(half_)));
+  };
+  if (std::count_if(piece.begin(), piece.end(), has_width) != 1) return push();
+  const auto wide = std::find_if(piece.begin(), piece.end(), has_width) - piece.begin();
+  Interval parts[kLanes];
+  const std::size_t count =
+      cut(piece[std::size_t(wide)], std::min(std::size_t{max_boxes_}, kLanes), parts);
+  for (std::size_t i = 0; i < count; ++i) {
+    half_[std::size_t(wide)] = parts[i];
+    push();
+  }
 }
 
 void Checker::load_batch() noexcept {
@@ -127,8 +160,7 @@ void Checker::split(std::size_t lane) noexcept {
   lower[variable] = halves.left;
   half_[variable] = halves.right;
   const Bisector& bisector = decider_.bisector();
-  // There is room: a box that is split has left the frontier, so it never holds more than boxes_
-  // + 1.
+  // There is room: each box evaluated adds one at most to the eight there may be at the start.
   static_cast<void>(frontier_.push_halves({0, depth, lower}, bisector.approx_relative_width(lower),
                                           {0, depth, half_},
                                           bisector.approx_relative_width(half_)));

@@ -50,6 +50,7 @@ class Checker {
 
  private:
   [[nodiscard]] Check search(std::span<const Interval> piece) noexcept;
+  void load_frontier(std::span<const Interval> piece) noexcept;
   void load_batch() noexcept;
   [[nodiscard]] bool draw_conclusions(Check& check) noexcept;
   [[nodiscard]] Check stopped_at(Reason reason, std::span<const Interval> box) noexcept;

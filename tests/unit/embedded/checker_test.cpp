@@ -109,6 +109,27 @@ TEST_F(Embedded, PiecesThatDoNotFitAreRefused) {
   }
 }
 
+/// The determinant vanishes at one double of a short trajectory, somewhere: it must be seen.
+TEST_F(Embedded, NoPartOfATrajectoryIsLeftOut) {
+  const Piece exact = {{-1, 1}, {-1, 1}, {0, 0}};
+  for (const unsigned most : {1U, 2U, 3U, 5U, 7U, 8U, 100U}) {
+    Checker checker(line_, exact, most);
+    for (int ulps = 1; ulps < 40; ++ulps)
+      for (int zero = 0; zero <= ulps; ++zero) {
+        const Interval x{-0x1p-60 * zero, 0x1p-60 * (ulps - zero)};
+        EXPECT_NE(checker.check(Piece{x, {0, 0}}).verdict, Verdict::kNoSingularity);
+      }
+    for (const double from : {-1.0, 0x1p-100, 0.3}) {
+      double to = from;
+      for (int ulps = 0; ulps < 20; ++ulps, to = std::nextafter(to, 2.0)) {
+        const Check check = checker.check(Piece{{from, to}, {0, 0}});
+        EXPECT_EQ(check.verdict, Verdict::kNoSingularity) << from << ' ' << ulps << ' ' << most;
+        EXPECT_LE(check.boxes, most);
+      }
+    }
+  }
+}
+
 TEST_F(Embedded, FaultyProblemsAreRefusedWhenTheCheckerIsMade) {
   EXPECT_THROW(Checker(point_, ranges_, 0), std::invalid_argument);
   EXPECT_THROW(Checker(point_, ranges_, Checker::kMaxBoxes + 1), std::invalid_argument);
