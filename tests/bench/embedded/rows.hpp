@@ -1,0 +1,11 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "bench/report/row.hpp"
+
+namespace regulus::bench {
+
+/// A check inside a control loop: runtime/embedded, the kernel in memory.
+[[nodiscard]] Section embedded_rows();
+
+}  // namespace regulus::bench

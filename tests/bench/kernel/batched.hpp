@@ -1,0 +1,32 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <vector>
+
+#include "bench/kernel/subject.hpp"
+#include "regulus/kernel/buffers.hpp"
+#include "regulus/kernel/call.hpp"
+
+namespace regulus::bench {
+
+/// K·M of the sample by a kernel, eight boxes at a time, called as the search calls it.
+class BatchedProduct {
+ public:
+  /// Requires  `kernel` outlives this object; the processor can run it.
+  BatchedProduct(const regulus_kernel& kernel, const Sample& sample);
+
+  void pass() noexcept;
+
+  /// Throws std::domain_error where an entry is undefined.
+  [[nodiscard]] std::vector<Interval> entries(std::size_t box);
+
+ private:
+  unsigned evaluate(std::size_t batch) noexcept;
+
+  Kernel kernel_;
+  std::vector<BoxBatch> boxes_;
+  std::vector<PointRows> K_;
+  OutputBatch out_;
+};
+
+}  // namespace regulus::bench

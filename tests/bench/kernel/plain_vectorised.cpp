@@ -1,0 +1,15 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "bench/kernel/plain_arithmetic.hpp"
+#include "left_product.hpp"
+
+namespace regulus::bench {
+namespace {
+struct Flags;
+}
+
+void plain_vectorised(const double* v, const double* k, double* out) noexcept {
+  PlainArithmetic<Flags> arithmetic;
+  left_product(arithmetic, v, k, out);
+}
+
+}  // namespace regulus::bench

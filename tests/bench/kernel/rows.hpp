@@ -1,0 +1,11 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "bench/report/row.hpp"
+
+namespace regulus::bench {
+
+/// K·M of robot 1 by our kernels, compiled in process and ahead of time, and by everyone else.
+[[nodiscard]] Section kernel_rows();
+
+}  // namespace regulus::bench

@@ -1,0 +1,55 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Writes what the build compiles from the subject: left_product.hpp for the rivals' arithmetic,
+// kernel_ISA.cpp for ours, and search.cpp, the kernel of a whole search.
+//
+//     bench_write_sources DIRECTORY
+#include <filesystem>
+#include <fstream>
+#include <iostream>
+#include <sstream>
+
+#include "bench/kernel/straight_line.hpp"
+#include "bench/kernel/subject.hpp"
+#include "regulus/codegen/emit/emit.hpp"
+#include "regulus/kernel/isa.hpp"
+
+namespace regulus::bench {
+namespace {
+
+/// Leaves a file alone that says this already: nothing is compiled again for it.
+void write(const std::filesystem::path& path, const std::string& text) {
+  std::ostringstream old;
+  old << std::ifstream(path).rdbuf();
+  if (old.str() == text) return;
+  std::ofstream file(path);
+  file << text;
+  if (!file.flush()) throw std::runtime_error("cannot write " + path.string());
+}
+
+void write_sources(const std::filesystem::path& directory) {
+  const codegen::Module module = kernel_subject();
+  write(directory / "left_product.hpp",
+        straight_line_text(left_product_of(module), "left_product"));
+  codegen::EmitOptions search;
+  search.prefix = "bench_search";
+  write(directory / "search.cpp", codegen::emit(search_subject().module, search).source);
+  for (const Isa isa : kAllIsas) {
+    codegen::EmitOptions options;
+    options.prefix = "bench_" + std::string(name(isa));
+    write(directory / ("kernel_" + std::string(name(isa)) + ".cpp"),
+          codegen::emit(module, options).source);
+  }
+}
+
+}  // namespace
+}  // namespace regulus::bench
+
+int main(int argc, char** argv) {
+  if (argc != 2) return 64;
+  try {
+    regulus::bench::write_sources(argv[1]);
+  } catch (const std::exception& error) {
+    std::cerr << error.what() << '\n';
+    return 70;
+  }
+}

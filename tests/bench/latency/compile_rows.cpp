@@ -1,0 +1,97 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <optional>
+
+#include "bench/kernel/subject.hpp"
+#include "bench/latency/rows.hpp"
+#include "regulus/codegen/driver/pipeline.hpp"
+#include "regulus/codegen/emit/emit.hpp"
+#include "regulus/codegen/jit/jit.hpp"
+#include "support/spawned_compiler.hpp"
+#include "support/temporary_directory.hpp"
+
+namespace regulus::bench {
+namespace {
+
+/// A text, and how much sooner it should be machine code in process than by a spawned compiler.
+struct Subject {
+  const char* name;
+  const char* explanation;
+  codegen::EmittedKernel text;
+  std::optional<Target> target;
+};
+
+codegen::Module robot_1(const codegen::FormulationOptions& functions) {
+  codegen::ModelOptions options;
+  options.path = REGULUS_SOURCE_DIR "/models/robot_1.toml";
+  options.motion = "wide_15";
+  const codegen::Request request = codegen::read_request(options);
+  return codegen::lower(codegen::formulate(request.model, request.motion, functions));
+}
+
+std::vector<Subject> subjects() {
+  Settings derivatives;
+  derivatives.entries = Entries::kDerivatives;
+  return {
+      {"values", "A and K·M, nothing else", codegen::emit(kernel_subject()), ratio_at_least(15)},
+      {"values and derivatives", "what `check --method kj` compiles",
+       codegen::emit(robot_1(codegen::functions_needed(Method::kKj, derivatives))),
+       ratio_at_least(4)},
+      {"second order",
+       "what `check` compiles",
+       codegen::emit(robot_1(codegen::functions_needed(Method::kAuto))),
+       {}}};
+}
+
+void add_rows(const Subject& subject, Section& section) {
+  const test::TemporaryDirectory directory;
+  codegen::CompileOptions options;
+  options.isa = best_isa();
+  options.use_cache = false;
+  const Contender contenders[] = {
+      {"in process", 1, [&] { static_cast<void>(codegen::compile_kernel(subject.text, options)); }},
+      {"spawned", 1, [&] {
+         static_cast<void>(
+             test::compile_with_spawned("g++", subject.text.source, options.isa, directory.path()));
+       }}};
+  RoundOptions rounds;
+  rounds.rounds = 5;
+  rounds.slice = 0;
+  rounds.clock = wall_seconds;
+  const std::vector<Timing> timings = compare(contenders, rounds);
+
+  const auto lines = std::count(subject.text.source.begin(), subject.text.source.end(), '\n');
+  section.rows.push_back(
+      timed_row(fmt::format("{}, in process", subject.name), timings[0], 1e3, "ms",
+                fmt::format("{}: {} lines; machine code in memory, ready to be called",
+                            subject.explanation, lines)));
+  section.rows.push_back(timed_row(fmt::format("{}, `g++`", subject.name), timings[1], 1e3, "ms",
+                                   "`g++ -O2 -shared -fPIC` as a process, then dlopen"));
+  section.rows.back().target = subject.target;
+}
+
+}  // namespace
+
+Section compile_rows() {
+  Section section{"compile",
+                  "From text to machine code",
+                  fmt::format("The same text for {}, without a cache, on the wall; the compiler in "
+                              "process has been loaded. The ratio is to the row above.",
+                              name(best_isa())),
+                  {}};
+  if (!test::is_installed("g++")) {
+    section.rows = {skipped_row("in process against `g++`", "g++ was not found", "")};
+    return section;
+  }
+  // What the first compilation of a process takes more is in the rows of whole processes.
+  codegen::CompileOptions options;
+  options.isa = best_isa();
+  options.use_cache = false;
+  static_cast<void>(codegen::rounding_self_test(options));
+  for (const Subject& subject : subjects()) add_rows(subject, section);
+  return section;
+}
+
+}  // namespace regulus::bench

@@ -1,0 +1,95 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+#include "bench/latency/rows.hpp"
+#include "bench/measure/process.hpp"
+#include "support/temporary_directory.hpp"
+
+namespace regulus::bench {
+namespace {
+
+/// The command with a cache of its own.
+class Command {
+ public:
+  Command(std::vector<std::string> arguments, const test::TemporaryDirectory& cache)
+      : words_{REGULUS_COMMAND}, cache_("XDG_CACHE_HOME=" + cache.path().string()) {
+    words_.insert(words_.end(), arguments.begin(), arguments.end());
+  }
+
+  void run() const { static_cast<void>(run(words_)); }
+
+  /// The median of a few runs.
+  [[nodiscard]] double peak_megabytes() const {
+    constexpr int kRuns = 3;
+    constexpr double kKilobytes = 1024;
+    std::vector<std::string> measured = {REGULUS_PEAK_MEMORY};
+    measured.insert(measured.end(), words_.begin(), words_.end());
+    std::vector<double> megabytes;
+    for (int i = 0; i < kRuns; ++i) megabytes.push_back(std::stod(run(measured)) / kKilobytes);
+    return spread_of(megabytes).median;
+  }
+
+ private:
+  [[nodiscard]] std::string run(const std::vector<std::string>& words) const {
+    ProcessRun run = run_process(words, {cache_});
+    if (run.exit_code != 0) throw std::runtime_error("the command failed: " + run.output);
+    return std::move(run.output);
+  }
+
+  std::vector<std::string> words_;
+  std::string cache_;
+};
+
+Row memory_row(std::string name, double megabytes, double most) {
+  Row row;
+  row.name = std::move(name);
+  row.value = megabytes;
+  row.unit = "MB";
+  row.target = value_at_most(most);
+  row.explanation = "the most memory the process had at once (ru_maxrss)";
+  return row;
+}
+
+}  // namespace
+
+Section process_rows() {
+  const test::TemporaryDirectory cache;
+  const std::vector<std::string> check = {"check", REGULUS_SOURCE_DIR "/models/robot_1.toml",
+                                          "wide_15", "--quiet"};
+  std::vector<std::string> uncached = check;
+  uncached.emplace_back("--no-cache");
+  const Command nothing({"--version"}, cache), warm(check, cache), cold(uncached, cache);
+  warm.run();  // fills the cache
+
+  const Contender contenders[] = {{"version", 1, [&] { nothing.run(); }},
+                                  {"warm", 1, [&] { warm.run(); }},
+                                  {"cold", 1, [&] { cold.run(); }}};
+  RoundOptions options;
+  options.rounds = 9;
+  options.clock = wall_seconds;
+  const std::vector<Timing> timings = compare(contenders, options);
+
+  Section section{
+      "process",
+      "The command as a process",
+      "From before the process is started until it has ended, on the wall. The ratio is "
+      "to the first row.",
+      {}};
+  section.rows.push_back(
+      timed_row("`regulus --version`", timings[0], 1e3, "ms", "a process that does nothing"));
+  section.rows.push_back(
+      timed_row("`regulus check`, cache hit", timings[1], 1e3, "ms",
+                "`models/robot_1.toml wide_15`: model, symbolic stage, search; no "
+                "compiler is loaded"));
+  section.rows.back().target = ratio_at_most(3);
+  section.rows.push_back(timed_row("`regulus check --no-cache`", timings[2], 1e3, "ms",
+                                   "the same, the compiler loaded, kernel and rounding self-test "
+                                   "compiled"));
+  section.rows.push_back(memory_row("memory, cache hit", warm.peak_megabytes(), 40));
+  section.rows.push_back(memory_row("memory, `--no-cache`", cold.peak_megabytes(), 250));
+  return section;
+}
+
+}  // namespace regulus::bench

@@ -1,0 +1,147 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "bench/limit/rows.hpp"
+
+#include <fmt/format.h>
+
+#include "bench/kernel/batched.hpp"
+#include "bench/kernel/subject.hpp"
+#include "bench/limit/instructions.hpp"
+#include "bench/limit/peak.hpp"
+#include "regulus/codegen/emit/emit.hpp"
+#include "regulus/codegen/jit/clang_compiler.hpp"
+#include "regulus/codegen/jit/jit.hpp"
+#include "regulus/codegen/jit/kernel_compilation.hpp"
+#include "regulus/interval/x8.hpp"
+#include "regulus/kernel/buffers.hpp"
+
+namespace regulus::bench {
+namespace {
+
+constexpr std::size_t kBatches = Sample::kBoxes / std::size_t{REGULUS_LANES};
+
+Section heading() {
+  return {"limit",
+          "What the processor can do at best",
+          "The AVX-512 kernel of K·M against loops that do nothing but 512-bit arithmetic in "
+          "registers. The ratio is to the first row.",
+          {}};
+}
+
+Row counted(std::string name, double value, std::string explanation) {
+  Row row;
+  row.name = std::move(name);
+  row.value = value;
+  row.unit = "a batch";
+  row.explanation = std::move(explanation);
+  return row;
+}
+
+/// The part of the peak: the time that so many operations take at best, by the time they took.
+Row fraction(std::string name, std::size_t operations, const Spread& peak_by_time,
+             std::string explanation) {
+  const double percent = 100.0 * static_cast<double>(operations);
+  Row row = counted(std::move(name), percent * peak_by_time.median, std::move(explanation));
+  row.unit =
+      fmt::format("% ({:.0f}–{:.0f})", percent * peak_by_time.low, percent * peak_by_time.high);
+  return row;
+}
+
+/// The same ratio to what is left of the reference without a part of it.
+Spread without(const Spread& ratio, const Spread& part) {
+  const double left = 1 - part.median;
+  return {ratio.median / left, ratio.low / left, ratio.high / left};
+}
+
+/// As many sines and cosines of eight intervals as a batch takes.
+class SinesAndCosines {
+ public:
+  SinesAndCosines(const codegen::Module& module, const Sample& sample)
+      : count_(sines_and_cosines(left_product_of(module))), angles_(1), values_(2) {
+    for (std::size_t lane = 0; lane < REGULUS_LANES; ++lane)
+      angles_.set(0, lane, sample.boxes[(lane + 1) * sample.variables - 1]);
+  }
+
+  void pass() noexcept {
+    for (std::size_t i = 0; i < count_; ++i) regulus_x8_sincos(angles_.data(), values_.data());
+  }
+
+ private:
+  std::size_t count_;
+  IntervalRows angles_, values_;
+};
+
+}  // namespace
+
+Section limit_rows() {
+  Section section = heading();
+  if (!supported(Isa::kAvx512)) {
+    section.rows = {skipped_row("fraction of the peak", "this processor has no AVX-512", "")};
+    return section;
+  }
+  const codegen::Module module = kernel_subject();
+  const Sample sample = make_sample(module);
+  const codegen::EmittedKernel text = codegen::emit(module);
+  codegen::CompileOptions options;
+  options.isa = Isa::kAvx512;
+  options.use_cache = false;
+  const codegen::CompiledKernel compiled = codegen::compile_kernel(text, options);
+  BatchedProduct product(*compiled.kernel(), sample);
+
+  SinesAndCosines sines(module, sample);
+
+  const Contender contenders[] = {
+      {"K·M, eight boxes", static_cast<double>(kBatches), [&] { product.pass(); }},
+      {"embedded rounding", kPeakOperations, peak_bounds},
+      {"fused", kPeakOperations, peak_fused},
+      {"sines and cosines", 1, [&] { sines.pass(); }},
+  };
+  const std::vector<Timing> timings = compare(contenders);
+  section.rows.push_back(timed_row("K·M, a batch of eight boxes", timings[0], 1e9, "ns",
+                                   "sines and cosines included"));
+  section.rows.push_back(timed_row("of these, sines and cosines", timings[3], 1e9, "ns",
+                                   "regulus_x8_sincos for the three angles"));
+  section.rows.push_back(
+      timed_row("a bound at best", timings[1], 1e9, "ns",
+                "vaddpd and vmulpd on zmm registers, {ru-sae} and {rd-sae} in turn, "
+                "16 independent chains"));
+  section.rows.push_back(timed_row("a fused multiply-add at best", timings[2], 1e9, "ns",
+                                   "vfmadd on zmm registers, {rd-sae}, 16 independent chains"));
+  section.rows.push_back(
+      counted("bound operations of the program",
+              static_cast<double>(bound_operations(left_product_of(module))),
+              "2 for a sum, 2 for a product with a double, 4 and a minimum and a maximum for a "
+              "product of intervals"));
+
+  const std::string object = codegen::ClangCompiler()
+                                 .compile(codegen::kernel_compilation(text.source, Isa::kAvx512))
+                                 .object;
+  const std::optional<std::string> listing = disassemble(object);
+  if (!listing) {
+    section.rows.push_back(skipped_row("fraction of the peak", "objdump was not found", ""));
+    return section;
+  }
+  const VectorInstructions counts = count_instructions(*listing, "left_product");
+  section.rows.push_back(counted("bound operations of the code",
+                                 static_cast<double>(counts.arithmetic),
+                                 "vadd vsub vmul vfmadd vmin vmax on zmm registers, by objdump; "
+                                 "without those of sines and cosines"));
+  section.rows.push_back(counted("selections of the code", static_cast<double>(counts.selection),
+                                 "blends, comparisons and logic on zmm registers: they take the "
+                                 "same two ports and give no bound"));
+  section.rows.push_back(counted("moves of the code", static_cast<double>(counts.moves),
+                                 "loads, stores, copies and broadcasts of zmm registers"));
+  const Spread& peak = timings[1].ratio;
+  Row reached = fraction("fraction of the peak, bounds", counts.arithmetic, peak,
+                         "operations on bounds of the code, at best, by the time of a batch");
+  reached.target = value_at_least(40);
+  section.rows.push_back(std::move(reached));
+  section.rows.push_back(fraction("the same without the time of sines and cosines",
+                                  counts.arithmetic, without(peak, timings[3].ratio),
+                                  "whose operations are not counted"));
+  section.rows.push_back(fraction(
+      "and with selections: how full the ports are", counts.arithmetic + counts.selection,
+      without(peak, timings[3].ratio), "what no order of instructions could make faster is 100 %"));
+  return section;
+}
+
+}  // namespace regulus::bench

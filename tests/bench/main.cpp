@@ -1,0 +1,95 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Runs the benchmarks, prints their tables as they come, and writes the report.
+//
+//     bench [--only SECTION,…] [--json FILE] [--markdown FILE]
+//     bench one MODEL MOTION [--tolerance E]
+#include <CLI/CLI.hpp>
+#include <algorithm>
+#include <fstream>
+#include <iostream>
+
+#include "bench/counts/rows.hpp"
+#include "bench/embedded/rows.hpp"
+#include "bench/kernel/rows.hpp"
+#include "bench/latency/rows.hpp"
+#include "bench/limit/rows.hpp"
+#include "bench/report/writers.hpp"
+#include "bench/search/prepared.hpp"
+#include "bench/search/rows.hpp"
+
+namespace regulus::bench {
+namespace {
+
+struct NamedSection {
+  const char* name;
+  Section (*run)();
+};
+
+/// In the order of the report.
+constexpr NamedSection kSections[] = {
+    {"kernel", kernel_rows},   {"limit", limit_rows},     {"search", search_rows},
+    {"product", product_rows}, {"threads", thread_rows},  {"embedded", embedded_rows},
+    {"process", process_rows}, {"compile", compile_rows}, {"counts", count_rows},
+};
+
+struct Options {
+  std::vector<std::string> only;
+  std::string json;
+  std::string markdown;
+};
+
+bool wanted(const Options& options, const char* name) {
+  return options.only.empty() ||
+         std::find(options.only.begin(), options.only.end(), name) != options.only.end();
+}
+
+void write(const std::string& path, const std::string& text) {
+  if (path.empty()) return;
+  std::ofstream file(path);
+  file << text;
+  if (!file.flush()) throw std::runtime_error("cannot write " + path);
+}
+
+void run(const Options& options) {
+  Report report{this_machine(), {}};
+  for (const NamedSection& section : kSections) {
+    if (!wanted(options, section.name)) continue;
+    report.sections.push_back(section.run());
+    std::cout << to_markdown(report.sections.back()) << std::endl;
+  }
+  write(options.json, to_json(report));
+  write(options.markdown, to_markdown(report));
+  std::cout << summary(report) << '\n';
+}
+
+}  // namespace
+}  // namespace regulus::bench
+
+int main(int argc, char** argv) {
+  using namespace regulus::bench;
+  CLI::App app{"What the code costs, and what others cost for the same."};
+  Options options;
+  std::vector<std::string> names;
+  for (const NamedSection& section : kSections) names.emplace_back(section.name);
+  app.add_option("--only", options.only, "Run these sections")
+      ->delimiter(',')
+      ->check(CLI::IsMember(names));
+  app.add_option("--json", options.json, "Write the report as JSON");
+  app.add_option("--markdown", options.markdown, "Write the report as Markdown");
+  CLI::App& one = *app.add_subcommand("one", "Time the search of one problem");
+  std::string model, motion, tolerance;
+  one.add_option("MODEL", model, "A model file")->required();
+  one.add_option("MOTION", motion, "One of its motions")->required();
+  one.add_option("--tolerance", tolerance, "Of the groups base and platform");
+  CLI11_PARSE(app, argc, argv);
+  try {
+    if (one)
+      std::cout << to_markdown(
+          rows_of({motion.c_str(), model.c_str(), motion.c_str(), tolerance.c_str()}));
+    else
+      run(options);
+  } catch (const std::exception& error) {
+    std::cerr << "bench: " << error.what() << '\n';
+    return 70;
+  }
+}

@@ -1,0 +1,21 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <string>
+#include <vector>
+
+namespace regulus::bench {
+
+struct ProcessRun {
+  int exit_code = -1;       ///< −1: no such program, or ended by a signal
+  double wall_seconds = 0;  ///< from before it was started until it had been waited for
+  std::string output;       ///< standard output and standard error
+};
+
+/// Runs a program, found in PATH unless its name has a slash, and waits for it.
+///
+/// Shape     environment: "NAME=VALUE", put over that of this process.
+[[nodiscard]] ProcessRun run_process(const std::vector<std::string>& command,
+                                     const std::vector<std::string>& environment = {});
+
+}  // namespace regulus::bench

@@ -1,0 +1,40 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <memory>
+#include <string>
+
+#include "bench/measure/rounds.hpp"
+#include "regulus/codegen/driver/options.hpp"
+#include "regulus/codegen/driver/pipeline.hpp"
+#include "regulus/search/result.hpp"
+
+namespace regulus::bench {
+
+/// What to certify, in words of the command line.
+struct SearchCase {
+  const char* title;
+  const char* model;  ///< a path, or below models/ without .toml
+  const char* motion;
+  const char* tolerance = "";  ///< of base and platform
+};
+
+/// A search that only has to be started: the kernel is compiled.
+class PreparedSearch {
+ public:
+  PreparedSearch(const SearchCase& which, const codegen::SearchOptions& options);
+
+  Settings& settings() noexcept { return settings_; }
+  void run();
+
+  /// Of the last run. Throws std::logic_error unless that proved NO SINGULARITY: a time without a
+  /// verdict compares with nothing.
+  [[nodiscard]] const Statistics& statistics() const;
+
+ private:
+  codegen::Preparation preparation_;
+  Settings settings_;
+  Result result_;
+};
+
+}  // namespace regulus::bench

@@ -1,0 +1,172 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "bench/search/rows.hpp"
+
+#include <fmt/format.h>
+
+#include <deque>
+
+#include "bench/search/prepared.hpp"
+
+namespace regulus::bench {
+namespace {
+
+constexpr SearchCase kCases[] = {{"wide_15", "robot_1", "wide_15"},
+                                 {"table5_30", "robot_2", "table5_30"},
+                                 {"table6_15_15, ±0.1", "robot_1", "table6_15_15", "0.1"},
+                                 {"T2", "robot_1", "T2"}};
+
+std::string count_of(std::uint64_t boxes) {
+  return boxes == 1 ? "1 box" : fmt::format("{} boxes", boxes);
+}
+
+/// Searches of one problem, the first of which is the reference.
+class SearchComparison {
+ public:
+  void add(std::string name, std::string explanation, const SearchCase& which,
+           const codegen::SearchOptions& options, unsigned batch = REGULUS_LANES) {
+    PreparedSearch& search = searches_.emplace_back(which, options);
+    search.settings().batch = batch;
+    search.run();
+    static_cast<void>(search.statistics());
+    Row& row = rows_.emplace_back();
+    row.name = std::move(name);
+    row.explanation = std::move(explanation);
+    contenders_.push_back({row.name, 1, [&search] { search.run(); }});
+  }
+
+  void skip(Row row) { skipped_.push_back(std::move(row)); }
+
+  /// Rows of microseconds a box, with boxes and total in the explanation.
+  void append_to(Section& section) {
+    RoundOptions options;
+    options.rounds = 9;
+    const std::vector<Timing> timings = compare(contenders_, options);
+    for (std::size_t i = 0; i < rows_.size(); ++i) {
+      const std::uint64_t boxes = searches_[i].statistics().boxes;
+      const double microseconds = timings[i].seconds.median * 1e6;
+      Row& row = rows_[i];
+      row.value = microseconds / static_cast<double>(boxes);
+      row.unit = "µs/box";
+      row.ratio = timings[i].ratio;
+      row.explanation =
+          fmt::format("{}: {}, {:.3g} ms", row.explanation, count_of(boxes), microseconds * 1e-3);
+      section.rows.push_back(std::move(row));
+    }
+    section.rows.insert(section.rows.end(), skipped_.begin(), skipped_.end());
+  }
+
+ private:
+  std::deque<PreparedSearch> searches_;
+  std::vector<Row> rows_, skipped_;
+  std::vector<Contender> contenders_;
+};
+
+/// One thread, whose processor time is what is measured.
+codegen::SearchOptions alone() {
+  codegen::SearchOptions options;
+  options.threads = 1;
+  return options;
+}
+
+codegen::SearchOptions on(Isa isa) {
+  codegen::SearchOptions options = alone();
+  options.isa = name(isa);
+  return options;
+}
+
+void add_case(const SearchCase& which, Section& section) {
+  SearchComparison comparison;
+  for (const Isa isa : kAllIsas) {
+    const std::string title = fmt::format("{}, {}", which.title, name(isa));
+    if (supported(isa))
+      comparison.add(title, "eight boxes at once", which, on(isa));
+    else
+      comparison.skip(skipped_row(title, "this processor cannot run it", ""));
+  }
+  comparison.add(fmt::format("{}, one at a time", which.title),
+                 "Settings::batch = 1: seven lanes of eight idle", which, on(best_isa()), 1);
+  comparison.append_to(section);
+}
+
+Section search_heading() {
+  return {"search",
+          "Whole searches",
+          "`regulus check` on the paper's problems, search alone, in one process. The ratio is of "
+          "total times, to the first row of the problem; the instruction set is the kernel's, the "
+          "regularity tests run on the best there is.",
+          {}};
+}
+
+}  // namespace
+
+Section search_rows() {
+  Section section = search_heading();
+  for (const SearchCase& which : kCases) add_case(which, section);
+  return section;
+}
+
+Section rows_of(const SearchCase& which) {
+  Section section = search_heading();
+  add_case(which, section);
+  return section;
+}
+
+Section product_rows() {
+  constexpr SearchCase kBoth[] = {{"wide_15", "robot_1", "wide_15"},
+                                  {"table5_20", "robot_2", "table5_20"},
+                                  {"table5_30", "robot_2", "table5_30"},
+                                  {"table6_5_5, ±0.05", "robot_1", "table6_5_5", "0.05"},
+                                  {"T2", "robot_1", "T2"}};
+  Section section{"product",
+                  "K·J⁻¹ multiplied out symbolically, and from numbers",
+                  "The paper's point: a variable that occurs less often gives narrower bounds. The "
+                  "ratio is of total times, to the first row of the problem.",
+                  {}};
+  for (const SearchCase& which : kBoth) {
+    SearchComparison comparison;
+    for (const char* method : {"kj", "kj-numeric", "auto"}) {
+      codegen::SearchOptions options = alone();
+      options.method = method;
+      comparison.add(fmt::format("{}, {}", which.title, method),
+                     fmt::format("`--method {}`", method), which, options);
+    }
+    comparison.append_to(section);
+  }
+  return section;
+}
+
+Section thread_rows() {
+  Section section{"threads",
+                  "Threads",
+                  "Time on the wall, and processor time, of a search of more than 100 000 boxes. "
+                  "The ratio is to one thread: below 1 is sooner.",
+                  {}};
+  codegen::SearchOptions options = alone();
+  options.without = {"moving"};
+  PreparedSearch search({"", "robot_1", "wide_15", "0.115"}, options);
+  const auto with_threads = [&](unsigned threads) {
+    search.settings().threads = threads;
+    search.run();
+  };
+  const Contender contenders[] = {{"1", 1, [&] { with_threads(1); }},
+                                  {"2", 1, [&] { with_threads(2); }}};
+  RoundOptions rounds;
+  rounds.rounds = 5;
+  rounds.slice = 0;
+  rounds.clock = wall_seconds;
+  const std::vector<Timing> wall = compare(contenders, rounds);
+  rounds.rounds = 3;
+  rounds.clock = process_seconds;
+  const std::vector<Timing> work = compare(contenders, rounds);
+  const std::string what = fmt::format("`wide_15 --without moving`, anchors ±0.115 cm: {}",
+                                       count_of(search.statistics().boxes));
+  section.rows = {
+      timed_row("1 thread", wall[0], 1, "s", what),
+      timed_row("2 threads", wall[1], 1, "s", "the same boxes; needs a processor that is free"),
+      timed_row("1 thread, processor time", work[0], 1, "s", "the same"),
+      timed_row("2 threads, processor time", work[1], 1, "s",
+                "of both together: what sharing the work costs, whoever else runs")};
+  return section;
+}
+
+}  // namespace regulus::bench
