@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: Apache-2.0
 # Short names for the usual work; everything is in CMake. `make help` lists them.
-.PHONY: help demo build test test-all paper growth ablation asan ubsan clang dependencies format clean
+.PHONY: help demo build test test-all paper growth ablation bench asan ubsan clang dependencies format clean
 .DEFAULT_GOAL := help
 
 help:           ## this list
@@ -44,6 +44,13 @@ ablation: dependencies  ## what each ingredient contributes: tests/paper/ABLATIO
 	cmake --build --preset release --target ablation_tables
 	build/bin/ablation_tables $(LIMIT) >build/ABLATION.md
 	mv build/ABLATION.md tests/paper/ABLATION.md
+
+bench: dependencies  ## what it costs, and what others cost: tests/bench/RESULTS.md, build/bench.json
+	@cmake/install-dependencies.sh libboost-dev libmpfi-dev valgrind || echo "Rows that need what is missing will say so."
+	cmake --preset release -DREGULUS_TESTS=ON -DREGULUS_BENCH=ON
+	cmake --build --preset release --target bench
+	build/bin/bench --json build/bench.json --markdown build/BENCH.md
+	mv build/BENCH.md tests/bench/RESULTS.md
 
 asan ubsan clang: dependencies  ## the fast tests under that preset
 	cmake --preset $@

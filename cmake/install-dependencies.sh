@@ -1,10 +1,10 @@
 #!/bin/sh
 # SPDX-License-Identifier: Apache-2.0
-# Installs what cmake/packages-debian.txt names and the machine lacks. Elsewhere than on Debian and
-# its kin it prints the list and stops.
+# Installs what cmake/packages-debian.txt names, and packages named as arguments, that the machine
+# lacks. Elsewhere than on Debian and its kin it prints the list and stops.
 set -eu
 here=$(dirname "$0")
-packages=$(sed -e 's/#.*//' -e '/^[[:space:]]*$/d' "$here/packages-debian.txt" | tr '\n' ' ')
+packages=$(sed -e 's/#.*//' -e '/^[[:space:]]*$/d' "$here/packages-debian.txt" | tr '\n' ' ')"$*"
 
 if ! command -v dpkg-query >/dev/null 2>&1; then
   echo "This is not a Debian system. Install the equivalents of these Debian packages, then run make again:"
