@@ -60,19 +60,26 @@ std::size_t bound_operations(const Program& program) {
 }
 
 VectorInstructions count_instructions(std::string_view listing, std::string_view symbol) {
+  constexpr int kHexadecimal = 16;
   VectorInstructions counts;
   bool inside = false;
+  std::size_t start = 0, last = 0;
   std::istringstream lines{std::string(listing)};
   for (std::string line; std::getline(lines, line);) {
-    if (line.ends_with(">:")) {
+    if (line.ends_with(">:")) {  // "0000000000000110 <symbol>:"
+      counts.bytes += last - start;
+      start = last = std::stoul(line, nullptr, kHexadecimal);
       inside = line.find(symbol) != std::string::npos;
       continue;
     }
     // "  113:\tvaddpd %zmm1,%zmm2,%zmm3"
     const std::size_t tab = line.find('\t');
-    if (!inside || tab == std::string::npos || line.find("%zmm") == std::string::npos) continue;
-    count(std::string_view(line).substr(tab + 1), counts);
+    if (!inside || tab == std::string::npos) continue;
+    last = std::stoul(line, nullptr, kHexadecimal);
+    if (line.find("%zmm") != std::string::npos)
+      count(std::string_view(line).substr(tab + 1), counts);
   }
+  counts.bytes += last - start;
   return counts;
 }
 

@@ -25,6 +25,7 @@ struct VectorInstructions {
   std::size_t selection =
       0;  ///< blends, masked moves, comparisons, logic: the same two ports, no bound
   std::size_t moves = 0;  ///< loads, stores, copies, broadcasts, unmasked
+  std::size_t bytes = 0;  ///< of all code, up to the last instruction of each symbol
 };
 
 /// Counts what a listing of `objdump -d --no-show-raw-insn` has between the heads of symbols that

@@ -3,6 +3,9 @@
 
 #include <fmt/format.h>
 
+#include <optional>
+#include <vector>
+
 #include "bench/kernel/batched.hpp"
 #include "bench/kernel/subject.hpp"
 #include "bench/limit/instructions.hpp"
@@ -27,22 +30,23 @@ Section heading() {
           {}};
 }
 
-Row counted(std::string name, double value, std::string explanation) {
+Row counted(std::string name, std::size_t value, std::string unit, std::string explanation) {
   Row row;
   row.name = std::move(name);
-  row.value = value;
-  row.unit = "a batch";
+  row.value = static_cast<double>(value);
+  row.unit = std::move(unit);
   row.explanation = std::move(explanation);
   return row;
 }
 
 /// The part of the peak: the time that so many operations take at best, by the time they took.
 Row fraction(std::string name, std::size_t operations, const Spread& peak_by_time,
-             std::string explanation) {
+             const std::string& explanation) {
   const double percent = 100.0 * static_cast<double>(operations);
-  Row row = counted(std::move(name), percent * peak_by_time.median, std::move(explanation));
-  row.unit =
-      fmt::format("% ({:.0f}–{:.0f})", percent * peak_by_time.low, percent * peak_by_time.high);
+  Row row = counted(std::move(name), 0, "%", "");
+  row.value = percent * peak_by_time.median;
+  row.explanation = fmt::format("{} ({:.0f}–{:.0f})", explanation, percent * peak_by_time.low,
+                                percent * peak_by_time.high);
   return row;
 }
 
@@ -70,12 +74,77 @@ class SinesAndCosines {
   IntervalRows angles_, values_;
 };
 
+/// In the order in which they are timed.
+enum : std::size_t { kBatch, kBound, kFused, kSines };
+
+std::vector<Timing> time_all(BatchedProduct& product, SinesAndCosines& sines) {
+  const Contender contenders[] = {
+      {"K·M, eight boxes", static_cast<double>(kBatches), [&] { product.pass(); }},
+      {"embedded rounding", kPeakOperations, peak_bounds},
+      {"fused", kPeakOperations, peak_fused},
+      {"sines and cosines", 1, [&] { sines.pass(); }},
+  };
+  return compare(contenders);
+}
+
+void add_times(const std::vector<Timing>& timings, std::vector<Row>& rows) {
+  rows.push_back(timed_row("K·M, a batch of eight boxes", timings[kBatch], 1e9, "ns",
+                           "sines and cosines included"));
+  rows.push_back(timed_row("of these, sines and cosines", timings[kSines], 1e9, "ns",
+                           "regulus_x8_sincos for the three angles"));
+  Row bound = timed_row("a bound at best", timings[kBound], 1e9, "ns",
+                        "vaddpd and vmulpd on zmm registers, {ru-sae} and {rd-sae} in turn, 16 "
+                        "independent chains");
+  Row fused = timed_row("a fused multiply-add at best", timings[kFused], 1e9, "ns",
+                        "vfmadd on zmm registers, {rd-sae}, 16 independent chains");
+  for (Row* row : {&bound, &fused}) {
+    row->ratio.reset();  // one instruction and a batch: the fractions below say it better
+    rows.push_back(std::move(*row));
+  }
+}
+
+void add_counts(const VectorInstructions& counts, std::vector<Row>& rows) {
+  rows.push_back(counted("bound operations of the code", counts.arithmetic, "a batch",
+                         "vadd vsub vmul vfmadd vmin vmax on zmm registers, by objdump; without "
+                         "those of sines and cosines"));
+  rows.push_back(counted("selections of the code", counts.selection, "a batch",
+                         "blends, comparisons and logic on zmm registers: they take the same two "
+                         "ports and give no bound"));
+  rows.push_back(counted("moves of the code", counts.moves, "a batch",
+                         "loads, stores, copies and broadcasts of zmm registers"));
+  rows.push_back(counted("size of the code", counts.bytes, "bytes",
+                         "run once from end to end: more than a cache of decoded instructions "
+                         "holds, so that fetching it is a limit, too"));
+}
+
+void add_fractions(const VectorInstructions& counts, const std::vector<Timing>& timings,
+                   std::vector<Row>& rows) {
+  const Spread& peak = timings[kBound].ratio;
+  const Spread peak_of_rest = without(peak, timings[kSines].ratio);
+  rows.push_back(fraction("fraction of the peak, bounds", counts.arithmetic, peak,
+                          "operations on bounds of the code, at best, by the time of a batch"));
+  rows.back().target = value_at_least(40);
+  rows.push_back(fraction("the same without the time of sines and cosines", counts.arithmetic,
+                          peak_of_rest, "whose operations are not counted"));
+  rows.push_back(fraction("and with selections: how full the ports are",
+                          counts.arithmetic + counts.selection, peak_of_rest,
+                          "what no order of instructions could make faster is 100 %"));
+}
+
+/// The machine code that `check` would run.
+std::string object_code(const codegen::EmittedKernel& text) {
+  return codegen::ClangCompiler()
+      .compile(codegen::kernel_compilation(text.source, Isa::kAvx512))
+      .object;
+}
+
 }  // namespace
 
 Section limit_rows() {
   Section section = heading();
+  std::vector<Row>& rows = section.rows;
   if (!supported(Isa::kAvx512)) {
-    section.rows = {skipped_row("fraction of the peak", "this processor has no AVX-512", "")};
+    rows = {skipped_row("fraction of the peak", "this processor has no AVX-512", "")};
     return section;
   }
   const codegen::Module module = kernel_subject();
@@ -86,61 +155,21 @@ Section limit_rows() {
   options.use_cache = false;
   const codegen::CompiledKernel compiled = codegen::compile_kernel(text, options);
   BatchedProduct product(*compiled.kernel(), sample);
-
   SinesAndCosines sines(module, sample);
+  const std::vector<Timing> timings = time_all(product, sines);
+  add_times(timings, rows);
+  rows.push_back(counted(
+      "bound operations of the program", bound_operations(left_product_of(module)), "a batch",
+      "2 for a sum, 2 for a product with a double, 4 and a minimum and a maximum "
+      "for a product of intervals"));
 
-  const Contender contenders[] = {
-      {"K·M, eight boxes", static_cast<double>(kBatches), [&] { product.pass(); }},
-      {"embedded rounding", kPeakOperations, peak_bounds},
-      {"fused", kPeakOperations, peak_fused},
-      {"sines and cosines", 1, [&] { sines.pass(); }},
-  };
-  const std::vector<Timing> timings = compare(contenders);
-  section.rows.push_back(timed_row("K·M, a batch of eight boxes", timings[0], 1e9, "ns",
-                                   "sines and cosines included"));
-  section.rows.push_back(timed_row("of these, sines and cosines", timings[3], 1e9, "ns",
-                                   "regulus_x8_sincos for the three angles"));
-  section.rows.push_back(
-      timed_row("a bound at best", timings[1], 1e9, "ns",
-                "vaddpd and vmulpd on zmm registers, {ru-sae} and {rd-sae} in turn, "
-                "16 independent chains"));
-  section.rows.push_back(timed_row("a fused multiply-add at best", timings[2], 1e9, "ns",
-                                   "vfmadd on zmm registers, {rd-sae}, 16 independent chains"));
-  section.rows.push_back(
-      counted("bound operations of the program",
-              static_cast<double>(bound_operations(left_product_of(module))),
-              "2 for a sum, 2 for a product with a double, 4 and a minimum and a maximum for a "
-              "product of intervals"));
-
-  const std::string object = codegen::ClangCompiler()
-                                 .compile(codegen::kernel_compilation(text.source, Isa::kAvx512))
-                                 .object;
-  const std::optional<std::string> listing = disassemble(object);
-  if (!listing) {
-    section.rows.push_back(skipped_row("fraction of the peak", "objdump was not found", ""));
-    return section;
+  if (const std::optional<std::string> listing = disassemble(object_code(text))) {
+    const VectorInstructions counts = count_instructions(*listing, "left_product");
+    add_counts(counts, rows);
+    add_fractions(counts, timings, rows);
+  } else {
+    rows.push_back(skipped_row("fraction of the peak", "objdump was not found", ""));
   }
-  const VectorInstructions counts = count_instructions(*listing, "left_product");
-  section.rows.push_back(counted("bound operations of the code",
-                                 static_cast<double>(counts.arithmetic),
-                                 "vadd vsub vmul vfmadd vmin vmax on zmm registers, by objdump; "
-                                 "without those of sines and cosines"));
-  section.rows.push_back(counted("selections of the code", static_cast<double>(counts.selection),
-                                 "blends, comparisons and logic on zmm registers: they take the "
-                                 "same two ports and give no bound"));
-  section.rows.push_back(counted("moves of the code", static_cast<double>(counts.moves),
-                                 "loads, stores, copies and broadcasts of zmm registers"));
-  const Spread& peak = timings[1].ratio;
-  Row reached = fraction("fraction of the peak, bounds", counts.arithmetic, peak,
-                         "operations on bounds of the code, at best, by the time of a batch");
-  reached.target = value_at_least(40);
-  section.rows.push_back(std::move(reached));
-  section.rows.push_back(fraction("the same without the time of sines and cosines",
-                                  counts.arithmetic, without(peak, timings[3].ratio),
-                                  "whose operations are not counted"));
-  section.rows.push_back(fraction(
-      "and with selections: how full the ports are", counts.arithmetic + counts.selection,
-      without(peak, timings[3].ratio), "what no order of instructions could make faster is 100 %"));
   return section;
 }
 

@@ -8,12 +8,14 @@
 namespace regulus::bench {
 namespace {
 
-/// Three digits, without an exponent: 0.0123, 1.23, 123, 12300.
+/// Three digits, without an exponent: 0.0123, 1.23, 123, 12300. Counts of five digits are given
+/// whole.
 std::string digits(double x) {
   if (x == 0) return "0";
   constexpr int kDigits = 3;
   const int before = static_cast<int>(std::floor(std::log10(std::fabs(x)))) + 1;
-  if (before > kDigits && x == std::trunc(x)) return fmt::format("{:.0f}", x);
+  constexpr double kCounts = 1e5;
+  if (before > kDigits && x == std::trunc(x) && x < kCounts) return fmt::format("{:.0f}", x);
   const double unit = std::pow(10.0, before - kDigits);
   return fmt::format("{:.{}f}", std::round(x / unit) * unit, std::max(0, kDigits - before));
 }

@@ -89,6 +89,7 @@ TEST(CountInstructions, TellsBoundsFromSelectionsAndMovesInOneSymbol) {
   EXPECT_EQ(counts.arithmetic, 2U);
   EXPECT_EQ(counts.selection, 2U);
   EXPECT_EQ(counts.moves, 1U);
+  EXPECT_EQ(counts.bytes, 0x1eU);
 }
 
 }  // namespace
