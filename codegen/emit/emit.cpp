@@ -36,9 +36,11 @@ std::string header(const Module& module, const EmitOptions& options, const std::
          optional_line("Motion", module.motion) + optional_line("Source", options.source) +
          optional_line("Variables", variables) + labelled_comment("Identity", identity) +
          "//\n"
-         "// v_…: a variable. k_…: an entry of K. c_…: depends on K and constants alone. t_…: on "
-         "the\n"
-         "// variables, too. Hexadecimal constants are bounds on both sides, or exact in P(…).\n"
+         "// v_…: a variable. k_…: an entry of K. c_…: depends on K and constants alone, a P where "
+         "that is\n"
+         "// exact (regulus/kernel/abi.hpp). t_…: on the variables, too. Hexadecimal constants are "
+         "bounds on\n"
+         "// both sides, or exact in P(…).\n"
          "#include \"regulus/kernel/abi.hpp\"\n"
          "#include \"regulus/kernel/pack.hpp\"\n\n"
          "namespace {\n\n"
@@ -138,7 +140,8 @@ EmittedKernel emit(const Module& module, const EmitOptions& options) {
   kernel.source = header(module, options, kernel.identity);
   std::vector<FunctionPlan> plans;
   for (const Function& function : module.functions) {
-    plans.push_back(plan_function(function.program, options.operations_per_part));
+    plans.push_back(plan_function(function.program, options.operations_per_part,
+                                  static_cast<std::size_t>(module.rows)));
     if (!function.program.outputs.empty())
       kernel.source += write_function(module, function, plans.back()) + "\n";
   }

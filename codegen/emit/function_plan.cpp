@@ -5,6 +5,7 @@
 #include <set>
 
 #include "regulus/codegen/program/enclose.hpp"
+#include "regulus/codegen/program/exact_nodes.hpp"
 
 namespace regulus::codegen {
 namespace {
@@ -13,10 +14,11 @@ constexpr std::uint32_t kNoPart = static_cast<std::uint32_t>(-1);
 
 class Planner {
  public:
-  Planner(const Program& program, std::size_t operations_per_part)
+  Planner(const Program& program, std::size_t operations_per_part, std::size_t row_length)
       : program_(program), limit_(operations_per_part), wanted_(program.nodes.size(), false) {
     plan_.known = enclose_constant_nodes(program);
     plan_.magnitudes = bound_magnitudes(program, plan_.known);
+    plan_.exact = exact_nodes(program, plan_.known, row_length);
   }
 
   FunctionPlan run() {
@@ -39,11 +41,12 @@ class Planner {
   void classify() {
     for (NodeId id = 0; id < program_.nodes.size(); ++id) {
       const Op op = node(id).op;
-      const bool negated_point = op == Op::kNegate && plan_.forms[node(id).a] == Form::kPoint;
-      const bool point = is_known(id) ? plan_.known[id]->lo == plan_.known[id]->hi
-                                      : op == Op::kPoint || negated_point;
+      const bool point_leaf = op == Op::kPoint || (op == Op::kNegate && plan_.leaves[node(id).a] &&
+                                                   plan_.forms[node(id).a] == Form::kPoint);
+      const bool point =
+          is_known(id) ? plan_.known[id]->lo == plan_.known[id]->hi : point_leaf || plan_.exact[id];
       plan_.forms.push_back(point ? Form::kPoint : Form::kInterval);
-      plan_.leaves.push_back(is_known(id) || point || op == Op::kInput);
+      plan_.leaves.push_back(is_known(id) || point_leaf || op == Op::kInput);
     }
   }
 
@@ -149,8 +152,9 @@ class Planner {
 
 }  // namespace
 
-FunctionPlan plan_function(const Program& program, std::size_t operations_per_part) {
-  return Planner(program, operations_per_part).run();
+FunctionPlan plan_function(const Program& program, std::size_t operations_per_part,
+                           std::size_t row_length) {
+  return Planner(program, operations_per_part, row_length).run();
 }
 
 }  // namespace regulus::codegen

@@ -37,6 +37,7 @@ inline constexpr int kNoSlot = -1;
 struct FunctionPlan {
   KnownValues<Interval> known;  ///< constant nodes, by their enclosures
   Magnitudes magnitudes;
+  std::vector<bool> exact;  ///< nodes of K that are computed without rounding, as points
   std::vector<Form> forms;
   std::vector<bool> leaves;            ///< written where they are used: inputs, points, constants
   std::vector<std::uint32_t> uses;     ///< by nodes that are printed and by outputs
@@ -49,7 +50,9 @@ struct FunctionPlan {
   std::vector<Part> parts;
 };
 
-/// Requires  a well formed program; operations_per_part ≥ 1.
-[[nodiscard]] FunctionPlan plan_function(const Program& program, std::size_t operations_per_part);
+/// Requires  a well formed program; operations_per_part ≥ 1; points row by row, `row_length` in
+///           each row of K, or 0 when they are on no grid.
+[[nodiscard]] FunctionPlan plan_function(const Program& program, std::size_t operations_per_part,
+                                         std::size_t row_length = 0);
 
 }  // namespace regulus::codegen

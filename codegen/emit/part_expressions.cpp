@@ -51,6 +51,7 @@ std::vector<NodeId> PartWriter::deferred_operands(NodeId id) const {
 
 ExpressionText PartWriter::render(NodeId id) {
   const Node& n = node(id);
+  if (plan_.exact[id]) return render_exact(id);
   switch (n.op) {
     case Op::kNegate:
       return render_negation(n.a);
@@ -64,6 +65,24 @@ ExpressionText PartWriter::render(NodeId id) {
     default:
       return render_call(id);
   }
+}
+
+/// A point computed without rounding: the operations say so, since + of two points is an interval.
+ExpressionText PartWriter::render_exact(NodeId id) {
+  const Node& n = node(id);
+  if (n.op == Op::kNegate) return negation(use(n.a));
+  const auto call = [this](const char* name, NodeId a, NodeId b) {
+    const std::string left = use(a).text;
+    return atom(concatenate({name, "(", left, ", ", use(b).text, ")"}));
+  };
+  if (n.op == Op::kMultiply) return call("exact_mul", n.a, n.b);
+  const std::optional<NodeId> fused = fused_product(id);
+  if (!fused) return call(n.op == Op::kAdd ? "exact_add" : "exact_sub", n.a, n.b);
+  const auto [a, b] = factors(*fused);
+  const std::string left = n.op == Op::kSubtract ? negated_point(a) : use(a).text;
+  const std::string right = use(b).text;
+  return atom(concatenate(
+      {"exact_mul_add(", left, ", ", right, ", ", use(*fused == n.b ? n.a : n.b).text, ")"}));
 }
 
 /// −a, the sign taken into a difference or into a factor that is a P where nothing else reads them.
@@ -132,7 +151,7 @@ ExpressionText PartWriter::render_mul_add(NodeId id, NodeId fused) {
 
 std::string PartWriter::negated_point(NodeId id) {
   if (plan_.known[id]) return concatenate({"P(", literal(-plan_.known[id]->lo), ")"});
-  if (node(id).op == Op::kNegate) return use(node(id).a).text;
+  if (node(id).op == Op::kNegate && plan_.leaves[id]) return use(node(id).a).text;
   return negation(use(id)).text;
 }
 
@@ -164,8 +183,10 @@ ExpressionText PartWriter::use(NodeId id) {
   if (!named_[id]) {
     named_[id] = true;
     usage_.shared = true;
-    statements_ +=
-        "  const I " + names_.of(id) + " = shared[" + std::to_string(plan_.slots[id]) + "];\n";
+    const std::string slot = concatenate({"shared[", std::to_string(plan_.slots[id]), "]"});
+    statements_ += is_interval(id)
+                       ? concatenate({"  const I ", names_.of(id), " = ", slot, ";\n"})
+                       : concatenate({"  const P ", names_.of(id), " = point_of(", slot, ");\n"});
   }
   return atom(names_.of(id));
 }

@@ -142,7 +142,7 @@ void PartWriter::write_checked_power(NodeId id) {
 
 void PartWriter::define(NodeId id, const std::string& expression) {
   const bool check = plan_.magnitudes.needs_check[id];
-  statements_ += "  const I " + names_.of(id) + " = " +
+  statements_ += concatenate({"  const ", is_interval(id) ? "I " : "P ", names_.of(id), " = "}) +
                  (check ? "checked(" + expression + ", undefined)" : expression) + ";\n";
   named_[id] = true;
   keep_for_later_parts(id);
@@ -157,7 +157,8 @@ void PartWriter::define_deferred(NodeId id) {
 void PartWriter::keep_for_later_parts(NodeId id) {
   if (plan_.slots[id] == kNoSlot) return;
   usage_.shared = true;
-  statements_ += "  shared[" + std::to_string(plan_.slots[id]) + "] = " + names_.of(id) + ";\n";
+  const std::string name = is_interval(id) ? names_.of(id) : "thin(" + names_.of(id) + ")";
+  statements_ += "  shared[" + std::to_string(plan_.slots[id]) + "] = " + name + ";\n";
 }
 
 void PartWriter::write_store(const Step& step) {

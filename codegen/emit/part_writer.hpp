@@ -61,6 +61,7 @@ class PartWriter {
   using BinaryText = ExpressionText (*)(const ExpressionText&, const ExpressionText&);
   [[nodiscard]] ExpressionText combine(BinaryText operation, NodeId a, NodeId b);
   [[nodiscard]] std::pair<NodeId, NodeId> factors(NodeId product) const;
+  [[nodiscard]] ExpressionText render_exact(NodeId id);
   [[nodiscard]] ExpressionText render_negation(NodeId a);
   [[nodiscard]] ExpressionText render_product(NodeId id);
   [[nodiscard]] ExpressionText render_sum(NodeId id);

@@ -3,10 +3,14 @@
 // no other header, so that code compiled in process can include it.
 #pragma once
 
-enum { REGULUS_KERNEL_ABI = 2, REGULUS_LANES = 8 };
+enum { REGULUS_KERNEL_ABI = 3, REGULUS_LANES = 8 };
 
 /// How MXCSR must be set while a function of the kernel runs. The caller sets it and restores it.
 enum { REGULUS_ROUND_NEAREST = 0, REGULUS_ROUND_UPWARD = 1 };
+
+/// How many bits the grid of a row of K has, see regulus_function, and the least exponent of the
+/// greatest entry of a row that is not zero.
+enum { REGULUS_POINT_BITS = 29, REGULUS_LEAST_POINT_EXPONENT = -800 };
 
 /// Evaluates one function of a model on 8 boxes at once.
 ///
@@ -15,6 +19,11 @@ enum { REGULUS_ROUND_NEAREST = 0, REGULUS_ROUND_UPWARD = 1 };
 ///           out[(2*e + s)*8 + lane]: bound s of output e. All three 64-byte aligned, not
 ///           overlapping.
 /// Requires  |boxes| ≤ 2^64, |points| ≤ 2^128, lower ≤ upper, no NaN; the kernel's rounding set.
+///           Each row of K on a grid: its entries are multiples of one power of two, smaller than
+///           2^REGULUS_POINT_BITS times that, and the greatest of them is 0 or at least
+///           2^REGULUS_LEAST_POINT_EXPONENT in magnitude. Then sums of them with short coefficients
+///           are doubles, and a kernel may compute these without a second bound. Any K is as good
+///           as another, so that a grid costs its maker nothing.
 /// Ensures   for each lane whose bit in the result is 0: every expression is defined at every
 ///           point of the box, and each output encloses its expression over the box, with finite
 ///           bounds. For a lane whose bit is 1 nothing is known ("undefined"): its outputs are

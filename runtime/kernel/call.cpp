@@ -34,6 +34,37 @@ class LaneCheck {
   PairMask good_[kPairs] = {{-1, -1}, {-1, -1}, {-1, -1}, {-1, -1}};
 };
 
+/// The power of two at or below each x ≥ 0; 0 for 0.
+Pair power_of_two_below(Pair x) {
+  constexpr long long kExponent = 0x7ff0000000000000;
+  return reinterpret_cast<Pair>(reinterpret_cast<PairMask>(x) & kExponent);
+}
+
+Pair magnitude(Pair x) {
+  constexpr long long kWithoutSign = 0x7fffffffffffffff;
+  return reinterpret_cast<Pair>(reinterpret_cast<PairMask>(x) & kWithoutSign);
+}
+
+/// With 2^L the power of two below the greatest entry, the finest grid that the contract allows is
+/// 2^(L+1−REGULUS_POINT_BITS). 1.5·2^52 times that, added and taken away, leaves a multiple of it
+/// as it is and changes anything else, in any rounding mode.
+void require_grid(LaneCheck& check, const double* entries, unsigned length, std::size_t pair) {
+  constexpr double kAnchor = 1.5 * static_cast<double>(1ULL << (53 - REGULUS_POINT_BITS));
+  constexpr Pair least = {0x1p-800, 0x1p-800};
+  static_assert(REGULUS_LEAST_POINT_EXPONENT == -800);
+  Pair greatest = {0.0, 0.0};
+  for (std::size_t p = 0; p < length; ++p) {
+    const Pair size = magnitude(row(entries, p)[pair]);
+    greatest = size > greatest ? size : greatest;
+  }
+  const Pair anchor = power_of_two_below(greatest) * kAnchor;
+  check.require(pair, (greatest >= least) | (greatest == Pair{0.0, 0.0}));
+  for (std::size_t p = 0; p < length; ++p) {
+    const Pair entry = row(entries, p)[pair];
+    check.require(pair, (entry + anchor) - anchor == entry);
+  }
+}
+
 [[noreturn]] void refuse(const std::string& reason) {
   throw std::invalid_argument("kernel refused: " + reason);
 }
@@ -53,14 +84,18 @@ unsigned lanes_outside_contract(const double* boxes, unsigned variables) noexcep
   return check.failed();
 }
 
-unsigned point_lanes_outside_contract(const double* points, unsigned count) noexcept {
+unsigned point_lanes_outside_contract(const double* points, unsigned rows,
+                                      unsigned length) noexcept {
   constexpr Pair limit = {kMaxPointMagnitude, kMaxPointMagnitude};
   LaneCheck check;
-  for (std::size_t p = 0; p < count; ++p) {
+  for (std::size_t p = 0; p < std::size_t{rows} * length; ++p) {
     const Pair* const values = row(points, p);
     for (std::size_t pair = 0; pair < kPairs; ++pair)
       check.require(pair, (values[pair] >= -limit) & (values[pair] <= limit));
   }
+  for (std::size_t i = 0; i < rows; ++i)
+    for (std::size_t pair = 0; pair < kPairs; ++pair)
+      require_grid(check, points + REGULUS_LANES * length * i, length, pair);
   return check.failed();
 }
 
@@ -83,7 +118,8 @@ unsigned Kernel::call(regulus_function function, const double* boxes, const doub
                       double* out) const noexcept {
   if (function == nullptr) return kAllLanes;
   unsigned outside = lanes_outside_contract(boxes, kernel_->variables);
-  if (points != nullptr) outside |= point_lanes_outside_contract(points, this->points());
+  if (points != nullptr)
+    outside |= point_lanes_outside_contract(points, kernel_->columns, kernel_->rows);
   return outside | call_within_contract(function, boxes, points, out);
 }
 

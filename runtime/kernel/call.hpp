@@ -18,10 +18,11 @@ inline constexpr double kMaxPointMagnitude = 0x1p128;
 /// Shape     boxes as in regulus_function, `variables` of them.
 [[nodiscard]] unsigned lanes_outside_contract(const double* boxes, unsigned variables) noexcept;
 
-/// Lanes in which an entry of K is a NaN, or > 2^128 in magnitude.
+/// Lanes in which an entry of K is a NaN, or > 2^128 in magnitude, or a row is on no grid.
 ///
-/// Shape     points as in regulus_function, `count` of them.
-[[nodiscard]] unsigned point_lanes_outside_contract(const double* points, unsigned count) noexcept;
+/// Shape     points as in regulus_function: `rows` rows of K with `length` entries each.
+[[nodiscard]] unsigned point_lanes_outside_contract(const double* points, unsigned rows,
+                                                    unsigned length) noexcept;
 
 /// A kernel that has been looked at once and may then be called safely. It does not own the
 /// functions; whoever loaded their code keeps it loaded.

@@ -14,6 +14,9 @@
 //   mul_add(a, b, c) = a·b + c, rounded once: (P, I, I)  (I, P, I)  (I, I, I)  (P, P, I)
 //   sqr(I)  pow(I, n) n ≥ 2, tight  abs(I)  sin(I)  cos(I)  atan(I)  sincos(I, I& sine, I& cosine)
 //
+//   exact_add  exact_sub  exact_mul  exact_mul_add(p, q, r) = p·q + r: of P, where every result on
+//   the way is a double → P     point_of(thin(p)) = p
+//
 // Operations that are not defined everywhere, or whose result may be unbounded, take the mask of
 // undefined lanes and set the bits of the lanes where some point of the argument is outside their
 // domain, or the result is not finite:

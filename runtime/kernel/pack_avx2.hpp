@@ -52,11 +52,19 @@ REGULUS_INLINE I constant(double lo, double hi) {
   return {half, half};
 }
 REGULUS_INLINE I thin(P p) { return {{-p.a, p.a}, {-p.b, p.b}}; }
+REGULUS_INLINE P point_of(I x) { return P(x.a.hi, x.b.hi); }
 
 REGULUS_INLINE P operator-(P p) { return P(-p.a, -p.b); }
 REGULUS_INLINE I operator+(P p, P q) { return {add(p.a, q.a), add(p.b, q.b)}; }
 REGULUS_INLINE I operator-(P p, P q) { return p + (-q); }
 REGULUS_INLINE I operator*(P p, P q) { return {mul(p.a, q.a), mul(p.b, q.b)}; }
+
+REGULUS_INLINE P exact_add(P p, P q) { return P(p.a + q.a, p.b + q.b); }
+REGULUS_INLINE P exact_sub(P p, P q) { return P(p.a - q.a, p.b - q.b); }
+REGULUS_INLINE P exact_mul(P p, P q) { return P(p.a * q.a, p.b * q.b); }
+REGULUS_INLINE P exact_mul_add(P p, P q, P r) {
+  return P(simd::fma(p.a, q.a, r.a), simd::fma(p.b, q.b, r.b));
+}
 
 REGULUS_INLINE I operator-(I x) { return {negate(x.a), negate(x.b)}; }
 REGULUS_INLINE I operator+(I x, I y) { return {add(x.a, y.a), add(x.b, y.b)}; }

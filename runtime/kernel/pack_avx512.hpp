@@ -27,6 +27,11 @@ REGULUS_INLINE void store_row(double* rows, int index, V x) {
   *reinterpret_cast<simd::V8InMemory*>(rows + 8 * index) = x;
 }
 
+// Of doubles whose result is a double, so that any rounding gives it.
+REGULUS_INLINE V add_exact(V a, V b) { return add_ru(a, b); }
+REGULUS_INLINE V mul_exact(V a, V b) { return mul_ru(a, b); }
+REGULUS_INLINE V fma_exact(V a, V b, V c) { return fma_ru(a, b, c); }
+
 /// mul_rd for factors that are not negative: neither is the result.
 REGULUS_INLINE V mul_rd_nonnegative(V a, V b) { return mul_rd(a, b); }
 

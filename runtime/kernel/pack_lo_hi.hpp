@@ -34,6 +34,7 @@ REGULUS_INLINE void store(double* out, int e, I x) {
 }
 REGULUS_INLINE I constant(double lo, double hi) { return {splat(lo), splat(hi)}; }
 REGULUS_INLINE I thin(P p) { return {p.v, p.v}; }
+REGULUS_INLINE P point_of(I x) { return P(x.hi); }
 
 REGULUS_INLINE I operator-(I x) { return {-x.hi, -x.lo}; }
 REGULUS_PACK_OPERATION I operator+(I x, I y) { return {add_rd(x.lo, y.lo), add_ru(x.hi, y.hi)}; }
@@ -43,6 +44,11 @@ REGULUS_INLINE P operator-(P p) { return P(-p.v); }
 REGULUS_PACK_OPERATION I operator+(P p, P q) { return {add_rd(p.v, q.v), add_ru(p.v, q.v)}; }
 REGULUS_PACK_OPERATION I operator-(P p, P q) { return {sub_rd(p.v, q.v), sub_ru(p.v, q.v)}; }
 REGULUS_PACK_OPERATION I operator*(P p, P q) { return {mul_rd(p.v, q.v), mul_ru(p.v, q.v)}; }
+
+REGULUS_INLINE P exact_add(P p, P q) { return P(add_exact(p.v, q.v)); }
+REGULUS_INLINE P exact_sub(P p, P q) { return P(add_exact(p.v, -q.v)); }
+REGULUS_INLINE P exact_mul(P p, P q) { return P(mul_exact(p.v, q.v)); }
+REGULUS_INLINE P exact_mul_add(P p, P q, P r) { return P(fma_exact(p.v, q.v, r.v)); }
 
 REGULUS_PACK_OPERATION I operator+(I x, P p) { return {add_rd(x.lo, p.v), add_ru(x.hi, p.v)}; }
 REGULUS_INLINE I operator+(P p, I x) { return x + p; }

@@ -46,6 +46,9 @@ REGULUS_ON_PAIRS_2(V, mul_ru, V, pair::mul_ru)
 REGULUS_ON_PAIRS_2(V, mul_rd_nonnegative, V, pair::mul_rd_nonnegative)
 REGULUS_ON_PAIRS_2(V, div_rd, V, pair::div_rd)
 REGULUS_ON_PAIRS_2(V, div_ru, V, pair::div_ru)
+// Of doubles whose result is a double.
+REGULUS_ON_PAIRS_2(V, add_exact, V, pair::add_exact)
+REGULUS_ON_PAIRS_2(V, mul_exact, V, pair::mul_exact)
 REGULUS_ON_PAIRS_1(V, sqrt_rd, V, pair::sqrt_rd)
 REGULUS_ON_PAIRS_1(V, sqrt_ru, V, pair::sqrt_ru)
 REGULUS_ON_PAIRS_1(M, negative, V, pair::negative)
@@ -66,6 +69,7 @@ REGULUS_INLINE unsigned bits(M m) {
   return pair::bits(m.a) | pair::bits(m.b) << 2 | pair::bits(m.c) << 4 | pair::bits(m.d) << 6;
 }
 
+REGULUS_INLINE V fma_exact(V x, V y, V z) { return add_exact(mul_exact(x, y), z); }
 REGULUS_INLINE V sub_rd(V x, V y) { return add_rd(x, -y); }
 REGULUS_INLINE V sub_ru(V x, V y) { return add_ru(x, -y); }
 REGULUS_INLINE V fma_rd(V x, V y, V z) { return add_rd(mul_rd(x, y), z); }

@@ -46,6 +46,9 @@ REGULUS_INLINE V2 above(V2 x) {
   return finite_below + step(finite_below);
 }
 
+REGULUS_INLINE V2 add_exact(V2 a, V2 b) { return a + b; }
+REGULUS_INLINE V2 mul_exact(V2 a, V2 b) { return a * b; }
+
 /// a + b − fl(a + b), exact when it is finite (an overflow on the way makes it ±∞ or NaN).
 REGULUS_INLINE V2 error_of_sum(V2 a, V2 b, V2 sum) {
   const V2 from_b = sum - a;

@@ -1,13 +1,43 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "regulus/regularity/midpoint_inverse.hpp"
 
+#include <bit>
 #include <cmath>
+#include <cstdint>
 #include <cstring>
 
 #include "regulus/regularity/backend.hpp"
 
 namespace regulus {
 namespace {
+
+constexpr double kLeastRow = 0x1p-800;
+
+/// 1.5·2^52 times the grid, added and taken away, leaves the nearest multiple of the grid, or the
+/// next in another rounding mode. With 2^L the power of two below the greatest entry the grid is
+/// 2^(L−27). Returns whether the row has one.
+bool round_to_grid(double* row, std::size_t length, std::size_t lane) noexcept {
+  double greatest = 0;
+  for (std::size_t i = 0; i < length; ++i)
+    greatest = std::fmax(greatest, std::fabs(row[point_at(i, lane)]));
+  constexpr std::uint64_t kExponent = 0x7ff0000000000000;
+  const double power = std::bit_cast<double>(std::bit_cast<std::uint64_t>(greatest) & kExponent);
+  const double anchor = power * 0x1.8p25;
+  for (std::size_t i = 0; i < length; ++i) {
+    double& entry = row[point_at(i, lane)];
+    entry = (entry + anchor) - anchor;
+  }
+  return greatest == 0.0 || greatest >= kLeastRow;
+}
+
+/// The lanes in which some row is too small for a grid.
+LaneMask round_rows_to_grid(double* inverse, std::size_t rows, std::size_t length) noexcept {
+  LaneMask without = 0;
+  for (std::size_t i = 0; i < rows; ++i)
+    for (std::size_t lane = 0; lane < kLanes; ++lane)
+      if (!round_to_grid(inverse + point_at(i * length, 0), length, lane)) without |= 1U << lane;
+  return without;
+}
 
 LaneMask lanes_not_finite(const double* x, std::size_t entries) noexcept {
   double sum[kLanes] = {};
@@ -75,7 +105,8 @@ LaneMask approx_inverse(const double* matrix, std::size_t m, std::size_t n, doub
   } else {
     left_inverse(matrix, m, n, inverse, approx_determinant);
   }
-  return lanes_not_finite(inverse, n * m);
+  const LaneMask without_grid = round_rows_to_grid(inverse, n, m);
+  return without_grid | lanes_not_finite(inverse, n * m);
 }
 
 }  // namespace regulus

@@ -68,7 +68,7 @@ class RandomKernelText {
 
   /// Functions, operators next to each other, and signs.
   std::string rarer_operation(const std::string& x, const std::string& y) {
-    switch (number(12)) {
+    switch (number(14)) {
       case 0:
         return "checked(pow(" + x + " * P(0x1p-3), " + std::to_string(2 + number(6)) +
                "), undefined)";
@@ -93,6 +93,12 @@ class RandomKernelText {
         return "mul_add(" + entry() + ", P(-3.0), constant(-0.0, 0x1p-1074))";
       case 10:
         return "cos(" + x + ") - P(2.0)";
+      case 11:
+        return "checked(exact_mul_add(P(78.0), " + entry() + ", -" + entry() + ") * " + x +
+               ", undefined)";
+      case 12:
+        return "point_of(thin(exact_sub(" + entry() + ", exact_mul(P(-0.5), " + entry() +
+               ")))) + exact_add(" + entry() + ", P(1.0))";
       default:
         return "exp(sin(" + x + "), undefined)";
     }

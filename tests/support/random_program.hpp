@@ -4,6 +4,7 @@
 
 #include <cln/rational.h>
 
+#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
@@ -22,6 +23,7 @@ struct ProgramShape {
   bool functions = true;   ///< false: + − × ÷ and small powers only
   bool tree_like = false;  ///< most nodes are used once, as in rewritten formulas
   int largest_power = 4;
+  int row_length = 0;  ///< of K: then sums of its rows are among the first nodes
 };
 
 inline std::vector<std::string> numbered_names(const char* prefix, int count) {
@@ -144,6 +146,26 @@ codegen::NodeId random_node(RandomSource& random, Builder& builder, const Progra
   }
 }
 
+/// Entries of a row of K with coefficients of a few bits, or of so many that the sum just fits a
+/// double or does not.
+template <class Builder>
+codegen::NodeId random_row_sum(RandomSource& random, Builder& builder, int first, int length) {
+  std::optional<codegen::NodeId> sum;
+  for (int i = 0; i < length; ++i) {
+    const long largest = random.one_in(2) ? 200 : (1L << 23) + 1;
+    const long factor = 1 + static_cast<long>(random.below(static_cast<std::uint64_t>(largest)));
+    const cln::cl_RA coefficient =
+        cln::cl_RA(random.one_in(2) ? factor : largest) / (random.one_in(4) ? 8 : 1);
+    const auto term = builder.multiply(builder.constant(coefficient),
+                                       builder.point(static_cast<unsigned>(first + i)));
+    if (!sum)
+      sum = term;
+    else
+      sum = random.one_in(2) ? builder.add(*sum, term) : builder.subtract(*sum, term);
+  }
+  return *sum;
+}
+
 /// The same source and shape give the same expressions with every builder.
 template <class Builder>
 codegen::Program random_program(RandomSource& random, const ProgramShape& shape) {
@@ -151,6 +173,8 @@ codegen::Program random_program(RandomSource& random, const ProgramShape& shape)
   NodePool pool;
   for (int i = 0; i < shape.inputs; ++i) pool.add(builder.input(static_cast<unsigned>(i)));
   for (int i = 0; i < shape.points; ++i) pool.add(builder.point(static_cast<unsigned>(i)));
+  for (int first = 0; shape.row_length > 0 && first < shape.points; first += shape.row_length)
+    for (int i = 0; i < 2; ++i) pool.add(random_row_sum(random, builder, first, shape.row_length));
   pool.add(builder.constant(random_rational(random)));
   pool.add(builder.constant(random_rational(random)));
   if (shape.functions && random.one_in(3)) pool.add(builder.pi());

@@ -30,6 +30,11 @@ std::string word_of(const Expression& operation) {
   return std::string(operation.name);
 }
 
+bool makes_a_point(std::string_view word, std::string_view kinds) {
+  return word == "P" || word == "point_of" || word.starts_with("exact_") ||
+         (word == "negate" && kinds == "P");
+}
+
 std::int64_t integer_of(const Expression& expression) {
   if (expression.kind != ExpressionKind::kInteger)
     throw OutsideSubset("an index that is no number");
@@ -191,7 +196,7 @@ FunctionBuilder::Typed& FunctionBuilder::operation(const Expression& expression)
     operands.kinds += typed.type;
     operands.list.push_back(&typed.object);
   }
-  if (word == "P" || (word == "negate" && operands.kinds == "P")) result.type = 'P';
+  if (makes_a_point(word, operands.kinds)) result.type = 'P';
   operations_.apply(code_, word + "_" + operands.kinds, operands.list);
   return result;
 }

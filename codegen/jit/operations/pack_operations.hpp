@@ -38,6 +38,12 @@ REGULUS_OPERATION(constant_DD, I, (I * out, double lo, double hi), constant(lo, 
 REGULUS_OPERATION(thin_P, I, (I * out, const P* x), thin(*x))
 REGULUS_OPERATION(count_U, P, (P * out, const unsigned* u), static_cast<double>(*u))
 
+REGULUS_OPERATION(point_of_I, P, (P * out, const I* x), point_of(*x))
+REGULUS_OPERATION(exact_add_PP, P, (P * out, const P* x, const P* y), exact_add(*x, *y))
+REGULUS_OPERATION(exact_sub_PP, P, (P * out, const P* x, const P* y), exact_sub(*x, *y))
+REGULUS_OPERATION(exact_mul_PP, P, (P * out, const P* x, const P* y), exact_mul(*x, *y))
+REGULUS_OPERATION(exact_mul_add_PPP, P, (P * out, const P* x, const P* y, const P* z),
+                  exact_mul_add(*x, *y, *z))
 REGULUS_OPERATION(negate_P, P, (P * out, const P* x), -*x)
 REGULUS_UNARY(negate, -)
 REGULUS_BINARY(add, +)

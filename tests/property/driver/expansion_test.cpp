@@ -46,7 +46,7 @@ class ExpansionOf {
     AlignedBuffer in(2 * kLanes * box.size()), out(2 * kLanes * outputs);
     AlignedBuffer K(kLanes * kernel().rows * kernel().columns);
     for (std::size_t e = 0; e < kernel().rows * kernel().columns; ++e)
-      std::fill_n(K.get() + point_at(e, 0), kLanes, 0.25 * static_cast<double>(e % 7) - 0.6);
+      std::fill_n(K.get() + point_at(e, 0), kLanes, 0.25 * static_cast<double>(e % 7) - 0.625);
     for (std::size_t k = 0; k < box.size(); ++k) {
       std::fill_n(in.get() + lower_at(k, 0), kLanes, box[k].lo);
       std::fill_n(in.get() + upper_at(k, 0), kLanes, box[k].hi);

@@ -16,6 +16,7 @@
 #include "regulus/kernel/call.hpp"
 #include "support/ball_containment.hpp"
 #include "support/compilers.hpp"
+#include "support/grid.hpp"
 #include "support/random_program.hpp"
 #include "support/sample_modules.hpp"
 #include "support/temporary_directory.hpp"
@@ -27,6 +28,7 @@ using codegen::Ball;
 using codegen::Program;
 
 inline constexpr std::size_t kLanes = REGULUS_LANES;
+inline constexpr int kOrder = 2;  ///< of the matrix
 
 struct NamedField {
   const char* name;
@@ -42,7 +44,7 @@ inline Module random_module(std::uint64_t seed) {
   RandomSource random(seed);
   Module m;
   m.model = "random " + std::to_string(seed);
-  m.rows = m.columns = 2;
+  m.rows = m.columns = kOrder;
   m.constraints = 3;
   m.pose_parameters = 2;
   ProgramShape shape;
@@ -59,6 +61,8 @@ inline Module random_module(std::uint64_t seed) {
         {name, "random", random_program<codegen::ProgramBuilder>(random, shape), outputs, 1, {}});
     m.functions.back().program.inputs = m.variables;
   };
+  // Sums of one row of K, which kernels may compute as points, in a third of the modules.
+  shape.row_length = random.one_in(3) ? kOrder : 0;
   add("left_product", 4, 8);
   add("row_scale", 1, 7);
   add("constraint", 3, 12);
@@ -115,10 +119,11 @@ inline Case random_case(RandomSource& random, const Program& program) {
       result.boxes.set(v, lane, box.back());
     }
     std::vector<double> k;
-    for (std::size_t p = 0; p < program.points.size(); ++p) {
-      k.push_back(corner_double(random, largest_exponent == 64 ? 128 : 3));
-      result.points.set(p, lane, k.back());
+    while (k.size() < program.points.size()) {
+      const auto row = corner_row(random, kOrder, largest_exponent == 64 ? 128 : 3);
+      k.insert(k.end(), row.begin(), row.end());
     }
+    for (std::size_t p = 0; p < k.size(); ++p) result.points.set(p, lane, k[p]);
     std::vector<Sample> samples;
     for (int i = 0; i < 2; ++i) {
       std::vector<double> point;

@@ -37,7 +37,9 @@ struct Inputs {
                   random() % 16 == 0 ? Interval{-0.0, 0.0} : Interval{mid - radius, mid + radius});
       }
       for (std::size_t p = 0; p < points.size(); ++p)
-        points.set(p, lane, random() % 16 == 0 ? 0.0 : centre(random));
+        points.set(
+            p, lane,
+            random() % 16 == 0 ? 0.0 : std::ldexp(std::round(std::ldexp(centre(random), 20)), -20));
     }
   }
   BoxBatch boxes;

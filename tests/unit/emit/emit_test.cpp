@@ -69,6 +69,46 @@ TEST(Emit, FusesAProductWithASum) {
               HasSubstr("mul_add(k_1_1, v_x, thin(k_1_1))"));
 }
 
+/// The text of H over a 2×2 matrix, K's rows in the order of the ABI.
+std::string text_over_two_rows(const std::function<NodeId(ProgramBuilder&)>& expression,
+                               unsigned operations_per_part) {
+  Module m;
+  m.variables = {"x"};
+  m.rows = m.columns = 2;
+  ProgramBuilder b(m.variables, {"k_1_1", "k_1_2", "k_2_1", "k_2_2"});
+  for (int i = 0; i < 4; ++i) b.output(expression(b));
+  m.functions.push_back({"left_product", "K·A", std::move(b).finish(), 2, 2, {}});
+  EmitOptions options;
+  options.operations_per_part = operations_per_part;
+  return emit(m, options).source;
+}
+
+NodeId row_sum(ProgramBuilder& b, unsigned first, unsigned second) {
+  return b.add(b.multiply(b.constant(78), b.point(first)), b.point(second));
+}
+
+TEST(Emit, ComputesShortSumsOfARowOfKAsPoints) {
+  const auto factor = [](auto& b) { return b.multiply(row_sum(b, 0, 1), b.call(Op::kSin, x(b))); };
+  EXPECT_THAT(text_over_two_rows(factor, 64),
+              HasSubstr("exact_mul_add(P(78.0), k_1_1, k_1_2) * sin_x"));
+  const auto two_rows = [](auto& b) {
+    return b.multiply(row_sum(b, 0, 2), b.call(Op::kSin, x(b)));
+  };
+  EXPECT_THAT(text_over_two_rows(two_rows, 64),
+              HasSubstr("mul_add(P(78.0), k_1_1, thin(k_2_1)) * sin_x"));
+}
+
+TEST(Emit, KeepsPointsForLaterPartsAsThinIntervals) {
+  const auto twice = [](auto& b) {
+    const NodeId sum = row_sum(b, 0, 1);
+    return b.add(b.multiply(sum, b.call(Op::kSin, x(b))), b.multiply(sum, b.call(Op::kCos, x(b))));
+  };
+  const std::string text = text_over_two_rows(twice, 1);
+  EXPECT_THAT(text, HasSubstr("const P c_1 = exact_mul"));
+  EXPECT_THAT(text, HasSubstr("] = thin(c_"));
+  EXPECT_THAT(text, HasSubstr("= point_of(shared["));
+}
+
 TEST(Emit, TakesASignIntoWhatNothingElseReads) {
   EXPECT_THAT(constraint_text([](auto& b) { return b.negate(b.subtract(x(b), y(b))); }),
               HasSubstr("store(out, 0, v_y - v_x);"));

@@ -146,6 +146,30 @@ TEST(Kernel, ReportsLanesWhosePointsAreOutsideTheContract) {
       }
 }
 
+TEST(Kernel, AcceptsRowsOnAGrid) {
+  for (const double step : {0x1p-828, 0x1p-40, 1.0, 0x1p99}) {
+    Arguments a;
+    a.points.set_all_lanes(0, 0x1p28 * step);
+    a.points.set_all_lanes(1, -0x1fffffffp0 * step);
+    a.points.set_all_lanes(2, 0x1p28 * step);
+    a.points.set_all_lanes(3, step);
+    EXPECT_EQ(call(two_by_two(), a), 0u) << step;
+  }
+}
+
+TEST(Kernel, ReportsLanesInWhichARowOfKIsOnNoGrid) {
+  const double bad[][2] = {
+      {1.0, 0x1p-29}, {0x1p-29, 1.5}, {0.1, 0.0}, {0x1p-801, 0.0}, {0x1p128, 0x1.0000001p98}};
+  for (const auto& entries : bad)
+    for (std::size_t row = 0; row < 2; ++row)
+      for (std::size_t lane = 0; lane < REGULUS_LANES; ++lane) {
+        Arguments a;
+        a.points.set(2 * row, lane, entries[0]);
+        a.points.set(2 * row + 1, lane, entries[1]);
+        EXPECT_EQ(call(two_by_two(), a), 1u << lane) << entries[0] << " " << entries[1];
+      }
+}
+
 TEST(Buffers, AreAlignedAsKernelsRequire) {
   for (const std::size_t count : {1, 2, 3, 37}) {
     EXPECT_EQ(reinterpret_cast<std::uintptr_t>(BoxBatch(count).data()) % 64, 0u);

@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Rows of K as the ABI wants them: on a grid.
+#pragma once
+
+#include <cmath>
+#include <vector>
+
+#include "regulus/kernel/abi.hpp"
+#include "support/random_source.hpp"
+
+namespace regulus::test {
+
+/// A row whose entries are multiples of one power of two, near the limits of the grid as often as
+/// not, and at most 2^largest_exponent.
+inline std::vector<double> corner_row(RandomSource& random, std::size_t length,
+                                      int largest_exponent) {
+  constexpr std::uint64_t kEnd = std::uint64_t{1} << REGULUS_POINT_BITS;
+  const int spread = largest_exponent > 60 ? 700 : 40;
+  const int exponent = largest_exponent - REGULUS_POINT_BITS -
+                       static_cast<int>(random.below(static_cast<std::uint64_t>(spread)));
+  std::vector<double> row;
+  for (std::size_t i = 0; i < length; ++i) {
+    const std::uint64_t corners[] = {0, 1, 3, kEnd / 2, kEnd / 2 + 1, kEnd - 1};
+    const std::uint64_t size = random.one_in(2) ? corners[random.below(6)] : random.below(kEnd);
+    const double sign = random.one_in(2) ? -1.0 : 1.0;
+    row.push_back(sign * std::ldexp(static_cast<double>(size), exponent));
+  }
+  return row;
+}
+
+}  // namespace regulus::test
