@@ -8,15 +8,15 @@ namespace regulus {
 Frontier::Frontier(std::size_t variables, std::size_t capacity)
     : variables_(variables), slots_(capacity), boxes_(capacity * variables) {}
 
-OpenBox Frontier::at(std::size_t s) const noexcept {
+OpenBox Frontier::in_slot(std::size_t s) const noexcept {
   return {slots_[s].id, slots_[s].depth, {boxes_.data() + s * variables_, variables_}};
 }
 
-OpenBox Frontier::top() const noexcept { return at(slot(size_ - 1)); }
+OpenBox Frontier::top() const noexcept { return in_slot(slot(size_ - 1)); }
 
 void Frontier::pop() noexcept { --size_; }
 
-OpenBox Frontier::end() const noexcept { return at(end_); }
+OpenBox Frontier::end() const noexcept { return in_slot(end_); }
 
 void Frontier::pop_end() noexcept {
   end_ = slot(1);

@@ -16,13 +16,17 @@ namespace regulus {
 /// first. The boxes on the way down from the root to the top have at most one sibling each in the
 /// list, so with ranges of width 1 that are decided at width ε it never holds more than
 /// m·⌈log₂(1/ε)⌉ + 1 boxes; b times that when b boxes are taken at once.
-class Frontier {
+class Frontier final : public OpenBoxes {
  public:
   /// Room for that many boxes, at least one, before memory is asked for.
   explicit Frontier(std::size_t variables, std::size_t capacity = 64);
 
   [[nodiscard]] bool empty() const noexcept { return size_ == 0; }
-  [[nodiscard]] std::size_t size() const noexcept { return size_; }
+  [[nodiscard]] std::size_t size() const noexcept override { return size_; }
+  /// From the top.
+  [[nodiscard]] OpenBox at(std::size_t index) const noexcept override {
+    return in_slot(slot(size_ - 1 - index));
+  }
   [[nodiscard]] std::size_t max_size() const noexcept { return max_size_; }
 
   void clear() noexcept { end_ = size_ = max_size_ = 0; }
@@ -49,7 +53,7 @@ class Frontier {
     std::uint32_t depth;
     double width;
   };
-  [[nodiscard]] OpenBox at(std::size_t slot) const noexcept;
+  [[nodiscard]] OpenBox in_slot(std::size_t slot) const noexcept;
   [[nodiscard]] bool grow() noexcept;
   [[nodiscard]] std::size_t slot(std::size_t from_end) const noexcept {
     return (end_ + from_end) % slots_.size();

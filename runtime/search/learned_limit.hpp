@@ -20,6 +20,10 @@ struct Trial {
 /// likely to be certified as not, or more.
 class LearnedLimit {
  public:
+  LearnedLimit() = default;
+  explicit LearnedLimit(double limit) noexcept : limit_(limit) {}
+
+  [[nodiscard]] double value() const noexcept { return limit_; }
   [[nodiscard]] bool worth_trying(double distance) const noexcept { return distance < limit_; }
   void learn(Trial trial) noexcept {
     if (trial.certified)

@@ -5,8 +5,10 @@
 #include <cstdint>
 #include <optional>
 #include <span>
+#include <vector>
 
 #include "regulus/interval/interval.hpp"
+#include "regulus/search/learned_limit.hpp"
 #include "regulus/search/problem.hpp"
 #include "regulus/search/result.hpp"
 
@@ -42,6 +44,35 @@ struct Proof {
   std::optional<Interval> determinant{};
 };
 
+/// The boxes a search has still to decide.
+class OpenBoxes {
+ public:
+  OpenBoxes() = default;
+  OpenBoxes(const OpenBoxes&) = delete;
+  OpenBoxes& operator=(const OpenBoxes&) = delete;
+  virtual ~OpenBoxes() = default;
+
+  [[nodiscard]] virtual std::size_t size() const noexcept = 0;
+  /// In the order in which they would be decided.
+  [[nodiscard]] virtual OpenBox at(std::size_t index) const noexcept = 0;
+};
+
+/// What a search knows besides its open boxes. With both it can go on as though it had not stopped.
+struct SearchState {
+  BoxId next_id = 1;  ///< of the next box to be made
+  Statistics statistics;
+  std::vector<std::uint64_t> filter_boxes;  ///< how many rest on each of Settings::filters
+  std::uint64_t next_descent = 1;           ///< boxes at which to look for a singularity again
+  LearnedLimit limit;
+  /// A box could not be decided: NO SINGULARITY is out of reach.
+  bool blocked = false;
+  Reason blocked_reason = Reason::kAllBoxesCertified;
+  std::uint64_t boxes_when_blocked = 0;
+  std::vector<Interval> blocking_box;  ///< the first of them, or the one that is undefined
+  std::optional<Witness> witness;      ///< the first of an exhaustive search
+  Reason witness_reason = Reason::kOppositeSigns;
+};
+
 class Observer {
  public:
   Observer() = default;
@@ -56,6 +87,11 @@ class Observer {
   virtual void on_open(const OpenBox&) noexcept {}
   /// After each batch of boxes.
   virtual void on_progress(const Statistics&, std::uint64_t /*frontier*/) noexcept {}
+  /// Asked after each round of batches whether on_pause is to follow.
+  [[nodiscard]] virtual bool wants_pause() noexcept { return false; }
+  /// What has been told so far and what is left: all of it, nothing is being decided. Also when a
+  /// budget or an interrupt ends the search, before on_open.
+  virtual void on_pause(const SearchState&, const OpenBoxes&) noexcept {}
   virtual void on_finish(const Result&) noexcept {}
 };
 

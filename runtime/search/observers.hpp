@@ -28,6 +28,14 @@ class Observers final : public Observer {
   void on_progress(const Statistics& statistics, std::uint64_t frontier) noexcept override {
     for (Observer* o : observers_) o->on_progress(statistics, frontier);
   }
+  [[nodiscard]] bool wants_pause() noexcept override {
+    bool wanted = false;
+    for (Observer* o : observers_) wanted = o->wants_pause() || wanted;
+    return wanted;
+  }
+  void on_pause(const SearchState& state, const OpenBoxes& open) noexcept override {
+    for (Observer* o : observers_) o->on_pause(state, open);
+  }
   void on_finish(const Result& result) noexcept override {
     for (Observer* o : observers_) o->on_finish(result);
   }

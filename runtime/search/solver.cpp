@@ -40,10 +40,9 @@ class Search {
         witness_(problem, settings, !settings.exhaustive),
         frontier_(problem.kernel->variables),
         half_(problem.kernel->variables),
-        blocking_(problem.kernel->variables),
-        filter_boxes_(settings.filters.size()) {}
+        top_when_stopped_(problem.kernel->variables) {}
 
-  Result run(std::span<const OpenBox> open, BoxId next_id);
+  Result run(std::span<const OpenBox> open, const SearchState& state);
 
  private:
   void loop() noexcept;
@@ -59,6 +58,8 @@ class Search {
   void split_rest(Decisions& batch) noexcept;
   void split(Decisions& batch, std::size_t lane) noexcept;
   void block(Decisions& batch, std::size_t lane) noexcept;
+  void pause() noexcept;
+  void count_up() noexcept;
   void report_open() noexcept;
   [[nodiscard]] Result conclude();
 
@@ -74,23 +75,15 @@ class Search {
   const Clock::time_point start_ = Clock::now();
   const RowStructure structure_;
   Round round_;
-  LearnedLimit limit_;
   WitnessSearch witness_;
-  std::optional<Witness> first_witness_;  ///< of an exhaustive search
-  Reason first_witness_reason_ = Reason::kOppositeSigns;
   Frontier frontier_;
-  std::vector<Interval> half_, blocking_;
-  std::vector<std::uint64_t> filter_boxes_;
-  BoxId next_id_ = 1;
-  bool blocked_ = false;
+  SearchState state_;
+  std::vector<Interval> half_, top_when_stopped_;
   bool stopped_ = false;
   bool exhausted_ = false;  ///< stopped by a budget or from outside, not by a verdict
   std::optional<Reason> stopped_by_;
-  Reason reason_ = Reason::kAllBoxesCertified;
-  std::uint64_t boxes_when_blocked_ = 0;
-  std::uint64_t next_descent_ = 1;
   std::uint64_t probes_in_boxes_ = 0;
-  Statistics statistics_;
+  double seconds_before_ = 0;
 };
 
 double seconds_since(Clock::time_point start) noexcept {
@@ -104,14 +97,21 @@ Clock::time_point Search::deadline() const noexcept {
   return start_ + std::chrono::duration_cast<Clock::duration>(limit);
 }
 
-Result Search::run(std::span<const OpenBox> open, BoxId next_id) {
-  next_id_ = next_id;
+Result Search::run(std::span<const OpenBox> open, const SearchState& state) {
+  state_ = state;
+  state_.filter_boxes.resize(settings_.filters.size());
+  state_.blocking_box.resize(problem_.kernel->variables);
+  probes_in_boxes_ = state.statistics.probes;
+  seconds_before_ = state.statistics.seconds;
   observer_.on_start(problem_, settings_);
   for (std::size_t k = open.size(); k-- > 0;)
     if (!frontier_.push_top(open[k], round_.bisector().approx_relative_width(open[k].box)))
       stop_at_open_box(Reason::kMemory);
   loop();
-  if (exhausted_) report_open();
+  if (exhausted_) {
+    if (stopped_by_ != Reason::kMemory) pause();
+    report_open();
+  }
   Result result = conclude();
   observer_.on_finish(result);
   return result;
@@ -124,22 +124,36 @@ void Search::loop() noexcept {
   while (!frontier_.empty() && !stopped_) {
     if (must_stop()) return;
     load_round();
-    round_.decide(limit_);
+    round_.decide(state_.limit);
     for (std::size_t i = 0; i < round_.size() && !stopped_; ++i) close_leaves(round_.batch(i));
     for (std::size_t i = round_.size(); i-- > 0 && !witness_.found();) split_rest(round_.batch(i));
-    observer_.on_progress(statistics_, frontier_.size());
+    observer_.on_progress(state_.statistics, frontier_.size());
+    if (!stopped_ && !frontier_.empty() && observer_.wants_pause()) pause();
   }
+}
+
+void Search::pause() noexcept {
+  count_up();
+  observer_.on_pause(state_, frontier_);
+}
+
+/// What is only added up now and then.
+void Search::count_up() noexcept {
+  Statistics& statistics = state_.statistics;
+  statistics.max_frontier = std::max<std::uint64_t>(statistics.max_frontier, frontier_.max_size());
+  statistics.probes = witness_.probes() + probes_in_boxes_;
+  statistics.seconds = seconds_before_ + seconds_since(start_);
 }
 
 bool Search::must_stop() noexcept {
   if (settings_.interrupt != nullptr && settings_.interrupt->load(std::memory_order_relaxed))
     stop_at_open_box(Reason::kInterrupted);
-  else if (statistics_.boxes >= settings_.max_boxes)
+  else if (state_.statistics.boxes >= settings_.max_boxes)
     stop_at_open_box(Reason::kBoxBudget);
   else if (seconds_since(start_) >= settings_.time_limit)
     stop_at_open_box(Reason::kTimeBudget);
-  else if (blocked_ && !settings_.exhaustive &&
-           statistics_.boxes - boxes_when_blocked_ >= settings_.boxes_after_problem)
+  else if (state_.blocked && !settings_.exhaustive &&
+           state_.statistics.boxes - state_.boxes_when_blocked >= settings_.boxes_after_problem)
     stopped_ = true;
   return stopped_;
 }
@@ -147,19 +161,17 @@ bool Search::must_stop() noexcept {
 void Search::stop_at_open_box(Reason reason) noexcept {
   stopped_ = exhausted_ = true;
   stopped_by_ = reason;
-  if (blocked_) return;
-  reason_ = reason;
   if (frontier_.empty()) return;
   const OpenBox top = frontier_.top();
-  std::copy(top.box.begin(), top.box.end(), blocking_.begin());
+  std::copy(top.box.begin(), top.box.end(), top_when_stopped_.begin());
 }
 
 /// The order of the paper asks for one box at a time.
 void Search::load_round() noexcept {
-  const std::uint64_t most = settings_.batch == 1 ? 1 : 1 + statistics_.boxes / kBoxesABatch;
+  const std::uint64_t most = settings_.batch == 1 ? 1 : 1 + state_.statistics.boxes / kBoxesABatch;
   round_.clear();
   while (round_.size() < std::min(most, kMaxBatches) && !frontier_.empty() &&
-         statistics_.boxes < settings_.max_boxes) {
+         state_.statistics.boxes < settings_.max_boxes) {
     Decisions* batch = round_.append();
     if (batch == nullptr) break;
     load(*batch);
@@ -169,34 +181,35 @@ void Search::load_round() noexcept {
 
 void Search::load(Decisions& batch) noexcept {
   // Once NO SINGULARITY is out of reach, the widest boxes show most of what is left.
-  const bool from_end = blocked_ && !settings_.exhaustive;
+  const bool from_end = state_.blocked && !settings_.exhaustive;
   while (batch.count() < settings_.batch && !frontier_.empty() &&
-         statistics_.boxes < settings_.max_boxes) {
+         state_.statistics.boxes < settings_.max_boxes) {
     batch.add(from_end ? frontier_.end() : frontier_.top());
     from_end ? frontier_.pop_end() : frontier_.pop();
-    ++statistics_.boxes;
+    ++state_.statistics.boxes;
   }
 }
 
 /// A batch that was not decided because the search is to stop.
 void Search::give_back(Decisions& batch) noexcept {
-  for (std::size_t lane = batch.count(); lane-- > 0; --statistics_.boxes) {
+  for (std::size_t lane = batch.count(); lane-- > 0; --state_.statistics.boxes) {
     const OpenBox& box = batch.open(lane);
-    if (!frontier_.push_top(box, round_.bisector().approx_relative_width(box.box)))
-      observer_.on_open(box);
+    if (frontier_.push_top(box, round_.bisector().approx_relative_width(box.box))) continue;
+    stop_at_open_box(Reason::kMemory);
+    observer_.on_open(box);
   }
 }
 
 void Search::close_leaves(Decisions& batch) noexcept {
   if (!batch.decided) return;
-  for (std::size_t t = 0; t < batch.effort.trials; ++t) limit_.learn(batch.effort.trial[t]);
+  for (std::size_t t = 0; t < batch.effort.trials; ++t) state_.limit.learn(batch.effort.trial[t]);
   probes_in_boxes_ += batch.probes;
   for (std::size_t lane = 0; lane < batch.count(); ++lane) {
     const Decision& decision = batch.decision[lane];
     if (decision.kind != Decision::Kind::kLeaf || decision.rule == Rule::kBlocked) continue;
-    if (decision.rule == Rule::kFilter) ++filter_boxes_[decision.filter];
-    if (decision.witness && !first_witness_)
-      first_witness_reason_ = decision.reason, first_witness_ = decision.witness;
+    if (decision.rule == Rule::kFilter) ++state_.filter_boxes[decision.filter];
+    if (decision.witness && !state_.witness)
+      state_.witness_reason = decision.reason, state_.witness = decision.witness;
     leave(batch, lane);
   }
   if (settings_.exhaustive) return;
@@ -207,7 +220,7 @@ void Search::close_leaves(Decisions& batch) noexcept {
 
 void Search::leave(const Decisions& batch, std::size_t lane) noexcept {
   const Rule rule = batch.decision[lane].rule;
-  ++statistics_.leaves[static_cast<std::size_t>(rule)];
+  ++state_.statistics.leaves[static_cast<std::size_t>(rule)];
   observer_.on_leaf(batch.open(lane), rule, batch.proof(lane));
 }
 
@@ -217,14 +230,14 @@ void Search::leave(const Decisions& batch, std::size_t lane) noexcept {
 void Search::look_for_witness(Decisions& batch) noexcept {
   LaneMask undecided = batch.uncertified;
   if (undecided == 0 || !looking_for_witness()) return;
-  if (statistics_.boxes < next_descent_) return;
+  if (state_.statistics.boxes < state_.next_descent) return;
   if (problem_.kernel->constraints > 0) {
     undecided &= batch.inside;
     if (undecided == 0) return;
-    next_descent_ = statistics_.boxes + 1 + statistics_.boxes / 8;
+    state_.next_descent = state_.statistics.boxes + 1 + state_.statistics.boxes / 8;
   } else {
-    if (next_descent_ == 1) witness_.look_at_corners();
-    next_descent_ = 4 * statistics_.boxes;
+    if (state_.next_descent == 1) witness_.look_at_corners();
+    state_.next_descent = 4 * state_.statistics.boxes;
   }
   std::size_t lane = 0;
   while (!has_lane(undecided, lane)) ++lane;
@@ -247,13 +260,13 @@ void Search::split(Decisions& batch, std::size_t lane) noexcept {
   const std::uint32_t variable = batch.decision[lane].variable;
   const std::span<Interval> lower = batch.box_of(lane);
   const Halves halves = *bisect(lower[variable]);
-  observer_.on_split(parent, {parent.id, variable, halves.left.hi, next_id_});
+  observer_.on_split(parent, {parent.id, variable, halves.left.hi, state_.next_id});
   std::copy(lower.begin(), lower.end(), half_.begin());
   lower[variable] = halves.left;
   half_[variable] = halves.right;
-  const OpenBox first{next_id_, parent.depth + 1, lower};
-  const OpenBox second{next_id_ + 1, parent.depth + 1, half_};
-  next_id_ += 2;
+  const OpenBox first{state_.next_id, parent.depth + 1, lower};
+  const OpenBox second{state_.next_id + 1, parent.depth + 1, half_};
+  state_.next_id += 2;
   const Bisector& bisector = round_.bisector();
   if (!frontier_.push_halves(first, bisector.approx_relative_width(first.box), second,
                              bisector.approx_relative_width(second.box))) {
@@ -267,14 +280,15 @@ void Search::block(Decisions& batch, std::size_t lane) noexcept {
   leave(batch, lane);
   const Reason reason = batch.decision[lane].reason;
   const std::span<const Interval> box = batch.box_of(lane);
-  if (!blocked_) boxes_when_blocked_ = statistics_.boxes;
+  if (!state_.blocked) state_.boxes_when_blocked = state_.statistics.boxes;
   // Near a pole many boxes are too narrow to split; the one that is undefined says why.
-  if (!blocked_ || (reason == Reason::kUndefined && reason_ == Reason::kWidth)) {
-    blocked_ = true;
-    reason_ = reason;
-    std::copy(box.begin(), box.end(), blocking_.begin());
+  if (!state_.blocked ||
+      (reason == Reason::kUndefined && state_.blocked_reason == Reason::kWidth)) {
+    state_.blocked = true;
+    state_.blocked_reason = reason;
+    std::copy(box.begin(), box.end(), state_.blocking_box.begin());
   }
-  const std::uint64_t blocked = statistics_.leaves[static_cast<std::size_t>(Rule::kBlocked)];
+  const std::uint64_t blocked = state_.statistics.leaves[static_cast<std::size_t>(Rule::kBlocked)];
   if (!looking_for_witness() || blocked > kMaxDescentsFromBlocked) return;
   witness_.descend(box);
   stopped_ = stopped_ || witness_.found();
@@ -289,34 +303,33 @@ Result Search::conclude() {
   Result result;
   result.method = settings_.method;
   result.stopped_by = stopped_by_;
-  statistics_.max_frontier = frontier_.max_size();
-  statistics_.probes = witness_.probes() + probes_in_boxes_;
-  if (first_witness_) {
+  count_up();
+  if (state_.witness) {
     result.verdict = Verdict::kSingularity;
-    result.reason = first_witness_reason_;
-    result.witness = first_witness_;
+    result.reason = state_.witness_reason;
+    result.witness = state_.witness;
   } else if (witness_.found()) {
     result.verdict = Verdict::kSingularity;
     result.reason = witness_.reason();
     result.witness = witness_.witness();
-  } else if (!blocked_ && !exhausted_ && frontier_.empty()) {
+  } else if (!state_.blocked && !exhausted_ && frontier_.empty()) {
     result.verdict = Verdict::kNoSingularity;
     result.reason = Reason::kAllBoxesCertified;
   } else {
     result.verdict = Verdict::kPossibleProblem;
-    result.reason = reason_;
-    result.blocking_box = blocking_;
+    result.reason = state_.blocked ? state_.blocked_reason : *stopped_by_;
+    result.blocking_box = state_.blocked ? state_.blocking_box : top_when_stopped_;
   }
-  statistics_.seconds = seconds_since(start_);
-  result.statistics = statistics_;
-  result.filter_boxes = filter_boxes_;
+  result.statistics = state_.statistics;
+  result.filter_boxes = state_.filter_boxes;
   return result;
 }
 
 /// Kept out of line, so that no floating-point work moves out of the rounding scope of its caller.
 [[gnu::noinline]] Result search(const Problem& problem, const Settings& settings,
-                                std::span<const OpenBox> open, BoxId next_id, Observer* observer) {
-  return Search(problem, settings, observer).run(open, next_id);
+                                std::span<const OpenBox> open, const SearchState& state,
+                                Observer* observer) {
+  return Search(problem, settings, observer).run(open, state);
 }
 
 Result faulty(const Settings& settings) {
@@ -338,17 +351,17 @@ bool keeps_ranges(const Problem& problem, const Settings& settings, const OpenBo
 }  // namespace
 
 Result resume(const Problem& problem, const Settings& settings, std::span<const OpenBox> open,
-              BoxId next_id, Observer* observer) {
+              const SearchState& state, Observer* observer) {
   if (find_fault(problem, settings)) return faulty(settings);
   for (const OpenBox& box : open)
     if (!keeps_ranges(problem, settings, box)) return faulty(settings);
   const RoundingScope scope(REGULUS_ROUND_NEAREST);
-  return search(problem, settings, open, next_id, observer);
+  return search(problem, settings, open, state, observer);
 }
 
 Result solve(const Problem& problem, const Settings& settings, Observer* observer) {
   const OpenBox root{0, 0, problem.outer};
-  return resume(problem, settings, {&root, 1}, 1, observer);
+  return resume(problem, settings, {&root, 1}, {}, observer);
 }
 
 }  // namespace regulus

@@ -19,11 +19,11 @@ namespace regulus {
 [[nodiscard]] Result solve(const Problem& problem, const Settings& settings,
                            Observer* observer = nullptr);
 
-/// The same, continuing from the boxes still open in an earlier search of the same problem; the
-/// numbers of new boxes start at `next_id`. Boxes that have not the whole range of an uncertain
-/// quantity that is kept whole are none of that search: kBadProblem.
+/// The same, going on with what an earlier search of the same problem told its observer at a pause.
+/// The state is believed: that it is true is for the caller to know. Boxes that have not the whole
+/// range of an uncertain quantity that is kept whole are none of that search: kBadProblem.
 [[nodiscard]] Result resume(const Problem& problem, const Settings& settings,
-                            std::span<const OpenBox> open, BoxId next_id,
+                            std::span<const OpenBox> open, const SearchState& state,
                             Observer* observer = nullptr);
 
 }  // namespace regulus

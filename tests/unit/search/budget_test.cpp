@@ -66,6 +66,13 @@ TEST(Budget, StopsWhenInterrupted) {
   EXPECT_EQ(result.reason, Reason::kInterrupted);
 }
 
+/// A state that knows no more than which number the next box has.
+SearchState from_box(BoxId next_id) {
+  SearchState state;
+  state.next_id = next_id;
+  return state;
+}
+
 /// Follows the events of a search and checks that they describe a tree of halves.
 class Recorder : public Observer {
  public:
@@ -129,7 +136,7 @@ TEST(Observer, AnInterruptedSearchCanBeResumedFromItsOpenBoxes) {
   const auto kept = recorder.open;
   std::vector<OpenBox> open;
   for (const auto& [id, box] : kept) open.push_back({id, 1, box});
-  const Result rest = resume(problem, {}, open, recorder.next_id);
+  const Result rest = resume(problem, {}, open, from_box(recorder.next_id));
   EXPECT_EQ(rest.verdict, Verdict::kNoSingularity);
   EXPECT_EQ(rest.statistics.boxes + 40, whole);
 }
@@ -141,11 +148,12 @@ TEST(Observer, BoxesOfAnotherUncertaintyAreRefused) {
   const std::vector<Interval> whole{Interval(0, 1), Interval(-1, 1)};
   const std::vector<Interval> part{Interval(0, 1), Interval(0, 1)};
   const OpenBox of_it{1, 1, whole}, of_another{1, 1, part};
-  EXPECT_EQ(resume(problem, {}, {&of_it, 1}, 2).verdict, Verdict::kNoSingularity);
-  EXPECT_EQ(resume(problem, {}, {&of_another, 1}, 2).reason, Reason::kBadProblem);
+  EXPECT_EQ(resume(problem, {}, {&of_it, 1}, from_box(2)).verdict, Verdict::kNoSingularity);
+  EXPECT_EQ(resume(problem, {}, {&of_another, 1}, from_box(2)).reason, Reason::kBadProblem);
   Settings settings;
   settings.uncertainty = Uncertainty::kVariables;
-  EXPECT_EQ(resume(problem, settings, {&of_another, 1}, 2).verdict, Verdict::kNoSingularity);
+  EXPECT_EQ(resume(problem, settings, {&of_another, 1}, from_box(2)).verdict,
+            Verdict::kNoSingularity);
 }
 
 TEST(Observer, AnExhaustiveSearchVisitsEverything) {

@@ -1,0 +1,122 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// A search that stops and goes on, however often, tells what one without a stop does.
+#include <gtest/gtest.h>
+
+#include <atomic>
+
+#include "support/function_kernel.hpp"
+
+namespace regulus {
+namespace {
+
+using test::FunctionKernel;
+using test::problem_over;
+using test::Values;
+
+/// Keeps what it is told at a pause, and interrupts the search then.
+class Pausing : public Observer {
+ public:
+  Pausing(std::string& log, std::uint64_t every) : log_(log), every_(every) {}
+
+  void on_split(const OpenBox& box, const Split& split) noexcept override {
+    log_ += std::to_string(box.id) + " split " + std::to_string(split.variable) + ' ' +
+            std::to_string(split.lower) + '\n';
+  }
+  void on_leaf(const OpenBox& box, Rule rule, const Proof&) noexcept override {
+    log_ += std::to_string(box.id) + ' ' + name(rule) + '\n';
+  }
+  bool wants_pause() noexcept override { return ++rounds_ % every_ == 0; }
+  void on_pause(const SearchState& seen, const OpenBoxes& boxes) noexcept override {
+    state = seen;
+    kept.clear();
+    open.clear();
+    for (std::size_t i = 0; i < boxes.size(); ++i) {
+      const OpenBox box = boxes.at(i);
+      kept.emplace_back(box.box.begin(), box.box.end());
+      open.push_back({box.id, box.depth, {}});
+    }
+    for (std::size_t i = 0; i < kept.size(); ++i) open[i].box = kept[i];
+    interrupt = true;
+  }
+
+  SearchState state;
+  std::vector<std::vector<Interval>> kept;
+  std::vector<OpenBox> open;
+  std::atomic<bool> interrupt{false};
+
+ private:
+  std::string& log_;
+  std::uint64_t every_, rounds_ = 0;
+};
+
+struct Told {
+  Result result;
+  std::string log;
+  int stops = 0;
+};
+
+/// Stops after every so many rounds. The last told state is what the next search starts from.
+Told search(const Problem& problem, Settings settings, std::uint64_t every) {
+  Told told;
+  SearchState state;
+  std::vector<std::vector<Interval>> kept = {problem.outer};
+  std::vector<OpenBox> open = {{0, 0, kept[0]}};
+  for (;; ++told.stops) {
+    Pausing observer(told.log, every);
+    settings.interrupt = &observer.interrupt;
+    told.result = resume(problem, settings, open, state, &observer);
+    if (told.result.stopped_by != Reason::kInterrupted) return told;
+    state = observer.state;
+    kept = observer.kept;
+    open = observer.open;
+    for (std::size_t i = 0; i < kept.size(); ++i) open[i].box = kept[i];
+  }
+}
+
+void expect_the_same(const Problem& problem, const Settings& settings, Verdict verdict,
+                     int least_stops) {
+  const Told whole = search(problem, settings, 1U << 30);
+  EXPECT_EQ(whole.result.verdict, verdict) << describe(whole.result.reason);
+  EXPECT_EQ(whole.stops, 0);
+  for (const std::uint64_t every : {1U, 2U, 7U}) {
+    const Told pieces = search(problem, settings, every);
+    EXPECT_GE(pieces.stops, least_stops / static_cast<int>(every));
+    EXPECT_TRUE(pieces.log == whole.log) << every;
+    EXPECT_EQ(pieces.result.verdict, verdict);
+    EXPECT_EQ(pieces.result.reason, whole.result.reason);
+    EXPECT_EQ(pieces.result.blocking_box, whole.result.blocking_box);
+    EXPECT_EQ(pieces.result.statistics.boxes, whole.result.statistics.boxes);
+    EXPECT_EQ(pieces.result.statistics.leaves, whole.result.statistics.leaves);
+  }
+}
+
+FunctionKernel circle() {
+  return {2, 2, 2, [](const Values& x) { return Values{x[0] + 1.0, x[1], -x[1], x[0] - 1.0}; }};
+}
+
+TEST(Pause, AProofIsTheSameInPieces) {
+  FunctionKernel kernel = circle();
+  kernel.with_constraints(1, [](const Values& x) { return Values{sqr(x[0]) + sqr(x[1]) - 0.9}; });
+  expect_the_same(problem_over(kernel, {{-2, 2}, {-2, 2}}), {}, Verdict::kNoSingularity, 8);
+}
+
+/// What could not be decided before a stop is not forgotten: the rest alone would be free.
+TEST(Pause, ABlockedBoxStaysBlocked) {
+  const FunctionKernel kernel(2, 2, 2, [](const Values& x) {
+    return Values{x[0] - Interval(0.3), x[1], -x[1], x[0] - Interval(0.3)};
+  });
+  Settings settings;
+  settings.ingredients.descents = settings.ingredients.corners = false;
+  expect_the_same(problem_over(kernel, {{-1, 1}, {-1, 1}}), settings, Verdict::kPossibleProblem, 8);
+}
+
+TEST(Pause, APavingIsTheSameInPieces) {
+  const FunctionKernel kernel = circle();
+  Settings settings;
+  settings.exhaustive = true;
+  settings.min_relative_width = 0x1p-5;
+  expect_the_same(problem_over(kernel, {{-2, 2}, {-2, 2}}), settings, Verdict::kSingularity, 8);
+}
+
+}  // namespace
+}  // namespace regulus
