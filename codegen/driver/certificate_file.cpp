@@ -18,6 +18,17 @@ CertificateFile::CertificateFile(const std::string& path, const Preparation& pre
   }
 }
 
+CertificateFile::CertificateFile(const std::string& path, const Preparation& preparation,
+                                 const CertificateWriter::Partial& partial) {
+  if (path.empty()) return;
+  CertifiedQuestion question = certified_question(preparation);
+  try {
+    writer_.emplace(path, std::move(question), partial);
+  } catch (const std::runtime_error& error) {
+    throw FileError(error.what());
+  }
+}
+
 void CertificateFile::finish(const Result& result) {
   if (!writer_) return;
   try {

@@ -15,6 +15,9 @@ class CertificateFile {
  public:
   /// `path` empty: none is wanted. Throws FileError when it cannot be made, before the search.
   CertificateFile(const std::string& path, const Preparation& preparation);
+  /// Of a search that may be continued, or continues one.
+  CertificateFile(const std::string& path, const Preparation& preparation,
+                  const CertificateWriter::Partial& partial);
 
   /// Watches the search; nullptr if none is wanted.
   [[nodiscard]] Observer* observer() noexcept { return writer_ ? &*writer_ : nullptr; }
@@ -22,6 +25,8 @@ class CertificateFile {
   /// Puts the file in its place if the verdict claims something. Throws FileError.
   void finish(const Result& result);
 
+  /// nullptr if none is wanted.
+  [[nodiscard]] CertificateWriter* writer() noexcept { return writer_ ? &*writer_ : nullptr; }
   [[nodiscard]] bool written() const noexcept { return written_; }
   /// A line of the report; empty if none was wanted.
   [[nodiscard]] std::string line() const;

@@ -4,12 +4,14 @@
 
 #include "regulus/codegen/driver/always_singular.hpp"
 #include "regulus/codegen/driver/certificate_file.hpp"
+#include "regulus/codegen/driver/checkpoint_file.hpp"
 #include "regulus/codegen/driver/commands.hpp"
 #include "regulus/codegen/driver/interrupt.hpp"
 #include "regulus/codegen/driver/least_singular.hpp"
 #include "regulus/codegen/driver/report.hpp"
 #include "regulus/codegen/driver/search_run.hpp"
 #include "regulus/codegen/driver/settings.hpp"
+#include "regulus/search/observers.hpp"
 
 namespace regulus::codegen {
 
@@ -23,6 +25,12 @@ std::optional<LeastSingular> nearest_singular(const Preparation& preparation,
   return approx_least_singular(preparation, result.blocking_box);
 }
 
+CertificateFile certificate_for(const CheckCommand& command, const Preparation& preparation,
+                                const CheckpointFile& checkpoint) {
+  if (!checkpoint.wanted()) return {command.certificate, preparation};
+  return {command.certificate, preparation, checkpoint.partial(command.certificate)};
+}
+
 }  // namespace
 
 int run_check(const CheckCommand& command) {
@@ -32,14 +40,22 @@ int run_check(const CheckCommand& command) {
   settings.interrupt = &interrupt.requested();
   for (const FilterFile& filter : preparation.filters)
     settings.filters.push_back(&filter.interface());
-  CertificateFile certificate(command.certificate, preparation);
-  Result result =
-      run_search(preparation, command.search, command.output, settings, certificate.observer());
+  CheckpointFile checkpoint(command.checkpoint, preparation, settings);
+  CertificateFile certificate = certificate_for(command, preparation, checkpoint);
+  // The certificate first: what it has is then safe before a checkpoint speaks of it.
+  std::vector<Observer*> watching;
+  if (certificate.observer() != nullptr) watching.push_back(certificate.observer());
+  if (Observer* saving = checkpoint.observer(certificate.writer())) watching.push_back(saving);
+  Observers observers(std::move(watching));
+  Result result = run_search(preparation, command.search, command.output, settings, &observers,
+                             checkpoint.found());
   recognise_always_singular(preparation, result);
   certificate.finish(result);
+  checkpoint.finish(result, certificate.writer());
   const auto nearest = nearest_singular(preparation, result);
   if (!command.output.quiet)
-    std::cerr << text_report(preparation, command.search, result, nearest) << certificate.line();
+    std::cerr << text_report(preparation, command.search, result, nearest) << certificate.line()
+              << checkpoint.line();
   if (command.output.json) {
     nlohmann::ordered_json report = json_report(preparation, command.search, result, nearest);
     certificate.add_to(report);

@@ -149,6 +149,16 @@ void add_output_options(CLI::App& app, OutputOptions& options) {
   app.add_flag("--quiet", options.quiet, "Nothing but the verdict (or the JSON report)");
 }
 
+void add_checkpoint_options(CLI::App& app, CheckpointOptions& options) {
+  app.add_option("--checkpoint", options.path,
+                 "Save the search to FILE now and then and when it is stopped; if there is such a "
+                 "file, go on from it")
+      ->type_name("FILE");
+  app.add_option("--checkpoint-every", options.interval, "Seconds from one to the next; default 10")
+      ->type_name("S")
+      ->check(CLI::NonNegativeNumber);
+}
+
 void add_certificate_option(CLI::App& app, std::string& path) {
   app.add_option("--certificate", path,
                  "Write a proof of the verdict that `regulus verify` can check")
@@ -218,6 +228,7 @@ CommandLine parse_command_line(int argc, const char* const* argv) {
   add_search_options(*check_command, check.search);
   add_filter_option(*check_command, check.search);
   add_certificate_option(*check_command, check.certificate);
+  add_checkpoint_options(*check_command, check.checkpoint);
   add_output_options(*check_command, check.output);
   check_command->footer(kExitCodes);
 

@@ -53,11 +53,17 @@ struct OutputOptions {
   bool quiet = false;
 };
 
+struct CheckpointOptions {
+  std::string path;      ///< empty: none
+  double interval = 10;  ///< seconds
+};
+
 struct CheckCommand {
   ModelOptions model;
   SearchOptions search;
   OutputOptions output;
   std::string certificate;  ///< file; empty: none
+  CheckpointOptions checkpoint;
 };
 
 struct LocateCommand {

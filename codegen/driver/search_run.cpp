@@ -41,14 +41,18 @@ class OracleGuard {
 }  // namespace
 
 Result run_search(Preparation& preparation, const SearchOptions& search,
-                  const OutputOptions& output, Settings settings, Observer* observer) {
+                  const OutputOptions& output, Settings settings, Observer* observer,
+                  const Checkpoint* from) {
   const OracleGuard oracle(preparation, search, settings);
   std::vector<Observer*> watching;
   if (observer != nullptr) watching.push_back(observer);
   std::optional<ProgressDisplay> display;
   if (!output.quiet && isatty(STDERR_FILENO) != 0) watching.push_back(&display.emplace(stderr));
   Observers observers(std::move(watching));
-  const Result result = solve(preparation.problem(), settings, &observers);
+  const Problem problem = preparation.problem();
+  const Result result = from != nullptr
+                            ? resume(problem, settings, from->open(), from->state, &observers)
+                            : solve(problem, settings, &observers);
   preparation.seconds.search = result.statistics.seconds;
   return result;
 }

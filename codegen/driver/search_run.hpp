@@ -6,6 +6,7 @@
 #include <span>
 #include <vector>
 
+#include "regulus/checkpoint/checkpoint.hpp"
 #include "regulus/codegen/driver/exit_code.hpp"
 #include "regulus/codegen/driver/pipeline.hpp"
 #include "regulus/search/observer.hpp"
@@ -15,7 +16,7 @@ namespace regulus::codegen {
 /// Searches all of the preparation's variety; time and bits are noted in the preparation.
 [[nodiscard]] Result run_search(Preparation& preparation, const SearchOptions& search,
                                 const OutputOptions& output, Settings settings,
-                                Observer* observer = nullptr);
+                                Observer* observer = nullptr, const Checkpoint* from = nullptr);
 
 /// Certifies a singularity at the first of these points of the variety, or between it and one of
 /// the others, and closes in on it (see prove_singularity).

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "regulus/certificate/writer.hpp"
 
+#include <fcntl.h>
 #include <sys/stat.h>
 #include <unistd.h>
 
@@ -81,8 +82,30 @@ CertificateWriter::CertificateWriter(std::string path, CertifiedQuestion questio
   check(file_ != nullptr, "be made");
 }
 
+CertificateWriter::CertificateWriter(std::string path, CertifiedQuestion question, Partial partial)
+    : path_(std::move(path)),
+      temporary_(path_ + ".partial"),
+      question_(std::move(question)),
+      leaves_(partial.leaves),
+      stays_(true),
+      continues_(partial.length.has_value()) {
+  const int mode = O_RDWR | O_NOFOLLOW | O_CLOEXEC | (continues_ ? 0 : O_CREAT | O_TRUNC);
+  const int descriptor = ::open(temporary_.c_str(), mode, 0666);
+  file_.reset(descriptor < 0 ? nullptr : fdopen(descriptor, "r+"));
+  check(file_ != nullptr, continues_ ? "be continued" : "be made");
+  if (!continues_) return;
+  const auto length = static_cast<off_t>(*partial.length);
+  struct stat status {};
+  check(::fstat(descriptor, &status) == 0, "be continued");
+  if (status.st_size < length)
+    throw std::runtime_error("the certificate " + path_ + " cannot be continued: " + temporary_ +
+                             " is shorter than the checkpoint says");
+  check(::ftruncate(descriptor, length) == 0 && ::fseeko(file_.get(), length, SEEK_SET) == 0,
+        "be continued");
+}
+
 CertificateWriter::~CertificateWriter() {
-  if (!in_place_) ::unlink(temporary_.c_str());
+  if (!in_place_ && !stays_) ::unlink(temporary_.c_str());
 }
 
 void CertificateWriter::check(bool done, const char* what) const {
@@ -103,7 +126,7 @@ void CertificateWriter::write_head(const char* verdict, const std::string& claim
 
 /// Splits and leaves are a proof of NO SINGULARITY if they are all that comes.
 void CertificateWriter::on_start(const Problem&, const Settings&) noexcept {
-  write_head(format::kNoSingularity, question_.no_singularity);
+  if (!continues_) write_head(format::kNoSingularity, question_.no_singularity);
 }
 
 void CertificateWriter::on_split(const OpenBox&, const Split& split) noexcept {
@@ -132,6 +155,15 @@ void CertificateWriter::write_witness(const Result& result) noexcept {
     write_point(point, !signs ? "0" : point.determinant.lo > 0.0 ? "+" : "-");
   if (signs) put("path segment\n");
   put("end\n");
+}
+
+std::optional<std::uint64_t> CertificateWriter::sync() noexcept {
+  if (std::fflush(file_.get()) != 0 || std::ferror(file_.get()) != 0 ||
+      ::fsync(fileno(file_.get())) != 0)
+    return std::nullopt;
+  const off_t length = ::ftello(file_.get());
+  if (length < 0) return std::nullopt;
+  return static_cast<std::uint64_t>(length);
 }
 
 bool CertificateWriter::finish(const Result& result) {

@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <cstdio>
 #include <memory>
+#include <optional>
 #include <string>
 
 #include "regulus/search/observer.hpp"
@@ -19,11 +20,21 @@ struct CertifiedQuestion {
 };
 
 /// Splits and leaves go to a file next to the one that is wanted, as they come; finish() puts it in
-/// its place. Nothing is left behind otherwise.
+/// its place. Nothing is left behind otherwise, unless the search is to go on later.
 class CertificateWriter final : public Observer {
  public:
   /// Throws std::runtime_error when no file can be made there.
   CertificateWriter(std::string path, CertifiedQuestion question);
+
+  /// For a search that may be continued: what is written goes to `path`.partial and stays there
+  /// until finish() or discard().
+  struct Partial {
+    /// Go on behind this many bytes of it, with so many leaves; absent: from the beginning.
+    std::optional<std::uint64_t> length;
+    std::uint64_t leaves = 0;
+  };
+  /// Throws std::runtime_error also when there is less than that to go on from.
+  CertificateWriter(std::string path, CertifiedQuestion question, Partial partial);
   ~CertificateWriter() override;
 
   void on_start(const Problem& problem, const Settings& settings) noexcept override;
@@ -35,6 +46,11 @@ class CertificateWriter final : public Observer {
   ///
   /// Ensures   false for POSSIBLE PROBLEM, which claims nothing: no file is written.
   [[nodiscard]] bool finish(const Result& result);
+
+  /// Makes what was written so far safe on the disk and says how long it is; nullopt: it cannot.
+  [[nodiscard]] std::optional<std::uint64_t> sync() noexcept;
+  /// Nothing is to be continued: the file goes with this object.
+  void discard() noexcept { stays_ = false; }
 
   [[nodiscard]] const std::string& path() const noexcept { return path_; }
 
@@ -54,6 +70,8 @@ class CertificateWriter final : public Observer {
   std::unique_ptr<std::FILE, Close> file_;
   std::uint64_t leaves_ = 0;
   bool in_place_ = false;
+  bool stays_ = false;      ///< when this object is gone
+  bool continues_ = false;  ///< a file that has its head
 };
 
 }  // namespace regulus

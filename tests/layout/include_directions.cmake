@@ -9,6 +9,7 @@ set(runtime_kernel     interval kernel)
 set(runtime_regularity interval interval/elementary regularity)
 set(runtime_search     interval kernel regularity search)
 set(runtime_embedded   interval kernel regularity search embedded)
+set(runtime_checkpoint interval kernel regularity search checkpoint)
 set(runtime_certificate interval kernel regularity search certificate)
 set(runtime_certificate_verifier certificate/verifier)
 set(codegen_program    interval kernel codegen/program)
@@ -16,7 +17,7 @@ set(codegen_model      codegen/model)
 set(codegen_symbolic   interval regularity codegen/model codegen/program codegen/symbolic)
 set(codegen_emit       interval kernel codegen/program codegen/emit)
 set(codegen_jit        interval kernel codegen/emit codegen/jit codegen/jit/reader codegen/jit/builder codegen/jit/plugin)
-set(codegen_driver     interval kernel regularity search certificate certificate/verifier codegen/model codegen/program codegen/symbolic
+set(codegen_driver     interval kernel regularity search checkpoint certificate certificate/verifier codegen/model codegen/program codegen/symbolic
                        codegen/emit codegen/jit codegen/driver)
 
 # Headers of the whole project that carry no layer: the compiler flags, the version.

@@ -1,0 +1,46 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What --checkpoint asks for.
+#pragma once
+
+#include <optional>
+#include <string>
+
+#include "regulus/certificate/writer.hpp"
+#include "regulus/checkpoint/writer.hpp"
+#include "regulus/codegen/driver/options.hpp"
+#include "regulus/codegen/driver/pipeline.hpp"
+
+namespace regulus::codegen {
+
+class CheckpointFile {
+ public:
+  /// Reads the file if there is one. `path` empty: none is wanted. Throws InputError for a file
+  /// that is no checkpoint of this question, FileError when it cannot be read or made.
+  CheckpointFile(const CheckpointOptions& options, const Preparation& preparation,
+                 const Settings& settings);
+
+  [[nodiscard]] bool wanted() const noexcept { return !path_.empty(); }
+  /// Where the search goes on; nullptr: it starts from the beginning.
+  [[nodiscard]] const Checkpoint* found() const noexcept { return found_ ? &*found_ : nullptr; }
+  /// How the certificate goes on. Throws InputError when one is wanted and the checkpoint has none.
+  [[nodiscard]] CertificateWriter::Partial partial(const std::string& certificate) const;
+
+  /// Watches the search, and tells the certificate to be safe first; nullptr if none is wanted.
+  [[nodiscard]] Observer* observer(CertificateWriter* certificate);
+
+  /// After the search: keeps the file of one that may go on, removes that of another. Throws
+  /// FileError when a search that may go on could not be saved.
+  void finish(const Result& result, CertificateWriter* certificate);
+  /// A line of the report; empty if there is nothing to say.
+  [[nodiscard]] std::string line() const;
+
+ private:
+  std::string path_;
+  double interval_;
+  CheckpointedQuestion question_;
+  std::optional<Checkpoint> found_;
+  std::optional<CheckpointWriter> writer_;
+  bool kept_ = false;
+};
+
+}  // namespace regulus::codegen

@@ -1,0 +1,52 @@
+// SPDX-License-Identifier: Apache-2.0
+// A search on its way, as text: what FORMAT.md describes.
+#pragma once
+
+#include <optional>
+#include <stdexcept>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "regulus/search/observer.hpp"
+
+namespace regulus {
+
+/// What a checkpoint is about. Both must agree for a search to go on from it.
+struct CheckpointedQuestion {
+  std::string identity;  ///< 64 hexadecimal digits: of the model, the variety, the uncertainty, α
+  std::size_t splittable = 0;    ///< variables 0 … splittable − 1 differ from box to box
+  std::vector<Interval> ranges;  ///< of all variables
+};
+
+struct Checkpoint {
+  SearchState state;
+  /// Length of the certificate so far, in bytes; nullopt: none is being written.
+  std::optional<std::uint64_t> certificate;
+  std::vector<BoxId> ids;  ///< of the open boxes, in the order in which they would be decided
+  std::vector<std::uint32_t> depths;
+  std::vector<Interval> boxes;  ///< one after the other, all variables of each
+
+  /// Refers to this object.
+  [[nodiscard]] std::vector<OpenBox> open() const;
+};
+
+/// Not a checkpoint, a damaged one, or one of another question: `what` says which and where.
+class CheckpointError : public std::runtime_error {
+ public:
+  using std::runtime_error::runtime_error;
+};
+
+/// The text of a checkpoint. An exhaustive search's witness is not kept: those have none yet.
+[[nodiscard]] std::string write_checkpoint(const CheckpointedQuestion& question,
+                                           const SearchState& state, const OpenBoxes& open,
+                                           std::optional<std::uint64_t> certificate);
+
+/// Any bytes may be given. Throws CheckpointError.
+///
+/// Ensures   every box lies in the ranges of the question, its ends are in order, its number is
+///           below next_id; no number comes twice.
+[[nodiscard]] Checkpoint read_checkpoint(std::string_view text,
+                                         const CheckpointedQuestion& question);
+
+}  // namespace regulus

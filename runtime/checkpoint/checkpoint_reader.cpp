@@ -1,0 +1,179 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <algorithm>
+#include <charconv>
+#include <cinttypes>
+#include <cmath>
+#include <cstdio>
+
+#include "regulus/checkpoint/checkpoint.hpp"
+#include "regulus/checkpoint/checksum.hpp"
+
+namespace regulus {
+namespace {
+
+constexpr std::size_t kEndLine = sizeof "end 0123456789abcdef\n" - 1;
+
+/// Takes a text apart, line by line and word by word.
+class Reader {
+ public:
+  explicit Reader(std::string_view text) noexcept : rest_(text) {}
+
+  [[noreturn]] void refuse(const std::string& expected) const {
+    throw CheckpointError("line " + std::to_string(line_) + ": expected " + expected);
+  }
+  void next_line(std::string_view name) {
+    if (line_ > 0 && !words_.empty()) refuse("the end of the line");
+    ++line_;
+    const std::size_t end = rest_.find('\n');
+    if (end == std::string_view::npos) refuse("a line '" + std::string(name) + "'");
+    words_ = rest_.substr(0, end);
+    rest_.remove_prefix(end + 1);
+    if (!words_.starts_with(name)) refuse("'" + std::string(name) + "'");
+    words_.remove_prefix(name.size());
+  }
+  void expect_end() const {
+    if (!words_.empty() || !rest_.empty()) refuse("the end");
+  }
+  [[nodiscard]] bool at_end_of_line() const noexcept { return words_.empty(); }
+  [[nodiscard]] bool take(std::string_view word) noexcept {
+    if (words_ != word) return false;
+    words_ = {};
+    return true;
+  }
+
+  template <typename Number = std::uint64_t>
+  Number number(Number most = std::numeric_limits<Number>::max()) {
+    Number n = 0;
+    const std::string_view word = next_word();
+    const auto [end, error] = std::from_chars(word.data(), word.data() + word.size(), n);
+    if (error != std::errc{} || end != word.data() + word.size() || n > most)
+      refuse("a number up to " + std::to_string(most));
+    return n;
+  }
+  double real() { return real_of(next_word()); }
+  Interval range() {
+    const std::string_view word = next_word();
+    const std::size_t colon = word.find(':');
+    if (colon == std::string_view::npos) refuse("a range LO:HI");
+    const double lo = real_of(word.substr(0, colon)), hi = real_of(word.substr(colon + 1));
+    if (!(lo <= hi)) refuse("bounds in order");
+    return {lo, hi};
+  }
+  std::string_view word() { return next_word(); }
+
+ private:
+  std::string_view next_word() {
+    if (!words_.starts_with(' ')) refuse("one more word");
+    words_.remove_prefix(1);
+    const std::string_view word = words_.substr(0, words_.find(' '));
+    words_.remove_prefix(word.size());
+    return word;
+  }
+  /// As %a writes it. from_chars wants neither sign nor 0x, and knows words that are no numbers.
+  double real_of(std::string_view word) const {
+    const bool negative = word.starts_with('-');
+    word.remove_prefix(negative ? 1 : 0);
+    double x = 0.0;
+    if (!word.starts_with("0x")) refuse("a hexadecimal number");
+    word.remove_prefix(2);
+    const auto [end, error] =
+        std::from_chars(word.data(), word.data() + word.size(), x, std::chars_format::hex);
+    if (error != std::errc{} || end != word.data() + word.size() || !std::isfinite(x) ||
+        word.starts_with('-'))
+      refuse("a hexadecimal number");
+    return negative ? -x : x;
+  }
+
+  std::string_view rest_, words_;
+  std::size_t line_ = 0;
+};
+
+std::string_view without_checksum(std::string_view text) {
+  if (text.size() < kEndLine) throw CheckpointError("it is cut off");
+  const std::string_view body = text.substr(0, text.size() - kEndLine);
+  char end[32];
+  std::snprintf(end, sizeof end, "end %016" PRIx64 "\n", checksum(body));
+  if (text.substr(body.size()) != end)
+    throw CheckpointError("it is damaged: its checksum does not fit");
+  return body;
+}
+
+void read_blocked(Reader& reader, const CheckpointedQuestion& question, SearchState& state) {
+  if (reader.take(" none")) return;
+  state.blocked = true;
+  state.blocked_reason =
+      static_cast<Reason>(reader.number(static_cast<std::uint64_t>(Reason::kBadProblem)));
+  state.boxes_when_blocked = reader.number();
+  for (std::size_t k = 0; k < question.ranges.size(); ++k)
+    state.blocking_box.push_back(reader.range());
+}
+
+void read_box(Reader& reader, const CheckpointedQuestion& question, Checkpoint& into) {
+  reader.next_line("b");
+  into.ids.push_back(reader.number(into.state.next_id - 1));
+  into.depths.push_back(reader.number<std::uint32_t>());
+  for (std::size_t k = 0; k < question.ranges.size(); ++k) {
+    const Interval x = k < question.splittable ? reader.range() : question.ranges[k];
+    if (!certain_subset(x, question.ranges[k])) reader.refuse("a box of the variety");
+    into.boxes.push_back(x);
+  }
+}
+
+void read_counts(Reader& reader, SearchState& state) {
+  reader.next_line("next");
+  state.next_id = reader.number();
+  if (state.next_id == 0) reader.refuse("a number above 0");
+  Statistics& statistics = state.statistics;
+  reader.next_line("boxes");
+  for (std::uint64_t* n : {&statistics.boxes, &statistics.max_frontier, &statistics.probes})
+    *n = reader.number();
+  reader.next_line("seconds");
+  statistics.seconds = reader.real();
+  reader.next_line("leaves");
+  for (std::uint64_t& n : statistics.leaves) n = reader.number();
+  reader.next_line("filters");
+  while (!reader.at_end_of_line()) state.filter_boxes.push_back(reader.number());
+  reader.next_line("descent");
+  state.next_descent = reader.number();
+  reader.next_line("limit");
+  state.limit = LearnedLimit(reader.real());
+}
+
+}  // namespace
+
+std::vector<OpenBox> Checkpoint::open() const {
+  std::vector<OpenBox> list;
+  const std::size_t variables = ids.empty() ? 0 : boxes.size() / ids.size();
+  for (std::size_t i = 0; i < ids.size(); ++i)
+    list.push_back({ids[i], depths[i], {boxes.data() + i * variables, variables}});
+  return list;
+}
+
+Checkpoint read_checkpoint(std::string_view text, const CheckpointedQuestion& question) {
+  if (!text.starts_with("regulus checkpoint ")) throw CheckpointError("it is no checkpoint");
+  if (!text.starts_with("regulus checkpoint 1\n"))
+    throw CheckpointError("it has a format of another version");
+  Reader reader(without_checksum(text));
+  reader.next_line("regulus checkpoint 1");
+  reader.next_line("question");
+  if (reader.word() != question.identity)
+    throw CheckpointError(
+        "it is about another question: another model, motion, range, tolerance or "
+        "threshold");
+  Checkpoint result;
+  read_counts(reader, result.state);
+  reader.next_line("blocked");
+  read_blocked(reader, question, result.state);
+  reader.next_line("certificate");
+  if (!reader.take(" none")) result.certificate = reader.number();
+  reader.next_line("open");
+  for (std::uint64_t left = reader.number(); left > 0; --left) read_box(reader, question, result);
+  reader.expect_end();
+  std::vector<BoxId> ids = result.ids;
+  std::sort(ids.begin(), ids.end());
+  if (std::adjacent_find(ids.begin(), ids.end()) != ids.end())
+    throw CheckpointError("a box comes twice");
+  return result;
+}
+
+}  // namespace regulus

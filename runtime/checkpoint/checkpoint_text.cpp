@@ -1,0 +1,73 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <cinttypes>
+#include <cstdio>
+
+#include "regulus/checkpoint/checkpoint.hpp"
+#include "regulus/checkpoint/checksum.hpp"
+
+namespace regulus {
+namespace {
+
+void put(std::string& text, double x) {
+  char number[32];
+  std::snprintf(number, sizeof number, "%a", x);
+  text += number;
+}
+
+void put(std::string& text, std::span<const Interval> box) {
+  for (const Interval& x : box) {
+    text += ' ';
+    put(text, x.lo);
+    text += ':';
+    put(text, x.hi);
+  }
+}
+
+void put(std::string& text, std::uint64_t n) { text += ' ' + std::to_string(n); }
+
+}  // namespace
+
+std::string write_checkpoint(const CheckpointedQuestion& question, const SearchState& state,
+                             const OpenBoxes& open, std::optional<std::uint64_t> certificate) {
+  std::string text = "regulus checkpoint 1\nquestion " + question.identity + "\nnext";
+  put(text, state.next_id);
+  text += "\nboxes";
+  for (const std::uint64_t n :
+       {state.statistics.boxes, state.statistics.max_frontier, state.statistics.probes})
+    put(text, n);
+  text += "\nseconds ";
+  put(text, state.statistics.seconds);
+  text += "\nleaves";
+  for (const std::uint64_t n : state.statistics.leaves) put(text, n);
+  text += "\nfilters";
+  for (const std::uint64_t n : state.filter_boxes) put(text, n);
+  text += "\ndescent";
+  put(text, state.next_descent);
+  text += "\nlimit ";
+  put(text, state.limit.value());
+  text += "\nblocked";
+  if (state.blocked) {
+    put(text, static_cast<std::uint64_t>(state.blocked_reason));
+    put(text, state.boxes_when_blocked);
+    put(text, state.blocking_box);
+  } else {
+    text += " none";
+  }
+  text += "\ncertificate";
+  certificate ? put(text, *certificate) : static_cast<void>(text += " none");
+  text += "\nopen";
+  put(text, std::uint64_t{open.size()});
+  for (std::size_t i = 0; i < open.size(); ++i) {
+    const OpenBox box = open.at(i);
+    text += "\nb";
+    put(text, box.id);
+    put(text, std::uint64_t{box.depth});
+    put(text, box.box.first(question.splittable));
+  }
+  text += '\n';
+  char end[32];
+  std::snprintf(end, sizeof end, "end %016" PRIx64 "\n", checksum(text));
+  return text + end;
+}
+
+}  // namespace regulus

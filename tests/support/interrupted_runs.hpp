@@ -1,0 +1,86 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// One search by the command, killed again and again, until it comes to its end.
+#pragma once
+
+#include <gtest/gtest.h>
+
+#include <csignal>
+#include <fstream>
+#include <random>
+#include <sstream>
+#include <thread>
+
+#include "support/command.hpp"
+#include "support/temporary_directory.hpp"
+
+namespace regulus::test {
+
+/// What a certificate proves, without its head: the expressions there may be arranged differently
+/// each time a model is read.
+inline std::string proof_in(const std::filesystem::path& certificate) {
+  std::ostringstream text;
+  text << std::ifstream(certificate).rdbuf();
+  return text.str().substr(text.str().find("\nproof\n"));
+}
+
+struct Interrupted {
+  CommandResult last;
+  std::string proof;
+  int continued = 0;  ///< runs that went on from a checkpoint
+};
+
+/// Runs the words with a checkpoint and a certificate, and kills each of the first `kills` runs
+/// at a random moment.
+inline Interrupted run_with_kills(const std::vector<std::string>& words, int kills, unsigned seed) {
+  const TemporaryDirectory directory;
+  const auto file = [&](const char* name) { return (directory.path() / name).string(); };
+  std::vector<std::string> all = words;
+  for (const std::string& word :
+       {std::string("--checkpoint"), file("checkpoint"), std::string("--checkpoint-every"),
+        std::string("0.002"), std::string("--certificate"), file("certificate")})
+    all.push_back(word);
+  std::mt19937 random(seed);
+  Interrupted result;
+  for (int kill = 0; kill < kills; ++kill) {
+    result.continued += std::filesystem::exists(file("checkpoint")) ? 1 : 0;
+    RunningCommand run(all);
+    // Until the search has begun there is nothing to lose; and then some moments.
+    for (int i = 0; i < 4000 && !std::filesystem::exists(file("certificate.partial")); ++i)
+      std::this_thread::sleep_for(std::chrono::milliseconds(1));
+    std::this_thread::sleep_for(std::chrono::microseconds(random() % 60000));
+    ::kill(run.pid(), SIGKILL);
+    const CommandResult ended = run.wait();
+    if (ended.exit_code < 0) continue;
+    // It came to its end before: the next one starts anew.
+    EXPECT_EQ(ended.exit_code, 0) << ended.errors;
+  }
+  result.continued += std::filesystem::exists(file("checkpoint")) ? 1 : 0;
+  result.last = run_command(all);
+  EXPECT_FALSE(std::filesystem::exists(file("checkpoint")));
+  EXPECT_FALSE(std::filesystem::exists(file("certificate.partial")));
+  result.proof = proof_in(file("certificate"));
+  return result;
+}
+
+/// Every continuation ends in the verdict and the proof of a run that nothing disturbed.
+inline void expect_kills_change_nothing(int rounds, int kills_a_round) {
+  const std::vector<std::string> words = {REGULUS_BINARY_DIR "/bin/regulus",
+                                          "check",
+                                          REGULUS_SOURCE_DIR "/models/robot_1.toml",
+                                          "table6_15_15",
+                                          "--tolerance",
+                                          "base,platform=0.12"};
+  const Interrupted undisturbed = run_with_kills(words, 0, 0);
+  ASSERT_EQ(undisturbed.last.exit_code, 0) << undisturbed.last.errors;
+  int continued = 0;
+  for (int round = 0; round < rounds; ++round) {
+    const Interrupted run =
+        run_with_kills(words, kills_a_round, 1000U + static_cast<unsigned>(round));
+    EXPECT_EQ(run.last.exit_code, 0) << run.last.errors;
+    EXPECT_TRUE(run.proof == undisturbed.proof) << "round " << round;
+    continued += run.continued;
+  }
+  EXPECT_GT(continued, 0);
+}
+
+}  // namespace regulus::test

@@ -1,0 +1,253 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "regulus/checkpoint/checkpoint.hpp"
+
+#include <gtest/gtest.h>
+#include <sys/resource.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include <csignal>
+#include <filesystem>
+#include <fstream>
+#include <random>
+#include <sstream>
+
+#include "regulus/checkpoint/checksum.hpp"
+#include "regulus/checkpoint/writer.hpp"
+#include "support/temporary_directory.hpp"
+
+namespace regulus {
+namespace {
+
+class Boxes : public OpenBoxes {
+ public:
+  std::size_t size() const noexcept override { return boxes.size(); }
+  OpenBox at(std::size_t i) const noexcept override {
+    return {ids[i], static_cast<std::uint32_t>(3 + i), boxes[i]};
+  }
+  std::vector<BoxId> ids = {17, 16, 5};
+  std::vector<std::vector<Interval>> boxes = {{{0, 0x1p-3}, {-1, 1}, {-0.5, 0.5}},
+                                              {{0x1p-3, 0.25}, {-1, 0.1}, {-0.5, 0.5}},
+                                              {{0.5, 1}, {0.3, 0.3}, {-0.5, 0.5}}};
+};
+
+CheckpointedQuestion question() {
+  return {std::string(64, 'a'), 2, {{0, 1}, {-1, 1}, {-0.5, 0.5}}};
+}
+
+SearchState state() {
+  SearchState s;
+  s.next_id = 19;
+  s.statistics.boxes = 12;
+  s.statistics.max_frontier = 4;
+  s.statistics.probes = 77;
+  s.statistics.seconds = 0.1;
+  for (std::size_t i = 0; i < kRules; ++i) s.statistics.leaves[i] = i * i;
+  s.filter_boxes = {3, 0};
+  s.next_descent = 64;
+  s.limit = LearnedLimit(1.0625);
+  return s;
+}
+
+std::string text_of(const SearchState& s, std::optional<std::uint64_t> certificate = 4242) {
+  return write_checkpoint(question(), s, Boxes(), certificate);
+}
+
+/// The same with a checksum that fits.
+std::string signed_again(std::string text) {
+  text.resize(text.rfind("end "));
+  char end[32];
+  std::snprintf(end, sizeof end, "end %016llx\n", static_cast<unsigned long long>(checksum(text)));
+  return text + end;
+}
+
+std::string replaced(const std::string& from, const std::string& to) {
+  std::string text = text_of(state());
+  const std::size_t at = text.find(from);
+  EXPECT_NE(at, std::string::npos) << from;
+  return signed_again(text.replace(at, from.size(), to));
+}
+
+TEST(Checkpoint, WhatIsReadIsWhatWasWritten) {
+  const Checkpoint read = read_checkpoint(text_of(state()), question());
+  const SearchState expected = state();
+  EXPECT_EQ(read.state.next_id, expected.next_id);
+  EXPECT_EQ(read.state.statistics.boxes, expected.statistics.boxes);
+  EXPECT_EQ(read.state.statistics.max_frontier, expected.statistics.max_frontier);
+  EXPECT_EQ(read.state.statistics.probes, expected.statistics.probes);
+  EXPECT_EQ(read.state.statistics.seconds, expected.statistics.seconds);
+  EXPECT_EQ(read.state.statistics.leaves, expected.statistics.leaves);
+  EXPECT_EQ(read.state.filter_boxes, expected.filter_boxes);
+  EXPECT_EQ(read.state.next_descent, expected.next_descent);
+  EXPECT_EQ(read.state.limit.value(), expected.limit.value());
+  EXPECT_FALSE(read.state.blocked);
+  EXPECT_EQ(read.certificate, 4242U);
+  const Boxes boxes;
+  const std::vector<OpenBox> open = read.open();
+  ASSERT_EQ(open.size(), boxes.size());
+  for (std::size_t i = 0; i < open.size(); ++i) {
+    EXPECT_EQ(open[i].id, boxes.at(i).id);
+    EXPECT_EQ(open[i].depth, boxes.at(i).depth);
+    EXPECT_TRUE(std::equal(open[i].box.begin(), open[i].box.end(), boxes.boxes[i].begin()));
+  }
+}
+
+TEST(Checkpoint, ABlockedBoxIsKept) {
+  SearchState s = state();
+  s.blocked = true;
+  s.blocked_reason = Reason::kUncertainty;
+  s.boxes_when_blocked = 11;
+  s.blocking_box = {{0, 0.5}, {-1, -0.25}, {-0.5, 0.5}};
+  const Checkpoint read = read_checkpoint(text_of(s, std::nullopt), question());
+  EXPECT_TRUE(read.state.blocked);
+  EXPECT_EQ(read.state.blocked_reason, Reason::kUncertainty);
+  EXPECT_EQ(read.state.boxes_when_blocked, 11U);
+  EXPECT_EQ(read.state.blocking_box, s.blocking_box);
+  EXPECT_EQ(read.certificate, std::nullopt);
+}
+
+TEST(Checkpoint, OneOfAnotherQuestionIsRefused) {
+  CheckpointedQuestion other = question();
+  other.identity[63] = 'b';
+  EXPECT_THROW(static_cast<void>(read_checkpoint(text_of(state()), other)), CheckpointError);
+}
+
+TEST(Checkpoint, AnyChangedByteAndAnyCutIsRefused) {
+  const std::string text = text_of(state());
+  for (std::size_t at = 0; at < text.size(); ++at) {
+    std::string changed = text;
+    changed[at] = static_cast<char>(changed[at] ^ 1);
+    EXPECT_THROW(static_cast<void>(read_checkpoint(changed, question())), CheckpointError) << at;
+    EXPECT_THROW(static_cast<void>(read_checkpoint(text.substr(0, at), question())),
+                 CheckpointError)
+        << at;
+  }
+  EXPECT_THROW(static_cast<void>(read_checkpoint(text + "\n", question())), CheckpointError);
+}
+
+TEST(Checkpoint, WhatCannotBeIsRefusedWithTheLine) {
+  const auto expect_refusal = [](const std::string& text, const std::string& words) {
+    try {
+      static_cast<void>(read_checkpoint(text, question()));
+      ADD_FAILURE() << text;
+    } catch (const CheckpointError& error) {
+      EXPECT_NE(std::string(error.what()).find(words), std::string::npos) << error.what();
+    }
+  };
+  expect_refusal(replaced("b 17 ", "b 19 "), "line 13: expected a number up to 18");
+  expect_refusal(replaced("b 17 ", "b 16 "), "a box comes twice");
+  expect_refusal(replaced("b 17 3 0x0p+0:", "b 17 3 -0x1p+0:"), "a box of the variety");
+  expect_refusal(replaced("0x1p-3:0x1p-2", "0x1p-2:0x1p-3"), "bounds in order");
+  expect_refusal(replaced("0x1p-3:0x1p-2", "nan:0x1p-2"), "a hexadecimal number");
+  expect_refusal(replaced("0x1p-3:0x1p-2", "0xinf:0x1p-2"), "a hexadecimal number");
+  expect_refusal(replaced("open 3", "open 4"), "line 16");
+  expect_refusal(replaced("open 3", "open 2"), "the end");
+  expect_refusal(replaced("open 3", "open 99999999999999999999"), "a number");
+  expect_refusal(replaced("next 19", "next 0"), "a number above 0");
+  expect_refusal(replaced("checkpoint 1", "checkpoint 2"), "another version");
+  expect_refusal("[pose]\n", "no checkpoint");
+  expect_refusal("", "no checkpoint");
+}
+
+/// Whatever is made of it, a checkpoint is read or refused.
+TEST(Checkpoint, RandomChangesAreReadOrRefused) {
+  std::mt19937 random(7);
+  const std::string text = text_of(state());
+  int read = 0;
+  for (int i = 0; i < 20000; ++i) {
+    std::string changed = text;
+    for (std::uint32_t n = 1 + random() % 3; n > 0; --n) {
+      const std::size_t at = random() % changed.size();
+      switch (random() % 3) {
+        case 0:
+          changed[at] = "0123456789abcdefxp+-: \n"[random() % 23];
+          break;
+        case 1:
+          changed.erase(at, 1 + random() % 8);
+          break;
+        default:
+          changed.insert(at, changed.substr(random() % changed.size(), random() % 8));
+      }
+    }
+    if (changed.find("end ") == std::string::npos) continue;
+    try {
+      const Checkpoint checkpoint = read_checkpoint(signed_again(changed), question());
+      ++read;
+      for (const OpenBox& box : checkpoint.open())
+        for (std::size_t k = 0; k < 3; ++k)
+          ASSERT_TRUE(certain_subset(box.box[k], question().ranges[k]));
+    } catch (const CheckpointError&) {
+    }
+  }
+  EXPECT_GT(read, 100);
+}
+
+class Saving : public testing::Test {
+ protected:
+  [[nodiscard]] std::string path() const { return (directory_.path() / "saved").string(); }
+  [[nodiscard]] std::string contents() const {
+    std::ostringstream text;
+    text << std::ifstream(path()).rdbuf();
+    return text.str();
+  }
+  const test::TemporaryDirectory directory_;
+};
+
+TEST_F(Saving, ReplacesTheFileAndLeavesNothingElse) {
+  CheckpointWriter writer(path(), question(), std::chrono::seconds(0));
+  writer.require_writable();
+  EXPECT_FALSE(std::filesystem::exists(path()));
+  SearchState s = state();
+  for (const std::uint64_t boxes : {12U, 13U}) {
+    s.statistics.boxes = boxes;
+    EXPECT_TRUE(writer.wants_pause());
+    writer.on_pause(s, Boxes());
+    EXPECT_EQ(writer.failure(), "");
+    EXPECT_EQ(contents(), text_of(s, std::nullopt));
+  }
+  EXPECT_EQ(std::distance(std::filesystem::directory_iterator(directory_.path()), {}), 1);
+  writer.remove();
+  EXPECT_TRUE(std::filesystem::is_empty(directory_.path()));
+}
+
+TEST_F(Saving, AFailureLeavesTheLastOneIntact) {
+  std::optional<std::uint64_t> length = 10;
+  CheckpointWriter writer(path(), question(), std::chrono::hours(1), [&] { return length; });
+  EXPECT_FALSE(writer.wants_pause());
+  writer.on_pause(state(), Boxes());
+  const std::string saved = contents();
+  EXPECT_EQ(read_checkpoint(saved, question()).certificate, 10U);
+  length = std::nullopt;
+  writer.on_pause(state(), Boxes());
+  EXPECT_NE(writer.failure(), "");
+  EXPECT_EQ(contents(), saved);
+  if (geteuid() == 0) return;  // may write anywhere
+  length = 11;
+  chmod(directory_.path().c_str(), 0500);
+  writer.on_pause(state(), Boxes());
+  EXPECT_NE(writer.failure().find("Permission denied"), std::string::npos) << writer.failure();
+  EXPECT_THROW(writer.require_writable(), std::runtime_error);
+  chmod(directory_.path().c_str(), 0700);
+  EXPECT_EQ(contents(), saved);
+}
+
+/// A limit on the size of files stands for a full disk: the file can be made, and not be filled.
+TEST_F(Saving, AFullDiskLeavesTheLastOneIntact) {
+  CheckpointWriter writer(path(), question(), std::chrono::hours(1));
+  writer.on_pause(state(), Boxes());
+  const std::string saved = contents();
+  rlimit before{};
+  getrlimit(RLIMIT_FSIZE, &before);
+  const rlimit small{100, before.rlim_max};
+  const auto handler = std::signal(SIGXFSZ, SIG_IGN);
+  setrlimit(RLIMIT_FSIZE, &small);
+  writer.on_pause(state(), Boxes());
+  setrlimit(RLIMIT_FSIZE, &before);
+  std::signal(SIGXFSZ, handler);
+  EXPECT_NE(writer.failure().find("cannot be written"), std::string::npos) << writer.failure();
+  EXPECT_EQ(contents(), saved);
+  EXPECT_FALSE(std::filesystem::exists(path() + ".new"));
+}
+
+}  // namespace
+}  // namespace regulus
