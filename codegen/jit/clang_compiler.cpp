@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "regulus/codegen/jit/clang_interface.h"
+#include "regulus/codegen/jit/object_bundle.hpp"
 
 namespace regulus::codegen {
 namespace {
@@ -74,7 +75,7 @@ regulus_named_text named(const NamedText& file) {
 regulus_clang_sink sink_into(CompiledObject& result) {
   return {&result,
           [](void* state, regulus_bytes object) {
-            static_cast<CompiledObject*>(state)->object.assign(object.data, object.size);
+            add_to_bundle(static_cast<CompiledObject*>(state)->object, {object.data, object.size});
           },
           [](void* state, regulus_bytes diagnostics) {
             static_cast<CompiledObject*>(state)->diagnostics.assign(diagnostics.data,

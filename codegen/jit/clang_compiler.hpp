@@ -17,7 +17,7 @@ class CompilerUnavailable : public std::runtime_error {
 };
 
 struct CompiledObject {
-  std::string object;       ///< ELF, relocatable; empty when the text has an error
+  std::string object;  ///< ELF, relocatable, or a bundle of them; empty when the text has an error
   std::string diagnostics;  ///< of the compiler; may be there without an error
   std::string not_read;     ///< why it took a C++ compiler, where the text is no plain kernel
   double open_seconds = 0;  ///< loading the compiler, the first time

@@ -6,7 +6,7 @@
 #include <stddef.h>
 
 /// Changes with every incompatible change of this file; the loader refuses another number.
-enum { REGULUS_CLANG_INTERFACE = 2 };
+enum { REGULUS_CLANG_INTERFACE = 3 };
 
 /// Bytes with a length; `data` is also followed by a zero.
 typedef struct regulus_bytes {
@@ -36,7 +36,8 @@ typedef struct regulus_clang_seconds {
 /// Where the results go; called before regulus_clang_compile returns, on the same thread.
 typedef struct regulus_clang_sink {
   void* state;
-  void (*object)(void* state, regulus_bytes object);            ///< once, on success
+  void (*object)(void* state,
+                 regulus_bytes object);  ///< on success, once or, by a reader, more often
   void (*diagnostics)(void* state, regulus_bytes diagnostics);  ///< at most once, never empty
   void (*seconds)(void* state, regulus_clang_seconds seconds);  ///< once, on success
 } regulus_clang_sink;

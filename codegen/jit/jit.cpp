@@ -6,6 +6,7 @@
 
 #include "regulus/codegen/jit/clang_compiler.hpp"
 #include "regulus/codegen/jit/kernel_compilation.hpp"
+#include "regulus/codegen/jit/object_bundle.hpp"
 #include "regulus/codegen/jit/object_cache.hpp"
 #include "regulus/kernel/self_test.hpp"
 
@@ -27,14 +28,25 @@ class Timer {
   std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
 };
 
-LoadedObject load(std::string_view object, CompileReport& report) {
+using LoadedObjects = std::vector<LoadedObject>;
+
+/// An object may use what those before it export.
+LoadedObjects load(std::string_view bundle, CompileReport& report) {
   const Timer timer(report.load_seconds);
-  return load_object(std::as_bytes(std::span(object)), kernel_externals());
+  std::vector<ExternalSymbol> externals = kernel_externals();
+  LoadedObjects loaded;
+  const std::vector<std::string_view> objects = objects_in(bundle);
+  loaded.reserve(objects.size());  // their names are referred to
+  for (const std::string_view object : objects) {
+    loaded.push_back(load_object(std::as_bytes(std::span(object)), externals));
+    loaded.back().add_symbols_to(externals);
+  }
+  return loaded;
 }
 
 /// A cache entry that is sound but cannot be loaded is one more damaged entry.
-std::optional<LoadedObject> load_from_cache(const ObjectCache& cache, const std::string& key,
-                                            CompileReport& report) {
+std::optional<LoadedObjects> load_from_cache(const ObjectCache& cache, const std::string& key,
+                                             CompileReport& report) {
   ObjectCache::Entry entry;
   {
     const Timer timer(report.cache_seconds);
@@ -68,7 +80,7 @@ std::string compile_object(const ClangCompiler& compiler, const Compilation& com
   }
 }
 
-LoadedObject load_fresh(const std::string& object, std::string_view text, CompileReport& report) {
+LoadedObjects load_fresh(const std::string& object, std::string_view text, CompileReport& report) {
   try {
     return load(object, report);
   } catch (const LoadError& error) {
@@ -92,8 +104,8 @@ void append_note(CompileReport& report, const std::string& note) {
   report.cache_note.append(report.cache_note.empty() ? "" : "; ").append(note);
 }
 
-LoadedObject compile_or_find(std::string_view text, const CompileOptions& options,
-                             CompileReport& report) {
+LoadedObjects compile_or_find(std::string_view text, const CompileOptions& options,
+                              CompileReport& report) {
   const ClangCompiler compiler;
   const Compilation compilation = kernel_compilation(text, options.isa);
   const auto cache = open_cache(options, report);
@@ -110,7 +122,7 @@ LoadedObject compile_or_find(std::string_view text, const CompileOptions& option
   }
   report.cache = CacheUse::kMiss;
   const std::string object = compile_object(compiler, compilation, report);
-  LoadedObject loaded = load_fresh(object, text, report);
+  LoadedObjects loaded = load_fresh(object, text, report);
   const Timer timer(report.cache_seconds);
   append_note(report, cache->write(key, object));
   return loaded;
@@ -132,7 +144,7 @@ std::string_view name(CacheUse use) noexcept {
 
 MachineCode compile_text(std::string_view text, const CompileOptions& options) {
   CompileReport report;
-  std::optional<LoadedObject> loaded;
+  std::optional<LoadedObjects> loaded;
   {
     const Timer timer(report.total_seconds);
     loaded.emplace(compile_or_find(text, options, report));

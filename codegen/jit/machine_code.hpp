@@ -7,6 +7,7 @@
 #include <string>
 #include <string_view>
 #include <utility>
+#include <vector>
 
 #include "regulus/codegen/jit/object_loader.hpp"
 
@@ -49,20 +50,22 @@ class CompileError : public std::runtime_error {
 /// The code of one text, in memory as long as one copy of this object lives.
 class MachineCode {
  public:
-  MachineCode(LoadedObject object, CompileReport report)
-      : object_(std::make_shared<const LoadedObject>(std::move(object))),
+  MachineCode(std::vector<LoadedObject> objects, CompileReport report)
+      : objects_(std::make_shared<const std::vector<LoadedObject>>(std::move(objects))),
         report_(std::move(report)) {}
 
   /// The address of an extern "C" function or variable of at least `size` bytes; null if the text
   /// defines none.
   [[nodiscard]] void* symbol(std::string_view name, std::size_t size = 1) const noexcept {
-    return object_->find(name, size);
+    for (const LoadedObject& object : *objects_)
+      if (void* found = object.find(name, size)) return found;
+    return nullptr;
   }
 
   [[nodiscard]] const CompileReport& report() const noexcept { return report_; }
 
  private:
-  std::shared_ptr<const LoadedObject> object_;
+  std::shared_ptr<const std::vector<LoadedObject>> objects_;
   CompileReport report_;
 };
 

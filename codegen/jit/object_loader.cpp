@@ -167,6 +167,10 @@ LoadedObject load_object(std::span<const std::byte> bytes,
   return LoadedObject(std::move(mapping), std::move(symbols));
 }
 
+void LoadedObject::add_symbols_to(std::vector<ExternalSymbol>& externals) const {
+  for (const auto& [name, symbol] : symbols_) externals.push_back({name, symbol.address});
+}
+
 void* LoadedObject::find(std::string_view name, std::size_t size) const noexcept {
   const auto found = symbols_.find(name);
   return found != symbols_.end() && found->second.size >= size ? found->second.address : nullptr;

@@ -31,6 +31,9 @@ class LoadedObject {
   /// The address of a global symbol with at least `size` bytes behind it; null if there is none.
   [[nodiscard]] void* find(std::string_view name, std::size_t size = 1) const noexcept;
 
+  /// What it exports, for objects that are loaded after it. The names live as long as this one.
+  void add_symbols_to(std::vector<ExternalSymbol>& externals) const;
+
   [[nodiscard]] std::size_t mapped_size() const noexcept { return mapping_.size(); }
 
  private:

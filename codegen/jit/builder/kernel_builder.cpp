@@ -18,7 +18,8 @@ using reader::TableText;
 
 class KernelBuilder {
  public:
-  explicit KernelBuilder(llvm::Module& module) : module_(module), operations_(module) {
+  KernelBuilder(const reader::Share& share, llvm::Module& module)
+      : share_(share), module_(module), operations_(module) {
     for (llvm::Function& function : module)
       if (!function.empty()) function.setLinkage(llvm::GlobalValue::InternalLinkage);
   }
@@ -26,9 +27,10 @@ class KernelBuilder {
   void run(const KernelText& text) {
     for (const FunctionText& function : text.functions) {
       llvm::Function& made = declare(function);
-      FunctionBuilder(operations_, functions_, made, function).run();
+      if (is_here(function.name)) FunctionBuilder(operations_, functions_, made, function).run();
     }
-    for (const TableText& table : text.tables) add(table);
+    if (share_.tables)
+      for (const TableText& table : text.tables) add(table);
     for (const char* type : {"kernel", "expansion", "derivative"})
       module_.getNamedGlobal(type_name(type))->eraseFromParent();
     module_.getNamedGlobal("regulus_rounding")->eraseFromParent();
@@ -37,6 +39,17 @@ class KernelBuilder {
  private:
   static std::string type_name(llvm::StringRef type) { return "regulus_" + type.str() + "_type"; }
 
+  [[nodiscard]] bool is_here(std::string_view function) const {
+    return share_.functions.contains(function);
+  }
+
+  /// Internal when no other object may want it.
+  [[nodiscard]] llvm::GlobalValue::LinkageTypes linkage_of(const FunctionText& text) const {
+    return share_.tables && is_here(text.name) && !text.exported
+               ? llvm::GlobalValue::InternalLinkage
+               : llvm::GlobalValue::ExternalLinkage;
+  }
+
   /// With the target and the floating-point rules that the operations were compiled for.
   llvm::Function& declare(const FunctionText& text) {
     llvm::LLVMContext& context = module_.getContext();
@@ -44,16 +57,14 @@ class KernelBuilder {
     llvm::SmallVector<llvm::Type*, 4> parameters(text.parameters.size(), pointer);
     auto* type = llvm::FunctionType::get(llvm::Type::getInt32Ty(context), parameters, false);
     const std::string name(text.name);
-    auto* function = llvm::Function::Create(
-        type,
-        text.exported ? llvm::GlobalValue::ExternalLinkage : llvm::GlobalValue::InternalLinkage,
-        text.exported ? name : "kernel." + name, module_);
+    auto* function = llvm::Function::Create(type, linkage_of(text),
+                                            text.exported ? name : "kernel." + name, module_);
     llvm::AttrBuilder attributes(context, operations_.sample().getAttributes().getFnAttrs());
     attributes.removeAttribute(llvm::Attribute::Memory);
     attributes.removeAttribute(llvm::Attribute::AlwaysInline);
     attributes.addAttribute(llvm::Attribute::NoInline);
     function->addFnAttrs(attributes);
-    function->setDSOLocal(true);
+    function->setDSOLocal(is_here(text.name));
     if (!functions_.try_emplace(text.name, function).second)
       throw OutsideSubset("two functions of one name");
     return *function;
@@ -137,6 +148,7 @@ class KernelBuilder {
     throw OutsideSubset("a table that points to nothing known");
   }
 
+  const reader::Share& share_;
   llvm::Module& module_;
   Operations operations_;
   FunctionTable functions_;
@@ -145,6 +157,8 @@ class KernelBuilder {
 
 }  // namespace
 
-void build_kernel(const KernelText& text, llvm::Module& module) { KernelBuilder(module).run(text); }
+void build_kernel(const KernelText& text, const reader::Share& share, llvm::Module& module) {
+  KernelBuilder(share, module).run(text);
+}
 
 }  // namespace regulus::codegen::builder

@@ -3,15 +3,17 @@
 
 #include <llvm/IR/Module.h>
 
+#include "regulus/codegen/jit/reader/shares.hpp"
 #include "regulus/codegen/jit/reader/syntax.hpp"
 
 namespace regulus::codegen::builder {
 
-/// Adds the functions and tables of a kernel to the module of the packs' operations.
+/// Adds a share of the functions and tables of a kernel to the module of the packs' operations.
 ///
-/// Ensures   what is not exported is internal; what the kernel does not use is left for the linker
+/// Ensures   what is neither exported nor for the tables of another share is internal; what the
+/// kernel does not use is left for the linker
 ///           of dead code.
 /// Throws    reader::OutsideSubset for a name, type or operation that kernels do not have.
-void build_kernel(const reader::KernelText& text, llvm::Module& module);
+void build_kernel(const reader::KernelText& text, const reader::Share& share, llvm::Module& module);
 
 }  // namespace regulus::codegen::builder

@@ -7,9 +7,13 @@
 #include <llvm/IR/Verifier.h>
 #include <llvm/Support/MemoryBuffer.h>
 
+#include <algorithm>
 #include <chrono>
+#include <future>
 #include <memory>
+#include <string>
 #include <utility>
+#include <vector>
 
 #include "regulus/codegen/jit/builder/kernel_builder.hpp"
 #include "regulus/codegen/jit/clang_interface.h"
@@ -40,9 +44,11 @@ struct Result {
   llvm::SmallVector<char, 0> object;
   std::string diagnostics;
   regulus_clang_seconds seconds{};
+  bool done = false;
 };
 
-bool compile(const regulus_reader_request& request, Result& result) {
+Result compile(const reader::KernelText& kernel, const reader::Share& share, std::string_view isa) {
+  Result result;
   auto start = std::chrono::steady_clock::now();
   const auto lap = [&start] {
     const auto now = std::chrono::steady_clock::now();
@@ -50,11 +56,10 @@ bool compile(const regulus_reader_request& request, Result& result) {
   };
   llvm::raw_string_ostream errors(result.diagnostics);
   llvm::LLVMContext context;
-  const auto kernel = reader::parse_kernel({request.text.data, request.text.size});
-  const auto module = packs_of({request.isa.data, request.isa.size}, context);
-  builder::build_kernel(kernel, *module);
+  const auto module = packs_of(isa, context);
+  builder::build_kernel(kernel, share, *module);
 #ifndef NDEBUG
-  if (llvm::verifyModule(*module, &errors)) return false;
+  if (llvm::verifyModule(*module, &errors)) return result;
 #endif
   result.seconds.front_end = lap();
 #if LLVM_VERSION_MAJOR >= 21
@@ -63,11 +68,39 @@ bool compile(const regulus_reader_request& request, Result& result) {
   const std::string triple = module->getTargetTriple();
 #endif
   const auto machine = make_target_machine(triple, "x86-64", "", errors);
-  if (!machine || !optimise(*module, *machine, kPasses, errors)) return false;
+  if (!machine || !optimise(*module, *machine, kPasses, errors)) return result;
   result.seconds.optimiser = lap();
-  if (!generate_code(*module, *machine, result.object, errors)) return false;
+  result.done = generate_code(*module, *machine, result.object, errors);
   result.seconds.code_generation = lap();
-  return true;
+  return result;
+}
+
+/// The shares side by side, each in a thread and an LLVM context of its own. An object refers only
+/// to those before it.
+std::vector<Result> compile_all(const regulus_reader_request& request) {
+  const auto kernel = reader::parse_kernel({request.text.data, request.text.size});
+  const auto shares = reader::share_out(kernel);
+  const std::string_view isa(request.isa.data, request.isa.size);
+  std::vector<std::future<Result>> others;
+  for (std::size_t i = 0; i + 1 < shares.size(); ++i)
+    others.push_back(std::async(std::launch::async, [&kernel, &shares, isa, i] {
+      return compile(kernel, shares[i], isa);
+    }));
+  Result last = compile(kernel, shares.back(), isa);
+  std::vector<Result> results;
+  for (auto& other : others) results.push_back(other.get());
+  results.push_back(std::move(last));
+  return results;
+}
+
+/// What the slowest took, which is what the caller waited for.
+regulus_clang_seconds longest(const std::vector<Result>& results) {
+  const auto total = [](const Result& r) {
+    return r.seconds.front_end + r.seconds.optimiser + r.seconds.code_generation;
+  };
+  return std::max_element(results.begin(), results.end(),
+                          [total](const auto& a, const auto& b) { return total(a) < total(b); })
+      ->seconds;
 }
 
 }  // namespace
@@ -81,18 +114,24 @@ extern "C" [[gnu::visibility("default")]] int regulus_reader_compile(
     const regulus_reader_request* request, const regulus_clang_sink* sink) {
   using namespace regulus::codegen;
   plugin::initialise_llvm();
-  plugin::Result result;
+  std::vector<plugin::Result> results;
+  std::string diagnostics;
   int outcome = REGULUS_READER_DONE;
   try {
-    if (!plugin::compile(*request, result)) outcome = REGULUS_READER_FAILED;
+    results = plugin::compile_all(*request);
   } catch (const reader::OutsideSubset& reason) {
-    result.diagnostics = reason.what();
+    diagnostics = reason.what();
     outcome = REGULUS_READER_OUTSIDE;
   }
-  if (!result.diagnostics.empty())
-    sink->diagnostics(sink->state, {result.diagnostics.data(), result.diagnostics.size()});
+  for (const plugin::Result& result : results) {
+    diagnostics += result.diagnostics;
+    if (!result.done) outcome = REGULUS_READER_FAILED;
+  }
+  if (!diagnostics.empty())
+    sink->diagnostics(sink->state, {diagnostics.data(), diagnostics.size()});
   if (outcome != REGULUS_READER_DONE) return outcome;
-  sink->seconds(sink->state, result.seconds);
-  sink->object(sink->state, {result.object.data(), result.object.size()});
+  sink->seconds(sink->state, plugin::longest(results));
+  for (const plugin::Result& result : results)
+    sink->object(sink->state, {result.object.data(), result.object.size()});
   return outcome;
 }
