@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: Apache-2.0
 # Short names for the usual work; everything is in CMake. `make help` lists them.
-.PHONY: help demo build test test-all paper growth ablation bench asan ubsan clang dependencies format clean
+.PHONY: help demo build test test-all paper growth ablation bench fuzz asan ubsan clang dependencies format clean
 .DEFAULT_GOAL := help
 
 help:           ## this list
@@ -52,6 +52,12 @@ bench: dependencies  ## what it costs, and what others cost: tests/bench/RESULTS
 	build/bin/bench --json build/bench.json --markdown build/BENCH.md
 	mv build/BENCH.md tests/bench/RESULTS.md
 
+SECONDS ?= 60
+fuzz: dependencies  ## every parser of foreign files, SECONDS each, from tests/fuzz/corpus
+	cmake --preset fuzz
+	cmake --build --preset fuzz
+	tests/fuzz/run.sh build-fuzz $(SECONDS)
+
 asan ubsan clang: dependencies  ## the fast tests under that preset
 	cmake --preset $@
 	cmake --build --preset $@
@@ -64,4 +70,4 @@ format:         ## clang-format every source file
 	git ls-files '*.cpp' '*.hpp' '*.h' | xargs clang-format -i
 
 clean:          ## remove every build folder
-	rm -rf build build-dev build-clang build-asan build-ubsan
+	rm -rf build build-dev build-clang build-asan build-ubsan build-fuzz

@@ -1,0 +1,19 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Any bytes are verified, rejected or too much work. Little work is allowed: what is read matters
+// here, not what is proved.
+#include <cstddef>
+#include <cstdint>
+#include <sstream>
+#include <string>
+
+#include "regulus/certificate/verifier/verify.hpp"
+
+extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
+  std::istringstream file(std::string(reinterpret_cast<const char*>(data), size));
+  regulus::verifier::Options little;
+  little.max_boxes = 64;
+  little.max_boxes_per_leaf = 16;
+  little.max_bits = 128;
+  static_cast<void>(regulus::verifier::verify(file, little));
+  return 0;
+}
