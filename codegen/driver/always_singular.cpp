@@ -45,7 +45,7 @@ bool certified_somewhere(const Result& result) {
 
 /// Every sample is defined, and its determinant too small to be told from 0.
 bool vanishes_at_samples(const Preparation& p) {
-  ArbOracle oracle(p.module.find("matrix")->program, p.module.rows, kBits);
+  ArbOracle oracle(p.stages->matrix(), p.subject.rows, kBits);
   for (std::size_t number = 0; number < kPoints; ++number) {
     const auto determinant = oracle.enclose(sample(p, number));
     if (!determinant || determinant->lo > 0 || determinant->hi < 0) return false;
@@ -59,7 +59,8 @@ bool vanishes_identically(const Preparation& p) {
   options.determinant = true;
   options.determinant_budget = kBudget;
   try {
-    const Formulation f = formulate(p.request.model, p.request.motion, options);
+    const Request& request = p.stages->request();
+    const Formulation f = formulate(request.model, request.motion, options);
     return f.determinant.size() == 1 && f.determinant.front().is_constant(0);
   } catch (const ClosedFormError&) {
     return false;
@@ -105,7 +106,7 @@ std::optional<Witness> witness_of(const Preparation& p) {
 }  // namespace
 
 void recognise_always_singular(const Preparation& p, Result& result) {
-  if (p.module.rows != p.module.columns || result.verdict == Verdict::kNoSingularity) return;
+  if (p.subject.rows != p.subject.columns || result.verdict == Verdict::kNoSingularity) return;
   if (certified_somewhere(result) || !vanishes_at_samples(p) || !vanishes_identically(p)) return;
   const std::optional<Witness> witness = witness_of(p);
   if (!witness) return;

@@ -15,7 +15,10 @@ using GiNaC::ex;
 class QuestionText {
  public:
   explicit QuestionText(const Preparation& p)
-      : p_(p), model_(p.request.model), motion_(p.request.motion), lines_(names(p)) {}
+      : p_(p),
+        model_(p.stages->request().model),
+        motion_(p.stages->request().motion),
+        lines_(names(p)) {}
 
   std::string text() {
     put("model", model_.name);
@@ -36,17 +39,17 @@ class QuestionText {
  private:
   static std::set<std::string> names(const Preparation& p) {
     std::set<std::string> result;
-    for (const GeometryParameter& g : p.request.model.geometry) result.insert(g.name);
-    for (const PoseParameter& q : p.request.model.pose) result.insert(q.name);
-    for (const MotionParameter& q : p.request.motion.parameters) result.insert(q.name);
+    for (const GeometryParameter& g : p.stages->request().model.geometry) result.insert(g.name);
+    for (const PoseParameter& q : p.stages->request().model.pose) result.insert(q.name);
+    for (const MotionParameter& q : p.stages->request().motion.parameters) result.insert(q.name);
     return result;
   }
 
   void put(const std::string& key, const std::string& value) { text_ += key + ' ' + value + '\n'; }
 
   [[nodiscard]] bool is_variable(const GeometryParameter& g) const {
-    const auto& variables = p_.formulation.variables;
-    return std::any_of(variables.begin(), variables.end(), [&g](const Variable& v) {
+    const auto& variables = p_.subject.variables;
+    return std::any_of(variables.begin(), variables.end(), [&g](const VariableLabel& v) {
       return v.kind == VariableKind::kGeometry && v.name == g.name;
     });
   }
@@ -101,7 +104,7 @@ class QuestionText {
 
 /// A certificate tells symbols apart by their names alone.
 void require_distinct_names(const Preparation& p) {
-  const Model& model = p.request.model;
+  const Model& model = p.stages->request().model;
   std::map<std::string, ex> known;
   const auto note = [&known](const std::string& name, const GiNaC::realsymbol& symbol) {
     const auto [place, is_new] = known.emplace(name, symbol);
@@ -111,19 +114,20 @@ void require_distinct_names(const Preparation& p) {
   };
   for (const PoseParameter& q : model.pose) note(q.name, q.symbol);
   for (const GeometryParameter& g : model.geometry) note(g.name, g.symbol);
-  for (const MotionParameter& q : p.request.motion.parameters) note(q.name, q.symbol);
+  for (const MotionParameter& q : p.stages->request().motion.parameters) note(q.name, q.symbol);
 }
 
 }  // namespace
 
 CertifiedQuestion certified_question(const Preparation& p) {
   require_distinct_names(p);
-  const auto& variables = p.formulation.variables;
+  const auto& variables = p.subject.variables;
   const format::ClaimedSet set{
-      p.request.model.matrix.rows(), p.request.model.matrix.cols(),
-      std::size_t(std::count_if(variables.begin(), variables.end(),
-                                [](const Variable& v) { return v.kind != VariableKind::kMotion; })),
-      expression_text(p.request.motion.alpha) != "0"};
+      p.stages->request().model.matrix.rows(), p.stages->request().model.matrix.cols(),
+      std::size_t(
+          std::count_if(variables.begin(), variables.end(),
+                        [](const VariableLabel& v) { return v.kind != VariableKind::kMotion; })),
+      expression_text(p.stages->request().motion.alpha) != "0"};
   return {QuestionText(p).text(), format::claim_words(set, false), format::claim_words(set, true)};
 }
 

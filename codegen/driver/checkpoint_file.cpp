@@ -21,7 +21,7 @@ std::string words_of(const Interval& x) { return fmt::format(" {:a}:{:a}", x.lo,
 CheckpointedQuestion question_of(const Preparation& p, const Settings& settings) {
   const regulus_kernel& kernel = p.kernel->functions();
   const bool splits_uncertainty = settings.uncertainty == Uncertainty::kVariables;
-  std::string text = p.request.model.sha256 + '\n' + p.request.motion.name + '\n';
+  std::string text = p.subject.model_sha256 + '\n' + p.subject.motion + '\n';
   for (const Interval& x : p.variety.outer) text += words_of(x);
   text += "\nalpha" + words_of(p.variety.alpha);
   text += splits_uncertainty ? "\nvariables" : "\nelements";

@@ -17,8 +17,8 @@ constexpr const char* kPlatform = "angular velocity of norm 1; velocity of norm 
 
 Json json_columns(const Preparation& p) {
   Json columns = Json::array();
-  const auto& components = p.request.model.twist;
-  for (int j = 0; j < p.formulation.columns; ++j) {
+  const auto& components = p.subject.twist;
+  for (int j = 0; j < p.subject.columns; ++j) {
     if (components.empty())
       columns.push_back({{"column", j + 1}});
     else
@@ -44,7 +44,7 @@ std::string part_words(const std::vector<double>& v, const std::vector<TwistComp
 }
 
 std::string twist_words(const Preparation& p, const std::vector<double>& v) {
-  const auto& components = p.request.model.twist;
+  const auto& components = p.subject.twist;
   if (!components.empty())
     return fmt::format("velocity {}, angular velocity {}", part_words(v, components, Kind::kLinear),
                        part_words(v, components, Kind::kAngular));
@@ -89,7 +89,7 @@ Json json_degeneracy(const Preparation& p, const std::optional<Degeneracy>& dege
   if (!degeneracy->twists.empty())
     object["twist"] = {{"approximate", true},
                        {"columns", json_columns(p)},
-                       {"normalised", p.request.model.twist.empty() ? kUnnamed : kPlatform},
+                       {"normalised", p.subject.twist.empty() ? kUnnamed : kPlatform},
                        {"vectors", degeneracy->twists}};
   if (!degeneracy->rows.empty())
     object["rows"] = {{"approximate", true},

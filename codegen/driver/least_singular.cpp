@@ -30,7 +30,8 @@ constexpr double kWorthAnotherStep = 0.999;
 class Descent {
  public:
   explicit Descent(const Preparation& p)
-      : jacobian_(p), constraints_(lower_outputs(p.formulation, p.formulation.constraints)) {
+      : jacobian_(p),
+        constraints_(lower_outputs(p.stages->outline(), p.stages->outline().constraints)) {
     for (std::size_t k = 0; k < p.variety.outer.size(); ++k)
       ranges_.push_back(p.variety.inner[k].value_or(Interval(mid(p.variety.outer[k]))));
     scales_ = balance(typical_matrix(), jacobian_.rows(), jacobian_.columns());
@@ -165,7 +166,8 @@ class Descent {
 
 std::vector<Interval> approx_pose(const Preparation& p, std::span<const Interval> point) {
   std::vector<Interval> pose;
-  const auto values = approx_values(lower_outputs(p.formulation, p.formulation.pose), point);
+  const auto values =
+      approx_values(lower_outputs(p.stages->outline(), p.stages->outline().pose), point);
   if (values)
     for (const double x : *values) pose.emplace_back(x);
   return pose;

@@ -56,10 +56,10 @@ std::vector<std::size_t> rows_taking_part(const Degeneracy& degeneracy) {
 }
 
 InverseJacobian::InverseJacobian(const Preparation& p)
-    : components_(p.request.model.twist),
-      rows_(std::size_t(p.formulation.rows)),
-      columns_(std::size_t(p.formulation.columns)),
-      entries_(lower_outputs(p.formulation, entries_and_scales(p.formulation))) {}
+    : components_(p.subject.twist),
+      rows_(std::size_t(p.subject.rows)),
+      columns_(std::size_t(p.subject.columns)),
+      entries_(lower_outputs(p.stages->outline(), entries_and_scales(p.stages->outline()))) {}
 
 std::optional<std::vector<double>> InverseJacobian::approx_at(
     std::span<const Interval> variables) const {

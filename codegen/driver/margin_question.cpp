@@ -142,9 +142,10 @@ Request MarginRequest::at(const MarginValue& value) const {
 }
 
 void MarginRequest::replan(Preparation& p, const MarginValue& value) const {
-  p.request = at(value);
-  for (Variable& variable : p.formulation.variables) variable.range = range_at(p.request, variable);
-  p.variety = enclose_variety(p.request.model, p.request.motion, p.formulation);
+  const Request request = at(value);
+  std::vector<Variable> variables = p.stages->formulation().variables;
+  for (Variable& variable : variables) variable.range = range_at(request, variable);
+  p.variety = enclose_variety(request.model, request.motion, variables);
 }
 
 std::string growing_words(const MarginQuestion& question) {

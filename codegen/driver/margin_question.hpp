@@ -45,9 +45,9 @@ class MarginRequest {
   [[nodiscard]] Request at(const MarginValue& value) const;
   /// Ranges and threshold at `value`, for variables that were formed at another.
   ///
-  /// Ensures   the request and the variety of `p` are those of `value`; its formulation but for the
-  ///           ranges of the variables, and so its kernel, are untouched: no expression in them
-  ///           depends on a tolerance, on the range of a motion parameter, or on α.
+  /// Ensures   the variety of `p` is that of `value`; its formulation, and so its kernel, are
+  ///           untouched: no expression in them depends on a tolerance, on the range of a motion
+  ///           parameter, or on α.
   void replan(Preparation& p, const MarginValue& value) const;
 
  private:

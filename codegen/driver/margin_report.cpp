@@ -93,12 +93,12 @@ std::string step_line(const MarginStep& step) {
 std::string margin_report(const Preparation& p, const SearchOptions& search,
                           const MarginQuestion& question, const Margin& margin) {
   std::string text =
-      fmt::format("model      {}\nmotion     {}\nmargin     {}, from {} to {}\n",
-                  p.request.model.name, p.request.motion.name, growing_words(question),
-                  question.low.text, question.high ? question.high->text : "where it ends");
+      fmt::format("model      {}\nmotion     {}\nmargin     {}, from {} to {}\n", p.subject.model,
+                  p.subject.motion, growing_words(question), question.low.text,
+                  question.high ? question.high->text : "where it ends");
   text += method_lines(p, search, parse_method(search.method).value());
   text += fmt::format("boxes      {} evaluated at {} values\n", margin.boxes, margin.steps.size());
-  text += time_line(p.seconds);
+  text += time_line(p.seconds_spent());
   if (margin.certified)
     text += fmt::format("at {}: {}\n", margin.certified->value.text, margin.certified->claim);
   if (margin.refuted)
@@ -122,9 +122,9 @@ Json json_margin(const Preparation& p, const SearchOptions& search, const Margin
   report["gap_wanted"] = gap_wanted;
   report["closed"] = margin.closed;
   report["reason"] = reason_to_end(margin);
-  report["model"] = p.request.model.name;
-  report["model_sha256"] = p.request.model.sha256;
-  report["motion"] = p.request.motion.name;
+  report["model"] = p.subject.model;
+  report["model_sha256"] = p.subject.model_sha256;
+  report["motion"] = p.subject.motion;
   report["method"] = search.method;
   report["without"] = search.without;
   report["witness"] = margin.refuted ? json_witness(p, margin.refuted->result) : Json(nullptr);
@@ -134,7 +134,7 @@ Json json_margin(const Preparation& p, const SearchOptions& search, const Margin
   report["engine"] = search.engine == Engine::kInterpreted ? "interpreted" : "jit";
   report["isa"] = name(p.isa);
   report["cache"] = p.cache;
-  report["seconds"] = json_seconds(p.seconds);
+  report["seconds"] = json_seconds(p.seconds_spent());
   return report;
 }
 

@@ -51,7 +51,7 @@ Problem MarginRun::problem_at(const MarginValue& value) {
 /// Both ends first: what a witness excludes need not be searched.
 Margin MarginRun::run() {
   const double limit = settings_.time_limit;
-  if (preparation_.module.rows == preparation_.module.columns) {
+  if (preparation_.subject.rows == preparation_.subject.columns) {
     if (question_.high)
       look_below(question_.high, limit);
     else if (question_.growing == Growing::kAlpha)

@@ -36,7 +36,7 @@ double parse_resolution(const std::string& text) {
 }
 
 std::string name_of_variable(const Preparation& p, std::size_t k) {
-  return p.formulation.variables[k].name;
+  return p.subject.variables[k].name;
 }
 
 std::string listed(const Preparation& p, const std::vector<std::size_t>& axes) {
@@ -74,9 +74,8 @@ PavingOptions resolve_paving(const LocateCommand& command, const Preparation& pr
         "only");
   PavingOptions options;
   options.axes = Volumes(preparation.problem()).axes();
-  const Formulation& formulation = preparation.formulation;
   options.encloses_determinants =
-      options.axes.size() == 1 && formulation.rows == formulation.columns;
+      options.axes.size() == 1 && preparation.subject.rows == preparation.subject.columns;
   options.resolution = command.resolution.empty() ? default_resolution(options.axes.size())
                                                   : parse_resolution(command.resolution);
   options.drawn = options.axes;

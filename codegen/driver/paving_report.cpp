@@ -23,9 +23,8 @@ std::string claim_words(const Preparation& p, Claim claim) {
   const bool threshold = p.variety.alpha.hi > 0;
   const std::string alpha = short_interval(p.variety.alpha);
   const bool uncertain = uncertain_count(p) > 0;
-  const char* poses = p.request.motion.constraints.empty()
-                          ? "pose of the box"
-                          : "pose of the box that meets the constraints";
+  const char* poses =
+      p.subject.constraints == 0 ? "pose of the box" : "pose of the box that meets the constraints";
   switch (claim) {
     case Claim::kFree:
       return fmt::format("{} at every {}{}",
@@ -49,7 +48,7 @@ std::string claim_words(const Preparation& p, Claim claim) {
 std::string volume_unit(const Preparation& p, const std::vector<std::size_t>& axes) {
   std::map<std::string, int> powers;
   for (const std::size_t k : axes) {
-    const std::string& unit = p.formulation.variables[k].unit;
+    const std::string& unit = p.subject.variables[k].unit;
     if (!unit_suffix(unit).empty()) ++powers[unit];
   }
   std::string text;
@@ -61,8 +60,8 @@ std::string volume_unit(const Preparation& p, const std::vector<std::size_t>& ax
 
 Json json_ranges(const Preparation& p) {
   Json ranges = Json::array();
-  for (std::size_t k = 0; k < p.formulation.variables.size(); ++k) {
-    const Variable& variable = p.formulation.variables[k];
+  for (std::size_t k = 0; k < p.subject.variables.size(); ++k) {
+    const VariableLabel& variable = p.subject.variables[k];
     if (is_motion(variable))
       ranges.push_back({{"name", variable.name},
                         {"unit", variable.unit},
@@ -95,8 +94,7 @@ std::string share_line(const Volumes& volumes, Claim claim) {
 std::string share_lines(const Preparation& p, const Volumes& volumes, const Result& result) {
   std::string lines;
   for (const Claim claim : kEveryClaim)
-    if (claim != Claim::kOutside || !p.request.motion.constraints.empty())
-      lines += share_line(volumes, claim);
+    if (claim != Claim::kOutside || p.subject.constraints != 0) lines += share_line(volumes, claim);
   if (result.stopped_by)
     lines +=
         fmt::format("stopped    {}: {}, {}, left undecided unseen\n", describe(*result.stopped_by),
@@ -110,12 +108,12 @@ Json json_paving_header(const Preparation& p, const PavingOptions& options) {
   Json claims = Json::object();
   for (const Claim claim : kEveryClaim) claims[name(claim)] = claim_words(p, claim);
   Json header = {{"regulus_paving", kFormatVersion},
-                 {"model", p.request.model.name},
-                 {"model_sha256", p.request.model.sha256},
-                 {"motion", p.request.motion.name},
+                 {"model", p.subject.model},
+                 {"model_sha256", p.subject.model_sha256},
+                 {"motion", p.subject.motion},
                  {"parameters", json_ranges(p)},
                  {"uncertain", json_uncertain(p, p.variety.outer)},
-                 {"constraints", p.request.motion.constraints.size()},
+                 {"constraints", p.subject.constraints},
                  {"alpha", mid(p.variety.alpha)},
                  {"alpha_enclosure", json_interval(p.variety.alpha)},
                  {"resolution", options.resolution},
@@ -129,12 +127,15 @@ Json json_paving_header(const Preparation& p, const PavingOptions& options) {
 Json json_paving_summary(const Preparation& p, const SearchOptions& search,
                          const PavingOptions& options, const Volumes& volumes,
                          const Result& result) {
-  Json summary = {
-      {"verdict", json_name(result.verdict)},    {"reason", describe(result.reason)},
-      {"model", p.request.model.name},           {"model_sha256", p.request.model.sha256},
-      {"motion", p.request.motion.name},         {"alpha", mid(p.variety.alpha)},
-      {"resolution", options.resolution},        {"unit", volume_unit(p, options.axes)},
-      {"volume", json_interval(volumes.total())}};
+  Json summary = {{"verdict", json_name(result.verdict)},
+                  {"reason", describe(result.reason)},
+                  {"model", p.subject.model},
+                  {"model_sha256", p.subject.model_sha256},
+                  {"motion", p.subject.motion},
+                  {"alpha", mid(p.variety.alpha)},
+                  {"resolution", options.resolution},
+                  {"unit", volume_unit(p, options.axes)},
+                  {"volume", json_interval(volumes.total())}};
   for (const Claim claim : kEveryClaim)
     summary[name(claim)] = json_share(volumes, volumes.of(claim));
   summary["unfinished"] = json_share(volumes, volumes.unfinished());
@@ -148,7 +149,7 @@ Json json_paving_summary(const Preparation& p, const SearchOptions& search,
   if (result.reason == Reason::kUndefined)
     summary["undefined"] = json_undefined(p, find_undefined(p, result.blocking_box));
   summary["witness"] = json_witness(p, result);
-  summary["seconds"] = json_seconds(p.seconds);
+  summary["seconds"] = json_seconds(p.seconds_spent());
   return summary;
 }
 
@@ -170,7 +171,7 @@ std::string paving_report(const Preparation& p, const SearchOptions& search,
     text += fmt::format("resolution 1/{:g} of each range\n", 1 / options.resolution);
   text += fmt::format("boxes      {} evaluated, at most {} waiting\n", result.statistics.boxes,
                       result.statistics.max_frontier);
-  text += time_line(p.seconds) + share_lines(p, volumes, result) + witness_lines(p, result);
+  text += time_line(p.seconds_spent()) + share_lines(p, volumes, result) + witness_lines(p, result);
   if (result.reason == Reason::kUndefined)
     text += undefined_lines(p, find_undefined(p, result.blocking_box));
   return text + fmt::format("claim      {}\n           {}\n",

@@ -45,7 +45,7 @@ PavingWriter::PavingWriter(std::ostream& out, const Preparation& preparation,
     : out_(out),
       preparation_(preparation),
       interrupt_(interrupt),
-      definedness_(preparation.formulation),
+      definedness_(preparation.stages->outline()),
       encloses_determinants_(options.encloses_determinants) {
   write_safely([&] { return json_paving_header(preparation, options); });
 }

@@ -40,7 +40,7 @@ std::string terminal(const std::string& file) {
                "background '#ffffff'\n";
 }
 
-std::string label_of(const Variable& variable) {
+std::string label_of(const VariableLabel& variable) {
   const std::string unit = unit_suffix(variable.unit);
   return unit.empty() ? variable.name : fmt::format("{} ({})", variable.name, unit.substr(1));
 }
@@ -49,8 +49,8 @@ std::string label_of(const Variable& variable) {
 std::vector<std::string> others(const Preparation& p, const PavingOptions& options) {
   std::vector<std::string> words;
   bool projected = false;
-  for (std::size_t k = 0; k < p.formulation.variables.size(); ++k) {
-    const Variable& variable = p.formulation.variables[k];
+  for (std::size_t k = 0; k < p.subject.variables.size(); ++k) {
+    const VariableLabel& variable = p.subject.variables[k];
     if (!is_motion(variable) || std::ranges::count(options.drawn, k) != 0) continue;
     const bool ranges = std::ranges::count(options.axes, k) != 0;
     projected = projected || ranges;
@@ -76,8 +76,8 @@ std::vector<std::string> wrapped(const std::vector<std::string>& words) {
 }
 
 std::string title(const Preparation& p, const PavingOptions& options) {
-  std::string text = "set title " + Gnuplot::quoted(fmt::format("{}, {}", p.request.model.name,
-                                                                p.request.motion.name));
+  std::string text =
+      "set title " + Gnuplot::quoted(fmt::format("{}, {}", p.subject.model, p.subject.motion));
   for (const std::string& line : wrapped(others(p, options)))
     text += ".newline." + Gnuplot::quoted(line);
   return text + '\n';
@@ -158,8 +158,8 @@ std::string areas(const Preparation& p, const PavingOptions& options, const Volu
   const Interval x = p.variety.outer[options.drawn[0]];
   const Interval y = p.variety.outer[options.drawn[1]];
   std::string text = range_of("x", x) + range_of("y", y);
-  const Variable& across = p.formulation.variables[options.drawn[0]];
-  const Variable& up = p.formulation.variables[options.drawn[1]];
+  const VariableLabel& across = p.subject.variables[options.drawn[0]];
+  const VariableLabel& up = p.subject.variables[options.drawn[1]];
   text += "set ylabel " + Gnuplot::quoted(label_of(up)) + '\n';
   const double ratio = (y.hi - y.lo) / (x.hi - x.lo);
   if (across.unit == up.unit && ratio > 0.4 && ratio < 2.5) text += "set size ratio -1\n";
@@ -248,7 +248,7 @@ void require_picture_format(const std::string& file) {
 std::string picture_commands(const std::string& file, const Preparation& p,
                              const PavingOptions& options, const Volumes& volumes,
                              const Canvas& canvas) {
-  const std::string across = label_of(p.formulation.variables[options.drawn[0]]);
+  const std::string across = label_of(p.subject.variables[options.drawn[0]]);
   return "set encoding utf8\n" + terminal(file) + "newline = \"\\n\"\n" + title(p, options) +
          "set xlabel " + Gnuplot::quoted(across) +
          "\nset bmargin 6\nset key at screen 0.5, 0.035 center horizontal Left reverse samplen "

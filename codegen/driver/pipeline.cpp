@@ -2,12 +2,12 @@
 #include "regulus/codegen/driver/pipeline.hpp"
 
 #include "regulus/codegen/driver/ingredients.hpp"
+#include "regulus/codegen/driver/problem_cache.hpp"
 #include "regulus/codegen/driver/settings.hpp"
 #include "regulus/codegen/emit/emit.hpp"
 #include "regulus/codegen/jit/jit.hpp"
 #include "regulus/codegen/model/errors.hpp"
 #include "regulus/codegen/model/model_file.hpp"
-#include "regulus/codegen/model/overrides.hpp"
 #include "regulus/codegen/program/interpreted_kernel.hpp"
 #include "regulus/kernel/self_test.hpp"
 
@@ -32,11 +32,24 @@ class InterpretedPrograms : public LoadedKernel {
   InterpretedKernel kernel_;
 };
 
+/// What the cache calls a kernel; empty if it has none.
+struct KernelPlace {
+  std::string object_key;
+  std::string symbol;
+};
+
 Isa chosen_isa(const SearchOptions& search) {
   if (search.isa.empty()) return best_isa();
   const Isa isa = parse_isa(search.isa).value();
   if (!supported(isa)) throw UsageError("--isa: this processor cannot run " + search.isa);
   return isa;
+}
+
+CompileOptions compile_options(Isa isa, const SearchOptions& search) {
+  CompileOptions options;
+  options.isa = isa;
+  options.use_cache = search.use_cache;
+  return options;
 }
 
 void require_sound_rounding(const std::optional<std::string>& failure) {
@@ -51,56 +64,95 @@ Module anonymous(Module module) {
   return module;
 }
 
-void load_kernel(Preparation& p, const SearchOptions& search) {
+void interpret(Preparation& p) {
   Stopwatch watch;
-  require_sound_rounding(self_test(Isa::kPortable));
-  if (search.engine == Engine::kInterpreted) {
-    p.isa = Isa::kPortable;
-    p.cache = "off";
-    p.kernel = std::make_unique<InterpretedPrograms>(p.module);
-    p.seconds.compile = watch.lap();
-    return;
-  }
-  p.isa = chosen_isa(search);
-  const EmittedKernel text = emit(anonymous(p.module));
-  p.seconds.emit = watch.lap();
+  p.isa = Isa::kPortable;
+  p.cache = "off";
+  p.kernel = std::make_unique<InterpretedPrograms>(p.stages->module());
+  p.seconds.compile += watch.lap();
+}
 
-  CompileOptions options;
-  options.isa = p.isa;
-  options.use_cache = search.use_cache;
-  require_sound_rounding(rounding_self_test(options));
-  CompiledKernel code = compile_kernel(text, options);
+void use(CompiledKernel code, Preparation& p) {
   p.cache = code.cache();
   p.cache_note = code.cache_note();
   p.kernel = std::make_unique<CompiledCode>(std::move(code));
-  p.seconds.compile = watch.lap();
+}
+
+/// Returns what the cache calls the kernel.
+KernelPlace compile(Preparation& p, const SearchOptions& search) {
+  Stopwatch watch;
+  p.isa = chosen_isa(search);
+  const EmittedKernel text = emit(anonymous(p.stages->module()));
+  p.seconds.emit += watch.lap();
+  const CompileOptions options = compile_options(p.isa, search);
+  require_sound_rounding(rounding_self_test(options));
+  CompiledKernel code = compile_kernel(text, options);
+  KernelPlace place{code.report().object_key, text.symbol};
+  use(std::move(code), p);
+  p.seconds.compile += watch.lap();
+  return place;
+}
+
+void load_filters(Preparation& p, const SearchOptions& search) {
+  for (const std::string& path : search.filters) p.filters.emplace_back(path);
+}
+
+FormulationOptions functions_for(const SearchOptions& search) {
+  FormulationOptions functions = functions_needed(parse_method(search.method).value(),
+                                                  settings_from(search), search.symbolic_budget);
+  leave_out(search.without, functions);
+  // Who wrote a filter knows the model's own matrix.
+  if (!search.filters.empty()) functions.columns = ColumnSearch::kNone;
+  return functions;
+}
+
+/// Every stage, one after the other.
+KernelPlace prepare_anew(Preparation& p, const SearchOptions& search) {
+  const Request& request = p.stages->request();
+  Stopwatch watch;
+  load_filters(p, search);
+  p.seconds.model += watch.lap();
+  const Formulation& formulation = p.stages->formulation();
+  static_cast<void>(p.stages->module());
+  static_cast<void>(watch.lap());
+  p.subject = subject_of(request, formulation);
+  p.variety = enclose_variety(request.model, request.motion, formulation.variables);
+  p.seconds.symbolic += watch.lap();
+  require_sound_rounding(self_test(Isa::kPortable));
+  p.seconds.compile += watch.lap();
+  if (search.engine != Engine::kInterpreted) return compile(p, search);
+  interpret(p);
+  return {};
+}
+
+/// The place of a question in the cache, if it has one. What is wrong with a command line is for
+/// prepare_anew to say.
+std::optional<ProblemCache> place_in_cache(std::string_view text, const ModelOptions& model,
+                                           const FormulationOptions& functions,
+                                           const SearchOptions& search) {
+  if (search.engine == Engine::kInterpreted || !search.use_cache) return std::nullopt;
+  const Isa isa = search.isa.empty() ? best_isa() : parse_isa(search.isa).value();
+  if (!supported(isa)) return std::nullopt;
+  return std::optional<ProblemCache>(std::in_place, text, model, functions, isa);
+}
+
+/// Returns whether the cache had what is asked for.
+bool take_from(ProblemCache& cache, Preparation& p, const SearchOptions& search) {
+  Stopwatch watch;
+  std::optional<ProblemCache::Found> found = cache.find();
+  if (!found) return false;
+  load_filters(p, search);
+  p.subject = std::move(found->problem.subject);
+  p.variety = std::move(found->problem.variety);
+  p.isa = chosen_isa(search);
+  require_sound_rounding(self_test(Isa::kPortable));
+  require_sound_rounding(rounding_self_test(compile_options(p.isa, search)));
+  use(std::move(found->kernel), p);
+  p.seconds.compile += watch.lap();
+  return true;
 }
 
 }  // namespace
-
-std::pair<std::string, std::string> split_assignment(const std::string& text, const char* option) {
-  const std::size_t equals = text.find('=');
-  if (equals == std::string::npos || equals == 0)
-    throw UsageError(std::string(option) + ": found '" + text + "', expected NAME=VALUE");
-  return {text.substr(0, equals), text.substr(equals + 1)};
-}
-
-Request read_request(const ModelOptions& options) {
-  Request request;
-  request.model = load_model(options.path);
-  for (const std::string& tolerance : options.tolerances) {
-    const auto [groups, value] = split_assignment(tolerance, "--tolerance");
-    from_option("--tolerance", [&] { set_tolerance(request.model, groups, value); });
-  }
-  from_option("MOTION", [&] { request.motion = find_motion(request.model, options.motion); });
-  for (const std::string& range : options.ranges) {
-    const auto [parameter, value] = split_assignment(range, "--range");
-    from_option("--range", [&] { set_range(request.model, request.motion, parameter, value); });
-  }
-  if (!options.alpha.empty())
-    from_option("--alpha", [&] { set_alpha(request.motion, options.alpha); });
-  return request;
-}
 
 FormulationOptions functions_needed(Method method, const Settings& settings,
                                     std::uint64_t symbolic_budget) {
@@ -124,28 +176,35 @@ FormulationOptions functions_needed(Method method, const Settings& settings,
 
 Preparation prepare(const ModelOptions& model, const SearchOptions& search) {
   Stopwatch watch;
-  Request request = read_request(model);
-  return prepare(std::move(request), watch.lap(), search);
+  Preparation p;
+  std::string text = read_model_text(model.path);
+  const FormulationOptions functions = functions_for(search);
+  std::optional<ProblemCache> cache = place_in_cache(text, model, functions, search);
+  p.stages = std::make_unique<SymbolicStages>(std::move(text), model, functions);
+  p.seconds.model = watch.lap();
+  if (cache && take_from(*cache, p, search)) return p;
+  const KernelPlace kernel = prepare_anew(p, search);
+  if (!cache) return p;
+  if (p.cache_note.empty()) p.cache_note = cache->note();
+  if (!kernel.object_key.empty())
+    cache->keep({p.subject, p.variety, kernel.object_key, kernel.symbol});
+  return p;
 }
 
 Preparation prepare(Request request, double model_seconds, const SearchOptions& search) {
   Preparation p;
-  Stopwatch watch;
-  p.request = std::move(request);
-  for (const std::string& path : search.filters) p.filters.emplace_back(path);
-  p.seconds.model = model_seconds + watch.lap();
-  const Method method = parse_method(search.method).value();
-  FormulationOptions functions =
-      functions_needed(method, settings_from(search), search.symbolic_budget);
-  leave_out(search.without, functions);
-  // Who wrote a filter knows the model's own matrix.
-  if (!search.filters.empty()) functions.columns = ColumnSearch::kNone;
-  p.formulation = formulate(p.request.model, p.request.motion, functions);
-  p.module = lower(p.formulation);
-  p.variety = enclose_variety(p.request.model, p.request.motion, p.formulation);
-  p.seconds.symbolic = watch.lap();
-  load_kernel(p, search);
+  p.stages =
+      std::make_unique<SymbolicStages>(std::move(request), model_seconds, functions_for(search));
+  static_cast<void>(prepare_anew(p, search));
   return p;
+}
+
+StageSeconds Preparation::seconds_spent() const {
+  StageSeconds spent = seconds;
+  if (!stages) return spent;
+  spent.model += stages->model_seconds();
+  spent.symbolic += stages->symbolic_seconds();
+  return spent;
 }
 
 Problem Preparation::problem() const {

@@ -105,9 +105,9 @@ Json json_report(const Preparation& p, const SearchOptions& search, const Result
   report["verdict"] = json_name(result.verdict);
   report["claim"] = claim(p, result);
   report["reason"] = describe(result.reason);
-  report["model"] = p.request.model.name;
-  report["model_sha256"] = p.request.model.sha256;
-  report["motion"] = p.request.motion.name;
+  report["model"] = p.subject.model;
+  report["model_sha256"] = p.subject.model_sha256;
+  report["motion"] = p.subject.motion;
   report["alpha"] = mid(p.variety.alpha);
   report["alpha_enclosure"] = json_interval(p.variety.alpha);
   report["method"] = name(result.method);
@@ -127,7 +127,7 @@ Json json_report(const Preparation& p, const SearchOptions& search, const Result
   report["isa"] = name(p.isa);
   report["cache"] = p.cache;
   report["threads"] = settings_from(search).threads;
-  report["seconds"] = json_seconds(p.seconds);
+  report["seconds"] = json_seconds(p.seconds_spent());
   return report;
 }
 
@@ -137,8 +137,10 @@ std::string text_report(const Preparation& p, const SearchOptions& search, const
   text += filter_lines(p, result);
   text += fmt::format("boxes      {} evaluated, at most {} waiting\n", result.statistics.boxes,
                       result.statistics.max_frontier);
-  text += time_line(p.seconds) + witness_lines(p, result) + blocking_lines(p, result) +
-          nearest_lines(p, nearest);
+  // What these lines take to find out counts, too.
+  const std::string findings =
+      witness_lines(p, result) + blocking_lines(p, result) + nearest_lines(p, nearest);
+  text += time_line(p.seconds_spent()) + findings;
   return text + fmt::format("claim      {}\n", claim(p, result));
 }
 

@@ -14,7 +14,7 @@ std::string text_interval(const Interval& x) {
 
 Json json_variables(const Preparation& p, std::span<const Interval> values, bool motion) {
   Json object = Json::object();
-  const auto& variables = p.formulation.variables;
+  const auto& variables = p.subject.variables;
   for (std::size_t i = 0; i < values.size() && i < variables.size(); ++i)
     if (is_motion(variables[i]) == motion) object[variables[i].name] = json_interval(values[i]);
   return object;
@@ -22,7 +22,7 @@ Json json_variables(const Preparation& p, std::span<const Interval> values, bool
 
 std::string variable_lines(const Preparation& p, bool motion) {
   std::string lines;
-  const auto& variables = p.formulation.variables;
+  const auto& variables = p.subject.variables;
   for (std::size_t i = 0; i < variables.size(); ++i) {
     if (is_motion(variables[i]) != motion) continue;
     const std::string range = short_interval(p.variety.outer[i]);
@@ -47,7 +47,7 @@ std::string assignments(const Preparation& p, std::span<const Interval> values, 
                         std::string (*text)(const Interval&)) {
   std::string words;
   for (std::size_t i = 0; i < values.size(); ++i) {
-    const Variable& variable = p.formulation.variables[i];
+    const VariableLabel& variable = p.subject.variables[i];
     if (is_motion(variable) != motion) continue;
     words += fmt::format("{}{} = {}", words.empty() ? "" : ", ", variable.name, text(values[i]));
   }
@@ -56,8 +56,8 @@ std::string assignments(const Preparation& p, std::span<const Interval> values, 
 
 std::string pose_line_of(const Preparation& p, std::span<const Interval> pose,
                          std::string (*text)(const Interval&)) {
-  const auto& parameters = p.request.model.pose;
-  const auto& variables = p.formulation.variables;
+  const auto& parameters = p.subject.pose;
+  const auto& variables = p.subject.variables;
   bool shown = false;
   std::string words;
   for (std::size_t i = 0; i < pose.size() && i < parameters.size(); ++i) {
@@ -86,7 +86,7 @@ Json json_uncertain(const Preparation& p, std::span<const Interval> variables) {
 
 Json json_pose(const Preparation& p, std::span<const Interval> pose) {
   Json object = Json::object();
-  const auto& parameters = p.request.model.pose;
+  const auto& parameters = p.subject.pose;
   for (std::size_t i = 0; i < pose.size() && i < parameters.size(); ++i)
     object[parameters[i].name] = json_interval(pose[i]);
   return object;
@@ -120,11 +120,11 @@ std::string unit_suffix(const std::string& unit) {
   return unit.empty() || unit == "1" ? "" : " " + unit;
 }
 
-bool is_motion(const Variable& variable) { return variable.kind == VariableKind::kMotion; }
+bool is_motion(const VariableLabel& variable) { return variable.kind == VariableKind::kMotion; }
 
 std::size_t uncertain_count(const Preparation& p) {
   std::size_t count = 0;
-  for (const Variable& variable : p.formulation.variables) count += !is_motion(variable);
+  for (const VariableLabel& variable : p.subject.variables) count += !is_motion(variable);
   return count;
 }
 
@@ -156,12 +156,11 @@ std::string short_pose_line(const Preparation& p, std::span<const Interval> pose
 }
 
 std::string size_words(const Preparation& p) {
-  return fmt::format("full {}×{} matrix", p.formulation.rows, p.formulation.columns);
+  return fmt::format("full {}×{} matrix", p.subject.rows, p.subject.columns);
 }
 
 std::string question_lines(const Preparation& p) {
-  return fmt::format("model      {}\nmotion     {}\n", p.request.model.name,
-                     p.request.motion.name) +
+  return fmt::format("model      {}\nmotion     {}\n", p.subject.model, p.subject.motion) +
          variable_lines(p, true) + uncertain_lines(p);
 }
 

@@ -29,7 +29,7 @@ namespace regulus::codegen {
 [[nodiscard]] std::string short_interval(const Interval& x);
 /// " cm"; nothing for the unit 1.
 [[nodiscard]] std::string unit_suffix(const std::string& unit);
-[[nodiscard]] bool is_motion(const Variable& variable);
+[[nodiscard]] bool is_motion(const VariableLabel& variable);
 [[nodiscard]] std::size_t uncertain_count(const Preparation& preparation);
 /// "x = 3, y = [4, 5]": the motion parameters.
 [[nodiscard]] std::string place_words(const Preparation& preparation,

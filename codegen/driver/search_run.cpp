@@ -5,6 +5,8 @@
 
 #include <algorithm>
 #include <cstdio>
+#include <exception>
+#include <mutex>
 #include <optional>
 
 #include "regulus/codegen/driver/arb_oracle.hpp"
@@ -17,50 +19,83 @@ namespace regulus::codegen {
 
 namespace {
 
-/// More digits for the determinants of a preparation, where it has any, as long as this lives.
-class OracleGuard {
+/// More digits for the determinants of a preparation. They are rarely needed, and the program that
+/// gives them is made when they are: a problem from the cache comes without it. Several threads may
+/// ask at once; the first makes it while the others wait.
+class OracleOnDemand : public DeterminantOracle {
  public:
-  OracleGuard(Preparation& preparation, const SearchOptions& search, Settings& settings)
-      : preparation_(preparation) {
-    const Module& module = preparation.module;
-    if (module.rows != module.columns) return;
-    settings.oracle =
-        &oracle_.emplace(module.find("matrix")->program, module.rows, search.precision);
+  OracleOnDemand(const Preparation& preparation, long max_bits)
+      : preparation_(preparation), max_bits_(max_bits) {}
+
+  [[nodiscard]] std::optional<Interval> enclose(std::span<const Interval> point) noexcept override {
+    ArbOracle* const oracle = made_oracle();
+    return oracle != nullptr ? oracle->enclose(point) : std::nullopt;
   }
-  OracleGuard(const OracleGuard&) = delete;
-  OracleGuard& operator=(const OracleGuard&) = delete;
-  ~OracleGuard() {
-    if (oracle_) preparation_.bits = std::max(preparation_.bits, oracle_->bits());
+
+  [[nodiscard]] long bits() const noexcept { return oracle_ ? oracle_->bits() : 0; }
+  void rethrow_failure() const {
+    if (failure_) std::rethrow_exception(failure_);
   }
 
  private:
-  Preparation& preparation_;
+  /// Null where that fails: one more way of not knowing. What it was is for the end of the search.
+  ArbOracle* made_oracle() noexcept {
+    const std::lock_guard lock(mutex_);
+    if (failure_) return nullptr;
+    try {
+      if (!oracle_)
+        oracle_.emplace(preparation_.stages->matrix(), preparation_.subject.rows, max_bits_);
+      return &*oracle_;
+    } catch (...) {
+      failure_ = std::current_exception();
+      return nullptr;
+    }
+  }
+
+  const Preparation& preparation_;
+  const long max_bits_;
+  std::mutex mutex_;
   std::optional<ArbOracle> oracle_;
+  std::exception_ptr failure_;
 };
+
+/// Runs a search with more digits at hand, where a determinant has any.
+template <class Search>
+Result with_oracle(Preparation& preparation, const SearchOptions& search, Settings& settings,
+                   Search run) {
+  OracleOnDemand oracle(preparation, search.precision);
+  if (preparation.subject.rows == preparation.subject.columns) settings.oracle = &oracle;
+  Result result = run();
+  oracle.rethrow_failure();
+  preparation.bits = std::max(preparation.bits, oracle.bits());
+  return result;
+}
 
 }  // namespace
 
 Result run_search(Preparation& preparation, const SearchOptions& search,
                   const OutputOptions& output, Settings settings, Observer* observer,
                   const Checkpoint* from) {
-  const OracleGuard oracle(preparation, search, settings);
   std::vector<Observer*> watching;
   if (observer != nullptr) watching.push_back(observer);
   std::optional<ProgressDisplay> display;
   if (!output.quiet && isatty(STDERR_FILENO) != 0) watching.push_back(&display.emplace(stderr));
   Observers observers(std::move(watching));
   const Problem problem = preparation.problem();
-  const Result result = from != nullptr
-                            ? resume(problem, settings, from->open(), from->state, &observers)
-                            : solve(problem, settings, &observers);
-  preparation.seconds.search = result.statistics.seconds;
+  const double before = preparation.stages->seconds();
+  const Result result = with_oracle(preparation, search, settings, [&] {
+    return from != nullptr ? resume(problem, settings, from->open(), from->state, &observers)
+                           : solve(problem, settings, &observers);
+  });
+  const double spent_by_stages = preparation.stages->seconds() - before;
+  preparation.seconds.search = result.statistics.seconds - spent_by_stages;
   return result;
 }
 
 Result prove_between(Preparation& preparation, const SearchOptions& search, Settings settings,
                      std::span<const std::vector<double>> points) {
-  const OracleGuard oracle(preparation, search, settings);
-  return prove_singularity(preparation.problem(), settings, points);
+  return with_oracle(preparation, search, settings,
+                     [&] { return prove_singularity(preparation.problem(), settings, points); });
 }
 
 void close_in_on_witness(Preparation& preparation, const SearchOptions& search, Settings settings,

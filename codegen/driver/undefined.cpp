@@ -79,7 +79,7 @@ Undefined Definedness::look_at(std::span<const Interval> box) const {
 }
 
 Undefined find_undefined(const Preparation& p, std::span<const Interval> box) {
-  return Definedness(p.formulation).look_at(box);
+  return Definedness(p.stages->outline()).look_at(box);
 }
 
 nlohmann::ordered_json json_undefined(const Preparation& p, const Undefined& undefined) {

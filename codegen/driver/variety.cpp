@@ -43,9 +43,10 @@ Interval enclose_constant(const GiNaC::ex& value, const std::string& what) {
   return *enclosure;
 }
 
-Variety enclose_variety(const Model& model, const Motion& motion, const Formulation& formulation) {
+Variety enclose_variety(const Model& model, const Motion& motion,
+                        std::span<const Variable> variables) {
   Variety variety;
-  for (const Variable& variable : formulation.variables) {
+  for (const Variable& variable : variables) {
     const auto outer =
         enclose_outward(constant_program(variable.range.lo), constant_program(variable.range.hi));
     if (!outer) throw no_value("the range of " + variable.name);

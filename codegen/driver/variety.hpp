@@ -2,6 +2,7 @@
 #pragma once
 
 #include <optional>
+#include <span>
 #include <vector>
 
 #include "regulus/codegen/model/model.hpp"
@@ -10,7 +11,7 @@
 
 namespace regulus::codegen {
 
-/// The exact ranges of a formulation's variables as doubles: outward for what must be proved,
+/// The exact ranges of variables as doubles: outward for what must be proved,
 /// inward for where a witness may lie (see Problem).
 struct Variety {
   std::vector<Interval> outer;
@@ -20,7 +21,7 @@ struct Variety {
 
 /// Throws InputError when a range or the threshold has no certain value.
 [[nodiscard]] Variety enclose_variety(const Model& model, const Motion& motion,
-                                      const Formulation& formulation);
+                                      std::span<const Variable> variables);
 
 /// A constant expression, outward. Throws InputError naming `what` when it has no certain value.
 [[nodiscard]] Interval enclose_constant(const GiNaC::ex& value, const std::string& what);

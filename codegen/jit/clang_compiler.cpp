@@ -27,14 +27,6 @@ std::filesystem::path find_plugin(const std::filesystem::path& built) {
   return built;
 }
 
-/// "PATH SIZE SECONDS.NANOSECONDS", or "PATH absent".
-std::string file_identity(const std::filesystem::path& file) {
-  struct stat status {};
-  if (::stat(file.c_str(), &status) != 0) return file.string() + " absent";
-  return file.string() + " " + std::to_string(status.st_size) + " " +
-         std::to_string(status.st_mtim.tv_sec) + "." + std::to_string(status.st_mtim.tv_nsec);
-}
-
 template <class Function>
 Function find_function(void* library, const char* name) {
   void* found = ::dlsym(library, name);
@@ -105,6 +97,13 @@ class DefaultFloatingPoint {
 };
 
 }  // namespace
+
+std::string file_identity(const std::filesystem::path& file) {
+  struct stat status {};
+  if (::stat(file.c_str(), &status) != 0) return file.string() + " absent";
+  return file.string() + " " + std::to_string(status.st_size) + " " +
+         std::to_string(status.st_mtim.tv_sec) + "." + std::to_string(status.st_mtim.tv_nsec);
+}
 
 ClangCompiler::ClangCompiler()
     : reader_(find_plugin(REGULUS_READER_PLUGIN)),

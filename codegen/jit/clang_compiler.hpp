@@ -16,6 +16,9 @@ class CompilerUnavailable : public std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
+/// "PATH SIZE SECONDS.NANOSECONDS", or "PATH absent": changes when the file is exchanged.
+[[nodiscard]] std::string file_identity(const std::filesystem::path& file);
+
 struct CompiledObject {
   std::string object;  ///< ELF, relocatable, or a bundle of them; empty when the text has an error
   std::string diagnostics;  ///< of the compiler; may be there without an error

@@ -111,7 +111,7 @@ LoadedObjects compile_or_find(std::string_view text, const CompileOptions& optio
   const auto cache = open_cache(options, report);
   if (!cache) return load_fresh(compile_object(compiler, compilation, report), text, report);
 
-  std::string key;
+  std::string& key = report.object_key;
   {
     const Timer timer(report.cache_seconds);
     key = object_key(compilation, compiler.identity());
@@ -152,16 +152,37 @@ MachineCode compile_text(std::string_view text, const CompileOptions& options) {
   return MachineCode(std::move(*loaded), std::move(report));
 }
 
+const regulus_kernel* CompiledKernel::find(const MachineCode& code, const std::string& symbol) {
+  const auto* kernel =
+      static_cast<const regulus_kernel*>(code.symbol(symbol, sizeof(regulus_kernel)));
+  return kernel && kernel->abi == REGULUS_KERNEL_ABI ? kernel : nullptr;
+}
+
 CompiledKernel compile_kernel(const EmittedKernel& emitted, const CompileOptions& options) {
   MachineCode code = compile_text(emitted.source, options);
-  const auto* kernel =
-      static_cast<const regulus_kernel*>(code.symbol(emitted.symbol, sizeof(regulus_kernel)));
-  if (!kernel || kernel->abi != REGULUS_KERNEL_ABI)
+  const regulus_kernel* kernel = CompiledKernel::find(code, emitted.symbol);
+  if (!kernel)
     throw CompileError("the generated text defines no kernel '" + emitted.symbol + "' of ABI " +
                            std::to_string(static_cast<int>(REGULUS_KERNEL_ABI)),
                        {}, emitted.source);
   return {std::move(code), kernel};
 }
+
+std::optional<CompiledKernel> load_cached_kernel(const ObjectCache& cache, const std::string& key,
+                                                 const std::string& symbol) {
+  CompileReport report;
+  std::optional<LoadedObjects> loaded = load_from_cache(cache, key, report);
+  if (!loaded) return std::nullopt;
+  report.cache = CacheUse::kHit;
+  report.total_seconds = report.cache_seconds + report.load_seconds;
+  report.object_key = key;
+  MachineCode code(std::move(*loaded), std::move(report));
+  const regulus_kernel* kernel = CompiledKernel::find(code, symbol);
+  if (!kernel) return std::nullopt;
+  return CompiledKernel(std::move(code), kernel);
+}
+
+std::string compiler_identity() { return ClangCompiler().identity(); }
 
 std::optional<std::string> rounding_self_test(const CompileOptions& options) {
   const MachineCode code = compile_text(kSelfTestSource, options);

@@ -10,6 +10,7 @@
 
 #include "regulus/codegen/emit/emitted_kernel.hpp"
 #include "regulus/codegen/jit/machine_code.hpp"
+#include "regulus/codegen/jit/object_cache.hpp"
 #include "regulus/kernel/abi.hpp"
 #include "regulus/kernel/isa.hpp"
 
@@ -43,8 +44,14 @@ class CompiledKernel {
 
  private:
   friend CompiledKernel compile_kernel(const EmittedKernel&, const CompileOptions&);
+  friend std::optional<CompiledKernel> load_cached_kernel(const ObjectCache&, const std::string&,
+                                                          const std::string&);
   CompiledKernel(MachineCode code, const regulus_kernel* kernel) noexcept
       : code_(std::move(code)), kernel_(kernel) {}
+
+  /// Null unless the code has that kernel, of this ABI.
+  [[nodiscard]] static const regulus_kernel* find(const MachineCode& code,
+                                                  const std::string& symbol);
 
   MachineCode code_;
   const regulus_kernel* kernel_;
@@ -56,6 +63,18 @@ class CompiledKernel {
 /// Throws    CompileError, also when the text does not define such a kernel; std::bad_alloc.
 [[nodiscard]] CompiledKernel compile_kernel(const EmittedKernel& emitted,
                                             const CompileOptions& options);
+
+/// The kernel that an earlier run compiled, by the key that its report gave; nullopt when the cache
+/// has it no longer, or nothing that can be used.
+///
+/// Requires  the object of that key was compiled for an instruction set that this processor has.
+/// Throws    std::bad_alloc.
+[[nodiscard]] std::optional<CompiledKernel> load_cached_kernel(const ObjectCache& cache,
+                                                               const std::string& key,
+                                                               const std::string& symbol);
+
+/// Changes when the compiler is exchanged, see ClangCompiler::identity.
+[[nodiscard]] std::string compiler_identity();
 
 /// Compiles and runs the rounding self-test of regulus/kernel/self_test.hpp.
 ///

@@ -12,8 +12,9 @@
 
 namespace regulus::codegen {
 
-/// A directory of objects, each in a file named by its key. Any number of processes may use it at
-/// once: an entry appears whole or not at all, and one of them replaces the other's equal entry.
+/// A directory of objects (and of what else is made once and kept), each in a file named by its
+/// key. Any number of processes may use it at once: an entry appears whole or not at all, and one
+/// of them replaces the other's equal entry.
 ///
 /// An entry that is truncated, altered, of another format, or that another user could have written
 /// is as good as absent. The hash inside an entry finds damage; what keeps others from writing

@@ -52,7 +52,9 @@ void read_robot(ModelReading& reading, const TomlEntry& root) {
   read_gough(reading, gough);
 }
 
-std::string read_bytes(const std::filesystem::path& path) {
+}  // namespace
+
+std::string read_model_text(const std::filesystem::path& path) {
   const auto fail = [&path](const std::string& why) -> FileError {
     return FileError("cannot read " + in_quotes(path.string()) + ": " + why);
   };
@@ -68,8 +70,6 @@ std::string read_bytes(const std::filesystem::path& path) {
   bytes.resize(static_cast<std::size_t>(file.gcount()));
   return bytes;
 }
-
-}  // namespace
 
 Model parse_model(std::string_view text, const std::string& name_for_errors) {
   static const std::array<std::string, 9> kKeys = {
@@ -91,7 +91,7 @@ Model parse_model(std::string_view text, const std::string& name_for_errors) {
 }
 
 Model load_model(const std::filesystem::path& path) {
-  Model model = parse_model(read_bytes(path), path.string());
+  Model model = parse_model(read_model_text(path), path.string());
   model.path = path.string();
   return model;
 }

@@ -17,6 +17,13 @@ namespace {
 
 std::size_t index(int i) { return static_cast<std::size_t>(i); }
 
+/// Whether any function is asked for that is made of the entries of A in other forms than the
+/// model's own.
+bool uses_matrix(const FormulationOptions& f) {
+  return f.matrix || f.matrix_derivatives || f.left_product || f.derivatives || f.right_product ||
+         f.determinant || f.expansion != ExpansionForm::kNone || f.columns != ColumnSearch::kNone;
+}
+
 std::vector<std::string> point_names(int rows, int columns) {
   std::vector<std::string> names;
   for (int i = 1; i <= rows; ++i)
@@ -92,6 +99,7 @@ class Formulator {
         const Expression natural =
             substitution_.apply(model_.matrix(static_cast<unsigned>(i), static_cast<unsigned>(j)));
         result_.natural_matrix.push_back(natural);
+        if (!needs_matrix_) continue;
         const Rewritten form = rewriter_.rewrite(natural);
         result_.matrix.push_back(form.expression);
         forms_.expanded.push_back(rewriter_.expand(natural));
@@ -463,6 +471,7 @@ class Formulator {
   const Model& model_;
   const Motion& motion_;
   const FormulationOptions options_;
+  const bool needs_matrix_ = uses_matrix(options_);
   Substitution substitution_;
   Rewriter rewriter_;
   MatrixForms forms_;  // of A

@@ -22,7 +22,8 @@ SearchSubject subject_of(Method method) {
   const Request request = read_request(options);
   const Formulation formulation =
       formulate(request.model, request.motion, functions_needed(method));
-  return {lower(formulation), enclose_variety(request.model, request.motion, formulation)};
+  return {lower(formulation),
+          enclose_variety(request.model, request.motion, formulation.variables)};
 }
 
 Interval part_of(Interval whole, std::mt19937& random) {

@@ -22,7 +22,7 @@ Preparation closed_form(const std::string& model, const std::string& motion) {
 }
 
 TEST(Section5B2, TheDeterminantOnT1IsConstant) {
-  const Expression determinant = closed_form("robot_1", "T1").formulation.determinant[0];
+  const Expression determinant = closed_form("robot_1", "T1").stages->formulation().determinant[0];
   ASSERT_EQ(determinant.kind(), Kind::kConstant);
   EXPECT_FALSE(zerop(determinant.value()));
 }
@@ -42,7 +42,7 @@ bool is_polynomial_in_turns(const Expression& e) {
 }
 
 TEST(Section5B2, TheDeterminantOnT2IsAPolynomialInSineAndCosine) {
-  const Expression determinant = closed_form("robot_1", "T2").formulation.determinant[0];
+  const Expression determinant = closed_form("robot_1", "T2").stages->formulation().determinant[0];
   EXPECT_TRUE(determinant.has_variables());
   EXPECT_TRUE(is_polynomial_in_turns(determinant)) << to_string(determinant);
 }

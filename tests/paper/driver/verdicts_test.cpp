@@ -50,7 +50,7 @@ bool available(const std::string& engine) {
 
 /// The sign of det A at a witness point with 200 bits and none of the search's code.
 int arb_sign(const Preparation& preparation, const WitnessPoint& point) {
-  ArbOracle oracle(preparation.module.find("matrix")->program, preparation.module.rows, 424);
+  ArbOracle oracle(preparation.stages->matrix(), preparation.stages->module().rows, 424);
   const auto determinant = oracle.enclose(point.variables);
   if (!determinant) return 0;
   return determinant->lo > 0 ? 1 : determinant->hi < 0 ? -1 : 0;
@@ -107,7 +107,7 @@ TEST_P(Rump, IsNotDecidedInDoubles) {
 }
 
 TEST_P(Rump, IsDecidedWithMoreBits) {
-  ArbOracle oracle(preparation.module.find("matrix")->program, 1, 1024);
+  ArbOracle oracle(preparation.stages->matrix(), 1, 1024);
   settings.oracle = &oracle;
   const Result result = solve(preparation.problem(), settings);
   EXPECT_EQ(result.verdict, Verdict::kNoSingularity) << describe(result.reason);
@@ -115,7 +115,7 @@ TEST_P(Rump, IsDecidedWithMoreBits) {
 }
 
 TEST_P(Rump, StaysUndecidedWithTooFewBits) {
-  ArbOracle oracle(preparation.module.find("matrix")->program, 1, 106);
+  ArbOracle oracle(preparation.stages->matrix(), 1, 106);
   settings.oracle = &oracle;
   EXPECT_EQ(solve(preparation.problem(), settings).verdict, Verdict::kPossibleProblem);
 }

@@ -67,7 +67,7 @@ TEST_P(ClosedFormOf, HoldsArbsDeterminantOverEveryBox) {
   const Settings settings = settings_from(search_);
   const RowStructure none;
   Batch batch(problem_, settings, none);
-  ArbOracle oracle(preparation_->module.find("matrix")->program, preparation_->module.rows, 424);
+  ArbOracle oracle(preparation_->stages->matrix(), preparation_->subject.rows, 424);
   for (int repetition = 0; repetition < 40; ++repetition) {
     const std::vector<Interval> box = random_box();
     batch.clear();
@@ -93,7 +93,7 @@ TEST_P(ClosedFormOf, IsCloseToArbsDeterminantAtAPoint) {
   const Settings settings = settings_from(search_);
   const RowStructure none;
   Batch batch(problem_, settings, none);
-  ArbOracle oracle(preparation_->module.find("matrix")->program, preparation_->module.rows, 424);
+  ArbOracle oracle(preparation_->stages->matrix(), preparation_->subject.rows, 424);
   const auto determinant_at = [&](const std::vector<Interval>& point) {
     batch.clear();
     batch.load(0, point);

@@ -97,7 +97,7 @@ Band band_over(const std::string& model, const std::string& motion,
   SearchOptions search;
   search.engine = Engine::kInterpreted;
   const Preparation preparation = prepare(options, search);
-  Samples samples(preparation.formulation);
+  Samples samples(preparation.stages->formulation());
   Settings settings;
   settings.exhaustive = settings.split_certified = settings.enclose_determinants = true;
   settings.min_relative_width = 0x1p-8;

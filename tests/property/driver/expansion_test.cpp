@@ -35,7 +35,7 @@ class ExpansionOf {
   ExpansionOf(const Model& model, const Motion& motion, ExpansionForm form)
       : formulation_(formulate(model, motion, options(form))),
         kernel_(lower(formulation_)),
-        variety_(enclose_variety(model, motion, formulation_)) {}
+        variety_(enclose_variety(model, motion, formulation_.variables)) {}
 
   [[nodiscard]] const regulus_kernel& kernel() const { return *kernel_.get(); }
   [[nodiscard]] const regulus_expansion& expansion() const { return *kernel().expansion; }

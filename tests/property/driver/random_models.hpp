@@ -154,16 +154,16 @@ class Judge {
 
  private:
   void judge(const ModelText& text, const Road& road, const Preparation& preparation) {
-    ArbOracle digits(preparation.module.find("matrix")->program, preparation.module.rows, 424);
+    ArbOracle digits(preparation.stages->matrix(), preparation.stages->module().rows, 424);
     Settings settings = road.settings();
-    if (preparation.module.rows == preparation.module.columns) settings.oracle = &digits;
+    if (preparation.subject.rows == preparation.subject.columns) settings.oracle = &digits;
     const Problem problem = preparation.problem();
     const Result result = solve(problem, settings);
     if (result.reason == Reason::kBadProblem) return expect_reason_to_refuse(problem, settings);
     ++tally.verdicts[road.search.method][static_cast<std::size_t>(result.verdict)];
     for (std::size_t rule = 0; rule < kRules; ++rule)
       tally.leaves[rule] += result.statistics.leaves[rule];
-    if (has_row_quantity(preparation.module))
+    if (has_row_quantity(preparation.stages->module()))
       tally.leaves_by_rows +=
           result.statistics.leaves[static_cast<std::size_t>(Rule::kSecondOrder)];
     expect_truth(text, preparation, result);
@@ -186,8 +186,9 @@ class Judge {
     const Verdict verdict = result.verdict;
     EXPECT_FALSE(text.never_safe && verdict == Verdict::kNoSingularity) << "a wrong proof";
     EXPECT_FALSE(text.never_singular && verdict == Verdict::kSingularity) << "a wrong witness";
-    const ModelOracle oracle(preparation.request.model, preparation.request.motion,
-                             preparation.formulation.variables);
+    const ModelOracle oracle(preparation.stages->request().model,
+                             preparation.stages->request().motion,
+                             preparation.stages->formulation().variables);
     const Refutation refutation(oracle, random_, 40);
     if (refutation.found()) {
       EXPECT_NE(verdict, Verdict::kNoSingularity) << *refutation.found();

@@ -109,7 +109,7 @@ void expect_null_vectors(const Checked& checked) {
   const auto J =
       InverseJacobian(checked.preparation).approx_at(checked.result.witness->near->variables);
   ASSERT_TRUE(J);
-  const std::size_t n = std::size_t(checked.preparation.formulation.columns);
+  const std::size_t n = std::size_t(checked.preparation.subject.columns);
   for (const std::vector<double> v : checked.witness["twist"]["vectors"]) {
     std::vector<double> image(n);
     for (std::size_t i = 0; i < n; ++i)

@@ -1,0 +1,186 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "regulus/codegen/driver/prepared_problem.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <charconv>
+#include <nlohmann/json.hpp>
+#include <stdexcept>
+
+#include "regulus/codegen/jit/key_parts.hpp"
+
+namespace regulus::codegen {
+namespace {
+
+using Json = nlohmann::json;
+
+/// To be raised when the text of a prepared problem means something else.
+constexpr int kFormat = 1;
+
+// In these three the names between the brackets are all members there are: one more does not
+// compile until it is in the key.
+
+void add(KeyParts& parts, const RewriteOptions& options) {
+  const auto& [rewrite, horner, trigonometric, nesting, weights] = options;
+  const auto& [order, factor, complete_squares] = nesting;
+  for (const bool flag : {rewrite, horner, trigonometric, factor, complete_squares})
+    parts.add(flag);
+  parts.add(static_cast<int>(order));
+  parts.begin_list(weights.size());
+  for (const auto& [name, weight] : weights) {
+    parts.add(name);
+    parts.add(std::to_string(weight));
+  }
+}
+
+void add(KeyParts& parts, const FormulationOptions& options) {
+  const auto& [matrix, matrix_derivatives, left_product, derivatives, right_product, determinant,
+               determinant_budget, expansion, rows, columns, rewriting] = options;
+  for (const bool flag :
+       {matrix, matrix_derivatives, left_product, derivatives, right_product, determinant, rows})
+    parts.add(flag);
+  parts.add(std::to_string(determinant_budget));
+  parts.add(static_cast<int>(expansion));
+  parts.add(static_cast<int>(columns));
+  add(parts, rewriting);
+}
+
+/// Where the file lies does not matter: its text is in the key.
+void add(KeyParts& parts, const ModelOptions& options) {
+  const auto& [path, motion, ranges, tolerances, alpha] = options;
+  static_cast<void>(path);
+  parts.add(motion);
+  parts.add(ranges);
+  parts.add(tolerances);
+  parts.add(alpha);
+}
+
+std::string hexadecimal(double bound) { return fmt::format("{:a}", bound); }
+
+/// Throws std::invalid_argument unless all of the text is one number.
+double read_bound(const std::string& text) {
+  std::string_view digits = text;
+  const bool negative = digits.starts_with('-');
+  digits.remove_prefix(negative ? 1 : 0);
+  const bool prefixed = digits.starts_with("0x");
+  digits.remove_prefix(prefixed ? 2 : 0);
+  double bound = 0;
+  const auto [end, error] =
+      std::from_chars(digits.data(), digits.data() + digits.size(), bound, std::chars_format::hex);
+  if (!prefixed || error != std::errc() || end != digits.data() + digits.size())
+    throw std::invalid_argument("no bound");
+  return negative ? -bound : bound;
+}
+
+bool is_key(std::string_view text) {
+  return text.size() == 64 && text.find_first_not_of("0123456789abcdef") == std::string_view::npos;
+}
+
+Json json_of(const Interval& x) { return {hexadecimal(x.lo), hexadecimal(x.hi)}; }
+
+Interval interval_of(const Json& json) {
+  const double lo = read_bound(json.at(0)), hi = read_bound(json.at(1));
+  if (json.size() != 2 || !(lo <= hi)) throw std::invalid_argument("no interval");
+  return {lo, hi};
+}
+
+Json json_of(const Subject& subject) {
+  Json pose = Json::array(), twist = Json::array();
+  for (const PoseLabel& p : subject.pose) pose.push_back({p.name, p.unit});
+  for (const TwistComponent& t : subject.twist)
+    twist.push_back({static_cast<int>(t.kind), t.name, t.unit});
+  return {{"model", subject.model},
+          {"sha256", subject.model_sha256},
+          {"motion", subject.motion},
+          {"rows", subject.rows},
+          {"columns", subject.columns},
+          {"constraints", subject.constraints},
+          {"pose", pose},
+          {"twist", twist}};
+}
+
+Subject subject_of(const Json& json) {
+  Subject subject;
+  subject.model = json.at("model");
+  subject.model_sha256 = json.at("sha256");
+  subject.motion = json.at("motion");
+  subject.rows = json.at("rows");
+  subject.columns = json.at("columns");
+  subject.constraints = json.at("constraints");
+  for (const Json& p : json.at("pose")) subject.pose.push_back({p.at(0), p.at(1)});
+  for (const Json& t : json.at("twist"))
+    subject.twist.push_back({TwistComponent::Kind(t.at(0).get<int>()), t.at(1), t.at(2)});
+  return subject;
+}
+
+Json json_of(const VariableLabel& label, const Interval& outer,
+             const std::optional<Interval>& inner) {
+  return {{"name", label.name},
+          {"unit", label.unit},
+          {"kind", static_cast<int>(label.kind)},
+          {"outer", json_of(outer)},
+          {"inner", inner ? json_of(*inner) : Json(nullptr)}};
+}
+
+void read_variable(const Json& json, PreparedProblem& problem) {
+  problem.subject.variables.push_back(
+      {json.at("name"), json.at("unit"), VariableKind(json.at("kind").get<int>())});
+  problem.variety.outer.push_back(interval_of(json.at("outer")));
+  auto& inner = problem.variety.inner.emplace_back();
+  if (!json.at("inner").is_null()) inner = interval_of(json.at("inner"));
+}
+
+}  // namespace
+
+std::string prepared_problem_key(std::string_view model_text, const ModelOptions& model,
+                                 const FormulationOptions& functions, Isa isa,
+                                 std::string_view program, std::string_view compiler) {
+  KeyParts parts;
+  parts.add("prepared problem");
+  parts.add(kFormat);
+  parts.add(program);
+  parts.add(compiler);
+  parts.add(name(isa));
+  parts.add(model_text);
+  add(parts, model);
+  add(parts, functions);
+  return parts.key();
+}
+
+std::string to_text(const PreparedProblem& problem) {
+  Json json = json_of(problem.subject);
+  json["format"] = kFormat;
+  json["object"] = problem.object_key;
+  json["symbol"] = problem.symbol;
+  json["alpha"] = json_of(problem.variety.alpha);
+  Json& variables = json["variables"] = Json::array();
+  for (std::size_t k = 0; k < problem.subject.variables.size(); ++k)
+    variables.push_back(json_of(problem.subject.variables[k], problem.variety.outer.at(k),
+                                problem.variety.inner.at(k)));
+  return json.dump();
+}
+
+std::optional<PreparedProblem> read_prepared_problem(std::string_view text) try {
+  const Json json = Json::parse(text);
+  PreparedProblem problem;
+  problem.subject = subject_of(json);
+  problem.object_key = json.at("object");
+  problem.symbol = json.at("symbol");
+  if (json.at("format") != kFormat || !is_key(problem.object_key)) return std::nullopt;
+  problem.variety.alpha = interval_of(json.at("alpha"));
+  for (const Json& variable : json.at("variables")) read_variable(variable, problem);
+  return problem;
+} catch (const std::exception&) {
+  return std::nullopt;
+}
+
+bool fits(const PreparedProblem& problem, const regulus_kernel& kernel) noexcept {
+  const Subject& s = problem.subject;
+  const auto motion = std::ranges::count(s.variables, VariableKind::kMotion, &VariableLabel::kind);
+  return kernel.variables == s.variables.size() && kernel.motion_variables == unsigned(motion) &&
+         kernel.rows == unsigned(s.rows) && kernel.columns == unsigned(s.columns) &&
+         kernel.constraints == s.constraints && kernel.pose_parameters == s.pose.size();
+}
+
+}  // namespace regulus::codegen

@@ -1,0 +1,46 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// A problem as the symbolic stage leaves it, kept in the cache beside the object of its kernel: a
+// later run of the same program on the same question then starts with the search.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <string_view>
+
+#include "regulus/codegen/driver/options.hpp"
+#include "regulus/codegen/driver/subject.hpp"
+#include "regulus/codegen/driver/variety.hpp"
+#include "regulus/kernel/abi.hpp"
+#include "regulus/kernel/isa.hpp"
+
+namespace regulus::codegen {
+
+struct PreparedProblem {
+  Subject subject;
+  Variety variety;
+  std::string object_key;  ///< of the kernel's object in the cache
+  std::string symbol;      ///< of the kernel in the object
+};
+
+/// The name of a prepared problem in the cache.
+///
+/// Shape     64 hexadecimal digits.
+/// Requires  `program` and `compiler` change whenever either may make something else of a question.
+/// Ensures   two questions that differ in a byte of the model file, in the motion or any change to
+///           it, in a function that is formed or a way of forming it, in the instruction set, the
+///           program or the compiler have different keys, up to collisions of SHA-256; the key of
+///           no object is among them.
+[[nodiscard]] std::string prepared_problem_key(std::string_view model_text,
+                                               const ModelOptions& model,
+                                               const FormulationOptions& functions, Isa isa,
+                                               std::string_view program, std::string_view compiler);
+
+/// Bounds are hexadecimal: they are read back as they were.
+[[nodiscard]] std::string to_text(const PreparedProblem& problem);
+/// nullopt unless the text is one that to_text wrote.
+[[nodiscard]] std::optional<PreparedProblem> read_prepared_problem(std::string_view text);
+
+/// Whether a kernel is of the problem's sizes.
+[[nodiscard]] bool fits(const PreparedProblem& problem, const regulus_kernel& kernel) noexcept;
+
+}  // namespace regulus::codegen

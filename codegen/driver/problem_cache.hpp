@@ -1,0 +1,38 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <optional>
+#include <string>
+#include <string_view>
+
+#include "regulus/codegen/driver/prepared_problem.hpp"
+#include "regulus/codegen/jit/jit.hpp"
+
+namespace regulus::codegen {
+
+/// The place in the cache of one question's prepared problem and kernel. Rules of trust are those
+/// of ObjectCache; what is damaged, or was made by another program, is as good as absent.
+class ProblemCache {
+ public:
+  ProblemCache(std::string_view model_text, const ModelOptions& model,
+               const FormulationOptions& functions, Isa isa);
+
+  struct Found {
+    PreparedProblem problem;
+    CompiledKernel kernel;
+  };
+  /// nullopt also when the object of the kernel is gone.
+  [[nodiscard]] std::optional<Found> find();
+  /// Why an entry that is there was not used; empty if that did not happen.
+  [[nodiscard]] const std::string& note() const noexcept { return note_; }
+
+  /// A problem that cannot be kept is prepared again the next time.
+  void keep(const PreparedProblem& problem) const;
+
+ private:
+  ObjectCache cache_;
+  std::string key_;
+  std::string note_;
+};
+
+}  // namespace regulus::codegen

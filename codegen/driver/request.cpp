@@ -1,0 +1,38 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "regulus/codegen/driver/request.hpp"
+
+#include "regulus/codegen/model/model_file.hpp"
+#include "regulus/codegen/model/overrides.hpp"
+
+namespace regulus::codegen {
+
+std::pair<std::string, std::string> split_assignment(const std::string& text, const char* option) {
+  const std::size_t equals = text.find('=');
+  if (equals == std::string::npos || equals == 0)
+    throw UsageError(std::string(option) + ": found '" + text + "', expected NAME=VALUE");
+  return {text.substr(0, equals), text.substr(equals + 1)};
+}
+
+Request read_request(const ModelOptions& options) {
+  return read_request(read_model_text(options.path), options);
+}
+
+Request read_request(std::string_view text, const ModelOptions& options) {
+  Request request;
+  request.model = parse_model(text, options.path);
+  request.model.path = options.path;
+  for (const std::string& tolerance : options.tolerances) {
+    const auto [groups, value] = split_assignment(tolerance, "--tolerance");
+    from_option("--tolerance", [&] { set_tolerance(request.model, groups, value); });
+  }
+  from_option("MOTION", [&] { request.motion = find_motion(request.model, options.motion); });
+  for (const std::string& range : options.ranges) {
+    const auto [parameter, value] = split_assignment(range, "--range");
+    from_option("--range", [&] { set_range(request.model, request.motion, parameter, value); });
+  }
+  if (!options.alpha.empty())
+    from_option("--alpha", [&] { set_alpha(request.motion, options.alpha); });
+  return request;
+}
+
+}  // namespace regulus::codegen

@@ -1,0 +1,47 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// A model and one of its motions, with the changes that a command line makes to them.
+#pragma once
+
+#include <stdexcept>
+#include <string>
+#include <string_view>
+#include <utility>
+
+#include "regulus/codegen/driver/options.hpp"
+#include "regulus/codegen/model/errors.hpp"
+#include "regulus/codegen/model/model.hpp"
+
+namespace regulus::codegen {
+
+/// Something wrong with a command line that only the model can tell (an unknown motion, say).
+class UsageError : public std::runtime_error {
+ public:
+  using std::runtime_error::runtime_error;
+};
+
+/// A model and the one motion to look at, with the command line's changes made.
+struct Request {
+  Model model;
+  Motion motion;
+};
+
+/// Throws InputError or FileError for the file, UsageError for the options.
+[[nodiscard]] Request read_request(const ModelOptions& options);
+/// The same where the bytes of the file have been read.
+[[nodiscard]] Request read_request(std::string_view text, const ModelOptions& options);
+
+/// "GROUP=VALUE" in two. Throws UsageError naming the option.
+[[nodiscard]] std::pair<std::string, std::string> split_assignment(const std::string& text,
+                                                                   const char* option);
+
+/// Runs an override; its complaints are about the command line, not about the model file.
+template <class Change>
+void from_option(const char* option, Change change) {
+  try {
+    change();
+  } catch (const InputError& error) {
+    throw UsageError(std::string(option) + ": " + error.what());
+  }
+}
+
+}  // namespace regulus::codegen

@@ -1,0 +1,21 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "regulus/codegen/driver/subject.hpp"
+
+namespace regulus::codegen {
+
+Subject subject_of(const Request& request, const Formulation& formulation) {
+  Subject subject;
+  subject.model = request.model.name;
+  subject.model_sha256 = request.model.sha256;
+  subject.motion = request.motion.name;
+  subject.rows = formulation.rows;
+  subject.columns = formulation.columns;
+  subject.constraints = request.motion.constraints.size();
+  for (const PoseParameter& p : request.model.pose) subject.pose.push_back({p.name, p.unit});
+  subject.twist = request.model.twist;
+  for (const Variable& v : formulation.variables)
+    subject.variables.push_back({v.name, v.unit, v.kind});
+  return subject;
+}
+
+}  // namespace regulus::codegen

@@ -1,0 +1,41 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What a report calls things: names, units and sizes, and no expression, so that they can be kept
+// in a file.
+#pragma once
+
+#include <cstddef>
+#include <string>
+#include <vector>
+
+#include "regulus/codegen/driver/request.hpp"
+#include "regulus/codegen/symbolic/formulation.hpp"
+
+namespace regulus::codegen {
+
+struct PoseLabel {
+  std::string name;
+  std::string unit;
+};
+
+struct VariableLabel {
+  std::string name;
+  std::string unit;
+  VariableKind kind = VariableKind::kMotion;
+};
+
+/// What is searched, as a report speaks of it.
+struct Subject {
+  std::string model;
+  std::string model_sha256;
+  std::string motion;
+  int rows = 0;
+  int columns = 0;
+  std::size_t constraints = 0;
+  std::vector<PoseLabel> pose;
+  std::vector<TwistComponent> twist;
+  std::vector<VariableLabel> variables;  ///< the inputs of every function of the kernel
+};
+
+[[nodiscard]] Subject subject_of(const Request& request, const Formulation& formulation);
+
+}  // namespace regulus::codegen

@@ -1,0 +1,53 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "regulus/codegen/driver/symbolic_stages.hpp"
+
+namespace regulus::codegen {
+namespace {
+
+FormulationOptions no_functions(const FormulationOptions& functions) {
+  FormulationOptions options;
+  options.rewriting = functions.rewriting;
+  options.matrix = options.matrix_derivatives = options.left_product = false;
+  options.derivatives = options.right_product = false;
+  return options;
+}
+
+Program matrix_of(const Formulation& outline) {
+  Formulation f;
+  f.variables = outline.variables;
+  f.rows = outline.rows;
+  f.columns = outline.columns;
+  f.matrix = outline.natural_matrix;
+  f.must_be_defined = outline.must_be_defined;
+  return lower(f).find("matrix")->program;
+}
+
+}  // namespace
+
+const Request& SymbolicStages::request() {
+  return made(request_, model_seconds_, [&] { return read_request(text_, options_); });
+}
+
+const Formulation& SymbolicStages::outline() {
+  const Request& of = request();
+  return made(outline_, symbolic_seconds_,
+              [&] { return formulate(of.model, of.motion, no_functions(functions_)); });
+}
+
+const Program& SymbolicStages::matrix() {
+  const Formulation& of = outline();
+  return made(matrix_, symbolic_seconds_, [&] { return matrix_of(of); });
+}
+
+const Formulation& SymbolicStages::formulation() {
+  const Request& of = request();
+  return made(formulation_, symbolic_seconds_,
+              [&] { return formulate(of.model, of.motion, functions_); });
+}
+
+const Module& SymbolicStages::module() {
+  const Formulation& of = formulation();
+  return made(module_, symbolic_seconds_, [&] { return lower(of); });
+}
+
+}  // namespace regulus::codegen

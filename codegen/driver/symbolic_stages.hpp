@@ -1,0 +1,64 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The stages between the bytes of a model file and the programs of a kernel.
+#pragma once
+
+#include <optional>
+#include <string>
+
+#include "regulus/codegen/driver/request.hpp"
+#include "regulus/codegen/driver/stopwatch.hpp"
+#include "regulus/codegen/program/module.hpp"
+#include "regulus/codegen/symbolic/formulation.hpp"
+
+namespace regulus::codegen {
+
+/// Each stage runs when its result is first asked for: a kernel from the cache needs none of them
+/// until a report has to say what only the expressions can tell. Not for two threads at once.
+///
+/// Throws, where a stage runs: InputError, UsageError, ClosedFormError.
+class SymbolicStages {
+ public:
+  /// `text`: the bytes of the model file.
+  SymbolicStages(std::string text, ModelOptions options, const FormulationOptions& functions)
+      : text_(std::move(text)), options_(std::move(options)), functions_(functions) {}
+  /// Of a request that has been read, which took `model_seconds`.
+  SymbolicStages(Request request, double model_seconds, const FormulationOptions& functions)
+      : functions_(functions), request_(std::move(request)), model_seconds_(model_seconds) {}
+
+  [[nodiscard]] const Request& request();
+  /// The model over its motion without the functions of a kernel, which take most of the time.
+  /// Witnesses and reports go by it, so that they are the same however the kernel came about.
+  [[nodiscard]] const Formulation& outline();
+  /// The program of the matrix as the model writes it.
+  [[nodiscard]] const Program& matrix();
+  /// With every function of the kernel.
+  [[nodiscard]] const Formulation& formulation();
+  [[nodiscard]] const Module& module();
+
+  /// What has been spent so far.
+  [[nodiscard]] double model_seconds() const noexcept { return model_seconds_; }
+  [[nodiscard]] double symbolic_seconds() const noexcept { return symbolic_seconds_; }
+  [[nodiscard]] double seconds() const noexcept { return model_seconds_ + symbolic_seconds_; }
+
+ private:
+  template <class Result, class Make>
+  const Result& made(std::optional<Result>& result, double& seconds, Make make) {
+    if (result) return *result;
+    Stopwatch watch;
+    result.emplace(make());
+    seconds += watch.lap();
+    return *result;
+  }
+
+  std::string text_;
+  ModelOptions options_;
+  FormulationOptions functions_;
+  std::optional<Request> request_;
+  std::optional<Formulation> outline_, formulation_;
+  std::optional<Program> matrix_;
+  std::optional<Module> module_;
+  double model_seconds_ = 0;
+  double symbolic_seconds_ = 0;
+};
+
+}  // namespace regulus::codegen

@@ -1,0 +1,88 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The command with a cache of its own, and a look into that.
+#pragma once
+
+#include <cstdlib>
+#include <filesystem>
+#include <fstream>
+#include <iterator>
+#include <nlohmann/json.hpp>
+#include <string>
+#include <vector>
+
+#include "regulus/codegen/jit/cache_entry.hpp"
+#include "support/command.hpp"
+#include "support/temporary_directory.hpp"
+
+namespace regulus::test {
+
+inline std::string file_contents(const std::filesystem::path& path) {
+  std::ifstream file(path, std::ios::binary);
+  return {std::istreambuf_iterator<char>(file), {}};
+}
+
+inline void write_file(const std::filesystem::path& path, const std::string& contents) {
+  std::ofstream(path, std::ios::binary) << contents;
+}
+
+/// While it lives, commands keep what they make in an empty directory.
+class CachedCommand {
+ public:
+  CachedCommand() { setenv("XDG_CACHE_HOME", directory_.path().c_str(), 1); }
+  ~CachedCommand() { unsetenv("XDG_CACHE_HOME"); }
+  CachedCommand(const CachedCommand&) = delete;
+  CachedCommand& operator=(const CachedCommand&) = delete;
+
+  [[nodiscard]] static std::vector<std::string> words(std::vector<std::string> arguments) {
+    arguments.insert(arguments.begin(), REGULUS_BINARY_DIR "/bin/regulus");
+    return arguments;
+  }
+  [[nodiscard]] CommandResult run(std::vector<std::string> arguments) const {
+    return run_command(words(std::move(arguments)));
+  }
+  [[nodiscard]] nlohmann::json report(std::vector<std::string> arguments) const {
+    arguments.emplace_back("--json");
+    return nlohmann::json::parse(run(std::move(arguments)).output);
+  }
+
+  /// The files that hold a prepared problem, and those that hold objects.
+  [[nodiscard]] std::vector<std::filesystem::path> problems() const { return entries(true); }
+  [[nodiscard]] std::vector<std::filesystem::path> objects() const { return entries(false); }
+
+ private:
+  [[nodiscard]] std::vector<std::filesystem::path> entries(bool problems) const {
+    std::vector<std::filesystem::path> found;
+    if (!std::filesystem::exists(directory_.path() / "regulus")) return found;
+    for (const auto& file : std::filesystem::directory_iterator(directory_.path() / "regulus")) {
+      const std::string bytes = file_contents(file.path());
+      const std::size_t begin = sizeof(codegen::CacheEntryHeader);
+      if ((bytes.size() > begin && bytes[begin] == '{') == problems) found.push_back(file.path());
+    }
+    return found;
+  }
+
+  TemporaryDirectory directory_;
+};
+
+/// A report without what may differ from run to run.
+inline nlohmann::json timeless(nlohmann::json report) {
+  report.erase("seconds");
+  report.erase("cache");
+  return report;
+}
+
+/// The same for the lines that people read.
+inline std::string timeless(const std::string& lines) {
+  std::string kept;
+  for (std::size_t begin = 0; begin < lines.size();) {
+    const std::size_t end = std::min(lines.find('\n', begin), lines.size() - 1) + 1;
+    std::string line = lines.substr(begin, end - begin);
+    begin = end;
+    if (line.starts_with("time ")) continue;
+    if (line.starts_with("method ")) line = line.substr(0, line.find("cache"));
+    kept += line;
+  }
+  return kept;
+}
+
+}  // namespace regulus::test

@@ -1,0 +1,194 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What is kept between runs: its key names every part of the question, its text loses nothing.
+#include "regulus/codegen/driver/prepared_problem.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <bit>
+#include <cmath>
+#include <functional>
+#include <limits>
+#include <set>
+
+#include "regulus/codegen/driver/program_identity.hpp"
+#include "support/random_source.hpp"
+
+namespace regulus::codegen {
+namespace {
+
+struct Question {
+  std::string text = "x = 0.25";
+  ModelOptions model{"a.toml", "small", {"x=0:1", "y=0:1"}, {"base=0.1"}, "2"};
+  FormulationOptions functions;
+  Isa isa = Isa::kPortable;
+  std::string program = "program", compiler = "compiler";
+
+  [[nodiscard]] std::string key() const {
+    return prepared_problem_key(text, model, functions, isa, program, compiler);
+  }
+};
+
+TEST(PreparedProblemKey, ChangesWithEveryPartOfTheQuestion) {
+  const std::function<void(Question&)> changes[] = {
+      [](Question& q) { q.text = "x = 0.26"; },
+      [](Question& q) { q.model.motion = "large"; },
+      [](Question& q) { q.model.ranges = {"x=0:1"}; },
+      [](Question& q) { q.model.ranges = {"x=0:1y=0:1"}; },
+      [](Question& q) {
+        q.model.ranges = {"y=0:1", "x=0:1"};
+      },
+      [](Question& q) {
+        q.model.ranges = {"x=0:1", "y=0:1", "base=0.1"}, q.model.tolerances = {};
+      },
+      [](Question& q) { q.model.tolerances = {"base=0.2"}; },
+      [](Question& q) { q.model.tolerances = {}; },
+      [](Question& q) { q.model.alpha = "3"; },
+      [](Question& q) { q.model.alpha = ""; },
+      [](Question& q) { q.functions.matrix ^= true; },
+      [](Question& q) { q.functions.matrix_derivatives ^= true; },
+      [](Question& q) { q.functions.left_product ^= true; },
+      [](Question& q) { q.functions.derivatives ^= true; },
+      [](Question& q) { q.functions.right_product ^= true; },
+      [](Question& q) { q.functions.determinant ^= true; },
+      [](Question& q) { q.functions.determinant_budget += 1; },
+      [](Question& q) { q.functions.expansion = ExpansionForm::kAtNominal; },
+      [](Question& q) { q.functions.expansion = ExpansionForm::kAtBox; },
+      [](Question& q) { q.functions.rows ^= true; },
+      [](Question& q) { q.functions.columns = ColumnSearch::kFirstOrder; },
+      [](Question& q) { q.functions.columns = ColumnSearch::kSecondOrder; },
+      [](Question& q) { q.functions.rewriting.rewrite ^= true; },
+      [](Question& q) { q.functions.rewriting.horner ^= true; },
+      [](Question& q) { q.functions.rewriting.trigonometric ^= true; },
+      [](Question& q) { q.functions.rewriting.nesting.factor ^= true; },
+      [](Question& q) { q.functions.rewriting.nesting.complete_squares ^= true; },
+      [](Question& q) { q.functions.rewriting.weights["x"] = 2; },
+      [](Question& q) { q.isa = Isa::kAvx2; },
+      [](Question& q) { q.isa = Isa::kAvx512; },
+      [](Question& q) { q.program = "another program"; },
+      [](Question& q) { q.compiler = "another compiler"; },
+      [](Question& q) { q.program = "programc", q.compiler = "ompiler"; },
+  };
+  std::set<std::string> keys{Question{}.key()};
+  for (std::size_t i = 0; i < std::size(changes); ++i) {
+    Question question;
+    changes[i](question);
+    EXPECT_TRUE(keys.insert(question.key()).second) << "change " << i;
+  }
+}
+
+TEST(PreparedProblemKey, DoesNotDependOnWhereTheModelLies) {
+  Question moved;
+  moved.model.path = "b.toml";
+  EXPECT_EQ(moved.key(), Question{}.key());
+}
+
+TEST(ProgramIdentity, HoldsTheBuildOfTheProgramAndOfItsLibraries) {
+  const std::string identity = program_identity();
+  EXPECT_EQ(identity, program_identity());
+  EXPECT_GE(std::count(identity.begin(), identity.end(), '\n'), 3);
+  EXPECT_GE(identity.find('\n'), 32U) << identity;
+}
+
+PreparedProblem example() {
+  PreparedProblem p;
+  p.subject.model = "roböt \"1\"\n";
+  p.subject.model_sha256 = std::string(64, 'e');
+  p.subject.motion = "small";
+  p.subject.rows = 7;
+  p.subject.columns = 6;
+  p.subject.constraints = 2;
+  p.subject.pose = {{"x", "cm"}, {"phi", "rad"}};
+  p.subject.twist = {{TwistComponent::Kind::kLinear, "vx", "cm"},
+                     {TwistComponent::Kind::kAngular, "wz", "rad"}};
+  p.subject.variables = {{"t", "1", VariableKind::kMotion},
+                         {"b_1", "cm", VariableKind::kGeometry},
+                         {"error_x", "cm", VariableKind::kControl}};
+  p.variety.outer = {{-0.0, 0x1.8p-900}, {0.1, 0.3}, {-1e300, 1e300}};
+  p.variety.inner = {Interval{0.0, 0.0}, std::nullopt, Interval{-1, 1}};
+  p.variety.alpha = {1.0 / 3, std::nextafter(1.0 / 3, 1.0)};
+  p.object_key = std::string(64, '7');
+  p.symbol = "regulus_kernel_42";
+  return p;
+}
+
+bool same_bits(double a, double b) {
+  return std::bit_cast<std::uint64_t>(a) == std::bit_cast<std::uint64_t>(b);
+}
+
+void expect_same(const Interval& a, const Interval& b) {
+  EXPECT_TRUE(same_bits(a.lo, b.lo) && same_bits(a.hi, b.hi)) << a.lo << ' ' << a.hi;
+}
+
+TEST(PreparedProblem, IsReadBackAsItWas) {
+  const PreparedProblem before = example();
+  const auto after = read_prepared_problem(to_text(before));
+  ASSERT_TRUE(after);
+  EXPECT_EQ(after->subject.model, before.subject.model);
+  EXPECT_EQ(after->subject.twist.at(1).kind, TwistComponent::Kind::kAngular);
+  EXPECT_EQ(after->subject.variables.at(2).kind, VariableKind::kControl);
+  EXPECT_EQ(to_text(*after), to_text(before));
+  EXPECT_EQ(after->object_key, before.object_key);
+  EXPECT_EQ(after->symbol, before.symbol);
+  expect_same(after->variety.alpha, before.variety.alpha);
+  ASSERT_EQ(after->variety.outer.size(), 3U);
+  ASSERT_EQ(after->variety.inner.size(), 3U);
+  for (std::size_t k = 0; k < 3; ++k) {
+    expect_same(after->variety.outer[k], before.variety.outer[k]);
+    ASSERT_EQ(after->variety.inner[k].has_value(), before.variety.inner[k].has_value());
+    if (before.variety.inner[k]) expect_same(*after->variety.inner[k], *before.variety.inner[k]);
+  }
+}
+
+TEST(PreparedProblem, KeepsEveryBoundToTheLastBit) {
+  test::RandomSource random(20070601);
+  for (int i = 0; i < 2000; ++i) {
+    PreparedProblem before = example();
+    double bound = std::bit_cast<double>(random.next());
+    if (!std::isfinite(bound)) continue;
+    before.variety.outer[0] = {std::min(bound, 0.0), std::max(bound, 0.0)};
+    const auto after = read_prepared_problem(to_text(before));
+    ASSERT_TRUE(after);
+    expect_same(after->variety.outer[0], before.variety.outer[0]);
+  }
+}
+
+TEST(PreparedProblem, IsNotReadFromAnythingElse) {
+  const std::string text = to_text(example());
+  ASSERT_TRUE(read_prepared_problem(text));
+  for (std::size_t size = 0; size < text.size(); ++size)
+    EXPECT_FALSE(read_prepared_problem(text.substr(0, size))) << size;
+  const auto with = [&text](const std::string& from, const std::string& to) {
+    std::string other = text;
+    const std::size_t at = other.find(from);
+    EXPECT_NE(at, std::string::npos) << from;
+    return other.replace(at, from.size(), to);
+  };
+  EXPECT_FALSE(read_prepared_problem(with("\"format\":1", "\"format\":2")));
+  EXPECT_FALSE(read_prepared_problem(with(std::string(64, '7'), "../" + std::string(61, '7'))));
+  EXPECT_FALSE(read_prepared_problem(with("\"inner\"", "\"other\"")));
+  EXPECT_FALSE(read_prepared_problem(with("0x1.8p-900", "-0x1p+0"))) << "bounds in wrong order";
+  EXPECT_FALSE(read_prepared_problem(with("0x1.8p-900", "nan")));
+  EXPECT_FALSE(read_prepared_problem(with("0x1.8p-900", "0x1.8p-900 ")));
+}
+
+TEST(PreparedProblem, FitsAKernelOfItsSizesOnly) {
+  regulus_kernel kernel{};
+  kernel.variables = 3;
+  kernel.motion_variables = 1;
+  kernel.rows = 7;
+  kernel.columns = 6;
+  kernel.constraints = 2;
+  kernel.pose_parameters = 2;
+  EXPECT_TRUE(fits(example(), kernel));
+  for (unsigned regulus_kernel::*member :
+       {&regulus_kernel::variables, &regulus_kernel::motion_variables, &regulus_kernel::rows,
+        &regulus_kernel::columns, &regulus_kernel::constraints, &regulus_kernel::pose_parameters}) {
+    regulus_kernel other = kernel;
+    ++(other.*member);
+    EXPECT_FALSE(fits(example(), other));
+  }
+}
+
+}  // namespace
+}  // namespace regulus::codegen
