@@ -131,7 +131,7 @@ Json json_margin(const Preparation& p, const SearchOptions& search, const Margin
   report["boxes"] = margin.boxes;
   report["steps"] = json_steps(margin);
   report["bits"] = p.bits;
-  report["engine"] = search.engine == Engine::kInterpreted ? "interpreted" : "jit";
+  report["engine"] = engine_name(search);
   report["isa"] = name(p.isa);
   report["cache"] = p.cache;
   report["seconds"] = json_seconds(p.seconds_spent());

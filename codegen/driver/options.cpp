@@ -121,10 +121,13 @@ void add_search_options(CLI::App& app, SearchOptions& options) {
       ->expected(1)
       ->check(CLI::IsMember(ingredient_names()).description(""))
       ->type_name("NAME");
-  const std::map<std::string, Engine> engines{{"jit", Engine::kJit},
-                                              {"interpreted", Engine::kInterpreted}};
-  app.add_option("--engine", options.engine, "How the model's functions run")
-      ->transform(CLI::CheckedTransformer(engines).description("{jit,interpreted}"));
+  const std::map<std::string, Engine> engines{
+      {"auto", Engine::kAuto}, {"jit", Engine::kJit}, {"interpreted", Engine::kInterpreted}};
+  app.add_option(
+         "--engine", options.engine,
+         "How the model's functions run: compiled (jit), interpreted, or interpreted until the "
+         "compiler, running beside the search, is done (auto)")
+      ->transform(CLI::CheckedTransformer(engines).description("{auto,jit,interpreted}"));
   app.add_option("--isa", options.isa,
                  "Instruction set of the kernel; the best the CPU has by default")
       ->check(CLI::IsMember({"avx512", "avx2", "portable"}));

@@ -12,7 +12,8 @@
 
 namespace regulus::codegen {
 
-enum class Engine { kJit, kInterpreted };
+/// kAuto: interpreted until the compiler, which runs meanwhile, is done.
+enum class Engine { kAuto, kJit, kInterpreted };
 
 /// `--tolerance base,platform=0.1`
 struct ToleranceOption {

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "regulus/codegen/driver/pipeline.hpp"
 
+#include <functional>
+
 #include "regulus/codegen/driver/ingredients.hpp"
 #include "regulus/codegen/driver/problem_cache.hpp"
 #include "regulus/codegen/driver/settings.hpp"
@@ -78,19 +80,45 @@ void use(CompiledKernel code, Preparation& p) {
   p.kernel = std::make_unique<CompiledCode>(std::move(code));
 }
 
-/// Returns what the cache calls the kernel.
-KernelPlace compile(Preparation& p, const SearchOptions& search) {
+/// Is told where the cache has a kernel.
+using Keep = std::function<void(const KernelPlace&)>;
+
+void compile(const EmittedKernel& text, Preparation& p, const SearchOptions& search,
+             const Keep& keep) {
+  const CompileOptions options = compile_options(p.isa, search);
+  require_sound_rounding(rounding_self_test(options));
+  CompiledKernel code = compile_kernel(text, options);
+  keep({code.report().object_key, text.symbol});
+  use(std::move(code), p);
+}
+
+/// Has the kernel compiled while it is interpreted, unless the cache has it. Without a cache the
+/// compiler's work would be lost whenever the search is done first: then it is waited for.
+void compile_meanwhile(const EmittedKernel& text, Preparation& p, const SearchOptions& search,
+                       const Keep& keep) {
+  const ObjectCache cache(default_cache_directory());
+  if (!search.use_cache || !cache.refusal().empty() ||
+      load_cached_kernel(cache, kernel_object_key(text, p.isa), text.symbol))
+    return compile(text, p, search, keep);
+  auto kernel = std::make_unique<EngineSwitch>(
+      p.stages->module(), text, compile_options(p.isa, search), [&](const std::string& object_key) {
+        keep({object_key, text.symbol});
+      });
+  p.cache = name(CacheUse::kMiss);
+  p.engine_switch = kernel.get();
+  p.kernel = std::move(kernel);
+}
+
+void compile(Preparation& p, const SearchOptions& search, const Keep& keep) {
   Stopwatch watch;
   p.isa = chosen_isa(search);
   const EmittedKernel text = emit(anonymous(p.stages->module()));
   p.seconds.emit += watch.lap();
-  const CompileOptions options = compile_options(p.isa, search);
-  require_sound_rounding(rounding_self_test(options));
-  CompiledKernel code = compile_kernel(text, options);
-  KernelPlace place{code.report().object_key, text.symbol};
-  use(std::move(code), p);
+  if (search.engine == Engine::kAuto)
+    compile_meanwhile(text, p, search, keep);
+  else
+    compile(text, p, search, keep);
   p.seconds.compile += watch.lap();
-  return place;
 }
 
 void load_filters(Preparation& p, const SearchOptions& search) {
@@ -107,7 +135,7 @@ FormulationOptions functions_for(const SearchOptions& search) {
 }
 
 /// Every stage, one after the other.
-KernelPlace prepare_anew(Preparation& p, const SearchOptions& search) {
+void prepare_anew(Preparation& p, const SearchOptions& search, const Keep& keep) {
   const Request& request = p.stages->request();
   Stopwatch watch;
   load_filters(p, search);
@@ -120,9 +148,10 @@ KernelPlace prepare_anew(Preparation& p, const SearchOptions& search) {
   p.seconds.symbolic += watch.lap();
   require_sound_rounding(self_test(Isa::kPortable));
   p.seconds.compile += watch.lap();
-  if (search.engine != Engine::kInterpreted) return compile(p, search);
-  interpret(p);
-  return {};
+  if (search.engine == Engine::kInterpreted)
+    interpret(p);
+  else
+    compile(p, search, keep);
 }
 
 /// The place of a question in the cache, if it has one. What is wrong with a command line is for
@@ -183,11 +212,11 @@ Preparation prepare(const ModelOptions& model, const SearchOptions& search) {
   p.stages = std::make_unique<SymbolicStages>(std::move(text), model, functions);
   p.seconds.model = watch.lap();
   if (cache && take_from(*cache, p, search)) return p;
-  const KernelPlace kernel = prepare_anew(p, search);
-  if (!cache) return p;
-  if (p.cache_note.empty()) p.cache_note = cache->note();
-  if (!kernel.object_key.empty())
-    cache->keep({p.subject, p.variety, kernel.object_key, kernel.symbol});
+  prepare_anew(p, search, [&](const KernelPlace& kernel) {
+    if (cache && !kernel.object_key.empty())
+      cache->keep({p.subject, p.variety, kernel.object_key, kernel.symbol});
+  });
+  if (cache && p.cache_note.empty()) p.cache_note = cache->note();
   return p;
 }
 
@@ -195,7 +224,9 @@ Preparation prepare(Request request, double model_seconds, const SearchOptions& 
   Preparation p;
   p.stages =
       std::make_unique<SymbolicStages>(std::move(request), model_seconds, functions_for(search));
-  static_cast<void>(prepare_anew(p, search));
+  SearchOptions compiled = search;
+  if (compiled.engine == Engine::kAuto) compiled.engine = Engine::kJit;
+  prepare_anew(p, compiled, [](const KernelPlace&) {});
   return p;
 }
 

@@ -6,7 +6,9 @@
 #include <string>
 #include <vector>
 
+#include "regulus/codegen/driver/engine_switch.hpp"
 #include "regulus/codegen/driver/filter_file.hpp"
+#include "regulus/codegen/driver/loaded_kernel.hpp"
 #include "regulus/codegen/driver/options.hpp"
 #include "regulus/codegen/driver/request.hpp"
 #include "regulus/codegen/driver/stopwatch.hpp"
@@ -15,7 +17,6 @@
 #include "regulus/codegen/driver/variety.hpp"
 #include "regulus/codegen/emit/emitted_kernel.hpp"
 #include "regulus/codegen/symbolic/formulation.hpp"
-#include "regulus/kernel/abi.hpp"
 #include "regulus/kernel/isa.hpp"
 #include "regulus/search/problem.hpp"
 
@@ -30,14 +31,10 @@ struct StageSeconds {
   double search = 0;
 };
 
-/// Keeps what a kernel's functions need: compiled code, or programs to interpret.
-class LoadedKernel {
- public:
-  LoadedKernel() = default;
-  LoadedKernel(const LoadedKernel&) = delete;
-  LoadedKernel& operator=(const LoadedKernel&) = delete;
-  virtual ~LoadedKernel() = default;
-  [[nodiscard]] virtual const regulus_kernel& functions() const noexcept = 0;
+/// How many boxes each engine evaluated.
+struct EngineBoxes {
+  std::uint64_t interpreted = 0;
+  std::uint64_t compiled = 0;
 };
 
 /// Everything a check needs, and what the report says about how it came about.
@@ -45,11 +42,13 @@ struct Preparation {
   Subject subject;
   Variety variety;
   std::unique_ptr<LoadedKernel> kernel;
-  std::vector<FilterFile> filters;  ///< in the order of Settings::filters
+  EngineSwitch* engine_switch = nullptr;  ///< the kernel, if that may change during the search
+  std::vector<FilterFile> filters;        ///< in the order of Settings::filters
   Isa isa = Isa::kPortable;
-  std::string cache;       ///< "hit", "miss" or "off"
-  std::string cache_note;  ///< why the cache could not be used; empty if it could
-  long bits = 53;          ///< the most that the search computed with
+  std::string cache;         ///< "hit", "miss" or "off"
+  std::string cache_note;    ///< why the cache could not be used; empty if it could
+  EngineBoxes engine_boxes;  ///< of the last search
+  long bits = 53;            ///< the most that the search computed with
   /// Without what `stages` has spent, which may still be going to be more.
   StageSeconds seconds;
   std::unique_ptr<SymbolicStages> stages;
@@ -63,7 +62,8 @@ struct Preparation {
 /// Runs every stage up to the search, or takes what an earlier run has kept of them. Throws
 /// FileError, InputError, ClosedFormError, CompileError and InternalError too.
 [[nodiscard]] Preparation prepare(const ModelOptions& model, const SearchOptions& search);
-/// The same for a request that has been read, which took `model_seconds`.
+/// The same for a request that has been read, which took `model_seconds`; the engine `auto` is the
+/// compiler here.
 [[nodiscard]] Preparation prepare(Request request, double model_seconds,
                                   const SearchOptions& search);
 

@@ -123,7 +123,8 @@ Json json_report(const Preparation& p, const SearchOptions& search, const Result
   if (nearest) report["nearest_singular"] = json_nearest(p, *nearest);
   if (result.reason == Reason::kUndefined && !result.blocking_box.empty())
     report["undefined"] = json_undefined(p, find_undefined(p, result.blocking_box));
-  report["engine"] = search.engine == Engine::kInterpreted ? "interpreted" : "jit";
+  report["engine"] = engine_name(search);
+  report["engine_boxes"] = json_engine_boxes(p.engine_boxes);
   report["isa"] = name(p.isa);
   report["cache"] = p.cache;
   report["threads"] = settings_from(search).threads;

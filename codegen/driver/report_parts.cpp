@@ -69,7 +69,13 @@ std::string pose_line_of(const Preparation& p, std::span<const Interval> pose,
 
 std::string engine_words(const Preparation& p, const SearchOptions& search) {
   if (search.engine == Engine::kInterpreted) return "interpreted";
-  return fmt::format("compiled for {}, cache {}", name(p.isa), p.cache);
+  const std::string compiled = fmt::format("compiled for {}, cache {}", name(p.isa), p.cache);
+  if (p.engine_switch == nullptr) return compiled;
+  if (p.engine_switch->switched())
+    return fmt::format("interpreted for {} boxes, then {}", p.engine_boxes.interpreted, compiled);
+  const std::string& failure = p.engine_switch->failure();
+  return failure.empty() ? "interpreted: the compiler was not done before the search"
+                         : "interpreted: there is no compiled kernel, " + failure;
 }
 
 }  // namespace
@@ -108,6 +114,22 @@ const char* json_name(Verdict verdict) {
       return "possible-problem";
   }
   return "";
+}
+
+const char* engine_name(const SearchOptions& search) {
+  switch (search.engine) {
+    case Engine::kAuto:
+      return "auto";
+    case Engine::kJit:
+      return "jit";
+    case Engine::kInterpreted:
+      return "interpreted";
+  }
+  return "";
+}
+
+Json json_engine_boxes(const EngineBoxes& boxes) {
+  return {{"interpreted", boxes.interpreted}, {"compiled", boxes.compiled}};
 }
 
 std::string short_interval(const Interval& x) {

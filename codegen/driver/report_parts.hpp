@@ -24,6 +24,8 @@ namespace regulus::codegen {
                                                std::span<const Interval> pose);
 [[nodiscard]] nlohmann::ordered_json json_seconds(const StageSeconds& seconds);
 [[nodiscard]] const char* json_name(Verdict verdict);
+[[nodiscard]] const char* engine_name(const SearchOptions& search);
+[[nodiscard]] nlohmann::ordered_json json_engine_boxes(const EngineBoxes& boxes);
 
 /// Short enough to read; never used for anything that is certified.
 [[nodiscard]] std::string short_interval(const Interval& x);

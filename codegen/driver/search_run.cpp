@@ -71,6 +71,14 @@ Result with_oracle(Preparation& preparation, const SearchOptions& search, Settin
   return result;
 }
 
+EngineBoxes engine_boxes(const Preparation& p, const SearchOptions& search, std::uint64_t boxes) {
+  if (search.engine == Engine::kInterpreted) return {boxes, 0};
+  if (p.engine_switch == nullptr) return {0, boxes};
+  if (!p.engine_switch->switched()) return {boxes, 0};
+  const std::uint64_t interpreted = p.engine_switch->interpreted_boxes();
+  return {interpreted, boxes - interpreted};
+}
+
 }  // namespace
 
 Result run_search(Preparation& preparation, const SearchOptions& search,
@@ -80,6 +88,7 @@ Result run_search(Preparation& preparation, const SearchOptions& search,
   if (observer != nullptr) watching.push_back(observer);
   std::optional<ProgressDisplay> display;
   if (!output.quiet && isatty(STDERR_FILENO) != 0) watching.push_back(&display.emplace(stderr));
+  if (preparation.engine_switch != nullptr) watching.push_back(preparation.engine_switch);
   Observers observers(std::move(watching));
   const Problem problem = preparation.problem();
   const double before = preparation.stages->seconds();
@@ -87,6 +96,9 @@ Result run_search(Preparation& preparation, const SearchOptions& search,
     return from != nullptr ? resume(problem, settings, from->open(), from->state, &observers)
                            : solve(problem, settings, &observers);
   });
+  preparation.engine_boxes = engine_boxes(preparation, search, result.statistics.boxes);
+  if (preparation.engine_switch != nullptr && settings.interrupt != nullptr && *settings.interrupt)
+    preparation.engine_switch->abandon();
   const double spent_by_stages = preparation.stages->seconds() - before;
   preparation.seconds.search = result.statistics.seconds - spent_by_stages;
   return result;

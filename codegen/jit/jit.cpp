@@ -168,6 +168,10 @@ CompiledKernel compile_kernel(const EmittedKernel& emitted, const CompileOptions
   return {std::move(code), kernel};
 }
 
+std::string kernel_object_key(const EmittedKernel& emitted, Isa isa) {
+  return object_key(kernel_compilation(emitted.source, isa), ClangCompiler().identity());
+}
+
 std::optional<CompiledKernel> load_cached_kernel(const ObjectCache& cache, const std::string& key,
                                                  const std::string& symbol) {
   CompileReport report;

@@ -64,6 +64,9 @@ class CompiledKernel {
 [[nodiscard]] CompiledKernel compile_kernel(const EmittedKernel& emitted,
                                             const CompileOptions& options);
 
+/// What the cache calls the object of a kernel.
+[[nodiscard]] std::string kernel_object_key(const EmittedKernel& emitted, Isa isa);
+
 /// The kernel that an earlier run compiled, by the key that its report gave; nullopt when the cache
 /// has it no longer, or nothing that can be used.
 ///

@@ -1,0 +1,118 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "regulus/codegen/driver/background_compilation.hpp"
+
+#include <fcntl.h>
+#include <poll.h>
+#include <sys/file.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <array>
+#include <cerrno>
+#include <csignal>
+#include <cstring>
+
+#include "regulus/codegen/model/errors.hpp"
+
+namespace regulus::codegen {
+namespace {
+
+// The first letter of the answer; the key of the object, or the reason, follows.
+constexpr char kCompiled = 'k';
+constexpr char kFailed = 'f';
+
+/// Away from the terminal and from whoever reads what this process writes: nobody is to wait for
+/// the end of the other one, and an interrupt is for this one.
+void detach() noexcept {
+  ::setsid();
+  std::signal(SIGPIPE, SIG_IGN);
+  const int nothing = ::open("/dev/null", O_RDWR);
+  if (nothing < 0) ::_exit(1);
+  for (const int stream : {STDIN_FILENO, STDOUT_FILENO, STDERR_FILENO}) ::dup2(nothing, stream);
+}
+
+std::string compile(const EmittedKernel& text, const CompileOptions& options,
+                    const std::function<void(const std::string&)>& after) try {
+  if (const auto fault = rounding_self_test(options))
+    return kFailed + ("the rounding self-test failed: " + *fault);
+  const CompiledKernel kernel = compile_kernel(text, options);
+  after(kernel.report().object_key);
+  return kCompiled + kernel.report().object_key;
+} catch (const std::exception& error) {
+  return kFailed + std::string(error.what());
+}
+
+/// Never returns to what belongs to the process that it was made from: no destructor runs.
+[[noreturn]] void answer_and_exit(int to, const EmittedKernel& text, const CompileOptions& options,
+                                  const std::function<void(const std::string&)>& after) noexcept {
+  detach();
+  const std::string answer = compile(text, options, after);
+  std::size_t done = 0;
+  while (done < answer.size()) {
+    const ssize_t count = ::write(to, answer.data() + done, answer.size() - done);
+    if (count < 0 && errno == EINTR) continue;
+    if (count <= 0) break;
+    done += static_cast<std::size_t>(count);
+  }
+  ::_exit(0);
+}
+
+}  // namespace
+
+BackgroundCompilation::BackgroundCompilation(const EmittedKernel& text,
+                                             const CompileOptions& options,
+                                             const std::function<void(const std::string&)>& after)
+    : symbol_(text.symbol),
+      cache_directory_(options.cache_directory.empty() ? default_cache_directory()
+                                                       : options.cache_directory) {
+  lock_ = FileDescriptor(::open(cache_directory_.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC));
+  std::array<int, 2> ends{};
+  if (::pipe2(ends.data(), O_CLOEXEC) != 0)
+    throw InternalError(std::string("no pipe to the compiler: ") + std::strerror(errno));
+  answer_ = FileDescriptor(ends[0]);
+  const FileDescriptor to(ends[1]);
+  process_ = ::fork();
+  if (process_ == 0) answer_and_exit(to.get(), text, options, after);
+  if (process_ < 0)
+    throw InternalError(std::string("no process for the compiler: ") + std::strerror(errno));
+}
+
+BackgroundCompilation::~BackgroundCompilation() {
+  if (process_ <= 0 || ::waitpid(process_, nullptr, WNOHANG) != 0) return;
+  if (::flock(lock_.get(), LOCK_EX | LOCK_NB) != 0) abandon();
+}
+
+void BackgroundCompilation::abandon() noexcept {
+  if (process_ <= 0) return;
+  ::kill(process_, SIGKILL);
+  ::waitpid(process_, nullptr, 0);
+  process_ = -1;
+}
+
+/// Reads what there is; whether that was the end.
+bool BackgroundCompilation::answered() {
+  while (true) {
+    pollfd ready{answer_.get(), POLLIN, 0};
+    if (::poll(&ready, 1, 0) <= 0) return false;
+    std::array<char, 512> buffer{};
+    const ssize_t count = ::read(answer_.get(), buffer.data(), buffer.size());
+    if (count < 0 && errno == EINTR) continue;
+    if (count <= 0) return true;
+    text_.append(buffer.data(), static_cast<std::size_t>(count));
+  }
+}
+
+std::optional<CompiledKernel> BackgroundCompilation::take() {
+  if (!answer_ || !answered()) return std::nullopt;
+  answer_ = FileDescriptor();
+  const std::string words = text_.empty() ? "it ended without an answer" : text_.substr(1);
+  if (text_.empty() || text_.front() != kCompiled) {
+    failure_ = words;
+    return std::nullopt;
+  }
+  auto kernel = load_cached_kernel(ObjectCache(cache_directory_), words, symbol_);
+  if (!kernel) failure_ = "the cache does not have it";
+  return kernel;
+}
+
+}  // namespace regulus::codegen
