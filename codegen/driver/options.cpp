@@ -125,8 +125,8 @@ void add_search_options(CLI::App& app, SearchOptions& options) {
       {"auto", Engine::kAuto}, {"jit", Engine::kJit}, {"interpreted", Engine::kInterpreted}};
   app.add_option(
          "--engine", options.engine,
-         "How the model's functions run: compiled (jit), interpreted, or interpreted until the "
-         "compiler, running beside the search, is done (auto)")
+         "How the model's functions run: compiled (jit, margin's default), interpreted, or "
+         "interpreted until a compiler beside the search is done (auto, the default of others)")
       ->transform(CLI::CheckedTransformer(engines).description("{auto,jit,interpreted}"));
   app.add_option("--isa", options.isa,
                  "Instruction set of the kernel; the best the CPU has by default")
@@ -225,6 +225,7 @@ CommandLine parse_command_line(int argc, const char* const* argv) {
   app.footer(kExitCodes);
 
   CheckCommand check;
+  check.search.engine = Engine::kAuto;
   CLI::App* check_command =
       app.add_subcommand("check", "Prove that a motion variety has no singular pose, or show one");
   add_model_options(*check_command, check.model);
@@ -236,6 +237,7 @@ CommandLine parse_command_line(int argc, const char* const* argv) {
   check_command->footer(kExitCodes);
 
   LocateCommand locate;
+  locate.search.engine = Engine::kAuto;
   CLI::App* locate_command = app.add_subcommand(
       "locate", "Pave a motion variety: certified free, certified singular, undecided; draw it");
   add_model_options(*locate_command, locate.model);

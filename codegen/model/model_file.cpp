@@ -64,10 +64,13 @@ std::string read_model_text(const std::filesystem::path& path) {
   if (std::filesystem::is_directory(status)) throw fail("it is a directory");
   std::ifstream file(path, std::ios::binary);
   if (!file) throw fail("permission denied");
-  std::string bytes(kLargestModelFile + 1, '\0');
-  file.read(bytes.data(), static_cast<std::streamsize>(bytes.size()));
+  std::string bytes;
+  std::array<char, 16384> part{};
+  while (file && bytes.size() <= kLargestModelFile) {
+    file.read(part.data(), part.size());
+    bytes.append(part.data(), static_cast<std::size_t>(file.gcount()));
+  }
   if (file.bad()) throw fail("read error");
-  bytes.resize(static_cast<std::size_t>(file.gcount()));
   return bytes;
 }
 

@@ -22,7 +22,7 @@ constexpr std::size_t kLargestModelFile = std::size_t{4} << 20;
 /// The same for text that has been read already; path stays empty.
 [[nodiscard]] Model parse_model(std::string_view text, const std::string& name_for_errors);
 
-/// The bytes of a model file; one more than kLargestModelFile of a file that is too large.
+/// The bytes of a model file; some more than kLargestModelFile of a file that is too large.
 /// Throws FileError when it cannot be read.
 [[nodiscard]] std::string read_model_text(const std::filesystem::path& path);
 

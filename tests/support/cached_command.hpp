@@ -2,6 +2,7 @@
 // The command with a cache of its own, and a look into that.
 #pragma once
 
+#include <algorithm>
 #include <cstdlib>
 #include <filesystem>
 #include <fstream>
@@ -33,7 +34,11 @@ class CachedCommand {
   CachedCommand(const CachedCommand&) = delete;
   CachedCommand& operator=(const CachedCommand&) = delete;
 
+  /// With the engine that waits for the compiler, unless another is asked for: what a run keeps is
+  /// then there when it ends.
   [[nodiscard]] static std::vector<std::string> words(std::vector<std::string> arguments) {
+    if (arguments[0] != "verify" && std::ranges::count(arguments, "--engine") == 0)
+      arguments.insert(arguments.end(), {"--engine", "jit"});
     arguments.insert(arguments.begin(), REGULUS_BINARY_DIR "/bin/regulus");
     return arguments;
   }
