@@ -71,12 +71,14 @@ Result with_oracle(Preparation& preparation, const SearchOptions& search, Settin
   return result;
 }
 
-EngineBoxes engine_boxes(const Preparation& p, const SearchOptions& search, std::uint64_t boxes) {
-  if (search.engine == Engine::kInterpreted) return {boxes, 0};
-  if (p.engine_switch == nullptr) return {0, boxes};
-  if (!p.engine_switch->switched()) return {boxes, 0};
-  const std::uint64_t interpreted = p.engine_switch->interpreted_boxes();
-  return {interpreted, boxes - interpreted};
+/// `boxes`: all of a search, of which `earlier` were evaluated before a checkpoint.
+EngineBoxes engine_boxes(const Preparation& p, const SearchOptions& search, std::uint64_t boxes,
+                         std::uint64_t earlier) {
+  if (search.engine == Engine::kInterpreted) return {boxes - earlier, 0};
+  if (p.engine_switch == nullptr) return {0, boxes - earlier};
+  if (!p.engine_switch->switched()) return {boxes - earlier, 0};
+  const std::uint64_t at_switch = p.engine_switch->interpreted_boxes();
+  return {at_switch - earlier, boxes - at_switch};
 }
 
 }  // namespace
@@ -96,7 +98,8 @@ Result run_search(Preparation& preparation, const SearchOptions& search,
     return from != nullptr ? resume(problem, settings, from->open(), from->state, &observers)
                            : solve(problem, settings, &observers);
   });
-  preparation.engine_boxes = engine_boxes(preparation, search, result.statistics.boxes);
+  const std::uint64_t earlier = from != nullptr ? from->state.statistics.boxes : 0;
+  preparation.engine_boxes = engine_boxes(preparation, search, result.statistics.boxes, earlier);
   if (preparation.engine_switch != nullptr && settings.interrupt != nullptr && *settings.interrupt)
     preparation.engine_switch->abandon();
   const double spent_by_stages = preparation.stages->seconds() - before;
