@@ -14,6 +14,7 @@
 #include "regulus/codegen/jit/clang_compiler.hpp"
 #include "regulus/codegen/jit/jit.hpp"
 #include "regulus/codegen/jit/kernel_compilation.hpp"
+#include "regulus/codegen/jit/object_bundle.hpp"
 #include "regulus/interval/x8.hpp"
 #include "regulus/kernel/buffers.hpp"
 
@@ -131,11 +132,18 @@ void add_fractions(const VectorInstructions& counts, const std::vector<Timing>& 
                           "what no order of instructions could make faster is 100 %"));
 }
 
-/// The machine code that `check` would run.
-std::string object_code(const codegen::EmittedKernel& text) {
-  return codegen::ClangCompiler()
-      .compile(codegen::kernel_compilation(text.source, Isa::kAvx512))
-      .object;
+/// The listing of the machine code that `check` would run; nullopt where there is no objdump.
+std::optional<std::string> listing_of(const codegen::EmittedKernel& text) {
+  const std::string bundle = codegen::ClangCompiler()
+                                 .compile(codegen::kernel_compilation(text.source, Isa::kAvx512))
+                                 .object;
+  std::string listing;
+  for (const std::string_view object : codegen::objects_in(bundle)) {
+    const std::optional<std::string> part = disassemble(std::string(object));
+    if (!part) return std::nullopt;
+    listing += *part;
+  }
+  return listing;
 }
 
 }  // namespace
@@ -163,7 +171,7 @@ Section limit_rows() {
       "2 for a sum, 2 for a product with a double, 4 and a minimum and a maximum "
       "for a product of intervals"));
 
-  if (const std::optional<std::string> listing = disassemble(object_code(text))) {
+  if (const std::optional<std::string> listing = listing_of(text)) {
     const VectorInstructions counts = count_instructions(*listing, "left_product");
     add_counts(counts, rows);
     add_fractions(counts, timings, rows);

@@ -16,7 +16,8 @@ struct SearchCase {
   const char* title;
   const char* model;  ///< a path, or below models/ without .toml
   const char* motion;
-  const char* tolerance = "";  ///< of base and platform
+  const char* tolerance = "";    ///< of base and platform
+  double most_microseconds = 0;  ///< the target for a box on the best instruction set; 0: none
 };
 
 /// A search that only has to be started: the kernel is compiled.
