@@ -2,11 +2,13 @@
 #include "regulus/search/round.hpp"
 
 #include <tbb/global_control.h>
+#include <tbb/info.h>
 #include <tbb/parallel_for.h>
 #include <tbb/task_arena.h>
 
 #include <exception>
 #include <new>
+#include <optional>
 
 #include "regulus/kernel/rounding_scope.hpp"
 
@@ -15,9 +17,11 @@ namespace regulus {
 /// Where the threads live; the caller is the first of them.
 class Round::Threads {
  public:
-  explicit Threads(unsigned count)
-      : allowed_(tbb::global_control::max_allowed_parallelism, count),
-        arena_(static_cast<int>(count)) {}
+  explicit Threads(unsigned count) : arena_(static_cast<int>(count)) {
+    // For all of the process: left alone unless more are wanted than it would give.
+    if (static_cast<int>(count) > tbb::info::default_concurrency())
+      allowed_.emplace(tbb::global_control::max_allowed_parallelism, count);
+  }
 
   /// Calls `body(thread, index)` for each index below `count`; thread < the number of threads.
   template <typename Body>
@@ -33,7 +37,7 @@ class Round::Threads {
   }
 
  private:
-  tbb::global_control allowed_;  ///< more than there are processors, if so asked
+  std::optional<tbb::global_control> allowed_;
   tbb::task_arena arena_;
 };
 
