@@ -8,22 +8,15 @@
 
 namespace regulus::codegen {
 
-CertificateFile::CertificateFile(const std::string& path, const Preparation& preparation) {
-  if (path.empty()) return;
-  CertifiedQuestion question = certified_question(preparation);
-  try {
-    writer_.emplace(path, std::move(question));
-  } catch (const std::runtime_error& error) {
-    throw FileError(error.what());
-  }
-}
-
 CertificateFile::CertificateFile(const std::string& path, const Preparation& preparation,
-                                 const CertificateWriter::Partial& partial) {
+                                 const std::optional<CertificateWriter::Partial>& partial) {
   if (path.empty()) return;
   CertifiedQuestion question = certified_question(preparation);
   try {
-    writer_.emplace(path, std::move(question), partial);
+    if (partial)
+      writer_.emplace(path, std::move(question), *partial);
+    else
+      writer_.emplace(path, std::move(question));
   } catch (const std::runtime_error& error) {
     throw FileError(error.what());
   }

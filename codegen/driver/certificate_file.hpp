@@ -14,10 +14,9 @@ namespace regulus::codegen {
 class CertificateFile {
  public:
   /// `path` empty: none is wanted. Throws FileError when it cannot be made, before the search.
-  CertificateFile(const std::string& path, const Preparation& preparation);
-  /// Of a search that may be continued, or continues one.
+  /// `partial`: of a search that may be continued, or continues one.
   CertificateFile(const std::string& path, const Preparation& preparation,
-                  const CertificateWriter::Partial& partial);
+                  const std::optional<CertificateWriter::Partial>& partial = std::nullopt);
 
   /// Watches the search; nullptr if none is wanted.
   [[nodiscard]] Observer* observer() noexcept { return writer_ ? &*writer_ : nullptr; }

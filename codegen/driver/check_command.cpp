@@ -25,12 +25,6 @@ std::optional<LeastSingular> nearest_singular(const Preparation& preparation,
   return approx_least_singular(preparation, result.blocking_box);
 }
 
-CertificateFile certificate_for(const CheckCommand& command, const Preparation& preparation,
-                                const CheckpointFile& checkpoint) {
-  if (!checkpoint.wanted()) return {command.certificate, preparation};
-  return {command.certificate, preparation, checkpoint.partial(command.certificate)};
-}
-
 }  // namespace
 
 int run_check(const CheckCommand& command) {
@@ -41,7 +35,8 @@ int run_check(const CheckCommand& command) {
   for (const FilterFile& filter : preparation.filters)
     settings.filters.push_back(&filter.interface());
   CheckpointFile checkpoint(command.checkpoint, preparation, settings);
-  CertificateFile certificate = certificate_for(command, preparation, checkpoint);
+  CertificateFile certificate(command.certificate, preparation,
+                              checkpoint.partial(command.certificate));
   // The certificate first: what it has is then safe before a checkpoint speaks of it.
   std::vector<Observer*> watching;
   if (certificate.observer() != nullptr) watching.push_back(certificate.observer());

@@ -17,7 +17,8 @@ namespace {
 
 std::string words_of(const Interval& x) { return fmt::format(" {:a}:{:a}", x.lo, x.hi); }
 
-/// Everything that what is known about a box depends on; not how it was found out.
+/// Everything that what is known about a box depends on; not how it was found out. Filters belong
+/// to it, since nobody has checked what they vouched for: whoever goes on must name them, too.
 CheckpointedQuestion question_of(const Preparation& p, const Settings& settings) {
   const regulus_kernel& kernel = p.kernel->functions();
   const bool splits_uncertainty = settings.uncertainty == Uncertainty::kVariables;
@@ -25,6 +26,7 @@ CheckpointedQuestion question_of(const Preparation& p, const Settings& settings)
   for (const Interval& x : p.variety.outer) text += words_of(x);
   text += "\nalpha" + words_of(p.variety.alpha);
   text += splits_uncertainty ? "\nvariables" : "\nelements";
+  for (const FilterFile& filter : p.filters) text += "\nfilter " + filter.sha256();
   CheckpointedQuestion question;
   question.identity = sha256(text);
   question.splittable = splits_uncertainty ? kernel.variables : kernel.motion_variables;
@@ -64,12 +66,14 @@ CheckpointFile::CheckpointFile(const CheckpointOptions& options, const Preparati
   }
 }
 
-CertificateWriter::Partial CheckpointFile::partial(const std::string& certificate) const {
-  if (!found_ || certificate.empty()) return {};
+std::optional<CertificateWriter::Partial> CheckpointFile::partial(
+    const std::string& certificate) const {
+  if (!wanted()) return std::nullopt;
+  if (!found_ || certificate.empty()) return CertificateWriter::Partial{};
   if (!found_->certificate)
     throw InputError(path_, 0, "a checkpoint of a search without --certificate",
                      "the same options as before, or no file");
-  return {found_->certificate, leaves_of(*found_)};
+  return CertificateWriter::Partial{found_->certificate, leaves_of(*found_)};
 }
 
 Observer* CheckpointFile::observer(CertificateWriter* certificate) {

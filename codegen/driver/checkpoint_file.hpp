@@ -22,8 +22,10 @@ class CheckpointFile {
   [[nodiscard]] bool wanted() const noexcept { return !path_.empty(); }
   /// Where the search goes on; nullptr: it starts from the beginning.
   [[nodiscard]] const Checkpoint* found() const noexcept { return found_ ? &*found_ : nullptr; }
-  /// How the certificate goes on. Throws InputError when one is wanted and the checkpoint has none.
-  [[nodiscard]] CertificateWriter::Partial partial(const std::string& certificate) const;
+  /// How the certificate goes on; nullopt: without a checkpoint it does not. Throws InputError when
+  /// one is wanted and the checkpoint found has none.
+  [[nodiscard]] std::optional<CertificateWriter::Partial> partial(
+      const std::string& certificate) const;
 
   /// Watches the search, and tells the certificate to be safe first; nullptr if none is wanted.
   [[nodiscard]] Observer* observer(CertificateWriter* certificate);

@@ -34,9 +34,6 @@ class Kernel {
 
   [[nodiscard]] const regulus_kernel& functions() const noexcept { return *kernel_; }
 
-  /// Entries of K: n·m.
-  [[nodiscard]] unsigned points() const noexcept { return kernel_->rows * kernel_->columns; }
-
   /// Calls one of the kernel's functions on eight boxes.
   ///
   /// Shape     as in regulus_function. `points` is null, or has all entries of K.

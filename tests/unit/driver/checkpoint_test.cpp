@@ -88,6 +88,15 @@ TEST_F(CheckpointOption, AnotherSearchOrAnotherFileIsRefused) {
   EXPECT_THAT(strange.errors, HasSubstr("it is no checkpoint"));
 }
 
+/// Boxes that rest on a filter are nobody's proof: the report of the end must name it.
+TEST_F(CheckpointOption, BoxesThatAFilterVouchedForAreNotTakenOverWithoutIt) {
+  const std::string filter = REGULUS_BINARY_DIR "/filters/gershgorin.so";
+  ASSERT_EQ(check({"--method", "reg", "--filter", filter, "--max-boxes", "100"}).exit_code, 2);
+  const CommandResult without = check({"--method", "reg"});
+  EXPECT_EQ(without.exit_code, 65) << without.errors;
+  EXPECT_THAT(without.errors, HasSubstr("about another question"));
+}
+
 TEST_F(CheckpointOption, AFolderThatIsNotThereIsSaidBeforeTheSearch) {
   const CommandResult result = run_command({REGULUS_BINARY_DIR "/bin/regulus", "check",
                                             REGULUS_SOURCE_DIR "/models/robot_1.toml", "wide_15",
