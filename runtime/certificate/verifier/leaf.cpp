@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "regulus/certificate/verifier/leaf.hpp"
 
+#include "regulus/certificate/verifier/linear_algebra.hpp"
+
 namespace regulus::verifier {
 namespace {
 

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
+#include "regulus/certificate/verifier/linear_algebra.hpp"
+
 #include <arb_mat.h>
 
 #include <cmath>
 #include <utility>
-
-#include "regulus/certificate/verifier/regularity.hpp"
 
 namespace regulus::verifier {
 namespace {
@@ -40,23 +40,23 @@ bool invert(std::vector<double>& A, std::size_t n, std::vector<double>& inverse)
 }  // namespace
 
 bool approx_left_inverse(const std::vector<double>& A, std::size_t rows, std::size_t columns,
-                         std::vector<double>& K) {
+                         Matrix& K) {
+  // (AᵀA)⁻¹Aᵀ, or A⁻¹, which has the better condition
+  const bool is_square = rows == columns;
   std::vector<double> square(columns * columns), inverse;
-  if (rows == columns) {
-    square = A;
-    return invert(square, columns, K);
-  }
-  // (AᵀA)⁻¹Aᵀ
   for (std::size_t i = 0; i < columns; ++i)
     for (std::size_t j = 0; j < columns; ++j)
-      for (std::size_t r = 0; r < rows; ++r)
+      for (std::size_t r = 0; !is_square && r < rows; ++r)
         square[i * columns + j] += A[r * columns + i] * A[r * columns + j];
+  if (is_square) square = A;
   if (!invert(square, columns, inverse)) return false;
   K.assign(columns * rows, 0.0);
-  for (std::size_t i = 0; i < columns; ++i)
-    for (std::size_t r = 0; r < rows; ++r)
-      for (std::size_t j = 0; j < columns; ++j)
-        K[i * rows + r] += inverse[i * columns + j] * A[r * columns + j];
+  for (std::size_t r = 0; r < rows; ++r)
+    for (std::size_t i = 0; i < columns; ++i) {
+      if (is_square) K[r * columns + i] = inverse[i * columns + r];
+      for (std::size_t j = 0; !is_square && j < columns; ++j)
+        K[r * columns + i] += inverse[i * columns + j] * A[r * columns + j];
+    }
   return true;
 }
 

@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: Apache-2.0
+// Matrices I + E with |E| ≤ T, where Tv < v for some v > 0: all of them are regular.
+#pragma once
+
+#include <vector>
+
+#include "regulus/certificate/verifier/ball.hpp"
+#include "regulus/certificate/verifier/linear_algebra.hpp"
+
+namespace regulus::verifier {
+
+class Domination {
+ public:
+  explicit Domination(std::size_t order) : n_(order), v_(order, 1.0), Tv_(order) {}
+
+  /// Looks for v; T ≥ 0 must stay as it is. True if one was found, and `holds` from then on.
+  [[nodiscard]] bool find(const Matrix& T);
+  [[nodiscard]] bool holds() const noexcept;
+
+  /// Roughly the Perron vector of T, where find has failed.
+  [[nodiscard]] const std::vector<double>& v() const noexcept { return v_; }
+
+  /// Of Tv < v: x ≥ (I − T)⁻¹c for a column c ≥ 0.
+  void bound_solution(const double* c, double* x) const;
+  /// Of Tv < v: encloses det(I − T). |det(I + E)| is at least that.
+  [[nodiscard]] Interval determinant() const;
+
+ private:
+  void multiply();
+
+  const std::size_t n_;
+  const Matrix* T_ = nullptr;
+  std::vector<double> v_, Tv_;
+};
+
+}  // namespace regulus::verifier

@@ -1,0 +1,22 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <vector>
+
+#include "regulus/certificate/verifier/ball.hpp"
+
+namespace regulus::verifier {
+
+/// Column by column.
+using Matrix = std::vector<double>;
+
+/// K, columns × rows, with K·A ≈ I, where A is given row by row and its columns are independent;
+/// false if elimination breaks down. Nothing is claimed about it.
+[[nodiscard]] bool approx_left_inverse(const std::vector<double>& A, std::size_t rows,
+                                       std::size_t columns, Matrix& K);
+
+/// Encloses the determinant of a square matrix, given row by row or column by column.
+[[nodiscard]] Ball determinant(const std::vector<Ball>& A, std::size_t order, long bits);
+[[nodiscard]] Ball determinant(const std::vector<double>& A, std::size_t order, long bits);
+
+}  // namespace regulus::verifier

@@ -1,0 +1,65 @@
+// SPDX-License-Identifier: Apache-2.0
+// The search for y ≠ 0 with y_s = Σ_k δ_k(b_k + c_k)·y: branch and prune over directions. Where b
+// rules, this comes as near to the critical spread of the quantities as one likes: the δ_k of each
+// row are free of those of the others, so that for one y the bound is attained.
+#include "regulus/certificate/verifier/rounding.hpp"
+#include "regulus/certificate/verifier/touched_rows.hpp"
+
+namespace regulus::verifier {
+namespace {
+
+constexpr std::size_t kMostDirections = 400;  ///< boxes of them that one box may take
+constexpr double kNarrowest = 0x1p-20;        ///< relative to v
+constexpr double kOutward = 1 + 0x1p-20;      ///< covers roundings of middles: radii are no smaller
+
+}  // namespace
+
+/// Of y and −y one is enough: each is, scaled, on a face where some y_s = v_s.
+bool TouchedRows::has_no_null_vector(const std::vector<double>& v) const {
+  std::vector<Directions> waiting;
+  for (std::size_t s = 0; s < order(); ++s) {
+    waiting.push_back({std::vector<double>(order(), 0.0), v});
+    std::swap(waiting.back().middle[s], waiting.back().radius[s]);
+  }
+  for (std::size_t boxes = 0; !waiting.empty(); ++boxes) {
+    Directions y = std::move(waiting.back());
+    waiting.pop_back();
+    if (has_no_null_vector(y)) continue;
+    std::size_t widest = 0;
+    for (std::size_t s = 1; s < order(); ++s)
+      if (y.radius[s] * v[widest] > y.radius[widest] * v[s]) widest = s;
+    if (boxes > kMostDirections || y.radius[widest] < kNarrowest * v[widest]) return false;
+    const double half = y.radius[widest] = 0.5 * kOutward * y.radius[widest];
+    waiting.push_back(y);
+    waiting.back().middle[widest] -= half;
+    y.middle[widest] += half;
+    waiting.push_back(std::move(y));
+  }
+  return true;
+}
+
+bool TouchedRows::has_no_null_vector(Directions& y) const {
+  const auto of_quantity = [&](const Quantity& k) {
+    double sum = 0.0, rest = 0.0;
+    for (std::size_t s = 0; s < order(); ++s) {
+      const double middle = std::fabs(y.middle[s]), b = std::fabs(k.b[s]);
+      sum += k.b[s] * y.middle[s];
+      rest += b * (y.radius[s] + kRounding * middle) + k.S[s] * (middle + y.radius[s]);
+    }
+    return std::fabs(sum) + rest;
+  };
+  std::vector<double> most(order(), 0.0);
+  for (const Group& group : groups_) most[group.slot] += bound_group(group, of_quantity);
+  for (std::size_t s = 0; s < order(); ++s) {
+    const double middle = y.middle[s], radius = y.radius[s], bound = inflate(most[s]);
+    if (down(std::fabs(middle)) - radius > bound) return true;
+    // No more of y_s than [−bound, bound] can belong to a null vector.
+    const double lo = std::max(down(middle - radius), -bound);
+    const double hi = std::min(up(middle + radius), bound);
+    const double rest = 0.5 * kOutward * up(hi - lo) + 0x1p-50 * (std::fabs(lo) + std::fabs(hi));
+    if (rest < 0.9 * radius) y.middle[s] = 0.5 * lo + 0.5 * hi, y.radius[s] = rest;
+  }
+  return false;
+}
+
+}  // namespace regulus::verifier

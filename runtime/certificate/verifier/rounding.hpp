@@ -1,0 +1,19 @@
+// SPDX-License-Identifier: Apache-2.0
+// Sums of products in plain doubles, rounded to nearest, with one bound for all their roundings.
+#pragma once
+
+namespace regulus::verifier {
+
+/// What such sums may be made of: at most kMostTerms terms, numbers of at most kLargest.
+inline constexpr int kMostTerms = 1 << 12;
+inline constexpr double kLargest = 0x1p200;
+
+/// Σ x·y in any order differs from the exact sum by at most this part of Σ |x||y|: a term goes
+/// through at most kMostTerms + 2 roundings, each of a part 2^-53 at most.
+inline constexpr double kRounding = 0x1p-40;
+
+/// An upper bound of an exact sum of products of a few magnitudes, from the sum as computed: its
+/// at most 2^16 roundings have lost a part 2^-37 at most, and what underflowed is far below 2^-300.
+[[nodiscard]] inline double inflate(double sum) noexcept { return sum * (1 + 0x1p-36) + 0x1p-300; }
+
+}  // namespace regulus::verifier
