@@ -108,6 +108,35 @@ TEST(AMatrixWithMoreRowsThanColumns, IsVerifiedForFullColumnRank) {
   EXPECT_NE(outcome_of(text("2*x")), Outcome::kVerified);
 }
 
+/// (1 1; 1 -1) plus `factor` times entries known up to `spread`, x in [-1/2, 1/2]. With the factor
+/// 1 singular first at spread 1, while its norm, scaled in whichever way, decides up to 1/2 only.
+Outcome of_spread(const std::string& spread, const std::string& factor = "1") {
+  std::string text =
+      "regulus-certificate 1\nverdict NO SINGULARITY\nclaim the full 2x2 matrix of the model is "
+      "defined and has full rank at every pose and value of the 4 uncertain quantities of the "
+      "variety\nmodel by hand\nsha256 -\nmotion only\nalpha 0\nparameter x in -1/2 : 1/2\n";
+  for (const char* name : {"a", "b", "c", "d"})
+    text += "uncertain " + std::string(name) + " = 0 +- " + spread + "\n";
+  text += "pose x = x\nmatrix 2 2\n";
+  for (const char* entry : {"1 + a*", "1 + b*", "1 + c*", "-1 + d*"})
+    text += "entry " + std::string(entry) + factor + "\n";
+  verifier::Options one_box;
+  one_box.max_boxes = 1;
+  return verify_text(text + kOneLeaf, one_box).outcome;
+}
+
+TEST(ASpreadOfEntries, IsVerifiedUpToTheCriticalOne) {
+  for (const char* safe : {"0.49", "0.9", "0.95"})
+    EXPECT_EQ(of_spread(safe), Outcome::kVerified) << safe;
+  for (const char* critical : {"1", "1.01"})
+    EXPECT_NE(of_spread(critical), Outcome::kVerified) << critical;
+}
+
+TEST(ASpreadThatGrowsWithThePose, CountsAtItsLargest) {
+  EXPECT_EQ(of_spread("0.6", "(1 + x)"), Outcome::kVerified);
+  EXPECT_NE(of_spread("0.7", "(1 + x)"), Outcome::kVerified);
+}
+
 TEST(ATree, IsVerifiedLeafByLeaf) {
   const std::string question = scalar_question("x - 1/2");
   const auto v = verify_text(question +
