@@ -133,7 +133,7 @@ TEST(ASpreadOfEntries, IsVerifiedUpToTheCriticalOne) {
 }
 
 TEST(ASpreadThatGrowsWithThePose, CountsAtItsLargest) {
-  EXPECT_EQ(of_spread("0.6", "(1 + x)"), Outcome::kVerified);
+  EXPECT_EQ(of_spread("0.45", "(1 + x)"), Outcome::kVerified);
   EXPECT_NE(of_spread("0.7", "(1 + x)"), Outcome::kVerified);
 }
 
