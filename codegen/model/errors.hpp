@@ -16,10 +16,14 @@ class InputError : public std::runtime_error {
       : std::runtime_error(message(file, line, found, expected)),
         file_(file),
         line_(line),
+        found_(found),
+        expected_(expected),
         symbol_(symbol) {}
 
   [[nodiscard]] const std::string& file() const noexcept { return file_; }
   [[nodiscard]] int line() const noexcept { return line_; }
+  [[nodiscard]] const std::string& found() const noexcept { return found_; }
+  [[nodiscard]] const std::string& expected() const noexcept { return expected_; }
   [[nodiscard]] const std::string& symbol() const noexcept { return symbol_; }
 
  private:
@@ -33,6 +37,7 @@ class InputError : public std::runtime_error {
 
   std::string file_;
   int line_;
+  std::string found_, expected_;
   std::string symbol_;
 };
 

@@ -1,0 +1,138 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "regulus/codegen/model/formula.hpp"
+
+#include <algorithm>
+#include <map>
+
+#include "regulus/codegen/model/errors.hpp"
+#include "regulus/codegen/model/expression_parser.hpp"
+#include "regulus/codegen/model/ginac_text.hpp"
+#include "regulus/codegen/model/names.hpp"
+
+namespace regulus::codegen {
+namespace {
+
+/// Every name has a meaning here: which ones a model declares is asked when it is read.
+class AnyName final : public Names {
+ public:
+  const Term* find(const std::string& name, int) override {
+    const auto at = terms_.find(name);
+    if (at != terms_.end()) return &at->second;
+    return &terms_.emplace(name, variable(GiNaC::realsymbol(name))).first->second;
+  }
+  std::vector<std::string> all() const override { return {}; }
+
+ private:
+  std::map<std::string, Term> terms_;
+};
+
+/// So that "1) + (2" is refused where it is written, and not taken for a part of something else.
+void require_expression(const std::string& text, const Formula::Place& place) {
+  AnyName names;
+  static_cast<void>(parse_expression(
+      text, names, {.file = place.file_name(), .line = static_cast<int>(place.line())}));
+}
+
+bool is_whole_number(std::string_view text) {
+  return !text.empty() && text.find_first_not_of("0123456789") == std::string_view::npos;
+}
+
+std::string in_parentheses(const std::string& text) { return std::string("(").append(text) + ')'; }
+
+/// Text that is shared by many uses of one C++ variable is written once for each of them.
+void require_short(const std::string& text) {
+  if (text.size() <= kLongestExpression) return;
+  throw InputError(
+      "", 0, "an expression of more than " + std::to_string(kLongestExpression) + " characters",
+      "names for its parts: Robot::let");
+}
+
+}  // namespace
+
+Formula::Formula(const std::string& text, Place place)
+    : text_(text), binding_(is_name(text) || is_whole_number(text) ? kPrimary : kSum) {
+  require_expression(text, place);
+}
+
+Formula::Formula(const char* text, Place place) : Formula(std::string(text), place) {}
+
+Formula::Formula(const GiNaC::basic& value, Place place) : Formula(GiNaC::ex(value), place) {}
+
+Formula::Formula(const GiNaC::ex& value, Place place) try : Formula(formula_text(value), place) {
+  symbols_ = symbols_of(value);
+} catch (const Refusal& refusal) {
+  throw InputError(place.file_name(), static_cast<int>(place.line()), refusal.found,
+                   refusal.expected);
+}
+
+std::string Formula::at_least(Binding binding) const {
+  return binding_ >= binding ? text_ : in_parentheses(text_);
+}
+
+void Formula::add_symbols_of(const Formula& other) {
+  for (const GiNaC::ex& symbol : other.symbols_)
+    if (std::ranges::none_of(symbols_, [&](const auto& s) { return s.is_equal(symbol); }))
+      symbols_.push_back(symbol);
+}
+
+Formula Formula::joined(const Formula& a, const char* between, const Formula& b, Binding binding,
+                        Binding left, Binding right) {
+  Formula result(a.at_least(left) + between + b.at_least(right), binding);
+  require_short(result.text_);
+  result.add_symbols_of(a);
+  result.add_symbols_of(b);
+  return result;
+}
+
+Formula Formula::called(const char* function, const Formula& x) {
+  Formula result(function + in_parentheses(x.text_), kPrimary);
+  require_short(result.text_);
+  result.symbols_ = x.symbols_;
+  return result;
+}
+
+Formula Formula::operator-() const {
+  Formula result(std::string("-").append(at_least(kProduct)), kSum);
+  result.symbols_ = symbols_;
+  return result;
+}
+
+Formula operator+(const Formula& a, const Formula& b) {
+  return Formula::joined(a, " + ", b, Formula::kSum, Formula::kSum, Formula::kProduct);
+}
+
+Formula operator-(const Formula& a, const Formula& b) {
+  return Formula::joined(a, " - ", b, Formula::kSum, Formula::kSum, Formula::kProduct);
+}
+
+Formula operator*(const Formula& a, const Formula& b) {
+  return Formula::joined(a, "*", b, Formula::kProduct, Formula::kProduct, Formula::kPower);
+}
+
+Formula operator/(const Formula& a, const Formula& b) {
+  return Formula::joined(a, "/", b, Formula::kProduct, Formula::kProduct, Formula::kPower);
+}
+
+Formula pow(const Formula& base, const Formula& exponent) {
+  return Formula::joined(base, "^", exponent, Formula::kPower, Formula::kPrimary,
+                         Formula::kPrimary);
+}
+
+Formula atan2(const Formula& y, const Formula& x) {
+  Formula result = Formula::joined(y, ", ", x, Formula::kPrimary, Formula::kSum, Formula::kSum);
+  result.text_ = "atan2" + in_parentheses(result.text_);
+  return result;
+}
+
+Formula sqrt(const Formula& x) { return Formula::called("sqrt", x); }
+Formula sin(const Formula& x) { return Formula::called("sin", x); }
+Formula cos(const Formula& x) { return Formula::called("cos", x); }
+Formula tan(const Formula& x) { return Formula::called("tan", x); }
+Formula asin(const Formula& x) { return Formula::called("asin", x); }
+Formula acos(const Formula& x) { return Formula::called("acos", x); }
+Formula atan(const Formula& x) { return Formula::called("atan", x); }
+Formula exp(const Formula& x) { return Formula::called("exp", x); }
+Formula log(const Formula& x) { return Formula::called("log", x); }
+Formula abs(const Formula& x) { return Formula::called("abs", x); }
+
+}  // namespace regulus::codegen

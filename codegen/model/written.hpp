@@ -1,0 +1,58 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Lines of a model file that is written from C++, each with the place it comes from.
+#pragma once
+
+#include <map>
+#include <source_location>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "regulus/codegen/model/errors.hpp"
+#include "regulus/codegen/model/formula.hpp"
+
+namespace regulus::codegen {
+
+struct WrittenLine {
+  std::string key, value;
+  std::source_location place;
+};
+
+using WrittenSection = std::vector<WrittenLine>;
+
+/// Throws InputError that names `what` when the section has the key already.
+void write_once(WrittenSection& section, const std::string& what, WrittenLine line);
+
+// Values of TOML.
+[[nodiscard]] std::string written(std::string_view label);
+[[nodiscard]] std::string written(const Formula& formula);
+[[nodiscard]] std::string written(const std::vector<Formula>& formulas);
+/// A key, in quotes where TOML asks for it.
+[[nodiscard]] std::string written_key(const std::string& key);
+
+/// The symbols of GiNaC that a robot declares and uses. Two symbols of one name are two things to
+/// GiNaC, and one in a model file: whichever is used must be the one that was declared.
+class WrittenSymbols {
+ public:
+  void declare(const GiNaC::symbol& symbol);
+  void use(const Formula& formula, const std::source_location& place);
+  void use(const std::vector<Formula>& formulas, const std::source_location& place);
+
+  /// Throws InputError for a symbol that neither this nor `outer` declares.
+  void require_declared(const WrittenSymbols* outer = nullptr) const;
+
+ private:
+  struct Use {
+    GiNaC::ex symbol;
+    std::source_location place;
+  };
+  [[nodiscard]] bool declares(const GiNaC::ex& symbol) const;
+
+  std::map<std::string, GiNaC::ex> declared_;
+  std::vector<Use> used_;
+};
+
+[[nodiscard]] InputError input_error(const std::source_location& place, const std::string& found,
+                                     const std::string& expected, const std::string& symbol = {});
+
+}  // namespace regulus::codegen

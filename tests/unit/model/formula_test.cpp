@@ -1,0 +1,132 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "regulus/codegen/model/formula.hpp"
+
+#include <gtest/gtest.h>
+
+#include <map>
+#include <type_traits>
+
+#include "regulus/codegen/model/errors.hpp"
+#include "regulus/codegen/model/expression_parser.hpp"
+#include "support/random_source.hpp"
+
+namespace regulus::codegen {
+namespace {
+
+using GiNaC::ex;
+using GiNaC::numeric;
+
+class KnownSymbols final : public Names {
+ public:
+  explicit KnownSymbols(const std::vector<GiNaC::realsymbol>& symbols) {
+    for (const GiNaC::realsymbol& s : symbols) terms_.emplace(s.get_name(), variable(s));
+  }
+  const Term* find(const std::string& name, int) override {
+    const auto at = terms_.find(name);
+    return at == terms_.end() ? nullptr : &at->second;
+  }
+  std::vector<std::string> all() const override { return {}; }
+
+ private:
+  std::map<std::string, Term> terms_;
+};
+
+const Formula x("x"), y("y");
+
+TEST(Formula, ReadsLikeTheExpressionThatWasWritten) {
+  EXPECT_EQ((x - (y - 1)).text(), "x - (y - 1)");
+  EXPECT_EQ((x - y - 1).text(), "x - y - 1");
+  EXPECT_EQ((x / (y * 2)).text(), "x/(y*2)");
+  EXPECT_EQ((x * y / 2).text(), "x*y/2");
+  EXPECT_EQ((-x * y).text(), "(-x)*y");
+  EXPECT_EQ((-(x * y)).text(), "-x*y");
+  EXPECT_EQ(pow(-x, 2).text(), "(-x)^2");
+  EXPECT_EQ((-pow(x, 2)).text(), "-x^2");
+  EXPECT_EQ(pow(pow(x, 2), 3).text(), "(x^2)^3");
+  EXPECT_EQ(pow(x, -1).text(), "x^(-1)");
+  EXPECT_EQ(pow(x, Formula(1) / 2).text(), "x^(1/2)");
+  EXPECT_EQ((2 * cos(x + y)).text(), "2*cos(x + y)");
+  EXPECT_EQ(atan2(y, x + 1).text(), "atan2(y, x + 1)");
+  EXPECT_EQ((Formula("1/3") * x).text(), "(1/3)*x");
+  EXPECT_EQ(("0.1" + x).text(), "0.1 + x");
+}
+
+TEST(Formula, IsNotMadeFromADoubleThatHasBeenRounded) {
+  static_assert(!std::is_constructible_v<Formula, double>);
+  static_assert(!std::is_constructible_v<Formula, float>);
+  static_assert(!std::is_constructible_v<Formula, bool>);
+  static_assert(std::is_constructible_v<Formula, long long>);
+  EXPECT_EQ(Formula(0).text(), "0");
+  EXPECT_EQ(Formula(INT64_MIN).text(), "-9223372036854775808");
+}
+
+/// The same random expression by both roads.
+struct Pair {
+  Formula formula;
+  ex value;
+};
+
+Pair random_pair(regulus::test::RandomSource& random, const std::vector<Pair>& leaves, int depth) {
+  if (depth == 0) return leaves[random.below(leaves.size())];
+  const Pair a = random_pair(random, leaves, depth - 1);
+  const Pair b = random_pair(random, leaves, depth - 1);
+  switch (random.below(6)) {
+    case 0:
+      return {a.formula + b.formula, a.value + b.value};
+    case 1:
+      return {a.formula - b.formula, a.value - b.value};
+    case 2:
+      return {a.formula * b.formula, a.value * b.value};
+    case 3:
+      return {-a.formula, -a.value};
+    case 4:
+      return {pow(a.formula, 2) / 3, pow(a.value, 2) / 3};
+    default:
+      return {a.formula / (pow(b.formula, 2) + 1), a.value / (pow(b.value, 2) + 1)};
+  }
+}
+
+TEST(Formula, MeansWhatGiNaCMakesOfTheSameOperations) {
+  regulus::test::RandomSource random(20260101);
+  const std::vector<GiNaC::realsymbol> symbols = {GiNaC::realsymbol("x"), GiNaC::realsymbol("y")};
+  const std::vector<Pair> leaves = {{x, symbols[0]},
+                                    {y, symbols[1]},
+                                    {"1/3", numeric(1, 3)},
+                                    {-2, -2},
+                                    {sin(x), sin(symbols[0])}};
+  for (int i = 0; i < 300; ++i) {
+    const Pair pair = random_pair(random, leaves, 1 + i % 4);
+    KnownSymbols names(symbols);
+    const Term read = parse_expression(pair.formula.text(), names, {});
+    EXPECT_TRUE(read.value.is_equal(pair.value)) << pair.formula.text();
+    KnownSymbols again(symbols);
+    const Term back = parse_expression(Formula(pair.value).text(), again, {});
+    EXPECT_TRUE((back.value - pair.value).expand().is_zero()) << Formula(pair.value).text();
+  }
+}
+
+TEST(Formula, OfGiNaCHasTheSameTextInWhateverOrderTheSymbolsWereMade) {
+  const auto text = [](bool reversed) {
+    GiNaC::realsymbol first(reversed ? "b" : "a"), second(reversed ? "a" : "b");
+    const ex a = reversed ? second : first, b = reversed ? first : second;
+    return Formula(3 * a - b / 2 + sqrt(b) * pow(a, -2) + cos(a - b) + a * pow(a - b, 3) -
+                   pow(b - a, 2))
+        .text();
+  };
+  EXPECT_EQ(text(false), text(true));
+}
+
+TEST(Formula, OfGiNaCIsReadBackAsItWas) {
+  const GiNaC::realsymbol a("a"), b("b");
+  for (const ex& e : std::initializer_list<ex>{
+           ex(a - b), ex(-a), a / b, pow(a + b, -2), sqrt(a * a + b * b), sin(a) * cos(b),
+           pow(sqrt(a), 3), ex(numeric(-2, 3)), GiNaC::Pi * a / 180, atan2(a, b), abs(a), exp(-a),
+           log(b), sqrt(ex(2)) * a, pow(a, -1) * pow(b, 3)}) {
+    KnownSymbols names({a, b});
+    const Term read = parse_expression(Formula(e).text(), names, {});
+    EXPECT_TRUE(read.value.is_equal(e)) << e << " became " << Formula(e).text();
+  }
+}
+
+}  // namespace
+}  // namespace regulus::codegen
