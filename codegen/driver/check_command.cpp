@@ -15,18 +15,6 @@
 
 namespace regulus::codegen {
 
-namespace {
-
-/// Where to look, when all that is known is that no proof was found.
-std::optional<LeastSingular> nearest_singular(const Preparation& preparation,
-                                              const Result& result) {
-  if (result.verdict != Verdict::kPossibleProblem || result.reason == Reason::kUndefined)
-    return std::nullopt;
-  return approx_least_singular(preparation, result.blocking_box);
-}
-
-}  // namespace
-
 int run_check(const CheckCommand& command) {
   const InterruptGuard interrupt;
   Preparation preparation = prepare(command.model, command.search);

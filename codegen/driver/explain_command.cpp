@@ -16,7 +16,8 @@ std::string forms(const ExplainCommand& command) {
   options.all_entries = command.all_entries;
   options.formulation.determinant = command.method == name(Method::kClosedForm);
   options.formulation.determinant_budget = command.symbolic_budget;
-  if (command.model.motion.empty()) return explain(load_model(command.model.path), options);
+  if (command.model.motion.empty())
+    return explain(parse_model(model_text(command.model), command.model.path), options);
   options.formulation.columns = functions_needed(parse_method(command.method).value()).columns;
   const Request request = read_request(command.model);
   return explain(request.model, request.motion, options);

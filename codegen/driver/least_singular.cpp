@@ -191,4 +191,11 @@ std::optional<LeastSingular> approx_least_singular(const Preparation& p,
   return LeastSingular{best->point, approx_pose(p, best->point), *degeneracy};
 }
 
+std::optional<LeastSingular> nearest_singular(const Preparation& preparation,
+                                              const Result& result) {
+  if (result.verdict != Verdict::kPossibleProblem || result.reason == Reason::kUndefined)
+    return std::nullopt;
+  return approx_least_singular(preparation, result.blocking_box);
+}
+
 }  // namespace regulus::codegen

@@ -9,6 +9,7 @@
 
 #include "regulus/codegen/driver/lost_twist.hpp"
 #include "regulus/codegen/driver/pipeline.hpp"
+#include "regulus/search/result.hpp"
 
 namespace regulus::codegen {
 
@@ -24,5 +25,10 @@ struct LeastSingular {
 /// J⁻¹ had no value at any of them.
 [[nodiscard]] std::optional<LeastSingular> approx_least_singular(const Preparation& preparation,
                                                                  std::span<const Interval> box);
+
+/// The same from the blocking box of a search that proved nothing; nullopt after others, and where
+/// the matrix is undefined.
+[[nodiscard]] std::optional<LeastSingular> nearest_singular(const Preparation& preparation,
+                                                            const Result& result);
 
 }  // namespace regulus::codegen

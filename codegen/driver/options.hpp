@@ -27,7 +27,8 @@ struct ModelOptions {
   std::string motion;               ///< empty: the model's only one
   std::vector<std::string> ranges;  ///< "p=LO:HI"
   std::vector<std::string> tolerances;
-  std::string alpha;  ///< empty: the motion's own
+  std::string alpha;                  ///< empty: the motion's own
+  std::optional<std::string> text{};  ///< of the model, in place of what the file holds
 };
 
 /// How the search runs.

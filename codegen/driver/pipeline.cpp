@@ -206,7 +206,7 @@ FormulationOptions functions_needed(Method method, const Settings& settings,
 Preparation prepare(const ModelOptions& model, const SearchOptions& search) {
   Stopwatch watch;
   Preparation p;
-  std::string text = read_model_text(model.path);
+  std::string text = model_text(model);
   const FormulationOptions functions = functions_for(search);
   std::optional<ProblemCache> cache = place_in_cache(text, model, functions, search);
   p.stages = std::make_unique<SymbolicStages>(std::move(text), model, functions);

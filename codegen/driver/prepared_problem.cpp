@@ -48,8 +48,9 @@ void add(KeyParts& parts, const FormulationOptions& options) {
 
 /// Where the file lies does not matter: its text is in the key.
 void add(KeyParts& parts, const ModelOptions& options) {
-  const auto& [path, motion, ranges, tolerances, alpha] = options;
+  const auto& [path, motion, ranges, tolerances, alpha, text] = options;
   static_cast<void>(path);
+  static_cast<void>(text);
   parts.add(motion);
   parts.add(ranges);
   parts.add(tolerances);

@@ -13,8 +13,12 @@ std::pair<std::string, std::string> split_assignment(const std::string& text, co
   return {text.substr(0, equals), text.substr(equals + 1)};
 }
 
+std::string model_text(const ModelOptions& options) {
+  return options.text ? *options.text : read_model_text(options.path);
+}
+
 Request read_request(const ModelOptions& options) {
-  return read_request(read_model_text(options.path), options);
+  return read_request(model_text(options), options);
 }
 
 Request read_request(std::string_view text, const ModelOptions& options) {

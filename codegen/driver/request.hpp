@@ -25,6 +25,9 @@ struct Request {
   Motion motion;
 };
 
+/// The text of the model. Throws FileError.
+[[nodiscard]] std::string model_text(const ModelOptions& options);
+
 /// Throws InputError or FileError for the file, UsageError for the options.
 [[nodiscard]] Request read_request(const ModelOptions& options);
 /// The same where the bytes of the file have been read.

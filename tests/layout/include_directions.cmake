@@ -17,6 +17,7 @@ set(codegen_model      codegen/model)
 set(codegen_symbolic   interval regularity codegen/model codegen/program codegen/symbolic)
 set(codegen_emit       interval kernel codegen/program codegen/emit)
 set(codegen_jit        interval kernel codegen/emit codegen/jit codegen/jit/reader codegen/jit/builder codegen/jit/plugin)
+set(codegen_examples   codegen/model codegen/driver)
 set(codegen_driver     interval kernel regularity search checkpoint certificate certificate/verifier codegen/model codegen/program codegen/symbolic
                        codegen/emit codegen/jit codegen/driver)
 
