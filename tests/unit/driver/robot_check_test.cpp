@@ -7,6 +7,7 @@
 #include <nlohmann/json.hpp>
 
 #include "regulus/codegen/driver/check.hpp"
+#include "regulus/codegen/driver/pipeline.hpp"
 #include "regulus/codegen/driver/request.hpp"
 #include "regulus/codegen/emit/emit.hpp"
 #include "regulus/codegen/model/model_file.hpp"
