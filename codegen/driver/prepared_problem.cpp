@@ -22,11 +22,12 @@ constexpr int kFormat = 1;
 // compile until it is in the key.
 
 void add(KeyParts& parts, const RewriteOptions& options) {
-  const auto& [rewrite, horner, trigonometric, nesting, weights] = options;
+  const auto& [rewrite, horner, trigonometric, most_terms, nesting, weights] = options;
   const auto& [order, factor, complete_squares] = nesting;
   for (const bool flag : {rewrite, horner, trigonometric, factor, complete_squares})
     parts.add(flag);
   parts.add(static_cast<int>(order));
+  parts.add(std::to_string(most_terms));
   parts.begin_list(weights.size());
   for (const auto& [name, weight] : weights) {
     parts.add(name);

@@ -31,6 +31,19 @@ std::vector<std::string> point_names(int rows, int columns) {
   return names;
 }
 
+/// The legs of robots with rotary motors are roots and quotients. Multiplied out and differentiated
+/// twice, entries made of them grow to millions of terms, and no bound becomes narrower by that. In
+/// a matrix that has some, parts of more than kMostTermsOfAPart stay as the model writes them.
+constexpr std::size_t kMostTermsOfAPart = 8;
+
+bool has_roots_or_quotients(const Model& model, const Motion& motion) {
+  Substitution substitution(model, motion);
+  for (unsigned i = 0; i < model.matrix.rows(); ++i)
+    for (unsigned j = 0; j < model.matrix.cols(); ++j)
+      if (!substitution.apply(model.matrix(i, j)).is_total()) return true;
+  return false;
+}
+
 /// Motion parameters range over far more than the uncertain quantities do, and are what is
 /// bisected: an occurrence of one is worth many of theirs.
 RewriteOptions weighted(RewriteOptions options, const std::vector<Variable>& variables) {
@@ -485,7 +498,11 @@ std::string point_name(int row, int column) {
 }
 
 Formulation formulate(const Model& model, const Motion& motion, const FormulationOptions& options) {
-  return Formulator(model, motion, options).run();
+  FormulationOptions adapted = options;
+  // A determinant in closed form is nothing but multiplied out, and has a budget of its own.
+  if (!options.determinant && uses_matrix(options) && has_roots_or_quotients(model, motion))
+    adapted.rewriting.most_terms = std::min(options.rewriting.most_terms, kMostTermsOfAPart);
+  return Formulator(model, motion, adapted).run();
 }
 
 }  // namespace regulus::codegen

@@ -82,7 +82,7 @@ bool evidently_nonnegative(const Expression& e) {
 
 Rewriter::Rewriter(const std::vector<std::string>& variables,
                    const std::vector<std::string>& points, const RewriteOptions& options)
-    : options_(options), atoms_(variables, points), expander_(atoms_) {}
+    : options_(options), atoms_(variables, points), expander_(atoms_, options.most_terms) {}
 
 Rewritten Rewriter::rewrite(const Expression& e) {
   const Expression natural = prepared(e);

@@ -16,8 +16,9 @@ struct RewriteOptions {
   bool rewrite = true;
   bool horner = true;
   bool trigonometric = true;
-  HornerOptions nesting;  ///< where `horner`; its order is chosen by trying
-  Weights weights;        ///< of the variables' occurrences, when forms are compared
+  std::size_t most_terms = 20000;  ///< what multiplied out has more terms stays one indeterminate
+  HornerOptions nesting;           ///< where `horner`; its order is chosen by trying
+  Weights weights;                 ///< of the variables' occurrences, when forms are compared
 };
 
 /// A form and how it was found.
