@@ -1,0 +1,25 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Numbers with a derivative: value + slope·ε, ε² = 0. A function of such numbers is differentiated
+// to the last digit, by no formula of ours.
+#pragma once
+
+#include <cmath>
+
+namespace regulus::test {
+
+struct Dual {
+  double value = 0;
+  double slope = 0;
+};
+
+inline Dual operator+(Dual a, Dual b) { return {a.value + b.value, a.slope + b.slope}; }
+inline Dual operator-(Dual a, Dual b) { return {a.value - b.value, a.slope - b.slope}; }
+inline Dual operator*(Dual a, Dual b) {
+  return {a.value * b.value, a.slope * b.value + a.value * b.slope};
+}
+inline Dual sqrt(Dual a) {
+  const double root = std::sqrt(a.value);
+  return {root, a.slope / (2 * root)};
+}
+
+}  // namespace regulus::test

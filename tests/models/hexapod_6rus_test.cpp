@@ -1,0 +1,87 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The 6-RUS hexapod: cranks in vertical planes along the rim, rods of constant length.
+#include "models/jacobian.hpp"
+#include "models/paving.hpp"
+
+namespace regulus::test {
+namespace {
+
+constexpr double kCrank = 15, kRod = 30;
+constexpr double kBaseAngles[] = {75, 105, 195, 225, 315, 345};
+constexpr double kPlatformAngles[] = {45, 135, 165, 255, 285, 15};
+
+const ShippedModel& robot() {
+  static const ShippedModel model("hexapod_6rus");
+  return model;
+}
+
+Vector<double> base(std::size_t i) { return 15.0 * direction(kBaseAngles[i]); }
+Vector<double> platform(std::size_t i) { return 12.0 * direction(kPlatformAngles[i]); }
+/// Along the rim, away from the other motor of the pair.
+Vector<double> swing(std::size_t i) { return direction(kBaseAngles[i] + (i % 2 == 0 ? -90 : 90)); }
+
+/// The tip of the crank: of the two angles that the rod's length leaves, the one that leans out
+/// more.
+Vector<double> tip(std::size_t i, const Vector<double>& joint) {
+  const Vector<double> AB = joint - base(i), f = swing(i), up = {0, 0, 1};
+  const double along = dot(AB, f), height = AB[2];
+  const double cosine =
+      (dot(AB, AB) + kCrank * kCrank - kRod * kRod) / (2 * kCrank * std::hypot(along, height));
+  const double angle = std::atan2(height, along) - std::acos(cosine);
+  return base(i) + kCrank * std::cos(angle) * f + kCrank * std::sin(angle) * up;
+}
+
+/// ∂|CB|/∂(pose) over ∂|CB|/∂(motor), the rod's length being kept.
+Row motor_rate(std::size_t i, const Point& pose) {
+  const MovingBody still(position_of(pose), pose.at("roll"), pose.at("pitch"), pose.at("yaw"), 0);
+  const Vector<double> joint = values(still.at(platform(i))), C = tip(i, joint);
+  Row row = derivatives(
+      pose, [&](const MovingBody& body) { return norm(body.at(platform(i)) - constant(C)); });
+  const Vector<double> crank = C - base(i), f = swing(i), up = {0, 0, 1};
+  const Vector<double> velocity = dot(crank, f) * up - crank[2] * f;
+  const double by_motor = dot(velocity, (1 / kRod) * (joint - C));
+  for (double& entry : row) entry /= by_motor;
+  return row;
+}
+
+TEST(Hexapod6Rus, HasTheMotorsRates) {
+  Poses poses;
+  for (int trial = 0; trial < 20; ++trial) {
+    const Point pose{{"x", poses.between(-3, 3)},         {"y", poses.between(-3, 3)},
+                     {"z", poses.between(22, 28)},        {"roll", poses.between(-0.2, 0.2)},
+                     {"pitch", poses.between(-0.2, 0.2)}, {"yaw", poses.between(-0.6, 0.6)}};
+    const Rows rows = robot().matrix(pose);
+    for (std::size_t i = 0; i < 6; ++i) expect_equal(rows[i], motor_rate(i, pose));
+  }
+}
+
+/// Six lines are dependent where the determinant of their Plücker coordinates is 0, here with
+/// moments about the base.
+double dependent_rods(double z, double yaw) {
+  const MovingBody body({0, 0, z}, 0, 0, yaw, 0);
+  Rows lines;
+  for (std::size_t i = 0; i < 6; ++i) {
+    const Vector<double> B = values(body.at(platform(i))), C = tip(i, B);
+    const Vector<double> along = B - C, moment = cross(C, along);
+    lines.push_back({along[0], along[1], along[2], moment[0], moment[1], moment[2]});
+  }
+  return approx_determinant(lines);
+}
+
+TEST(Hexapod6Rus, IsSingularExactlyWhereItsRodsAreDependent) {
+  const Paving paving(robot(), {"turn", "--resolution", "1/32", "--engine", "interpreted"}, "z",
+                      "yaw");
+  paving.expect_to_agree_with(dependent_rods);
+  EXPECT_GT(paving.count("singular"), 10U);
+  EXPECT_GT(paving.fraction("free"), 0.8);
+}
+
+TEST(Hexapod6Rus, ShowsAPoseWhereItsRodsAreDependent) {
+  const auto report = robot().check({"turn", "--engine", "interpreted"});
+  ASSERT_EQ(report["verdict"], "singularity");
+  const auto& pose = report["witness"]["points"][0]["pose"];
+  EXPECT_NEAR(dependent_rods(pose["z"][0], pose["yaw"][0]) / dependent_rods(25, 0), 0, 1e-9);
+}
+
+}  // namespace
+}  // namespace regulus::test

@@ -1,0 +1,68 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// A model of models/: its matrix in numbers, and what the command says of it.
+#pragma once
+
+#include <nlohmann/json.hpp>
+#include <string>
+#include <vector>
+
+#include "regulus/codegen/model/model_file.hpp"
+#include "support/command.hpp"
+#include "support/evaluate.hpp"
+
+namespace regulus::test {
+
+using Point = codegen::test::Point;
+using Row = std::vector<double>;
+using Rows = std::vector<Row>;
+
+class ShippedModel {
+ public:
+  explicit ShippedModel(const std::string& name)
+      : path_(REGULUS_SOURCE_DIR "/models/" + name + ".toml"), model_(codegen::load_model(path_)) {}
+
+  /// J⁻¹ at a pose, row scales included, with the geometry as it is given.
+  [[nodiscard]] Rows matrix(Point pose) const {
+    for (const codegen::GeometryParameter& g : model_.geometry)
+      pose[g.name] = codegen::test::evaluate(g.value, {});
+    Rows rows;
+    for (unsigned i = 0; i < model_.matrix.rows(); ++i) {
+      const double scale =
+          model_.row_scale.empty() ? 1 : codegen::test::evaluate(model_.row_scale[i], pose);
+      rows.emplace_back();
+      for (unsigned j = 0; j < model_.matrix.cols(); ++j)
+        rows.back().push_back(scale * codegen::test::evaluate(model_.matrix(i, j), pose));
+    }
+    return rows;
+  }
+
+  /// What `regulus COMMAND MODEL WORDS… --json` reports.
+  [[nodiscard]] nlohmann::json report(const std::string& command,
+                                      std::vector<std::string> words) const {
+    words.insert(words.begin(), {REGULUS_BINARY_DIR "/bin/regulus", command, path_, "--json"});
+    return nlohmann::json::parse(run_command(words).output);
+  }
+  [[nodiscard]] nlohmann::json check(std::vector<std::string> words) const {
+    return report("check", std::move(words));
+  }
+  [[nodiscard]] std::string verdict(std::vector<std::string> words) const {
+    return check(std::move(words))["verdict"];
+  }
+
+  [[nodiscard]] const std::string& path() const noexcept { return path_; }
+  [[nodiscard]] const codegen::Model& model() const noexcept { return model_; }
+
+ private:
+  std::string path_;
+  codegen::Model model_;
+};
+
+/// The pose of a report's witness, by parameter.
+inline Point witness_of(const nlohmann::json& report) {
+  Point pose;
+  for (const auto& [name, range] : report["witness"]["near"]["pose"].items())
+    pose[name] = range[0].get<double>();
+  return pose;
+}
+
+}  // namespace regulus::test
