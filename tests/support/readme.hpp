@@ -8,9 +8,10 @@
 
 namespace regulus::test {
 
-/// The lines under "$ regulus …" in the README.
-[[nodiscard]] inline std::string shown_in_readme(const std::string& command) {
-  std::ifstream readme(REGULUS_SOURCE_DIR "/README.md");
+/// The lines under "$ regulus …" in the README, or in that of a folder.
+[[nodiscard]] inline std::string shown_in_readme(const std::string& command,
+                                                 const std::string& path = "README.md") {
+  std::ifstream readme(REGULUS_SOURCE_DIR "/" + path);
   std::string line, shown;
   while (std::getline(readme, line) && line != "$ " + command) continue;
   while (std::getline(readme, line) && line != "```") shown += line + '\n';

@@ -1,0 +1,106 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Each motion of models/*.toml has its verdict beside its name, [motion.work] # NO SINGULARITY, and
+// in models/README.md: both must be what the command says.
+#include <gtest/gtest.h>
+
+#include <filesystem>
+#include <fstream>
+#include <set>
+#include <sstream>
+#include <string>
+#include <vector>
+
+#include "support/command.hpp"
+#include "support/readme.hpp"
+#include "support/temporary_directory.hpp"
+
+namespace regulus::test {
+namespace {
+
+/// Enough for every motion here; where a determinant vanishes everywhere, more would change
+/// nothing.
+constexpr const char* kMostBoxes = "5000";
+
+struct Stated {
+  std::string file, motion, verdict;
+};
+
+/// Models whose motions are those of a paper, and are tested with its tables.
+const std::set<std::string> kElsewhere = {"robot_1", "robot_2", "rump", "planar_3rpr"};
+
+std::vector<Stated> stated_in_models() {
+  std::vector<Stated> stated;
+  for (const auto& entry : std::filesystem::directory_iterator(REGULUS_SOURCE_DIR "/models")) {
+    if (entry.path().extension() != ".toml" || kElsewhere.count(entry.path().stem()) != 0) continue;
+    std::ifstream file(entry.path());
+    for (std::string line; std::getline(file, line);) {
+      if (!line.starts_with("[motion.")) continue;
+      const std::size_t end = line.find(']'), comment = line.find("# ");
+      const std::string verdict = comment == std::string::npos ? "" : line.substr(comment + 2);
+      stated.push_back(
+          {entry.path().stem(), line.substr(8, end - 8), verdict.substr(0, verdict.find(':'))});
+    }
+  }
+  return stated;
+}
+
+TEST(Models, HaveTheVerdictsTheyState) {
+  const std::vector<Stated> all = stated_in_models();
+  EXPECT_GE(all.size(), 30U);
+  for (const auto& [file, motion, verdict] : all) {
+    const CommandResult result = run_command({REGULUS_BINARY_DIR "/bin/regulus", "check",
+                                              REGULUS_SOURCE_DIR "/models/" + file + ".toml",
+                                              motion, "--quiet", "--max-boxes", kMostBoxes});
+    EXPECT_EQ(result.output, verdict + '\n') << file << ' ' << motion;
+  }
+}
+
+TEST(Models, HaveTheirVerdictsInTheReadme) {
+  std::ifstream file(REGULUS_SOURCE_DIR "/models/README.md");
+  std::stringstream text;
+  text << file.rdbuf();
+  for (const auto& [name, motion, verdict] : stated_in_models()) {
+    const std::size_t row = text.str().find("| `" + name + "` |");
+    ASSERT_NE(row, std::string::npos) << name;
+    const std::string line = text.str().substr(row, text.str().find('\n', row) - row);
+    std::size_t group = line.find("| " + verdict + ": ");
+    if (group == std::string::npos) group = line.find("; " + verdict + ": ");
+    ASSERT_NE(group, std::string::npos) << name << ' ' << verdict;
+    const std::string motions = line.substr(group, line.find_first_of(";|", group + 1) - group);
+    EXPECT_NE(motions.find('`' + motion + '`'), std::string::npos) << name << ' ' << motion;
+  }
+}
+
+TEST(Models, AnswerAsTheirReadmeShows) {
+  for (const std::string words :
+       {"models/tsai_3upu.toml wide", "models/tsai_3upu_reduced.toml wide"}) {
+    const std::size_t space = words.find(' ');
+    const CommandResult real =
+        run_command({REGULUS_BINARY_DIR "/bin/regulus", "check",
+                     REGULUS_SOURCE_DIR "/" + words.substr(0, space), words.substr(space + 1)});
+    const std::string shown = shown_in_readme("regulus check " + words, "models/README.md");
+    EXPECT_NE(shown, "");
+    EXPECT_EQ(without_timings(shown), without_timings(real.errors + real.output));
+  }
+}
+
+TEST(Models, AreDrawnAsTheirReadmeShows) {
+  const TemporaryDirectory folder;
+  const std::string picture = folder.path() / "tsai_3upu.svg";
+  const std::string shown = shown_in_readme(
+      "regulus locate models/tsai_3upu.toml wide --range x=-55:50 --range y=-50:55 --range z=40 "
+      "--resolution 1/32 --output boxes.jsonl --picture tsai_3upu.svg",
+      "models/README.md");
+  const CommandResult real = run_command(
+      {REGULUS_BINARY_DIR "/bin/regulus", "locate", REGULUS_SOURCE_DIR "/models/tsai_3upu.toml",
+       "wide", "--range", "x=-55:50", "--range", "y=-50:55", "--range", "z=40", "--resolution",
+       "1/32", "--output", (folder.path() / "boxes.jsonl").string(), "--picture", picture});
+  EXPECT_NE(shown, "");
+  EXPECT_EQ(without_timings(shown), without_timings(real.errors + real.output));
+  std::ifstream drawn(picture), kept(REGULUS_SOURCE_DIR "/models/tsai_3upu.svg");
+  const auto begin = [](std::ifstream& file) { return std::istreambuf_iterator<char>(file); };
+  EXPECT_EQ(std::string(begin(drawn), {}), std::string(begin(kept), {}));
+}
+
+}  // namespace
+}  // namespace regulus::test
