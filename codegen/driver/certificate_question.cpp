@@ -14,11 +14,11 @@ using GiNaC::ex;
 
 class QuestionText {
  public:
-  explicit QuestionText(const Preparation& p)
-      : p_(p),
-        model_(p.stages->request().model),
-        motion_(p.stages->request().motion),
-        lines_(names(p)) {}
+  QuestionText(const Request& request, const std::set<std::string>& uncertain)
+      : model_(request.model),
+        motion_(request.motion),
+        uncertain_(uncertain),
+        lines_(names(request)) {}
 
   std::string text() {
     put("model", model_.name);
@@ -37,21 +37,18 @@ class QuestionText {
   }
 
  private:
-  static std::set<std::string> names(const Preparation& p) {
+  static std::set<std::string> names(const Request& request) {
     std::set<std::string> result;
-    for (const GeometryParameter& g : p.stages->request().model.geometry) result.insert(g.name);
-    for (const PoseParameter& q : p.stages->request().model.pose) result.insert(q.name);
-    for (const MotionParameter& q : p.stages->request().motion.parameters) result.insert(q.name);
+    for (const GeometryParameter& g : request.model.geometry) result.insert(g.name);
+    for (const PoseParameter& q : request.model.pose) result.insert(q.name);
+    for (const MotionParameter& q : request.motion.parameters) result.insert(q.name);
     return result;
   }
 
   void put(const std::string& key, const std::string& value) { text_ += key + ' ' + value + '\n'; }
 
   [[nodiscard]] bool is_variable(const GeometryParameter& g) const {
-    const auto& variables = p_.subject.variables;
-    return std::any_of(variables.begin(), variables.end(), [&g](const VariableLabel& v) {
-      return v.kind == VariableKind::kGeometry && v.name == g.name;
-    });
+    return uncertain_.contains(g.name);
   }
 
   void write_geometry() {
@@ -95,16 +92,15 @@ class QuestionText {
              std::to_string(model_.matrix.cols()) + '\n' + rest;
   }
 
-  const Preparation& p_;
   const Model& model_;
   const Motion& motion_;
+  const std::set<std::string>& uncertain_;
   ExpressionLines lines_;
   std::string text_;
 };
 
 /// A certificate tells symbols apart by their names alone.
-void require_distinct_names(const Preparation& p) {
-  const Model& model = p.stages->request().model;
+void require_distinct_names(const Request& request) {
   std::map<std::string, ex> known;
   const auto note = [&known](const std::string& name, const GiNaC::realsymbol& symbol) {
     const auto [place, is_new] = known.emplace(name, symbol);
@@ -112,23 +108,38 @@ void require_distinct_names(const Preparation& p) {
       throw UsageError("--certificate: found two things named '" + name +
                        "', expected different names");
   };
-  for (const PoseParameter& q : model.pose) note(q.name, q.symbol);
-  for (const GeometryParameter& g : model.geometry) note(g.name, g.symbol);
-  for (const MotionParameter& q : p.stages->request().motion.parameters) note(q.name, q.symbol);
+  for (const PoseParameter& q : request.model.pose) note(q.name, q.symbol);
+  for (const GeometryParameter& g : request.model.geometry) note(g.name, g.symbol);
+  for (const MotionParameter& q : request.motion.parameters) note(q.name, q.symbol);
+}
+
+std::size_t control_errors(const Motion& motion) {
+  return std::size_t(
+      std::ranges::count_if(motion.error, [](const ex& error) { return !error.is_zero(); }));
 }
 
 }  // namespace
 
+std::set<std::string> uncertain_names(const Subject& subject) {
+  std::set<std::string> names;
+  for (const VariableLabel& v : subject.variables)
+    if (v.kind == VariableKind::kGeometry) names.insert(v.name);
+  return names;
+}
+
+CertifiedQuestion certified_question(const Request& request,
+                                     const std::set<std::string>& uncertain) {
+  require_distinct_names(request);
+  const GiNaC::matrix& matrix = request.model.matrix;
+  const format::ClaimedSet set{matrix.rows(), matrix.cols(),
+                               uncertain.size() + control_errors(request.motion),
+                               expression_text(request.motion.alpha) != "0"};
+  return {QuestionText(request, uncertain).text(), format::claim_words(set, false),
+          format::claim_words(set, true)};
+}
+
 CertifiedQuestion certified_question(const Preparation& p) {
-  require_distinct_names(p);
-  const auto& variables = p.subject.variables;
-  const format::ClaimedSet set{
-      p.stages->request().model.matrix.rows(), p.stages->request().model.matrix.cols(),
-      std::size_t(
-          std::count_if(variables.begin(), variables.end(),
-                        [](const VariableLabel& v) { return v.kind != VariableKind::kMotion; })),
-      expression_text(p.stages->request().motion.alpha) != "0"};
-  return {QuestionText(p).text(), format::claim_words(set, false), format::claim_words(set, true)};
+  return certified_question(p.stages->request(), uncertain_names(p.subject));
 }
 
 }  // namespace regulus::codegen

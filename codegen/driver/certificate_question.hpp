@@ -2,12 +2,25 @@
 // The question of a certificate: model and motion as they were read, before any rewriting.
 #pragma once
 
+#include <set>
+#include <string>
+
 #include "regulus/certificate/writer.hpp"
 #include "regulus/codegen/driver/pipeline.hpp"
 
 namespace regulus::codegen {
 
-/// Throws UsageError when the model's names do not fit into a certificate: two things of one name.
+/// The constants of a robot that are variables of a search.
+[[nodiscard]] std::set<std::string> uncertain_names(const Subject& subject);
+
+/// `uncertain`: the constants of the robot that vary; one of no spread may be among them.
+///
+/// Ensures   the same bytes for the same model file and options, in every process. Throws
+/// UsageError
+///           when the model's names do not fit into a certificate: two things of one name.
+[[nodiscard]] CertifiedQuestion certified_question(const Request& request,
+                                                   const std::set<std::string>& uncertain);
+/// What a preparation was made for.
 [[nodiscard]] CertifiedQuestion certified_question(const Preparation& preparation);
 
 }  // namespace regulus::codegen

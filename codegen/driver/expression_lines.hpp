@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// GiNaC expressions as text in the language of certificates.
+// GiNaC expressions as text in the language of certificates, the same bytes in every process.
 #pragma once
 
 #include <ginac/ginac.h>
@@ -8,6 +8,8 @@
 #include <set>
 #include <string>
 #include <vector>
+
+#include "regulus/codegen/driver/canonical_term.hpp"
 
 namespace regulus::codegen {
 
@@ -31,17 +33,22 @@ class ExpressionLines {
     Strength strength;
   };
 
-  [[nodiscard]] Text text_of(const GiNaC::ex& e, std::string& lets);
-  [[nodiscard]] Text bare_text(const GiNaC::ex& e, std::string& lets);
-  [[nodiscard]] Text sum(const GiNaC::ex& e, std::string& lets);
-  [[nodiscard]] Text product(const GiNaC::ex& e, std::string& lets);
-  [[nodiscard]] Text power(const GiNaC::ex& e, std::string& lets);
-  [[nodiscard]] Text call(const GiNaC::ex& e, std::string& lets);
+  void count(const CanonicalNode& node);
+  [[nodiscard]] Text text_of(const CanonicalTerm& term, std::string& lets);
+  /// Of a node, or of the name that it has been given.
+  [[nodiscard]] Text node_text(const CanonicalNode& node, std::string& lets);
+  [[nodiscard]] Text bare_text(const CanonicalNode& node, std::string& lets);
+  [[nodiscard]] Text sum(const CanonicalNode& node, std::string& lets);
+  [[nodiscard]] Text power(const CanonicalNode& node, std::string& lets);
+  [[nodiscard]] Text call(const CanonicalNode& node, std::string& lets);
+  [[nodiscard]] Text quotient(const GiNaC::numeric& factor,
+                              const std::vector<CanonicalTerm>& factors, std::string& lets);
   [[nodiscard]] std::string unused_name();
 
+  CanonicalReader reader_;
   std::set<std::string> taken_;
-  std::map<GiNaC::ex, int, GiNaC::ex_is_less> count_;
-  std::map<GiNaC::ex, std::string, GiNaC::ex_is_less> named_;
+  std::map<const CanonicalNode*, int> count_;
+  std::map<const CanonicalNode*, std::string> named_;
 };
 
 /// An expression without `let` lines.

@@ -15,17 +15,15 @@
 
 namespace regulus::test {
 
-/// What a certificate proves, without its head: the expressions there may be arranged differently
-/// each time a model is read.
-inline std::string proof_in(const std::filesystem::path& certificate) {
+inline std::string text_of(const std::filesystem::path& file) {
   std::ostringstream text;
-  text << std::ifstream(certificate).rdbuf();
-  return text.str().substr(text.str().find("\nproof\n"));
+  text << std::ifstream(file).rdbuf();
+  return text.str();
 }
 
 struct Interrupted {
   CommandResult last;
-  std::string proof;
+  std::string certificate;
   int continued = 0;  ///< runs that went on from a checkpoint
 };
 
@@ -58,11 +56,11 @@ inline Interrupted run_with_kills(const std::vector<std::string>& words, int kil
   result.last = run_command(all);
   EXPECT_FALSE(std::filesystem::exists(file("checkpoint")));
   EXPECT_FALSE(std::filesystem::exists(file("certificate.partial")));
-  result.proof = proof_in(file("certificate"));
+  result.certificate = text_of(file("certificate"));
   return result;
 }
 
-/// Every continuation ends in the verdict and the proof of a run that nothing disturbed.
+/// Every continuation ends in the verdict and the certificate of a run that nothing disturbed.
 inline void expect_kills_change_nothing(int rounds, int kills_a_round) {
   const std::vector<std::string> words = {REGULUS_BINARY_DIR "/bin/regulus",
                                           "check",
@@ -77,7 +75,7 @@ inline void expect_kills_change_nothing(int rounds, int kills_a_round) {
     const Interrupted run =
         run_with_kills(words, kills_a_round, 1000U + static_cast<unsigned>(round));
     EXPECT_EQ(run.last.exit_code, 0) << run.last.errors;
-    EXPECT_TRUE(run.proof == undisturbed.proof) << "round " << round;
+    EXPECT_TRUE(run.certificate == undisturbed.certificate) << "round " << round;
     continued += run.continued;
   }
   EXPECT_GT(continued, 0);
