@@ -58,17 +58,23 @@ int run_margin(const MarginCommand& given) {
   require_searchable(preparation, settings);
 
   const bool quiet = command.output.quiet;
-  MarginRun run(preparation, question, request, command, settings, gap,
+  MarginCertificates certificates(command.certificate, request, preparation.subject);
+  MarginRun run(preparation, question, request, command, settings, gap, certificates,
                 [quiet](const MarginStep& step) {
                   if (!quiet) std::cerr << step_line(step);
                 });
   const Margin margin = run.run();
   preparation.seconds.search = margin.seconds;
-  if (!quiet) std::cerr << margin_report(preparation, command.search, question, margin);
-  if (command.output.json)
-    std::cout << json_margin(preparation, command.search, question, margin, gap).dump(2) << '\n';
-  else
+  if (!quiet)
+    std::cerr << margin_report(preparation, command.search, question, margin)
+              << certificates.lines();
+  if (command.output.json) {
+    nlohmann::ordered_json report = json_margin(preparation, command.search, question, margin, gap);
+    certificates.add_to(report);
+    std::cout << report.dump(2) << '\n';
+  } else {
     std::cout << bracket_words(question, margin) << '\n';
+  }
   std::cout.flush();
   return exit_code_of(question, margin);
 }

@@ -30,12 +30,14 @@ double end_of(const MarginQuestion& question) {
 
 MarginRun::MarginRun(Preparation& preparation, const MarginQuestion& question,
                      const MarginRequest& request, const MarginCommand& command,
-                     const Settings& settings, double gap, Listener listener)
+                     const Settings& settings, double gap, MarginCertificates& certificates,
+                     Listener listener)
     : preparation_(preparation),
       question_(question),
       request_(request),
       command_(command),
       settings_(settings),
+      certificates_(certificates),
       listener_(std::move(listener)),
       bracket_(question.low.approx, end_of(question), {gap, settings.time_limit}) {}
 
@@ -134,7 +136,8 @@ void MarginRun::attempt(const PlannedAttempt& planned) {
   request_.replan(preparation_, value);
   Settings settings = settings_;
   settings.time_limit = planned.seconds;
-  const Result result = run_search(preparation_, command_.search, command_.output, settings);
+  const Result result = run_search(preparation_, command_.search, command_.output, settings,
+                                   certificates_.watch(value));
   note({value, result, claim(preparation_, result)}, true);
   if (!witness_ || result.verdict == Verdict::kNoSingularity) return;
   if (result.witness) look_near(result.witness->points[0].variables);
@@ -153,6 +156,7 @@ void MarginRun::look_near(std::span<const Interval> box) {
 
 void MarginRun::note(MarginStep step, bool is_search) {
   const Result& result = step.result;
+  certificates_.finish(step.value, result);
   if (is_search) {
     margin_.seconds += result.statistics.seconds;
     margin_.boxes += result.statistics.boxes;

@@ -8,6 +8,7 @@
 #include <string>
 #include <vector>
 
+#include "regulus/codegen/driver/margin_certificates.hpp"
 #include "regulus/codegen/driver/margin_question.hpp"
 #include "regulus/codegen/driver/pipeline.hpp"
 #include "regulus/search/bracket.hpp"
@@ -39,7 +40,8 @@ class MarginRun {
   using Listener = std::function<void(const MarginStep&)>;
 
   MarginRun(Preparation& preparation, const MarginQuestion& question, const MarginRequest& request,
-            const MarginCommand& command, const Settings& settings, double gap, Listener listener);
+            const MarginCommand& command, const Settings& settings, double gap,
+            MarginCertificates& certificates, Listener listener);
 
   [[nodiscard]] Margin run();
 
@@ -60,6 +62,7 @@ class MarginRun {
   const MarginRequest& request_;
   const MarginCommand& command_;
   Settings settings_;
+  MarginCertificates& certificates_;
   Listener listener_;
   Bracket bracket_;
   Problem widest_;

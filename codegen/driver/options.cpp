@@ -162,18 +162,39 @@ void add_checkpoint_options(CLI::App& app, CheckpointOptions& options) {
       ->check(CLI::NonNegativeNumber);
 }
 
-void add_certificate_option(CLI::App& app, std::string& path) {
-  app.add_option("--certificate", path,
-                 "Write a proof of the verdict that `regulus verify` can check")
-      ->type_name("FILE");
+/// `what` the proof is of.
+void add_certificate_option(CLI::App& app, std::string& path, const std::string& what) {
+  app.add_option("--certificate", path, what + "; `regulus verify` checks it")->type_name("FILE");
+}
+
+constexpr const char* kCheckCertificate = "Write a proof of the verdict";
+constexpr const char* kLocateCertificate =
+    "Write a proof of the verdict, not of each box: that all of the variety is free, or that it "
+    "holds the singular pose of the report";
+constexpr const char* kMarginCertificate =
+    "Write a proof for each end of the bracket: FILE.safe, that there is no singularity at a, and "
+    "FILE.singular, that there is one at b. An end that is not found leaves its file as it was";
+
+/// An option of `check` that is to be refused in words, and not as one that nobody knows.
+void refuse_checkpoint_options(CLI::App& app, const std::string& why) {
+  for (const char* name : {"--checkpoint", "--checkpoint-every"})
+    app.add_option_function<std::string>(
+           name,
+           [name, why](const std::string&) {
+             throw CLI::ValidationError(name, "only `regulus check` can be continued; " + why);
+           })
+        ->group("");
 }
 
 void add_verify_options(CLI::App& app, VerifyCommand& command) {
   app.add_option("CERTIFICATE", command.path, "What --certificate wrote")->required();
   app.add_option("--model", command.model,
-                 "Also check, by its SHA-256, that it is about this model file")
+                 "Also check that it is about this model file: the question is written anew from "
+                 "the file and compared line by line. Ranges, tolerances and alpha that differ, as "
+                 "options may ask for, are reported")
       ->type_name("MODEL");
-  app.add_flag("--quiet", command.quiet, "Nothing but the answer");
+  app.add_flag("--json", command.output.json, "The report on standard output, as one JSON object");
+  app.add_flag("--quiet", command.output.quiet, "Nothing but the answer (or the JSON report)");
 }
 
 void add_paving_options(CLI::App& app, LocateCommand& command) {
@@ -231,7 +252,7 @@ CommandLine parse_command_line(int argc, const char* const* argv) {
   add_model_options(*check_command, check.model);
   add_search_options(*check_command, check.search);
   add_filter_option(*check_command, check.search);
-  add_certificate_option(*check_command, check.certificate);
+  add_certificate_option(*check_command, check.certificate, kCheckCertificate);
   add_checkpoint_options(*check_command, check.checkpoint);
   add_output_options(*check_command, check.output);
   check_command->footer(kExitCodes);
@@ -243,7 +264,9 @@ CommandLine parse_command_line(int argc, const char* const* argv) {
   add_model_options(*locate_command, locate.model);
   add_paving_options(*locate_command, locate);
   add_search_options(*locate_command, locate.search);
-  add_certificate_option(*locate_command, locate.certificate);
+  add_certificate_option(*locate_command, locate.certificate, kLocateCertificate);
+  refuse_checkpoint_options(
+      *locate_command, "the lines of a paving that was stopped say which boxes it did not come to");
   add_output_options(*locate_command, locate.output);
   locate_command->footer(kLocateExitCodes);
 
@@ -254,6 +277,9 @@ CommandLine parse_command_line(int argc, const char* const* argv) {
   add_search_options(*margin_command, margin.search);
   add_filter_option(*margin_command, margin.search);
   add_margin_options(*margin_command, margin);
+  add_certificate_option(*margin_command, margin.certificate, kMarginCertificate);
+  refuse_checkpoint_options(*margin_command,
+                            "a bracket that was stopped can be narrowed from its two ends, LO:HI");
   add_output_options(*margin_command, margin.output);
   margin_command->footer(kMarginFooter);
 

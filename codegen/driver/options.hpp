@@ -86,12 +86,13 @@ struct MarginCommand {
   OutputOptions output;
   std::string scale;  ///< empty: not that
   std::string gap = "0.01";
+  std::string certificate;  ///< files, without their endings; empty: none
 };
 
 struct VerifyCommand {
   std::string path;
   std::string model;  ///< the model file it must be about; empty: any
-  bool quiet = false;
+  OutputOptions output;
 };
 
 struct ExplainCommand {

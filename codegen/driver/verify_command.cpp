@@ -1,18 +1,25 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <fstream>
 #include <iostream>
+#include <nlohmann/json.hpp>
 
 #include "regulus/certificate/verifier/verify.hpp"
+#include "regulus/codegen/driver/certified_model.hpp"
 #include "regulus/codegen/driver/commands.hpp"
 #include "regulus/codegen/model/errors.hpp"
-#include "regulus/codegen/model/model_file.hpp"
 
 namespace regulus::codegen {
 namespace {
 
-verifier::Verification verify_file(const std::string& path) {
-  std::ifstream file(path, std::ios::binary);
-  if (!file) throw FileError("cannot read " + path);
+using verifier::Outcome;
+using verifier::Verification;
+
+struct Verified {
+  Verification verification;
+  std::vector<std::string> differences;  ///< from the model file that was asked about
+};
+
+Verification verify_stream(std::istream& file, const std::string& path) {
   try {
     return verifier::verify(file);
   } catch (const std::runtime_error& error) {
@@ -20,21 +27,79 @@ verifier::Verification verify_file(const std::string& path) {
   }
 }
 
-/// A proof about another file than the one that was asked about is of no use.
-void require_model(verifier::Verification& verification, const std::string& path) {
-  if (path.empty() || load_model(path).sha256 == verification.sha256) return;
-  verification.outcome = verifier::Outcome::kRejected;
-  verification.reason = "the certificate is not about " + path + ", whose SHA-256 is another" +
-                        (verification.reason.empty() ? "" : "; " + verification.reason);
+/// A proof about something else than what was asked about is of no use: it is not even read.
+Verification rejected(const CertificateHead& head, const std::string& reason) {
+  Verification verification;
+  verification.outcome = Outcome::kRejected;
+  verification.reason = reason;
+  verification.model = head.value("model");
+  verification.sha256 = head.value("sha256");
+  verification.motion = head.value("motion");
+  return verification;
+}
+
+Verified verify_file(const VerifyCommand& command) {
+  std::ifstream file(command.path, std::ios::binary);
+  if (!file) throw FileError("cannot read " + command.path);
+  if (command.model.empty()) return {verify_stream(file, command.path), {}};
+  const CertificateHead head(file);
+  ContinuedText text(head.text(), file);
+  std::istream certificate(&text);
+  // What has no head is for the verifier to say.
+  ModelConfirmation confirmation;
+  if (!head.lines().empty()) confirmation = confirm_model(head, command.model);
+  if (!confirmation.refusal.empty()) return {rejected(head, confirmation.refusal), {}};
+  return {verify_stream(certificate, command.path), confirmation.differences};
+}
+
+std::string model_lines(const VerifyCommand& command, const Verified& verified) {
+  if (command.model.empty() || verified.verification.outcome == Outcome::kRejected) return "";
+  std::string lines = "question   that of " + command.model;
+  const char* begin = ", with ";
+  for (const std::string& difference : verified.differences) {
+    lines += begin + difference;
+    begin = ", ";
+  }
+  return lines + '\n';
+}
+
+const char* json_name(Outcome outcome) {
+  return outcome == Outcome::kVerified   ? "verified"
+         : outcome == Outcome::kRejected ? "rejected"
+                                         : "unfinished";
+}
+
+nlohmann::ordered_json json_report(const VerifyCommand& command, const Verified& verified) {
+  const Verification& v = verified.verification;
+  nlohmann::ordered_json report = {{"outcome", json_name(v.outcome)},
+                                   {"reason", v.reason},
+                                   {"claim", v.claim},
+                                   {"model", v.model},
+                                   {"model_sha256", v.sha256},
+                                   {"motion", v.motion},
+                                   {"leaves", v.leaves},
+                                   {"boxes", v.boxes}};
+  report["certificate"] = command.path;
+  report["model_file"] = nullptr;
+  if (!command.model.empty()) report["model_file"] = command.model;
+  report["differences"] = verified.differences;
+  return report;
 }
 
 }  // namespace
 
 int run_verify(const VerifyCommand& command) {
-  verifier::Verification verification = verify_file(command.path);
-  require_model(verification, command.model);
-  if (!command.quiet) std::cerr << verifier::describe(verification);
-  std::cout << verifier::name(verification.outcome) << '\n';
+  const Verified verified = verify_file(command);
+  const Verification& verification = verified.verification;
+  if (!command.output.quiet)
+    std::cerr << verifier::describe(verification) << model_lines(command, verified);
+  if (command.output.json)
+    // Labels are bytes of a foreign file.
+    std::cout << json_report(command, verified)
+                     .dump(2, ' ', false, nlohmann::ordered_json::error_handler_t::replace)
+              << '\n';
+  else
+    std::cout << verifier::name(verification.outcome) << '\n';
   std::cout.flush();
   return static_cast<int>(verification.outcome);
 }
