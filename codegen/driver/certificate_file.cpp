@@ -13,10 +13,12 @@ CertificateFile::CertificateFile(const std::string& path, const Preparation& pre
   if (path.empty()) return;
   CertifiedQuestion question = certified_question(preparation);
   try {
-    if (partial)
+    if (partial) {
+      lock_.emplace(path);
       writer_.emplace(path, std::move(question), *partial);
-    else
+    } else {
       writer_.emplace(path, std::move(question));
+    }
   } catch (const std::runtime_error& error) {
     throw FileError(error.what());
   }

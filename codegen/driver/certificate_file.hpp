@@ -7,6 +7,7 @@
 #include <string>
 
 #include "regulus/certificate/writer.hpp"
+#include "regulus/checkpoint/file_lock.hpp"
 #include "regulus/codegen/driver/pipeline.hpp"
 
 namespace regulus::codegen {
@@ -33,6 +34,7 @@ class CertificateFile {
   void add_to(nlohmann::ordered_json& report) const;
 
  private:
+  std::optional<FileLock> lock_;  ///< of a file that several runs write
   std::optional<CertificateWriter> writer_;
   bool written_ = false;
 };

@@ -56,6 +56,11 @@ CheckpointFile::CheckpointFile(const CheckpointOptions& options, const Preparati
                                const Settings& settings)
     : path_(options.path), interval_(options.interval) {
   if (!wanted()) return;
+  try {
+    lock_.emplace(path_);
+  } catch (const std::runtime_error& error) {
+    throw FileError(std::string("the checkpoint ") + error.what());
+  }
   question_ = question_of(preparation, settings);
   const std::optional<std::string> text = read_file(path_);
   if (!text) return;

@@ -6,6 +6,7 @@
 #include <string>
 
 #include "regulus/certificate/writer.hpp"
+#include "regulus/checkpoint/file_lock.hpp"
 #include "regulus/checkpoint/writer.hpp"
 #include "regulus/codegen/driver/options.hpp"
 #include "regulus/codegen/driver/pipeline.hpp"
@@ -15,7 +16,8 @@ namespace regulus::codegen {
 class CheckpointFile {
  public:
   /// Reads the file if there is one. `path` empty: none is wanted. Throws InputError for a file
-  /// that is no checkpoint of this question, FileError when it cannot be read or made.
+  /// that is no checkpoint of this question, FileError when it cannot be read or made, or when
+  /// another run uses it.
   CheckpointFile(const CheckpointOptions& options, const Preparation& preparation,
                  const Settings& settings);
 
@@ -39,6 +41,7 @@ class CheckpointFile {
  private:
   std::string path_;
   double interval_;
+  std::optional<FileLock> lock_;
   CheckpointedQuestion question_;
   std::optional<Checkpoint> found_;
   std::optional<CheckpointWriter> writer_;

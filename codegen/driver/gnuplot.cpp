@@ -5,6 +5,7 @@
 #include <spawn.h>
 #include <sys/mman.h>
 #include <sys/socket.h>
+#include <sys/stat.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
@@ -61,30 +62,34 @@ pid_t start(int input, int output, int errors) {
 }  // namespace
 
 Gnuplot::Gnuplot(const std::string& picture) : picture_(picture) {
-  const int output = open(picture.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, 0666);
-  if (output < 0) throw system_error("cannot write " + picture, errno);
+  file_ = open(picture.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, 0666);
+  if (file_ < 0) throw system_error("cannot write " + picture, errno);
   std::array<int, 2> ends{-1, -1};
+  drawing_ = memfd_create("gnuplot-drawing", MFD_CLOEXEC);
   errors_ = memfd_create("gnuplot-errors", MFD_CLOEXEC);
-  const bool opened =
-      errors_ >= 0 && socketpair(AF_UNIX, SOCK_STREAM | SOCK_CLOEXEC, 0, ends.data()) == 0;
+  const bool opened = drawing_ >= 0 && errors_ >= 0 &&
+                      socketpair(AF_UNIX, SOCK_STREAM | SOCK_CLOEXEC, 0, ends.data()) == 0;
   const int error = errno;
   input_ = ends[0];
   try {
     if (!opened) throw system_error("cannot start gnuplot", error);
-    process_ = start(ends[1], output, errors_);
+    process_ = start(ends[1], drawing_, errors_);
   } catch (const FileError&) {
-    for (const int descriptor : {output, ends[0], ends[1], errors_})
-      if (descriptor >= 0) close(descriptor);
+    if (ends[1] >= 0) close(ends[1]);
+    close_all();
     throw;
   }
-  close(output);
   close(ends[1]);
 }
 
 Gnuplot::~Gnuplot() {
   if (process_ > 0) static_cast<void>(wait_for_end());
-  if (input_ >= 0) close(input_);
-  if (errors_ >= 0) close(errors_);
+  close_all();
+}
+
+void Gnuplot::close_all() noexcept {
+  for (const int descriptor : {file_, input_, drawing_, errors_})
+    if (descriptor >= 0) close(descriptor);
 }
 
 /// MSG_NOSIGNAL: a gnuplot that has ended is an error to report, not a signal.
@@ -118,6 +123,22 @@ void Gnuplot::draw(const std::string& commands) {
   const int status = wait_for_end();
   if (!sent || !WIFEXITED(status) || WEXITSTATUS(status) != 0)
     throw FileError("gnuplot could not draw " + picture_ + complaint());
+  write_picture();
+}
+
+void Gnuplot::write_picture() const {
+  std::array<char, 65536> part{};
+  for (off_t at = 0;;) {
+    const ssize_t size = pread(drawing_, part.data(), part.size(), at);
+    if (size == 0) break;
+    const ssize_t written = size < 0 ? -1 : write(file_, part.data(), std::size_t(size));
+    if (written < 0 && errno == EINTR) continue;
+    if (written <= 0) throw system_error("cannot write " + picture_, errno);
+    at += written;
+  }
+  struct stat status {};
+  if (fstat(file_, &status) != 0 || status.st_nlink == 0)
+    throw FileError(picture_ + " was removed before it was drawn");
 }
 
 std::string Gnuplot::quoted(const std::string& text) {

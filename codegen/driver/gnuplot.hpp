@@ -17,7 +17,8 @@ class Gnuplot {
   Gnuplot(const Gnuplot&) = delete;
   Gnuplot& operator=(const Gnuplot&) = delete;
 
-  /// Sends the commands and waits for the end. Throws FileError with gnuplot's words when it fails.
+  /// Sends the commands, waits for the end and writes the picture. Throws FileError, with gnuplot's
+  /// words where it is that which fails.
   void draw(const std::string& commands);
 
   /// A text as gnuplot reads it: in single quotes, where nothing has a meaning but the quote
@@ -28,10 +29,15 @@ class Gnuplot {
   [[nodiscard]] bool send_all(const std::string& commands) const;
   [[nodiscard]] int wait_for_end();
   [[nodiscard]] std::string complaint() const;
+  void write_picture() const;
+  void close_all() noexcept;
 
   std::string picture_;
-  int input_ = -1;   ///< our end of its standard input
-  int errors_ = -1;  ///< a file in memory that takes its standard error
+  int file_ = -1;     ///< of the picture
+  int input_ = -1;    ///< our end of its standard input
+  int drawing_ = -1;  ///< a file in memory that takes its standard output: it would not notice a
+                      ///< disk that is full
+  int errors_ = -1;   ///< the same for its standard error
   pid_t process_ = -1;
 };
 

@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include <sys/stat.h>
+
 #include <fstream>
 #include <iostream>
 #include <memory>
@@ -30,12 +32,18 @@ class LinesFile {
     if (name_.empty() || name_ == "-") return;
     file_.open(name_);
     if (!file_) throw FileError("cannot write " + name_);
+    opened_ = identity();
   }
 
   [[nodiscard]] bool wanted() const { return !name_.empty(); }
   [[nodiscard]] bool is_standard_output() const { return name_ == "-"; }
   [[nodiscard]] std::string name() const {
     return is_standard_output() ? "standard output" : name_;
+  }
+  /// Lines that nobody will find are not written. Throws FileError.
+  void require_in_place() const {
+    if (wanted() && !is_standard_output() && identity() != opened_)
+      throw FileError(name_ + " was removed while it was written");
   }
   [[nodiscard]] std::ostream& stream() { return is_standard_output() ? std::cout : file_; }
 
@@ -44,8 +52,16 @@ class LinesFile {
     return command.lines.empty() && !command.output.json ? std::string("-") : command.lines;
   }
 
+  /// Of the file that has the name now.
+  [[nodiscard]] std::pair<dev_t, ino_t> identity() const {
+    struct stat status {};
+    return ::stat(name_.c_str(), &status) == 0 ? std::pair(status.st_dev, status.st_ino)
+                                               : std::pair<dev_t, ino_t>();
+  }
+
   std::string name_;
   std::ofstream file_;
+  std::pair<dev_t, ino_t> opened_;
 };
 
 /// The pictures, their files opened and gnuplot started before the search: what cannot be had is
@@ -105,6 +121,7 @@ int run_locate(const LocateCommand& command) {
   auto summary = json_paving_summary(preparation, command.search, options, volumes, result);
   certificate.add_to(summary);
   if (writer) writer->finish(summary, lines.name());
+  lines.require_in_place();
   pictures.draw(preparation, options, volumes);
   if (!command.output.quiet)
     std::cerr << paving_report(preparation, command.search, options, volumes, result)

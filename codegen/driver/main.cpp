@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include <cfenv>
+#include <csignal>
 #include <iostream>
 
 #include "regulus/codegen/driver/commands.hpp"
@@ -21,6 +23,20 @@ int run(const CommandLine& line, const std::string& command) {
   return run_explain(*line.explain, command);
 }
 
+/// A file that may not grow is trouble to be reported, not a signal to die of.
+void report_file_limits() { std::signal(SIGXFSZ, SIG_IGN); }
+
+/// A library that was loaded before may have changed the rounding, or have subnormals flushed:
+/// reading numbers and starting threads would inherit that.
+void start_with_the_usual_arithmetic() { std::fesetenv(FE_DFL_ENV); }
+
+/// The exit code says what was shown, unless nobody could read it.
+int with_output_written(int exit_code) {
+  std::cout.flush();
+  if (!std::cout) throw FileError("cannot write standard output");
+  return exit_code;
+}
+
 int complain(const std::exception& error, ExitCode code) {
   std::cerr << "regulus: " << error.what() << '\n';
   return code;
@@ -37,7 +53,9 @@ std::string typed(int argc, char** argv) {
 
 int main(int argc, char** argv) {
   try {
-    return run(parse_command_line(argc, argv), typed(argc, argv));
+    report_file_limits();
+    start_with_the_usual_arithmetic();
+    return with_output_written(run(parse_command_line(argc, argv), typed(argc, argv)));
   } catch (const UsageError& error) {
     return complain(error, kUsageError);
   } catch (const ClosedFormError& error) {
