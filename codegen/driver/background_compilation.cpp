@@ -62,7 +62,7 @@ std::string compile(const EmittedKernel& text, const CompileOptions& options,
 BackgroundCompilation::BackgroundCompilation(const EmittedKernel& text,
                                              const CompileOptions& options,
                                              const std::function<void(const std::string&)>& after)
-    : symbol_(text.symbol),
+    : kernel_(name_of(text)),
       cache_directory_(options.cache_directory.empty() ? default_cache_directory()
                                                        : options.cache_directory) {
   lock_ = FileDescriptor(::open(cache_directory_.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC));
@@ -110,7 +110,7 @@ std::optional<CompiledKernel> BackgroundCompilation::take() {
     failure_ = words;
     return std::nullopt;
   }
-  auto kernel = load_cached_kernel(ObjectCache(cache_directory_), words, symbol_);
+  auto kernel = load_cached_kernel(ObjectCache(cache_directory_), words, kernel_);
   if (!kernel) failure_ = "the cache does not have it";
   return kernel;
 }

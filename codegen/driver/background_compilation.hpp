@@ -42,7 +42,7 @@ class BackgroundCompilation {
  private:
   [[nodiscard]] bool answered();
 
-  std::string symbol_;
+  KernelName kernel_;
   std::filesystem::path cache_directory_;
   FileDescriptor answer_;
   /// Of the cache directory, opened before the fork and so held by both: a lock that this process

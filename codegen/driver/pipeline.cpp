@@ -37,7 +37,7 @@ class InterpretedPrograms : public LoadedKernel {
 /// What the cache calls a kernel; empty if it has none.
 struct KernelPlace {
   std::string object_key;
-  std::string symbol;
+  KernelName name;
 };
 
 Isa chosen_isa(const SearchOptions& search) {
@@ -88,7 +88,7 @@ void compile(const EmittedKernel& text, Preparation& p, const SearchOptions& sea
   const CompileOptions options = compile_options(p.isa, search);
   require_sound_rounding(rounding_self_test(options));
   CompiledKernel code = compile_kernel(text, options);
-  keep({code.report().object_key, text.symbol});
+  keep({code.report().object_key, name_of(text)});
   use(std::move(code), p);
 }
 
@@ -98,11 +98,11 @@ void compile_meanwhile(const EmittedKernel& text, Preparation& p, const SearchOp
                        const Keep& keep) {
   const ObjectCache cache(default_cache_directory());
   if (!search.use_cache || !cache.refusal().empty() ||
-      load_cached_kernel(cache, kernel_object_key(text, p.isa), text.symbol))
+      load_cached_kernel(cache, kernel_object_key(text, p.isa), name_of(text)))
     return compile(text, p, search, keep);
   auto kernel = std::make_unique<EngineSwitch>(
       p.stages->module(), text, compile_options(p.isa, search), [&](const std::string& object_key) {
-        keep({object_key, text.symbol});
+        keep({object_key, name_of(text)});
       });
   p.cache = name(CacheUse::kMiss);
   p.engine_switch = kernel.get();
@@ -214,7 +214,7 @@ Preparation prepare(const ModelOptions& model, const SearchOptions& search) {
   if (cache && take_from(*cache, p, search)) return p;
   prepare_anew(p, search, [&](const KernelPlace& kernel) {
     if (cache && !kernel.object_key.empty())
-      cache->keep({p.subject, p.variety, kernel.object_key, kernel.symbol});
+      cache->keep({p.subject, p.variety, kernel.object_key, kernel.name});
   });
   if (cache && p.cache_note.empty()) p.cache_note = cache->note();
   return p;

@@ -16,7 +16,7 @@ namespace {
 using Json = nlohmann::json;
 
 /// To be raised when the text of a prepared problem means something else.
-constexpr int kFormat = 1;
+constexpr int kFormat = 2;
 
 // In these three the names between the brackets are all members there are: one more does not
 // compile until it is in the key.
@@ -102,17 +102,25 @@ Json json_of(const Subject& subject) {
           {"twist", twist}};
 }
 
+/// Throws std::invalid_argument for anything that no number of rows, variables or kinds is.
+int count_of(const Json& json) {
+  constexpr Json::number_unsigned_t kMost = 1 << 20;
+  const auto* number = json.get_ptr<const Json::number_unsigned_t*>();
+  if (number == nullptr || *number > kMost) throw std::invalid_argument("no count");
+  return static_cast<int>(*number);
+}
+
 Subject subject_of(const Json& json) {
   Subject subject;
   subject.model = json.at("model");
   subject.model_sha256 = json.at("sha256");
   subject.motion = json.at("motion");
-  subject.rows = json.at("rows");
-  subject.columns = json.at("columns");
-  subject.constraints = json.at("constraints");
+  subject.rows = count_of(json.at("rows"));
+  subject.columns = count_of(json.at("columns"));
+  subject.constraints = std::size_t(count_of(json.at("constraints")));
   for (const Json& p : json.at("pose")) subject.pose.push_back({p.at(0), p.at(1)});
   for (const Json& t : json.at("twist"))
-    subject.twist.push_back({TwistComponent::Kind(t.at(0).get<int>()), t.at(1), t.at(2)});
+    subject.twist.push_back({TwistComponent::Kind(count_of(t.at(0))), t.at(1), t.at(2)});
   return subject;
 }
 
@@ -127,7 +135,7 @@ Json json_of(const VariableLabel& label, const Interval& outer,
 
 void read_variable(const Json& json, PreparedProblem& problem) {
   problem.subject.variables.push_back(
-      {json.at("name"), json.at("unit"), VariableKind(json.at("kind").get<int>())});
+      {json.at("name"), json.at("unit"), VariableKind(count_of(json.at("kind")))});
   problem.variety.outer.push_back(interval_of(json.at("outer")));
   auto& inner = problem.variety.inner.emplace_back();
   if (!json.at("inner").is_null()) inner = interval_of(json.at("inner"));
@@ -154,7 +162,8 @@ std::string to_text(const PreparedProblem& problem) {
   Json json = json_of(problem.subject);
   json["format"] = kFormat;
   json["object"] = problem.object_key;
-  json["symbol"] = problem.symbol;
+  json["symbol"] = problem.kernel.symbol;
+  json["identity"] = problem.kernel.identity;
   json["alpha"] = json_of(problem.variety.alpha);
   Json& variables = json["variables"] = Json::array();
   for (std::size_t k = 0; k < problem.subject.variables.size(); ++k)
@@ -168,10 +177,11 @@ std::optional<PreparedProblem> read_prepared_problem(std::string_view text) try 
   PreparedProblem problem;
   problem.subject = subject_of(json);
   problem.object_key = json.at("object");
-  problem.symbol = json.at("symbol");
+  problem.kernel = {json.at("symbol"), json.at("identity")};
   if (json.at("format") != kFormat || !is_key(problem.object_key)) return std::nullopt;
   problem.variety.alpha = interval_of(json.at("alpha"));
   for (const Json& variable : json.at("variables")) read_variable(variable, problem);
+  if (to_text(problem) != text) return std::nullopt;
   return problem;
 } catch (const std::exception&) {
   return std::nullopt;

@@ -10,6 +10,7 @@
 #include "regulus/codegen/driver/options.hpp"
 #include "regulus/codegen/driver/subject.hpp"
 #include "regulus/codegen/driver/variety.hpp"
+#include "regulus/codegen/jit/jit.hpp"
 #include "regulus/kernel/abi.hpp"
 #include "regulus/kernel/isa.hpp"
 
@@ -19,7 +20,7 @@ struct PreparedProblem {
   Subject subject;
   Variety variety;
   std::string object_key;  ///< of the kernel's object in the cache
-  std::string symbol;      ///< of the kernel in the object
+  KernelName kernel;       ///< in the object
 };
 
 /// The name of a prepared problem in the cache.

@@ -18,7 +18,7 @@ std::optional<ProblemCache::Found> ProblemCache::find() {
   std::optional<PreparedProblem> problem = read_prepared_problem(*entry.object);
   if (!problem) return std::nullopt;
   std::optional<CompiledKernel> kernel =
-      load_cached_kernel(cache_, problem->object_key, problem->symbol);
+      load_cached_kernel(cache_, problem->object_key, problem->kernel);
   if (!kernel || !fits(*problem, *kernel->kernel())) return std::nullopt;
   return Found{std::move(*problem), std::move(*kernel)};
 }

@@ -152,15 +152,26 @@ MachineCode compile_text(std::string_view text, const CompileOptions& options) {
   return MachineCode(std::move(*loaded), std::move(report));
 }
 
-const regulus_kernel* CompiledKernel::find(const MachineCode& code, const std::string& symbol) {
+KernelName name_of(const EmittedKernel& emitted) { return {emitted.symbol, emitted.identity}; }
+
+const regulus_kernel* CompiledKernel::find(const MachineCode& code, const KernelName& name) {
   const auto* kernel =
-      static_cast<const regulus_kernel*>(code.symbol(symbol, sizeof(regulus_kernel)));
-  return kernel && kernel->abi == REGULUS_KERNEL_ABI ? kernel : nullptr;
+      static_cast<const regulus_kernel*>(code.symbol(name.symbol, sizeof(regulus_kernel)));
+  if (!kernel || kernel->abi != REGULUS_KERNEL_ABI) return nullptr;
+  const bool is_meant = name.identity.empty() || kernel->identity == name.identity;
+  return is_meant ? kernel : nullptr;
 }
 
 CompiledKernel compile_kernel(const EmittedKernel& emitted, const CompileOptions& options) {
+  const KernelName wanted = name_of(emitted);
   MachineCode code = compile_text(emitted.source, options);
-  const regulus_kernel* kernel = CompiledKernel::find(code, emitted.symbol);
+  const regulus_kernel* kernel = CompiledKernel::find(code, wanted);
+  if (!kernel && code.report().cache == CacheUse::kHit) {
+    CompileOptions anew = options;
+    anew.use_cache = false;
+    code = compile_text(emitted.source, anew);
+    kernel = CompiledKernel::find(code, wanted);
+  }
   if (!kernel)
     throw CompileError("the generated text defines no kernel '" + emitted.symbol + "' of ABI " +
                            std::to_string(static_cast<int>(REGULUS_KERNEL_ABI)),
@@ -173,7 +184,7 @@ std::string kernel_object_key(const EmittedKernel& emitted, Isa isa) {
 }
 
 std::optional<CompiledKernel> load_cached_kernel(const ObjectCache& cache, const std::string& key,
-                                                 const std::string& symbol) {
+                                                 const KernelName& name) {
   CompileReport report;
   std::optional<LoadedObjects> loaded = load_from_cache(cache, key, report);
   if (!loaded) return std::nullopt;
@@ -181,7 +192,7 @@ std::optional<CompiledKernel> load_cached_kernel(const ObjectCache& cache, const
   report.total_seconds = report.cache_seconds + report.load_seconds;
   report.object_key = key;
   MachineCode code(std::move(*loaded), std::move(report));
-  const regulus_kernel* kernel = CompiledKernel::find(code, symbol);
+  const regulus_kernel* kernel = CompiledKernel::find(code, name);
   if (!kernel) return std::nullopt;
   return CompiledKernel(std::move(code), kernel);
 }

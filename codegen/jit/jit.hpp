@@ -34,6 +34,14 @@ struct CompileOptions {
 /// Throws    CompileError, std::bad_alloc.
 [[nodiscard]] MachineCode compile_text(std::string_view text, const CompileOptions& options);
 
+/// What the table of a kernel must be called, and say. An object of another kernel is no use, even
+/// one that the cache has under the right key.
+struct KernelName {
+  std::string symbol;
+  std::string identity;  ///< regulus_kernel::identity; empty: that of nothing that was emitted
+};
+[[nodiscard]] KernelName name_of(const EmittedKernel& emitted);
+
 /// A kernel in memory as long as one copy of this object lives.
 class CompiledKernel {
  public:
@@ -45,13 +53,12 @@ class CompiledKernel {
  private:
   friend CompiledKernel compile_kernel(const EmittedKernel&, const CompileOptions&);
   friend std::optional<CompiledKernel> load_cached_kernel(const ObjectCache&, const std::string&,
-                                                          const std::string&);
+                                                          const KernelName&);
   CompiledKernel(MachineCode code, const regulus_kernel* kernel) noexcept
       : code_(std::move(code)), kernel_(kernel) {}
 
   /// Null unless the code has that kernel, of this ABI.
-  [[nodiscard]] static const regulus_kernel* find(const MachineCode& code,
-                                                  const std::string& symbol);
+  [[nodiscard]] static const regulus_kernel* find(const MachineCode& code, const KernelName& name);
 
   MachineCode code_;
   const regulus_kernel* kernel_;
@@ -74,7 +81,7 @@ class CompiledKernel {
 /// Throws    std::bad_alloc.
 [[nodiscard]] std::optional<CompiledKernel> load_cached_kernel(const ObjectCache& cache,
                                                                const std::string& key,
-                                                               const std::string& symbol);
+                                                               const KernelName& name);
 
 /// Changes when the compiler is exchanged, see ClangCompiler::identity.
 [[nodiscard]] std::string compiler_identity();

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cfenv>
 #include <fstream>
 #include <system_error>
 
@@ -14,6 +15,22 @@
 
 namespace regulus::codegen {
 namespace {
+
+/// A library that reads a decimal as a double may go by the caller's rounding; which decimal was
+/// written is found out from the double.
+class UsualArithmetic {
+ public:
+  UsualArithmetic() {
+    std::fegetenv(&callers_);
+    std::fesetenv(FE_DFL_ENV);
+  }
+  ~UsualArithmetic() { std::fesetenv(&callers_); }
+  UsualArithmetic(const UsualArithmetic&) = delete;
+  UsualArithmetic& operator=(const UsualArithmetic&) = delete;
+
+ private:
+  std::fenv_t callers_{};
+};
 
 toml::table parse_toml(std::string_view text, const std::string& file) try {
   return toml::parse(text);
@@ -80,6 +97,7 @@ Model parse_model(std::string_view text, const std::string& name_for_errors) {
   if (text.size() > kLargestModelFile)
     throw InputError(name_for_errors, 0,
                      "more than " + std::to_string(kLargestModelFile) + " bytes", "a model file");
+  const UsualArithmetic scope;
   const toml::table document = parse_toml(text, name_for_errors);
   ModelReading reading{TomlReader(name_for_errors)};
   const TomlEntry root{.key = {}, .path = {}, .node = &document, .line = 1};

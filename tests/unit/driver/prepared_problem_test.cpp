@@ -108,7 +108,7 @@ PreparedProblem example() {
   p.variety.inner = {Interval{0.0, 0.0}, std::nullopt, Interval{-1, 1}};
   p.variety.alpha = {1.0 / 3, std::nextafter(1.0 / 3, 1.0)};
   p.object_key = std::string(64, '7');
-  p.symbol = "regulus_kernel_42";
+  p.kernel = {"regulus_kernel_42", "0123456789abcdef"};
   return p;
 }
 
@@ -129,7 +129,8 @@ TEST(PreparedProblem, IsReadBackAsItWas) {
   EXPECT_EQ(after->subject.variables.at(2).kind, VariableKind::kControl);
   EXPECT_EQ(to_text(*after), to_text(before));
   EXPECT_EQ(after->object_key, before.object_key);
-  EXPECT_EQ(after->symbol, before.symbol);
+  EXPECT_EQ(after->kernel.symbol, before.kernel.symbol);
+  EXPECT_EQ(after->kernel.identity, before.kernel.identity);
   expect_same(after->variety.alpha, before.variety.alpha);
   ASSERT_EQ(after->variety.outer.size(), 3U);
   ASSERT_EQ(after->variety.inner.size(), 3U);
@@ -164,8 +165,11 @@ TEST(PreparedProblem, IsNotReadFromAnythingElse) {
     EXPECT_NE(at, std::string::npos) << from;
     return other.replace(at, from.size(), to);
   };
-  EXPECT_FALSE(read_prepared_problem(with("\"format\":1", "\"format\":2")));
+  EXPECT_FALSE(read_prepared_problem(with("\"format\":2", "\"format\":3")));
   EXPECT_FALSE(read_prepared_problem(with(std::string(64, '7'), "../" + std::string(61, '7'))));
+  EXPECT_FALSE(read_prepared_problem(text + ' '));
+  EXPECT_FALSE(read_prepared_problem(with("\"rows\":7", "\"rows\":7.0")));
+  EXPECT_FALSE(read_prepared_problem(with("\"rows\":7", "\"rows\":1e300")));
   EXPECT_FALSE(read_prepared_problem(with("\"inner\"", "\"other\"")));
   EXPECT_FALSE(read_prepared_problem(with("0x1.8p-900", "-0x1p+0"))) << "bounds in wrong order";
   EXPECT_FALSE(read_prepared_problem(with("0x1.8p-900", "nan")));

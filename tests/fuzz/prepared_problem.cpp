@@ -1,0 +1,24 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Any bytes are the text of a prepared problem, to the last byte, or none.
+#include "regulus/codegen/driver/prepared_problem.hpp"
+
+#include <cstddef>
+#include <cstdint>
+#include <cstdlib>
+
+extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
+  using namespace regulus::codegen;
+  const std::string_view text(reinterpret_cast<const char*>(data), size);
+  const auto problem = read_prepared_problem(text);
+  if (!problem) return 0;
+  if (to_text(*problem) != text) std::abort();
+  const std::size_t variables = problem->subject.variables.size();
+  if (problem->variety.outer.size() != variables || problem->variety.inner.size() != variables)
+    std::abort();
+  for (const regulus::Interval& x : problem->variety.outer)
+    if (!(x.lo <= x.hi)) std::abort();
+  regulus_kernel kernel{};
+  kernel.rows = kernel.columns = 6;
+  static_cast<void>(fits(*problem, kernel));
+  return 0;
+}
