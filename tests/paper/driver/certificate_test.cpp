@@ -33,18 +33,19 @@ TEST_P(CertificatesOfMotions, AreVerified) {
   EXPECT_EQ(v.outcome, verifier::Outcome::kVerified) << v.reason;
 }
 
-INSTANTIATE_TEST_SUITE_P(Models, CertificatesOfMotions,
-                         testing::Values(Motion{"robot_1", "T1", "", ""},
-                                         Motion{"robot_1", "T2", "", ""},
-                                         Motion{"robot_1", "T1_errors", "0.05", ""},
-                                         Motion{"robot_1", "T2_errors", "0.05", ""},
-                                         Motion{"robot_1", "wide_15", "", "0.001"},
-                                         Motion{"robot_1", "wide_15", "", "0.2"},
-                                         Motion{"robot_1", "table4_5", "0.01", "0.5"},
-                                         Motion{"robot_1", "table4_5", "", "2"},
-                                         Motion{"rump", "point", "", ""},
-                                         Motion{"planar_3rpr", "regular", "0.2", ""},
-                                         Motion{"planar_3rpr", "crossing", "", ""}));
+INSTANTIATE_TEST_SUITE_P(
+    Models, CertificatesOfMotions,
+    testing::Values(
+        Motion{"robot_1", "T1", "", ""}, Motion{"robot_1", "T2", "", ""},
+        Motion{"robot_1", "T1_errors", "", ""}, Motion{"robot_1", "T2_errors", "", ""},
+        Motion{"robot_1", "T1", "", "0.1"}, Motion{"robot_1", "T2_errors", "0.05", "0.01"},
+        Motion{"robot_1", "wide_40", "", "0.001"},
+        Motion{"robot_1", "table6_5_15", "0.05", "0.001"},
+        Motion{"robot_2", "table5_20", "10", "0.001"}, Motion{"robot_1", "T1_errors", "0.05", ""},
+        Motion{"robot_1", "T2_errors", "0.05", ""}, Motion{"robot_1", "wide_15", "", "0.001"},
+        Motion{"robot_1", "wide_15", "", "0.2"}, Motion{"robot_1", "table4_5", "0.01", "0.5"},
+        Motion{"robot_1", "table4_5", "", "2"}, Motion{"rump", "point", "", ""},
+        Motion{"planar_3rpr", "regular", "0.2", ""}, Motion{"planar_3rpr", "crossing", "", ""}));
 
 }  // namespace
 }  // namespace regulus::test

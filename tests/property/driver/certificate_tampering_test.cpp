@@ -2,6 +2,7 @@
 #include "property/driver/certificate_tampering.hpp"
 
 #include <algorithm>
+#include <cctype>
 
 namespace regulus::test {
 namespace {
@@ -80,6 +81,22 @@ TEST(ASplit, CannotBeLeftOutOrLieOutsideItsBox) {
     changed[at] = changed[at].substr(0, changed[at].rfind(' ')) + " 0x1p+40";
     expect_rejected(joined(changed), "not inside the box");
   }
+}
+
+/// The claim does not depend on where boxes are cut: a cut within its box tiles the variety as
+/// well, and whatever is verified then is the claim that was proved.
+TEST(ACut, ThatIsMovedByADigitLeavesTheClaimOrTheProofAsItIs) {
+  const auto lines = lines_of(proof());
+  const std::string claim = verify_text(proof()).claim;
+  for (const std::size_t at : lines_with(lines, "s "))
+    for (std::size_t i = lines[at].rfind("0x") + 2; i < lines[at].find('p'); ++i) {
+      if (std::isxdigit(static_cast<unsigned char>(lines[at][i])) == 0) continue;
+      auto changed = lines;
+      changed[at][i] = changed[at][i] == '7' ? '3' : '7';
+      const auto v = verify_text(joined(changed), little_effort());
+      EXPECT_EQ(v.claim, claim);
+      EXPECT_NE(v.outcome == Outcome::kVerified, !v.reason.empty());
+    }
 }
 
 std::string replaced_everywhere(std::string text, const std::string& from, const std::string& to) {
