@@ -11,8 +11,6 @@
 #include <vector>
 
 #include "support/command.hpp"
-#include "support/readme.hpp"
-#include "support/temporary_directory.hpp"
 
 namespace regulus::test {
 namespace {
@@ -69,37 +67,6 @@ TEST(Models, HaveTheirVerdictsInTheReadme) {
     const std::string motions = line.substr(group, line.find_first_of(";|", group + 1) - group);
     EXPECT_NE(motions.find('`' + motion + '`'), std::string::npos) << name << ' ' << motion;
   }
-}
-
-TEST(Models, AnswerAsTheirReadmeShows) {
-  for (const std::string words :
-       {"models/tsai_3upu.toml wide", "models/tsai_3upu_reduced.toml wide"}) {
-    const std::size_t space = words.find(' ');
-    const CommandResult real =
-        run_command({REGULUS_BINARY_DIR "/bin/regulus", "check",
-                     REGULUS_SOURCE_DIR "/" + words.substr(0, space), words.substr(space + 1)});
-    const std::string shown = shown_in_readme("regulus check " + words, "models/README.md");
-    EXPECT_NE(shown, "");
-    EXPECT_EQ(without_timings(shown), without_timings(real.errors + real.output));
-  }
-}
-
-TEST(Models, AreDrawnAsTheirReadmeShows) {
-  const TemporaryDirectory folder;
-  const std::string picture = folder.path() / "tsai_3upu.svg";
-  const std::string shown = shown_in_readme(
-      "regulus locate models/tsai_3upu.toml wide --range x=-55:50 --range y=-50:55 --range z=40 "
-      "--resolution 1/32 --output boxes.jsonl --picture tsai_3upu.svg",
-      "models/README.md");
-  const CommandResult real = run_command(
-      {REGULUS_BINARY_DIR "/bin/regulus", "locate", REGULUS_SOURCE_DIR "/models/tsai_3upu.toml",
-       "wide", "--range", "x=-55:50", "--range", "y=-50:55", "--range", "z=40", "--resolution",
-       "1/32", "--output", (folder.path() / "boxes.jsonl").string(), "--picture", picture});
-  EXPECT_NE(shown, "");
-  EXPECT_EQ(without_timings(shown), without_timings(real.errors + real.output));
-  std::ifstream drawn(picture), kept(REGULUS_SOURCE_DIR "/models/tsai_3upu.svg");
-  const auto begin = [](std::ifstream& file) { return std::istreambuf_iterator<char>(file); };
-  EXPECT_EQ(std::string(begin(drawn), {}), std::string(begin(kept), {}));
 }
 
 }  // namespace

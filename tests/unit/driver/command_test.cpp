@@ -11,7 +11,6 @@
 #include <sstream>
 #include <thread>
 
-#include "support/readme.hpp"
 #include "support/temporary_directory.hpp"
 
 namespace regulus::test {
@@ -223,17 +222,6 @@ TEST(Command, HasHelpForEveryCommand) {
   EXPECT_THAT(regulus({"check", "--help"}).output, HasSubstr("--tolerance"));
   EXPECT_THAT(regulus({"explain", "--help"}).output, HasSubstr("MODEL"));
   EXPECT_THAT(regulus({"--version"}).output, testing::StartsWith("regulus "));
-}
-
-TEST(Command, PrintsWhatTheReadmeShows) {
-  for (const auto& [model, motion] :
-       {std::pair{"robot_1", "wide_15"}, {"robot_2", "table5_30"}, {"robot_1", "wide_40"}}) {
-    const std::string words = std::string("models/") + model + ".toml";
-    const CommandResult real = regulus({"check", REGULUS_SOURCE_DIR "/" + words, motion});
-    const std::string shown = shown_in_readme("regulus check " + words + " " + motion);
-    EXPECT_NE(shown, "");
-    EXPECT_EQ(without_timings(shown), without_timings(real.errors + real.output));
-  }
 }
 
 /// Address randomisation changes the order in which GiNaC keeps terms; nothing may come of it.

@@ -135,10 +135,10 @@ TEST(Filter, IsRefusedWhenItCannotBeUsed) {
   EXPECT_THAT(text.errors, HasSubstr("no shared object that loads"));
 }
 
-TEST(Filter, InTheReadmeIsTheOneTestedHere) {
+TEST(Filter, InTheManualIsTheOneTestedHere) {
   const std::string source = read(REGULUS_SOURCE_DIR "/tests/unit/driver/filters/gershgorin.cpp");
   const std::string shown = source.substr(source.find("// Gershgorin"));
-  EXPECT_THAT(read(REGULUS_SOURCE_DIR "/README.md"), HasSubstr(shown));
+  EXPECT_THAT(read(REGULUS_SOURCE_DIR "/codegen/driver/CHECKING.md"), HasSubstr(shown));
 }
 
 }  // namespace
