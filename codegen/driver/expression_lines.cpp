@@ -103,7 +103,7 @@ ExpressionLines::Text ExpressionLines::quotient(const numeric& factor,
   for (const CanonicalTerm& operand : factors) {
     if (operand.node->form == Form::kOne) continue;
     const Text text = text_of(operand, lets);
-    if (text.text.starts_with("1/"))
+    if (text.strength == kProduct && text.text.starts_with("1/"))
       below += text.text.substr(1);
     else
       above += (above.empty() ? "" : "*") +

@@ -21,6 +21,15 @@ void check(Lines& lines, Question& question, const Options& options, Verificatio
     check_tree(lines, question, variety, options, result);
 }
 
+/// What the bounds rest on: rounding to nearest, and numbers below 2^-1022 as they are.
+void require_usual_arithmetic() {
+  volatile double least = 0x1p-1074, normal = 0x1p-1022;
+  const bool keeps = least * 1.0 > 0.0, reaches = normal * 0.5 > 0.0;
+  if (std::fegetround() != FE_TONEAREST)
+    throw std::runtime_error("the processor does not round to nearest");
+  if (!keeps || !reaches) throw std::runtime_error("the processor flushes small numbers to zero");
+}
+
 std::string at_line(const Lines& lines, const std::string& why) {
   return "line " + std::to_string(lines.number()) + ": " + why;
 }
@@ -28,8 +37,7 @@ std::string at_line(const Lines& lines, const std::string& why) {
 }  // namespace
 
 Verification verify(std::istream& file, const Options& options) {
-  if (std::fegetround() != FE_TONEAREST)
-    throw std::runtime_error("the processor does not round to nearest");
+  require_usual_arithmetic();
   Verification result;
   Lines lines(file);
   Question question;

@@ -32,8 +32,8 @@ struct Verification {
 };
 
 /// Ensures   kVerified only if the claim of the file is true (PROOF.md). Throws nothing but
-///           std::bad_alloc, and std::runtime_error when the file cannot be read or the rounding
-///           mode is not to nearest.
+///           std::bad_alloc, and std::runtime_error when the file cannot be read, the rounding
+///           mode is not to nearest, or small numbers are flushed to zero.
 [[nodiscard]] Verification verify(std::istream& file, const Options& options = {});
 
 /// What a certificate says, as one text for a person: outcome, claim, counts.

@@ -3,6 +3,9 @@
 #include <gtest/gtest.h>
 
 #include <cfenv>
+#ifdef __SSE2__
+#include <xmmintrin.h>
+#endif
 
 #include "support/certificate_texts.hpp"
 
@@ -192,6 +195,17 @@ TEST(ARoundingModeOtherThanToNearest, IsRefused) {
   EXPECT_THROW((void)verify_text(scalar_question("x") + kOneLeaf), std::runtime_error);
   std::fesetround(FE_TONEAREST);
 }
+
+#ifdef __SSE2__
+TEST(AnArithmeticThatFlushesToZero, IsRefused) {
+  const unsigned usual = _mm_getcsr();
+  for (const unsigned mode : {0x8000U, 0x0040U}) {  // of results, of operands
+    _mm_setcsr(usual | mode);
+    EXPECT_THROW((void)verify_text(scalar_question("x") + kOneLeaf), std::runtime_error) << mode;
+    _mm_setcsr(usual);
+  }
+}
+#endif
 
 }  // namespace
 }  // namespace regulus::test
