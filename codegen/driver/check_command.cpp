@@ -42,7 +42,7 @@ int run_check(const CheckCommand& command) {
   if (command.output.json) {
     nlohmann::ordered_json report = json_report(preparation, command.search, result, nearest);
     certificate.add_to(report);
-    std::cout << report.dump(2) << '\n';
+    std::cout << report.dump(command.output.json_indent) << '\n';
   } else {
     std::cout << name(result.verdict) << '\n';
   }

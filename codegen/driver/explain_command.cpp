@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <iostream>
+#include <nlohmann/json.hpp>
 
 #include "regulus/codegen/driver/commands.hpp"
 #include "regulus/codegen/driver/exit_code.hpp"
@@ -14,6 +15,9 @@ namespace {
 std::string forms(const ExplainCommand& command) {
   ExplainOptions options;
   options.all_entries = command.all_entries;
+  options.part = command.stage == "matrix"        ? ExplainPart::kMatrix
+                 : command.stage == "occurrences" ? ExplainPart::kOccurrences
+                                                  : ExplainPart::kAll;
   options.formulation.determinant = command.method == name(Method::kClosedForm);
   options.formulation.determinant_budget = command.symbolic_budget;
   if (command.model.motion.empty())
@@ -32,7 +36,17 @@ std::string kernel_text(const ExplainCommand& command, const std::string& typed)
 }  // namespace
 
 int run_explain(const ExplainCommand& command, const std::string& typed) {
-  std::cout << (command.stage == "text" ? kernel_text(command, typed) : forms(command));
+  const std::string text = command.stage == "text" ? kernel_text(command, typed) : forms(command);
+  if (command.output.json)
+    std::cout << nlohmann::ordered_json{{"model", command.model.path},
+                                        {"motion", command.model.motion},
+                                        {"stage", command.stage},
+                                        {"text", text}}
+                     .dump(command.output.json_indent)
+              << '\n';
+  else
+    std::cout << text;
+  std::cout.flush();
   return 0;
 }
 

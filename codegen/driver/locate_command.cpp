@@ -49,7 +49,8 @@ class LinesFile {
 
  private:
   static std::string chosen(const LocateCommand& command) {
-    return command.lines.empty() && !command.output.json ? std::string("-") : command.lines;
+    const bool print = command.boxes_unless_json && !command.output.json;
+    return command.lines.empty() && print ? std::string("-") : command.lines;
   }
 
   /// Of the file that has the name now.
@@ -127,7 +128,7 @@ int run_locate(const LocateCommand& command) {
     std::cerr << paving_report(preparation, command.search, options, volumes, result)
               << certificate.line();
   if (command.output.json)
-    std::cout << summary.dump(2) << '\n';
+    std::cout << summary.dump(command.output.json_indent) << '\n';
   else if (!lines.is_standard_output())
     std::cout << name(result.verdict) << '\n';
   else if (!command.output.quiet)

@@ -71,7 +71,7 @@ int run_margin(const MarginCommand& given) {
   if (command.output.json) {
     nlohmann::ordered_json report = json_margin(preparation, command.search, question, margin, gap);
     certificates.add_to(report);
-    std::cout << report.dump(2) << '\n';
+    std::cout << report.dump(command.output.json_indent) << '\n';
   } else {
     std::cout << bracket_words(question, margin) << '\n';
   }

@@ -49,6 +49,11 @@ constexpr const char* kVerifyFooter =
     "64 usage, 65 bad model, 70 internal fault, 74 file trouble. regulus-verify does the same "
     "alone.";
 
+constexpr const char* kShellFooter =
+    "help at the prompt lists the commands. A script on standard input stops at its first error,\n"
+    "named by its line, unless it says: set keep-going on.\n"
+    "Exit: the code of that error, otherwise of the last check, locate, margin or verify.";
+
 constexpr double kMarginSeconds = 60;
 
 void add_model_options(CLI::App& app, ModelOptions& options) {
@@ -237,85 +242,173 @@ void add_margin_options(CLI::App& app, MarginCommand& command) {
   app.get_option("--max-boxes")->description("Most boxes of each search");
 }
 
+void add_explain_options(CLI::App& app, ExplainCommand& command) {
+  app.add_flag("--all", command.all_entries, "Every entry, not only the first of each kind");
+  app.add_option("--stage", command.stage,
+                 "What to show: the forms, of them the matrix or the occurrences alone, or the C++ "
+                 "text of the kernel")
+      ->check(CLI::IsMember({"forms", "matrix", "occurrences", "text"}))
+      ->capture_default_str();
+  add_method_options(app, command.method, command.symbolic_budget);
+  app.add_flag("--json", command.output.json,
+               "On standard output as one JSON object: model, motion, stage, text");
+}
+
+void add_shell_options(CLI::App& app, ShellCommand& command) {
+  app.add_option("MODEL", command.path, "Model file to begin with");
+  app.add_flag("--json", command.json, "Each result as one JSON object on a line");
+}
+
+/// The tables of all commands, and where they put what they read.
+struct CommandTables {
+  CLI::App app{kDescription, "regulus"};
+  CheckCommand check;
+  LocateCommand locate;
+  MarginCommand margin;
+  ExplainCommand explain;
+  VerifyCommand verify;
+  ShellCommand shell;
+  CLI::App* check_command;
+  CLI::App* locate_command;
+  CLI::App* margin_command;
+  CLI::App* explain_command;
+  CLI::App* verify_command;
+  CLI::App* shell_command;
+
+  CommandTables() {
+    app.set_version_flag("--version", std::string("regulus ") + kVersion);
+    app.require_subcommand(1);
+    app.footer(kExitCodes);
+    add_check();
+    add_locate();
+    add_margin();
+    explain_command = app.add_subcommand(
+        "explain", "Show the symbolic forms and the occurrences of each variable before and after");
+    add_model_options(*explain_command, explain.model);
+    add_explain_options(*explain_command, explain);
+    verify_command =
+        app.add_subcommand("verify", "Check a certificate, independently of what made it");
+    add_verify_options(*verify_command, verify);
+    verify_command->footer(kVerifyFooter);
+    shell_command = app.add_subcommand(
+        "shell", "Load, show, set, check and plot at a prompt, or as a script on standard input");
+    add_shell_options(*shell_command, shell);
+    shell_command->footer(kShellFooter);
+  }
+
+ private:
+  void add_check() {
+    check.search.engine = Engine::kAuto;
+    check_command = app.add_subcommand(
+        "check", "Prove that a motion variety has no singular pose, or show one");
+    add_model_options(*check_command, check.model);
+    add_search_options(*check_command, check.search);
+    add_filter_option(*check_command, check.search);
+    add_certificate_option(*check_command, check.certificate, kCheckCertificate);
+    add_checkpoint_options(*check_command, check.checkpoint);
+    add_output_options(*check_command, check.output);
+    check_command->footer(kExitCodes);
+  }
+
+  void add_locate() {
+    locate.search.engine = Engine::kAuto;
+    locate_command = app.add_subcommand(
+        "locate", "Pave a motion variety: certified free, certified singular, undecided; draw it");
+    add_model_options(*locate_command, locate.model);
+    add_paving_options(*locate_command, locate);
+    add_search_options(*locate_command, locate.search);
+    add_certificate_option(*locate_command, locate.certificate, kLocateCertificate);
+    refuse_checkpoint_options(
+        *locate_command,
+        "the lines of a paving that was stopped say which boxes it did not come to");
+    add_output_options(*locate_command, locate.output);
+    locate_command->footer(kLocateExitCodes);
+  }
+
+  void add_margin() {
+    margin_command = app.add_subcommand(
+        "margin", "Bracket the largest tolerance, threshold or size of a motion that is safe");
+    add_model_options(*margin_command, margin.model);
+    add_search_options(*margin_command, margin.search);
+    add_filter_option(*margin_command, margin.search);
+    add_margin_options(*margin_command, margin);
+    add_certificate_option(*margin_command, margin.certificate, kMarginCertificate);
+    refuse_checkpoint_options(
+        *margin_command, "a bracket that was stopped can be narrowed from its two ends, LO:HI");
+    add_output_options(*margin_command, margin.output);
+    margin_command->footer(kMarginFooter);
+  }
+};
+
+/// "{a,b,c}" anywhere in what --help says of an option's value.
+std::vector<std::string> choices_in(const std::string& type) {
+  const std::size_t open = type.find('{'), close = type.find('}');
+  std::vector<std::string> choices;
+  if (open == std::string::npos || close == std::string::npos) return choices;
+  for (std::size_t begin = open + 1; begin < close;) {
+    const std::size_t end = std::min(type.find(',', begin), close);
+    choices.push_back(type.substr(begin, end - begin));
+    begin = end + 1;
+  }
+  return choices;
+}
+
+/// "S" of "S:POSITIVE", which is what CLI11 makes of a value that is checked.
+std::string without_check(const std::string& type) {
+  for (const char* check : {":POSITIVE", ":NONNEGATIVE", ":INT in", ":UINT in"})
+    if (const std::size_t at = type.find(check); at != std::string::npos) return type.substr(0, at);
+  return type;
+}
+
+OptionEntry entry_of(const CLI::Option& option) {
+  OptionEntry entry;
+  entry.name = option.get_positional() ? option.get_name(true) : option.get_name(false);
+  const bool flag = option.get_expected_min() == 0 && option.get_type_size() == 0;
+  const std::string type = option.get_type_name();
+  entry.choices = choices_in(type);
+  if (!flag && !option.get_positional())
+    entry.value = entry.choices.empty() ? without_check(type) : "CHOICE";
+  if (entry.name == "--without") entry.choices = ingredient_names();
+  entry.description = option.get_description();
+  entry.required = option.get_required();
+  return entry;
+}
+
+CommandEntry entry_of(const CLI::App& app, const std::string& name) {
+  CommandEntry entry{name, app.get_description(), app.get_footer(), {}, {}};
+  // An option without a group is one that is refused in words: help does not show it.
+  for (const CLI::Option* option : app.get_options())
+    if (option->get_positional() || !option->get_group().empty())
+      (option->get_positional() ? entry.arguments : entry.options).push_back(entry_of(*option));
+  return entry;
+}
+
 }  // namespace
 
 CommandLine parse_command_line(int argc, const char* const* argv) {
-  CLI::App app{kDescription, "regulus"};
-  app.set_version_flag("--version", std::string("regulus ") + kVersion);
-  app.require_subcommand(1);
-  app.footer(kExitCodes);
-
-  CheckCommand check;
-  check.search.engine = Engine::kAuto;
-  CLI::App* check_command =
-      app.add_subcommand("check", "Prove that a motion variety has no singular pose, or show one");
-  add_model_options(*check_command, check.model);
-  add_search_options(*check_command, check.search);
-  add_filter_option(*check_command, check.search);
-  add_certificate_option(*check_command, check.certificate, kCheckCertificate);
-  add_checkpoint_options(*check_command, check.checkpoint);
-  add_output_options(*check_command, check.output);
-  check_command->footer(kExitCodes);
-
-  LocateCommand locate;
-  locate.search.engine = Engine::kAuto;
-  CLI::App* locate_command = app.add_subcommand(
-      "locate", "Pave a motion variety: certified free, certified singular, undecided; draw it");
-  add_model_options(*locate_command, locate.model);
-  add_paving_options(*locate_command, locate);
-  add_search_options(*locate_command, locate.search);
-  add_certificate_option(*locate_command, locate.certificate, kLocateCertificate);
-  refuse_checkpoint_options(
-      *locate_command, "the lines of a paving that was stopped say which boxes it did not come to");
-  add_output_options(*locate_command, locate.output);
-  locate_command->footer(kLocateExitCodes);
-
-  MarginCommand margin;
-  CLI::App* margin_command = app.add_subcommand(
-      "margin", "Bracket the largest tolerance, threshold or size of a motion that is safe");
-  add_model_options(*margin_command, margin.model);
-  add_search_options(*margin_command, margin.search);
-  add_filter_option(*margin_command, margin.search);
-  add_margin_options(*margin_command, margin);
-  add_certificate_option(*margin_command, margin.certificate, kMarginCertificate);
-  refuse_checkpoint_options(*margin_command,
-                            "a bracket that was stopped can be narrowed from its two ends, LO:HI");
-  add_output_options(*margin_command, margin.output);
-  margin_command->footer(kMarginFooter);
-
-  ExplainCommand explain;
-  CLI::App* explain_command = app.add_subcommand(
-      "explain", "Show the symbolic forms and the occurrences of each variable before and after");
-  add_model_options(*explain_command, explain.model);
-  explain_command->add_flag("--all", explain.all_entries,
-                            "Every entry, not only the first of each kind");
-  explain_command
-      ->add_option("--stage", explain.stage,
-                   "What to show: the forms, or the C++ text of the kernel")
-      ->check(CLI::IsMember({"forms", "text"}))
-      ->capture_default_str();
-
-  add_method_options(*explain_command, explain.method, explain.symbolic_budget);
-
-  VerifyCommand verify;
-  CLI::App* verify_command =
-      app.add_subcommand("verify", "Check a certificate, independently of what made it");
-  add_verify_options(*verify_command, verify);
-  verify_command->footer(kVerifyFooter);
-
+  CommandTables tables;
   CommandLine result;
   try {
-    app.parse(argc, argv);
+    tables.app.parse(argc, argv);
   } catch (const CLI::ParseError& error) {
-    result.exit_code = app.exit(error) == 0 ? 0 : kUsageError;
+    result.exit_code = tables.app.exit(error) == 0 ? 0 : kUsageError;
     return result;
   }
-  if (check_command->parsed()) result.check = check;
-  if (locate_command->parsed()) result.locate = locate;
-  if (margin_command->parsed()) result.margin = margin;
-  if (explain_command->parsed()) result.explain = explain;
-  if (verify_command->parsed()) result.verify = verify;
+  if (tables.check_command->parsed()) result.check = tables.check;
+  if (tables.locate_command->parsed()) result.locate = tables.locate;
+  if (tables.margin_command->parsed()) result.margin = tables.margin;
+  if (tables.explain_command->parsed()) result.explain = tables.explain;
+  if (tables.verify_command->parsed()) result.verify = tables.verify;
+  if (tables.shell_command->parsed()) result.shell = tables.shell;
   return result;
+}
+
+std::vector<CommandEntry> command_table() {
+  const CommandTables tables;
+  std::vector<CommandEntry> table{entry_of(tables.app, "")};
+  for (const CLI::App* command : tables.app.get_subcommands(nullptr))
+    table.push_back(entry_of(*command, command->get_name()));
+  return table;
 }
 
 }  // namespace regulus::codegen

@@ -53,6 +53,7 @@ struct SearchOptions {
 struct OutputOptions {
   bool json = false;
   bool quiet = false;
+  int json_indent = 2;  ///< −1: all on one line
 };
 
 struct CheckpointOptions {
@@ -76,7 +77,8 @@ struct LocateCommand {
   std::string axes;        ///< "p,q"; empty: the first two that are not single values
   std::string lines;       ///< file of the JSON lines, "-" = standard output; empty: see --json
   std::vector<std::string> pictures;
-  std::string certificate;  ///< file; empty: none
+  std::string certificate;        ///< file; empty: none
+  bool boxes_unless_json = true;  ///< print the boxes where nothing says otherwise
 };
 
 /// One of the model's tolerances, its alpha, or `scale` is a range LO:HI.
@@ -98,9 +100,16 @@ struct VerifyCommand {
 struct ExplainCommand {
   ModelOptions model;
   bool all_entries = false;
-  std::string stage = "forms";  ///< or "text": the C++ of the kernel
+  std::string stage = "forms";  ///< or a part of them, or "text": the C++ of the kernel
   std::string method = "auto";  ///< whose functions are shown
   std::uint64_t symbolic_budget = kDeterminantBudget;
+  OutputOptions output;
+};
+
+/// `regulus shell`
+struct ShellCommand {
+  std::string path;  ///< a model to begin with; empty: none
+  bool json = false;
 };
 
 /// What was asked. Exactly one command is set; none when `exit_code` is (--help, --version, an
@@ -112,9 +121,28 @@ struct CommandLine {
   std::optional<MarginCommand> margin;
   std::optional<ExplainCommand> explain;
   std::optional<VerifyCommand> verify;
+  std::optional<ShellCommand> shell;
 };
 
 /// Parses the arguments. Prints help, the version and usage errors itself.
 [[nodiscard]] CommandLine parse_command_line(int argc, const char* const* argv);
+
+/// An option of a command, or an argument, as --help shows it.
+struct OptionEntry {
+  std::string name;   ///< "--range"; of an argument "MODEL"
+  std::string value;  ///< what follows, "p=LO:HI"; empty: a flag
+  std::string description;
+  std::vector<std::string> choices;  ///< every value there is; empty if that is free
+  bool required = false;
+};
+
+struct CommandEntry {
+  std::string name, description, footer;
+  std::vector<OptionEntry> arguments, options;
+};
+
+/// Every command, from the tables that parse_command_line goes by; the program itself first, under
+/// the name "".
+[[nodiscard]] std::vector<CommandEntry> command_table();
 
 }  // namespace regulus::codegen

@@ -96,7 +96,8 @@ int run_verify(const VerifyCommand& command) {
   if (command.output.json)
     // Labels are bytes of a foreign file.
     std::cout << json_report(command, verified)
-                     .dump(2, ' ', false, nlohmann::ordered_json::error_handler_t::replace)
+                     .dump(command.output.json_indent, ' ', false,
+                           nlohmann::ordered_json::error_handler_t::replace)
               << '\n';
   else
     std::cout << verifier::name(verification.outcome) << '\n';

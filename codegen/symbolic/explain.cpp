@@ -53,6 +53,17 @@ class Explanation {
       : f_(formulate(model, motion, options.formulation)), module_(lower(f_)), options_(options) {}
 
   std::string text() {
+    if (options_.part == ExplainPart::kAll)
+      everything();
+    else if (options_.part == ExplainPart::kMatrix)
+      matrix();
+    else
+      occurrence_table();
+    return std::move(text_);
+  }
+
+ private:
+  void everything() {
     heading();
     matrix();
     if (f_.column_trials) column_operations(*f_.column_trials);
@@ -61,10 +72,8 @@ class Explanation {
     if (!f_.determinant.empty()) closed_form();
     occurrence_table();
     functions();
-    return std::move(text_);
   }
 
- private:
   template <class... Arguments>
   void line(fmt::format_string<Arguments...> format, Arguments&&... arguments) {
     text_ += fmt::format(format, std::forward<Arguments>(arguments)...);

@@ -9,7 +9,10 @@
 
 namespace regulus::codegen {
 
+enum class ExplainPart { kAll, kMatrix, kOccurrences };
+
 struct ExplainOptions {
+  ExplainPart part = ExplainPart::kAll;
   bool all_entries = false;        ///< every entry of K·A and A·K, not one row and one column
   FormulationOptions formulation;  ///< matrix and products are always formed
   std::size_t longest = 1200;      ///< characters of one expression; what is cut is said to be

@@ -1,0 +1,154 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "regulus/codegen/driver/line_editor.hpp"
+
+#include <sys/stat.h>
+
+#include <cerrno>
+#include <cstdlib>
+#include <iostream>
+
+#ifdef REGULUS_LIBEDIT
+#include <histedit.h>
+#endif
+
+#include "regulus/codegen/driver/shell_completion.hpp"
+
+namespace regulus::codegen {
+
+std::filesystem::path history_file() {
+  const char* state = std::getenv("XDG_STATE_HOME");
+  if (state != nullptr && *state == '/')
+    return std::filesystem::path(state) / "regulus" / "history";
+  const char* home = std::getenv("HOME");
+  if (home == nullptr || *home != '/') return {};
+  return std::filesystem::path(home) / ".local" / "state" / "regulus" / "history";
+}
+
+#ifdef REGULUS_LIBEDIT
+
+namespace {
+
+constexpr int kLinesKept = 1000;
+
+/// For the owner alone: lines may name what is nobody else's business.
+void make_private(const std::filesystem::path& file) {
+  std::error_code error;
+  std::filesystem::create_directories(file.parent_path(), error);
+}
+
+}  // namespace
+
+struct LineEditor::Library {
+  EditLine* line = el_init("regulus", stdin, stdout, stderr);
+  History* history = history_init();
+  HistEvent event{};
+  std::string prompt;
+  std::filesystem::path file;
+  Complete complete;
+
+  static Library& of(EditLine* line) {
+    Library* library = nullptr;
+    el_get(line, EL_CLIENTDATA, &library);
+    return *library;
+  }
+
+  static const char* show_prompt(EditLine* line) { return of(line).prompt.c_str(); }
+
+  /// Adds what all completions have in common; lists them where that is nothing.
+  static unsigned char on_tab(EditLine* line, int) {
+    Library& library = of(line);
+    const LineInfo* info = el_line(line);
+    const std::string before(info->buffer, info->cursor);
+    const std::vector<std::string> words = library.complete(before);
+    if (words.empty()) return CC_REFRESH_BEEP;
+    const std::size_t typed = before.size() - (before.find_last_of(" \t") + 1);
+    std::string more = common_beginning(words).substr(typed);
+    if (words.size() == 1 && !words[0].ends_with('/') && !words[0].ends_with('=')) more += ' ';
+    if (more.empty()) {
+      std::cout << '\n';
+      for (const std::string& word : words) std::cout << word << "  ";
+      std::cout << std::endl;
+      return CC_REDISPLAY;
+    }
+    el_insertstr(line, more.c_str());
+    return CC_REFRESH;
+  }
+
+  void save() {
+    if (file.empty()) return;
+    const mode_t before = umask(S_IRWXG | S_IRWXO);
+    make_private(file);
+    ::history(history, &event, H_SAVE, file.c_str());
+    chmod(file.c_str(), S_IRUSR | S_IWUSR);
+    umask(before);
+  }
+
+  ~Library() {
+    history_end(history);
+    el_end(line);
+  }
+};
+
+LineEditor::LineEditor(const std::string& prompt, std::filesystem::path history, Complete complete)
+    : library_(std::make_unique<Library>()) {
+  Library& l = *library_;
+  l.prompt = prompt;
+  l.file = std::move(history);
+  l.complete = std::move(complete);
+  el_set(l.line, EL_CLIENTDATA, &l);
+  el_set(l.line, EL_PROMPT, &Library::show_prompt);
+  el_set(l.line, EL_EDITOR, "emacs");
+  el_set(l.line, EL_SIGNAL, 0);
+  el_set(l.line, EL_ADDFN, "regulus-complete", "complete a word", &Library::on_tab);
+  el_set(l.line, EL_BIND, "^I", "regulus-complete", nullptr);
+  ::history(l.history, &l.event, H_SETSIZE, kLinesKept);
+  ::history(l.history, &l.event, H_SETUNIQUE, 1);
+  if (!l.file.empty()) ::history(l.history, &l.event, H_LOAD, l.file.c_str());
+  el_set(l.line, EL_HIST, ::history, l.history);
+}
+
+std::optional<std::string> LineEditor::next() {
+  int count = 0;
+  errno = 0;
+  const char* typed = el_gets(library_->line, &count);
+  if (typed == nullptr) {
+    if (errno != EINTR) return std::nullopt;
+    std::cout << std::endl;
+    el_reset(library_->line);
+    return "";
+  }
+  std::string line(typed, static_cast<std::size_t>(count));
+  while (line.ends_with('\n')) line.pop_back();
+  if (line.find_first_not_of(" \t") != std::string::npos) {
+    ::history(library_->history, &library_->event, H_ENTER, line.c_str());
+    library_->save();
+  }
+  return line;
+}
+
+#else
+
+struct LineEditor::Library {
+  std::string prompt;
+};
+
+LineEditor::LineEditor(const std::string& prompt, std::filesystem::path, Complete)
+    : library_(std::make_unique<Library>(Library{prompt})) {}
+
+std::optional<std::string> LineEditor::next() {
+  std::cout << library_->prompt << std::flush;
+  std::string line;
+  errno = 0;
+  if (std::getline(std::cin, line)) return line;
+  if (errno != EINTR) return std::nullopt;
+  std::cin.clear();
+  clearerr(stdin);
+  std::cout << std::endl;
+  return "";
+}
+
+#endif
+
+LineEditor::~LineEditor() = default;
+
+}  // namespace regulus::codegen

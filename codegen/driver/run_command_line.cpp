@@ -1,0 +1,52 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "regulus/codegen/driver/run_command_line.hpp"
+
+#include <iostream>
+
+#include "regulus/codegen/driver/commands.hpp"
+#include "regulus/codegen/driver/exit_code.hpp"
+#include "regulus/codegen/driver/request.hpp"
+#include "regulus/codegen/jit/jit.hpp"
+#include "regulus/codegen/model/errors.hpp"
+#include "regulus/codegen/symbolic/determinant.hpp"
+
+namespace regulus::codegen {
+namespace {
+
+int complain(const std::string& where, const std::exception& error, ExitCode code) {
+  std::cerr << where << error.what() << '\n';
+  return code;
+}
+
+}  // namespace
+
+int run_command_line(const CommandLine& line, const std::string& typed) {
+  if (line.exit_code) return *line.exit_code;
+  if (line.check) return run_check(*line.check);
+  if (line.locate) return run_locate(*line.locate);
+  if (line.margin) return run_margin(*line.margin);
+  if (line.verify) return run_verify(*line.verify);
+  if (line.shell) return run_shell(*line.shell);
+  return run_explain(*line.explain, typed);
+}
+
+int report_errors(const std::function<int()>& run, const std::string& where) try {
+  return run();
+} catch (const UsageError& error) {
+  return complain(where, error, kUsageError);
+} catch (const ClosedFormError& error) {
+  return complain(where + "--method closed-form: ", error, kUsageError);
+} catch (const InputError& error) {
+  return complain(where, error, kBadInput);
+} catch (const FileError& error) {
+  return complain(where, error, kFileTrouble);
+} catch (const CompileError& error) {
+  std::cerr << where << "internal error: the generated kernel did not compile\n"
+            << error.what() << "\n--- the text ---\n"
+            << error.text();
+  return kInternalFault;
+} catch (const std::exception& error) {
+  return complain(where + "internal error: ", error, kInternalFault);
+}
+
+}  // namespace regulus::codegen

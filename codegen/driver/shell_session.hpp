@@ -1,0 +1,74 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What the shell remembers between two lines, and what a line does. Every result comes from the
+// command of that name: a session makes a command line of what it remembers and runs it.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "regulus/codegen/driver/options.hpp"
+#include "regulus/codegen/driver/pipeline.hpp"
+#include "regulus/codegen/driver/shell_completion.hpp"
+#include "regulus/codegen/model/model.hpp"
+
+namespace regulus::codegen {
+
+class ShellSession {
+ public:
+  explicit ShellSession(bool json) : json_(json) {}
+
+  /// Runs a line. Returns the exit code of the command it ran, 0 for what has none. Throws what
+  /// commands throw.
+  int execute(const std::string& line);
+
+  [[nodiscard]] bool ended() const noexcept { return ended_; }
+  [[nodiscard]] bool keeps_going() const noexcept { return keep_going_; }
+  [[nodiscard]] ShellNames names() const;
+
+ private:
+  using Words = std::vector<std::string>;
+  /// An option that has been set; `key` tells those apart that may be repeated.
+  struct Setting {
+    std::string option, key, value;
+  };
+
+  int load(const Words& words);
+  int motions(const Words& words);
+  int motion(const Words& words);
+  int show(const Words& words);
+  int show_settings();
+  int set(const Words& words);
+  int unset(const Words& words);
+  int edit(const Words& words);
+  int plot(const Words& words);
+  int save(const Words& words);
+  int history(const Words& words);
+  int help(const Words& words);
+  int quit(const Words& words);
+  int run(const Words& words);
+
+  [[nodiscard]] CommandLine parsed(const Words& words, bool with_motion = true) const;
+  void adopt(CommandLine& line) const;
+  void change(const Setting& setting, bool keep);
+  void require_valid(const std::vector<Setting>& settings) const;
+  void require_model() const;
+  void take(std::string text);
+  int prepare_again();
+  void say(const std::string& text, const std::string& json) const;
+
+  bool json_;
+  bool ended_ = false;
+  bool keep_going_ = false;
+  std::string path_;
+  std::string text_;
+  std::optional<Model> model_;
+  std::string motion_;
+  std::vector<Setting> settings_;
+  Words history_;
+
+  struct Entry;
+  static const std::vector<Entry>& table();
+};
+
+}  // namespace regulus::codegen

@@ -1,0 +1,346 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The shell: scripts through a pipe, a person at a terminal, and what Tab offers.
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+#include <poll.h>
+#include <pty.h>
+#include <sys/stat.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <chrono>
+#include <csignal>
+#include <fstream>
+#include <nlohmann/json.hpp>
+#include <thread>
+
+#include "regulus/codegen/driver/exit_code.hpp"
+#include "regulus/codegen/driver/request.hpp"
+#include "regulus/codegen/driver/shell_completion.hpp"
+#include "regulus/codegen/driver/shell_words.hpp"
+#include "support/command.hpp"
+#include "support/temporary_directory.hpp"
+
+namespace regulus::codegen {
+namespace {
+
+using regulus::test::CommandResult;
+using regulus::test::TemporaryDirectory;
+using testing::ElementsAre;
+using testing::EndsWith;
+using testing::HasSubstr;
+using testing::IsEmpty;
+
+const std::string kProgram = REGULUS_BINARY_DIR "/bin/regulus";
+const std::string kPlanar = REGULUS_SOURCE_DIR "/models/planar_3rpr.toml";
+
+/// `regulus shell` with the script on its standard input.
+CommandResult shell(const std::string& script, const std::string& option = "") {
+  const TemporaryDirectory directory;
+  const std::string file = (directory.path() / "script").string();
+  std::ofstream(file) << script;
+  return regulus::test::run_command(
+      {"/bin/sh", "-c", kProgram + " shell " + option + " < " + file});
+}
+
+std::string loaded(const std::string& script) { return "load " + kPlanar + "\n" + script; }
+
+std::string last_line(const std::string& text) {
+  const std::size_t end = text.find_last_not_of('\n');
+  return text.substr(text.rfind('\n', end) + 1, end - text.rfind('\n', end));
+}
+
+TEST(ShellScript, ChecksAMotionAndEndsWithTheCodeOfTheVerdict) {
+  const CommandResult regular = shell(loaded("motion regular\ncheck\n"));
+  EXPECT_EQ(regular.exit_code, kNoSingularity) << regular.errors;
+  EXPECT_EQ(last_line(regular.output), "NO SINGULARITY");
+  const CommandResult crossing = shell(loaded("motion crossing\ncheck\nquit\ncheck nothing\n"));
+  EXPECT_EQ(crossing.exit_code, kSingularity) << crossing.errors;
+  EXPECT_EQ(last_line(crossing.output), "SINGULARITY");
+}
+
+TEST(ShellScript, ReportsWhatTheCommandReports) {
+  const CommandResult alone = regulus::test::run_command(
+      {kProgram, "check", kPlanar, "crossing", "--engine", "interpreted", "--json", "--quiet"});
+  const CommandResult script =
+      shell(loaded("set engine interpreted\nmotion crossing\ncheck --json --quiet\n"));
+  const auto without_time = [](nlohmann::json report) {
+    report.erase("seconds");
+    return report;
+  };
+  EXPECT_EQ(without_time(nlohmann::json::parse(script.output.substr(script.output.find('{')))),
+            without_time(nlohmann::json::parse(alone.output)));
+}
+
+TEST(ShellScript, KeepsWhatIsSet) {
+  const CommandResult result = shell(
+      loaded("motion crossing\nset range phi=-15*deg:5*deg\nset method kj\nshow settings\ncheck\n"
+             "unset range phi\ncheck\n"));
+  EXPECT_EQ(result.exit_code, kSingularity) << result.errors;
+  EXPECT_THAT(result.output, HasSubstr("range phi=-15*deg:5*deg\nmethod kj\nNO SINGULARITY\n"));
+}
+
+TEST(ShellScript, StopsAtTheFirstErrorAndNamesItsLine) {
+  const CommandResult result = shell(loaded("motion regular\n\n# a remark\nmotoin x\ncheck\n"));
+  EXPECT_EQ(result.exit_code, kUsageError);
+  EXPECT_EQ(result.errors, "regulus: line 5: found the command 'motoin', expected 'motion'\n");
+  EXPECT_THAT(result.output, testing::Not(HasSubstr("NO SINGULARITY")));
+}
+
+TEST(ShellScript, KeepsGoingWhenItIsTold) {
+  const CommandResult result =
+      shell(loaded("set keep-going on\nmotion nothing\nmotion regular\ncheck\n"));
+  EXPECT_EQ(result.exit_code, kNoSingularity);
+  EXPECT_THAT(result.errors, HasSubstr("line 3"));
+}
+
+TEST(ShellScript, EndsWithTheExitCodeOfTheError) {
+  EXPECT_EQ(shell("load /nowhere.toml\n").exit_code, kFileTrouble);
+  EXPECT_EQ(shell("check\n").exit_code, kUsageError);
+  EXPECT_EQ(shell(loaded("check --nonsense\n")).exit_code, kUsageError);
+  EXPECT_EQ(shell("load '" REGULUS_SOURCE_DIR "/README.md'\n").exit_code, kBadInput);
+}
+
+TEST(ShellScript, RefusesASettingAndKeepsTheOldOne) {
+  const std::string script =
+      "set keep-going on\nmotion regular\nset range q=1\nset range x=2:1\nset method none\n"
+      "set mehtod kj\nset tolerance nobody=1\nset alpha -1\nshow settings\n";
+  const CommandResult result = shell(loaded(script));
+  for (const char* line : {"line 4", "line 5", "line 7", "line 8", "line 9"})
+    EXPECT_THAT(result.errors, HasSubstr(line));
+  EXPECT_THAT(result.errors, HasSubstr("'mehtod', expected 'method'"));
+  EXPECT_THAT(result.output, EndsWith("motion regular\n"));
+}
+
+TEST(ShellScript, EditsTheMatrixAndTheSubExpressions) {
+  const TemporaryDirectory directory;
+  const std::string saved = (directory.path() / "saved.toml").string();
+  const CommandResult result =
+      shell(loaded("set let e1_y y - a1_2 + 1\nset entry 1 3 x - x + 1/7\nset entry 3 1 'e3_x'\n"
+                   "motion regular\nset let s sin(phi)\nsave " +
+                   saved + "\n"));
+  ASSERT_EQ(result.exit_code, 0) << result.errors;
+  EXPECT_THAT(result.output, HasSubstr("time "));
+  std::ifstream original(kPlanar), edited(saved);
+  std::string before, after;
+  std::vector<std::string> changed;
+  while (std::getline(original, before) && std::getline(edited, after))
+    if (before != after) changed.push_back(after);
+  EXPECT_THAT(changed,
+              ElementsAre("e1_y = \"y - a1_2 + 1\"", "  [\"e1_x\", \"e1_y\", \"x - x + 1/7\"],"));
+}
+
+TEST(ShellScript, RefusesAnEditAndKeepsTheModel) {
+  const CommandResult result =
+      shell(loaded("set keep-going on\nset entry 9 1 x\nset entry 1 1 x+nobody\nset let none 1\n"
+                   "motion regular\ncheck\n"));
+  EXPECT_EQ(result.exit_code, kNoSingularity);
+  EXPECT_THAT(result.errors, HasSubstr("line 3: found the entry 9 1"));
+  EXPECT_THAT(result.errors, HasSubstr("undeclared name 'nobody'"));
+  EXPECT_THAT(result.errors, HasSubstr("line 5: found the sub-expression 'none'"));
+}
+
+TEST(ShellScript, PrintsEachResultAsAJsonObjectOnALine) {
+  const CommandResult result = shell(
+      loaded("motions\nmotion regular\ncheck\nlocate --resolution 1/2\nshow matrix\nhistory\n"),
+      "--json");
+  ASSERT_EQ(result.exit_code, kNoSingularity) << result.errors;
+  std::istringstream lines(result.output);
+  std::string line;
+  std::vector<nlohmann::json> objects;
+  while (std::getline(lines, line)) objects.push_back(nlohmann::json::parse(line));
+  ASSERT_EQ(objects.size(), 6U);
+  EXPECT_EQ(objects[0]["motions"].size(), 4U);
+  EXPECT_EQ(objects[2]["verdict"], "no-singularity");
+  EXPECT_THAT(objects[4]["text"].get<std::string>(), HasSubstr("A(3,3)"));
+  EXPECT_EQ(objects[5]["history"].size(), 7U);
+}
+
+TEST(ShellScript, ShowsPartsOfTheForms) {
+  const CommandResult result = shell(loaded("show matrix\nshow occurrences\n"));
+  EXPECT_THAT(result.output, HasSubstr("A(1,1) ="));
+  EXPECT_THAT(result.output, HasSubstr("Occurrences of each variable"));
+  EXPECT_THAT(result.output, testing::Not(HasSubstr("Functions of the kernel")));
+}
+
+TEST(ShellScript, MarginAndVerifyAreTheCommands) {
+  const TemporaryDirectory directory;
+  const std::string proof = (directory.path() / "proof").string();
+  const CommandResult result =
+      shell(loaded("motion regular\nmargin --tolerance base=0:1 --gap 0.5\ncheck --certificate " +
+                   proof + "\nverify " + proof + "\n"));
+  EXPECT_EQ(result.exit_code, 0) << result.errors;
+  EXPECT_THAT(result.output, HasSubstr("SAFE UP TO"));
+  EXPECT_THAT(result.output, EndsWith("VERIFIED\n"));
+}
+
+TEST(ShellScript, HelpNamesEveryCommandAndSaysWhatTheExitCodeIs) {
+  const std::string help = shell("help\nhelp quit\n").output;
+  for (const char* command : {"load", "motions", "show", "set", "check", "locate", "margin", "plot",
+                              "verify", "history", "save", "quit"})
+    EXPECT_THAT("\n" + help, HasSubstr(std::string("\n") + command));
+  EXPECT_THAT(help, HasSubstr("exit code"));
+}
+
+TEST(ShellWords, AreSeparatedByBlanksAndHeldTogetherByQuotes) {
+  EXPECT_THAT(split_words("  set  let c 'cos(phi) + 1' # why"),
+              ElementsAre("set", "let", "c", "cos(phi) + 1"));
+  EXPECT_THAT(split_words("a\"b c\"d ''"), ElementsAre("ab cd", ""));
+  EXPECT_THAT(split_words("# nothing"), IsEmpty());
+  EXPECT_THROW(static_cast<void>(split_words("load 'model")), UsageError);
+}
+
+ShellNames some_names() {
+  ShellNames names;
+  names.commands = {"check", "load", "locate", "motion", "set", "show"};
+  names.motions = {"circle", "crossing"};
+  names.parameters = {"phi", "x"};
+  names.groups = {"base", "platform"};
+  names.options = {"alpha", "method", "range", "tolerance"};
+  names.lets = {"c", "e1_x"};
+  names.values_of = [](const std::string& option) {
+    return option == "method" ? std::vector<std::string>{"kj", "reg", "reg+rohn"}
+                              : std::vector<std::string>{};
+  };
+  names.files = [](const std::string& prefix) {
+    return std::vector<std::string>{prefix + "a.toml", "other"};
+  };
+  return names;
+}
+
+TEST(ShellCompletion, OffersCommandsMotionsOptionsAndTheirValues) {
+  const ShellNames names = some_names();
+  EXPECT_THAT(completions("lo", names), ElementsAre("load", "locate"));
+  EXPECT_THAT(completions("motion c", names), ElementsAre("circle", "crossing"));
+  EXPECT_THAT(completions("set me", names), ElementsAre("method"));
+  EXPECT_THAT(completions("set method reg", names), ElementsAre("reg", "reg+rohn"));
+  EXPECT_THAT(completions("set range ", names), ElementsAre("phi=", "x="));
+  EXPECT_THAT(completions("set tolerance b", names), ElementsAre("base="));
+  EXPECT_THAT(completions("set let e", names), ElementsAre("e1_x"));
+  EXPECT_THAT(completions("load models/", names), ElementsAre("models/a.toml"));
+  EXPECT_THAT(completions("show m", names), ElementsAre("matrix"));
+  EXPECT_THAT(completions("check x", names), IsEmpty());
+}
+
+TEST(ShellCompletion, TypesWhatAllHaveInCommon) {
+  EXPECT_EQ(common_beginning({"load", "locate"}), "lo");
+  EXPECT_EQ(common_beginning({"one"}), "one");
+  EXPECT_EQ(common_beginning({}), "");
+}
+
+/// A person at a terminal.
+class Terminal {
+ public:
+  explicit Terminal(const std::string& home) {
+    pid_ = forkpty(&end_, nullptr, nullptr, nullptr);
+    if (pid_ != 0) return;
+    setenv("HOME", home.c_str(), 1);
+    unsetenv("XDG_STATE_HOME");
+    setenv("TERM", "dumb", 1);
+    execl(kProgram.c_str(), "regulus", "shell", nullptr);
+    _exit(127);
+  }
+  ~Terminal() {
+    close(end_);
+    if (pid_ > 0) kill(pid_, SIGKILL), waitpid(pid_, nullptr, 0);
+  }
+
+  void type(const std::string& text) {
+    ASSERT_EQ(write(end_, text.data(), text.size()), ssize_t(text.size()));
+  }
+  /// Whether the text appears after what has been waited for; gives up after a minute of silence.
+  bool shows(const std::string& text) {
+    for (;;) {
+      if (const std::size_t at = seen_.find(text); at != std::string::npos) {
+        seen_.erase(0, at + text.size());
+        return true;
+      }
+      pollfd wait{end_, POLLIN, 0};
+      if (poll(&wait, 1, 60000) <= 0) return false;
+      char part[4096];
+      const ssize_t n = read(end_, part, sizeof part);
+      if (n <= 0) return false;
+      seen_.append(part, std::size_t(n));
+    }
+  }
+  int exit_code() {
+    int status = -1;
+    waitpid(pid_, &status, 0);
+    pid_ = -1;
+    return WIFEXITED(status) ? WEXITSTATUS(status) : -1;
+  }
+  [[nodiscard]] std::string seen() const { return seen_; }
+
+ private:
+  int end_ = -1;
+  pid_t pid_ = -1;
+  std::string seen_;
+};
+
+TEST(ShellAtATerminal, AnErrorDoesNotEndItAndQuitDoes) {
+  const TemporaryDirectory home;
+  Terminal terminal(home.path().string());
+  ASSERT_TRUE(terminal.shows("regulus> ")) << terminal.seen();
+  terminal.type("load /nowhere.toml\n");
+  ASSERT_TRUE(terminal.shows("no such file")) << terminal.seen();
+  ASSERT_TRUE(terminal.shows("regulus> "));
+  terminal.type("quit\n");
+  EXPECT_EQ(terminal.exit_code(), 0);
+}
+
+TEST(ShellAtATerminal, AnInterruptEndsTheSearchAndNotTheSession) {
+  const TemporaryDirectory home;
+  Terminal terminal(home.path().string());
+  ASSERT_TRUE(terminal.shows("regulus> "));
+  terminal.type("load " REGULUS_SOURCE_DIR "/models/robot_2.toml\n");
+  ASSERT_TRUE(terminal.shows("motions")) << terminal.seen();
+  // Without its strongest tests this takes far longer than anybody waits.
+  terminal.type("motion table5_30\nset method reg\nset engine interpreted\ncheck\n");
+  ASSERT_TRUE(terminal.shows("boxes,")) << terminal.seen();
+  terminal.type("\x03");
+  ASSERT_TRUE(terminal.shows("POSSIBLE PROBLEM")) << terminal.seen();
+  ASSERT_TRUE(terminal.shows("regulus> "));
+  terminal.type("quit\n");
+  EXPECT_EQ(terminal.exit_code(), 0);
+}
+
+TEST(ShellAtATerminal, AnInterruptAtThePromptGivesAnotherPrompt) {
+  const TemporaryDirectory home;
+  Terminal terminal(home.path().string());
+  ASSERT_TRUE(terminal.shows("regulus> "));
+  terminal.type("half a li\x03");
+  ASSERT_TRUE(terminal.shows("regulus> "));
+  terminal.type("\x04");
+  EXPECT_EQ(terminal.exit_code(), 0);
+}
+
+TEST(ShellAtATerminal, KeepsItsHistoryForItsOwnerAlone) {
+  const TemporaryDirectory home;
+  const auto file = home.path() / ".local/state/regulus/history";
+  {
+    Terminal terminal(home.path().string());
+    ASSERT_TRUE(terminal.shows("regulus> "));
+    terminal.type("help quit\n");
+    ASSERT_TRUE(terminal.shows("exit code"));
+    terminal.type("quit\n");
+    ASSERT_EQ(terminal.exit_code(), 0);
+  }
+  struct stat status {};
+  ASSERT_EQ(stat(file.c_str(), &status), 0);
+  EXPECT_EQ(status.st_mode & 0777U, 0600U);
+  std::ifstream kept(file);
+  const std::string lines{std::istreambuf_iterator<char>(kept), {}};
+  EXPECT_THAT(lines, HasSubstr("quit"));
+}
+
+TEST(ShellAtATerminal, NeedsNoHome) {
+  Terminal terminal("/dev/null/nowhere");
+  ASSERT_TRUE(terminal.shows("regulus> "));
+  terminal.type("motions\n");
+  ASSERT_TRUE(terminal.shows("found no model"));
+  terminal.type("quit\n");
+  EXPECT_EQ(terminal.exit_code(), 0);
+}
+
+}  // namespace
+}  // namespace regulus::codegen
