@@ -7,7 +7,7 @@ namespace regulus::verifier {
 namespace {
 
 /// Of one expression, and of a power that is multiplied out; what would be larger stays as it is.
-constexpr std::size_t kMostTerms = 1000;
+constexpr std::size_t kMostTermsOfAnEntry = 64;
 constexpr int kMostFactors = 8;
 
 /// Factors in the order of their nodes, repeated ones side by side.
@@ -75,13 +75,13 @@ class Expander {
   }
 
   Polynomial sum(Polynomial left, const Polynomial& right, Op op, NodeId id) {
-    if (left.size() + right.size() > kMostTerms) return itself(id);
+    if (left.size() + right.size() > kMostTermsOfAnEntry) return itself(id);
     for (const auto& [monomial, coefficient] : right) add(left, monomial, coefficient, op);
     return left;
   }
 
   Polynomial product(const Polynomial& left, const Polynomial& right, NodeId id) {
-    if (left.size() * right.size() > kMostTerms) return itself(id);
+    if (left.size() * right.size() > kMostTermsOfAnEntry) return itself(id);
     Polynomial result;
     for (const auto& [m1, c1] : left)
       for (const auto& [m2, c2] : right) {
