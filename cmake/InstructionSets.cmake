@@ -15,9 +15,3 @@ if(CMAKE_SYSTEM_PROCESSOR MATCHES "x86_64|amd64|AMD64")
 else()
   set(REGULUS_ISA_BUILT portable)
 endif()
-
-foreach(isa IN LISTS REGULUS_ISA_NAMES)
-  list(JOIN REGULUS_ISA_FLAGS_${isa} "\", \"" REGULUS_ISA_FLAGS_CXX_${isa})
-endforeach()
-configure_file(${CMAKE_CURRENT_LIST_DIR}/instruction_set_flags.hpp.in
-               ${PROJECT_BINARY_DIR}/include/regulus/instruction_set_flags.hpp @ONLY)
