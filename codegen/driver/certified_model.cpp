@@ -12,9 +12,9 @@
 
 #include "regulus/codegen/driver/certificate_question.hpp"
 #include "regulus/codegen/driver/expression_lines.hpp"
-#include "regulus/codegen/driver/request.hpp"
 #include "regulus/codegen/model/model_file.hpp"
 #include "regulus/codegen/model/overrides.hpp"
+#include "regulus/codegen/model/request.hpp"
 
 namespace regulus::codegen {
 namespace {

@@ -8,6 +8,7 @@
 #include <string>
 #include <vector>
 
+#include "regulus/codegen/model/request.hpp"
 #include "regulus/codegen/symbolic/formulation.hpp"
 
 namespace regulus::codegen {
@@ -19,16 +20,6 @@ enum class Engine { kAuto, kJit, kInterpreted };
 struct ToleranceOption {
   std::string groups;
   std::string value;
-};
-
-/// What every command that reads a model takes: which variety, with which changes.
-struct ModelOptions {
-  std::string path;
-  std::string motion;               ///< empty: the model's only one
-  std::vector<std::string> ranges;  ///< "p=LO:HI"
-  std::vector<std::string> tolerances;
-  std::string alpha;                  ///< empty: the motion's own
-  std::optional<std::string> text{};  ///< of the model, in place of what the file holds
 };
 
 /// How the search runs.

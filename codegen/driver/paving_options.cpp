@@ -7,9 +7,9 @@
 #include <cmath>
 
 #include "regulus/codegen/driver/settings.hpp"
-#include "regulus/codegen/driver/variety.hpp"
 #include "regulus/codegen/model/constants.hpp"
 #include "regulus/codegen/model/errors.hpp"
+#include "regulus/codegen/symbolic/variety.hpp"
 #include "regulus/search/paving.hpp"
 
 namespace regulus::codegen {

@@ -10,13 +10,14 @@
 #include "regulus/codegen/driver/filter_file.hpp"
 #include "regulus/codegen/driver/loaded_kernel.hpp"
 #include "regulus/codegen/driver/options.hpp"
-#include "regulus/codegen/driver/request.hpp"
 #include "regulus/codegen/driver/stopwatch.hpp"
 #include "regulus/codegen/driver/subject.hpp"
 #include "regulus/codegen/driver/symbolic_stages.hpp"
-#include "regulus/codegen/driver/variety.hpp"
 #include "regulus/codegen/emit/emitted_kernel.hpp"
+#include "regulus/codegen/model/request.hpp"
 #include "regulus/codegen/symbolic/formulation.hpp"
+#include "regulus/codegen/symbolic/functions_needed.hpp"
+#include "regulus/codegen/symbolic/variety.hpp"
 #include "regulus/kernel/isa.hpp"
 #include "regulus/search/problem.hpp"
 
@@ -66,11 +67,6 @@ struct Preparation {
 /// compiler here.
 [[nodiscard]] Preparation prepare(Request request, double model_seconds,
                                   const SearchOptions& search);
-
-/// Which functions a method calls; the others need not be formed or compiled.
-[[nodiscard]] FormulationOptions functions_needed(
-    Method method, const Settings& settings = {},
-    std::uint64_t symbolic_budget = kDeterminantBudget);
 
 /// The C++ text of a request's kernel, as `check` compiles it.
 [[nodiscard]] EmittedKernel emit_kernel(const Request& request, Method method,

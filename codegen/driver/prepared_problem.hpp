@@ -9,8 +9,8 @@
 
 #include "regulus/codegen/driver/options.hpp"
 #include "regulus/codegen/driver/subject.hpp"
-#include "regulus/codegen/driver/variety.hpp"
 #include "regulus/codegen/jit/jit.hpp"
+#include "regulus/codegen/symbolic/variety.hpp"
 #include "regulus/kernel/abi.hpp"
 #include "regulus/kernel/isa.hpp"
 

@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "regulus/codegen/driver/request.hpp"
+#include "regulus/codegen/model/request.hpp"
 #include "regulus/codegen/symbolic/formulation.hpp"
 
 namespace regulus::codegen {

@@ -5,8 +5,8 @@
 #include <optional>
 #include <string>
 
-#include "regulus/codegen/driver/request.hpp"
 #include "regulus/codegen/driver/stopwatch.hpp"
+#include "regulus/codegen/model/request.hpp"
 #include "regulus/codegen/program/module.hpp"
 #include "regulus/codegen/symbolic/formulation.hpp"
 

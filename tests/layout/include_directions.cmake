@@ -14,12 +14,13 @@ set(runtime_certificate interval kernel regularity search certificate)
 set(runtime_certificate_verifier certificate/verifier)
 set(codegen_program    interval kernel codegen/program)
 set(codegen_model      codegen/model)
-set(codegen_symbolic   interval regularity codegen/model codegen/program codegen/symbolic)
+set(codegen_symbolic   interval regularity search codegen/model codegen/program codegen/symbolic)
 set(codegen_emit       interval kernel codegen/program codegen/emit)
+set(codegen_generate   interval kernel search codegen/model codegen/program codegen/symbolic codegen/emit codegen/generate)
 set(codegen_jit        interval kernel codegen/emit codegen/jit codegen/jit/reader codegen/jit/builder codegen/jit/plugin)
 set(codegen_examples   codegen/model codegen/driver)
 set(codegen_driver     interval kernel regularity search checkpoint certificate certificate/verifier codegen/model codegen/program codegen/symbolic
-                       codegen/emit codegen/jit codegen/driver)
+                       codegen/emit codegen/generate codegen/jit codegen/driver)
 
 # Headers of the whole project that carry no layer: the compiler flags, the version.
 set(everywhere regulus/floating_point_flags.hpp regulus/instruction_set_flags.hpp regulus/version.hpp)

@@ -5,8 +5,8 @@
 #include <stdexcept>
 
 #include "regulus/codegen/driver/pipeline.hpp"
-#include "regulus/codegen/driver/variety.hpp"
 #include "regulus/codegen/program/interpreted_kernel.hpp"
+#include "regulus/codegen/symbolic/variety.hpp"
 #include "regulus/kernel/buffers.hpp"
 #include "regulus/regularity/midpoint_inverse.hpp"
 

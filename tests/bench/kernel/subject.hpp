@@ -4,8 +4,8 @@
 
 #include <vector>
 
-#include "regulus/codegen/driver/variety.hpp"
 #include "regulus/codegen/program/module.hpp"
+#include "regulus/codegen/symbolic/variety.hpp"
 #include "regulus/interval/interval.hpp"
 #include "regulus/kernel/abi.hpp"
 

@@ -7,11 +7,11 @@
 #include <fstream>
 #include <map>
 
-#include "regulus/codegen/driver/variety.hpp"
 #include "regulus/codegen/model/model_file.hpp"
 #include "regulus/codegen/model/overrides.hpp"
 #include "regulus/codegen/program/interpreted_kernel.hpp"
 #include "regulus/codegen/symbolic/formulation.hpp"
+#include "regulus/codegen/symbolic/variety.hpp"
 #include "regulus/interval/arithmetic.hpp"
 #include "regulus/kernel/call.hpp"
 #include "regulus/regularity/aligned_buffer.hpp"

@@ -7,11 +7,11 @@
 #include <nlohmann/json.hpp>
 
 #include "regulus/codegen/driver/check.hpp"
-#include "regulus/codegen/driver/pipeline.hpp"
-#include "regulus/codegen/driver/request.hpp"
 #include "regulus/codegen/emit/emit.hpp"
 #include "regulus/codegen/model/model_file.hpp"
 #include "regulus/codegen/model/overrides.hpp"
+#include "regulus/codegen/model/request.hpp"
+#include "regulus/codegen/symbolic/functions_needed.hpp"
 #include "support/command.hpp"
 #include "support/temporary_directory.hpp"
 

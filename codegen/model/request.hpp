@@ -2,16 +2,27 @@
 // A model and one of its motions, with the changes that a command line makes to them.
 #pragma once
 
+#include <optional>
 #include <stdexcept>
 #include <string>
 #include <string_view>
 #include <utility>
+#include <vector>
 
-#include "regulus/codegen/driver/options.hpp"
 #include "regulus/codegen/model/errors.hpp"
 #include "regulus/codegen/model/model.hpp"
 
 namespace regulus::codegen {
+
+/// What every command that reads a model takes: which variety, with which changes.
+struct ModelOptions {
+  std::string path;
+  std::string motion;               ///< empty: the model's only one
+  std::vector<std::string> ranges;  ///< "p=LO:HI"
+  std::vector<std::string> tolerances;
+  std::string alpha;                  ///< empty: the motion's own
+  std::optional<std::string> text{};  ///< of the model, in place of what the file holds
+};
 
 /// Something wrong with a command line that only the model can tell (an unknown motion, say).
 class UsageError : public std::runtime_error {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "regulus/codegen/driver/variety.hpp"
+#include "regulus/codegen/symbolic/variety.hpp"
 
 #include "regulus/codegen/model/errors.hpp"
 #include "regulus/codegen/program/enclose.hpp"

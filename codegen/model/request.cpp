@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "regulus/codegen/driver/request.hpp"
+#include "regulus/codegen/model/request.hpp"
 
 #include "regulus/codegen/model/model_file.hpp"
 #include "regulus/codegen/model/overrides.hpp"
