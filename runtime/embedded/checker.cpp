@@ -9,11 +9,22 @@
 namespace regulus {
 namespace {
 
+/// Witnesses may lie anywhere in the ranges, which are exact here. Not so for a coordinate of a
+/// point in a ball, whose range is a side of the box around it: a witness speaks of all of that.
+std::vector<std::optional<Interval>> witness_ranges(const regulus_kernel& kernel,
+                                                    std::span<const Interval> ranges) {
+  std::vector<std::optional<Interval>> inner(ranges.begin(), ranges.end());
+  const int* ball = kernel.expansion == nullptr ? nullptr : kernel.expansion->ball_of_variable;
+  for (std::size_t k = 0; ball != nullptr && k < inner.size(); ++k)
+    if (ball[k] >= 0) inner[k].reset();
+  return inner;
+}
+
 Problem make_problem(const regulus_kernel& kernel, std::span<const Interval> ranges, double alpha) {
   Problem problem;
   problem.kernel = &kernel;
   problem.outer.assign(ranges.begin(), ranges.end());
-  problem.inner.assign(ranges.begin(), ranges.end());
+  problem.inner = witness_ranges(kernel, ranges);
   // A negative number or a NaN is a fault that is found below.
   problem.alpha.lo = problem.alpha.hi = alpha;
   return problem;

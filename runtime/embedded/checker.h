@@ -8,7 +8,7 @@
  *       if (regulus_check(checker, from, to, &report) != REGULUS_CHECK_NO_SINGULARITY) brake();
  *     }
  *
- * `my_kernel` is a regulus_kernel (regulus/kernel/abi.h) that was compiled ahead of time.
+ * `my_kernel` is a regulus_kernel (regulus/kernel/abi.hpp) that was compiled ahead of time.
  * Everything is allocated by regulus_checker_new: regulus_check neither allocates, nor throws, nor
  * locks, and evaluates at most the number of boxes it was given. */
 #ifndef REGULUS_EMBEDDED_CHECKER_H
@@ -58,8 +58,9 @@ typedef struct regulus_checker regulus_checker;
  *           pieces to be checked lie in the ranges of the motion parameters; uncertain quantities
  *           have all of their range in every check.
  * Requires  `kernel`, and what it points to, stays as it is for the life of the checker. alpha >=
- * 0. 1 <= max_boxes <= 2^20: the most boxes of one check; memory is in proportion. Errors    null,
- * and if `fault` is not null the reason in words there, cut to `fault_size` bytes. */
+ * 0. 1 <= max_boxes <= 2^20: the most boxes of one check; memory is in proportion.
+ * Errors    null, and if `fault` is not null the reason in words there, cut to `fault_size`
+ *           bytes. */
 regulus_checker* regulus_checker_new(const regulus_kernel* kernel, const double* lower,
                                      const double* upper, double alpha, unsigned max_boxes,
                                      char* fault, size_t fault_size);

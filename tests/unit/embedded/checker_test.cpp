@@ -54,6 +54,20 @@ TEST_F(Embedded, ASingularityIsProvedByPointsOfThePiece) {
   EXPECT_LT(check.places[3].hi + check.places[5].hi, 0.0);
 }
 
+TEST_F(Embedded, AWitnessSpeaksOfAllValuesThatAPointInABallCouldHave) {
+  const int ball[] = {-1, -1, 0}, row[] = {-1, -1, -1};
+  regulus_expansion expansion{};
+  expansion.row_of_variable = row;
+  expansion.ball_of_variable = ball;
+  expansion.product = [](const double*, const double*, double*, const void*) { return 255U; };
+  regulus_kernel kernel = line_;
+  kernel.expansion = &expansion;
+  Checker checker(kernel, ranges_, 1000);
+  const Check check = checker.check(Piece{{-0.75, 0.5}, {0, 1}});
+  ASSERT_EQ(check.verdict, Verdict::kSingularity);
+  for (const std::size_t u : {2U, 5U}) EXPECT_TRUE(certain_subset(ranges_[2], check.places[u]));
+}
+
 TEST_F(Embedded, AThresholdIsHeldOrAPointBelowItIsShown) {
   Checker checker(line_, ranges_, 1000, 0.25);
   const Check safe = checker.check(Piece{{0.375, 1}, {0, 1}});
