@@ -6,25 +6,42 @@
 
 #include <cfenv>
 #include <chrono>
+#include <cstdlib>
 #include <system_error>
 #include <vector>
 
 #include "regulus/codegen/jit/clang_interface.h"
 #include "regulus/codegen/jit/object_bundle.hpp"
+#include "regulus/codegen/jit/plugin_folder.h"
 
 namespace regulus::codegen {
 namespace {
 
-/// Beside the executable, as it is installed, then where it was built.
-std::filesystem::path find_plugin(const std::filesystem::path& built) {
+namespace fs = std::filesystem;
+
+/// The folders that may hold plugins: the one the environment names, then beside the executable as
+/// it is installed and as it is built, then the one that a program linked with this library says.
+std::vector<fs::path> plugin_folders() {
+  std::vector<fs::path> folders;
+  if (const char* named = std::getenv("REGULUS_PLUGINS"); named && *named)
+    folders.emplace_back(named);
   std::error_code error;
-  const auto executable = std::filesystem::read_symlink("/proc/self/exe", error);
-  if (!error)
-    for (const char* folder : {"../lib/regulus", "../lib"}) {
-      const auto candidate = executable.parent_path() / folder / built.filename();
-      if (std::filesystem::exists(candidate, error)) return candidate;
-    }
-  return built;
+  const fs::path executable = fs::read_symlink("/proc/self/exe", error).parent_path();
+  if (!error) {
+    folders.push_back(executable / "../lib/regulus/plugins");
+    folders.push_back(executable / "../lib");
+  }
+  if (const std::string linked = regulus_plugin_folder(); !linked.empty())
+    folders.emplace_back(linked);
+  return folders;
+}
+
+/// Where there is none, what to say that is missing.
+fs::path find_plugin(const char* file) {
+  std::error_code error;
+  for (const fs::path& folder : plugin_folders())
+    if (fs::exists(folder / file, error)) return folder / file;
+  return file;
 }
 
 template <class Function>
@@ -41,7 +58,8 @@ Function open_plugin(const std::filesystem::path& plugin, const char* symbol) {
   if (!library) {
     const char* reason = ::dlerror();
     throw CompilerUnavailable(std::string("the compiler plugin cannot be opened: ") +
-                              (reason ? reason : plugin.string()));
+                              (reason ? reason : plugin.string()) +
+                              " (REGULUS_PLUGINS names the folder it is in)");
   }
   const auto version =
       find_function<regulus_clang_interface_function>(library, REGULUS_CLANG_INTERFACE_SYMBOL);

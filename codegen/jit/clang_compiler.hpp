@@ -33,8 +33,8 @@ struct CompiledObject {
 /// never loads. Emitted kernels are read and built with LLVM alone; any other C++ text takes Clang.
 class ClangCompiler {
  public:
-  /// Looks for the plugins beside the executable, as they are installed, then where they were
-  /// built.
+  /// Looks for the plugins in the folder that REGULUS_PLUGINS names, then beside the executable as
+  /// they are installed or built, then in regulus_plugin_folder().
   ClangCompiler();
 
   /// Version of Clang and, of each library that takes part, the size and the time of the last
