@@ -21,4 +21,7 @@ namespace regulus::codegen {
 /// `typed`: the command line as typed, for the header of generated text.
 [[nodiscard]] int run_explain(const ExplainCommand& command, const std::string& typed);
 
+/// `typed`: the same.
+[[nodiscard]] int run_generate(const GenerateCommand& command, const std::string& typed);
+
 }  // namespace regulus::codegen

@@ -49,6 +49,10 @@ constexpr const char* kVerifyFooter =
     "64 usage, 65 bad model, 70 internal fault, 74 file trouble. regulus-verify does the same "
     "alone.";
 
+constexpr const char* kGenerateFooter =
+    "What to do with the files: codegen/EMBEDDING.md. In CMake, regulus_add_kernel() does it.\n"
+    "Exit: 0 written; 64 usage, 65 bad model, 70 internal fault, 74 file trouble.";
+
 constexpr const char* kShellFooter =
     "help at the prompt lists the commands. A script on standard input stops at its first error,\n"
     "named by its line, unless it says: set keep-going on.\n"
@@ -56,23 +60,15 @@ constexpr const char* kShellFooter =
 
 constexpr double kMarginSeconds = 60;
 
-void add_model_options(CLI::App& app, ModelOptions& options) {
+void add_model_arguments(CLI::App& app, ModelOptions& options) {
   app.add_option("MODEL", options.path, "Model file (TOML)")->required();
   app.add_option("MOTION", options.motion,
                  "Motion variety; may be left out when the model has one");
-  app.add_option("--range", options.ranges,
-                 "Range of a motion parameter, p=LO:HI, or its value, p=V; expressions allowed: "
-                 "psi=-5*deg:5*deg")
-      ->take_all()
-      ->expected(1)
-      ->type_name("p=LO:HI");
-  app.add_option("--tolerance", options.tolerances,
-                 "Tolerance of a group of constants, e.g. base,platform=0.1")
-      ->take_all()
-      ->expected(1)
-      ->type_name("GROUP=E");
-  app.add_option("--alpha", options.alpha, "Threshold: certify |det J^-1| > A instead of full rank")
-      ->type_name("A");
+}
+
+void add_model_options(CLI::App& app, ModelOptions& options) {
+  add_model_arguments(app, options);
+  add_model_changes(app, options);
 }
 
 void add_method_options(CLI::App& app, std::string& method, std::uint64_t& budget) {
@@ -266,12 +262,14 @@ struct CommandTables {
   LocateCommand locate;
   MarginCommand margin;
   ExplainCommand explain;
+  GenerateCommand generate;
   VerifyCommand verify;
   ShellCommand shell;
   CLI::App* check_command;
   CLI::App* locate_command;
   CLI::App* margin_command;
   CLI::App* explain_command;
+  CLI::App* generate_command;
   CLI::App* verify_command;
   CLI::App* shell_command;
 
@@ -286,6 +284,12 @@ struct CommandTables {
         "explain", "Show the symbolic forms and the occurrences of each variable before and after");
     add_model_options(*explain_command, explain.model);
     add_explain_options(*explain_command, explain);
+    generate_command = app.add_subcommand(
+        "generate", "Write a kernel as C++ files, for programs that check without Regulus at hand");
+    add_model_arguments(*generate_command, generate.model);
+    add_model_changes(*generate_command, generate.model);
+    add_generate_options(*generate_command, generate);
+    generate_command->footer(kGenerateFooter);
     verify_command =
         app.add_subcommand("verify", "Check a certificate, independently of what made it");
     add_verify_options(*verify_command, verify);
@@ -398,6 +402,7 @@ CommandLine parse_command_line(int argc, const char* const* argv) {
   if (tables.locate_command->parsed()) result.locate = tables.locate;
   if (tables.margin_command->parsed()) result.margin = tables.margin;
   if (tables.explain_command->parsed()) result.explain = tables.explain;
+  if (tables.generate_command->parsed()) result.generate = tables.generate;
   if (tables.verify_command->parsed()) result.verify = tables.verify;
   if (tables.shell_command->parsed()) result.shell = tables.shell;
   return result;

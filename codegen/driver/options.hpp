@@ -8,6 +8,7 @@
 #include <string>
 #include <vector>
 
+#include "regulus/codegen/generate/generate_command.hpp"
 #include "regulus/codegen/model/request.hpp"
 #include "regulus/codegen/symbolic/formulation.hpp"
 
@@ -111,6 +112,7 @@ struct CommandLine {
   std::optional<LocateCommand> locate;
   std::optional<MarginCommand> margin;
   std::optional<ExplainCommand> explain;
+  std::optional<GenerateCommand> generate;
   std::optional<VerifyCommand> verify;
   std::optional<ShellCommand> shell;
 };

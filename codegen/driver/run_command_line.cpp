@@ -5,9 +5,9 @@
 
 #include "regulus/codegen/driver/commands.hpp"
 #include "regulus/codegen/driver/exit_code.hpp"
-#include "regulus/codegen/driver/request.hpp"
 #include "regulus/codegen/jit/jit.hpp"
 #include "regulus/codegen/model/errors.hpp"
+#include "regulus/codegen/model/request.hpp"
 #include "regulus/codegen/symbolic/determinant.hpp"
 
 namespace regulus::codegen {
@@ -25,6 +25,7 @@ int run_command_line(const CommandLine& line, const std::string& typed) {
   if (line.check) return run_check(*line.check);
   if (line.locate) return run_locate(*line.locate);
   if (line.margin) return run_margin(*line.margin);
+  if (line.generate) return run_generate(*line.generate, typed);
   if (line.verify) return run_verify(*line.verify);
   if (line.shell) return run_shell(*line.shell);
   return run_explain(*line.explain, typed);

@@ -11,13 +11,13 @@
 
 #include "regulus/codegen/driver/exit_code.hpp"
 #include "regulus/codegen/driver/report_parts.hpp"
-#include "regulus/codegen/driver/request.hpp"
 #include "regulus/codegen/driver/run_command_line.hpp"
 #include "regulus/codegen/driver/shell_words.hpp"
 #include "regulus/codegen/model/model_edit.hpp"
 #include "regulus/codegen/model/model_file.hpp"
 #include "regulus/codegen/model/names.hpp"
 #include "regulus/codegen/model/overrides.hpp"
+#include "regulus/codegen/model/request.hpp"
 
 namespace regulus::codegen {
 namespace {
@@ -336,6 +336,7 @@ void ShellSession::adopt(CommandLine& line) const {
   if (line.locate) line.locate->boxes_unless_json = false;
   if (line.margin) with(line.margin->model, line.margin->output), wait(line.margin->search);
   if (line.explain) with(line.explain->model, line.explain->output);
+  if (line.generate) line.generate->model.text = text_;
   if (!line.verify) return;
   line.verify->output.json = line.verify->output.json || json_;
   line.verify->output.json_indent = json_ ? -1 : line.verify->output.json_indent;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "regulus/codegen/driver/shell_words.hpp"
 
-#include "regulus/codegen/driver/request.hpp"
+#include "regulus/codegen/model/request.hpp"
 
 namespace regulus::codegen {
 

@@ -15,9 +15,9 @@
 #include <thread>
 
 #include "regulus/codegen/driver/exit_code.hpp"
-#include "regulus/codegen/driver/request.hpp"
 #include "regulus/codegen/driver/shell_completion.hpp"
 #include "regulus/codegen/driver/shell_words.hpp"
+#include "regulus/codegen/model/request.hpp"
 #include "support/command.hpp"
 #include "support/temporary_directory.hpp"
 

@@ -1,0 +1,78 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "regulus/codegen/generate/generate_command.hpp"
+
+#include <CLI/CLI.hpp>
+#include <iostream>
+
+#include "regulus/codegen/generate/write_files.hpp"
+#include "regulus/codegen/model/errors.hpp"
+
+namespace regulus::codegen {
+namespace {
+
+GenerateOptions generate_options(const GenerateCommand& command, const Request& request,
+                                 const std::string& typed) {
+  GenerateOptions options;
+  options.name = command.name.empty() ? default_kernel_name(request) : command.name;
+  options.name_space = command.name_space;
+  for (const std::string& isa : command.isas) options.isas.push_back(parse_isa(isa).value());
+  options.command = typed;
+  return options;
+}
+
+}  // namespace
+
+void add_model_changes(CLI::App& app, ModelOptions& options) {
+  app.add_option("--range", options.ranges,
+                 "Range of a motion parameter, p=LO:HI, or its value, p=V; expressions allowed: "
+                 "psi=-5*deg:5*deg")
+      ->take_all()
+      ->expected(1)
+      ->type_name("p=LO:HI");
+  app.add_option("--tolerance", options.tolerances,
+                 "Tolerance of a group of constants, e.g. base,platform=0.1")
+      ->take_all()
+      ->expected(1)
+      ->type_name("GROUP=E");
+  app.add_option("--alpha", options.alpha, "Threshold: certify |det J^-1| > A instead of full rank")
+      ->type_name("A");
+}
+
+void add_generate_options(CLI::App& app, GenerateCommand& command) {
+  app.add_option("-o,--output", command.folder, "Folder for the files; made if there is none")
+      ->required()
+      ->type_name("DIR");
+  app.add_option("--isa", command.isas,
+                 "Instruction sets to generate for; the program that is built chooses among them "
+                 "when it runs, portable is always there")
+      ->delimiter(',')
+      ->check(CLI::IsMember({"avx512", "avx2", "portable"}))
+      ->expected(1)
+      ->take_all()
+      ->type_name("ISA,...")
+      ->default_str("avx512,avx2,portable");
+  app.add_option("--name", command.name,
+                 "Name of the files and symbols; by default of the model file and the motion")
+      ->type_name("NAME");
+  app.add_option("--namespace", command.name_space, "Namespace of the C++ header; default NAME")
+      ->type_name("NS");
+  app.add_option("--depfile", command.dependencies,
+                 "Also write which file these depend on, as make and Ninja read it")
+      ->type_name("FILE");
+  app.add_flag("--quiet", command.quiet, "Do not list the files");
+}
+
+void generate_files(const GenerateCommand& command, const Request& request,
+                    const std::string& typed) {
+  const std::vector<GeneratedFile> files =
+      generate(request, generate_options(command, request, typed));
+  const std::filesystem::path folder = command.folder;
+  write_files(folder, files);
+  if (!command.dependencies.empty())
+    write_file(command.dependencies, dependency_text(folder, files, request.model.path));
+  if (command.quiet) return;
+  for (const GeneratedFile& file : files) std::cout << (folder / file.name).string() << '\n';
+  if (!std::cout.flush()) throw FileError("standard output cannot be written");
+}
+
+}  // namespace regulus::codegen
