@@ -1,0 +1,41 @@
+# SPDX-License-Identifier: Apache-2.0
+# The libraries that other programs link, one for each component of the package: the layers' objects
+# in one archive. Here and in the package they are
+#
+#   Regulus::runtime   checks boxes with compiled kernels; the C++ library alone
+#   Regulus::search    runs whole searches, by several threads; oneTBB
+#   Regulus::codegen   model files, symbolic forms, C++ text; GiNaC, CLN, FLINT, toml++, fmt
+#   Regulus::jit       compiles and checks in process; LLVM is opened when something is compiled
+#   Regulus::regulus   the command
+
+# regulus_component(NAME LAYERS...): the library regulus-NAME of these layers.
+function(regulus_component name)
+  list(TRANSFORM ARGN REPLACE "(.+)" "$<TARGET_OBJECTS:regulus_\\1>" OUTPUT_VARIABLE objects)
+  add_library(regulus_component_${name} STATIC ${objects})
+  add_library(Regulus::${name} ALIAS regulus_component_${name})
+  set_target_properties(regulus_component_${name} PROPERTIES
+    OUTPUT_NAME regulus-${name} EXPORT_NAME ${name} LINKER_LANGUAGE CXX)
+  target_include_directories(regulus_component_${name} INTERFACE
+    $<BUILD_INTERFACE:${REGULUS_INCLUDE_TREE}> $<INSTALL_INTERFACE:${CMAKE_INSTALL_INCLUDEDIR}>)
+endfunction()
+
+regulus_component(runtime interval kernel regularity decider embedded)
+target_compile_features(regulus_component_runtime INTERFACE cxx_std_20)
+# The headers hold interval arithmetic that is compiled where it is used.
+target_compile_options(regulus_component_runtime INTERFACE
+  "$<$<COMPILE_LANGUAGE:CXX>:${REGULUS_FLOATING_POINT_FLAGS}>")
+
+regulus_component(search search checkpoint certificate)
+target_link_libraries(regulus_component_search INTERFACE Regulus::runtime TBB::tbb)
+
+if(REGULUS_CODEGEN)
+  regulus_component(codegen sha256 program model symbolic emit generate)
+  target_link_libraries(regulus_component_codegen INTERFACE
+    Regulus::runtime regulus_tomlplusplus regulus_ginac regulus_cln regulus_arb fmt::fmt)
+
+  regulus_component(jit object_loader kernel_compilation jit verifier driver)
+  target_link_libraries(regulus_component_jit INTERFACE
+    Regulus::codegen Regulus::search ${CMAKE_DL_LIBS})
+
+  add_executable(Regulus::regulus ALIAS regulus)
+endif()

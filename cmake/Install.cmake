@@ -1,0 +1,103 @@
+# SPDX-License-Identifier: Apache-2.0
+# cmake --install. Nothing of what is installed knows its place, so that the folder can be moved.
+#
+#   --component runtime      what a program with a kernel is built from: library, headers, CMake
+#                               package, pkg-config file; with search, its threaded part
+#   --component codegen      the commands, with models and documentation
+#   --component jit          what the commands open when something must be compiled
+#   --component development  libraries and headers of the front end and of the in-process road
+include(GNUInstallDirs)
+include(CMakePackageConfigHelpers)
+include(${CMAKE_CURRENT_LIST_DIR}/ComponentLibraries.cmake)
+
+set(package_dir ${CMAKE_INSTALL_LIBDIR}/cmake/Regulus)
+# Beside bin, wherever libraries go (codegen/jit/clang_compiler.cpp), and deep enough that CPack does
+# not take plugins for libraries and have ldconfig told.
+set(plugin_dir lib/regulus/plugins)
+
+# regulus_export(NAME COMPONENT): the library and the file that defines its imported target.
+function(regulus_export name component)
+  install(TARGETS regulus_component_${name} EXPORT Regulus_${name}
+          ARCHIVE DESTINATION ${CMAKE_INSTALL_LIBDIR} COMPONENT ${component})
+  install(EXPORT Regulus_${name} NAMESPACE Regulus:: FILE Regulus_${name}.cmake
+          DESTINATION ${package_dir} COMPONENT ${component})
+endfunction()
+
+# regulus_install_headers(FROM TO COMPONENT)
+function(regulus_install_headers from to component)
+  install(DIRECTORY ${PROJECT_SOURCE_DIR}/${from}/ DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/regulus/${to}
+          COMPONENT ${component} FILES_MATCHING PATTERN "*.hpp" PATTERN "*.h")
+endfunction()
+
+# regulus_install_licences(FOLDER COMPONENT): Debian's name for what says which licence is whose.
+function(regulus_install_licences folder component)
+  install(FILES ${PROJECT_SOURCE_DIR}/LICENSE DESTINATION ${folder} RENAME copyright COMPONENT ${component})
+  install(FILES ${PROJECT_SOURCE_DIR}/LICENSE-APACHE-2.0 ${PROJECT_SOURCE_DIR}/LICENSE-GPL-3.0
+          DESTINATION ${folder} COMPONENT ${component})
+endfunction()
+
+regulus_export(runtime runtime)
+regulus_install_licences(${CMAKE_INSTALL_DATADIR}/doc/libregulus-dev runtime)
+regulus_export(search runtime)
+foreach(layer IN ITEMS interval kernel regularity search embedded checkpoint)
+  regulus_install_headers(runtime/${layer} ${layer} runtime)
+endforeach()
+install(DIRECTORY ${PROJECT_SOURCE_DIR}/runtime/certificate/
+        DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/regulus/certificate COMPONENT runtime
+        FILES_MATCHING PATTERN "*.hpp" PATTERN verifier EXCLUDE)
+install(FILES ${REGULUS_INCLUDE_TREE}/regulus/floating_point_flags.hpp
+              ${REGULUS_INCLUDE_TREE}/regulus/instruction_set_flags.hpp
+        DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/regulus COMPONENT runtime)
+
+configure_package_config_file(
+  ${CMAKE_CURRENT_LIST_DIR}/package/RegulusConfig.cmake.in ${PROJECT_BINARY_DIR}/package/RegulusConfig.cmake
+  INSTALL_DESTINATION ${package_dir} NO_CHECK_REQUIRED_COMPONENTS_MACRO)
+write_basic_package_version_file(${PROJECT_BINARY_DIR}/package/RegulusConfigVersion.cmake
+                                 COMPATIBILITY SameMinorVersion)
+install(FILES ${PROJECT_BINARY_DIR}/package/RegulusConfig.cmake
+              ${PROJECT_BINARY_DIR}/package/RegulusConfigVersion.cmake
+              ${CMAKE_CURRENT_LIST_DIR}/FloatingPoint.cmake
+              ${CMAKE_CURRENT_LIST_DIR}/InstructionSets.cmake
+              ${CMAKE_CURRENT_LIST_DIR}/RegulusAddKernel.cmake
+        DESTINATION ${package_dir} COMPONENT runtime)
+
+file(RELATIVE_PATH prefix_from_pkgconfig ${CMAKE_INSTALL_FULL_LIBDIR}/pkgconfig ${CMAKE_INSTALL_PREFIX})
+string(REGEX REPLACE "/$" "" prefix_from_pkgconfig ${prefix_from_pkgconfig})
+list(JOIN REGULUS_FLOATING_POINT_FLAGS " " floating_point_flags)
+foreach(isa IN LISTS REGULUS_ISA_NAMES)
+  list(JOIN REGULUS_ISA_FLAGS_${isa} " " ${isa}_flags)
+endforeach()
+configure_file(${CMAKE_CURRENT_LIST_DIR}/package/regulus-runtime.pc.in
+               ${PROJECT_BINARY_DIR}/package/regulus-runtime.pc @ONLY)
+install(FILES ${PROJECT_BINARY_DIR}/package/regulus-runtime.pc
+        DESTINATION ${CMAKE_INSTALL_LIBDIR}/pkgconfig COMPONENT runtime)
+
+if(REGULUS_CODEGEN)
+  # The libraries of this machine that are in no standard folder, LLVM's above all.
+  set_target_properties(regulus regulus-verify regulus_reader_plugin regulus_clang_plugin
+                        PROPERTIES INSTALL_RPATH_USE_LINK_PATH TRUE)
+  install(TARGETS regulus EXPORT Regulus_command
+          RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR} COMPONENT codegen)
+  install(TARGETS regulus-verify RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR} COMPONENT codegen)
+  install(EXPORT Regulus_command NAMESPACE Regulus:: FILE Regulus_command.cmake
+          DESTINATION ${package_dir} COMPONENT codegen)
+  install(TARGETS regulus_reader_plugin regulus_clang_plugin
+          LIBRARY DESTINATION ${plugin_dir} COMPONENT jit)
+  install(DIRECTORY ${PROJECT_SOURCE_DIR}/models DESTINATION ${CMAKE_INSTALL_DATADIR}/regulus
+          COMPONENT codegen FILES_MATCHING PATTERN "*.toml")
+  install(FILES ${PROJECT_SOURCE_DIR}/README.md ${PROJECT_SOURCE_DIR}/codegen/EMBEDDING.md
+          DESTINATION ${CMAKE_INSTALL_DATADIR}/doc/regulus COMPONENT codegen)
+  regulus_install_licences(${CMAKE_INSTALL_DATADIR}/doc/regulus codegen)
+
+  regulus_export(codegen development)
+  regulus_export(jit development)
+  regulus_install_headers(codegen codegen development)
+  regulus_install_headers(runtime/certificate/verifier certificate/verifier development)
+  install(FILES ${REGULUS_INCLUDE_TREE}/regulus/version.hpp
+          DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/regulus COMPONENT development)
+  install(FILES ${CMAKE_CURRENT_LIST_DIR}/Arb.cmake ${CMAKE_CURRENT_LIST_DIR}/PkgConfigTarget.cmake
+                ${CMAKE_CURRENT_LIST_DIR}/CodegenDependencies.cmake
+                ${CMAKE_CURRENT_LIST_DIR}/package/plugin_folder.cpp
+                ${PROJECT_SOURCE_DIR}/codegen/examples/write_model.cpp
+          DESTINATION ${package_dir} COMPONENT development)
+endif()

@@ -1,0 +1,50 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+# The example of codegen/EMBEDDING.md, word for word, and what its users meet next.
+include(${CMAKE_CURRENT_LIST_DIR}/common.cmake)
+take(embedding)
+expect_on_page(${folder}/CMakeLists.txt)
+expect_on_page(${folder}/guard.cpp)
+
+run(ignored ${CONFIGURE})
+run(ignored ${BUILD})
+run(output build/guard)
+expect_text_on_page("$ build/guard\n${output}" "what guard prints")
+
+# Whoever sees a header of ours, and above all a kernel, is compiled with sound rounding.
+file(READ ${folder}/build/compile_commands.json commands)
+foreach(source IN ITEMS guard.cpp arm.cpp arm_portable.cpp)
+  string(REGEX MATCH "[^\n]*-c [^\n]*${source}[^\n]*" command "${commands}")
+  if(NOT command MATCHES "-frounding-math" OR NOT command MATCHES "-ffp-contract=off")
+    fail("${source} is compiled without the floating-point flags: ${command}")
+  endif()
+endforeach()
+expect_failure("-ffast-math' break directed rounding"
+               ${CONFIGURE} -B refused -DCMAKE_CXX_FLAGS=-ffast-math)
+
+# The kernel follows its model: not generated again as long as that is the same, then once; a model
+# with a mistake stops the build in words, and what was there stays.
+set(header ${folder}/build/arm.kernel/arm.h)
+file(SHA256 ${header} before)
+file(TIMESTAMP ${header} made "%s")
+run(ignored ${BUILD})
+file(TIMESTAMP ${header} now "%s")
+if(NOT now STREQUAL made)
+  fail("the kernel was generated again without a reason")
+endif()
+file(READ ${folder}/arm.toml model)
+string(REPLACE "60*deg" "50*deg" changed "${model}")
+run(ignored ${CMAKE_COMMAND} -E sleep 1)
+file(WRITE ${folder}/arm.toml "${changed}")
+run(ignored ${BUILD} --target arm)
+file(SHA256 ${header} after)
+if(after STREQUAL before)
+  fail("the kernel does not follow its model")
+endif()
+string(REPLACE "60*deg" "60*dog" wrong "${model}")
+run(ignored ${CMAKE_COMMAND} -E sleep 1)
+file(WRITE ${folder}/arm.toml "${wrong}")
+expect_failure("arm.toml:[0-9]+: found.*dog" ${BUILD} --target arm)
+file(GLOB left ${folder}/build/arm.kernel/*.part*)
+if(left OR NOT EXISTS ${header})
+  fail("a build that failed left: ${left}")
+endif()
