@@ -1,0 +1,14 @@
+// SPDX-License-Identifier: Apache-2.0
+// Generated: edit the model, not this file.
+// Command          regulus generate models/robot_1.toml T1 -o generated/robot_1_T1
+// Model            robot 1
+// Motion           T1
+// Source           J.-P. Merlet, A formal-numerical approach for robust in-workspace singularity
+//                  detection, IEEE Transactions on Robotics 23(3), 2007, Table III
+// Identity         bd2ea858100370471e6520abecf815ee
+// Flags            -std=c++20 -O2 -frounding-math -ffp-contract=off -DREGULUS_ISA_PORTABLE
+//                  -fno-math-errno
+#define regulus_self_test robot_1_T1_self_test_portable
+#include "regulus/kernel/self_test_program.hpp"
+#define robot_1_T1_kernel robot_1_T1_kernel_portable
+#include "robot_1_T1_kernel.inc"

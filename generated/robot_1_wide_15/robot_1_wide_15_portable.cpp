@@ -1,0 +1,14 @@
+// SPDX-License-Identifier: Apache-2.0
+// Generated: edit the model, not this file.
+// Command          regulus generate models/robot_1.toml wide_15 -o generated/robot_1_wide_15
+// Model            robot 1
+// Motion           wide_15
+// Source           J.-P. Merlet, A formal-numerical approach for robust in-workspace singularity
+//                  detection, IEEE Transactions on Robotics 23(3), 2007, Table III
+// Identity         79abd0d07feae8273627b7dde9b05c97
+// Flags            -std=c++20 -O2 -frounding-math -ffp-contract=off -DREGULUS_ISA_PORTABLE
+//                  -fno-math-errno
+#define regulus_self_test robot_1_wide_15_self_test_portable
+#include "regulus/kernel/self_test_program.hpp"
+#define robot_1_wide_15_kernel robot_1_wide_15_kernel_portable
+#include "robot_1_wide_15_kernel.inc"

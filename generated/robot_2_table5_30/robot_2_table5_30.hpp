@@ -1,0 +1,75 @@
+// SPDX-License-Identifier: Apache-2.0
+// Generated: edit the model, not this file.
+// Command          regulus generate models/robot_2.toml table5_30 -o generated/robot_2_table5_30
+// Model            robot 2
+// Motion           table5_30
+// Source           J.-P. Merlet, A formal-numerical approach for robust in-workspace singularity
+//                  detection, IEEE Transactions on Robotics 23(3), 2007, Table III
+// Identity         48a1dd6ed302dc41953d158077918b0b
+//
+// REGULUS_CHECK_NO_SINGULARITY means: for every value of the motion parameters within the bounds,
+// the full 6×6 matrix of the model is defined and has full rank.
+// Uncertain: nothing; geometry and control are exact.
+#pragma once
+
+#include <memory>
+#include <stdexcept>
+
+#include "robot_2_table5_30.h"
+
+namespace robot_2_table5_30 {
+
+/// A value of each motion parameter, or one bound of each.
+using Parameters = ::robot_2_table5_30_parameters;
+
+/// Their ranges, outward: pieces lie between them.
+inline constexpr Parameters kLower = {
+    -200.0,  // x
+    -200.0,  // y
+    2800.0,  // z
+    -0x1.0c152382d7366p-1,  // psi
+    -0x1.0c152382d7366p-1,  // theta
+    -0x1.0c152382d7366p-1,  // phi
+};
+inline constexpr Parameters kUpper = {
+    200.0,  // x
+    200.0,  // y
+    3200.0,  // z
+    0x1.0c152382d7366p-1,  // psi
+    0x1.0c152382d7366p-1,  // theta
+    0x1.0c152382d7366p-1,  // phi
+};
+
+/// Decides pieces of the motion, over and over; one thread at a time may use it.
+class Checker {
+ public:
+  /// Memory is in proportion to max_boxes, the most boxes of one check: 1 to 1048576.
+  /// Throws std::runtime_error that says what is wrong.
+  explicit Checker(unsigned max_boxes = 256) {
+    char fault[120] = "";
+    checker_.reset(robot_2_table5_30_checker_new(max_boxes, fault, sizeof fault));
+    if (!checker_) throw std::runtime_error(fault);
+  }
+
+  /// The piece between two bounds of each motion parameter. Neither allocates, nor locks.
+  [[nodiscard]] regulus_check_report check(const Parameters& lower,
+                                           const Parameters& upper) noexcept {
+    regulus_check_report report;
+    robot_2_table5_30_check(checker_.get(), &lower, &upper, &report);
+    return report;
+  }
+
+  /// One value of each.
+  [[nodiscard]] regulus_check_report check(const Parameters& at) noexcept { return check(at, at); }
+
+  /// The instruction set that is used: avx512, avx2 or portable.
+  [[nodiscard]] static const char* isa() noexcept { return robot_2_table5_30_isa(); }
+
+ private:
+  struct Free {
+    void operator()(regulus_checker* checker) const noexcept { regulus_checker_free(checker); }
+  };
+  std::unique_ptr<regulus_checker, Free> checker_;
+};
+
+}  // namespace robot_2_table5_30

@@ -1,0 +1,14 @@
+// SPDX-License-Identifier: Apache-2.0
+// Generated: edit the model, not this file.
+// Command          regulus generate models/robot_2.toml table5_30 -o generated/robot_2_table5_30
+// Model            robot 2
+// Motion           table5_30
+// Source           J.-P. Merlet, A formal-numerical approach for robust in-workspace singularity
+//                  detection, IEEE Transactions on Robotics 23(3), 2007, Table III
+// Identity         48a1dd6ed302dc41953d158077918b0b
+// Flags            -std=c++20 -O2 -frounding-math -ffp-contract=off -DREGULUS_ISA_PORTABLE
+//                  -fno-math-errno
+#define regulus_self_test robot_2_table5_30_self_test_portable
+#include "regulus/kernel/self_test_program.hpp"
+#define robot_2_table5_30_kernel robot_2_table5_30_kernel_portable
+#include "robot_2_table5_30_kernel.inc"
