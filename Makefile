@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: Apache-2.0
 # Short names for the usual work; everything is in CMake. `make help` lists them.
-.PHONY: help demo build test test-all paper growth ablation bench fuzz asan ubsan clang dependencies format clean
+.PHONY: help demo build deb test test-all paper growth ablation bench fuzz asan ubsan clang dependencies format clean
 .DEFAULT_GOAL := help
 
 help:           ## this list
@@ -14,6 +14,10 @@ build: dependencies  ## the command, at build/bin/regulus
 	@cmake --preset release -DREGULUS_TESTS=OFF >build-configure.log 2>&1 || { cat build-configure.log; rm -f build-configure.log; exit 1; }
 	@rm -f build-configure.log
 	@cmake --build --preset release
+
+deb: build      ## Debian packages of the command and of the library: build/*.deb
+	@cmake/install-dependencies.sh dpkg-dev file
+	cd build && cpack -G DEB
 
 test: dependencies   ## the fast tests
 	cmake --preset release -DREGULUS_TESTS=ON

@@ -1,0 +1,54 @@
+# SPDX-License-Identifier: Apache-2.0
+# `make deb`, or `cpack` in the build folder: the packages
+#
+#   regulus         the commands, the compiler plugins, models and documentation
+#   libregulus-dev  what programs with a kernel are built from; needs the command to generate one
+#
+# Whatever is installed under no component of cmake/Install.cmake (man pages, completions) goes with
+# the commands.
+set(CPACK_GENERATOR DEB)
+set(CPACK_PACKAGE_NAME regulus)
+set(CPACK_PACKAGE_VENDOR Regulus)
+set(CPACK_PACKAGE_CONTACT "Regulus <regulus@localhost>")
+set(CPACK_PACKAGING_INSTALL_PREFIX /usr)
+set(CPACK_PACKAGE_DIRECTORY ${PROJECT_BINARY_DIR})
+set(CPACK_STRIP_FILES ON)
+
+get_cmake_property(components COMPONENTS)
+set(CPACK_COMPONENTS_ALL ${components})
+set(CPACK_DEB_COMPONENT_INSTALL ON)
+set(CPACK_COMPONENTS_GROUPING ONE_PER_GROUP)
+set(CPACK_DEBIAN_FILE_NAME DEB-DEFAULT)
+set(CPACK_DEBIAN_ENABLE_COMPONENT_DEPENDS OFF)
+foreach(component IN LISTS components)
+  string(TOUPPER ${component} upper)
+  set(CPACK_COMPONENT_${upper}_GROUP command)
+endforeach()
+set(CPACK_COMPONENT_RUNTIME_GROUP library)
+set(CPACK_COMPONENT_DEVELOPMENT_GROUP library)
+
+set(CPACK_DEBIAN_COMMAND_PACKAGE_NAME regulus)
+set(CPACK_DEBIAN_COMMAND_PACKAGE_SECTION science)
+set(CPACK_DEBIAN_COMMAND_PACKAGE_SHLIBDEPS ON)
+# dpkg-shlibdeps knows no package for libLLVM by the path in LLVM's own folder.
+if("${LLVM_DIR}" MATCHES "llvm-([0-9]+)")
+  set(CPACK_DEBIAN_COMMAND_PACKAGE_DEPENDS "libllvm${CMAKE_MATCH_1}")
+endif()
+set(CPACK_DEBIAN_COMMAND_PACKAGE_SUGGESTS "libregulus-dev, gnuplot-nox | gnuplot")
+set(CPACK_COMPONENT_GROUP_COMMAND_DESCRIPTION "proves that a parallel robot has no singular pose, or shows one
+ Certifies a workspace or a trajectory in spite of rounding, manufacturing
+ tolerances and control errors, by interval analysis; compiles the robot's
+ functions in process.")
+
+set(CPACK_DEBIAN_LIBRARY_PACKAGE_NAME libregulus-dev)
+set(CPACK_DEBIAN_LIBRARY_PACKAGE_SECTION libdevel)
+set(CPACK_DEBIAN_LIBRARY_PACKAGE_DEPENDS "regulus (= ${PROJECT_VERSION})")
+set(CPACK_DEBIAN_LIBRARY_PACKAGE_SUGGESTS
+    "cmake, pkg-config, libtbb-dev, libginac-dev, libcln-dev, libflint-dev, libtomlplusplus-dev, libfmt-dev")
+set(CPACK_COMPONENT_GROUP_LIBRARY_DESCRIPTION "checks of parallel robots for singular poses, to be built into programs
+ Static libraries, headers, and the CMake function regulus_add_kernel, which
+ makes of a model file a library that checks pieces of a motion in a control
+ loop.")
+include(CPack)
+cpack_add_component_group(command)
+cpack_add_component_group(library)
