@@ -16,10 +16,11 @@
 namespace regulus::codegen {
 
 int run_check(const CheckCommand& command) {
-  const InterruptGuard interrupt;
+  InterruptGuard interrupt;
   Preparation preparation = prepare(command.model, command.search);
   Settings settings = settings_from(command.search);
   settings.interrupt = &interrupt.requested();
+  interrupt.begin_search();
   for (const FilterFile& filter : preparation.filters)
     settings.filters.push_back(&filter.interface());
   CheckpointFile checkpoint(command.checkpoint, preparation, settings);

@@ -2,6 +2,7 @@
 #include "regulus/codegen/driver/interrupt.hpp"
 
 #include <pthread.h>
+#include <time.h>
 #include <unistd.h>
 
 namespace regulus::codegen {
@@ -15,7 +16,14 @@ sigset_t watched_signals() {
   return set;
 }
 
-constexpr int kExitInterruptedTwice = 130;
+constexpr int kExitOnSignal = 128;  // as a shell has it
+
+constexpr int kPatience = 60;  // steps of 50 ms
+
+bool is_handled(int signal) {
+  struct sigaction action {};
+  return sigaction(signal, nullptr, &action) == 0 && action.sa_handler != SIG_DFL;
+}
 
 }  // namespace
 
@@ -32,12 +40,25 @@ InterruptGuard::~InterruptGuard() {
   pthread_sigmask(SIG_SETMASK, &previous_, nullptr);
 }
 
+/// Before long; not where another signal comes first.
+bool InterruptGuard::search_begins() const {
+  const sigset_t set = watched_signals();
+  const timespec step{0, 50'000'000};
+  for (int steps = 0; steps < kPatience; ++steps) {
+    if (searching_ || ending_) return true;
+    const int signal = sigtimedwait(&set, nullptr, &step);
+    if (signal == SIGINT || signal == SIGTERM) return false;
+  }
+  return false;
+}
+
 void InterruptGuard::wait_for_signals() {
   const sigset_t set = watched_signals();
   while (!ending_) {
     int signal = 0;
     if (sigwait(&set, &signal) != 0 || signal == SIGUSR1) continue;
-    if (requested_.exchange(true)) _exit(kExitInterruptedTwice);
+    if (requested_.exchange(true) || (!is_handled(signal) && !search_begins()))
+      _exit(kExitOnSignal + signal);
   }
 }
 

@@ -11,7 +11,9 @@ namespace regulus::codegen {
 ///
 /// The signals are blocked and taken by a thread of our own, so nothing runs in a signal handler
 /// and no global is needed. Construct it before any other thread starts: threads inherit the mask.
-/// A second SIGINT ends the process at once.
+/// A second one ends the process at once. So does the first, after three seconds, where no search
+/// has begun by then and nobody else handles the signal, as the shell does: what comes before a
+/// search has nothing to report, and may take long.
 class InterruptGuard {
  public:
   InterruptGuard();
@@ -19,14 +21,19 @@ class InterruptGuard {
   InterruptGuard(const InterruptGuard&) = delete;
   InterruptGuard& operator=(const InterruptGuard&) = delete;
 
+  /// From now on a signal is a search's to take.
+  void begin_search() noexcept { searching_ = true; }
+
   /// Asks for an end from within, as a signal does from outside.
   void request() noexcept { requested_ = true; }
   [[nodiscard]] const std::atomic<bool>& requested() const noexcept { return requested_; }
 
  private:
   void wait_for_signals();
+  [[nodiscard]] bool search_begins() const;
 
   std::atomic<bool> requested_{false};
+  std::atomic<bool> searching_{false};
   std::atomic<bool> ending_{false};
   sigset_t previous_{};
   std::thread watcher_;

@@ -115,6 +115,7 @@ int run_locate(const LocateCommand& command) {
 
   Settings settings = paving_settings(command, options);
   settings.interrupt = &interrupt.requested();
+  interrupt.begin_search();
   Result result = run_search(preparation, command.search, command.output, settings, &observers);
   close_in_on_witness(preparation, command.search, settings, result);
 

@@ -46,13 +46,14 @@ int run_margin(const MarginCommand& given) {
   MarginCommand command = given;
   const double gap = read_gap(command.gap);
   const MarginQuestion question = take_question(command);
-  const InterruptGuard interrupt;
+  InterruptGuard interrupt;
   Stopwatch watch;
   const MarginRequest request(read_request(command.model), question);
   Preparation preparation =
       prepare(request.at(forming_value(question)), watch.lap(), command.search);
   Settings settings = settings_from(command.search);
   settings.interrupt = &interrupt.requested();
+  interrupt.begin_search();
   for (const FilterFile& filter : preparation.filters)
     settings.filters.push_back(&filter.interface());
   require_searchable(preparation, settings);

@@ -116,6 +116,21 @@ TEST(Command, StopsAtABudgetWithAReason) {
   EXPECT_FALSE(report["blocking_box"].is_null());
 }
 
+/// Some minutes of multiplying out: there is nothing to report, but nobody should have to wait.
+TEST(Command, EndsWhenInterruptedLongBeforeASearch) {
+  for (const int signal : {SIGINT, SIGTERM}) {
+    RunningCommand running({REGULUS_BINARY_DIR "/bin/regulus", "check",
+                            REGULUS_SOURCE_DIR "/models/robot_2.toml", "table5_30", "--tolerance",
+                            "base,platform=1", "--method", "closed-form", "--symbolic-budget",
+                            "1000000000", "--no-cache"});
+    std::this_thread::sleep_for(std::chrono::milliseconds(300));
+    kill(running.pid(), signal);
+    const CommandResult result = running.wait();
+    EXPECT_EQ(result.exit_code, 128 + signal);
+    EXPECT_EQ(result.output, "");
+  }
+}
+
 TEST(Command, EndsWithAReportWhenInterrupted) {
   RunningCommand running({kCommand, "check", kRobot1, "wide_15", "--method", "reg", "--engine",
                           "interpreted", "--json", "--quiet"});
