@@ -336,7 +336,11 @@ void ShellSession::adopt(CommandLine& line) const {
   if (line.locate) line.locate->boxes_unless_json = false;
   if (line.margin) with(line.margin->model, line.margin->output), wait(line.margin->search);
   if (line.explain) with(line.explain->model, line.explain->output);
-  if (line.generate) line.generate->model.text = text_;
+  if (line.generate) {
+    line.generate->model.text = text_;
+    line.generate->json = line.generate->json || json_;
+    line.generate->json_indent = json_ ? -1 : line.generate->json_indent;
+  }
   if (!line.verify) return;
   line.verify->output.json = line.verify->output.json || json_;
   line.verify->output.json_indent = json_ ? -1 : line.verify->output.json_indent;

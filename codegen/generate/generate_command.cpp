@@ -3,6 +3,7 @@
 
 #include <CLI/CLI.hpp>
 #include <iostream>
+#include <nlohmann/json.hpp>
 
 #include "regulus/codegen/generate/write_files.hpp"
 #include "regulus/codegen/model/errors.hpp"
@@ -18,6 +19,13 @@ GenerateOptions generate_options(const GenerateCommand& command, const Request& 
   for (const std::string& isa : command.isas) options.isas.push_back(parse_isa(isa).value());
   options.command = typed;
   return options;
+}
+
+nlohmann::ordered_json json_list(const std::string& name, const std::filesystem::path& folder,
+                                 const std::vector<GeneratedFile>& files) {
+  nlohmann::ordered_json list = {{"name", name}, {"files", nlohmann::json::array()}};
+  for (const GeneratedFile& file : files) list["files"].push_back((folder / file.name).string());
+  return list;
 }
 
 }  // namespace
@@ -59,19 +67,25 @@ void add_generate_options(CLI::App& app, GenerateCommand& command) {
   app.add_option("--depfile", command.dependencies,
                  "Also write which file these depend on, as make and Ninja read it")
       ->type_name("FILE");
-  app.add_flag("--quiet", command.quiet, "Do not list the files");
+  app.add_flag("--json", command.json, "The list on standard output, as one JSON object");
+  app.add_flag("--quiet", command.quiet, "Do not list the files (unless as JSON)");
 }
 
 void generate_files(const GenerateCommand& command, const Request& request,
                     const std::string& typed) {
-  const std::vector<GeneratedFile> files =
-      generate(request, generate_options(command, request, typed));
+  const GenerateOptions options = generate_options(command, request, typed);
+  const std::vector<GeneratedFile> files = generate(request, options);
   const std::filesystem::path folder = command.folder;
   write_files(folder, files);
   if (!command.dependencies.empty())
     write_file(command.dependencies, dependency_text(folder, files, request.model.path));
-  if (command.quiet) return;
-  for (const GeneratedFile& file : files) std::cout << (folder / file.name).string() << '\n';
+  if (command.json)
+    std::cout << json_list(options.name, folder, files)
+                     .dump(command.json_indent, ' ', false,
+                           nlohmann::json::error_handler_t::replace)
+              << '\n';
+  else if (!command.quiet)
+    for (const GeneratedFile& file : files) std::cout << (folder / file.name).string() << '\n';
   if (!std::cout.flush()) throw FileError("standard output cannot be written");
 }
 

@@ -6,6 +6,7 @@
 #include <filesystem>
 #include <fstream>
 #include <iterator>
+#include <nlohmann/json.hpp>
 
 #include "support/command.hpp"
 #include "support/temporary_directory.hpp"
@@ -42,6 +43,16 @@ TEST(GenerateCommand, ListsWhatItWrote) {
     EXPECT_THAT(read(file), StartsWith("// SPDX-License-Identifier: Apache-2.0")) << file;
   }
   EXPECT_EQ(result.output, expected);
+}
+
+TEST(GenerateCommand, ListsTheFilesAsJson) {
+  const TemporaryDirectory folder;
+  const CommandResult result = generate({kPlanar, "regular", "-o", folder.path().string(), "--name",
+                                         "arm", "--isa", "portable", "--json"});
+  const auto list = nlohmann::json::parse(result.output);
+  EXPECT_EQ(list["name"], "arm");
+  ASSERT_EQ(list["files"].size(), 5U);
+  for (const std::string file : list["files"]) EXPECT_TRUE(fs::exists(file)) << file;
 }
 
 /// But for the command in its head, and the name.
