@@ -77,8 +77,9 @@ std::string claim(const Preparation& p, const Result& result) {
   const bool threshold = p.variety.alpha.hi > 0;
   const std::size_t uncertain = uncertain_count(p);
   const std::string set =
-      uncertain == 0
-          ? "every pose of the variety"
+      uncertain == 0 ? "every pose of the variety"
+      : uncertain == 1
+          ? "every pose of the variety and every value of the uncertain quantity"
           : fmt::format("every pose of the variety and every value of the {} uncertain quantities",
                         uncertain);
   switch (result.verdict) {

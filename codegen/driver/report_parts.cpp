@@ -38,7 +38,8 @@ constexpr std::size_t kListed = 8;
 std::string uncertain_lines(const Preparation& p) {
   const std::size_t count = uncertain_count(p);
   if (count == 0) return "uncertain  nothing: geometry and control are taken as exact\n";
-  std::string lines = fmt::format("uncertain  {} quantities\n", count);
+  std::string lines =
+      fmt::format("uncertain  {} {}\n", count, count == 1 ? "quantity" : "quantities");
   return count <= kListed ? lines + variable_lines(p, false) : lines;
 }
 
