@@ -117,6 +117,9 @@ function(_regulus_model_of_source target source model)
 endfunction()
 
 function(regulus_add_kernel target)
+  # Here, since the caller's folder need not be one that the lists were read in.
+  include(${CMAKE_CURRENT_FUNCTION_LIST_DIR}/FloatingPoint.cmake)
+  include(${CMAKE_CURRENT_FUNCTION_LIST_DIR}/InstructionSets.cmake)
   cmake_parse_arguments(PARSE_ARGV 1 kernel "" "MODEL;SOURCE;MOTION;NAMESPACE;NAME;ALPHA" "ISA;RANGE;TOLERANCE")
   if(kernel_UNPARSED_ARGUMENTS OR kernel_KEYWORDS_MISSING_VALUES)
     message(FATAL_ERROR "regulus_add_kernel(${target}): found '${kernel_UNPARSED_ARGUMENTS}'"
