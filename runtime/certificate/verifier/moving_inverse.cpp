@@ -59,13 +59,12 @@ bool MovingInverse::run(const Box& box, const Box& middle, const std::vector<dou
     for (std::size_t q = 0; q <= p; ++q)
       if (!bound_pair(p, q, r[moving_[p]] * r[moving_[q]] * (p == q ? 0.5 : 1.0))) return false;
   add_remainders();
-  return true;
+  return is_moderate(X_);
 }
 
 bool MovingInverse::find_inverse() {
   for (std::size_t e = 0; e < A_.size(); ++e) A_[e] = mid(at_middle_->value(q_.matrix[e]));
-  return approx_left_inverse(A_, q_.rows, n_, K_) &&
-         std::all_of(K_.begin(), K_.end(), [](double x) { return std::fabs(x) <= kLargest; });
+  return approx_left_inverse(A_, q_.rows, n_, K_) && is_moderate(K_);
 }
 
 /// K·C_μ.

@@ -5,6 +5,7 @@
 
 #include "regulus/certificate/verifier/derivative.hpp"
 #include "regulus/certificate/verifier/elementary.hpp"
+#include "regulus/certificate/verifier/rounding.hpp"
 
 namespace regulus::verifier {
 namespace {
@@ -75,7 +76,8 @@ RegularityTest::Answer RegularityTest::decide(const Box& box) {
   stage_ = Stage::kNothing;
   place_middle(box);
   if (is_outside(box)) return Answer::kOutside;
-  if (!over_box_.run(box) || !inverse_.run(thin_, middle_, r_)) return Answer::kOpen;
+  if (!is_moderate(r_) || !over_box_.run(box) || !inverse_.run(thin_, middle_, r_))
+    return Answer::kOpen;
   stage_ = Stage::kMotion;
   if (!of_motion_.find(inverse_.P()) || !rows_.run(box, middle_, r_, inverse_, of_motion_))
     return Answer::kOpen;

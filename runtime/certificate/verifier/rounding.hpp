@@ -2,11 +2,21 @@
 // Sums of products in plain doubles, rounded to nearest, with one bound for all their roundings.
 #pragma once
 
+#include <algorithm>
+#include <cmath>
+#include <vector>
+
 namespace regulus::verifier {
 
 /// What such sums may be made of: at most kMostTerms terms, numbers of at most kLargest.
 inline constexpr int kMostTerms = 1 << 12;
 inline constexpr double kLargest = 0x1p200;
+
+/// Whether all are: then what underflows in a product stays negligible in what it is a factor of.
+[[nodiscard]] inline bool is_moderate(const std::vector<double>& numbers) noexcept {
+  return std::all_of(numbers.begin(), numbers.end(),
+                     [](double x) { return std::fabs(x) <= kLargest; });
+}
 
 /// Σ x·y in any order differs from the exact sum by at most this part of Σ |x||y|: a term goes
 /// through at most kMostTerms + 2 roundings, each of a part 2^-53 at most.

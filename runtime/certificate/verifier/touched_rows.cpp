@@ -94,6 +94,7 @@ bool TouchedRows::run(const Box& box, const Box& middle, const std::vector<doubl
         });
   if (!at_middle_->run(middle) || !over_box_->run(box)) return false;
   bound_K(inverse, domination);
+  if (!is_moderate(moved_) || !is_moderate(G_)) return false;
   for (Quantity& quantity : quantities_)
     if (!bound_quantity(quantity, inverse)) return false;
   std::fill(T_.begin(), T_.end(), 0.0);
