@@ -20,6 +20,10 @@ TEST(WhatAPageShows, LeavesOutWhatItSaysItDoes) {
   EXPECT_FALSE(agrees({"a", "...", "z"}, {"a", "z", "y"}));
   EXPECT_TRUE(agrees({"took … ms"}, {"took 12 ms"}));
   EXPECT_FALSE(agrees({"took … ms"}, {"took 12 s"}));
+  EXPECT_TRUE(agrees({"up to 0.21…, not"}, {"up to 0.2165, not"}));
+  EXPECT_FALSE(agrees({"up to 0.21…, not"}, {"up to 0.2265, not"}));
+  EXPECT_FALSE(agrees({"up to 0.21…, not"}, {"up to 0.2165 not"}));
+  EXPECT_FALSE(agrees({"1…1"}, {"1"}));
   EXPECT_TRUE(agrees({"time  1 ms"}, {"time  20 ms, all of it"}));
   EXPECT_FALSE(agrees({"a"}, {"a", "b"}));
   EXPECT_FALSE(agrees({"a", "b"}, {"a"}));

@@ -34,8 +34,18 @@ bool read_number(const std::string& word, Number& number) {
   return error == std::errc();
 }
 
+/// "…" is any word, and "0.21…," one that begins and ends so.
+bool is_abridged(const std::string& shown, const std::string& printed) {
+  static const std::string kEllipsis = "…";
+  const std::size_t at = shown.find(kEllipsis);
+  if (at == std::string::npos) return false;
+  const std::string before = shown.substr(0, at), after = shown.substr(at + kEllipsis.size());
+  return printed.size() >= before.size() + after.size() && printed.starts_with(before) &&
+         printed.ends_with(after);
+}
+
 bool word_agrees(const std::string& shown, const std::string& printed) {
-  if (shown == printed || shown == "…") return true;
+  if (shown == printed || is_abridged(shown, printed)) return true;
   Number a, b;
   return read_number(shown, a) && read_number(printed, b) && a.before == b.before &&
          a.after == b.after &&

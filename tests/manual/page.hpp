@@ -5,9 +5,9 @@
 //   ```toml file=a.toml   (any language) a file that the commands below it use
 //   ```toml from=a.toml   an excerpt of a file of the project: consecutive lines of it
 //
-// Of what is printed a line "..." stands for any number of lines, a word "…" for any word. Numbers
-// agree to three digits; lines that begin with "time" or "method", which tell of the machine, with
-// their first word.
+// Of what is printed a line "..." stands for any number of lines, a word "…" for any word, "0.21…"
+// for any that begins so. Numbers agree to three digits; lines that begin with "time" or "method",
+// which tell of the machine, with their first word.
 #pragma once
 
 #include <string>
