@@ -5,10 +5,11 @@
 #include <ginac/ginac.h>
 
 #include <concepts>
-#include <source_location>
 #include <string>
 #include <string_view>
 #include <vector>
+
+#include "regulus/codegen/model/source_place.hpp"
 
 namespace regulus::codegen {
 
@@ -19,7 +20,7 @@ namespace regulus::codegen {
 /// would make 1 of x/x and x of sqrt(x)^2 before anybody could ask whether they are defined.)
 class Formula {
  public:
-  using Place = std::source_location;
+  using Place = SourcePlace;
 
   /// 0.
   Formula() : Formula(0) {}

@@ -6,7 +6,7 @@
 
 namespace regulus::codegen {
 
-std::pair<std::string, std::string> split_assignment(const std::string& text, const char* option) {
+Assignment split_assignment(const std::string& text, const char* option) {
   const std::size_t equals = text.find('=');
   if (equals == std::string::npos || equals == 0)
     throw UsageError(std::string(option) + ": found '" + text + "', expected NAME=VALUE");
@@ -26,13 +26,14 @@ Request read_request(std::string_view text, const ModelOptions& options) {
   request.model = parse_model(text, options.path);
   request.model.path = options.path;
   for (const std::string& tolerance : options.tolerances) {
-    const auto [groups, value] = split_assignment(tolerance, "--tolerance");
-    from_option("--tolerance", [&] { set_tolerance(request.model, groups, value); });
+    const Assignment given = split_assignment(tolerance, "--tolerance");
+    from_option("--tolerance", [&] { set_tolerance(request.model, given.name, given.value); });
   }
   from_option("MOTION", [&] { request.motion = find_motion(request.model, options.motion); });
   for (const std::string& range : options.ranges) {
-    const auto [parameter, value] = split_assignment(range, "--range");
-    from_option("--range", [&] { set_range(request.model, request.motion, parameter, value); });
+    const Assignment given = split_assignment(range, "--range");
+    from_option("--range",
+                [&] { set_range(request.model, request.motion, given.name, given.value); });
   }
   if (!options.alpha.empty())
     from_option("--alpha", [&] { set_alpha(request.motion, options.alpha); });

@@ -6,7 +6,6 @@
 #include <stdexcept>
 #include <string>
 #include <string_view>
-#include <utility>
 #include <vector>
 
 #include "regulus/codegen/model/errors.hpp"
@@ -44,9 +43,11 @@ struct Request {
 /// The same where the bytes of the file have been read.
 [[nodiscard]] Request read_request(std::string_view text, const ModelOptions& options);
 
+struct Assignment {
+  std::string name, value;
+};
 /// "GROUP=VALUE" in two. Throws UsageError naming the option.
-[[nodiscard]] std::pair<std::string, std::string> split_assignment(const std::string& text,
-                                                                   const char* option);
+[[nodiscard]] Assignment split_assignment(const std::string& text, const char* option);
 
 /// Runs an override; its complaints are about the command line, not about the model file.
 template <class Change>

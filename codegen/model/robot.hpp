@@ -21,7 +21,7 @@ namespace regulus::codegen {
 /// twice is refused by the second call, all else when the robot is read.
 class Robot {
  public:
-  using Place = std::source_location;
+  using Place = SourcePlace;
 
   explicit Robot(const std::string& name, Place place = Place::current());
 

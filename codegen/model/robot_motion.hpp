@@ -13,7 +13,7 @@ namespace regulus::codegen {
 /// expression in the motion's own parameters (a number, if it has none).
 class RobotMotion {
  public:
-  using Place = std::source_location;
+  using Place = SourcePlace;
 
   RobotMotion(std::string name, Place place) : name_(std::move(name)), place_(place) {}
 

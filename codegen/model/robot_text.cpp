@@ -14,19 +14,19 @@ RobotText::RobotText(const Robot& robot) : robot_(robot.place_) {
   for (const RobotMotion& of : robot.motions_) motion(of);
 }
 
-std::source_location RobotText::place_of(int line) const {
+SourcePlace RobotText::place_of(int line) const {
   if (line < 1 || static_cast<std::size_t>(line) > places_.size()) return robot_;
   return places_[static_cast<std::size_t>(line) - 1];
 }
 
 /// `text` may have several lines.
-void RobotText::line(const std::string& text, const std::source_location& place) {
+void RobotText::line(const std::string& text, const SourcePlace& place) {
   text_ += text + '\n';
   places_.insert(places_.end(), 1 + static_cast<std::size_t>(std::ranges::count(text, '\n')),
                  place);
 }
 
-void RobotText::table(const std::string& name, const std::source_location& place) {
+void RobotText::table(const std::string& name, const SourcePlace& place) {
   line("", place);
   line(std::string("[").append(name) + ']', place);
 }

@@ -15,19 +15,19 @@ class RobotText {
 
   [[nodiscard]] const std::string& text() const noexcept { return text_; }
   /// Lines are counted from 1; 0 is the robot as a whole.
-  [[nodiscard]] std::source_location place_of(int line) const;
+  [[nodiscard]] SourcePlace place_of(int line) const;
 
  private:
-  void line(const std::string& text, const std::source_location& place);
-  void table(const std::string& name, const std::source_location& place);
+  void line(const std::string& text, const SourcePlace& place);
+  void table(const std::string& name, const SourcePlace& place);
   void section(const WrittenSection& section);
   void named_section(const std::string& name, const WrittenSection& section);
   void motion(const RobotMotion& motion);
   void dotted(const std::string& key, const WrittenSection& section);
 
   std::string text_;
-  std::vector<std::source_location> places_;
-  std::source_location robot_;
+  std::vector<SourcePlace> places_;
+  SourcePlace robot_;
 };
 
 }  // namespace regulus::codegen

@@ -65,11 +65,11 @@ void WrittenSymbols::declare(const GiNaC::symbol& symbol) {
   declared_.insert_or_assign(symbol.get_name(), symbol);
 }
 
-void WrittenSymbols::use(const Formula& formula, const std::source_location& place) {
+void WrittenSymbols::use(const Formula& formula, const SourcePlace& place) {
   for (const GiNaC::ex& symbol : formula.symbols()) used_.push_back({symbol, place});
 }
 
-void WrittenSymbols::use(const std::vector<Formula>& formulas, const std::source_location& place) {
+void WrittenSymbols::use(const std::vector<Formula>& formulas, const SourcePlace& place) {
   for (const Formula& formula : formulas) use(formula, place);
 }
 
@@ -86,7 +86,7 @@ void WrittenSymbols::require_declared(const WrittenSymbols* outer) const {
                         formula_text(symbol));
 }
 
-InputError input_error(const std::source_location& place, const std::string& found,
+InputError input_error(const SourcePlace& place, const std::string& found,
                        const std::string& expected, const std::string& symbol) {
   return {place.file_name(), static_cast<int>(place.line()), found, expected, symbol};
 }

@@ -3,7 +3,6 @@
 #pragma once
 
 #include <map>
-#include <source_location>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -15,7 +14,7 @@ namespace regulus::codegen {
 
 struct WrittenLine {
   std::string key, value;
-  std::source_location place;
+  SourcePlace place;
 };
 
 using WrittenSection = std::vector<WrittenLine>;
@@ -35,8 +34,8 @@ void write_once(WrittenSection& section, const std::string& what, WrittenLine li
 class WrittenSymbols {
  public:
   void declare(const GiNaC::symbol& symbol);
-  void use(const Formula& formula, const std::source_location& place);
-  void use(const std::vector<Formula>& formulas, const std::source_location& place);
+  void use(const Formula& formula, const SourcePlace& place);
+  void use(const std::vector<Formula>& formulas, const SourcePlace& place);
 
   /// Throws InputError for a symbol that neither this nor `outer` declares.
   void require_declared(const WrittenSymbols* outer = nullptr) const;
@@ -44,7 +43,7 @@ class WrittenSymbols {
  private:
   struct Use {
     GiNaC::ex symbol;
-    std::source_location place;
+    SourcePlace place;
   };
   [[nodiscard]] bool declares(const GiNaC::ex& symbol) const;
 
@@ -52,7 +51,7 @@ class WrittenSymbols {
   std::vector<Use> used_;
 };
 
-[[nodiscard]] InputError input_error(const std::source_location& place, const std::string& found,
+[[nodiscard]] InputError input_error(const SourcePlace& place, const std::string& found,
                                      const std::string& expected, const std::string& symbol = {});
 
 }  // namespace regulus::codegen

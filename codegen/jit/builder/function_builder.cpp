@@ -47,7 +47,6 @@ FunctionBuilder::FunctionBuilder(Operations& operations, const FunctionTable& fu
                                  llvm::Function& function, const reader::FunctionText& text)
     : operations_(operations),
       functions_(functions),
-      function_(function),
       text_(text),
       code_(llvm::BasicBlock::Create(function.getContext(), "", &function)) {
   // A copied instruction keeps its strictness; new ones are loads, stores and casts.

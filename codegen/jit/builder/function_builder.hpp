@@ -55,7 +55,6 @@ class FunctionBuilder {
 
   Operations& operations_;
   const FunctionTable& functions_;
-  llvm::Function& function_;
   const reader::FunctionText& text_;
   llvm::IRBuilder<> code_;
   std::deque<Typed> made_;  ///< all values; they do not move while they are pointed to

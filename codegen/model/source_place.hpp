@@ -1,0 +1,29 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+namespace regulus::codegen {
+
+/// A place in a C++ program. What std::source_location is where compilers have it: Clang does from
+/// version 15 on.
+class SourcePlace {
+ public:
+  constexpr SourcePlace() noexcept = default;
+
+  /// Where the call is written; as a default argument, where the function that has it is called.
+  static constexpr SourcePlace current(const char* file = __builtin_FILE(),
+                                       unsigned line = __builtin_LINE()) noexcept {
+    SourcePlace place;
+    place.file_ = file;
+    place.line_ = line;
+    return place;
+  }
+
+  [[nodiscard]] constexpr const char* file_name() const noexcept { return file_; }
+  [[nodiscard]] constexpr unsigned line() const noexcept { return line_; }
+
+ private:
+  const char* file_ = "";
+  unsigned line_ = 0;
+};
+
+}  // namespace regulus::codegen
