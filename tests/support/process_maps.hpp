@@ -39,9 +39,11 @@ inline std::optional<MappedRange> range_of(const void* address) {
   return std::nullopt;
 }
 
+/// Whatever the folder is called.
 inline bool is_mapped(const std::string& part_of_file_name) {
   for (const MappedRange& range : mapped_ranges())
-    if (range.file.find(part_of_file_name) != std::string::npos) return true;
+    if (range.file.find(part_of_file_name, range.file.rfind('/') + 1) != std::string::npos)
+      return true;
   return false;
 }
 

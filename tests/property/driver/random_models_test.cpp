@@ -7,7 +7,7 @@ namespace {
 TEST(RandomModels, AreNeverJudgedWrongly) {
   RandomSource random(20070611);
   Judge judge(random);
-  for (int model = 0; model < 50; ++model)
+  for (int model = 0; model < 100; ++model)
     judge.run(RandomModel(random).text(),
               random_road(random, kMethods[model % std::size(kMethods)]));
   EXPECT_GT(judge.tally.leaves_by_rows, 0U);
@@ -18,7 +18,7 @@ TEST(RandomModels, AreNeverJudgedWrongly) {
 TEST(AdversarialModels, AreNeverJudgedWrongly) {
   RandomSource random(20070612);
   Judge judge(random);
-  for (int model = 0; model < 150; ++model)
+  for (int model = 0; model < 300; ++model)
     judge.run(AdversarialModel(random).text(),
               random_road(random, kMethods[model % std::size(kMethods)]));
   judge.tally.expect_each_verdict(1);

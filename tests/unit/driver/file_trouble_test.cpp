@@ -108,7 +108,7 @@ TEST_F(FileTrouble, AVerdictThatNobodyCanReadIsNone) {
 TEST_F(FileTrouble, AnOutputThatIsRemovedMeanwhileIsSaid) {
   for (const std::string option : {"--output", "--picture"}) {
     const std::string path = file("paving.svg");
-    RunningCommand run({kCommand, "locate", kRobot1, "wide_40", "--quiet", "--max-boxes", "300",
+    RunningCommand run({kCommand, "locate", kRobot1, "wide_40", "--quiet", "--max-boxes", "1500",
                         "--engine", "interpreted", option, path});
     for (int i = 0; i < 10000 && !std::filesystem::exists(path); ++i)
       std::this_thread::sleep_for(std::chrono::milliseconds(1));
