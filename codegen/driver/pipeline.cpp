@@ -51,6 +51,7 @@ CompileOptions compile_options(Isa isa, const SearchOptions& search) {
   CompileOptions options;
   options.isa = isa;
   options.use_cache = search.use_cache;
+  options.parts = search.parts;
   return options;
 }
 
@@ -77,6 +78,7 @@ void interpret(Preparation& p) {
 void use(CompiledKernel code, Preparation& p) {
   p.cache = code.cache();
   p.cache_note = code.cache_note();
+  p.functions = {code.report().functions_compiled, code.report().functions_known};
   p.kernel = std::make_unique<CompiledCode>(std::move(code));
 }
 

@@ -211,15 +211,24 @@ int ShellSession::edit(const Words& words) {
   return motion_.empty() ? 0 : prepare_again();
 }
 
-/// Every stage goes by its own input: where an edit leaves that as it was (the text of the kernel,
-/// after a change to a name), the rest is what the cache has.
+/// Every stage goes by its own input: where an edit leaves the text of the kernel as it was (after
+/// a change to a name), the cache has the whole of it, and otherwise the functions it leaves are
+/// known.
 int ShellSession::prepare_again() {
   CommandLine line = parsed({"check"});
   adopt(line);
   const Preparation p = prepare(line.check->model, line.check->search);
   const StageSeconds spent = p.seconds_spent();
-  say(time_line(spent) + "kernel     " + (p.cache == "hit" ? "unchanged or known" : "compiled"),
-      Json{{"seconds", json_seconds(spent)}, {"cache", p.cache}}.dump());
+  const std::size_t functions = p.functions.compiled + p.functions.known;
+  const std::string kernel = p.cache == "hit" ? "unchanged or known"
+                             : functions == 0 ? "interpreted"
+                                              : fmt::format("{} of {} functions compiled",
+                                                            p.functions.compiled, functions);
+  say(time_line(spent) + "kernel     " + kernel, Json{{"seconds", json_seconds(spent)},
+                                                      {"cache", p.cache},
+                                                      {"functions", functions},
+                                                      {"compiled", p.functions.compiled}}
+                                                     .dump());
   return 0;
 }
 
@@ -320,16 +329,18 @@ CommandLine ShellSession::parsed(const Words& words, bool with_motion) const {
   return result;
 }
 
-/// The model is the one in memory, and its kernel is waited for: compiling beside the search is for
-/// a process that has one question.
-void ShellSession::adopt(CommandLine& line) const {
+/// The model is the one in memory. Its kernel is waited for, since compiling beside the search is
+/// for a process that has one question, and what it has in common with those before is compiled
+/// already.
+void ShellSession::adopt(CommandLine& line) {
   const auto with = [&](ModelOptions& model, OutputOptions& output) {
     model.text = text_;
     output.json = output.json || json_;
     output.json_indent = json_ ? -1 : output.json_indent;
   };
-  const auto wait = [](SearchOptions& search) {
+  const auto wait = [this](SearchOptions& search) {
     if (search.engine == Engine::kAuto) search.engine = Engine::kJit;
+    search.parts = &parts_;
   };
   if (line.check) with(line.check->model, line.check->output), wait(line.check->search);
   if (line.locate) with(line.locate->model, line.locate->output), wait(line.locate->search);

@@ -10,6 +10,7 @@
 #include "regulus/codegen/driver/options.hpp"
 #include "regulus/codegen/driver/pipeline.hpp"
 #include "regulus/codegen/driver/shell_completion.hpp"
+#include "regulus/codegen/jit/compiled_parts.hpp"
 #include "regulus/codegen/model/model.hpp"
 
 namespace regulus::codegen {
@@ -49,7 +50,7 @@ class ShellSession {
   int run(const Words& words);
 
   [[nodiscard]] CommandLine parsed(const Words& words, bool with_motion = true) const;
-  void adopt(CommandLine& line) const;
+  void adopt(CommandLine& line);
   void change(const Setting& setting, bool keep);
   void require_valid(const std::vector<Setting>& settings) const;
   void require_model() const;
@@ -65,6 +66,7 @@ class ShellSession {
   std::optional<Model> model_;
   std::string motion_;
   std::vector<Setting> settings_;
+  CompiledParts parts_;  ///< of the kernels of this session
   Words history_;
 
   struct Entry;

@@ -130,8 +130,9 @@ ClangCompiler::ClangCompiler()
                 file_identity(plugin_) + "; " + file_identity(REGULUS_CLANG_LIBRARY) + "; " +
                 file_identity(REGULUS_LLVM_LIBRARY)) {}
 
-CompiledObject ClangCompiler::compile(const Compilation& compilation) const {
-  CompiledObject result = read(compilation);
+CompiledObject ClangCompiler::compile(const Compilation& compilation,
+                                      const CompiledParts* parts) const {
+  CompiledObject result = read(compilation, parts);
   if (result.not_read.empty()) return result;
   CompiledObject compiled = compile_any(compilation);
   compiled.not_read = std::move(result.not_read);
@@ -139,13 +140,17 @@ CompiledObject ClangCompiler::compile(const Compilation& compilation) const {
   return compiled;
 }
 
-CompiledObject ClangCompiler::read(const Compilation& compilation) const {
+CompiledObject ClangCompiler::read(const Compilation& compilation,
+                                   const CompiledParts* parts) const {
   const DefaultFloatingPoint environment;
   CompiledObject result;
   const auto compile_kernel = open<regulus_reader_compile_function>(
       reader_, REGULUS_READER_COMPILE_SYMBOL, result.open_seconds);
-  const regulus_reader_request request{bytes_of(compilation.source.text),
-                                       bytes_of(compilation.isa)};
+  std::vector<regulus_bytes> known;
+  if (parts)
+    for (const std::string_view symbol : parts->symbols()) known.push_back(bytes_of(symbol));
+  const regulus_reader_request request{bytes_of(compilation.source.text), bytes_of(compilation.isa),
+                                       parts != nullptr, known.data(), known.size()};
   const regulus_clang_sink sink = sink_into(result);
   const int outcome = compile_kernel(&request, &sink);
   if (outcome != REGULUS_READER_DONE) result.object.clear();

@@ -7,6 +7,7 @@
 #include <string>
 
 #include "regulus/codegen/jit/compilation.hpp"
+#include "regulus/codegen/jit/compiled_parts.hpp"
 
 namespace regulus::codegen {
 
@@ -44,13 +45,16 @@ class ClangCompiler {
   /// Opens the plugins it needs if this is the first time, and compiles.
   /// Ensures   the caller's floating-point environment is kept; the compiler sees the default one.
   /// Throws    CompilerUnavailable.
-  [[nodiscard]] CompiledObject compile(const Compilation& compilation) const;
+  /// With `parts`, what is known there is left out: CompiledParts::complete adds it.
+  [[nodiscard]] CompiledObject compile(const Compilation& compilation,
+                                       const CompiledParts* parts = nullptr) const;
 
   /// As compile, but as C++ whatever the text: the reference for what compile makes of a kernel.
   [[nodiscard]] CompiledObject compile_any(const Compilation& compilation) const;
 
  private:
-  [[nodiscard]] CompiledObject read(const Compilation& compilation) const;
+  [[nodiscard]] CompiledObject read(const Compilation& compilation,
+                                    const CompiledParts* parts) const;
 
   std::filesystem::path reader_;
   std::filesystem::path plugin_;

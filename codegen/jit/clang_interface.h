@@ -6,7 +6,7 @@
 #include <stddef.h>
 
 /// Changes with every incompatible change of this file; the loader refuses another number.
-enum { REGULUS_CLANG_INTERFACE = 3 };
+enum { REGULUS_CLANG_INTERFACE = 4 };
 
 /// Bytes with a length; `data` is also followed by a zero.
 typedef struct regulus_bytes {
@@ -56,6 +56,9 @@ typedef int (*regulus_clang_compile_function)(const regulus_clang_request* reque
 typedef struct regulus_reader_request {
   regulus_bytes text;
   regulus_bytes isa;
+  int for_others;              ///< other kernels are to use the objects, too, all but the last
+  const regulus_bytes* known;  ///< symbols that need not be defined again, with for_others
+  size_t known_count;
 } regulus_reader_request;
 
 enum { REGULUS_READER_DONE = 0, REGULUS_READER_FAILED = 1, REGULUS_READER_OUTSIDE = 2 };

@@ -46,7 +46,7 @@ LoadedObjects load(std::string_view bundle, CompileReport& report) {
 
 /// A cache entry that is sound but cannot be loaded is one more damaged entry.
 std::optional<LoadedObjects> load_from_cache(const ObjectCache& cache, const std::string& key,
-                                             CompileReport& report) {
+                                             CompiledParts* parts, CompileReport& report) {
   ObjectCache::Entry entry;
   {
     const Timer timer(report.cache_seconds);
@@ -55,24 +55,36 @@ std::optional<LoadedObjects> load_from_cache(const ObjectCache& cache, const std
   report.cache_note = entry.note;
   if (!entry.object) return std::nullopt;
   try {
-    return load(*entry.object, report);
+    LoadedObjects loaded = load(*entry.object, report);
+    if (parts) parts->add(*entry.object);
+    return loaded;
   } catch (const LoadError& error) {
     report.cache_note = error.what();
     return std::nullopt;
   }
 }
 
+/// The objects of a kernel with those of its functions that were known.
+std::string completed(std::string object, CompiledParts* parts, CompileReport& report) {
+  if (!parts) return object;
+  CompiledParts::Count count;
+  std::string whole = parts->complete(object, count);
+  report.functions_compiled = count.compiled;
+  report.functions_known = count.known;
+  return whole;
+}
+
 std::string compile_object(const ClangCompiler& compiler, const Compilation& compilation,
-                           CompileReport& report) {
+                           CompiledParts* parts, CompileReport& report) {
   const std::string text(compilation.source.text);
   try {
-    CompiledObject compiled = compiler.compile(compilation);
+    CompiledObject compiled = compiler.compile(compilation, parts);
     report.not_read = compiled.not_read;
     report.open_compiler_seconds = compiled.open_seconds;
     report.front_end_seconds = compiled.front_end_seconds;
     report.optimiser_seconds = compiled.optimiser_seconds;
     report.code_generation_seconds = compiled.code_generation_seconds;
-    if (!compiled.object.empty()) return std::move(compiled.object);
+    if (!compiled.object.empty()) return completed(std::move(compiled.object), parts, report);
     throw CompileError("the generated text does not compile:\n" + compiled.diagnostics,
                        compiled.diagnostics, text);
   } catch (const CompilerUnavailable& error) {
@@ -109,19 +121,21 @@ LoadedObjects compile_or_find(std::string_view text, const CompileOptions& optio
   const ClangCompiler compiler;
   const Compilation compilation = kernel_compilation(text, options.isa);
   const auto cache = open_cache(options, report);
-  if (!cache) return load_fresh(compile_object(compiler, compilation, report), text, report);
+  CompiledParts* const parts = options.parts;
+  if (parts) parts->prepare(object_key(kernel_compilation({}, options.isa), compiler.identity()));
+  if (!cache) return load_fresh(compile_object(compiler, compilation, parts, report), text, report);
 
   std::string& key = report.object_key;
   {
     const Timer timer(report.cache_seconds);
     key = object_key(compilation, compiler.identity());
   }
-  if (auto found = load_from_cache(*cache, key, report)) {
+  if (auto found = load_from_cache(*cache, key, parts, report)) {
     report.cache = CacheUse::kHit;
     return std::move(*found);
   }
   report.cache = CacheUse::kMiss;
-  const std::string object = compile_object(compiler, compilation, report);
+  const std::string object = compile_object(compiler, compilation, parts, report);
   LoadedObjects loaded = load_fresh(object, text, report);
   const Timer timer(report.cache_seconds);
   append_note(report, cache->write(key, object));
@@ -186,7 +200,7 @@ std::string kernel_object_key(const EmittedKernel& emitted, Isa isa) {
 std::optional<CompiledKernel> load_cached_kernel(const ObjectCache& cache, const std::string& key,
                                                  const KernelName& name) {
   CompileReport report;
-  std::optional<LoadedObjects> loaded = load_from_cache(cache, key, report);
+  std::optional<LoadedObjects> loaded = load_from_cache(cache, key, nullptr, report);
   if (!loaded) return std::nullopt;
   report.cache = CacheUse::kHit;
   report.total_seconds = report.cache_seconds + report.load_seconds;
@@ -200,7 +214,9 @@ std::optional<CompiledKernel> load_cached_kernel(const ObjectCache& cache, const
 std::string compiler_identity() { return ClangCompiler().identity(); }
 
 std::optional<std::string> rounding_self_test(const CompileOptions& options) {
-  const MachineCode code = compile_text(kSelfTestSource, options);
+  CompileOptions alone = options;
+  alone.parts = nullptr;
+  const MachineCode code = compile_text(kSelfTestSource, alone);
   const auto function = reinterpret_cast<regulus_function>(code.symbol(kSelfTestSymbol));
   if (!function) throw CompileError("the self-test is missing", {}, kSelfTestSource);
   return check_self_test(function, options.isa);

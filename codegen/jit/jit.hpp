@@ -9,6 +9,7 @@
 #include <utility>
 
 #include "regulus/codegen/emit/emitted_kernel.hpp"
+#include "regulus/codegen/jit/compiled_parts.hpp"
 #include "regulus/codegen/jit/machine_code.hpp"
 #include "regulus/codegen/jit/object_cache.hpp"
 #include "regulus/kernel/abi.hpp"
@@ -20,6 +21,7 @@ struct CompileOptions {
   Isa isa = Isa::kPortable;
   bool use_cache = true;
   std::filesystem::path cache_directory;  ///< empty: default_cache_directory()
+  CompiledParts* parts = nullptr;         ///< what need not be compiled again, and gets more
 };
 
 /// Compiles a text, or takes what an earlier run made of the same text.

@@ -21,9 +21,11 @@ enum class CacheUse { kHit, kMiss, kOff };
 
 struct CompileReport {
   CacheUse cache = CacheUse::kOff;
-  std::string cache_note;    ///< what is wrong with the cache or was with the entry; else empty
-  std::string not_read;      ///< why the text took a C++ compiler; empty for an emitted kernel
-  std::string object_key;    ///< the name of the object in the cache; empty if that is off
+  std::string cache_note;  ///< what is wrong with the cache or was with the entry; else empty
+  std::string not_read;    ///< why the text took a C++ compiler; empty for an emitted kernel
+  std::string object_key;  ///< the name of the object in the cache; empty if that is off
+  std::size_t functions_compiled = 0;  ///< with CompileOptions::parts
+  std::size_t functions_known = 0;
   double cache_seconds = 0;  ///< making the key, reading, writing
   double open_compiler_seconds = 0;
   double front_end_seconds = 0;

@@ -18,8 +18,8 @@ using reader::TableText;
 
 class KernelBuilder {
  public:
-  KernelBuilder(const reader::Share& share, llvm::Module& module)
-      : share_(share), module_(module), operations_(module) {
+  KernelBuilder(const reader::Symbols& symbols, const reader::Share& share, llvm::Module& module)
+      : symbols_(symbols), share_(share), module_(module), operations_(module) {
     for (llvm::Function& function : module)
       if (!function.empty()) function.setLinkage(llvm::GlobalValue::InternalLinkage);
   }
@@ -27,7 +27,8 @@ class KernelBuilder {
   void run(const KernelText& text) {
     for (const FunctionText& function : text.functions) {
       llvm::Function& made = declare(function);
-      if (is_here(function.name)) FunctionBuilder(operations_, functions_, made, function).run();
+      if (is_here(function.name) && made.empty())
+        FunctionBuilder(operations_, functions_, made, function).run();
     }
     if (share_.tables)
       for (const TableText& table : text.tables) add(table);
@@ -50,23 +51,28 @@ class KernelBuilder {
                : llvm::GlobalValue::ExternalLinkage;
   }
 
-  /// With the target and the floating-point rules that the operations were compiled for.
+  /// With the target and the floating-point rules that the operations were compiled for. Functions
+  /// that compute the same are one.
   llvm::Function& declare(const FunctionText& text) {
+    const std::string& symbol = symbols_.at(text.name);
+    llvm::Function* function = module_.getFunction(symbol);
+    if (!function) function = &declare(symbol, text);
+    if (is_here(text.name)) function->setDSOLocal(true);
+    functions_[text.name] = function;
+    return *function;
+  }
+
+  llvm::Function& declare(const std::string& symbol, const FunctionText& text) {
     llvm::LLVMContext& context = module_.getContext();
     llvm::Type* pointer = llvm::PointerType::getUnqual(context);
     llvm::SmallVector<llvm::Type*, 4> parameters(text.parameters.size(), pointer);
     auto* type = llvm::FunctionType::get(llvm::Type::getInt32Ty(context), parameters, false);
-    const std::string name(text.name);
-    auto* function = llvm::Function::Create(type, linkage_of(text),
-                                            text.exported ? name : "kernel." + name, module_);
+    auto* function = llvm::Function::Create(type, linkage_of(text), symbol, module_);
     llvm::AttrBuilder attributes(context, operations_.sample().getAttributes().getFnAttrs());
     attributes.removeAttribute(llvm::Attribute::Memory);
     attributes.removeAttribute(llvm::Attribute::AlwaysInline);
     attributes.addAttribute(llvm::Attribute::NoInline);
     function->addFnAttrs(attributes);
-    function->setDSOLocal(is_here(text.name));
-    if (!functions_.try_emplace(text.name, function).second)
-      throw OutsideSubset("two functions of one name");
     return *function;
   }
 
@@ -148,6 +154,7 @@ class KernelBuilder {
     throw OutsideSubset("a table that points to nothing known");
   }
 
+  const reader::Symbols& symbols_;
   const reader::Share& share_;
   llvm::Module& module_;
   Operations operations_;
@@ -157,8 +164,9 @@ class KernelBuilder {
 
 }  // namespace
 
-void build_kernel(const KernelText& text, const reader::Share& share, llvm::Module& module) {
-  KernelBuilder(share, module).run(text);
+void build_kernel(const KernelText& text, const reader::Symbols& symbols,
+                  const reader::Share& share, llvm::Module& module) {
+  KernelBuilder(symbols, share, module).run(text);
 }
 
 }  // namespace regulus::codegen::builder

@@ -11,6 +11,7 @@
 #include <chrono>
 #include <future>
 #include <memory>
+#include <set>
 #include <string>
 #include <utility>
 #include <vector>
@@ -47,7 +48,27 @@ struct Result {
   bool done = false;
 };
 
-Result compile(const reader::KernelText& kernel, const reader::Share& share, std::string_view isa) {
+struct Work {
+  reader::KernelText kernel;
+  reader::Symbols symbols;
+  std::vector<reader::Share> shares;
+  std::string_view isa;
+};
+
+Work read(const regulus_reader_request& request) {
+  Work work;
+  work.kernel = reader::parse_kernel({request.text.data, request.text.size});
+  work.symbols = reader::symbols_of(work.kernel);
+  work.isa = {request.isa.data, request.isa.size};
+  std::set<std::string_view> known;
+  for (std::size_t i = 0; i < request.known_count; ++i)
+    known.emplace(request.known[i].data, request.known[i].size);
+  work.shares = request.for_others ? share_out_unknown(work.kernel, work.symbols, known)
+                                   : share_out(work.kernel);
+  return work;
+}
+
+Result compile(const Work& work, const reader::Share& share) {
   Result result;
   auto start = std::chrono::steady_clock::now();
   const auto lap = [&start] {
@@ -56,8 +77,8 @@ Result compile(const reader::KernelText& kernel, const reader::Share& share, std
   };
   llvm::raw_string_ostream errors(result.diagnostics);
   llvm::LLVMContext context;
-  const auto module = packs_of(isa, context);
-  builder::build_kernel(kernel, share, *module);
+  const auto module = packs_of(work.isa, context);
+  builder::build_kernel(work.kernel, work.symbols, share, *module);
 #ifndef NDEBUG
   if (llvm::verifyModule(*module, &errors)) return result;
 #endif
@@ -78,15 +99,12 @@ Result compile(const reader::KernelText& kernel, const reader::Share& share, std
 /// The shares side by side, each in a thread and an LLVM context of its own. An object refers only
 /// to those before it.
 std::vector<Result> compile_all(const regulus_reader_request& request) {
-  const auto kernel = reader::parse_kernel({request.text.data, request.text.size});
-  const auto shares = reader::share_out(kernel);
-  const std::string_view isa(request.isa.data, request.isa.size);
+  const Work work = read(request);
   std::vector<std::future<Result>> others;
-  for (std::size_t i = 0; i + 1 < shares.size(); ++i)
-    others.push_back(std::async(std::launch::async, [&kernel, &shares, isa, i] {
-      return compile(kernel, shares[i], isa);
-    }));
-  Result last = compile(kernel, shares.back(), isa);
+  for (std::size_t i = 0; i + 1 < work.shares.size(); ++i)
+    others.push_back(
+        std::async(std::launch::async, [&work, i] { return compile(work, work.shares[i]); }));
+  Result last = compile(work, work.shares.back());
   std::vector<Result> results;
   for (auto& other : others) results.push_back(other.get());
   results.push_back(std::move(last));

@@ -42,10 +42,8 @@ std::vector<Family> families_of(const KernelText& kernel) {
   return families;
 }
 
-}  // namespace
-
-std::vector<Share> share_out(const KernelText& kernel) {
-  std::vector<Family> families = families_of(kernel);
+/// Two shares of about equal length, the second no shorter, or one.
+std::vector<Share> halves_of(std::vector<Family> families) {
   std::stable_sort(families.begin(), families.end(),
                    [](const Family& a, const Family& b) { return a.length > b.length; });
   std::vector<Share> shares(2);
@@ -59,7 +57,35 @@ std::vector<Share> share_out(const KernelText& kernel) {
     shares[1].functions.merge(shares[0].functions);
     shares.erase(shares.begin());
   }
+  return shares;
+}
+
+bool calls_others(const FunctionText& function) {
+  return std::ranges::any_of(function.body,
+                             [](const Statement& s) { return s.kind == Statement::Kind::kCall; });
+}
+
+}  // namespace
+
+std::vector<Share> share_out(const KernelText& kernel) {
+  std::vector<Share> shares = halves_of(families_of(kernel));
   shares.back().tables = true;
+  return shares;
+}
+
+std::vector<Share> share_out_unknown(const KernelText& kernel, const Symbols& symbols,
+                                     const std::set<std::string_view>& known) {
+  Share last{{}, true};
+  std::set<std::string_view> found = known;
+  std::vector<Family> unknown;
+  for (const FunctionText& function : kernel.functions)
+    if (function.exported || calls_others(function))
+      last.functions.insert(function.name);
+    else if (found.insert(symbols.at(function.name)).second)
+      unknown.push_back({function.body.size(), {function.name}});
+  std::vector<Share> shares;
+  if (!unknown.empty()) shares = halves_of(std::move(unknown));
+  shares.push_back(std::move(last));
   return shares;
 }
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// A kernel cut in two, to be compiled side by side.
+// A kernel cut into pieces that are compiled side by side.
 #pragma once
 
 #include <cstddef>
@@ -7,6 +7,7 @@
 #include <string_view>
 #include <vector>
 
+#include "regulus/codegen/jit/reader/fingerprint.hpp"
 #include "regulus/codegen/jit/reader/syntax.hpp"
 
 namespace regulus::codegen::reader {
@@ -20,5 +21,12 @@ struct Share {
 /// Ensures   each function in one share, with the functions that it calls; shares of about equal
 ///           length, the last with the tables; a single one when the kernel is short.
 [[nodiscard]] std::vector<Share> share_out(const KernelText& kernel);
+
+/// As share_out, for objects that other kernels are to use, too.
+///
+/// Ensures   a function that calls none is in one of the first shares, or in none if its symbol is
+///           among `known`; all others in the last one, with the tables.
+[[nodiscard]] std::vector<Share> share_out_unknown(const KernelText& kernel, const Symbols& symbols,
+                                                   const std::set<std::string_view>& known);
 
 }  // namespace regulus::codegen::reader
