@@ -1,10 +1,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "regulus/codegen/driver/line_editor.hpp"
 
+#include <poll.h>
 #include <sys/stat.h>
+#include <unistd.h>
 
 #include <cerrno>
+#include <clocale>
+#include <csignal>
 #include <cstdlib>
+#include <cwchar>
 #include <iostream>
 
 #ifdef REGULUS_LIBEDIT
@@ -36,6 +41,32 @@ void make_private(const std::filesystem::path& file) {
   std::filesystem::create_directories(file.parent_path(), error);
 }
 
+/// Signals wait while it lives, SIGINT among them: one that comes between the prompt and the read
+/// would be lost.
+class InterruptsWait {
+ public:
+  InterruptsWait() {
+    sigset_t set;
+    sigemptyset(&set);
+    sigaddset(&set, SIGINT);
+    pthread_sigmask(SIG_BLOCK, &set, &before_);
+  }
+  ~InterruptsWait() { pthread_sigmask(SIG_SETMASK, &before_, nullptr); }
+  InterruptsWait(const InterruptsWait&) = delete;
+  InterruptsWait& operator=(const InterruptsWait&) = delete;
+
+  [[nodiscard]] const sigset_t& before() const noexcept { return before_; }
+
+ private:
+  sigset_t before_{};
+};
+
+/// What is typed is UTF-8 unless the environment names another encoding.
+void choose_encoding() {
+  std::setlocale(LC_CTYPE, "");
+  if (MB_CUR_MAX == 1) std::setlocale(LC_CTYPE, "C.UTF-8");
+}
+
 }  // namespace
 
 struct LineEditor::Library {
@@ -45,6 +76,7 @@ struct LineEditor::Library {
   std::string prompt;
   std::filesystem::path file;
   Complete complete;
+  const InterruptsWait* waiting = nullptr;  ///< while a line is read
 
   static Library& of(EditLine* line) {
     Library* library = nullptr;
@@ -53,6 +85,23 @@ struct LineEditor::Library {
   }
 
   static const char* show_prompt(EditLine* line) { return of(line).prompt.c_str(); }
+
+  /// One character, as el_gets asks for it: 1, at the end of the input 0, otherwise −1.
+  static int read_character(EditLine* line, wchar_t* character) {
+    std::mbstate_t state{};
+    for (;;) {
+      pollfd input{STDIN_FILENO, POLLIN, 0};
+      if (ppoll(&input, 1, nullptr, &of(line).waiting->before()) < 0) return -1;
+      char byte = 0;
+      const ssize_t count = read(STDIN_FILENO, &byte, 1);
+      if (count <= 0) return static_cast<int>(count);
+      const std::size_t used = std::mbrtowc(character, &byte, 1, &state);
+      if (used <= 1) return 1;
+      if (used == static_cast<std::size_t>(-2)) continue;
+      *character = L'?';  // no character of the encoding
+      return 1;
+    }
+  }
 
   /// Adds what all completions have in common; lists them where that is nothing.
   static unsigned char on_tab(EditLine* line, int) {
@@ -90,7 +139,7 @@ struct LineEditor::Library {
 };
 
 LineEditor::LineEditor(const std::string& prompt, std::filesystem::path history, Complete complete)
-    : library_(std::make_unique<Library>()) {
+    : library_((choose_encoding(), std::make_unique<Library>())) {
   Library& l = *library_;
   l.prompt = prompt;
   l.file = std::move(history);
@@ -99,6 +148,7 @@ LineEditor::LineEditor(const std::string& prompt, std::filesystem::path history,
   el_set(l.line, EL_PROMPT, &Library::show_prompt);
   el_set(l.line, EL_EDITOR, "emacs");
   el_set(l.line, EL_SIGNAL, 0);
+  el_set(l.line, EL_GETCFN, &Library::read_character);
   el_set(l.line, EL_ADDFN, "regulus-complete", "complete a word", &Library::on_tab);
   el_set(l.line, EL_BIND, "^I", "regulus-complete", nullptr);
   ::history(l.history, &l.event, H_SETSIZE, kLinesKept);
@@ -108,6 +158,8 @@ LineEditor::LineEditor(const std::string& prompt, std::filesystem::path history,
 }
 
 std::optional<std::string> LineEditor::next() {
+  const InterruptsWait waiting;
+  library_->waiting = &waiting;
   int count = 0;
   errno = 0;
   const char* typed = el_gets(library_->line, &count);

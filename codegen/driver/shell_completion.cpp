@@ -50,12 +50,20 @@ Words of_set(const TypedLine& typed, const ShellNames& names) {
   return names.values_of ? names.values_of(what) : Words{};
 }
 
+/// And the folders they may be in.
+Words models_among(Words files) {
+  std::erase_if(files, [](const std::string& file) {
+    return !file.ends_with(".toml") && !file.ends_with("/");
+  });
+  return files;
+}
+
 Words candidates(const TypedLine& typed, const ShellNames& names) {
   if (typed.before.empty()) return names.commands;
   const std::string& command = typed.before[0];
   const auto files = [&] { return names.files ? names.files(typed.last) : Words{}; };
-  if (command == "load" || command == "plot" || command == "verify" || command == "save")
-    return files();
+  if (command == "load") return models_among(files());
+  if (command == "plot" || command == "verify" || command == "save") return files();
   if (command == "set" || command == "unset") return of_set(typed, names);
   if (command == "motion") return names.motions;
   if (command == "help") return names.commands;

@@ -13,6 +13,7 @@
 #include "regulus/codegen/driver/report_parts.hpp"
 #include "regulus/codegen/driver/run_command_line.hpp"
 #include "regulus/codegen/driver/shell_words.hpp"
+#include "regulus/codegen/driver/text_editor.hpp"
 #include "regulus/codegen/model/model_edit.hpp"
 #include "regulus/codegen/model/model_file.hpp"
 #include "regulus/codegen/model/names.hpp"
@@ -107,6 +108,8 @@ const std::vector<ShellSession::Entry>& ShellSession::table() {
        "set entry I J EXPR, set let NAME EXPR: change the matrix or a sub-expression;\n"
        "set keep-going on|off, set json on|off",
        &S::set},
+      {"edit", "edit", "change the model's text in the editor that EDITOR names", &S::edit},
+      {"reload", "reload", "read the model file again; what was set stays", &S::reload},
       {"unset", "unset OPTION [NAME]", "back to what the model or the default says", &S::unset},
       {"check", "check [OPTIONS]", "prove that there is no singular pose, or show one", &S::run},
       {"locate", "locate [OPTIONS]", "pave the motion: free, singular, undecided", &S::run},
@@ -146,7 +149,7 @@ void ShellSession::say(const std::string& text, const std::string& json) const {
 }
 
 void ShellSession::require_model() const {
-  if (!model_) refuse("no model", "load MODEL first");
+  if (!asked_.model) refuse("no model", "load MODEL first");
 }
 
 // ---- the model ----
@@ -155,21 +158,22 @@ int ShellSession::load(const Words& words) {
   if (words.size() != 2) refuse(rest_of(words, 0), "load MODEL");
   std::string text = read_model_text(words[1]);
   Model model = parse_model(text, words[1]);
-  path_ = words[1];
-  text_ = std::move(text);
-  model_ = std::move(model);
-  motion_ = model_->motions.size() == 1 ? model_->motions.front().name : "";
-  settings_.clear();
-  const auto names = motion_names(*model_);
-  say(fmt::format("{}: {}×{}, motions {}", model_->name, model_->matrix.rows(),
-                  model_->matrix.cols(), listed(names)),
-      Json{{"model", model_->name}, {"path", path_}, {"motions", names}}.dump());
+  asked_.path = words[1];
+  asked_.text = std::move(text);
+  draft_.clear();
+  asked_.model = std::move(model);
+  asked_.motion = asked_.model->motions.size() == 1 ? asked_.model->motions.front().name : "";
+  asked_.settings.clear();
+  const auto names = motion_names(*asked_.model);
+  say(fmt::format("{}: {}×{}, motions {}", asked_.model->name, asked_.model->matrix.rows(),
+                  asked_.model->matrix.cols(), listed(names)),
+      Json{{"model", asked_.model->name}, {"path", asked_.path}, {"motions", names}}.dump());
   return 0;
 }
 
 int ShellSession::motions(const Words&) {
   require_model();
-  const auto names = motion_names(*model_);
+  const auto names = motion_names(*asked_.model);
   say(fmt::format("{}", fmt::join(names, "\n")), Json{{"motions", names}}.dump());
   return 0;
 }
@@ -177,10 +181,10 @@ int ShellSession::motions(const Words&) {
 int ShellSession::motion(const Words& words) {
   require_model();
   if (words.size() != 2) refuse(rest_of(words, 0), "motion NAME");
-  from_option("motion", [&] { static_cast<void>(find_motion(*model_, words[1])); });
-  motion_ = words[1];
+  from_option("motion", [&] { static_cast<void>(find_motion(*asked_.model, words[1])); });
+  asked_.motion = words[1];
   // A range is of a motion's parameters.
-  std::erase_if(settings_, [](const Setting& s) { return s.option == "range"; });
+  std::erase_if(asked_.settings, [](const Setting& s) { return s.option == "range"; });
   return 0;
 }
 
@@ -188,34 +192,55 @@ int ShellSession::save(const Words& words) {
   require_model();
   if (words.size() != 2) refuse(rest_of(words, 0), "save FILE");
   std::ofstream file(words[1], std::ios::binary);
-  file << text_;
+  file << asked_.text;
   if (!file.flush()) throw FileError("cannot write " + words[1]);
   return 0;
 }
 
-/// What is no model is refused, and the session keeps what it had.
+/// What is no model, or not one for what is set, is refused, and the session keeps what it had.
 void ShellSession::take(std::string text) {
-  model_ = parse_model(text, path_);
-  text_ = std::move(text);
+  Asked changed = asked_;
+  changed.model = parse_model(text, asked_.path);
+  changed.text = std::move(text);
+  require_valid(changed);
+  asked_ = std::move(changed);
+  draft_.clear();
 }
 
-int ShellSession::edit(const Words& words) {
+int ShellSession::change_expression(const Words& words) {
   require_model();
   if (words[1] == "entry") {
     if (words.size() < 5) refuse(rest_of(words, 0), "set entry ROW COLUMN EXPRESSION");
-    take(with_entry(text_, position(words[2]), position(words[3]), rest_of(words, 4)));
+    take(with_entry(asked_.text, position(words[2]), position(words[3]), rest_of(words, 4)));
   } else {
     if (words.size() < 4) refuse(rest_of(words, 0), "set let NAME EXPRESSION");
-    take(with_let(text_, words[2], rest_of(words, 3)));
+    take(with_let(asked_.text, words[2], rest_of(words, 3)));
   }
-  return motion_.empty() ? 0 : prepare_again();
+  return asked_.motion.empty() ? 0 : prepare_again();
+}
+
+/// A text with a mistake is what the next edit begins with.
+int ShellSession::edit(const Words& words) {
+  require_model();
+  if (words.size() != 1) refuse(rest_of(words, 0), "edit");
+  draft_ = edited(draft_.empty() ? asked_.text : draft_);
+  if (draft_ == asked_.text) return draft_.clear(), 0;
+  take(draft_);
+  return asked_.motion.empty() ? 0 : prepare_again();
+}
+
+int ShellSession::reload(const Words& words) {
+  require_model();
+  if (words.size() != 1) refuse(rest_of(words, 0), "reload");
+  take(read_model_text(asked_.path));
+  return asked_.motion.empty() ? 0 : prepare_again();
 }
 
 /// Every stage goes by its own input: where an edit leaves the text of the kernel as it was (after
 /// a change to a name), the cache has the whole of it, and otherwise the functions it leaves are
 /// known.
 int ShellSession::prepare_again() {
-  CommandLine line = parsed({"check"});
+  CommandLine line = parsed(asked_, {"check"});
   adopt(line);
   const Preparation p = prepare(line.check->model, line.check->search);
   const StageSeconds spent = p.seconds_spent();
@@ -234,33 +259,27 @@ int ShellSession::prepare_again() {
 
 // ---- settings ----
 
-void ShellSession::require_valid(const std::vector<Setting>& settings) const {
-  ShellSession changed(json_);
-  changed.path_ = path_;
-  changed.text_ = text_;
-  changed.model_ = model_;
-  changed.motion_ = motion_;
-  changed.settings_ = settings;
-  CommandLine line = changed.parsed({"check"});
-  if (!model_ || motion_.empty()) return;
-  changed.adopt(line);
+void ShellSession::require_valid(const Asked& asked) {
+  CommandLine line = parsed(asked, {"check"});
+  if (!asked.model || asked.motion.empty()) return;
+  line.check->model.text = asked.text;
   static_cast<void>(read_request(line.check->model));
 }
 
 void ShellSession::change(const Setting& setting, bool keep) {
-  std::vector<Setting> settings = settings_;
-  std::erase_if(settings, [&](const Setting& s) {
+  Asked changed = asked_;
+  std::erase_if(changed.settings, [&](const Setting& s) {
     return s.option == setting.option && (setting.key.empty() || s.key == setting.key);
   });
-  if (keep) settings.push_back(setting);
-  require_valid(settings);
-  settings_ = std::move(settings);
+  if (keep) changed.settings.push_back(setting);
+  require_valid(changed);
+  asked_ = std::move(changed);
 }
 
 int ShellSession::set(const Words& words) {
   if (words.size() < 2) refuse("set", "set OPTION [VALUE]");
   const std::string& what = words[1];
-  if (what == "entry" || what == "let") return edit(words);
+  if (what == "entry" || what == "let") return change_expression(words);
   if (what == "keep-going") return keep_going_ = switched_on(words), 0;
   if (what == "json") return json_ = switched_on(words), 0;
   const OptionEntry* option = option_of_check(what);
@@ -284,16 +303,17 @@ int ShellSession::unset(const Words& words) {
   const auto is_meant = [&](const Setting& s) {
     return s.option == words[1] && (words.size() == 2 || s.key == words[2]);
   };
-  if (std::ranges::none_of(settings_, is_meant)) refuse(rest_of(words, 1), "what has been set");
+  if (std::ranges::none_of(asked_.settings, is_meant))
+    refuse(rest_of(words, 1), "what has been set");
   change({words[1], words.size() == 3 ? words[2] : "", ""}, false);
   return 0;
 }
 
 int ShellSession::show_settings() {
-  Json json{{"model", path_}, {"motion", motion_}, {"settings", Json::array()}};
-  std::string text = fmt::format("model {}\nmotion {}", path_.empty() ? "none" : path_,
-                                 motion_.empty() ? "none" : motion_);
-  for (const Setting& s : settings_) {
+  Json json{{"model", asked_.path}, {"motion", asked_.motion}, {"settings", Json::array()}};
+  std::string text = fmt::format("model {}\nmotion {}", asked_.path.empty() ? "none" : asked_.path,
+                                 asked_.motion.empty() ? "none" : asked_.motion);
+  for (const Setting& s : asked_.settings) {
     text += fmt::format("\n{}{}{}", s.option, s.value.empty() ? "" : " ", s.value);
     json["settings"].push_back({{"option", s.option}, {"value", s.value}});
   }
@@ -305,14 +325,14 @@ int ShellSession::show_settings() {
 
 /// The command line of these words, of what is set, and of the model; what a command does not know
 /// is left out.
-CommandLine ShellSession::parsed(const Words& words, bool with_motion) const {
+CommandLine ShellSession::parsed(const Asked& asked, const Words& words) {
   static const std::vector<CommandEntry> kTable = command_table();
   const auto& options = std::ranges::find(kTable, words[0], &CommandEntry::name)->options;
   Words line = {"regulus", words[0]};
   if (words[0] != "verify") {
-    line.push_back(path_.empty() ? "MODEL" : path_);
-    if (with_motion && !motion_.empty()) line.push_back(motion_);
-    for (const Setting& s : settings_) {
+    line.push_back(asked.path.empty() ? "MODEL" : asked.path);
+    if (!asked.motion.empty()) line.push_back(asked.motion);
+    for (const Setting& s : asked.settings) {
       const std::string option = "--" + s.option;
       if (std::ranges::find(options, option, &OptionEntry::name) == options.end()) continue;
       const bool typed = !takes_names(s.option) && std::ranges::find(words, option) != words.end();
@@ -334,7 +354,7 @@ CommandLine ShellSession::parsed(const Words& words, bool with_motion) const {
 /// already.
 void ShellSession::adopt(CommandLine& line) {
   const auto with = [&](ModelOptions& model, OutputOptions& output) {
-    model.text = text_;
+    model.text = asked_.text;
     output.json = output.json || json_;
     output.json_indent = json_ ? -1 : output.json_indent;
   };
@@ -348,7 +368,7 @@ void ShellSession::adopt(CommandLine& line) {
   if (line.margin) with(line.margin->model, line.margin->output), wait(line.margin->search);
   if (line.explain) with(line.explain->model, line.explain->output);
   if (line.generate) {
-    line.generate->model.text = text_;
+    line.generate->model.text = asked_.text;
     line.generate->json = line.generate->json || json_;
     line.generate->json_indent = json_ ? -1 : line.generate->json_indent;
   }
@@ -359,7 +379,7 @@ void ShellSession::adopt(CommandLine& line) {
 
 int ShellSession::run(const Words& words) {
   if (words[0] != "verify") require_model();
-  CommandLine line = parsed(words);
+  CommandLine line = parsed(asked_, words);
   adopt(line);
   return run_command_line(line, rest_of(words, 0));
 }
@@ -377,8 +397,8 @@ int ShellSession::show(const Words& words) {
   static const Words kParts = {"matrix", "forms", "occurrences", "text"};
   if (words.size() != 2 || std::ranges::find(kParts, words[1]) == kParts.end())
     refuse(rest_of(words, 0), "show matrix|forms|occurrences|text|settings");
-  if (words[1] == "text" && motion_.empty()) refuse("no motion", "motion NAME first");
-  CommandLine line = parsed({"explain", "--stage", words[1]});
+  if (words[1] == "text" && asked_.motion.empty()) refuse("no motion", "motion NAME first");
+  CommandLine line = parsed(asked_, {"explain", "--stage", words[1]});
   adopt(line);
   return run_command_line(line, rest_of(words, 0));
 }
@@ -421,12 +441,12 @@ ShellNames ShellSession::names() const {
     return entry == nullptr ? Words{} : entry->choices;
   };
   names.files = files_beginning;
-  if (!model_) return names;
-  names.motions = motion_names(*model_);
-  names.groups = tolerance_groups(*model_);
-  names.lets = let_names(text_);
-  if (motion_.empty()) return names;
-  for (const MotionParameter& p : find_motion(*model_, motion_).parameters)
+  if (!asked_.model) return names;
+  names.motions = motion_names(*asked_.model);
+  names.groups = tolerance_groups(*asked_.model);
+  names.lets = let_names(asked_.text);
+  if (asked_.motion.empty()) return names;
+  for (const MotionParameter& p : find_motion(*asked_.model, asked_.motion).parameters)
     names.parameters.push_back(p.name);
   return names;
 }

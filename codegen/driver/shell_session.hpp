@@ -33,6 +33,14 @@ class ShellSession {
   struct Setting {
     std::string option, key, value;
   };
+  /// What a question is about.
+  struct Asked {
+    std::string path;
+    std::string text;  ///< of the model, with its changes
+    std::optional<Model> model;
+    std::string motion;
+    std::vector<Setting> settings;
+  };
 
   int load(const Words& words);
   int motions(const Words& words);
@@ -41,7 +49,9 @@ class ShellSession {
   int show_settings();
   int set(const Words& words);
   int unset(const Words& words);
+  int reload(const Words& words);
   int edit(const Words& words);
+  int change_expression(const Words& words);
   int plot(const Words& words);
   int save(const Words& words);
   int history(const Words& words);
@@ -49,10 +59,10 @@ class ShellSession {
   int quit(const Words& words);
   int run(const Words& words);
 
-  [[nodiscard]] CommandLine parsed(const Words& words, bool with_motion = true) const;
+  [[nodiscard]] static CommandLine parsed(const Asked& asked, const Words& words);
   void adopt(CommandLine& line);
   void change(const Setting& setting, bool keep);
-  void require_valid(const std::vector<Setting>& settings) const;
+  static void require_valid(const Asked& asked);
   void require_model() const;
   void take(std::string text);
   int prepare_again();
@@ -61,11 +71,8 @@ class ShellSession {
   bool json_;
   bool ended_ = false;
   bool keep_going_ = false;
-  std::string path_;
-  std::string text_;
-  std::optional<Model> model_;
-  std::string motion_;
-  std::vector<Setting> settings_;
+  Asked asked_;
+  std::string draft_;    ///< an edited text that is no model yet; else empty
   CompiledParts parts_;  ///< of the kernels of this session
   Words history_;
 

@@ -183,6 +183,7 @@ CompiledKernel compile_kernel(const EmittedKernel& emitted, const CompileOptions
   if (!kernel && code.report().cache == CacheUse::kHit) {
     CompileOptions anew = options;
     anew.use_cache = false;
+    if (anew.parts) *anew.parts = {};  // the entry's functions, too, may be others
     code = compile_text(emitted.source, anew);
     kernel = CompiledKernel::find(code, wanted);
   }

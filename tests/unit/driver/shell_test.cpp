@@ -10,6 +10,7 @@
 
 #include <chrono>
 #include <csignal>
+#include <filesystem>
 #include <fstream>
 #include <nlohmann/json.hpp>
 #include <thread>
@@ -34,13 +35,14 @@ using testing::IsEmpty;
 const std::string kProgram = REGULUS_BINARY_DIR "/bin/regulus";
 const std::string kPlanar = REGULUS_SOURCE_DIR "/models/planar_3rpr.toml";
 
-/// `regulus shell` with the script on its standard input.
-CommandResult shell(const std::string& script, const std::string& option = "") {
+/// `regulus shell` with the script on its standard input, and variables set before it.
+CommandResult shell(const std::string& script, const std::string& option = "",
+                    const std::string& variables = "") {
   const TemporaryDirectory directory;
   const std::string file = (directory.path() / "script").string();
   std::ofstream(file) << script;
   return regulus::test::run_command(
-      {"/bin/sh", "-c", kProgram + " shell " + option + " < " + file});
+      {"/bin/sh", "-c", variables + " " + kProgram + " shell " + option + " < " + file});
 }
 
 std::string loaded(const std::string& script) { return "load " + kPlanar + "\n" + script; }
@@ -140,6 +142,79 @@ TEST(ShellScript, RefusesAnEditAndKeepsTheModel) {
   EXPECT_THAT(result.errors, HasSubstr("line 5: found the sub-expression 'none'"));
 }
 
+TEST(ShellScript, CompilesWhatAnEditChanges) {
+  const TemporaryDirectory directory;
+  const std::string cache = "XDG_CACHE_HOME=" + directory.path().string();
+  const CommandResult result =
+      shell("set json on\n" + loaded("motion regular\nset let e1_y y - a1_2 + 1\n"
+                                     "set let e1_y y - a1_2 + 2\nset let e1_y y - a1_2 + 1\n"),
+            "", cache);
+  ASSERT_EQ(result.exit_code, 0) << result.errors;
+  std::istringstream lines(result.output);
+  std::string line;
+  std::vector<nlohmann::json> edits;
+  while (std::getline(lines, line))
+    if (const auto object = nlohmann::json::parse(line); object.contains("compiled"))
+      edits.push_back(object);
+  ASSERT_EQ(edits.size(), 3U);
+  EXPECT_EQ(edits[0]["compiled"], edits[0]["functions"]);
+  EXPECT_LT(edits[1]["compiled"], edits[1]["functions"]);
+  EXPECT_GT(edits[1]["compiled"], 0);
+  EXPECT_EQ(edits[2]["cache"], "hit");
+  EXPECT_GT(edits[1]["seconds"]["compile"], 0.0);
+}
+
+TEST(ShellScript, EditsTheTextInTheEditorOfItsUser) {
+  const CommandResult result =
+      shell(loaded("motion regular\nedit\nshow matrix\n"), "",
+            R"(VISUAL= EDITOR="sed -i -e 's/e1_y = .*/e1_y = \"y + 7\"/'")");
+  EXPECT_EQ(result.exit_code, 0) << result.errors;
+  EXPECT_THAT(result.output, HasSubstr("kernel "));
+  EXPECT_THAT(result.output, HasSubstr("A(1,2) = y + 7"));
+  EXPECT_EQ(shell(loaded("edit\n"), "", "VISUAL=false").exit_code, kFileTrouble);
+}
+
+/// The editor's first change is a mistake, and its second takes that back.
+TEST(ShellScript, KeepsATextWithAMistakeForTheNextEdit) {
+  const CommandResult result =
+      shell(loaded("set keep-going on\nedit\nmotion regular\ncheck\nedit\nedit\n"), "",
+            "VISUAL= EDITOR=\"sed -i -e 's/nobody . //;t' -e 's/x - a1_1/nobody + x - a1_1/'\"");
+  EXPECT_THAT(result.errors, HasSubstr("line 3: " + kPlanar + ":"));
+  EXPECT_THAT(result.errors, HasSubstr("line 7: " + kPlanar + ":"));
+  EXPECT_THAT(result.errors, testing::Not(HasSubstr("line 6: ")));
+  EXPECT_EQ(result.exit_code, kBadInput);
+  EXPECT_THAT(result.output, HasSubstr("NO SINGULARITY"));
+}
+
+TEST(ShellScript, ReadsTheFileAgainAndKeepsWhatIsSet) {
+  const TemporaryDirectory directory;
+  const std::string model = (directory.path() / "robot.toml").string();
+  std::filesystem::copy_file(kPlanar, model);
+  // An editor that changes the file, and not the text it is given.
+  const std::string meddler = (directory.path() / "meddler").string();
+  std::ofstream(meddler) << "sed -i -e 's/x - a1_1/x - a1_1 + 7/' " << model << '\n';
+  const CommandResult result = shell("load " + model +
+                                         "\nmotion regular\nset range x=1:2\nedit\nreload\n"
+                                         "show settings\nshow matrix\n",
+                                     "", "VISUAL='sh " + meddler + "'");
+  EXPECT_EQ(result.exit_code, 0) << result.errors;
+  EXPECT_THAT(result.output, HasSubstr("motion regular\nrange x=1:2"));
+  EXPECT_THAT(result.output, HasSubstr("A(1,1) = x + 7"));
+}
+
+TEST(ShellScript, PlotsAPaving) {
+  const TemporaryDirectory directory;
+  const std::string picture = (directory.path() / "curve.svg").string();
+  const CommandResult result =
+      shell(loaded("motion circle\nplot " + picture + " --resolution 1/8\n"));
+  EXPECT_LE(result.exit_code, kPossibleProblem) << result.errors;
+  std::ifstream file(picture);
+  const std::string text{std::istreambuf_iterator<char>(file), {}};
+  EXPECT_THAT(text, HasSubstr("<svg"));
+  EXPECT_THAT(text, HasSubstr("</svg>"));
+  EXPECT_EQ(shell(loaded("motion circle\nplot\n")).exit_code, kUsageError);
+}
+
 TEST(ShellScript, PrintsEachResultAsAJsonObjectOnALine) {
   const CommandResult result = shell(
       loaded("motions\nmotion regular\ncheck\nlocate --resolution 1/2\nshow matrix\nhistory\n"),
@@ -176,8 +251,8 @@ TEST(ShellScript, MarginAndVerifyAreTheCommands) {
 
 TEST(ShellScript, HelpNamesEveryCommandAndSaysWhatTheExitCodeIs) {
   const std::string help = shell("help\nhelp quit\n").output;
-  for (const char* command : {"load", "motions", "show", "set", "check", "locate", "margin", "plot",
-                              "verify", "history", "save", "quit"})
+  for (const char* command : {"load", "motions", "show", "set", "edit", "reload", "check", "locate",
+                              "margin", "plot", "verify", "history", "save", "quit"})
     EXPECT_THAT("\n" + help, HasSubstr(std::string("\n") + command));
   EXPECT_THAT(help, HasSubstr("exit code"));
 }
@@ -203,7 +278,7 @@ ShellNames some_names() {
                               : std::vector<std::string>{};
   };
   names.files = [](const std::string& prefix) {
-    return std::vector<std::string>{prefix + "a.toml", "other"};
+    return std::vector<std::string>{prefix + "a.svg", prefix + "a.toml", prefix + "more/"};
   };
   return names;
 }
@@ -217,7 +292,9 @@ TEST(ShellCompletion, OffersCommandsMotionsOptionsAndTheirValues) {
   EXPECT_THAT(completions("set range ", names), ElementsAre("phi=", "x="));
   EXPECT_THAT(completions("set tolerance b", names), ElementsAre("base="));
   EXPECT_THAT(completions("set let e", names), ElementsAre("e1_x"));
-  EXPECT_THAT(completions("load models/", names), ElementsAre("models/a.toml"));
+  EXPECT_THAT(completions("load models/", names), ElementsAre("models/a.toml", "models/more/"));
+  EXPECT_THAT(completions("verify models/", names),
+              ElementsAre("models/a.svg", "models/a.toml", "models/more/"));
   EXPECT_THAT(completions("show m", names), ElementsAre("matrix"));
   EXPECT_THAT(completions("check x", names), IsEmpty());
 }
@@ -311,6 +388,28 @@ TEST(ShellAtATerminal, AnInterruptAtThePromptGivesAnotherPrompt) {
   terminal.type("half a li\x03");
   ASSERT_TRUE(terminal.shows("regulus> "));
   terminal.type("\x04");
+  EXPECT_EQ(terminal.exit_code(), 0);
+}
+
+TEST(ShellAtATerminal, TakesLettersOfAnyAlphabet) {
+  const TemporaryDirectory home;
+  Terminal terminal(home.path().string());
+  ASSERT_TRUE(terminal.shows("regulus> "));
+  terminal.type("load Prüfstand\xff.toml\n");
+  ASSERT_TRUE(terminal.shows("'Pr\\xc3\\xbcfstand?.toml': no such file")) << terminal.seen();
+  terminal.type("quit\n");
+  EXPECT_EQ(terminal.exit_code(), 0);
+}
+
+TEST(ShellAtATerminal, TabTypesWhatHasToFollow) {
+  const TemporaryDirectory home;
+  Terminal terminal(home.path().string());
+  ASSERT_TRUE(terminal.shows("regulus> "));
+  terminal.type("loa\t" REGULUS_SOURCE_DIR "/models/planar_3rp\t\n");
+  ASSERT_TRUE(terminal.shows("motions regular")) << terminal.seen();
+  terminal.type("motion cro\t\nsho\tse\t\n");
+  ASSERT_TRUE(terminal.shows("motion crossing\r\n")) << terminal.seen();
+  terminal.type("quit\n");
   EXPECT_EQ(terminal.exit_code(), 0);
 }
 

@@ -6,6 +6,7 @@
 
 #include <string>
 
+#include "regulus/codegen/jit/compiled_parts.hpp"
 #include "regulus/codegen/jit/jit.hpp"
 #include "regulus/codegen/jit/reader/parser.hpp"
 #include "regulus/kernel/buffers.hpp"
@@ -17,6 +18,7 @@ namespace {
 
 using reader::parse_kernel;
 using reader::share_out;
+using reader::share_out_unknown;
 using testing::UnorderedElementsAre;
 
 /// A part, and the function that calls it: x + 1 + 2 + …, `length` times, into every output.
@@ -69,6 +71,22 @@ double result_of(const regulus_kernel& kernel, regulus_function function) {
   return out.get(0, 3).lo;
 }
 
+TEST(Shares, ForOtherKernelsKeepCallersApart) {
+  const std::string text = kernel_of(300, 400);
+  const auto kernel = parse_kernel(text);
+  const auto symbols = reader::symbols_of(kernel);
+  const auto all = share_out_unknown(kernel, symbols, {});
+  ASSERT_EQ(all.size(), 3u);
+  EXPECT_THAT(all[0].functions, UnorderedElementsAre("matrix_1"));
+  EXPECT_THAT(all[1].functions, UnorderedElementsAre("pose_1"));
+  EXPECT_THAT(all[2].functions, UnorderedElementsAre("matrix", "pose"));
+  EXPECT_TRUE(all[2].tables && !all[0].tables && !all[1].tables);
+  const auto one = share_out_unknown(kernel, symbols, {symbols.at("pose_1")});
+  ASSERT_EQ(one.size(), 2u);
+  EXPECT_THAT(one[0].functions, UnorderedElementsAre("matrix_1"));
+  EXPECT_THAT(one[1].functions, UnorderedElementsAre("matrix", "pose"));
+}
+
 TEST(Shares, AreLinkedToOneKernelFreshAndFromTheCache) {
   const test::TemporaryDirectory directory;
   EmittedKernel emitted;
@@ -82,6 +100,60 @@ TEST(Shares, AreLinkedToOneKernelFreshAndFromTheCache) {
     EXPECT_EQ(result_of(*compiled.kernel(), compiled.kernel()->matrix), 300 * 301 / 2);
     EXPECT_EQ(result_of(*compiled.kernel(), compiled.kernel()->pose), 400 * 401 / 2);
   }
+}
+
+/// How many functions of a kernel with parts of these lengths are compiled and how many known.
+void expect_counts(CompiledParts& parts, const CompileOptions& options, int matrix_length,
+                   int pose_length, std::size_t functions_compiled, std::size_t functions_known) {
+  EmittedKernel emitted;
+  emitted.symbol = "two_kernel";
+  emitted.source = kernel_of(matrix_length, pose_length);
+  CompileOptions with_parts = options;
+  with_parts.parts = &parts;
+  const CompiledKernel compiled = compile_kernel(emitted, with_parts);
+  EXPECT_EQ(compiled.report().functions_compiled, functions_compiled);
+  EXPECT_EQ(compiled.report().functions_known, functions_known);
+  EXPECT_EQ(result_of(*compiled.kernel(), compiled.kernel()->matrix),
+            matrix_length * (matrix_length + 1) / 2);
+  EXPECT_EQ(result_of(*compiled.kernel(), compiled.kernel()->pose),
+            pose_length * (pose_length + 1) / 2);
+}
+
+TEST(KnownFunctions, AreNotCompiledAgain) {
+  CompiledParts parts;
+  const CompileOptions options{best_isa(), false, {}};
+  expect_counts(parts, options, 300, 400, 2, 0);
+  expect_counts(parts, options, 300, 400, 0, 2);
+  expect_counts(parts, options, 300, 401, 1, 1);
+  expect_counts(parts, options, 401, 300, 0, 2);  // under another name
+  expect_counts(parts, options, 20, 30, 2, 0);
+  expect_counts(parts, options, 30, 20, 0, 2);
+}
+
+TEST(KnownFunctions, ThatComputeTheSameAreOne) {
+  CompiledParts parts;
+  expect_counts(parts, {best_isa(), false, {}}, 300, 300, 1, 0);
+  EmittedKernel emitted;
+  emitted.symbol = "two_kernel";
+  emitted.source = kernel_of(300, 300);
+  const CompiledKernel whole = compile_kernel(emitted, {best_isa(), false, {}});
+  EXPECT_EQ(result_of(*whole.kernel(), whole.kernel()->pose), 300 * 301 / 2);
+}
+
+TEST(KnownFunctions, AreOfOneInstructionSet) {
+  CompiledParts parts;
+  for (const Isa isa : kAllIsas)
+    if (supported(isa)) expect_counts(parts, {isa, false, {}}, 30, 40, 2, 0);
+}
+
+TEST(KnownFunctions, ComeFromTheCacheToo) {
+  const test::TemporaryDirectory directory;
+  const CompileOptions options{best_isa(), true, directory.path() / "cache"};
+  CompiledParts first, second;
+  expect_counts(first, options, 300, 400, 2, 0);
+  expect_counts(first, options, 300, 401, 1, 1);
+  expect_counts(second, options, 300, 401, 0, 0);  // the whole kernel is in the cache
+  expect_counts(second, options, 300, 402, 1, 1);
 }
 
 }  // namespace
