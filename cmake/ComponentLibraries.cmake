@@ -25,8 +25,10 @@ target_compile_features(regulus_component_runtime INTERFACE cxx_std_20)
 target_compile_options(regulus_component_runtime INTERFACE
   "$<$<COMPILE_LANGUAGE:CXX>:${REGULUS_FLOATING_POINT_FLAGS}>")
 
-regulus_component(search search checkpoint certificate)
-target_link_libraries(regulus_component_search INTERFACE Regulus::runtime TBB::tbb)
+if(REGULUS_SEARCH)
+  regulus_component(search search checkpoint certificate)
+  target_link_libraries(regulus_component_search INTERFACE Regulus::runtime TBB::tbb)
+endif()
 
 if(REGULUS_CODEGEN)
   regulus_component(codegen sha256 program model symbolic emit generate)

@@ -7,6 +7,7 @@
 
 #include "regulus/codegen/driver/exit_code.hpp"
 #include "regulus/codegen/driver/ingredients.hpp"
+#include "regulus/codegen/driver/shell_session.hpp"
 #include "regulus/version.hpp"
 
 namespace regulus::codegen {
@@ -54,8 +55,8 @@ constexpr const char* kGenerateFooter =
     "Exit: 0 written; 64 usage, 65 bad model, 70 internal fault, 74 file trouble.";
 
 constexpr const char* kShellFooter =
-    "help at the prompt lists the commands. A script on standard input stops at its first error,\n"
-    "named by its line, unless it says: set keep-going on.\n"
+    "A script on standard input stops at its first error, named by its line, unless it says: set\n"
+    "keep-going on.\n"
     "Exit: the code of that error, otherwise of the last check, locate, margin or verify.";
 
 constexpr double kMarginSeconds = 60;
@@ -297,7 +298,7 @@ struct CommandTables {
     shell_command = app.add_subcommand(
         "shell", "Load, show, set, check and plot at a prompt, or as a script on standard input");
     add_shell_options(*shell_command, shell);
-    shell_command->footer(kShellFooter);
+    shell_command->footer(ShellSession::commands() + kShellFooter);
   }
 
  private:

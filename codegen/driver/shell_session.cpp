@@ -408,17 +408,24 @@ int ShellSession::history(const Words&) {
   return 0;
 }
 
-int ShellSession::help(const Words& words) {
+std::string ShellSession::commands() {
   std::string text;
   for (const Entry& entry : table()) {
-    if (words.size() > 1 && words[1] != entry.name) continue;
-    text += fmt::format(
-        "{}{:<44}{}", text.empty() ? "" : "\n", entry.usage,
-        words.size() > 1
-            ? ""
-            : std::string(entry.summary).substr(0, std::string(entry.summary).find('\n')));
-    if (words.size() > 1) text += fmt::format("\n{}", entry.summary);
+    const std::string summary = entry.summary;
+    text += fmt::format("{:<44}{}\n", entry.usage, summary.substr(0, summary.find('\n')));
   }
+  return text;
+}
+
+int ShellSession::help(const Words& words) {
+  std::string text;
+  if (words.size() == 1) {
+    text = commands();
+    text.pop_back();
+  }
+  for (const Entry& entry : table())
+    if (words.size() > 1 && words[1] == entry.name)
+      text = fmt::format("{}\n{}", entry.usage, entry.summary);
   if (text.empty()) refuse("no command " + in_quotes(words[1]), "one that help lists");
   if (words.size() > 1 && words[1] == "set") text += "\noptions: " + listed(names_of_options());
   if (words.size() > 1 && words[1] == "quit")

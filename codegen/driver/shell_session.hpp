@@ -23,6 +23,9 @@ class ShellSession {
   /// commands throw.
   int execute(const std::string& line);
 
+  /// What a session understands, a line for each command.
+  [[nodiscard]] static std::string commands();
+
   [[nodiscard]] bool ended() const noexcept { return ended_; }
   [[nodiscard]] bool keeps_going() const noexcept { return keep_going_; }
   [[nodiscard]] ShellNames names() const;

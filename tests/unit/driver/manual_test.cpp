@@ -53,6 +53,26 @@ TEST(Manual, KeepsTheWholeOfAValueThatHasAColon) {
   EXPECT_THAT(page, HasSubstr("fB--bisectfR fIwidest|weighted|impactfR"));
 }
 
+TEST(Manual, OfTheShellHasItsCommands) {
+  const std::vector<CommandEntry> table = command_table();
+  const auto shell = std::ranges::find(table, "shell", &CommandEntry::name);
+  const std::string page = without_escapes(manual_page(*shell, table));
+  for (const char* command : {"\nload MODEL ", "\nedit ", "\nplot FILE.svg|FILE.png"})
+    EXPECT_THAT(page, HasSubstr(command));
+}
+
+TEST(Manual, HasNoMistakesOfItsMacros) {
+  if (run_command({"/bin/sh", "-c", "command -v mandoc"}).exit_code != 0)
+    GTEST_SKIP() << "no mandoc";
+  const regulus::test::TemporaryDirectory directory;
+  const std::vector<CommandEntry> table = command_table();
+  for (const CommandEntry& command : table) {
+    const std::string file = (directory.path() / "page.1").string();
+    std::ofstream(file) << manual_page(command, table);
+    EXPECT_EQ(run_command({"/bin/sh", "-c", "mandoc -T lint -W warning " + file}).output, "");
+  }
+}
+
 TEST(Completions, AreReadByTheirShells) {
   const regulus::test::TemporaryDirectory directory;
   const std::vector<CommandEntry> table = command_table();
