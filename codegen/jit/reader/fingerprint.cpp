@@ -73,8 +73,10 @@ class Serialiser {
     bytes_ += static_cast<char>(kind);
   }
 
+  /// Seven bits a byte, the last without a mark: most numbers are small.
   void add_number(std::uint64_t number) {
-    for (int byte = 0; byte < 8; ++byte, number >>= 8) bytes_ += static_cast<char>(number & 0xff);
+    for (; number >= 0x80; number >>= 7) bytes_ += static_cast<char>(number | 0x80);
+    bytes_ += static_cast<char>(number);
   }
 
   const Symbols& functions_;
