@@ -62,7 +62,10 @@ pid_t start(int input, int output, int errors) {
 }  // namespace
 
 Gnuplot::Gnuplot(const std::string& picture) : picture_(picture) {
-  file_ = open(picture.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, 0666);
+  constexpr int kWriting = O_WRONLY | O_CREAT | O_CLOEXEC;
+  file_ = open(picture.c_str(), kWriting | O_EXCL, 0666);
+  leaves_nothing_ = file_ >= 0;
+  if (file_ < 0) file_ = open(picture.c_str(), kWriting, 0666);
   if (file_ < 0) throw system_error("cannot write " + picture, errno);
   std::array<int, 2> ends{-1, -1};
   drawing_ = memfd_create("gnuplot-drawing", MFD_CLOEXEC);
@@ -87,7 +90,12 @@ Gnuplot::~Gnuplot() {
   close_all();
 }
 
+/// A picture that was not drawn leaves no empty file, and the one that was there before it as it
+/// was.
 void Gnuplot::close_all() noexcept {
+  struct stat status {};
+  if (leaves_nothing_ && fstat(file_, &status) == 0 && status.st_nlink > 0)
+    unlink(picture_.c_str());
   for (const int descriptor : {file_, input_, drawing_, errors_})
     if (descriptor >= 0) close(descriptor);
 }
@@ -126,7 +134,10 @@ void Gnuplot::draw(const std::string& commands) {
   write_picture();
 }
 
-void Gnuplot::write_picture() const {
+void Gnuplot::write_picture() {
+  struct stat before {};
+  if (fstat(file_, &before) == 0 && S_ISREG(before.st_mode) && ftruncate(file_, 0) != 0)
+    throw system_error("cannot write " + picture_, errno);
   std::array<char, 65536> part{};
   for (off_t at = 0;;) {
     const ssize_t size = pread(drawing_, part.data(), part.size(), at);
@@ -139,6 +150,7 @@ void Gnuplot::write_picture() const {
   struct stat status {};
   if (fstat(file_, &status) != 0 || status.st_nlink == 0)
     throw FileError(picture_ + " was removed before it was drawn");
+  leaves_nothing_ = false;
 }
 
 std::string Gnuplot::quoted(const std::string& text) {

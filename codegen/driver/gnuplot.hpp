@@ -29,12 +29,13 @@ class Gnuplot {
   [[nodiscard]] bool send_all(const std::string& commands) const;
   [[nodiscard]] int wait_for_end();
   [[nodiscard]] std::string complaint() const;
-  void write_picture() const;
+  void write_picture();
   void close_all() noexcept;
 
   std::string picture_;
-  int file_ = -1;     ///< of the picture
-  int input_ = -1;    ///< our end of its standard input
+  int file_ = -1;                ///< of the picture
+  bool leaves_nothing_ = false;  ///< the file was made for the picture, which is not in it yet
+  int input_ = -1;               ///< our end of its standard input
   int drawing_ = -1;  ///< a file in memory that takes its standard output: it would not notice a
                       ///< disk that is full
   int errors_ = -1;   ///< the same for its standard error

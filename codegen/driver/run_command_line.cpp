@@ -43,8 +43,8 @@ int report_errors(const std::function<int()>& run, const std::string& where) try
   return complain(where, error, kFileTrouble);
 } catch (const CompileError& error) {
   std::cerr << where << "internal error: the generated kernel did not compile\n"
-            << error.what() << "\n--- the text ---\n"
-            << error.text();
+            << error.what() << '\n';
+  if (!error.text().empty()) std::cerr << "--- the text ---\n" << error.text();
   return kInternalFault;
 } catch (const std::exception& error) {
   return complain(where + "internal error: ", error, kInternalFault);

@@ -2,6 +2,7 @@
 #include "regulus/codegen/jit/clang_compiler.hpp"
 
 #include <dlfcn.h>
+#include <sys/auxv.h>
 #include <sys/stat.h>
 
 #include <cfenv>
@@ -19,17 +20,24 @@ namespace {
 
 namespace fs = std::filesystem;
 
+/// Where /proc is not mounted, by the name the program was started with, links followed.
+fs::path folder_of_executable() {
+  std::error_code error;
+  fs::path executable = fs::read_symlink("/proc/self/exe", error);
+  const auto* started = reinterpret_cast<const char*>(::getauxval(AT_EXECFN));
+  if (error && started) executable = fs::canonical(started, error);
+  return error ? fs::path() : executable.parent_path();
+}
+
 /// The folders that may hold plugins: the one the environment names, then beside the executable as
 /// it is installed and as it is built, then the one that a program linked with this library says.
 std::vector<fs::path> plugin_folders() {
   std::vector<fs::path> folders;
   if (const char* named = std::getenv("REGULUS_PLUGINS"); named && *named)
     folders.emplace_back(named);
-  std::error_code error;
-  const fs::path executable = fs::read_symlink("/proc/self/exe", error).parent_path();
-  if (!error) {
-    folders.push_back(executable / "../lib/regulus/plugins");
-    folders.push_back(executable / "../lib");
+  if (const fs::path folder = folder_of_executable(); !folder.empty()) {
+    folders.push_back(folder / "../lib/regulus/plugins");
+    folders.push_back(folder / "../lib");
   }
   if (const std::string linked = regulus_plugin_folder(); !linked.empty())
     folders.emplace_back(linked);

@@ -1,24 +1,25 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The 6-RUS hexapod: cranks in vertical planes along the rim, rods of constant length.
+// The 6-RUS hexapod: cranks in vertical planes, rods of constant length.
 #include "models/jacobian.hpp"
 #include "models/paving.hpp"
 
 namespace regulus::test {
 namespace {
 
-constexpr double kCrank = 15, kRod = 30;
-constexpr double kBaseAngles[] = {75, 105, 195, 225, 315, 345};
-constexpr double kPlatformAngles[] = {45, 135, 165, 255, 285, 15};
+constexpr double kCrank = 36, kRod = 125;
+constexpr double kBaseAngles[] = {74.9, 105.1, 194.9, 225.1, 314.9, 345.1};
+constexpr double kPlatformAngles[] = {82.9, 97.1, 202.9, 217.1, 322.9, 337.1};
+constexpr double kSwingAngles[] = {0, 180, 120, 300, 240, 60};
 
 const ShippedModel& robot() {
   static const ShippedModel model("hexapod_6rus");
   return model;
 }
 
-Vector<double> base(std::size_t i) { return 15.0 * direction(kBaseAngles[i]); }
-Vector<double> platform(std::size_t i) { return 12.0 * direction(kPlatformAngles[i]); }
-/// Along the rim, away from the other motor of the pair.
-Vector<double> swing(std::size_t i) { return direction(kBaseAngles[i] + (i % 2 == 0 ? -90 : 90)); }
+Vector<double> base(std::size_t i) { return 65.43 * direction(kBaseAngles[i]); }
+Vector<double> platform(std::size_t i) { return 76.35 * direction(kPlatformAngles[i]); }
+/// Away from the other motor of the pair.
+Vector<double> swing(std::size_t i) { return direction(kSwingAngles[i]); }
 
 /// The tip of the crank: of the two angles that the rod's length leaves, the one that leans out
 /// more.
@@ -47,9 +48,9 @@ Row motor_rate(std::size_t i, const Point& pose) {
 TEST(Hexapod6Rus, HasTheMotorsRates) {
   Poses poses;
   for (int trial = 0; trial < 20; ++trial) {
-    const Point pose{{"x", poses.between(-3, 3)},         {"y", poses.between(-3, 3)},
-                     {"z", poses.between(22, 28)},        {"roll", poses.between(-0.2, 0.2)},
-                     {"pitch", poses.between(-0.2, 0.2)}, {"yaw", poses.between(-0.6, 0.6)}};
+    const Point pose{{"x", poses.between(-15, 15)},       {"y", poses.between(-15, 15)},
+                     {"z", poses.between(112, 128)},      {"roll", poses.between(-0.2, 0.2)},
+                     {"pitch", poses.between(-0.2, 0.2)}, {"yaw", poses.between(-0.2, 0.2)}};
     const Rows rows = robot().matrix(pose);
     for (std::size_t i = 0; i < 6; ++i) expect_equal(rows[i], motor_rate(i, pose));
   }
@@ -80,7 +81,7 @@ TEST(Hexapod6Rus, ShowsAPoseWhereItsRodsAreDependent) {
   const auto report = robot().check({"turn", "--engine", "interpreted"});
   ASSERT_EQ(report["verdict"], "singularity");
   const auto& pose = report["witness"]["points"][0]["pose"];
-  EXPECT_NEAR(dependent_rods(pose["z"][0], pose["yaw"][0]) / dependent_rods(25, 0), 0, 1e-9);
+  EXPECT_NEAR(dependent_rods(pose["z"][0], pose["yaw"][0]) / dependent_rods(120, 0), 0, 1e-9);
 }
 
 }  // namespace

@@ -108,6 +108,7 @@ TEST_F(PictureFile, NeedsGnuplotAndSaysWhereToGetIt) {
   EXPECT_EQ(result.exit_code, 74);
   EXPECT_EQ(result.output, "");
   EXPECT_THAT(result.errors, HasSubstr("apt-get install gnuplot-nox"));
+  EXPECT_FALSE(std::filesystem::exists(folder_.path() / "p.svg"));
 }
 
 TEST(Gnuplot, QuotesSoThatNothingHasAMeaning) {
@@ -123,6 +124,29 @@ TEST(Gnuplot, ReportsItsComplaint) {
   } catch (const FileError& error) {
     EXPECT_THAT(error.what(), AllOf(HasSubstr("could not draw"), HasSubstr("nonsense")));
   }
+}
+
+std::string text_of(const std::filesystem::path& file) {
+  std::ifstream stream(file);
+  return {std::istreambuf_iterator<char>(stream), {}};
+}
+
+TEST(Gnuplot, LeavesThePictureThatWasThereUntilItHasAnother) {
+  const TemporaryDirectory folder;
+  const auto file = folder.path() / "p.svg";
+  std::ofstream(file) << "an earlier picture, longer than what is drawn now";
+  { const Gnuplot gnuplot(file.string()); }
+  EXPECT_THAT(text_of(file), HasSubstr("an earlier picture"));
+  Gnuplot(file.string()).draw("set terminal dumb\nplot x\n");
+  EXPECT_THAT(text_of(file), testing::Not(HasSubstr("picture")));
+  EXPECT_THAT(text_of(file), HasSubstr("*"));
+}
+
+TEST(Gnuplot, LeavesNoFileWithoutAPicture) {
+  const TemporaryDirectory folder;
+  const auto file = folder.path() / "p.svg";
+  { const Gnuplot gnuplot(file.string()); }
+  EXPECT_FALSE(std::filesystem::exists(file));
 }
 
 /// A canvas over the unit square, 4 by 4 tiles.
