@@ -95,6 +95,7 @@ struct LineEditor::Library {
       char byte = 0;
       const ssize_t count = read(STDIN_FILENO, &byte, 1);
       if (count <= 0) return static_cast<int>(count);
+      if (byte == 0) continue;  // an end of the input, typed before the terminal went raw
       const std::size_t used = std::mbrtowc(character, &byte, 1, &state);
       if (used <= 1) return 1;
       if (used == static_cast<std::size_t>(-2)) continue;
