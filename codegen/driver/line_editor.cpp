@@ -41,8 +41,7 @@ void make_private(const std::filesystem::path& file) {
   std::filesystem::create_directories(file.parent_path(), error);
 }
 
-/// Signals wait while it lives, SIGINT among them: one that comes between the prompt and the read
-/// would be lost.
+/// SIGINT waits while it lives: one that comes between the prompt and the read would be lost.
 class InterruptsWait {
  public:
   InterruptsWait() {

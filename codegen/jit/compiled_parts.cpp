@@ -51,12 +51,12 @@ std::string CompiledParts::complete(std::string_view fresh, Count& count) {
   std::set<std::string_view> wanted;
   for (const std::string_view object : objects)
     for (const std::string_view function : functions_of(object).wanted) wanted.insert(function);
-  std::set<Object> needed;
+  std::vector<Object> needed;
   count = {};
   for (const std::string_view function : wanted) {
     const auto known = object_of_.find(function);
     if (known == object_of_.end()) continue;
-    needed.insert(known->second);
+    if (std::ranges::find(needed, known->second) == needed.end()) needed.push_back(known->second);
     ++count.known;
   }
   count.compiled = wanted.size() - count.known;

@@ -11,7 +11,8 @@ namespace regulus::codegen::reader {
 namespace {
 
 /// A function as bytes that can be read in one way only. What is declared in it is a number, in the
-/// order of declarations; any other name, of an operation or a function, is itself.
+/// order of declarations. What is called is an operation, and itself, or a function: nothing that
+/// is declared here can be called, whatever its name.
 class Serialiser {
  public:
   explicit Serialiser(const Symbols& functions) : functions_(functions) {}
@@ -47,7 +48,10 @@ class Serialiser {
 
   void add(const Expression& e) {
     add_kind(e.kind);
-    add_name(e.name);
+    if (e.kind == Expression::Kind::kOperation)
+      add_called(e.name);
+    else
+      add_name(e.name);
     add_number(std::bit_cast<std::uint64_t>(e.number));
     add_number(static_cast<std::uint64_t>(e.integer));
     add_number(e.operands.size());
@@ -61,11 +65,18 @@ class Serialiser {
       bytes_ += '#';
       return add_number(local->second);
     }
-    const auto function = functions_.find(name);
-    const std::string_view meant = function == functions_.end() ? name : function->second;
     bytes_ += '$';
-    add_number(meant.size());
-    bytes_ += meant;
+    add_text(name);
+  }
+
+  void add_called(std::string_view name) {
+    const auto function = functions_.find(name);
+    add_text(function == functions_.end() ? name : std::string_view(function->second));
+  }
+
+  void add_text(std::string_view text) {
+    add_number(text.size());
+    bytes_ += text;
   }
 
   template <class Kind>

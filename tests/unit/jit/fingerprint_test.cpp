@@ -65,6 +65,14 @@ TEST(Fingerprint, DependsOnEverythingThatIsComputed) {
   }
 }
 
+/// A value of an operation's name hides nothing here: what is called is the operation.
+TEST(Fingerprint, DependsOnTheOperationWhateverValuesAreCalled) {
+  const auto body = [](const std::string& name) {
+    return "const I " + name + " = load(boxes, 0);\nstore(out, 0, " + name + "(" + name + "));\n";
+  };
+  EXPECT_NE(symbol_of(body("sqr")), symbol_of(body("exp")));
+}
+
 TEST(Fingerprint, OfACallerDependsOnWhatItCalls) {
   const auto caller = [](const std::string& part) {
     const std::string text = kernel_of(
