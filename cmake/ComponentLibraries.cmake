@@ -19,7 +19,7 @@ function(regulus_component name)
     $<BUILD_INTERFACE:${REGULUS_INCLUDE_TREE}> $<INSTALL_INTERFACE:${CMAKE_INSTALL_INCLUDEDIR}>)
 endfunction()
 
-regulus_component(runtime interval kernel regularity decider embedded)
+regulus_component(runtime interval kernel machine regularity decider embedded)
 target_compile_features(regulus_component_runtime INTERFACE cxx_std_20)
 # The headers hold interval arithmetic that is compiled where it is used.
 target_compile_options(regulus_component_runtime INTERFACE
@@ -31,7 +31,7 @@ if(REGULUS_SEARCH)
 endif()
 
 if(REGULUS_CODEGEN)
-  regulus_component(codegen sha256 program model symbolic emit generate)
+  regulus_component(codegen sha256 program pack model symbolic emit generate)
   target_link_libraries(regulus_component_codegen INTERFACE
     Regulus::runtime regulus_tomlplusplus regulus_ginac regulus_cln regulus_arb fmt::fmt)
 

@@ -3,7 +3,7 @@
 # runtime/interval/interval.hpp, regulus/codegen/model/model.hpp is codegen/model/model.hpp.
 set(REGULUS_INCLUDE_TREE ${PROJECT_BINARY_DIR}/include)
 file(MAKE_DIRECTORY ${REGULUS_INCLUDE_TREE}/regulus)
-foreach(layer IN ITEMS interval kernel regularity search embedded checkpoint certificate)
+foreach(layer IN ITEMS interval kernel machine regularity search embedded checkpoint certificate)
   file(CREATE_LINK ${PROJECT_SOURCE_DIR}/runtime/${layer} ${REGULUS_INCLUDE_TREE}/regulus/${layer} SYMBOLIC)
 endforeach()
 file(CREATE_LINK ${PROJECT_SOURCE_DIR}/codegen ${REGULUS_INCLUDE_TREE}/regulus/codegen SYMBOLIC)

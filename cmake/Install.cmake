@@ -41,7 +41,7 @@ regulus_install_licences(${CMAKE_INSTALL_DATADIR}/doc/libregulus-dev runtime)
 if(REGULUS_SEARCH)
   regulus_export(search runtime)
 endif()
-foreach(layer IN ITEMS interval kernel regularity search embedded checkpoint)
+foreach(layer IN ITEMS interval kernel machine regularity search embedded checkpoint)
   regulus_install_headers(runtime/${layer} ${layer} runtime)
 endforeach()
 install(DIRECTORY ${PROJECT_SOURCE_DIR}/runtime/certificate/

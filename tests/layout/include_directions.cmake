@@ -6,6 +6,7 @@ cmake_minimum_required(VERSION 3.25)
 
 set(runtime_interval   interval interval/elementary)
 set(runtime_kernel     interval kernel)
+set(runtime_machine    interval kernel machine)
 set(runtime_regularity interval interval/elementary regularity)
 set(runtime_search     interval kernel regularity search)
 set(runtime_embedded   interval kernel regularity search embedded)
@@ -13,14 +14,15 @@ set(runtime_checkpoint interval kernel regularity search checkpoint)
 set(runtime_certificate interval kernel regularity search certificate)
 set(runtime_certificate_verifier certificate/verifier)
 set(codegen_program    interval kernel codegen/program)
+set(codegen_pack       interval kernel machine codegen/program codegen/pack)
 set(codegen_model      codegen/model)
 set(codegen_symbolic   interval regularity search codegen/model codegen/program codegen/symbolic)
-set(codegen_emit       interval kernel codegen/program codegen/emit)
+set(codegen_emit       interval kernel machine codegen/program codegen/pack codegen/emit)
 set(codegen_generate   interval kernel search codegen/model codegen/program codegen/symbolic codegen/emit codegen/generate)
 set(codegen_jit        interval kernel codegen/emit codegen/jit codegen/jit/reader codegen/jit/builder codegen/jit/plugin)
 set(codegen_examples   codegen/model codegen/driver)
-set(codegen_driver     interval kernel regularity search checkpoint certificate certificate/verifier codegen/model codegen/program codegen/symbolic
-                       codegen/emit codegen/generate codegen/jit codegen/driver)
+set(codegen_driver     interval kernel machine regularity search checkpoint certificate certificate/verifier codegen/model codegen/program codegen/symbolic
+                       codegen/pack codegen/emit codegen/generate codegen/jit codegen/driver)
 
 # Headers of the whole project that carry no layer: the compiler flags, the version.
 set(everywhere regulus/floating_point_flags.hpp regulus/instruction_set_flags.hpp regulus/version.hpp)

@@ -1,0 +1,42 @@
+// SPDX-License-Identifier: Apache-2.0
+// A function of a pack program, laid out for one instruction set.
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "regulus/machine/pack_program.hpp"
+#include "regulus/machine/step.hpp"
+
+namespace regulus::machine {
+
+/// The steps of a function, and the slots that its values have in a frame: constants first, then
+/// variables and entries of K, kept values, and at last the values of the part that runs, which
+/// take a slot again once its last reader has run.
+///
+/// Requires  find_fault finds none.
+class MachineFunction {
+ public:
+  MachineFunction() = default;
+  MachineFunction(const PackFunction& function, const StepTable& table);
+
+  /// The function as regulus_function has it, in the rounding that the instruction set needs.
+  [[nodiscard]] unsigned run(const double* boxes, const double* points, double* out) const noexcept;
+
+  [[nodiscard]] std::size_t slots() const noexcept { return slots_; }
+  [[nodiscard]] std::size_t steps() const noexcept { return steps_.size(); }
+
+ private:
+  template <std::size_t slots>
+  [[gnu::noinline]] unsigned run_in_frame(const double* boxes, const double* points,
+                                          double* out) const noexcept;
+
+  std::vector<Step> steps_;
+  std::vector<Slot> constants_;
+  std::size_t slots_ = 0;
+};
+
+/// The most slots that a frame has: 1 MiB of them, on the stack of the caller's thread.
+inline constexpr std::size_t kMaxFrameSlots = 8192;
+
+}  // namespace regulus::machine

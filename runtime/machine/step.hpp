@@ -1,0 +1,49 @@
+// SPDX-License-Identifier: Apache-2.0
+// What the vector machine runs: a pointer to an operation's code, and where its operands are.
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+
+#include "regulus/kernel/isa.hpp"
+#include "regulus/machine/pack_program.hpp"
+
+namespace regulus::machine {
+
+/// Room for one value of eight lanes, an interval or exact doubles, as the packs of one instruction
+/// set keep it. All of them need 128 bytes for an interval.
+struct alignas(64) Slot {
+  double lanes[2 * REGULUS_LANES];
+};
+
+/// One call of a function: its arguments, its values, and the lanes that are undefined so far.
+struct Frame {
+  const double* boxes;
+  const double* points;
+  double* out;
+  Slot* slots;
+  unsigned undefined;
+};
+
+struct Step;
+using StepFunction = void (*)(Frame& frame, const Step& step);
+
+/// r is the slot of the result; a, b and c are slots, or the numbers of the instruction.
+struct Step {
+  StepFunction run;
+  std::uint32_t r, a, b, c;
+};
+
+/// The operations of one instruction set.
+struct StepTable {
+  std::array<StepFunction, kPackOperations> run;   ///< null: the operation is no step
+  StepFunction copy;                               ///< slot b to slot r
+  void (*fill)(Slot& slot, double lo, double hi);  ///< the same interval in every lane
+  void (*fill_exact)(Slot& slot, double value);    ///< the same double in every lane
+};
+
+/// Requires  the instruction set is one that this program was built for.
+[[nodiscard]] const StepTable& step_table(Isa isa) noexcept;
+
+}  // namespace regulus::machine
