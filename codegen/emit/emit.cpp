@@ -2,7 +2,6 @@
 #include "regulus/codegen/emit/emit.hpp"
 
 #include <algorithm>
-#include <array>
 #include <stdexcept>
 
 #include "regulus/codegen/emit/comment.hpp"
@@ -12,16 +11,10 @@
 #include "regulus/codegen/emit/names.hpp"
 #include "regulus/codegen/program/module_check.hpp"
 #include "regulus/codegen/program/print.hpp"
+#include "regulus/kernel/kernel_functions.hpp"
 
 namespace regulus::codegen {
 namespace {
-
-/// The functions of regulus_kernel in the order of its fields.
-constexpr std::array<const char*, 10> kFunctions = {"matrix",        "matrix_derivatives",
-                                                    "left_product",  "left_derivatives",
-                                                    "right_product", "row_scale",
-                                                    "constraint",    "pose",
-                                                    "determinant",   "determinant_derivatives"};
 
 std::string header(const Module& module, const EmitOptions& options, const std::string& identity) {
   const auto optional_line = [](const char* label, const std::string& text) {
@@ -47,11 +40,11 @@ std::string header(const Module& module, const EmitOptions& options, const std::
          "using namespace regulus::pack;\n\n";
 }
 
-std::string field(const std::string& value, const char* name) {
+std::string field(const std::string& value, const std::string& name) {
   return "    " + value + ",  // " + name + "\n";
 }
 
-bool is_present(const Module& module, const char* name) {
+bool is_present(const Module& module, const std::string& name) {
   const Function* function = module.find(name);
   return function != nullptr && !function->program.outputs.empty();
 }
@@ -68,7 +61,7 @@ std::string list_of(const Function& function) {
 }
 
 std::string derivatives_field(const Module& module, const std::string& function, const char* name) {
-  if (!is_present(module, function.c_str())) return field("{nullptr, nullptr, 0}", name);
+  if (!is_present(module, function)) return field("{nullptr, nullptr, 0}", name);
   const std::size_t count = module.find(function)->derivatives.size();
   return field("{" + function + ", " + function + "_list, " + std::to_string(count) + "}", name);
 }
@@ -87,7 +80,7 @@ std::string expansion_table(const Module& module) {
   std::string text;
   const std::string listed[] = {expansion.first, "expansion_second", "row_first", "row_second"};
   for (const std::string& name : listed)
-    if (is_present(module, name.c_str())) text += list_of(*module.find(name));
+    if (is_present(module, name)) text += list_of(*module.find(name));
   text += integers("row_of_variable", expansion.row_of_variable);
   text += integers("ball_of_variable", expansion.ball_of_variable);
   if (!expansion.nominal.empty()) {
@@ -120,8 +113,11 @@ std::string kernel_table(const Module& module, const std::string& symbol,
   text += field(std::to_string(module.columns), "columns");
   text += field(std::to_string(module.constraints), "constraints");
   text += field(std::to_string(module.pose_parameters), "pose_parameters");
-  for (const char* name : kFunctions)
+  for (const KernelFunctionRow& row : kKernelFunctions) {
+    if (row.field == nullptr) continue;
+    const std::string name(row.name);
     text += field(is_present(module, name) ? name : "nullptr", name);
+  }
   text += field(module.expansion ? "&expansion" : "nullptr", "expansion");
   text += field("nullptr", "context") + field("\"" + identity + "\"", "identity");
   return text + "};\n}\n";
@@ -138,16 +134,16 @@ EmittedKernel emit(const Module& module, const EmitOptions& options) {
   kernel.symbol = options.prefix + "_kernel";
   kernel.identity = identity(module);
   kernel.source = header(module, options, kernel.identity);
-  std::vector<FunctionPlan> plans;
+  std::vector<SelectedFunction> selected;
   for (const Function& function : module.functions) {
-    plans.push_back(plan_function(function.program, options.operations_per_part,
-                                  static_cast<std::size_t>(module.rows)));
+    selected.push_back(select(function.program, options.operations_per_part,
+                              static_cast<std::size_t>(module.rows)));
     if (!function.program.outputs.empty())
-      kernel.source += write_function(module, function, plans.back()) + "\n";
+      kernel.source += write_function(module, function, selected.back()) + "\n";
   }
   kernel.source += expansion_table(module);
   kernel.source += "}  // namespace\n\n" + kernel_table(module, kernel.symbol, kernel.identity);
-  if (options.manifest) kernel.manifest = write_manifest(module, options, kernel, plans);
+  if (options.manifest) kernel.manifest = write_manifest(module, options, kernel, selected);
   return kernel;
 }
 

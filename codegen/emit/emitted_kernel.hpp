@@ -11,7 +11,7 @@ struct EmitOptions {
   std::string command;                ///< the command line that made it, for the header comment
   std::string source;                 ///< who published the model, for the header comment
   bool manifest = false;              ///< fill EmittedKernel::manifest
-  unsigned operations_per_part = 64;  ///< longer functions are cut: see Part in function_plan.hpp
+  unsigned operations_per_part = 64;  ///< longer functions are cut: see Part in partition.hpp
 };
 
 struct EmittedKernel {

@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "regulus/codegen/emit/function_writer.hpp"
 
+#include <algorithm>
+
 #include "regulus/codegen/emit/comment.hpp"
-#include "regulus/codegen/emit/part_writer.hpp"
+#include "regulus/codegen/emit/part_printer.hpp"
 #include "regulus/codegen/emit/value_names.hpp"
 
 namespace regulus::codegen {
@@ -14,7 +16,8 @@ std::string parameter(const std::string& type, const std::string& name, bool use
 }
 
 /// The head of a function up to its brace; `last` is the fourth parameter.
-std::string head(const std::string& name, const PartWriter::Usage& usage, const std::string& last) {
+std::string head(const std::string& name, const PartPrinter::Usage& usage,
+                 const std::string& last) {
   const std::string start = "unsigned " + name + "(";
   const std::string indent = ",\n" + std::string(start.size(), ' ');
   return start + parameter("const double*", "boxes", usage.boxes) + indent +
@@ -22,8 +25,8 @@ std::string head(const std::string& name, const PartWriter::Usage& usage, const 
          parameter("double*", "out", usage.out) + ", " + last + ") {\n";
 }
 
-std::string body(const PartWriter& writer) {
-  return "  unsigned undefined = 0;\n" + writer.declarations() + writer.statements() +
+std::string body(const PartPrinter& printer) {
+  return "  unsigned undefined = 0;\n" + printer.declarations() + printer.statements() +
          "  return undefined;\n}\n";
 }
 
@@ -32,13 +35,13 @@ std::string part_name(const Function& function, std::size_t part) {
 }
 
 /// The function of the ABI when there are several parts: values that cross them lie in `shared`.
-std::string caller(const Function& function, const FunctionPlan& plan) {
+std::string caller(const Function& function, const SelectedFunction& selected) {
   std::string text = "unsigned " + function.name +
                      "(const double* boxes, const double* points, double* out, const void*) {\n";
   // At least one, since an array has to have an element.
-  text += "  I shared[" + std::to_string(plan.slot_count > 0 ? plan.slot_count : 1) + "];\n";
+  text += "  I shared[" + std::to_string(std::max(selected.code.slots, 1U)) + "];\n";
   text += "  unsigned undefined = 0;\n";
-  for (std::size_t part = 0; part < plan.parts.size(); ++part)
+  for (std::size_t part = 0; part < selected.code.part_ends.size(); ++part)
     text += "  undefined |= " + part_name(function, part) + "(boxes, points, out, shared);\n";
   return text + "  return undefined;\n}\n";
 }
@@ -46,20 +49,20 @@ std::string caller(const Function& function, const FunctionPlan& plan) {
 }  // namespace
 
 std::string write_function(const Module& module, const Function& function,
-                           const FunctionPlan& plan) {
+                           const SelectedFunction& selected) {
   ValueNames names(function.program);
   std::string text = comment_lines("", function.title.empty() ? function.name : function.title);
-  for (std::uint32_t part = 0; part < plan.parts.size(); ++part) {
-    PartWriter writer(module, function, plan, names, part);
-    writer.write();
-    if (plan.parts.size() == 1)
-      return text + head(function.name, writer.usage(), "const void*") + body(writer);
+  for (std::uint32_t part = 0; part < selected.code.part_ends.size(); ++part) {
+    PartPrinter printer(module, function, selected, names, part);
+    printer.print();
+    if (selected.code.part_ends.size() == 1)
+      return text + head(function.name, printer.usage(), "const void*") + body(printer);
     text += "__attribute__((noinline))\n" +
-            head(part_name(function, part), writer.usage(),
-                 parameter("I*", "shared", writer.usage().shared)) +
-            body(writer) + "\n";
+            head(part_name(function, part), printer.usage(),
+                 parameter("I*", "shared", printer.usage().shared)) +
+            body(printer) + "\n";
   }
-  return text + caller(function, plan);
+  return text + caller(function, selected);
 }
 
 }  // namespace regulus::codegen

@@ -3,8 +3,8 @@
 
 #include <string>
 
-#include "regulus/codegen/emit/function_plan.hpp"
 #include "regulus/codegen/emit/output_label.hpp"
+#include "regulus/codegen/pack/select.hpp"
 #include "regulus/codegen/program/module.hpp"
 
 namespace regulus::codegen {
@@ -12,6 +12,6 @@ namespace regulus::codegen {
 /// The C++ text of one function of the kernel: its parts, and the function of the ABI that calls
 /// them in turn.
 [[nodiscard]] std::string write_function(const Module& module, const Function& function,
-                                         const FunctionPlan& plan);
+                                         const SelectedFunction& selected);
 
 }  // namespace regulus::codegen

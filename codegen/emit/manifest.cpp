@@ -10,24 +10,25 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-Json describe(const Function& function, const FunctionPlan& plan) {
+Json describe(const Function& function, const SelectedFunction& selected) {
   return {{"name", function.name},
           {"title", function.title},
           {"rows", function.rows},
           {"columns", function.columns},
           {"outputs", function.program.outputs.size()},
           {"points", function.program.points.size()},
-          {"operations", plan.operations},
-          {"parts", plan.parts.size()}};
+          {"operations", selected.plan.operations},
+          {"parts", selected.code.part_ends.size()}};
 }
 
 }  // namespace
 
 std::string write_manifest(const Module& module, const EmitOptions& options,
-                           const EmittedKernel& kernel, const std::vector<FunctionPlan>& plans) {
+                           const EmittedKernel& kernel,
+                           const std::vector<SelectedFunction>& selected) {
   Json functions = Json::array();
-  for (std::size_t i = 0; i < plans.size(); ++i)
-    functions.push_back(describe(module.functions[i], plans[i]));
+  for (std::size_t i = 0; i < selected.size(); ++i)
+    functions.push_back(describe(module.functions[i], selected[i]));
   const Json manifest = {{"kernel_abi", static_cast<int>(REGULUS_KERNEL_ABI)},
                          {"symbol", kernel.symbol},
                          {"identity", kernel.identity},

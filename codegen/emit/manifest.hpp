@@ -5,15 +5,15 @@
 #include <vector>
 
 #include "regulus/codegen/emit/emitted_kernel.hpp"
-#include "regulus/codegen/emit/function_plan.hpp"
+#include "regulus/codegen/pack/select.hpp"
 #include "regulus/codegen/program/module.hpp"
 
 namespace regulus::codegen {
 
 /// What a kernel computes, as JSON for other programs: the model, the shapes of its functions and
-/// their cost. `plans` in the order of module.functions.
+/// their cost. `selected` in the order of module.functions.
 [[nodiscard]] std::string write_manifest(const Module& module, const EmitOptions& options,
                                          const EmittedKernel& kernel,
-                                         const std::vector<FunctionPlan>& plans);
+                                         const std::vector<SelectedFunction>& selected);
 
 }  // namespace regulus::codegen

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "regulus/codegen/emit/function_plan.hpp"
+#include "regulus/codegen/pack/partition.hpp"
 
 #include <algorithm>
 #include <set>

@@ -1,19 +1,22 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Emitted text, compiled by every compiler at hand for every instruction set of this processor,
-// against Arb at points of random boxes.
+// Emitted text, compiled by every compiler at hand for every instruction set of this processor, and
+// the machine that runs the same list, against Arb at points of random boxes and to the bit against
+// each other.
 #pragma once
 
 #include <gtest/gtest.h>
 
+#include <cstring>
 #include <map>
 
 #include "regulus/codegen/emit/emit.hpp"
+#include "regulus/codegen/pack/select.hpp"
 #include "regulus/codegen/program/arb_arithmetic.hpp"
-#include "regulus/codegen/program/interpreted_kernel.hpp"
 #include "regulus/codegen/program/interpreter.hpp"
 #include "regulus/codegen/program/print.hpp"
 #include "regulus/kernel/buffers.hpp"
 #include "regulus/kernel/call.hpp"
+#include "regulus/machine/machine_kernel.hpp"
 #include "support/ball_containment.hpp"
 #include "support/compilers.hpp"
 #include "support/grid.hpp"
@@ -141,12 +144,40 @@ struct Counts {
   long defined_lanes = 0;
 };
 
-inline void check(const regulus_kernel& table, regulus_function function, const Program& program,
-                  const Case& test_case, const std::string& who, Counts& counts) {
-  const Kernel kernel(table);
-  OutputBatch out(program.outputs.size());
-  const unsigned undefined =
-      kernel.call(function, test_case.boxes.data(), test_case.points.data(), out.data());
+/// What one call gives: the outputs and the lanes that are undefined.
+struct Answer {
+  OutputBatch out;
+  unsigned undefined;
+};
+
+inline Answer ask(const regulus_kernel& table, regulus_function function, std::size_t outputs,
+                  const Case& test_case) {
+  Answer answer{OutputBatch(outputs), 0};
+  answer.undefined = Kernel(table).call(function, test_case.boxes.data(), test_case.points.data(),
+                                        answer.out.data());
+  return answer;
+}
+
+/// The two zeros are one bound.
+inline bool same_bits(double x, double y) {
+  return std::memcmp(&x, &y, sizeof x) == 0 || (x == 0.0 && y == 0.0);
+}
+
+inline bool same_answers(const Answer& x, const Answer& y, std::size_t outputs) {
+  if (x.undefined != y.undefined) return false;
+  for (std::size_t lane = 0; lane < kLanes; ++lane) {
+    if ((x.undefined >> lane & 1U) != 0) continue;
+    for (std::size_t e = 0; e < outputs; ++e) {
+      const Interval a = x.out.get(e, lane), b = y.out.get(e, lane);
+      if (!same_bits(a.lo, b.lo) || !same_bits(a.hi, b.hi)) return false;
+    }
+  }
+  return true;
+}
+
+inline void check(const Answer& answer, const Program& program, const Case& test_case,
+                  const std::string& who, Counts& counts) {
+  const auto& [out, undefined] = answer;
   for (std::size_t lane = 0; lane < kLanes; ++lane) {
     const bool lane_undefined = (undefined >> lane & 1U) != 0;
     if (!lane_undefined) ++counts.defined_lanes;
@@ -169,6 +200,7 @@ inline void check(const regulus_kernel& table, regulus_function function, const 
 
 struct Candidate {
   std::string who;
+  Isa isa;
   std::vector<const regulus_kernel*> kernels;  ///< per module
 };
 
@@ -181,24 +213,36 @@ class CompiledKernels : public testing::Test {
       modules_.push_back(random_module(seed));
       codegen::EmitOptions options;
       options.prefix = "random_" + std::to_string(seed);
-      constexpr unsigned kPartLengths[] = {1, 3, 7, 64};
-      options.operations_per_part = kPartLengths[seed % 4];
+      options.operations_per_part = part_length(seed);
       texts.push_back(codegen::emit(modules_.back(), options));
     }
     const std::string text = in_one_text(texts);
     for (const std::string& compiler : installed_compilers())
       for (const Isa isa : kAllIsas)
         if (supported(isa)) compile(compiler, isa, text, texts);
-    for (const Module& module : modules_) interpreted_.emplace_back(module);
-    candidates_.push_back({"interpreted", {}});
-    for (const auto& kernel : interpreted_) candidates_.back().kernels.push_back(kernel.get());
+    for (const Isa isa : kAllIsas)
+      if (supported(isa)) add_machines(isa, first_seed);
   }
+
+  static unsigned part_length(std::uint64_t seed) {
+    constexpr unsigned kPartLengths[] = {1, 3, 7, 64};
+    return kPartLengths[seed % 4];
+  }
+
+  void add_machines(Isa isa, std::uint64_t first_seed) {
+    candidates_.push_back({machine_name(isa), isa, {}});
+    for (std::size_t i = 0; i < modules_.size(); ++i) {
+      machines_.emplace_back(codegen::select(modules_[i], part_length(first_seed + i)), isa);
+      candidates_.back().kernels.push_back(machines_.back().get());
+    }
+  }
+  static std::string machine_name(Isa isa) { return "machine " + std::string(name(isa)); }
 
   void compile(const std::string& compiler, Isa isa, const std::string& text,
                const std::vector<codegen::EmittedKernel>& texts) {
     libraries_.push_back(
         compile_with_spawned(compiler, text, isa, directory_.path(), optimisation_.c_str()));
-    candidates_.push_back({compiler + " " + std::string(name(isa)), {}});
+    candidates_.push_back({compiler + " " + std::string(name(isa)), isa, {}});
     for (std::size_t i = 0; i < texts.size(); ++i) {
       const regulus_kernel* kernel =
           static_cast<const regulus_kernel*>(libraries_.back().symbol(texts[i].symbol.c_str()));
@@ -217,11 +261,16 @@ class CompiledKernels : public testing::Test {
         const Program& program = modules_[m].find(field.name)->program;
         for (int i = 0; i < cases; ++i) {
           const Case test_case = random_case(random, program);
+          std::map<Isa, Answer> first_of;
           for (const Candidate& candidate : candidates_) {
             const regulus_kernel& kernel = *candidate.kernels[m];
-            check(kernel, kernel.*field.function, program, test_case, candidate.who,
-                  counts_[candidate.who]);
+            const std::size_t outputs = program.outputs.size();
+            const Answer answer = ask(kernel, kernel.*field.function, outputs, test_case);
+            check(answer, program, test_case, candidate.who, counts_[candidate.who]);
             if (HasFatalFailure()) return;
+            const auto first = first_of.try_emplace(candidate.isa, answer).first;
+            ASSERT_TRUE(same_answers(first->second, answer, outputs)) << candidate.who << "\n"
+                                                                      << to_text(program);
           }
         }
       }
@@ -230,7 +279,7 @@ class CompiledKernels : public testing::Test {
 
   void expect_enough(long contained, long undefined) {
     ASSERT_GE(counts_.size(), 2U);
-    const long defined_lanes = counts_["interpreted"].defined_lanes;
+    const long defined_lanes = counts_[machine_name(Isa::kPortable)].defined_lanes;
     for (const auto& [who, count] : counts_) {
       EXPECT_GT(count.contained, contained) << who;
       EXPECT_GT(count.undefined, undefined) << who;
@@ -243,7 +292,7 @@ class CompiledKernels : public testing::Test {
   std::string optimisation_;
   std::map<std::string, Counts> counts_;
   std::vector<Module> modules_;
-  std::vector<codegen::InterpretedKernel> interpreted_;
+  std::vector<machine::MachineKernel> machines_;
   std::vector<SpawnedLibrary> libraries_;
   std::vector<Candidate> candidates_;
 };
