@@ -9,7 +9,8 @@
 #include "regulus/codegen/driver/background_compilation.hpp"
 #include "regulus/codegen/driver/loaded_kernel.hpp"
 #include "regulus/codegen/driver/switching_kernel.hpp"
-#include "regulus/codegen/program/interpreted_kernel.hpp"
+#include "regulus/codegen/pack/select.hpp"
+#include "regulus/machine/machine_kernel.hpp"
 #include "regulus/search/observer.hpp"
 
 namespace regulus::codegen {
@@ -21,7 +22,7 @@ class EngineSwitch : public LoadedKernel, public Observer {
   /// See BackgroundCompilation.
   EngineSwitch(const Module& module, const EmittedKernel& text, const CompileOptions& options,
                const std::function<void(const std::string&)>& after)
-      : interpreted_(module), kernel_(*interpreted_.get()), compilation_(text, options, after) {}
+      : interpreted_(select(module), options.isa), kernel_(*interpreted_.get()), compilation_(text, options, after) {}
 
   [[nodiscard]] const regulus_kernel& functions() const noexcept override {
     return kernel_.functions();
@@ -38,7 +39,7 @@ class EngineSwitch : public LoadedKernel, public Observer {
  private:
   void look() noexcept;
 
-  InterpretedKernel interpreted_;
+  machine::MachineKernel interpreted_;
   SwitchingKernel kernel_;
   BackgroundCompilation compilation_;
   std::optional<CompiledKernel> compiled_;

@@ -10,8 +10,9 @@
 #include "regulus/codegen/jit/jit.hpp"
 #include "regulus/codegen/model/errors.hpp"
 #include "regulus/codegen/model/model_file.hpp"
-#include "regulus/codegen/program/interpreted_kernel.hpp"
+#include "regulus/codegen/pack/select.hpp"
 #include "regulus/kernel/self_test.hpp"
+#include "regulus/machine/machine_kernel.hpp"
 
 namespace regulus::codegen {
 namespace {
@@ -25,13 +26,13 @@ class CompiledCode : public LoadedKernel {
   CompiledKernel code_;
 };
 
-class InterpretedPrograms : public LoadedKernel {
+class InterpretedList : public LoadedKernel {
  public:
-  explicit InterpretedPrograms(const Module& module) : kernel_(module) {}
+  InterpretedList(const Module& module, Isa isa) : kernel_(select(module), isa) {}
   const regulus_kernel& functions() const noexcept override { return *kernel_.get(); }
 
  private:
-  InterpretedKernel kernel_;
+  machine::MachineKernel kernel_;
 };
 
 /// What the cache calls a kernel; empty if it has none.
@@ -67,11 +68,12 @@ Module anonymous(Module module) {
   return module;
 }
 
-void interpret(Preparation& p) {
+void interpret(Preparation& p, const SearchOptions& search) {
   Stopwatch watch;
-  p.isa = Isa::kPortable;
+  p.isa = chosen_isa(search);
+  require_sound_rounding(self_test(p.isa));
   p.cache = "off";
-  p.kernel = std::make_unique<InterpretedPrograms>(p.stages->module());
+  p.kernel = std::make_unique<InterpretedList>(p.stages->module(), p.isa);
   p.seconds.compile += watch.lap();
 }
 
@@ -151,7 +153,7 @@ void prepare_anew(Preparation& p, const SearchOptions& search, const Keep& keep)
   require_sound_rounding(self_test(Isa::kPortable));
   p.seconds.compile += watch.lap();
   if (search.engine == Engine::kInterpreted)
-    interpret(p);
+    interpret(p, search);
   else
     compile(p, search, keep);
 }

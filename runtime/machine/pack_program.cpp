@@ -58,9 +58,13 @@ class FaultFinder {
       : function_(function), variables_(variables), points_(points) {}
 
   std::string run() {
+    for (const Interval& constant : function_.constants)
+      if (!(constant.lo <= constant.hi)) return "a constant has no bounds in order";
     std::uint32_t begin = 0;
     for (const std::uint32_t end : function_.part_ends) {
-      if (end < begin || end > function_.code.size()) return "a part ends before it begins";
+      if (end < begin || end > function_.code.size())
+        return "a part does not end within the list, after the one before";
+      fetched_.assign(function_.slots, false);
       for (std::uint32_t at = begin; at < end; ++at)
         if (std::string fault = fault_of(begin, at); !fault.empty())
           return "instruction " + std::to_string(at) + " " + fault;
@@ -92,9 +96,12 @@ class FaultFinder {
                    ? ""
                    : "reads no exact constant";
       case Op::kFetch:
-        return i.a < function_.slots && kept_[i.a] ? "" : "fetches what was not kept";
+        if (i.a >= function_.slots || !kept_[i.a]) return "fetches what was not kept";
+        fetched_[i.a] = true;
+        return {};
       case Op::kKeep:
         if (i.a >= function_.slots || !is_value(i.b, 'I', begin, at)) return "keeps no interval";
+        if (fetched_[i.a]) return "keeps an interval in a slot that its part still reads";
         kept_[i.a] = true;
         return {};
       case Op::kStore:
@@ -133,6 +140,7 @@ class FaultFinder {
 
   const PackFunction& function_;
   std::uint32_t variables_, points_;
+  std::vector<bool> fetched_;  ///< by the part that is looked at
   std::vector<bool> kept_ = std::vector<bool>(function_.slots);
   std::vector<bool> stored_ = std::vector<bool>(function_.outputs);
 };

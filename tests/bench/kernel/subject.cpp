@@ -5,9 +5,10 @@
 #include <stdexcept>
 
 #include "regulus/codegen/driver/pipeline.hpp"
-#include "regulus/codegen/program/interpreted_kernel.hpp"
+#include "regulus/codegen/pack/select.hpp"
 #include "regulus/codegen/symbolic/variety.hpp"
 #include "regulus/kernel/buffers.hpp"
+#include "regulus/machine/machine_kernel.hpp"
 #include "regulus/regularity/midpoint_inverse.hpp"
 
 namespace regulus::bench {
@@ -69,7 +70,7 @@ const Program& left_product_of(const Module& module) {
 
 Sample make_sample(const Module& module) {
   const Variety variety = subject_of(Method::kKj).variety;
-  const InterpretedKernel interpreted(module);
+  const machine::MachineKernel interpreted(select(module), best_isa());
   const regulus_kernel& kernel = *interpreted.get();
 
   Sample sample;

@@ -14,10 +14,11 @@
 
 #include "regulus/codegen/model/model_file.hpp"
 #include "regulus/codegen/model/overrides.hpp"
-#include "regulus/codegen/program/interpreted_kernel.hpp"
+#include "regulus/codegen/pack/select.hpp"
 #include "regulus/codegen/symbolic/formulation.hpp"
 #include "regulus/interval/interval.hpp"
 #include "regulus/kernel/call.hpp"
+#include "regulus/machine/machine_kernel.hpp"
 #include "regulus/regularity/aligned_buffer.hpp"
 #include "regulus/regularity/determinant.hpp"
 
@@ -82,7 +83,7 @@ class ToleranceEffect : public testing::Test {
   }
 
   Model model_;
-  std::optional<InterpretedKernel> kernel_;
+  std::optional<machine::MachineKernel> kernel_;
   std::vector<double> nominal_;
 };
 

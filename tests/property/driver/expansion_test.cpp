@@ -9,11 +9,12 @@
 
 #include "regulus/codegen/model/model_file.hpp"
 #include "regulus/codegen/model/overrides.hpp"
-#include "regulus/codegen/program/interpreted_kernel.hpp"
+#include "regulus/codegen/pack/select.hpp"
 #include "regulus/codegen/symbolic/formulation.hpp"
 #include "regulus/codegen/symbolic/variety.hpp"
 #include "regulus/interval/arithmetic.hpp"
 #include "regulus/kernel/call.hpp"
+#include "regulus/machine/machine_kernel.hpp"
 #include "regulus/regularity/aligned_buffer.hpp"
 #include "regulus/regularity/lanes.hpp"
 #include "support/random_source.hpp"
@@ -87,7 +88,7 @@ class ExpansionOf {
   }
 
   Formulation formulation_;
-  InterpretedKernel kernel_;
+  machine::MachineKernel kernel_;
   Variety variety_;
 };
 

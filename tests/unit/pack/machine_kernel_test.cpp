@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "regulus/codegen/program/interpreted_kernel.hpp"
+#include "regulus/machine/machine_kernel.hpp"
 
 #include <gtest/gtest.h>
 
 #include <thread>
 #include <vector>
 
+#include "regulus/codegen/pack/select.hpp"
 #include "regulus/codegen/program/print.hpp"
 #include "regulus/interval/interval.hpp"
 #include "regulus/kernel/buffers.hpp"
@@ -13,6 +14,8 @@
 
 namespace regulus::codegen {
 namespace {
+
+using machine::MachineKernel;
 
 /// A = [sqrt(x)·y], K·A = [k·sqrt(x)·y], one constraint x^40.
 Module example() {
@@ -34,12 +37,14 @@ Module example() {
   return module;
 }
 
-TEST(InterpretedKernel, FillsTheTableOfTheAbi) {
+MachineKernel machine_of(const Module& module) { return {select(module), best_isa()}; }
+
+TEST(MachineKernelOfAModule, FillsTheTableOfTheAbi) {
   const Module module = example();
-  const InterpretedKernel kernel(module);
+  const MachineKernel kernel = machine_of(module);
   const regulus_kernel& k = *kernel.get();
   EXPECT_EQ(k.abi, static_cast<unsigned>(REGULUS_KERNEL_ABI));
-  EXPECT_EQ(k.rounding, static_cast<unsigned>(REGULUS_ROUND_NEAREST));
+  EXPECT_EQ(k.rounding, required_rounding(best_isa()));
   EXPECT_EQ(k.variables, 2U);
   EXPECT_EQ(k.motion_variables, 1U);
   EXPECT_EQ(k.rows, 1U);
@@ -50,8 +55,8 @@ TEST(InterpretedKernel, FillsTheTableOfTheAbi) {
   EXPECT_EQ(k.identity, identity(module));
 }
 
-TEST(InterpretedKernel, EvaluatesEachLaneOnItsOwn) {
-  const InterpretedKernel interpreted(example());
+TEST(MachineKernelOfAModule, EvaluatesEachLaneOnItsOwn) {
+  const MachineKernel interpreted = machine_of(example());
   const Kernel kernel(*interpreted.get());
   BoxBatch boxes(2);
   PointRows points(1);
@@ -70,8 +75,8 @@ TEST(InterpretedKernel, EvaluatesEachLaneOnItsOwn) {
   }
 }
 
-TEST(InterpretedKernel, ReportsTheLanesOutsideTheDomain) {
-  const InterpretedKernel interpreted(example());
+TEST(MachineKernelOfAModule, ReportsTheLanesOutsideTheDomain) {
+  const MachineKernel interpreted = machine_of(example());
   const Kernel kernel(*interpreted.get());
   BoxBatch boxes(2);
   OutputBatch out(1);
@@ -81,8 +86,8 @@ TEST(InterpretedKernel, ReportsTheLanesOutsideTheDomain) {
   EXPECT_EQ(kernel.call(kernel.functions().matrix, boxes.data(), nullptr, out.data()), 0b101000U);
 }
 
-TEST(InterpretedKernel, ReportsLanesWithoutFiniteBounds) {
-  const InterpretedKernel interpreted(example());
+TEST(MachineKernelOfAModule, ReportsLanesWithoutFiniteBounds) {
+  const MachineKernel interpreted = machine_of(example());
   const Kernel kernel(*interpreted.get());
   BoxBatch boxes(2);
   OutputBatch out(1);
@@ -91,12 +96,12 @@ TEST(InterpretedKernel, ReportsLanesWithoutFiniteBounds) {
   EXPECT_EQ(kernel.call(kernel.functions().constraint, boxes.data(), nullptr, out.data()), 1U);
 }
 
-TEST(InterpretedKernel, CountsQuotientsBeyondTheLimitAsUndefined) {
+TEST(MachineKernelOfAModule, CountsQuotientsBeyondTheLimitAsUndefined) {
   Module module = example();
   ProgramBuilder builder(module.variables, {});
   builder.output(builder.divide(builder.constant(1), builder.input(0)));
   module.functions[2].program = std::move(builder).finish();
-  const InterpretedKernel interpreted(module);
+  const MachineKernel interpreted = machine_of(module);
   const Kernel kernel(*interpreted.get());
   BoxBatch boxes(2);
   OutputBatch out(1);
@@ -105,15 +110,15 @@ TEST(InterpretedKernel, CountsQuotientsBeyondTheLimitAsUndefined) {
   EXPECT_EQ(kernel.call(kernel.functions().constraint, boxes.data(), nullptr, out.data()), 0b100U);
 }
 
-TEST(InterpretedKernel, SurvivesBeingMoved) {
-  InterpretedKernel first(example());
+TEST(MachineKernelOfAModule, SurvivesBeingMoved) {
+  MachineKernel first = machine_of(example());
   const regulus_kernel* before = first.get();
-  const InterpretedKernel second(std::move(first));
+  const MachineKernel second(std::move(first));
   EXPECT_EQ(second.get(), before);
 }
 
-TEST(InterpretedKernel, GivesEveryThreadTheSameAnswer) {
-  const InterpretedKernel interpreted(example());
+TEST(MachineKernelOfAModule, GivesEveryThreadTheSameAnswer) {
+  const MachineKernel interpreted = machine_of(example());
   const Kernel kernel(*interpreted.get());
   BoxBatch boxes(2);
   boxes.set_all_lanes(0, {2, 3});
