@@ -27,9 +27,10 @@ struct NamedSection {
 
 /// In the order of the report.
 constexpr NamedSection kSections[] = {
-    {"kernel", kernel_rows},   {"limit", limit_rows},     {"search", search_rows},
-    {"product", product_rows}, {"threads", thread_rows},  {"embedded", embedded_rows},
-    {"process", process_rows}, {"compile", compile_rows}, {"counts", count_rows},
+    {"kernel", kernel_rows},     {"limit", limit_rows},     {"search", search_rows},
+    {"product", product_rows},   {"engines", engine_rows},  {"threads", thread_rows},
+    {"embedded", embedded_rows}, {"process", process_rows}, {"compile", compile_rows},
+    {"counts", count_rows},
 };
 
 struct Options {

@@ -11,6 +11,8 @@
 #include "bench/kernel/rival.hpp"
 #include "regulus/codegen/emit/emit.hpp"
 #include "regulus/codegen/jit/jit.hpp"
+#include "regulus/codegen/pack/select.hpp"
+#include "regulus/machine/machine_kernel.hpp"
 
 namespace regulus::bench {
 namespace {
@@ -26,6 +28,7 @@ class KernelBench {
   KernelBench() {
     for (const Isa isa : kAllIsas) add_compiled_in_process(isa);
     for (const Isa isa : kAllIsas) add_compiled_ahead(isa);
+    for (const Isa isa : kAllIsas) add_interpreted(isa);
     for (NamedRival& rival : rivals_) add_rival(rival);
   }
 
@@ -101,6 +104,17 @@ class KernelBench {
       entries_.push_back({skipped_row(title, "this processor cannot run it", explanation), {}});
   }
 
+  void add_interpreted(Isa isa) {
+    const std::string title = fmt::format("ours, {}, interpreted", name(isa));
+    const std::string explanation = "the list that the text is printed from, by the vector machine";
+    if (!supported(isa)) {
+      entries_.push_back({skipped_row(title, "this processor cannot run it", explanation), {}});
+      return;
+    }
+    const auto& machine = machines_.emplace_back(codegen::select(module_), isa);
+    add_kernel(title, *machine.get(), explanation);
+  }
+
   void add_rival(NamedRival& rival) {
     static const std::map<std::string, double> least = {
         {"boost_unprotected", 20}, {"boost_default", 250}, {"plain_scalar", 4}};
@@ -120,6 +134,7 @@ class KernelBench {
   Sample sample_ = make_sample(module_);
   std::vector<NamedRival> rivals_ = make_rivals(sample_);
   std::deque<codegen::CompiledKernel> compiled_;
+  std::deque<machine::MachineKernel> machines_;
   std::deque<BatchedProduct> products_;
   std::vector<Entry> entries_;
 };

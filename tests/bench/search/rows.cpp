@@ -77,6 +77,13 @@ codegen::SearchOptions on(Isa isa) {
   return options;
 }
 
+/// Models with divisions and roots among them.
+constexpr SearchCase kEngineCases[] = {{"wide_15, ±0.1", "robot_1", "wide_15", "0.1"},
+                                       {"table5_30", "robot_2", "table5_30"},
+                                       {"hexapod_6rus", "hexapod_6rus", "work"},
+                                       {"delta", "delta", "work"},
+                                       {"puma_560", "puma_560", "dexterous"}};
+
 /// A time, not a ratio: it depends on the machine and the hour.
 std::optional<Target> target_of(const SearchCase& which) {
   if (which.most_microseconds > 0) return value_at_most(which.most_microseconds);
@@ -119,6 +126,31 @@ Section search_rows() {
 Section rows_of(const SearchCase& which) {
   Section section = search_heading();
   add_case(which, section);
+  return section;
+}
+
+Section engine_rows() {
+  Section section{
+      "engines",
+      "Compiled or interpreted",
+      "The same searches by compiled code and by the vector machine, which runs the list "
+      "that the code is made from: the same boxes. The ratio is to the compiled kernel "
+      "for the same instruction set.",
+      {}};
+  for (const SearchCase& which : kEngineCases)
+    for (const Isa isa : kAllIsas) {
+      if (!supported(isa)) continue;
+      SearchComparison comparison;
+      for (const auto& [engine, title] :
+           {std::pair{codegen::Engine::kJit, "compiled"},
+            std::pair{codegen::Engine::kInterpreted, "interpreted"}}) {
+        codegen::SearchOptions options = on(isa);
+        options.engine = engine;
+        comparison.add(fmt::format("{}, {}, {}", which.title, name(isa), title), "search alone",
+                       which, options);
+      }
+      comparison.append_to(section);
+    }
   return section;
 }
 

@@ -15,6 +15,9 @@ struct SearchCase;
 /// The product K·J⁻¹ formed symbolically, and from numbers.
 [[nodiscard]] Section product_rows();
 
+/// Compiled code and the vector machine.
+[[nodiscard]] Section engine_rows();
+
 /// One thread and two.
 [[nodiscard]] Section thread_rows();
 
