@@ -8,9 +8,10 @@ namespace regulus::codegen {
 namespace {
 
 machine::PackDerivatives derivatives_of(const Module& module, const std::string& name) {
-  machine::PackDerivatives result{parse_kernel_function(name).value(), {}};
   const Function* function = module.find(name);
-  if (function == nullptr) return result;
+  if (function == nullptr || function->program.outputs.empty())
+    return {KernelFunction::kNominalFirst, {}};
+  machine::PackDerivatives result{parse_kernel_function(name).value(), {}};
   for (const DerivativeIndex& d : function->derivatives)
     result.list.push_back({static_cast<unsigned>(d.row), static_cast<unsigned>(d.column),
                            static_cast<unsigned>(d.first),
