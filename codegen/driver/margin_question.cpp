@@ -5,6 +5,7 @@
 
 #include <algorithm>
 
+#include "regulus/codegen/model/certain_sign.hpp"
 #include "regulus/codegen/model/constants.hpp"
 #include "regulus/codegen/model/decimal.hpp"
 #include "regulus/codegen/model/overrides.hpp"
@@ -36,7 +37,9 @@ void read_range(MarginQuestion& question, const std::string& text, const char* o
   question.low = read_value(text.substr(0, colon), option);
   if (colon + 1 == text.size()) return;
   question.high = read_value(text.substr(colon + 1), option);
-  if (!(question.low.approx < question.high->approx))
+  // The bracket is kept in doubles, which must tell the ends apart, too.
+  if (certain_sign(question.high->exact - question.low.exact) != CertainSign::kPositive ||
+      !(question.low.approx < question.high->approx))
     throw UsageError(std::string(option) + ": found '" + text + "', expected LO below HI");
 }
 

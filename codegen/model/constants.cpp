@@ -5,6 +5,7 @@
 #include <set>
 #include <string>
 
+#include "regulus/codegen/model/certain_sign.hpp"
 #include "regulus/codegen/model/errors.hpp"
 #include "regulus/codegen/model/names.hpp"
 #include "regulus/codegen/model/sign.hpp"
@@ -13,13 +14,6 @@ namespace regulus::codegen {
 namespace {
 
 using GiNaC::ex;
-
-/// Exact for rationals; for other constants certain but for rounding, which is left a margin.
-bool clearly_negative(const ex& value, double scale) {
-  if (value.info(GiNaC::info_flags::rational)) return value.info(GiNaC::info_flags::negative);
-  const auto approximate = approx_value(value);
-  return approximate && *approximate < -1e-12 * scale;
-}
 
 std::string shown(const ex& constant) {
   return std::to_string(approx_value(constant).value_or(std::nan("")));
@@ -30,21 +24,34 @@ std::string in(const Place& place) { return place.key.empty() ? "" : " in " + pl
 }  // namespace
 
 Range checked_range(const Term& lo, const Term& hi, const Place& place) {
-  const double scale =
-      std::fabs(approx_value(lo.value).value_or(0)) + std::fabs(approx_value(hi.value).value_or(0));
-  if (clearly_negative(hi.value - lo.value, scale))
-    throw InputError(place.file, place.line,
-                     "the empty range " + shown(lo.value) + " to " + shown(hi.value) + in(place),
-                     "a lower end that is not above the upper end", place.key);
-  return {lo.value, hi.value};
+  const std::string ends = shown(lo.value) + " to " + shown(hi.value) + in(place);
+  switch (lo.value.is_equal(hi.value) ? CertainSign::kZero : certain_sign(hi.value - lo.value)) {
+    case CertainSign::kNegative:
+      throw InputError(place.file, place.line, "the empty range " + ends,
+                       "a lower end that is not above the upper end", place.key);
+    case CertainSign::kUnknown:
+      throw InputError(place.file, place.line,
+                       "the range " + ends + ", of which 4096 bits do not tell the lower end",
+                       "two ends that are clearly in order, or twice the same expression",
+                       place.key);
+    default:
+      return {lo.value, hi.value};
+  }
 }
 
 ex checked_nonnegative(const Term& value, const Place& place) {
-  if (clearly_negative(value.value, 1))
-    throw InputError(place.file, place.line,
-                     "the negative number " + shown(value.value) + in(place), "a number ≥ 0",
-                     place.key);
-  return value.value;
+  switch (certain_sign(value.value)) {
+    case CertainSign::kNegative:
+      throw InputError(place.file, place.line,
+                       "the negative number " + shown(value.value) + in(place), "a number ≥ 0",
+                       place.key);
+    case CertainSign::kUnknown:
+      throw InputError(place.file, place.line,
+                       "a number" + in(place) + " whose sign 4096 bits do not tell",
+                       "a number ≥ 0, or 0 itself", place.key);
+    default:
+      return value.value;
+  }
 }
 
 Range parse_range(std::string_view text, const Place& place, std::vector<ex>& must_be_defined) {

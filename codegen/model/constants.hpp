@@ -7,11 +7,11 @@
 
 namespace regulus::codegen {
 
-/// lo ≤ hi. Throws InputError for a range that is certainly reversed; ends that only floating-point
-/// evaluation could tell apart in that order pass, and the range is then the hull of both.
+/// lo ≤ hi, proved. Throws InputError for a range that is reversed, and for one whose ends even
+/// certified evaluation cannot put in order (sqrt(2)*sqrt(3) to sqrt(6)).
 [[nodiscard]] Range checked_range(const Term& lo, const Term& hi, const Place& place);
 
-/// A tolerance, an error or a threshold: throws InputError when negative.
+/// A tolerance, an error or a threshold: throws InputError unless it is proved to be ≥ 0.
 [[nodiscard]] GiNaC::ex checked_nonnegative(const Term& value, const Place& place);
 
 /// "LO:HI", or "V" for the range that is one value. Conditions of the constants are added to

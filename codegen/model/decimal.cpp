@@ -8,13 +8,12 @@
 #include <array>
 #include <charconv>
 #include <cmath>
+#include <limits>
 #include <string>
+#include <utility>
 
 namespace regulus::codegen {
 namespace {
-
-constexpr std::size_t kMostDigits = 1000;
-constexpr int kLargestExponent = 1000;
 
 /// Only digits reach CLN's reader: its own syntax has radix prefixes and fractions.
 cln::cl_I integer_of_digits(const std::string& digits) {
@@ -22,12 +21,78 @@ cln::cl_I integer_of_digits(const std::string& digits) {
   return first == std::string::npos ? cln::cl_I(0) : cln::cl_I(digits.c_str() + first);
 }
 
+/// The value of a digit, 36 for what is none.
+int digit_value(char c) {
+  if ('0' <= c && c <= '9') return c - '0';
+  if ('a' <= c && c <= 'z') return c - 'a' + 10;
+  return 'A' <= c && c <= 'Z' ? c - 'A' + 10 : 36;
+}
+
+bool is_digit(char c) { return digit_value(c) < 10; }
+
+/// nullopt unless each underscore stands between two digits of that base.
+std::optional<std::string> without_underscores(std::string_view text, int base) {
+  std::string rest;
+  for (std::size_t i = 0; i < text.size(); ++i) {
+    if (text[i] != '_') {
+      rest += text[i];
+      continue;
+    }
+    if (i == 0 || i + 1 == text.size()) return std::nullopt;
+    if (digit_value(text[i - 1]) >= base || digit_value(text[i + 1]) >= base) return std::nullopt;
+  }
+  return rest;
+}
+
+std::optional<cln::cl_I> integer_of_base(std::string_view text, int base) {
+  const std::optional<std::string> digits = without_underscores(text, base);
+  if (!digits || digits->empty() || digits->size() > kMaxDigits) return std::nullopt;
+  cln::cl_I value = 0;
+  for (const char c : *digits) {
+    if (digit_value(c) >= base) return std::nullopt;
+    value = value * base + digit_value(c);
+  }
+  return value;
+}
+
+/// digits [. digits] [(e|E) [+|-] digits], without a 0 in front of another digit.
+bool is_toml_decimal(std::string_view text) {
+  std::size_t at = 0;
+  const auto skip_digits = [&] {
+    const std::size_t begin = at;
+    while (at < text.size() && is_digit(text[at])) ++at;
+    return at > begin;
+  };
+  if (!skip_digits() || (at > 1 && text.front() == '0')) return false;
+  if (at < text.size() && text[at] == '.') {
+    ++at;
+    if (!skip_digits()) return false;
+  }
+  if (at < text.size() && (text[at] == 'e' || text[at] == 'E')) {
+    ++at;
+    if (at < text.size() && (text[at] == '+' || text[at] == '-')) ++at;
+    if (!skip_digits()) return false;
+  }
+  return at == text.size();
+}
+
+std::optional<GiNaC::numeric> exact_magnitude(std::string_view literal) {
+  for (const auto& [prefix, base] : {std::pair{"0x", 16}, std::pair{"0o", 8}, std::pair{"0b", 2}}) {
+    if (!literal.starts_with(prefix)) continue;
+    const std::optional<cln::cl_I> value = integer_of_base(literal.substr(2), base);
+    return value ? std::optional(GiNaC::numeric(*value)) : std::nullopt;
+  }
+  const std::optional<std::string> digits = without_underscores(literal, 10);
+  if (!digits || !is_toml_decimal(*digits)) return std::nullopt;
+  return exact_decimal(*digits);
+}
+
 }  // namespace
 
 std::optional<GiNaC::numeric> exact_decimal(std::string_view literal) {
   const std::size_t e = literal.find_first_of("eE");
   const std::string_view mantissa = literal.substr(0, e);
-  if (mantissa.size() > kMostDigits) return std::nullopt;
+  if (mantissa.size() > kMaxDigits) return std::nullopt;
 
   int exponent = 0;
   if (e != std::string_view::npos) {
@@ -35,7 +100,7 @@ std::optional<GiNaC::numeric> exact_decimal(std::string_view literal) {
     if (digits.starts_with('+')) digits.remove_prefix(1);
     const auto [end, error] =
         std::from_chars(digits.data(), digits.data() + digits.size(), exponent);
-    if (error != std::errc{} || std::abs(exponent) > kLargestExponent) return std::nullopt;
+    if (error != std::errc{} || std::abs(exponent) > kMaxExponent) return std::nullopt;
   }
 
   const std::size_t point = mantissa.find('.');
@@ -45,6 +110,32 @@ std::optional<GiNaC::numeric> exact_decimal(std::string_view literal) {
     exponent -= static_cast<int>(mantissa.size() - point - 1);
   }
   return GiNaC::numeric(integer_of_digits(digits) * cln::expt(cln::cl_RA(10), exponent));
+}
+
+std::optional<GiNaC::numeric> exact_toml_number(std::string_view literal) {
+  const bool negative = literal.starts_with('-');
+  if (negative || literal.starts_with('+')) literal.remove_prefix(1);
+  const std::optional<GiNaC::numeric> magnitude = exact_magnitude(literal);
+  return magnitude && negative ? std::optional(-*magnitude) : magnitude;
+}
+
+GiNaC::numeric exact_value(double value) {
+  constexpr int kBits = std::numeric_limits<double>::digits;
+  int exponent = 0;
+  const double significand = std::ldexp(std::frexp(value, &exponent), kBits);
+  return GiNaC::numeric(cln::cl_I(static_cast<long long>(significand)) *
+                        cln::expt(cln::cl_RA(2), exponent - kBits));
+}
+
+bool rounds_to(const GiNaC::numeric& exact, double nearest) {
+  constexpr double kInfinity = std::numeric_limits<double>::infinity();
+  const GiNaC::numeric value = exact_value(nearest);
+  const auto half_way = [&](double towards) {
+    const double next = std::nextafter(nearest, towards);
+    if (std::isfinite(next)) return (value + exact_value(next)) / 2;
+    return value + (value - exact_value(std::nextafter(nearest, 0.0))) / 2;
+  };
+  return half_way(-kInfinity) <= exact && exact <= half_way(kInfinity);
 }
 
 GiNaC::numeric shortest_decimal(double value) {

@@ -107,7 +107,7 @@ class Parser {
 
   Term parse_number() {
     const auto value = exact_decimal(token_.text);
-    if (!value) refuse(token_, "at most 1000 digits and an exponent within ±1000");
+    if (!value) refuse(token_, kNumberLimits);
     advance();
     return number(*value);
   }

@@ -12,12 +12,13 @@
 #include "regulus/codegen/model/names.hpp"
 #include "regulus/codegen/model/sections.hpp"
 #include "regulus/codegen/model/sha256.hpp"
+#include "regulus/codegen/model/toml_limits.hpp"
 
 namespace regulus::codegen {
 namespace {
 
-/// A library that reads a decimal as a double may go by the caller's rounding; which decimal was
-/// written is found out from the double.
+/// A library that reads a decimal as a double may go by the caller's rounding; its double is
+/// compared with the exact number that is written.
 class UsualArithmetic {
  public:
   UsualArithmetic() {
@@ -32,11 +33,26 @@ class UsualArithmetic {
   std::fenv_t callers_{};
 };
 
+/// Whether the library stopped at a number that neither its doubles nor its integers can hold, or
+/// that is longer than its buffer.
+bool is_about_a_large_number(std::string_view description) {
+  for (const char* words : {"not representable in 64 bits", "could not be interpreted as a value",
+                            "exceeds length limit", "too long"})
+    if (description.find(words) != std::string_view::npos) return true;
+  return false;
+}
+
 toml::table parse_toml(std::string_view text, const std::string& file) try {
+  require_toml_limits(text, file);
   return toml::parse(text);
 } catch (const toml::parse_error& error) {
-  throw InputError(file, static_cast<int>(error.source().begin.line),
-                   "text that is not TOML (" + printable(error.description()) + ")", "TOML 1.0");
+  const int line = static_cast<int>(error.source().begin.line);
+  if (is_about_a_large_number(error.description()))
+    throw InputError(file, line,
+                     "a number that TOML cannot hold (" + printable(error.description()) + ")",
+                     "the number in a string, \"1e400\", where it may have 1000 digits");
+  throw InputError(file, line, "text that is not TOML (" + printable(error.description()) + ")",
+                   "TOML 1.0");
 }
 
 void check_version(const TomlReader& toml, const TomlEntry& root) {
@@ -99,7 +115,7 @@ Model parse_model(std::string_view text, const std::string& name_for_errors) {
                      "more than " + std::to_string(kLargestModelFile) + " bytes", "a model file");
   const UsualArithmetic scope;
   const toml::table document = parse_toml(text, name_for_errors);
-  ModelReading reading{TomlReader(name_for_errors)};
+  ModelReading reading{TomlReader(name_for_errors, text)};
   const TomlEntry root{.key = {}, .path = {}, .node = &document, .line = 1};
   (void)reading.toml.entries(root, kKeys);
 

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 #include <tuple>
 
 #include "regulus/codegen/model/decimal.hpp"
@@ -38,6 +39,19 @@ std::string describe(const toml::node& node) {
     default:
       return "a date or time";
   }
+}
+
+/// Whether a number does not end before, or begin after, this character.
+bool continues_number(char c) {
+  return std::string_view("0123456789abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ_.+-")
+             .find(c) != std::string_view::npos;
+}
+
+/// Whether the library read the same text: its number is the exact one, or the double nearest to
+/// it. So two readers that share no code agree about where the number is and what it says.
+bool is_reading_of(const GiNaC::numeric& exact, const toml::node& node) {
+  if (const auto* integer = node.as_integer()) return exact == exact_integer(integer->get());
+  return rounds_to(exact, node.as_floating_point()->get());
 }
 
 }  // namespace
@@ -133,11 +147,32 @@ Term TomlReader::constant(const TomlEntry& entry) const {
 }
 
 Term TomlReader::number_of(const TomlEntry& entry) const {
-  const std::string expected = "a finite number, or an expression in a string";
-  if (const auto* integer = entry.node->as_integer()) return number(exact_integer(integer->get()));
-  const auto* real = entry.node->as_floating_point();
-  if (!real || !std::isfinite(real->get())) refuse(entry, expected);
-  return number(shortest_decimal(real->get()));
+  const toml::node& node = *entry.node;
+  const auto* real = node.as_floating_point();
+  if (!node.is_number() || (real && !std::isfinite(real->get())))
+    refuse(entry, "a finite number, or an expression in a string");
+  const std::string_view literal = literal_of(entry);
+  const std::optional<GiNaC::numeric> exact = exact_toml_number(literal);
+  if (!exact)
+    refuse(entry, "the number " + in_quotes(literal) + " for " + entry.path, kNumberLimits);
+  if (!is_reading_of(*exact, node))
+    throw InternalError(file_ + ":" + std::to_string(entry.line) + ": " + entry.path + " reads " +
+                        in_quotes(literal) +
+                        ", which is not the number that the TOML library read");
+  return number(*exact);
+}
+
+/// The characters of the file that a number was parsed from.
+std::string_view TomlReader::literal_of(const TomlEntry& entry) const {
+  const auto [begin, end, path] = entry.node->source();
+  const std::size_t from = source_.offset(begin.line, begin.column);
+  const std::size_t to = source_.offset(end.line, end.column);
+  const std::string_view text = source_.text();
+  if (from >= to || begin.line != end.line || (from > 0 && continues_number(text[from - 1])) ||
+      (to < text.size() && continues_number(text[to])))
+    throw InternalError(file_ + ":" + std::to_string(entry.line) + ": the number " + entry.path +
+                        " is not where the TOML library found it");
+  return text.substr(from, to - from);
 }
 
 Place TomlReader::place(const TomlEntry& entry) const { return {file_, entry.line, entry.path}; }

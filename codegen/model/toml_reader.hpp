@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "regulus/codegen/model/expression_parser.hpp"
+#include "regulus/codegen/model/source_lines.hpp"
 
 namespace regulus::codegen {
 
@@ -24,7 +25,8 @@ struct TomlEntry {
 
 class TomlReader {
  public:
-  explicit TomlReader(std::string file) : file_(std::move(file)) {}
+  /// `text`, which must outlive the reader, is what the nodes were parsed from.
+  TomlReader(std::string file, std::string_view text) : file_(std::move(file)), source_(text) {}
 
   /// The entries in the order of the file, which the pose relies on; TOML tables have none.
   [[nodiscard]] std::vector<TomlEntry> entries(const TomlEntry& table) const;
@@ -51,7 +53,8 @@ class TomlReader {
   /// A text that is a name and is not taken by the language.
   [[nodiscard]] std::string name(const TomlEntry& entry) const;
 
-  /// A number, or an expression in a string.
+  /// A number, or an expression in a string. A number is the one that is written, to the last
+  /// digit: it is read from the text of the file.
   [[nodiscard]] Term expression(const TomlEntry& entry, Names& names) const;
   [[nodiscard]] Term constant(const TomlEntry& entry) const;
 
@@ -66,8 +69,10 @@ class TomlReader {
  private:
   [[nodiscard]] const toml::table& table_of(const TomlEntry& entry) const;
   [[nodiscard]] Term number_of(const TomlEntry& entry) const;
+  [[nodiscard]] std::string_view literal_of(const TomlEntry& entry) const;
 
   std::string file_;
+  SourceLines source_;
 };
 
 }  // namespace regulus::codegen
