@@ -7,6 +7,7 @@
 #include <sstream>
 #include <utility>
 
+#include "regulus/certificate/format.hpp"
 #include "regulus/codegen/model/errors.hpp"
 #include "regulus/codegen/model/sha256.hpp"
 
@@ -19,6 +20,9 @@ using GiNaC::numeric;
 
 /// Shared parts are written out in a key again and again; a long key is replaced by its digest.
 constexpr std::size_t kLongestKey = 160;
+
+/// The largest exponent of a certificate.
+constexpr int kMostPower = format::kMostPower;
 
 [[noreturn]] void refuse(const ex& e) {
   std::ostringstream found;
@@ -53,6 +57,12 @@ bool comes_before(const CanonicalTerm& a, const CanonicalTerm& b) {
 }
 
 bool is_whole(const numeric& exponent) { return exponent.is_integer(); }
+
+/// The denominator a power of two, and neither part beyond what a certificate may have.
+bool is_root(const numeric& exponent) {
+  return cln::logcount(cln::the<cln::cl_I>(exponent.denom().to_cl_N())) == 1 &&
+         exponent.denom() <= kMostPower && GiNaC::abs(exponent.numer()) <= kMostPower;
+}
 
 }  // namespace
 
@@ -122,16 +132,24 @@ CanonicalTerm CanonicalReader::read_product(const ex& e) {
 
 /// The factor of the base leaves a whole power; it stays below a root.
 CanonicalTerm CanonicalReader::read_power(const ex& e) {
-  if (!GiNaC::is_a<numeric>(e.op(1))) refuse(e);
+  if (!e.op(1).info(GiNaC::info_flags::rational)) refuse(e);
   const numeric exponent = GiNaC::ex_to<numeric>(e.op(1));
-  if (!(exponent * 2).is_integer()) refuse(e);
-  if (!is_whole(exponent)) {
-    const CanonicalTerm base = read(e.op(0));
-    return {1, shared({Form::kPower, "", exponent, {base}, ""})};
-  }
+  if (GiNaC::abs(exponent) > kMostPower) refuse(e);
+  if (!is_whole(exponent)) return fractional_power(read(e.op(0)), exponent);
   const CanonicalTerm base = without_content(read(e.op(0)));
   const numeric factor = base.factor.power(exponent);
   return {factor, shared({Form::kPower, "", exponent, {{1, base.node}}, ""})};
+}
+
+/// Roots of roots as long as their number is whole; a third, say, by exp and log.
+CanonicalTerm CanonicalReader::fractional_power(CanonicalTerm base, numeric exponent) {
+  if (!is_root(exponent)) {
+    const CanonicalTerm log{1, shared({Form::kCall, "log", 0, {base}, ""})};
+    return {1, shared({Form::kCall, "exp", 0, {{exponent, log.node}}, ""})};
+  }
+  for (; exponent.denom() > 2; exponent *= 2)
+    base = {1, shared({Form::kPower, "", numeric(1, 2), {base}, ""})};
+  return {1, shared({Form::kPower, "", exponent, {base}, ""})};
 }
 
 CanonicalTerm CanonicalReader::read_call(const ex& e) {

@@ -51,6 +51,7 @@ class CanonicalReader {
   [[nodiscard]] CanonicalTerm read_sum(const GiNaC::ex& e);
   [[nodiscard]] CanonicalTerm read_product(const GiNaC::ex& e);
   [[nodiscard]] CanonicalTerm read_power(const GiNaC::ex& e);
+  [[nodiscard]] CanonicalTerm fractional_power(CanonicalTerm base, GiNaC::numeric exponent);
   [[nodiscard]] CanonicalTerm read_call(const GiNaC::ex& e);
   [[nodiscard]] CanonicalTerm without_content(const CanonicalTerm& sum);
   [[nodiscard]] const CanonicalNode* shared(CanonicalNode node);

@@ -2,8 +2,10 @@
 #include "regulus/codegen/model/formula.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <map>
 
+#include "regulus/codegen/model/decimal.hpp"
 #include "regulus/codegen/model/errors.hpp"
 #include "regulus/codegen/model/expression_parser.hpp"
 #include "regulus/codegen/model/ginac_text.hpp"
@@ -134,5 +136,12 @@ Formula atan(const Formula& x) { return Formula::called("atan", x); }
 Formula exp(const Formula& x) { return Formula::called("exp", x); }
 Formula log(const Formula& x) { return Formula::called("log", x); }
 Formula abs(const Formula& x) { return Formula::called("abs", x); }
+
+Formula exact_value_of(double value, SourcePlace place) {
+  if (!std::isfinite(value))
+    throw InputError(place.file_name(), static_cast<int>(place.line()),
+                     "a double that is infinite or not a number", "a finite one");
+  return Formula(GiNaC::ex(exact_value(value)), place);
+}
 
 }  // namespace regulus::codegen

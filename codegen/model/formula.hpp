@@ -29,7 +29,8 @@ class Formula {
   requires(!std::same_as<Whole, bool> && !std::same_as<Whole, char>) Formula(Whole value)
       : Formula(std::to_string(value), value < 0 ? kSum : kPrimary) {}
 
-  /// A double is not the number that was typed: write "0.1" or Formula(1)/10.
+  /// A double is not the number that was typed: write 0.1_exact or "0.1"; exact_value_of(x) for the
+  /// binary number that the double x is.
   template <class Rounded>
   requires(std::floating_point<Rounded> || std::same_as<Rounded, bool> ||
            std::same_as<Rounded, char>) Formula(Rounded)
@@ -92,4 +93,47 @@ class Formula {
   std::vector<GiNaC::ex> symbols_;
 };
 
+/// The binary number that a double is, for one that was computed or measured: exact_value_of(0.1)
+/// is 3602879701896397/2^55, which is not 1/10. Throws InputError for an infinite one or NaN.
+[[nodiscard]] Formula exact_value_of(double value, SourcePlace place = SourcePlace::current());
+
+/// digits [. digits] [(e|E) [+|-] digits] with ' between digits: a decimal that C++ has.
+[[nodiscard]] constexpr bool is_decimal_literal(std::string_view text) noexcept {
+  std::size_t at = 0;
+  const auto is_digit = [&text](std::size_t i) { return '0' <= text[i] && text[i] <= '9'; };
+  const auto skip_digits = [&] {
+    const std::size_t begin = at;
+    while (at < text.size() && (is_digit(at) || text[at] == '\'')) ++at;
+    return at > begin;
+  };
+  const bool whole = skip_digits();
+  const std::size_t whole_end = at;
+  bool fraction = false;
+  if (at < text.size() && text[at] == '.') ++at, fraction = skip_digits();
+  if (!whole && !fraction) return false;
+  if (at < text.size() && (text[at] == 'e' || text[at] == 'E')) {
+    ++at;
+    if (at < text.size() && (text[at] == '+' || text[at] == '-')) ++at;
+    if (!skip_digits()) return false;
+  }
+  // 017 is fifteen in C++.
+  const bool octal = whole_end == text.size() && whole_end > 1 && text.front() == '0';
+  return at == text.size() && !octal;
+}
+
+inline namespace literals {
+
+/// 0.1_exact is 1/10: the number that is written, which 0.1 is not. Decimals only.
+template <char... kText>
+[[nodiscard]] Formula operator""_exact() {
+  constexpr char kCharacters[] = {kText..., '\0'};
+  static_assert(is_decimal_literal({kCharacters, sizeof...(kText)}),
+                "_exact takes a decimal: 0.1_exact, 15_exact, 1e-3_exact");
+  std::string text;
+  for (const char c : {kText...})
+    if (c != '\'') text += c;
+  return Formula(text);
+}
+
+}  // namespace literals
 }  // namespace regulus::codegen

@@ -63,7 +63,7 @@ SignedText number_text(const numeric& value) {
     throw Refusal{"the complex number " + printed(value), "a model over the reals"};
   if (!value.is_rational())
     throw Refusal{"the floating-point number " + printed(value) + ", which has been rounded",
-                  "an exact one: GiNaC::numeric(1, 10), or the text \"0.1\""};
+                  "an exact one: GiNaC::numeric(1, 10), 0.1_exact, or the text \"0.1\""};
   return {value.is_negative(), printed(abs(value)),
           value.is_integer() ? Bond::kPrimary : Bond::kProduct};
 }

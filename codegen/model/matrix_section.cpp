@@ -13,6 +13,7 @@ constexpr std::size_t kLargestMatrix = 64;
 
 Term read_entry(ModelReading& reading, const TomlEntry& entry) {
   Term term = reading.toml.expression(entry, reading.names);
+  reading.count(term, entry);
   append(reading.model.must_be_defined, term.must_be_defined);
   return term;
 }

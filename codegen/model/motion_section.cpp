@@ -115,7 +115,7 @@ class MotionReader {
     const Term term = toml_.expression(given, names);
     if (term.constant && !approx_value(term.value))
       toml_.refuse(given, "a finite number, a range or an expression");
-    return recorded(term);
+    return recorded(term, given);
   }
 
   void read_error() {
@@ -136,7 +136,7 @@ class MotionReader {
     const TomlEntry constraints = toml_.optional(entry_, "constraints");
     if (!constraints.node) return;
     for (const TomlEntry& given : toml_.elements(constraints, "a list of expressions, each ≤ 0"))
-      motion_.constraints.push_back(recorded(toml_.expression(given, names)));
+      motion_.constraints.push_back(recorded(toml_.expression(given, names), given));
   }
 
   void read_alpha() {
@@ -162,7 +162,8 @@ class MotionReader {
     return checked_nonnegative(term, toml_.place(entry));
   }
 
-  GiNaC::ex recorded(const Term& term) {
+  GiNaC::ex recorded(const Term& term, const TomlEntry& entry) {
+    reading_.count(term, entry);
     append(motion_.must_be_defined, term.must_be_defined);
     return term.value;
   }

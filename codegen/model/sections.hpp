@@ -12,12 +12,25 @@
 
 namespace regulus::codegen {
 
+/// Operations of all expressions together, named sub-expressions included: what a file may ask to
+/// be built. A 6×6 matrix of the largest expressions is below it.
+constexpr double kMaxModelSize = 5e6;
+
 /// What the readers share.
 struct ModelReading {
   TomlReader toml;
   Declarations names{};
   Model model{};
   std::vector<GiNaC::ex> motion_constraints{};  ///< that the robot itself puts on every motion
+  double size = 0;                              ///< of the expressions so far
+
+  /// Adds up the sizes; refuses the entry that makes the model too large.
+  void count(const Term& term, const TomlEntry& entry) {
+    size += term.size;
+    if (size > kMaxModelSize)
+      toml.refuse(entry, "a model too large at " + entry.path,
+                  "at most 5 million operations in all, named sub-expressions included");
+  }
 };
 
 void read_pose(ModelReading& reading, const TomlEntry& pose);

@@ -1,7 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "regulus/codegen/model/term.hpp"
 
+#include <cln/integer.h>
+
 #include <algorithm>
+#include <string>
 #include <utility>
 
 #include "regulus/codegen/model/domain.hpp"
@@ -15,9 +18,10 @@ using GiNaC::numeric;
 
 bool is_rational(const ex& e) { return e.info(GiNaC::info_flags::rational); }
 
+/// The denominator a power of two: the power is made of square roots.
 bool is_dyadic(const numeric& exponent) {
-  const numeric denominator = exponent.denom();
-  return denominator == 1 || denominator == 2 || denominator == 4 || denominator == 8;
+  const cln::cl_I denominator = cln::the<cln::cl_I>(exponent.denom().to_cl_N());
+  return cln::logcount(denominator) == 1 && denominator <= kMaxRootDenominator;
 }
 
 numeric checked_exponent(const Term& exponent) {
@@ -26,6 +30,19 @@ numeric checked_exponent(const Term& exponent) {
   const numeric& value = GiNaC::ex_to<numeric>(exponent.value);
   if (GiNaC::abs(value) > kLargestPower)
     throw Refusal{"an exponent beyond ±" + std::to_string(kLargestPower), "a smaller exponent"};
+  return value;
+}
+
+/// GiNaC merges powers: (x^100)^100 is x^10000. Stages that follow count exponents in an int.
+const ex& with_moderate_exponents(const ex& value) {
+  const auto check = [](const ex& factor) {
+    if (!GiNaC::is_a<GiNaC::power>(factor) || !is_rational(factor.op(1))) return;
+    if (GiNaC::abs(GiNaC::ex_to<numeric>(factor.op(1))) > kMaxMergedPower)
+      throw Refusal{"powers that make an exponent beyond ±" + std::to_string(kMaxMergedPower),
+                    "smaller exponents"};
+  };
+  check(value);
+  if (GiNaC::is_a<GiNaC::mul>(value)) std::for_each(value.begin(), value.end(), check);
   return value;
 }
 
@@ -68,7 +85,7 @@ Term product(std::vector<Operand> operands) {
     if (o.inverted) require_nonzero(result, o.term.value, o.term.constant);
     factors.push_back(o.inverted ? GiNaC::pow(o.term.value, -1) : o.term.value);
   }
-  result.value = GiNaC::mul(factors);
+  result.value = with_moderate_exponents(GiNaC::mul(factors));
   return result;
 }
 
@@ -82,7 +99,7 @@ Term power(const Term& base, const Term& exponent) {
     return result;
   }
   if (!n.is_integer()) require_nonnegative(result, base.value, base.constant);
-  result.value = GiNaC::pow(base.value, n);
+  result.value = with_moderate_exponents(GiNaC::pow(base.value, n));
   return result;
 }
 

@@ -35,6 +35,8 @@ constexpr int kMostDepth = 256;
 constexpr double kLargestSize = 1e5;
 constexpr double kMostBits = 1e6;
 constexpr int kLargestPower = 100;
+constexpr int kMaxMergedPower = 1 << 20;      ///< of powers of powers
+constexpr int kMaxRootDenominator = 1 << 13;  ///< of exponents that become square roots
 
 [[nodiscard]] Term number(const GiNaC::numeric& value);
 [[nodiscard]] Term constant(const GiNaC::ex& value);
@@ -53,12 +55,12 @@ struct Operand {
 /// Divisors are recorded as having to be non-zero.
 [[nodiscard]] Term product(std::vector<Operand> operands);
 
-/// base^exponent for a constant rational exponent, |exponent| ≤ kLargestPower.
+/// base^exponent for a constant rational exponent p/q in lowest terms, |p/q| ≤ kLargestPower.
 ///
-/// Ensures   an integer exponent is repeated multiplication (x^0 = 1 wherever x is defined), a
-/// dyadic
-///           one (x^(3/2)) needs x ≥ 0 and becomes roots, any other (x^(1/3)) needs x > 0 and
-///           becomes exp(exponent · log x). A negative one needs x ≠ 0 besides.
+/// Ensures   q = 1 is repeated multiplication (x^0 = 1 wherever x is defined). A power of two q up
+///           to kMaxRootDenominator needs x ≥ 0 and becomes square roots: x^(3/4) is
+///           sqrt(sqrt(x))^3. Any other q (x^(1/3)) needs x > 0 and becomes exp(p/q · log x). A
+///           negative exponent needs x ≠ 0 besides.
 [[nodiscard]] Term power(const Term& base, const Term& exponent);
 
 }  // namespace regulus::codegen

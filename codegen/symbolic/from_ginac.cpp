@@ -26,6 +26,8 @@ cln::cl_RA rational(const GiNaC::ex& e) {
   return cln::the<cln::cl_RA>(number.to_cl_N());
 }
 
+constexpr int kLargestExponent = 1 << 20;
+
 cln::cl_RA rational_content(const Expression& sum_expression) {
   cln::cl_I numerator = 0, denominator = 1;
   for (const Expression& term : sum_expression.operands()) {
@@ -50,6 +52,18 @@ Expression normalized_power(const Expression& base, int exponent) {
 Expressions normalized_factors(Expressions factors) {
   for (Expression& factor : factors) factor = normalized_power(factor, 1);
   return factors;
+}
+
+/// x^(p/q): square roots where q is a power of two (defined for x ≥ 0), else exp(p/q·log x) (for
+/// x > 0). A p beyond the integers that powers have takes the latter as well, which is defined at
+/// no more points.
+Expression fractional_power(const Expression& base, const cln::cl_RA& exponent) {
+  const cln::cl_I p = numerator(exponent), q = denominator(exponent);
+  const bool roots = cln::logcount(q) == 1 && q <= kLargestExponent && abs(p) <= kLargestExponent;
+  if (!roots) return call(Call::kExp, {Expression(exponent) * call(Call::kLog, {base})});
+  Expression root = base;
+  for (int i = 1; i < q; i *= 2) root = call(Call::kSqrt, {root});
+  return power(root, cln::cl_I_to_int(p));
 }
 
 struct Named {
@@ -100,16 +114,12 @@ Expressions GinacReader::read_operands(const GiNaC::ex& e) {
 }
 
 Expression GinacReader::read_power(const GiNaC::ex& e) {
-  const GiNaC::ex exponent = e.op(1);
-  if (!GiNaC::is_a<GiNaC::numeric>(exponent)) refuse(e, "an integer or half-integer exponent");
-  const auto& n = GiNaC::ex_to<GiNaC::numeric>(exponent);
-  const GiNaC::numeric twice = n * 2;
-  constexpr int kLargestExponent = 1 << 20;
-  if (!twice.is_integer() || GiNaC::abs(twice) > kLargestExponent)
-    refuse(e, "an integer or half-integer exponent of moderate size");
+  if (!e.op(1).info(GiNaC::info_flags::rational)) refuse(e, "a rational exponent");
+  const cln::cl_RA n = rational(e.op(1));
   const Expression base = read(e.op(0));
-  if (n.is_integer()) return normalized_power(base, n.to_int());
-  return power(call(Call::kSqrt, {base}), twice.to_int());
+  if (denominator(n) != 1) return fractional_power(base, n);
+  if (abs(n) > kLargestExponent) refuse(e, "an integer exponent of moderate size");
+  return normalized_power(base, cln::cl_I_to_int(numerator(n)));
 }
 
 Expression GinacReader::read_function(const GiNaC::ex& e) {

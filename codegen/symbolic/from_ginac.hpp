@@ -19,7 +19,7 @@ class GinacReader {
 
   /// Ensures   the same function, independent of the order in which GiNaC keeps its terms.
   ///           Throws InputError for floating-point or complex numbers, undeclared symbols,
-  ///           unknown functions and powers that are neither integer nor half-integer.
+  ///           unknown functions and exponents that are not rational.
   [[nodiscard]] Expression read(const GiNaC::ex& e);
 
  private:

@@ -21,7 +21,7 @@ class RandomExpressions {
   ex make(int depth) {
     if (depth == 0) return leaf();
     const auto operand = [&] { return make(depth - 1); };
-    switch (pick(9)) {
+    switch (pick(10)) {
       case 0:
         return operand() + operand();
       case 1:
@@ -38,6 +38,8 @@ class RandomExpressions {
         return GiNaC::pow(GiNaC::pow(operand(), 2) + 1, GiNaC::numeric(1 - 2 * pick(2), 2));
       case 7:
         return GiNaC::sin(operand()) - GiNaC::cos(leaf());
+      case 8:
+        return GiNaC::pow(GiNaC::pow(operand(), 2) + 2, exponent());
       default:
         return -operand() * GiNaC::numeric(1 + pick(5), 1 + pick(7));
     }
@@ -47,6 +49,12 @@ class RandomExpressions {
 
  private:
   int pick(int n) { return int(random_() % unsigned(n)); }
+  /// Roots of roots, thirds, and a root of more levels than a power of it may have.
+  GiNaC::numeric exponent() {
+    static const std::vector<int> kDenominators{3, 4, 5, 6, 8, 12, 16, 64, 1 << 20};
+    const int denominator = kDenominators[std::size_t(pick(int(kDenominators.size())))];
+    return GiNaC::numeric(pick(9) - 4, denominator) + pick(2);
+  }
   ex leaf() {
     if (pick(4) == 0) return GiNaC::numeric(1 + pick(9), 1 + pick(3));
     return symbols[std::size_t(pick(3))];

@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <map>
 #include <type_traits>
 
@@ -49,6 +50,28 @@ TEST(Formula, ReadsLikeTheExpressionThatWasWritten) {
   EXPECT_EQ(atan2(y, x + 1).text(), "atan2(y, x + 1)");
   EXPECT_EQ((Formula("1/3") * x).text(), "(1/3)*x");
   EXPECT_EQ(("0.1" + x).text(), "0.1 + x");
+}
+
+TEST(Formula, TakesALiteralAsItIsWritten) {
+  EXPECT_EQ((0.1_exact).text(), "0.1");
+  EXPECT_EQ((0.12345678901234567890123_exact).text(), "0.12345678901234567890123");
+  EXPECT_EQ((1.00000000000000000001_exact).text(), "1.00000000000000000001");
+  EXPECT_EQ((12345678901234567890123_exact).text(), "12345678901234567890123");
+  EXPECT_EQ((1'000.000'1e-3_exact * x).text(), "(1000.0001e-3)*x");
+  EXPECT_EQ((1e-400_exact).text(), "1e-400");
+  for (const char* text : {"0", "1", "1.", ".5", "1.5e5", "1E+5", "1e-05", "00.5", "1'000"})
+    EXPECT_TRUE(is_decimal_literal(text)) << text;
+  for (const char* text : {"", ".", "017", "0x1F", "0b1", "0x1.8p3", "1e", "1e+", "1.5f", "1..5"})
+    EXPECT_FALSE(is_decimal_literal(text)) << text;
+}
+
+TEST(Formula, TakesTheBinaryValueOfADoubleWhereThatIsMeant) {
+  EXPECT_EQ(exact_value_of(0.75).text(), "3/4");
+  EXPECT_EQ(exact_value_of(0.1).text(), "3602879701896397/36028797018963968");
+  EXPECT_EQ((exact_value_of(-0.5) * x).text(), "(-1/2)*x");
+  EXPECT_GT(exact_value_of(5e-324).text().size(), 300U);
+  EXPECT_THROW(static_cast<void>(exact_value_of(HUGE_VAL)), InputError);
+  EXPECT_THROW(static_cast<void>(exact_value_of(std::nan(""))), InputError);
 }
 
 TEST(Formula, IsNotMadeFromADoubleThatHasBeenRounded) {

@@ -36,6 +36,21 @@ TEST_F(FromGinac, HalfIntegerPowersAreRoots) {
   EXPECT_EQ(text(pow(x + y, numeric(-1, 2))), "1/sqrt(x + y)");
 }
 
+TEST_F(FromGinac, DyadicPowersAreRootsOfRoots) {
+  EXPECT_EQ(text(GiNaC::sqrt(GiNaC::sqrt(x))), "sqrt(sqrt(x))");
+  EXPECT_EQ(text(pow(x + y, numeric(3, 4))), "sqrt(sqrt(x + y))^3");
+  EXPECT_EQ(text(pow(x, numeric(-1, 8))), "1/sqrt(sqrt(sqrt(x)))");
+  EXPECT_EQ(text(pow(ex(2), numeric(1, 4)) * x), "x*sqrt(sqrt(2))");
+}
+
+TEST_F(FromGinac, OtherPowersAreExponentials) {
+  EXPECT_EQ(text(pow(x, numeric(1, 3))), "exp(1/3*log(x))");
+  EXPECT_EQ(text(pow(x + y, numeric(-5, 6))), "exp(-5/6*log(x + y))");
+  // A numerator that no integer power has.
+  const numeric huge = numeric(1) + numeric(1) / numeric(2).power(numeric(20));
+  EXPECT_EQ(text(pow(x, huge)), "exp(1048577/1048576*log(x))");
+}
+
 TEST_F(FromGinac, FunctionsKeepTheirArguments) {
   EXPECT_EQ(text(GiNaC::atan2(y, x)), "atan2(y, x)");
   EXPECT_EQ(text(GiNaC::sin(GiNaC::Pi * x)), "sin(pi*x)");
@@ -53,8 +68,8 @@ TEST_F(FromGinac, RefusesWhatIsNotExact) {
   expect_refused(x * numeric(0.5), "exact rational");
   expect_refused(x * GiNaC::I, "exact rational");
   expect_refused(x + GiNaC::Catalan, "arithmetic expression");
-  expect_refused(pow(x, numeric(1, 3)), "half-integer");
-  expect_refused(pow(x, y), "half-integer");
+  expect_refused(pow(x, y), "rational exponent");
+  expect_refused(pow(x, numeric(0.5)), "rational exponent");
   expect_refused(pow(x, numeric("10000000000")), "moderate size");
   expect_refused(GiNaC::step(x), "functions sqrt sin");
   expect_refused(x + GiNaC::realsymbol("stranger"), "pose, geometry or motion");
