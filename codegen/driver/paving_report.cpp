@@ -21,7 +21,7 @@ constexpr std::array kEveryClaim{Claim::kFree, Claim::kSingular, Claim::kUndecid
 /// What a box of that kind states, for every value of the uncertain quantities or for some.
 std::string claim_words(const Preparation& p, Claim claim) {
   const bool threshold = p.variety.alpha.hi > 0;
-  const std::string alpha = short_interval(p.variety.alpha);
+  const std::string alpha = threshold_text(p.variety.alpha, claim == Claim::kFree);
   const bool uncertain = uncertain_count(p) > 0;
   const char* poses =
       p.subject.constraints == 0 ? "pose of the box" : "pose of the box that meets the constraints";

@@ -84,15 +84,16 @@ std::string claim(const Preparation& p, const Result& result) {
                         uncertain);
   switch (result.verdict) {
     case Verdict::kNoSingularity:
-      return (threshold ? fmt::format("|det J⁻¹| > {} for {}", short_interval(p.variety.alpha), set)
-                        : fmt::format("the {} has full rank for {}", size_words(p), set)) +
+      return (threshold
+                  ? fmt::format("|det J⁻¹| > {} for {}", threshold_text(p.variety.alpha, true), set)
+                  : fmt::format("the {} has full rank for {}", size_words(p), set)) +
              reservations(p, result);
     case Verdict::kSingularity:
       if (result.reason == Reason::kAlwaysSingular)
         return fmt::format("the {} is singular at {}", size_words(p), set);
       return threshold
                  ? fmt::format("the variety holds a pose with |det J⁻¹| ≤ {}",
-                               short_interval(p.variety.alpha))
+                               threshold_text(p.variety.alpha, false))
                  : fmt::format("the variety holds a pose where the {} is singular", size_words(p));
     case Verdict::kPossibleProblem:
       return fmt::format("none about the {}: {}", size_words(p), describe(result.reason));

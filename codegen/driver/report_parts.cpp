@@ -3,6 +3,8 @@
 
 #include <fmt/format.h>
 
+#include <charconv>
+
 namespace regulus::codegen {
 namespace {
 
@@ -137,6 +139,16 @@ std::string short_interval(const Interval& x) {
   const std::string lo = fmt::format("{:.6g}", x.lo + 0.0);  // −0 reads as 0
   const std::string hi = fmt::format("{:.6g}", x.hi + 0.0);
   return lo == hi ? lo : fmt::format("[{}, {}]", lo, hi);
+}
+
+std::string threshold_text(const Interval& alpha, bool exceeded) {
+  const double end = exceeded ? alpha.lo : alpha.hi;
+  for (int digits = 6;; ++digits) {
+    const std::string text = fmt::format("{:.{}g}", end, digits);
+    double shown = 0;
+    std::from_chars(text.data(), text.data() + text.size(), shown);
+    if ((alpha.lo <= shown && shown <= alpha.hi) || digits == 17) return text;
+  }
 }
 
 std::string unit_suffix(const std::string& unit) {

@@ -29,6 +29,10 @@ namespace regulus::codegen {
 
 /// Short enough to read; never used for anything that is certified.
 [[nodiscard]] std::string short_interval(const Interval& x);
+
+/// The threshold in a claim: as many digits, six at least, as it takes to be within the enclosure,
+/// from the end that claims less: the lower one in "|det| > α", the upper one in "|det| ≤ α".
+[[nodiscard]] std::string threshold_text(const Interval& alpha, bool exceeded);
 /// " cm"; nothing for the unit 1.
 [[nodiscard]] std::string unit_suffix(const std::string& unit);
 [[nodiscard]] bool is_motion(const VariableLabel& variable);

@@ -14,7 +14,7 @@ fuzz() {
   log=$1
   shift
   # Exact algebra may take long on strange numbers: that is no fault.
-  "$build/bin/fuzz_$name" -max_total_time="$half" -timeout=60 -rss_limit_mb=4096 \
+  "$build/bin/fuzz_$name" -max_total_time="$half" -rss_limit_mb=4096 \
     -artifact_prefix="$build/fuzz/$name-" -verbosity=0 -print_final_stats=1 "$@" \
     >"$log" 2>&1 || { cat "$log"; exit 1; }
   sed -n 's/^stat::number_of_executed_units: */inputs tried: /p' "$log"
@@ -32,8 +32,8 @@ for corpus in "$here"/corpus/*/; do
   [ "$name" = model_file ] && seeds="$corpus $here/../../models"
   echo "== $name"
   # shellcheck disable=SC2086
-  fuzz "$found.log" -max_len=20000 "$found" $seeds
+  fuzz "$found.log" -timeout=60 -max_len=20000 "$found" $seeds
   echo "== $name, up to a megabyte"
   # Without length control mutations of the large inputs are large from the beginning.
-  fuzz "$found-large.log" -max_len=1048576 -len_control=0 "$large-found" "$large"
+  fuzz "$found-large.log" -timeout=300 -max_len=1048576 -len_control=0 "$large-found" "$large"
 done

@@ -62,6 +62,15 @@ TEST_F(ExactNumbers, OfTheCommandLine) {
   EXPECT_THAT(errors_, HasSubstr("the empty range"));
 }
 
+TEST_F(ExactNumbers, AreNotRoundedUpInAClaim) {
+  EXPECT_EQ(verdict("\"x\"", "[1, 2]", {"--alpha", "0.1234567"}), kNone);
+  EXPECT_THAT(errors_, HasSubstr("|det J⁻¹| > 0.1234567 for"));
+  EXPECT_EQ(verdict("\"x\"", "[1, 2]", {"--alpha", "0.1"}), kNone);
+  EXPECT_THAT(errors_, HasSubstr("|det J⁻¹| > 0.1 for"));
+  EXPECT_EQ(verdict("\"x\"", "[1, 2]", {"--alpha", "1.2345671"}), kSome);
+  EXPECT_THAT(errors_, HasSubstr("|det J⁻¹| ≤ 1.2345671"));
+}
+
 TEST_F(ExactNumbers, BareInTheMatrix) {
   EXPECT_NE(verdict("1e-400", "[0, 1]"), kSome);
   EXPECT_EQ(verdict("0x0", "[0, 1]"), kSome);
