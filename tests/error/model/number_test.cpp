@@ -109,7 +109,7 @@ TEST(ModelLimits, ManyUsesOfALargeExpression) {
   const std::string row = repeated("[", "\"q\", ", 64, "],\n");
   expect_refused("regulus = 1\nname = \"a\"\n[pose]\nx = \"1\"\n[let]\n" + large +
                      repeated("[matrix]\nrows = [\n", row, 64, "]\n"),
-                 14, "a model too large at matrix.rows[6]", "5 million operations");
+                 13, "a model too large at matrix.rows[5]", "5 million operations");
 }
 
 TEST(TomlLimits, CountNothingInStringsCommentsAndNumbers) {
