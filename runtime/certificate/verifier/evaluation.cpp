@@ -38,6 +38,8 @@ bool is_sine(const Ball& a, long bits) {
   return arb_is_nonpositive(beyond.get());
 }
 
+}  // namespace
+
 bool certain_defined(const Node& node, const std::vector<Ball>& values, long bits) {
   const auto a = [&]() -> const Ball& { return values[std::size_t(node.a)]; };
   const auto b = [&]() -> const Ball& { return values[std::size_t(node.b)]; };
@@ -89,8 +91,6 @@ void compute(const Node& node, const std::vector<Ball>& values, arb_ptr result, 
       return function_in_arb(node.op)(result, a(), bits);
   }
 }
-
-}  // namespace
 
 Dependence::Dependence(const Graph& graph, std::size_t variables)
     : variables_(variables), depends_(graph.nodes().size() * variables) {

@@ -54,6 +54,12 @@ class Evaluation {
   std::vector<Interval> values_;  ///< by node
 };
 
+/// Whether one operation is defined at every point of the values of its operands, which stand in
+/// `values` by their numbers.
+[[nodiscard]] bool certain_defined(const Node& node, const std::vector<Ball>& values, long bits);
+/// Encloses the operation, which is not a constant or a variable, over these values.
+void compute(const Node& node, const std::vector<Ball>& values, arb_ptr result, long bits);
+
 /// The same in Arb: the values of the roots in their order; nullopt unless every operation is
 /// defined at every point.
 [[nodiscard]] std::optional<std::vector<Ball>> evaluate(const Graph& graph,

@@ -208,8 +208,10 @@ NodeId Graph::add(Op op, int a, int b) {
   int depth = 0;
   if (operands(op) > 0) depth = depth_[std::size_t(a)] + 1;
   if (operands(op) > 1) depth = std::max(depth, depth_[std::size_t(b)] + 1);
-  if (nodes_.size() >= format::kMostNodes || depth > format::kDeepestNode)
+  if (nodes_.size() >= format::kMostNodes || depth > format::kDeepestNode) {
+    if (is_read_) throw Unfinished("the proof takes too many operations");
     throw Rejection("more operations than are allowed");
+  }
   nodes_.push_back({op, a, b});
   depth_.push_back(depth);
   return place->second;
@@ -224,6 +226,15 @@ NodeId Graph::number(std::string_view text) {
   fmpq_set_si(ten.get(), 10, 1);
   fmpq_pow_si(ten.get(), ten.get(), exponent);
   fmpq_mul(value.get(), value.get(), ten.get());
+  const NodeId node = add(Op::kConstant, int(rationals_.size()) - 1);
+  numbers_.emplace(text, node);
+  return node;
+}
+
+NodeId Graph::number(const Rational& value) {
+  const std::string text = value.text();
+  if (const auto known = numbers_.find(text); known != numbers_.end()) return known->second;
+  rationals_.push_back(value);
   const NodeId node = add(Op::kConstant, int(rationals_.size()) - 1);
   numbers_.emplace(text, node);
   return node;

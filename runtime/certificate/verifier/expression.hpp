@@ -2,8 +2,6 @@
 // The expressions of a certificate as a graph in which equal sub-expressions are one node.
 #pragma once
 
-#include <fmpq.h>
-
 #include <deque>
 #include <map>
 #include <stdexcept>
@@ -11,6 +9,8 @@
 #include <string_view>
 #include <tuple>
 #include <vector>
+
+#include "regulus/certificate/verifier/rational.hpp"
 
 namespace regulus::verifier {
 
@@ -76,26 +76,15 @@ struct Node {
   NodeId a = 0, b = 0;
 };
 
-/// An owned fmpq_t.
-class Rational {
- public:
-  Rational() { fmpq_init(value_); }
-  Rational(const Rational&) = delete;
-  Rational& operator=(const Rational&) = delete;
-  ~Rational() { fmpq_clear(value_); }
-  [[nodiscard]] fmpq* get() noexcept { return value_; }
-  [[nodiscard]] const fmpq* get() const noexcept { return value_; }
-
- private:
-  fmpq_t value_;
-};
-
 /// Operands come before the nodes that use them.
 class Graph {
  public:
   [[nodiscard]] NodeId add(Op op, int a = 0, int b = 0);
   /// A decimal such as 12, 0.5 or 1e-3, exactly.
   [[nodiscard]] NodeId number(std::string_view digits);
+  [[nodiscard]] NodeId number(const Rational& value);
+  /// The file has been read: from now on too many operations are Unfinished.
+  void end_of_file() noexcept { is_read_ = true; }
 
   [[nodiscard]] const std::vector<Node>& nodes() const noexcept { return nodes_; }
   [[nodiscard]] const Rational& rational(int index) const { return rationals_[std::size_t(index)]; }
@@ -106,6 +95,7 @@ class Graph {
   std::map<std::tuple<Op, int, int>, NodeId> known_;
   std::map<std::string, NodeId, std::less<>> numbers_;
   std::deque<Rational> rationals_;
+  bool is_read_ = false;
 };
 
 using Scope = std::map<std::string, NodeId, std::less<>>;

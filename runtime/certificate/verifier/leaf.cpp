@@ -1,12 +1,19 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "regulus/certificate/verifier/leaf.hpp"
 
+#include <algorithm>
+
 #include "regulus/certificate/verifier/linear_algebra.hpp"
 
 namespace regulus::verifier {
 namespace {
 
 constexpr long kFirstBits = 64;
+/// Exact algebra begins behind this many boxes of a leaf; for a small matrix it costs next to
+/// nothing.
+constexpr std::uint64_t kBoxesBeforeAlgebra = 64;
+constexpr std::size_t kSmallOrder = 3;
+constexpr int kMostPointsTried = 64;
 constexpr std::size_t kProbeBits = 7, kProbes = 1 << kProbeBits;
 
 /// Splits box k of a pair at its middle.
@@ -42,8 +49,14 @@ std::optional<PointValues> values_over(const Question& q, const Box& box, long b
 }
 
 LeafProver::LeafProver(Question& question, const Variety& variety, const Options& options,
-                       std::uint64_t& boxes)
-    : q_(question), variety_(variety), options_(options), test_(question, variety), boxes_(boxes) {}
+                       WorkClock& clock, std::uint64_t& boxes)
+    : q_(question),
+      variety_(variety),
+      options_(options),
+      clock_(clock),
+      test_(question, variety),
+      boxes_(boxes),
+      has_met_point_(question.constraints.empty() && question.balls.empty()) {}
 
 void LeafProver::prove(const Box& box) {
   const std::uint64_t before = boxes_;
@@ -54,10 +67,14 @@ void LeafProver::prove(const Box& box) {
     ++boxes_;
     if (boxes_ > options_.max_boxes || boxes_ - before > options_.max_boxes_per_leaf)
       give_up(box, "not proved in " + std::to_string(boxes_ - before) + " smaller boxes");
+    clock_.tick();
     const auto answer = test_.decide(part);
     if (answer == RegularityTest::Answer::kOutside) continue;
+    has_met_variety_ = true;
+    if (!has_met_point_) look_for_point();
     if (answer == RegularityTest::Answer::kOpen || boxes_ == before + 1) look_for_contradiction();
     if (answer == RegularityTest::Answer::kRegular) continue;
+    if (is_regular_exactly(part, boxes_ - before)) continue;
     if (const auto k = test_.variable_to_split(part)) {
       auto [lower, upper] = halves(part, *k);
       waiting_.push_back(std::move(upper));
@@ -66,6 +83,29 @@ void LeafProver::prove(const Box& box) {
       give_up(box, "not proved in a box that cannot be split any more");
     }
   }
+}
+
+/// Whether the determinant, multiplied out, keeps away from 0 all over a box.
+bool LeafProver::is_regular_exactly(const Box& box, std::uint64_t boxes_of_leaf) {
+  if (q_.rows != q_.columns || !test_.is_defined()) return false;
+  if (!exact_) {
+    if (q_.columns > kSmallOrder && boxes_of_leaf < kBoxesBeforeAlgebra &&
+        test_.variable_to_split(box))
+      return false;
+    exact_.emplace(q_, variety_, single_values(q_), options_.max_bits);
+  }
+  return exact_->exceeds_threshold(box);
+}
+
+/// The middles of the first boxes are a good guess; a claim about no point at all is worth nothing.
+void LeafProver::look_for_point() {
+  if (points_tried_++ >= kMostPointsTried || !certain_inside(q_, variety_, test_.middle())) return;
+  std::vector<Ball> x;
+  for (const Interval coordinate : test_.middle()) x.emplace_back(coordinate, kFirstBits);
+  const auto values = evaluate(q_.graph, q_.constraints, x, kFirstBits);
+  has_met_point_ = values && std::all_of(values->begin(), values->end(), [](const Ball& h) {
+                     return arb_is_nonpositive(h.get()) != 0;
+                   });
 }
 
 /// Looks at some more points of the leaf first: next to a singularity on one side of it only the

@@ -3,34 +3,48 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 
+#include "regulus/certificate/verifier/exact_determinant.hpp"
 #include "regulus/certificate/verifier/regularity.hpp"
 #include "regulus/certificate/verifier/verify.hpp"
+#include "regulus/certificate/verifier/work_clock.hpp"
 
 namespace regulus::verifier {
 
 class LeafProver {
  public:
   /// Counts in `boxes` what the leaves are cut into.
-  LeafProver(Question& question, const Variety& variety, const Options& options,
+  LeafProver(Question& question, const Variety& variety, const Options& options, WorkClock& clock,
              std::uint64_t& boxes);
 
   /// Returns when the claim holds at every point of the box. Throws Rejection when it has been
   /// shown not to hold somewhere in the variety, Unfinished when neither has been shown.
   void prove(const Box& box);
 
+  /// Whether some part of a leaf was not outside the variety.
+  [[nodiscard]] bool has_met_variety() const noexcept { return has_met_variety_; }
+  /// Whether a point of the variety was shown to exist.
+  [[nodiscard]] bool has_met_point() const noexcept { return has_met_point_; }
+
  private:
+  [[nodiscard]] bool is_regular_exactly(const Box& box, std::uint64_t boxes_of_leaf);
+  void look_for_point();
   [[noreturn]] void give_up(const Box& leaf, const std::string& why);
   void look_for_contradiction();
   [[nodiscard]] bool certain_at_middle() const;
   [[nodiscard]] bool proved_with_more_bits(const Box& box) const;
 
-  const Question& q_;
+  Question& q_;
   const Variety& variety_;
   const Options& options_;
+  WorkClock& clock_;
   RegularityTest test_;
+  std::optional<ExactDeterminant> exact_;  ///< once it has been needed
   std::vector<Box> waiting_;
   std::uint64_t& boxes_;
+  bool has_met_variety_ = false, has_met_point_ = false;
+  int points_tried_ = 0;
   int sign_ = 0;  ///< of det A at some point of a variety without constraints
 };
 

@@ -74,10 +74,11 @@ RegularityTest::RegularityTest(Question& q, const Variety& variety)
 
 RegularityTest::Answer RegularityTest::decide(const Box& box) {
   stage_ = Stage::kNothing;
+  is_defined_ = false;
   place_middle(box);
   if (is_outside(box)) return Answer::kOutside;
-  if (!is_moderate(r_) || !over_box_.run(box) || !inverse_.run(thin_, middle_, r_))
-    return Answer::kOpen;
+  is_defined_ = over_box_.run(box);
+  if (!is_defined_ || !is_moderate(r_) || !inverse_.run(thin_, middle_, r_)) return Answer::kOpen;
   stage_ = Stage::kMotion;
   if (!of_motion_.find(inverse_.P()) || !rows_.run(box, middle_, r_, inverse_, of_motion_))
     return Answer::kOpen;
@@ -173,7 +174,8 @@ std::vector<double> RegularityTest::impacts() const {
 
 std::optional<std::size_t> RegularityTest::variable_to_split(const Box& box) const {
   const std::vector<double> impact = impacts();
-  const bool has_impact = *std::max_element(impact.begin(), impact.end()) > 0.0;
+  const bool has_impact =
+      std::any_of(impact.begin(), impact.end(), [](double x) { return x > 0.0; });
   std::optional<std::size_t> best;
   double most = 0.0;
   for (std::size_t k = 0; k < box.size(); ++k) {

@@ -18,6 +18,8 @@ class RegularityTest {
   };
   [[nodiscard]] Answer decide(const Box& box);
 
+  /// After kOpen: everything that must have a value has one all over the box.
+  [[nodiscard]] bool is_defined() const noexcept { return is_defined_; }
   /// After kOpen: the variable whose range is best split; nullopt if none can be.
   [[nodiscard]] std::optional<std::size_t> variable_to_split(const Box& box) const;
 
@@ -42,6 +44,7 @@ class RegularityTest {
   Domination of_motion_, of_rows_;
 
   // For one box.
+  bool is_defined_ = false;
   enum class Stage {
     kNothing,
     kMotion,

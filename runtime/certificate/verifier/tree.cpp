@@ -18,12 +18,17 @@ class TreeChecker {
  public:
   TreeChecker(Lines& lines, Question& q, const Variety& variety, const Options& options,
               Verification& counts)
-      : lines_(lines), counts_(counts), prover_(q, variety, options, counts.boxes) {
+      : lines_(lines),
+        has_constraints_(!q.constraints.empty()),
+        counts_(counts),
+        clock_(options, counts),
+        prover_(q, variety, options, clock_, counts.boxes) {
     open_.emplace(0, variety.outer);
   }
 
   void check() {
     for (;;) {
+      clock_.tick();
       if (!lines_.next()) throw Rejection("the file ends before its tree does");
       const auto words = words_of(lines_.text());
       if (words.size() == 4 && words[0] == "s")
@@ -85,10 +90,16 @@ class TreeChecker {
     if (read_count(words[1], std::size_t(-1)) != counts_.leaves)
       throw Rejection("another number of leaves than there are");
     if (lines_.next()) throw Rejection("something after the end");
+    if (!prover_.has_met_variety())
+      throw Unfinished("no pose remains: the constraints exclude every pose of the motion");
+    if (has_constraints_ && !prover_.has_met_point())
+      counts_.note = "no pose was shown to satisfy the constraints: the claim may speak of none";
   }
 
   Lines& lines_;
+  const bool has_constraints_;
   Verification& counts_;
+  WorkClock clock_;
   LeafProver prover_;
   Open open_;
   std::uint64_t next_ = 1;

@@ -15,11 +15,24 @@ void check(Lines& lines, Question& question, const Options& options, Verificatio
   result.sha256 = question.sha256;
   result.motion = question.motion;
   const Variety variety = enclose_variety(question);
+  question.graph.end_of_file();
   if (question.singular)
     check_witness(lines, question, variety, options);
   else
     check_tree(lines, question, variety, options, result);
 }
+
+/// The usual environment, without exceptions that stop the process, while this object lives.
+class UsualEnvironment {
+ public:
+  UsualEnvironment() noexcept { std::feholdexcept(&before_), std::fesetenv(FE_DFL_ENV); }
+  UsualEnvironment(const UsualEnvironment&) = delete;
+  UsualEnvironment& operator=(const UsualEnvironment&) = delete;
+  ~UsualEnvironment() { std::fesetenv(&before_); }
+
+ private:
+  std::fenv_t before_;
+};
 
 /// What the bounds rest on: rounding to nearest, and numbers below 2^-1022 as they are.
 void require_usual_arithmetic() {
@@ -37,6 +50,7 @@ std::string at_line(const Lines& lines, const std::string& why) {
 }  // namespace
 
 Verification verify(std::istream& file, const Options& options) {
+  const UsualEnvironment environment;
   require_usual_arithmetic();
   Verification result;
   Lines lines(file);
@@ -65,6 +79,7 @@ std::string describe(const Verification& v) {
   line("claim", v.claim);
   if (v.leaves > 0)
     line("leaves", std::to_string(v.leaves) + ", in " + std::to_string(v.boxes) + " boxes");
+  line("note", v.note);
   line("reason", v.reason);
   return text;
 }

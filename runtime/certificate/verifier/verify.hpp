@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cstdint>
+#include <functional>
 #include <istream>
 #include <string>
 
@@ -16,10 +17,15 @@ enum class Outcome {
   kUnfinished,  ///< neither has been shown
 };
 
+struct Verification;
+
 struct Options {
   std::uint64_t max_boxes = 1 << 22;  ///< that all leaves together may be cut into
   std::uint64_t max_boxes_per_leaf = 1 << 16;
   long max_bits = 4096;  ///< where doubles do not tell the sign of a determinant
+  double time_limit = 0;  ///< in seconds; 0: none
+  /// Called a few times a second with what has been counted so far; empty: nothing is.
+  std::function<void(const Verification&)> progress;
 };
 
 struct Verification {
@@ -29,11 +35,13 @@ struct Verification {
   std::string model, sha256, motion;
   std::uint64_t leaves = 0;
   std::uint64_t boxes = 0;  ///< that the leaves were cut into
+  std::string note;         ///< what else is to be known of a claim that was verified
 };
 
-/// Ensures   kVerified only if the claim of the file is true (PROOF.md). Throws nothing but
-///           std::bad_alloc, and std::runtime_error when the file cannot be read, the rounding
-///           mode is not to nearest, or small numbers are flushed to zero.
+/// Ensures   kVerified only if the claim of the file is true (PROOF.md). The floating-point
+///           environment is the usual one meanwhile, and afterwards as it was before. Throws
+///           nothing but std::bad_alloc, and std::runtime_error when the file cannot be read, or
+///           when the processor does not round to nearest or flushes small numbers to zero.
 [[nodiscard]] Verification verify(std::istream& file, const Options& options = {});
 
 /// What a certificate says, as one text for a person: outcome, claim, counts.

@@ -1,0 +1,105 @@
+// SPDX-License-Identifier: Apache-2.0
+// Expressions as polynomials over the rationals in atoms: exact, so that what cancels is gone.
+// PROOF.md, "Exact algebra", has the relations.
+#pragma once
+
+#include <map>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "regulus/certificate/verifier/expression.hpp"
+#include "regulus/certificate/verifier/polynomial.hpp"
+
+namespace regulus::verifier {
+
+/// An atom: a variable, pi, a function of polynomials, or a polynomial that is divided by.
+struct Atom {
+  enum class Kind {
+    kVariable,  ///< number
+    kPi,
+    kFunction,  ///< op of argument, and of second for kAtan2
+    kPower,     ///< argument to the even power `number`, which is not multiplied out
+    kDivisor,   ///< argument; occurs with negative exponents only
+  } kind;
+  Op op = Op::kPi;
+  int number = 0;
+  Polynomial argument, second;
+  int sine = -1;  ///< of a cosine: the atom that is the sine of the same angle
+};
+
+class Algebra {
+ public:
+  enum class Form {
+    kPlain,  ///< functions and even powers are atoms by their arguments
+    kFull,   ///< every relation of PROOF.md is applied
+  };
+
+  /// `values`: for a variable of one value its expression, kNoNode for others; empty: none.
+  /// All must outlive this object.
+  Algebra(Graph& graph, const std::vector<NodeId>& values, Form form, AlgebraBudget& budget)
+      : graph_(graph), values_(values), form_(form), budget_(budget) {}
+
+  /// Ensures   has the value of the expression wherever all its operations are defined. Throws
+  ///           TooLarge, also for a division by what is 0 identically.
+  [[nodiscard]] const Polynomial& of(NodeId id);
+
+  [[nodiscard]] Polynomial product(const Polynomial& x, const Polynomial& y);
+
+  /// Ensures   true only if it is 0 wherever its atoms have values and its divisors are not 0.
+  [[nodiscard]] bool vanishes(Polynomial p);
+
+  /// The determinant of a matrix of expressions, by minors.
+  [[nodiscard]] Polynomial determinant(const std::vector<NodeId>& matrix, std::size_t order);
+
+  /// An expression of the graph with the value of a polynomial.
+  [[nodiscard]] NodeId expression(const Polynomial& p);
+
+  [[nodiscard]] const Atom& atom(int number) const { return atoms_[std::size_t(number)]; }
+
+  /// Angles are sums of whole multiples of units: for each product of atoms, one unit for all the
+  /// expressions that have been asked about. To be called before `of`, or not at all.
+  void find_units(const std::vector<NodeId>& roots);
+
+ private:
+  [[nodiscard]] Polynomial compute(const Node& node);
+  [[nodiscard]] Polynomial sum(const Polynomial& x, const Polynomial& y, long factor);
+  [[nodiscard]] Polynomial power(const Polynomial& x, int exponent);
+  [[nodiscard]] Polynomial inverse(const Polynomial& x);
+  [[nodiscard]] Polynomial root(const Polynomial& x);
+  [[nodiscard]] Polynomial root_of_rational(const Rational& x);
+  [[nodiscard]] Polynomial root_of_integer(const fmpz_t x);
+  [[nodiscard]] Polynomial magnitude(const Polynomial& x);
+  [[nodiscard]] Polynomial exponential(const Polynomial& x);
+  [[nodiscard]] Polynomial function(Op op, const Polynomial& x);
+  [[nodiscard]] Polynomial angle_of_two(const Polynomial& y, const Polynomial& x);
+
+  struct Turn {
+    Polynomial sine, cosine;
+  };
+  [[nodiscard]] Turn turn(const Polynomial& angle);
+  [[nodiscard]] Turn turn_of_pi(const Rational& factor);
+  [[nodiscard]] Turn turn_of_unit(const Polynomial& unit);
+  [[nodiscard]] Turn multiple(Turn unit, long times);
+  [[nodiscard]] Turn add(const Turn& x, const Turn& y);
+  [[nodiscard]] bool is_pi(const PowerProduct& product) const;
+
+  [[nodiscard]] int number_of(Atom atom, const std::string& key);
+  [[nodiscard]] int atom_of(Op op, const Polynomial& argument, const Polynomial& second = {});
+  [[nodiscard]] Polynomial reduced(const Polynomial& p);
+  [[nodiscard]] bool reducible(const std::pair<int, int>& factor) const;
+  [[nodiscard]] Polynomial replacement(const std::pair<int, int>& factor);
+  [[nodiscard]] NodeId expression_of_atom(int number);
+
+  Graph& graph_;
+  const std::vector<NodeId>& values_;
+  const Form form_;
+  AlgebraBudget& budget_;
+  std::vector<Atom> atoms_;
+  std::map<std::string, int> numbers_;
+  std::map<NodeId, Polynomial> known_;
+  std::map<PowerProduct, Rational> units_;  ///< of angles: the denominator
+  bool finding_ = false;
+};
+
+}  // namespace regulus::verifier

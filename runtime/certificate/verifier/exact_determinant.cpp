@@ -1,0 +1,135 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "regulus/certificate/verifier/exact_determinant.hpp"
+
+#include <algorithm>
+
+namespace regulus::verifier {
+namespace {
+
+// What is announced in FORMAT.md, "Limits".
+constexpr std::uint64_t kProductsInFullForm = 1 << 21;
+constexpr std::uint64_t kProductsInPlainForm = 1 << 19;
+constexpr std::uint64_t kProductsOfEnds = 1 << 16;
+constexpr std::size_t kMostTermsOfForm = 2000;  ///< that are evaluated over boxes
+
+/// The one variable that a polynomial has.
+std::optional<std::size_t> only_variable(const Algebra& algebra, const Polynomial& p, int& number) {
+  number = -1;
+  for (const auto& [powers, factor] : p.terms())
+    for (const auto& [atom, exponent] : powers) {
+      if ((number >= 0 && number != atom) || exponent < 0 ||
+          algebra.atom(atom).kind != Atom::Kind::kVariable)
+        return std::nullopt;
+      number = atom;
+    }
+  if (number < 0) return std::nullopt;
+  return std::size_t(algebra.atom(number).number);
+}
+
+}  // namespace
+
+ExactDeterminant::ExactDeterminant(Question& question, const Variety& variety,
+                                   const std::vector<NodeId>& values, long max_bits)
+    : q_(question), variety_(variety), max_bits_(max_bits) {
+  AlgebraBudget of_plain(kProductsInPlainForm), of_full(kProductsInFullForm);
+  try {
+    Algebra plain(q_.graph, values, Algebra::Form::kPlain, of_plain);
+    plain_ = form_of(plain);
+  } catch (const TooLarge&) {
+    plain_.reset();
+  }
+  try {
+    Algebra full(q_.graph, values, Algebra::Form::kFull, of_full);
+    std::vector<NodeId> roots = q_.matrix;
+    roots.insert(roots.end(), q_.scale.begin(), q_.scale.end());
+    full.find_units(roots);
+    full_ = form_of(full);
+  } catch (const TooLarge& why) {
+    full_.reset();
+    obstacle_ = why.what();
+  }
+}
+
+std::unique_ptr<ExactDeterminant::Form> ExactDeterminant::form_of(Algebra& algebra) {
+  Polynomial p = algebra.determinant(q_.matrix, q_.columns);
+  if (q_.has_threshold)
+    for (const NodeId scale : q_.scale) p = algebra.product(p, algebra.of(scale));
+  vanishes_ = vanishes_ || algebra.vanishes(p);
+  int number = -1;
+  if (const auto variable = only_variable(algebra, p, number)) {
+    find_rational_ends(algebra);
+    if (polynomial_.set(p, number)) only_ = variable;
+  }
+  if (vanishes_ || p.terms().size() > kMostTermsOfForm) return nullptr;
+  return std::make_unique<Form>(q_.graph, algebra.expression(p));
+}
+
+void ExactDeterminant::find_rational_ends(Algebra& algebra) {
+  const auto rational = [&algebra](NodeId node) -> std::optional<Rational> {
+    const Polynomial& value = algebra.of(node);
+    if (!value.is_constant()) return std::nullopt;
+    return value.constant();
+  };
+  lo_.clear(), hi_.clear();
+  for (const Variable& v : q_.variables) lo_.push_back(rational(v.lo)), hi_.push_back(rational(v.hi));
+  alpha_ = rational(q_.alpha);
+}
+
+bool ExactDeterminant::exceeds_threshold(const Box& box) {
+  if (plain_ && exceeds_naturally(*plain_, box)) return true;
+  if (full_ && exceeds_naturally(*full_, box)) return true;
+  if (only_ && exceeds_in_one_variable(box)) return true;
+  return full_ && exceeds_at_extremum(box);
+}
+
+bool ExactDeterminant::exceeds_naturally(Form& form, const Box& box) {
+  return form.natural.run(box) && mig(form.natural.value(form.root)) > variety_.alpha.hi;
+}
+
+/// Neither p − α nor p + α has a root between the ends, which are exact.
+bool ExactDeterminant::exceeds_in_one_variable(const Box& box) const {
+  const std::size_t k = *only_;
+  if (!alpha_) return false;
+  const auto end = [](double x, double outer, const std::optional<Rational>& exact) {
+    if (x == outer && exact) return *exact;
+    Rational result;
+    arf_t value;
+    arf_init(value);
+    arf_set_d(value, x);
+    arf_get_fmpq(result.get(), value);
+    arf_clear(value);
+    return result;
+  };
+  const Rational lo = end(box[k].lo, variety_.outer[k].lo, lo_[k]);
+  const Rational hi = end(box[k].hi, variety_.outer[k].hi, hi_[k]);
+  if ((hi - lo).sign() < 0) return true;  // beyond the range, though within its enclosure
+  Univariate below = polynomial_, above = polynomial_;
+  below.subtract(*alpha_);
+  above.subtract(*alpha_ * Rational(-1));
+  const int sign = polynomial_.at(lo).sign();
+  if (sign == 0 || (sign > 0 ? below : above).at(lo).sign() != sign) return false;
+  return below.has_no_root(lo, hi) && above.has_no_root(lo, hi);
+}
+
+bool ExactDeterminant::exceeds_at_extremum(const Box& box) {
+  return Extremum(q_, variety_, *full_, box, max_bits_).exceeds();
+}
+
+std::vector<NodeId> single_values(Question& question) {
+  std::vector<NodeId> result(question.variables.size(), kNoNode);
+  const std::vector<NodeId> none;
+  for (std::size_t k = 0; k < result.size(); ++k) {
+    const Variable& v = question.variables[k];
+    AlgebraBudget budget(kProductsOfEnds);
+    Algebra algebra(question.graph, none, Algebra::Form::kFull, budget);
+    try {
+      const NodeId difference = question.graph.add(Op::kSubtract, v.hi, v.lo);
+      if (v.hi == v.lo || algebra.vanishes(algebra.of(difference))) result[k] = v.lo;
+    } catch (const TooLarge&) {
+      result[k] = kNoNode;
+    }
+  }
+  return result;
+}
+
+}  // namespace regulus::verifier

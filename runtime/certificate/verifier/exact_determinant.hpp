@@ -1,0 +1,58 @@
+// SPDX-License-Identifier: Apache-2.0
+// The determinant multiplied out exactly, and what it says about a box that the intervals of
+// doubles cannot decide. PROOF.md, "The exact determinant", derives the bounds.
+#pragma once
+
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "regulus/certificate/verifier/algebra.hpp"
+#include "regulus/certificate/verifier/extremum.hpp"
+#include "regulus/certificate/verifier/univariate.hpp"
+#include "regulus/certificate/verifier/variety.hpp"
+
+namespace regulus::verifier {
+
+class ExactDeterminant {
+ public:
+  /// det A; times all scales if there is a threshold. Adds to the question's graph. Requires a
+  /// square matrix. `values` as for Algebra.
+  ExactDeterminant(Question& question, const Variety& variety, const std::vector<NodeId>& values,
+                   long max_bits);
+
+  /// It is 0 wherever the matrix is defined.
+  [[nodiscard]] bool vanishes() const noexcept { return vanishes_; }
+  /// Why it could not be multiplied out; empty if it could.
+  [[nodiscard]] const std::string& obstacle() const noexcept { return obstacle_; }
+
+  /// Ensures   true only if its magnitude exceeds alpha at every point of the set in the box.
+  /// Requires  the matrix is defined all over the box.
+  [[nodiscard]] bool exceeds_threshold(const Box& box);
+
+ private:
+  using Form = DeterminantForm;
+  [[nodiscard]] bool exceeds_naturally(Form& form, const Box& box);
+  [[nodiscard]] bool exceeds_in_one_variable(const Box& box) const;
+  [[nodiscard]] bool exceeds_at_extremum(const Box& box);
+
+  [[nodiscard]] std::unique_ptr<Form> form_of(Algebra& algebra);
+  void find_rational_ends(Algebra& algebra);
+
+  Question& q_;
+  const Variety& variety_;
+  const long max_bits_;
+  bool vanishes_ = false;
+  std::string obstacle_;
+  std::unique_ptr<Form> plain_, full_;
+  std::vector<std::optional<Rational>> lo_, hi_;  ///< the ends that are rational numbers
+  std::optional<Rational> alpha_;
+  std::optional<std::size_t> only_;  ///< the one variable of `polynomial_`
+  Univariate polynomial_;
+};
+
+/// For each variable that has one value only, the expression of it; kNoNode for the others.
+[[nodiscard]] std::vector<NodeId> single_values(Question& question);
+
+}  // namespace regulus::verifier
