@@ -8,6 +8,7 @@
 namespace regulus::verifier {
 namespace {
 
+constexpr std::uint64_t kProductsOfValue = 1 << 16;
 constexpr int kMostPowerOfSum = 64;
 constexpr std::size_t kMostOrder = 8;
 
@@ -261,6 +262,19 @@ NodeId Algebra::expression_of_atom(int number) {
   }
   const NodeId argument = expression(atom.argument);
   return graph_.add(atom.op, argument, atom.op == Op::kAtan2 ? expression(atom.second) : 0);
+}
+
+std::optional<Rational> exact_value(Graph& graph, NodeId expression) {
+  AlgebraBudget budget(kProductsOfValue);
+  const std::vector<NodeId> none;
+  try {
+    Algebra algebra(graph, none, Algebra::Form::kFull, budget);
+    const Polynomial& value = algebra.of(expression);
+    if (value.is_constant()) return value.constant();
+  } catch (const TooLarge&) {
+    return std::nullopt;
+  }
+  return std::nullopt;
 }
 
 }  // namespace regulus::verifier

@@ -102,4 +102,7 @@ class Algebra {
   bool finding_ = false;
 };
 
+/// The value of an expression without variables if it is found to be rational.
+[[nodiscard]] std::optional<Rational> exact_value(Graph& graph, NodeId expression);
+
 }  // namespace regulus::verifier

@@ -92,13 +92,7 @@ bool ExactDeterminant::exceeds_in_one_variable(const Box& box) const {
   if (!alpha_) return false;
   const auto end = [](double x, double outer, const std::optional<Rational>& exact) {
     if (x == outer && exact) return *exact;
-    Rational result;
-    arf_t value;
-    arf_init(value);
-    arf_set_d(value, x);
-    arf_get_fmpq(result.get(), value);
-    arf_clear(value);
-    return result;
+    return rational_of(x);
   };
   const Rational lo = end(box[k].lo, variety_.outer[k].lo, lo_[k]);
   const Rational hi = end(box[k].hi, variety_.outer[k].hi, hi_[k]);

@@ -12,8 +12,8 @@ void check_tree(Lines& lines, Question& question, const Variety& variety, const 
                 Verification& counts);
 
 /// The same for the claim SINGULARITY and its witness.
-void check_witness(Lines& lines, const Question& question, const Variety& variety,
-                   const Options& options);
+void check_witness(Lines& lines, Question& question, const Variety& variety, const Options& options,
+                   const Verification& counts);
 
 /// The double that a C99 hexadecimal or a decimal text denotes. Throws Rejection for another text,
 /// and for what is not finite.

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <arf.h>
 #include <fmpq.h>
 
 #include <string>
@@ -70,6 +71,17 @@ inline Rational operator/(const Rational& x, const Rational& y) noexcept {
 }
 inline bool operator==(const Rational& x, const Rational& y) noexcept {
   return fmpq_equal(x.get(), y.get()) != 0;
+}
+
+/// The number that a finite double is.
+inline Rational rational_of(double x) noexcept {
+  Rational result;
+  arf_t value;
+  arf_init(value);
+  arf_set_d(value, x);
+  arf_get_fmpq(result.get(), value);
+  arf_clear(value);
+  return result;
 }
 
 }  // namespace regulus::verifier

@@ -17,7 +17,7 @@ void check(Lines& lines, Question& question, const Options& options, Verificatio
   const Variety variety = enclose_variety(question);
   question.graph.end_of_file();
   if (question.singular)
-    check_witness(lines, question, variety, options);
+    check_witness(lines, question, variety, options, result);
   else
     check_tree(lines, question, variety, options, result);
 }

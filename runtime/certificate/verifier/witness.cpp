@@ -1,7 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 // A point whose determinant is at most alpha, or two points of opposite signs and the segment that
 // joins them, on which the model is defined and no constraint is violated.
+#include "regulus/certificate/verifier/exact_determinant.hpp"
+#include "regulus/certificate/verifier/exact_point.hpp"
 #include "regulus/certificate/verifier/proof.hpp"
+#include "regulus/certificate/verifier/work_clock.hpp"
 
 namespace regulus::verifier {
 namespace {
@@ -11,17 +14,21 @@ constexpr double kShortestPiece = 0x1p-40;
 
 class WitnessChecker {
  public:
-  WitnessChecker(Lines& lines, const Question& q, const Variety& variety, const Options& options)
-      : lines_(lines), q_(q), variety_(variety), options_(options) {}
+  WitnessChecker(Lines& lines, Question& q, const Variety& variety, const Options& options,
+                 const Verification& counts)
+      : lines_(lines),
+        q_(q),
+        variety_(variety),
+        options_(options),
+        clock_(options, counts),
+        single_values_(single_values(q)) {}
 
   void check() {
     if (q_.rows != q_.columns) throw Rejection("a singularity is shown for square matrices only");
     const std::string reason = next_line();
     if (reason == std::string("reason ") + format::kOppositeSigns) return check_signs();
     if (reason == std::string("reason ") + format::kSmallDeterminant) return check_small();
-    if (reason == std::string("reason ") + format::kAlwaysSingular)
-      throw Unfinished(
-          "that a determinant is 0 everywhere rests on exact algebra, which is not checked");
+    if (reason == std::string("reason ") + format::kAlwaysSingular) return check_always();
     throw Rejection("expected 'reason " + std::string(format::kOppositeSigns) + "' or '" +
                     format::kSmallDeterminant + "'");
   }
@@ -47,8 +54,10 @@ class WitnessChecker {
       if (!(lo <= hi)) throw Rejection("the interval " + std::string(word) + " is empty");
       result.push_back({lo, hi});
     }
+    if (certain_outside(q_, variety_, result))
+      throw Rejection("the point is outside the ranges or the balls");
     if (!certain_inside(q_, variety_, result))
-      throw Rejection("the point is not certainly within the ranges");
+      throw Unfinished("the point is not certainly within the ranges");
     return result;
   }
 
@@ -83,21 +92,58 @@ class WitnessChecker {
   void check_small() {
     const Box point = read_point("0");
     read_end();
+    if (is_singular_exactly(point)) return;
     for (long bits = 64; bits <= options_.max_bits; bits *= 2) {
+      clock_.tick();
       const auto values = values_over(q_, point, bits);
       if (!values) continue;
       const Interval size = values->determinant.enclosure();
       if (mig(size) > variety_.alpha.hi) throw Rejection("the determinant is greater than alpha");
-      if (mag(size) <= variety_.alpha.lo && !certain_violated(*values)) return;
+      if (mag(size) <= variety_.alpha.lo && is_within_constraints(point, *values)) return;
     }
     throw Unfinished("the determinant at the point is not certainly at most alpha");
   }
 
-  /// Some constraint is not certainly ≤ 0.
-  [[nodiscard]] static bool certain_violated(const PointValues& values) {
-    for (const Ball& h : values.constraints)
-      if (!arb_is_nonpositive(h.get())) return true;
+  /// One point at which the determinant is 0 is enough for the claim.
+  void check_always() {
+    const Box point = read_point("0");
+    read_end();
+    if (is_singular_exactly(point)) return;
+    throw Unfinished(
+        obstacle_.empty()
+            ? "exact algebra does not find the determinant to be 0 where the matrix is defined"
+            : obstacle_);
+  }
+
+  /// Exact algebra at the point comes first: there is less to multiply out.
+  bool is_singular_exactly(const Box& point) {
+    if (!is_defined_within_constraints(point)) {
+      obstacle_ = "the matrix is not certainly defined at the point, within the constraints";
+      return false;
+    }
+    if (ExactPoint(q_, single_values_, point).is_singular()) return true;
+    const ExactDeterminant determinant(q_, variety_, single_values_, options_.max_bits);
+    obstacle_ = determinant.obstacle();
+    return determinant.vanishes();
+  }
+
+  bool is_defined_within_constraints(const Box& point) {
+    for (long bits = 64; bits <= options_.max_bits; bits *= 2) {
+      clock_.tick();
+      const auto values = values_over(q_, point, bits);
+      if (values && is_within_constraints(point, *values)) return true;
+    }
     return false;
+  }
+
+  bool is_within_constraints(const Box& point, const PointValues& values) {
+    std::optional<ExactPoint> exact;
+    for (std::size_t i = 0; i < q_.constraints.size(); ++i) {
+      if (arb_is_nonpositive(values.constraints[i].get()) != 0) continue;
+      if (!exact) exact.emplace(q_, single_values_, point);
+      if (!exact->is_nonpositive(q_.constraints[i])) return false;
+    }
+    return true;
   }
 
   /// Piece by piece, each in the box around it.
@@ -107,11 +153,15 @@ class WitnessChecker {
       roots.insert(roots.end(), list->begin(), list->end());
     if (q_.has_threshold) roots.insert(roots.end(), q_.scale.begin(), q_.scale.end());
     Evaluation evaluation(q_.graph, roots);
+    std::vector<NodeId> constraints;
+    for (const NodeId h : q_.constraints)
+      if (!is_nonpositive_between(q_, single_values_, from, to, h)) constraints.push_back(h);
     std::vector<Interval> waiting{{0.0, 1.0}};
     for (std::size_t pieces = 0; !waiting.empty(); ++pieces) {
       const Interval part = waiting.back();
       waiting.pop_back();
-      if (is_clear(evaluation, from, to, part)) continue;
+      clock_.tick();
+      if (is_clear(evaluation, constraints, from, to, part)) continue;
       if (pieces == kMostPieces || part.hi - part.lo < kShortestPiece)
         throw Unfinished("the segment is not certainly within the variety, with the model defined");
       waiting.push_back({mid(part), part.hi});
@@ -119,29 +169,33 @@ class WitnessChecker {
     }
   }
 
-  bool is_clear(Evaluation& evaluation, const Box& from, const Box& to, Interval part) const {
+  static bool is_clear(Evaluation& evaluation, const std::vector<NodeId>& constraints,
+                       const Box& from, const Box& to, Interval part) {
     Box box(from.size());
     for (std::size_t k = 0; k < box.size(); ++k)
       box[k] = from[k].lo == to[k].lo && from[k].hi == to[k].hi
                    ? from[k]
                    : from[k] + (to[k] - from[k]) * part;
     if (!evaluation.run(box)) return false;
-    for (const NodeId h : q_.constraints)
+    for (const NodeId h : constraints)
       if (!(evaluation.value(h).hi <= 0.0)) return false;
     return true;
   }
 
   Lines& lines_;
-  const Question& q_;
+  Question& q_;
   const Variety& variety_;
   const Options& options_;
+  WorkClock clock_;
+  const std::vector<NodeId> single_values_;
+  std::string obstacle_;  ///< that exact algebra met
 };
 
 }  // namespace
 
-void check_witness(Lines& lines, const Question& question, const Variety& variety,
-                   const Options& options) {
-  WitnessChecker(lines, question, variety, options).check();
+void check_witness(Lines& lines, Question& question, const Variety& variety, const Options& options,
+                   const Verification& counts) {
+  WitnessChecker(lines, question, variety, options, counts).check();
 }
 
 }  // namespace regulus::verifier

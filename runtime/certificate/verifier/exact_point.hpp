@@ -1,0 +1,32 @@
+// SPDX-License-Identifier: Apache-2.0
+// A point of a witness, or the segment between two, by exact algebra.
+#pragma once
+
+#include "regulus/certificate/verifier/algebra.hpp"
+#include "regulus/certificate/verifier/variety.hpp"
+
+namespace regulus::verifier {
+
+class ExactPoint {
+ public:
+  /// A coordinate that is an interval stands for the one value of its range.
+  ExactPoint(Question& question, const std::vector<NodeId>& single_values, const Box& point);
+
+  /// Ensures   true only if |det A·∏ scale| ≤ alpha at the point, where these are defined there.
+  [[nodiscard]] bool is_singular();
+  /// Ensures   true only if the expression is ≤ 0 at the point, where it is defined there.
+  [[nodiscard]] bool is_nonpositive(NodeId expression);
+
+ private:
+  Question& q_;
+  std::vector<NodeId> values_;
+  AlgebraBudget budget_;
+  Algebra algebra_;
+};
+
+/// Ensures   true only if the expression is ≤ 0 all along the segment, wherever it is defined.
+[[nodiscard]] bool is_nonpositive_between(Question& question,
+                                          const std::vector<NodeId>& single_values, const Box& from,
+                                          const Box& to, NodeId expression);
+
+}  // namespace regulus::verifier
