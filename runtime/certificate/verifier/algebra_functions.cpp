@@ -45,7 +45,8 @@ std::pair<long, Polynomial> with_sign(const Polynomial& p) {
 Polynomial Algebra::root(const Polynomial& x) {
   if (x.is_zero()) return x;
   if (x.is_constant()) {
-    if (x.constant().sign() < 0) throw TooLarge("exact algebra meets the root of a negative number");
+    if (x.constant().sign() < 0)
+      throw TooLarge("exact algebra meets the root of a negative number");
     return root_of_rational(x.constant());
   }
   Rational size;
@@ -186,7 +187,8 @@ Algebra::Turn Algebra::turn(const Polynomial& angle) {
 Algebra::Turn Algebra::turn_of_unit(const Polynomial& unit) {
   const auto& [powers, factor] = *unit.terms().begin();
   const auto [sign, positive] = with_sign(unit);
-  if (powers.size() == 1 && powers[0].second == 1 && positive.terms().begin()->second == Rational(1)) {
+  if (powers.size() == 1 && powers[0].second == 1 &&
+      positive.terms().begin()->second == Rational(1)) {
     const Atom inner = atoms_[std::size_t(powers[0].first)];
     const Rational turned(sign);
     const auto cathetus = [&] {
@@ -235,8 +237,8 @@ Algebra::Turn Algebra::turn_of_pi(const Rational& factor) {
   Integer turns(fmpq_numref(twelfths.get()));
   const long parts = long(fmpz_fdiv_ui(turns.get(), 24));
   const Polynomial half(Rational(1) / Rational(2));
-  const Polynomial of2 = root(half);                                     // cos π/4
-  const Polynomial of3 = root(Polynomial(Rational(3) / Rational(4)));    // cos π/6
+  const Polynomial of2 = root(half);                                   // cos π/4
+  const Polynomial of3 = root(Polynomial(Rational(3) / Rational(4)));  // cos π/6
   const Turn eighth{of2, of2}, twelfth{half, of3}, quarter{Polynomial(1), Polynomial()};
   Turn result{Polynomial(), Polynomial(1)};
   for (long i = 0; i < parts / 6; ++i) result = add(result, quarter);

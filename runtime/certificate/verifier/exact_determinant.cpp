@@ -71,7 +71,8 @@ void ExactDeterminant::find_rational_ends(Algebra& algebra) {
     return value.constant();
   };
   lo_.clear(), hi_.clear();
-  for (const Variable& v : q_.variables) lo_.push_back(rational(v.lo)), hi_.push_back(rational(v.hi));
+  for (const Variable& v : q_.variables)
+    lo_.push_back(rational(v.lo)), hi_.push_back(rational(v.hi));
   alpha_ = rational(q_.alpha);
 }
 

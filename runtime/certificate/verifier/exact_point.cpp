@@ -71,8 +71,8 @@ bool is_nonpositive_between(Question& q, const std::vector<NodeId>& single_value
     int atom = 0;
     for (const auto& [powers, factor] : p.terms())
       if (!powers.empty()) atom = powers.front().first;
-    if (!p.is_constant() && (algebra.atom(atom).kind != Atom::Kind::kVariable ||
-                             algebra.atom(atom).number != number))
+    if (!p.is_constant() &&
+        (algebra.atom(atom).kind != Atom::Kind::kVariable || algebra.atom(atom).number != number))
       return false;
     Univariate along;
     return along.set(p, atom) && along.is_nonpositive_on_unit();

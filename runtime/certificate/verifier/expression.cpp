@@ -257,4 +257,10 @@ bool is_reserved(std::string_view text) noexcept {
   return text == "pi";
 }
 
+Op function_named(std::string_view text) noexcept {
+  for (const auto& [name, op] : kFunctions)
+    if (text == name) return op;
+  return Op::kPi;
+}
+
 }  // namespace regulus::verifier

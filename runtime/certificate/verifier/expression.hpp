@@ -108,5 +108,7 @@ using Scope = std::map<std::string, NodeId, std::less<>>;
 
 /// Whether the text is a name that expressions use themselves: pi and the functions.
 [[nodiscard]] bool is_reserved(std::string_view text) noexcept;
+/// The function of a name that is reserved and not pi.
+[[nodiscard]] Op function_named(std::string_view text) noexcept;
 
 }  // namespace regulus::verifier

@@ -75,9 +75,9 @@ class Extremum {
   const Box& box_;
   const long max_bits_;
   int sign_ = 0;
-  std::vector<Place> place_;           ///< by variable
-  std::vector<std::size_t> free_;      ///< variables of f that are not at an end
-  std::vector<double> curvature_;      ///< of free_: f − Σ ½ curvature·x² is convex
+  std::vector<Place> place_;       ///< by variable
+  std::vector<std::size_t> free_;  ///< variables of f that are not at an end
+  std::vector<double> curvature_;  ///< of free_: f − Σ ½ curvature·x² is convex
   bool widened_ = false;
 };
 

@@ -1,26 +1,117 @@
 // SPDX-License-Identifier: Apache-2.0
+#include <unistd.h>
+
+#include <charconv>
 #include <fstream>
 #include <iostream>
+#include <sstream>
+#include <string>
+#include <vector>
 
 #include "regulus/certificate/verifier/verify.hpp"
 
-int main(int argc, char** argv) {
-  if (argc != 2) {
-    std::cerr << "usage: regulus-verify CERTIFICATE\n";
-    return 64;
+namespace {
+
+using regulus::verifier::Options;
+using regulus::verifier::Verification;
+
+constexpr int kUsageError = 64, kFileTrouble = 74;
+
+constexpr const char* kHelp =
+    "usage: regulus-verify [options] CERTIFICATE\n"
+    "\n"
+    "Proves the claim of a certificate anew. The answer is the line on standard output:\n"
+    "  VERIFIED    the claim is true                                     (exit 0)\n"
+    "  REJECTED    not a certificate, incomplete, or false               (exit 1)\n"
+    "  UNFINISHED  neither could be shown within the bounds below        (exit 2)\n"
+    "Standard error says about what and why. 64 usage, 74 file trouble.\n"
+    "\n"
+    "  --model FILE     also compare every number and expression of this model file with the\n"
+    "                   certificate, by a reader that shares nothing with regulus\n"
+    "  --time-limit S   stop after S seconds: UNFINISHED\n"
+    "  --max-boxes N    boxes that all leaves together may be cut into (default 4194304)\n"
+    "  --quiet          nothing but the answer\n"
+    "  --help           this text\n";
+
+struct Usage {
+  std::string certificate, model;
+  Options options;
+  bool help = false, quiet = false;
+};
+
+template <class Number>
+bool read_number(const std::string& text, Number& value) {
+  const char* last = text.data() + text.size();
+  const auto [end, error] = std::from_chars(text.data(), last, value);
+  return error == std::errc() && end == last && value > 0;
+}
+
+/// False for what is not understood.
+bool read_usage(const std::vector<std::string>& words, Usage& usage) {
+  for (std::size_t i = 0; i < words.size(); ++i) {
+    const std::string& word = words[i];
+    const std::string next = i + 1 < words.size() ? words[i + 1] : "";
+    if (word == "--help" || word == "-h") {
+      usage.help = true;
+    } else if (word == "--quiet") {
+      usage.quiet = true;
+    } else if (word == "--model" && !next.empty()) {
+      usage.model = words[++i];
+    } else if (word == "--time-limit" && read_number(next, usage.options.time_limit)) {
+      ++i;
+    } else if (word == "--max-boxes" && read_number(next, usage.options.max_boxes)) {
+      ++i;
+    } else if (!word.starts_with("-") && usage.certificate.empty()) {
+      usage.certificate = word;
+    } else {
+      return false;
+    }
   }
-  std::ifstream file(argv[1], std::ios::binary);
-  if (!file) {
-    std::cerr << "regulus-verify: cannot read " << argv[1] << '\n';
-    return 74;
+  return usage.help || !usage.certificate.empty();
+}
+
+int fail(const std::string& why) {
+  std::cerr << "regulus-verify: " << why << '\n';
+  return kFileTrouble;
+}
+
+/// One line, rewritten, on a terminal only.
+void show_progress(const Verification& v) {
+  std::cerr << "\r\033[K" << v.leaves << " leaves, " << v.boxes << " boxes" << std::flush;
+}
+
+int verify(Usage& usage) {
+  std::ifstream file(usage.certificate, std::ios::binary);
+  if (!file) return fail("cannot read " + usage.certificate);
+  if (!usage.model.empty()) {
+    std::ifstream model(usage.model, std::ios::binary);
+    std::ostringstream text;
+    if (!model || !(text << model.rdbuf())) return fail("cannot read " + usage.model);
+    usage.options.model_text = text.str();
+    usage.options.model_name = usage.model;
   }
+  const bool is_terminal = !usage.quiet && isatty(STDERR_FILENO) != 0;
+  if (is_terminal) usage.options.progress = show_progress;
   try {
-    const auto v = regulus::verifier::verify(file);
-    std::cerr << regulus::verifier::describe(v);
+    const Verification v = regulus::verifier::verify(file, usage.options);
+    if (is_terminal) std::cerr << "\r\033[K";
+    if (!usage.quiet) std::cerr << regulus::verifier::describe(v);
     std::cout << regulus::verifier::name(v.outcome) << '\n';
     return static_cast<int>(v.outcome);
   } catch (const std::exception& error) {
-    std::cerr << "regulus-verify: " << argv[1] << ": " << error.what() << '\n';
-    return 74;
+    return fail(usage.certificate + ": " + error.what());
   }
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  Usage usage;
+  if (!read_usage({argv + 1, argv + argc}, usage)) {
+    std::cerr << kHelp;
+    return kUsageError;
+  }
+  if (!usage.help) return verify(usage);
+  std::cout << kHelp;
+  return 0;
 }

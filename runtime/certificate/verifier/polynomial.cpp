@@ -35,11 +35,13 @@ void Polynomial::add(const PowerProduct& product, const Rational& factor) {
   if (factor.is_zero()) return;
   const auto [place, is_new] = terms_.try_emplace(product, factor);
   if (is_new) {
-    if (terms_.size() > kMostTermsOfPolynomial) throw TooLarge("exact algebra takes too many terms");
+    if (terms_.size() > kMostTermsOfPolynomial)
+      throw TooLarge("exact algebra takes too many terms");
   } else {
     fmpq_add(place->second.get(), place->second.get(), factor.get());
   }
-  if (place->second.bits() > kMostBitsOfFactor) throw TooLarge("exact algebra takes too many digits");
+  if (place->second.bits() > kMostBitsOfFactor)
+    throw TooLarge("exact algebra takes too many digits");
   if (place->second.is_zero()) terms_.erase(place);
 }
 

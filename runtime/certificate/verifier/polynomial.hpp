@@ -34,7 +34,7 @@ class AlgebraBudget {
 };
 
 inline constexpr std::size_t kMostTermsOfPolynomial = 1 << 16;
-inline constexpr int kMostDegree = 256;                      ///< of a product, signs aside
+inline constexpr int kMostDegree = 256;  ///< of a product, signs aside
 inline constexpr std::size_t kMostBitsOfFactor = 1 << 16;
 
 /// Atoms with exponents other than 0, in the order of the atoms.

@@ -32,6 +32,7 @@ class QuestionReader {
     read_labels();
     read_variables();
     read_poses();
+    keep_names();
     read_model();
     read_motion();
     if (lines_.text() != "proof") throw Rejection("expected the line 'proof'");
@@ -78,11 +79,20 @@ class QuestionReader {
     q_.sha256 = take("sha256");
     q_.motion = take("motion");
     const std::string alpha = take("alpha");
-    q_.alpha = constant(alpha);
+    q_.alpha = note("alpha", "", constant(alpha), alpha);
     q_.has_threshold = alpha != "0";
   }
 
   NodeId constant(std::string_view text) { return parse(text, {}, q_.graph); }
+
+  /// Remembers what a line says about something.
+  NodeId note(std::string_view kind, std::string_view name, NodeId node, std::string_view text) {
+    std::string key(kind);
+    key += ' ';
+    key += name;
+    q_.stated.emplace(key, StatedValue{node, lines_.number(), std::string(text)});
+    return node;
+  }
 
   void declare(Scope& scope, std::string_view name, NodeId meaning) {
     if (!is_name(name) || is_reserved(name))
@@ -104,17 +114,19 @@ class QuestionReader {
     while (is("parameter")) {
       if (!cut(rest_of("parameter"), " in ", name, value) || !cut(value, " : ", lo, hi))
         throw Rejection("expected 'parameter NAME in LO : HI'");
-      declare(
-          parameters_, name,
-          add_variable(std::string(name), VariableKind::kParameter, constant(lo), constant(hi)));
+      declare(parameters_, name,
+              add_variable(std::string(name), VariableKind::kParameter,
+                           note("lower", name, constant(lo), lo),
+                           note("upper", name, constant(hi), hi)));
       advance();
     }
     for (;; advance()) {
       if (is("constant") && cut(rest_of("constant"), " = ", name, value))
-        declare(geometry_, name, constant(value));
+        declare(geometry_, name, note("value", name, constant(value), value));
       else if (is("uncertain") && cut(rest_of("uncertain"), " = ", name, value) &&
                cut(value, " +- ", lo, hi))
-        read_uncertain(std::string(name), constant(lo), constant(hi));
+        read_uncertain(std::string(name), note("value", name, constant(lo), lo),
+                       note("spread", name, constant(hi), hi));
       else if (is("ball"))
         read_ball(rest_of("ball"));
       else
@@ -167,12 +179,16 @@ class QuestionReader {
     for (; is("pose"); advance()) {
       if (!cut(rest_of("pose"), " = ", name, value)) throw Rejection("expected 'pose NAME = …'");
       const bool has_error = cut(value, " +- ", expression, error);
-      const NodeId commanded = parse(has_error ? expression : value, scope, q_.graph);
-      read_pose(std::string(name), commanded, has_error ? constant(error) : -1);
+      const std::string_view text = has_error ? expression : value;
+      const NodeId commanded = note("pose", name, parse(text, scope, q_.graph), text);
+      read_pose(std::string(name), commanded,
+                has_error ? note("error", name, constant(error), error) : -1);
     }
   }
 
   void read_pose(const std::string& name, NodeId commanded, NodeId error) {
+    // A commanded pose must have a value: the motion means nothing where it has none.
+    q_.motion_defined.push_back(commanded);
     NodeId actual = commanded;
     if (error >= 0)
       actual = q_.graph.add(Op::kAdd, commanded,
@@ -186,6 +202,12 @@ class QuestionReader {
     commanded_.emplace(name, commanded);
   }
 
+  /// Before a `let` of the file could take the name of one of the model's.
+  void keep_names() {
+    q_.actual = actual_;
+    q_.commanded = commanded_;
+  }
+
   void read_model() {
     std::string_view name, value;
     for (; is("let"); advance()) {
@@ -197,8 +219,12 @@ class QuestionReader {
     q_.rows = read_count(name, format::kMostRows);
     q_.columns = read_count(value, q_.rows);
     if (q_.columns < 1) throw Rejection("a matrix without columns");
-    for (std::size_t e = 0; e < q_.rows * q_.columns; ++e)
-      q_.matrix.push_back(parse(take("entry"), actual_, q_.graph));
+    for (std::size_t e = 0; e < q_.rows * q_.columns; ++e) {
+      if (!is("entry")) throw Rejection("expected a line 'entry …'");
+      const std::string_view text = rest_of("entry");
+      q_.matrix.push_back(note("entry", std::to_string(e), parse(text, actual_, q_.graph), text));
+      advance();
+    }
     read_list("scale", actual_, q_.scale);
     if (!q_.scale.empty() && q_.scale.size() != q_.rows)
       throw Rejection("another number of scales than of rows");
@@ -213,7 +239,10 @@ class QuestionReader {
   }
 
   void read_list(std::string_view key, const Scope& scope, std::vector<NodeId>& list) {
-    while (is(key)) list.push_back(parse(take(key), scope, q_.graph));
+    for (std::size_t number = 0; is(key); ++number, advance()) {
+      const std::string_view text = rest_of(key);
+      list.push_back(note(key, std::to_string(number), parse(text, scope, q_.graph), text));
+    }
   }
 
   Lines& lines_;

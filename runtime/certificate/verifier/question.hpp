@@ -3,6 +3,7 @@
 #pragma once
 
 #include <istream>
+#include <map>
 #include <string>
 #include <vector>
 
@@ -45,6 +46,13 @@ struct BallOfVariables {
   NodeId radius = -1;
 };
 
+/// An expression as its line has it.
+struct StatedValue {
+  NodeId node = kNoNode;
+  std::size_t line = 0;
+  std::string text;
+};
+
 struct Question {
   bool singular = false;  ///< the claim
   std::string model, sha256, motion;
@@ -59,6 +67,13 @@ struct Question {
   std::vector<NodeId> motion_defined;  ///< the motion means nothing where these are undefined
   std::vector<NodeId> constraints;     ///< each ≤ 0 in the variety
   bool has_threshold = false;          ///< alpha is not written as 0
+
+  // For a comparison with a model file.
+  /// By what they are: "alpha ", "lower x", "upper x", "value a", "spread a", "pose x", "error x",
+  /// "entry 0", "scale 0", "constraint 0".
+  std::map<std::string, StatedValue, std::less<>> stated;
+  Scope actual;     ///< names of constants and of poses with their errors
+  Scope commanded;  ///< names of parameters, constants and commanded poses
 
   [[nodiscard]] format::ClaimedSet claimed_set() const;
 };

@@ -30,9 +30,7 @@ class Rational {
 
   [[nodiscard]] bool is_zero() const noexcept { return fmpq_is_zero(value_) != 0; }
   [[nodiscard]] int sign() const noexcept { return fmpq_sgn(value_); }
-  [[nodiscard]] bool is_integer() const noexcept {
-    return fmpz_is_one(fmpq_denref(value_)) != 0;
-  }
+  [[nodiscard]] bool is_integer() const noexcept { return fmpz_is_one(fmpq_denref(value_)) != 0; }
   /// Bits of the numerator and the denominator together.
   [[nodiscard]] std::size_t bits() const noexcept {
     return fmpz_bits(fmpq_numref(value_)) + fmpz_bits(fmpq_denref(value_));

@@ -46,7 +46,8 @@ bool Univariate::set(const Polynomial& p, int atom) {
   fmpq_poly_zero(value_);
   std::size_t bits = 1, degree = 1;
   for (const auto& [powers, factor] : p.terms()) {
-    if (powers.size() > 1 || (powers.size() == 1 && (powers[0].first != atom || powers[0].second < 0)))
+    if (powers.size() > 1 ||
+        (powers.size() == 1 && (powers[0].first != atom || powers[0].second < 0)))
       return false;
     bits = std::max(bits, factor.bits());
     if (!powers.empty()) degree = std::max(degree, std::size_t(powers[0].second));

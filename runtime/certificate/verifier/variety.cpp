@@ -21,9 +21,7 @@ Ball constant(const Question& q, NodeId node, const std::string& what) {
   throw Unfinished(what + " has no certain value");
 }
 
-bool is_at_most(double x, const Rational& y) {
-  return (rational_of(x) - y).sign() <= 0;
-}
+bool is_at_most(double x, const Rational& y) { return (rational_of(x) - y).sign() <= 0; }
 
 /// The doubles of a range with rational ends.
 std::optional<Interval> exactly_between(const Rational& lo, const Rational& hi) {
@@ -86,8 +84,7 @@ Variety enclose_variety(Question& q) {
       throw Rejection("the range of " + v.name + " is empty");
     const Interval outer = hull(lo.enclosure(), hi.enclosure());
     variety.outer.push_back(outer);
-    variety.inner.push_back(is_exact ? exactly_between(*exact_lo, *exact_hi)
-                                     : between(lo, hi));
+    variety.inner.push_back(is_exact ? exactly_between(*exact_lo, *exact_hi) : between(lo, hi));
     variety.exact.push_back(is_exact);
   }
   for (const BallOfVariables& ball : q.balls)

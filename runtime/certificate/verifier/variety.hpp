@@ -15,7 +15,7 @@ namespace regulus::verifier {
 struct Variety {
   Box outer;
   std::vector<std::optional<Interval>> inner;  ///< nullopt: no double is certain to be in the range
-  std::vector<bool> exact;  ///< whether `inner` holds every double of the range
+  std::vector<bool> exact;                     ///< whether `inner` holds every double of the range
   /// Of each ball: an upper bound of the Euclidean distance of its points from the doubles in the
   /// middles of `outer`.
   std::vector<double> reach;

@@ -3,6 +3,7 @@
 
 #include <cfenv>
 
+#include "regulus/certificate/verifier/model_comparison.hpp"
 #include "regulus/certificate/verifier/proof.hpp"
 
 namespace regulus::verifier {
@@ -14,8 +15,9 @@ void check(Lines& lines, Question& question, const Options& options, Verificatio
   result.model = question.model;
   result.sha256 = question.sha256;
   result.motion = question.motion;
-  const Variety variety = enclose_variety(question);
   question.graph.end_of_file();
+  if (!options.model_text.empty()) compare_with_model(question, options, result);
+  const Variety variety = enclose_variety(question);
   if (question.singular)
     check_witness(lines, question, variety, options, result);
   else
@@ -79,6 +81,11 @@ std::string describe(const Verification& v) {
   line("claim", v.claim);
   if (v.leaves > 0)
     line("leaves", std::to_string(v.leaves) + ", in " + std::to_string(v.boxes) + " boxes");
+  if (v.numbers > 0)
+    line("numbers",
+         std::to_string(v.numbers) + " values and expressions of the model file compared");
+  for (const std::string& difference : v.differences) line("differs", difference);
+  for (const std::string& place : v.uncompared) line("not read", place);
   line("note", v.note);
   line("reason", v.reason);
   return text;

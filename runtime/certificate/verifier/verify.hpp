@@ -5,7 +5,10 @@
 #include <cstdint>
 #include <functional>
 #include <istream>
+#include <optional>
+#include <set>
 #include <string>
+#include <vector>
 
 #include "regulus/certificate/verifier/question.hpp"
 
@@ -22,8 +25,13 @@ struct Verification;
 struct Options {
   std::uint64_t max_boxes = 1 << 22;  ///< that all leaves together may be cut into
   std::uint64_t max_boxes_per_leaf = 1 << 16;
-  long max_bits = 4096;  ///< where doubles do not tell the sign of a determinant
+  long max_bits = 4096;   ///< where doubles do not tell the sign of a determinant
   double time_limit = 0;  ///< in seconds; 0: none
+  /// The text and name of the model file that the question must be about; empty: any.
+  std::string model_text, model_name;
+  /// Of a comparison with the model file, what may differ because an option of the command line
+  /// has set it: "alpha", "range x", "tolerance a1_x"; nullopt: every such thing.
+  std::optional<std::set<std::string>> overridden;
   /// Called a few times a second with what has been counted so far; empty: nothing is.
   std::function<void(const Verification&)> progress;
 };
@@ -34,8 +42,11 @@ struct Verification {
   std::string claim;   ///< empty if it could not be read
   std::string model, sha256, motion;
   std::uint64_t leaves = 0;
-  std::uint64_t boxes = 0;  ///< that the leaves were cut into
-  std::string note;         ///< what else is to be known of a claim that was verified
+  std::uint64_t boxes = 0;               ///< that the leaves were cut into
+  std::size_t numbers = 0;               ///< values of the model file that were compared
+  std::vector<std::string> differences;  ///< of them, those that options have set otherwise
+  std::vector<std::string> uncompared;   ///< values that could not be
+  std::string note;                      ///< what else is to be known of a claim that was verified
 };
 
 /// Ensures   kVerified only if the claim of the file is true (PROOF.md). The floating-point

@@ -1,0 +1,275 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "regulus/certificate/verifier/model_comparison.hpp"
+
+#include <algorithm>
+
+#include "regulus/certificate/verifier/algebra.hpp"
+#include "regulus/certificate/verifier/evaluation.hpp"
+#include "regulus/certificate/verifier/model_expression.hpp"
+#include "regulus/certificate/verifier/model_file.hpp"
+
+namespace regulus::verifier {
+namespace {
+
+constexpr std::uint64_t kProducts = 1 << 16;  ///< for one expression
+constexpr long kBits = 2048;                  ///< of values at points, where algebra does not tell
+constexpr int kPoints = 4;
+constexpr std::size_t kLongestText = 120;
+
+enum class Equality { kEqual, kAtPoints, kDifferent, kUnknown };
+
+class Comparison {
+ public:
+  Comparison(Question& q, const Options& options, Verification& result)
+      : q_(q), options_(options), result_(result), values_(read_model_values(options.model_text)) {}
+
+  void run() {
+    compare_geometry();
+    compare_gough();
+    compare_matrix();
+    compare_motion();
+  }
+
+ private:
+  /// The expression of a value of the file, whose names are those of `scope` and of [let].
+  NodeId node_of(const WrittenValue& written, const Scope& scope) {
+    if (!written.is_string) return number_of_toml(written.text, q_.graph);
+    const NameMeaning meaning = [&](std::string_view name) -> NodeId {
+      const auto known = scope.find(name);
+      if (known != scope.end()) return known->second;
+      return let(name, scope);
+    };
+    return parse_model_expression(written.text, meaning, q_.graph, depth_);
+  }
+
+  NodeId let(std::string_view name, const Scope& scope) {
+    auto& known = &scope == &q_.actual ? actual_lets_ : commanded_lets_;
+    if (const auto found = known.find(name); found != known.end()) return found->second;
+    const auto written = values_.find("let." + std::string(name));
+    if (written == values_.end())
+      throw Unfinished("the name " + std::string(name) + " is not known");
+    if (++lets_ > kMostLets) throw Unfinished("[let] is nested too deeply");
+    const NodeId result = node_of(written->second, scope);
+    --lets_;
+    known.emplace(name, result);
+    return result;
+  }
+
+  /// `option`: what may have changed it; "" for nothing.
+  void compare(const std::string& place, const std::string& stated, const Scope& scope,
+               const std::string& option = "") {
+    const auto written = values_.find(place);
+    if (written == values_.end()) return;
+    const auto found = q_.stated.find(stated);
+    NodeId node = kNoNode;
+    try {
+      node = node_of(written->second, scope);
+    } catch (const Rejection& why) {
+      return leave_out(place, written->second, why.what());
+    } catch (const Unfinished& why) {
+      return leave_out(place, written->second, why.what());
+    }
+    if (found == q_.stated.end()) {
+      // A spread that is not stated is 0.
+      const NodeId zero = q_.graph.number("0");
+      if (equality(node, zero) == Equality::kDifferent)
+        differ(place, written->second, {zero, 0, "0"}, option);
+      ++result_.numbers;
+      return;
+    }
+    switch (equality(node, found->second.node)) {
+      case Equality::kDifferent:
+        return differ(place, written->second, found->second, option);
+      case Equality::kUnknown:
+        return leave_out(place, written->second, "the two expressions have no value at any point");
+      default:
+        ++result_.numbers;
+    }
+  }
+
+  static std::string shortened(const std::string& text) {
+    return text.size() <= kLongestText ? text : text.substr(0, kLongestText) + "…";
+  }
+
+  void leave_out(const std::string& place, const WrittenValue& written, const std::string& why) {
+    result_.uncompared.push_back(place + ", line " + std::to_string(written.line) + ": " + why);
+  }
+
+  void differ(const std::string& place, const WrittenValue& written, const StatedValue& stated,
+              const std::string& option) {
+    std::string text = options_.model_name + ':' + std::to_string(written.line) + ": " + place +
+                       " is '" + shortened(written.text) + "', but the certificate has '" +
+                       shortened(stated.text) + '\'';
+    if (stated.line > 0) text += " in line " + std::to_string(stated.line);
+    const bool is_allowed = !option.empty() && (!options_.overridden.has_value() ||
+                                                options_.overridden->contains(option));
+    if (!is_allowed) throw Rejection("the certificate is not about this model file: " + text);
+    result_.differences.push_back(text);
+  }
+
+  Equality equality(NodeId a, NodeId b) {
+    if (a == b) return Equality::kEqual;
+    const NodeId difference = q_.graph.add(Op::kSubtract, a, b);
+    AlgebraBudget budget(kProducts);
+    const std::vector<NodeId> none;
+    try {
+      Algebra algebra(q_.graph, none, Algebra::Form::kFull, budget);
+      algebra.find_units({difference});
+      const Polynomial& p = algebra.of(difference);
+      if (algebra.vanishes(p)) return Equality::kEqual;
+      if (p.is_constant()) return Equality::kDifferent;
+    } catch (const TooLarge&) {
+      return at_points(difference);
+    }
+    return at_points(difference);
+  }
+
+  /// Different where they are at some point; otherwise alike to many digits at a few points.
+  Equality at_points(NodeId difference) {
+    Equality result = Equality::kUnknown;
+    for (int number = 0; number < kPoints; ++number) {
+      const auto value = evaluate(q_.graph, {difference}, point(number), kBits);
+      if (!value) continue;
+      if (arb_is_nonzero((*value)[0].get()) != 0 || arb_contains_zero((*value)[0].get()) == 0)
+        return Equality::kDifferent;
+      result = Equality::kAtPoints;
+    }
+    return result;
+  }
+
+  /// Some point of the ranges.
+  std::vector<Ball> point(int number) {
+    std::vector<Ball> result(q_.variables.size());
+    for (std::size_t k = 0; k < result.size(); ++k) {
+      const Variable& v = q_.variables[k];
+      const auto ends = evaluate(q_.graph, {v.lo, v.hi}, {}, kBits);
+      if (!ends) continue;
+      Ball& x = result[k];
+      arb_sub(x.get(), (*ends)[1].get(), (*ends)[0].get(), kBits);
+      arb_mul_ui(x.get(), x.get(), ulong(13 + 29 * number + 17 * int(k)) % 97, kBits);
+      arb_div_ui(x.get(), x.get(), 97, kBits);
+      arb_add(x.get(), x.get(), (*ends)[0].get(), kBits);
+      arb_get_mid_arb(x.get(), x.get());
+    }
+    return result;
+  }
+
+  /// The value and the spread of a constant, or of the coordinates of a point.
+  void compare_constant(const std::string& place, const std::string& name) {
+    const Scope none;
+    compare(place, "value " + name, none);
+    const std::string list = place + '[';
+    for (auto at = values_.lower_bound(list); at != values_.end() && at->first.starts_with(list);
+         ++at) {
+      const std::string digits = at->first.substr(list.size(), at->first.size() - list.size() - 1);
+      if (digits.find_first_not_of("0123456789") != std::string::npos || digits.size() > 6)
+        continue;
+      compare(at->first, "value " + name + '_' + std::to_string(std::stoul(digits) + 1), none);
+    }
+  }
+
+  void compare_spread(const std::string& place, const std::string& name,
+                      const std::string& option) {
+    const Scope none;
+    if (q_.stated.contains("value " + name)) return compare(place, "spread " + name, none, option);
+    const std::string coordinate = "value " + name + '_';
+    std::vector<std::string> names;
+    for (auto at = q_.stated.lower_bound(coordinate);
+         at != q_.stated.end() && at->first.starts_with(coordinate); ++at)
+      names.push_back(at->first.substr(std::string_view("value ").size()));
+    for (const std::string& one : names) compare(place, "spread " + one, none, option);
+  }
+
+  void compare_geometry() {
+    constexpr std::string_view kTable = "geometry.";
+    std::set<std::string> names;
+    for (auto at = values_.lower_bound(kTable);
+         at != values_.end() && at->first.starts_with(kTable); ++at) {
+      const std::string rest = at->first.substr(kTable.size());
+      names.insert(rest.substr(0, rest.find_first_of(".[")));
+    }
+    for (const std::string& name : names) {
+      const std::string place = std::string(kTable) + name;
+      compare_constant(place, name);
+      compare_constant(place + ".value", name);
+      const auto group = values_.find(place + ".group");
+      const std::string option = group == values_.end() ? "" : "tolerance " + group->second.text;
+      compare_spread(place + ".tolerance", name, option);
+      compare_spread(place + ".radius", name, option);
+    }
+  }
+
+  void compare_gough() {
+    const Scope none;
+    for (const auto& [table, letter] : {std::pair("base", 'a'), std::pair("platform", 'b')})
+      for (std::size_t leg = 0; leg < 6; ++leg)
+        for (std::size_t axis = 0; axis < 3; ++axis) {
+          const std::string name =
+              std::string(1, letter) + std::to_string(leg + 1) + '_' + "xyz"[axis];
+          const std::string place = std::string("gough.") + table;
+          compare(place + '[' + std::to_string(leg) + "][" + std::to_string(axis) + ']',
+                  "value " + name, none);
+          compare(place + "_tolerance", "spread " + name, none, std::string("tolerance ") + table);
+        }
+  }
+
+  void compare_matrix() {
+    for (std::size_t e = 0; e < q_.matrix.size(); ++e)
+      compare("matrix.rows[" + std::to_string(e / q_.columns) + "][" +
+                  std::to_string(e % q_.columns) + ']',
+              "entry " + std::to_string(e), q_.actual);
+    for (std::size_t i = 0; i < q_.rows; ++i)
+      if (!q_.scale.empty())
+        compare("matrix.row_scale[" + std::to_string(i) + ']', "scale " + std::to_string(i),
+                q_.actual);
+  }
+
+  void compare_motion() {
+    const std::string motion = "motion." + q_.motion + '.';
+    const Scope none;
+    for (auto at = values_.lower_bound(motion);
+         at != values_.end() && at->first.starts_with(motion); ++at) {
+      const std::string rest = at->first.substr(motion.size());
+      if (rest == "alpha")
+        compare(at->first, "alpha ", none, "alpha");
+      else if (rest.starts_with("error."))
+        compare(at->first, "error " + rest.substr(6), none);
+      else if (rest.starts_with("constraints["))
+        compare(at->first, "constraint " + rest.substr(12, rest.size() - 13), q_.commanded);
+      else
+        compare_range(at->first, rest.starts_with("parameters.") ? rest.substr(11) : rest);
+    }
+  }
+
+  void compare_range(const std::string& place, const std::string& rest) {
+    const Scope none;
+    const std::string name = rest.substr(0, rest.find('['));
+    const std::string option = "range " + name;
+    const bool is_range = q_.stated.contains("lower " + name);
+    if (rest.ends_with("[0]"))
+      compare(place, (is_range ? "lower " : "pose ") + name, none, option);
+    else if (rest.ends_with("[1]"))
+      compare(place, (is_range ? "upper " : "pose ") + name, none, option);
+    else if (is_range)
+      for (const char* end : {"lower ", "upper "}) compare(place, end + name, none, option);
+    else
+      compare(place, "pose " + name, q_.commanded, option);
+  }
+
+  static constexpr int kMostLets = 100;
+
+  Question& q_;
+  const Options& options_;
+  Verification& result_;
+  const WrittenValues values_;
+  std::map<std::string, NodeId, std::less<>> actual_lets_, commanded_lets_;
+  int depth_ = 0, lets_ = 0;
+};
+
+}  // namespace
+
+void compare_with_model(Question& question, const Options& options, Verification& result) {
+  Comparison(question, options, result).run();
+}
+
+}  // namespace regulus::verifier
