@@ -19,7 +19,7 @@ class CertificateFile {
   CertificateFile(const std::string& path, const Preparation& preparation,
                   const std::optional<CertificateWriter::Partial>& partial = std::nullopt);
 
-  /// Watches the search; nullptr if none is wanted.
+  /// Watches the search; nullptr if none is wanted, or none can be.
   [[nodiscard]] Observer* observer() noexcept { return writer_ ? &*writer_ : nullptr; }
 
   /// Puts the file in its place if the verdict claims something. Throws FileError.
@@ -28,7 +28,7 @@ class CertificateFile {
   /// nullptr if none is wanted.
   [[nodiscard]] CertificateWriter* writer() noexcept { return writer_ ? &*writer_ : nullptr; }
   [[nodiscard]] bool written() const noexcept { return written_; }
-  /// A line of the report; empty if none was wanted.
+  /// Lines of the report; empty if none was wanted.
   [[nodiscard]] std::string line() const;
   /// The key `certificate` of a JSON report: the file, null if none could be written.
   void add_to(nlohmann::ordered_json& report) const;
@@ -37,6 +37,8 @@ class CertificateFile {
   std::optional<FileLock> lock_;  ///< of a file that several runs write
   std::optional<CertificateWriter> writer_;
   bool written_ = false;
+  std::string obstacle_;  ///< why there can be no certificate of this question
+  std::string note_;      ///< what the verifier may not be able to follow
 };
 
 }  // namespace regulus::codegen

@@ -3,8 +3,10 @@
 
 #include <algorithm>
 #include <set>
+#include <sstream>
 
 #include "regulus/certificate/format.hpp"
+#include "regulus/certificate/verifier/question.hpp"
 #include "regulus/codegen/driver/expression_lines.hpp"
 
 namespace regulus::codegen {
@@ -136,6 +138,19 @@ CertifiedQuestion certified_question(const Request& request,
                                expression_text(request.motion.alpha) != "0"};
   return {QuestionText(request, uncertain).text(), format::claim_words(set, false),
           format::claim_words(set, true)};
+}
+
+std::string certificate_obstacle(const CertifiedQuestion& question) {
+  std::istringstream text(std::string(format::kMagic) + "\nverdict " + format::kNoSingularity +
+                          "\nclaim " + question.no_singularity + '\n' + question.text + "proof\n");
+  verifier::Lines lines(text);
+  verifier::Question read;
+  try {
+    verifier::read_question(lines, read);
+  } catch (const verifier::Rejection& why) {
+    return std::string("the question is beyond the limits of the format: ") + why.what();
+  }
+  return "";
 }
 
 CertifiedQuestion certified_question(const Preparation& p) {

@@ -20,6 +20,9 @@ namespace regulus::codegen {
 ///           when the model's names do not fit into a certificate: two things of one name.
 [[nodiscard]] CertifiedQuestion certified_question(const Request& request,
                                                    const std::set<std::string>& uncertain);
+/// Why the verifier could not read a certificate of this question, whatever its proof: it is beyond
+/// the limits of the format. Empty if it can.
+[[nodiscard]] std::string certificate_obstacle(const CertifiedQuestion& question);
 /// What a preparation was made for.
 [[nodiscard]] CertifiedQuestion certified_question(const Preparation& preparation);
 

@@ -41,12 +41,18 @@ CertifiedQuestion MarginCertificates::question_at(const MarginValue& value) cons
 
 Observer* MarginCertificates::watch(const MarginValue& value) {
   if (!wanted()) return nullptr;
-  with_file([&] { search_.emplace(path_ + kSafe, question_at(value)); });
+  CertifiedQuestion question = question_at(value);
+  search_.reset();
+  obstacle_ = certificate_obstacle(question);
+  if (!obstacle_.empty()) return nullptr;
+  with_file([&] { search_.emplace(path_ + kSafe, std::move(question)); });
   return &*search_;
 }
 
 void MarginCertificates::finish(const MarginValue& value, const Result& result) {
   if (!wanted()) return;
+  if (obstacle_.empty()) obstacle_ = certificate_obstacle(question_at(value));
+  if (!obstacle_.empty()) return;
   if (result.verdict == Verdict::kNoSingularity) {
     with_file([&] { static_cast<void>(search_->finish(result)); });
     safe_ = {path_ + kSafe, value.text};
@@ -63,6 +69,7 @@ void MarginCertificates::finish(const MarginValue& value, const Result& result) 
 
 std::string MarginCertificates::lines() const {
   if (!wanted()) return "";
+  if (!obstacle_.empty()) return "certificate none: " + obstacle_ + '\n';
   const auto proved = [](const Proved& end, const char* words) {
     return fmt::format("{}: {} {}\n", end.file, words, end.value);
   };

@@ -44,6 +44,7 @@ class MarginCertificates {
   std::set<std::string> uncertain_;
   std::optional<CertificateWriter> search_;
   std::optional<Proved> safe_, singular_;
+  std::string obstacle_;  ///< why there can be no certificate of this question
 };
 
 }  // namespace regulus::codegen

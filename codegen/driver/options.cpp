@@ -193,8 +193,16 @@ void add_verify_options(CLI::App& app, VerifyCommand& command) {
   app.add_option("--model", command.model,
                  "Also check that it is about this model file: the question is written anew from "
                  "the file and compared line by line. Ranges, tolerances and alpha that differ, as "
-                 "options may ask for, are reported")
+                 "options may ask for, are reported. Every number and expression of the file is "
+                 "also read and compared by the verifier's own reader")
       ->type_name("MODEL");
+  app.add_option("--time-limit", command.time_limit, "Stop after S seconds: UNFINISHED")
+      ->check(CLI::PositiveNumber)
+      ->type_name("S");
+  app.add_option("--max-boxes", command.max_boxes,
+                 "Boxes that all leaves together may be cut into; default 4194304")
+      ->check(CLI::PositiveNumber)
+      ->type_name("N");
   app.add_flag("--json", command.output.json, "The report on standard output, as one JSON object");
   app.add_flag("--quiet", command.output.quiet, "Nothing but the answer (or the JSON report)");
 }

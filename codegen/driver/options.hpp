@@ -87,7 +87,9 @@ struct MarginCommand {
 
 struct VerifyCommand {
   std::string path;
-  std::string model;  ///< the model file it must be about; empty: any
+  std::string model;                 ///< the model file it must be about; empty: any
+  std::optional<double> time_limit;  ///< in seconds
+  std::optional<std::uint64_t> max_boxes;
   OutputOptions output;
 };
 

@@ -1,12 +1,16 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include <unistd.h>
+
 #include <fstream>
 #include <iostream>
 #include <nlohmann/json.hpp>
+#include <set>
 
 #include "regulus/certificate/verifier/verify.hpp"
 #include "regulus/codegen/driver/certified_model.hpp"
 #include "regulus/codegen/driver/commands.hpp"
 #include "regulus/codegen/model/errors.hpp"
+#include "regulus/codegen/model/model_file.hpp"
 
 namespace regulus::codegen {
 namespace {
@@ -19,9 +23,35 @@ struct Verified {
   std::vector<std::string> differences;  ///< from the model file that was asked about
 };
 
-Verification verify_stream(std::istream& file, const std::string& path) {
+/// One line on a terminal, rewritten.
+void show_progress(const Verification& v) {
+  std::cerr << "\r\033[K" << v.leaves << " leaves, " << v.boxes << " boxes" << std::flush;
+}
+
+verifier::Options options_of(const VerifyCommand& command) {
+  verifier::Options options;
+  options.time_limit = command.time_limit.value_or(0);
+  options.max_boxes = command.max_boxes.value_or(options.max_boxes);
+  if (!command.output.quiet && !command.output.json && isatty(STDERR_FILENO) != 0)
+    options.progress = show_progress;
+  return options;
+}
+
+/// What the front end has found to be set by options: "range x", "tolerance base", "alpha".
+std::set<std::string> overridden(const std::vector<std::string>& differences) {
+  std::set<std::string> result;
+  for (const std::string& text : differences)
+    result.insert(text.starts_with("alpha ") ? "alpha"
+                                             : text.substr(0, text.find(' ', text.find(' ') + 1)));
+  return result;
+}
+
+Verification verify_stream(std::istream& file, const std::string& path,
+                           const verifier::Options& options) {
   try {
-    return verifier::verify(file);
+    const Verification result = verifier::verify(file, options);
+    if (options.progress) std::cerr << "\r\033[K";
+    return result;
   } catch (const std::runtime_error& error) {
     throw FileError(path + ": " + error.what());
   }
@@ -41,7 +71,8 @@ Verification rejected(const CertificateHead& head, const std::string& reason) {
 Verified verify_file(const VerifyCommand& command) {
   std::ifstream file(command.path, std::ios::binary);
   if (!file) throw FileError("cannot read " + command.path);
-  if (command.model.empty()) return {verify_stream(file, command.path), {}};
+  verifier::Options options = options_of(command);
+  if (command.model.empty()) return {verify_stream(file, command.path, options), {}};
   const CertificateHead head(file);
   ContinuedText text(head.text(), file);
   std::istream certificate(&text);
@@ -49,7 +80,10 @@ Verified verify_file(const VerifyCommand& command) {
   ModelConfirmation confirmation;
   if (!head.lines().empty()) confirmation = confirm_model(head, command.model);
   if (!confirmation.refusal.empty()) return {rejected(head, confirmation.refusal), {}};
-  return {verify_stream(certificate, command.path), confirmation.differences};
+  options.model_text = read_model_text(command.model);
+  options.model_name = command.model;
+  options.overridden = overridden(confirmation.differences);
+  return {verify_stream(certificate, command.path, options), confirmation.differences};
 }
 
 std::string model_lines(const VerifyCommand& command, const Verified& verified) {
@@ -78,11 +112,14 @@ nlohmann::ordered_json json_report(const VerifyCommand& command, const Verified&
                                    {"model_sha256", v.sha256},
                                    {"motion", v.motion},
                                    {"leaves", v.leaves},
-                                   {"boxes", v.boxes}};
+                                   {"boxes", v.boxes},
+                                   {"note", v.note}};
   report["certificate"] = command.path;
   report["model_file"] = nullptr;
   if (!command.model.empty()) report["model_file"] = command.model;
   report["differences"] = verified.differences;
+  report["numbers_compared"] = v.numbers;
+  report["uncompared"] = v.uncompared;
   return report;
 }
 

@@ -28,6 +28,8 @@ constexpr const char* kHelp =
     "\n"
     "  --model FILE     also compare every number and expression of this model file with the\n"
     "                   certificate, by a reader that shares nothing with regulus\n"
+    "  --allow-options  ranges, tolerances and alpha may differ from that file, as options of\n"
+    "                   regulus set them; they are listed\n"
     "  --time-limit S   stop after S seconds: UNFINISHED\n"
     "  --max-boxes N    boxes that all leaves together may be cut into (default 4194304)\n"
     "  --quiet          nothing but the answer\n"
@@ -55,6 +57,8 @@ bool read_usage(const std::vector<std::string>& words, Usage& usage) {
       usage.help = true;
     } else if (word == "--quiet") {
       usage.quiet = true;
+    } else if (word == "--allow-options") {
+      usage.options.all_overridden = true;
     } else if (word == "--model" && !next.empty()) {
       usage.model = words[++i];
     } else if (word == "--time-limit" && read_number(next, usage.options.time_limit)) {

@@ -28,6 +28,7 @@ class Comparison {
     compare_gough();
     compare_matrix();
     compare_motion();
+    list_uncompared();
   }
 
  private:
@@ -61,6 +62,7 @@ class Comparison {
     const auto written = values_.find(place);
     if (written == values_.end()) return;
     const auto found = q_.stated.find(stated);
+    used_.insert(stated);
     NodeId node = kNoNode;
     try {
       node = node_of(written->second, scope);
@@ -101,8 +103,8 @@ class Comparison {
                        " is '" + shortened(written.text) + "', but the certificate has '" +
                        shortened(stated.text) + '\'';
     if (stated.line > 0) text += " in line " + std::to_string(stated.line);
-    const bool is_allowed = !option.empty() && (!options_.overridden.has_value() ||
-                                                options_.overridden->contains(option));
+    const bool is_allowed =
+        !option.empty() && (options_.all_overridden || options_.overridden.contains(option));
     if (!is_allowed) throw Rejection("the certificate is not about this model file: " + text);
     result_.differences.push_back(text);
   }
@@ -256,6 +258,20 @@ class Comparison {
       compare(place, "pose " + name, q_.commanded, option);
   }
 
+  /// What the certificate says and no value of the file says: by kinds, with their numbers.
+  void list_uncompared() {
+    std::map<std::string, std::size_t> kinds;
+    for (const auto& [key, stated] : q_.stated) {
+      const std::string kind = key.substr(0, key.find(' ')), name = key.substr(kind.size() + 1);
+      const bool is_own_parameter = kind == "pose" && q_.stated.contains("lower " + name);
+      if (!used_.contains(key) && stated.text != "0" && !is_own_parameter) ++kinds[kind];
+    }
+    for (const auto& [kind, count] : kinds)
+      result_.uncompared.push_back(std::to_string(count) + " of the lines '" + kind +
+                                   "' of the certificate, which have no value of their own in the "
+                                   "file");
+  }
+
   static constexpr int kMostLets = 100;
 
   Question& q_;
@@ -263,6 +279,7 @@ class Comparison {
   Verification& result_;
   const WrittenValues values_;
   std::map<std::string, NodeId, std::less<>> actual_lets_, commanded_lets_;
+  std::set<std::string> used_;  ///< keys of what the certificate states
   int depth_ = 0, lets_ = 0;
 };
 

@@ -60,7 +60,7 @@ class TreeChecker {
     const double at = read_double(words[3]);
     if (k >= lower.size()) throw Rejection("there is no variable " + std::string(words[2]));
     if (!(lower[k].lo < at && at < lower[k].hi)) throw Rejection("the split is not inside the box");
-    if (open_.size() > format::kMostOpen) throw Rejection("too many boxes are open");
+    if (open_.size() > format::kMostOpen) throw Unfinished("too many boxes are open");
     Box upper = lower;
     lower[k].hi = upper[k].lo = at;
     open_.emplace(next_++, std::move(lower));

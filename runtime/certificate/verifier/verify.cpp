@@ -85,7 +85,7 @@ std::string describe(const Verification& v) {
     line("numbers",
          std::to_string(v.numbers) + " values and expressions of the model file compared");
   for (const std::string& difference : v.differences) line("differs", difference);
-  for (const std::string& place : v.uncompared) line("not read", place);
+  for (const std::string& place : v.uncompared) line("uncompared", place);
   line("note", v.note);
   line("reason", v.reason);
   return text;

@@ -5,7 +5,6 @@
 #include <cstdint>
 #include <functional>
 #include <istream>
-#include <optional>
 #include <set>
 #include <string>
 #include <vector>
@@ -30,8 +29,9 @@ struct Options {
   /// The text and name of the model file that the question must be about; empty: any.
   std::string model_text, model_name;
   /// Of a comparison with the model file, what may differ because an option of the command line
-  /// has set it: "alpha", "range x", "tolerance a1_x"; nullopt: every such thing.
-  std::optional<std::set<std::string>> overridden;
+  /// has set it: "alpha", "range x", "tolerance base".
+  std::set<std::string> overridden;
+  bool all_overridden = false;  ///< every such thing may differ
   /// Called a few times a second with what has been counted so far; empty: nothing is.
   std::function<void(const Verification&)> progress;
 };
@@ -45,8 +45,8 @@ struct Verification {
   std::uint64_t boxes = 0;               ///< that the leaves were cut into
   std::size_t numbers = 0;               ///< values of the model file that were compared
   std::vector<std::string> differences;  ///< of them, those that options have set otherwise
-  std::vector<std::string> uncompared;   ///< values that could not be
-  std::string note;                      ///< what else is to be known of a claim that was verified
+  std::vector<std::string> uncompared;  ///< values, and lines of the certificate, that could not be
+  std::string note;                     ///< what else is to be known of a claim that was verified
 };
 
 /// Ensures   kVerified only if the claim of the file is true (PROOF.md). The floating-point

@@ -106,5 +106,24 @@ TEST(ATree, NamesOpenBoxesAndVariablesThatExist) {
   expect_rejected(question + "nonsense\n", "expected 's BOX");
 }
 
+TEST(AForgedIdentity, IsNoProof) {
+  const auto claimed = [](const std::string& entry) {
+    return verify_text(scalar_question(entry, "0 : 3", kSingular1) +
+                       "proof\nreason always-singular\npoint 0 0x1p+0\nend\n");
+  };
+  for (const char* entry : {"x", "x - x + 1e-300", "sin(x)^2 + cos(x)^2 - 1 + 1e-30",
+                            "(x + 1)^2 - x^2 - 2*x", "sqrt(2)*sqrt(3) - sqrt(5)"}) {
+    const auto v = claimed(entry);
+    EXPECT_NE(v.outcome, verifier::Outcome::kVerified) << entry;
+    EXPECT_NE(v.reason.find("exact algebra"), std::string::npos) << v.reason;
+  }
+  expect_rejected(scalar_question("x - x", "0 : 3", kSingular1) +
+                      "proof\nreason always-singular\npoint 0 0x1p+2\nend\n",
+                  "outside the ranges");
+  expect_rejected(scalar_question("x - x", "0 : 3", kSingular1) +
+                      "proof\nreason always-singular\npoint 0 0x1p+0\nmore\n",
+                  "expected 'end'");
+}
+
 }  // namespace
 }  // namespace regulus::test
