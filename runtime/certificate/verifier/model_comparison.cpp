@@ -99,13 +99,14 @@ class Comparison {
 
   void differ(const std::string& place, const WrittenValue& written, const StatedValue& stated,
               const std::string& option) {
-    std::string text = options_.model_name + ':' + std::to_string(written.line) + ": " + place +
-                       " is '" + shortened(written.text) + "', but the certificate has '" +
+    std::string text = "line " + std::to_string(written.line) + ": " + place + " is '" +
+                       shortened(written.text) + "', but the certificate has '" +
                        shortened(stated.text) + '\'';
     if (stated.line > 0) text += " in line " + std::to_string(stated.line);
     const bool is_allowed =
         !option.empty() && (options_.all_overridden || options_.overridden.contains(option));
-    if (!is_allowed) throw Rejection("the certificate is not about this model file: " + text);
+    if (!is_allowed)
+      throw OtherModel("the certificate is not about " + options_.model_name + ": " + text);
     result_.differences.push_back(text);
   }
 
@@ -258,13 +259,21 @@ class Comparison {
       compare(place, "pose " + name, q_.commanded, option);
   }
 
+  [[nodiscard]] bool may_set_tolerances() const {
+    return options_.all_overridden ||
+           std::any_of(options_.overridden.begin(), options_.overridden.end(),
+                       [](const std::string& option) { return option.starts_with("tolerance "); });
+  }
+
   /// What the certificate says and no value of the file says: by kinds, with their numbers.
   void list_uncompared() {
     std::map<std::string, std::size_t> kinds;
     for (const auto& [key, stated] : q_.stated) {
       const std::string kind = key.substr(0, key.find(' ')), name = key.substr(kind.size() + 1);
       const bool is_own_parameter = kind == "pose" && q_.stated.contains("lower " + name);
-      if (!used_.contains(key) && stated.text != "0" && !is_own_parameter) ++kinds[kind];
+      const bool is_option = kind == "spread" && may_set_tolerances();
+      if (!used_.contains(key) && stated.text != "0" && !is_own_parameter && !is_option)
+        ++kinds[kind];
     }
     for (const auto& [kind, count] : kinds)
       result_.uncompared.push_back(std::to_string(count) + " of the lines '" + kind +

@@ -8,8 +8,14 @@
 
 namespace regulus::verifier {
 
+/// The certificate is about another model file.
+class OtherModel : public Rejection {
+ public:
+  using Rejection::Rejection;
+};
+
 /// Counts in `result` what was compared, and lists what options may have changed and what could not
-/// be compared. Throws Rejection for what differs otherwise, with both texts and their lines;
+/// be compared. Throws OtherModel for what differs otherwise, with both texts and their lines;
 /// Unfinished where the file cannot be read.
 void compare_with_model(Question& question, const Options& options, Verification& result);
 

@@ -60,6 +60,9 @@ Verification verify(std::istream& file, const Options& options) {
   try {
     check(lines, question, options, result);
     result.outcome = Outcome::kVerified;
+  } catch (const OtherModel& other) {
+    result.outcome = Outcome::kRejected;
+    result.reason = other.what();
   } catch (const Rejection& rejection) {
     result.outcome = Outcome::kRejected;
     result.reason = at_line(lines, rejection.what());

@@ -44,7 +44,7 @@ void expect_refused(const Pair& p, const std::string& number, const std::string&
   const Verification v = compare(p);
   EXPECT_EQ(v.outcome, Outcome::kRejected) << number;
   for (const std::string& part :
-       {std::string("model.toml:"), number, other, std::string("in line ")})
+       {std::string("not about model.toml: line "), number, other, std::string("in line ")})
     EXPECT_NE(v.reason.find(part), std::string::npos) << v.reason;
 }
 
