@@ -11,6 +11,7 @@ constexpr std::uint64_t kProductsInFullForm = 1 << 21;
 constexpr std::uint64_t kProductsInPlainForm = 1 << 19;
 constexpr std::uint64_t kProductsOfEnds = 1 << 16;
 constexpr std::size_t kMostTermsOfForm = 2000;  ///< that are evaluated over boxes
+constexpr std::size_t kMostTermsOfExtremum = 200;
 
 /// The one variable that a polynomial has.
 std::optional<std::size_t> only_variable(const Algebra& algebra, const Polynomial& p, int& number) {
@@ -30,7 +31,7 @@ std::optional<std::size_t> only_variable(const Algebra& algebra, const Polynomia
 
 ExactDeterminant::ExactDeterminant(Question& question, const Variety& variety,
                                    const std::vector<NodeId>& values, long max_bits)
-    : q_(question), variety_(variety), max_bits_(max_bits) {
+    : q_(question), variety_(variety), max_bits_(max_bits), bounds_(question) {
   AlgebraBudget of_plain(kProductsInPlainForm), of_full(kProductsInFullForm);
   try {
     Algebra plain(q_.graph, values, Algebra::Form::kPlain, of_plain);
@@ -61,6 +62,7 @@ std::unique_ptr<ExactDeterminant::Form> ExactDeterminant::form_of(Algebra& algeb
     if (polynomial_.set(p, number)) only_ = variable;
   }
   if (vanishes_ || p.terms().size() > kMostTermsOfForm) return nullptr;
+  has_few_terms_ = p.terms().size() <= kMostTermsOfExtremum;
   return std::make_unique<Form>(q_.graph, algebra.expression(p));
 }
 
@@ -80,7 +82,7 @@ bool ExactDeterminant::exceeds_threshold(const Box& box) {
   if (plain_ && exceeds_naturally(*plain_, box)) return true;
   if (full_ && exceeds_naturally(*full_, box)) return true;
   if (only_ && exceeds_in_one_variable(box)) return true;
-  return full_ && exceeds_at_extremum(box);
+  return full_ && has_few_terms_ && exceeds_at_extremum(box);
 }
 
 bool ExactDeterminant::exceeds_naturally(Form& form, const Box& box) {
@@ -107,7 +109,7 @@ bool ExactDeterminant::exceeds_in_one_variable(const Box& box) const {
 }
 
 bool ExactDeterminant::exceeds_at_extremum(const Box& box) {
-  return Extremum(q_, variety_, *full_, box, max_bits_).exceeds();
+  return Extremum(variety_, bounds_, *full_, box, max_bits_).exceeds();
 }
 
 std::vector<NodeId> single_values(Question& question) {

@@ -44,7 +44,9 @@ class ExactDeterminant {
   const Variety& variety_;
   const long max_bits_;
   bool vanishes_ = false;
+  bool has_few_terms_ = false;  ///< of the full form: it is differentiated
   std::string obstacle_;
+  ExactBounds bounds_;
   std::unique_ptr<Form> plain_, full_;
   std::vector<std::optional<Rational>> lo_, hi_;  ///< the ends that are rational numbers
   std::optional<Rational> alpha_;

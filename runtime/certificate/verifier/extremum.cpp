@@ -64,6 +64,13 @@ const Ball* BallExpression::run(const std::vector<Ball>& variables, long bits) {
   return &values_.back();
 }
 
+ExactBounds::ExactBounds(const Question& question) : alpha(question.graph, question.alpha) {
+  for (const Variable& v : question.variables) {
+    lower.emplace_back(question.graph, v.lo);
+    upper.emplace_back(question.graph, v.hi);
+  }
+}
+
 BallExpression& DeterminantForm::first(std::size_t k) {
   const auto known = gradient.find(k);
   if (known != gradient.end()) return known->second.second;
@@ -93,8 +100,8 @@ Ball Extremum::end_of(std::size_t k, bool upper, long bits) const {
   const double x = upper ? box_[k].hi : box_[k].lo;
   const double outer = upper ? variety_.outer[k].hi : variety_.outer[k].lo;
   if (x == outer) {
-    const NodeId node = upper ? q_.variables[k].hi : q_.variables[k].lo;
-    if (const auto value = evaluate(q_.graph, {node}, {}, bits)) return (*value)[0];
+    BallExpression& end = upper ? bounds_.upper[k] : bounds_.lower[k];
+    if (const Ball* value = end.run({}, bits)) return *value;
   }
   return Ball(point(x), bits);
 }
@@ -161,12 +168,12 @@ bool Extremum::move_to_ends() {
 /// sign·f(point) − loss > alpha.
 bool Extremum::exceeds_at_point(const std::vector<Ball>& point, const Ball& loss, long bits) {
   const Ball* value = form_.value.run(point, bits);
-  const auto alpha = evaluate(q_.graph, {q_.alpha}, {}, bits);
-  if (value == nullptr || !alpha) return false;
+  const Ball* alpha = bounds_.alpha.run({}, bits);
+  if (value == nullptr || alpha == nullptr) return false;
   Ball least;
   arb_mul_si(least.get(), value->get(), sign_, bits);
   arb_sub(least.get(), least.get(), loss.get(), bits);
-  return arb_gt(least.get(), (*alpha)[0].get()) != 0;
+  return arb_gt(least.get(), alpha->get()) != 0;
 }
 
 bool Extremum::exceeds_at_ends() {

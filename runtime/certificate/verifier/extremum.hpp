@@ -44,11 +44,19 @@ struct DeterminantForm {
   std::map<std::pair<std::size_t, std::size_t>, BallExpression> hessian;
 };
 
+/// The ends of the ranges and the threshold, as expressions.
+struct ExactBounds {
+  explicit ExactBounds(const Question& question);
+
+  std::vector<BallExpression> lower, upper;  ///< by variable
+  BallExpression alpha;
+};
+
 class Extremum {
  public:
-  Extremum(const Question& question, const Variety& variety, DeterminantForm& form, const Box& box,
+  Extremum(const Variety& variety, ExactBounds& bounds, DeterminantForm& form, const Box& box,
            long max_bits)
-      : q_(question), variety_(variety), form_(form), box_(box), max_bits_(max_bits) {}
+      : variety_(variety), bounds_(bounds), form_(form), box_(box), max_bits_(max_bits) {}
 
   /// Ensures   true only if |f| > alpha at every point of the set in the box.
   [[nodiscard]] bool exceeds();
@@ -69,8 +77,8 @@ class Extremum {
   [[nodiscard]] bool improve(std::vector<Ball>& point, long bits);
   [[nodiscard]] std::optional<Ball> loss_at(const std::vector<Ball>& point, long bits);
 
-  const Question& q_;
   const Variety& variety_;
+  ExactBounds& bounds_;
   DeterminantForm& form_;
   const Box& box_;
   const long max_bits_;

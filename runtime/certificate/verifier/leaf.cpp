@@ -87,14 +87,20 @@ void LeafProver::prove(const Box& box) {
 
 /// Whether the determinant, multiplied out, keeps away from 0 all over a box.
 bool LeafProver::is_regular_exactly(const Box& box, std::uint64_t boxes_of_leaf) {
-  if (q_.rows != q_.columns || !test_.is_defined()) return false;
-  if (!exact_) {
-    if (q_.columns > kSmallOrder && boxes_of_leaf < kBoxesBeforeAlgebra &&
-        test_.variable_to_split(box))
-      return false;
-    exact_.emplace(q_, variety_, single_values(q_), options_.max_bits);
+  if (q_.rows != q_.columns || !test_.is_defined() || is_exact_too_large_) return false;
+  try {
+    if (!exact_) {
+      if (q_.columns > kSmallOrder && boxes_of_leaf < kBoxesBeforeAlgebra &&
+          test_.variable_to_split(box))
+        return false;
+      exact_.emplace(q_, variety_, single_values(q_), options_.max_bits);
+    }
+    return exact_->exceeds_threshold(box);
+  } catch (const Unfinished&) {
+    // Too many operations in the forms or their derivatives: the other tests go on.
+    is_exact_too_large_ = true;
+    return false;
   }
-  return exact_->exceeds_threshold(box);
 }
 
 /// The middles of the first boxes are a good guess; a claim about no point at all is worth nothing.

@@ -43,6 +43,7 @@ class LeafProver {
   std::optional<ExactDeterminant> exact_;  ///< once it has been needed
   std::vector<Box> waiting_;
   std::uint64_t& boxes_;
+  bool is_exact_too_large_ = false;
   bool has_met_variety_ = false, has_met_point_ = false;
   int points_tried_ = 0;
   int sign_ = 0;  ///< of det A at some point of a variety without constraints
