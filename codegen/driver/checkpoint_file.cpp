@@ -3,13 +3,10 @@
 
 #include <fmt/format.h>
 
-#include <cerrno>
-#include <cstring>
-#include <fstream>
 #include <numeric>
-#include <sstream>
 
 #include "regulus/codegen/model/errors.hpp"
+#include "regulus/codegen/model/read_file.hpp"
 #include "regulus/codegen/model/sha256.hpp"
 
 namespace regulus::codegen {
@@ -34,15 +31,15 @@ CheckpointedQuestion question_of(const Preparation& p, const Settings& settings)
   return question;
 }
 
+constexpr std::uint64_t kLargestCheckpoint = std::uint64_t{4} << 30;
+
 /// nullopt: there is no such file.
-std::optional<std::string> read_file(const std::string& path) {
-  errno = 0;
-  std::ifstream file(path, std::ios::binary);
-  if (!file && errno == ENOENT) return std::nullopt;
-  std::ostringstream text;
-  text << file.rdbuf();
-  if (!file) throw FileError("the checkpoint " + path + " cannot be read: " + std::strerror(errno));
-  return text.str();
+std::optional<std::string> read_text(const std::string& path) {
+  try {
+    return read_file_if_any(path, kLargestCheckpoint, Readable::kFile);
+  } catch (const FileError& error) {
+    throw FileError(std::string("the checkpoint ") + error.what());
+  }
 }
 
 std::uint64_t leaves_of(const Checkpoint& checkpoint) {
@@ -62,7 +59,7 @@ CheckpointFile::CheckpointFile(const CheckpointOptions& options, const Preparati
     throw FileError(std::string("the checkpoint ") + error.what());
   }
   question_ = question_of(preparation, settings);
-  const std::optional<std::string> text = read_file(path_);
+  const std::optional<std::string> text = read_text(path_);
   if (!text) return;
   try {
     found_ = read_checkpoint(*text, question_);
@@ -72,19 +69,39 @@ CheckpointFile::CheckpointFile(const CheckpointOptions& options, const Preparati
 }
 
 std::optional<CertificateWriter::Partial> CheckpointFile::partial(
-    const std::string& certificate) const {
+    const std::string& certificate) {
   if (!wanted()) return std::nullopt;
   if (!found_ || certificate.empty()) return CertificateWriter::Partial{};
   if (!found_->certificate)
     throw InputError(path_, 0, "a checkpoint of a search without --certificate",
                      "the same options as before, or no file");
-  return CertificateWriter::Partial{found_->certificate, leaves_of(*found_)};
+  require_undamaged(certificate);
+  return CertificateWriter::Partial{found_->certificate->length, leaves_of(*found_)};
+}
+
+/// A file that is missing or too short is for the writer to report.
+void CheckpointFile::require_undamaged(const std::string& certificate) {
+  const CertificateSoFar& expected = *found_->certificate;
+  const std::string file = CertificateWriter::partial_file(certificate);
+  digest_.emplace(file);
+  const auto found = digest_->of_first(expected.length);
+  if (!found || expected.sha256.empty() || *found == expected.sha256) return;
+  throw InputError(file, 0, "other bytes than the checkpoint " + path_ + " speaks of",
+                   "the proof so far as it was written; without both files the search starts anew");
 }
 
 Observer* CheckpointFile::observer(CertificateWriter* certificate) {
   if (!wanted()) return nullptr;
   CheckpointWriter::Certificate sync;
-  if (certificate != nullptr) sync = [certificate] { return certificate->sync(); };
+  if (certificate != nullptr) {
+    if (!digest_) digest_.emplace(CertificateWriter::partial_file(certificate->path()));
+    sync = [this, certificate]() -> std::optional<CertificateSoFar> {
+      const auto length = certificate->sync();
+      const auto sha256 = length ? digest_->of_first(*length) : std::nullopt;
+      if (!sha256) return std::nullopt;
+      return CertificateSoFar{*length, *sha256};
+    };
+  }
   const std::chrono::duration<double> interval(interval_);
   writer_.emplace(path_, question_,
                   std::chrono::duration_cast<CheckpointWriter::Clock::duration>(interval), sync);

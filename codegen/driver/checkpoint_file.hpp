@@ -8,6 +8,7 @@
 #include "regulus/certificate/writer.hpp"
 #include "regulus/checkpoint/file_lock.hpp"
 #include "regulus/checkpoint/writer.hpp"
+#include "regulus/codegen/driver/file_digest.hpp"
 #include "regulus/codegen/driver/options.hpp"
 #include "regulus/codegen/driver/pipeline.hpp"
 
@@ -25,9 +26,8 @@ class CheckpointFile {
   /// Where the search goes on; nullptr: it starts from the beginning.
   [[nodiscard]] const Checkpoint* found() const noexcept { return found_ ? &*found_ : nullptr; }
   /// How the certificate goes on; nullopt: without a checkpoint it does not. Throws InputError when
-  /// one is wanted and the checkpoint found has none.
-  [[nodiscard]] std::optional<CertificateWriter::Partial> partial(
-      const std::string& certificate) const;
+  /// one is wanted and the checkpoint found has none, or one of other bytes.
+  [[nodiscard]] std::optional<CertificateWriter::Partial> partial(const std::string& certificate);
 
   /// Watches the search, and tells the certificate to be safe first; nullptr if none is wanted.
   [[nodiscard]] Observer* observer(CertificateWriter* certificate);
@@ -39,11 +39,14 @@ class CheckpointFile {
   [[nodiscard]] std::string line() const;
 
  private:
+  void require_undamaged(const std::string& certificate);
+
   std::string path_;
   double interval_;
   std::optional<FileLock> lock_;
   CheckpointedQuestion question_;
   std::optional<Checkpoint> found_;
+  std::optional<FileDigest> digest_;  ///< of the certificate so far
   std::optional<CheckpointWriter> writer_;
   bool kept_ = false;
 };

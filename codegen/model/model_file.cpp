@@ -4,12 +4,12 @@
 #include <algorithm>
 #include <array>
 #include <cfenv>
-#include <fstream>
 #include <system_error>
 
 #include "regulus/codegen/model/constants.hpp"
 #include "regulus/codegen/model/errors.hpp"
 #include "regulus/codegen/model/names.hpp"
+#include "regulus/codegen/model/read_file.hpp"
 #include "regulus/codegen/model/sections.hpp"
 #include "regulus/codegen/model/sha256.hpp"
 #include "regulus/codegen/model/toml_limits.hpp"
@@ -95,16 +95,8 @@ std::string read_model_text(const std::filesystem::path& path) {
   const auto status = std::filesystem::status(path, error);
   if (!std::filesystem::exists(status)) throw fail("no such file");
   if (std::filesystem::is_directory(status)) throw fail("it is a directory");
-  std::ifstream file(path, std::ios::binary);
-  if (!file) throw fail("permission denied");
-  std::string bytes;
-  std::array<char, 16384> part{};
-  while (file && bytes.size() <= kLargestModelFile) {
-    file.read(part.data(), part.size());
-    bytes.append(part.data(), static_cast<std::size_t>(file.gcount()));
-  }
-  if (file.bad()) throw fail("read error");
-  return bytes;
+  // Some more than may be: parse_model says so in terms of the model.
+  return read_start(path.string(), kLargestModelFile + 1, Readable::kStream);
 }
 
 Model parse_model(std::string_view text, const std::string& name_for_errors) {

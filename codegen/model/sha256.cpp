@@ -22,10 +22,8 @@ constexpr std::array<std::uint32_t, 64> kRound = {
     0x19a4c116, 0x1e376c08, 0x2748774c, 0x34b0bcb5, 0x391c0cb3, 0x4ed8aa4a, 0x5b9cca4f, 0x682e6ff3,
     0x748f82ee, 0x78a5636f, 0x84c87814, 0x8cc70208, 0x90befffa, 0xa4506ceb, 0xbef9a3f7, 0xc67178f2};
 
-// Fractional parts of the square roots of the first 8 primes (FIPS 180-4, §5.3.3).
-constexpr std::array<std::uint32_t, 8> kInitial = {0x6a09e667, 0xbb67ae85, 0x3c6ef372, 0xa54ff53a,
-                                                   0x510e527f, 0x9b05688c, 0x1f83d9ab, 0x5be0cd19};
-
+// The initial state is in the header: fractional parts of the square roots of the first 8 primes
+// (FIPS 180-4, §5.3.3).
 using State = std::array<std::uint32_t, 8>;
 using Schedule = std::array<std::uint32_t, 64>;
 
@@ -77,17 +75,34 @@ void compress_all(State& hash, std::string_view blocks) {
 
 }  // namespace
 
-std::string sha256(std::string_view bytes) {
-  State hash = kInitial;
+void Sha256::add(std::string_view bytes) {
+  total_ += bytes.size();
+  if (!tail_.empty()) {
+    const std::string_view first = bytes.substr(0, kBlockBytes - tail_.size());
+    tail_ += first;
+    bytes.remove_prefix(first.size());
+    if (tail_.size() < kBlockBytes) return;
+    compress(hash_, tail_);
+  }
   const std::size_t whole = bytes.size() - bytes.size() % kBlockBytes;
-  compress_all(hash, bytes.substr(0, whole));
-  compress_all(hash, padded_tail(bytes.substr(whole), bytes.size()));
+  compress_all(hash_, bytes.substr(0, whole));
+  tail_ = bytes.substr(whole);
+}
 
+std::string Sha256::text() const {
+  State hash = hash_;
+  compress_all(hash, padded_tail(tail_, total_));
   constexpr std::string_view kDigits = "0123456789abcdef";
   std::string text;
   for (const std::uint32_t word : hash)
     for (int shift = 28; shift >= 0; shift -= 4) text += kDigits[word >> shift & 0xf];
   return text;
+}
+
+std::string sha256(std::string_view bytes) {
+  Sha256 digest;
+  digest.add(bytes);
+  return digest.text();
 }
 
 }  // namespace regulus::codegen

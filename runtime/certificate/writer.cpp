@@ -7,8 +7,9 @@
 
 #include <cerrno>
 #include <cinttypes>
-#include <cstdlib>
 #include <cstring>
+#include <new>
+#include <random>
 #include <stdexcept>
 #include <utility>
 
@@ -60,20 +61,28 @@ std::string hexadecimal(double x) {
   return text;
 }
 
-/// mkstemp makes a file that only its owner may read; a certificate is for others too.
-void allow_as_usual(int descriptor) noexcept {
-  const mode_t mask = umask(0);
-  umask(mask);
-  static_cast<void>(fchmod(descriptor, 0666 & ~mask));
+/// A new file beside `path`, of a name that no other has, with the permissions that files of this
+/// user usually get: mkstemp would make one that only its owner may read. The name is in `made`.
+int make_beside(const std::string& path, std::string& made) {
+  constexpr int kTries = 100;
+  std::random_device random;
+  for (int tries = 0; tries < kTries; ++tries) {
+    char ending[16];
+    std::snprintf(ending, sizeof ending, ".%08x", random());
+    made = path + ending;
+    const int flags = O_RDWR | O_CREAT | O_EXCL | O_CLOEXEC;
+    const int descriptor = ::open(made.c_str(), flags, 0666);
+    if (descriptor >= 0 || errno != EEXIST) return descriptor;
+  }
+  return -1;
 }
 
 }  // namespace
 
 CertificateWriter::CertificateWriter(std::string path, CertifiedQuestion question)
-    : path_(std::move(path)), temporary_(path_ + ".XXXXXX"), question_(std::move(question)) {
-  const int descriptor = mkstemp(temporary_.data());
+    : path_(std::move(path)), question_(std::move(question)) {
+  const int descriptor = make_beside(path_, temporary_);
   check(descriptor >= 0, "be made");
-  allow_as_usual(descriptor);
   file_.reset(fdopen(descriptor, "w"));
   if (!file_) {
     ::close(descriptor);
@@ -84,7 +93,7 @@ CertificateWriter::CertificateWriter(std::string path, CertifiedQuestion questio
 
 CertificateWriter::CertificateWriter(std::string path, CertifiedQuestion question, Partial partial)
     : path_(std::move(path)),
-      temporary_(path_ + ".partial"),
+      temporary_(partial_file(path_)),
       question_(std::move(question)),
       leaves_(partial.leaves),
       stays_(true),
@@ -92,6 +101,7 @@ CertificateWriter::CertificateWriter(std::string path, CertifiedQuestion questio
   const int mode = O_RDWR | O_NOFOLLOW | O_CLOEXEC | (continues_ ? 0 : O_CREAT | O_TRUNC);
   const int descriptor = ::open(temporary_.c_str(), mode, 0666);
   file_.reset(descriptor < 0 ? nullptr : fdopen(descriptor, "r+"));
+  if (!file_ && descriptor >= 0) ::close(descriptor);
   check(file_ != nullptr, continues_ ? "be continued" : "be made");
   if (!continues_) return;
   const auto length = static_cast<off_t>(*partial.length);
@@ -119,14 +129,17 @@ void CertificateWriter::put(const std::string& text) noexcept {
   std::fputs(text.c_str(), file_.get());
 }
 
-void CertificateWriter::write_head(const char* verdict, const std::string& claim) noexcept {
+void CertificateWriter::write_head(const char* verdict, const std::string& claim) {
   put(std::string(format::kMagic) + "\nverdict " + verdict + "\nclaim " + claim + '\n' +
       question_.text + "proof\n");
 }
 
 /// Splits and leaves are a proof of NO SINGULARITY if they are all that comes.
-void CertificateWriter::on_start(const Problem&, const Settings&) noexcept {
+/// Without memory for them, finish() and sync() say so.
+void CertificateWriter::on_start(const Problem&, const Settings&) noexcept try {
   if (!continues_) write_head(format::kNoSingularity, question_.no_singularity);
+} catch (const std::bad_alloc&) {
+  failed_ = true;
 }
 
 void CertificateWriter::on_split(const OpenBox&, const Split& split) noexcept {
@@ -139,7 +152,7 @@ void CertificateWriter::on_leaf(const OpenBox& box, Rule rule, const Proof&) noe
   std::fprintf(file_.get(), "l %" PRIu64 " %s\n", box.id, word_of(rule));
 }
 
-void CertificateWriter::write_point(const WitnessPoint& point, const char* sign) noexcept {
+void CertificateWriter::write_point(const WitnessPoint& point, const char* sign) {
   std::string line = std::string("point ") + sign;
   for (const Interval& x : point.variables) {
     line += ' ' + hexadecimal(x.lo);
@@ -148,7 +161,7 @@ void CertificateWriter::write_point(const WitnessPoint& point, const char* sign)
   put(line + '\n');
 }
 
-void CertificateWriter::write_witness(const Result& result) noexcept {
+void CertificateWriter::write_witness(const Result& result) {
   put(std::string("reason ") + word_of(result.reason) + '\n');
   const bool signs = result.reason == Reason::kOppositeSigns;
   for (const WitnessPoint& point : result.witness->points)
@@ -158,7 +171,7 @@ void CertificateWriter::write_witness(const Result& result) noexcept {
 }
 
 std::optional<std::uint64_t> CertificateWriter::sync() noexcept {
-  if (std::fflush(file_.get()) != 0 || std::ferror(file_.get()) != 0 ||
+  if (failed_ || std::fflush(file_.get()) != 0 || std::ferror(file_.get()) != 0 ||
       ::fsync(fileno(file_.get())) != 0)
     return std::nullopt;
   const off_t length = ::ftello(file_.get());
@@ -174,9 +187,11 @@ bool CertificateWriter::finish(const Result& result) {
           "be written");
     write_head(format::kSingularity, question_.singularity);
     write_witness(result);
+    failed_ = false;
   } else {
     put("end " + std::to_string(leaves_) + '\n');
   }
+  if (failed_) throw std::runtime_error("the certificate " + path_ + ": not enough memory");
   check(std::fflush(file_.get()) == 0 && std::ferror(file_.get()) == 0 &&
             fsync(fileno(file_.get())) == 0,
         "be written");

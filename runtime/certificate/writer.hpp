@@ -26,8 +26,11 @@ class CertificateWriter final : public Observer {
   /// Throws std::runtime_error when no file can be made there.
   CertificateWriter(std::string path, CertifiedQuestion question);
 
-  /// For a search that may be continued: what is written goes to `path`.partial and stays there
+  /// For a search that may be continued: what is written goes to partial_file(path) and stays there
   /// until finish() or discard().
+  [[nodiscard]] static std::string partial_file(const std::string& path) {
+    return path + ".partial";
+  }
   struct Partial {
     /// Go on behind this many bytes of it, with so many leaves; absent: from the beginning.
     std::optional<std::uint64_t> length;
@@ -59,9 +62,9 @@ class CertificateWriter final : public Observer {
     void operator()(std::FILE* file) const noexcept { std::fclose(file); }
   };
 
-  void write_head(const char* verdict, const std::string& claim) noexcept;
-  void write_witness(const Result& result) noexcept;
-  void write_point(const WitnessPoint& point, const char* sign) noexcept;
+  void write_head(const char* verdict, const std::string& claim);
+  void write_witness(const Result& result);
+  void write_point(const WitnessPoint& point, const char* sign);
   void put(const std::string& text) noexcept;
   void check(bool done, const char* what) const;
 
@@ -72,6 +75,7 @@ class CertificateWriter final : public Observer {
   bool in_place_ = false;
   bool stays_ = false;      ///< when this object is gone
   bool continues_ = false;  ///< a file that has its head
+  bool failed_ = false;     ///< something is missing in the file
 };
 
 }  // namespace regulus

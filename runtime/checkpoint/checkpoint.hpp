@@ -19,10 +19,16 @@ struct CheckpointedQuestion {
   std::vector<Interval> ranges;  ///< of all variables
 };
 
+/// The bytes of a certificate that belong to a checkpoint.
+struct CertificateSoFar {
+  std::uint64_t length = 0;
+  /// SHA-256 of these bytes, 64 hexadecimal digits; empty in a checkpoint of format 1.
+  std::string sha256;
+};
+
 struct Checkpoint {
   SearchState state;
-  /// Length of the certificate so far, in bytes; nullopt: none is being written.
-  std::optional<std::uint64_t> certificate;
+  std::optional<CertificateSoFar> certificate;  ///< nullopt: none is being written
   std::vector<BoxId> ids;  ///< of the open boxes, in the order in which they would be decided
   std::vector<std::uint32_t> depths;
   std::vector<Interval> boxes;  ///< one after the other, all variables of each
@@ -40,7 +46,7 @@ class CheckpointError : public std::runtime_error {
 /// The text of a checkpoint. An exhaustive search's witness is not kept: those have none yet.
 [[nodiscard]] std::string write_checkpoint(const CheckpointedQuestion& question,
                                            const SearchState& state, const OpenBoxes& open,
-                                           std::optional<std::uint64_t> certificate);
+                                           const std::optional<CertificateSoFar>& certificate);
 
 /// Any bytes may be given. Throws CheckpointError.
 ///

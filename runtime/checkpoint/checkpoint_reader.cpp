@@ -119,6 +119,47 @@ void read_box(Reader& reader, const CheckpointedQuestion& question, Checkpoint& 
   }
 }
 
+/// Without a point where the search had none.
+void read_candidate(Reader& reader, const std::string& name, std::size_t variables,
+                    WitnessCandidates::Candidate& into) {
+  reader.next_line("candidate " + name);
+  into.approx = reader.real();
+  into.tried = reader.real();
+  while (!reader.at_end_of_line()) into.point.push_back(reader.real());
+  if (!into.point.empty() && into.point.size() != variables)
+    reader.refuse("a number for each variable");
+}
+
+void read_candidates(Reader& reader, std::size_t variables, WitnessCandidates& into) {
+  read_candidate(reader, "positive", variables, into.positive);
+  read_candidate(reader, "negative", variables, into.negative);
+  read_candidate(reader, "small", variables, into.small);
+  reader.next_line("small");
+  into.small_known = reader.number(1U) != 0;
+  into.small_fresh = reader.number(1U) != 0;
+  into.small_tries = reader.number<std::uint32_t>();
+}
+
+/// Its hash is of this format, not of the first.
+CertificateSoFar read_certificate(Reader& reader, int format) {
+  CertificateSoFar certificate;
+  certificate.length = reader.number();
+  if (format == 1) return certificate;
+  certificate.sha256 = reader.word();
+  if (certificate.sha256.size() != 64 ||
+      certificate.sha256.find_first_not_of("0123456789abcdef") != std::string::npos)
+    reader.refuse("64 hexadecimal digits");
+  return certificate;
+}
+
+/// Which of the formats that there have been.
+int format_of(std::string_view text) {
+  if (!text.starts_with("regulus checkpoint ")) throw CheckpointError("it is no checkpoint");
+  for (const int format : {1, 2})
+    if (text.starts_with("regulus checkpoint " + std::to_string(format) + '\n')) return format;
+  throw CheckpointError("it has a format of another version");
+}
+
 void read_counts(Reader& reader, SearchState& state) {
   reader.next_line("next");
   state.next_id = reader.number();
@@ -150,11 +191,9 @@ std::vector<OpenBox> Checkpoint::open() const {
 }
 
 Checkpoint read_checkpoint(std::string_view text, const CheckpointedQuestion& question) {
-  if (!text.starts_with("regulus checkpoint ")) throw CheckpointError("it is no checkpoint");
-  if (!text.starts_with("regulus checkpoint 1\n"))
-    throw CheckpointError("it has a format of another version");
+  const int format = format_of(text);
   Reader reader(without_checksum(text));
-  reader.next_line("regulus checkpoint 1");
+  reader.next_line("regulus checkpoint " + std::to_string(format));
   reader.next_line("question");
   if (reader.word() != question.identity)
     throw CheckpointError(
@@ -162,10 +201,11 @@ Checkpoint read_checkpoint(std::string_view text, const CheckpointedQuestion& qu
         "threshold");
   Checkpoint result;
   read_counts(reader, result.state);
+  if (format > 1) read_candidates(reader, question.ranges.size(), result.state.candidates);
   reader.next_line("blocked");
   read_blocked(reader, question, result.state);
   reader.next_line("certificate");
-  if (!reader.take(" none")) result.certificate = reader.number();
+  if (!reader.take(" none")) result.certificate = read_certificate(reader, format);
   reader.next_line("open");
   for (std::uint64_t left = reader.number(); left > 0; --left) read_box(reader, question, result);
   reader.expect_end();

@@ -25,11 +25,28 @@ void put(std::string& text, std::span<const Interval> box) {
 
 void put(std::string& text, std::uint64_t n) { text += ' ' + std::to_string(n); }
 
+void put(std::string& text, const char* name, const WitnessCandidates::Candidate& candidate) {
+  text += std::string("\ncandidate ") + name;
+  for (const double x : {candidate.approx, candidate.tried}) put(text += ' ', x);
+  for (const double x : candidate.point) put(text += ' ', x);
+}
+
+void put(std::string& text, const WitnessCandidates& candidates) {
+  put(text, "positive", candidates.positive);
+  put(text, "negative", candidates.negative);
+  put(text, "small", candidates.small);
+  text += "\nsmall";
+  for (const unsigned n : {unsigned{candidates.small_known}, unsigned{candidates.small_fresh},
+                           candidates.small_tries})
+    put(text, std::uint64_t{n});
+}
+
 }  // namespace
 
 std::string write_checkpoint(const CheckpointedQuestion& question, const SearchState& state,
-                             const OpenBoxes& open, std::optional<std::uint64_t> certificate) {
-  std::string text = "regulus checkpoint 1\nquestion " + question.identity + "\nnext";
+                             const OpenBoxes& open,
+                             const std::optional<CertificateSoFar>& certificate) {
+  std::string text = "regulus checkpoint 2\nquestion " + question.identity + "\nnext";
   put(text, state.next_id);
   text += "\nboxes";
   for (const std::uint64_t n :
@@ -45,6 +62,7 @@ std::string write_checkpoint(const CheckpointedQuestion& question, const SearchS
   put(text, state.next_descent);
   text += "\nlimit ";
   put(text, state.limit.value());
+  put(text, state.candidates);
   text += "\nblocked";
   if (state.blocked) {
     put(text, static_cast<std::uint64_t>(state.blocked_reason));
@@ -54,7 +72,12 @@ std::string write_checkpoint(const CheckpointedQuestion& question, const SearchS
     text += " none";
   }
   text += "\ncertificate";
-  certificate ? put(text, *certificate) : static_cast<void>(text += " none");
+  if (certificate) {
+    put(text, certificate->length);
+    text += ' ' + certificate->sha256;
+  } else {
+    text += " none";
+  }
   text += "\nopen";
   put(text, std::uint64_t{open.size()});
   for (std::size_t i = 0; i < open.size(); ++i) {

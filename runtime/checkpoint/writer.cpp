@@ -7,6 +7,7 @@
 
 #include <cerrno>
 #include <cstring>
+#include <new>
 #include <utility>
 
 namespace regulus {
@@ -79,13 +80,20 @@ void CheckpointWriter::on_pause(const SearchState& state, const OpenBoxes& open)
     failure_.clear();
     saved_ = true;
   } catch (const std::exception& error) {
-    failure_ = error.what();
+    note_failure(error.what());
   }
   last_ = Clock::now();
 }
 
+/// Also without memory for the reason: a few characters need none.
+void CheckpointWriter::note_failure(const char* why) noexcept try {
+  failure_ = why;
+} catch (const std::bad_alloc&) {
+  failure_.assign("no memory");
+}
+
 void CheckpointWriter::save(const SearchState& state, const OpenBoxes& open) {
-  std::optional<std::uint64_t> certificate;
+  std::optional<CertificateSoFar> certificate;
   if (certificate_) {
     certificate = certificate_();
     if (!certificate) throw std::runtime_error("the certificate cannot be written");

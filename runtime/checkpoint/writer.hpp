@@ -15,8 +15,8 @@ namespace regulus {
 class CheckpointWriter final : public Observer {
  public:
   using Clock = std::chrono::steady_clock;
-  /// Makes the certificate so far safe on the disk and says how long it is; nullopt: it cannot be.
-  using Certificate = std::function<std::optional<std::uint64_t>()>;
+  /// Makes the certificate so far safe on the disk and says what it is; nullopt: it cannot be.
+  using Certificate = std::function<std::optional<CertificateSoFar>()>;
 
   CheckpointWriter(std::string path, CheckpointedQuestion question, Clock::duration interval,
                    Certificate certificate = nullptr);
@@ -34,6 +34,7 @@ class CheckpointWriter final : public Observer {
   void remove() noexcept;
 
  private:
+  void note_failure(const char* why) noexcept;
   void save(const SearchState& state, const OpenBoxes& open);
 
   std::string path_;

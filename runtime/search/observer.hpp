@@ -57,6 +57,19 @@ class OpenBoxes {
   [[nodiscard]] virtual OpenBox at(std::size_t index) const noexcept = 0;
 };
 
+/// Where a search for a singularity goes on: the points of the largest determinants of either sign
+/// that it saw, and of the least one below α. Heuristics: no proof depends on them.
+struct WitnessCandidates {
+  struct Candidate {
+    std::vector<double> point;  ///< an entry for each variable
+    double approx = 0.0;        ///< determinant, to nearest; 0 = no candidate, but for `small`
+    double tried = 0.0;         ///< magnitude at which a proof last failed
+  };
+  Candidate positive, negative, small;
+  bool small_known = false, small_fresh = false;
+  unsigned small_tries = 0;
+};
+
 /// What a search knows besides its open boxes. With both it can go on as though it had not stopped.
 struct SearchState {
   BoxId next_id = 1;  ///< of the next box to be made
@@ -64,6 +77,7 @@ struct SearchState {
   std::vector<std::uint64_t> filter_boxes;  ///< how many rest on each of Settings::filters
   std::uint64_t next_descent = 1;           ///< boxes at which to look for a singularity again
   LearnedLimit limit;
+  WitnessCandidates candidates;
   /// A box could not be decided: NO SINGULARITY is out of reach.
   bool blocked = false;
   Reason blocked_reason = Reason::kAllBoxesCertified;

@@ -47,6 +47,8 @@ class Search {
  private:
   void loop() noexcept;
   [[nodiscard]] bool must_stop() noexcept;
+  [[nodiscard]] std::uint64_t batches_of_round() const noexcept;
+  [[nodiscard]] bool has_budget_for_round() const noexcept;
   void stop_at_open_box(Reason reason) noexcept;
 
   void load_round() noexcept;
@@ -101,6 +103,8 @@ Result Search::run(std::span<const OpenBox> open, const SearchState& state) {
   state_ = state;
   state_.filter_boxes.resize(settings_.filters.size());
   state_.blocking_box.resize(problem_.kernel->variables);
+  witness_.look_on_from(state_.candidates);
+  witness_.copy_candidates(state_.candidates);
   probes_in_boxes_ = state.statistics.probes;
   seconds_before_ = state.statistics.seconds;
   observer_.on_start(problem_, settings_);
@@ -143,12 +147,13 @@ void Search::count_up() noexcept {
   statistics.max_frontier = std::max<std::uint64_t>(statistics.max_frontier, frontier_.max_size());
   statistics.probes = witness_.probes() + probes_in_boxes_;
   statistics.seconds = seconds_before_ + seconds_since(start_);
+  witness_.copy_candidates(state_.candidates);
 }
 
 bool Search::must_stop() noexcept {
   if (settings_.interrupt != nullptr && settings_.interrupt->load(std::memory_order_relaxed))
     stop_at_open_box(Reason::kInterrupted);
-  else if (state_.statistics.boxes >= settings_.max_boxes)
+  else if (!has_budget_for_round())
     stop_at_open_box(Reason::kBoxBudget);
   else if (seconds_since(start_) >= settings_.time_limit)
     stop_at_open_box(Reason::kTimeBudget);
@@ -167,11 +172,24 @@ void Search::stop_at_open_box(Reason reason) noexcept {
 }
 
 /// The order of the paper asks for one box at a time.
+std::uint64_t Search::batches_of_round() const noexcept {
+  if (settings_.batch == 1) return 1;
+  return std::min(1 + state_.statistics.boxes / kBoxesABatch, kMaxBatches);
+}
+
+/// A budget ends a search between two rounds, never within one: the boxes that a round takes
+/// decide which come next, so that a search that goes on later takes those of one without a stop.
+bool Search::has_budget_for_round() const noexcept {
+  const std::uint64_t boxes = state_.statistics.boxes;
+  const std::uint64_t next =
+      std::min<std::uint64_t>(batches_of_round() * settings_.batch, frontier_.size());
+  return boxes <= settings_.max_boxes && next <= settings_.max_boxes - boxes;
+}
+
 void Search::load_round() noexcept {
-  const std::uint64_t most = settings_.batch == 1 ? 1 : 1 + state_.statistics.boxes / kBoxesABatch;
+  const std::uint64_t most = batches_of_round();
   round_.clear();
-  while (round_.size() < std::min(most, kMaxBatches) && !frontier_.empty() &&
-         state_.statistics.boxes < settings_.max_boxes) {
+  while (round_.size() < most && !frontier_.empty()) {
     Decisions* batch = round_.append();
     if (batch == nullptr) break;
     load(*batch);
@@ -182,8 +200,7 @@ void Search::load_round() noexcept {
 void Search::load(Decisions& batch) noexcept {
   // Once NO SINGULARITY is out of reach, the widest boxes show most of what is left.
   const bool from_end = state_.blocked && !settings_.exhaustive;
-  while (batch.count() < settings_.batch && !frontier_.empty() &&
-         state_.statistics.boxes < settings_.max_boxes) {
+  while (batch.count() < settings_.batch && !frontier_.empty()) {
     batch.add(from_end ? frontier_.end() : frontier_.top());
     from_end ? frontier_.pop_end() : frontier_.pop();
     ++state_.statistics.boxes;

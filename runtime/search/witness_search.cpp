@@ -42,6 +42,29 @@ void WitnessSearch::forget() noexcept {
   small_tries_ = 0;
 }
 
+void WitnessSearch::copy_candidates(WitnessCandidates& into) const {
+  into.positive = positive_;
+  into.negative = negative_;
+  into.small = small_;
+  into.small_known = small_known_;
+  into.small_fresh = small_fresh_;
+  into.small_tries = small_tries_;
+}
+
+void WitnessSearch::look_on_from(const WitnessCandidates& candidates) {
+  const auto take = [this](const WitnessCandidates::Candidate& from, Candidate& to) {
+    if (from.point.size() != variables_) return false;
+    static_cast<WitnessCandidates::Candidate&>(to) = from;
+    return true;
+  };
+  static_cast<void>(take(candidates.positive, positive_));
+  static_cast<void>(take(candidates.negative, negative_));
+  if (!take(candidates.small, small_)) return;
+  small_known_ = candidates.small_known;
+  small_fresh_ = candidates.small_fresh;
+  small_tries_ = candidates.small_tries;
+}
+
 bool WitnessSearch::look_inside(std::span<const Interval> box) noexcept {
   forget();
   for (std::size_t k = 0; k < variables_; ++k) {

@@ -11,6 +11,7 @@
 
 #include "regulus/search/batch.hpp"
 #include "regulus/search/decisions.hpp"
+#include "regulus/search/observer.hpp"
 #include "regulus/search/result.hpp"
 
 namespace regulus {
@@ -22,6 +23,11 @@ class WitnessSearch {
 
   /// As though nothing had been looked at yet.
   void forget() noexcept;
+
+  /// What a later search needs to look on as this one would; and back. Points of another length
+  /// than the variables are none. Does not allocate when `into` has held such candidates before.
+  void copy_candidates(WitnessCandidates& into) const;
+  void look_on_from(const WitnessCandidates& candidates);
 
   /// A proof was found.
   [[nodiscard]] bool found() const noexcept { return found_; }
@@ -55,10 +61,7 @@ class WitnessSearch {
   void copy_point(std::size_t index, std::span<Interval> variables) const noexcept;
 
  private:
-  struct Candidate {
-    std::vector<double> point;
-    double approx = 0.0;  ///< determinant, to nearest; 0 = no candidate
-    double tried = 0.0;   ///< magnitude at which a proof last failed
+  struct Candidate : WitnessCandidates::Candidate {
     Interval determinant;
   };
 

@@ -46,10 +46,14 @@ SearchState state() {
   s.filter_boxes = {3, 0};
   s.next_descent = 64;
   s.limit = LearnedLimit(1.0625);
+  s.candidates.positive = {{0.25, -1, 0.125}, 3.5, 0x1p-1060};
+  s.candidates.small_known = true;
+  s.candidates.small_tries = 9;
   return s;
 }
 
-std::string text_of(const SearchState& s, std::optional<std::uint64_t> certificate = 4242) {
+std::string text_of(const SearchState& s, const std::optional<CertificateSoFar>& certificate =
+                                              CertificateSoFar{4242, std::string(64, 'c')}) {
   return write_checkpoint(question(), s, Boxes(), certificate);
 }
 
@@ -81,7 +85,16 @@ TEST(Checkpoint, WhatIsReadIsWhatWasWritten) {
   EXPECT_EQ(read.state.next_descent, expected.next_descent);
   EXPECT_EQ(read.state.limit.value(), expected.limit.value());
   EXPECT_FALSE(read.state.blocked);
-  EXPECT_EQ(read.certificate, 4242U);
+  ASSERT_TRUE(read.certificate);
+  EXPECT_EQ(read.certificate->length, 4242U);
+  EXPECT_EQ(read.certificate->sha256, std::string(64, 'c'));
+  EXPECT_EQ(read.state.candidates.positive.point, expected.candidates.positive.point);
+  EXPECT_EQ(read.state.candidates.positive.approx, expected.candidates.positive.approx);
+  EXPECT_EQ(read.state.candidates.positive.tried, expected.candidates.positive.tried);
+  EXPECT_TRUE(read.state.candidates.negative.point.empty());
+  EXPECT_TRUE(read.state.candidates.small_known);
+  EXPECT_FALSE(read.state.candidates.small_fresh);
+  EXPECT_EQ(read.state.candidates.small_tries, 9U);
   const Boxes boxes;
   const std::vector<OpenBox> open = read.open();
   ASSERT_EQ(open.size(), boxes.size());
@@ -103,7 +116,24 @@ TEST(Checkpoint, ABlockedBoxIsKept) {
   EXPECT_EQ(read.state.blocked_reason, Reason::kUncertainty);
   EXPECT_EQ(read.state.boxes_when_blocked, 11U);
   EXPECT_EQ(read.state.blocking_box, s.blocking_box);
-  EXPECT_EQ(read.certificate, std::nullopt);
+  EXPECT_FALSE(read.certificate);
+}
+
+/// As it was written before there were hashes and candidates.
+TEST(Checkpoint, OfTheFirstFormatIsReadWithoutAHash) {
+  std::string zeros;
+  for (std::size_t i = 0; i < kRules; ++i) zeros += " 0";
+  const std::string text = signed_again("regulus checkpoint 1\nquestion " + std::string(64, 'a') +
+                                        "\nnext 19\nboxes 12 4 77\nseconds 0x1p+0\n"
+                                        "leaves" + zeros + "\nfilters\ndescent 64\n"
+                                        "limit 0x1.1p+0\nblocked none\ncertificate 4242\nopen 1\n"
+                                        "b 17 3 0x0p+0:0x1p-3 -0x1p+0:0x1p+0\nend \n");
+  const Checkpoint read = read_checkpoint(text, question());
+  ASSERT_TRUE(read.certificate);
+  EXPECT_EQ(read.certificate->length, 4242U);
+  EXPECT_EQ(read.certificate->sha256, "");
+  EXPECT_TRUE(read.state.candidates.positive.point.empty());
+  EXPECT_EQ(read.open().size(), 1U);
 }
 
 TEST(Checkpoint, OneOfAnotherQuestionIsRefused) {
@@ -134,17 +164,21 @@ TEST(Checkpoint, WhatCannotBeIsRefusedWithTheLine) {
       EXPECT_NE(std::string(error.what()).find(words), std::string::npos) << error.what();
     }
   };
-  expect_refusal(replaced("b 17 ", "b 19 "), "line 13: expected a number up to 18");
+  expect_refusal(replaced("b 17 ", "b 19 "), "line 17: expected a number up to 18");
   expect_refusal(replaced("b 17 ", "b 16 "), "a box comes twice");
   expect_refusal(replaced("b 17 3 0x0p+0:", "b 17 3 -0x1p+0:"), "a box of the variety");
   expect_refusal(replaced("0x1p-3:0x1p-2", "0x1p-2:0x1p-3"), "bounds in order");
   expect_refusal(replaced("0x1p-3:0x1p-2", "nan:0x1p-2"), "a hexadecimal number");
   expect_refusal(replaced("0x1p-3:0x1p-2", "0xinf:0x1p-2"), "a hexadecimal number");
-  expect_refusal(replaced("open 3", "open 4"), "line 16");
+  expect_refusal(replaced("open 3", "open 4"), "line 20");
   expect_refusal(replaced("open 3", "open 2"), "the end");
   expect_refusal(replaced("open 3", "open 99999999999999999999"), "a number");
   expect_refusal(replaced("next 19", "next 0"), "a number above 0");
-  expect_refusal(replaced("checkpoint 1", "checkpoint 2"), "another version");
+  expect_refusal(replaced("checkpoint 2", "checkpoint 3"), "another version");
+  expect_refusal(replaced("candidate positive 0x1.cp+1", "candidate positive nan"), "hexadecimal");
+  expect_refusal(replaced(" -0x1p+0 0x1p-3\n", " -0x1p+0\n"), "a number for each variable");
+  expect_refusal(replaced("certificate 4242 cc", "certificate 4242 xc"), "64 hexadecimal digits");
+  expect_refusal(replaced("small 1 0 9", "small 2 0 9"), "a number up to 1");
   expect_refusal("[pose]\n", "no checkpoint");
   expect_refusal("", "no checkpoint");
 }
@@ -211,18 +245,18 @@ TEST_F(Saving, ReplacesTheFileAndLeavesNothingElse) {
 }
 
 TEST_F(Saving, AFailureLeavesTheLastOneIntact) {
-  std::optional<std::uint64_t> length = 10;
+  std::optional<CertificateSoFar> length = CertificateSoFar{10, std::string(64, '1')};
   CheckpointWriter writer(path(), question(), std::chrono::hours(1), [&] { return length; });
   EXPECT_FALSE(writer.wants_pause());
   writer.on_pause(state(), Boxes());
   const std::string saved = contents();
-  EXPECT_EQ(read_checkpoint(saved, question()).certificate, 10U);
+  EXPECT_EQ(read_checkpoint(saved, question()).certificate.value().length, 10U);
   length = std::nullopt;
   writer.on_pause(state(), Boxes());
   EXPECT_NE(writer.failure(), "");
   EXPECT_EQ(contents(), saved);
   if (geteuid() == 0) return;  // may write anywhere
-  length = 11;
+  length = CertificateSoFar{11, std::string(64, '2')};
   chmod(directory_.path().c_str(), 0500);
   writer.on_pause(state(), Boxes());
   EXPECT_NE(writer.failure().find("Permission denied"), std::string::npos) << writer.failure();

@@ -36,5 +36,18 @@ TEST(Sha256, TakesBytesAboveAsciiAndZeros) {
             "f742b965f156c10374bc23aea96e3a8aff8facd6fc079defeaa30219ad86f211");
 }
 
+TEST(Sha256, IsTheSameOfBytesThatComeInPieces) {
+  std::string bytes;
+  for (int i = 0; i < 1000; ++i) bytes += static_cast<char>(i * 7);
+  for (const std::size_t piece : {1U, 3U, 63U, 64U, 65U, 128U, 999U}) {
+    Sha256 digest;
+    for (std::size_t at = 0; at < bytes.size(); at += piece) {
+      EXPECT_EQ(digest.text(), sha256(std::string_view(bytes).substr(0, at)));
+      digest.add(std::string_view(bytes).substr(at, piece));
+    }
+    EXPECT_EQ(digest.text(), sha256(bytes)) << piece;
+  }
+}
+
 }  // namespace
 }  // namespace regulus::codegen

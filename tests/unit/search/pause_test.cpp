@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <atomic>
+#include <vector>
 
 #include "support/function_kernel.hpp"
 
@@ -25,7 +26,7 @@ class Pausing : public Observer {
   void on_leaf(const OpenBox& box, Rule rule, const Proof&) noexcept override {
     log_ += std::to_string(box.id) + ' ' + name(rule) + '\n';
   }
-  bool wants_pause() noexcept override { return ++rounds_ % every_ == 0; }
+  bool wants_pause() noexcept override { return every_ != 0 && ++rounds_ % every_ == 0; }
   void on_pause(const SearchState& seen, const OpenBoxes& boxes) noexcept override {
     state = seen;
     kept.clear();
@@ -116,6 +117,83 @@ TEST(Pause, APavingIsTheSameInPieces) {
   settings.exhaustive = true;
   settings.min_relative_width = 0x1p-5;
   expect_the_same(problem_over(kernel, {{-2, 2}, {-2, 2}}), settings, Verdict::kSingularity, 8);
+}
+
+/// Stops at each of these budgets, and goes on to the end.
+Told search_with_budgets(const Problem& problem, Settings settings,
+                         const std::vector<std::uint64_t>& budgets) {
+  Told told;
+  SearchState state;
+  std::vector<std::vector<Interval>> kept = {problem.outer};
+  std::vector<OpenBox> open = {{0, 0, kept[0]}};
+  for (const std::uint64_t budget : budgets) {
+    Pausing observer(told.log, 0);
+    settings.max_boxes = budget;
+    told.result = resume(problem, settings, open, state, &observer);
+    if (told.result.stopped_by != Reason::kBoxBudget) return told;
+    EXPECT_LE(told.result.statistics.boxes, budget);
+    ++told.stops;
+    state = observer.state;
+    kept = observer.kept;
+    open = observer.open;
+    for (std::size_t i = 0; i < kept.size(); ++i) open[i].box = kept[i];
+  }
+  return told;
+}
+
+void expect_the_same_with_budgets(const Problem& problem, const Settings& settings,
+                                  Verdict verdict) {
+  constexpr std::uint64_t kAll = 1U << 30;
+  const Told whole = search(problem, settings, kAll);
+  EXPECT_EQ(whole.result.verdict, verdict) << describe(whole.result.reason);
+  const std::uint64_t boxes = whole.result.statistics.boxes;
+  ASSERT_GE(boxes, 64U);
+  std::vector<std::vector<std::uint64_t>> lists = {{1, 2, 3, 5, 8, 13, 21, 34, 55, kAll},
+                                                   {boxes / 2, boxes / 2, kAll},
+                                                   {boxes - 1, kAll}};
+  for (std::uint64_t budget = 2; budget < boxes; budget += 1 + boxes / 13)
+    lists.push_back({budget, kAll});
+  for (const std::vector<std::uint64_t>& budgets : lists) {
+    const Told pieces = search_with_budgets(problem, settings, budgets);
+    EXPECT_GE(pieces.stops, 1);
+    EXPECT_TRUE(pieces.log == whole.log) << budgets[0];
+    EXPECT_EQ(pieces.result.verdict, verdict);
+    EXPECT_EQ(pieces.result.statistics.boxes, boxes);
+    EXPECT_EQ(pieces.result.statistics.leaves, whole.result.statistics.leaves);
+    EXPECT_EQ(pieces.result.statistics.max_frontier, whole.result.statistics.max_frontier);
+    EXPECT_EQ(pieces.result.witness.has_value(), whole.result.witness.has_value());
+    if (!pieces.result.witness || !whole.result.witness) continue;
+    for (std::size_t i = 0; i < whole.result.witness->points.size(); ++i)
+      EXPECT_EQ(pieces.result.witness->points.at(i).variables,
+                whole.result.witness->points[i].variables);
+  }
+}
+
+TEST(ABudget, LeavesAProofAsItIs) {
+  FunctionKernel kernel = circle();
+  kernel.with_constraints(1, [](const Values& x) { return Values{sqr(x[0]) + sqr(x[1]) - 0.9}; });
+  expect_the_same_with_budgets(problem_over(kernel, {{-2, 2}, {-2, 2}}), {},
+                               Verdict::kNoSingularity);
+}
+
+TEST(ABudget, LeavesABlockedSearchAsItIs) {
+  const FunctionKernel kernel(2, 2, 2, [](const Values& x) {
+    return Values{x[0] - Interval(0.3), x[1], -x[1], x[0] - Interval(0.3)};
+  });
+  expect_the_same_with_budgets(problem_over(kernel, {{-1, 1}, {-1, 1}}), {},
+                               Verdict::kPossibleProblem);
+}
+
+/// The sign of 2·x·y − 1.9999 changes near two corners alone. A sign that was seen before a stop is not forgotten.
+TEST(ABudget, LeavesTheWitnessAsItIs) {
+  const FunctionKernel kernel(2, 2, 2, [](const Values& x) {
+    return Values{x[0] * x[0] + x[1] * x[1] - Interval(1.9999), x[0] - x[1], x[0] - x[1],
+                  Interval(1.0)};
+  });
+  Settings settings;
+  settings.ingredients.descents = settings.ingredients.corners = false;
+  expect_the_same_with_budgets(problem_over(kernel, {{-1, 1}, {-1, 1}}), settings,
+                               Verdict::kSingularity);
 }
 
 }  // namespace
