@@ -4,9 +4,8 @@
 #include <arb_mat.h>
 
 #include <exception>
-
-#include "regulus/codegen/program/arb_arithmetic.hpp"
-#include "regulus/codegen/program/interpreter.hpp"
+#include <utility>
+#include <vector>
 
 namespace regulus::codegen {
 namespace {
@@ -38,14 +37,15 @@ Ball determinant(const std::vector<Ball>& entries, int size, long bits) {
 
 }  // namespace
 
-std::optional<Interval> ArbOracle::enclose_with(std::span<const Interval> point, long bits) {
-  ArbArithmetic arithmetic(bits);
+ArbOracle::ArbOracle(BallProgram matrix, int size, long max_bits)
+    : matrix_(std::move(matrix)), size_(size), max_bits_(max_bits) {}
+
+std::optional<Interval> ArbOracle::enclose_with(std::span<const Interval> point, long bits) const {
   std::vector<Ball> inputs;
   for (const Interval& x : point) inputs.emplace_back(x, bits);
-  const std::vector<Ball> entries =
-      evaluate<ArbArithmetic>(matrix_, std::span<const Ball>(inputs), {}, arithmetic);
-  if (arithmetic.undefined()) return std::nullopt;
-  return determinant(entries, size_, bits).enclosure();
+  const auto entries = evaluate(matrix_, inputs, bits);
+  if (!entries) return std::nullopt;
+  return determinant(*entries, size_, bits).enclosure();
 }
 
 void ArbOracle::note_bits(long bits) noexcept {

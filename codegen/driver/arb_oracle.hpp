@@ -3,19 +3,21 @@
 
 #include <atomic>
 
-#include "regulus/codegen/program/program.hpp"
+#include "regulus/codegen/program/ball_program.hpp"
 #include "regulus/search/problem.hpp"
 
 namespace regulus::codegen {
 
 /// Encloses det A at a point with as many bits as its sign takes: 106, 212, … up to a limit. For
 /// points whose rounding errors hide the sign from doubles (Rump's expression, say). May be asked
-/// by several threads at once.
+/// by several threads at once: it holds nothing of CLN's, whose numbers belong to one thread.
 class ArbOracle : public DeterminantOracle {
  public:
-  /// `matrix`: the program of a square matrix of that size, row-major; it must outlive the oracle.
+  /// `matrix`: the program of a square matrix of that size, row-major.
+  ArbOracle(BallProgram matrix, int size, long max_bits);
+  /// Converts the program; by the thread that owns it.
   ArbOracle(const Program& matrix, int size, long max_bits)
-      : matrix_(matrix), size_(size), max_bits_(max_bits) {}
+      : ArbOracle(BallProgram(matrix), size, max_bits) {}
 
   [[nodiscard]] std::optional<Interval> enclose(std::span<const Interval> point) noexcept override;
 
@@ -24,11 +26,12 @@ class ArbOracle : public DeterminantOracle {
 
  private:
   void note_bits(long bits) noexcept;
-  [[nodiscard]] std::optional<Interval> enclose_with(std::span<const Interval> point, long bits);
+  [[nodiscard]] std::optional<Interval> enclose_with(std::span<const Interval> point,
+                                                     long bits) const;
 
-  const Program& matrix_;
-  int size_;
-  long max_bits_;
+  const BallProgram matrix_;
+  const int size_;
+  const long max_bits_;
   std::atomic<long> bits_ = 53;
 };
 

@@ -12,8 +12,6 @@
 #include <csignal>
 #include <cstring>
 
-#include "regulus/codegen/model/errors.hpp"
-
 namespace regulus::codegen {
 namespace {
 
@@ -21,11 +19,20 @@ namespace {
 constexpr char kCompiled = 'k';
 constexpr char kFailed = 'f';
 
+/// The parent blocks the signals that end a search, or handles them; here they end the process.
+void take_signals() noexcept {
+  for (const int signal : {SIGINT, SIGTERM, SIGHUP, SIGUSR1}) std::signal(signal, SIG_DFL);
+  std::signal(SIGPIPE, SIG_IGN);
+  sigset_t none;
+  sigemptyset(&none);
+  ::sigprocmask(SIG_SETMASK, &none, nullptr);
+}
+
 /// Away from the terminal and from whoever reads what this process writes: nobody is to wait for
 /// the end of the other one, and an interrupt is for this one.
 void detach() noexcept {
   ::setsid();
-  std::signal(SIGPIPE, SIG_IGN);
+  take_signals();
   const int nothing = ::open("/dev/null", O_RDWR);
   if (nothing < 0) ::_exit(1);
   for (const int stream : {STDIN_FILENO, STDOUT_FILENO, STDERR_FILENO}) ::dup2(nothing, stream);
@@ -42,9 +49,11 @@ std::string compile(const EmittedKernel& text, const CompileOptions& options,
   return kFailed + std::string(error.what());
 }
 
-/// Never returns to what belongs to the process that it was made from: no destructor runs.
+/// Never returns to what belongs to the process that it was made from: no destructor runs, and what
+/// cannot be said for want of memory is an end without an answer.
 [[noreturn]] void answer_and_exit(int to, const EmittedKernel& text, const CompileOptions& options,
-                                  const std::function<void(const std::string&)>& after) noexcept {
+                                  const std::function<void(const std::string&)>& after) noexcept
+    try {
   detach();
   const std::string answer = compile(text, options, after);
   std::size_t done = 0;
@@ -55,6 +64,8 @@ std::string compile(const EmittedKernel& text, const CompileOptions& options,
     done += static_cast<std::size_t>(count);
   }
   ::_exit(0);
+} catch (...) {
+  ::_exit(1);
 }
 
 }  // namespace
@@ -68,13 +79,13 @@ BackgroundCompilation::BackgroundCompilation(const EmittedKernel& text,
   lock_ = FileDescriptor(::open(cache_directory_.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC));
   std::array<int, 2> ends{};
   if (::pipe2(ends.data(), O_CLOEXEC) != 0)
-    throw InternalError(std::string("no pipe to the compiler: ") + std::strerror(errno));
+    throw NoCompiler(std::string("no pipe to the compiler: ") + std::strerror(errno));
   answer_ = FileDescriptor(ends[0]);
   const FileDescriptor to(ends[1]);
   process_ = ::fork();
   if (process_ == 0) answer_and_exit(to.get(), text, options, after);
   if (process_ < 0)
-    throw InternalError(std::string("no process for the compiler: ") + std::strerror(errno));
+    throw NoCompiler(std::string("no process for the compiler: ") + std::strerror(errno));
 }
 
 BackgroundCompilation::~BackgroundCompilation() {

@@ -23,8 +23,16 @@ class BackgroundCompilation {
  public:
   /// `after` runs in the other process, once the cache has the object: with its key.
   ///
-  /// Requires  this process has no other thread; options.use_cache, and a cache that can be used.
-  /// Throws    InternalError when the system has no process for it.
+  /// Requires  every other thread of this process is known to hold no lock at this moment, of
+  /// malloc,
+  ///           of the loader or of its own: it stays locked in the fork for ever. In the command
+  ///           these are the watcher of signals, which waits for one, and the workers of a search
+  ///           that is over, which wait for work. A program that calls check() may have others:
+  ///           SearchOptions::may_fork is false there. Also options.use_cache, and a cache that can
+  ///           be used.
+  /// Ensures   the other process takes the signals that end a process, whatever this one does with
+  ///           them.
+  /// Throws    NoCompiler when the system has no process for it.
   BackgroundCompilation(const EmittedKernel& text, const CompileOptions& options,
                         const std::function<void(const std::string&)>& after);
   BackgroundCompilation(const BackgroundCompilation&) = delete;

@@ -7,6 +7,7 @@
 
 #include "regulus/codegen/driver/exit_code.hpp"
 #include "regulus/codegen/driver/ingredients.hpp"
+#include "regulus/codegen/driver/search_words.hpp"
 #include "regulus/codegen/driver/shell_session.hpp"
 #include "regulus/version.hpp"
 
@@ -61,6 +62,21 @@ constexpr const char* kShellFooter =
 
 constexpr double kMarginSeconds = 60;
 
+/// Says which word was probably meant, before the list of those there are.
+template <class Read>
+CLI::Validator known_word(Read read) {
+  return {[read](const std::string& word) -> std::string {
+            try {
+              static_cast<void>(read(word));
+              return "";
+            } catch (const UsageError& error) {
+              const std::string text = error.what();
+              return text.substr(text.find(": ") + 2);  // CLI11 puts the option's name before it
+            }
+          },
+          ""};
+}
+
 void add_model_arguments(CLI::App& app, ModelOptions& options) {
   app.add_option("MODEL", options.path, "Model file (TOML)")->required();
   app.add_option("MOTION", options.motion,
@@ -74,6 +90,7 @@ void add_model_options(CLI::App& app, ModelOptions& options) {
 
 void add_method_options(CLI::App& app, std::string& method, std::uint64_t& budget) {
   app.add_option("--method", method, "How a box is decided")
+      ->check(known_word(method_of))
       ->check(CLI::IsMember({"auto", "reg", "reg+rohn", "kj", "kj+rohn", "jk", "jk+rohn",
                              "kj-numeric", "jk-numeric", "closed-form"}))
       ->capture_default_str();
@@ -100,19 +117,23 @@ void add_search_options(CLI::App& app, SearchOptions& options) {
   app.add_option("--determinant", options.determinant,
                  "How the determinant of an interval matrix is enclosed: by expansion, by Gaussian "
                  "elimination, or by the latter where the former decides nothing (both)")
+      ->check(known_word(determinant_of))
       ->check(CLI::IsMember({"expansion", "gauss", "both"}))
       ->capture_default_str();
   app.add_option("--entries", options.entries,
                  "How a method of the paper encloses the entries of its matrix: as rewritten "
                  "(natural), or sharpened by their derivatives too; "
                  "auto: the latter for K·J^-1 and where uncertain quantities are split")
+      ->check(known_word(entries_of))
       ->check(CLI::IsMember({"auto", "natural", "derivatives"}))
       ->capture_default_str();
   app.add_option("--bisect", options.bisect, "Which range is split")
+      ->check(known_word(bisection_of))
       ->check(CLI::IsMember({"widest", "weighted", "impact"}))
       ->capture_default_str();
   app.add_option("--uncertainty", options.uncertainty,
                  "Uncertain quantities: kept whole in the matrix elements, or split like variables")
+      ->check(known_word(uncertainty_of))
       ->check(CLI::IsMember({"elements", "variables"}))
       ->capture_default_str();
   app.add_option("--without", options.without,
@@ -132,11 +153,15 @@ void add_search_options(CLI::App& app, SearchOptions& options) {
       ->transform(CLI::CheckedTransformer(engines).description("{auto,jit,interpreted}"));
   app.add_option("--isa", options.isa,
                  "Instruction set of the kernel; the best the CPU has by default")
+      ->check(known_word(isa_of))
       ->check(CLI::IsMember({"avx512", "avx2", "portable"}));
   app.add_option("--threads", options.threads, "Search by N threads; default: one a processor")
       ->type_name("N")
       ->check(CLI::Range(1U, kMaxThreads));
-  app.add_option("--max-boxes", options.max_boxes, "Stop after N boxes")->type_name("N");
+  app.add_option(
+         "--max-boxes", options.max_boxes,
+         "Stop before more than N boxes; up to an eighth fewer, since boxes are taken in rounds")
+      ->type_name("N");
   app.add_option("--time-limit", options.time_limit, "Stop after S seconds")
       ->check(CLI::PositiveNumber)
       ->type_name("S");
@@ -166,7 +191,9 @@ void add_checkpoint_options(CLI::App& app, CheckpointOptions& options) {
 
 /// `what` the proof is of.
 void add_certificate_option(CLI::App& app, std::string& path, const std::string& what) {
-  app.add_option("--certificate", path, what + "; `regulus verify` checks it")->type_name("FILE");
+  app.add_option("--certificate", path,
+                 what + "; `regulus verify` checks it. A file of an earlier run becomes FILE.old")
+      ->type_name("FILE");
 }
 
 constexpr const char* kCheckCertificate = "Write a proof of the verdict";
@@ -175,7 +202,7 @@ constexpr const char* kLocateCertificate =
     "holds the singular pose of the report";
 constexpr const char* kMarginCertificate =
     "Write a proof for each end of the bracket: FILE.safe, that there is no singularity at a, and "
-    "FILE.singular, that there is one at b. An end that is not found leaves its file as it was";
+    "FILE.singular, that there is one at b. An end that is not found has no file";
 
 /// An option of `check` that is to be refused in words, and not as one that nobody knows.
 void refuse_checkpoint_options(CLI::App& app, const std::string& why) {

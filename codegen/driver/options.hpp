@@ -42,6 +42,9 @@ struct SearchOptions {
   std::uint64_t symbolic_budget = kDeterminantBudget;  ///< terms of a closed form
   long precision = 1024;                               ///< most bits where doubles cannot decide
   CompiledParts* parts = nullptr;                      ///< of kernels compiled before
+  /// Engine::kAuto: the compiler may run in a process that is forked. Not where the program has
+  /// threads of which nothing is known: a lock that one of them holds stays locked in the fork.
+  bool may_fork = true;
 };
 
 struct OutputOptions {

@@ -5,6 +5,7 @@
 
 #include "regulus/codegen/driver/ingredients.hpp"
 #include "regulus/codegen/driver/problem_cache.hpp"
+#include "regulus/codegen/driver/search_words.hpp"
 #include "regulus/codegen/driver/settings.hpp"
 #include "regulus/codegen/emit/emit.hpp"
 #include "regulus/codegen/jit/jit.hpp"
@@ -42,8 +43,7 @@ struct KernelPlace {
 };
 
 Isa chosen_isa(const SearchOptions& search) {
-  if (search.isa.empty()) return best_isa();
-  const Isa isa = parse_isa(search.isa).value();
+  const Isa isa = isa_of(search.isa).value_or(best_isa());
   if (!supported(isa)) throw UsageError("--isa: this processor cannot run " + search.isa);
   return isa;
 }
@@ -113,13 +113,22 @@ void compile_meanwhile(const EmittedKernel& text, Preparation& p, const SearchOp
   p.kernel = std::move(kernel);
 }
 
+/// The interpreter needs no compiler, and none is no reason to have no answer.
+void compile_if_possible(const EmittedKernel& text, Preparation& p, const SearchOptions& search,
+                         const Keep& keep) try {
+  search.may_fork ? compile_meanwhile(text, p, search, keep) : compile(text, p, search, keep);
+} catch (const NoCompiler& error) {
+  interpret(p);
+  p.no_compiler = error.what();
+}
+
 void compile(Preparation& p, const SearchOptions& search, const Keep& keep) {
   Stopwatch watch;
   p.isa = chosen_isa(search);
   const EmittedKernel text = emit(anonymous(p.stages->module()));
   p.seconds.emit += watch.lap();
   if (search.engine == Engine::kAuto)
-    compile_meanwhile(text, p, search, keep);
+    compile_if_possible(text, p, search, keep);
   else
     compile(text, p, search, keep);
   p.seconds.compile += watch.lap();
@@ -130,8 +139,8 @@ void load_filters(Preparation& p, const SearchOptions& search) {
 }
 
 FormulationOptions functions_for(const SearchOptions& search) {
-  FormulationOptions functions = functions_needed(parse_method(search.method).value(),
-                                                  settings_from(search), search.symbolic_budget);
+  FormulationOptions functions =
+      functions_needed(method_of(search.method), settings_from(search), search.symbolic_budget);
   leave_out(search.without, functions);
   // Who wrote a filter knows the model's own matrix.
   if (!search.filters.empty()) functions.columns = ColumnSearch::kNone;
@@ -146,8 +155,10 @@ void prepare_anew(Preparation& p, const SearchOptions& search, const Keep& keep)
   p.seconds.model += watch.lap();
   const Formulation& formulation = p.stages->formulation();
   static_cast<void>(p.stages->module());
-  static_cast<void>(watch.lap());
   p.subject = subject_of(request, formulation);
+  // Here and not when a search asks for it: GiNaC and CLN are for this thread alone.
+  if (p.subject.rows == p.subject.columns) p.matrix.emplace(p.stages->matrix());
+  static_cast<void>(watch.lap());
   p.variety = enclose_variety(request.model, request.motion, formulation.variables);
   p.seconds.symbolic += watch.lap();
   require_sound_rounding(self_test(Isa::kPortable));
@@ -164,25 +175,31 @@ std::optional<ProblemCache> place_in_cache(std::string_view text, const ModelOpt
                                            const FormulationOptions& functions,
                                            const SearchOptions& search) {
   if (search.engine == Engine::kInterpreted || !search.use_cache) return std::nullopt;
-  const Isa isa = search.isa.empty() ? best_isa() : parse_isa(search.isa).value();
+  const Isa isa = isa_of(search.isa).value_or(best_isa());
   if (!supported(isa)) return std::nullopt;
   return std::optional<ProblemCache>(std::in_place, text, model, functions, isa);
 }
 
 /// Returns whether the cache had what is asked for.
-bool take_from(ProblemCache& cache, Preparation& p, const SearchOptions& search) {
+bool take_from(ProblemCache& cache, Preparation& p, const SearchOptions& search) try {
   Stopwatch watch;
   std::optional<ProblemCache::Found> found = cache.find();
   if (!found) return false;
   load_filters(p, search);
   p.subject = std::move(found->problem.subject);
   p.variety = std::move(found->problem.variety);
+  p.matrix = std::move(found->problem.matrix);
   p.isa = chosen_isa(search);
   require_sound_rounding(self_test(Isa::kPortable));
   require_sound_rounding(rounding_self_test(compile_options(p.isa, search)));
   use(std::move(found->kernel), p);
   p.seconds.compile += watch.lap();
   return true;
+} catch (const NoCompiler&) {
+  // The self-test could not be compiled: without it no compiled kernel is used.
+  if (search.engine != Engine::kAuto) throw;
+  p.filters.clear();
+  return false;
 }
 
 }  // namespace
@@ -198,7 +215,7 @@ Preparation prepare(const ModelOptions& model, const SearchOptions& search) {
   if (cache && take_from(*cache, p, search)) return p;
   prepare_anew(p, search, [&](const KernelPlace& kernel) {
     if (cache && !kernel.object_key.empty())
-      cache->keep({p.subject, p.variety, kernel.object_key, kernel.name});
+      cache->keep({p.subject, p.variety, p.matrix, kernel.object_key, kernel.name});
   });
   if (cache && p.cache_note.empty()) p.cache_note = cache->note();
   return p;
@@ -209,7 +226,7 @@ Preparation prepare(Request request, double model_seconds, const SearchOptions& 
   p.stages =
       std::make_unique<SymbolicStages>(std::move(request), model_seconds, functions_for(search));
   SearchOptions compiled = search;
-  if (compiled.engine == Engine::kAuto) compiled.engine = Engine::kJit;
+  compiled.may_fork = false;
   prepare_anew(p, compiled, [](const KernelPlace&) {});
   return p;
 }

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -15,6 +16,7 @@
 #include "regulus/codegen/driver/symbolic_stages.hpp"
 #include "regulus/codegen/emit/emitted_kernel.hpp"
 #include "regulus/codegen/model/request.hpp"
+#include "regulus/codegen/program/ball_program.hpp"
 #include "regulus/codegen/symbolic/formulation.hpp"
 #include "regulus/codegen/symbolic/functions_needed.hpp"
 #include "regulus/codegen/symbolic/variety.hpp"
@@ -42,11 +44,15 @@ struct EngineBoxes {
 struct Preparation {
   Subject subject;
   Variety variety;
+  /// Of a square matrix, as the model writes it: what the threads of a search may ask with more
+  /// digits.
+  std::optional<BallProgram> matrix;
   std::unique_ptr<LoadedKernel> kernel;
   EngineSwitch* engine_switch = nullptr;  ///< the kernel, if that may change during the search
   std::vector<FilterFile> filters;        ///< in the order of Settings::filters
   Isa isa = Isa::kPortable;
   std::string cache;               ///< "hit", "miss" or "off"
+  std::string no_compiler;         ///< why the interpreter was left; empty if it was not
   std::string cache_note;          ///< why the cache could not be used; empty if it could
   CompiledParts::Count functions;  ///< of the kernel, with SearchOptions::parts
   EngineBoxes engine_boxes;        ///< of the last search
@@ -64,8 +70,8 @@ struct Preparation {
 /// Runs every stage up to the search, or takes what an earlier run has kept of them. Throws
 /// FileError, InputError, ClosedFormError, CompileError and InternalError too.
 [[nodiscard]] Preparation prepare(const ModelOptions& model, const SearchOptions& search);
-/// The same for a request that has been read, which took `model_seconds`; the engine `auto` is the
-/// compiler here.
+/// The same for a request that has been read, which took `model_seconds`; the engine `auto` waits
+/// for the compiler here.
 [[nodiscard]] Preparation prepare(Request request, double model_seconds,
                                   const SearchOptions& search);
 

@@ -16,7 +16,7 @@ namespace {
 using Json = nlohmann::json;
 
 /// To be raised when the text of a prepared problem means something else.
-constexpr int kFormat = 2;
+constexpr int kFormat = 3;
 
 // In these three the names between the brackets are all members there are: one more does not
 // compile until it is in the key.
@@ -133,6 +133,44 @@ Json json_of(const VariableLabel& label, const Interval& outer,
           {"inner", inner ? json_of(*inner) : Json(nullptr)}};
 }
 
+/// Four numbers a node, all in one list.
+Json json_of(const BallProgram& program) {
+  Json nodes = Json::array(), constants = Json::array();
+  for (const Node& node : program.nodes)
+    for (const std::uint32_t number :
+         {static_cast<std::uint32_t>(node.op), node.a, node.b, node.index})
+      nodes.push_back(number);
+  for (const FlintRational& constant : program.constants) constants.push_back(constant.text());
+  return {{"inputs", program.inputs},
+          {"nodes", nodes},
+          {"constants", constants},
+          {"outputs", program.outputs}};
+}
+
+BallProgram program_of(const Json& json) {
+  BallProgram program;
+  program.inputs = std::size_t(count_of(json.at("inputs")));
+  const Json& nodes = json.at("nodes");
+  const auto number = [&nodes](std::size_t i) { return std::uint32_t(count_of(nodes.at(i))); };
+  for (std::size_t i = 0; i < nodes.size(); i += 4) {
+    if (number(i) > std::uint32_t(Op::kAbs)) throw std::invalid_argument("no operation");
+    program.nodes.push_back({Op(number(i)), number(i + 1), number(i + 2), number(i + 3)});
+  }
+  for (const Json& constant : json.at("constants"))
+    program.constants.push_back(FlintRational::read(constant).value());
+  for (const Json& output : json.at("outputs"))
+    program.outputs.push_back(NodeId(count_of(output)));
+  return program;
+}
+
+/// The matrix of the problem, in its variables.
+bool fits(const BallProgram& matrix, const PreparedProblem& problem) {
+  const Subject& s = problem.subject;
+  return s.rows == s.columns && matrix.inputs == s.variables.size() &&
+         matrix.outputs.size() == std::size_t(s.rows) * std::size_t(s.columns) &&
+         is_consistent(matrix);
+}
+
 void read_variable(const Json& json, PreparedProblem& problem) {
   problem.subject.variables.push_back(
       {json.at("name"), json.at("unit"), VariableKind(count_of(json.at("kind")))});
@@ -165,6 +203,7 @@ std::string to_text(const PreparedProblem& problem) {
   json["symbol"] = problem.kernel.symbol;
   json["identity"] = problem.kernel.identity;
   json["alpha"] = json_of(problem.variety.alpha);
+  json["matrix"] = problem.matrix ? json_of(*problem.matrix) : Json(nullptr);
   Json& variables = json["variables"] = Json::array();
   for (std::size_t k = 0; k < problem.subject.variables.size(); ++k)
     variables.push_back(json_of(problem.subject.variables[k], problem.variety.outer.at(k),
@@ -181,6 +220,10 @@ std::optional<PreparedProblem> read_prepared_problem(std::string_view text) try 
   if (json.at("format") != kFormat || !is_key(problem.object_key)) return std::nullopt;
   problem.variety.alpha = interval_of(json.at("alpha"));
   for (const Json& variable : json.at("variables")) read_variable(variable, problem);
+  if (!json.at("matrix").is_null()) problem.matrix = program_of(json.at("matrix"));
+  if (problem.matrix ? !fits(*problem.matrix, problem)
+                     : problem.subject.rows == problem.subject.columns)
+    return std::nullopt;
   if (to_text(problem) != text) return std::nullopt;
   return problem;
 } catch (const std::exception&) {

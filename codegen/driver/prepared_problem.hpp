@@ -10,6 +10,7 @@
 #include "regulus/codegen/driver/options.hpp"
 #include "regulus/codegen/driver/subject.hpp"
 #include "regulus/codegen/jit/jit.hpp"
+#include "regulus/codegen/program/ball_program.hpp"
 #include "regulus/codegen/symbolic/variety.hpp"
 #include "regulus/kernel/abi.hpp"
 #include "regulus/kernel/isa.hpp"
@@ -19,6 +20,7 @@ namespace regulus::codegen {
 struct PreparedProblem {
   Subject subject;
   Variety variety;
+  std::optional<BallProgram> matrix;  ///< of a square one
   std::string object_key;  ///< of the kernel's object in the cache
   KernelName kernel;       ///< in the object
 };

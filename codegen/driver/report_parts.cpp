@@ -72,6 +72,7 @@ std::string pose_line_of(const Preparation& p, std::span<const Interval> pose,
 
 std::string engine_words(const Preparation& p, const SearchOptions& search) {
   if (search.engine == Engine::kInterpreted) return "interpreted";
+  if (!p.no_compiler.empty()) return "interpreted: there is no compiled kernel, " + p.no_compiler;
   const std::string compiled = fmt::format("compiled for {}, cache {}", name(p.isa), p.cache);
   if (p.engine_switch == nullptr) return compiled;
   if (p.engine_switch->switched())

@@ -41,6 +41,10 @@ int report_errors(const std::function<int()>& run, const std::string& where) try
   return complain(where, error, kBadInput);
 } catch (const FileError& error) {
   return complain(where, error, kFileTrouble);
+} catch (const NoCompiler& error) {
+  return complain(
+      where + "there is no compiler for --engine jit; --engine interpreted needs none: ", error,
+      kInternalFault);
 } catch (const CompileError& error) {
   std::cerr << where << "internal error: the generated kernel did not compile\n"
             << error.what() << '\n';

@@ -19,62 +19,23 @@ namespace regulus::codegen {
 
 namespace {
 
-/// More digits for the determinants of a preparation. They are rarely needed, and the program that
-/// gives them is made when they are: a problem from the cache comes without it. Several threads may
-/// ask at once; the first makes it while the others wait.
-class OracleOnDemand : public DeterminantOracle {
- public:
-  OracleOnDemand(const Preparation& preparation, long max_bits)
-      : preparation_(preparation), max_bits_(max_bits) {}
-
-  [[nodiscard]] std::optional<Interval> enclose(std::span<const Interval> point) noexcept override {
-    ArbOracle* const oracle = made_oracle();
-    return oracle != nullptr ? oracle->enclose(point) : std::nullopt;
-  }
-
-  [[nodiscard]] long bits() const noexcept { return oracle_ ? oracle_->bits() : 0; }
-  void rethrow_failure() const {
-    if (failure_) std::rethrow_exception(failure_);
-  }
-
- private:
-  /// Null where that fails: one more way of not knowing. What it was is for the end of the search.
-  ArbOracle* made_oracle() noexcept {
-    const std::lock_guard lock(mutex_);
-    if (failure_) return nullptr;
-    try {
-      if (!oracle_)
-        oracle_.emplace(preparation_.stages->matrix(), preparation_.subject.rows, max_bits_);
-      return &*oracle_;
-    } catch (...) {
-      failure_ = std::current_exception();
-      return nullptr;
-    }
-  }
-
-  const Preparation& preparation_;
-  const long max_bits_;
-  std::mutex mutex_;
-  std::optional<ArbOracle> oracle_;
-  std::exception_ptr failure_;
-};
-
 /// Runs a search with more digits at hand, where a determinant has any.
 template <class Search>
 Result with_oracle(Preparation& preparation, const SearchOptions& search, Settings& settings,
                    Search run) {
-  OracleOnDemand oracle(preparation, search.precision);
-  if (preparation.subject.rows == preparation.subject.columns) settings.oracle = &oracle;
+  std::optional<ArbOracle> oracle;
+  if (preparation.matrix)
+    settings.oracle =
+        &oracle.emplace(*preparation.matrix, preparation.subject.rows, search.precision);
   Result result = run();
-  oracle.rethrow_failure();
-  preparation.bits = std::max(preparation.bits, oracle.bits());
+  if (oracle) preparation.bits = std::max(preparation.bits, oracle->bits());
   return result;
 }
 
 /// `boxes`: all of a search, of which `earlier` were evaluated before a checkpoint.
 EngineBoxes engine_boxes(const Preparation& p, const SearchOptions& search, std::uint64_t boxes,
                          std::uint64_t earlier) {
-  if (search.engine == Engine::kInterpreted) return {boxes - earlier, 0};
+  if (search.engine == Engine::kInterpreted || !p.no_compiler.empty()) return {boxes - earlier, 0};
   if (p.engine_switch == nullptr) return {0, boxes - earlier};
   if (!p.engine_switch->switched()) return {boxes - earlier, 0};
   const std::uint64_t at_switch = p.engine_switch->interpreted_boxes();

@@ -7,6 +7,7 @@
 #include <thread>
 
 #include "regulus/codegen/driver/ingredients.hpp"
+#include "regulus/codegen/driver/search_words.hpp"
 
 namespace regulus::codegen {
 namespace {
@@ -23,19 +24,13 @@ unsigned processors() noexcept {
 
 Settings settings_from(const SearchOptions& options) {
   Settings settings;
-  settings.method = parse_method(options.method).value();
-  settings.determinant = options.determinant == "gauss"       ? Determinant::kElimination
-                         : options.determinant == "expansion" ? Determinant::kExpansion
-                                                              : Determinant::kBoth;
-  settings.bisection = options.bisect == "widest"     ? Bisection::kWidest
-                       : options.bisect == "weighted" ? Bisection::kWeighted
-                                                      : Bisection::kImpact;
-  settings.uncertainty =
-      options.uncertainty == "variables" ? Uncertainty::kVariables : Uncertainty::kElements;
-  settings.entries = options.entries == "natural" ? Entries::kNatural
-                     : options.entries == "derivatives"
-                         ? Entries::kDerivatives
-                         : fitting_entries(settings.method, settings.uncertainty);
+  settings.method = method_of(options.method);
+  settings.determinant = determinant_of(options.determinant);
+  settings.bisection = bisection_of(options.bisect);
+  settings.uncertainty = uncertainty_of(options.uncertainty);
+  settings.entries =
+      entries_of(options.entries).value_or(fitting_entries(settings.method, settings.uncertainty));
+  require_ingredients(options.without);
   settings.threads = options.threads != 0 ? options.threads : processors();
   if (options.max_boxes != 0) settings.max_boxes = options.max_boxes;
   if (options.time_limit != 0) settings.time_limit = options.time_limit;

@@ -6,7 +6,7 @@
 
 namespace regulus::codegen {
 
-/// The search's settings as the command line spells them.
+/// The search's settings as the command line spells them. Throws UsageError for an unknown word.
 [[nodiscard]] Settings settings_from(const SearchOptions& options);
 
 }  // namespace regulus::codegen

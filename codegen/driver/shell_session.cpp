@@ -359,7 +359,7 @@ void ShellSession::adopt(CommandLine& line) {
     output.json_indent = json_ ? -1 : output.json_indent;
   };
   const auto wait = [this](SearchOptions& search) {
-    if (search.engine == Engine::kAuto) search.engine = Engine::kJit;
+    search.may_fork = false;
     search.parts = &parts_;
   };
   if (line.check) with(line.check->model, line.check->output), wait(line.check->search);

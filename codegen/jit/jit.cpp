@@ -88,7 +88,7 @@ std::string compile_object(const ClangCompiler& compiler, const Compilation& com
     throw CompileError("the generated text does not compile:\n" + compiled.diagnostics,
                        compiled.diagnostics, text);
   } catch (const CompilerUnavailable& error) {
-    throw CompileError(error.what(), {}, {});  // whatever the text is
+    throw NoCompiler(error.what());  // whatever the text is
   }
 }
 

@@ -50,6 +50,13 @@ class CompileError : public std::runtime_error {
   std::string text_;
 };
 
+/// There is no compiler to be had: it cannot be opened, or the system has no process for it.
+/// Nothing is wrong with the text.
+class NoCompiler : public CompileError {
+ public:
+  explicit NoCompiler(const std::string& what) : CompileError(what, {}, {}) {}
+};
+
 /// The code of one text, in memory as long as one copy of this object lives.
 class MachineCode {
  public:

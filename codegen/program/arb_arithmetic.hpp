@@ -2,7 +2,7 @@
 #pragma once
 
 #include "regulus/codegen/program/ball.hpp"
-#include "regulus/codegen/program/program.hpp"
+#include "regulus/codegen/program/node.hpp"
 
 namespace regulus::codegen {
 

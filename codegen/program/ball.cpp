@@ -1,33 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "regulus/codegen/program/ball.hpp"
 
-#include <cln/integer.h>
-#include <cln/integer_io.h>
-#include <flint/fmpz.h>
-
 #include <cmath>
 #include <limits>
-#include <sstream>
 
 namespace regulus::codegen {
 namespace {
-
-class Integer {
- public:
-  explicit Integer(const cln::cl_I& value) {
-    fmpz_init(value_);
-    std::ostringstream digits;
-    cln::print_integer(digits, 16U, value);
-    fmpz_set_str(value_, digits.str().c_str(), 16);
-  }
-  Integer(const Integer&) = delete;
-  Integer& operator=(const Integer&) = delete;
-  ~Integer() { fmpz_clear(value_); }
-  [[nodiscard]] const fmpz* get() const noexcept { return value_; }
-
- private:
-  fmpz_t value_;
-};
 
 class Float {
  public:
@@ -61,10 +39,8 @@ Ball::Ball(const Interval& interval, long precision) : Ball() {
   arb_set_interval_arf(value_, lo.get(), hi.get(), precision);
 }
 
-Ball::Ball(const cln::cl_RA& value, long precision) : Ball() {
-  const Integer numerator(cln::numerator(value));
-  const Integer denominator(cln::denominator(value));
-  arb_fmpz_div_fmpz(value_, numerator.get(), denominator.get(), precision);
+Ball::Ball(const FlintRational& value, long precision) : Ball() {
+  arb_fmpz_div_fmpz(value_, fmpq_numref(value.get()), fmpq_denref(value.get()), precision);
 }
 
 Interval Ball::enclosure() const {

@@ -2,8 +2,8 @@
 #pragma once
 
 #include <arb.h>
-#include <cln/rational.h>
 
+#include "regulus/codegen/program/flint_rational.hpp"
 #include "regulus/interval/interval.hpp"
 
 namespace regulus::codegen {
@@ -29,6 +29,7 @@ class Ball {
   Ball(const Interval& interval, long precision);
 
   /// A ball around the rational, at `precision` bits.
+  Ball(const FlintRational& value, long precision);
   Ball(const cln::cl_RA& value, long precision);
 
   [[nodiscard]] arb_ptr get() noexcept { return value_; }

@@ -9,18 +9,14 @@
 // What happens outside a domain is the arithmetic's business: a flag, or an exception.
 #pragma once
 
-#include <optional>
 #include <span>
 #include <stdexcept>
 #include <vector>
 
 #include "regulus/codegen/program/program.hpp"
+#include "regulus/codegen/program/run.hpp"
 
 namespace regulus::codegen {
-
-/// The values of some nodes, by NodeId, known without running the program.
-template <class Number>
-using KnownValues = std::vector<std::optional<Number>>;
 
 /// The rational constants and π, converted once.
 template <class Arithmetic>
@@ -35,49 +31,12 @@ template <class Arithmetic>
   return known;
 }
 
-/// One node from the values of its operands. Not for leaves: they have none.
-template <class Arithmetic, class Number>
-[[nodiscard]] Number apply(const Node& node, std::span<const Number> values,
-                           Arithmetic& arithmetic) {
-  const Number& a = values[node.a];
-  switch (node.op) {
-    case Op::kNegate:
-      return arithmetic.negate(a);
-    case Op::kAdd:
-      return arithmetic.add(a, values[node.b]);
-    case Op::kSubtract:
-      return arithmetic.subtract(a, values[node.b]);
-    case Op::kMultiply:
-      return arithmetic.multiply(a, values[node.b]);
-    case Op::kDivide:
-      return arithmetic.divide(a, values[node.b]);
-    case Op::kPower:
-      return arithmetic.power(a, node.index);
-    case Op::kAtan2:
-      return arithmetic.atan2(a, values[node.b]);
-    default:
-      return arithmetic.call(node.op, a);
-  }
-}
-
-/// Computes every node into `values`.
-///
-/// Requires  values.size() = known.size() = number of nodes; every constant and π known;
-///           inputs and points as many as the program declares.
+/// The same for a program, constants and all.
 template <class Arithmetic, class Number = typename Arithmetic::Number>
 void run(const Program& program, const KnownValues<Number>& known, std::span<const Number> inputs,
          std::span<const Number> points, std::span<Number> values, Arithmetic& arithmetic) {
-  for (std::size_t i = 0; i < program.nodes.size(); ++i) {
-    const Node& node = program.nodes[i];
-    if (known[i])
-      values[i] = *known[i];
-    else if (node.op == Op::kInput)
-      values[i] = inputs[node.index];
-    else if (node.op == Op::kPoint)
-      values[i] = points[node.index];
-    else
-      values[i] = apply<Arithmetic, Number>(node, values, arithmetic);
-  }
+  run<Arithmetic, Number>(std::span<const Node>(program.nodes), known, inputs, points, values,
+                          arithmetic);
 }
 
 /// The outputs of the program at `inputs` and `points`.

@@ -165,7 +165,7 @@ TEST(PreparedProblem, IsNotReadFromAnythingElse) {
     EXPECT_NE(at, std::string::npos) << from;
     return other.replace(at, from.size(), to);
   };
-  EXPECT_FALSE(read_prepared_problem(with("\"format\":2", "\"format\":3")));
+  EXPECT_FALSE(read_prepared_problem(with("\"format\":3", "\"format\":2")));
   EXPECT_FALSE(read_prepared_problem(with(std::string(64, '7'), "../" + std::string(61, '7'))));
   EXPECT_FALSE(read_prepared_problem(text + ' '));
   EXPECT_FALSE(read_prepared_problem(with("\"rows\":7", "\"rows\":7.0")));
@@ -174,6 +174,48 @@ TEST(PreparedProblem, IsNotReadFromAnythingElse) {
   EXPECT_FALSE(read_prepared_problem(with("0x1.8p-900", "-0x1p+0"))) << "bounds in wrong order";
   EXPECT_FALSE(read_prepared_problem(with("0x1.8p-900", "nan")));
   EXPECT_FALSE(read_prepared_problem(with("0x1.8p-900", "0x1.8p-900 ")));
+}
+
+/// x + 1/3, the only entry of a matrix in three variables.
+PreparedProblem square_example() {
+  PreparedProblem p = example();
+  p.subject.rows = p.subject.columns = 1;
+  BallProgram& matrix = p.matrix.emplace();
+  matrix.inputs = 3;
+  matrix.nodes = {{Op::kInput, 0, 0, 0}, {Op::kConstant, 0, 0, 0}, {Op::kAdd, 0, 1, 0}};
+  matrix.constants.push_back(FlintRational::read("1/3").value());
+  matrix.outputs = {2};
+  return p;
+}
+
+TEST(PreparedProblem, KeepsTheMatrixForMoreDigits) {
+  const auto after = read_prepared_problem(to_text(square_example()));
+  ASSERT_TRUE(after && after->matrix);
+  EXPECT_EQ(after->matrix->inputs, 3U);
+  ASSERT_EQ(after->matrix->nodes.size(), 3U);
+  EXPECT_EQ(after->matrix->nodes[2].op, Op::kAdd);
+  EXPECT_EQ(after->matrix->nodes[2].b, 1U);
+  EXPECT_EQ(after->matrix->constants.at(0).text(), "1/3");
+  EXPECT_EQ(after->matrix->outputs, std::vector<NodeId>{2});
+}
+
+TEST(PreparedProblem, IsNotReadWithAMatrixThatCannotBeEvaluated) {
+  const auto expect_refusal = [](auto change) {
+    PreparedProblem damaged = square_example();
+    change(damaged);
+    EXPECT_FALSE(read_prepared_problem(to_text(damaged)));
+  };
+  EXPECT_TRUE(read_prepared_problem(to_text(square_example())));
+  expect_refusal([](auto& p) { p.matrix->nodes[2].b = 2; });
+  expect_refusal([](auto& p) { p.matrix->nodes[1].index = 1; });
+  expect_refusal([](auto& p) { p.matrix->nodes[0].index = 3; });
+  expect_refusal([](auto& p) { p.matrix->nodes[0].op = Op::kPoint; });
+  expect_refusal([](auto& p) { p.matrix->nodes[0].op = Op(200); });
+  expect_refusal([](auto& p) { p.matrix->outputs[0] = 3; });
+  expect_refusal([](auto& p) { p.matrix->outputs.push_back(2); });
+  expect_refusal([](auto& p) { p.matrix->inputs = 2; });
+  expect_refusal([](auto& p) { p.matrix.reset(); });
+  expect_refusal([](auto& p) { p.subject.rows = 2; });
 }
 
 TEST(PreparedProblem, FitsAKernelOfItsSizesOnly) {

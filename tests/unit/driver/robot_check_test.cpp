@@ -50,7 +50,7 @@ TEST(CheckOfARobot, TakesTheChangesThatTheCommandTakes) {
   EXPECT_EQ(check(circle(), "outside", options).verdict, Verdict::kSingularity);
   options.tolerances.clear();
   options.ranges = {"x=0:3", "y=0:3"};
-  options.search.engine = Engine::kInterpreted;
+  options.engine = Engine::kInterpreted;
   EXPECT_EQ(check(circle(), "outside", options).verdict, Verdict::kSingularity);
 }
 

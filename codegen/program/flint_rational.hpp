@@ -1,0 +1,44 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <fmpq.h>
+
+#include <optional>
+#include <string>
+
+namespace cln {
+class cl_RA;
+}
+
+namespace regulus::codegen {
+
+/// An owned fmpq_t. Unlike a number of CLN, whose reference count is not atomic, it may be read by
+/// several threads at once: nothing is written when it is read or copied.
+class FlintRational {
+ public:
+  FlintRational() noexcept { fmpq_init(value_); }
+  FlintRational(const FlintRational& other) : FlintRational() { fmpq_set(value_, other.value_); }
+  FlintRational(FlintRational&& other) noexcept : FlintRational() {
+    fmpq_swap(value_, other.value_);
+  }
+  FlintRational& operator=(FlintRational other) noexcept {
+    fmpq_swap(value_, other.value_);
+    return *this;
+  }
+  ~FlintRational() { fmpq_clear(value_); }
+
+  /// Requires  the thread that calls owns the number.
+  explicit FlintRational(const cln::cl_RA& value);
+
+  /// "-5/3": numerator and denominator, decimal, in lowest terms.
+  [[nodiscard]] std::string text() const;
+  /// nullopt unless text() wrote it.
+  [[nodiscard]] static std::optional<FlintRational> read(const std::string& text);
+
+  [[nodiscard]] const fmpq* get() const noexcept { return value_; }
+
+ private:
+  fmpq_t value_;
+};
+
+}  // namespace regulus::codegen
