@@ -6,6 +6,7 @@
 #include "regulus/codegen/driver/certificate_file.hpp"
 #include "regulus/codegen/driver/checkpoint_file.hpp"
 #include "regulus/codegen/driver/commands.hpp"
+#include "regulus/codegen/driver/earlier_outputs.hpp"
 #include "regulus/codegen/driver/interrupt.hpp"
 #include "regulus/codegen/driver/least_singular.hpp"
 #include "regulus/codegen/driver/report.hpp"
@@ -16,6 +17,7 @@
 namespace regulus::codegen {
 
 int run_check(const CheckCommand& command) {
+  set_earlier_outputs_aside(command.model.path, {{"--certificate", command.certificate, true}});
   InterruptGuard interrupt;
   Preparation preparation = prepare(command.model, command.search);
   Settings settings = settings_from(command.search);

@@ -4,11 +4,12 @@
 #include <dlfcn.h>
 
 #include <cfenv>
+#include <cstdint>
 #include <filesystem>
-#include <fstream>
-#include <iterator>
 
+#include "regulus/codegen/driver/shared_object.hpp"
 #include "regulus/codegen/model/errors.hpp"
+#include "regulus/codegen/model/read_file.hpp"
 #include "regulus/codegen/model/sha256.hpp"
 
 namespace regulus::codegen {
@@ -16,12 +17,14 @@ namespace {
 
 constexpr const char* kSymbol = "regulus_filter";
 
+constexpr std::uint64_t kLargestFilter = std::uint64_t{256} << 20;
+
+/// Throws InputError unless the file may be loaded: dlopen itself would crash on one that is cut.
 std::string contents(const std::string& path) {
-  std::ifstream file(path, std::ios::binary);
-  std::string bytes{std::istreambuf_iterator<char>(file), {}};
-  // A folder opens and cannot be read.
-  if (!file || std::filesystem::is_directory(path))
-    throw FileError(path + ": cannot be read as a filter");
+  std::string bytes = read_file(path, kLargestFilter, Readable::kFile);
+  if (const auto fault = find_fault_in_shared_object(bytes))
+    throw InputError(path, 0, "no shared object that loads (" + *fault + ")",
+                     "a shared object with " + std::string(kSymbol));
   return bytes;
 }
 

@@ -12,8 +12,9 @@ namespace regulus::codegen {
 /// A filter that has been loaded; it stays so until this is destroyed.
 class FilterFile {
  public:
-  /// Runs what the file runs when it is loaded. Throws FileError when it cannot be read, InputError
-  /// when it is no shared object, has no `regulus_filter`, or one of another ABI.
+  /// Runs what the file runs when it is loaded. Throws FileError when it is no file on a disk or is
+  /// too large, InputError when it is no whole shared object for this processor, has no
+  /// `regulus_filter`, or one of another ABI.
   explicit FilterFile(const std::string& path);
 
   [[nodiscard]] const std::string& path() const noexcept { return path_; }

@@ -8,11 +8,18 @@
 namespace regulus::codegen {
 namespace {
 
-// SIGUSR1 is how the destructor wakes the watcher.
+bool is_ignored(int signal) {
+  struct sigaction action {};
+  return sigaction(signal, nullptr, &action) == 0 && action.sa_handler == SIG_IGN;
+}
+
+// SIGUSR1 is how the destructor wakes the watcher. A signal that is ignored would be taken, too,
+// once it is blocked.
 sigset_t watched_signals() {
   sigset_t set;
   sigemptyset(&set);
   for (int signal : {SIGINT, SIGTERM, SIGUSR1}) sigaddset(&set, signal);
+  if (!is_ignored(SIGHUP)) sigaddset(&set, SIGHUP);
   return set;
 }
 
@@ -27,9 +34,8 @@ bool is_handled(int signal) {
 
 }  // namespace
 
-InterruptGuard::InterruptGuard() {
-  const sigset_t set = watched_signals();
-  pthread_sigmask(SIG_BLOCK, &set, &previous_);
+InterruptGuard::InterruptGuard() : watched_(watched_signals()) {
+  pthread_sigmask(SIG_BLOCK, &watched_, &previous_);
   watcher_ = std::thread([this] { wait_for_signals(); });
 }
 
@@ -42,21 +48,20 @@ InterruptGuard::~InterruptGuard() {
 
 /// Before long; not where another signal comes first.
 bool InterruptGuard::search_begins() const {
-  const sigset_t set = watched_signals();
   const timespec step{0, 50'000'000};
   for (int steps = 0; steps < kPatience; ++steps) {
     if (searching_ || ending_) return true;
-    const int signal = sigtimedwait(&set, nullptr, &step);
+    const int signal = sigtimedwait(&watched_, nullptr, &step);
     if (signal == SIGINT || signal == SIGTERM) return false;
   }
   return false;
 }
 
 void InterruptGuard::wait_for_signals() {
-  const sigset_t set = watched_signals();
   while (!ending_) {
     int signal = 0;
-    if (sigwait(&set, &signal) != 0 || signal == SIGUSR1) continue;
+    if (sigwait(&watched_, &signal) != 0 || signal == SIGUSR1) continue;
+    if (signal == SIGHUP && requested_) continue;
     if (requested_.exchange(true) || (!is_handled(signal) && !search_begins()))
       _exit(kExitOnSignal + signal);
   }

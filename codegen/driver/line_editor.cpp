@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "regulus/codegen/driver/line_editor.hpp"
 
+#include <fcntl.h>
 #include <poll.h>
 #include <sys/stat.h>
 #include <unistd.h>
@@ -35,10 +36,16 @@ namespace {
 
 constexpr int kLinesKept = 1000;
 
-/// For the owner alone: lines may name what is nobody else's business.
+/// Makes the file, if there is none, for the owner alone: lines may name what is nobody else's
+/// business. Not by the umask, which other threads go by, too.
 void make_private(const std::filesystem::path& file) {
   std::error_code error;
-  std::filesystem::create_directories(file.parent_path(), error);
+  if (std::filesystem::create_directories(file.parent_path(), error))
+    std::filesystem::permissions(file.parent_path(), std::filesystem::perms::owner_all, error);
+  const int made = ::open(file.c_str(), O_WRONLY | O_CREAT | O_CLOEXEC, S_IRUSR | S_IWUSR);
+  if (made < 0) return;
+  ::fchmod(made, S_IRUSR | S_IWUSR);
+  ::close(made);
 }
 
 /// SIGINT waits while it lives: one that comes between the prompt and the read would be lost.
@@ -125,11 +132,8 @@ struct LineEditor::Library {
 
   void save() {
     if (file.empty()) return;
-    const mode_t before = umask(S_IRWXG | S_IRWXO);
     make_private(file);
     ::history(history, &event, H_SAVE, file.c_str());
-    chmod(file.c_str(), S_IRUSR | S_IWUSR);
-    umask(before);
   }
 
   ~Library() {

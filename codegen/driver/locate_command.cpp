@@ -10,6 +10,7 @@
 #include "regulus/codegen/driver/canvas.hpp"
 #include "regulus/codegen/driver/certificate_file.hpp"
 #include "regulus/codegen/driver/commands.hpp"
+#include "regulus/codegen/driver/earlier_outputs.hpp"
 #include "regulus/codegen/driver/gnuplot.hpp"
 #include "regulus/codegen/driver/interrupt.hpp"
 #include "regulus/codegen/driver/paving_options.hpp"
@@ -89,6 +90,13 @@ class Pictures {
   std::optional<Canvas> canvas_;
 };
 
+std::vector<OutputFile> outputs_of(const LocateCommand& command) {
+  std::vector<OutputFile> outputs = {{"--certificate", command.certificate, true}};
+  if (command.lines != "-") outputs.push_back({"--output", command.lines});
+  for (const std::string& picture : command.pictures) outputs.push_back({"--picture", picture});
+  return outputs;
+}
+
 std::vector<Observer*> present(std::initializer_list<Observer*> observers) {
   std::vector<Observer*> result;
   for (Observer* observer : observers)
@@ -100,6 +108,7 @@ std::vector<Observer*> present(std::initializer_list<Observer*> observers) {
 
 int run_locate(const LocateCommand& command) {
   for (const std::string& picture : command.pictures) require_picture_format(picture);
+  set_earlier_outputs_aside(command.model.path, outputs_of(command));
   InterruptGuard interrupt;
   Preparation preparation = prepare(command.model, command.search);
   const PavingOptions options = resolve_paving(command, preparation);

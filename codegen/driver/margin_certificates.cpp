@@ -35,6 +35,11 @@ MarginCertificates::MarginCertificates(std::string path, const MarginRequest& re
     with_file([&] { const CertificateWriter probe(path_ + ending, {}); });
 }
 
+std::vector<OutputFile> MarginCertificates::files(const std::string& path) {
+  if (path.empty()) return {};
+  return {{"--certificate", path + kSafe, true}, {"--certificate", path + kSingular, true}};
+}
+
 CertifiedQuestion MarginCertificates::question_at(const MarginValue& value) const {
   return certified_question(request_.at(value), uncertain_);
 }

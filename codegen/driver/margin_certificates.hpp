@@ -6,8 +6,10 @@
 #include <optional>
 #include <set>
 #include <string>
+#include <vector>
 
 #include "regulus/certificate/writer.hpp"
+#include "regulus/codegen/driver/earlier_outputs.hpp"
 #include "regulus/codegen/driver/margin_question.hpp"
 
 namespace regulus::codegen {
@@ -18,6 +20,9 @@ class MarginCertificates {
  public:
   /// `path` empty: none are wanted. Throws FileError when a file cannot be made there.
   MarginCertificates(std::string path, const MarginRequest& request, const Subject& subject);
+
+  /// The files of `path`; none if it is empty.
+  [[nodiscard]] static std::vector<OutputFile> files(const std::string& path);
 
   [[nodiscard]] bool wanted() const noexcept { return !path_.empty(); }
   /// Watches a search at this value; nullptr if none is wanted. The one before is forgotten.

@@ -46,6 +46,7 @@ int run_margin(const MarginCommand& given) {
   MarginCommand command = given;
   const double gap = read_gap(command.gap);
   const MarginQuestion question = take_question(command);
+  set_earlier_outputs_aside(command.model.path, MarginCertificates::files(command.certificate));
   InterruptGuard interrupt;
   Stopwatch watch;
   const MarginRequest request(read_request(command.model), question);

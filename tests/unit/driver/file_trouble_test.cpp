@@ -4,6 +4,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 #include <sys/file.h>
+#include <sys/stat.h>
 
 #include <csignal>
 #include <thread>
@@ -68,14 +69,15 @@ TEST_F(FileTrouble, AFolderInWhichNothingCanBeMadeIsSaid) {
   expect_trouble(with(locate, "--picture", std::string(kNowhere) + ".svg"), "cannot write");
 }
 
-TEST_F(FileTrouble, ACertificateThatDoesNotFitLeavesTheOneThatWasThere) {
+TEST_F(FileTrouble, ACertificateThatDoesNotFitLeavesNoneOfAnEarlierRun) {
   write_file(file("certificate"), "the one before");
   const std::vector<std::string> words = {"check", kPlanar, "regular", "--certificate",
                                           file("certificate")};
   const CommandResult full = with_small_files(1, words);
   expect_trouble(full, "cannot be written: File too large");
   EXPECT_EQ(full.output, "");
-  EXPECT_EQ(file_contents(file("certificate")), "the one before");
+  EXPECT_FALSE(exists("certificate"));
+  EXPECT_EQ(file_contents(file("certificate.old")), "the one before");
   EXPECT_EQ(std::distance(std::filesystem::directory_iterator(directory_.path()), {}), 1);
 }
 
@@ -95,6 +97,110 @@ TEST_F(FileTrouble, LinesAndPicturesThatDoNotFitAreSaid) {
   auto picture = locate;
   picture.insert(picture.end(), {"--output", file("lines"), "--picture", file("picture.svg")});
   expect_trouble(regulus(picture), "picture.svg: No space left on device");
+}
+
+/// However a run ends: nothing that an earlier one wrote stands under the name that it was given.
+TEST_F(FileTrouble, NoOutputOfAnEarlierRunStaysUnderItsName) {
+  const auto expect_aside = [this](const std::vector<std::string>& words, int exit_code,
+                                   const std::vector<std::string>& names) {
+    for (const std::string& name : names) write_file(file(name), "the one before");
+    const CommandResult result = regulus(words);
+    EXPECT_EQ(result.exit_code, exit_code) << result.errors;
+    for (const std::string& name : names) {
+      EXPECT_FALSE(exists(name)) << name;
+      EXPECT_EQ(file_contents(file(name + ".old")), "the one before") << name;
+    }
+  };
+  const std::string proof = file("proof");
+  expect_aside({"check", file("no_model.toml"), "--certificate", proof}, 74, {"proof"});
+  expect_aside({"check", kPlanar, "no_motion", "--certificate", proof}, 64, {"proof"});
+  expect_aside({"check", kRobot1, "wide_15", "--max-boxes", "1", "--certificate", proof}, 2,
+               {"proof"});
+  expect_aside(
+      {"margin", kPlanar, "no_motion", "--tolerance", "base=0:0.1", "--certificate", proof}, 64,
+      {"proof.safe", "proof.singular"});
+  expect_aside({"locate", kPlanar, "no_motion", "--certificate", proof, "--output", file("lines"),
+                "--picture", file("picture.svg")},
+               64, {"proof", "lines", "picture.svg"});
+  expect_trouble(regulus({"check", kPlanar, "regular", "--certificate", "/dev/null"}),
+                 "no file that can be replaced");
+  const std::string model = file("model.toml");
+  std::filesystem::copy_file(kPlanar, model);
+  EXPECT_EQ(regulus({"check", model, "regular", "--certificate", model}).exit_code, 64);
+  EXPECT_EQ(file_contents(model), file_contents(kPlanar));
+}
+
+TEST_F(FileTrouble, ARunThatIsKilledLeavesNoProofOfAnEarlierOne) {
+  write_file(file("proof"), "the one before");
+  auto words = long_check({"--certificate", file("proof"), "--checkpoint-every", "0"});
+  words.insert(words.begin(), kCommand);
+  RunningCommand run(words);
+  for (int i = 0; i < 10000 && !exists("checkpoint"); ++i)
+    std::this_thread::sleep_for(std::chrono::milliseconds(1));
+  ::kill(run.pid(), SIGKILL);
+  static_cast<void>(run.wait());
+  EXPECT_FALSE(exists("proof"));
+  EXPECT_TRUE(exists("proof.old"));
+}
+
+TEST_F(FileTrouble, GeneratedFilesOfAnEarlierRunAreRemovedBeforeTheNext) {
+  const std::string folder = file("generated");
+  const std::vector<std::string> generate = {"generate", kPlanar,  "regular", "-o",
+                                             folder,     "--name", "planar",  "--quiet"};
+  ASSERT_EQ(regulus(generate).exit_code, 0);
+  ASSERT_TRUE(exists("generated/planar.cpp"));
+  write_file(folder + "/mine.cpp", "not the command's");
+  EXPECT_NE(
+      regulus({"generate", file("no_model.toml"), "-o", folder, "--name", "planar"}).exit_code, 0);
+  EXPECT_FALSE(exists("generated/planar.cpp"));
+  EXPECT_FALSE(exists("generated/planar_kernel.inc"));
+  EXPECT_TRUE(exists("generated/mine.cpp"));
+  write_file(file("outside.cpp"), "not the command's");
+  EXPECT_NE(
+      regulus({"generate", kPlanar, "regular", "-o", folder, "--name", "../outside"}).exit_code, 0);
+  EXPECT_TRUE(exists("outside.cpp"));
+}
+
+/// Devices without an end, pipes that nobody writes, folders, and files larger than can be meant.
+TEST_F(FileTrouble, WhatIsNoFileIsNotRead) {
+  const std::string pipe = file("pipe"), sparse = file("sparse");
+  ASSERT_EQ(mkfifo(pipe.c_str(), 0600), 0);
+  write_file(sparse, "");
+  std::filesystem::resize_file(sparse, std::uintmax_t{1} << 40);
+  for (const std::string& other : {std::string("/dev/zero"), pipe, file(""), sparse}) {
+    expect_trouble(regulus({"check", kPlanar, "regular", "--filter", other}), "cannot be read");
+    EXPECT_NE(regulus({"check", other}).exit_code, 0);
+    if (other == pipe) std::filesystem::remove(other + ".lock");
+    expect_trouble(regulus({"check", kPlanar, "regular", "--checkpoint", other}), "checkpoint");
+  }
+}
+
+TEST_F(FileTrouble, AFilterThatIsCutIsRefused) {
+  const std::string whole = file_contents(REGULUS_BINARY_DIR "/filters/gershgorin.so");
+  ASSERT_GT(whole.size(), 5000U);
+  for (const std::size_t size :
+       {std::size_t{4}, std::size_t{60}, std::size_t{200}, whole.size() / 2}) {
+    write_file(file("cut.so"), whole.substr(0, size));
+    const CommandResult cut = regulus({"check", kPlanar, "regular", "--filter", file("cut.so")});
+    EXPECT_EQ(cut.exit_code, 65) << size;
+    EXPECT_THAT(cut.errors, HasSubstr("cut off"));
+  }
+}
+
+/// The plugins cannot be opened, as where the address space is too small for LLVM.
+TEST_F(FileTrouble, WithoutACompilerTheInterpreterAnswers) {
+  const auto without_compiler = [this](const std::string& engine) {
+    return run_command({"/bin/sh", "-c",
+                        "ulimit -v 170000; XDG_CACHE_HOME=\"$1\" exec \"$0\" check \"$2\" regular "
+                        "--threads 1 --engine \"$3\"",
+                        kCommand, file("cache"), kPlanar, engine});
+  };
+  const CommandResult by_itself = without_compiler("auto");
+  EXPECT_EQ(by_itself.exit_code, 0) << by_itself.errors;
+  EXPECT_THAT(by_itself.errors, HasSubstr("interpreted"));
+  const CommandResult asked_for = without_compiler("jit");
+  EXPECT_EQ(asked_for.exit_code, 70);
+  EXPECT_THAT(asked_for.errors, HasSubstr("--engine interpreted needs none"));
 }
 
 TEST_F(FileTrouble, AVerdictThatNobodyCanReadIsNone) {

