@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: Apache-2.0
 # Short names for the usual work; everything is in CMake. `make help` lists them.
-.PHONY: help demo build deb test test-all paper growth ablation bench fuzz asan ubsan clang dependencies format clean
+.PHONY: help demo build deb test test-all paper growth ablation bench fuzz asan ubsan tsan clang dependencies format clean
 .DEFAULT_GOAL := help
 
 help:           ## this list
@@ -24,11 +24,12 @@ test: dependencies   ## the fast tests
 	cmake --build --preset release
 	ctest --preset release
 
-test-all: dependencies  ## every test, the slow ones too
+test-all: dependencies  ## every test, the slow ones and ThreadSanitizer's too
 	@cmake/install-dependencies.sh g++-aarch64-linux-gnu qemu-user-static dpkg-dev file || echo "Tests that need them are left out."
 	cmake --preset release -DREGULUS_TESTS=ON
 	cmake --build --preset release
 	ctest --preset all
+	$(MAKE) tsan
 
 LIMIT ?= 10
 paper: dependencies  ## the paper's Tables IV-VII, run again: tests/paper/RESULTS.md (LIMIT seconds a cell)
@@ -63,6 +64,11 @@ fuzz: dependencies  ## every parser of foreign files, SECONDS each, from tests/f
 	cmake --build --preset fuzz
 	tests/fuzz/run.sh build-fuzz $(SECONDS)
 
+tsan: dependencies  ## every test that runs several threads, under ThreadSanitizer
+	cmake --preset tsan
+	cmake --build --preset tsan
+	ctest --preset tsan
+
 asan ubsan clang: dependencies  ## the fast tests under that preset
 	cmake --preset $@
 	cmake --build --preset $@
@@ -75,4 +81,4 @@ format:         ## clang-format every source file
 	git ls-files '*.cpp' '*.hpp' '*.h' | xargs clang-format -i
 
 clean:          ## remove every build folder
-	rm -rf build build-dev build-clang build-asan build-ubsan build-fuzz
+	rm -rf build build-dev build-clang build-asan build-ubsan build-tsan build-fuzz

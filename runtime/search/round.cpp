@@ -11,13 +11,14 @@
 #include <optional>
 
 #include "regulus/kernel/rounding_scope.hpp"
+#include "regulus/search/hand_over.hpp"
 
 namespace regulus {
 
 /// Where the threads live; the caller is the first of them.
 class Round::Threads {
  public:
-  explicit Threads(unsigned count) : arena_(static_cast<int>(count)) {
+  explicit Threads(unsigned count) : of_place_(count), arena_(static_cast<int>(count)) {
     // For all of the process: left alone unless more are wanted than it would give.
     if (static_cast<int>(count) > tbb::info::default_concurrency())
       allowed_.emplace(tbb::global_control::max_allowed_parallelism, count);
@@ -26,17 +27,26 @@ class Round::Threads {
   /// Calls `body(thread, index)` for each index below `count`; thread < the number of threads.
   template <typename Body>
   void for_each(std::size_t count, const Body& body) {
+    to_workers_.give();
     arena_.execute([&] {
       tbb::parallel_for(
           std::size_t{0}, count,
-          [&body](std::size_t index) {
-            body(static_cast<std::size_t>(tbb::this_task_arena::current_thread_index()), index);
+          [&body, this](std::size_t index) {
+            to_workers_.take();
+            const auto thread =
+                static_cast<std::size_t>(tbb::this_task_arena::current_thread_index());
+            of_place_[thread].take();
+            body(thread, index);
+            of_place_[thread].give();
           },
           tbb::simple_partitioner());
     });
+    for (const HandOver& place : of_place_) place.take();
   }
 
  private:
+  HandOver to_workers_;
+  std::vector<HandOver> of_place_;  ///< the threads that take turns at one place of the arena
   std::optional<tbb::global_control> allowed_;
   tbb::task_arena arena_;
 };
