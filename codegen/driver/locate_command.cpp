@@ -43,7 +43,8 @@ class LinesFile {
   }
   /// Lines that nobody will find are not written. Throws FileError.
   void require_in_place() const {
-    if (wanted() && !is_standard_output() && identity() != opened_)
+    const std::pair<dev_t, ino_t> none;
+    if (wanted() && !is_standard_output() && (opened_ == none || identity() != opened_))
       throw FileError(name_ + " was removed while it was written");
   }
   [[nodiscard]] std::ostream& stream() { return is_standard_output() ? std::cout : file_; }

@@ -43,7 +43,7 @@ TEST(PreparedProblemKey, ChangesWithEveryPartOfTheQuestion) {
       },
       [](Question& q) { q.model.tolerances = {"base=0.2"}; },
       [](Question& q) { q.model.tolerances = {}; },
-      [](Question& q) { q.model.alpha = "3"; },
+      [](Question& q) { q.model.alpha = std::string(1, '3'); },
       [](Question& q) { q.model.alpha = ""; },
       [](Question& q) { q.functions.matrix ^= true; },
       [](Question& q) { q.functions.matrix_derivatives ^= true; },

@@ -58,7 +58,7 @@ TEST(SeveralThreads, MayAskTheOracleAtOnce) {
   Preparation preparation = prepared(interpreted(1));
   ASSERT_TRUE(preparation.matrix);
   ArbOracle oracle(*preparation.matrix, 2, 1024);
-  const std::vector<Interval> at = {Interval(1.0), Interval(1.0)};
+  const std::vector<Interval> at(preparation.matrix->inputs, Interval(1.0));
   const std::optional<Interval> expected = oracle.enclose(at);
   ASSERT_TRUE(expected && expected->lo > 0);
   std::vector<int> differences(8, 0);
