@@ -1,0 +1,61 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The families of hostile models. Each makes a model of a seed, and says what is true of it.
+#pragma once
+
+#include <span>
+#include <string_view>
+
+#include "attack/oracle/attack.hpp"
+
+namespace regulus::attack {
+
+struct Family {
+  const char* name;
+  const char* description;
+  Attack (*make)(std::uint64_t seed);
+};
+
+[[nodiscard]] std::span<const Family> families();
+
+/// nullptr if there is none.
+[[nodiscard]] const Family* find_family(std::string_view name);
+
+// Roots: roots.cpp
+Attack singular_in_the_interior(std::uint64_t seed);
+Attack singular_on_an_edge(std::uint64_t seed);
+Attack singular_at_a_corner(std::uint64_t seed);
+Attack double_root(std::uint64_t seed);
+Attack regular_by_a_margin(std::uint64_t seed);
+Attack linear_margin(std::uint64_t seed);
+Attack expanded_polynomial(std::uint64_t seed);
+Attack identity(std::uint64_t seed);
+// Places without a value: undefined.cpp
+Attack pole(std::uint64_t seed);
+Attack removable(std::uint64_t seed);
+Attack branch_cut(std::uint64_t seed);
+Attack sign_jump(std::uint64_t seed);
+Attack rational_exponent(std::uint64_t seed);
+// What is asked: questions.cpp
+Attack threshold(std::uint64_t seed);
+Attack row_scale(std::uint64_t seed);
+Attack constraint(std::uint64_t seed);
+Attack empty_variety(std::uint64_t seed);
+Attack trajectory(std::uint64_t seed);
+// Tolerances: tolerances.cpp
+Attack tolerance_box(std::uint64_t seed);
+Attack tolerance_ball(std::uint64_t seed);
+Attack control_error(std::uint64_t seed);
+// Numbers: numbers.cpp
+Attack literal(std::uint64_t seed);
+Attack thin(std::uint64_t seed);
+Attack huge_or_subnormal(std::uint64_t seed);
+Attack badly_scaled(std::uint64_t seed);
+Attack refused(std::uint64_t seed);
+// Shapes: shapes.cpp, hexapods.cpp
+Attack rectangular(std::uint64_t seed);
+Attack composition(std::uint64_t seed);
+Attack hexapod_singular(std::uint64_t seed);
+Attack hexapod_regular(std::uint64_t seed);
+Attack hexapod_tolerance(std::uint64_t seed);
+
+}  // namespace regulus::attack

@@ -1,0 +1,105 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// A hostile model, what is asked about it, and what is true of it. No code of the solver, the
+// front end or the runtime is used here.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <map>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "attack/oracle/rational.hpp"
+
+namespace regulus::attack {
+
+enum class Truth {
+  kSingular,   ///< some pose and uncertain value of the variety has |det| ≤ alpha, or less rank
+  kRegular,    ///< none has
+  kUndefined,  ///< an expression has no value at some pose; elsewhere the matrix is regular
+  kUndefinedOrSingular,  ///< the same, and it may be singular elsewhere
+  kEmpty,                ///< no pose satisfies the constraints
+  kRefused,              ///< not a model: it must be refused
+};
+
+[[nodiscard]] const char* name(Truth truth);
+
+/// A quantity that takes every value from lo to hi: a motion parameter, an uncertain constant, or
+/// the control error NAME_error of a pose parameter. Ends that are not rational are moved inward.
+struct Axis {
+  std::string name;
+  Rational lo, hi;
+};
+
+/// The point with these axes lies within `radius` of `centre`.
+struct BallOfAxes {
+  std::vector<std::string> axes;
+  std::vector<Rational> centre;
+  Rational radius;
+};
+
+/// A pose parameter: TOML for the motion, and an expression of the axes if it is not one itself.
+struct PoseEntry {
+  std::string name, toml, expression;
+};
+
+struct NamedText {
+  std::string name, text;
+};
+
+/// An entry of the matrix: an expression, or a TOML number that stands without quotation marks.
+struct Cell {
+  std::string text;
+  bool bare = false;
+};
+
+/// A [gough] table, in exact numbers; the TOML may spell them in any way.
+struct Hexapod {
+  std::string orientation;
+  std::array<std::array<Rational, 3>, 6> base, platform;
+  std::vector<NamedText> toml;  ///< the other keys
+};
+
+struct ModelSource {
+  std::vector<PoseEntry> pose;
+  std::vector<NamedText> geometry;  ///< TOML
+  std::vector<NamedText> let;       ///< expressions
+  std::vector<std::vector<Cell>> rows;
+  std::vector<Cell> row_scale;
+  std::optional<Hexapod> hexapod;  ///< takes the place of pose names, geometry, let and rows
+  std::string parameters;          ///< TOML of the inline table; empty: none
+  std::vector<NamedText> error;    ///< TOML
+  std::vector<std::string> constraints;
+  std::string alpha;         ///< TOML; empty: none
+  std::string instead;       ///< the whole text, of what is not a model
+  std::string extra_motion;  ///< TOML lines
+
+  [[nodiscard]] std::string text() const;
+};
+
+/// Values of some axes, as constant expressions.
+using Planted = std::map<std::string, std::string>;
+
+struct Attack {
+  std::string family;
+  std::uint64_t seed = 0;
+  ModelSource model;
+  std::vector<std::string> options;
+
+  Truth truth = Truth::kRegular;
+  bool may_be_refused = false;  ///< what is asked is beyond what a reader must accept
+  bool decidable = false;       ///< the verdict that is true is expected, not only allowed
+  std::string argument;         ///< why that is the truth, in a few words
+
+  // By which the truth can be checked.
+  std::vector<Axis> axes;
+  std::vector<BallOfAxes> balls;
+  Planted planted;      ///< singular or undefined: the point; regular: one near the worst
+  Planted other_sign;   ///< if not empty: the determinants there and at `planted` have other signs
+  Rational margin;      ///< of kRegular: |det| − alpha is at least that
+  Rational alpha;       ///< that the options and the motion come to
+  bool sampled = true;  ///< a random point of the axes is a point of the variety
+};
+
+}  // namespace regulus::attack

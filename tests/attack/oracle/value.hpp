@@ -1,0 +1,72 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// A value of an expression: an exact rational where there is one, else a ball of Arb, or none.
+#pragma once
+
+#include <arb.h>
+
+#include <optional>
+#include <string>
+
+#include "attack/oracle/rational.hpp"
+
+namespace regulus::attack {
+
+/// Bits of a ball: enough for margins of 1e-300.
+inline constexpr long kBits = 2200;
+
+class Value {
+ public:
+  /// No value: the expression is not certain to be defined.
+  Value() { arb_init(ball_); }
+  Value(const Rational& exact) : defined_(true), exact_(exact) {  // NOLINT: rationals are values
+    arb_init(ball_);
+    arb_set_fmpq(ball_, exact.get(), kBits);
+  }
+  explicit Value(const arb_t ball) : defined_(arb_is_finite(ball) != 0) {
+    arb_init(ball_);
+    arb_set(ball_, ball);
+  }
+  Value(const Value& other) : defined_(other.defined_), exact_(other.exact_) {
+    arb_init(ball_);
+    arb_set(ball_, other.ball_);
+  }
+  Value& operator=(const Value& other) {
+    defined_ = other.defined_;
+    exact_ = other.exact_;
+    arb_set(ball_, other.ball_);
+    return *this;
+  }
+  ~Value() { arb_clear(ball_); }
+
+  [[nodiscard]] bool defined() const { return defined_; }
+  [[nodiscard]] const std::optional<Rational>& exact() const { return exact_; }
+  [[nodiscard]] const arb_struct* ball() const { return ball_; }
+
+  /// −1, 0 or 1; nothing where that is not known. 0 of a rational only.
+  [[nodiscard]] std::optional<int> sign() const;
+  /// Whether the value may be 0, and is known to at least 600 bits below `unit`.
+  [[nodiscard]] bool is_zero_to(const Rational& unit) const;
+  [[nodiscard]] bool certain_at_most(const Rational& bound) const;
+  [[nodiscard]] bool certain_at_least(const Rational& bound) const;
+  [[nodiscard]] std::string describe() const;
+
+  friend Value operator+(const Value& a, const Value& b);
+  friend Value operator-(const Value& a, const Value& b);
+  friend Value operator*(const Value& a, const Value& b);
+  friend Value operator/(const Value& a, const Value& b);
+
+ private:
+  bool defined_ = false;
+  std::optional<Rational> exact_;
+  arb_t ball_;
+};
+
+/// Undefined unless base > 0, or the exponent is an integer and that is defined.
+[[nodiscard]] Value power(const Value& base, const Value& exponent);
+[[nodiscard]] Value magnitude(const Value& x);
+[[nodiscard]] Value pi();
+/// A function of the model language by its name; `y` is the second argument of atan2. On its branch
+/// cut atan2 has no value.
+[[nodiscard]] Value call(const std::string& function, const Value& x, const Value& y);
+
+}  // namespace regulus::attack
