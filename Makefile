@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: Apache-2.0
 # Short names for the usual work; everything is in CMake. `make help` lists them.
-.PHONY: help demo build deb test test-all paper growth ablation bench fuzz asan ubsan tsan clang dependencies format clean
+.PHONY: help demo build deb test test-all paper growth ablation bench fuzz attack asan ubsan tsan clang dependencies format clean
 .DEFAULT_GOAL := help
 
 help:           ## this list
@@ -68,6 +68,12 @@ tsan: dependencies  ## every test that runs several threads, under ThreadSanitiz
 	cmake --preset tsan
 	cmake --build --preset tsan
 	ctest --preset tsan
+
+MODELS ?= 100000
+attack: dependencies  ## MODELS hostile models, judged by what is known of them: build/attack.json
+	cmake --preset release -DREGULUS_TESTS=ON
+	cmake --build --preset release --target attack
+	build/bin/attack --models $(MODELS) --fail-on-slow --least-verified 99 --json build/attack.json
 
 asan ubsan clang: dependencies  ## the fast tests under that preset
 	cmake --preset $@

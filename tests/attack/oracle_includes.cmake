@@ -1,0 +1,23 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+# cmake -DSOURCE_DIR=… -P oracle_includes.cmake
+# The oracle and the families include nothing of the project but themselves.
+cmake_minimum_required(VERSION 3.25)
+set(faults "")
+foreach(folder IN ITEMS oracle families)
+  file(GLOB sources RELATIVE ${SOURCE_DIR} ${SOURCE_DIR}/tests/attack/${folder}/*.[ch]pp)
+  if(NOT sources)
+    string(APPEND faults "tests/attack/${folder} is empty\n")
+  endif()
+  foreach(source IN LISTS sources)
+    file(STRINGS ${SOURCE_DIR}/${source} lines REGEX "^[ \t]*#[ \t]*include")
+    foreach(line IN LISTS lines)
+      if(line MATCHES "\"attack/(oracle|families)/" OR line MATCHES "<(flint/[a-z_]+|arb[a-z_]*)\\.h>" OR line MATCHES "<[a-z_]+>")
+        continue()
+      endif()
+      string(APPEND faults "${source}: ${line}\n")
+    endforeach()
+  endforeach()
+endforeach()
+if(faults)
+  message(FATAL_ERROR "The oracle shares code with what it judges:\n${faults}")
+endif()

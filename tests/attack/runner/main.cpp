@@ -1,0 +1,171 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Hostile models against the whole command, judged by what is known of them (README.md).
+#include <CLI/CLI.hpp>
+#include <fstream>
+#include <iostream>
+
+#include "attack/families/families.hpp"
+#include "attack/runner/summary.hpp"
+#include "attack/runner/workers.hpp"
+
+namespace regulus::attack {
+namespace {
+
+struct Options {
+  std::uint64_t models = 1000, seed = 1;
+  std::vector<std::string> only;
+  unsigned jobs = 2;
+  double time_cap = 20;
+  std::string json, show, mutant;
+  bool run = false, list = false, fail_on_slow = false, no_verify = false;
+  double least_verified = 0;
+  std::size_t failures = 5;
+};
+
+std::vector<const Family*> chosen(const std::vector<std::string>& only) {
+  std::vector<const Family*> result;
+  for (const std::string& name : only) {
+    const Family* family = find_family(name);
+    if (family == nullptr) throw std::invalid_argument("no family " + name + "; see --list");
+    result.push_back(family);
+  }
+  if (only.empty())
+    for (const Family& family : families()) result.push_back(&family);
+  return result;
+}
+
+Attack named(const std::string& text) {
+  const std::size_t colon = text.find(':');
+  if (colon == std::string::npos) throw std::invalid_argument("expected FAMILY:SEED");
+  return chosen({text.substr(0, colon)}).front()->make(std::stoull(text.substr(colon + 1)));
+}
+
+/// The model, the command and the truth, as a script that runs it.
+void show(const Attack& attack) {
+  std::cout << "# " << attack.family << ":" << attack.seed << ", " << name(attack.truth) << ": "
+            << attack.argument << '\n';
+  for (const auto& [name, text] : attack.planted)
+    std::cout << "# there: " << name << " = " << text << '\n';
+  std::cout << "cat >model.toml <<'END'\n" << attack.model.text() << "END\n";
+  std::string line;
+  for (const std::string& word : check_words(attack, "model.toml", "certificate"))
+    line += (line.empty() ? "" : " ") +
+            (word.find_first_of("*()") == std::string::npos ? word : "'" + word + "'");
+  std::cout << line << '\n';
+}
+
+Mutant mutant_named(const std::string& text) {
+  return text == "flipped"   ? Mutant::kFlipped
+         : text == "rounded" ? Mutant::kRounded
+                             : Mutant::kNone;
+}
+
+/// The seeds of a run begin at a number of its own.
+std::uint64_t seed_of(const Options& options, std::uint64_t round) {
+  return options.seed * 1'000'000'000 + round;
+}
+
+Summary run(const Options& options, const std::vector<const Family*>& from) {
+  Summary summary;
+  Job job;
+  job.count = options.models;
+  job.make = [&](std::uint64_t i) {
+    return from[i % from.size()]->make(seed_of(options, i / from.size()));
+  };
+  job.done = [&](std::uint64_t i, const Outcome& outcome) { summary.add(job.make(i), outcome); };
+  job.processes = options.jobs;
+  job.limits.seconds = options.time_cap;
+  job.mutant = mutant_named(options.mutant);
+  job.verify = !options.no_verify;
+  run_all(job);
+  return summary;
+}
+
+/// A falsified verdict must be noticed in every family; falsified numbers, where they decide.
+bool noticed(const Options& options, const Summary& summary) {
+  bool all = true, any = false;
+  for (const auto& [name, count] : summary.families()) {
+    const auto found = count.judgements.find(Judgement::kContradiction);
+    const bool here = found != count.judgements.end() && found->second > 0;
+    if (!here && options.mutant == "flipped") std::cout << "not noticed in " << name << '\n';
+    all = all && here;
+    any = any || here;
+  }
+  return options.mutant == "flipped" ? all : any;
+}
+
+int report(const Options& options, const Summary& summary) {
+  std::cout << summary.table();
+  if (!options.json.empty()) std::ofstream(options.json) << summary.json() << '\n';
+  if (!options.mutant.empty()) return noticed(options, summary) ? 0 : 1;
+  std::cout << summary.failure_lines("attack", options.failures);
+  const bool slow = options.fail_on_slow && summary.count(Judgement::kSlow) > 0;
+  const bool unverified = summary.verified_percent() < options.least_verified;
+  if (unverified) std::cout << "fewer than " << options.least_verified << " % are VERIFIED\n";
+  return summary.failed() || slow || unverified ? 1 : 0;
+}
+
+/// One model, with everything that is known of the outcome.
+int run_one(const Options& options) {
+  const Attack attack = named(options.show);
+  Summary summary;
+  Job job;
+  job.count = 1;
+  job.processes = 1;
+  job.limits.seconds = options.time_cap;
+  job.mutant = mutant_named(options.mutant);
+  job.make = [&](std::uint64_t) { return attack; };
+  job.done = [&](std::uint64_t, const Outcome& o) {
+    summary.add(attack, o);
+    std::cout << "check   " << verdict_text(o.exit_code) << " (" << o.reason << "), "
+              << o.check_seconds << " s\n"
+              << "proof   " << name(o.proof) << " (" << o.proof_reason << "), " << o.verify_seconds
+              << " s\n"
+              << "truth   " << name(attack.truth) << ": " << attack.argument << '\n';
+  };
+  run_all(job);
+  return summary.failed() ? 1 : 0;
+}
+
+int main_of(const Options& options) {
+  if (options.list) {
+    for (const Family& family : families())
+      std::cout << family.name << std::string(20 - std::string(family.name).size(), ' ')
+                << family.description << '\n';
+    return 0;
+  }
+  if (!options.show.empty()) {
+    if (options.run) return run_one(options);
+    show(named(options.show));
+    return 0;
+  }
+  return report(options, run(options, chosen(options.only)));
+}
+
+}  // namespace
+}  // namespace regulus::attack
+
+int main(int argc, char** argv) try {
+  regulus::attack::Options options;
+  CLI::App app{"Attacks the command with hostile models and judges its answers"};
+  app.add_option("--models", options.models, "How many models, over all families");
+  app.add_option("--seed", options.seed, "Of the run")->check(CLI::Range(0, 1'000'000'000));
+  app.add_option("--family", options.only, "Only these; see --list")->delimiter(',');
+  app.add_option("--jobs", options.jobs, "Processes")->check(CLI::Range(1, 256));
+  app.add_option("--time-cap", options.time_cap, "Seconds of processor time for each model");
+  app.add_option("--json", options.json, "Write the summary to FILE");
+  app.add_option("--show", options.show, "FAMILY:SEED: print the model and the command");
+  app.add_flag("--run", options.run, "With --show: run it");
+  app.add_option("--mutant", options.mutant, "Falsify verdicts or numbers; fails if unnoticed")
+      ->check(CLI::IsMember({"flipped", "rounded"}));
+  app.add_option("--failures", options.failures, "Most lines for each kind of failure and family");
+  app.add_option("--least-verified", options.least_verified, "Percent of the proofs");
+  app.add_flag("--fail-on-slow", options.fail_on_slow, "A model above the limit is a failure");
+  app.add_flag("--no-verify", options.no_verify, "Leave out the proofs");
+  app.add_flag("--list", options.list, "The families");
+  CLI11_PARSE(app, argc, argv);
+  return regulus::attack::main_of(options);
+} catch (const std::exception& error) {
+  std::cerr << "attack: " << error.what() << '\n';
+  return 64;
+}

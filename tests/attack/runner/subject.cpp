@@ -1,0 +1,171 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "attack/runner/subject.hpp"
+
+#include <time.h>
+
+#include <cstdio>
+#include <filesystem>
+#include <fstream>
+#include <iostream>
+#include <nlohmann/json.hpp>
+#include <sstream>
+
+#include "attack/oracle/random.hpp"
+#include "regulus/codegen/driver/run_command_line.hpp"
+
+namespace regulus::attack {
+namespace {
+
+struct Answer {
+  int exit_code = -1;
+  std::string output, errors;
+  double seconds = 0;
+};
+
+double processor_seconds() {
+  timespec now{};
+  clock_gettime(CLOCK_PROCESS_CPUTIME_ID, &now);
+  return static_cast<double>(now.tv_sec) + 1e-9 * static_cast<double>(now.tv_nsec);
+}
+
+/// Puts a stream's text elsewhere while it lives.
+class Captured {
+ public:
+  explicit Captured(std::ostream& stream) : stream_(stream), before_(stream.rdbuf(text_.rdbuf())) {}
+  ~Captured() { stream_.rdbuf(before_); }
+  Captured(const Captured&) = delete;
+  Captured& operator=(const Captured&) = delete;
+  [[nodiscard]] std::string text() const { return text_.str(); }
+
+ private:
+  std::ostringstream text_;
+  std::ostream& stream_;
+  std::streambuf* before_;
+};
+
+Answer run_command(const std::vector<std::string>& words) {
+  std::vector<const char*> arguments;
+  std::string typed;
+  for (const std::string& word : words) {
+    arguments.push_back(word.c_str());
+    typed += (typed.empty() ? "" : " ") + word;
+  }
+  const Captured output(std::cout), errors(std::cerr);
+  const double begin = processor_seconds();
+  Answer answer;
+  answer.exit_code = codegen::report_errors([&] {
+    return codegen::run_command_line(
+        codegen::parse_command_line(static_cast<int>(arguments.size()), arguments.data()), typed);
+  });
+  answer.seconds = processor_seconds() - begin;
+  answer.output = output.text();
+  answer.errors = errors.text();
+  return answer;
+}
+
+/// A text of a report's JSON; the messages where there is none.
+std::string reason_of(const Answer& answer) {
+  const auto report = nlohmann::json::parse(answer.output, nullptr, false);
+  if (report.is_object() && report.contains("reason") && report["reason"].is_string())
+    return report["reason"];
+  return answer.errors.substr(0, 300);
+}
+
+void add_search_options(Random& random, std::vector<std::string>& words) {
+  const auto add = [&](std::initializer_list<std::string> more) {
+    words.insert(words.end(), more);
+  };
+  if (random.one_in(40))
+    add({"--engine", "jit", "--no-cache"});
+  else
+    add({"--engine", "interpreted"});
+  add({"--threads", random.one_in(8) ? "2" : "1"});
+  if (random.one_in(4))
+    add({"--method",
+         random.pick(
+             {"reg", "reg+rohn", "kj", "kj+rohn", "jk", "jk+rohn", "kj-numeric", "jk-numeric"}),
+         "--max-boxes", "300"});
+  if (random.one_in(6)) add({"--bisect", random.pick({"widest", "weighted"})});
+  if (random.one_in(6)) add({"--uncertainty", "variables"});
+  if (random.one_in(8)) add({"--determinant", random.pick({"expansion", "gauss"})});
+}
+
+/// Every decimal becomes the double that is nearest to it, with 17 digits.
+std::string rounded(const std::string& text) {
+  std::string result;
+  for (std::size_t i = 0; i < text.size();) {
+    std::size_t end = i;
+    while (end < text.size() && (('0' <= text[end] && text[end] <= '9') || text[end] == '.')) ++end;
+    if (end - i < 17) {
+      end = std::max(end, i + 1);
+      result += text.substr(i, end - i);
+    } else {
+      char digits[64];
+      std::snprintf(digits, sizeof digits, "%.17g", std::stod(text.substr(i, end - i)));
+      result += digits;
+    }
+    i = end;
+  }
+  return result;
+}
+
+int falsified(int exit_code) { return exit_code == 0 ? 1 : exit_code <= 2 ? 0 : exit_code; }
+
+Proof proof_of(const Answer& answer) {
+  switch (answer.exit_code) {
+    case 0:
+      return Proof::kVerified;
+    case 1:
+      return Proof::kRejected;
+    case 2:
+      return Proof::kUnfinished;
+    default:
+      return Proof::kBroken;
+  }
+}
+
+void verify(const Attack& attack, const std::string& model, const std::string& certificate,
+            Outcome& outcome) {
+  std::vector<std::string> words{"regulus", "verify", certificate, "--json", "--quiet"};
+  // The question is written anew from the file: as long as the first time.
+  if (Random("verify" + attack.family, attack.seed).one_in(4))
+    words.insert(words.end(), {"--model", model});
+  const Answer answer = run_command(words);
+  outcome.verify_seconds = answer.seconds;
+  outcome.proof = proof_of(answer);
+  outcome.proof_reason = reason_of(answer);
+}
+
+}  // namespace
+
+std::vector<std::string> check_words(const Attack& attack, const std::string& model_path,
+                                     const std::string& certificate_path) {
+  std::vector<std::string> words{"regulus", "check",   model_path,      "m",
+                                 "--json",  "--quiet", "--certificate", certificate_path};
+  Random random("command" + attack.family, attack.seed);
+  add_search_options(random, words);
+  words.insert(words.end(), attack.options.begin(), attack.options.end());
+  return words;
+}
+
+Outcome attack_with(const Attack& attack, const Run& run) {
+  const std::string model = run.folder + "/model.toml", certificate = run.folder + "/certificate";
+  std::filesystem::remove(certificate);
+  const std::string text = attack.model.text();
+  std::ofstream(model, std::ios::binary) << (run.mutant == Mutant::kRounded ? rounded(text) : text);
+  run.entering(Stage::kCheck);
+  const Answer answer = run_command(check_words(attack, model, certificate));
+  Outcome outcome;
+  outcome.exit_code = answer.exit_code;
+  outcome.reason = reason_of(answer);
+  outcome.check_seconds = answer.seconds;
+  if (run.mutant == Mutant::kFlipped) outcome.exit_code = falsified(answer.exit_code);
+  if (run.verify && run.mutant == Mutant::kNone && std::filesystem::exists(certificate)) {
+    run.entering(Stage::kVerify);
+    outcome.stage = Stage::kVerify;
+    verify(attack, model, certificate, outcome);
+  }
+  return outcome;
+}
+
+}  // namespace regulus::attack

@@ -1,0 +1,57 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Counts by family, and what failed.
+#pragma once
+
+#include <cstdint>
+#include <map>
+#include <string>
+#include <vector>
+
+#include "attack/runner/outcome.hpp"
+
+namespace regulus::attack {
+
+struct FamilyCount {
+  std::map<Truth, std::uint64_t> truths;
+  std::map<int, std::uint64_t> exits;  ///< of models that returned
+  std::map<Judgement, std::uint64_t> judgements;
+  std::map<Proof, std::uint64_t> proofs;
+  std::uint64_t slow_proofs = 0;
+  double seconds = 0, slowest = 0;
+  std::uint64_t slowest_seed = 0;
+};
+
+struct Failure {
+  std::string what;  ///< "CONTRADICTION", "REJECTED"
+  std::string family;
+  std::uint64_t seed = 0;
+  std::string detail;
+};
+
+class Summary {
+ public:
+  void add(const Attack& attack, const Outcome& outcome);
+
+  [[nodiscard]] const std::map<std::string, FamilyCount>& families() const { return families_; }
+  [[nodiscard]] const std::vector<Failure>& failures() const { return failures_; }
+  [[nodiscard]] std::uint64_t count(Judgement judgement) const;
+  [[nodiscard]] std::uint64_t count(Proof proof) const;
+  /// Of all proofs, from 0 to 100; 100 where there is none.
+  [[nodiscard]] double verified_percent() const;
+  /// Contradictions, crashes, rejected proofs and verifiers that broke, but not what was slow.
+  [[nodiscard]] bool failed() const;
+
+  [[nodiscard]] std::string table() const;
+  /// One line each, with the command that shows the model; at most `most` of each kind and family.
+  [[nodiscard]] std::string failure_lines(const std::string& program, std::size_t most) const;
+  [[nodiscard]] std::string json() const;
+
+ private:
+  void note(const std::string& what, const Attack& attack, const std::string& detail);
+
+  std::map<std::string, FamilyCount> families_;
+  std::vector<Failure> failures_;
+  std::map<std::string, std::uint64_t> unfinished_;  ///< by reason
+};
+
+}  // namespace regulus::attack
