@@ -65,7 +65,10 @@ Orientation rational_orientation(Random& random) {
                  {two * (b * d - a * c), two * (c * d + a * b), a * a - b * b - c * c + d * d}}};
   for (Vector& row : o.rotation)
     for (Rational& x : row) x = x / n;
-  for (std::size_t i = 0; i < 4; ++i) o.parameters.push_back({"q" + std::to_string(i), q[i]});
+  // Not only those of norm 1 are rotations.
+  const Rational length = random.one_in(3) ? Rational(random.between(1, 40), 4) : Rational(1);
+  for (std::size_t i = 0; i < 4; ++i)
+    o.parameters.push_back({"q" + std::to_string(i), length * q[i]});
   return o;
 }
 
@@ -149,7 +152,7 @@ void pose_of(Builder& b, const std::string& name, const Rational& at, const Rati
 }
 
 /// The motion around a pose, and the anchors in the frame of the platform.
-Vector place(Builder& b, Hexapod& hexapod, const Orientation& o, const Legs& legs) {
+void place(Builder& b, Hexapod& hexapod, const Orientation& o, const Legs& legs) {
   const Vector X{small(b.random, 8), small(b.random, 8), Rational(10) + small(b.random, 8)};
   hexapod.orientation = o.name;
   hexapod.base = legs.base;
@@ -158,7 +161,7 @@ Vector place(Builder& b, Hexapod& hexapod, const Orientation& o, const Legs& leg
   const Rational width = b.random.one_in(3) ? Rational(1, 1000) : Rational(1, 10);
   for (std::size_t i = 0; i < 3; ++i) pose_of(b, std::string(1, "xyz"[i]), X[i], width);
   for (const auto& [name, value] : o.parameters) pose_of(b, name, value, width);
-  return X;
+  b.attack.may_be_refused = o.name == "quaternion";  // a norm that a reader may not want
 }
 
 /// Base anchors on a circle, a platform that is similar: each row is linear in the six monomials of

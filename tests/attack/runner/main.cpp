@@ -3,6 +3,7 @@
 #include <CLI/CLI.hpp>
 #include <fstream>
 #include <iostream>
+#include <map>
 
 #include "attack/families/families.hpp"
 #include "attack/runner/summary.hpp"
@@ -17,7 +18,7 @@ struct Options {
   unsigned jobs = 2;
   double time_cap = 20;
   std::string json, show, mutant;
-  bool run = false, list = false, fail_on_slow = false, no_verify = false;
+  bool run = false, shrink = false, list = false, fail_on_slow = false, no_verify = false;
   double least_verified = 0;
   std::size_t failures = 5;
 };
@@ -127,6 +128,43 @@ int run_one(const Options& options) {
   return summary.failed() ? 1 : 0;
 }
 
+/// How the one model of a summary fails; empty if it does not.
+std::string kind_of_failure(const Summary& summary) {
+  return summary.failures().empty() ? "" : summary.failures().front().what;
+}
+
+/// Of models of the same family that fail in the same way, shows the shortest.
+int shrink(const Options& options) {
+  constexpr std::uint64_t kTried = 500;
+  const Attack given = named(options.show);
+  const Family* family = find_family(given.family);
+  Attack shortest = given;
+  Job job;
+  job.count = kTried;
+  job.processes = options.jobs;
+  job.limits.seconds = options.time_cap;
+  job.make = [&](std::uint64_t i) { return i == 0 ? given : family->make(i); };
+  std::map<std::uint64_t, std::string> kinds;
+  job.done = [&](std::uint64_t i, const Outcome& outcome) {
+    Summary one;
+    one.add(job.make(i), outcome);
+    kinds[i] = kind_of_failure(one);
+  };
+  run_all(job);
+  if (kinds[0].empty()) {
+    std::cout << "# it does not fail\n";
+    return 0;
+  }
+  for (const auto& [i, kind] : kinds) {
+    if (kind != kinds[0]) continue;
+    Attack other = job.make(i);
+    if (other.model.text().size() < shortest.model.text().size()) shortest = std::move(other);
+  }
+  std::cout << "# " << kinds[0] << ", as " << options.show << '\n';
+  show(shortest);
+  return 1;
+}
+
 int main_of(const Options& options) {
   if (options.list) {
     for (const Family& family : families())
@@ -136,6 +174,7 @@ int main_of(const Options& options) {
   }
   if (!options.show.empty()) {
     if (options.run) return run_one(options);
+    if (options.shrink) return shrink(options);
     show(named(options.show));
     return 0;
   }
@@ -156,6 +195,8 @@ int main(int argc, char** argv) try {
   app.add_option("--json", options.json, "Write the summary to FILE");
   app.add_option("--show", options.show, "FAMILY:SEED: print the model and the command");
   app.add_flag("--run", options.run, "With --show: run it");
+  app.add_flag("--shrink", options.shrink,
+               "With --show: the shortest of 500 models of the family that fails in the same way");
   app.add_option("--mutant", options.mutant, "Falsify verdicts or numbers; fails if unnoticed")
       ->check(CLI::IsMember({"flipped", "rounded"}));
   app.add_option("--failures", options.failures, "Most lines for each kind of failure and family");

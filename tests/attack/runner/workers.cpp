@@ -107,7 +107,7 @@ void send_messages_to_a_file(const std::string& folder) {
 }
 
 void limit_memory(std::uint64_t bytes) {
-#if !defined(__SANITIZE_ADDRESS__)
+#if !defined(__SANITIZE_ADDRESS__) && !defined(__SANITIZE_THREAD__)
   const rlimit most{bytes, bytes};
   setrlimit(RLIMIT_AS, &most);
 #else
