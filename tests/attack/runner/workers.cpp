@@ -3,14 +3,15 @@
 
 #include <fcntl.h>
 #include <poll.h>
-#include <signal.h>
 #include <sys/mman.h>
+#include <sys/prctl.h>
 #include <sys/resource.h>
 #include <sys/wait.h>
 #include <time.h>
 #include <unistd.h>
 
 #include <atomic>
+#include <csignal>
 #include <cstring>
 #include <filesystem>
 #include <fstream>
@@ -117,8 +118,23 @@ void limit_memory(std::uint64_t bytes) {
   setrlimit(RLIMIT_CORE, &no_core);
 }
 
+volatile std::sig_atomic_t g_stop = 0;
+
+/// Ctrl-C ends the run after the line that is being read, with its folder removed.
+void stop_at_signals() {
+  struct sigaction action {};
+  action.sa_handler = [](int) { g_stop = 1; };
+  for (const int signal : {SIGINT, SIGTERM, SIGHUP}) sigaction(signal, &action, nullptr);
+}
+
+void reset_signals() {
+  for (const int signal : {SIGINT, SIGTERM, SIGHUP}) std::signal(signal, SIG_DFL);
+}
+
 [[noreturn]] void work(const Job& job, Shared& shared, Slot& slot, const std::string& folder,
                        int out) {
+  prctl(PR_SET_PDEATHSIG, SIGKILL);
+  reset_signals();
   send_messages_to_a_file(folder);
   limit_memory(job.limits.bytes);
   const Run run{folder, job.mutant, job.verify, [&slot](Stage stage) {
@@ -276,7 +292,8 @@ void run_all(const Job& job) {
   for (unsigned i = 0; i < job.processes; ++i)
     workers.push_back(std::make_unique<Worker>(job, *memory, (*memory).slots[i],
                                                folder.path() + "/" + std::to_string(i)));
-  while (!workers.empty()) {
+  stop_at_signals();
+  while (!workers.empty() && g_stop == 0) {
     std::vector<pollfd> waiting;
     for (const auto& worker : workers) waiting.push_back({worker->descriptor(), POLLIN, 0});
     poll(waiting.data(), waiting.size(), kPollMilliseconds);
@@ -286,6 +303,7 @@ void run_all(const Job& job) {
       if (!workers[i]->restart()) workers.erase(workers.begin() + static_cast<long>(i));
     }
   }
+  if (g_stop != 0) throw std::runtime_error("stopped by a signal");
 }
 
 }  // namespace regulus::attack
