@@ -78,7 +78,7 @@ Summary run(const Options& options, const std::vector<const Family*>& from) {
   job.limits.seconds = options.time_cap;
   job.mutant = mutant_named(options.mutant);
   job.verify = !options.no_verify;
-  run_all(job);
+  if (!run_all(job)) std::cout << "stopped by a signal: what follows is a part\n";
   return summary;
 }
 
@@ -124,8 +124,7 @@ int run_one(const Options& options) {
               << " s\n"
               << "truth   " << name(attack.truth) << ": " << attack.argument << '\n';
   };
-  run_all(job);
-  return summary.failed() ? 1 : 0;
+  return !run_all(job) || summary.failed() ? 1 : 0;
 }
 
 /// How the one model of a summary fails; empty if it does not.
@@ -150,8 +149,7 @@ int shrink(const Options& options) {
     one.add(job.make(i), outcome);
     kinds[i] = kind_of_failure(one);
   };
-  run_all(job);
-  if (kinds[0].empty()) {
+  if (!run_all(job) || kinds[0].empty()) {
     std::cout << "# it does not fail\n";
     return 0;
   }

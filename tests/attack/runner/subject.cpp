@@ -167,7 +167,7 @@ Outcome attack_with(const Attack& attack, const Run& run) {
   std::filesystem::remove(certificate);
   const std::string text = attack.model.text();
   std::ofstream(model, std::ios::binary) << (run.mutant == Mutant::kRounded ? rounded(text) : text);
-  run.entering(Stage::kCheck);
+  run.entering(Stage::kCheck, -1);
   const Answer answer = run_command(check_words(attack, model, certificate));
   Outcome outcome;
   outcome.exit_code = answer.exit_code;
@@ -175,7 +175,7 @@ Outcome attack_with(const Attack& attack, const Run& run) {
   outcome.check_seconds = answer.seconds;
   if (run.mutant == Mutant::kFlipped) outcome.exit_code = falsified(answer.exit_code);
   if (run.verify && run.mutant == Mutant::kNone && std::filesystem::exists(certificate)) {
-    run.entering(Stage::kVerify);
+    run.entering(Stage::kVerify, outcome.exit_code);
     outcome.stage = Stage::kVerify;
     verify(attack, model, certificate, outcome);
   }

@@ -28,7 +28,8 @@ struct Run {
   std::string folder;  ///< for the model and its certificate
   Mutant mutant = Mutant::kNone;
   bool verify = true;
-  std::function<void(Stage)> entering;  ///< is called at the beginning of each stage
+  /// Is called at the beginning of each stage, with the exit code of the check if there is one yet.
+  std::function<void(Stage, int)> entering;
 };
 
 /// Checks the model as `regulus check` does, and the certificate as `regulus verify` does.

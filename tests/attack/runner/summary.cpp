@@ -88,8 +88,7 @@ void Summary::add(const Attack& attack, const Outcome& outcome) {
   FamilyCount& count = families_[attack.family];
   ++count.truths[attack.truth];
   if (outcome.exit_code >= 0) ++count.exits[outcome.exit_code];
-  const bool check_returned = outcome.ending == Ending::kReturned || outcome.stage == Stage::kCheck;
-  const Judgement judgement = check_returned ? judge(attack, outcome) : Judgement::kOpen;
+  const Judgement judgement = judge(attack, outcome);
   ++count.judgements[judgement];
   if (judgement == Judgement::kContradiction || judgement == Judgement::kCrash ||
       judgement == Judgement::kSlow)
@@ -128,6 +127,7 @@ double Summary::verified_percent() const {
   std::uint64_t all = 0;
   for (const Proof p : {Proof::kVerified, Proof::kUnfinished, Proof::kRejected, Proof::kBroken})
     all += count(p);
+  for (const auto& [name, c] : families_) all += c.slow_proofs;
   return all == 0 ? 100
                   : 100 * static_cast<double>(count(Proof::kVerified)) / static_cast<double>(all);
 }

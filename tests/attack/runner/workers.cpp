@@ -40,6 +40,7 @@ double seconds_of(clockid_t clock) {
 struct Slot {
   std::atomic<std::uint64_t> model{kNone};
   std::atomic<Stage> stage{Stage::kCheck};
+  std::atomic<int> exit_code{-1};                       ///< of the check, from the second stage on
   std::atomic<double> processor_time{0}, wall_time{0};  ///< at the beginning of the stage
 };
 
@@ -137,15 +138,16 @@ void reset_signals() {
   reset_signals();
   send_messages_to_a_file(folder);
   limit_memory(job.limits.bytes);
-  const Run run{folder, job.mutant, job.verify, [&slot](Stage stage) {
+  const Run run{folder, job.mutant, job.verify, [&slot](Stage stage, int exit_code) {
                   slot.processor_time = seconds_of(CLOCK_PROCESS_CPUTIME_ID);
                   slot.wall_time = seconds_of(CLOCK_MONOTONIC);
                   slot.stage = stage;
+                  slot.exit_code = exit_code;
                 }};
   for (int i = 0; i < kModelsPerProcess; ++i) {
     const std::uint64_t model = shared.next++;
     if (model >= job.count) break;
-    run.entering(Stage::kCheck);
+    run.entering(Stage::kCheck, -1);
     slot.model = model;
     write_all(out, line_of(model, attack_with(job.make(model), run)));
     slot.model = kNone;
@@ -235,6 +237,7 @@ class Worker {
   [[nodiscard]] Outcome ending(int status) const {
     Outcome outcome;
     outcome.stage = slot_.stage;
+    outcome.exit_code = slot_.exit_code;
     outcome.ending = stopped_ ? Ending::kSlow : Ending::kCrashed;
     if (outcome.stage == Stage::kVerify) outcome.proof = Proof::kBroken;
     if (stopped_)
@@ -285,7 +288,7 @@ class Folder {
 
 }  // namespace
 
-void run_all(const Job& job) {
+bool run_all(const Job& job) {
   const Folder folder;
   const SharedMemory memory(job.processes);
   std::vector<std::unique_ptr<Worker>> workers;
@@ -303,7 +306,7 @@ void run_all(const Job& job) {
       if (!workers[i]->restart()) workers.erase(workers.begin() + static_cast<long>(i));
     }
   }
-  if (g_stop != 0) throw std::runtime_error("stopped by a signal");
+  return g_stop == 0;
 }
 
 }  // namespace regulus::attack

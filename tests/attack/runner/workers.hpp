@@ -25,7 +25,8 @@ struct Job {
   bool verify = true;
 };
 
-/// Every model once. Throws std::runtime_error where processes cannot be made.
-void run_all(const Job& job);
+/// Every model once; false where a signal stopped it before. Throws std::runtime_error where
+/// processes cannot be made.
+[[nodiscard]] bool run_all(const Job& job);
 
 }  // namespace regulus::attack

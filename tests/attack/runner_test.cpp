@@ -1,0 +1,127 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The runner: a crash, a hang or a leak is one model's, and the summary says so.
+#include <gtest/gtest.h>
+#include <unistd.h>
+
+#include <cstdlib>
+#include <map>
+
+#include "attack/families/families.hpp"
+#include "attack/runner/summary.hpp"
+#include "attack/runner/workers.hpp"
+
+namespace regulus::attack {
+namespace {
+
+Attack small_model() {
+  Attack attack;
+  attack.family = "small";
+  attack.model.pose = {{"x", "[0, 1]", ""}};
+  attack.model.rows = {{{"x + 2"}}};
+  attack.truth = Truth::kRegular;
+  attack.decidable = true;
+  return attack;
+}
+
+Job small_job(std::uint64_t count, std::map<std::uint64_t, Outcome>& outcomes) {
+  Job job;
+  job.count = count;
+  job.make = [](std::uint64_t) { return small_model(); };
+  job.done = [&outcomes](std::uint64_t i, const Outcome& o) {
+    EXPECT_FALSE(outcomes.contains(i)) << i;
+    outcomes[i] = o;
+  };
+  return job;
+}
+
+TEST(Workers, DoEachModelOnce) {
+  std::map<std::uint64_t, Outcome> outcomes;
+  EXPECT_TRUE(run_all(small_job(20, outcomes)));
+  ASSERT_EQ(outcomes.size(), 20U);
+  for (const auto& [i, outcome] : outcomes) {
+    EXPECT_EQ(judge(small_model(), outcome), Judgement::kTrue) << outcome.reason;
+    EXPECT_EQ(outcome.proof, Proof::kVerified) << outcome.proof_reason;
+  }
+}
+
+TEST(Workers, NameTheModelThatCrashesOrHangs) {
+  std::map<std::uint64_t, Outcome> outcomes;
+  Job job = small_job(12, outcomes);
+  job.limits.seconds = 0.5;
+  job.make = [](std::uint64_t i) {
+    if (i == 3) std::abort();
+    if (i == 5) _exit(7);
+    for (volatile bool spin = i == 7; spin;) continue;
+    return small_model();
+  };
+  EXPECT_TRUE(run_all(job));
+  ASSERT_EQ(outcomes.size(), 12U);
+  EXPECT_EQ(outcomes[3].ending, Ending::kCrashed);
+  EXPECT_NE(outcomes[3].reason.find("signal"), std::string::npos) << outcomes[3].reason;
+  EXPECT_EQ(outcomes[5].ending, Ending::kCrashed);
+  EXPECT_NE(outcomes[5].reason.find("code 7"), std::string::npos) << outcomes[5].reason;
+  EXPECT_EQ(outcomes[7].ending, Ending::kSlow);
+  for (const std::uint64_t i : {0, 4, 6, 8, 11}) EXPECT_EQ(outcomes[i].ending, Ending::kReturned);
+}
+
+TEST(Workers, CarryFalsifiedVerdicts) {
+  std::map<std::uint64_t, Outcome> outcomes;
+  Job job = small_job(2, outcomes);
+  job.mutant = Mutant::kFlipped;
+  EXPECT_TRUE(run_all(job));
+  EXPECT_EQ(judge(small_model(), outcomes.at(0)), Judgement::kContradiction);
+  EXPECT_EQ(outcomes.at(0).proof, Proof::kNone);
+}
+
+TEST(ASummary, CountsAndNamesFailures) {
+  Summary summary;
+  Outcome outcome;
+  outcome.exit_code = 0;
+  outcome.proof = Proof::kVerified;
+  summary.add(small_model(), outcome);
+  EXPECT_FALSE(summary.failed());
+  EXPECT_EQ(summary.verified_percent(), 100);
+  outcome.proof = Proof::kUnfinished;
+  summary.add(small_model(), outcome);
+  EXPECT_FALSE(summary.failed());
+  EXPECT_EQ(summary.verified_percent(), 50);
+  outcome.exit_code = 1;
+  Attack wrong = small_model();
+  wrong.seed = 77;
+  summary.add(wrong, outcome);
+  EXPECT_TRUE(summary.failed());
+  EXPECT_EQ(summary.count(Judgement::kContradiction), 1U);
+  EXPECT_NE(summary.failure_lines("attack", 5).find("attack --show small:77"), std::string::npos);
+  EXPECT_NE(summary.table().find("small"), std::string::npos);
+  EXPECT_NE(summary.json().find("\"CONTRADICTION\""), std::string::npos);
+}
+
+TEST(ASummary, CountsAProofThatIsSlowAsNotVerified) {
+  Summary summary;
+  Outcome outcome;
+  outcome.ending = Ending::kSlow;
+  outcome.stage = Stage::kVerify;
+  outcome.exit_code = 0;
+  outcome.proof = Proof::kBroken;
+  summary.add(small_model(), outcome);
+  EXPECT_FALSE(summary.failed());
+  EXPECT_EQ(summary.verified_percent(), 0);
+  outcome.ending = Ending::kCrashed;
+  summary.add(small_model(), outcome);
+  EXPECT_TRUE(summary.failed());
+}
+
+TEST(ASummary, CountsAFalseVerdictWhoseProofCrashesTheVerifier) {
+  Summary summary;
+  Outcome outcome;
+  outcome.ending = Ending::kCrashed;
+  outcome.stage = Stage::kVerify;
+  outcome.exit_code = 1;
+  outcome.proof = Proof::kBroken;
+  summary.add(small_model(), outcome);
+  EXPECT_EQ(summary.count(Judgement::kContradiction), 1U);
+  EXPECT_EQ(summary.count(Proof::kBroken), 1U);
+}
+
+}  // namespace
+}  // namespace regulus::attack
