@@ -79,8 +79,13 @@ inline Interval& operator/=(Interval& x, Interval y) noexcept { return x = x / y
   return sqrt(x, undefined);
 }
 
-/// xⁿ for any n; x⁰ = 1. Undefined where x = 0 when n < 0. Not tight for |n| > 2: each of the
-/// multiplications of binary powering rounds outward.
+/// 2^e·x for any e: exact but for overflow and underflow, where a bound moves outward to the next
+/// double.
+[[nodiscard]] Interval times_power_of_two(Interval x, int e) noexcept;
+
+/// xⁿ for any n; x⁰ = 1. Undefined where x = 0 when n < 0. Tight for |n| ≤ 1 and n = 2. Otherwise
+/// each multiplication of binary powering rounds outward, and the quotient of a negative power
+/// does. None of these overflows or underflows: only the result may.
 [[nodiscard]] Interval pow(Interval x, int n, bool& undefined) noexcept;
 [[nodiscard]] Interval pow(Interval x, int n) noexcept;
 

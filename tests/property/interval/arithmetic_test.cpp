@@ -145,10 +145,35 @@ TEST(Arithmetic, PowersContainTheExactRangeAndStayNearIt) {
     const Interval exact = exact_power(x, n);
     const Interval power = pow(x, n);
     ASSERT_TRUE(certain_subset(exact, power)) << ::testing::PrintToString(x) << "^" << n;
-    // Below that the factors become subnormal and lose relative accuracy.
-    if (mig(exact) < 0x1p-960 || !is_bounded(power)) continue;
     ASSERT_LE(excess_ulps(power, exact), 40u) << ::testing::PrintToString(x) << "^" << n;
   }
+}
+
+/// No factor of a power overflows or underflows on the way to a result that does not.
+TEST(Arithmetic, PowersOfTheLargestAndTheSmallestDoublesAreNeighboursOfTheExactOnes) {
+  const double ends[] = {kMaxDouble, 0x1p1023, 0x1p537,    0x1p512,   0x1.8p511,   0x1p358,
+                         1.5,        0x1p-511, 0x1.8p-537, 0x1p-1022, 0x1.8p-1030, kMinSubnormal};
+  for (const double end : ends)
+    for (const double x : {end, -end})
+      for (const int n : {-3, -2, -1, 2, 3}) {
+        const Interval exact = exact_power(x, n);
+        const Interval power = pow(Interval(x), n);
+        ASSERT_TRUE(certain_subset(exact, power)) << std::hexfloat << x << "^" << n;
+        ASSERT_LE(excess_ulps(power, exact), 4u) << std::hexfloat << x << "^" << n;
+      }
+  EXPECT_EQ(pow(Interval(kMaxDouble), -2), Interval(0.0, kMinSubnormal));
+  EXPECT_EQ(pow(Interval(-kMaxDouble), -3), Interval(-kMinSubnormal, 0.0));
+  EXPECT_EQ(pow(Interval(kMinSubnormal), -2), Interval(kMaxDouble, kInfinity));
+}
+
+TEST(Arithmetic, PowersOfTwoMoveExponentsAndRoundOutwardWhereTheyMust) {
+  EXPECT_EQ(times_power_of_two(Interval(-3.0, 5.0), 1500 - 1499), Interval(-6.0, 10.0));
+  EXPECT_EQ(times_power_of_two(Interval(0x1p-1000, 0x1p1000), -1000), Interval(0.0, 1.0));
+  EXPECT_EQ(times_power_of_two(Interval(0x1p-1000), 2000), Interval(0x1p1000));
+  EXPECT_EQ(times_power_of_two(Interval(1.0, 2.0), 5000), Interval(kMaxDouble, kInfinity));
+  EXPECT_EQ(times_power_of_two(Interval(-1.0, 2.0), -5000),
+            Interval(-kMinSubnormal, kMinSubnormal));
+  EXPECT_EQ(times_power_of_two(Interval(0.0), 100000), Interval(0.0));
 }
 
 TEST(Arithmetic, HalvesMeetAndCoverTheInterval) {
