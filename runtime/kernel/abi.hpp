@@ -26,8 +26,9 @@ enum { REGULUS_POINT_BITS = 29, REGULUS_LEAST_POINT_EXPONENT = -800 };
 ///           as another, so that a grid costs its maker nothing.
 /// Ensures   for each lane whose bit in the result is 0: every expression is defined at every
 ///           point of the box, and each output encloses its expression over the box, with finite
-///           bounds. For a lane whose bit is 1 nothing is known ("undefined"): its outputs are
-///           meaningless.
+///           bounds. For a lane whose bit is 1 nothing is known ("undefined"): what the function
+///           leaves there is meaningless and differs between engines. regulus::Kernel sets it to
+///           [−∞, ∞], so that whoever calls through that class sees the same from all of them.
 typedef unsigned (*regulus_function)(const double* boxes, const double* points, double* out,
                                      const void* context);
 

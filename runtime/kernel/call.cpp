@@ -2,6 +2,7 @@
 #include "regulus/kernel/call.hpp"
 
 #include <cstddef>
+#include <cstdint>
 #include <stdexcept>
 #include <string>
 
@@ -120,13 +121,57 @@ unsigned Kernel::call(regulus_function function, const double* boxes, const doub
   unsigned outside = lanes_outside_contract(boxes, kernel_->variables);
   if (points != nullptr)
     outside |= point_lanes_outside_contract(points, kernel_->columns, kernel_->rows);
-  return outside | call_within_contract(function, boxes, points, out);
+  const unsigned undefined = call_within_contract(function, boxes, points, out);
+  if (outside != 0) forget(function, outside, out);
+  return outside | undefined;
 }
 
 unsigned Kernel::call_within_contract(regulus_function function, const double* boxes,
                                       const double* points, double* out) const noexcept {
-  const RoundingScope scope(kernel_->rounding);
-  return function(boxes, points, out, kernel_->context);
+  unsigned undefined;
+  {
+    const RoundingScope scope(kernel_->rounding);
+    undefined = function(boxes, points, out, kernel_->context);
+  }
+  if (undefined != 0) forget(function, undefined, out);
+  return undefined;
+}
+
+std::size_t Kernel::count_outputs(regulus_function function) const noexcept {
+  const regulus_kernel& k = *kernel_;
+  const std::size_t mn = std::size_t{k.rows} * k.columns;
+  const std::size_t nn = std::size_t{k.columns} * k.columns;
+  const std::size_t mm = std::size_t{k.rows} * k.rows;
+  std::size_t least = SIZE_MAX;
+  const auto note = [&](regulus_function candidate, std::size_t outputs) {
+    if (candidate == function && outputs < least) least = outputs;
+  };
+  note(k.matrix, mn);
+  note(k.matrix_derivatives, k.variables * mn);
+  note(k.left_product, nn);
+  note(k.left_derivatives, k.variables * nn);
+  note(k.right_product, mm);
+  note(k.row_scale, 1);
+  note(k.constraint, k.constraints);
+  note(k.pose, k.pose_parameters);
+  note(k.determinant, 1);
+  note(k.determinant_derivatives, k.variables);
+  if (const regulus_expansion* x = k.expansion) {
+    note(x->product, nn);
+    for (const regulus_derivatives* list : {&x->first, &x->second, &x->row_first, &x->row_second})
+      note(list->function, list->count);
+  }
+  return least == SIZE_MAX ? 0 : least;
+}
+
+void Kernel::forget(regulus_function function, unsigned lanes, double* out) const noexcept {
+  const std::size_t outputs = count_outputs(function);
+  for (std::size_t e = 0; e < outputs; ++e)
+    for (std::size_t lane = 0; lane < REGULUS_LANES; ++lane) {
+      if ((lanes >> lane & 1u) == 0) continue;
+      out[2 * e * REGULUS_LANES + lane] = kUndefinedLower;
+      out[(2 * e + 1) * REGULUS_LANES + lane] = kUndefinedUpper;
+    }
 }
 
 }  // namespace regulus

@@ -2,6 +2,8 @@
 // Calling a kernel: the floating-point environment it needs, and the contract of its inputs.
 #pragma once
 
+#include <cstddef>
+
 #include "regulus/kernel/abi.hpp"
 
 namespace regulus {
@@ -12,6 +14,11 @@ inline constexpr unsigned kAllLanes = (1u << REGULUS_LANES) - 1;
 /// The magnitudes a kernel may be given.
 inline constexpr double kMaxBoxMagnitude = 0x1p64;
 inline constexpr double kMaxPointMagnitude = 0x1p128;
+
+/// What the outputs of an undefined lane are set to after each call: an enclosure of all numbers,
+/// from which nothing follows. It is the same for every engine and instruction set.
+inline constexpr double kUndefinedLower = -__builtin_inf();
+inline constexpr double kUndefinedUpper = __builtin_inf();
 
 /// Lanes in which an interval has a NaN, bounds in the wrong order, or |bound| > 2^64.
 ///
@@ -39,7 +46,8 @@ class Kernel {
   /// Shape     as in regulus_function. `points` is null, or has all entries of K.
   /// Ensures   the lanes in which nothing is known: those the function reports and those whose
   ///           inputs are outside the contract; all of them when `function` is null. In the other
-  ///           lanes the outputs are enclosures. The caller's floating-point environment is kept.
+  ///           lanes the outputs are enclosures; in these they are [−∞, ∞] if the function is one
+  ///           of the kernel's. The caller's floating-point environment is kept.
   [[nodiscard]] unsigned call(regulus_function function, const double* boxes, const double* points,
                               double* out) const noexcept;
 
@@ -49,7 +57,14 @@ class Kernel {
   [[nodiscard]] unsigned call_within_contract(regulus_function function, const double* boxes,
                                               const double* points, double* out) const noexcept;
 
+  /// Sets the outputs of some lanes to [−∞, ∞]. The functions of the kernel are known by their
+  /// addresses; of one that serves for several purposes as many outputs are set as all of them
+  /// have.
+  void forget(regulus_function function, unsigned lanes, double* out) const noexcept;
+
  private:
+  [[nodiscard]] std::size_t count_outputs(regulus_function function) const noexcept;
+
   const regulus_kernel* kernel_;
 };
 

@@ -200,8 +200,9 @@ bool Batch::begin(Stage stage) noexcept {
 LaneMask Batch::call(regulus_function function, const double* boxes, const double* points,
                      double* out) noexcept {
   if (function == nullptr) return 0;
-  return kEveryLane & ~outside_contract_ &
-         ~caller_.call_within_contract(function, boxes, points, out);
+  const LaneMask undefined = caller_.call_within_contract(function, boxes, points, out);
+  if (outside_contract_ != 0) caller_.forget(function, outside_contract_, out);
+  return kEveryLane & ~outside_contract_ & ~undefined;
 }
 
 void Batch::constraints_on(const double* boxes, LaneMask& inside, LaneMask& outside) noexcept {
@@ -305,6 +306,23 @@ LaneMask Batch::preconditioned() noexcept {
 const double* Batch::preconditioner() noexcept {
   if (begin(kMidpoint)) compute_midpoint();
   return preconditioner_.get();
+}
+
+/// Heuristic: in plain doubles, of the midpoint alone.
+LaneMask Batch::poorly_preconditioned() noexcept {
+  constexpr double kPoor = 0.25;
+  LaneMask good = preconditioned();
+  if (good == 0) return loaded_;
+  for (std::size_t i = 0; i < columns_; ++i)
+    for (std::size_t j = 0; j < columns_; ++j)
+      for (std::size_t lane = 0; lane < kLanes; ++lane) {
+        double sum = i == j ? -1.0 : 0.0;
+        for (std::size_t p = 0; p < rows_; ++p)
+          sum += preconditioner_[point_at(i * rows_ + p, lane)] *
+                 approx_matrix_[point_at(p * columns_ + j, lane)];
+        if (!(std::fabs(sum) < kPoor)) good &= ~(1U << lane);
+      }
+  return loaded_ & ~good;
 }
 
 double Batch::approx_determinant(std::size_t lane) noexcept {

@@ -94,6 +94,9 @@ class Batch {
   [[nodiscard]] LaneMask preconditioned() noexcept;
   /// K, n×m, point layout.
   [[nodiscard]] const double* preconditioner() noexcept;
+  /// There is no K, or K·A is so far from the identity even at the midpoint that tests on K·A fail
+  /// for boxes of any size: A is too close to a singular matrix for the digits that K has.
+  [[nodiscard]] LaneMask poorly_preconditioned() noexcept;
   [[nodiscard]] Interval preconditioner_determinant(std::size_t lane) noexcept;
   /// det A to nearest.
   [[nodiscard]] double approx_determinant(std::size_t lane) noexcept;
@@ -193,6 +196,7 @@ class Batch {
   [[nodiscard]] LaneMask call_listed(const regulus_derivatives& derivatives, const double* boxes,
                                      double* out) noexcept;
   void impact_from_derivatives() noexcept;
+  void clear_impact(LaneMask lanes) noexcept;
   void impact_from_fixing() noexcept;
   void approx_distances(double* P) noexcept;
   void weigh_rows() noexcept;
@@ -235,7 +239,7 @@ class Batch {
   LaneMask inside_ = 0, outside_ = 0, midpoint_inside_ = 0, midpoint_outside_ = 0;
   LaneMask posed_ = 0, matrix_defined_ = 0, left_defined_ = 0, right_defined_ = 0;
   LaneMask midpoint_defined_ = 0, preconditioned_ = 0, derivatives_defined_ = 0;
-  LaneMask determinant_slopes_defined_ = 0;
+  LaneMask determinant_slopes_defined_ = 0, second_order_defined_ = 0;
 };
 
 }  // namespace regulus

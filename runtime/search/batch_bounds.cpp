@@ -61,6 +61,7 @@ double* Batch::second_order_bounds() noexcept {
   if (x.second.function == nullptr && x.row_second.function == nullptr)
     static_cast<void>(product({}, defined));
   second_order_->bound_ru(second_order_input(), T);
+  second_order_defined_ = defined;
   for_each_lane(kEveryLane & ~defined,
                 [&](std::size_t lane) { fill_lane(T, order() * order(), lane, kInfinity); });
   return T;

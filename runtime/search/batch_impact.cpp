@@ -12,6 +12,24 @@
 #include "regulus/search/batch.hpp"
 
 namespace regulus {
+namespace {
+
+/// Where the bounds over a box are not defined, the first derivatives at its middle say what moves
+/// K·A most. Where these are not defined either they are [−∞, ∞], and no variable is better than
+/// another.
+void add_impact_at_center(const regulus_derivatives& first, const double* derivatives,
+                          const double* radius, LaneMask lanes, double* impact) noexcept {
+  for_each_lane(lanes, [&](std::size_t lane) {
+    for (unsigned d = 0; d < first.count; ++d) {
+      const std::size_t k = first.list[d].first;
+      const double size = std::max(std::fabs(derivatives[lower_at(d, lane)]),
+                                   std::fabs(derivatives[upper_at(d, lane)]));
+      if (size < kInfinity) impact[point_at(k, lane)] += size * radius[point_at(k, lane)];
+    }
+  });
+}
+
+}  // namespace
 
 void Batch::weigh_impact(std::size_t variable, std::size_t row, std::size_t column,
                          const double* magnitude) noexcept {
@@ -33,9 +51,8 @@ void Batch::impact_from_derivatives() noexcept {
                           radius_[point_at(k, lane)];
       weigh_impact(k, e / columns_, e % columns_, magnitude);
     }
-    for_each_lane(kEveryLane & ~derivatives_defined_,
-                  [&](std::size_t lane) { impact_[point_at(k, lane)] = 0.0; });
   }
+  clear_impact(kEveryLane & ~derivatives_defined_);
 }
 
 /// By how much the entries shrink when one variable is fixed at its midpoint: what a test on
@@ -110,6 +127,12 @@ void Batch::compute_perron() noexcept {
   approx_perron(P, order(), right_perron_.get(), left_perron_.get(), approx_spectral_radius_);
 }
 
+/// No variable is better than another: the relatively widest is split.
+void Batch::clear_impact(LaneMask lanes) noexcept {
+  for (std::size_t k = 0; k < variables_; ++k)
+    for_each_lane(lanes, [&](std::size_t lane) { impact_[point_at(k, lane)] = 0.0; });
+}
+
 double Batch::approx_spectral_radius(std::size_t lane) noexcept {
   if (begin(kPerron)) compute_perron();
   return approx_spectral_radius_[lane];
@@ -125,6 +148,11 @@ const double* Batch::approx_impact() noexcept {
   if (second_order_) {
     second_order_->approx_impact(second_order_input(), right_perron_.get(), left_perron_.get(),
                                  impact_.get());
+    const LaneMask unknown = kEveryLane & ~second_order_defined_;
+    clear_impact(unknown);
+    if (unknown != 0)
+      add_impact_at_center(kernel_.expansion->first, first_.get(), expanded_radius_.get(),
+                           unknown & preconditioned(), impact_.get());
     return impact_.get();
   }
   if (form_.side == ProductForm::Side::kNone) weigh_rows();

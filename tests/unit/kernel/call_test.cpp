@@ -106,6 +106,24 @@ TEST(Kernel, PassesTheContextAndReportsUndefinedLanes) {
   EXPECT_EQ(call(kernel, a), 0x41u);
 }
 
+TEST(Kernel, SetsTheOutputsOfUndefinedLanesToAllNumbers) {
+  const unsigned undefined = 0x41;
+  regulus_kernel kernel = two_by_two();
+  kernel.context = &undefined;
+  Arguments a;
+  a.boxes.set_all_lanes(0, {1, 2});
+  a.boxes.data()[3] = 3;  // bounds in the wrong order
+  std::fill_n(a.out.data(), 2 * 4 * REGULUS_LANES, 5.0);
+  EXPECT_EQ(call(kernel, a), 0x49u);
+  for (std::size_t e = 0; e < 4; ++e)
+    for (std::size_t lane = 0; lane < REGULUS_LANES; ++lane) {
+      const double lo = a.out.data()[2 * e * REGULUS_LANES + lane];
+      const double hi = a.out.data()[(2 * e + 1) * REGULUS_LANES + lane];
+      const bool forgotten = (0x49u >> lane & 1u) != 0;
+      EXPECT_EQ(lo == -__builtin_inf() && hi == __builtin_inf(), forgotten) << e << ' ' << lane;
+    }
+}
+
 TEST(Kernel, CallsAMissingFunctionUndefinedEverywhere) {
   const regulus_kernel kernel = two_by_two();
   Arguments a;
