@@ -50,6 +50,7 @@ int run_margin(const MarginCommand& given) {
   InterruptGuard interrupt;
   Stopwatch watch;
   const MarginRequest request(read_request(command.model), question);
+  command.search.threshold = true;
   Preparation preparation =
       prepare(request.at(forming_value(question)), watch.lap(), command.search);
   Settings settings = settings_from(command.search);

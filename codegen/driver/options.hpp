@@ -45,6 +45,7 @@ struct SearchOptions {
   /// Engine::kAuto: the compiler may run in a process that is forked. Not where the program has
   /// threads of which nothing is known: a lock that one of them holds stays locked in the fork.
   bool may_fork = true;
+  bool threshold = false;  ///< α may be raised above 0 once the kernel is formed
 };
 
 struct OutputOptions {

@@ -143,7 +143,11 @@ FormulationOptions functions_for(const SearchOptions& search) {
       functions_needed(method_of(search.method), settings_from(search), search.symbolic_budget);
   leave_out(search.without, functions);
   // Who wrote a filter knows the model's own matrix.
-  if (!search.filters.empty()) functions.columns = ColumnSearch::kNone;
+  if (!search.filters.empty()) {
+    functions.columns = ColumnSearch::kNone;
+    functions.scaling = false;
+  }
+  functions.threshold = search.threshold;
   return functions;
 }
 
@@ -245,6 +249,7 @@ Problem Preparation::problem() const {
   problem.outer = variety.outer;
   problem.inner = variety.inner;
   problem.alpha = variety.alpha;
+  problem.determinant_exponent = subject.determinant_exponent;
   return problem;
 }
 

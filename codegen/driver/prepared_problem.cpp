@@ -37,9 +37,10 @@ void add(KeyParts& parts, const RewriteOptions& options) {
 
 void add(KeyParts& parts, const FormulationOptions& options) {
   const auto& [matrix, matrix_derivatives, left_product, derivatives, right_product, determinant,
-               determinant_budget, expansion, rows, columns, rewriting] = options;
-  for (const bool flag :
-       {matrix, matrix_derivatives, left_product, derivatives, right_product, determinant, rows})
+               determinant_budget, expansion, rows, columns, scaling, threshold, rewriting] =
+      options;
+  for (const bool flag : {matrix, matrix_derivatives, left_product, derivatives, right_product,
+                          determinant, rows, scaling, threshold})
     parts.add(flag);
   parts.add(std::to_string(determinant_budget));
   parts.add(static_cast<int>(expansion));
@@ -98,6 +99,7 @@ Json json_of(const Subject& subject) {
           {"rows", subject.rows},
           {"columns", subject.columns},
           {"constraints", subject.constraints},
+          {"determinant_exponent", subject.determinant_exponent},
           {"pose", pose},
           {"twist", twist}};
 }
@@ -110,6 +112,14 @@ int count_of(const Json& json) {
   return static_cast<int>(*number);
 }
 
+/// Throws std::invalid_argument for anything that no exponent of a determinant is.
+int exponent_of(const Json& json) {
+  constexpr Json::number_integer_t kMost = 10'000'000;
+  if (!json.is_number_integer() || json > kMost || json < -kMost)
+    throw std::invalid_argument("no exponent");
+  return json.get<int>();
+}
+
 Subject subject_of(const Json& json) {
   Subject subject;
   subject.model = json.at("model");
@@ -118,6 +128,7 @@ Subject subject_of(const Json& json) {
   subject.rows = count_of(json.at("rows"));
   subject.columns = count_of(json.at("columns"));
   subject.constraints = std::size_t(count_of(json.at("constraints")));
+  subject.determinant_exponent = exponent_of(json.at("determinant_exponent"));
   for (const Json& p : json.at("pose")) subject.pose.push_back({p.at(0), p.at(1)});
   for (const Json& t : json.at("twist"))
     subject.twist.push_back({TwistComponent::Kind(count_of(t.at(0))), t.at(1), t.at(2)});

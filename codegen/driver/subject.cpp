@@ -10,6 +10,8 @@ Subject subject_of(const Request& request, const Formulation& formulation) {
   subject.motion = request.motion.name;
   subject.rows = formulation.rows;
   subject.columns = formulation.columns;
+  if (formulation.rows == formulation.columns)
+    subject.determinant_exponent = formulation.scaling.determinant_exponent();
   subject.constraints = request.motion.constraints.size();
   for (const PoseParameter& p : request.model.pose) subject.pose.push_back({p.name, p.unit});
   subject.twist = request.model.twist;

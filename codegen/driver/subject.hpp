@@ -31,6 +31,7 @@ struct Subject {
   int rows = 0;
   int columns = 0;
   std::size_t constraints = 0;
+  int determinant_exponent = 0;  ///< as in Problem
   std::vector<PoseLabel> pose;
   std::vector<TwistComponent> twist;
   std::vector<VariableLabel> variables;  ///< the inputs of every function of the kernel

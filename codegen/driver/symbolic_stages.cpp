@@ -7,6 +7,8 @@ namespace {
 FormulationOptions no_functions(const FormulationOptions& functions) {
   FormulationOptions options;
   options.rewriting = functions.rewriting;
+  options.scaling = functions.scaling;
+  options.threshold = functions.threshold;
   options.matrix = options.matrix_derivatives = options.left_product = false;
   options.derivatives = options.right_product = false;
   return options;
@@ -17,7 +19,10 @@ Program matrix_of(const Formulation& outline) {
   f.variables = outline.variables;
   f.rows = outline.rows;
   f.columns = outline.columns;
-  f.matrix = outline.natural_matrix;
+  for (int i = 0; i < outline.rows; ++i)
+    for (int j = 0; j < outline.columns; ++j)
+      f.matrix.push_back(outline.scaling.apply(
+          outline.natural_matrix[static_cast<std::size_t>(i * outline.columns + j)], i, j));
   f.must_be_defined = outline.must_be_defined;
   return lower(f).find("matrix")->program;
 }

@@ -29,7 +29,7 @@ class SymbolicStages {
   /// The model over its motion without the functions of a kernel, which take most of the time.
   /// Witnesses and reports go by it, so that they are the same however the kernel came about.
   [[nodiscard]] const Formulation& outline();
-  /// The program of the matrix as the model writes it.
+  /// The program of the matrix as the model writes it, scaled as that of the kernel is.
   [[nodiscard]] const Program& matrix();
   /// With every function of the kernel.
   [[nodiscard]] const Formulation& formulation();

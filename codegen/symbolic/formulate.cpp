@@ -106,13 +106,25 @@ class Formulator {
   }
 
  private:
+  void form_natural_matrix() {
+    for (int i = 0; i < result_.rows; ++i)
+      for (int j = 0; j < result_.columns; ++j)
+        result_.natural_matrix.push_back(
+            substitution_.apply(model_.matrix(static_cast<unsigned>(i), static_cast<unsigned>(j))));
+    if (!options_.scaling) return;
+    result_.scaling = find_scaling(result_.natural_matrix, result_.columns, result_.variables,
+                                   result_.rows == result_.columns && may_have_threshold());
+  }
+
+  bool may_have_threshold() const { return options_.threshold || !motion_.alpha.is_zero(); }
+
   void form_matrix() {
+    form_natural_matrix();
+    if (!needs_matrix_) return;
     for (int i = 0; i < result_.rows; ++i)
       for (int j = 0; j < result_.columns; ++j) {
         const Expression natural =
-            substitution_.apply(model_.matrix(static_cast<unsigned>(i), static_cast<unsigned>(j)));
-        result_.natural_matrix.push_back(natural);
-        if (!needs_matrix_) continue;
+            result_.scaling.apply(result_.natural_matrix[index(i * result_.columns + j)], i, j);
         const Rewritten form = rewriter_.rewrite(natural);
         result_.matrix.push_back(form.expression);
         forms_.expanded.push_back(rewriter_.expand(natural));
@@ -433,10 +445,14 @@ class Formulator {
   }
 
   void form_row_scale() {
-    if (model_.row_scale.empty()) return;
     for (const GiNaC::ex& scale : model_.row_scale)
       result_.natural_row_scale.push_back(substitution_.apply(scale));
-    result_.row_scale = {rewritten(product(result_.natural_row_scale), "row_scale")};
+    Expressions factors = result_.natural_row_scale;
+    const bool square = result_.rows == result_.columns;
+    const int exponent = square ? result_.scaling.determinant_exponent() : 0;
+    if (exponent != 0 && may_have_threshold()) factors.push_back(power_of_two(-exponent));
+    if (factors.empty()) return;
+    result_.row_scale = {rewritten(product(std::move(factors)), "row_scale")};
   }
 
   void form_motion() {

@@ -14,6 +14,7 @@
 #include "regulus/codegen/symbolic/expression.hpp"
 #include "regulus/codegen/symbolic/measure.hpp"
 #include "regulus/codegen/symbolic/rewrite.hpp"
+#include "regulus/codegen/symbolic/scaling.hpp"
 
 namespace regulus::codegen {
 
@@ -65,6 +66,10 @@ struct FormulationOptions {
   ExpansionForm expansion = ExpansionForm::kNone;
   bool rows = true;  ///< false: the expansion treats every quantity as if it touched several rows
   ColumnSearch columns = ColumnSearch::kNone;
+  bool scaling = true;  ///< multiply rows and columns by powers of two where scales are far apart
+  /// Whether the kernel may be searched with a threshold where the motion has none. The row scale
+  /// then makes up for the scaling of the determinant.
+  bool threshold = true;
   RewriteOptions rewriting;
 };
 
@@ -119,6 +124,10 @@ struct ColumnTrials {
 /// their signs, ranks, row scales and dependencies between rows are the model's own. What is not,
 /// null vectors on the right and the entries themselves, is to be taken from `natural_matrix`, in
 /// which V has no part. The right product is formed of the model's matrix.
+///
+/// With `scaling` A is RAC in all functions, the right product included. Ranks and the signs of
+/// determinants are the model's own; determinants are 2^e times those of the model, and with α > 0
+/// the row scale has the factor 2^-e, so that det J⁻¹ is the model's own.
 struct Formulation {
   std::string model;
   std::string motion;
@@ -147,7 +156,8 @@ struct Formulation {
 
   std::optional<ColumnTrials> column_trials;  ///< if column operations were asked for
 
-  std::vector<Expression> natural_matrix;     ///< A as the model writes it
+  std::vector<Expression> natural_matrix;     ///< A as the model writes it, without `scaling`
+  MatrixScaling scaling;                      ///< of the rows and columns of A
   std::vector<Expression> natural_row_scale;  ///< per row, as written; empty if there are none
   /// Per entry, by the name of the kernel function. Derivatives have no natural counts.
   std::map<std::string, std::vector<EntryStatistics>> statistics;

@@ -31,6 +31,10 @@ struct Problem {
   std::vector<Interval> outer;
   std::vector<std::optional<Interval>> inner;
   Interval alpha{0.0};  ///< encloses the threshold α ≥ 0
+  /// The kernel's A is the user's matrix with rows and columns multiplied by powers of two, and its
+  /// determinant 2^e times the user's. Determinants that are reported are the user's. The kernel's
+  /// row scale has the factor 2^-e wherever α > 0, so that det J⁻¹ is the user's throughout.
+  int determinant_exponent = 0;
 };
 
 /// The regularity tests tried on each box, in the order of the name; kAuto is the H-matrix test on
@@ -99,6 +103,26 @@ class DeterminantOracle {
       std::span<const Interval> point) noexcept = 0;
 };
 
+/// The determinant as one expression of the variables, evaluated in doubles.
+class ClosedForm {
+ public:
+  ClosedForm() = default;
+  ClosedForm(const ClosedForm&) = delete;
+  ClosedForm& operator=(const ClosedForm&) = delete;
+  virtual ~ClosedForm() = default;
+
+  /// Forms it, or finds that it would take too much. Called once by the thread that called the
+  /// search, when that has become long, while no box is being decided.
+  virtual void make() noexcept = 0;
+
+  /// Several threads may ask at once.
+  ///
+  /// Ensures   det A(p) ∈ result for all p in `box`, A of the kernel; nullopt if that is not
+  ///           certainly defined all over it, or if there is no closed form.
+  [[nodiscard]] virtual std::optional<Interval> enclose(
+      std::span<const Interval> box) const noexcept = 0;
+};
+
 struct Settings {
   Method method = Method::kAuto;
   Determinant determinant = Determinant::kBoth;
@@ -126,6 +150,8 @@ struct Settings {
   /// Hand the observer an enclosure of the determinant over each leaf: of A, or of J⁻¹ if α > 0.
   bool enclose_determinants = false;
   DeterminantOracle* oracle = nullptr;
+  /// Method auto asks it about boxes that stay undecided split after split.
+  ClosedForm* closed_form = nullptr;
   Ingredients ingredients;
   /// Tests that are not ours, asked in this order about what ours leave undecided (filter.h).
   std::vector<const regulus_filter_interface*> filters;

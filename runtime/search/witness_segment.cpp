@@ -117,7 +117,11 @@ void WitnessSearch::report(WitnessPoint& into, const Candidate& candidate) noexc
   into.variables.clear();
   for (std::size_t k = 0; k < variables_; ++k)
     into.variables.push_back(within_inner(k, candidate.point[k]));
-  into.determinant = candidate.determinant;
+  // With α > 0 that of one point is of J⁻¹, which the row scale has made the user's.
+  const bool of_kernel = reason_ == Reason::kOppositeSigns || !scaled_;
+  into.determinant = of_kernel
+                         ? times_power_of_two(candidate.determinant, -problem_.determinant_exponent)
+                         : candidate.determinant;
   copy_pose(into.variables, into.pose);
 }
 
