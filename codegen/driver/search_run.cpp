@@ -10,6 +10,7 @@
 #include <optional>
 
 #include "regulus/codegen/driver/arb_oracle.hpp"
+#include "regulus/codegen/driver/closed_form_bounds.hpp"
 #include "regulus/codegen/driver/progress.hpp"
 #include "regulus/search/observers.hpp"
 #include "regulus/search/point_witness.hpp"
@@ -27,7 +28,10 @@ Result with_oracle(Preparation& preparation, const SearchOptions& search, Settin
   if (preparation.matrix)
     settings.oracle =
         &oracle.emplace(*preparation.matrix, preparation.subject.rows, search.precision);
+  ClosedFormBounds closed_form(*preparation.stages);
+  if (search.filters.empty()) settings.closed_form = &closed_form;
   Result result = run();
+  settings.closed_form = nullptr;
   if (oracle) preparation.bits = std::max(preparation.bits, oracle->bits());
   return result;
 }

@@ -59,6 +59,7 @@ regulus_check_reason word_of(Reason reason) noexcept {
     case Reason::kInterrupted:
     case Reason::kMemory:
     case Reason::kBadProblem:
+    case Reason::kStalled:
       break;
   }
   return REGULUS_CHECK_BAD_RANGES;

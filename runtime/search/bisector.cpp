@@ -49,6 +49,12 @@ std::optional<std::size_t> Bisector::choose(Batch& batch, std::size_t lane) cons
   return best ? best : widest;
 }
 
+std::size_t Bisector::variables_to_split() const noexcept {
+  return static_cast<std::size_t>(
+      std::count_if(range_.begin(), range_.begin() + static_cast<std::ptrdiff_t>(splittable_),
+                    [](double width) { return width > 0.0; }));
+}
+
 double Bisector::approx_relative_width(std::span<const Interval> box) const noexcept {
   double width = 0.0;
   for (std::size_t k = 0; k < splittable_; ++k)

@@ -19,6 +19,8 @@ class Bisector {
   /// any more.
   [[nodiscard]] std::optional<std::size_t> choose(Batch& batch, std::size_t lane) const noexcept;
 
+  /// How many variables have a range that can be split at all.
+  [[nodiscard]] std::size_t variables_to_split() const noexcept;
   /// The largest width of a box relative to the ranges it was cut from: the w(B) of Algorithm 1,
   /// whose parameters all range over [0, 1]. Orders the frontier, decides nothing.
   [[nodiscard]] double approx_relative_width(std::span<const Interval> box) const noexcept;

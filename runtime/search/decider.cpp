@@ -13,6 +13,9 @@ constexpr std::uint32_t kStallCheck = 12;
 /// elsewhere may be the only one that can certify a box, however small.
 constexpr std::uint32_t kEveryTest = 4;
 
+/// A box that took so many splits and is still undecided is worth its determinant in closed form.
+constexpr std::uint32_t kClosedFormDepth = 11;
+
 bool is_point(std::span<const Interval> box) noexcept {
   return std::all_of(box.begin(), box.end(), [](const Interval& x) { return x.lo == x.hi; });
 }
@@ -97,8 +100,11 @@ void Decider::leave(std::size_t lane, Rule rule, std::size_t order) noexcept {
   decision.rule = rule;
   decision.reason = Reason::kAllBoxesCertified;
   decision.order = order;
-  if (settings_.enclose_determinants && rule != Rule::kOutside)
-    decision.determinant = batch_.determinant(lane, scaled_);
+  if (!settings_.enclose_determinants || rule == Rule::kOutside) return;
+  decision.determinant = batch_.determinant(lane, scaled_);
+  if (decision.determinant && !scaled_)
+    decision.determinant =
+        times_power_of_two(*decision.determinant, -problem_.determinant_exponent);
 }
 
 void Decider::leave_with_witness(std::size_t lane) noexcept {
@@ -145,7 +151,22 @@ LaneMask Decider::leave_certified(LaneMask lanes) noexcept {
     });
     lanes &= ~certified;
   }
-  return lanes;
+  return leave_by_closed_form(lanes);
+}
+
+/// What the entries of K·A lose to each other, an expression of the determinant may not.
+LaneMask Decider::leave_by_closed_form(LaneMask lanes) noexcept {
+  if (settings_.closed_form == nullptr || settings_.method != Method::kAuto) return lanes;
+  LaneMask rest = lanes;
+  for_each_lane(lanes & (out_->effort.anyway | ~batch_.preconditioned()), [&](std::size_t lane) {
+    if (out_->open(lane).depth < kClosedFormDepth || !has_lane(batch_.certain_posed(), lane))
+      return;
+    const std::optional<Interval> determinant = settings_.closed_form->enclose(out_->box_of(lane));
+    if (!determinant || !batch_.certain_above_threshold(lane, mig(*determinant))) return;
+    leave(lane, Rule::kClosedForm);
+    rest &= ~(1U << lane);
+  });
+  return rest;
 }
 
 std::size_t Decider::vector_order(Rule rule) const noexcept {

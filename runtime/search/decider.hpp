@@ -33,6 +33,7 @@ class Decider {
   void leave_with_witness(std::size_t lane) noexcept;
   [[nodiscard]] LaneMask leave_outside(LaneMask lanes) noexcept;
   [[nodiscard]] LaneMask leave_certified(LaneMask lanes) noexcept;
+  [[nodiscard]] LaneMask leave_by_closed_form(LaneMask lanes) noexcept;
   [[nodiscard]] LaneMask leave_small(LaneMask lanes) noexcept;
   [[nodiscard]] LaneMask at_minimum_width(LaneMask lanes) noexcept;
   [[nodiscard]] std::size_t vector_order(Rule rule) const noexcept;

@@ -28,6 +28,7 @@ enum class Reason : std::uint8_t {
   kInterrupted,
   kMemory,
   kBadProblem,
+  kStalled,  ///< boxes are certified so slowly that the search would not end
 };
 
 /// What was decided about a box, and by which test.

@@ -10,6 +10,7 @@
 
 #include <algorithm>
 #include <chrono>
+#include <cmath>
 
 #include "regulus/kernel/rounding_scope.hpp"
 #include "regulus/search/frontier.hpp"
@@ -28,6 +29,16 @@ constexpr std::uint64_t kMaxDescentsFromBlocked = 16;
 /// ends early does not look much further than it must, a long one keeps its threads busy.
 constexpr std::uint64_t kBoxesABatch = 64;
 constexpr std::uint64_t kMaxBatches = 64;
+
+/// From so many boxes on the determinant in closed form is worth the time that forming it takes.
+constexpr std::uint64_t kBoxesBeforeClosedForm = 256;
+
+/// Where a search makes no headway: so many boxes, one after the other, have closed less than this
+/// part of the variety, so that all of it would take 2^40. Boxes of more variables are small parts
+/// of it however fast they are certified, and nothing is said of those.
+constexpr std::uint64_t kStallBoxes = 1U << 20;
+constexpr double kStallPart = 0x1p-20;
+constexpr std::size_t kStallVariables = 3;
 
 class Search {
  public:
@@ -49,6 +60,8 @@ class Search {
   [[nodiscard]] bool must_stop() noexcept;
   [[nodiscard]] std::uint64_t batches_of_round() const noexcept;
   [[nodiscard]] bool has_budget_for_round() const noexcept;
+  [[nodiscard]] bool stalls() noexcept;
+  void make_closed_form() noexcept;
   void stop_at_open_box(Reason reason) noexcept;
 
   void load_round() noexcept;
@@ -86,6 +99,9 @@ class Search {
   std::optional<Reason> stopped_by_;
   std::uint64_t probes_in_boxes_ = 0;
   double seconds_before_ = 0;
+  bool closed_form_made_ = false;
+  std::uint64_t progress_since_ = 0;  ///< boxes evaluated when closed_part_ was 0
+  double closed_part_ = 0;            ///< of the variety, by the leaves since then
 };
 
 double seconds_since(Clock::time_point start) noexcept {
@@ -107,6 +123,7 @@ Result Search::run(std::span<const OpenBox> open, const SearchState& state) {
   witness_.copy_candidates(state_.candidates);
   probes_in_boxes_ = state.statistics.probes;
   seconds_before_ = state.statistics.seconds;
+  progress_since_ = state.statistics.boxes;
   observer_.on_start(problem_, settings_);
   for (std::size_t k = open.size(); k-- > 0;)
     if (!frontier_.push_top(open[k], round_.bisector().approx_relative_width(open[k].box)))
@@ -127,6 +144,7 @@ Result Search::run(std::span<const OpenBox> open, const SearchState& state) {
 void Search::loop() noexcept {
   while (!frontier_.empty() && !stopped_) {
     if (must_stop()) return;
+    make_closed_form();
     load_round();
     round_.decide(state_.limit);
     for (std::size_t i = 0; i < round_.size() && !stopped_; ++i) close_leaves(round_.batch(i));
@@ -160,7 +178,28 @@ bool Search::must_stop() noexcept {
   else if (state_.blocked && !settings_.exhaustive &&
            state_.statistics.boxes - state_.boxes_when_blocked >= settings_.boxes_after_problem)
     stopped_ = true;
+  else if (stalls())
+    stop_at_open_box(Reason::kStalled);
   return stopped_;
+}
+
+/// A box after d splits is 2^-d of the variety. What was closed before a checkpoint is forgotten:
+/// the count begins anew.
+bool Search::stalls() noexcept {
+  if (settings_.exhaustive || state_.blocked) return false;
+  if (state_.statistics.boxes - progress_since_ < kStallBoxes) return false;
+  const bool stalled =
+      closed_part_ < kStallPart && round_.bisector().variables_to_split() <= kStallVariables;
+  progress_since_ = state_.statistics.boxes;
+  closed_part_ = 0;
+  return stalled;
+}
+
+void Search::make_closed_form() noexcept {
+  if (closed_form_made_ || settings_.closed_form == nullptr) return;
+  if (settings_.method != Method::kAuto || state_.statistics.boxes < kBoxesBeforeClosedForm) return;
+  closed_form_made_ = true;
+  settings_.closed_form->make();
 }
 
 void Search::stop_at_open_box(Reason reason) noexcept {
@@ -238,6 +277,7 @@ void Search::close_leaves(Decisions& batch) noexcept {
 void Search::leave(const Decisions& batch, std::size_t lane) noexcept {
   const Rule rule = batch.decision[lane].rule;
   ++state_.statistics.leaves[static_cast<std::size_t>(rule)];
+  closed_part_ += std::ldexp(1.0, -static_cast<int>(std::min(batch.open(lane).depth, 1000U)));
   observer_.on_leaf(batch.open(lane), rule, batch.proof(lane));
 }
 

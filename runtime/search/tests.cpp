@@ -10,6 +10,9 @@ namespace {
 
 using Side = ProductForm::Side;
 
+/// Larger determinants are not worth their expansion where K is of no use.
+constexpr std::size_t kMaxFallback = 8;
+
 /// Lower bounds of |det A| decide against the threshold; α = 0 needs only their sign.
 template <typename LowerBound>
 LaneMask above_threshold(Batch& batch, LaneMask lanes, LowerBound&& lower_rd) noexcept {
@@ -119,6 +122,22 @@ class DeterminantTest final : public RegularityTest {
   double alpha_;
 };
 
+/// A DeterminantTest of A where K is of no use: A is nearly singular there, or its scales are too
+/// far apart, and K·A cannot show that it is regular.
+class FallbackTest final : public RegularityTest {
+ public:
+  FallbackTest(Rule rule, double alpha) noexcept : RegularityTest(rule), test_(rule, {}, alpha) {}
+
+  LaneMask certify(Batch& batch, LaneMask lanes, Effort& effort) noexcept override {
+    LaneMask poor = lanes & ~batch.preconditioned();
+    if ((lanes & effort.anyway) != 0) poor |= lanes & effort.anyway & batch.poorly_preconditioned();
+    return poor == 0 ? 0 : test_.certify(batch, poor, effort);
+  }
+
+ private:
+  DeterminantTest test_;
+};
+
 /// The determinant as one expression of the variables: no dependency between entries is lost.
 class ClosedFormTest final : public RegularityTest {
  public:
@@ -199,6 +218,9 @@ TestSequence tests_of_method(const Problem& problem, const Settings& settings,
       tests.push_back(std::make_unique<HMatrixTest>(Rule::kSecondOrder, alpha));
     if (structure.is_known() && !structure.empty() && alpha == 0.0 && use.orthants)
       tests.push_back(std::make_unique<OrthantTest>());
+    if (kernel.rows == kernel.columns && kernel.columns <= kMaxFallback)
+      for (const Rule rule : {Rule::kDeterminant, Rule::kElimination})
+        tests.push_back(std::make_unique<FallbackTest>(rule, alpha));
     return tests;
   }
   if (settings.method == Method::kClosedForm) {

@@ -60,6 +60,18 @@ TEST(Budget, IsMetToTheBoxInTheOrderOfThePaper) {
   }
 }
 
+/// Regular everywhere, but only boxes as small as 2^-24 each way show it: 2^48 of them.
+TEST(Budget, StopsWhereTheSearchMakesNoHeadway) {
+  const FunctionKernel kernel(2, 1, 1, [](const Values& x) {
+    const double spread = (x[0].hi - x[0].lo + x[1].hi - x[1].lo) * 0x1p23;
+    return Values{Interval(1 - spread, 1 + spread)};
+  });
+  const Result result = solve(problem_over(kernel, kUnitSquare), {});
+  EXPECT_EQ(result.verdict, Verdict::kPossibleProblem);
+  EXPECT_EQ(result.reason, Reason::kStalled);
+  EXPECT_LE(result.statistics.boxes, 1'200'000U);
+}
+
 TEST(Budget, StopsAtTheTimeLimit) {
   const Laborious kernel;
   Settings settings;
