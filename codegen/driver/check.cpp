@@ -4,7 +4,6 @@
 #include <mutex>
 #include <nlohmann/json.hpp>
 
-#include "regulus/codegen/driver/always_singular.hpp"
 #include "regulus/codegen/driver/report.hpp"
 #include "regulus/codegen/driver/search_run.hpp"
 #include "regulus/codegen/driver/search_words.hpp"
@@ -65,7 +64,6 @@ Finding check(const Robot& robot, const std::string& motion, const CheckOptions&
     settings.filters.push_back(&filter.interface());
   Finding finding;
   finding.result = run_search(preparation, search, {.json = false, .quiet = true}, settings);
-  recognise_always_singular(preparation, finding.result);
   const auto nearest = nearest_singular(preparation, finding.result);
   finding.verdict = finding.result.verdict;
   finding.claim = claim(preparation, finding.result);

@@ -2,7 +2,6 @@
 #include <iostream>
 #include <nlohmann/json.hpp>
 
-#include "regulus/codegen/driver/always_singular.hpp"
 #include "regulus/codegen/driver/certificate_file.hpp"
 #include "regulus/codegen/driver/checkpoint_file.hpp"
 #include "regulus/codegen/driver/commands.hpp"
@@ -33,9 +32,8 @@ int run_check(const CheckCommand& command) {
   if (certificate.observer() != nullptr) watching.push_back(certificate.observer());
   if (Observer* saving = checkpoint.observer(certificate.writer())) watching.push_back(saving);
   Observers observers(std::move(watching));
-  Result result = run_search(preparation, command.search, command.output, settings, &observers,
-                             checkpoint.found());
-  recognise_always_singular(preparation, result);
+  const Result result = run_search(preparation, command.search, command.output, settings,
+                                   &observers, checkpoint.found());
   certificate.finish(result);
   checkpoint.finish(result, certificate.writer());
   const auto nearest = nearest_singular(preparation, result);

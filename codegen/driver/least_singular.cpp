@@ -193,7 +193,8 @@ std::optional<LeastSingular> approx_least_singular(const Preparation& p,
 
 std::optional<LeastSingular> nearest_singular(const Preparation& preparation,
                                               const Result& result) {
-  if (result.verdict != Verdict::kPossibleProblem || result.reason == Reason::kUndefined)
+  if (result.verdict != Verdict::kPossibleProblem || result.reason == Reason::kUndefined ||
+      result.occupancy == Occupancy::kEmpty)
     return std::nullopt;
   return approx_least_singular(preparation, result.blocking_box);
 }

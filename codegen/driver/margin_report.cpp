@@ -54,6 +54,7 @@ Json json_steps(const Margin& margin) {
                      {"exact", step.value.text},
                      {"verdict", json_name(step.result.verdict)},
                      {"reason", describe(step.result.reason)},
+                     {"nonempty", json_occupancy(step.result)},
                      {"boxes", step.result.statistics.boxes},
                      {"seconds", step.result.statistics.seconds}});
   return steps;
@@ -73,6 +74,8 @@ std::string bracket_words(const MarginQuestion& question, const Margin& margin) 
   if (certified && refuted)
     return fmt::format("SAFE UP TO {}, NOT AT {}", certified->value.text, refuted->value.text);
   if (refuted) return fmt::format("NOT SAFE AT {}", refuted->value.text);
+  if (!certified && margin.empty)
+    return fmt::format("NO POSE REMAINS UP TO {}", margin.empty->value.text);
   if (!certified) return fmt::format("NOTHING KNOWN FROM {} ON", question.low.text);
   const bool all = question.high && certified->value.approx == question.high->approx;
   return fmt::format("SAFE UP TO {}{}", certified->value.text, all ? "" : ", NOTHING KNOWN ABOVE");
@@ -99,8 +102,11 @@ std::string margin_report(const Preparation& p, const SearchOptions& search,
   text += method_lines(p, search, parse_method(search.method).value());
   text += fmt::format("boxes      {} evaluated at {} values\n", margin.boxes, margin.steps.size());
   text += time_line(p.seconds_spent());
+  if (margin.empty)
+    text += fmt::format("at {}: {}\n", margin.empty->value.text, margin.empty->claim);
   if (margin.certified)
-    text += fmt::format("at {}: {}\n", margin.certified->value.text, margin.certified->claim);
+    text += fmt::format("at {}: {}\n", margin.certified->value.text, margin.certified->claim) +
+            occupancy_lines(margin.certified->result);
   if (margin.refuted)
     text += fmt::format("at {}: {}\n", margin.refuted->value.text, margin.refuted->claim) +
             witness_lines(p, margin.refuted->result);
@@ -115,6 +121,10 @@ Json json_margin(const Preparation& p, const SearchOptions& search, const Margin
   report["certified"] = json_value(margin.certified, false);
   report["certified_exact"] = json_text(margin.certified);
   report["certified_claim"] = margin.certified ? Json(margin.certified->claim) : Json(nullptr);
+  report["nonempty"] = margin.refuted     ? Json(true)
+                       : margin.certified ? json_occupancy(margin.certified->result)
+                       : margin.empty     ? Json(false)
+                                          : Json(nullptr);
   report["refuted"] = json_value(margin.refuted, true);
   report["refuted_exact"] = json_text(margin.refuted);
   report["refuted_claim"] = margin.refuted ? Json(margin.refuted->claim) : Json(nullptr);

@@ -68,7 +68,7 @@ Margin MarginRun::run() {
     look_for_witness(kWitnessShare * std::max(bracket_.seconds_left(), 0.0), kMoreStarts);
     close_in();
   }
-  margin_.gap = bracket_.gap();
+  if (margin_.certified) margin_.gap = bracket_.gap();
   margin_.closed = bracket_.closed();
   margin_.interrupted = interrupted();
   return std::move(margin_);
@@ -140,6 +140,7 @@ void MarginRun::attempt(const PlannedAttempt& planned) {
                                    certificates_.watch(value));
   note({value, result, claim(preparation_, result)}, true);
   if (!witness_ || result.verdict == Verdict::kNoSingularity) return;
+  if (result.occupancy == Occupancy::kEmpty) return;
   if (result.witness) look_near(result.witness->points[0].variables);
   if (!result.blocking_box.empty()) look_near(result.blocking_box);
 }
@@ -167,6 +168,7 @@ void MarginRun::note(MarginStep step, bool is_search) {
   }
   if (result.verdict == Verdict::kNoSingularity) margin_.certified = step;
   if (result.verdict == Verdict::kSingularity) margin_.refuted = step;
+  if (result.occupancy == Occupancy::kEmpty) margin_.empty = step;
   listener_(step);
   margin_.steps.push_back(std::move(step));
 }

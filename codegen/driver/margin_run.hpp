@@ -27,6 +27,7 @@ struct MarginStep {
 struct Margin {
   std::optional<MarginStep> certified;  ///< the largest value, with the search that certified it
   std::optional<MarginStep> refuted;    ///< the least value, with a witness
+  std::optional<MarginStep> empty;      ///< the last value at which no pose remains
   std::optional<double> gap;            ///< relative
   bool closed = false;                  ///< see Bracket::closed
   bool interrupted = false;

@@ -127,15 +127,12 @@ Json json_paving_header(const Preparation& p, const PavingOptions& options) {
 Json json_paving_summary(const Preparation& p, const SearchOptions& search,
                          const PavingOptions& options, const Volumes& volumes,
                          const Result& result) {
-  Json summary = {{"verdict", json_name(result.verdict)},
-                  {"reason", describe(result.reason)},
-                  {"model", p.subject.model},
-                  {"model_sha256", p.subject.model_sha256},
-                  {"motion", p.subject.motion},
-                  {"alpha", mid(p.variety.alpha)},
-                  {"resolution", options.resolution},
-                  {"unit", volume_unit(p, options.axes)},
-                  {"volume", json_interval(volumes.total())}};
+  Json summary = {
+      {"verdict", json_name(result.verdict)},   {"reason", describe(result.reason)},
+      {"nonempty", json_occupancy(result)},     {"model", p.subject.model},
+      {"model_sha256", p.subject.model_sha256}, {"motion", p.subject.motion},
+      {"alpha", mid(p.variety.alpha)},          {"resolution", options.resolution},
+      {"unit", volume_unit(p, options.axes)},   {"volume", json_interval(volumes.total())}};
   for (const Claim claim : kEveryClaim)
     summary[name(claim)] = json_share(volumes, volumes.of(claim));
   summary["unfinished"] = json_share(volumes, volumes.unfinished());
@@ -174,6 +171,7 @@ std::string paving_report(const Preparation& p, const SearchOptions& search,
   text += time_line(p.seconds_spent()) + share_lines(p, volumes, result) + witness_lines(p, result);
   if (result.reason == Reason::kUndefined)
     text += undefined_lines(p, find_undefined(p, result.blocking_box));
+  text += occupancy_lines(result);
   return text + fmt::format("claim      {}\n           {}\n",
                             "free: " + claim_words(p, Claim::kFree),
                             "singular: " + claim_words(p, Claim::kSingular));

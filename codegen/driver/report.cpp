@@ -107,6 +107,7 @@ Json json_report(const Preparation& p, const SearchOptions& search, const Result
   report["verdict"] = json_name(result.verdict);
   report["claim"] = claim(p, result);
   report["reason"] = describe(result.reason);
+  report["nonempty"] = json_occupancy(result);
   report["model"] = p.subject.model;
   report["model_sha256"] = p.subject.model_sha256;
   report["motion"] = p.subject.motion;
@@ -141,8 +142,8 @@ std::string text_report(const Preparation& p, const SearchOptions& search, const
   text += fmt::format("boxes      {} evaluated, at most {} waiting\n", result.statistics.boxes,
                       result.statistics.max_frontier);
   // What these lines take to find out counts, too.
-  const std::string findings =
-      witness_lines(p, result) + blocking_lines(p, result) + nearest_lines(p, nearest);
+  const std::string findings = witness_lines(p, result) + blocking_lines(p, result) +
+                               nearest_lines(p, nearest) + occupancy_lines(result);
   text += time_line(p.seconds_spent()) + findings;
   return text + fmt::format("claim      {}\n", claim(p, result));
 }

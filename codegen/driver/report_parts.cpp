@@ -216,4 +216,16 @@ std::string time_line(const StageSeconds& s) {
       1e3 * s.model, 1e3 * s.symbolic, 1e3 * s.emit, 1e3 * s.compile, 1e3 * s.search);
 }
 
+Json json_occupancy(const Result& result) {
+  if (result.occupancy == Occupancy::kUnknown) return nullptr;
+  return result.occupancy == Occupancy::kInhabited;
+}
+
+std::string occupancy_lines(const Result& result) {
+  if (result.verdict != Verdict::kNoSingularity || result.occupancy != Occupancy::kUnknown)
+    return "";
+  return "warning    no pose was found that satisfies the constraints: the claim may be about "
+         "none\n";
+}
+
 }  // namespace regulus::codegen

@@ -59,5 +59,8 @@ namespace regulus::codegen {
 [[nodiscard]] std::string method_lines(const Preparation& preparation, const SearchOptions& search,
                                        Method method);
 [[nodiscard]] std::string time_line(const StageSeconds& seconds);
+/// Whether the constraints leave any pose: true, false or null, and a line where that is in doubt.
+[[nodiscard]] nlohmann::ordered_json json_occupancy(const Result& result);
+[[nodiscard]] std::string occupancy_lines(const Result& result);
 
 }  // namespace regulus::codegen

@@ -9,6 +9,7 @@
 #include <mutex>
 #include <optional>
 
+#include "regulus/codegen/driver/algebra_oracle.hpp"
 #include "regulus/codegen/driver/arb_oracle.hpp"
 #include "regulus/codegen/driver/closed_form_bounds.hpp"
 #include "regulus/codegen/driver/progress.hpp"
@@ -20,14 +21,17 @@ namespace regulus::codegen {
 
 namespace {
 
-/// Runs a search with more digits at hand, where a determinant has any.
+/// Runs a search with more digits and exact algebra at hand, where there is a determinant.
 template <class Search>
 Result with_oracle(Preparation& preparation, const SearchOptions& search, Settings& settings,
                    Search run) {
   std::optional<ArbOracle> oracle;
-  if (preparation.matrix)
+  ExactAlgebra algebra(preparation);
+  if (preparation.matrix) {
     settings.oracle =
         &oracle.emplace(*preparation.matrix, preparation.subject.rows, search.precision);
+    settings.algebra = &algebra;
+  }
   ClosedFormBounds closed_form(*preparation.stages);
   if (search.filters.empty()) settings.closed_form = &closed_form;
   Result result = run();
@@ -80,17 +84,11 @@ Result prove_between(Preparation& preparation, const SearchOptions& search, Sett
 
 void close_in_on_witness(Preparation& preparation, const SearchOptions& search, Settings settings,
                          Result& result) {
-  if (!result.witness || result.witness->near) return;
-  std::vector<std::vector<double>> points;
-  for (const WitnessPoint& point : result.witness->points) {
-    points.emplace_back();
-    for (const Interval& x : point.variables) points.back().push_back(mid(x));
-  }
-  settings.exhaustive = false;
-  const Result closer = prove_between(preparation, search, settings, points);
-  if (closer.verdict != Verdict::kSingularity) return;
-  result.reason = closer.reason;
-  result.witness = closer.witness;
+  result = with_oracle(preparation, search, settings, [&] {
+    Result closer = result;
+    close_in(preparation.problem(), settings, closer);
+    return closer;
+  });
 }
 
 ExitCode exit_code_of(Verdict verdict) {

@@ -140,10 +140,4 @@ Model gough_model(const Gough& robot) {
   return model;
 }
 
-std::vector<ex> gough_constraints(const Model& model, Orientation orientation) {
-  if (orientation != Orientation::kQuaternion) return {};
-  const ex N = squared_norm(model);
-  return {N - 4, GiNaC::numeric(1, 4) - N};
-}
-
 }  // namespace regulus::codegen

@@ -46,17 +46,13 @@ struct Gough {
 ///
 /// A quaternion need not have norm 1: q and λq are the same orientation, so that ranges and control
 /// errors may leave the unit sphere. Its rows are multiplied by |q|² to remain polynomials
-/// (row_scale 1/(|q|²ρ_i)), and 1/|q|² must be defined.
+/// (row_scale 1/(|q|²ρ_i)), and 1/|q|² must be defined: a motion that may come to q = 0, where
+/// there is no orientation, is undefined there.
 ///
 /// Shape     6×6, rows by leg, columns by twist (velocity of C, angular velocity).
 /// Units     columns 0–2 unit (unit·|q|² likewise), columns 3–5 unit².
 /// Ensures   where ρ_i = 0 row i is zero, so that a regular matrix has a defined row scale.
 /// Source    Merlet, T-RO 2007, Eqs. (5)–(7).
 [[nodiscard]] Model gough_model(const Gough& robot);
-
-/// The constraints (each ≤ 0) of every motion of such a robot: 1/4 ≤ |q|² ≤ 4 for a quaternion, to
-/// keep away from q = 0 where there is no orientation; none otherwise. A shell and not the sphere
-/// |q| = 1: no box lies inside a sphere, so that nothing could be shown to be singular.
-[[nodiscard]] std::vector<GiNaC::ex> gough_constraints(const Model& model, Orientation orientation);
 
 }  // namespace regulus::codegen

@@ -96,7 +96,6 @@ void read_gough(ModelReading& reading, const TomlEntry& gough) {
 
   reading.model = gough_model(robot);
   append(reading.model.must_be_defined, conditions);
-  reading.motion_constraints = gough_constraints(reading.model, robot.orientation);
   declare_symbols(reading, gough);
 }
 

@@ -132,7 +132,6 @@ class MotionReader {
   void read_constraints() {
     MotionNames names(&reading_.names);
     for (const MotionParameter& parameter : motion_.parameters) names.add(parameter);
-    motion_.constraints = reading_.motion_constraints;
     const TomlEntry constraints = toml_.optional(entry_, "constraints");
     if (!constraints.node) return;
     for (const TomlEntry& given : toml_.elements(constraints, "a list of expressions, each ≤ 0"))

@@ -21,7 +21,6 @@ struct ModelReading {
   TomlReader toml;
   Declarations names{};
   Model model{};
-  std::vector<GiNaC::ex> motion_constraints{};  ///< that the robot itself puts on every motion
   double size = 0;                              ///< of the expressions so far
 
   /// Adds up the sizes; refuses the entry that makes the model too large.

@@ -77,6 +77,7 @@ Checker::Checker(const regulus_kernel& kernel, std::span<const Interval> ranges,
 /// Kept out of line, so that no floating-point work moves out of the rounding scope of its caller.
 [[gnu::noinline]] Check Checker::search(std::span<const Interval> piece) noexcept {
   boxes_ = 0;
+  certified_ = false;
   limit_ = {};
   witness_.forget();
   load_frontier(piece);
@@ -88,8 +89,8 @@ Checker::Checker(const regulus_kernel& kernel, std::span<const Interval> ranges,
     decider_.decide(batch_, false);
     if (!draw_conclusions(check)) return check;
   }
-  check.verdict = Verdict::kNoSingularity;
-  check.reason = Reason::kAllBoxesCertified;
+  check.verdict = certified_ ? Verdict::kNoSingularity : Verdict::kPossibleProblem;
+  check.reason = certified_ ? Reason::kAllBoxesCertified : Reason::kEmptyVariety;
   check.boxes = boxes_;
   return check;
 }
@@ -152,6 +153,8 @@ bool Checker::draw_conclusions(Check& check) noexcept {
     } else if (decision.rule == Rule::kBlocked) {
       check = stopped_at(decision.reason, batch_.box_of(lane));
       return false;
+    } else if (decision.rule != Rule::kOutside) {
+      certified_ = true;
     }
   }
   return true;

@@ -36,7 +36,8 @@ typedef enum regulus_check_reason {
   REGULUS_CHECK_UNCERTAINTY,       /* at one pose the uncertain quantities alone defeat the test */
   REGULUS_CHECK_UNDEFINED,         /* an expression is undefined at, or near, a pose */
   REGULUS_CHECK_BOX_BUDGET,        /* more boxes would be needed */
-  REGULUS_CHECK_BAD_RANGES         /* a NaN, bounds in the wrong order, outside the whole range */
+  REGULUS_CHECK_BAD_RANGES,        /* a NaN, bounds in the wrong order, outside the whole range */
+  REGULUS_CHECK_NO_POSE            /* the constraints exclude every pose of the piece */
 } regulus_check_reason;
 
 typedef struct regulus_check_report {
@@ -45,7 +46,7 @@ typedef struct regulus_check_report {
   unsigned boxes; /* evaluated */
   /* Where: `places` boxes, bound s (0 lower, 1 upper) of variable v of box p at
    * place[2*(p*variables + v) + s]. SINGULARITY: the points of the proof, 1 or 2. POSSIBLE PROBLEM:
-   * the box that could not be decided. Valid until the next call with the same checker. */
+   * the box that could not be decided, if there is one. Valid until the next call with the same checker. */
   unsigned places;
   const double* place;
 } regulus_check_report;

@@ -19,7 +19,8 @@ struct Check {
   Reason reason = Reason::kBadProblem;
   unsigned boxes = 0;  ///< evaluated
   /// SINGULARITY: one point of the proof after the other, each as many intervals as the kernel has
-  /// variables. POSSIBLE PROBLEM: the box that could not be decided. Valid until the next check.
+  /// variables. POSSIBLE PROBLEM: the box that could not be decided; none for kBadProblem and
+  /// kEmptyVariety. Valid until the next check.
   std::span<const Interval> places;
 };
 
@@ -67,6 +68,7 @@ class Checker {
   LearnedLimit limit_;
   std::vector<Interval> half_, places_;
   unsigned boxes_ = 0;
+  bool certified_ = false;  ///< a test vouches for some box that the constraints do not exclude
 };
 
 }  // namespace regulus

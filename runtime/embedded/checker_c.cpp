@@ -54,11 +54,14 @@ regulus_check_reason word_of(Reason reason) noexcept {
       return REGULUS_CHECK_UNDEFINED;
     case Reason::kBoxBudget:
       return REGULUS_CHECK_BOX_BUDGET;
+    case Reason::kEmptyVariety:
+      return REGULUS_CHECK_NO_POSE;
     case Reason::kAlwaysSingular:  // those that a check does not come to
     case Reason::kTimeBudget:
     case Reason::kInterrupted:
     case Reason::kMemory:
     case Reason::kBadProblem:
+    case Reason::kSeemsSingular:
     case Reason::kStalled:
       break;
   }

@@ -26,6 +26,8 @@ constexpr std::uint64_t kTellingBoxes = 32;
 /// A failure for want of time is tried again with this many times as much.
 constexpr double kWorthMoreTime = 2.0;
 constexpr double kLeastStep = 0.125;
+/// Where no pose remains up to here, none is looked for further up without an upper end.
+constexpr double kMostEmpty = 0x1p20;
 
 bool for_want_of_time(Reason reason) noexcept {
   return reason == Reason::kTimeBudget || reason == Reason::kBoxBudget ||
@@ -52,7 +54,9 @@ Bracket::Bracket(double low, double high, const Limits& limits)
 void Bracket::note(const Attempt& attempt) {
   spent_ += attempt.seconds;
   if (attempt.verdict == Verdict::kSingularity) return note_refuted(attempt.value);
-  if (attempt.verdict != Verdict::kNoSingularity) {
+  if (attempt.reason == Reason::kEmptyVariety) {
+    empty_ = std::max(empty_.value_or(attempt.value), attempt.value);
+  } else if (attempt.verdict != Verdict::kNoSingularity) {
     failures_.push_back({attempt.value, attempt.seconds, for_want_of_time(attempt.reason)});
     return;
   }
@@ -93,6 +97,7 @@ std::optional<PlannedAttempt> Bracket::next() const {
   const double seconds =
       std::clamp(kPatience * last, kLeastShare * seconds_left(), most * seconds_left());
   const double top = lowest_obstacle(seconds);
+  if (top == kInfinity && certified_ == empty_ && *certified_ >= kMostEmpty) return std::nullopt;
   if (top == kInfinity) return PlannedAttempt{std::max(2 * *certified_, 1.0), seconds};
   if (top > high_) return PlannedAttempt{high_, seconds};
   if (top - *certified_ <= kResolution * limits_.gap * top) return std::nullopt;

@@ -56,6 +56,8 @@ class Bracket {
   [[nodiscard]] std::optional<double> refuted() const noexcept { return refuted_; }
   /// (refuted − certified)/refuted; nullopt unless there are both.
   [[nodiscard]] std::optional<double> gap() const noexcept;
+  /// Of those, the largest at which no pose remains: there is nothing that could be singular.
+  [[nodiscard]] std::optional<double> empty() const noexcept { return empty_; }
   /// The gap is as small as wanted, or all values up to `high` are safe, or `low` is not.
   [[nodiscard]] bool closed() const noexcept;
   [[nodiscard]] double seconds_left() const noexcept { return limits_.seconds - spent_; }
@@ -76,7 +78,7 @@ class Bracket {
   double low_, high_;
   Limits limits_;
   double spent_ = 0;
-  std::optional<double> certified_, refuted_;
+  std::optional<double> certified_, refuted_, empty_;
   std::vector<Attempt> successes_;  ///< rising
   std::vector<Failure> failures_;
 };

@@ -37,4 +37,19 @@ Result prove_singularity(const Problem& problem, const Settings& settings,
   return result;
 }
 
+void close_in(const Problem& problem, const Settings& settings, Result& result) {
+  if (!result.witness || result.witness->near) return;
+  std::vector<std::vector<double>> points;
+  for (const WitnessPoint& point : result.witness->points) {
+    points.emplace_back();
+    for (const Interval& x : point.variables) points.back().push_back(mid(x));
+  }
+  Settings inclusive = settings;
+  inclusive.exhaustive = false;
+  const Result closer = prove_singularity(problem, inclusive, points);
+  if (closer.verdict != Verdict::kSingularity) return;
+  result.reason = closer.reason;
+  result.witness = closer.witness;
+}
+
 }  // namespace regulus

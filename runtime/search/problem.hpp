@@ -123,6 +123,30 @@ class ClosedForm {
       std::span<const Interval> box) const noexcept = 0;
 };
 
+/// Knows the model's expressions as such, and not only their bounds.
+///
+/// A search asks it once, in its conclusion, of a square matrix, if nothing was proved, no box was
+/// certified, and memory, the time limit or an interrupt have not ended the search.
+class AlgebraOracle {
+ public:
+  enum class Determinant : std::uint8_t {
+    kUnknown,
+    kVanishes,       ///< proved: det A = 0 wherever A is defined
+    kSeemsToVanish,  ///< approximately, at every point that was looked at
+  };
+
+  AlgebraOracle() = default;
+  AlgebraOracle(const AlgebraOracle&) = delete;
+  AlgebraOracle& operator=(const AlgebraOracle&) = delete;
+  virtual ~AlgebraOracle() = default;
+
+  /// `point`: one of the variety, inside the constraints, where A is certainly defined.
+  ///
+  /// Ensures   kVanishes only if det A is the zero function of the kernel's variables, by an exact
+  ///           identity between the expressions that are its entries.
+  [[nodiscard]] virtual Determinant determinant(std::span<const Interval> point) noexcept = 0;
+};
+
 struct Settings {
   Method method = Method::kAuto;
   Determinant determinant = Determinant::kBoth;
@@ -152,6 +176,7 @@ struct Settings {
   DeterminantOracle* oracle = nullptr;
   /// Method auto asks it about boxes that stay undecided split after split.
   ClosedForm* closed_form = nullptr;
+  AlgebraOracle* algebra = nullptr;
   Ingredients ingredients;
   /// Tests that are not ours, asked in this order about what ours leave undecided (filter.h).
   std::vector<const regulus_filter_interface*> filters;

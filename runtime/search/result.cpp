@@ -43,6 +43,10 @@ const char* describe(Reason reason) noexcept {
       return "the problem cannot be searched";
     case Reason::kStalled:
       return "boxes are certified so slowly that the search would not end";
+    case Reason::kEmptyVariety:
+      return "no pose remains: the constraints exclude every pose of the motion";
+    case Reason::kSeemsSingular:
+      return "the determinant seems to vanish at every pose, but that was not proved";
   }
   return "";
 }

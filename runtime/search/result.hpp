@@ -28,7 +28,17 @@ enum class Reason : std::uint8_t {
   kInterrupted,
   kMemory,
   kBadProblem,
-  kStalled,  ///< boxes are certified so slowly that the search would not end
+  // Checkpoints know the reasons above by their numbers: new ones come here.
+  kEmptyVariety,   ///< the constraints exclude every pose: there is nothing to claim
+  kSeemsSingular,  ///< the determinant seems to vanish at every pose, which nothing proves
+  kStalled,        ///< boxes are certified so slowly that the search would not end
+};
+
+/// Whether the constraints leave any pose of the variety.
+enum class Occupancy : std::uint8_t {
+  kUnknown,
+  kEmpty,      ///< proved: none
+  kInhabited,  ///< proved: at least one
 };
 
 /// What was decided about a box, and by which test.
@@ -81,6 +91,11 @@ struct Result {
   std::vector<std::uint64_t> filter_boxes;  ///< how many rest on each of Settings::filters
   std::optional<Witness> witness;
   std::vector<Interval> blocking_box;  ///< POSSIBLE PROBLEM: the box that stands in the way
+  /// NO SINGULARITY with kUnknown may be a claim about no pose at all; with kEmpty it is not made.
+  Occupancy occupancy = Occupancy::kUnknown;
+  /// A pose that is certainly inside the constraints, where one was looked for and found: a value,
+  /// or an interval that holds the true one, for each variable.
+  std::vector<Interval> inhabitant;
 };
 
 [[nodiscard]] const char* name(Verdict verdict) noexcept;

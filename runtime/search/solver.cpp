@@ -13,6 +13,7 @@
 #include <cmath>
 
 #include "regulus/kernel/rounding_scope.hpp"
+#include "regulus/search/conclusion.hpp"
 #include "regulus/search/frontier.hpp"
 #include "regulus/search/round.hpp"
 #include "regulus/search/witness_search.hpp"
@@ -379,6 +380,7 @@ Result Search::conclude() {
   }
   result.statistics = state_.statistics;
   result.filter_boxes = state_.filter_boxes;
+  complete(result, problem_, settings_);
   return result;
 }
 

@@ -12,9 +12,10 @@ namespace regulus {
 ///
 /// Requires  nothing: a faulty problem gives POSSIBLE PROBLEM, kBadProblem (see find_fault).
 /// Ensures   kNoSingularity: for every variable in its true range with all constraints ≤ 0, J⁻¹ is
-///           defined and of full column rank, and |det J⁻¹| > α if α > 0. kSingularity: the
-///           result's witness proves the contrary. Otherwise nothing is claimed and reason and
-///           blocking_box say why. Re-entrant; the caller's floating-point environment is kept.
+///           defined and of full column rank, and |det J⁻¹| > α if α > 0; it was not shown that
+///           there is none (see Occupancy). kSingularity: the result's witness proves the contrary.
+///           Otherwise nothing is claimed and reason and blocking_box say why. Re-entrant; the
+///           caller's floating-point environment is kept.
 /// Source    Merlet, T-RO 2007, Algorithm 1 and Table II.
 [[nodiscard]] Result solve(const Problem& problem, const Settings& settings,
                            Observer* observer = nullptr);

@@ -1,12 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "regulus/codegen/driver/always_singular.hpp"
-
 #include <gtest/gtest.h>
 
 #include <fstream>
 
+#include "regulus/codegen/driver/algebra_oracle.hpp"
+#include "regulus/codegen/driver/search_run.hpp"
 #include "regulus/codegen/driver/settings.hpp"
-#include "regulus/search/solver.hpp"
 #include "support/temporary_directory.hpp"
 
 namespace regulus::codegen {
@@ -39,7 +38,7 @@ std::string two_by_two(const std::string& rows, const std::string& rest) {
          rows + "\n[motion.box]\nx = [0.3, 1.1]\ny = [0.2, 1.3]\n" + rest;
 }
 
-Result checked(const std::string& text) {
+Result checked(const std::string& text, bool exhaustive = false) {
   const test::TemporaryDirectory directory;
   const std::string path = directory.path() / "model.toml";
   std::ofstream(path) << text;
@@ -48,9 +47,13 @@ Result checked(const std::string& text) {
   SearchOptions search;
   search.engine = Engine::kInterpreted;
   search.max_boxes = 500;
-  const Preparation preparation = prepare(model, search);
-  Result result = solve(preparation.problem(), settings_from(search));
-  recognise_always_singular(preparation, result);
+  Preparation preparation = prepare(model, search);
+  Settings settings = settings_from(search);
+  settings.exhaustive = exhaustive;
+  OutputOptions output;
+  output.quiet = true;
+  Result result = run_search(preparation, search, output, settings);
+  close_in_on_witness(preparation, search, settings, result);
   return result;
 }
 
@@ -78,7 +81,24 @@ TEST(AlwaysSingular, ItsWitnessIsInsideTheConstraints) {
   ASSERT_EQ(inside.reason, Reason::kAlwaysSingular);
   EXPECT_LE(inside.witness->points.front().variables.front().hi, 0.6);
   const Result nowhere = checked(two_by_two(rows, "constraints = [\"x\"]\n"));
-  EXPECT_EQ(nowhere.verdict, Verdict::kNoSingularity);  // of no pose at all
+  EXPECT_EQ(nowhere.verdict, Verdict::kPossibleProblem);
+  EXPECT_EQ(nowhere.reason, Reason::kEmptyVariety);
+  EXPECT_FALSE(nowhere.witness);
+}
+
+TEST(AlwaysSingular, IsWhatAPavingFindsToo) {
+  const Result result = checked(hexagons("-4"), true);
+  EXPECT_EQ(result.verdict, Verdict::kSingularity);
+  EXPECT_EQ(result.reason, Reason::kAlwaysSingular);
+}
+
+/// atan2(y, x) = atan(y/x) where x > 0: true, but no identity of polynomials in these functions.
+TEST(AlwaysSingular, IsSaidToSeemSoWhereItIsNotProved) {
+  const Result result =
+      checked(two_by_two(R"([["atan2(y, x)", "atan(y/x)"], ["x", "x"]])", ""));
+  EXPECT_EQ(result.verdict, Verdict::kPossibleProblem);
+  EXPECT_NE(result.reason, Reason::kAlwaysSingular);
+  EXPECT_FALSE(result.witness);
 }
 
 TEST(AlwaysSingular, LeavesOtherVerdictsAlone) {

@@ -124,6 +124,26 @@ TEST_F(Embedded, PiecesThatDoNotFitAreRefused) {
   }
 }
 
+TEST_F(Embedded, APieceThatTheConstraintsExcludeIsNoClaim) {
+  regulus_kernel kernel = point_;
+  kernel.constraints = 1;
+  // The first motion parameter is to be at most -1/2.
+  kernel.constraint = [](const double* boxes, const double*, double* out, const void*) {
+    for (unsigned lane = 0; lane < REGULUS_LANES; ++lane) {
+      out[lane] = boxes[lane] + 0.5;
+      out[REGULUS_LANES + lane] = boxes[REGULUS_LANES + lane] + 0.5;
+    }
+    return 0U;
+  };
+  Checker checker(kernel, ranges_, 1000);
+  const Check nothing = checker.check(Piece{{-0.25, 0.25}, {0, 1}});
+  EXPECT_EQ(nothing.verdict, Verdict::kPossibleProblem);
+  EXPECT_EQ(nothing.reason, Reason::kEmptyVariety);
+  EXPECT_TRUE(nothing.places.empty());
+  EXPECT_EQ(checker.check(Piece{{-1, -0.75}, {0.5, 1}}).verdict, Verdict::kNoSingularity);
+  EXPECT_EQ(checker.check(Piece{{-0.25, 0.25}, {0, 1}}).reason, Reason::kEmptyVariety);
+}
+
 /// The determinant vanishes at one double of a short trajectory, somewhere: it must be seen.
 TEST_F(Embedded, NoPartOfATrajectoryIsLeftOut) {
   const Piece exact = {{-1, 1}, {-1, 1}, {0, 0}};

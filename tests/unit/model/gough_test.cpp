@@ -200,24 +200,6 @@ TEST(GoughQuaternion, IsUndefinedAtZeroOnly) {
       std::isnan(test::evaluate(condition, {{"q0", 0}, {"q1", 1e-3}, {"q2", 0}, {"q3", 0}})));
 }
 
-TEST(GoughQuaternion, ConstraintsAreAShellAroundTheUnitSphere) {
-  const Robot robot(Orientation::kQuaternion);
-  const auto inside = [&robot](double q0, double q1) {
-    const auto constraints = gough_constraints(robot.model(), Orientation::kQuaternion);
-    EXPECT_EQ(constraints.size(), 2U);
-    const test::Point q = {{"q0", q0}, {"q1", q1}, {"q2", 0}, {"q3", 0}};
-    return std::ranges::all_of(constraints,
-                               [&q](const GiNaC::ex& c) { return test::evaluate(c, q) <= 0; });
-  };
-  EXPECT_TRUE(inside(1, 0));
-  EXPECT_TRUE(inside(0.6, -0.8));
-  EXPECT_TRUE(inside(2, 0));
-  EXPECT_TRUE(inside(0, 0.5));
-  EXPECT_FALSE(inside(2, 0.1));
-  EXPECT_FALSE(inside(0.4, 0.2));
-  EXPECT_TRUE(gough_constraints(robot.model(), Orientation::kEulerZxz).empty());
-}
-
 TEST(GoughTolerance, BallsHoldTheThreeCoordinatesOfAnAnchor) {
   Gough robot;
   robot.base_tolerance = GiNaC::numeric(1, 20);

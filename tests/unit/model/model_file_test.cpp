@@ -203,13 +203,13 @@ TEST(ModelFile, ReadsAGoughPlatform) {
   EXPECT_TRUE(model.motions[0].constraints.empty());
 }
 
-TEST(ModelFile, PutsTheShellOnEveryMotionOfAQuaternion) {
+TEST(ModelFile, PutsNoConstraintOfItsOwnOnAQuaternion) {
   std::string text = changed(kExampleGough, "euler-zxz", "quaternion");
   text = changed(text, "psi = 0\ntheta = [\"-5*deg\", \"5*deg\"]\nphi = 0\n",
                  "q0 = [0.9, 1]\nq1 = [-0.1, 0.1]\nq2 = 0\nq3 = 0\nconstraints = [\"x - 1\"]\n");
   const Model model = parse_model(text, "m");
-  ASSERT_EQ(model.motions[0].constraints.size(), 3U);
-  expect_equal(model.motions[0].constraints[2], model.pose[0].symbol - 1);
+  ASSERT_EQ(model.motions[0].constraints.size(), 1U);
+  expect_equal(model.motions[0].constraints[0], model.pose[0].symbol - 1);
   EXPECT_EQ(model.must_be_defined.size(), 1U);
 }
 

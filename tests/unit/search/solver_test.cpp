@@ -134,10 +134,12 @@ TEST(Solver, ConstraintsRemoveTheSingularPart) {
   EXPECT_GT(result.statistics.leaves[static_cast<std::size_t>(Rule::kOutside)], 0U);
 }
 
-TEST(Solver, AnEmptyVarietyIsFree) {
+TEST(Solver, ClaimsNothingOfAnEmptyVariety) {
   FunctionKernel kernel(1, 1, 1, [](const Values& x) { return Values{x[0]}; });
   kernel.with_constraints(1, [](const Values& x) { return Values{sqr(x[0]) + 1.0}; });
-  EXPECT_EQ(solve(problem_over(kernel, {{-1, 1}}), {}).verdict, Verdict::kNoSingularity);
+  const Result result = solve(problem_over(kernel, {{-1, 1}}), {});
+  EXPECT_EQ(result.verdict, Verdict::kPossibleProblem);
+  EXPECT_EQ(result.reason, Reason::kEmptyVariety);
 }
 
 TEST(Solver, FindsASingularityInsideConstraints) {

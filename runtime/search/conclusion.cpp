@@ -1,0 +1,94 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "regulus/search/conclusion.hpp"
+
+#include <numeric>
+#include <utility>
+
+#include "regulus/search/pose_search.hpp"
+
+namespace regulus {
+namespace {
+
+std::uint64_t leaves_of(const Statistics& statistics, Rule rule) noexcept {
+  return statistics.leaves[static_cast<std::size_t>(rule)];
+}
+
+std::uint64_t all_leaves(const Statistics& statistics) noexcept {
+  return std::accumulate(statistics.leaves.begin(), statistics.leaves.end(), std::uint64_t{0});
+}
+
+/// Ended from outside: there is no time, or no memory, for anything else.
+bool was_cut_short(const Result& result) noexcept {
+  return result.stopped_by == Reason::kInterrupted || result.stopped_by == Reason::kTimeBudget ||
+         result.stopped_by == Reason::kMemory || result.reason == Reason::kBadProblem;
+}
+
+void inhabit(Result& result, std::vector<Interval> point) {
+  result.occupancy = Occupancy::kInhabited;
+  result.inhabitant = std::move(point);
+}
+
+void find_occupancy(Result& result, const Problem& problem, const Settings& settings) {
+  if (result.witness && !result.witness->points.empty())
+    return inhabit(result, result.witness->points.front().variables);
+  if (problem.kernel->constraints == 0) return inhabit(result, {});
+  if (result.stopped_by) return;
+  if (excluded_everywhere(result.statistics)) {
+    result.occupancy = Occupancy::kEmpty;
+    return;
+  }
+  Inhabitants found = find_pose(problem, settings);
+  result.occupancy = found.occupancy;
+  if (found.point) result.inhabitant = std::move(found.point->variables);
+}
+
+void note_that_all_is_singular(Result& result, WitnessPoint point) {
+  point.determinant = Interval(0.0);
+  result.verdict = Verdict::kSingularity;
+  result.reason = Reason::kAlwaysSingular;
+  result.blocking_box.clear();
+  inhabit(result, point.variables);
+  result.witness = Witness{{point}, point};
+}
+
+void ask_algebra(Result& result, const Problem& problem, const Settings& settings) {
+  if (settings.algebra == nullptr || result.verdict != Verdict::kPossibleProblem) return;
+  if (problem.kernel->rows != problem.kernel->columns || was_cut_short(result)) return;
+  if (certified_somewhere(result.statistics)) return;
+  Inhabitants found = find_defined_pose(problem, settings);
+  if (!found.point) return;
+  switch (settings.algebra->determinant(found.point->variables)) {
+    case AlgebraOracle::Determinant::kVanishes:
+      return note_that_all_is_singular(result, std::move(*found.point));
+    case AlgebraOracle::Determinant::kSeemsToVanish:
+      if (!result.stopped_by) result.reason = Reason::kSeemsSingular;
+      return;
+    case AlgebraOracle::Determinant::kUnknown:
+      return;
+  }
+}
+
+}  // namespace
+
+bool certified_somewhere(const Statistics& statistics) noexcept {
+  return all_leaves(statistics) !=
+         leaves_of(statistics, Rule::kOutside) + leaves_of(statistics, Rule::kBlocked);
+}
+
+bool excluded_everywhere(const Statistics& statistics) noexcept {
+  const std::uint64_t outside = leaves_of(statistics, Rule::kOutside);
+  return outside > 0 && outside == all_leaves(statistics);
+}
+
+void complete(Result& result, const Problem& problem, const Settings& settings) {
+  find_occupancy(result, problem, settings);
+  if (result.occupancy == Occupancy::kEmpty) {
+    result.verdict = Verdict::kPossibleProblem;
+    result.reason = Reason::kEmptyVariety;
+    result.blocking_box.clear();
+    return;
+  }
+  ask_algebra(result, problem, settings);
+}
+
+}  // namespace regulus
