@@ -60,6 +60,7 @@ Finding check(const Robot& robot, const std::string& motion, const CheckOptions&
   static_cast<void>(robot.model());
   Preparation preparation = prepare(question(robot, motion, options), search);
   Settings settings = settings_from(search);
+  settings.time_limit = seconds_left(preparation, settings.time_limit);
   for (const FilterFile& filter : preparation.filters)
     settings.filters.push_back(&filter.interface());
   Finding finding;

@@ -8,6 +8,7 @@
 #include "regulus/codegen/driver/earlier_outputs.hpp"
 #include "regulus/codegen/driver/interrupt.hpp"
 #include "regulus/codegen/driver/least_singular.hpp"
+#include "regulus/codegen/driver/progress.hpp"
 #include "regulus/codegen/driver/report.hpp"
 #include "regulus/codegen/driver/search_run.hpp"
 #include "regulus/codegen/driver/settings.hpp"
@@ -18,9 +19,11 @@ namespace regulus::codegen {
 int run_check(const CheckCommand& command) {
   set_earlier_outputs_aside(command.model.path, {{"--certificate", command.certificate, true}});
   InterruptGuard interrupt;
-  Preparation preparation = prepare(command.model, command.search);
+  Preparation preparation =
+      prepare(command.model, command.search, forming_watch(command.output, &interrupt.requested()));
   Settings settings = settings_from(command.search);
   settings.interrupt = &interrupt.requested();
+  settings.time_limit = seconds_left(preparation, settings.time_limit);
   interrupt.begin_search();
   for (const FilterFile& filter : preparation.filters)
     settings.filters.push_back(&filter.interface());

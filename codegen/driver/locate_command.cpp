@@ -17,6 +17,7 @@
 #include "regulus/codegen/driver/paving_report.hpp"
 #include "regulus/codegen/driver/paving_writer.hpp"
 #include "regulus/codegen/driver/picture.hpp"
+#include "regulus/codegen/driver/progress.hpp"
 #include "regulus/codegen/driver/search_run.hpp"
 #include "regulus/codegen/model/errors.hpp"
 #include "regulus/search/observers.hpp"
@@ -111,7 +112,8 @@ int run_locate(const LocateCommand& command) {
   for (const std::string& picture : command.pictures) require_picture_format(picture);
   set_earlier_outputs_aside(command.model.path, outputs_of(command));
   InterruptGuard interrupt;
-  Preparation preparation = prepare(command.model, command.search);
+  Preparation preparation =
+      prepare(command.model, command.search, forming_watch(command.output, &interrupt.requested()));
   const PavingOptions options = resolve_paving(command, preparation);
   LinesFile lines(command);
   Pictures pictures(command.pictures, preparation, options);
@@ -125,6 +127,7 @@ int run_locate(const LocateCommand& command) {
 
   Settings settings = paving_settings(command, options);
   settings.interrupt = &interrupt.requested();
+  settings.time_limit = seconds_left(preparation, settings.time_limit);
   interrupt.begin_search();
   Result result = run_search(preparation, command.search, command.output, settings, &observers);
   close_in_on_witness(preparation, command.search, settings, result);

@@ -6,6 +6,7 @@
 #include "regulus/codegen/driver/interrupt.hpp"
 #include "regulus/codegen/driver/margin_report.hpp"
 #include "regulus/codegen/driver/margin_run.hpp"
+#include "regulus/codegen/driver/progress.hpp"
 #include "regulus/codegen/driver/search_run.hpp"
 #include "regulus/codegen/driver/settings.hpp"
 #include "regulus/codegen/model/expression_parser.hpp"
@@ -32,7 +33,7 @@ MarginValue forming_value(const MarginQuestion& question) {
 
 int exit_code_of(const MarginQuestion& question, const Margin& margin) {
   if (margin.refuted && margin.refuted->value.approx <= question.low.approx) return kSingularity;
-  return margin.closed ? kNoSingularity : kPossibleProblem;
+  return margin.closed && margin.certified ? kNoSingularity : kPossibleProblem;
 }
 
 void require_searchable(const Preparation& preparation, const Settings& settings) {
@@ -52,12 +53,15 @@ int run_margin(const MarginCommand& given) {
   const MarginRequest request(read_request(command.model), question);
   command.search.threshold = true;
   Preparation preparation =
-      prepare(request.at(forming_value(question)), watch.lap(), command.search);
+      prepare(request.at(forming_value(question)), watch.lap(), command.search,
+              forming_watch(command.output, &interrupt.requested()));
   Settings settings = settings_from(command.search);
   settings.interrupt = &interrupt.requested();
+  settings.time_limit = seconds_left(preparation, settings.time_limit);
   interrupt.begin_search();
   for (const FilterFile& filter : preparation.filters)
     settings.filters.push_back(&filter.interface());
+  if (preparation.stopped()) settings.method = Method::kAuto;  // as run_search has it
   require_searchable(preparation, settings);
 
   const bool quiet = command.output.quiet;

@@ -137,6 +137,7 @@ Json json_margin(const Preparation& p, const SearchOptions& search, const Margin
   report["motion"] = p.subject.motion;
   report["method"] = search.method;
   report["without"] = search.without;
+  report["forms"] = json_forms(p);
   report["witness"] = margin.refuted ? json_witness(p, margin.refuted->result) : Json(nullptr);
   report["boxes"] = margin.boxes;
   report["steps"] = json_steps(margin);

@@ -139,6 +139,7 @@ Json json_paving_summary(const Preparation& p, const SearchOptions& search,
   summary["stopped_by"] = result.stopped_by ? Json(describe(*result.stopped_by)) : Json(nullptr);
   summary["method"] = name(result.method);
   summary["without"] = search.without;
+  summary["forms"] = json_forms(p);
   summary["boxes"] = result.statistics.boxes;
   summary["max_frontier"] = result.statistics.max_frontier;
   summary["probes"] = result.statistics.probes;

@@ -151,6 +151,16 @@ FormulationOptions functions_for(const SearchOptions& search) {
   return functions;
 }
 
+/// With the time limit of the search counted from now. A limit that no clock will reach is none.
+FormingWatch within_time_limit(FormingWatch watch, const SearchOptions& search) {
+  const std::chrono::duration<double> limit(search.time_limit);
+  if (search.time_limit == 0 || !(limit < std::chrono::hours(24 * 365 * 100))) return watch;
+  watch.deadline = std::min(watch.deadline,
+                            FormingWatch::Clock::now() +
+                                std::chrono::duration_cast<FormingWatch::Clock::duration>(limit));
+  return watch;
+}
+
 /// Every stage, one after the other.
 void prepare_anew(Preparation& p, const SearchOptions& search, const Keep& keep) {
   const Request& request = p.stages->request();
@@ -167,7 +177,7 @@ void prepare_anew(Preparation& p, const SearchOptions& search, const Keep& keep)
   p.seconds.symbolic += watch.lap();
   require_sound_rounding(self_test(Isa::kPortable));
   p.seconds.compile += watch.lap();
-  if (search.engine == Engine::kInterpreted)
+  if (search.engine == Engine::kInterpreted || p.stopped())
     interpret(p, search);
   else
     compile(p, search, keep);
@@ -208,13 +218,14 @@ bool take_from(ProblemCache& cache, Preparation& p, const SearchOptions& search)
 
 }  // namespace
 
-Preparation prepare(const ModelOptions& model, const SearchOptions& search) {
+Preparation prepare(const ModelOptions& model, const SearchOptions& search, FormingWatch forming) {
   Stopwatch watch;
   Preparation p;
   std::string text = model_text(model);
   const FormulationOptions functions = functions_for(search);
   std::optional<ProblemCache> cache = place_in_cache(text, model, functions, search);
   p.stages = std::make_unique<SymbolicStages>(std::move(text), model, functions);
+  p.stages->watch(within_time_limit(std::move(forming), search));
   p.seconds.model = watch.lap();
   if (cache && take_from(*cache, p, search)) return p;
   prepare_anew(p, search, [&](const KernelPlace& kernel) {
@@ -225,10 +236,12 @@ Preparation prepare(const ModelOptions& model, const SearchOptions& search) {
   return p;
 }
 
-Preparation prepare(Request request, double model_seconds, const SearchOptions& search) {
+Preparation prepare(Request request, double model_seconds, const SearchOptions& search,
+                    FormingWatch forming) {
   Preparation p;
   p.stages =
       std::make_unique<SymbolicStages>(std::move(request), model_seconds, functions_for(search));
+  p.stages->watch(within_time_limit(std::move(forming), search));
   SearchOptions compiled = search;
   compiled.may_fork = false;
   prepare_anew(p, compiled, [](const KernelPlace&) {});

@@ -65,15 +65,21 @@ struct Preparation {
   [[nodiscard]] Problem problem() const;
   /// What has been spent until now.
   [[nodiscard]] StageSeconds seconds_spent() const;
+  /// Why the search is not to begin; nullopt: it may.
+  [[nodiscard]] const std::optional<FormingStopped>& stopped() const { return stages->stopped(); }
 };
 
 /// Runs every stage up to the search, or takes what an earlier run has kept of them. Throws
 /// FileError, InputError, ClosedFormError, CompileError and InternalError too.
-[[nodiscard]] Preparation prepare(const ModelOptions& model, const SearchOptions& search);
+///
+/// The forming of expressions ends at the time limit of `search`, counted from here, and when
+/// `watch` says so: then Preparation::stopped() is set, and what is prepared is good for a report.
+[[nodiscard]] Preparation prepare(const ModelOptions& model, const SearchOptions& search,
+                                  FormingWatch watch = {});
 /// The same for a request that has been read, which took `model_seconds`; the engine `auto` waits
 /// for the compiler here.
 [[nodiscard]] Preparation prepare(Request request, double model_seconds,
-                                  const SearchOptions& search);
+                                  const SearchOptions& search, FormingWatch watch = {});
 
 /// The C++ text of a request's kernel, as `check` compiles it.
 [[nodiscard]] EmittedKernel emit_kernel(const Request& request, Method method,

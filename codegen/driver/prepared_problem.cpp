@@ -37,12 +37,13 @@ void add(KeyParts& parts, const RewriteOptions& options) {
 
 void add(KeyParts& parts, const FormulationOptions& options) {
   const auto& [matrix, matrix_derivatives, left_product, derivatives, right_product, determinant,
-               determinant_budget, expansion, rows, columns, scaling, threshold, rewriting] =
-      options;
+               determinant_budget, expansion, rows, columns, scaling, threshold, rewriting,
+               forming_budget] = options;
   for (const bool flag : {matrix, matrix_derivatives, left_product, derivatives, right_product,
                           determinant, rows, scaling, threshold})
     parts.add(flag);
   parts.add(std::to_string(determinant_budget));
+  parts.add(std::to_string(forming_budget));
   parts.add(static_cast<int>(expansion));
   parts.add(static_cast<int>(columns));
   add(parts, rewriting);
@@ -100,6 +101,7 @@ Json json_of(const Subject& subject) {
           {"columns", subject.columns},
           {"constraints", subject.constraints},
           {"determinant_exponent", subject.determinant_exponent},
+          {"detail", static_cast<int>(subject.detail)},
           {"pose", pose},
           {"twist", twist}};
 }
@@ -129,6 +131,7 @@ Subject subject_of(const Json& json) {
   subject.columns = count_of(json.at("columns"));
   subject.constraints = std::size_t(count_of(json.at("constraints")));
   subject.determinant_exponent = exponent_of(json.at("determinant_exponent"));
+  subject.detail = FormDetail(count_of(json.at("detail")));
   for (const Json& p : json.at("pose")) subject.pose.push_back({p.at(0), p.at(1)});
   for (const Json& t : json.at("twist"))
     subject.twist.push_back({TwistComponent::Kind(count_of(t.at(0))), t.at(1), t.at(2)});

@@ -1,8 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "regulus/codegen/driver/progress.hpp"
 
+#include <unistd.h>
+
 #include <cinttypes>
 #include <cmath>
+#include <memory>
 
 namespace regulus::codegen {
 namespace {
@@ -39,6 +42,31 @@ void ProgressDisplay::on_progress(const Statistics& statistics, std::uint64_t fr
 
 void ProgressDisplay::on_finish(const Result&) noexcept {
   if (shown_) std::fprintf(terminal_, "\r\033[K");
+}
+
+FormingDisplay::~FormingDisplay() {
+  if (shown_) std::fprintf(terminal_, "\r\033[K");
+  std::fflush(terminal_);
+}
+
+void FormingDisplay::show(std::uint64_t work, std::uint64_t most) {
+  const Clock::time_point now = Clock::now();
+  if (now - last_ < kPeriod) return;
+  last_ = now;
+  shown_ = true;
+  std::fprintf(terminal_, "\r\033[Kforming expressions: %" PRIu64 " terms", work);
+  if (most != WorkMeter::kNoLimit) std::fprintf(terminal_, " of at most %" PRIu64, most);
+  std::fprintf(terminal_, ", %.1f s", seconds(now - start_));
+  std::fflush(terminal_);
+}
+
+FormingWatch forming_watch(const OutputOptions& output, const std::atomic<bool>* interrupt) {
+  FormingWatch watch;
+  watch.interrupt = interrupt;
+  if (output.quiet || isatty(STDERR_FILENO) == 0) return watch;
+  auto display = std::make_shared<FormingDisplay>(stderr);
+  watch.progress = [display](std::uint64_t work, std::uint64_t most) { display->show(work, most); };
+  return watch;
 }
 
 }  // namespace regulus::codegen

@@ -1,9 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <atomic>
 #include <chrono>
+#include <cstdint>
 #include <cstdio>
 
+#include "regulus/codegen/driver/options.hpp"
+#include "regulus/codegen/symbolic/work_meter.hpp"
 #include "regulus/search/observer.hpp"
 
 namespace regulus::codegen {
@@ -28,5 +32,28 @@ class ProgressDisplay : public Observer {
   double decided_ = 0;  ///< part of the root's volume, 0 … 1; for display only
   bool shown_ = false;
 };
+
+/// Shows on a terminal how far the forming of expressions is.
+class FormingDisplay {
+ public:
+  explicit FormingDisplay(std::FILE* terminal) : terminal_(terminal) {}
+  ~FormingDisplay();
+  FormingDisplay(const FormingDisplay&) = delete;
+  FormingDisplay& operator=(const FormingDisplay&) = delete;
+
+  void show(std::uint64_t work, std::uint64_t most);
+
+ private:
+  using Clock = std::chrono::steady_clock;
+
+  std::FILE* terminal_;
+  Clock::time_point start_ = Clock::now(), last_ = start_;
+  bool shown_ = false;
+};
+
+/// Watches for an interrupt, and shows the progress of what it watches if standard error is a
+/// terminal and nobody asked for quiet.
+[[nodiscard]] FormingWatch forming_watch(const OutputOptions& output,
+                                         const std::atomic<bool>* interrupt);
 
 }  // namespace regulus::codegen

@@ -115,6 +115,7 @@ Json json_report(const Preparation& p, const SearchOptions& search, const Result
   report["alpha_enclosure"] = json_interval(p.variety.alpha);
   report["method"] = name(result.method);
   report["without"] = search.without;
+  report["forms"] = json_forms(p);
   report["boxes"] = result.statistics.boxes;
   report["max_frontier"] = result.statistics.max_frontier;
   report["leaves"] = json_leaves(result.statistics);

@@ -204,16 +204,46 @@ std::string without_words(const SearchOptions& search) {
   return search.without.empty() ? "" : fmt::format(" without {}", fmt::join(search.without, ", "));
 }
 
+const char* json_name(FormDetail detail) {
+  switch (detail) {
+    case FormDetail::kFull:
+      return "full";
+    case FormDetail::kSmallParts:
+      return "small-parts";
+    case FormDetail::kAsWritten:
+      return "as-written";
+  }
+  return "";
+}
+
+/// Empty for forms of full detail.
+std::string detail_line(const Preparation& p) {
+  if (p.stopped())
+    return fmt::format("forms      none: {} while expressions were formed\n",
+                       p.stopped()->interrupted ? "interrupted" : "the time limit was reached");
+  if (p.subject.detail == FormDetail::kFull) return "";
+  return fmt::format(
+      "forms      {}: the model takes more terms than the budget for them; bounds may be wide\n",
+      p.subject.detail == FormDetail::kSmallParts ? "of short parts only"
+                                                  : "as the model writes them");
+}
+
 std::string method_lines(const Preparation& p, const SearchOptions& search, Method method) {
   const std::string line = fmt::format("method     {}{}, {}\n", name(method), without_words(search),
                                        engine_words(p, search));
-  return p.cache_note.empty() ? line : line + fmt::format("           {}\n", p.cache_note);
+  const std::string note = p.cache_note.empty() ? "" : fmt::format("           {}\n", p.cache_note);
+  return line + note + detail_line(p);
 }
 
 std::string time_line(const StageSeconds& s) {
   return fmt::format(
       "time       model {:.1f} ms, symbolic {:.1f}, emit {:.1f}, compile {:.1f}, search {:.3f}\n",
       1e3 * s.model, 1e3 * s.symbolic, 1e3 * s.emit, 1e3 * s.compile, 1e3 * s.search);
+}
+
+Json json_forms(const Preparation& p) {
+  if (p.stopped()) return nullptr;
+  return json_name(p.subject.detail);
 }
 
 Json json_occupancy(const Result& result) {

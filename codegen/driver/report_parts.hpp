@@ -59,6 +59,9 @@ namespace regulus::codegen {
 [[nodiscard]] std::string method_lines(const Preparation& preparation, const SearchOptions& search,
                                        Method method);
 [[nodiscard]] std::string time_line(const StageSeconds& seconds);
+/// How much was made of the model's expressions: "full", "small-parts", "as-written"; null where
+/// the forming was stopped.
+[[nodiscard]] nlohmann::ordered_json json_forms(const Preparation& preparation);
 /// Whether the constraints leave any pose: true, false or null, and a line where that is in doubt.
 [[nodiscard]] nlohmann::ordered_json json_occupancy(const Result& result);
 [[nodiscard]] std::string occupancy_lines(const Result& result);

@@ -52,6 +52,11 @@ EngineBoxes engine_boxes(const Preparation& p, const SearchOptions& search, std:
 
 }  // namespace
 
+double seconds_left(const Preparation& preparation, double time_limit) {
+  const StageSeconds spent = preparation.seconds_spent();
+  return std::max(0.0, time_limit - (spent.model + spent.symbolic + spent.emit + spent.compile));
+}
+
 Result run_search(Preparation& preparation, const SearchOptions& search,
                   const OutputOptions& output, Settings settings, Observer* observer,
                   const Checkpoint* from) {
@@ -63,10 +68,16 @@ Result run_search(Preparation& preparation, const SearchOptions& search,
   Observers observers(std::move(watching));
   const Problem problem = preparation.problem();
   const double before = preparation.stages->seconds();
-  const Result result = with_oracle(preparation, search, settings, [&] {
+  const Method method = settings.method;
+  if (preparation.stopped()) {
+    settings.time_limit = 0;
+    settings.method = Method::kAuto;  // no other kernel is without the functions of its method
+  }
+  Result result = with_oracle(preparation, search, settings, [&] {
     return from != nullptr ? resume(problem, settings, from->open(), from->state, &observers)
                            : solve(problem, settings, &observers);
   });
+  result.method = method;
   const std::uint64_t earlier = from != nullptr ? from->state.statistics.boxes : 0;
   preparation.engine_boxes = engine_boxes(preparation, search, result.statistics.boxes, earlier);
   if (preparation.engine_switch != nullptr && settings.interrupt != nullptr && *settings.interrupt)

@@ -13,7 +13,11 @@
 
 namespace regulus::codegen {
 
-/// Searches all of the preparation's variety; time and bits are noted in the preparation.
+/// What the stages before have left of a time limit.
+[[nodiscard]] double seconds_left(const Preparation& preparation, double time_limit);
+
+/// Searches all of the preparation's variety; time and bits are noted in the preparation. Where the
+/// forming of expressions was stopped the search ends for the same reason before its first box.
 [[nodiscard]] Result run_search(Preparation& preparation, const SearchOptions& search,
                                 const OutputOptions& output, Settings settings,
                                 Observer* observer = nullptr, const Checkpoint* from = nullptr);

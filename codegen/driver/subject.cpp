@@ -13,6 +13,7 @@ Subject subject_of(const Request& request, const Formulation& formulation) {
   if (formulation.rows == formulation.columns)
     subject.determinant_exponent = formulation.scaling.determinant_exponent();
   subject.constraints = request.motion.constraints.size();
+  subject.detail = formulation.detail;
   for (const PoseParameter& p : request.model.pose) subject.pose.push_back({p.name, p.unit});
   subject.twist = request.model.twist;
   for (const Variable& v : formulation.variables)

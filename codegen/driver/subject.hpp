@@ -32,6 +32,7 @@ struct Subject {
   int columns = 0;
   std::size_t constraints = 0;
   int determinant_exponent = 0;  ///< as in Problem
+  FormDetail detail = FormDetail::kFull;  ///< of the functions that are searched
   std::vector<PoseLabel> pose;
   std::vector<TwistComponent> twist;
   std::vector<VariableLabel> variables;  ///< the inputs of every function of the kernel

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "regulus/codegen/driver/symbolic_stages.hpp"
 
+#include <utility>
+
 namespace regulus::codegen {
 namespace {
 
@@ -46,8 +48,15 @@ const Program& SymbolicStages::matrix() {
 
 const Formulation& SymbolicStages::formulation() {
   const Request& of = request();
-  return made(formulation_, symbolic_seconds_,
-              [&] { return formulate(of.model, of.motion, functions_); });
+  return made(formulation_, symbolic_seconds_, [&] {
+    try {
+      const FormingWatch watch = std::exchange(watch_, {});
+      return formulate(of.model, of.motion, functions_, &watch);
+    } catch (const FormingStopped& stopped) {
+      stopped_ = stopped;
+      return formulate_as_written(of.model, of.motion, functions_);
+    }
+  });
 }
 
 const Module& SymbolicStages::module() {

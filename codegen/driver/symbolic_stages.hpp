@@ -32,8 +32,14 @@ class SymbolicStages {
   /// The program of the matrix as the model writes it, scaled as that of the kernel is.
   [[nodiscard]] const Program& matrix();
   /// With every function of the kernel.
+  /// As written, if `watch` stops it (see stopped()).
   [[nodiscard]] const Formulation& formulation();
   [[nodiscard]] const Module& module();
+
+  /// What may stop the forming of `formulation` from now on; it is looked at until then.
+  void watch(const FormingWatch& watch) { watch_ = watch; }
+  /// Why `formulation` is less than what was asked for, if it is.
+  [[nodiscard]] const std::optional<FormingStopped>& stopped() const noexcept { return stopped_; }
 
   /// What has been spent so far.
   [[nodiscard]] double model_seconds() const noexcept { return model_seconds_; }
@@ -56,6 +62,8 @@ class SymbolicStages {
   std::optional<Request> request_;
   std::optional<Formulation> outline_, formulation_;
   std::optional<Program> matrix_;
+  FormingWatch watch_;
+  std::optional<FormingStopped> stopped_;
   std::optional<Module> module_;
   double model_seconds_ = 0;
   double symbolic_seconds_ = 0;

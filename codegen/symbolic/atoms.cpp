@@ -10,7 +10,8 @@
 namespace regulus::codegen {
 
 AtomTable::AtomTable(const std::vector<std::string>& variables,
-                     const std::vector<std::string>& points) {
+                     const std::vector<std::string>& points, WorkMeter* meter)
+    : meter_(meter) {
   for (const std::string& name : variables) {
     declared_.emplace(name, declared_.size());
     static_cast<void>(variable_atom(variable(name)));

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "regulus/codegen/symbolic/expression.hpp"
+#include "regulus/codegen/symbolic/work_meter.hpp"
 
 namespace regulus::codegen {
 
@@ -21,8 +22,15 @@ using AtomProduct = std::u16string;
 /// pi, sqrt(3), …), which make up the coefficients, in another.
 class AtomTable {
  public:
-  /// The variables get the first numbers, in their order; the entries of K likewise.
-  AtomTable(const std::vector<std::string>& variables, const std::vector<std::string>& points);
+  /// The variables get the first numbers, in their order; the entries of K likewise. `meter`
+  /// counts what is done with polynomials over these atoms; null: nobody does.
+  AtomTable(const std::vector<std::string>& variables, const std::vector<std::string>& points,
+            WorkMeter* meter = nullptr);
+
+  /// Counts terms that are about to be produced; see WorkMeter.
+  void spend(std::uint64_t terms) const {
+    if (meter_ != nullptr) meter_->spend(terms);
+  }
 
   /// Requires  the expression is not a constant, sum, product or positive power.
   [[nodiscard]] Atom variable_atom(const Expression& e) { return number(e, variables_); }
@@ -48,6 +56,7 @@ class AtomTable {
   Atom number(const Expression& e, Series& series);
   [[nodiscard]] std::size_t first_variable(const Expression& e) const;
 
+  WorkMeter* meter_;
   std::unordered_map<std::string, std::size_t> declared_;
   Series variables_, coefficients_;
   std::vector<std::size_t> ranks_;  // of the variable atoms

@@ -57,6 +57,7 @@ Expression monomial(const AtomProduct& variables, const AtomTable& atoms) {
 }
 
 Expression collect(const Polynomial& p, const AtomTable& atoms) {
+  atoms.spend(p.terms().size());
   Expressions terms;
   for (const Group group : groups(p))
     terms.push_back(product({coefficient(p, atoms, group),

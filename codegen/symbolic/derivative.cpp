@@ -88,6 +88,7 @@ Expression Differentiator::of_call(const Expression& e) {
 }
 
 Polynomial PolynomialDifferentiator::derivative(const Polynomial& p) {
+  atoms_->spend(1 + p.terms().size());
   std::vector<PolynomialTerm> terms;
   for (const PolynomialTerm& term : p.terms()) {
     const AtomProduct& variables = term.monomial.variables;
@@ -96,6 +97,7 @@ Polynomial PolynomialDifferentiator::derivative(const Polynomial& p) {
       const int exponent = exponent_of(variables, atom);
       AtomProduct others = variables;
       others.erase(i, 1);
+      atoms_->spend(of_atom(atom).terms().size());
       for (const PolynomialTerm& inner : of_atom(atom).terms())
         terms.push_back(
             {Monomial{multiply(others, inner.monomial.variables),

@@ -92,6 +92,7 @@ class Minors {
       : entries_(entries),
         n_(static_cast<std::size_t>(n)),
         pythagoras_(atoms),
+        atoms_(atoms),
         budget_(budget),
         columns_(order_of_columns(entries, n)),
         minors_(std::size_t{1} << n_) {}
@@ -121,6 +122,7 @@ class Minors {
 
   void append_product(const Polynomial& a, const Polynomial& b, bool negative, Terms& to) {
     budget_.spend(std::uint64_t{a.terms().size()} * b.terms().size());
+    atoms_.spend(std::uint64_t{a.terms().size()} * b.terms().size());
     for (const PolynomialTerm& s : a.terms())
       for (const PolynomialTerm& t : b.terms()) {
         const cln::cl_RA factor = s.factor * t.factor;
@@ -134,6 +136,7 @@ class Minors {
   const std::vector<Polynomial>& entries_;
   std::size_t n_;
   Pythagoras pythagoras_;
+  const AtomTable& atoms_;
   TermBudget& budget_;
   std::vector<int> columns_;
   std::vector<Polynomial> minors_;  // by the set of rows, as bits

@@ -46,6 +46,7 @@ std::optional<Polynomial> Expander::expand_sum(const Expressions& terms) {
   for (const Expression& term : terms) {
     const std::optional<Polynomial> p = expand(term);
     if (!p || all.size() + p->terms().size() > most_terms_) return std::nullopt;
+    atoms_->spend(1 + p->terms().size());
     all.insert(all.end(), p->terms().begin(), p->terms().end());
   }
   return Polynomial(std::move(all));
@@ -53,7 +54,9 @@ std::optional<Polynomial> Expander::expand_sum(const Expressions& terms) {
 
 std::optional<Polynomial> Expander::bounded_product(const Polynomial& a,
                                                     const Polynomial& b) const {
-  if (a.terms().size() * b.terms().size() > most_terms_) return std::nullopt;
+  const std::size_t terms = a.terms().size() * b.terms().size();
+  if (terms > most_terms_) return std::nullopt;
+  atoms_->spend(1 + terms);
   return a * b;
 }
 

@@ -70,7 +70,8 @@ struct Entry {
 
 class Formulator {
  public:
-  Formulator(const Model& model, const Motion& motion, const FormulationOptions& options)
+  Formulator(const Model& model, const Motion& motion, const FormulationOptions& options,
+             WorkMeter& meter)
       : model_(model),
         motion_(motion),
         options_(options),
@@ -78,7 +79,7 @@ class Formulator {
         rewriter_(substitution_.names(),
                   point_names(static_cast<int>(model.matrix.cols()),
                               static_cast<int>(model.matrix.rows())),
-                  weighted(options.rewriting, substitution_.variables())) {
+                  weighted(options.rewriting, substitution_.variables()), &meter) {
     result_.model = model.name;
     result_.motion = motion.name;
     result_.variables = substitution_.variables();
@@ -108,9 +109,11 @@ class Formulator {
  private:
   void form_natural_matrix() {
     for (int i = 0; i < result_.rows; ++i)
-      for (int j = 0; j < result_.columns; ++j)
+      for (int j = 0; j < result_.columns; ++j) {
         result_.natural_matrix.push_back(
             substitution_.apply(model_.matrix(static_cast<unsigned>(i), static_cast<unsigned>(j))));
+        rewriter_.atoms().spend(1 + count_operations({result_.natural_matrix.back()}));
+      }
     if (!options_.scaling) return;
     result_.scaling = find_scaling(result_.natural_matrix, result_.columns, result_.variables,
                                    result_.rows == result_.columns && may_have_threshold());
@@ -188,6 +191,7 @@ class Formulator {
         terms.push_back(
             {Monomial{term.monomial.variables, multiply(term.monomial.coefficients, atom)},
              term.factor});
+      rewriter_.atoms().spend(1 + A.expanded[entries[j]].terms().size());
       natural.push_back(k * A.natural[entries[j]]);
       rewritten.push_back(k * A.rewritten[entries[j]]);
     }
@@ -513,12 +517,50 @@ std::string point_name(int row, int column) {
   return "k_" + std::to_string(row) + "_" + std::to_string(column);
 }
 
-Formulation formulate(const Model& model, const Motion& motion, const FormulationOptions& options) {
-  FormulationOptions adapted = options;
+namespace {
+
+/// What there is to choose from within a budget.
+FormulationOptions with_detail(FormulationOptions options, FormDetail detail) {
+  if (detail == FormDetail::kFull) return options;
+  options.columns = ColumnSearch::kNone;
+  options.rewriting.most_terms = std::min(options.rewriting.most_terms, kMostTermsOfAPart);
+  if (detail == FormDetail::kSmallParts) return options;
+  options.rewriting.most_terms = 1;
+  options.rewriting.rewrite = options.determinant = false;
+  options.matrix_derivatives = options.derivatives = false;
+  options.expansion = ExpansionForm::kNone;
+  return options;
+}
+
+Formulation formed(const Model& model, const Motion& motion, const FormulationOptions& options,
+                   FormDetail detail, std::uint64_t budget, const FormingWatch* watch) {
+  WorkMeter meter(budget, watch);
+  Formulation result = Formulator(model, motion, with_detail(options, detail), meter).run();
+  result.detail = detail;
+  result.work = meter.spent();
+  return result;
+}
+
+}  // namespace
+
+Formulation formulate(const Model& model, const Motion& motion, const FormulationOptions& options,
+                      const FormingWatch* watch) {
   // A determinant in closed form is nothing but multiplied out, and has a budget of its own.
-  if (!options.determinant && uses_matrix(options) && has_roots_or_quotients(model, motion))
+  if (options.determinant)
+    return formed(model, motion, options, FormDetail::kFull, WorkMeter::kNoLimit, watch);
+  FormulationOptions adapted = options;
+  if (uses_matrix(options) && has_roots_or_quotients(model, motion))
     adapted.rewriting.most_terms = std::min(options.rewriting.most_terms, kMostTermsOfAPart);
-  return Formulator(model, motion, adapted).run();
+  for (const FormDetail detail : {FormDetail::kFull, FormDetail::kSmallParts}) try {
+      return formed(model, motion, adapted, detail, options.forming_budget, watch);
+    } catch (const OverBudget&) {
+    }
+  return formed(model, motion, adapted, FormDetail::kAsWritten, WorkMeter::kNoLimit, watch);
+}
+
+Formulation formulate_as_written(const Model& model, const Motion& motion,
+                                 const FormulationOptions& options) {
+  return formed(model, motion, options, FormDetail::kAsWritten, WorkMeter::kNoLimit, nullptr);
 }
 
 }  // namespace regulus::codegen

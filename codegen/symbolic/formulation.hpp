@@ -15,6 +15,7 @@
 #include "regulus/codegen/symbolic/measure.hpp"
 #include "regulus/codegen/symbolic/rewrite.hpp"
 #include "regulus/codegen/symbolic/scaling.hpp"
+#include "regulus/codegen/symbolic/work_meter.hpp"
 
 namespace regulus::codegen {
 
@@ -52,6 +53,17 @@ enum class ColumnSearch {
   kSecondOrder,  ///< those of the expansion at nominal values
 };
 
+/// Work that all forms together may take: terms of polynomials that are produced (WorkMeter). The
+/// robots in models/ take a tenth of it or less; it is of the order of seconds.
+inline constexpr std::uint64_t kFormingBudget = 2'000'000;
+
+/// How much was made of a model's expressions within the budget.
+enum class FormDetail {
+  kFull,
+  kSmallParts,  ///< parts of more than eight terms stay as the model writes them
+  kAsWritten,   ///< all of them do, and there are no derivatives
+};
+
 /// Which functions to form.
 struct FormulationOptions {
   bool matrix = true;
@@ -71,6 +83,7 @@ struct FormulationOptions {
   /// then makes up for the scaling of the determinant.
   bool threshold = true;
   RewriteOptions rewriting;
+  std::uint64_t forming_budget = kFormingBudget;  ///< not of a determinant, which has its own
 };
 
 /// Derivatives that are not zero everywhere.
@@ -146,6 +159,8 @@ struct Formulation {
   std::vector<Expression> determinant;              ///< one entry, det A; empty unless asked for
   std::vector<Expression> determinant_derivatives;  ///< ∂_k det A, one for each variable
   std::uint64_t determinant_terms = 0;              ///< what TermBudget counted
+  FormDetail detail = FormDetail::kFull;
+  std::uint64_t work = 0;  ///< what these forms took, without those that were given up
 
   /// Expressions without which a value of the functions means nothing: roots, denominators … of the
   /// model and the motion as written, which rewriting or differentiation may have removed. `lower`
@@ -167,9 +182,19 @@ struct Formulation {
 [[nodiscard]] std::string point_name(int row, int column);
 
 /// Throws InputError when the model and the motion do not fit together, ClosedFormError
-/// (determinant.hpp) when a determinant is asked for and cannot be had.
+/// (determinant.hpp) when a determinant is asked for and cannot be had, FormingStopped when `watch`
+/// says so.
+///
+/// Ensures   the same model, motion and options give the same forms, however long that takes: what
+///           exceeds the budget is formed again with less detail.
 [[nodiscard]] Formulation formulate(const Model& model, const Motion& motion,
-                                    const FormulationOptions& options = {});
+                                    const FormulationOptions& options = {},
+                                    const FormingWatch* watch = nullptr);
+
+/// The same functions with the least detail, which takes hardly longer than to read the model; no
+/// determinant.
+[[nodiscard]] Formulation formulate_as_written(const Model& model, const Motion& motion,
+                                               const FormulationOptions& options);
 
 /// A program of expressions over the formulation's variables, which need not be functions of the
 /// kernel.

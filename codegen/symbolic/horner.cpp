@@ -34,6 +34,7 @@ class Nesting {
 
   Expression form(const Polynomial& p) {
     if (p.is_zero()) return Expression(0);
+    atoms_.spend(p.terms().size());
     const std::optional<Atom> atom = next_atom(p);
     if (!atom) return collect(p, atoms_);
     if (options_.factor)

@@ -81,8 +81,9 @@ bool evidently_nonnegative(const Expression& e) {
 }  // namespace
 
 Rewriter::Rewriter(const std::vector<std::string>& variables,
-                   const std::vector<std::string>& points, const RewriteOptions& options)
-    : options_(options), atoms_(variables, points), expander_(atoms_, options.most_terms) {}
+                   const std::vector<std::string>& points, const RewriteOptions& options,
+                   WorkMeter* meter)
+    : options_(options), atoms_(variables, points, meter), expander_(atoms_, options.most_terms) {}
 
 Rewritten Rewriter::rewrite(const Expression& e) {
   const Expression natural = prepared(e);
@@ -132,6 +133,7 @@ Polynomial Rewriter::merge(const Polynomial& p, bool double_angles) {
 Expression Rewriter::prepared(const Expression& e) {
   if (e.operands().empty()) return e;
   if (const auto found = prepared_.find(e); found != prepared_.end()) return found->second;
+  atoms_.spend(1 + e.operands().size());
   const bool opaque = e.kind() == Kind::kCall || e.kind() == Kind::kPower;
   Expressions operands;
   for (const Expression& operand : e.operands())

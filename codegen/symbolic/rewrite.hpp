@@ -32,8 +32,9 @@ struct Rewritten {
 class Rewriter {
  public:
   /// `variables` in the order in which ties between them are decided, `points` K's entries.
+  /// `meter`: see AtomTable.
   Rewriter(const std::vector<std::string>& variables, const std::vector<std::string>& points,
-           const RewriteOptions& options = {});
+           const RewriteOptions& options = {}, WorkMeter* meter = nullptr);
   Rewriter(const Rewriter&) = delete;
   Rewriter& operator=(const Rewriter&) = delete;
 

@@ -63,6 +63,7 @@ class AngleMerger {
   bool step() {
     const std::vector<Angle> angles = find_angles();
     if (angles.empty()) return false;
+    atoms_.spend(p_.terms().size());
     monomials_ = by_monomial(p_);
     for (const Angle& a : angles)
       if (merge_squares(a) || (options_.double_angles && merge_double(a))) return true;
@@ -137,6 +138,7 @@ class AngleMerger {
   /// Replaces f·first·m + g·second·m by merge(f, g)·m for the first cofactor m where that exists.
   template <class Merge>
   bool rewrite_pairs(const AtomProduct& first, const AtomProduct& second, const Merge& merge) {
+    atoms_.spend(monomials_.size());
     AtomProduct cofactor;
     for (const auto& [variables, f] : monomials_) {
       if (!divide(variables, first, cofactor)) continue;

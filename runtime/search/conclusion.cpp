@@ -51,8 +51,14 @@ void note_that_all_is_singular(Result& result, WitnessPoint point) {
   result.witness = Witness{{point}, point};
 }
 
+/// Nothing was proved, or of one point alone that it is singular.
+bool may_be_singular_everywhere(const Result& result) noexcept {
+  return result.verdict == Verdict::kPossibleProblem ||
+         (result.verdict == Verdict::kSingularity && result.reason == Reason::kSmallDeterminant);
+}
+
 void ask_algebra(Result& result, const Problem& problem, const Settings& settings) {
-  if (settings.algebra == nullptr || result.verdict != Verdict::kPossibleProblem) return;
+  if (settings.algebra == nullptr || !may_be_singular_everywhere(result)) return;
   if (problem.kernel->rows != problem.kernel->columns || was_cut_short(result)) return;
   if (certified_somewhere(result.statistics)) return;
   Inhabitants found = find_defined_pose(problem, settings);
@@ -61,7 +67,8 @@ void ask_algebra(Result& result, const Problem& problem, const Settings& setting
     case AlgebraOracle::Determinant::kVanishes:
       return note_that_all_is_singular(result, std::move(*found.point));
     case AlgebraOracle::Determinant::kSeemsToVanish:
-      if (!result.stopped_by) result.reason = Reason::kSeemsSingular;
+      if (result.verdict == Verdict::kPossibleProblem && !result.stopped_by)
+        result.reason = Reason::kSeemsSingular;
       return;
     case AlgebraOracle::Determinant::kUnknown:
       return;
@@ -71,8 +78,9 @@ void ask_algebra(Result& result, const Problem& problem, const Settings& setting
 }  // namespace
 
 bool certified_somewhere(const Statistics& statistics) noexcept {
-  return all_leaves(statistics) !=
-         leaves_of(statistics, Rule::kOutside) + leaves_of(statistics, Rule::kBlocked);
+  return all_leaves(statistics) != leaves_of(statistics, Rule::kOutside) +
+                                       leaves_of(statistics, Rule::kBlocked) +
+                                       leaves_of(statistics, Rule::kWitness);
 }
 
 bool excluded_everywhere(const Statistics& statistics) noexcept {

@@ -125,8 +125,9 @@ class ClosedForm {
 
 /// Knows the model's expressions as such, and not only their bounds.
 ///
-/// A search asks it once, in its conclusion, of a square matrix, if nothing was proved, no box was
-/// certified, and memory, the time limit or an interrupt have not ended the search.
+/// A search asks it once, in its conclusion, of a square matrix, if nothing was proved, or of one
+/// point alone that its determinant is at most the threshold; if no box was certified; and if
+/// memory, the time limit or an interrupt have not ended the search.
 class AlgebraOracle {
  public:
   enum class Determinant : std::uint8_t {

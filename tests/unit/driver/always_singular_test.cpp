@@ -94,8 +94,7 @@ TEST(AlwaysSingular, IsWhatAPavingFindsToo) {
 
 /// atan2(y, x) = atan(y/x) where x > 0: true, but no identity of polynomials in these functions.
 TEST(AlwaysSingular, IsSaidToSeemSoWhereItIsNotProved) {
-  const Result result =
-      checked(two_by_two(R"([["atan2(y, x)", "atan(y/x)"], ["x", "x"]])", ""));
+  const Result result = checked(two_by_two(R"~([["atan2(y, x)", "atan(y/x)"], ["x", "x"]])~", ""));
   EXPECT_EQ(result.verdict, Verdict::kPossibleProblem);
   EXPECT_NE(result.reason, Reason::kAlwaysSingular);
   EXPECT_FALSE(result.witness);

@@ -48,8 +48,8 @@ Report checked(const std::string& text, Engine engine = Engine::kInterpreted) {
 }
 
 TEST(EmptyVariety, IsAProblemAndNotAProof) {
-  for (const char* constraints : {R"(["1 + x^2"])", R"(["x - 0.5", "0.5 + 1e-9 - x"])",
-                                  R"(["1 - x - y", "x + y - 0.999999"])"}) {
+  for (const char* constraints :
+       {R"(["1 + x^2"])", R"(["x - 0.5", "0.5 + 1e-9 - x"])", R"(["1 - x - y", "x + y - 0.9"])"}) {
     const Report report = checked(regular(constraints));
     EXPECT_EQ(report.result.verdict, Verdict::kPossibleProblem) << constraints;
     EXPECT_EQ(report.json["nonempty"], false);
@@ -108,7 +108,9 @@ TEST(Quaternion, OfAnyNormIsARotation) {
 }
 
 TEST(Quaternion, IsUndefinedAtZero) {
-  const Report report = checked(hexapod("0"));
+  std::string text = hexapod("1");
+  text.replace(text.find("q0 = \"1\""), 8, "q0 = [-0.1, 0.2]");
+  const Report report = checked(text);
   EXPECT_EQ(report.result.verdict, Verdict::kPossibleProblem);
   EXPECT_EQ(report.result.reason, Reason::kUndefined);
 }
