@@ -270,7 +270,7 @@ void add_margin_options(CLI::App& app, MarginCommand& command) {
       ->type_name("G")
       ->capture_default_str();
   command.search.time_limit = kMarginSeconds;
-  app.get_option("--time-limit")->description("Stop after S seconds of search")->default_str("60");
+  app.get_option("--time-limit")->description("Stop after S seconds")->default_str("60");
   app.get_option("--max-boxes")->description("Most boxes of each search");
 }
 

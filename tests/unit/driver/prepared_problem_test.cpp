@@ -52,6 +52,7 @@ TEST(PreparedProblemKey, ChangesWithEveryPartOfTheQuestion) {
       [](Question& q) { q.functions.right_product ^= true; },
       [](Question& q) { q.functions.determinant ^= true; },
       [](Question& q) { q.functions.determinant_budget += 1; },
+      [](Question& q) { q.functions.forming_budget += 1; },
       [](Question& q) { q.functions.expansion = ExpansionForm::kAtNominal; },
       [](Question& q) { q.functions.expansion = ExpansionForm::kAtBox; },
       [](Question& q) { q.functions.rows ^= true; },
@@ -98,6 +99,7 @@ PreparedProblem example() {
   p.subject.rows = 7;
   p.subject.columns = 6;
   p.subject.constraints = 2;
+  p.subject.detail = FormDetail::kSmallParts;
   p.subject.pose = {{"x", "cm"}, {"phi", "rad"}};
   p.subject.twist = {{TwistComponent::Kind::kLinear, "vx", "cm"},
                      {TwistComponent::Kind::kAngular, "wz", "rad"}};
@@ -166,6 +168,7 @@ TEST(PreparedProblem, IsNotReadFromAnythingElse) {
     return other.replace(at, from.size(), to);
   };
   EXPECT_FALSE(read_prepared_problem(with("\"format\":3", "\"format\":2")));
+  EXPECT_FALSE(read_prepared_problem(with("\"format\":3", "\"format\":4")));
   EXPECT_FALSE(read_prepared_problem(with(std::string(64, '7'), "../" + std::string(61, '7'))));
   EXPECT_FALSE(read_prepared_problem(text + ' '));
   EXPECT_FALSE(read_prepared_problem(with("\"rows\":7", "\"rows\":7.0")));
