@@ -118,7 +118,7 @@ void compile_if_possible(const EmittedKernel& text, Preparation& p, const Search
                          const Keep& keep) try {
   search.may_fork ? compile_meanwhile(text, p, search, keep) : compile(text, p, search, keep);
 } catch (const NoCompiler& error) {
-  interpret(p);
+  interpret(p, search);
   p.no_compiler = error.what();
 }
 

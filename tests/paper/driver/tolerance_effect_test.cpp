@@ -38,7 +38,7 @@ class ToleranceEffect : public testing::Test {
     FormulationOptions options;
     options.left_product = options.derivatives = options.right_product = false;
     const Formulation formulation = formulate(model_, find_motion(model_, "table4_5"), options);
-    kernel_.emplace(lower(formulation));
+    kernel_.emplace(select(lower(formulation)), best_isa());
     for (const Variable& v : formulation.variables)
       if (v.kind == VariableKind::kGeometry)
         nominal_.push_back(GiNaC::ex_to<GiNaC::numeric>((v.range.lo + v.range.hi) / 2).to_double());

@@ -35,7 +35,7 @@ class ExpansionOf {
  public:
   ExpansionOf(const Model& model, const Motion& motion, ExpansionForm form)
       : formulation_(formulate(model, motion, options(form))),
-        kernel_(lower(formulation_)),
+        kernel_(select(lower(formulation_)), best_isa()),
         variety_(enclose_variety(model, motion, formulation_.variables)) {}
 
   [[nodiscard]] const regulus_kernel& kernel() const { return *kernel_.get(); }
