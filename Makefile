@@ -84,7 +84,7 @@ dependencies:   ## install the packages that are missing (Debian)
 	@cmake/install-dependencies.sh
 
 format:         ## clang-format every source file
-	git ls-files '*.cpp' '*.hpp' '*.h' | xargs clang-format -i
+	git ls-files '*.cpp' '*.hpp' '*.h' ':!generated' | xargs clang-format -i
 
 clean:          ## remove every build folder
 	rm -rf build build-dev build-clang build-asan build-ubsan build-tsan build-fuzz

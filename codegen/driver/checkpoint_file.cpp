@@ -68,8 +68,7 @@ CheckpointFile::CheckpointFile(const CheckpointOptions& options, const Preparati
   }
 }
 
-std::optional<CertificateWriter::Partial> CheckpointFile::partial(
-    const std::string& certificate) {
+std::optional<CertificateWriter::Partial> CheckpointFile::partial(const std::string& certificate) {
   if (!wanted()) return std::nullopt;
   if (!found_ || certificate.empty()) return CertificateWriter::Partial{};
   if (!found_->certificate)

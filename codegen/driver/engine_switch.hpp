@@ -22,7 +22,9 @@ class EngineSwitch : public LoadedKernel, public Observer {
   /// See BackgroundCompilation.
   EngineSwitch(const Module& module, const EmittedKernel& text, const CompileOptions& options,
                const std::function<void(const std::string&)>& after)
-      : interpreted_(select(module), options.isa), kernel_(*interpreted_.get()), compilation_(text, options, after) {}
+      : interpreted_(select(module), options.isa),
+        kernel_(*interpreted_.get()),
+        compilation_(text, options, after) {}
 
   [[nodiscard]] const regulus_kernel& functions() const noexcept override {
     return kernel_.functions();

@@ -172,8 +172,7 @@ BallProgram program_of(const Json& json) {
   }
   for (const Json& constant : json.at("constants"))
     program.constants.push_back(FlintRational::read(constant).value());
-  for (const Json& output : json.at("outputs"))
-    program.outputs.push_back(NodeId(count_of(output)));
+  for (const Json& output : json.at("outputs")) program.outputs.push_back(NodeId(count_of(output)));
   return program;
 }
 

@@ -21,8 +21,8 @@ struct PreparedProblem {
   Subject subject;
   Variety variety;
   std::optional<BallProgram> matrix;  ///< of a square one
-  std::string object_key;  ///< of the kernel's object in the cache
-  KernelName kernel;       ///< in the object
+  std::string object_key;             ///< of the kernel's object in the cache
+  KernelName kernel;                  ///< in the object
 };
 
 /// The name of a prepared problem in the cache.

@@ -31,7 +31,7 @@ struct Subject {
   int rows = 0;
   int columns = 0;
   std::size_t constraints = 0;
-  int determinant_exponent = 0;  ///< as in Problem
+  int determinant_exponent = 0;           ///< as in Problem
   FormDetail detail = FormDetail::kFull;  ///< of the functions that are searched
   std::vector<PoseLabel> pose;
   std::vector<TwistComponent> twist;

@@ -109,12 +109,20 @@ bool PartPrinter::can_wait(ValueId value) const {
     const Interval& bounds = selected_.code.constants[i.a];
     if (bounds.lo == bounds.hi) return true;
   }
-  if (uses != 1) return false;
+  if (uses != 1 || is_kept(value)) return false;
   const bool next_reads = value + 1 < end_ &&
                           (at(value + 1).operation == Pack::kChecked_IU ||
                            at(value + 1).operation == Pack::kPointOf_I) &&
                           at(value + 1).a == value;
   return next_reads || is_sign_or_product(i.operation);
+}
+
+/// What other parts read has a name in its own, too.
+bool PartPrinter::is_kept(ValueId value) const {
+  if (value + 1 == end_) return false;
+  const Instruction& next = at(value + 1);
+  if (next.operation == Pack::kThin_P && next.a == value) return is_kept(value + 1);
+  return next.operation == Pack::kKeep && next.b == value;
 }
 
 bool PartPrinter::is_checked_constant(ValueId value) const {

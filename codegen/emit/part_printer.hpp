@@ -51,6 +51,7 @@ class PartPrinter {
   void define(ValueId value, const std::string& expression);
   void declare(ValueId value, const std::string& expression);
   [[nodiscard]] bool can_wait(ValueId value) const;
+  [[nodiscard]] bool is_kept(ValueId value) const;
   [[nodiscard]] bool is_checked_constant(ValueId value) const;
 
   /// The expression of the instruction, short enough for a line.

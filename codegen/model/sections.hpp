@@ -21,7 +21,7 @@ struct ModelReading {
   TomlReader toml;
   Declarations names{};
   Model model{};
-  double size = 0;                              ///< of the expressions so far
+  double size = 0;  ///< of the expressions so far
 
   /// Adds up the sizes; refuses the entry that makes the model too large.
   void count(const Term& term, const TomlEntry& entry) {

@@ -36,8 +36,8 @@ void put(std::string& text, const WitnessCandidates& candidates) {
   put(text, "negative", candidates.negative);
   put(text, "small", candidates.small);
   text += "\nsmall";
-  for (const unsigned n : {unsigned{candidates.small_known}, unsigned{candidates.small_fresh},
-                           candidates.small_tries})
+  for (const unsigned n :
+       {unsigned{candidates.small_known}, unsigned{candidates.small_fresh}, candidates.small_tries})
     put(text, std::uint64_t{n});
 }
 

@@ -46,7 +46,8 @@ typedef struct regulus_check_report {
   unsigned boxes; /* evaluated */
   /* Where: `places` boxes, bound s (0 lower, 1 upper) of variable v of box p at
    * place[2*(p*variables + v) + s]. SINGULARITY: the points of the proof, 1 or 2. POSSIBLE PROBLEM:
-   * the box that could not be decided, if there is one. Valid until the next call with the same checker. */
+   * the box that could not be decided, if there is one. Valid until the next call with the same
+   * checker. */
   unsigned places;
   const double* place;
 } regulus_check_report;

@@ -160,7 +160,7 @@ TEST(AWitness, MustLieInTheVarietyAndHaveTheSignsItStates) {
   expect_rejected(joined(swapped), "the other sign");
   auto outside = lines;
   outside[points[0]] = "point + 0x1p+9 0x1p+4 0x0p+0";
-  expect_rejected(joined(outside), "not certainly within");
+  expect_rejected(joined(outside), "outside the ranges");
 }
 
 TEST(RandomChanges, NeverLeadToAFalseClaimThatIsVerified) {

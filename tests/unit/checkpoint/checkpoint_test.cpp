@@ -52,8 +52,9 @@ SearchState state() {
   return s;
 }
 
-std::string text_of(const SearchState& s, const std::optional<CertificateSoFar>& certificate =
-                                              CertificateSoFar{4242, std::string(64, 'c')}) {
+std::string text_of(const SearchState& s,
+                    const std::optional<CertificateSoFar>& certificate = CertificateSoFar{
+                        4242, std::string(64, 'c')}) {
   return write_checkpoint(question(), s, Boxes(), certificate);
 }
 
@@ -125,7 +126,9 @@ TEST(Checkpoint, OfTheFirstFormatIsReadWithoutAHash) {
   for (std::size_t i = 0; i < kRules; ++i) zeros += " 0";
   const std::string text = signed_again("regulus checkpoint 1\nquestion " + std::string(64, 'a') +
                                         "\nnext 19\nboxes 12 4 77\nseconds 0x1p+0\n"
-                                        "leaves" + zeros + "\nfilters\ndescent 64\n"
+                                        "leaves" +
+                                        zeros +
+                                        "\nfilters\ndescent 64\n"
                                         "limit 0x1.1p+0\nblocked none\ncertificate 4242\nopen 1\n"
                                         "b 17 3 0x0p+0:0x1p-3 -0x1p+0:0x1p+0\nend \n");
   const Checkpoint read = read_checkpoint(text, question());

@@ -25,8 +25,8 @@ namespace {
 static_assert(std::is_same_v<decltype(BallProgram::constants), std::vector<FlintRational>>);
 static_assert(std::is_same_v<decltype(Preparation::matrix), std::optional<BallProgram>>);
 
-/// Doubles cannot tell the sign of the determinant, 10^-60, from that of 0: each box asks the
-/// oracle. The constants are long, so that CLN would count references to them.
+/// Doubles cannot tell the sign of the determinant, which is 1 beside products of 10^76: each box asks
+/// the oracle. The constants are long, so that CLN would count references to them.
 constexpr const char* kUndecided = R"(
 regulus = 1
 name = "undecided"
@@ -34,7 +34,9 @@ name = "undecided"
 x = "1"
 y = "1"
 [matrix]
-rows = [["1e-60 + (x - 1)*123456789012345678901234567890123456789", "y"], ["0", "1"]]
+rows = [["123456789012345678901234567890123456789", "123456789012345678901234567890123456789 - x", "0"],
+        ["123456789012345678901234567890123456789 + x", "123456789012345678901234567890123456789", "y"],
+        ["0", "0", "1"]]
 [motion.thin]
 x = 1
 y = ["1", "1 + 2^-44"]
@@ -57,7 +59,7 @@ SearchOptions interpreted(unsigned threads) {
 TEST(SeveralThreads, MayAskTheOracleAtOnce) {
   Preparation preparation = prepared(interpreted(1));
   ASSERT_TRUE(preparation.matrix);
-  ArbOracle oracle(*preparation.matrix, 2, 1024);
+  ArbOracle oracle(*preparation.matrix, 3, 1024);
   const std::vector<Interval> at(preparation.matrix->inputs, Interval(1.0));
   const std::optional<Interval> expected = oracle.enclose(at);
   ASSERT_TRUE(expected && expected->lo > 0);

@@ -148,9 +148,8 @@ void expect_the_same_with_budgets(const Problem& problem, const Settings& settin
   EXPECT_EQ(whole.result.verdict, verdict) << describe(whole.result.reason);
   const std::uint64_t boxes = whole.result.statistics.boxes;
   ASSERT_GE(boxes, 64U);
-  std::vector<std::vector<std::uint64_t>> lists = {{1, 2, 3, 5, 8, 13, 21, 34, 55, kAll},
-                                                   {boxes / 2, boxes / 2, kAll},
-                                                   {boxes - 1, kAll}};
+  std::vector<std::vector<std::uint64_t>> lists = {
+      {1, 2, 3, 5, 8, 13, 21, 34, 55, kAll}, {boxes / 2, boxes / 2, kAll}, {boxes - 1, kAll}};
   for (std::uint64_t budget = 2; budget < boxes; budget += 1 + boxes / 13)
     lists.push_back({budget, kAll});
   for (const std::vector<std::uint64_t>& budgets : lists) {
@@ -184,7 +183,8 @@ TEST(ABudget, LeavesABlockedSearchAsItIs) {
                                Verdict::kPossibleProblem);
 }
 
-/// The sign of 2·x·y − 1.9999 changes near two corners alone. A sign that was seen before a stop is not forgotten.
+/// The sign of 2·x·y − 1.9999 changes near two corners alone. A sign that was seen before a stop is
+/// not forgotten.
 TEST(ABudget, LeavesTheWitnessAsItIs) {
   const FunctionKernel kernel(2, 2, 2, [](const Values& x) {
     return Values{x[0] * x[0] + x[1] * x[1] - Interval(1.9999), x[0] - x[1], x[0] - x[1],
