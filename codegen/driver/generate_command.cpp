@@ -4,7 +4,6 @@
 namespace regulus::codegen {
 
 int run_generate(const GenerateCommand& command, const std::string& typed) {
-  if (!command.name.empty()) remove_generated_files(command, command.name);
   generate_files(command, read_request(command.model), typed);
   return 0;
 }

@@ -17,14 +17,6 @@ std::string default_kernel_name(const Request& request) {
   return free_name(model + "_" + request.motion.name);
 }
 
-std::vector<std::string> generated_file_names(const std::string& name) {
-  std::vector<std::string> names;
-  for (const char* ending : {".h", ".hpp", ".cpp", "_kernel.inc"}) names.push_back(name + ending);
-  for (const Isa isa : kAllIsas)
-    names.push_back(name + "_" + std::string(regulus::name(isa)) + ".cpp");
-  return names;
-}
-
 std::vector<GeneratedFile> generate(const Request& request, const GenerateOptions& options) {
   const Formulation formulation =
       formulate(request.model, request.motion, functions_needed(Method::kAuto));

@@ -25,9 +25,6 @@ struct GeneratedFile {
 /// The name that the files of a model's motion get unless told: "robot_1_wide_15".
 [[nodiscard]] std::string default_kernel_name(const Request& request);
 
-/// The files that a kernel of that name may have.
-[[nodiscard]] std::vector<std::string> generated_file_names(const std::string& name);
-
 /// The files of a kernel: NAME.h and NAME.hpp, the check in C and in C++; NAME.cpp, which chooses
 /// the instruction set when it runs; NAME_kernel.inc, the kernel as emit() writes it, and
 /// NAME_<isa>.cpp, which compiles it for one instruction set.

@@ -5,7 +5,6 @@
 #include <iostream>
 #include <nlohmann/json.hpp>
 
-#include "regulus/codegen/generate/words.hpp"
 #include "regulus/codegen/generate/write_files.hpp"
 #include "regulus/codegen/model/errors.hpp"
 
@@ -72,22 +71,9 @@ void add_generate_options(CLI::App& app, GenerateCommand& command) {
   app.add_flag("--quiet", command.quiet, "Do not list the files (unless as JSON)");
 }
 
-void remove_generated_files(const GenerateCommand& command, const std::string& name) {
-  if (!is_free_name(name)) return;  // generate() refuses it
-  std::error_code error;
-  for (const std::string& file : generated_file_names(name)) {
-    const std::filesystem::path path = std::filesystem::path(command.folder) / file;
-    if (std::filesystem::is_regular_file(path, error)) std::filesystem::remove(path, error);
-    if (error && std::filesystem::exists(path))
-      throw FileError(path.string() +
-                      " is of an earlier run and cannot be removed: " + error.message());
-  }
-}
-
 void generate_files(const GenerateCommand& command, const Request& request,
                     const std::string& typed) {
   const GenerateOptions options = generate_options(command, request, typed);
-  remove_generated_files(command, options.name);
   const std::vector<GeneratedFile> files = generate(request, options);
   const std::filesystem::path folder = command.folder;
   write_files(folder, files);

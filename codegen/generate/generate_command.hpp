@@ -31,14 +31,10 @@ void add_model_changes(CLI::App& app, ModelOptions& options);
 /// All options of generate but the model and the motion.
 void add_generate_options(CLI::App& app, GenerateCommand& command);
 
-/// Removes the files that a kernel of that name has in the folder. A command that fails then leaves
-/// no file of an earlier run, which may be of another model. Throws FileError.
-void remove_generated_files(const GenerateCommand& command, const std::string& name);
-
 /// Writes the files and lists them on standard output, as JSON if asked for. `typed`: the command
 /// line, for their heads.
 ///
-/// Throws    UsageError, InputError, FileError; there are no files of that name then.
+/// Throws    UsageError, InputError, FileError; no file has been touched then.
 void generate_files(const GenerateCommand& command, const Request& request,
                     const std::string& typed);
 

@@ -55,7 +55,7 @@ enum class ColumnSearch {
 
 /// Work that all forms together may take: terms of polynomials that are produced (WorkMeter). The
 /// robots in models/ take a tenth of it or less; it is of the order of seconds.
-inline constexpr std::uint64_t kFormingBudget = 10'000'000;
+inline constexpr std::uint64_t kFormingBudget = 4'000'000;
 
 /// How much was made of a model's expressions within the budget.
 enum class FormDetail {

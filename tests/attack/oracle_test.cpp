@@ -175,6 +175,21 @@ TEST(AJudge, ContradictsWhatIsFalse) {
   }
 }
 
+TEST(AJudge, LetsAClaimThatMayBeAboutNoPoseBeWhereTheReportSaysSo) {
+  Attack attack;
+  attack.truth = Truth::kEmpty;
+  Outcome outcome = exit_with(0);
+  outcome.may_be_vacuous = true;
+  EXPECT_EQ(judge(attack, outcome), Judgement::kOpen);
+  outcome = exit_with(1);
+  outcome.may_be_vacuous = true;
+  EXPECT_EQ(judge(attack, outcome), Judgement::kContradiction);
+  attack.truth = Truth::kSingular;
+  outcome = exit_with(0);
+  outcome.may_be_vacuous = true;
+  EXPECT_EQ(judge(attack, outcome), Judgement::kContradiction);
+}
+
 TEST(AJudge, TellsCrashesFromSlowModels) {
   Attack attack;
   Outcome outcome;

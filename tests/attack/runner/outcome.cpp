@@ -36,6 +36,9 @@ Judgement judge(const Attack& attack, const Outcome& outcome) {
   if (is_refusal(code)) return attack.may_be_refused ? Judgement::kOpen : Judgement::kCrash;
   if (code == kPossibleProblem) return attack.decidable ? Judgement::kMissed : Judgement::kOpen;
   if (code != kNoSingularity && code != kSingularity) return Judgement::kCrash;
+  // A claim about no pose is true; what it must not do is pass for a claim about some.
+  if (attack.truth == Truth::kEmpty && code == kNoSingularity && outcome.may_be_vacuous)
+    return attack.decidable ? Judgement::kMissed : Judgement::kOpen;
   return code == true_verdict(attack.truth) ? Judgement::kTrue : Judgement::kContradiction;
 }
 

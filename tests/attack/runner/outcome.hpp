@@ -26,6 +26,7 @@ struct Outcome {
   std::string reason;  ///< of the report, or of what went wrong
   std::string proof_reason;
   double check_seconds = 0, verify_seconds = 0;  ///< of processor time
+  bool may_be_vacuous = false;  ///< the report warns that the claim may be about no pose
 };
 
 enum class Judgement {

@@ -71,6 +71,12 @@ std::string reason_of(const Answer& answer) {
   return answer.errors.substr(0, 300);
 }
 
+/// Whether the report says that no pose was shown to satisfy the constraints.
+bool warns_of_no_pose(const Answer& answer) {
+  const auto report = nlohmann::json::parse(answer.output, nullptr, false);
+  return report.is_object() && report.contains("nonempty") && report["nonempty"].is_null();
+}
+
 void add_search_options(Random& random, std::vector<std::string>& words) {
   const auto add = [&](std::initializer_list<std::string> more) {
     words.insert(words.end(), more);
@@ -173,6 +179,7 @@ Outcome attack_with(const Attack& attack, const Run& run) {
   outcome.exit_code = answer.exit_code;
   outcome.reason = reason_of(answer);
   outcome.check_seconds = answer.seconds;
+  outcome.may_be_vacuous = warns_of_no_pose(answer);
   if (run.mutant == Mutant::kFlipped) outcome.exit_code = falsified(answer.exit_code);
   if (run.verify && run.mutant == Mutant::kNone && std::filesystem::exists(certificate)) {
     run.entering(Stage::kVerify, outcome.exit_code);

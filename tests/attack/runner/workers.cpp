@@ -73,7 +73,8 @@ std::string line_of(std::uint64_t model, const Outcome& o) {
   const nlohmann::json line = {model,           static_cast<int>(o.stage),
                                o.exit_code,     static_cast<int>(o.proof),
                                o.reason,        o.proof_reason,
-                               o.check_seconds, o.verify_seconds};
+                               o.check_seconds, o.verify_seconds,
+                               o.may_be_vacuous};
   return line.dump(-1, ' ', false, nlohmann::json::error_handler_t::replace) + '\n';
 }
 
@@ -87,6 +88,7 @@ std::pair<std::uint64_t, Outcome> outcome_in(const std::string& text) {
   o.proof_reason = line[5];
   o.check_seconds = line[6];
   o.verify_seconds = line[7];
+  o.may_be_vacuous = line[8];
   return {line[0], o};
 }
 

@@ -4,7 +4,7 @@
 namespace regulus::codegen::test {
 namespace {
 
-constexpr Effort kLittle{80, 0, 20000};
+constexpr Effort kLittle{200, 0, 20000};
 
 TEST(Methods, AgreeOnThePlanarRobotWithTolerances) {
   const AgreementCase cases[] = {

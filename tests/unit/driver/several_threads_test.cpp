@@ -25,8 +25,8 @@ namespace {
 static_assert(std::is_same_v<decltype(BallProgram::constants), std::vector<FlintRational>>);
 static_assert(std::is_same_v<decltype(Preparation::matrix), std::optional<BallProgram>>);
 
-/// Doubles cannot tell the sign of the determinant, which is 1 beside products of 10^76: each box asks
-/// the oracle. The constants are long, so that CLN would count references to them.
+/// Doubles cannot tell the sign of the determinant, which is 1 beside products of 10^76: each box
+/// asks the oracle. The constants are long, so that CLN would count references to them.
 constexpr const char* kUndecided = R"(
 regulus = 1
 name = "undecided"
