@@ -55,13 +55,15 @@ class Agreement {
                                      << text_;
         EXPECT_EQ(*verdict, problem_.expected.value_or(*verdict)) << method << ' ' << uncertainty;
       }
+    EXPECT_TRUE(decided == 0 || empty == 0) << "a verdict about no pose\n" << text_;
   }
 
   int decided = 0;
+  int empty = 0;  ///< searches that found the variety without a pose
 
  private:
   std::optional<Verdict> verdict_of(const char* method, const char* uncertainty,
-                                    const Effort& effort) const {
+                                    const Effort& effort) {
     Road road;
     road.search.method = method;
     road.search.uncertainty = uncertainty;
@@ -74,6 +76,7 @@ class Agreement {
       const Problem problem = preparation.problem();
       const Result result = solve(problem, road.settings());
       if (result.reason == Reason::kBadProblem) return std::nullopt;
+      if (result.reason == Reason::kEmptyVariety) ++empty;
       return result.verdict;
     } catch (const ClosedFormError&) {
       return std::nullopt;
