@@ -202,7 +202,40 @@ std::pair<std::string, long> decimal_parts(std::string_view text) {
 
 }  // namespace
 
+/// Bits of all results of folding together: beyond, operations on constants stay operations.
+constexpr std::size_t kMostFoldedBits = std::size_t{1} << 24;
+
+/// Exact, so that a quotient of integers beyond the range of doubles keeps its value there.
+std::optional<Rational> Graph::folded(Op op, int a, int b) const {
+  const auto constant = [this](int node) -> const Rational* {
+    const Node& n = nodes_[std::size_t(node)];
+    return n.op == Op::kConstant ? &rational(n.a) : nullptr;
+  };
+  if (operands(op) == 0 || folded_bits_ > kMostFoldedBits) return std::nullopt;
+  const Rational* const x = constant(a);
+  const Rational* const y = operands(op) > 1 ? constant(b) : x;
+  if (x == nullptr || y == nullptr) return std::nullopt;
+  switch (op) {
+    case Op::kNegate:
+      return *x * Rational(-1);
+    case Op::kAdd:
+      return *x + *y;
+    case Op::kSubtract:
+      return *x - *y;
+    case Op::kMultiply:
+      return *x * *y;
+    case Op::kDivide:
+      return y->is_zero() ? std::nullopt : std::optional(*x / *y);
+    default:
+      return std::nullopt;
+  }
+}
+
 NodeId Graph::add(Op op, int a, int b) {
+  if (const auto value = folded(op, a, b)) {
+    folded_bits_ += value->bits();
+    return number(*value);
+  }
   const auto [place, is_new] = known_.try_emplace({op, a, b}, NodeId(nodes_.size()));
   if (!is_new) return place->second;
   int depth = 0;

@@ -4,6 +4,7 @@
 
 #include <deque>
 #include <map>
+#include <optional>
 #include <stdexcept>
 #include <string>
 #include <string_view>
@@ -79,6 +80,7 @@ struct Node {
 /// Operands come before the nodes that use them.
 class Graph {
  public:
+  /// An operation on rational constants alone is done exactly.
   [[nodiscard]] NodeId add(Op op, int a = 0, int b = 0);
   /// A decimal such as 12, 0.5 or 1e-3, exactly.
   [[nodiscard]] NodeId number(std::string_view digits);
@@ -90,11 +92,15 @@ class Graph {
   [[nodiscard]] const Rational& rational(int index) const { return rationals_[std::size_t(index)]; }
 
  private:
+  /// The value of an operation on rational constants; nullopt for all others, and for x/0.
+  [[nodiscard]] std::optional<Rational> folded(Op op, int a, int b) const;
+
   std::vector<Node> nodes_;
   std::vector<int> depth_;  ///< bounded, so that recursion is
   std::map<std::tuple<Op, int, int>, NodeId> known_;
   std::map<std::string, NodeId, std::less<>> numbers_;
   std::deque<Rational> rationals_;
+  std::size_t folded_bits_ = 0;
   bool is_read_ = false;
 };
 

@@ -57,6 +57,18 @@ TEST(AMarginNextToADoubleRoot, IsSeenHoweverSmall) {
   }
 }
 
+/// 10^400 and 10^700 are no doubles; their quotient is one, and so is the sum.
+TEST(AQuotientOfIntegersBeyondDoubles, KeepsItsValue) {
+  const std::string huge = '1' + std::string(400, '0'), larger = '1' + std::string(700, '0');
+  const std::string tiny = huge + '/' + larger;
+  EXPECT_EQ(of(question(range("1 : 2"), {"x - 1 + " + tiny}) + kOneLeaf), Outcome::kVerified);
+  EXPECT_EQ(of(question(range("1 : 2"), {"x + " + larger + '/' + huge + " - 1e300"}) + kOneLeaf),
+            Outcome::kVerified);
+  EXPECT_NE(of(question(range("1 : 2"), {"x - 1 - " + tiny}) + kOneLeaf), Outcome::kVerified);
+  EXPECT_NE(of(question(range("1 : 2"), {"x + 1/(" + tiny + " - " + tiny + ')'}) + kOneLeaf),
+            Outcome::kVerified);
+}
+
 TEST(ADoubleRoot, IsNotVerifiedWithoutAMargin) {
   for (const char* e :
        {"(x^2 - 246912*x + 15241383936)", "(x^2 - 246912*x + 15241383936 - 1e-300)"})
