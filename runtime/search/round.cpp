@@ -6,7 +6,9 @@
 #include <tbb/parallel_for.h>
 #include <tbb/task_arena.h>
 
+#include <atomic>
 #include <exception>
+#include <functional>
 #include <new>
 #include <optional>
 
@@ -27,25 +29,32 @@ class Round::Threads {
   /// Calls `body(thread, index)` for each index below `count`; thread < the number of threads.
   template <typename Body>
   void for_each(std::size_t count, const Body& body) {
-    to_workers_.give();
-    arena_.execute([&] {
-      tbb::parallel_for(
-          std::size_t{0}, count,
-          [&body, this](std::size_t index) {
-            to_workers_.take();
-            const auto thread =
-                static_cast<std::size_t>(tbb::this_task_arena::current_thread_index());
-            of_place_[thread].take();
-            body(thread, index);
-            of_place_[thread].give();
-          },
-          tbb::simple_partitioner());
-    });
+    const std::function<void(std::size_t)> call = [&body, this](std::size_t index) {
+      const auto thread = static_cast<std::size_t>(tbb::this_task_arena::current_thread_index());
+      of_place_[thread].take();
+      body(thread, index);
+      of_place_[thread].give();
+    };
+    entrance_.lead_to(call);
+    arena_.execute(
+        [&] { tbb::parallel_for(std::size_t{0}, count, entrance_, tbb::simple_partitioner()); });
     for (const HandOver& place : of_place_) place.take();
   }
 
  private:
-  HandOver to_workers_;
+  /// All that a thread reads before it knows what the caller has written: an atomic pointer.
+  class Entrance {
+   public:
+    void lead_to(const std::function<void(std::size_t)>& call) noexcept {
+      call_.store(&call, std::memory_order_release);
+    }
+    void operator()(std::size_t index) const { (*call_.load(std::memory_order_acquire))(index); }
+
+   private:
+    std::atomic<const std::function<void(std::size_t)>*> call_ = nullptr;
+  };
+
+  Entrance entrance_;
   std::vector<HandOver> of_place_;  ///< the threads that take turns at one place of the arena
   std::optional<tbb::global_control> allowed_;
   tbb::task_arena arena_;
