@@ -15,7 +15,7 @@
 
 namespace regulus::codegen {
 
-/// What the options of `regulus check` say. Numbers are texts, as there: "5*deg" is exact.
+/// The options of `regulus check`. Numbers are texts, as there: "5*deg" is exact.
 struct CheckOptions {
   std::vector<std::string> ranges;      ///< "p=LO:HI"
   std::vector<std::string> tolerances;  ///< "GROUP=E"

@@ -13,7 +13,7 @@ namespace regulus::codegen {
 /// the entries cannot tell a margin of 1e-300 from 0, its one expression may.
 class ClosedFormBounds : public ClosedForm {
  public:
-  /// Of the matrix that `stages` have; they must outlive this object.
+  /// The matrix is that of `stages`, which must outlive this object.
   explicit ClosedFormBounds(SymbolicStages& stages) noexcept : stages_(stages) {}
 
   void make() noexcept override;

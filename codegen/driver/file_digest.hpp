@@ -16,7 +16,7 @@ class FileDigest {
   /// The file is opened now: what takes its name later is another file.
   explicit FileDigest(const std::string& path);
 
-  /// Of its first `length` bytes; nullopt when it cannot be read or has fewer.
+  /// The digest of its first `length` bytes; nullopt when it cannot be read or has fewer.
   ///
   /// Requires  a length that is not less than that of the call before.
   [[nodiscard]] std::optional<std::string> of_first(std::uint64_t length);

@@ -44,8 +44,8 @@ struct EngineBoxes {
 struct Preparation {
   Subject subject;
   Variety variety;
-  /// Of a square matrix, as the model writes it: what the threads of a search may ask with more
-  /// digits.
+  /// The program of a square matrix, with its rows and columns scaled as the kernel has them. The
+  /// threads of a search ask it with more digits.
   std::optional<BallProgram> matrix;
   std::unique_ptr<LoadedKernel> kernel;
   EngineSwitch* engine_switch = nullptr;  ///< the kernel, if that may change during the search

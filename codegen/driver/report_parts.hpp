@@ -62,7 +62,7 @@ namespace regulus::codegen {
 /// How much was made of the model's expressions: "full", "small-parts", "as-written"; null where
 /// the forming was stopped.
 [[nodiscard]] nlohmann::ordered_json json_forms(const Preparation& preparation);
-/// Whether the constraints leave any pose: true, false or null, and a line where that is in doubt.
+/// The answer to whether the constraints leave any pose: true, false or null, and a line of doubt.
 [[nodiscard]] nlohmann::ordered_json json_occupancy(const Result& result);
 [[nodiscard]] std::string occupancy_lines(const Result& result);
 

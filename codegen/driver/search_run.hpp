@@ -13,7 +13,7 @@
 
 namespace regulus::codegen {
 
-/// What the stages before have left of a time limit.
+/// The seconds of a time limit that the stages before the search have left.
 [[nodiscard]] double seconds_left(const Preparation& preparation, double time_limit);
 
 /// Searches all of the preparation's variety; time and bits are noted in the preparation. Where the

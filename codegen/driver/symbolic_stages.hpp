@@ -36,7 +36,7 @@ class SymbolicStages {
   [[nodiscard]] const Formulation& formulation();
   [[nodiscard]] const Module& module();
 
-  /// What may stop the forming of `formulation` from now on; it is looked at until then.
+  /// From now on `watch` may stop the forming of `formulation`.
   void watch(const FormingWatch& watch) { watch_ = watch; }
   /// Why `formulation` is less than what was asked for, if it is.
   [[nodiscard]] const std::optional<FormingStopped>& stopped() const noexcept { return stopped_; }

@@ -37,7 +37,7 @@ verifier::Options options_of(const VerifyCommand& command) {
   return options;
 }
 
-/// What the front end has found to be set by options: "range x", "tolerance base", "alpha".
+/// Places that options have set, as the front end found: "range x", "tolerance base", "alpha".
 std::set<std::string> overridden(const std::vector<std::string>& differences) {
   std::set<std::string> result;
   for (const std::string& text : differences)

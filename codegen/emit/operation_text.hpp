@@ -17,10 +17,10 @@ using BinaryText = ExpressionText (*)(const ExpressionText&, const ExpressionTex
 /// The function of an operation that is written as a call; empty for all others.
 [[nodiscard]] std::string_view function_name(machine::PackOperation operation) noexcept;
 
-/// Whether the function takes the mask of undefined lanes.
+/// True if the function takes the mask of undefined lanes.
 [[nodiscard]] bool marks_undefined(machine::PackOperation operation) noexcept;
 
-/// Whether the result is exact doubles, a P.
+/// True if the result is exact doubles, a P.
 [[nodiscard]] bool is_exact(machine::PackOperation operation) noexcept;
 
 /// P(c).

@@ -117,7 +117,7 @@ bool PartPrinter::can_wait(ValueId value) const {
   return next_reads || is_sign_or_product(i.operation);
 }
 
-/// What other parts read has a name in its own, too.
+/// A value that another part reads has a name in its own part, too.
 bool PartPrinter::is_kept(ValueId value) const {
   if (value + 1 == end_) return false;
   const Instruction& next = at(value + 1);

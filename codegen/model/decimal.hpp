@@ -11,7 +11,7 @@
 
 namespace regulus::codegen {
 
-// What no robot needs, and what would let ten characters ask for gigabytes.
+// Limits of a number. No robot needs more, and ten characters could ask for gigabytes without them.
 constexpr std::size_t kMaxDigits = 1000;
 constexpr int kMaxExponent = 1000;
 
