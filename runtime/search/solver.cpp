@@ -10,11 +10,11 @@
 
 #include <algorithm>
 #include <chrono>
-#include <cmath>
 
 #include "regulus/kernel/rounding_scope.hpp"
 #include "regulus/search/conclusion.hpp"
 #include "regulus/search/frontier.hpp"
+#include "regulus/search/headway.hpp"
 #include "regulus/search/round.hpp"
 #include "regulus/search/witness_search.hpp"
 
@@ -33,13 +33,6 @@ constexpr std::uint64_t kMaxBatches = 64;
 
 /// From so many boxes on the determinant in closed form is worth the time that forming it takes.
 constexpr std::uint64_t kBoxesBeforeClosedForm = 256;
-
-/// Where a search makes no headway: so many boxes, one after the other, have closed less than this
-/// part of the variety, so that all of it would take 2^40. Boxes of more variables are small parts
-/// of it however fast they are certified, and nothing is said of those.
-constexpr std::uint64_t kStallBoxes = 1U << 20;
-constexpr double kStallPart = 0x1p-20;
-constexpr std::size_t kStallVariables = 3;
 
 class Search {
  public:
@@ -101,8 +94,7 @@ class Search {
   std::uint64_t probes_in_boxes_ = 0;
   double seconds_before_ = 0;
   bool closed_form_made_ = false;
-  std::uint64_t progress_since_ = 0;  ///< boxes evaluated when closed_part_ was 0
-  double closed_part_ = 0;            ///< of the variety, by the leaves since then
+  Headway headway_;
 };
 
 double seconds_since(Clock::time_point start) noexcept {
@@ -124,7 +116,7 @@ Result Search::run(std::span<const OpenBox> open, const SearchState& state) {
   witness_.copy_candidates(state_.candidates);
   probes_in_boxes_ = state.statistics.probes;
   seconds_before_ = state.statistics.seconds;
-  progress_since_ = state.statistics.boxes;
+  headway_.begin(state.statistics.boxes);
   observer_.on_start(problem_, settings_);
   for (std::size_t k = open.size(); k-- > 0;)
     if (!frontier_.push_top(open[k], round_.bisector().approx_relative_width(open[k].box)))
@@ -184,16 +176,10 @@ bool Search::must_stop() noexcept {
   return stopped_;
 }
 
-/// A box after d splits is 2^-d of the variety. What was closed before a checkpoint is forgotten:
-/// the count begins anew.
+/// What was closed before a checkpoint is forgotten: the count begins anew.
 bool Search::stalls() noexcept {
-  if (settings_.exhaustive || state_.blocked) return false;
-  if (state_.statistics.boxes - progress_since_ < kStallBoxes) return false;
-  const bool stalled =
-      closed_part_ < kStallPart && round_.bisector().variables_to_split() <= kStallVariables;
-  progress_since_ = state_.statistics.boxes;
-  closed_part_ = 0;
-  return stalled;
+  return !settings_.exhaustive && !state_.blocked &&
+         headway_.stalls(state_.statistics.boxes, round_.bisector().variables_to_split());
 }
 
 void Search::make_closed_form() noexcept {
@@ -278,7 +264,7 @@ void Search::close_leaves(Decisions& batch) noexcept {
 void Search::leave(const Decisions& batch, std::size_t lane) noexcept {
   const Rule rule = batch.decision[lane].rule;
   ++state_.statistics.leaves[static_cast<std::size_t>(rule)];
-  closed_part_ += std::ldexp(1.0, -static_cast<int>(std::min(batch.open(lane).depth, 1000U)));
+  headway_.close(batch.open(lane).depth, rule);
   observer_.on_leaf(batch.open(lane), rule, batch.proof(lane));
 }
 

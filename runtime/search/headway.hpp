@@ -1,0 +1,56 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+
+#include "regulus/search/result.hpp"
+
+namespace regulus {
+
+/// Tells that a search makes no headway: a long run of boxes closed so little of the variety that
+/// all of it would take 2^40 boxes.
+///
+/// Boxes of many variables are small parts of the variety however fast they are certified, and
+/// nothing is said of those, unless most of them had to be certified with more digits than doubles
+/// have: such boxes are as small as boxes can be. One of these takes the time of many others and
+/// counts as so many, so that a run of them is no longer than a run of the others.
+class Headway {
+ public:
+  /// Begins a run at that number of boxes.
+  void begin(std::uint64_t boxes) noexcept {
+    *this = Headway();
+    begin_ = boxes;
+  }
+
+  /// A leaf after that number of splits.
+  void close(std::uint32_t depth, Rule rule) noexcept {
+    part_ += std::ldexp(1.0, -static_cast<int>(std::min(depth, 1000U)));
+    ++leaves_;
+    if (rule == Rule::kMultiprecision) ++multiprecision_;
+  }
+
+  /// True if a run ended with these boxes and closed next to nothing. The next run begins then.
+  [[nodiscard]] bool stalls(std::uint64_t boxes, std::size_t variables_to_split) noexcept {
+    if (boxes - begin_ + kMultiprecisionBoxes * multiprecision_ < kBoxesOfRun) return false;
+    const bool small_for_its_size =
+        variables_to_split <= kFewVariables || 2 * multiprecision_ > leaves_;
+    const bool stalled = part_ < kLeastPart && small_for_its_size;
+    begin(boxes);
+    return stalled;
+  }
+
+ private:
+  static constexpr std::uint64_t kBoxesOfRun = 1U << 20;
+  static constexpr double kLeastPart = 0x1p-20;
+  static constexpr std::size_t kFewVariables = 3;
+  static constexpr std::uint64_t kMultiprecisionBoxes = 16;
+
+  std::uint64_t begin_ = 0;  ///< boxes evaluated before the run
+  std::uint64_t leaves_ = 0, multiprecision_ = 0;
+  double part_ = 0;  ///< of the variety; a box after d splits is 2^-d of it
+};
+
+}  // namespace regulus
