@@ -16,3 +16,9 @@ foreach(isa IN LISTS REGULUS_ISA_NAMES)
 endforeach()
 configure_file(${CMAKE_CURRENT_LIST_DIR}/instruction_set_flags.hpp.in
                ${PROJECT_BINARY_DIR}/include/regulus/instruction_set_flags.hpp @ONLY)
+
+# regulus_compile_quickly(TARGET): -O1 in a release, for code that is not where the time is spent. What
+# rounds is compiled with the same flags otherwise; no result depends on it.
+function(regulus_compile_quickly target)
+  target_compile_options(${target} PRIVATE "$<$<AND:$<COMPILE_LANGUAGE:CXX>,$<CONFIG:Release,RelWithDebInfo>>:-O1>")
+endfunction()
