@@ -5,7 +5,7 @@
 #                               package, pkg-config file; with search, its threaded part
 #   --component codegen      the commands, with models and documentation
 #   --component jit          what the commands open when something must be compiled
-#   --component development  libraries and headers of the front end and of the in-process road
+#   --component development  libraries and headers of the front end and of the in-process compiler
 include(GNUInstallDirs)
 include(CMakePackageConfigHelpers)
 include(${CMAKE_CURRENT_LIST_DIR}/ComponentLibraries.cmake)

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-# The other road: a program that reads the model and compiles its kernel itself. It is not installed
+# A program that reads the model and compiles its kernel itself. It is not installed
 # beside the compiler plugins, and finds them.
 include(${CMAKE_CURRENT_LIST_DIR}/common.cmake)
 take(in_process)

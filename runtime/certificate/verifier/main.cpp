@@ -24,7 +24,7 @@ constexpr const char* kHelp =
     "  VERIFIED    the claim is true                                     (exit 0)\n"
     "  REJECTED    not a certificate, incomplete, or false               (exit 1)\n"
     "  UNFINISHED  neither could be shown within the bounds below        (exit 2)\n"
-    "Standard error says about what and why. 64 usage, 74 file trouble.\n"
+    "Standard error says about what and why. 64 usage, 74 a file cannot be read or written.\n"
     "\n"
     "  --model FILE     also compare every number and expression of this model file with the\n"
     "                   certificate, by a reader that shares nothing with regulus\n"
