@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "regulus/certificate/verifier/evaluation.hpp"
 
+#include <algorithm>
+
 #include "regulus/certificate/verifier/elementary.hpp"
 
 namespace regulus::verifier {
@@ -118,8 +120,9 @@ std::vector<NodeId> ingredients(const Graph& graph, const std::vector<NodeId>& r
   return result;
 }
 
-Evaluation::Evaluation(const Graph& graph, const std::vector<NodeId>& roots)
-    : values_(graph.nodes().size()) {
+Evaluation::Evaluation(const Question& question, const std::vector<NodeId>& roots)
+    : q_(question), values_(question.graph.nodes().size()) {
+  const Graph& graph = question.graph;
   for (const NodeId id : ingredients(graph, roots)) {
     const Node& node = graph.nodes()[std::size_t(id)];
     const Interval constant = node.op == Op::kConstant ? enclose(graph.rational(node.a))
@@ -129,11 +132,26 @@ Evaluation::Evaluation(const Graph& graph, const std::vector<NodeId>& roots)
   }
 }
 
+/// The value of an operation that rounding alone may have taken out of its domain.
+Interval Evaluation::with_exact_operands(const Node& node, const Box& box) {
+  if (operands(node.op) == 0) return everything();
+  ExactRanges exact(q_.graph, q_.ends, box, values_);
+  for (int i = 0; i < operands(node.op); ++i) {
+    const NodeId operand = i == 0 ? node.a : node.b;
+    Interval& value = values_[std::size_t(operand)];
+    const Interval range = exact.of(operand);
+    if (!is_bounded(range)) return everything();
+    value = {std::max(value.lo, range.lo), std::min(value.hi, range.hi)};
+  }
+  return compute(node, values_);
+}
+
 bool Evaluation::run(const Box& box) {
   for (const Step& step : steps_) {
-    const Interval value = step.node.op == Op::kVariable ? box[std::size_t(step.node.a)]
-                           : operands(step.node.op) == 0 ? step.constant
-                                                         : compute(step.node, values_);
+    Interval value = step.node.op == Op::kVariable ? box[std::size_t(step.node.a)]
+                     : operands(step.node.op) == 0 ? step.constant
+                                                   : compute(step.node, values_);
+    if (!is_bounded(value)) value = with_exact_operands(step.node, box);
     if (!is_bounded(value)) return false;
     values_[std::size_t(step.id)] = value;
   }

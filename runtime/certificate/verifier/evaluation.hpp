@@ -7,8 +7,8 @@
 #include <vector>
 
 #include "regulus/certificate/verifier/ball.hpp"
-#include "regulus/certificate/verifier/expression.hpp"
 #include "regulus/certificate/verifier/interval.hpp"
+#include "regulus/certificate/verifier/question.hpp"
 
 namespace regulus::verifier {
 
@@ -30,13 +30,16 @@ class Dependence {
 /// The roots and everything they are made of, operands first.
 [[nodiscard]] std::vector<NodeId> ingredients(const Graph& graph, const std::vector<NodeId>& roots);
 
-/// Evaluates what some roots are made of. No memory is taken after construction.
+/// Evaluates what some roots are made of. Memory is taken after construction only where an
+/// operation does not seem to be defined.
 class Evaluation {
  public:
-  Evaluation(const Graph& graph, const std::vector<NodeId>& roots);
+  /// The question must outlive this object.
+  Evaluation(const Question& question, const std::vector<NodeId>& roots);
 
   /// Ensures   true only if every operation that the roots are made of is defined at every point
-  ///           of the box; value(n) then encloses node n over the box, and is bounded.
+  ///           of the box that is within the ranges; value(n) then encloses node n at these points,
+  ///           and is bounded.
   [[nodiscard]] bool run(const Box& box);
 
   /// Of a root or what it is made of; 0 for kNoNode.
@@ -50,6 +53,9 @@ class Evaluation {
     Node node;
     Interval constant;  ///< kConstant, kPi
   };
+  [[nodiscard]] Interval with_exact_operands(const Node& node, const Box& box);
+
+  const Question& q_;
   std::vector<Step> steps_;
   std::vector<Interval> values_;  ///< by node
 };

@@ -9,7 +9,6 @@ namespace {
 // What is announced in FORMAT.md, "Limits".
 constexpr std::uint64_t kProductsInFullForm = 1 << 21;
 constexpr std::uint64_t kProductsInPlainForm = 1 << 19;
-constexpr std::uint64_t kProductsOfEnds = 1 << 16;
 constexpr std::size_t kMostTermsOfForm = 2000;  ///< that are evaluated over boxes
 constexpr std::size_t kMostTermsOfExtremum = 200;
 
@@ -29,18 +28,22 @@ std::optional<std::size_t> only_variable(const Algebra& algebra, const Polynomia
 
 }  // namespace
 
-ExactDeterminant::ExactDeterminant(Question& question, const Variety& variety,
-                                   const std::vector<NodeId>& values, long max_bits)
-    : q_(question), variety_(variety), max_bits_(max_bits), bounds_(question) {
+ExactDeterminant::ExactDeterminant(Question& question, const Variety& variety, long max_bits)
+    : q_(question),
+      variety_(variety),
+      max_bits_(max_bits),
+      bounds_(question),
+      alpha_(exact_value(question.graph, question.alpha)) {
+  const std::vector<NodeId> none;
   AlgebraBudget of_plain(kProductsInPlainForm), of_full(kProductsInFullForm);
   try {
-    Algebra plain(q_.graph, values, Algebra::Form::kPlain, of_plain);
+    Algebra plain(q_.graph, none, Algebra::Form::kPlain, of_plain);
     plain_ = form_of(plain);
   } catch (const TooLarge&) {
     plain_.reset();
   }
   try {
-    Algebra full(q_.graph, values, Algebra::Form::kFull, of_full);
+    Algebra full(q_.graph, none, Algebra::Form::kFull, of_full);
     std::vector<NodeId> roots = q_.matrix;
     roots.insert(roots.end(), q_.scale.begin(), q_.scale.end());
     full.find_units(roots);
@@ -57,25 +60,11 @@ std::unique_ptr<ExactDeterminant::Form> ExactDeterminant::form_of(Algebra& algeb
     for (const NodeId scale : q_.scale) p = algebra.product(p, algebra.of(scale));
   vanishes_ = vanishes_ || algebra.vanishes(p);
   int number = -1;
-  if (const auto variable = only_variable(algebra, p, number)) {
-    find_rational_ends(algebra);
+  if (const auto variable = only_variable(algebra, p, number))
     if (polynomial_.set(p, number)) only_ = variable;
-  }
   if (vanishes_ || p.terms().size() > kMostTermsOfForm) return nullptr;
   has_few_terms_ = p.terms().size() <= kMostTermsOfExtremum;
-  return std::make_unique<Form>(q_.graph, algebra.expression(p));
-}
-
-void ExactDeterminant::find_rational_ends(Algebra& algebra) {
-  const auto rational = [&algebra](NodeId node) -> std::optional<Rational> {
-    const Polynomial& value = algebra.of(node);
-    if (!value.is_constant()) return std::nullopt;
-    return value.constant();
-  };
-  lo_.clear(), hi_.clear();
-  for (const Variable& v : q_.variables)
-    lo_.push_back(rational(v.lo)), hi_.push_back(rational(v.hi));
-  alpha_ = rational(q_.alpha);
+  return std::make_unique<Form>(q_, algebra.expression(p));
 }
 
 bool ExactDeterminant::exceeds_threshold(const Box& box) {
@@ -97,8 +86,8 @@ bool ExactDeterminant::exceeds_in_one_variable(const Box& box) const {
     if (x == outer && exact) return *exact;
     return rational_of(x);
   };
-  const Rational lo = end(box[k].lo, variety_.outer[k].lo, lo_[k]);
-  const Rational hi = end(box[k].hi, variety_.outer[k].hi, hi_[k]);
+  const Rational lo = end(box[k].lo, variety_.outer[k].lo, q_.ends[k].lo);
+  const Rational hi = end(box[k].hi, variety_.outer[k].hi, q_.ends[k].hi);
   if ((hi - lo).sign() < 0) return true;  // beyond the range, though within its enclosure
   Univariate below = polynomial_, above = polynomial_;
   below.subtract(*alpha_);
@@ -110,23 +99,6 @@ bool ExactDeterminant::exceeds_in_one_variable(const Box& box) const {
 
 bool ExactDeterminant::exceeds_at_extremum(const Box& box) {
   return Extremum(variety_, bounds_, *full_, box, max_bits_).exceeds();
-}
-
-std::vector<NodeId> single_values(Question& question) {
-  std::vector<NodeId> result(question.variables.size(), kNoNode);
-  const std::vector<NodeId> none;
-  for (std::size_t k = 0; k < result.size(); ++k) {
-    const Variable& v = question.variables[k];
-    AlgebraBudget budget(kProductsOfEnds);
-    Algebra algebra(question.graph, none, Algebra::Form::kFull, budget);
-    try {
-      const NodeId difference = question.graph.add(Op::kSubtract, v.hi, v.lo);
-      if (v.hi == v.lo || algebra.vanishes(algebra.of(difference))) result[k] = v.lo;
-    } catch (const TooLarge&) {
-      result[k] = kNoNode;
-    }
-  }
-  return result;
 }
 
 }  // namespace regulus::verifier

@@ -18,9 +18,8 @@ namespace regulus::verifier {
 class ExactDeterminant {
  public:
   /// det A; times all scales if there is a threshold. Adds to the question's graph. Requires a
-  /// square matrix. `values` as for Algebra.
-  ExactDeterminant(Question& question, const Variety& variety, const std::vector<NodeId>& values,
-                   long max_bits);
+  /// square matrix.
+  ExactDeterminant(Question& question, const Variety& variety, long max_bits);
 
   /// It is 0 wherever the matrix is defined.
   [[nodiscard]] bool vanishes() const noexcept { return vanishes_; }
@@ -38,7 +37,6 @@ class ExactDeterminant {
   [[nodiscard]] bool exceeds_at_extremum(const Box& box);
 
   [[nodiscard]] std::unique_ptr<Form> form_of(Algebra& algebra);
-  void find_rational_ends(Algebra& algebra);
 
   Question& q_;
   const Variety& variety_;
@@ -48,13 +46,9 @@ class ExactDeterminant {
   std::string obstacle_;
   ExactBounds bounds_;
   std::unique_ptr<Form> plain_, full_;
-  std::vector<std::optional<Rational>> lo_, hi_;  ///< the ends that are rational numbers
   std::optional<Rational> alpha_;
   std::optional<std::size_t> only_;  ///< the one variable of `polynomial_`
   Univariate polynomial_;
 };
-
-/// For each variable that has one value only, the expression of it; kNoNode for the others.
-[[nodiscard]] std::vector<NodeId> single_values(Question& question);
 
 }  // namespace regulus::verifier

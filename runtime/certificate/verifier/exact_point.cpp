@@ -9,9 +9,8 @@ namespace {
 constexpr std::uint64_t kProducts = 1 << 20;
 constexpr std::uint64_t kProductsOfConstraint = 1 << 16;
 
-std::vector<NodeId> coordinates(Question& q, const std::vector<NodeId>& single_values,
-                                const Box& point) {
-  std::vector<NodeId> result = single_values;
+std::vector<NodeId> coordinates(Question& q, const Box& point) {
+  std::vector<NodeId> result(point.size(), kNoNode);
   for (std::size_t k = 0; k < point.size(); ++k)
     if (is_thin(point[k])) result[k] = q.graph.number(rational_of(point[k].lo));
   return result;
@@ -19,10 +18,9 @@ std::vector<NodeId> coordinates(Question& q, const std::vector<NodeId>& single_v
 
 }  // namespace
 
-ExactPoint::ExactPoint(Question& question, const std::vector<NodeId>& single_values,
-                       const Box& point)
+ExactPoint::ExactPoint(Question& question, const Box& point)
     : q_(question),
-      values_(coordinates(question, single_values, point)),
+      values_(coordinates(question, point)),
       budget_(kProducts),
       algebra_(question.graph, values_, Algebra::Form::kFull, budget_) {}
 
@@ -53,9 +51,8 @@ bool ExactPoint::is_nonpositive(NodeId expression) {
 }
 
 /// Along the segment a polynomial in one variable t of [0, 1].
-bool is_nonpositive_between(Question& q, const std::vector<NodeId>& single_values, const Box& from,
-                            const Box& to, NodeId expression) {
-  std::vector<NodeId> values = single_values;
+bool is_nonpositive_between(Question& q, const Box& from, const Box& to, NodeId expression) {
+  std::vector<NodeId> values(from.size(), kNoNode);
   const int number = int(from.size());  // behind the variables of the question
   const NodeId t = q.graph.add(Op::kVariable, number);
   for (std::size_t k = 0; k < from.size(); ++k) {

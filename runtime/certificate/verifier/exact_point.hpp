@@ -9,8 +9,8 @@ namespace regulus::verifier {
 
 class ExactPoint {
  public:
-  /// A coordinate that is an interval stands for the one value of its range.
-  ExactPoint(Question& question, const std::vector<NodeId>& single_values, const Box& point);
+  /// A coordinate that is an interval is a variable: nothing depends on those of one value.
+  ExactPoint(Question& question, const Box& point);
 
   /// Ensures   true only if |det A·∏ scale| ≤ alpha at the point, where these are defined there.
   [[nodiscard]] bool is_singular();
@@ -25,8 +25,7 @@ class ExactPoint {
 };
 
 /// Ensures   true only if the expression is ≤ 0 all along the segment, wherever it is defined.
-[[nodiscard]] bool is_nonpositive_between(Question& question,
-                                          const std::vector<NodeId>& single_values, const Box& from,
-                                          const Box& to, NodeId expression);
+[[nodiscard]] bool is_nonpositive_between(Question& question, const Box& from, const Box& to,
+                                          NodeId expression);
 
 }  // namespace regulus::verifier

@@ -30,8 +30,11 @@ class BallExpression {
 
 /// An expression with the derivatives that have been asked for.
 struct DeterminantForm {
-  DeterminantForm(Graph& in, NodeId expression)
-      : graph(in), root(expression), natural(in, {expression}), value(in, expression) {}
+  DeterminantForm(Question& question, NodeId expression)
+      : graph(question.graph),
+        root(expression),
+        natural(question, {expression}),
+        value(question.graph, expression) {}
 
   [[nodiscard]] BallExpression& first(std::size_t k);
   [[nodiscard]] BallExpression& second(std::size_t k, std::size_t l);

@@ -93,7 +93,7 @@ bool LeafProver::is_regular_exactly(const Box& box, std::uint64_t boxes_of_leaf)
       if (q_.columns > kSmallOrder && boxes_of_leaf < kBoxesBeforeAlgebra &&
           test_.variable_to_split(box))
         return false;
-      exact_.emplace(q_, variety_, single_values(q_), options_.max_bits);
+      exact_.emplace(q_, variety_, options_.max_bits);
     }
     return exact_->exceeds_threshold(box);
   } catch (const Unfinished&) {

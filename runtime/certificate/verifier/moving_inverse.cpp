@@ -21,8 +21,8 @@ MovingInverse::MovingInverse(Question& question, std::vector<std::size_t> moving
     over.insert(over.end(), t.second.begin(), t.second.end());
     for (const Coefficient& c : t.term.coefficients) middle.push_back(c.node);
   }
-  at_middle_.emplace(q_.graph, middle);
-  over_box_.emplace(q_.graph, over);
+  at_middle_.emplace(q_, middle);
+  over_box_.emplace(q_, over);
   for (Matrix* matrix : {&X_, &P_, &e_, &first_, &Z_, &C_, &unsure_}) matrix->resize(n_ * n_);
   for (auto* matrices : {&D_, &s_, &share_}) matrices->assign(moving_.size(), Matrix(n_ * n_));
 }

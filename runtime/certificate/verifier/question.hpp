@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "regulus/certificate/format.hpp"
+#include "regulus/certificate/verifier/exact_range.hpp"
 #include "regulus/certificate/verifier/expression.hpp"
 
 namespace regulus::verifier {
@@ -59,6 +60,7 @@ struct Question {
   Graph graph;
   NodeId alpha = -1;
   std::vector<Variable> variables;  ///< in the order of their numbers
+  std::vector<RationalEnds> ends;   ///< by variable; enclose_variety finds them
   std::vector<BallOfVariables> balls;
   std::size_t rows = 0, columns = 0;
   std::vector<NodeId> matrix;          ///< row-major

@@ -66,8 +66,8 @@ RegularityTest::RegularityTest(Question& q, const Variety& variety)
       variety_(variety),
       inverse_(q, moving_variables(q)),
       rows_(q, variety, inverse_.moving()),
-      over_box_(q.graph, join({&q.matrix, &q.defined, &q.motion_defined, &q.scale})),
-      motion_(q.graph, join({&q.motion_defined, &q.constraints})),
+      over_box_(q, join({&q.matrix, &q.defined, &q.motion_defined, &q.scale})),
+      motion_(q, join({&q.motion_defined, &q.constraints})),
       of_motion_(q.columns),
       of_rows_(rows_.order()),
       r_(q.variables.size()) {}
@@ -78,7 +78,9 @@ RegularityTest::Answer RegularityTest::decide(const Box& box) {
   place_middle(box);
   if (is_outside(box)) return Answer::kOutside;
   is_defined_ = over_box_.run(box);
-  if (!is_defined_ || !is_moderate(r_) || !inverse_.run(thin_, middle_, r_)) return Answer::kOpen;
+  if (!is_defined_ || !is_moderate(r_)) return Answer::kOpen;
+  if (!inverse_.run(thin_, middle_, r_))
+    return is_regular_without_derivatives() ? Answer::kRegular : Answer::kOpen;
   stage_ = Stage::kMotion;
   if (!of_motion_.find(inverse_.P()) || !rows_.run(box, middle_, r_, inverse_, of_motion_))
     return Answer::kOpen;
@@ -89,6 +91,29 @@ RegularityTest::Answer RegularityTest::decide(const Box& box) {
 bool RegularityTest::is_regular() {
   if (of_rows_.find(rows_.T())) return !q_.has_threshold || exceeds_threshold();
   return !q_.has_threshold && rows_.has_no_null_vector(of_rows_.v());
+}
+
+/// PROOF.md, "The test", 7: at a kink or the end of a domain there may be no derivatives.
+bool RegularityTest::is_regular_without_derivatives() {
+  const std::size_t n = q_.columns;
+  std::vector<double> A;
+  for (const NodeId entry : q_.matrix) A.push_back(mid(over_box_.value(entry)));
+  if (!is_moderate(A) || !approx_left_inverse(A, q_.rows, n, K_) || !is_moderate(K_)) return false;
+  P_.assign(n * n, 0.0);
+  for (std::size_t j = 0; j < n; ++j)
+    for (std::size_t i = 0; i < n; ++i) {
+      double sum = i == j ? -1.0 : 0.0, unsure = i == j ? kRounding : 0.0;
+      for (std::size_t row = 0; row < q_.rows; ++row) {
+        const std::size_t e = row * n + j;
+        const double spread = radius_ru(over_box_.value(q_.matrix[e]), A[e]);
+        sum += K_[row * n + i] * A[e];
+        unsure += std::fabs(K_[row * n + i]) * (spread + kRounding * std::fabs(A[e]));
+      }
+      P_[j * n + i] = inflate(std::fabs(sum) + unsure);
+    }
+  if (!is_moderate(P_) || !of_motion_.find(P_)) return false;
+  return !q_.has_threshold ||
+         exceeds_threshold(of_motion_.determinant(), determinant(K_, n, kBits).enclosure());
 }
 
 bool RegularityTest::is_outside(const Box& box) {
@@ -107,12 +132,17 @@ bool RegularityTest::is_beyond(const BallOfVariables& ball, double reach, const 
   return sqrt(distance).lo > reach;
 }
 
-/// A double of each range; all of a range that no double is certainly in.
+/// A double of each range within the box; all of a part of a range that no double is certainly in.
 void RegularityTest::place_middle(const Box& box) {
   middle_ = box;
+  std::fill(r_.begin(), r_.end(), 0.0);
   for (std::size_t k = 0; k < box.size(); ++k) {
-    if (variety_.inner[k]) middle_[k] = point(mid(box[k]));
-    r_[k] = variety_.inner[k] ? radius_ru(box[k], middle_[k].lo) : 0.0;
+    const auto& inner = variety_.inner[k];
+    if (!inner) continue;
+    const Interval doubles{std::max(box[k].lo, inner->lo), std::min(box[k].hi, inner->hi)};
+    if (!(doubles.lo <= doubles.hi)) continue;
+    middle_[k] = point(mid(doubles));
+    r_[k] = radius_ru(box[k], middle_[k].lo);
   }
   thin_ = middle_;
   for (const std::size_t p : inverse_.moving()) thin_[p] = box[p];
@@ -122,9 +152,14 @@ void RegularityTest::place_middle(const Box& box) {
 bool RegularityTest::exceeds_threshold() const {
   Interval bound = of_motion_.determinant();
   if (rows_.order() > 0) bound = bound * of_rows_.determinant();
+  return bound.lo > 0.0 && exceeds_threshold(bound, determinant_of_K());
+}
+
+/// `bound`: of |det KA|.
+bool RegularityTest::exceeds_threshold(Interval bound, Interval determinant_of_K) const {
   if (!(bound.lo > 0.0)) return false;
   for (const NodeId scale : q_.scale) bound = bound * point(mig(over_box_.value(scale)));
-  bound = bound / point(mag(determinant_of_K()));
+  bound = bound / point(mag(determinant_of_K));
   return is_bounded(bound) && bound.lo > variety_.alpha.hi;
 }
 

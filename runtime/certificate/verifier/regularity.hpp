@@ -32,7 +32,9 @@ class RegularityTest {
   [[nodiscard]] bool is_beyond(const BallOfVariables& ball, double reach, const Box& box) const;
   void place_middle(const Box& box);
   [[nodiscard]] bool is_regular();
+  [[nodiscard]] bool is_regular_without_derivatives();
   [[nodiscard]] bool exceeds_threshold() const;
+  [[nodiscard]] bool exceeds_threshold(Interval bound, Interval determinant_of_K) const;
   [[nodiscard]] Interval determinant_of_K() const;
   [[nodiscard]] std::vector<double> impacts() const;
 
@@ -52,6 +54,7 @@ class RegularityTest {
   } stage_ = Stage::kNothing;  ///< that has been bounded
   Box middle_, thin_;          ///< thin_: at the middle but in the moving variables
   std::vector<double> r_;      ///< of the box about its middle
+  Matrix K_, P_;               ///< without derivatives: |K·A − I| ≤ P
 };
 
 }  // namespace regulus::verifier

@@ -29,8 +29,8 @@ TouchedRows::TouchedRows(Question& question, const Variety& variety,
     for (const auto& [other, nodes] : quantity.by_quantity)
       over.insert(over.end(), nodes.begin(), nodes.end());
   }
-  at_middle_.emplace(q_.graph, middle);
-  over_box_.emplace(q_.graph, over);
+  at_middle_.emplace(q_, middle);
+  over_box_.emplace(q_, over);
   for (Matrix* matrix : {&K_, &moved_, &unsure_, &G_}) matrix->resize(n_ * order());
   DK_.assign(moving_.size(), Matrix(n_ * order()));
   T_.resize(order() * order());

@@ -78,14 +78,15 @@ Variety enclose_variety(Question& q) {
   for (const Variable& v : q.variables) {
     const Ball lo = constant(q, v.lo, "the lower end of " + v.name);
     const Ball hi = constant(q, v.hi, "the upper end of " + v.name);
-    const auto exact_lo = exact_value(q.graph, v.lo), exact_hi = exact_value(q.graph, v.hi);
-    const bool is_exact = exact_lo && exact_hi;
-    if (arb_lt(hi.get(), lo.get()) || (is_exact && (*exact_hi - *exact_lo).sign() < 0))
+    const RationalEnds ends{exact_value(q.graph, v.lo), exact_value(q.graph, v.hi)};
+    const bool is_exact = ends.lo && ends.hi;
+    if (arb_lt(hi.get(), lo.get()) || (is_exact && (*ends.hi - *ends.lo).sign() < 0))
       throw Rejection("the range of " + v.name + " is empty");
     const Interval outer = hull(lo.enclosure(), hi.enclosure());
     variety.outer.push_back(outer);
-    variety.inner.push_back(is_exact ? exactly_between(*exact_lo, *exact_hi) : between(lo, hi));
+    variety.inner.push_back(is_exact ? exactly_between(*ends.lo, *ends.hi) : between(lo, hi));
     variety.exact.push_back(is_exact);
+    q.ends.push_back(ends);
   }
   for (const BallOfVariables& ball : q.balls)
     variety.reach.push_back(reach_ru(q, ball, variety.outer));

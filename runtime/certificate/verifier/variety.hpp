@@ -22,8 +22,8 @@ struct Variety {
   Interval alpha;
 };
 
-/// Throws Rejection when a range is empty, a spread or the threshold negative; Unfinished when one
-/// of them has no certain value.
+/// Also finds the question's `ends`. Throws Rejection when a range is empty, a spread or the
+/// threshold negative; Unfinished when one of them has no certain value.
 [[nodiscard]] Variety enclose_variety(Question& question);
 
 /// Whether every point with these coordinates is certainly within the ranges and the balls, where a

@@ -5,6 +5,7 @@
 
 #include "regulus/certificate/verifier/model_comparison.hpp"
 #include "regulus/certificate/verifier/proof.hpp"
+#include "regulus/certificate/verifier/single_values.hpp"
 
 namespace regulus::verifier {
 namespace {
@@ -18,6 +19,7 @@ void check(Lines& lines, Question& question, const Options& options, Verificatio
   question.graph.end_of_file();
   if (!options.model_text.empty()) compare_with_model(question, options, result);
   const Variety variety = enclose_variety(question);
+  put_in_single_values(question);
   if (question.singular)
     check_witness(lines, question, variety, options, result);
   else

@@ -16,12 +16,7 @@ class WitnessChecker {
  public:
   WitnessChecker(Lines& lines, Question& q, const Variety& variety, const Options& options,
                  const Verification& counts)
-      : lines_(lines),
-        q_(q),
-        variety_(variety),
-        options_(options),
-        clock_(options, counts),
-        single_values_(single_values(q)) {}
+      : lines_(lines), q_(q), variety_(variety), options_(options), clock_(options, counts) {}
 
   void check() {
     if (q_.rows != q_.columns) throw Rejection("a singularity is shown for square matrices only");
@@ -121,8 +116,8 @@ class WitnessChecker {
       obstacle_ = "the matrix is not certainly defined at the point, within the constraints";
       return false;
     }
-    if (ExactPoint(q_, single_values_, point).is_singular()) return true;
-    const ExactDeterminant determinant(q_, variety_, single_values_, options_.max_bits);
+    if (ExactPoint(q_, point).is_singular()) return true;
+    const ExactDeterminant determinant(q_, variety_, options_.max_bits);
     obstacle_ = determinant.obstacle();
     return determinant.vanishes();
   }
@@ -140,7 +135,7 @@ class WitnessChecker {
     std::optional<ExactPoint> exact;
     for (std::size_t i = 0; i < q_.constraints.size(); ++i) {
       if (arb_is_nonpositive(values.constraints[i].get()) != 0) continue;
-      if (!exact) exact.emplace(q_, single_values_, point);
+      if (!exact) exact.emplace(q_, point);
       if (!exact->is_nonpositive(q_.constraints[i])) return false;
     }
     return true;
@@ -152,10 +147,10 @@ class WitnessChecker {
     for (const auto* list : {&q_.constraints, &q_.defined, &q_.motion_defined})
       roots.insert(roots.end(), list->begin(), list->end());
     if (q_.has_threshold) roots.insert(roots.end(), q_.scale.begin(), q_.scale.end());
-    Evaluation evaluation(q_.graph, roots);
+    Evaluation evaluation(q_, roots);
     std::vector<NodeId> constraints;
     for (const NodeId h : q_.constraints)
-      if (!is_nonpositive_between(q_, single_values_, from, to, h)) constraints.push_back(h);
+      if (!is_nonpositive_between(q_, from, to, h)) constraints.push_back(h);
     std::vector<Interval> waiting{{0.0, 1.0}};
     for (std::size_t pieces = 0; !waiting.empty(); ++pieces) {
       const Interval part = waiting.back();
@@ -187,7 +182,6 @@ class WitnessChecker {
   const Variety& variety_;
   const Options& options_;
   WorkClock clock_;
-  const std::vector<NodeId> single_values_;
   std::string obstacle_;  ///< that exact algebra met
 };
 

@@ -45,9 +45,9 @@ TEST(AnEntryThatIsNotDefinedSomewhere, IsNotVerified) {
 }
 
 TEST(AConditionThatIsNotDefined, IsNotVerified) {
-  EXPECT_EQ(outcome_of(scalar_question("x") + "defined sqrt(x - 1)\n" + kOneLeaf),
+  EXPECT_EQ(outcome_of(scalar_question("x") + "defined sqrt(x - 5/4)\n" + kOneLeaf),
             Outcome::kUnfinished);
-  EXPECT_EQ(outcome_of(scalar_question("x") + "defined sqrt(x - 1/2)\n" + kOneLeaf),
+  EXPECT_EQ(outcome_of(scalar_question("x") + "defined sqrt(x - 1)\n" + kOneLeaf),
             Outcome::kVerified);
   EXPECT_NE(outcome_of(scalar_question("x") + "motion-defined 1/(x - 3/2)\n" + kOneLeaf),
             Outcome::kVerified);
@@ -69,6 +69,36 @@ TEST(PosesOutsideAConstraint, AreNotClaimed) {
   EXPECT_NE(
       outcome_of(scalar_question("x - 5/4") + "constraint 1/(5/4 - x) + 9 + 3/2 - x\n" + kOneLeaf),
       Outcome::kVerified);
+}
+
+/// Four rows: no form of the determinant is looked at before a leaf has been cut many times.
+std::string four_by_four(const std::string& alpha, const std::string& corner,
+                         const std::string& claim) {
+  std::string text = "regulus-certificate 1\nverdict NO SINGULARITY\nclaim " + claim +
+                     "\nmodel m\nsha256 -\nmotion only\nalpha " + alpha +
+                     "\nparameter x in 1/3 : 1\nparameter y in -1/9 : 1/9\npose x = x\n"
+                     "pose y = y\nmatrix 4 4\n";
+  for (int i = 0; i < 4; ++i)
+    for (int j = 0; j < 4; ++j) text += "entry " + (i == j ? corner : std::string("y")) + '\n';
+  return text + "proof\nl 0 h-matrix\nend 1\n";
+}
+
+/// Neither √ at 0 nor asin at 1 has a derivative.
+TEST(AMatrixWithoutDerivatives, IsVerifiedByItsEnclosure) {
+  const std::string full =
+      "the full 4x4 matrix of the model is defined and has full rank at every pose of the variety";
+  const std::string beyond =
+      "|det| of the full 4x4 matrix of the model exceeds alpha at every pose of the variety";
+  for (const std::string corner : {"3 + sqrt(x - 1/3)", "3 + asin(3*x - 2)", "4 - acos(x)"}) {
+    verifier::Options one;
+    one.max_boxes = 1;
+    EXPECT_EQ(verify_text(four_by_four("0", corner, full), one).outcome, Outcome::kVerified)
+        << corner;
+    EXPECT_EQ(verify_text(four_by_four("1/2", corner, beyond)).outcome, Outcome::kVerified)
+        << corner;
+    EXPECT_NE(verify_text(four_by_four("900", corner, beyond)).outcome, Outcome::kVerified)
+        << corner;
+  }
 }
 
 std::string two_by_two(const std::string& alpha, const std::string& entries,
