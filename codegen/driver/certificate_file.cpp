@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "regulus/codegen/driver/certificate_file.hpp"
 
+#include <filesystem>
 #include <nlohmann/json.hpp>
 
+#include "regulus/certificate/format.hpp"
 #include "regulus/codegen/driver/certificate_question.hpp"
 #include "regulus/codegen/model/errors.hpp"
 
@@ -48,6 +50,10 @@ void CertificateFile::finish(const Result& result) {
   } catch (const std::runtime_error& error) {
     throw FileError(error.what());
   }
+  std::error_code ignored;
+  if (written_ && std::filesystem::file_size(writer_->path(), ignored) > format::kMaxBytes)
+    note_ = "it is larger than the " + std::to_string(format::kMaxBytes) +
+            " bytes that the verifier reads";
 }
 
 std::string CertificateFile::line() const {

@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <unistd.h>
 
-#include <fstream>
 #include <iostream>
+#include <memory>
 #include <nlohmann/json.hpp>
 #include <set>
 
+#include "regulus/certificate/verifier/input_file.hpp"
 #include "regulus/certificate/verifier/verify.hpp"
 #include "regulus/codegen/driver/certified_model.hpp"
 #include "regulus/codegen/driver/commands.hpp"
@@ -68,9 +69,15 @@ Verification rejected(const CertificateHead& head, const std::string& reason) {
   return verification;
 }
 
+std::unique_ptr<verifier::InputFile> opened(const std::string& path) try {
+  return std::make_unique<verifier::InputFile>(path);
+} catch (const std::runtime_error& error) {
+  throw FileError(error.what());
+}
+
 Verified verify_file(const VerifyCommand& command) {
-  std::ifstream file(command.path, std::ios::binary);
-  if (!file) throw FileError("cannot read " + command.path);
+  const auto bytes = opened(command.path);
+  std::istream file(bytes.get());
   verifier::Options options = options_of(command);
   if (command.model.empty()) return {verify_stream(file, command.path, options), {}};
   const CertificateHead head(file);

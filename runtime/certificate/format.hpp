@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
 #include <string>
 
 namespace regulus::format {
@@ -15,6 +16,7 @@ inline constexpr const char* kSmallDeterminant = "small-determinant";
 inline constexpr const char* kAlwaysSingular = "always-singular";
 
 // Limits: a file beyond them is no certificate, so that reading one takes bounded memory and stack.
+inline constexpr std::uint64_t kMaxBytes = std::uint64_t{1} << 32;  ///< of a file
 inline constexpr std::size_t kLongestLine = 1 << 20;
 inline constexpr std::size_t kLongestName = 80;
 inline constexpr std::size_t kMostNodes = 1 << 20;

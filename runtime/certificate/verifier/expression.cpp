@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "regulus/certificate/format.hpp"
+#include "regulus/certificate/verifier/infix_reader.hpp"
 
 namespace regulus::verifier {
 namespace {
@@ -22,48 +23,16 @@ constexpr std::array<std::pair<std::string_view, Op>, 11> kFunctions = {{{"sqrt"
                                                                          {"abs", Op::kAbs},
                                                                          {"atan2", Op::kAtan2}}};
 
-// The classifications of <cctype> depend on the locale.
-bool is_digit(char c) noexcept { return '0' <= c && c <= '9'; }
-bool is_letter(char c) noexcept { return ('a' <= c && c <= 'z') || ('A' <= c && c <= 'Z'); }
-
 /// Recursive descent, at most format::kMostNesting deep.
-class Parser {
+class Parser final : InfixReader {
  public:
   Parser(std::string_view text, const Scope& scope, Graph& graph)
-      : text_(text), scope_(scope), graph_(graph) {}
+      : InfixReader(text, graph), scope_(scope) {}
 
-  NodeId whole() {
-    const NodeId result = sum();
-    if (at_ != text_.size()) fail("an operator or the end");
-    return result;
-  }
+  using InfixReader::all;
 
  private:
-  NodeId sum() {
-    NodeId left = product();
-    for (;;) {
-      if (take('+'))
-        left = graph_.add(Op::kAdd, left, product());
-      else if (take('-'))
-        left = graph_.add(Op::kSubtract, left, product());
-      else
-        return left;
-    }
-  }
-
-  NodeId product() {
-    NodeId left = factor();
-    for (;;) {
-      if (take('*'))
-        left = graph_.add(Op::kMultiply, left, factor());
-      else if (take('/'))
-        left = graph_.add(Op::kDivide, left, factor());
-      else
-        return left;
-    }
-  }
-
-  NodeId factor() {
+  NodeId factor() override {
     if (take('-')) {
       if (++depth_ > format::kMostNesting) fail("fewer levels");
       const NodeId operand = factor();
@@ -94,7 +63,7 @@ class Parser {
     if (take('(')) {
       result = sum();
       expect(')');
-    } else if (at_ < text_.size() && (is_digit(text_[at_]) || text_[at_] == '.')) {
+    } else if (is_at_number()) {
       result = number();
     } else {
       result = named();
@@ -105,15 +74,12 @@ class Parser {
 
   NodeId number() {
     const std::size_t begin = at_;
-    const auto digits = [this] {
-      while (at_ < text_.size() && is_digit(text_[at_])) ++at_;
-    };
-    digits();
-    if (at_ < text_.size() && text_[at_] == '.') ++at_, digits();
+    skip_digits();
+    if (at_ < text_.size() && text_[at_] == '.') ++at_, skip_digits();
     if (at_ < text_.size() && text_[at_] == 'e') {
       ++at_;
       if (at_ < text_.size() && (text_[at_] == '-' || text_[at_] == '+')) ++at_;
-      digits();
+      skip_digits();
     }
     const NodeId result = graph_.number(text_.substr(begin, at_ - begin));
     skip_space();
@@ -129,52 +95,24 @@ class Parser {
     if (!is_name(name)) fail("a number, a name or a parenthesis");
     at_ = end;
     skip_space();
-    if (take('(')) return call(name);
+    if (take('(')) {
+      if (!is_reserved(name) || name == "pi") fail("a function, not " + std::string(name));
+      return call(function_named(name));
+    }
     if (name == "pi") return graph_.add(Op::kPi);
     const auto found = scope_.find(name);
     if (found == scope_.end()) fail("a name that is declared, not " + std::string(name));
     return found->second;
   }
 
-  NodeId call(std::string_view name) {
-    for (const auto& [known, op] : kFunctions) {
-      if (name != known) continue;
-      const NodeId first = sum();
-      NodeId second = 0;
-      if (op == Op::kAtan2) {
-        expect(',');
-        second = sum();
-      }
-      expect(')');
-      return graph_.add(op, first, second);
-    }
-    fail("a function, not " + std::string(name));
-  }
+  bool is_space(char c) const override { return c == ' '; }
 
-  bool take(char c) {
-    if (at_ == text_.size() || text_[at_] != c) return false;
-    ++at_;
-    skip_space();
-    return true;
-  }
-
-  void expect(char c) {
-    if (!take(c)) fail(std::string(1, c));
-  }
-
-  void skip_space() {
-    while (at_ < text_.size() && text_[at_] == ' ') ++at_;
-  }
-
-  [[noreturn]] void fail(const std::string& expected) const {
+  [[noreturn]] void fail(const std::string& expected) const override {
     throw Rejection("in an expression, at character " + std::to_string(at_ + 1) + ": expected " +
                     expected);
   }
 
-  std::string_view text_;
   const Scope& scope_;
-  Graph& graph_;
-  std::size_t at_ = 0;
   int depth_ = 0;
 };
 
@@ -274,7 +212,7 @@ NodeId Graph::number(const Rational& value) {
 }
 
 NodeId parse(std::string_view text, const Scope& scope, Graph& graph) {
-  return Parser(text, scope, graph).whole();
+  return Parser(text, scope, graph).all();
 }
 
 bool is_name(std::string_view text) noexcept {

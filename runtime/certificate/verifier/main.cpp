@@ -2,12 +2,11 @@
 #include <unistd.h>
 
 #include <charconv>
-#include <fstream>
 #include <iostream>
-#include <sstream>
 #include <string>
 #include <vector>
 
+#include "regulus/certificate/verifier/input_file.hpp"
 #include "regulus/certificate/verifier/verify.hpp"
 
 namespace {
@@ -16,6 +15,7 @@ using regulus::verifier::Options;
 using regulus::verifier::Verification;
 
 constexpr int kUsageError = 64, kFileTrouble = 74;
+constexpr std::size_t kMaxModelBytes = std::size_t{1} << 22;
 
 constexpr const char* kHelp =
     "usage: regulus-verify [options] CERTIFICATE\n"
@@ -74,37 +74,31 @@ bool read_usage(const std::vector<std::string>& words, Usage& usage) {
   return usage.help || !usage.certificate.empty();
 }
 
-int fail(const std::string& why) {
-  std::cerr << "regulus-verify: " << why << '\n';
-  return kFileTrouble;
-}
-
 /// One line, rewritten, on a terminal only.
 void show_progress(const Verification& v) {
   std::cerr << "\r\033[K" << v.leaves << " leaves, " << v.boxes << " boxes" << std::flush;
 }
 
+Verification verify(std::istream& file, const Usage& usage) try {
+  return regulus::verifier::verify(file, usage.options);
+} catch (const std::runtime_error& error) {
+  throw std::runtime_error(usage.certificate + ": " + error.what());
+}
+
 int verify(Usage& usage) {
-  std::ifstream file(usage.certificate, std::ios::binary);
-  if (!file) return fail("cannot read " + usage.certificate);
+  regulus::verifier::InputFile bytes(usage.certificate);
+  std::istream file(&bytes);
   if (!usage.model.empty()) {
-    std::ifstream model(usage.model, std::ios::binary);
-    std::ostringstream text;
-    if (!model || !(text << model.rdbuf())) return fail("cannot read " + usage.model);
-    usage.options.model_text = text.str();
+    usage.options.model_text = regulus::verifier::read_text(usage.model, kMaxModelBytes);
     usage.options.model_name = usage.model;
   }
   const bool is_terminal = !usage.quiet && isatty(STDERR_FILENO) != 0;
   if (is_terminal) usage.options.progress = show_progress;
-  try {
-    const Verification v = regulus::verifier::verify(file, usage.options);
-    if (is_terminal) std::cerr << "\r\033[K";
-    if (!usage.quiet) std::cerr << regulus::verifier::describe(v);
-    std::cout << regulus::verifier::name(v.outcome) << '\n';
-    return static_cast<int>(v.outcome);
-  } catch (const std::exception& error) {
-    return fail(usage.certificate + ": " + error.what());
-  }
+  const Verification v = verify(file, usage);
+  if (is_terminal) std::cerr << "\r\033[K";
+  if (!usage.quiet) std::cerr << regulus::verifier::describe(v);
+  std::cout << regulus::verifier::name(v.outcome) << '\n';
+  return static_cast<int>(v.outcome);
 }
 
 }  // namespace
@@ -115,7 +109,14 @@ int main(int argc, char** argv) {
     std::cerr << kHelp;
     return kUsageError;
   }
-  if (!usage.help) return verify(usage);
-  std::cout << kHelp;
-  return 0;
+  if (usage.help) {
+    std::cout << kHelp;
+    return 0;
+  }
+  try {
+    return verify(usage);
+  } catch (const std::exception& error) {
+    std::cerr << "regulus-verify: " << error.what() << '\n';
+    return kFileTrouble;
+  }
 }

@@ -5,52 +5,23 @@
 
 #include "regulus/certificate/format.hpp"
 #include "regulus/certificate/verifier/algebra.hpp"
+#include "regulus/certificate/verifier/infix_reader.hpp"
 
 namespace regulus::verifier {
 namespace {
 
-bool is_digit(char c) noexcept { return '0' <= c && c <= '9'; }
-bool is_letter(char c) noexcept { return ('a' <= c && c <= 'z') || ('A' <= c && c <= 'Z'); }
-bool is_space(char c) noexcept { return c == ' ' || c == '\t' || c == '\n' || c == '\r'; }
-
-class ModelParser {
+class ModelParser final : InfixReader {
  public:
   ModelParser(std::string_view text, const NameMeaning& meaning, Graph& graph, int& depth)
-      : text_(text), meaning_(meaning), graph_(graph), depth_(depth) {}
+      : InfixReader(text, graph), meaning_(meaning), depth_(depth) {}
 
   NodeId whole() {
-    skip();
-    const NodeId result = sum();
-    if (at_ != text_.size()) fail("an operator or the end");
-    return result;
+    skip_space();
+    return all();
   }
 
  private:
-  NodeId sum() {
-    NodeId left = product();
-    for (;;) {
-      if (take('+'))
-        left = graph_.add(Op::kAdd, left, product());
-      else if (take('-'))
-        left = graph_.add(Op::kSubtract, left, product());
-      else
-        return left;
-    }
-  }
-
-  NodeId product() {
-    NodeId left = factor();
-    for (;;) {
-      if (take('*'))
-        left = graph_.add(Op::kMultiply, left, factor());
-      else if (take('/'))
-        left = graph_.add(Op::kDivide, left, factor());
-      else
-        return left;
-    }
-  }
-
-  NodeId factor() {
+  NodeId factor() override {
     if (++depth_ > format::kMostNesting) fail("fewer levels");
     NodeId result;
     if (take('-'))
@@ -90,32 +61,28 @@ class ModelParser {
       expect(')');
       return result;
     }
-    if (at_ < text_.size() && (is_digit(text_[at_]) || text_[at_] == '.')) return number();
+    if (is_at_number()) return number();
     return named();
   }
 
   NodeId number() {
-    std::string digits;
-    const auto copy_digits = [&] {
-      while (at_ < text_.size() && is_digit(text_[at_])) digits += text_[at_++];
-    };
-    copy_digits();
-    if (at_ < text_.size() && text_[at_] == '.') digits += text_[at_++];
-    copy_digits();
+    const std::size_t begin = at_;
+    skip_digits();
+    if (at_ < text_.size() && text_[at_] == '.') ++at_, skip_digits();
+    std::string digits(text_.substr(begin, at_ - begin));
     const std::size_t end = at_;
     if (at_ < text_.size() && (text_[at_] == 'e' || text_[at_] == 'E')) {
-      std::string exponent(1, 'e');
       ++at_;
-      if (at_ < text_.size() && (text_[at_] == '-' || text_[at_] == '+')) exponent += text_[at_++];
+      if (at_ < text_.size() && (text_[at_] == '-' || text_[at_] == '+')) ++at_;
       const std::size_t first = at_;
-      while (at_ < text_.size() && is_digit(text_[at_])) exponent += text_[at_++];
+      skip_digits();
       // "2e" is 2 and a name that is refused.
       if (at_ == first)
         at_ = end;
       else
-        digits += exponent;
+        digits.append("e").append(text_.substr(end + 1, at_ - end - 1));
     }
-    skip();
+    skip_space();
     return graph_.number(digits);
   }
 
@@ -127,47 +94,24 @@ class ModelParser {
     const std::string_view name = text_.substr(at_, end - at_);
     if (name.empty()) fail("a number, a name or a parenthesis");
     at_ = end;
-    skip();
+    skip_space();
     if (name == "pi") return graph_.add(Op::kPi);
     if (name == "deg") return graph_.add(Op::kDivide, graph_.add(Op::kPi), graph_.number("180"));
-    if (is_reserved(name)) return call(name);
+    if (is_reserved(name)) {
+      expect('(');
+      return call(function_named(name));
+    }
     return meaning_(name);
   }
 
-  NodeId call(std::string_view name) {
-    expect('(');
-    const NodeId first = sum();
-    NodeId second = 0;
-    const Op op = function_named(name);
-    if (op == Op::kAtan2) {
-      expect(',');
-      second = sum();
-    }
-    expect(')');
-    return graph_.add(op, first, second);
-  }
+  bool is_space(char c) const override { return c == ' ' || c == '\t' || c == '\n' || c == '\r'; }
 
-  bool take(char c) {
-    if (at_ == text_.size() || text_[at_] != c) return false;
-    ++at_;
-    skip();
-    return true;
-  }
-  void expect(char c) {
-    if (!take(c)) fail(std::string(1, c));
-  }
-  void skip() {
-    while (at_ < text_.size() && is_space(text_[at_])) ++at_;
-  }
-  [[noreturn]] void fail(const std::string& expected) const {
+  [[noreturn]] void fail(const std::string& expected) const override {
     throw Unfinished("at character " + std::to_string(at_ + 1) + " of '" +
                      std::string(text_.substr(0, 200)) + "': expected " + expected);
   }
 
-  std::string_view text_;
   const NameMeaning& meaning_;
-  Graph& graph_;
-  std::size_t at_ = 0;
   int& depth_;
 };
 

@@ -3,16 +3,15 @@
 
 #include <algorithm>
 
+#include "regulus/certificate/verifier/infix_reader.hpp"
+
 namespace regulus::verifier {
 namespace {
 
 constexpr int kMostDepth = 64;
 constexpr std::size_t kMostValues = 1 << 18;
 
-bool is_digit(char c) noexcept { return '0' <= c && c <= '9'; }
-bool is_bare(char c) noexcept {
-  return is_digit(c) || ('a' <= c && c <= 'z') || ('A' <= c && c <= 'Z') || c == '_' || c == '-';
-}
+bool is_bare(char c) noexcept { return is_digit(c) || is_letter(c) || c == '_' || c == '-'; }
 
 class TomlScanner {
  public:

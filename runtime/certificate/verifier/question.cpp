@@ -258,6 +258,7 @@ bool Lines::next() {
   text_.clear();
   ++number_;
   for (int c; (c = in_.get()) != std::istream::traits_type::eof();) {
+    if (left_-- == 0) throw Rejection("the file is too large");
     if (c == '\n') return true;
     if (c < ' ' || c == 127) throw Rejection("a control character");
     if (text_.size() == format::kLongestLine) throw Rejection("a line that is too long");

@@ -2,6 +2,7 @@
 // The first part of a certificate: what is claimed about which matrix over which set.
 #pragma once
 
+#include <cstdint>
 #include <istream>
 #include <map>
 #include <string>
@@ -16,16 +17,18 @@ namespace regulus::verifier {
 /// Reads lines of bounded length and remembers which one it is at, for whoever catches a Rejection.
 class Lines {
  public:
-  explicit Lines(std::istream& in) : in_(in) {}
+  /// `most`: bytes that are read.
+  explicit Lines(std::istream& in, std::uint64_t most = format::kMaxBytes) : in_(in), left_(most) {}
 
   /// The next line, without its end; false at the end of the file. Throws Rejection for one that is
-  /// too long, not ended, or holds bytes that are not text.
+  /// too long, not ended, beyond `most`, or holds bytes that are not text.
   [[nodiscard]] bool next();
   [[nodiscard]] const std::string& text() const noexcept { return text_; }
   [[nodiscard]] std::size_t number() const noexcept { return number_; }
 
  private:
   std::istream& in_;
+  std::uint64_t left_;
   std::string text_;
   std::size_t number_ = 0;
 };

@@ -57,7 +57,7 @@ Verification verify(std::istream& file, const Options& options) {
   const UsualEnvironment environment;
   require_usual_arithmetic();
   Verification result;
-  Lines lines(file);
+  Lines lines(file, options.max_bytes);
   Question question;
   try {
     check(lines, question, options, result);

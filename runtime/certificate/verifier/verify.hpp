@@ -26,6 +26,7 @@ struct Options {
   std::uint64_t max_boxes_per_leaf = 1 << 16;
   long max_bits = 4096;   ///< where doubles do not tell the sign of a determinant
   double time_limit = 0;  ///< in seconds; 0: none
+  std::uint64_t max_bytes = format::kMaxBytes;  ///< of the file
   /// The text and name of the model file that the question must be about; empty: any.
   std::string model_text, model_name;
   /// Of a comparison with the model file, what may differ because an option of the command line

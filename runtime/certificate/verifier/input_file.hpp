@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: Apache-2.0
+// Files that a user names, without waiting for a pipe that nobody writes.
+#pragma once
+
+#include <streambuf>
+#include <string>
+#include <vector>
+
+namespace regulus::verifier {
+
+/// The bytes of a file, of a pipe that has a writer or has been written, or of a device such as
+/// /dev/stdin; for an istream. A failure to read makes that stream bad.
+class InputFile final : public std::streambuf {
+ public:
+  /// Throws std::runtime_error for what cannot be opened, a directory, and a pipe that nobody
+  /// writes.
+  explicit InputFile(const std::string& path);
+  InputFile(const InputFile&) = delete;
+  InputFile& operator=(const InputFile&) = delete;
+  ~InputFile() override;
+
+ private:
+  [[noreturn]] void fail(const std::string& why);
+  int_type underflow() override;
+
+  const std::string path_;
+  int descriptor_;
+  std::vector<char> buffer_;
+};
+
+/// The whole of it. Throws std::runtime_error, also where it is longer than `most` bytes.
+[[nodiscard]] std::string read_text(const std::string& path, std::size_t most);
+
+}  // namespace regulus::verifier
