@@ -39,6 +39,18 @@ std::pair<long, Polynomial> with_sign(const Polynomial& p) {
   return {negative ? -1 : 1, negative ? p.scaled(Rational(-1)) : p};
 }
 
+/// What asin, acos or atan of x is of π, for the x that are as simple.
+std::optional<Rational> part_of_pi(Op op, const Polynomial& x) {
+  if (!x.is_constant()) return std::nullopt;
+  const Rational twice = x.constant() * Rational(2), size = twice * Rational(twice.sign());
+  const bool is_whole = size == Rational(2), is_half = size == Rational(1);
+  const Rational sign(twice.sign());
+  if (!x.is_zero() && !is_whole && (!is_half || op == Op::kAtan)) return std::nullopt;
+  if (op == Op::kAtan) return sign / Rational(4);
+  const Rational sine = sign / Rational(is_whole ? 2 : 6);
+  return op == Op::kAsin ? sine : Rational(1) / Rational(2) - sine;
+}
+
 }  // namespace
 
 /// √p = √c·√(p/c) for c > 0.
@@ -139,8 +151,11 @@ Polynomial Algebra::function(Op op, const Polynomial& x) {
       }
       break;
     case Op::kAsin:
+    case Op::kAcos:
     case Op::kAtan:
-      if (x.is_zero()) return x;
+      if (const auto turns = part_of_pi(op, x))
+        return Polynomial::atom(number_of({Atom::Kind::kPi, Op::kPi, 0, {}, {}}, "pi"))
+            .scaled(*turns);
       break;
     case Op::kLog:
       if (x == Polynomial(1)) return {};

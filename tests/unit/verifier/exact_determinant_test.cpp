@@ -57,6 +57,19 @@ TEST(AMarginNextToADoubleRoot, IsSeenHoweverSmall) {
   }
 }
 
+TEST(AnInverseFunctionAtASimpleValue, IsAPartOfPi) {
+  const auto at = [](const std::string& x, const std::string& entry) {
+    return of(scalar_question(entry, x + " : 1", kSingular1) +
+              "proof\nreason small-determinant\npoint 0 " + x + "\nend\n");
+  };
+  for (const char* entry : {"asin(x) - pi/6", "acos(x) - pi/3", "asin(-x) + pi/6", "acos(2*x)",
+                            "acos(-x) - 2*pi/3", "acos(-2*x) - pi", "asin(2*x) - pi/2",
+                            "atan(2*x) - pi/4", "atan(-2*x) + pi/4", "acos(x - 1/2) - pi/2"})
+    EXPECT_EQ(at("0.5", entry), Outcome::kVerified) << entry;
+  for (const char* entry : {"asin(x) - pi/3", "acos(x) - pi/6", "atan(x) - pi/6", "acos(2*x) - pi"})
+    EXPECT_NE(at("0.5", entry), Outcome::kVerified) << entry;
+}
+
 /// 10^400 and 10^700 are no doubles; their quotient is one, and so is the sum.
 TEST(AQuotientOfIntegersBeyondDoubles, KeepsItsValue) {
   const std::string huge = '1' + std::string(400, '0'), larger = '1' + std::string(700, '0');
