@@ -55,6 +55,9 @@ const char* word_of(Reason reason) noexcept {
   return reason == Reason::kAlwaysSingular ? format::kAlwaysSingular : format::kOppositeSigns;
 }
 
+/// Of an enclosure of a number other than 0: the end next to 0 may have become 0 by rounding.
+bool is_positive(const Interval& x) noexcept { return x.lo >= 0.0 && x.hi > 0.0; }
+
 std::string hexadecimal(double x) {
   char text[32];
   std::snprintf(text, sizeof text, "%a", x);
@@ -165,7 +168,7 @@ void CertificateWriter::write_witness(const Result& result) {
   put(std::string("reason ") + word_of(result.reason) + '\n');
   const bool signs = result.reason == Reason::kOppositeSigns;
   for (const WitnessPoint& point : result.witness->points)
-    write_point(point, !signs ? "0" : point.determinant.lo > 0.0 ? "+" : "-");
+    write_point(point, !signs ? "0" : is_positive(point.determinant) ? "+" : "-");
   if (signs) put("path segment\n");
   put("end\n");
 }
