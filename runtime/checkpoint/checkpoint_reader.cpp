@@ -177,7 +177,7 @@ void read_counts(Reader& reader, SearchState& state) {
   reader.next_line("descent");
   state.next_descent = reader.number();
   reader.next_line("limit");
-  state.limit = LearnedLimit(reader.real());
+  state.threshold = AdaptiveThreshold(reader.real());
 }
 
 }  // namespace

@@ -61,7 +61,7 @@ std::string write_checkpoint(const CheckpointedQuestion& question, const SearchS
   text += "\ndescent";
   put(text, state.next_descent);
   text += "\nlimit ";
-  put(text, state.limit.value());
+  put(text, state.threshold.value());
   put(text, state.candidates);
   text += "\nblocked";
   if (state.blocked) {

@@ -78,14 +78,14 @@ Checker::Checker(const regulus_kernel& kernel, std::span<const Interval> ranges,
 [[gnu::noinline]] Check Checker::search(std::span<const Interval> piece) noexcept {
   boxes_ = 0;
   certified_ = false;
-  limit_ = {};
+  threshold_ = {};
   witness_.forget();
   load_frontier(piece);
   Check check;
   while (!frontier_.empty()) {
     if (boxes_ == max_boxes_) return stopped_at(Reason::kBoxBudget, frontier_.top().box);
     load_batch();
-    batch_.effort.limit = limit_;
+    batch_.budget.threshold = threshold_;
     decider_.decide(batch_, false);
     if (!draw_conclusions(check)) return check;
   }
@@ -134,7 +134,7 @@ void Checker::load_batch() noexcept {
 
 /// Whether the search goes on; if not, `check` says why.
 bool Checker::draw_conclusions(Check& check) noexcept {
-  for (std::size_t t = 0; t < batch_.effort.trials; ++t) limit_.learn(batch_.effort.trial[t]);
+  for (std::size_t t = 0; t < batch_.budget.trials; ++t) threshold_.learn(batch_.budget.trial[t]);
   witness_.look_at_midpoints(batch_);
   if (witness_.found()) {
     const std::size_t variables = kernel().variables;

@@ -65,7 +65,7 @@ class Checker {
   Decisions batch_;
   WitnessSearch witness_;
   Frontier frontier_;
-  LearnedLimit limit_;
+  AdaptiveThreshold threshold_;
   std::vector<Interval> half_, places_;
   unsigned boxes_ = 0;
   bool certified_ = false;  ///< a test vouches for some box that the constraints do not exclude

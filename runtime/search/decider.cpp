@@ -26,19 +26,20 @@ bool cannot_be_halved(std::span<const Interval> box) noexcept {
 
 }  // namespace
 
-Sightings sight_midpoints(Batch& batch, LaneMask lanes, bool scaled) noexcept {
-  Sightings sightings;
-  sightings.lanes = lanes & batch.midpoint_defined() & batch.midpoint_inside();
-  for_each_lane(sightings.lanes, [&](std::size_t lane) {
+MidpointDeterminants approx_midpoint_determinants(Batch& batch, LaneMask lanes,
+                                                  bool scaled) noexcept {
+  MidpointDeterminants midpoint_determinants;
+  midpoint_determinants.lanes = lanes & batch.midpoint_defined() & batch.midpoint_inside();
+  for_each_lane(midpoint_determinants.lanes, [&](std::size_t lane) {
     // A matrix that elimination breaks down on has no inverse: as small as it gets.
     double approx = 0.0;
     if (has_lane(batch.preconditioned(), lane)) {
       approx = batch.approx_determinant(lane);
       if (scaled) approx *= batch.approx_row_scale(lane);
     }
-    sightings.approx[lane] = approx;
+    midpoint_determinants.approx[lane] = approx;
   });
-  return sightings;
+  return midpoint_determinants;
 }
 
 Decider::Decider(const Problem& problem, const Settings& settings, const RowStructure& structure)
@@ -46,8 +47,8 @@ Decider::Decider(const Problem& problem, const Settings& settings, const RowStru
       settings_(settings),
       keeps_uncertainty_whole_(problem.kernel->variables > problem.kernel->motion_variables &&
                                settings.uncertainty == Uncertainty::kElements),
-      sights_midpoints_(!settings.exhaustive && settings.ingredients.midpoints &&
-                        problem.kernel->rows == problem.kernel->columns),
+      looks_at_midpoints_(!settings.exhaustive && settings.ingredients.midpoints &&
+                          problem.kernel->rows == problem.kernel->columns),
       scaled_(problem.alpha.hi > 0.0),
       batch_(problem, settings, structure),
       center_(problem, settings, keeps_uncertainty_whole_ ? structure : no_structure_),
@@ -68,7 +69,7 @@ void Decider::decide(Decisions& decisions, bool keep_proofs) noexcept {
   for (std::size_t lane = 0; lane < decisions.count(); ++lane) {
     batch_.load(lane, decisions.box_of(lane));
     if (decisions.open(lane).depth % kEveryTest == kEveryTest - 1)
-      decisions.effort.anyway |= 1U << lane;
+      decisions.budget.anyway |= 1U << lane;
   }
   batch_.seal(decisions.count());
 
@@ -87,7 +88,8 @@ void Decider::decide(Decisions& decisions, bool keep_proofs) noexcept {
   }
   decisions.uncertified = undecided;
   decisions.inside = undecided != 0 ? batch_.certain_inside() : 0;
-  if (sights_midpoints_) decisions.sightings = sight_midpoints(batch_, lanes, scaled_);
+  if (looks_at_midpoints_)
+    decisions.midpoint_determinants = approx_midpoint_determinants(batch_, lanes, scaled_);
   decisions.preconditioner = batch_.preconditioner();
   decisions.vector = batch_.vector();
   if (keep_proofs) decisions.keep_proofs(batch_);
@@ -143,7 +145,7 @@ LaneMask Decider::leave_certified(LaneMask lanes) noexcept {
   const std::size_t ours = tests_.size() - settings_.filters.size();
   for (std::size_t t = 0; t < tests_.size() && lanes != 0; ++t) {
     const auto& test = tests_[t];
-    const LaneMask certified = test->certify(batch_, lanes, out_->effort) & lanes;
+    const LaneMask certified = test->certify(batch_, lanes, out_->budget) & lanes;
     const std::size_t order = vector_order(test->rule());
     for_each_lane(certified, [&](std::size_t lane) {
       leave(lane, test->rule(), order);
@@ -158,7 +160,7 @@ LaneMask Decider::leave_certified(LaneMask lanes) noexcept {
 LaneMask Decider::leave_by_closed_form(LaneMask lanes) noexcept {
   if (settings_.closed_form == nullptr || settings_.method != Method::kAuto) return lanes;
   LaneMask rest = lanes;
-  for_each_lane(lanes & (out_->effort.anyway | ~batch_.preconditioned()), [&](std::size_t lane) {
+  for_each_lane(lanes & (out_->budget.anyway | ~batch_.preconditioned()), [&](std::size_t lane) {
     if (out_->open(lane).depth < kClosedFormDepth || !has_lane(batch_.certain_posed(), lane))
       return;
     const std::optional<Interval> determinant = settings_.closed_form->enclose(out_->box_of(lane));
@@ -269,7 +271,7 @@ LaneMask Decider::hopeless_under_uncertainty(LaneMask lanes) noexcept {
   if (count == 0) return 0;
   center_.seal(count);
   LaneMask left = center_.loaded() & ~center_.certain_outside();
-  Effort every;
+  TestBudget every;
   every.anyway = left;
   for (const auto& test : tests_)
     if (left != 0) left &= ~test->certify(center_, left, every);

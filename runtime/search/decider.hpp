@@ -9,7 +9,7 @@
 #include "regulus/search/box_witness.hpp"
 #include "regulus/search/decisions.hpp"
 #include "regulus/search/row_structure.hpp"
-#include "regulus/search/tests.hpp"
+#include "regulus/search/regularity_tests.hpp"
 
 namespace regulus {
 
@@ -50,7 +50,7 @@ class Decider {
 
   const Problem& problem_;
   const Settings& settings_;
-  const bool keeps_uncertainty_whole_, sights_midpoints_, scaled_;
+  const bool keeps_uncertainty_whole_, looks_at_midpoints_, scaled_;
   const RowStructure no_structure_;
   Batch batch_;
   Batch center_;  ///< asked for regularity only if uncertain quantities are kept whole

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Up to eight boxes on their way from the frontier through the tests and back, with what is to
-// become of each. Everything in it follows from the boxes and the limit of dear tests alone: which
-// thread decided them, and when, leaves no trace.
+// become of each. Everything in it follows from the boxes and the threshold of dear tests alone:
+// which thread decided them, and when, leaves no trace.
 #pragma once
 
 #include <algorithm>
@@ -9,8 +9,8 @@
 #include <span>
 #include <vector>
 
+#include "regulus/search/adaptive_threshold.hpp"
 #include "regulus/search/batch.hpp"
-#include "regulus/search/learned_limit.hpp"
 #include "regulus/search/observer.hpp"
 
 namespace regulus {
@@ -30,13 +30,14 @@ struct Decision {
 
 /// det A, with α > 0 det J⁻¹, at the middle of each box, to nearest. Lanes without are those whose
 /// middle is outside a constraint, or where A is not defined.
-struct Sightings {
+struct MidpointDeterminants {
   LaneMask lanes = 0;
   double approx[kLanes];
 };
 
 /// Requires  Batch::approx_row_scale where `scaled`.
-[[nodiscard]] Sightings sight_midpoints(Batch& batch, LaneMask lanes, bool scaled) noexcept;
+[[nodiscard]] MidpointDeterminants approx_midpoint_determinants(Batch& batch, LaneMask lanes,
+                                                                bool scaled) noexcept;
 
 class Decisions {
  public:
@@ -52,8 +53,8 @@ class Decisions {
   void clear() noexcept {
     count_ = 0;
     decided = false;
-    effort = {};
-    sightings.lanes = 0;
+    budget = {};
+    midpoint_determinants.lanes = 0;
     probes = 0;
   }
   /// Copies a box to the next lane.
@@ -87,11 +88,11 @@ class Decisions {
   }
 
   bool decided = false;
-  Effort effort;
+  TestBudget budget;
   Decision decision[kLanes];
   LaneMask uncertified = 0;  ///< neither outside nor certified by a test
   LaneMask inside = 0;       ///< certainly inside all constraints
-  Sightings sightings;
+  MidpointDeterminants midpoint_determinants;
   std::uint64_t probes = 0;                ///< determinants computed in search of a witness
   const double* preconditioner = nullptr;  ///< as in Proof, of lane 0
   const double* vector = nullptr;

@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "regulus/interval/interval.hpp"
-#include "regulus/search/learned_limit.hpp"
+#include "regulus/search/adaptive_threshold.hpp"
 #include "regulus/search/problem.hpp"
 #include "regulus/search/result.hpp"
 
@@ -76,7 +76,7 @@ struct SearchState {
   Statistics statistics;
   std::vector<std::uint64_t> filter_boxes;  ///< how many rest on each of Settings::filters
   std::uint64_t next_descent = 1;           ///< boxes at which to look for a singularity again
-  LearnedLimit limit;
+  AdaptiveThreshold threshold;
   WitnessCandidates candidates;
   /// A box could not be decided: NO SINGULARITY is out of reach.
   bool blocked = false;

@@ -103,8 +103,8 @@ void Round::decide_in_parallel() {
       size_, [this](std::size_t thread, std::size_t index) { decide(*deciders_[thread], index); });
 }
 
-void Round::decide(const LearnedLimit& limit) noexcept {
-  for (std::size_t i = 0; i < size_; ++i) batch(i).effort.limit = limit;
+void Round::decide(const AdaptiveThreshold& threshold) noexcept {
+  for (std::size_t i = 0; i < size_; ++i) batch(i).budget.threshold = threshold;
   // Without the means for more threads one does the work.
   if (thread_count_ > 1 && size_ > 1) try {
       decide_in_parallel();

@@ -31,7 +31,7 @@ class Round {
   [[nodiscard]] Decisions& batch(std::size_t index) noexcept { return *batches_[index]; }
 
   /// Decides every batch that has boxes.
-  void decide(const LearnedLimit& limit) noexcept;
+  void decide(const AdaptiveThreshold& threshold) noexcept;
 
   [[nodiscard]] const Bisector& bisector() const noexcept { return deciders_.front()->bisector(); }
 

@@ -139,7 +139,7 @@ void Search::loop() noexcept {
     if (must_stop()) return;
     make_closed_form();
     load_round();
-    round_.decide(state_.limit);
+    round_.decide(state_.threshold);
     for (std::size_t i = 0; i < round_.size() && !stopped_; ++i) close_leaves(round_.batch(i));
     for (std::size_t i = round_.size(); i-- > 0 && !witness_.found();) split_rest(round_.batch(i));
     observer_.on_progress(state_.statistics, frontier_.size());
@@ -245,7 +245,8 @@ void Search::give_back(Decisions& batch) noexcept {
 
 void Search::close_leaves(Decisions& batch) noexcept {
   if (!batch.decided) return;
-  for (std::size_t t = 0; t < batch.effort.trials; ++t) state_.limit.learn(batch.effort.trial[t]);
+  for (std::size_t t = 0; t < batch.budget.trials; ++t)
+    state_.threshold.learn(batch.budget.trial[t]);
   probes_in_boxes_ += batch.probes;
   for (std::size_t lane = 0; lane < batch.count(); ++lane) {
     const Decision& decision = batch.decision[lane];

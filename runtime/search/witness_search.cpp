@@ -131,7 +131,7 @@ void WitnessSearch::offer(double approx, Middle middle) noexcept {
 
 void WitnessSearch::look_at_midpoints(Decisions& batch) noexcept {
   if (!square_ || found_) return;
-  const Sightings& seen = batch.sightings;
+  const MidpointDeterminants& seen = batch.midpoint_determinants;
   for_each_lane(seen.lanes, [&](std::size_t lane) {
     const std::span<const Interval> box = batch.box_of(lane);
     offer(seen.approx[lane],
@@ -144,7 +144,7 @@ void WitnessSearch::look_at_midpoints(Decisions& batch) noexcept {
 /// The same for the points that are loaded.
 void WitnessSearch::look_at_points(LaneMask lanes) noexcept {
   if (!square_ || found_) return;
-  const Sightings seen = sight_midpoints(points_, lanes, scaled_);
+  const MidpointDeterminants seen = approx_midpoint_determinants(points_, lanes, scaled_);
   for_each_lane(seen.lanes, [&](std::size_t lane) {
     offer(seen.approx[lane], [this, lane](std::size_t k) { return points_.midpoint(k, lane); });
   });

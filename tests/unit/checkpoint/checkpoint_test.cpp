@@ -45,7 +45,7 @@ SearchState state() {
   for (std::size_t i = 0; i < kRules; ++i) s.statistics.leaves[i] = i * i;
   s.filter_boxes = {3, 0};
   s.next_descent = 64;
-  s.limit = LearnedLimit(1.0625);
+  s.threshold = AdaptiveThreshold(1.0625);
   s.candidates.positive = {{0.25, -1, 0.125}, 3.5, 0x1p-1060};
   s.candidates.small_known = true;
   s.candidates.small_tries = 9;
@@ -84,7 +84,7 @@ TEST(Checkpoint, WhatIsReadIsWhatWasWritten) {
   EXPECT_EQ(read.state.statistics.leaves, expected.statistics.leaves);
   EXPECT_EQ(read.state.filter_boxes, expected.filter_boxes);
   EXPECT_EQ(read.state.next_descent, expected.next_descent);
-  EXPECT_EQ(read.state.limit.value(), expected.limit.value());
+  EXPECT_EQ(read.state.threshold.value(), expected.threshold.value());
   EXPECT_FALSE(read.state.blocked);
   ASSERT_TRUE(read.certificate);
   EXPECT_EQ(read.certificate->length, 4242U);

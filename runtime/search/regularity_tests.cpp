@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "regulus/search/tests.hpp"
+#include "regulus/search/regularity_tests.hpp"
 
 #include "regulus/regularity/h_matrix.hpp"
 #include "regulus/regularity/minors.hpp"
@@ -28,7 +28,7 @@ class HMatrixTest final : public RegularityTest {
  public:
   HMatrixTest(Rule rule, double alpha) noexcept : RegularityTest(rule), alpha_(alpha) {}
 
-  LaneMask certify(Batch& batch, LaneMask lanes, Effort& /*effort*/) noexcept override {
+  LaneMask certify(Batch& batch, LaneMask lanes, TestBudget& /*budget*/) noexcept override {
     const bool moving = rule() == Rule::kSecondOrder;
     const std::size_t n = moving ? batch.order() : batch.kernel().columns;
     const double* P = bounds(batch);
@@ -67,13 +67,13 @@ class OrthantTest final : public RegularityTest {
  public:
   OrthantTest() noexcept : RegularityTest(Rule::kOrthants) {}
 
-  LaneMask certify(Batch& batch, LaneMask lanes, Effort& effort) noexcept override {
+  LaneMask certify(Batch& batch, LaneMask lanes, TestBudget& budget) noexcept override {
     LaneMask certain = 0;
     for_each_lane(lanes, [&](std::size_t lane) {
       const double radius = batch.approx_spectral_radius(lane);
-      if (!has_lane(effort.anyway, lane) && !effort.limit.worth_trying(radius)) return;
+      if (!has_lane(budget.anyway, lane) && !budget.threshold.worth_trying(radius)) return;
       const LaneMask empty = batch.certain_by_orthants(1U << lane);
-      effort.note({radius, empty != 0});
+      budget.note({radius, empty != 0});
       certain |= empty;
     });
     return above_threshold(batch, certain, [](std::size_t) { return 1.0; });
@@ -86,7 +86,7 @@ class DeterminantTest final : public RegularityTest {
   DeterminantTest(Rule rule, ProductForm form, double alpha) noexcept
       : RegularityTest(rule), form_(form), alpha_(alpha) {}
 
-  LaneMask certify(Batch& batch, LaneMask lanes, Effort& /*effort*/) noexcept override {
+  LaneMask certify(Batch& batch, LaneMask lanes, TestBudget& /*budget*/) noexcept override {
     const double* product = batch.product(form_, lanes);
     const Determinants determinants = enclose(product, batch.kernel().columns, lanes);
     return above_threshold(batch, lanes, [&](std::size_t lane) {
@@ -128,10 +128,10 @@ class FallbackTest final : public RegularityTest {
  public:
   FallbackTest(Rule rule, double alpha) noexcept : RegularityTest(rule), test_(rule, {}, alpha) {}
 
-  LaneMask certify(Batch& batch, LaneMask lanes, Effort& effort) noexcept override {
+  LaneMask certify(Batch& batch, LaneMask lanes, TestBudget& budget) noexcept override {
     LaneMask poor = lanes & ~batch.preconditioned();
-    if ((lanes & effort.anyway) != 0) poor |= lanes & effort.anyway & batch.poorly_preconditioned();
-    return poor == 0 ? 0 : test_.certify(batch, poor, effort);
+    if ((lanes & budget.anyway) != 0) poor |= lanes & budget.anyway & batch.poorly_preconditioned();
+    return poor == 0 ? 0 : test_.certify(batch, poor, budget);
   }
 
  private:
@@ -143,7 +143,7 @@ class ClosedFormTest final : public RegularityTest {
  public:
   ClosedFormTest() noexcept : RegularityTest(Rule::kClosedForm) {}
 
-  LaneMask certify(Batch& batch, LaneMask lanes, Effort& /*effort*/) noexcept override {
+  LaneMask certify(Batch& batch, LaneMask lanes, TestBudget& /*budget*/) noexcept override {
     const LaneMask natural = certify(batch, lanes, batch.natural_determinant());
     const LaneMask rest = lanes & ~natural;
     if (rest == 0 || batch.kernel().determinant_derivatives == nullptr) return natural;
@@ -164,7 +164,7 @@ class RohnTest final : public RegularityTest {
  public:
   explicit RohnTest(ProductForm form) noexcept : RegularityTest(Rule::kRohn), form_(form) {}
 
-  LaneMask certify(Batch& batch, LaneMask lanes, Effort& /*effort*/) noexcept override {
+  LaneMask certify(Batch& batch, LaneMask lanes, TestBudget& /*budget*/) noexcept override {
     const double* product = batch.product(form_, lanes);
     lanes = certain_rohn(product, batch.kernel().columns, lanes);
     return above_threshold(batch, lanes, [](std::size_t) { return 1.0; });
@@ -180,7 +180,7 @@ class FilterTest final : public RegularityTest {
   FilterTest(const regulus_filter_interface& filter, double alpha) noexcept
       : RegularityTest(Rule::kFilter), filter_(filter), alpha_(alpha) {}
 
-  LaneMask certify(Batch& batch, LaneMask lanes, Effort& /*effort*/) noexcept override {
+  LaneMask certify(Batch& batch, LaneMask lanes, TestBudget& /*budget*/) noexcept override {
     lanes &= batch.certain_posed();
     const double* product = batch.product({Side::kLeft, false}, lanes);
     const double* matrix = batch.product({}, lanes);

@@ -5,8 +5,8 @@
 #include <memory>
 #include <vector>
 
+#include "regulus/search/adaptive_threshold.hpp"
 #include "regulus/search/batch.hpp"
-#include "regulus/search/learned_limit.hpp"
 #include "regulus/search/result.hpp"
 
 namespace regulus {
@@ -23,8 +23,9 @@ class RegularityTest {
   /// Ensures   in each returned lane, a subset of `lanes`: at every point of the box J⁻¹ is defined
   ///           and has full column rank, and |det J⁻¹| > α if α > 0.
   ///
-  /// A test that costs much more than others is tried where `effort` says, once in a lane.
-  [[nodiscard]] virtual LaneMask certify(Batch& batch, LaneMask lanes, Effort& effort) noexcept = 0;
+  /// A test that costs much more than others is tried where `budget` says, once in a lane.
+  [[nodiscard]] virtual LaneMask certify(Batch& batch, LaneMask lanes,
+                                         TestBudget& budget) noexcept = 0;
 
  private:
   Rule rule_;
