@@ -15,3 +15,23 @@ if(CMAKE_SYSTEM_PROCESSOR MATCHES "x86_64|amd64|AMD64")
 else()
   set(REGULUS_ISA_BUILT portable)
 endif()
+
+# Compiles each file named …_ISA.cpp in a list for that instruction set, and takes out of the list
+# those that the processor family does not have. WITHOUT: flags that are left out. How the code
+# rounds is said by FloatingPoint.cmake alone.
+function(regulus_compile_for_isas regulus_list)
+  cmake_parse_arguments(PARSE_ARGV 1 regulus "" "" "WITHOUT")
+  set(regulus_kept ${${regulus_list}})
+  foreach(isa IN LISTS REGULUS_ISA_NAMES)
+    set(files ${regulus_kept})
+    list(FILTER files INCLUDE REGEX "_${isa}\\.cpp$")
+    if(NOT isa IN_LIST REGULUS_ISA_BUILT)
+      list(REMOVE_ITEM regulus_kept ${files})
+      continue()
+    endif()
+    set(flags ${REGULUS_ISA_FLAGS_${isa}})
+    list(REMOVE_ITEM flags ${regulus_WITHOUT})
+    set_source_files_properties(${files} PROPERTIES COMPILE_OPTIONS "${flags}")
+  endforeach()
+  set(${regulus_list} ${regulus_kept} PARENT_SCOPE)
+endfunction()

@@ -1,54 +1,26 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "regulus/interval/x8.hpp"
 
-#include <initializer_list>
-
 #include "regulus/interval/floating_point_scope.hpp"
 #include "regulus/interval/x8_backend.hpp"
 
 namespace regulus {
 
+const X8Backend& x8_backend(Isa isa) noexcept {
 #if defined(__x86_64__)
-
-bool x8_available(X8Isa isa) noexcept {
-  switch (isa) {
-    case X8Isa::kBaseline:
-      return true;
-    case X8Isa::kAvx2:
-      return __builtin_cpu_supports("avx2") != 0 && __builtin_cpu_supports("fma") != 0;
-    case X8Isa::kAvx512:
-      return __builtin_cpu_supports("avx512f") != 0 && __builtin_cpu_supports("avx512dq") != 0;
-  }
-  return false;
-}
-
-const X8Backend& x8_backend(X8Isa isa) noexcept {
-  if (isa == X8Isa::kAvx512) return kX8Avx512;
-  if (isa == X8Isa::kAvx2) return kX8Avx2;
-  return kX8Baseline;
-}
-
-#else
-
-bool x8_available(X8Isa isa) noexcept { return isa == X8Isa::kBaseline; }
-
-const X8Backend& x8_backend(X8Isa) noexcept { return kX8Baseline; }
-
+  if (isa == Isa::kAvx512) return kX8Avx512;
+  if (isa == Isa::kAvx2) return kX8Avx2;
 #endif
+  static_cast<void>(isa);
+  return kX8Portable;
+}
 
 namespace {
-
-/// The processor is asked each time, a few loads and tests: no state to initialise or to share.
-const X8Backend& widest_backend() noexcept {
-  for (const X8Isa isa : {X8Isa::kAvx512, X8Isa::kAvx2})
-    if (x8_available(isa)) return x8_backend(isa);
-  return kX8Baseline;
-}
 
 /// The evaluators are in other files and reached through a pointer, as the scope demands.
 unsigned call(X8Backend::Function X8Backend::*function, const double* in, double* out) noexcept {
   const FloatingPointScope nearest(FloatingPointRounding::kNearest);
-  return (widest_backend().*function)(in, out);
+  return (x8_backend(best_isa()).*function)(in, out);
 }
 
 }  // namespace

@@ -2,7 +2,7 @@
 // The eight-lane functions compiled once per instruction set. What x8.hpp calls; tests call each.
 #pragma once
 
-#include <array>
+#include "regulus/interval/isa.hpp"
 
 namespace regulus {
 
@@ -12,16 +12,10 @@ struct X8Backend {
   Function sin, cos, sincos, tan, asin, acos, atan, atan2, exp, log;
 };
 
-enum class X8Isa { kBaseline, kAvx2, kAvx512 };
-inline constexpr std::array kX8Isas{X8Isa::kBaseline, X8Isa::kAvx2, X8Isa::kAvx512};
+/// Requires  supported(isa) before a function of it is called.
+[[nodiscard]] const X8Backend& x8_backend(Isa isa) noexcept;
 
-/// Whether this processor, with this operating system, can run it.
-[[nodiscard]] bool x8_available(X8Isa isa) noexcept;
-
-/// Requires  x8_available(isa) before a function of it is called.
-[[nodiscard]] const X8Backend& x8_backend(X8Isa isa) noexcept;
-
-extern const X8Backend kX8Baseline;
+extern const X8Backend kX8Portable;
 #if defined(__x86_64__)
 extern const X8Backend kX8Avx2;
 extern const X8Backend kX8Avx512;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Builds an X8Backend from the evaluators, with the vectors of the instruction set that the
-// including file is compiled for. Included by x8_baseline.cpp, x8_avx2.cpp and x8_avx512.cpp only.
+// including file is compiled for. Included by x8_portable.cpp, x8_avx2.cpp and x8_avx512.cpp only.
 //
 // Only always-inlined or ISA-namespaced functions may be used here; see elementary/lanes.hpp.
 #pragma once
@@ -9,24 +9,23 @@
 #include "regulus/interval/elementary/arctangent.hpp"
 #include "regulus/interval/elementary/exponential.hpp"
 #include "regulus/interval/elementary/trigonometric.hpp"
+#include "regulus/interval/lanes.hpp"
 #include "regulus/interval/x8_backend.hpp"
 
 namespace regulus::elementary {
 inline namespace REGULUS_LANES_ISA {
-
-inline constexpr int kX8Lanes = 8;
 
 /// Doubles in memory, seen as a vector.
 typedef Vector VectorInMemory __attribute__((may_alias));
 
 inline Bounds<Vector> load(const double* block) noexcept {
   return {*reinterpret_cast<const VectorInMemory*>(block),
-          *reinterpret_cast<const VectorInMemory*>(block + kX8Lanes)};
+          *reinterpret_cast<const VectorInMemory*>(block + kLanes)};
 }
 
 inline void store(double* block, const Bounds<Vector>& value) noexcept {
   *reinterpret_cast<VectorInMemory*>(block) = value.lo;
-  *reinterpret_cast<VectorInMemory*>(block + kX8Lanes) = value.hi;
+  *reinterpret_cast<VectorInMemory*>(block + kLanes) = value.hi;
 }
 
 inline VectorMask malformed(const Bounds<Vector>& x) noexcept { return ~(x.lo <= x.hi); }
@@ -52,13 +51,13 @@ inline unsigned store_total(double* block, const Bounds<Vector>& value, VectorMa
 template <class Function>
 inline unsigned for_each_vector(Function function) noexcept {
   unsigned undefined = 0;
-  for (int lane = 0; lane < kX8Lanes; lane += kVectorLanes) undefined |= function(lane) << lane;
+  for (unsigned lane = 0; lane < kLanes; lane += kVectorLanes) undefined |= function(lane) << lane;
   return undefined;
 }
 
 template <Partial<Vector> (*kFunction)(Bounds<Vector>) noexcept>
 unsigned apply(const double* in, double* out) noexcept {
-  return for_each_vector([=](int lane) {
+  return for_each_vector([=](unsigned lane) {
     const Bounds<Vector> x = load(in + lane);
     Partial<Vector> result = kFunction(x);
     result.undefined |= malformed(x);
@@ -68,7 +67,7 @@ unsigned apply(const double* in, double* out) noexcept {
 
 template <Bounds<Vector> (*kFunction)(Bounds<Vector>) noexcept>
 unsigned apply_total(const double* in, double* out) noexcept {
-  return for_each_vector([=](int lane) {
+  return for_each_vector([=](unsigned lane) {
     const Bounds<Vector> x = load(in + lane);
     return store_total(out + lane, kFunction(x), malformed(x));
   });
@@ -81,18 +80,18 @@ inline Partial<Vector> exp_partial(Bounds<Vector> x) noexcept {
 }
 
 inline unsigned apply_sincos(const double* in, double* out) noexcept {
-  return for_each_vector([=](int lane) {
+  return for_each_vector([=](unsigned lane) {
     const Bounds<Vector> x = load(in + lane);
     const SinCosBounds<Vector> both = sin_cos_bounds(x);
-    store_total(out + 2 * kX8Lanes + lane, both.cos, malformed(x));
+    store_total(out + 2 * kLanes + lane, both.cos, malformed(x));
     return store_total(out + lane, both.sin, malformed(x));
   });
 }
 
 inline unsigned apply_atan2(const double* in, double* out) noexcept {
-  return for_each_vector([=](int lane) {
+  return for_each_vector([=](unsigned lane) {
     const Bounds<Vector> y = load(in + lane);
-    const Bounds<Vector> x = load(in + 2 * kX8Lanes + lane);
+    const Bounds<Vector> x = load(in + 2 * kLanes + lane);
     Partial<Vector> result = atan2_bounds(y, x);
     result.undefined |= malformed(y) | malformed(x);
     return store_defined(out + lane, result);

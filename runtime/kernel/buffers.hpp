@@ -5,13 +5,13 @@
 #include <cstddef>
 #include <vector>
 
+#include "regulus/interval/lanes.hpp"
 #include "regulus/interval/type.hpp"
-#include "regulus/kernel/abi.hpp"
 
 namespace regulus {
 
 struct alignas(64) LaneRow {
-  double lane[REGULUS_LANES] = {};
+  double lane[kLanes] = {};
 };
 
 /// Eight intervals for each of a number of variables or outputs; [0, 0] at first.
@@ -24,7 +24,7 @@ class IntervalRows {
     rows_[2 * index + 1].lane[lane] = x.hi;
   }
   void set_all_lanes(std::size_t index, Interval x) noexcept {
-    for (std::size_t lane = 0; lane < REGULUS_LANES; ++lane) set(index, lane, x);
+    for (std::size_t lane = 0; lane < kLanes; ++lane) set(index, lane, x);
   }
   [[nodiscard]] Interval get(std::size_t index, std::size_t lane) const noexcept {
     return {rows_[2 * index].lane[lane], rows_[2 * index + 1].lane[lane]};

@@ -14,19 +14,19 @@ namespace {
 // Pairs of lanes: what every 64-bit processor compares in one instruction.
 using Pair = double __attribute__((vector_size(16), may_alias));
 using PairMask = long long __attribute__((vector_size(16)));
-constexpr std::size_t kPairs = REGULUS_LANES / 2;
+constexpr std::size_t kPairs = kLanes / 2;
 
 const Pair* row(const double* rows, std::size_t index) {
-  return reinterpret_cast<const Pair*>(rows + REGULUS_LANES * index);
+  return reinterpret_cast<const Pair*>(rows + kLanes * index);
 }
 
 /// The lanes in which some `good` mask had a 0.
 class LaneCheck {
  public:
   void require(std::size_t pair, PairMask good) noexcept { good_[pair] &= good; }
-  [[nodiscard]] unsigned failed() const noexcept {
-    unsigned lanes = 0;
-    for (std::size_t lane = 0; lane < REGULUS_LANES; ++lane)
+  [[nodiscard]] LaneMask failed() const noexcept {
+    LaneMask lanes = 0;
+    for (std::size_t lane = 0; lane < kLanes; ++lane)
       if (good_[lane / 2][lane % 2] == 0) lanes |= 1u << lane;
     return lanes;
   }
@@ -73,7 +73,7 @@ void require_grid(LaneCheck& check, const double* entries, unsigned length, std:
 }  // namespace
 
 // Every comparison is false for a NaN, so a NaN is outside.
-unsigned lanes_outside_contract(const double* boxes, unsigned variables) noexcept {
+LaneMask lanes_outside_contract(const double* boxes, unsigned variables) noexcept {
   constexpr Pair limit = {kMaxBoxMagnitude, kMaxBoxMagnitude};
   LaneCheck check;
   for (std::size_t v = 0; v < variables; ++v) {
@@ -85,7 +85,7 @@ unsigned lanes_outside_contract(const double* boxes, unsigned variables) noexcep
   return check.failed();
 }
 
-unsigned point_lanes_outside_contract(const double* points, unsigned rows,
+LaneMask point_lanes_outside_contract(const double* points, unsigned rows,
                                       unsigned length) noexcept {
   constexpr Pair limit = {kMaxPointMagnitude, kMaxPointMagnitude};
   LaneCheck check;
@@ -96,7 +96,7 @@ unsigned point_lanes_outside_contract(const double* points, unsigned rows,
   }
   for (std::size_t i = 0; i < rows; ++i)
     for (std::size_t pair = 0; pair < kPairs; ++pair)
-      require_grid(check, points + REGULUS_LANES * length * i, length, pair);
+      require_grid(check, points + kLanes * length * i, length, pair);
   return check.failed();
 }
 
@@ -115,20 +115,20 @@ Kernel::Kernel(const regulus_kernel& kernel) : kernel_(&kernel) {
   if (kernel.matrix == nullptr) refuse("it has no function for the matrix");
 }
 
-unsigned Kernel::call(regulus_function function, const double* boxes, const double* points,
+LaneMask Kernel::call(regulus_function function, const double* boxes, const double* points,
                       double* out) const noexcept {
   if (function == nullptr) return kAllLanes;
-  unsigned outside = lanes_outside_contract(boxes, kernel_->variables);
+  LaneMask outside = lanes_outside_contract(boxes, kernel_->variables);
   if (points != nullptr)
     outside |= point_lanes_outside_contract(points, kernel_->columns, kernel_->rows);
-  const unsigned undefined = call_within_contract(function, boxes, points, out);
+  const LaneMask undefined = call_within_contract(function, boxes, points, out);
   if (outside != 0) forget(function, outside, out);
   return outside | undefined;
 }
 
-unsigned Kernel::call_within_contract(regulus_function function, const double* boxes,
+LaneMask Kernel::call_within_contract(regulus_function function, const double* boxes,
                                       const double* points, double* out) const noexcept {
-  unsigned undefined;
+  LaneMask undefined;
   {
     const RoundingScope scope(kernel_->rounding);
     undefined = function(boxes, points, out, kernel_->context);
@@ -164,13 +164,13 @@ std::size_t Kernel::count_outputs(regulus_function function) const noexcept {
   return least == SIZE_MAX ? 0 : least;
 }
 
-void Kernel::forget(regulus_function function, unsigned lanes, double* out) const noexcept {
+void Kernel::forget(regulus_function function, LaneMask lanes, double* out) const noexcept {
   const std::size_t outputs = count_outputs(function);
   for (std::size_t e = 0; e < outputs; ++e)
-    for (std::size_t lane = 0; lane < REGULUS_LANES; ++lane) {
-      if ((lanes >> lane & 1u) == 0) continue;
-      out[2 * e * REGULUS_LANES + lane] = kUndefinedLower;
-      out[(2 * e + 1) * REGULUS_LANES + lane] = kUndefinedUpper;
+    for (std::size_t lane = 0; lane < kLanes; ++lane) {
+      if (!has_lane(lanes, lane)) continue;
+      out[2 * e * kLanes + lane] = kUndefinedLower;
+      out[(2 * e + 1) * kLanes + lane] = kUndefinedUpper;
     }
 }
 

@@ -4,12 +4,12 @@
 
 #include <cstddef>
 
+#include "regulus/interval/lanes.hpp"
 #include "regulus/kernel/abi.hpp"
 
 namespace regulus {
 
-/// One bit per lane.
-inline constexpr unsigned kAllLanes = (1u << REGULUS_LANES) - 1;
+static_assert(kLanes == REGULUS_LANES);
 
 /// The magnitudes a kernel may be given.
 inline constexpr double kMaxBoxMagnitude = 0x1p64;
@@ -23,12 +23,12 @@ inline constexpr double kUndefinedUpper = __builtin_inf();
 /// Lanes in which an interval has a NaN, bounds in the wrong order, or |bound| > 2^64.
 ///
 /// Shape     boxes as in regulus_function, `variables` of them.
-[[nodiscard]] unsigned lanes_outside_contract(const double* boxes, unsigned variables) noexcept;
+[[nodiscard]] LaneMask lanes_outside_contract(const double* boxes, unsigned variables) noexcept;
 
 /// Lanes in which an entry of K is a NaN, or > 2^128 in magnitude, or a row is on no grid.
 ///
 /// Shape     points as in regulus_function: `rows` rows of K with `length` entries each.
-[[nodiscard]] unsigned point_lanes_outside_contract(const double* points, unsigned rows,
+[[nodiscard]] LaneMask point_lanes_outside_contract(const double* points, unsigned rows,
                                                     unsigned length) noexcept;
 
 /// A kernel that has been looked at once and may then be called safely. It does not own the
@@ -48,19 +48,19 @@ class Kernel {
   ///           inputs are outside the contract; all of them when `function` is null. In the other
   ///           lanes the outputs are enclosures; in these they are [−∞, ∞] if the function is one
   ///           of the kernel's. The caller's floating-point environment is kept.
-  [[nodiscard]] unsigned call(regulus_function function, const double* boxes, const double* points,
+  [[nodiscard]] LaneMask call(regulus_function function, const double* boxes, const double* points,
                               double* out) const noexcept;
 
   /// The same for inputs that are known to be within the contract.
   ///
   /// Requires  `function` is not null; lanes_outside_contract(boxes) is 0, and that of the points.
-  [[nodiscard]] unsigned call_within_contract(regulus_function function, const double* boxes,
+  [[nodiscard]] LaneMask call_within_contract(regulus_function function, const double* boxes,
                                               const double* points, double* out) const noexcept;
 
   /// Sets the outputs of some lanes to [−∞, ∞]. The functions of the kernel are known by their
   /// addresses; of one that serves for several purposes as many outputs are set as all of them
   /// have.
-  void forget(regulus_function function, unsigned lanes, double* out) const noexcept;
+  void forget(regulus_function function, LaneMask lanes, double* out) const noexcept;
 
  private:
   [[nodiscard]] std::size_t count_outputs(regulus_function function) const noexcept;

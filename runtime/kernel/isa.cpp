@@ -24,21 +24,6 @@ std::optional<Isa> parse_isa(std::string_view word) noexcept {
   return std::nullopt;
 }
 
-bool supported(Isa isa) noexcept {
-#if defined(__x86_64__)
-  if (isa == Isa::kAvx512)
-    return __builtin_cpu_supports("avx512f") && __builtin_cpu_supports("avx512dq");
-  if (isa == Isa::kAvx2) return __builtin_cpu_supports("avx2") && __builtin_cpu_supports("fma");
-#endif
-  return isa == Isa::kPortable;
-}
-
-Isa best_isa() noexcept {
-  for (const Isa isa : kAllIsas)
-    if (supported(isa)) return isa;
-  return Isa::kPortable;
-}
-
 std::span<const char* const> compile_flags(Isa isa) noexcept {
   switch (isa) {
     case Isa::kAvx512:

@@ -35,17 +35,18 @@ REGULUS_INLINE void store_row(double* rows, int start, V values) {
   *reinterpret_cast<simd::V4InMemory*>(rows + start) = values;
 }
 REGULUS_INLINE I load(const double* boxes, int v) {
-  const int lo = 16 * v, hi = lo + 8;
+  const int lo = 2 * simd::kLanes * v, hi = lo + simd::kLanes;
   return {{-row(boxes, lo), row(boxes, hi)}, {-row(boxes, lo + 4), row(boxes, hi + 4)}};
 }
 REGULUS_INLINE P point(const double* points, int p) {
-  return P(row(points, 8 * p), row(points, 8 * p + 4));
+  return P(row(points, simd::kLanes * p), row(points, simd::kLanes * p + 4));
 }
 REGULUS_INLINE void store(double* out, int e, I x) {
-  store_row(out, 16 * e, -x.a.nlo);
-  store_row(out, 16 * e + 4, -x.b.nlo);
-  store_row(out, 16 * e + 8, x.a.hi);
-  store_row(out, 16 * e + 12, x.b.hi);
+  const int lo = 2 * simd::kLanes * e, hi = lo + simd::kLanes;
+  store_row(out, lo, -x.a.nlo);
+  store_row(out, lo + 4, -x.b.nlo);
+  store_row(out, hi, x.a.hi);
+  store_row(out, hi + 4, x.b.hi);
 }
 REGULUS_INLINE I constant(double lo, double hi) {
   const Half half = {splat(-lo), splat(hi)};

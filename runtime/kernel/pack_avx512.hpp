@@ -21,10 +21,10 @@ inline constexpr unsigned kRounding = 0;  // REGULUS_ROUND_NEAREST
 REGULUS_INLINE V select(M m, V x, V y) { return m ? x : y; }
 
 REGULUS_INLINE V row(const double* rows, int index) {
-  return *reinterpret_cast<const simd::V8InMemory*>(rows + 8 * index);
+  return *reinterpret_cast<const simd::V8InMemory*>(rows + simd::kLanes * index);
 }
 REGULUS_INLINE void store_row(double* rows, int index, V x) {
-  *reinterpret_cast<simd::V8InMemory*>(rows + 8 * index) = x;
+  *reinterpret_cast<simd::V8InMemory*>(rows + simd::kLanes * index) = x;
 }
 
 // Of doubles whose result is a double, so that any rounding gives it.

@@ -25,7 +25,7 @@ inline namespace REGULUS_PACK_ISA {
 using LibraryFunction = unsigned (*)(const double* in, double* out);
 
 REGULUS_INLINE I call_library(LibraryFunction f, I x, unsigned& undefined) {
-  alignas(64) double in[16], out[16];
+  alignas(64) double in[2 * simd::kLanes], out[2 * simd::kLanes];
   store(in, 0, x);
   undefined |= f(in, out);
   return load(out, 0);
@@ -56,7 +56,7 @@ REGULUS_INLINE I log(I x, unsigned& undefined) {
 }
 
 REGULUS_INLINE I atan2(I y, I x, unsigned& undefined) {
-  alignas(64) double in[32], out[16];
+  alignas(64) double in[4 * simd::kLanes], out[2 * simd::kLanes];
   store(in, 0, y);
   store(in, 1, x);
   undefined |= regulus_x8_atan2(in, out);
@@ -65,7 +65,7 @@ REGULUS_INLINE I atan2(I y, I x, unsigned& undefined) {
 
 /// Both at the cost of little more than one.
 REGULUS_INLINE void sincos(I x, I& sine, I& cosine) {
-  alignas(64) double in[16], out[32];
+  alignas(64) double in[2 * simd::kLanes], out[4 * simd::kLanes];
   store(in, 0, x);
   regulus_x8_sincos(in, out);
   sine = load(out, 0);

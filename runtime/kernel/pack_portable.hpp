@@ -82,11 +82,11 @@ REGULUS_INLINE void store_row_part(double* rows, int start, simd::V2 two) {
   *reinterpret_cast<simd::V2InMemory*>(rows + start) = two;
 }
 REGULUS_INLINE V row(const double* rows, int index) {
-  const int i = 8 * index;
+  const int i = simd::kLanes * index;
   return {row_part(rows, i), row_part(rows, i + 2), row_part(rows, i + 4), row_part(rows, i + 6)};
 }
 REGULUS_INLINE void store_row(double* rows, int index, V x) {
-  const int i = 8 * index;
+  const int i = simd::kLanes * index;
   store_row_part(rows, i, x.a);
   store_row_part(rows, i + 2, x.b);
   store_row_part(rows, i + 4, x.c);

@@ -138,7 +138,7 @@ std::optional<std::string> check_self_test_as_is(regulus_function function) {
     return "lanes " + std::to_string(undefined) + " (a bit each) are reported undefined, none is";
   const RoundingScope without_flush_to_zero(REGULUS_ROUND_NEAREST);
   for (std::size_t e = 0; e < kOutputs; ++e)
-    for (std::size_t lane = 0; lane < REGULUS_LANES; ++lane)
+    for (std::size_t lane = 0; lane < kLanes; ++lane)
       if (!proves(out.get(e, lane), kExpected[e]))
         return report(kExpected[e], out.get(e, lane), lane);
   return std::nullopt;

@@ -6,6 +6,8 @@
 // has an operator in the language is written with it: a + b under -frounding-math.
 #pragma once
 
+#include "regulus/kernel/abi.hpp"
+
 #if defined(__FAST_MATH__) || (defined(__FINITE_MATH_ONLY__) && __FINITE_MATH_ONLY__)
 #error "fast-math breaks directed rounding: every bound would be unproved"
 #endif
@@ -28,6 +30,7 @@ using V8InMemory = double __attribute__((vector_size(64), may_alias));
 using V4InMemory = double __attribute__((vector_size(32), may_alias));
 using V2InMemory = double __attribute__((vector_size(16), may_alias));
 
+inline constexpr int kLanes = REGULUS_LANES;
 inline constexpr double kInfinity = __builtin_inf();
 inline constexpr double kMaxDouble = __DBL_MAX__;
 inline constexpr double kMinSubnormal = __DBL_DENORM_MIN__;

@@ -6,6 +6,7 @@
 #include <cstddef>
 #include <cstdint>
 
+#include "regulus/interval/lanes.hpp"
 #include "regulus/kernel/isa.hpp"
 #include "regulus/machine/pack_program.hpp"
 
@@ -14,7 +15,7 @@ namespace regulus::machine {
 /// Room for one value of eight lanes, an interval or exact doubles, as the packs of one instruction
 /// set keep it. All of them need 128 bytes for an interval.
 struct alignas(64) Slot {
-  double lanes[2 * REGULUS_LANES];
+  double lanes[2 * kLanes];
 };
 
 /// One call of a function: its arguments, its values, and the lanes that are undefined so far.

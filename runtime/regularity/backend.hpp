@@ -4,7 +4,8 @@
 // used.
 #pragma once
 
-#include "regulus/interval/x8_backend.hpp"
+#include "regulus/interval/isa.hpp"
+#include "regulus/interval/lanes.hpp"
 
 namespace regulus {
 
@@ -57,13 +58,13 @@ struct RegularityBackend {
   unsigned (*remaining_cells)(const OrthantProblem& problem, const OrthantCell* cells) noexcept;
 };
 
-/// Requires  x8_available(isa) before a function of it is called.
-[[nodiscard]] const RegularityBackend& regularity_backend(X8Isa isa) noexcept;
+/// Requires  supported(isa) before a function of it is called.
+[[nodiscard]] const RegularityBackend& regularity_backend(Isa isa) noexcept;
 
 /// That of the widest vectors this processor has.
 [[nodiscard]] const RegularityBackend& regularity_backend() noexcept;
 
-extern const RegularityBackend kRegularityBaseline;
+extern const RegularityBackend kRegularityPortable;
 #if defined(__x86_64__)
 extern const RegularityBackend kRegularityAvx2;
 extern const RegularityBackend kRegularityAvx512;

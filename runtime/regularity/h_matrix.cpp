@@ -55,7 +55,7 @@ void lower_to_mean_value_ru(const double* center, const double* derivatives, con
 
 LaneMask certain_contraction(const double* P, const double* v, std::size_t n) noexcept {
   const double factor = raise_factor(n);
-  LaneMask certain = kEveryLane;
+  LaneMask certain = kAllLanes;
   alignas(64) double sum[kMaxOrder * kLanes];
   regularity_backend().multiply(P, v, static_cast<unsigned>(n), sum);
   for (std::size_t i = 0; i < n; ++i) {

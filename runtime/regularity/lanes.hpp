@@ -1,17 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
-// Eight boxes side by side, and sums of non-negative terms bounded from above.
-//
-// Arrays of exact doubles: entry e of lane l is x[e * kLanes + l] ("point layout"). Arrays of
-// intervals: bound s (0 lower, 1 upper) of entry e of lane l is x[(2 * e + s) * kLanes + l]
-// ("interval layout", that of regulus/kernel/abi.hpp).
+// How large the matrices of the regularity tests may be, and sums of non-negative terms bounded
+// from above.
 #pragma once
 
-#include <cstddef>
-#include <cstring>
+#include "regulus/interval/lanes.hpp"
 
 namespace regulus {
-
-inline constexpr std::size_t kLanes = 8;
 
 /// Matrices beyond these orders are refused at the door, so that workspaces fit on the stack.
 inline constexpr std::size_t kMaxColumns = 12;
@@ -23,20 +17,6 @@ inline constexpr std::size_t kMaxOrder = kMaxColumns + kMaxRows;
 
 /// The most coordinates of one ball that are taken together.
 inline constexpr std::size_t kMaxBall = 16;
-
-/// Bit l speaks of lane l.
-using LaneMask = unsigned;
-inline constexpr LaneMask kEveryLane = (1U << kLanes) - 1;
-
-[[nodiscard]] constexpr std::size_t point_at(std::size_t entry, std::size_t lane) noexcept {
-  return entry * kLanes + lane;
-}
-[[nodiscard]] constexpr std::size_t lower_at(std::size_t entry, std::size_t lane) noexcept {
-  return 2 * entry * kLanes + lane;
-}
-[[nodiscard]] constexpr std::size_t upper_at(std::size_t entry, std::size_t lane) noexcept {
-  return (2 * entry + 1) * kLanes + lane;
-}
 
 /// What raise_ru multiplies by, for sums of at most `terms` products.
 [[nodiscard]] constexpr double raise_factor(std::size_t terms) noexcept {

@@ -1,16 +1,16 @@
 // SPDX-License-Identifier: Apache-2.0
 // The loops over minors, with the vectors of the instruction set that the including file is
-// compiled for. Included by backend_baseline.cpp, backend_avx2.cpp, backend_avx512.cpp only.
+// compiled for. Included by backend_portable.cpp, backend_avx2.cpp, backend_avx512.cpp only.
 //
 // Only always-inlined or ISA-namespaced functions may be used here; see elementary/lanes.hpp.
 #pragma once
 
-#include "regulus/regularity/octet_lanes.hpp"
+#include "regulus/regularity/pack_lanes.hpp"
 
 namespace regulus::minors {
 inline namespace REGULUS_LANES_ISA {
 
-using namespace octet::REGULUS_LANES_ISA;
+using namespace lanes::REGULUS_LANES_ISA;
 
 inline constexpr unsigned kMaxOfMinors = 8;
 inline constexpr unsigned kMaxSets = 1U << kMaxOfMinors;
@@ -48,35 +48,35 @@ inline Range multiply(Range a, Range b) noexcept {
 
 inline void expand(const double* matrix, unsigned n, double* result) noexcept {
   Range minors[kMaxSets];
-  for (unsigned lane = 0; lane < kOctet; lane += kVectorLanes) {
+  for (unsigned lane = 0; lane < kLanes; lane += kVectorLanes) {
     const Vector one = splat<Vector>(1.0);
     minors[0] = {one, one};
     for (unsigned set = 1; set < 1U << n; ++set) {
       Range sum{Vector{}, Vector{}};
       for (unsigned left = set; left != 0; left &= left - 1) {
         const auto j = static_cast<unsigned>(__builtin_ctz(left));
-        const double* entry = matrix + ((size_of(set) - 1) * n + j) * 2 * kOctet + lane;
-        const Range term = multiply({load(entry), load(entry + kOctet)}, minors[set & ~(1U << j)]);
+        const double* entry = matrix + ((size_of(set) - 1) * n + j) * 2 * kLanes + lane;
+        const Range term = multiply({load(entry), load(entry + kLanes)}, minors[set & ~(1U << j)]);
         sum = is_positive(set, j) ? Range{sum.lo + term.lo, sum.hi + term.hi}
                                   : Range{sum.lo - term.hi, sum.hi - term.lo};
       }
       minors[set] = sum;
     }
     store(result + lane, minors[(1U << n) - 1].lo);
-    store(result + kOctet + lane, minors[(1U << n) - 1].hi);
+    store(result + kLanes + lane, minors[(1U << n) - 1].hi);
   }
 }
 
 inline void permanent(const double* magnitude, unsigned n, double factor, double* result) noexcept {
   Vector permanents[kMaxSets];
   const Vector slack = splat<Vector>(0x1p-1000);
-  for (unsigned lane = 0; lane < kOctet; lane += kVectorLanes) {
+  for (unsigned lane = 0; lane < kLanes; lane += kVectorLanes) {
     permanents[0] = splat<Vector>(1.0);
     for (unsigned set = 1; set < 1U << n; ++set) {
       Vector sum{};
       for (unsigned left = set; left != 0; left &= left - 1) {
         const auto j = static_cast<unsigned>(__builtin_ctz(left));
-        sum += load(magnitude + ((size_of(set) - 1) * n + j) * kOctet + lane) *
+        sum += load(magnitude + ((size_of(set) - 1) * n + j) * kLanes + lane) *
                permanents[set & ~(1U << j)];
       }
       permanents[set] = sum * splat<Vector>(factor) + slack;
@@ -104,7 +104,7 @@ class SignedRows {
   /// Lane l gets the choice first_choice + l; bit i of a choice set means uᵢ = −1 for row i here.
   void fill(const double* lo, const double* hi, unsigned first_choice) noexcept {
     for (unsigned e = 0; e < count_ * n_; ++e)
-      for (unsigned l = 0; l < kOctet; ++l) {
+      for (unsigned l = 0; l < kLanes; ++l) {
         const bool negative = ((first_choice + l) >> (e / n_) & 1U) != 0;
         form_[0][e].lane(l) = negative ? hi[e] : lo[e];
         form_[1][e].lane(l) = negative ? lo[e] : hi[e];
@@ -112,11 +112,11 @@ class SignedRows {
   }
 
   /// Minors of the first k rows and each set of k columns; bit j of v set means vⱼ = −1.
-  void minors_for(unsigned v, Octet* minors) const noexcept {
-    Octet row[kMaxOfMinors * kMaxOfMinors];
+  void minors_for(unsigned v, Pack* minors) const noexcept {
+    Pack row[kMaxOfMinors * kMaxOfMinors];
     for (unsigned e = 0; e < count_ * n_; ++e) row[e] = form_[v >> (e % n_) & 1U][e];
-    minors[0] = Octet::of(1.0);
-    Octet sum = Octet::of(0.0);
+    minors[0] = Pack::of(1.0);
+    Pack sum = Pack::of(0.0);
     for (const Term *term = terms_, *end = terms_ + term_count_; term != end; ++term) {
       if (term->positive)
         sum.add_product(row[term->entry], minors[term->rest]);
@@ -124,7 +124,7 @@ class SignedRows {
         sum.subtract_product(row[term->entry], minors[term->rest]);
       if (!term->last) continue;
       minors[term->set] = sum;
-      sum = Octet::of(0.0);
+      sum = Pack::of(0.0);
     }
   }
 
@@ -136,7 +136,7 @@ class SignedRows {
   unsigned count_, n_;
   unsigned term_count_ = 0;
   Term terms_[kMaxOfMinors * kMaxSets / 2];
-  Octet form_[2][kMaxOfMinors * kMaxOfMinors];  ///< vⱼ = 1, vⱼ = −1
+  Pack form_[2][kMaxOfMinors * kMaxOfMinors];  ///< vⱼ = 1, vⱼ = −1
 };
 
 /// Laplace's expansion along the upper rows: which minors are multiplied, and with which sign.
@@ -175,7 +175,7 @@ class SharedSign {
  public:
   explicit SharedSign(double error) noexcept : error_(error) {}
   /// A NaN is on neither side.
-  [[nodiscard]] bool holds_for(const Octet& determinant) noexcept {
+  [[nodiscard]] bool holds_for(const Pack& determinant) noexcept {
     for (const Vector& part : determinant.part) {
       const Vector error = splat<Vector>(error_);
       positive_ = positive_ && lane_bits(error < part) == kEvery;
@@ -195,13 +195,13 @@ class SharedSign {
 /// the eight of the lower three rows in the lanes.
 inline bool shares_sign(const SignedRows& upper, const SignedRows& lower, const Laplace& laplace,
                         unsigned v, SharedSign& sign) noexcept {
-  Octet of_upper[kMaxSets], of_lower[kMaxSets];
+  Pack of_upper[kMaxSets], of_lower[kMaxSets];
   upper.minors_for(v, of_upper);
   lower.minors_for(v, of_lower);
-  for (unsigned choice = 0; choice < kOctet; ++choice) {
-    Octet determinant = Octet::of(0.0);
+  for (unsigned choice = 0; choice < kLanes; ++choice) {
+    Pack determinant = Pack::of(0.0);
     for (const Laplace::Term& term : laplace)
-      determinant.add_product(Octet::of(term.sign * of_upper[term.upper].lane(choice)),
+      determinant.add_product(Pack::of(term.sign * of_upper[term.upper].lane(choice)),
                               of_lower[term.lower]);
     if (!sign.holds_for(determinant)) return false;
   }
@@ -218,7 +218,7 @@ inline bool vertices_share_sign(const double* lo, const double* hi, unsigned n,
   const Laplace laplace(n, upper_rows);
   lower.fill(lo + upper_rows * n, hi + upper_rows * n, 0);
   SharedSign sign(error);
-  for (unsigned choice = 0; choice < 1U << upper_rows; choice += kOctet) {
+  for (unsigned choice = 0; choice < 1U << upper_rows; choice += kLanes) {
     upper.fill(lo, hi, choice);
     for (unsigned v = 0; v < 1U << n; v += 2)
       if (!shares_sign(upper, lower, laplace, v, sign)) return false;

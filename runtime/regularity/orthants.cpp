@@ -172,7 +172,7 @@ bool certain_orthants_empty(const OrthantProblem& problem, OrthantCell& hint) no
   };
   if (count == 0) return true;
   std::iter_swap(cells, std::find_if(cells, cells + count - 1, is_hint));
-  // The last octet is filled with copies.
+  // The last eight are filled with copies.
   for (unsigned end = count; end % kLanes != 0; ++end) cells[end] = cells[0];
   for (unsigned first = 0; first < count; first += kLanes) {
     const unsigned remaining = backend.remaining_cells(problem, cells + first);

@@ -15,7 +15,7 @@ SecondOrderBounds::SecondOrderBounds(const DerivativeLists& lists, const RowStru
                                      const RegularityBackend& backend)
     : backend_(backend),
       lists_(lists, structure),
-      numbers_(lists_.octets() * kLanes),
+      numbers_(lists_.packs() * kLanes),
       plan_(lists_.plan()),
       work_(lists_.work(numbers_)) {
   plan_.moves = options.moves;

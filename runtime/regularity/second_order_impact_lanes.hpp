@@ -2,20 +2,20 @@
 // What each variable adds to the bounds of second_order_lanes.hpp, once these have been made.
 #pragma once
 
-#include "regulus/regularity/octet_lanes.hpp"
+#include "regulus/regularity/pack_lanes.hpp"
 #include "regulus/regularity/second_order_lanes.hpp"
 #include "regulus/regularity/second_order_plan.hpp"
 
 namespace regulus::second_order {
 inline namespace REGULUS_LANES_ISA {
 
-using namespace octet::REGULUS_LANES_ISA;
+using namespace lanes::REGULUS_LANES_ISA;
 
 /// yᵀMv of a `rows`×`columns` matrix.
-inline Octet form(Octets y, Octets M, Octets v, unsigned rows, unsigned columns) noexcept {
-  Octet sum = Octet::of(0.0);
+inline Pack form(PackArray y, PackArray M, PackArray v, unsigned rows, unsigned columns) noexcept {
+  Pack sum = Pack::of(0.0);
   for (unsigned i = 0; i < rows; ++i) {
-    Octet row = Octet::of(0.0);
+    Pack row = Pack::of(0.0);
     for (unsigned j = 0; j < columns; ++j) row.add_fused(M[i * columns + j], v[j]);
     sum.add_fused(y[i], row);
   }
@@ -23,18 +23,18 @@ inline Octet form(Octets y, Octets M, Octets v, unsigned rows, unsigned columns)
 }
 
 /// Where K stays as it is, the first derivatives are what P consists of.
-inline void add_first_order(const SecondOrderPlan& plan, const SecondOrderInput& input, Octets y,
-                            Octets v, double* result) noexcept {
+inline void add_first_order(const SecondOrderPlan& plan, const SecondOrderInput& input, PackArray y,
+                            PackArray v, double* result) noexcept {
   for (unsigned p = 0; p < plan.wides; ++p) {
     const SecondOrderPlan::Wide& wide = plan.wide[p];
-    const Octet radius = Octet::load(input.radius + wide.variable * kOctet);
-    Octet sum = Octet::of(0.0);
+    const Pack radius = Pack::load(input.radius + wide.variable * kLanes);
+    Pack sum = Pack::of(0.0);
     for (unsigned k = wide.first.begin; k < wide.first.end; ++k) {
       const SecondOrderPlan::Entry& entry = plan.entries[k];
       sum.add_fused(y[entry.row] * largest_of(input.first, entry.at),
                     v[plan.columns[wide.columns.begin + entry.column]]);
     }
-    (Octets{result} + wide.variable).add_fused(0, sum, radius);
+    (PackArray{result} + wide.variable).add_fused(0, sum, radius);
   }
 }
 
@@ -43,31 +43,31 @@ inline void impact(const SecondOrderPlan& plan, const SecondOrderInput& input,
                    const SecondOrderWork& work, const double* right, const double* left,
                    double* result) noexcept {
   const unsigned n = plan.columns_of_A, s = plan.slots;
-  const Octets v{const_cast<double*>(right)}, y{const_cast<double*>(left)};
-  const Octets lower_v = v + n, lower_y = y + n, through_P{work.center};
+  const PackArray v{const_cast<double*>(right)}, y{const_cast<double*>(left)};
+  const PackArray lower_v = v + n, lower_y = y + n, through_P{work.center};
   for (unsigned i = 0; i < n; ++i) {
-    Octet sum = y[i];
+    Pack sum = y[i];
     for (unsigned j = 0; j < s; ++j)
       sum.add_fused(lower_y[j],
-                    Octets{work.weight}[j * n + i] + Octets{work.weight_of_g}[j * n + i]);
+                    PackArray{work.weight}[j * n + i] + PackArray{work.weight_of_g}[j * n + i]);
     through_P.put(i, sum);
   }
-  const auto of_variable = [&](unsigned p) { return Octets{result} + plan.wide[p].variable; };
+  const auto of_variable = [&](unsigned p) { return PackArray{result} + plan.wide[p].variable; };
   for (unsigned p = 0; p < plan.wides; ++p) {
-    Octet sum = form(lower_y, Octets{work.R_of_wide} + (1 + p) * s * s, lower_v, s, s);
-    Octet upper = Octet::of(0.0);
+    Pack sum = form(lower_y, PackArray{work.R_of_wide} + (1 + p) * s * s, lower_v, s, s);
+    Pack upper = Pack::of(0.0);
     for (unsigned i = 0; i < n; ++i)
       for (unsigned j = 0; j < s; ++j)
-        upper.add_fused(y[i] * lower_v[j], magnitude((Octets{work.DK} + p * n * s)[i * s + j]));
-    sum.add_fused(upper, Octet::load(input.radius + plan.wide[p].variable * kOctet));
+        upper.add_fused(y[i] * lower_v[j], magnitude((PackArray{work.DK} + p * n * s)[i * s + j]));
+    sum.add_fused(upper, Pack::load(input.radius + plan.wide[p].variable * kLanes));
     of_variable(p).put(0, sum);
   }
   // A pair is half on account of either.
-  const Octet half = Octet::of(0.5);
+  const Pack half = Pack::of(0.5);
   for (unsigned i = 0; i < n; ++i)
     for (unsigned k = 0; k < plan.pairs; ++k) {
-      const Octet share =
-          half * form(through_P + i, Octets{work.pairs} + (i * plan.pairs + k) * n, v, 1, n);
+      const Pack share =
+          half * form(through_P + i, PackArray{work.pairs} + (i * plan.pairs + k) * n, v, 1, n);
       of_variable(plan.pair[k].p).add(0, share);
       of_variable(plan.pair[k].q).add(0, share);
     }
@@ -76,8 +76,8 @@ inline void impact(const SecondOrderPlan& plan, const SecondOrderInput& input,
   for (unsigned g = 0; g < plan.groups; ++g)
     for (unsigned k = plan.group[g].members.begin; k < plan.group[g].members.end; ++k) {
       const SecondOrderPlan::RowVariable& u = plan.row_variables[k];
-      form(lower_y + u.slot, Octets{work.R_of_row} + k * s, lower_v, 1, s)
-          .store(result + u.variable * kOctet);
+      form(lower_y + u.slot, PackArray{work.R_of_row} + k * s, lower_v, 1, s)
+          .store(result + u.variable * kLanes);
     }
 }
 

@@ -9,13 +9,13 @@
 // r_pr_q|D_p||D_q| = (Σ_p r_p|D_p|)². Sums of magnitudes become upper bounds by raise().
 #pragma once
 
-#include "regulus/regularity/octet_lanes.hpp"
+#include "regulus/regularity/pack_lanes.hpp"
 #include "regulus/regularity/second_order_plan.hpp"
 
 namespace regulus::second_order {
 inline namespace REGULUS_LANES_ISA {
 
-using namespace octet::REGULUS_LANES_ISA;
+using namespace lanes::REGULUS_LANES_ISA;
 
 /// For one term, a few, and any sum of magnitudes here, which costs
 /// 2^-35 of it.
@@ -23,39 +23,39 @@ inline constexpr double kOneTerm = raise_factor(1);
 inline constexpr double kFewTerms = raise_factor(16);
 inline constexpr double kManyTerms = raise_factor(std::size_t{1} << 16);
 
-REGULUS_OCTET Octet product_ru(const Octet& a, const Octet& b) noexcept {
+REGULUS_LANE_INLINE Pack product_ru(const Pack& a, const Pack& b) noexcept {
   return raised(a * b, kOneTerm);
 }
 
 struct Middle {
-  Octet middle, distance;  ///< distance: rounded once
+  Pack middle, distance;  ///< distance: rounded once
 };
 
-REGULUS_OCTET Middle middle_of(const double* intervals, unsigned at) noexcept {
-  const Octet lo = Octet::load(intervals + 2 * at * kOctet);
-  const Octet hi = Octet::load(intervals + (2 * at + 1) * kOctet);
-  const Octet half = Octet::of(0.5);
-  const Octet middle = half * lo + half * hi;
+REGULUS_LANE_INLINE Middle middle_of(const double* intervals, unsigned at) noexcept {
+  const Pack lo = Pack::load(intervals + 2 * at * kLanes);
+  const Pack hi = Pack::load(intervals + (2 * at + 1) * kLanes);
+  const Pack half = Pack::of(0.5);
+  const Pack middle = half * lo + half * hi;
   return {middle, larger(hi - middle, middle - lo)};
 }
 
 /// |x| of the farthest x.
-REGULUS_OCTET Octet largest_of(const double* intervals, unsigned at) noexcept {
-  return larger(magnitude(Octet::load(intervals + 2 * at * kOctet)),
-                magnitude(Octet::load(intervals + (2 * at + 1) * kOctet)));
+REGULUS_LANE_INLINE Pack largest_of(const double* intervals, unsigned at) noexcept {
+  return larger(magnitude(Pack::load(intervals + 2 * at * kLanes)),
+                magnitude(Pack::load(intervals + (2 * at + 1) * kLanes)));
 }
 
-REGULUS_OCTET void clear(Octets array, unsigned count) noexcept {
-  for (unsigned e = 0; e < count; ++e) array.put(e, Octet::of(0.0));
+REGULUS_LANE_INLINE void clear(PackArray array, unsigned count) noexcept {
+  for (unsigned e = 0; e < count; ++e) array.put(e, Pack::of(0.0));
 }
-REGULUS_OCTET void raise(Octets array, unsigned count, double factor) noexcept {
+REGULUS_LANE_INLINE void raise(PackArray array, unsigned count, double factor) noexcept {
   for (unsigned e = 0; e < count; ++e) array.put(e, raised(array[e], factor));
 }
 
 class Bounding {
  public:
-  REGULUS_OCTET Bounding(const SecondOrderPlan& plan, const SecondOrderInput& input,
-                         const SecondOrderWork& work) noexcept
+  REGULUS_LANE_INLINE Bounding(const SecondOrderPlan& plan, const SecondOrderInput& input,
+                               const SecondOrderWork& work) noexcept
       : plan_(plan),
         in_(input),
         w_(work),
@@ -63,7 +63,7 @@ class Bounding {
         s_(plan.slots),
         wides_(plan.wides) {}
 
-  REGULUS_OCTET void run(double* T) noexcept {
+  REGULUS_LANE_INLINE void run(double* T) noexcept {
     read_center();
     for (unsigned w = 0; w < wides_; ++w) read_wide(plan_.wide[w], w);
     for (double* sum : {w_.sum_d, w_.sum_D}) raise({sum}, n_ * n_, kManyTerms);
@@ -79,31 +79,32 @@ class Bounding {
   }
 
  private:
-  [[nodiscard]] REGULUS_OCTET Octet radius(unsigned variable) const noexcept {
-    return Octet::load(in_.radius + variable * kOctet);
+  [[nodiscard]] REGULUS_LANE_INLINE Pack radius(unsigned variable) const noexcept {
+    return Pack::load(in_.radius + variable * kLanes);
   }
 
   /// What K(t) or w_k(t) moves by, and what is left of the derivative.
-  [[nodiscard]] REGULUS_OCTET Middle moved(const double* intervals, unsigned at) const noexcept {
+  [[nodiscard]] REGULUS_LANE_INLINE Middle moved(const double* intervals,
+                                                 unsigned at) const noexcept {
     if (plan_.moves) return middle_of(intervals, at);
-    return {Octet::of(0.0), largest_of(intervals, at)};
+    return {Pack::of(0.0), largest_of(intervals, at)};
   }
 
   /// K₀ at the rows touched and e; all sums to zero.
-  REGULUS_OCTET void read_center() noexcept {
+  REGULUS_LANE_INLINE void read_center() noexcept {
     for (unsigned i = 0; i < n_; ++i)
       for (unsigned j = 0; j < s_; ++j) {
-        const Octet k = Octet::load(in_.K + (i * plan_.rows + plan_.touched[j]) * kOctet);
-        Octets{w_.K}.put(i * s_ + j, k);
-        Octets{w_.abs_K}.put(i * s_ + j, magnitude(k));
+        const Pack k = Pack::load(in_.K + (i * plan_.rows + plan_.touched[j]) * kLanes);
+        PackArray{w_.K}.put(i * s_ + j, k);
+        PackArray{w_.abs_K}.put(i * s_ + j, magnitude(k));
       }
     for (unsigned i = 0; i < n_; ++i)
       for (unsigned j = 0; j < n_; ++j) {
         const unsigned e = i * n_ + j;
-        const Octet one = Octet::of(i == j ? 1.0 : 0.0);
-        const Octet lo = Octet::load(in_.product + 2 * e * kOctet);
-        const Octet hi = Octet::load(in_.product + (2 * e + 1) * kOctet);
-        Octets{w_.e}.put(e, raised(larger(magnitude(lo - one), magnitude(hi - one)), kOneTerm));
+        const Pack one = Pack::of(i == j ? 1.0 : 0.0);
+        const Pack lo = Pack::load(in_.product + 2 * e * kLanes);
+        const Pack hi = Pack::load(in_.product + (2 * e + 1) * kLanes);
+        PackArray{w_.e}.put(e, raised(larger(magnitude(lo - one), magnitude(hi - one)), kOneTerm));
       }
     for (double* sum : {w_.sum_d, w_.sum_D, w_.magnitude_of_B, w_.P}) clear({sum}, n_ * n_);
     for (double* sum : {w_.weight, w_.weight_of_g, w_.rest, w_.sum_DK}) clear({sum}, n_ * s_);
@@ -111,47 +112,47 @@ class Bounding {
   }
 
   /// D_p, Σ_p r_p|d_p|, and D_pK₀ to nearest.
-  REGULUS_OCTET void read_wide(const SecondOrderPlan::Wide& wide, unsigned index) noexcept {
+  REGULUS_LANE_INLINE void read_wide(const SecondOrderPlan::Wide& wide, unsigned index) noexcept {
     const unsigned* columns = plan_.columns + wide.columns.begin;
     const unsigned count = wide.columns.size();
-    const Octet r = radius(wide.variable);
-    const Octets D = Octets{w_.D} + wide.D;
+    const Pack r = radius(wide.variable);
+    const PackArray D = PackArray{w_.D} + wide.D;
     clear(D, n_ * count);
     for (unsigned k = wide.first.begin; k < wide.first.end; ++k) {
       const SecondOrderPlan::Entry& entry = plan_.entries[k];
       const Middle d = moved(in_.first, entry.at);
       const unsigned e = entry.row * n_ + columns[entry.column];
       D.put(entry.row * count + entry.column, d.middle);
-      Octets{w_.sum_d}.add_fused(e, d.distance, r);
-      Octets{w_.sum_D}.add_fused(e, magnitude(d.middle), r);
+      PackArray{w_.sum_d}.add_fused(e, d.distance, r);
+      PackArray{w_.sum_D}.add_fused(e, magnitude(d.middle), r);
     }
-    const Octets DK = Octets{w_.DK} + index * n_ * s_;
+    const PackArray DK = PackArray{w_.DK} + index * n_ * s_;
     clear(DK, n_ * s_);
     for (unsigned i = 0; i < n_; ++i) {
       add_row_product(D + i * count, {columns, count, {w_.K}, s_}, s_, DK + i * s_);
       for (unsigned j = 0; j < s_; ++j)
-        Octets{w_.sum_DK}.add_fused(i * s_ + j, magnitude(DK[i * s_ + j]), r);
+        PackArray{w_.sum_DK}.add_fused(i * s_ + j, magnitude(DK[i * s_ + j]), r);
     }
   }
 
   /// Σ_pq of r_pr_q·|B_pq − D_pD_q − D_qD_p|, or r_p²·|½B_pp − D_pD_p|, in row i of P.
-  REGULUS_OCTET void add_pairs_of_row(unsigned i) noexcept {
-    const Octets P = Octets{w_.P} + i * n_, sum{w_.pair_row};
+  REGULUS_LANE_INLINE void add_pairs_of_row(unsigned i) noexcept {
+    const PackArray P = PackArray{w_.P} + i * n_, sum{w_.pair_row};
     for (unsigned k = 0; k < plan_.pairs; ++k) {
       const SecondOrderPlan::Pair& pair = plan_.pair[k];
       const SecondOrderPlan::Wide &p = plan_.wide[pair.p], &q = plan_.wide[pair.q];
-      const Octet weight = product_ru(radius(p.variable), radius(q.variable));
-      const Octets magnitudes = Octets{w_.pairs} + (i * plan_.pairs + k) * n_;
+      const Pack weight = product_ru(radius(p.variable), radius(q.variable));
+      const PackArray magnitudes = PackArray{w_.pairs} + (i * plan_.pairs + k) * n_;
       clear(sum, n_);
       const unsigned* rows = plan_.pair_rows + k * (n_ + 1) + i;
-      Octets radii{w_.pair_radius};
+      PackArray radii{w_.pair_radius};
       if (rows[0] < rows[1]) clear(radii, n_);
       for (unsigned e = rows[0]; e < rows[1]; ++e)
         add_second(plan_.entries[e], pair.p == pair.q ? 0.5 : 1.0, weight);
       add_product(p, q, i);
       if (pair.p != pair.q) add_product(q, p, i);
       for (unsigned j = 0; j < n_; ++j) {
-        Octet share = magnitude(sum[j]) * weight;
+        Pack share = magnitude(sum[j]) * weight;
         if (rows[0] < rows[1]) share = share + radii[j];
         magnitudes.put(j, share);
         P.add(j, share);
@@ -159,34 +160,34 @@ class Bounding {
     }
   }
 
-  REGULUS_OCTET void add_second(const SecondOrderPlan::Entry& entry, double share,
-                                const Octet& weight) noexcept {
+  REGULUS_LANE_INLINE void add_second(const SecondOrderPlan::Entry& entry, double share,
+                                      const Pack& weight) noexcept {
     const Middle b = middle_of(in_.second, entry.at);
-    const Octet part = weight * Octet::of(share);
-    const Octet radius = product_ru(raised(b.distance, kOneTerm), part);
-    Octets{w_.pair_row}.put(entry.column, Octet::of(-share) * b.middle);
-    Octets{w_.pair_radius}.put(entry.column, radius);
-    Octets{w_.magnitude_of_B}.add(entry.row * n_ + entry.column,
-                                  magnitude(b.middle) * part + radius);
+    const Pack part = weight * Pack::of(share);
+    const Pack radius = product_ru(raised(b.distance, kOneTerm), part);
+    PackArray{w_.pair_row}.put(entry.column, Pack::of(-share) * b.middle);
+    PackArray{w_.pair_radius}.put(entry.column, radius);
+    PackArray{w_.magnitude_of_B}.add(entry.row * n_ + entry.column,
+                                     magnitude(b.middle) * part + radius);
   }
 
   /// Adds row i of D_pD_q to that of a pair.
-  REGULUS_OCTET void add_product(const SecondOrderPlan::Wide& p, const SecondOrderPlan::Wide& q,
-                                 unsigned i) noexcept {
+  REGULUS_LANE_INLINE void add_product(const SecondOrderPlan::Wide& p,
+                                       const SecondOrderPlan::Wide& q, unsigned i) noexcept {
     const unsigned terms = p.columns.size(), count = q.columns.size();
-    const Rows right{plan_.columns + p.columns.begin, terms, Octets{w_.D} + q.D, count};
-    add_row_product(Octets{w_.D} + p.D + i * terms, right, count, {w_.pair_row},
+    const Rows right{plan_.columns + p.columns.begin, terms, PackArray{w_.D} + q.D, count};
+    add_row_product(PackArray{w_.D} + p.D + i * terms, right, count, {w_.pair_row},
                     count == n_ ? nullptr : plan_.columns + q.columns.begin);
   }
 
   /// P ≥ |E|: what add_pairs_of_row found (the radii of B_pq among it), plus
   ///
   ///     e + Σr|d| + Σr|D|·(e + Σr|d| + ½Σrr|B|) + γ(Σr|D|·Σr|D| + ½Σrr|B|).
-  REGULUS_OCTET void bound_defect() noexcept {
-    const Octets P{w_.P}, sum{w_.linear}, rounding{w_.rounding}, D{w_.sum_D};
+  REGULUS_LANE_INLINE void bound_defect() noexcept {
+    const PackArray P{w_.P}, sum{w_.linear}, rounding{w_.rounding}, D{w_.sum_D};
     for (unsigned e = 0; e < n_ * n_; ++e) {
-      const Octet linear = Octets{w_.e}[e] + Octets{w_.sum_d}[e];
-      const Octet magnitude_of_B = raised(Octets{w_.magnitude_of_B}[e], kManyTerms);
+      const Pack linear = PackArray{w_.e}[e] + PackArray{w_.sum_d}[e];
+      const Pack magnitude_of_B = raised(PackArray{w_.magnitude_of_B}[e], kManyTerms);
       P.add(e, linear);
       sum.put(e, raised(linear + magnitude_of_B, kFewTerms));
       rounding.put(e, magnitude_of_B);
@@ -196,33 +197,33 @@ class Bounding {
       add_row_product(D + i * n_, {nullptr, n_, D, n_}, n_, rounding + i * n_);
     }
     for (unsigned e = 0; e < n_ * n_; ++e)
-      P.put(e, raised(P[e] + raised(rounding[e], kManyTerms) * Octet::of(kSecondOrderGamma),
+      P.put(e, raised(P[e] + raised(rounding[e], kManyTerms) * Pack::of(kSecondOrderGamma),
                       kManyTerms));
   }
 
   /// w̄_k and g_kp, entry by entry; what is left of the row goes into the rest.
-  REGULUS_OCTET void read_row_variable(const SecondOrderPlan::RowVariable& u,
-                                       const Octet& range) noexcept {
-    const Octets rest = Octets{w_.rest} + u.slot * n_;
+  REGULUS_LANE_INLINE void read_row_variable(const SecondOrderPlan::RowVariable& u,
+                                             const Pack& range) noexcept {
+    const PackArray rest = PackArray{w_.rest} + u.slot * n_;
     for (unsigned k = u.first.begin; k < u.first.end; ++k) {
       const SecondOrderPlan::Entry& entry = plan_.entries[k];
       const Middle x = middle_of(in_.row_first, entry.at);
-      Octets{w_.center}.put(k - u.first.begin, x.middle);
+      PackArray{w_.center}.put(k - u.first.begin, x.middle);
       rest.add_fused(entry.column, x.distance, range);
     }
     for (unsigned p = 0; p < wides_; ++p) {
       const PlanRange& mixed = plan_.mixed[u.mixed + p];
-      const Octet weight = Octets{w_.weight_of_value}[1 + p];
+      const Pack weight = PackArray{w_.weight_of_value}[1 + p];
       for (unsigned k = mixed.begin; k < mixed.end; ++k) {
         const SecondOrderPlan::Entry& entry = plan_.entries[k];
         const Middle g = moved(in_.row_second, entry.at);
-        Octets{w_.slope}.put(p * n_ + k - mixed.begin, g.middle);
+        PackArray{w_.slope}.put(p * n_ + k - mixed.begin, g.middle);
         rest.add_fused(entry.column, g.distance, weight);
       }
     }
     for (unsigned o = u.same_row.begin; o < u.same_row.end; ++o) {
       const SecondOrderPlan::SameRow& other = plan_.same_rows[o];
-      const Octet weight = product_ru(radius(other.variable), range);
+      const Pack weight = product_ru(radius(other.variable), range);
       for (unsigned k = other.second.begin; k < other.second.end; ++k) {
         const SecondOrderPlan::Entry& entry = plan_.entries[k];
         rest.add_fused(entry.column, largest_of(in_.row_second, entry.at), weight);
@@ -232,15 +233,15 @@ class Bounding {
 
   /// w̄_kᵀK₀ or, for each p, (g_kpᵀ − w̄_kᵀD_p)K₀, at the rows touched: value(p or 1 + p, slot).
   template <typename Value>
-  REGULUS_OCTET void multiply_row_variable(const SecondOrderPlan::RowVariable& u,
-                                           Value&& value) noexcept {
+  REGULUS_LANE_INLINE void multiply_row_variable(const SecondOrderPlan::RowVariable& u,
+                                                 Value&& value) noexcept {
     unsigned of_first[kMaxTerms], of_mixed[kMaxTerms];
     list_columns(u.first, of_first);
-    const Octets center{w_.center};
+    const PackArray center{w_.center};
     Rows rows{of_first, u.first.size(), {w_.K}, s_};
     for_each_block(
         s_, [&]<unsigned kAtOnce>(unsigned j) __attribute__((always_inline)) {
-          Octet sum[kAtOnce] = {};
+          Pack sum[kAtOnce] = {};
           add_products<kAtOnce>(center, rows, j, sum);
           for (unsigned c = 0; c < kAtOnce; ++c) value(0, j + c, sum[c]);
         });
@@ -248,53 +249,54 @@ class Bounding {
       const PlanRange& mixed = plan_.mixed[u.mixed + p];
       list_columns(mixed, of_mixed);
       const Rows moved{of_mixed, mixed.size(), {w_.K}, s_};
-      rows.matrix = Octets{w_.DK} + p * n_ * s_;
+      rows.matrix = PackArray{w_.DK} + p * n_ * s_;
       for_each_block(
           s_, [&]<unsigned kAtOnce>(unsigned j) __attribute__((always_inline)) {
-            Octet sum[kAtOnce] = {};
-            add_products<kAtOnce>(Octets{w_.slope} + p * n_, moved, j, sum);
+            Pack sum[kAtOnce] = {};
+            add_products<kAtOnce>(PackArray{w_.slope} + p * n_, moved, j, sum);
             subtract_products<kAtOnce>(center, rows, j, sum);
             for (unsigned c = 0; c < kAtOnce; ++c) value(1 + p, j + c, sum[c]);
           });
     }
   }
 
-  REGULUS_OCTET void list_columns(const PlanRange& range, unsigned* columns) const noexcept {
+  REGULUS_LANE_INLINE void list_columns(const PlanRange& range, unsigned* columns) const noexcept {
     for (unsigned k = range.begin; k < range.end; ++k)
       columns[k - range.begin] = plan_.entries[k].column;
   }
 
   /// Δ, then r_pΔ for each p.
-  REGULUS_OCTET void weigh(const Octet& range) noexcept {
-    const Octets weight{w_.weight_of_value};
+  REGULUS_LANE_INLINE void weigh(const Pack& range) noexcept {
+    const PackArray weight{w_.weight_of_value};
     weight.put(0, range);
     for (unsigned p = 0; p < wides_; ++p)
       weight.put(1 + p, product_ru(radius(plan_.wide[p].variable), range));
   }
 
   /// One uncertain quantity that is no coordinate of a ball.
-  REGULUS_OCTET void bound_single(unsigned index) noexcept {
+  REGULUS_LANE_INLINE void bound_single(unsigned index) noexcept {
     const SecondOrderPlan::RowVariable& u = plan_.row_variables[index];
-    const Octet range = radius(u.variable);
+    const Pack range = radius(u.variable);
     weigh(range);
     read_row_variable(u, range);
-    const Octets weight{w_.weight_of_value};
+    const PackArray weight{w_.weight_of_value};
     for (unsigned k = u.first.begin; k < u.first.end; ++k)
-      (Octets{w_.weight} + u.slot * n_)
-          .add_fused(plan_.entries[k].column, magnitude(Octets{w_.center}[k - u.first.begin]),
+      (PackArray{w_.weight} + u.slot * n_)
+          .add_fused(plan_.entries[k].column, magnitude(PackArray{w_.center}[k - u.first.begin]),
                      range);
     for (unsigned p = 0; p < wides_; ++p) {
       const PlanRange& mixed = plan_.mixed[u.mixed + p];
       for (unsigned k = mixed.begin; k < mixed.end; ++k)
-        (Octets{w_.weight_of_g} + u.slot * n_)
+        (PackArray{w_.weight_of_g} + u.slot * n_)
             .add_fused(plan_.entries[k].column,
-                       magnitude(Octets{w_.slope}[p * n_ + k - mixed.begin]), weight[1 + p]);
+                       magnitude(PackArray{w_.slope}[p * n_ + k - mixed.begin]), weight[1 + p]);
     }
-    const Octets R = Octets{w_.R_of_wide} + u.slot * s_, own = Octets{w_.R_of_row} + index * s_;
-    const Octets forms = Octets{w_.forms} + index * s_;
+    const PackArray R = PackArray{w_.R_of_wide} + u.slot * s_,
+                    own = PackArray{w_.R_of_row} + index * s_;
+    const PackArray forms = PackArray{w_.forms} + index * s_;
     if (plan_.weighs_row_variables) clear(own, s_);
     multiply_row_variable(
-        u, [&](unsigned p, unsigned j, const Octet& x) __attribute__((always_inline)) {
+        u, [&](unsigned p, unsigned j, const Pack& x) __attribute__((always_inline)) {
           R.add_fused(p * s_ * s_ + j, magnitude(x), weight[p]);
           if (p == 0) forms.put(j, x);
           if (plan_.weighs_row_variables) own.add_fused(j, magnitude(x), weight[p]);
@@ -303,11 +305,11 @@ class Bounding {
 
   /// The coordinates of a point in a ball: ρ·(Σx²)^½ instead of Δ·Σ|x|, by Cauchy and Schwarz. It
   /// holds for the weights and for what rounding adds, too, by Minkowski's inequality.
-  REGULUS_OCTET void bound_ball(const SecondOrderPlan::Group& group) noexcept {
-    const Octets R{w_.group_R}, lower{w_.group_lower};
+  REGULUS_LANE_INLINE void bound_ball(const SecondOrderPlan::Group& group) noexcept {
+    const PackArray R{w_.group_R}, lower{w_.group_lower};
     clear(R, (1 + wides_) * s_);
     clear(lower, (1 + wides_) * n_);
-    Octet range = Octet::of(0.0);
+    Pack range = Pack::of(0.0);
     for (unsigned k = group.members.begin; k < group.members.end; ++k)
       range = larger(range, radius(plan_.row_variables[k].variable));
     weigh(range);
@@ -316,64 +318,67 @@ class Bounding {
       read_row_variable(u, range);
       add_squares(u.first, {w_.center}, lower);
       for (unsigned p = 0; p < wides_; ++p)
-        add_squares(plan_.mixed[u.mixed + p], Octets{w_.slope} + p * n_, lower + (1 + p) * n_);
-      const Octets forms = Octets{w_.forms} + k * s_;
+        add_squares(plan_.mixed[u.mixed + p], PackArray{w_.slope} + p * n_, lower + (1 + p) * n_);
+      const PackArray forms = PackArray{w_.forms} + k * s_;
       multiply_row_variable(
-          u, [&](unsigned p, unsigned j, const Octet& x) __attribute__((always_inline)) {
+          u, [&](unsigned p, unsigned j, const Pack& x) __attribute__((always_inline)) {
             R.add_fused(p * s_ + j, x, x);
             if (p == 0) forms.put(j, x);
           });
-      if (plan_.weighs_row_variables) clear(Octets{w_.R_of_row} + k * s_, s_);
+      if (plan_.weighs_row_variables) clear(PackArray{w_.R_of_row} + k * s_, s_);
     }
     take_roots(R, (1 + wides_) * s_);
     take_roots(lower, (1 + wides_) * n_);
     add_ball(group.slot);
   }
 
-  REGULUS_OCTET void add_squares(const PlanRange& entries, Octets x, Octets sums) noexcept {
+  REGULUS_LANE_INLINE void add_squares(const PlanRange& entries, PackArray x,
+                                       PackArray sums) noexcept {
     for (unsigned k = entries.begin; k < entries.end; ++k)
       sums.add_fused(plan_.entries[k].column, x[k - entries.begin], x[k - entries.begin]);
   }
-  REGULUS_OCTET static void take_roots(Octets x, unsigned count) noexcept {
+  REGULUS_LANE_INLINE static void take_roots(PackArray x, unsigned count) noexcept {
     for (unsigned e = 0; e < count; ++e)
       x.put(e, raised(square_root(raised(x[e], kFewTerms)), kOneTerm));
   }
 
-  REGULUS_OCTET void add_ball(unsigned slot) noexcept {
-    const Octets R{w_.group_R}, lower{w_.group_lower}, weight{w_.weight_of_value};
+  REGULUS_LANE_INLINE void add_ball(unsigned slot) noexcept {
+    const PackArray R{w_.group_R}, lower{w_.group_lower}, weight{w_.weight_of_value};
     for (unsigned p = 0; p <= wides_; ++p) {
-      const Octets weights = Octets{p == 0 ? w_.weight : w_.weight_of_g} + slot * n_;
+      const PackArray weights = PackArray{p == 0 ? w_.weight : w_.weight_of_g} + slot * n_;
       for (unsigned j = 0; j < n_; ++j) weights.add_fused(j, lower[p * n_ + j], weight[p]);
       for (unsigned j = 0; j < s_; ++j)
-        Octets{w_.R_of_wide}.add_fused((p * s_ + slot) * s_ + j, R[p * s_ + j], weight[p]);
+        PackArray{w_.R_of_wide}.add_fused((p * s_ + slot) * s_ + j, R[p * s_ + j], weight[p]);
     }
   }
 
   /// The second order and the rounding of R and of D_pK₀: |fl(D_pK₀) − D_pK₀| ≤ γ|D_p||K₀|.
-  REGULUS_OCTET void bound_rows() noexcept {
+  REGULUS_LANE_INLINE void bound_rows() noexcept {
     for (double* sum : {w_.weight, w_.weight_of_g, w_.rest}) raise({sum}, s_ * n_, kManyTerms);
-    const Octets slack{w_.K};  // not needed any more
-    const Octets sum_DK{w_.sum_DK};
+    const PackArray slack{w_.K};  // not needed any more
+    const PackArray sum_DK{w_.sum_DK};
     clear(slack, n_ * s_);
     for (unsigned i = 0; i < n_; ++i)
-      add_row_product(Octets{w_.sum_D} + i * n_, {nullptr, n_, {w_.abs_K}, s_}, s_, slack + i * s_);
+      add_row_product(PackArray{w_.sum_D} + i * n_, {nullptr, n_, {w_.abs_K}, s_}, s_,
+                      slack + i * s_);
     for (unsigned e = 0; e < n_ * s_; ++e) {
-      const Octet magnitude_of_DK = raised(slack[e], kManyTerms);
-      sum_DK.put(e, raised(sum_DK[e] + magnitude_of_DK * Octet::of(kSecondOrderGamma), kFewTerms));
-      slack.put(e, raised(magnitude_of_DK + Octets{w_.abs_K}[e], kFewTerms));  // |K₀| + Σr|D||K₀|
+      const Pack magnitude_of_DK = raised(slack[e], kManyTerms);
+      sum_DK.put(e, raised(sum_DK[e] + magnitude_of_DK * Pack::of(kSecondOrderGamma), kFewTerms));
+      slack.put(e,
+                raised(magnitude_of_DK + PackArray{w_.abs_K}[e], kFewTerms));  // |K₀| + Σr|D||K₀|
     }
     for (unsigned i = 0; i < s_; ++i) bound_row(i);
   }
 
   /// Row i of R: the parts of u, of each wide variable, and what is left.
-  REGULUS_OCTET void bound_row(unsigned i) noexcept {
-    const Octets row = Octets{w_.moving} + i * s_, slack{w_.K}, rounding{w_.weight_of_row};
-    const Octets g = Octets{w_.weight_of_g} + i * n_, weight = Octets{w_.weight} + i * n_;
+  REGULUS_LANE_INLINE void bound_row(unsigned i) noexcept {
+    const PackArray row = PackArray{w_.moving} + i * s_, slack{w_.K}, rounding{w_.weight_of_row};
+    const PackArray g = PackArray{w_.weight_of_g} + i * n_, weight = PackArray{w_.weight} + i * n_;
     clear(rounding, s_);
     for (unsigned j = 0; j < s_; ++j) {
-      Octet sum = Octet::of(0.0);
+      Pack sum = Pack::of(0.0);
       for (unsigned p = 1; p <= wides_; ++p)
-        sum = sum + Octets{w_.R_of_wide}[(p * s_ + i) * s_ + j];
+        sum = sum + PackArray{w_.R_of_wide}[(p * s_ + i) * s_ + j];
       row.put(j, sum);
     }
     add_row_product(g, {nullptr, n_, {w_.sum_DK}, s_}, s_, row);
@@ -381,30 +386,31 @@ class Bounding {
     add_row_product(weight, {nullptr, n_, slack, s_}, s_, rounding);
     for (unsigned j = 0; j < s_; ++j)
       row.put(j,
-              raised(row[j] + raised(rounding[j], kManyTerms) * Octet::of(2.0 * kSecondOrderGamma),
+              raised(row[j] + raised(rounding[j], kManyTerms) * Pack::of(2.0 * kSecondOrderGamma),
                      kManyTerms));
     for (unsigned j = 0; j < s_; ++j) {
       const unsigned e = i * s_ + j;
-      Octets{w_.R}.put(e, raised(row[j] + Octets{w_.R_of_wide}[e], kManyTerms));
+      PackArray{w_.R}.put(e, raised(row[j] + PackArray{w_.R_of_wide}[e], kManyTerms));
     }
   }
 
-  REGULUS_OCTET void assemble(Octets T) noexcept {
+  REGULUS_LANE_INLINE void assemble(PackArray T) noexcept {
     const unsigned order = n_ + s_;
-    const Octets P{w_.P};
+    const PackArray P{w_.P};
     for (unsigned i = 0; i < n_; ++i) {
       for (unsigned j = 0; j < n_; ++j) T.put(i * order + j, P[i * n_ + j]);
       for (unsigned j = 0; j < s_; ++j)
-        T.put(i * order + n_ + j,
-              raised(Octets{w_.abs_K}[i * s_ + j] + Octets{w_.sum_DK}[i * s_ + j], kFewTerms));
+        T.put(
+            i * order + n_ + j,
+            raised(PackArray{w_.abs_K}[i * s_ + j] + PackArray{w_.sum_DK}[i * s_ + j], kFewTerms));
     }
     for (unsigned i = 0; i < s_; ++i) {
-      const Octets row = T + (n_ + i) * order;
-      for (unsigned j = 0; j < n_; ++j) row.put(j, Octets{w_.rest}[i * n_ + j]);
-      add_row_product(Octets{w_.weight} + i * n_, {nullptr, n_, P, n_}, n_, row);
-      add_row_product(Octets{w_.weight_of_g} + i * n_, {nullptr, n_, P, n_}, n_, row);
+      const PackArray row = T + (n_ + i) * order;
+      for (unsigned j = 0; j < n_; ++j) row.put(j, PackArray{w_.rest}[i * n_ + j]);
+      add_row_product(PackArray{w_.weight} + i * n_, {nullptr, n_, P, n_}, n_, row);
+      add_row_product(PackArray{w_.weight_of_g} + i * n_, {nullptr, n_, P, n_}, n_, row);
       raise(row, n_, kManyTerms);
-      for (unsigned j = 0; j < s_; ++j) row.put(n_ + j, Octets{w_.R}[i * s_ + j]);
+      for (unsigned j = 0; j < s_; ++j) row.put(n_ + j, PackArray{w_.R}[i * s_ + j]);
     }
   }
 

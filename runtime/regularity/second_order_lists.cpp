@@ -174,9 +174,9 @@ namespace {
 class Dealer {
  public:
   explicit Dealer(double* begin) noexcept : next_(begin) {}
-  void give(double*& array, std::size_t octets) noexcept {
+  void give(double*& array, std::size_t packs) noexcept {
     array = next_ == nullptr ? nullptr : next_ + used_ * kLanes;
-    used_ += octets;
+    used_ += packs;
   }
   [[nodiscard]] std::size_t used() const noexcept { return used_; }
 
@@ -217,7 +217,7 @@ std::size_t deal(double* begin, const Sizes& size, SecondOrderWork& work) noexce
 
 }  // namespace
 
-std::size_t SecondOrderLists::octets() const noexcept {
+std::size_t SecondOrderLists::packs() const noexcept {
   SecondOrderWork counted;
   return deal(nullptr,
               {columns_, touched_.size(), wide_.size(), pairs_.size(), row_variables_.size(),

@@ -31,7 +31,7 @@ class SecondOrderLists {
   /// Valid as long as this is.
   [[nodiscard]] SecondOrderPlan plan() const noexcept;
   /// Numbers for plan() in a buffer that work() gets again.
-  [[nodiscard]] std::size_t octets() const noexcept;
+  [[nodiscard]] std::size_t packs() const noexcept;
   [[nodiscard]] SecondOrderWork work(AlignedBuffer& numbers) const noexcept;
 
   [[nodiscard]] std::size_t variables() const noexcept { return variables_; }

@@ -11,7 +11,7 @@ namespace regulus {
 namespace {
 
 LaneMask lanes_within(const double* x, std::size_t entries, double limit) noexcept {
-  LaneMask within = kEveryLane;
+  LaneMask within = kAllLanes;
   for (std::size_t e = 0; e < entries; ++e)
     for (std::size_t lane = 0; lane < kLanes; ++lane)
       within &= ~(static_cast<LaneMask>(!(std::fabs(x[point_at(e, lane)]) <= limit)) << lane);
@@ -181,7 +181,7 @@ void Batch::copy_first_lane(std::size_t from) noexcept {
 
 void Batch::spread(std::size_t count) noexcept {
   copy_first_lane(1);
-  loaded_ = kEveryLane >> (kLanes - count);
+  loaded_ = kAllLanes >> (kLanes - count);
 }
 
 void Batch::seal(std::size_t count) noexcept {
@@ -202,11 +202,11 @@ LaneMask Batch::call(regulus_function function, const double* boxes, const doubl
   if (function == nullptr) return 0;
   const LaneMask undefined = caller_.call_within_contract(function, boxes, points, out);
   if (outside_contract_ != 0) caller_.forget(function, outside_contract_, out);
-  return kEveryLane & ~outside_contract_ & ~undefined;
+  return kAllLanes & ~outside_contract_ & ~undefined;
 }
 
 void Batch::constraints_on(const double* boxes, LaneMask& inside, LaneMask& outside) noexcept {
-  inside = kEveryLane;
+  inside = kAllLanes;
   outside = 0;
   if (kernel_.constraints == 0) return;
   // A lane with an undefined constraint is neither inside nor outside.
@@ -241,7 +241,7 @@ LaneMask Batch::midpoint_outside() noexcept {
 }
 
 void Batch::compute_posed() noexcept {
-  posed_ = kEveryLane;
+  posed_ = kAllLanes;
   for (std::size_t lane = 0; lane < kLanes; ++lane)
     scale_[lower_at(0, lane)] = scale_[upper_at(0, lane)] = 1.0;
   if (kernel_.row_scale != nullptr) {
@@ -288,7 +288,7 @@ void Batch::compute_midpoint() noexcept {
                                          preconditioner_.get(), approx_determinant_);
   preconditioned_ = midpoint_defined_ & ~failed &
                     lanes_within(preconditioner_.get(), rows_ * columns_, kMaxPointMagnitude);
-  for_each_lane(kEveryLane & ~preconditioned_, [this](std::size_t lane) {
+  for_each_lane(kAllLanes & ~preconditioned_, [this](std::size_t lane) {
     clear_lane(preconditioner_.get(), rows_ * columns_, lane);
   });
 }
@@ -343,7 +343,7 @@ double Batch::approx_row_scale(std::size_t lane) noexcept {
   if (kernel_.row_scale != nullptr) {
     const LaneMask defined = call(kernel_.row_scale, thin_.get(), nullptr, scratch_.get());
     midpoints_of(scratch_.get(), 1, approx_scale_);
-    for_each_lane(kEveryLane & ~defined, [this](std::size_t l) { approx_scale_[l] = 1.0; });
+    for_each_lane(kAllLanes & ~defined, [this](std::size_t l) { approx_scale_[l] = 1.0; });
   }
   return approx_scale_[lane];
 }

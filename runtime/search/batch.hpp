@@ -16,19 +16,6 @@
 
 namespace regulus {
 
-static_assert(kLanes == REGULUS_LANES);
-
-/// Calls `visit(lane)` for each lane of the mask, lowest first.
-template <typename Visit>
-constexpr void for_each_lane(LaneMask lanes, Visit&& visit) {
-  for (std::size_t lane = 0; lane < kLanes; ++lane)
-    if ((lanes >> lane & 1U) != 0) visit(lane);
-}
-
-[[nodiscard]] constexpr bool has_lane(LaneMask lanes, std::size_t lane) noexcept {
-  return (lanes >> lane & 1U) != 0;
-}
-
 class Batch {
  public:
   Batch(const Problem& problem, const Settings& settings, const RowStructure& structure);

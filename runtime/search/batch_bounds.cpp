@@ -17,7 +17,7 @@ double* Batch::natural_bounds() noexcept {
   LaneMask defined = preconditioned();
   const double* entries = product({ProductForm::Side::kLeft, false}, defined);
   distance_to_identity_ru(entries, columns_, bounds_.get());
-  for_each_lane(kEveryLane & ~defined, [this](std::size_t lane) {
+  for_each_lane(kAllLanes & ~defined, [this](std::size_t lane) {
     fill_lane(bounds_.get(), columns_ * columns_, lane, kInfinity);
   });
   return bounds_.get();
@@ -37,7 +37,7 @@ double* Batch::mean_value_bounds() noexcept {
 
 LaneMask Batch::call_listed(const regulus_derivatives& derivatives, const double* boxes,
                             double* out) noexcept {
-  if (derivatives.function == nullptr) return kEveryLane;
+  if (derivatives.function == nullptr) return kAllLanes;
   return call(derivatives.function, boxes, preconditioner(), out);
 }
 
@@ -62,7 +62,7 @@ double* Batch::second_order_bounds() noexcept {
     static_cast<void>(product({}, defined));
   second_order_->bound_ru(second_order_input(), T);
   second_order_defined_ = defined;
-  for_each_lane(kEveryLane & ~defined,
+  for_each_lane(kAllLanes & ~defined,
                 [&](std::size_t lane) { fill_lane(T, order() * order(), lane, kInfinity); });
   return T;
 }

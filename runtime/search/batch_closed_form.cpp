@@ -47,7 +47,7 @@ Interval oriented(Interval x, bool least) noexcept { return least ? x : -x; }
 const double* Batch::natural_determinant() noexcept {
   if (!begin(kDeterminant)) return determinant_.get();
   const LaneMask defined = call(kernel_.determinant, boxes_.get(), nullptr, determinant_.get());
-  for_each_lane(kEveryLane & ~defined,
+  for_each_lane(kAllLanes & ~defined,
                 [this](std::size_t lane) { store(determinant_.get(), 0, lane, kEntire); });
   return determinant_.get();
 }

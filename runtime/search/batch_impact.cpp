@@ -52,7 +52,7 @@ void Batch::impact_from_derivatives() noexcept {
       weigh_impact(k, e / columns_, e % columns_, magnitude);
     }
   }
-  clear_impact(kEveryLane & ~derivatives_defined_);
+  clear_impact(kAllLanes & ~derivatives_defined_);
 }
 
 /// By how much the entries shrink when one variable is fixed at its midpoint: what a test on
@@ -97,7 +97,7 @@ void Batch::approx_distances(double* P) noexcept {
           P[point_at(i * n + j, lane)] = sum;
         }
   }
-  for_each_lane(kEveryLane & ~known, [&](std::size_t lane) {
+  for_each_lane(kAllLanes & ~known, [&](std::size_t lane) {
     for (std::size_t e = 0; e < n * n; ++e) P[point_at(e, lane)] = 1.0;
   });
 }
@@ -148,7 +148,7 @@ const double* Batch::approx_impact() noexcept {
   if (second_order_) {
     second_order_->approx_impact(second_order_input(), right_perron_.get(), left_perron_.get(),
                                  impact_.get());
-    const LaneMask unknown = kEveryLane & ~second_order_defined_;
+    const LaneMask unknown = kAllLanes & ~second_order_defined_;
     clear_impact(unknown);
     if (unknown != 0)
       add_impact_at_center(kernel_.expansion->first, first_.get(), expanded_radius_.get(),

@@ -89,7 +89,7 @@ class PoseSearch {
 
   /// The lanes in which the function is defined.
   LaneMask call(regulus_function function) noexcept {
-    return kEveryLane & ~kernel_.call(function, boxes_.get(), nullptr, out_.get());
+    return kAllLanes & ~kernel_.call(function, boxes_.get(), nullptr, out_.get());
   }
 
   Interval output(std::size_t entry, std::size_t lane) const noexcept {
@@ -97,7 +97,7 @@ class PoseSearch {
   }
 
   LaneMask call_constraints() noexcept {
-    return functions_.constraints == 0 ? kEveryLane : call(functions_.constraint);
+    return functions_.constraints == 0 ? kAllLanes : call(functions_.constraint);
   }
 
   /// After call_constraints: every constraint is ≤ 0 all over the lane's box.

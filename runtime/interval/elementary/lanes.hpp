@@ -22,7 +22,7 @@
 #define REGULUS_LANES_ISA for_avx2
 #define REGULUS_VECTOR_BYTES 32
 #else
-#define REGULUS_LANES_ISA for_baseline
+#define REGULUS_LANES_ISA for_portable
 #define REGULUS_VECTOR_BYTES 16
 #endif
 

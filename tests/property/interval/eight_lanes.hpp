@@ -46,8 +46,8 @@ inline LaneResult as_lane(Interval value, bool undefined) {
 template <int kIntervals>
 void expect_lanes(X8Backend::Function X8Backend::*function, const LaneBlock<kIntervals>& in,
                   const std::array<LaneResult, 8>& expected) {
-  for (const X8Isa isa : kX8Isas) {
-    if (!x8_available(isa)) continue;
+  for (const Isa isa : kAllIsas) {
+    if (!supported(isa)) continue;
     LaneBlock<1> out;
     const unsigned undefined = (x8_backend(isa).*function)(in.bounds.data(), out.bounds.data());
     for (int lane = 0; lane < 8; ++lane) {

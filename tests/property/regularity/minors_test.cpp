@@ -115,11 +115,11 @@ TEST(Minors, IsTheSameOnEveryInstructionSet) {
     std::vector<double> lo(n * n), hi(n * n);
     for (std::size_t e = 0; e < lo.size(); ++e)
       lo[e] = matrix[lower_at(e, 0)], hi[e] = matrix[upper_at(e, 0)];
-    const RegularityBackend& reference = regularity_backend(X8Isa::kBaseline);
+    const RegularityBackend& reference = regularity_backend(Isa::kPortable);
     reference.expand(matrix, n, expected);
     const bool share = reference.vertices_share_sign(lo.data(), hi.data(), n, 1e-12);
-    for (const X8Isa isa : kX8Isas) {
-      if (!x8_available(isa)) continue;
+    for (const Isa isa : kAllIsas) {
+      if (!supported(isa)) continue;
       regularity_backend(isa).expand(matrix, n, found);
       for (std::size_t i = 0; i < 2 * kLanes; ++i)
         ASSERT_TRUE(found[i] == expected[i] || (std::isnan(found[i]) && std::isnan(expected[i])));
@@ -231,7 +231,7 @@ TEST(Rohn, AgreesWithTheVertexDeterminantsInExactArithmetic) {
         x[lower_at(e, l)] = center - spread;
         x[upper_at(e, l)] = center + spread;
       }
-    const LaneMask certain = certain_rohn(x.data(), n, kEveryLane);
+    const LaneMask certain = certain_rohn(x.data(), n, kAllLanes);
     for (std::size_t l = 0; l < kLanes; ++l) {
       const bool expected = exact_vertices_share_sign(test::interval_lane_of(x, l), n);
       EXPECT_EQ((certain >> l & 1U) != 0, expected) << n;

@@ -130,7 +130,7 @@ TEST(Regularity, MeanValueBoundsHoldAlongTheBox) {
       for (std::size_t l = 0; l < kLanes; ++l)
         D[lower_at(d, l)] = D[upper_at(d, l)] = test::awkward(random);
     for (double& r : radius) r = std::fabs(test::awkward(random));
-    lower_to_mean_value_ru(center.data(), D.data(), radius.data(), n, variables, kEveryLane,
+    lower_to_mean_value_ru(center.data(), D.data(), radius.data(), n, variables, kAllLanes,
                            P.data());
     const std::size_t l = random.next() % kLanes;
     for (std::size_t e = 0; e < n * n; ++e) {
@@ -175,7 +175,7 @@ TEST(Regularity, RohnClaimsHoldForExactMembers) {
     const double spread = test::uniform(random, 0.05, 1.2);
     const std::vector<double> x =
         random_intervals(random, n * n, random.next() % 2 == 0, n, spread);
-    const LaneMask certain = certain_rohn(x.data(), n, kEveryLane);
+    const LaneMask certain = certain_rohn(x.data(), n, kAllLanes);
     for (std::size_t l = 0; l < kLanes; ++l) {
       const bool regular = (certain >> l & 1U) != 0;
       ++(regular ? certified : refused);
@@ -202,7 +202,7 @@ TEST(Regularity, RohnNeverCertifiesANearlySingularVertexFalsely) {
       for (std::size_t j = 0; j < n; ++j) a[(n - 1) * n + j] = 0.7 * a[j];
       for (std::size_t e = 0; e < n * n; ++e) x[lower_at(e, l)] = x[upper_at(e, l)] = a[e];
     }
-    const LaneMask certain = certain_rohn(x.data(), n, kEveryLane);
+    const LaneMask certain = certain_rohn(x.data(), n, kAllLanes);
     for (std::size_t l = 0; l < kLanes; ++l)
       if ((certain >> l & 1U) != 0) {
         ASSERT_NE(determinant(random_member(random, x, l), n).sign(), 0);

@@ -208,7 +208,7 @@ struct Bounds {
     v.resize(bounds.order() * kLanes);
     const SecondOrderInput input = in.input();
     bounds.bound_ru(input, T.data());
-    regular = certain_h_matrix(T.data(), bounds.order(), v.data()) == kEveryLane;
+    regular = certain_h_matrix(T.data(), bounds.order(), v.data()) == kAllLanes;
     determinant_rd(T.data(), bounds.order(), lower.data());
     bounds.moving_determinant_ru(input, moving.data());
   }
@@ -230,8 +230,8 @@ TEST(SecondOrder, ClaimsHoldForExactMembers) {
     Family f(random, 1 + random.below(4), random.below(2));
     if (random.one_in(2)) f.put_in_balls();
     const Inputs in(random, f);
-    const X8Isa isa = kX8Isas[static_cast<std::size_t>(round) / 3 % kX8Isas.size()];
-    if (!x8_available(isa)) continue;
+    const Isa isa = kAllIsas[static_cast<std::size_t>(round) / 3 % kAllIsas.size()];
+    if (!supported(isa)) continue;
     const Bounds bounds(f, in, round % 3 != 0, regularity_backend(isa));
     ++(bounds.regular ? certified : refused);
     for (int sample = 0; sample < 12; ++sample) {
@@ -281,7 +281,7 @@ TEST(Orthants, ClaimsHoldForExactMembers) {
     std::vector<double> T(n * n * kLanes), v(n * kLanes), y(n * kLanes), radius(kLanes);
     const SecondOrderInput input = in.input();
     bounds.bound_ru(input, T.data());
-    if (certain_h_matrix(T.data(), n, v.data()) == kEveryLane) continue;
+    if (certain_h_matrix(T.data(), n, v.data()) == kAllLanes) continue;
     approx_perron(T.data(), n, v.data(), y.data(), radius.data());
     OrthantCell hint{};
     if (bounds.certain_by_orthants(input, T.data(), v.data(), 1U, hint) == 0) {

@@ -58,7 +58,7 @@ void check(Random& random, const RandomMatrix& kernel, Method method, Widths& wi
     for (Batch* batch : {&natural, &sharpened}) batch->load(lane, boxes[lane]);
   }
   for (Batch* batch : {&natural, &sharpened}) batch->seal(kLanes);
-  LaneMask lanes = kEveryLane;
+  LaneMask lanes = kAllLanes;
   const double* wide = natural.product(form, lanes);
   const double* narrow = sharpened.product(form, lanes);
   for_each_lane(lanes, [&](std::size_t lane) {

@@ -75,19 +75,19 @@ std::vector<double> same_lanes(const std::vector<Interval>& entries) {
 }
 
 LaneMask rohn(std::size_t n, const std::vector<Interval>& entries) {
-  return certain_rohn(same_lanes(entries).data(), n, kEveryLane);
+  return certain_rohn(same_lanes(entries).data(), n, kAllLanes);
 }
 
 TEST(Rohn, CertifiesRegularIntervalMatrices) {
-  EXPECT_EQ(rohn(1, {{0.5, 2}}), kEveryLane);
-  EXPECT_EQ(rohn(2, {{1, 2}, {-0.5, 0.5}, {-0.5, 0.5}, {1, 2}}), kEveryLane);
+  EXPECT_EQ(rohn(1, {{0.5, 2}}), kAllLanes);
+  EXPECT_EQ(rohn(2, {{1, 2}, {-0.5, 0.5}, {-0.5, 0.5}, {1, 2}}), kAllLanes);
   const Interval d(2, 3), o(-0.9, 0.9);
-  EXPECT_EQ(rohn(3, {d, o, o, o, d, o, o, o, d}), kEveryLane);
+  EXPECT_EQ(rohn(3, {d, o, o, o, d, o, o, o, d}), kAllLanes);
 }
 
 TEST(Rohn, NeedsNoDominantDiagonal) {
   const std::vector<Interval> entries{{1, 2}, {0.5, 3}, {-3, -0.1}, {1, 2}};
-  EXPECT_EQ(rohn(2, entries), kEveryLane);
+  EXPECT_EQ(rohn(2, entries), kAllLanes);
 }
 
 TEST(Rohn, RefusesIntervalMatricesWithASingularMember) {

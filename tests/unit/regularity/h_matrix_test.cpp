@@ -23,13 +23,13 @@ LaneMask certify(const std::vector<double>& entries, std::size_t n) {
 }
 
 TEST(HMatrix, CertifiesUpToSpectralRadiusOne) {
-  EXPECT_EQ(certify({0.999999}, 1), kEveryLane);
+  EXPECT_EQ(certify({0.999999}, 1), kAllLanes);
   EXPECT_EQ(certify({1.0}, 1), 0U);
   // ρ = √(ab): cyclic, and badly scaled.
-  EXPECT_EQ(certify({0, 1e6, 0.99e-6, 0}, 2), kEveryLane);
+  EXPECT_EQ(certify({0, 1e6, 0.99e-6, 0}, 2), kAllLanes);
   EXPECT_EQ(certify({0, 1e6, 1.01e-6, 0}, 2), 0U);
   // Reducible: only the diagonal counts.
-  EXPECT_EQ(certify({0.5, 1e9, 0, 0.5}, 2), kEveryLane);
+  EXPECT_EQ(certify({0.5, 1e9, 0, 0.5}, 2), kAllLanes);
 }
 
 TEST(HMatrix, NeverCertifiesWhatIsNotFinite) {
@@ -51,7 +51,7 @@ TEST(HMatrix, DecidesEachLaneByItself) {
 
 TEST(HMatrix, ContractionRefusesVectorsThatAreNotPositiveAndFinite) {
   const std::vector<double> P = in_every_lane({0.5, 0, 0, 0.5});
-  EXPECT_EQ(certain_contraction(P.data(), in_every_lane({1, 1}).data(), 2), kEveryLane);
+  EXPECT_EQ(certain_contraction(P.data(), in_every_lane({1, 1}).data(), 2), kAllLanes);
   EXPECT_EQ(certain_contraction(P.data(), in_every_lane({1, 0}).data(), 2), 0U);
   EXPECT_EQ(certain_contraction(P.data(), in_every_lane({-1, -1}).data(), 2), 0U);
   EXPECT_EQ(certain_contraction(
@@ -93,7 +93,7 @@ TEST(HMatrix, MeanValueNeverRaisesABound) {
   const std::vector<double> derivatives = in_every_lane({-2, 1});
   const std::vector<double> radius = in_every_lane({8});
   std::vector<double> P = in_every_lane({4});
-  lower_to_mean_value_ru(center.data(), derivatives.data(), radius.data(), 1, 1, kEveryLane,
+  lower_to_mean_value_ru(center.data(), derivatives.data(), radius.data(), 1, 1, kAllLanes,
                          P.data());
   EXPECT_EQ(P[0], 4.0);
 }

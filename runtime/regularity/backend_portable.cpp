@@ -3,6 +3,6 @@
 
 namespace regulus {
 
-const RegularityBackend kRegularityBaseline = regularity::kBackend;
+const RegularityBackend kRegularityPortable = regularity::kBackend;
 
 }  // namespace regulus

@@ -3,6 +3,6 @@
 
 namespace regulus {
 
-const X8Backend kX8Baseline = elementary::kBackend;
+const X8Backend kX8Portable = elementary::kBackend;
 
 }  // namespace regulus

@@ -1,0 +1,202 @@
+// SPDX-License-Identifier: Apache-2.0
+// Eight doubles in as few vectors as they fill, and arrays of them in point layout. For files that
+// are compiled once per instruction set; see elementary/lanes.hpp for what these may use.
+#pragma once
+
+#include "regulus/interval/elementary/lanes.hpp"
+#include "regulus/interval/lanes.hpp"
+
+namespace regulus::lanes {
+inline namespace REGULUS_LANES_ISA {
+
+using namespace elementary::REGULUS_LANES_ISA;
+
+/// Whatever arrays of doubles there are, at any address that doubles may have.
+typedef double VectorInArray
+    __attribute__((vector_size(REGULUS_VECTOR_BYTES), may_alias, aligned(8)));
+
+/// a·b + c, rounded once where the processor can: never further from the truth than twice.
+REGULUS_LANE_INLINE Vector fused(Vector a, Vector b, Vector c) noexcept {
+#if REGULUS_VECTOR_BYTES == 64
+  return _mm512_fmadd_pd(a, b, c);
+#elif REGULUS_VECTOR_BYTES == 32
+  return _mm256_fmadd_pd(a, b, c);
+#else
+  return a * b + c;
+#endif
+}
+
+struct Pack {
+  static constexpr unsigned kParts = kLanes / kVectorLanes;
+  Vector part[kParts];
+
+  REGULUS_LANE_INLINE static Pack of(double c) noexcept {
+    Pack x;
+    for (Vector& p : x.part) p = splat<Vector>(c);
+    return x;
+  }
+  REGULUS_LANE_INLINE static Pack load(const double* x) noexcept {
+    Pack y;
+    for (unsigned p = 0; p < kParts; ++p)
+      y.part[p] = *reinterpret_cast<const VectorInArray*>(x + p * kVectorLanes);
+    return y;
+  }
+  REGULUS_LANE_INLINE void store(double* x) const noexcept {
+    for (unsigned p = 0; p < kParts; ++p)
+      *reinterpret_cast<VectorInArray*>(x + p * kVectorLanes) = part[p];
+  }
+
+  REGULUS_LANE_INLINE double& lane(unsigned l) noexcept {
+    return reinterpret_cast<double*>(part)[l];
+  }
+  [[nodiscard]] REGULUS_LANE_INLINE double lane(unsigned l) const noexcept {
+    return reinterpret_cast<const double*>(part)[l];
+  }
+
+  /// Rounded twice, on every instruction set.
+  REGULUS_LANE_INLINE void add_product(const Pack& a, const Pack& b) noexcept {
+    for (unsigned p = 0; p < kParts; ++p) part[p] += a.part[p] * b.part[p];
+  }
+  REGULUS_LANE_INLINE void subtract_product(const Pack& a, const Pack& b) noexcept {
+    for (unsigned p = 0; p < kParts; ++p) part[p] -= a.part[p] * b.part[p];
+  }
+  /// Rounded once or twice.
+  REGULUS_LANE_INLINE void add_fused(const Pack& a, const Pack& b) noexcept {
+    for (unsigned p = 0; p < kParts; ++p) part[p] = fused(a.part[p], b.part[p], part[p]);
+  }
+  REGULUS_LANE_INLINE void subtract_fused(const Pack& a, const Pack& b) noexcept {
+    for (unsigned p = 0; p < kParts; ++p) part[p] = fused(-a.part[p], b.part[p], part[p]);
+  }
+};
+
+REGULUS_LANE_INLINE Pack operator+(const Pack& a, const Pack& b) noexcept {
+  Pack c;
+  for (unsigned p = 0; p < Pack::kParts; ++p) c.part[p] = a.part[p] + b.part[p];
+  return c;
+}
+REGULUS_LANE_INLINE Pack operator-(const Pack& a, const Pack& b) noexcept {
+  Pack c;
+  for (unsigned p = 0; p < Pack::kParts; ++p) c.part[p] = a.part[p] - b.part[p];
+  return c;
+}
+REGULUS_LANE_INLINE Pack operator*(const Pack& a, const Pack& b) noexcept {
+  Pack c;
+  for (unsigned p = 0; p < Pack::kParts; ++p) c.part[p] = a.part[p] * b.part[p];
+  return c;
+}
+REGULUS_LANE_INLINE Pack operator/(const Pack& a, const Pack& b) noexcept {
+  Pack c;
+  for (unsigned p = 0; p < Pack::kParts; ++p) c.part[p] = a.part[p] / b.part[p];
+  return c;
+}
+REGULUS_LANE_INLINE Pack magnitude(const Pack& a) noexcept {
+  Pack c;
+  for (unsigned p = 0; p < Pack::kParts; ++p) c.part[p] = elementary::magnitude(a.part[p]);
+  return c;
+}
+/// b where one of them is NaN.
+REGULUS_LANE_INLINE Pack larger(const Pack& a, const Pack& b) noexcept {
+  Pack c;
+  for (unsigned p = 0; p < Pack::kParts; ++p) c.part[p] = elementary::larger(b.part[p], a.part[p]);
+  return c;
+}
+REGULUS_LANE_INLINE Pack square_root(const Pack& a) noexcept {
+  Pack c;
+  for (unsigned p = 0; p < Pack::kParts; ++p) c.part[p] = elementary::square_root(a.part[p]);
+  return c;
+}
+/// One bit per lane.
+REGULUS_LANE_INLINE LaneMask less_lanes(const Pack& a, const Pack& b) noexcept {
+  LaneMask lanes = 0;
+  for (unsigned p = 0; p < Pack::kParts; ++p)
+    lanes |= lane_bits(elementary::less(a.part[p], b.part[p])) << (p * kVectorLanes);
+  return lanes;
+}
+REGULUS_LANE_INLINE Pack select_less(const Pack& a, const Pack& b, const Pack& yes,
+                                     const Pack& no) noexcept {
+  Pack c;
+  for (unsigned p = 0; p < Pack::kParts; ++p)
+    c.part[p] = elementary::select(elementary::less(a.part[p], b.part[p]), yes.part[p], no.part[p]);
+  return c;
+}
+/// raise_ru of lanes.hpp, lane by lane.
+REGULUS_LANE_INLINE Pack raised(const Pack& x, double factor) noexcept {
+  return x * Pack::of(factor) + Pack::of(0x1p-1000);
+}
+
+/// An array in point layout.
+struct PackArray {
+  double* x;
+
+  REGULUS_LANE_INLINE Pack operator[](unsigned at) const noexcept {
+    return Pack::load(x + at * kLanes);
+  }
+  REGULUS_LANE_INLINE void put(unsigned at, const Pack& value) const noexcept {
+    value.store(x + at * kLanes);
+  }
+  REGULUS_LANE_INLINE void add(unsigned at, const Pack& value) const noexcept {
+    put(at, (*this)[at] + value);
+  }
+  REGULUS_LANE_INLINE void add_fused(unsigned at, const Pack& a, const Pack& b) const noexcept {
+    Pack sum = (*this)[at];
+    sum.add_fused(a, b);
+    put(at, sum);
+  }
+  REGULUS_LANE_INLINE PackArray operator+(unsigned at) const noexcept { return {x + at * kLanes}; }
+};
+
+/// Some rows of a matrix: `terms` of them, which `rows` lists; null for the first ones.
+struct Rows {
+  const unsigned* rows;
+  unsigned terms;
+  PackArray matrix;
+  unsigned stride;
+
+  [[nodiscard]] REGULUS_LANE_INLINE PackArray operator[](unsigned k) const noexcept {
+    return matrix + (rows == nullptr ? k : rows[k]) * stride;
+  }
+};
+
+/// aᵀB for the columns j … j + kAtOnce − 1, added to sums that stay in registers.
+template <unsigned kAtOnce>
+REGULUS_LANE_INLINE void add_products(PackArray a, const Rows& b, unsigned j, Pack* sum) noexcept {
+  for (unsigned k = 0; k < b.terms; ++k) {
+    const Pack factor = a[k];
+    const PackArray row = b[k] + j;
+    for (unsigned c = 0; c < kAtOnce; ++c) sum[c].add_fused(factor, row[c]);
+  }
+}
+template <unsigned kAtOnce>
+REGULUS_LANE_INLINE void subtract_products(PackArray a, const Rows& b, unsigned j,
+                                           Pack* sum) noexcept {
+  for (unsigned k = 0; k < b.terms; ++k) {
+    const Pack factor = Pack::of(0.0) - a[k];
+    const PackArray row = b[k] + j;
+    for (unsigned c = 0; c < kAtOnce; ++c) sum[c].add_fused(factor, row[c]);
+  }
+}
+
+/// Calls visit.template operator()<kAtOnce>(j) for blocks of columns that registers hold.
+template <typename Visit>
+REGULUS_LANE_INLINE void for_each_block(unsigned count, Visit&& visit) noexcept {
+  unsigned j = 0;
+  for (; j + 6 <= count; j += 6) visit.template operator()<6>(j);
+  for (; j + 3 <= count; j += 3) visit.template operator()<3>(j);
+  for (; j < count; ++j) visit.template operator()<1>(j);
+}
+
+/// sums[j] += (aᵀB)_j for `count` columns; sums[to[j]] if there is a `to`.
+REGULUS_LANE_INLINE void add_row_product(PackArray a, const Rows& b, unsigned count, PackArray sums,
+                                         const unsigned* to = nullptr) noexcept {
+  for_each_block(
+      count, [&]<unsigned kAtOnce>(unsigned j) __attribute__((always_inline)) {
+        Pack sum[kAtOnce];
+        const auto place = [&](unsigned c) { return to == nullptr ? j + c : to[j + c]; };
+        for (unsigned c = 0; c < kAtOnce; ++c) sum[c] = sums[place(c)];
+        add_products<kAtOnce>(a, b, j, sum);
+        for (unsigned c = 0; c < kAtOnce; ++c) sums.put(place(c), sum[c]);
+      });
+}
+
+}  // namespace REGULUS_LANES_ISA
+}  // namespace regulus::lanes
