@@ -181,8 +181,10 @@ bool ApproxBounds::find_preconditioner(const ApproxRanges& at_center) {
     matrix.insert(matrix.end(), x.lo.begin(), x.lo.end());
   }
   K_.assign(rows_ * columns_ * kLanes, 0.0);
-  double determinant[kLanes];
-  if (approx_inverse(matrix.data(), rows_, columns_, K_.data(), determinant) != 0) return false;
+  LaneNumbers determinant;
+  if (approx_inverse(ConstPointMatrix(matrix.data(), rows_, columns_),
+                     PointMatrix(K_.data(), columns_, rows_), determinant) != 0)
+    return false;
   K_rows_.assign(rows_ * columns_, LaneValues{});
   for (std::size_t e = 0; e < K_rows_.size(); ++e)
     for (std::size_t lane = 0; lane < kLanes; ++lane) K_rows_[e][lane] = K_[point_at(e, lane)];
@@ -231,13 +233,16 @@ RowStructure ApproxBounds::row_structure() const {
 }
 
 SecondOrderInput ApproxBounds::input() const {
-  return {K_.data(),
-          values_.product.data(),
-          values_.first.data(),
-          values_.second.data(),
-          values_.row_first.data(),
-          values_.row_second.data(),
-          radius_.data()};
+  const auto listed = [](const std::vector<double>& x) {
+    return ConstIntervalVector(x.data(), x.size() / (2 * kLanes));
+  };
+  return {.K = ConstPointMatrix(K_.data(), columns_, rows_),
+          .product = ConstIntervalMatrix(values_.product.data(), columns_, columns_),
+          .first = listed(values_.first),
+          .second = listed(values_.second),
+          .row_first = listed(values_.row_first),
+          .row_second = listed(values_.row_second),
+          .radius = ConstPointVector(radius_.data(), radius_.size() / kLanes)};
 }
 
 std::vector<double> ApproxBounds::second_order_bounds(const ApproxRanges& at_center,
@@ -261,7 +266,7 @@ std::vector<double> ApproxBounds::second_order_bounds(const ApproxRanges& at_cen
   values_.row_second = in_one_row(row_second_, over_boxes);
   order = second_order_->order();
   std::vector<double> T(order * order * kLanes);
-  second_order_->bound_ru(input(), T.data());
+  second_order_->bound_ru(input(), PointMatrix(T.data(), order, order));
   return T;
 }
 
@@ -315,11 +320,13 @@ std::vector<double> ApproxBounds::radii(const SampleBoxes& boxes) {
 void ApproxBounds::weigh(const std::vector<double>& bounds, std::size_t order,
                          std::vector<double>& radii) {
   std::vector<double> v(order * kLanes), y(order * kLanes);
-  double norms[kLanes];
-  approx_perron(bounds.data(), order, v.data(), y.data(), norms);
+  const PerronVectors vectors{.right = PointVector(v.data(), order),
+                              .left = PointVector(y.data(), order)};
+  static_cast<void>(approx_perron(ConstPointMatrix(bounds.data(), order, order), vectors));
   radii = rayleigh_quotients(bounds, order, v, y);
   if (setting_.second_order)
-    return second_order_->approx_impact(input(), v.data(), y.data(), impact_.data());
+    return second_order_->approx_impact(input(), vectors,
+                                        PointVector(impact_.data(), impact_.size() / kLanes));
   std::fill(impact_.begin(), impact_.end(), 0.0);
   const std::vector<DerivativePlace> places = places_in_all_rows(first_);
   for (std::size_t e = 0; e < places.size(); ++e)

@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
 // The loops of the regularity tests, compiled once per instruction set. Any rounding mode; no state
-// is kept. Arrays are in the layouts of lanes.hpp. What the functions claim is said where they are
+// is kept. What the functions claim is said where they are
 // used.
 #pragma once
 
 #include "regulus/interval/isa.hpp"
 #include "regulus/interval/lanes.hpp"
+#include "regulus/regularity/views.hpp"
 
 namespace regulus {
 
@@ -15,40 +16,48 @@ struct SecondOrderWork;
 struct OrthantProblem;
 struct OrthantCell;
 
+/// The largest order whose vertex matrices are gone through.
+inline constexpr std::size_t kMaxVertexOrder = 8;
+
+/// The bounds of an interval matrix n×n in one lane.
+struct BoundsOfOneLane {
+  unsigned n;
+  double lo[kMaxVertexOrder * kMaxVertexOrder], hi[kMaxVertexOrder * kMaxVertexOrder];
+};
+
 struct RegularityBackend {
   // minors_lanes.hpp. Sets of columns are bit masks.
 
   /// Minors of the first rows, level by level: D(S) = Σ_{j∈S} ±A[|S|−1][j]·D(S∖{j}), in interval
-  /// arithmetic without outward steps. result: lower bound of each lane, then upper.
-  void (*expand)(const double* matrix, unsigned n, double* result) noexcept;
+  /// arithmetic without outward steps. determinant: one entry.
+  void (*expand)(ConstIntervalMatrix matrix, IntervalVector determinant) noexcept;
   /// The same sum for magnitudes without signs, each level times `factor` plus 2^-1000.
-  void (*permanent)(const double* magnitude, unsigned n, double factor, double* result) noexcept;
+  void (*permanent)(ConstPointMatrix magnitude, double factor, LaneNumbers& result) noexcept;
   /// Whether the vertex determinants of one matrix, as computed, all exceed `error` or all stay
-  /// below −error. lo, hi: n·n bounds.
-  bool (*vertices_share_sign)(const double* lo, const double* hi, unsigned n,
-                              double error) noexcept;
+  /// below −error.
+  bool (*vertices_share_sign)(const BoundsOfOneLane& matrix, double error) noexcept;
 
   // h_matrix_lanes.hpp
 
   /// v ≈ (I − P)⁻¹·1.
-  void (*solve_for_ones)(const double* P, unsigned n, double* v) noexcept;
+  void (*solve_for_ones)(ConstPointMatrix P, PointVector v) noexcept;
   /// Pv, to nearest.
-  void (*multiply)(const double* P, const double* v, unsigned n, double* product) noexcept;
+  void (*multiply)(ConstPointMatrix P, ConstPointVector v, PointVector product) noexcept;
   /// Perron vectors, right and left, and the spectral radius, roughly.
-  void (*perron)(const double* P, unsigned n, double* v, double* y, double* radius) noexcept;
+  void (*perron)(ConstPointMatrix P, PerronVectors vectors, LaneNumbers& radius) noexcept;
 
   // inverse_lanes.hpp
 
   /// In place, roughly; not finite where there is none. The determinants, to nearest.
-  void (*invert)(double* matrix, unsigned n, double* determinant) noexcept;
+  void (*invert)(PointMatrix matrix, LaneNumbers& determinant) noexcept;
 
   // second_order_lanes.hpp, second_order_impact_lanes.hpp
 
   void (*bound_second_order)(const SecondOrderPlan& plan, const SecondOrderInput& input,
-                             const SecondOrderWork& work, double* T) noexcept;
+                             const SecondOrderWork& work, PointMatrix T) noexcept;
   void (*weigh_second_order)(const SecondOrderPlan& plan, const SecondOrderInput& input,
-                             const SecondOrderWork& work, const double* v, const double* y,
-                             double* impact) noexcept;
+                             const SecondOrderWork& work, PerronVectors vectors,
+                             PointVector impact) noexcept;
 
   // orthants_lanes.hpp
 

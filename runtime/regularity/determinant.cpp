@@ -34,7 +34,7 @@ struct Line {
 };
 
 /// The line of least total width; all have the same number of entries. A choice, not a bound.
-Line narrowest_line(const IntervalMatrix& M, const Minor& minor) noexcept {
+Line narrowest_line(const LaneMatrix& M, const Minor& minor) noexcept {
   double row_width[kMaxColumns] = {};
   double column_width[kMaxColumns] = {};
   for (std::size_t i = 0; i < minor.order; ++i)
@@ -51,7 +51,7 @@ Line narrowest_line(const IntervalMatrix& M, const Minor& minor) noexcept {
 
 bool is_zero(const Interval& x) noexcept { return x.lo == 0.0 && x.hi == 0.0; }
 
-Interval expand(const IntervalMatrix& M, const Minor& minor) noexcept {
+Interval expand(const LaneMatrix& M, const Minor& minor) noexcept {
   const auto at = [&](std::size_t i, std::size_t j) -> const Interval& {
     return M.at(minor.rows[i], minor.columns[j]);
   };
@@ -77,14 +77,14 @@ Minor trailing(std::size_t n, std::size_t first) noexcept {
   return minor;
 }
 
-std::size_t pivot_row(const IntervalMatrix& M, std::size_t k) noexcept {
+std::size_t pivot_row(const LaneMatrix& M, std::size_t k) noexcept {
   std::size_t best = k;
   for (std::size_t i = k + 1; i < M.n; ++i)
     if (mig(M.at(i, k)) > mig(M.at(best, k))) best = i;
   return best;
 }
 
-void eliminate(IntervalMatrix& M, std::size_t k) noexcept {
+void eliminate(LaneMatrix& M, std::size_t k) noexcept {
   for (std::size_t i = k + 1; i < M.n; ++i) {
     if (is_zero(M.at(i, k))) continue;
     const Interval factor = M.at(i, k) / M.at(k, k);
@@ -94,28 +94,28 @@ void eliminate(IntervalMatrix& M, std::size_t k) noexcept {
 
 }  // namespace
 
-IntervalMatrix interval_lane(const double* x, std::size_t n, std::size_t lane) noexcept {
-  IntervalMatrix M;
-  M.n = n;
-  for (std::size_t e = 0; e < n * n; ++e)
-    M.entries[e] = Interval(x[lower_at(e, lane)], x[upper_at(e, lane)]);
+LaneMatrix matrix_of_lane(ConstIntervalMatrix x, std::size_t lane) noexcept {
+  LaneMatrix M;
+  M.n = x.rows();
+  for (std::size_t e = 0; e < x.size(); ++e)
+    M.entries[e] = Interval(x.lower(e, lane), x.upper(e, lane));
   return M;
 }
 
-IntervalMatrix point_lane(const double* x, std::size_t n, std::size_t lane) noexcept {
-  IntervalMatrix M;
-  M.n = n;
-  for (std::size_t e = 0; e < n * n; ++e) M.entries[e] = Interval(x[point_at(e, lane)]);
+LaneMatrix matrix_of_lane(ConstPointMatrix x, std::size_t lane) noexcept {
+  LaneMatrix M;
+  M.n = x.rows();
+  for (std::size_t e = 0; e < x.size(); ++e) M.entries[e] = Interval(x.at(e, lane));
   return M;
 }
 
-Interval enclose_determinant(const IntervalMatrix& M) noexcept {
+Interval enclose_determinant(const LaneMatrix& M) noexcept {
   if (M.n > kMaxExpansion) return enclose_determinant_by_elimination(M);
   return expand(M, trailing(M.n, 0));
 }
 
-Interval enclose_determinant_by_elimination(const IntervalMatrix& M) noexcept {
-  IntervalMatrix work = M;
+Interval enclose_determinant_by_elimination(const LaneMatrix& M) noexcept {
+  LaneMatrix work = M;
   Interval product(1.0);
   for (std::size_t k = 0; k < M.n; ++k) {
     const std::size_t row = pivot_row(work, k);

@@ -6,11 +6,12 @@
 
 #include "regulus/interval/interval.hpp"
 #include "regulus/regularity/lanes.hpp"
+#include "regulus/regularity/views.hpp"
 
 namespace regulus {
 
-/// A square interval matrix, row-major, n ≤ kMaxColumns.
-struct IntervalMatrix {
+/// The square interval matrix of one lane, row-major, n ≤ kMaxColumns.
+struct LaneMatrix {
   std::size_t n = 0;
   std::array<Interval, kMaxColumns * kMaxColumns> entries;
 
@@ -20,12 +21,11 @@ struct IntervalMatrix {
   }
 };
 
-/// Lane `lane` of an n×n matrix in interval layout.
-[[nodiscard]] IntervalMatrix interval_lane(const double* x, std::size_t n,
-                                           std::size_t lane) noexcept;
+/// One lane of a square matrix.
+[[nodiscard]] LaneMatrix matrix_of_lane(ConstIntervalMatrix x, std::size_t lane) noexcept;
 
-/// Lane `lane` of an n×n matrix in point layout, as thin intervals.
-[[nodiscard]] IntervalMatrix point_lane(const double* x, std::size_t n, std::size_t lane) noexcept;
+/// The same, as thin intervals.
+[[nodiscard]] LaneMatrix matrix_of_lane(ConstPointMatrix x, std::size_t lane) noexcept;
 
 /// The largest order that is expanded; the work grows with its factorial.
 inline constexpr std::size_t kMaxExpansion = 7;
@@ -37,14 +37,14 @@ inline constexpr std::size_t kMaxExpansion = 7;
 /// Ensures   det(A) ∈ result for every real A with A[i][j] ∈ M[i][j].
 /// Rounding  outward at each operation.
 /// Source    Merlet, T-RO 2007, §III-A.
-[[nodiscard]] Interval enclose_determinant(const IntervalMatrix& M) noexcept;
+[[nodiscard]] Interval enclose_determinant(const LaneMatrix& M) noexcept;
 
 /// Encloses det(M) by Gaussian elimination, pivots of largest mignitude; when every candidate for a
 /// pivot contains 0 the rest is expanded.
 ///
 /// Requires, Ensures, Rounding  as enclose_determinant; [−∞, ∞] if more than kMaxExpansion rows
 ///           are left without a pivot.
-[[nodiscard]] Interval enclose_determinant_by_elimination(const IntervalMatrix& M) noexcept;
+[[nodiscard]] Interval enclose_determinant_by_elimination(const LaneMatrix& M) noexcept;
 
 /// Whether all determinants are of one sign: +1, −1, or 0 if that was not shown.
 [[nodiscard]] constexpr int certain_sign(const Interval& x) noexcept {

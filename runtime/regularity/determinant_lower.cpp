@@ -41,10 +41,12 @@ struct ComparisonMatrix {
 
 }  // namespace
 
-void determinant_rd(const double* P, std::size_t n, double* lower) noexcept {
+LaneNumbers determinant_rd(ConstPointMatrix P) noexcept {
+  const std::size_t n = P.rows();
+  LaneNumbers lower;
   ComparisonMatrix matrix;
   matrix.n = n;
-  std::memcpy(matrix.a, P, n * n * kLanes * sizeof(double));
+  std::memcpy(matrix.a, P.data(), n * n * kLanes * sizeof(double));
   for (std::size_t i = 0; i < n; ++i)
     for (std::size_t lane = 0; lane < kLanes; ++lane)
       matrix.at(i, i, lane) = one_operation_rd(1.0 - matrix.at(i, i, lane));
@@ -58,6 +60,7 @@ void determinant_rd(const double* P, std::size_t n, double* lower) noexcept {
     }
     for (std::size_t i = k + 1; i < n; ++i) matrix.eliminate(k, i);
   }
+  return lower;
 }
 
 }  // namespace regulus

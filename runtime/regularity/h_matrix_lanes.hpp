@@ -11,17 +11,15 @@ inline namespace REGULUS_LANES_ISA {
 
 using namespace lanes::REGULUS_LANES_ISA;
 
-inline PackArray constant(const double* x) noexcept { return {const_cast<double*>(x)}; }
-
 /// Solves (I − P)v = 1 without pivoting, which is stable exactly where it matters: I − P is then an
 /// M-matrix, all pivots are positive and every sum in the elimination has terms of one sign.
-inline void solve_for_ones(const double* P, unsigned n, double* result) noexcept {
+inline void solve_for_ones(ConstPointMatrix matrix, PointVector result) noexcept {
+  const unsigned n = matrix.rows();
   alignas(64) double numbers[kMaxOrder * kMaxOrder * kLanes];
-  const PackArray a{numbers}, v{result};
+  const PackArray a{numbers}, P = packs_of(matrix), v = packs_of(result);
   const Pack one = Pack::of(1.0), zero = Pack::of(0.0);
   for (unsigned i = 0; i < n; ++i) {
-    for (unsigned j = 0; j < n; ++j)
-      a.put(i * n + j, (i == j ? one : zero) - constant(P)[i * n + j]);
+    for (unsigned j = 0; j < n; ++j) a.put(i * n + j, (i == j ? one : zero) - P[i * n + j]);
     v.put(i, one);
   }
   for (unsigned k = 0; k < n; ++k) {
@@ -41,19 +39,23 @@ inline void solve_for_ones(const double* P, unsigned n, double* result) noexcept
 }
 
 /// Pv; for P, v ≥ 0 as raise_ru of lanes.hpp wants its sums.
-inline void multiply(const double* P, const double* v, unsigned n, double* product) noexcept {
+inline void multiply(ConstPointMatrix matrix, ConstPointVector vector,
+                     PointVector product) noexcept {
+  const unsigned n = matrix.rows();
+  const PackArray P = packs_of(matrix), v = packs_of(vector);
   for (unsigned i = 0; i < n; ++i) {
     Pack sum = Pack::of(0.0);
-    for (unsigned j = 0; j < n; ++j) sum.add_fused(constant(P)[i * n + j], constant(v)[j]);
-    sum.store(product + i * kLanes);
+    for (unsigned j = 0; j < n; ++j) sum.add_fused(P[i * n + j], v[j]);
+    packs_of(product).put(i, sum);
   }
 }
 
 /// Pᵀy.
-inline void multiply_transposed(const double* P, const double* y, unsigned n,
-                                double* product) noexcept {
-  for (unsigned i = 0; i < n; ++i) Pack::of(0.0).store(product + i * kLanes);
-  add_row_product(constant(y), {nullptr, n, constant(P), n}, n, {product});
+inline void multiply_transposed(ConstPointMatrix P, ConstPointVector y,
+                                PointVector product) noexcept {
+  const unsigned n = P.rows();
+  for (unsigned i = 0; i < n; ++i) packs_of(product).put(i, Pack::of(0.0));
+  add_row_product(packs_of(y), {nullptr, n, packs_of(P), n}, n, packs_of(product));
 }
 
 /// v ← w/‖w‖ + v/2, largest entry 1; the second term damps the swinging of cyclic matrices. Returns
@@ -74,21 +76,24 @@ inline Pack power_step(PackArray w, PackArray v, unsigned n) noexcept {
   return norm;
 }
 
-inline void perron(const double* P, unsigned n, double* v, double* y, double* radius) noexcept {
+inline void perron(ConstPointMatrix P, PerronVectors vectors, LaneNumbers& radius) noexcept {
+  const unsigned n = P.rows();
+  const PackArray v = packs_of(vectors.right), y = packs_of(vectors.left);
   constexpr int kSteps = 12;
-  alignas(64) double product[kMaxOrder * kLanes];
+  alignas(64) double numbers[kMaxOrder * kLanes];
+  const PointVector product(numbers, n);
   for (unsigned i = 0; i < n; ++i) {
-    Pack::of(1.0).store(v + i * kLanes);
-    Pack::of(1.0).store(y + i * kLanes);
+    v.put(i, Pack::of(1.0));
+    y.put(i, Pack::of(1.0));
   }
   Pack norm = Pack::of(0.0);
   for (int step = 0; step < kSteps; ++step) {
-    multiply_transposed(P, y, n, product);
-    static_cast<void>(power_step({product}, {y}, n));
-    multiply(P, v, n, product);
-    norm = power_step({product}, {v}, n);
+    multiply_transposed(P, vectors.left, product);
+    static_cast<void>(power_step(packs_of(product), y, n));
+    multiply(P, vectors.right, product);
+    norm = power_step(packs_of(product), v, n);
   }
-  norm.store(radius);
+  norm.store(radius.of);
 }
 
 }  // namespace REGULUS_LANES_ISA

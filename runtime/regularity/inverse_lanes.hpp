@@ -19,8 +19,9 @@ REGULUS_LANE_INLINE void exchange(PackArray a, unsigned i, unsigned k, const Pac
   a.put(k, select_less(small, large, x, y));
 }
 
-inline void invert(double* matrix, unsigned n, double* determinant) noexcept {
-  const PackArray a{matrix};
+inline void invert(PointMatrix matrix, LaneNumbers& determinant) noexcept {
+  const unsigned n = matrix.rows();
+  const PackArray a = packs_of(matrix);
   const Pack one = Pack::of(1.0), zero = Pack::of(0.0);
   Pack product = one;
   // Of each comparison: the magnitudes that were compared.
@@ -48,7 +49,7 @@ inline void invert(double* matrix, unsigned n, double* determinant) noexcept {
     for (unsigned i = n; i-- > k + 1;)
       for (unsigned row = 0; row < n; ++row)
         exchange(a, row * n + k, row * n + i, small[k * n + i], large[k * n + i]);
-  product.store(determinant);
+  product.store(determinant.of);
 }
 
 }  // namespace REGULUS_LANES_ISA

@@ -78,13 +78,13 @@ void multiply_transpose(const double* a, std::size_t m, std::size_t n, double* g
 }
 
 void left_inverse(const double* a, std::size_t m, std::size_t n, double* inverse,
-                  double* determinant) noexcept {
+                  LaneNumbers& determinant) noexcept {
   alignas(64) double scaled[kMaxRows * kMaxColumns * kLanes];
   alignas(64) double scale[kMaxColumns * kLanes];
   alignas(64) double gram[kMaxColumns * kMaxColumns * kLanes];
   scale_columns(a, m, n, scaled, scale);
   multiply_transpose(scaled, m, n, gram);
-  regularity_backend().invert(gram, static_cast<unsigned>(n), determinant);
+  regularity_backend().invert(PointMatrix(gram, n, n), determinant);
   for (std::size_t j = 0; j < n; ++j)
     for (std::size_t i = 0; i < m; ++i)
       for (std::size_t lane = 0; lane < kLanes; ++lane) {
@@ -97,16 +97,17 @@ void left_inverse(const double* a, std::size_t m, std::size_t n, double* inverse
 
 }  // namespace
 
-LaneMask approx_inverse(const double* matrix, std::size_t m, std::size_t n, double* inverse,
-                        double* approx_determinant) noexcept {
+LaneMask approx_inverse(ConstPointMatrix matrix, PointMatrix inverse,
+                        LaneNumbers& approx_determinant) noexcept {
+  const std::size_t m = matrix.rows(), n = matrix.columns();
   if (m == n) {
-    std::memcpy(inverse, matrix, n * n * kLanes * sizeof(double));
-    regularity_backend().invert(inverse, static_cast<unsigned>(n), approx_determinant);
+    std::memcpy(inverse.data(), matrix.data(), n * n * kLanes * sizeof(double));
+    regularity_backend().invert(inverse, approx_determinant);
   } else {
-    left_inverse(matrix, m, n, inverse, approx_determinant);
+    left_inverse(matrix.data(), m, n, inverse.data(), approx_determinant);
   }
-  const LaneMask without_grid = round_rows_to_grid(inverse, n, m);
-  return without_grid | lanes_not_finite(inverse, n * m);
+  const LaneMask without_grid = round_rows_to_grid(inverse.data(), n, m);
+  return without_grid | lanes_not_finite(inverse.data(), n * m);
 }
 
 }  // namespace regulus

@@ -4,20 +4,21 @@
 #pragma once
 
 #include "regulus/regularity/lanes.hpp"
+#include "regulus/regularity/views.hpp"
 
 namespace regulus {
 
 /// Inverts eight m×n matrices approximately; for m > n a left inverse, (AᵀA)⁻¹Aᵀ.
 ///
-/// Shape     matrix m×n, inverse n×m, row-major, point layout. determinant: 8 doubles, of A for
-///           m = n and of the column-scaled AᵀA otherwise.
+/// Shape     matrix m×n, inverse n×m. determinant: of A for m = n and of the column-scaled AᵀA
+///           otherwise.
 ///           Each row of the inverse is rounded to a grid of 28 bits: entries are multiples of one
 ///           power of two, at most 2^28 times that, so that short sums of them are exact.
 /// Requires  kMaxRows ≥ m ≥ n ≥ 1, kMaxColumns ≥ n. Not in place.
 /// Ensures   returns the lanes where no finite inverse was found, or one with a row so small that
 ///           it has no grid (below 2^-800); their entries are meaningless.
 /// Rounding  none: no result here is a bound.
-[[nodiscard]] LaneMask approx_inverse(const double* matrix, std::size_t m, std::size_t n,
-                                      double* inverse, double* approx_determinant) noexcept;
+[[nodiscard]] LaneMask approx_inverse(ConstPointMatrix matrix, PointMatrix inverse,
+                                      LaneNumbers& approx_determinant) noexcept;
 
 }  // namespace regulus

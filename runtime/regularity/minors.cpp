@@ -25,16 +25,17 @@ struct alignas(64) Workspace {
   double matrix[2 * kMaxEntries * kLanes];
   double magnitude[kMaxEntries * kLanes];
   double bounds[2 * kLanes];
-  double permanent[kLanes];
+  LaneNumbers permanent;
 };
 
 using Order = std::array<unsigned char, kMaxEightMinors>;
 
 /// Rows, or columns, from the widest to the narrowest. A choice, not a bound.
-Order by_width(const double* matrix, std::size_t n, std::size_t lane, bool rows) noexcept {
+Order by_width(ConstIntervalMatrix matrix, std::size_t lane, bool rows) noexcept {
+  const std::size_t n = matrix.rows();
   double width[kMaxEightMinors] = {};
   for (std::size_t e = 0; e < n * n; ++e)
-    width[rows ? e / n : e % n] += matrix[upper_at(e, lane)] - matrix[lower_at(e, lane)];
+    width[rows ? e / n : e % n] += matrix.upper(e, lane) - matrix.lower(e, lane);
   Order order;
   for (std::size_t k = 0; k < n; ++k) {
     std::size_t at = k;
@@ -52,66 +53,61 @@ bool is_odd(const Order& order, std::size_t n) noexcept {
 }
 
 /// Copies a lane with its rows in the order of their widths, or its columns as rows.
-bool arrange(const double* matrix, std::size_t n, std::size_t lane, bool rows,
-             Workspace& work) noexcept {
-  const Order order = by_width(matrix, n, lane, rows);
+bool arrange(ConstIntervalMatrix matrix, std::size_t lane, bool rows, Workspace& work) noexcept {
+  const std::size_t n = matrix.rows();
+  const Order order = by_width(matrix, lane, rows);
   for (std::size_t i = 0; i < n; ++i)
     for (std::size_t j = 0; j < n; ++j) {
       const std::size_t e = rows ? order[i] * n + j : j * n + order[i];
-      work.matrix[lower_at(i * n + j, lane)] = matrix[lower_at(e, lane)];
-      work.matrix[upper_at(i * n + j, lane)] = matrix[upper_at(e, lane)];
+      work.matrix[lower_at(i * n + j, lane)] = matrix.lower(e, lane);
+      work.matrix[upper_at(i * n + j, lane)] = matrix.upper(e, lane);
     }
   return is_odd(order, n);
 }
 
-struct Determinants {
-  Interval lane[kLanes];
-};
-
-void expand(const double* matrix, std::size_t n, bool rows, const double* error, Workspace& work,
-            Determinants& determinants) noexcept {
+void expand(ConstIntervalMatrix matrix, bool rows, const LaneNumbers& error, Workspace& work,
+            LaneIntervals& determinants) noexcept {
+  const std::size_t n = matrix.rows();
   bool odd[kLanes];
-  for (std::size_t lane = 0; lane < kLanes; ++lane)
-    odd[lane] = arrange(matrix, n, lane, rows, work);
-  regularity_backend().expand(work.matrix, static_cast<unsigned>(n), work.bounds);
+  for (std::size_t lane = 0; lane < kLanes; ++lane) odd[lane] = arrange(matrix, lane, rows, work);
+  regularity_backend().expand(ConstIntervalMatrix(work.matrix, n, n),
+                              IntervalVector(work.bounds, 1));
   for (std::size_t lane = 0; lane < kLanes; ++lane) {
     if (!(error[lane] < kInfinity)) continue;
     const Interval value(sub_rd(work.bounds[lane], error[lane]),
                          add_ru(work.bounds[kLanes + lane], error[lane]));
     // Both enclose all determinants, so they meet.
-    determinants.lane[lane] =
-        intersect(determinants.lane[lane], odd[lane] ? -value : value).value_or(kEntire);
+    determinants[lane] =
+        intersect(determinants[lane], odd[lane] ? -value : value).value_or(kEntire);
   }
 }
 
-void errors_ru(const double* matrix, std::size_t n, Workspace& work, double* error) noexcept {
+LaneNumbers errors_ru(ConstIntervalMatrix matrix, Workspace& work) noexcept {
+  const std::size_t n = matrix.rows();
   for (std::size_t e = 0; e < n * n; ++e)
     for (std::size_t lane = 0; lane < kLanes; ++lane)
       work.magnitude[point_at(e, lane)] =
-          magnitude_of(matrix[lower_at(e, lane)], matrix[upper_at(e, lane)]);
-  regularity_backend().permanent(work.magnitude, static_cast<unsigned>(n), raise_factor(n),
-                                 work.permanent);
+          magnitude_of(matrix.lower(e, lane), matrix.upper(e, lane));
+  const ConstPointMatrix magnitude(work.magnitude, n, n);
+  regularity_backend().permanent(magnitude, raise_factor(n), work.permanent);
+  LaneNumbers error;
   for (std::size_t lane = 0; lane < kLanes; ++lane)
-    error[lane] = minors_error_ru(work.magnitude, n, lane, work.permanent[lane], n * (n + 1) / 2);
+    error[lane] = minors_error_ru(magnitude, lane, work.permanent[lane], n * (n + 1) / 2);
+  return error;
 }
 
 }  // namespace
 
-void enclose_determinants(const double* matrix, std::size_t n, double* lower,
-                          double* upper) noexcept {
-  Determinants determinants;
-  for (Interval& value : determinants.lane) value = kEntire;
-  if (n <= kMaxEightMinors) {
+LaneIntervals enclose_determinants(ConstIntervalMatrix matrix) noexcept {
+  LaneIntervals determinants;
+  for (Interval& value : determinants.of) value = kEntire;
+  if (matrix.rows() <= kMaxEightMinors) {
     Workspace work;
-    double error[kLanes];
-    errors_ru(matrix, n, work, error);
-    expand(matrix, n, true, error, work, determinants);
-    expand(matrix, n, false, error, work, determinants);
+    const LaneNumbers error = errors_ru(matrix, work);
+    expand(matrix, true, error, work, determinants);
+    expand(matrix, false, error, work, determinants);
   }
-  for (std::size_t lane = 0; lane < kLanes; ++lane) {
-    lower[lane] = determinants.lane[lane].lo;
-    upper[lane] = determinants.lane[lane].hi;
-  }
+  return determinants;
 }
 
 }  // namespace regulus

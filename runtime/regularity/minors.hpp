@@ -2,12 +2,22 @@
 // Determinants of eight interval matrices at once, by expansion into minors.
 #pragma once
 
+#include "regulus/interval/type.hpp"
 #include "regulus/regularity/lanes.hpp"
+#include "regulus/regularity/views.hpp"
 
 namespace regulus {
 
 /// The largest order that is expanded for eight lanes; larger ones are not enclosed.
 inline constexpr std::size_t kMaxEightMinors = 8;
+
+/// An interval for each lane.
+struct LaneIntervals {
+  Interval of[kLanes];
+
+  [[nodiscard]] Interval& operator[](std::size_t lane) noexcept { return of[lane]; }
+  [[nodiscard]] const Interval& operator[](std::size_t lane) const noexcept { return of[lane]; }
+};
 
 /// Encloses eight determinants by expansion along the rows in the order of their mean widths, the
 /// narrowest outermost, and along the columns likewise; the result is in both enclosures.
@@ -15,13 +25,11 @@ inline constexpr std::size_t kMaxEightMinors = 8;
 /// A minor is a set of columns of the rows so far and is computed once: n·2^(n−1) products where
 /// the paper's recursion, which looks for the narrowest line of each minor anew, takes n!.
 ///
-/// Shape     matrix n×n in interval layout; lower and upper: one double a lane.
-/// Requires  1 ≤ n.
-/// Ensures   det(A) ∈ [lower, upper] for every real A between the bounds of a lane; −∞ and ∞ where
+/// Shape     matrix n×n, 1 ≤ n.
+/// Ensures   det(A) ∈ result[lane] for every real A between the bounds of a lane; [−∞, ∞] where
 ///           n > kMaxEightMinors or bounds are too large.
 /// Rounding  bounds to nearest, then outward by a bound of the whole error, see the source.
 /// Source    Merlet, T-RO 2007, §III-A.
-void enclose_determinants(const double* matrix, std::size_t n, double* lower,
-                          double* upper) noexcept;
+[[nodiscard]] LaneIntervals enclose_determinants(ConstIntervalMatrix matrix) noexcept;
 
 }  // namespace regulus

@@ -5,6 +5,7 @@
 // Only always-inlined or ISA-namespaced functions may be used here; see elementary/lanes.hpp.
 #pragma once
 
+#include "regulus/regularity/backend.hpp"
 #include "regulus/regularity/pack_lanes.hpp"
 
 namespace regulus::minors {
@@ -12,7 +13,7 @@ inline namespace REGULUS_LANES_ISA {
 
 using namespace lanes::REGULUS_LANES_ISA;
 
-inline constexpr unsigned kMaxOfMinors = 8;
+inline constexpr unsigned kMaxOfMinors = kMaxVertexOrder;
 inline constexpr unsigned kMaxSets = 1U << kMaxOfMinors;
 
 typedef Vector VectorOfMatrix __attribute__((may_alias));
@@ -46,7 +47,9 @@ inline Range multiply(Range a, Range b) noexcept {
   return {smaller(smaller(p, q), smaller(r, s)), larger(larger(p, q), larger(r, s))};
 }
 
-inline void expand(const double* matrix, unsigned n, double* result) noexcept {
+inline void expand(ConstIntervalMatrix matrix, IntervalVector determinant) noexcept {
+  const unsigned n = matrix.rows();
+  double* const result = determinant.data();
   Range minors[kMaxSets];
   for (unsigned lane = 0; lane < kLanes; lane += kVectorLanes) {
     const Vector one = splat<Vector>(1.0);
@@ -55,7 +58,7 @@ inline void expand(const double* matrix, unsigned n, double* result) noexcept {
       Range sum{Vector{}, Vector{}};
       for (unsigned left = set; left != 0; left &= left - 1) {
         const auto j = static_cast<unsigned>(__builtin_ctz(left));
-        const double* entry = matrix + ((size_of(set) - 1) * n + j) * 2 * kLanes + lane;
+        const double* entry = matrix.data() + ((size_of(set) - 1) * n + j) * 2 * kLanes + lane;
         const Range term = multiply({load(entry), load(entry + kLanes)}, minors[set & ~(1U << j)]);
         sum = is_positive(set, j) ? Range{sum.lo + term.lo, sum.hi + term.hi}
                                   : Range{sum.lo - term.hi, sum.hi - term.lo};
@@ -67,7 +70,8 @@ inline void expand(const double* matrix, unsigned n, double* result) noexcept {
   }
 }
 
-inline void permanent(const double* magnitude, unsigned n, double factor, double* result) noexcept {
+inline void permanent(ConstPointMatrix magnitude, double factor, LaneNumbers& result) noexcept {
+  const unsigned n = magnitude.rows();
   Vector permanents[kMaxSets];
   const Vector slack = splat<Vector>(0x1p-1000);
   for (unsigned lane = 0; lane < kLanes; lane += kVectorLanes) {
@@ -76,12 +80,12 @@ inline void permanent(const double* magnitude, unsigned n, double factor, double
       Vector sum{};
       for (unsigned left = set; left != 0; left &= left - 1) {
         const auto j = static_cast<unsigned>(__builtin_ctz(left));
-        sum += load(magnitude + ((size_of(set) - 1) * n + j) * kLanes + lane) *
+        sum += load(magnitude.data() + ((size_of(set) - 1) * n + j) * kLanes + lane) *
                permanents[set & ~(1U << j)];
       }
       permanents[set] = sum * splat<Vector>(factor) + slack;
     }
-    store(result + lane, permanents[(1U << n) - 1]);
+    store(result.of + lane, permanents[(1U << n) - 1]);
   }
 }
 
@@ -209,17 +213,17 @@ inline bool shares_sign(const SignedRows& upper, const SignedRows& lower, const 
 }
 
 /// A^{uv} = A^{−u,−v}: v₀ = 1 will do.
-inline bool vertices_share_sign(const double* lo, const double* hi, unsigned n,
-                                double error) noexcept {
+inline bool vertices_share_sign(const BoundsOfOneLane& matrix, double error) noexcept {
+  const unsigned n = matrix.n;
   constexpr unsigned kLowerRows = 3;
   const unsigned lower_rows = n < kLowerRows ? n : kLowerRows;
   const unsigned upper_rows = n - lower_rows;
   SignedRows upper(upper_rows, n), lower(lower_rows, n);
   const Laplace laplace(n, upper_rows);
-  lower.fill(lo + upper_rows * n, hi + upper_rows * n, 0);
+  lower.fill(matrix.lo + upper_rows * n, matrix.hi + upper_rows * n, 0);
   SharedSign sign(error);
   for (unsigned choice = 0; choice < 1U << upper_rows; choice += kLanes) {
-    upper.fill(lo, hi, choice);
+    upper.fill(matrix.lo, matrix.hi, choice);
     for (unsigned v = 0; v < 1U << n; v += 2)
       if (!shares_sign(upper, lower, laplace, v, sign)) return false;
   }

@@ -21,7 +21,7 @@ double sum_ru(double x) noexcept { return raise_ru(x, kFactor); }
 /// T of one lane, and from it V ≥ (I − P)⁻¹V₀.
 class Coupling {
  public:
-  Coupling(const double* T, std::size_t n, std::size_t s, std::size_t lane) noexcept
+  Coupling(ConstPointMatrix T, std::size_t n, std::size_t s, std::size_t lane) noexcept
       : T_(T), n_(n), s_(s), lane_(lane) {
     solve();
     known_ = is_bound();
@@ -33,7 +33,7 @@ class Coupling {
 
  private:
   [[nodiscard]] double at(std::size_t i, std::size_t j) const noexcept {
-    return T_[point_at(i * (n_ + s_) + j, lane_)];
+    return T_.at(i * (n_ + s_) + j, lane_);
   }
 
   /// (I − P)V = V₀ without pivoting, then a little more than that.
@@ -76,7 +76,7 @@ class Coupling {
     return true;
   }
 
-  const double* T_;
+  const ConstPointMatrix T_;
   const std::size_t n_, s_, lane_;
   double V_[kMaxColumns * kMaxOrthantRows];
   bool known_ = false;
@@ -95,10 +95,9 @@ void load_terms(const SecondOrderPlan& plan, const SecondOrderInput& input,
       OrthantProblem::Term& term = problem.term[problem.terms++];
       term = {forms, forms + group.members.size(), 0.0};
       for (unsigned k = group.members.begin; k < group.members.end; ++k, ++forms) {
-        term.weight =
-            std::max(term.weight, input.radius[point_at(plan.row_variables[k].variable, lane)]);
+        term.weight = std::max(term.weight, input.radius.at(plan.row_variables[k].variable, lane));
         for (unsigned j = 0; j < s; ++j)
-          problem.form[forms * s + j] = work.forms[point_at(k * s + j, lane)];
+          problem.form[forms * s + j] = work.forms.x[point_at(k * s + j, lane)];
       }
     }
   }
@@ -130,7 +129,7 @@ void bound_reach(OrthantProblem& problem) noexcept {
 }
 
 bool load(const SecondOrderPlan& plan, const SecondOrderInput& input, const SecondOrderWork& work,
-          const double* T, const double* guess, std::size_t lane,
+          ConstPointMatrix T, ConstPointVector guess, std::size_t lane,
           OrthantProblem& problem) noexcept {
   const unsigned n = plan.columns_of_A, s = plan.slots;
   const Coupling coupling(T, n, s, lane);
@@ -140,10 +139,10 @@ bool load(const SecondOrderPlan& plan, const SecondOrderInput& input, const Seco
   load_terms(plan, input, work, lane, problem);
   bound_reach(problem);
   for (unsigned i = 0; i < s; ++i) {
-    const double scale = guess[point_at(n + i, lane)];
+    const double scale = guess.at(n + i, lane);
     problem.scale[i] = scale > 0x1p-100 && scale < 0x1p100 ? scale : 1.0;
     for (unsigned j = 0; j < s; ++j) {
-      double sum = work.moving[point_at(i * s + j, lane)] +
+      double sum = work.moving.x[point_at(i * s + j, lane)] +
                    2.0 * kSecondOrderGamma * problem.reach[i * s + j];
       for (unsigned k = 0; k < n; ++k) sum += coupling.Q(i, k) * coupling.V(k, j);
       problem.slack[i * s + j] = sum_ru(sum);
@@ -183,15 +182,15 @@ bool certain_orthants_empty(const OrthantProblem& problem, OrthantCell& hint) no
   return true;
 }
 
-LaneMask SecondOrderBounds::certain_by_orthants(const SecondOrderInput& input, const double* T,
-                                                const double* guess, LaneMask lanes,
+LaneMask SecondOrderBounds::certain_by_orthants(const SecondOrderInput& input, ConstPointMatrix T,
+                                                ConstPointVector guess, LaneMask lanes,
                                                 OrthantCell& hint) const noexcept {
   if (plan_.slots == 0 || plan_.slots > kMaxOrthantRows) return 0;
   if (lists_.row_variables() > kMaxOrthantForms) return 0;
   LaneMask certain = 0;
   OrthantProblem problem;
   for (std::size_t lane = 0; lane < kLanes; ++lane)
-    if ((lanes >> lane & 1U) != 0 && load(plan_, input, work_, T, guess, lane, problem) &&
+    if (has_lane(lanes, lane) && load(plan_, input, work_, T, guess, lane, problem) &&
         certain_orthants_empty(problem, hint))
       certain |= 1U << lane;
   return certain;

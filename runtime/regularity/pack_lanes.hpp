@@ -5,6 +5,7 @@
 
 #include "regulus/interval/elementary/lanes.hpp"
 #include "regulus/interval/lanes.hpp"
+#include "regulus/regularity/views.hpp"
 
 namespace regulus::lanes {
 inline namespace REGULUS_LANES_ISA {
@@ -144,6 +145,12 @@ struct PackArray {
   }
   REGULUS_LANE_INLINE PackArray operator+(unsigned at) const noexcept { return {x + at * kLanes}; }
 };
+
+/// The numbers of a view; those of a constant one are not to be changed.
+template <typename Double, LaneLayout kLayout, LaneShape kShape>
+REGULUS_LANE_INLINE PackArray packs_of(LaneView<Double, kLayout, kShape> view) noexcept {
+  return {const_cast<double*>(view.data())};
+}
 
 /// Some rows of a matrix: `terms` of them, which `rows` lists; null for the first ones.
 struct Rows {

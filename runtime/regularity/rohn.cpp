@@ -32,37 +32,38 @@ std::size_t roundings(std::size_t n) noexcept {
   return triangle(lower) + triangle(n - lower) + binomial(n, lower);
 }
 
-void errors_ru(const double* matrix, std::size_t n, double* error) noexcept {
-  alignas(64) double magnitude[kMaxEntries * kLanes];
-  alignas(64) double permanent[kLanes];
+LaneNumbers errors_ru(ConstIntervalMatrix matrix) noexcept {
+  const std::size_t n = matrix.rows();
+  alignas(64) double numbers[kMaxEntries * kLanes];
+  const PointMatrix magnitude(numbers, n, n);
+  LaneNumbers permanent, error;
   for (std::size_t e = 0; e < n * n; ++e)
     for (std::size_t lane = 0; lane < kLanes; ++lane)
-      magnitude[point_at(e, lane)] =
-          magnitude_of(matrix[lower_at(e, lane)], matrix[upper_at(e, lane)]);
-  regularity_backend().permanent(magnitude, static_cast<unsigned>(n), raise_factor(n), permanent);
+      magnitude.at(e, lane) = magnitude_of(matrix.lower(e, lane), matrix.upper(e, lane));
+  regularity_backend().permanent(magnitude, raise_factor(n), permanent);
   for (std::size_t lane = 0; lane < kLanes; ++lane)
-    error[lane] = minors_error_ru(magnitude, n, lane, permanent[lane], roundings(n));
+    error[lane] = minors_error_ru(magnitude, lane, permanent[lane], roundings(n));
+  return error;
 }
 
-bool certain_rohn(const double* matrix, std::size_t n, std::size_t lane, double error) noexcept {
-  double lo[kMaxEntries], hi[kMaxEntries];
-  for (std::size_t e = 0; e < n * n; ++e) {
-    lo[e] = matrix[lower_at(e, lane)];
-    hi[e] = matrix[upper_at(e, lane)];
+bool certain_rohn(ConstIntervalMatrix matrix, std::size_t lane, double error) noexcept {
+  BoundsOfOneLane bounds;
+  bounds.n = matrix.rows();
+  for (std::size_t e = 0; e < matrix.size(); ++e) {
+    bounds.lo[e] = matrix.lower(e, lane);
+    bounds.hi[e] = matrix.upper(e, lane);
   }
-  return regularity_backend().vertices_share_sign(lo, hi, static_cast<unsigned>(n), error);
+  return regularity_backend().vertices_share_sign(bounds, error);
 }
 
 }  // namespace
 
-LaneMask certain_rohn(const double* matrix, std::size_t n, LaneMask lanes) noexcept {
+LaneMask certain_rohn(ConstIntervalMatrix matrix, LaneMask lanes) noexcept {
   LaneMask certain = 0;
-  if (n > kMaxRohn || lanes == 0) return certain;
-  double error[kLanes];
-  errors_ru(matrix, n, error);
+  if (matrix.rows() > kMaxRohn || lanes == 0) return certain;
+  const LaneNumbers error = errors_ru(matrix);
   for (std::size_t lane = 0; lane < kLanes; ++lane)
-    if ((lanes >> lane & 1U) != 0 && certain_rohn(matrix, n, lane, error[lane]))
-      certain |= 1U << lane;
+    if (has_lane(lanes, lane) && certain_rohn(matrix, lane, error[lane])) certain |= 1U << lane;
   return certain;
 }
 

@@ -1,23 +1,25 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include "regulus/regularity/backend.hpp"
 #include "regulus/regularity/lanes.hpp"
+#include "regulus/regularity/views.hpp"
 
 namespace regulus {
 
 /// The largest order tested: 2^(2n−1) determinants are computed.
-inline constexpr std::size_t kMaxRohn = 8;
+inline constexpr std::size_t kMaxRohn = kMaxVertexOrder;
 
 /// The lanes whose interval matrix is regular because the 2^(2n−1) vertex matrices A^{uv} (lower
 /// bound where uᵢvⱼ = 1, upper where −1) all have determinants of one certified sign.
 ///
-/// Shape     matrix n×n in interval layout.
+/// Shape     matrix n×n.
 /// Requires  finite bounds in `lanes`.
 /// Ensures   every real matrix between the bounds of a returned lane is regular. None for
 ///           n > kMaxRohn.
 /// Rounding  determinants to nearest by expansion; a sign counts only if the determinant exceeds a
 ///           bound of the error, see the source.
 /// Source    Rex and Rohn, SIAM J. Matrix Anal. Appl. 20 (1998); Merlet, T-RO 2007, §III-B2.
-[[nodiscard]] LaneMask certain_rohn(const double* matrix, std::size_t n, LaneMask lanes) noexcept;
+[[nodiscard]] LaneMask certain_rohn(ConstIntervalMatrix matrix, LaneMask lanes) noexcept;
 
 }  // namespace regulus

@@ -22,24 +22,25 @@ SecondOrderBounds::SecondOrderBounds(const DerivativeLists& lists, const RowStru
   plan_.weighs_row_variables = options.weighs_row_variables;
 }
 
-void SecondOrderBounds::bound_ru(const SecondOrderInput& input, double* T) noexcept {
+void SecondOrderBounds::bound_ru(const SecondOrderInput& input, PointMatrix T) noexcept {
   backend_.bound_second_order(plan_, input, work_, T);
 }
 
-void SecondOrderBounds::approx_impact(const SecondOrderInput& input, const double* v,
-                                      const double* y, double* impact) const noexcept {
-  std::fill_n(impact, lists_.variables() * kLanes, 0.0);
-  backend_.weigh_second_order(plan_, input, work_, v, y, impact);
+void SecondOrderBounds::approx_impact(const SecondOrderInput& input, PerronVectors vectors,
+                                      PointVector impact) const noexcept {
+  std::fill_n(impact.data(), lists_.variables() * kLanes, 0.0);
+  backend_.weigh_second_order(plan_, input, work_, vectors, impact);
 }
 
 /// det K(t)/det K₀ = det(I + X), X = −Σ_p τ_pD_p, |X| ≤ Σ_p r_p|D_p|. A diagonal similarity of X
 /// changes neither trace nor determinant.
-void SecondOrderBounds::moving_determinant_ru(const SecondOrderInput& input,
-                                              double* upper) const noexcept {
+LaneNumbers SecondOrderBounds::moving_determinant_ru(const SecondOrderInput& input) const noexcept {
   const std::size_t n = plan_.columns_of_A;
-  const double* sum_D = work_.sum_D;
-  double v[kMaxColumns * kLanes], y[kMaxColumns * kLanes], radius[kLanes];
-  approx_perron(sum_D, n, v, y, radius);
+  const ConstPointMatrix sum_D(work_.sum_D.x, n, n);
+  double right[kMaxColumns * kLanes], left[kMaxColumns * kLanes];
+  const PointVector v(right, n), y(left, n);
+  static_cast<void>(approx_perron(sum_D, {.right = v, .left = y}));
+  LaneNumbers upper;
   const double factor = raise_factor(4 * n * n + 4 * plan_.wides);
   for (std::size_t l = 0; l < kLanes; ++l) {
     double trace = 0.0, square = 0.0, scale[kMaxColumns];
@@ -48,18 +49,18 @@ void SecondOrderBounds::moving_determinant_ru(const SecondOrderInput& input,
       double sum = 0.0;
       for (std::size_t c = 0; c < wide.columns.size(); ++c) {
         const std::size_t i = plan_.columns[wide.columns.begin + c];
-        sum += work_.D[point_at(wide.D + i * wide.columns.size() + c, l)];
+        sum += work_.D.x[point_at(wide.D + i * wide.columns.size() + c, l)];
       }
-      trace += std::fabs(sum) * input.radius[point_at(wide.variable, l)];
+      trace += std::fabs(sum) * input.radius.at(wide.variable, l);
     }
     for (std::size_t i = 0; i < n; ++i) {
-      trace += kSecondOrderGamma * sum_D[point_at(i * n + i, l)];
-      const double ratio = v[point_at(i, l)] / y[point_at(i, l)];
+      trace += kSecondOrderGamma * sum_D.at(i * n + i, l);
+      const double ratio = v.at(i, l) / y.at(i, l);
       scale[i] = ratio > 0x1p-100 && ratio < 0x1p100 ? std::sqrt(ratio) : 1.0;
     }
     for (std::size_t i = 0; i < n; ++i)
       for (std::size_t j = 0; j < n; ++j) {
-        const double x = sum_D[point_at(i * n + j, l)] * scale[j] / scale[i];
+        const double x = sum_D.at(i * n + j, l) * scale[j] / scale[i];
         square += x * x;
       }
     const double square_ru = raise_ru(square, factor);
@@ -68,6 +69,7 @@ void SecondOrderBounds::moving_determinant_ru(const SecondOrderInput& input,
     const double logarithm = raise_ru(raise_ru(trace, factor) + rest, factor);
     upper[l] = norm < 0.5 ? exp(Interval(logarithm)).hi : HUGE_VAL;
   }
+  return upper;
 }
 
 }  // namespace regulus

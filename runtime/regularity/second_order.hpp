@@ -70,29 +70,29 @@ class SecondOrderBounds {
   /// Ensures   T, of order order(), bounds |B − I| all over each box; an entry that cannot be
   ///           bounded is not finite.
   /// Rounding  upward.
-  void bound_ru(const SecondOrderInput& input, double* T) noexcept;
+  void bound_ru(const SecondOrderInput& input, PointMatrix T) noexcept;
 
   /// An upper bound of |det K(t)|/|det K₀| over each box, after bound_ru. To first order it grows
   /// with the traces of the D_p only.
   ///
-  /// Ensures   |det K(t)| ≤ |det K₀|·upper[lane] for every t of the box; +∞ where none was found.
+  /// Ensures   |det K(t)| ≤ |det K₀|·result[lane] for every t of the box; +∞ where none was found.
   /// Rounding  upward.
   /// Source    |ln|det(I + X)| − tr X| ≤ f²/(2 − 2f) for ‖X‖_F ≤ f < 1, as |tr Xʲ| ≤ ‖X‖_Fʲ.
-  void moving_determinant_ru(const SecondOrderInput& input, double* upper) const noexcept;
+  [[nodiscard]] LaneNumbers moving_determinant_ru(const SecondOrderInput& input) const noexcept;
 
   /// Whether A is regular because no direction of the uncertain rows can make it singular, after
   /// bound_ru with this T; regulus/regularity/orthants.hpp.
   ///
-  /// Shape     guess: order() in point layout, positive, of which the lower part is used: how large
+  /// Shape     guess: order() entries, positive, of which the lower part is used: how large
   ///           the |ρ_l| are likely to be. hint: a cell that remained before.
   /// Ensures   in each returned lane, a subset of `lanes`: A is regular all over the box.
-  [[nodiscard]] LaneMask certain_by_orthants(const SecondOrderInput& input, const double* T,
-                                             const double* guess, LaneMask lanes,
+  [[nodiscard]] LaneMask certain_by_orthants(const SecondOrderInput& input, ConstPointMatrix T,
+                                             ConstPointVector guess, LaneMask lanes,
                                              OrthantCell& hint) const noexcept;
 
-  /// Roughly what each variable adds to yᵀTv, after bound_ru; points.
-  void approx_impact(const SecondOrderInput& input, const double* v, const double* y,
-                     double* impact) const noexcept;
+  /// Roughly what each variable adds to yᵀTv, after bound_ru.
+  void approx_impact(const SecondOrderInput& input, PerronVectors vectors,
+                     PointVector impact) const noexcept;
 
  private:
   const RegularityBackend& backend_;

@@ -24,42 +24,44 @@ inline Pack form(PackArray y, PackArray M, PackArray v, unsigned rows, unsigned 
 
 /// Where K stays as it is, the first derivatives are what P consists of.
 inline void add_first_order(const SecondOrderPlan& plan, const SecondOrderInput& input, PackArray y,
-                            PackArray v, double* result) noexcept {
+                            PackArray v, PackArray result) noexcept {
   for (unsigned p = 0; p < plan.wides; ++p) {
     const SecondOrderPlan::Wide& wide = plan.wide[p];
-    const Pack radius = Pack::load(input.radius + wide.variable * kLanes);
+    const Pack radius = Pack::load(input.radius.data() + wide.variable * kLanes);
     Pack sum = Pack::of(0.0);
     for (unsigned k = wide.first.begin; k < wide.first.end; ++k) {
       const SecondOrderPlan::Entry& entry = plan.entries[k];
       sum.add_fused(y[entry.row] * largest_of(input.first, entry.at),
                     v[plan.columns[wide.columns.begin + entry.column]]);
     }
-    (PackArray{result} + wide.variable).add_fused(0, sum, radius);
+    (result + wide.variable).add_fused(0, sum, radius);
   }
 }
 
 /// yᵀTv falls into the parts of single variables, once Q = weight·P + rest is put through P.
 inline void impact(const SecondOrderPlan& plan, const SecondOrderInput& input,
-                   const SecondOrderWork& work, const double* right, const double* left,
-                   double* result) noexcept {
+                   const SecondOrderWork& work, PerronVectors vectors,
+                   PointVector impacts) noexcept {
   const unsigned n = plan.columns_of_A, s = plan.slots;
-  const PackArray v{const_cast<double*>(right)}, y{const_cast<double*>(left)};
-  const PackArray lower_v = v + n, lower_y = y + n, through_P{work.center};
+  const PackArray v = packs_of(vectors.right), y = packs_of(vectors.left);
+  const PackArray result = packs_of(impacts);
+  const PackArray lower_v = v + n, lower_y = y + n, through_P{work.center.x};
   for (unsigned i = 0; i < n; ++i) {
     Pack sum = y[i];
     for (unsigned j = 0; j < s; ++j)
       sum.add_fused(lower_y[j],
-                    PackArray{work.weight}[j * n + i] + PackArray{work.weight_of_g}[j * n + i]);
+                    PackArray{work.weight.x}[j * n + i] + PackArray{work.weight_of_g.x}[j * n + i]);
     through_P.put(i, sum);
   }
-  const auto of_variable = [&](unsigned p) { return PackArray{result} + plan.wide[p].variable; };
+  const auto of_variable = [&](unsigned p) { return result + plan.wide[p].variable; };
   for (unsigned p = 0; p < plan.wides; ++p) {
-    Pack sum = form(lower_y, PackArray{work.R_of_wide} + (1 + p) * s * s, lower_v, s, s);
+    Pack sum = form(lower_y, PackArray{work.R_of_wide.x} + (1 + p) * s * s, lower_v, s, s);
     Pack upper = Pack::of(0.0);
     for (unsigned i = 0; i < n; ++i)
       for (unsigned j = 0; j < s; ++j)
-        upper.add_fused(y[i] * lower_v[j], magnitude((PackArray{work.DK} + p * n * s)[i * s + j]));
-    sum.add_fused(upper, Pack::load(input.radius + plan.wide[p].variable * kLanes));
+        upper.add_fused(y[i] * lower_v[j],
+                        magnitude((PackArray{work.DK.x} + p * n * s)[i * s + j]));
+    sum.add_fused(upper, Pack::load(input.radius.data() + plan.wide[p].variable * kLanes));
     of_variable(p).put(0, sum);
   }
   // A pair is half on account of either.
@@ -67,7 +69,7 @@ inline void impact(const SecondOrderPlan& plan, const SecondOrderInput& input,
   for (unsigned i = 0; i < n; ++i)
     for (unsigned k = 0; k < plan.pairs; ++k) {
       const Pack share =
-          half * form(through_P + i, PackArray{work.pairs} + (i * plan.pairs + k) * n, v, 1, n);
+          half * form(through_P + i, PackArray{work.pairs.x} + (i * plan.pairs + k) * n, v, 1, n);
       of_variable(plan.pair[k].p).add(0, share);
       of_variable(plan.pair[k].q).add(0, share);
     }
@@ -76,8 +78,8 @@ inline void impact(const SecondOrderPlan& plan, const SecondOrderInput& input,
   for (unsigned g = 0; g < plan.groups; ++g)
     for (unsigned k = plan.group[g].members.begin; k < plan.group[g].members.end; ++k) {
       const SecondOrderPlan::RowVariable& u = plan.row_variables[k];
-      form(lower_y + u.slot, PackArray{work.R_of_row} + k * s, lower_v, 1, s)
-          .store(result + u.variable * kLanes);
+      result.put(u.variable,
+                 form(lower_y + u.slot, PackArray{work.R_of_row.x} + k * s, lower_v, 1, s));
     }
 }
 

@@ -11,46 +11,12 @@
 
 #include "regulus/regularity/pack_lanes.hpp"
 #include "regulus/regularity/second_order_plan.hpp"
+#include "regulus/regularity/second_order_terms_lanes.hpp"
 
 namespace regulus::second_order {
 inline namespace REGULUS_LANES_ISA {
 
 using namespace lanes::REGULUS_LANES_ISA;
-
-/// For one term, a few, and any sum of magnitudes here, which costs
-/// 2^-35 of it.
-inline constexpr double kOneTerm = raise_factor(1);
-inline constexpr double kFewTerms = raise_factor(16);
-inline constexpr double kManyTerms = raise_factor(std::size_t{1} << 16);
-
-REGULUS_LANE_INLINE Pack product_ru(const Pack& a, const Pack& b) noexcept {
-  return raised(a * b, kOneTerm);
-}
-
-struct Middle {
-  Pack middle, distance;  ///< distance: rounded once
-};
-
-REGULUS_LANE_INLINE Middle middle_of(const double* intervals, unsigned at) noexcept {
-  const Pack lo = Pack::load(intervals + 2 * at * kLanes);
-  const Pack hi = Pack::load(intervals + (2 * at + 1) * kLanes);
-  const Pack half = Pack::of(0.5);
-  const Pack middle = half * lo + half * hi;
-  return {middle, larger(hi - middle, middle - lo)};
-}
-
-/// |x| of the farthest x.
-REGULUS_LANE_INLINE Pack largest_of(const double* intervals, unsigned at) noexcept {
-  return larger(magnitude(Pack::load(intervals + 2 * at * kLanes)),
-                magnitude(Pack::load(intervals + (2 * at + 1) * kLanes)));
-}
-
-REGULUS_LANE_INLINE void clear(PackArray array, unsigned count) noexcept {
-  for (unsigned e = 0; e < count; ++e) array.put(e, Pack::of(0.0));
-}
-REGULUS_LANE_INLINE void raise(PackArray array, unsigned count, double factor) noexcept {
-  for (unsigned e = 0; e < count; ++e) array.put(e, raised(array[e], factor));
-}
 
 class Bounding {
  public:
@@ -63,11 +29,11 @@ class Bounding {
         s_(plan.slots),
         wides_(plan.wides) {}
 
-  REGULUS_LANE_INLINE void run(double* T) noexcept {
+  REGULUS_LANE_INLINE void run(PointMatrix T) noexcept {
     read_center();
     for (unsigned w = 0; w < wides_; ++w) read_wide(plan_.wide[w], w);
-    for (double* sum : {w_.sum_d, w_.sum_D}) raise({sum}, n_ * n_, kManyTerms);
-    raise({w_.sum_DK}, n_ * s_, kManyTerms);
+    for (double* sum : {w_.sum_d.x, w_.sum_D.x}) raise({sum}, n_ * n_, kManyTerms);
+    raise({w_.sum_DK.x}, n_ * s_, kManyTerms);
     for (unsigned i = 0; i < n_; ++i) add_pairs_of_row(i);
     bound_defect();
     for (unsigned g = 0; g < plan_.groups; ++g) {
@@ -75,16 +41,16 @@ class Bounding {
       members.size() == 1 ? bound_single(members.begin) : bound_ball(plan_.group[g]);
     }
     if (s_ > 0) bound_rows();
-    assemble({T});
+    assemble(packs_of(T));
   }
 
  private:
   [[nodiscard]] REGULUS_LANE_INLINE Pack radius(unsigned variable) const noexcept {
-    return Pack::load(in_.radius + variable * kLanes);
+    return Pack::load(in_.radius.data() + variable * kLanes);
   }
 
   /// What K(t) or w_k(t) moves by, and what is left of the derivative.
-  [[nodiscard]] REGULUS_LANE_INLINE Middle moved(const double* intervals,
+  [[nodiscard]] REGULUS_LANE_INLINE Middle moved(ConstIntervalVector intervals,
                                                  unsigned at) const noexcept {
     if (plan_.moves) return middle_of(intervals, at);
     return {Pack::of(0.0), largest_of(intervals, at)};
@@ -94,21 +60,23 @@ class Bounding {
   REGULUS_LANE_INLINE void read_center() noexcept {
     for (unsigned i = 0; i < n_; ++i)
       for (unsigned j = 0; j < s_; ++j) {
-        const Pack k = Pack::load(in_.K + (i * plan_.rows + plan_.touched[j]) * kLanes);
-        PackArray{w_.K}.put(i * s_ + j, k);
-        PackArray{w_.abs_K}.put(i * s_ + j, magnitude(k));
+        const Pack k = Pack::load(in_.K.data() + (i * plan_.rows + plan_.touched[j]) * kLanes);
+        PackArray{w_.K.x}.put(i * s_ + j, k);
+        PackArray{w_.abs_K.x}.put(i * s_ + j, magnitude(k));
       }
     for (unsigned i = 0; i < n_; ++i)
       for (unsigned j = 0; j < n_; ++j) {
         const unsigned e = i * n_ + j;
         const Pack one = Pack::of(i == j ? 1.0 : 0.0);
-        const Pack lo = Pack::load(in_.product + 2 * e * kLanes);
-        const Pack hi = Pack::load(in_.product + (2 * e + 1) * kLanes);
-        PackArray{w_.e}.put(e, raised(larger(magnitude(lo - one), magnitude(hi - one)), kOneTerm));
+        const Pack lo = Pack::load(in_.product.data() + 2 * e * kLanes);
+        const Pack hi = Pack::load(in_.product.data() + (2 * e + 1) * kLanes);
+        PackArray{w_.e.x}.put(e,
+                              raised(larger(magnitude(lo - one), magnitude(hi - one)), kOneTerm));
       }
-    for (double* sum : {w_.sum_d, w_.sum_D, w_.magnitude_of_B, w_.P}) clear({sum}, n_ * n_);
-    for (double* sum : {w_.weight, w_.weight_of_g, w_.rest, w_.sum_DK}) clear({sum}, n_ * s_);
-    clear({w_.R_of_wide}, (1 + wides_) * s_ * s_);
+    for (double* sum : {w_.sum_d.x, w_.sum_D.x, w_.magnitude_of_B.x, w_.P.x}) clear({sum}, n_ * n_);
+    for (double* sum : {w_.weight.x, w_.weight_of_g.x, w_.rest.x, w_.sum_DK.x})
+      clear({sum}, n_ * s_);
+    clear({w_.R_of_wide.x}, (1 + wides_) * s_ * s_);
   }
 
   /// D_p, Σ_p r_p|d_p|, and D_pK₀ to nearest.
@@ -116,36 +84,36 @@ class Bounding {
     const unsigned* columns = plan_.columns + wide.columns.begin;
     const unsigned count = wide.columns.size();
     const Pack r = radius(wide.variable);
-    const PackArray D = PackArray{w_.D} + wide.D;
+    const PackArray D = PackArray{w_.D.x} + wide.D;
     clear(D, n_ * count);
     for (unsigned k = wide.first.begin; k < wide.first.end; ++k) {
       const SecondOrderPlan::Entry& entry = plan_.entries[k];
       const Middle d = moved(in_.first, entry.at);
       const unsigned e = entry.row * n_ + columns[entry.column];
       D.put(entry.row * count + entry.column, d.middle);
-      PackArray{w_.sum_d}.add_fused(e, d.distance, r);
-      PackArray{w_.sum_D}.add_fused(e, magnitude(d.middle), r);
+      PackArray{w_.sum_d.x}.add_fused(e, d.distance, r);
+      PackArray{w_.sum_D.x}.add_fused(e, magnitude(d.middle), r);
     }
-    const PackArray DK = PackArray{w_.DK} + index * n_ * s_;
+    const PackArray DK = PackArray{w_.DK.x} + index * n_ * s_;
     clear(DK, n_ * s_);
     for (unsigned i = 0; i < n_; ++i) {
-      add_row_product(D + i * count, {columns, count, {w_.K}, s_}, s_, DK + i * s_);
+      add_row_product(D + i * count, {columns, count, {w_.K.x}, s_}, s_, DK + i * s_);
       for (unsigned j = 0; j < s_; ++j)
-        PackArray{w_.sum_DK}.add_fused(i * s_ + j, magnitude(DK[i * s_ + j]), r);
+        PackArray{w_.sum_DK.x}.add_fused(i * s_ + j, magnitude(DK[i * s_ + j]), r);
     }
   }
 
   /// Σ_pq of r_pr_q·|B_pq − D_pD_q − D_qD_p|, or r_p²·|½B_pp − D_pD_p|, in row i of P.
   REGULUS_LANE_INLINE void add_pairs_of_row(unsigned i) noexcept {
-    const PackArray P = PackArray{w_.P} + i * n_, sum{w_.pair_row};
+    const PackArray P = PackArray{w_.P.x} + i * n_, sum{w_.pair_row.x};
     for (unsigned k = 0; k < plan_.pairs; ++k) {
       const SecondOrderPlan::Pair& pair = plan_.pair[k];
       const SecondOrderPlan::Wide &p = plan_.wide[pair.p], &q = plan_.wide[pair.q];
       const Pack weight = product_ru(radius(p.variable), radius(q.variable));
-      const PackArray magnitudes = PackArray{w_.pairs} + (i * plan_.pairs + k) * n_;
+      const PackArray magnitudes = PackArray{w_.pairs.x} + (i * plan_.pairs + k) * n_;
       clear(sum, n_);
       const unsigned* rows = plan_.pair_rows + k * (n_ + 1) + i;
-      PackArray radii{w_.pair_radius};
+      PackArray radii{w_.pair_radius.x};
       if (rows[0] < rows[1]) clear(radii, n_);
       for (unsigned e = rows[0]; e < rows[1]; ++e)
         add_second(plan_.entries[e], pair.p == pair.q ? 0.5 : 1.0, weight);
@@ -165,18 +133,18 @@ class Bounding {
     const Middle b = middle_of(in_.second, entry.at);
     const Pack part = weight * Pack::of(share);
     const Pack radius = product_ru(raised(b.distance, kOneTerm), part);
-    PackArray{w_.pair_row}.put(entry.column, Pack::of(-share) * b.middle);
-    PackArray{w_.pair_radius}.put(entry.column, radius);
-    PackArray{w_.magnitude_of_B}.add(entry.row * n_ + entry.column,
-                                     magnitude(b.middle) * part + radius);
+    PackArray{w_.pair_row.x}.put(entry.column, Pack::of(-share) * b.middle);
+    PackArray{w_.pair_radius.x}.put(entry.column, radius);
+    PackArray{w_.magnitude_of_B.x}.add(entry.row * n_ + entry.column,
+                                       magnitude(b.middle) * part + radius);
   }
 
   /// Adds row i of D_pD_q to that of a pair.
   REGULUS_LANE_INLINE void add_product(const SecondOrderPlan::Wide& p,
                                        const SecondOrderPlan::Wide& q, unsigned i) noexcept {
     const unsigned terms = p.columns.size(), count = q.columns.size();
-    const Rows right{plan_.columns + p.columns.begin, terms, PackArray{w_.D} + q.D, count};
-    add_row_product(PackArray{w_.D} + p.D + i * terms, right, count, {w_.pair_row},
+    const Rows right{plan_.columns + p.columns.begin, terms, PackArray{w_.D.x} + q.D, count};
+    add_row_product(PackArray{w_.D.x} + p.D + i * terms, right, count, {w_.pair_row.x},
                     count == n_ ? nullptr : plan_.columns + q.columns.begin);
   }
 
@@ -184,10 +152,10 @@ class Bounding {
   ///
   ///     e + Σr|d| + Σr|D|·(e + Σr|d| + ½Σrr|B|) + γ(Σr|D|·Σr|D| + ½Σrr|B|).
   REGULUS_LANE_INLINE void bound_defect() noexcept {
-    const PackArray P{w_.P}, sum{w_.linear}, rounding{w_.rounding}, D{w_.sum_D};
+    const PackArray P{w_.P.x}, sum{w_.linear.x}, rounding{w_.rounding.x}, D{w_.sum_D.x};
     for (unsigned e = 0; e < n_ * n_; ++e) {
-      const Pack linear = PackArray{w_.e}[e] + PackArray{w_.sum_d}[e];
-      const Pack magnitude_of_B = raised(PackArray{w_.magnitude_of_B}[e], kManyTerms);
+      const Pack linear = PackArray{w_.e.x}[e] + PackArray{w_.sum_d.x}[e];
+      const Pack magnitude_of_B = raised(PackArray{w_.magnitude_of_B.x}[e], kManyTerms);
       P.add(e, linear);
       sum.put(e, raised(linear + magnitude_of_B, kFewTerms));
       rounding.put(e, magnitude_of_B);
@@ -204,20 +172,20 @@ class Bounding {
   /// w̄_k and g_kp, entry by entry; what is left of the row goes into the rest.
   REGULUS_LANE_INLINE void read_row_variable(const SecondOrderPlan::RowVariable& u,
                                              const Pack& range) noexcept {
-    const PackArray rest = PackArray{w_.rest} + u.slot * n_;
+    const PackArray rest = PackArray{w_.rest.x} + u.slot * n_;
     for (unsigned k = u.first.begin; k < u.first.end; ++k) {
       const SecondOrderPlan::Entry& entry = plan_.entries[k];
       const Middle x = middle_of(in_.row_first, entry.at);
-      PackArray{w_.center}.put(k - u.first.begin, x.middle);
+      PackArray{w_.center.x}.put(k - u.first.begin, x.middle);
       rest.add_fused(entry.column, x.distance, range);
     }
     for (unsigned p = 0; p < wides_; ++p) {
       const PlanRange& mixed = plan_.mixed[u.mixed + p];
-      const Pack weight = PackArray{w_.weight_of_value}[1 + p];
+      const Pack weight = PackArray{w_.weight_of_value.x}[1 + p];
       for (unsigned k = mixed.begin; k < mixed.end; ++k) {
         const SecondOrderPlan::Entry& entry = plan_.entries[k];
         const Middle g = moved(in_.row_second, entry.at);
-        PackArray{w_.slope}.put(p * n_ + k - mixed.begin, g.middle);
+        PackArray{w_.slope.x}.put(p * n_ + k - mixed.begin, g.middle);
         rest.add_fused(entry.column, g.distance, weight);
       }
     }
@@ -237,8 +205,8 @@ class Bounding {
                                                  Value&& value) noexcept {
     unsigned of_first[kMaxTerms], of_mixed[kMaxTerms];
     list_columns(u.first, of_first);
-    const PackArray center{w_.center};
-    Rows rows{of_first, u.first.size(), {w_.K}, s_};
+    const PackArray center{w_.center.x};
+    Rows rows{of_first, u.first.size(), {w_.K.x}, s_};
     for_each_block(
         s_, [&]<unsigned kAtOnce>(unsigned j) __attribute__((always_inline)) {
           Pack sum[kAtOnce] = {};
@@ -248,12 +216,12 @@ class Bounding {
     for (unsigned p = 0; p < wides_; ++p) {
       const PlanRange& mixed = plan_.mixed[u.mixed + p];
       list_columns(mixed, of_mixed);
-      const Rows moved{of_mixed, mixed.size(), {w_.K}, s_};
-      rows.matrix = PackArray{w_.DK} + p * n_ * s_;
+      const Rows moved{of_mixed, mixed.size(), {w_.K.x}, s_};
+      rows.matrix = PackArray{w_.DK.x} + p * n_ * s_;
       for_each_block(
           s_, [&]<unsigned kAtOnce>(unsigned j) __attribute__((always_inline)) {
             Pack sum[kAtOnce] = {};
-            add_products<kAtOnce>(PackArray{w_.slope} + p * n_, moved, j, sum);
+            add_products<kAtOnce>(PackArray{w_.slope.x} + p * n_, moved, j, sum);
             subtract_products<kAtOnce>(center, rows, j, sum);
             for (unsigned c = 0; c < kAtOnce; ++c) value(1 + p, j + c, sum[c]);
           });
@@ -267,7 +235,7 @@ class Bounding {
 
   /// Δ, then r_pΔ for each p.
   REGULUS_LANE_INLINE void weigh(const Pack& range) noexcept {
-    const PackArray weight{w_.weight_of_value};
+    const PackArray weight{w_.weight_of_value.x};
     weight.put(0, range);
     for (unsigned p = 0; p < wides_; ++p)
       weight.put(1 + p, product_ru(radius(plan_.wide[p].variable), range));
@@ -279,21 +247,21 @@ class Bounding {
     const Pack range = radius(u.variable);
     weigh(range);
     read_row_variable(u, range);
-    const PackArray weight{w_.weight_of_value};
+    const PackArray weight{w_.weight_of_value.x};
     for (unsigned k = u.first.begin; k < u.first.end; ++k)
-      (PackArray{w_.weight} + u.slot * n_)
-          .add_fused(plan_.entries[k].column, magnitude(PackArray{w_.center}[k - u.first.begin]),
+      (PackArray{w_.weight.x} + u.slot * n_)
+          .add_fused(plan_.entries[k].column, magnitude(PackArray{w_.center.x}[k - u.first.begin]),
                      range);
     for (unsigned p = 0; p < wides_; ++p) {
       const PlanRange& mixed = plan_.mixed[u.mixed + p];
       for (unsigned k = mixed.begin; k < mixed.end; ++k)
-        (PackArray{w_.weight_of_g} + u.slot * n_)
+        (PackArray{w_.weight_of_g.x} + u.slot * n_)
             .add_fused(plan_.entries[k].column,
-                       magnitude(PackArray{w_.slope}[p * n_ + k - mixed.begin]), weight[1 + p]);
+                       magnitude(PackArray{w_.slope.x}[p * n_ + k - mixed.begin]), weight[1 + p]);
     }
-    const PackArray R = PackArray{w_.R_of_wide} + u.slot * s_,
-                    own = PackArray{w_.R_of_row} + index * s_;
-    const PackArray forms = PackArray{w_.forms} + index * s_;
+    const PackArray R = PackArray{w_.R_of_wide.x} + u.slot * s_,
+                    own = PackArray{w_.R_of_row.x} + index * s_;
+    const PackArray forms = PackArray{w_.forms.x} + index * s_;
     if (plan_.weighs_row_variables) clear(own, s_);
     multiply_row_variable(
         u, [&](unsigned p, unsigned j, const Pack& x) __attribute__((always_inline)) {
@@ -306,7 +274,7 @@ class Bounding {
   /// The coordinates of a point in a ball: ρ·(Σx²)^½ instead of Δ·Σ|x|, by Cauchy and Schwarz. It
   /// holds for the weights and for what rounding adds, too, by Minkowski's inequality.
   REGULUS_LANE_INLINE void bound_ball(const SecondOrderPlan::Group& group) noexcept {
-    const PackArray R{w_.group_R}, lower{w_.group_lower};
+    const PackArray R{w_.group_R.x}, lower{w_.group_lower.x};
     clear(R, (1 + wides_) * s_);
     clear(lower, (1 + wides_) * n_);
     Pack range = Pack::of(0.0);
@@ -316,16 +284,16 @@ class Bounding {
     for (unsigned k = group.members.begin; k < group.members.end; ++k) {
       const SecondOrderPlan::RowVariable& u = plan_.row_variables[k];
       read_row_variable(u, range);
-      add_squares(u.first, {w_.center}, lower);
+      add_squares(u.first, {w_.center.x}, lower);
       for (unsigned p = 0; p < wides_; ++p)
-        add_squares(plan_.mixed[u.mixed + p], PackArray{w_.slope} + p * n_, lower + (1 + p) * n_);
-      const PackArray forms = PackArray{w_.forms} + k * s_;
+        add_squares(plan_.mixed[u.mixed + p], PackArray{w_.slope.x} + p * n_, lower + (1 + p) * n_);
+      const PackArray forms = PackArray{w_.forms.x} + k * s_;
       multiply_row_variable(
           u, [&](unsigned p, unsigned j, const Pack& x) __attribute__((always_inline)) {
             R.add_fused(p * s_ + j, x, x);
             if (p == 0) forms.put(j, x);
           });
-      if (plan_.weighs_row_variables) clear(PackArray{w_.R_of_row} + k * s_, s_);
+      if (plan_.weighs_row_variables) clear(PackArray{w_.R_of_row.x} + k * s_, s_);
     }
     take_roots(R, (1 + wides_) * s_);
     take_roots(lower, (1 + wides_) * n_);
@@ -337,51 +305,49 @@ class Bounding {
     for (unsigned k = entries.begin; k < entries.end; ++k)
       sums.add_fused(plan_.entries[k].column, x[k - entries.begin], x[k - entries.begin]);
   }
-  REGULUS_LANE_INLINE static void take_roots(PackArray x, unsigned count) noexcept {
-    for (unsigned e = 0; e < count; ++e)
-      x.put(e, raised(square_root(raised(x[e], kFewTerms)), kOneTerm));
-  }
-
   REGULUS_LANE_INLINE void add_ball(unsigned slot) noexcept {
-    const PackArray R{w_.group_R}, lower{w_.group_lower}, weight{w_.weight_of_value};
+    const PackArray R{w_.group_R.x}, lower{w_.group_lower.x}, weight{w_.weight_of_value.x};
     for (unsigned p = 0; p <= wides_; ++p) {
-      const PackArray weights = PackArray{p == 0 ? w_.weight : w_.weight_of_g} + slot * n_;
+      const PackArray weights = PackArray{p == 0 ? w_.weight.x : w_.weight_of_g.x} + slot * n_;
       for (unsigned j = 0; j < n_; ++j) weights.add_fused(j, lower[p * n_ + j], weight[p]);
       for (unsigned j = 0; j < s_; ++j)
-        PackArray{w_.R_of_wide}.add_fused((p * s_ + slot) * s_ + j, R[p * s_ + j], weight[p]);
+        PackArray{w_.R_of_wide.x}.add_fused((p * s_ + slot) * s_ + j, R[p * s_ + j], weight[p]);
     }
   }
 
   /// The second order and the rounding of R and of D_pK₀: |fl(D_pK₀) − D_pK₀| ≤ γ|D_p||K₀|.
   REGULUS_LANE_INLINE void bound_rows() noexcept {
-    for (double* sum : {w_.weight, w_.weight_of_g, w_.rest}) raise({sum}, s_ * n_, kManyTerms);
-    const PackArray slack{w_.K};  // not needed any more
-    const PackArray sum_DK{w_.sum_DK};
+    for (double* sum : {w_.weight.x, w_.weight_of_g.x, w_.rest.x})
+      raise({sum}, s_ * n_, kManyTerms);
+    const PackArray slack{w_.K.x};  // not needed any more
+    const PackArray sum_DK{w_.sum_DK.x};
     clear(slack, n_ * s_);
     for (unsigned i = 0; i < n_; ++i)
-      add_row_product(PackArray{w_.sum_D} + i * n_, {nullptr, n_, {w_.abs_K}, s_}, s_,
+      add_row_product(PackArray{w_.sum_D.x} + i * n_, {nullptr, n_, {w_.abs_K.x}, s_}, s_,
                       slack + i * s_);
     for (unsigned e = 0; e < n_ * s_; ++e) {
       const Pack magnitude_of_DK = raised(slack[e], kManyTerms);
       sum_DK.put(e, raised(sum_DK[e] + magnitude_of_DK * Pack::of(kSecondOrderGamma), kFewTerms));
       slack.put(e,
-                raised(magnitude_of_DK + PackArray{w_.abs_K}[e], kFewTerms));  // |K₀| + Σr|D||K₀|
+                raised(magnitude_of_DK + PackArray{w_.abs_K.x}[e], kFewTerms));  // |K₀| + Σr|D||K₀|
     }
     for (unsigned i = 0; i < s_; ++i) bound_row(i);
   }
 
   /// Row i of R: the parts of u, of each wide variable, and what is left.
   REGULUS_LANE_INLINE void bound_row(unsigned i) noexcept {
-    const PackArray row = PackArray{w_.moving} + i * s_, slack{w_.K}, rounding{w_.weight_of_row};
-    const PackArray g = PackArray{w_.weight_of_g} + i * n_, weight = PackArray{w_.weight} + i * n_;
+    const PackArray row = PackArray{w_.moving.x} + i * s_, slack{w_.K.x},
+                    rounding{w_.weight_of_row.x};
+    const PackArray g = PackArray{w_.weight_of_g.x} + i * n_,
+                    weight = PackArray{w_.weight.x} + i * n_;
     clear(rounding, s_);
     for (unsigned j = 0; j < s_; ++j) {
       Pack sum = Pack::of(0.0);
       for (unsigned p = 1; p <= wides_; ++p)
-        sum = sum + PackArray{w_.R_of_wide}[(p * s_ + i) * s_ + j];
+        sum = sum + PackArray{w_.R_of_wide.x}[(p * s_ + i) * s_ + j];
       row.put(j, sum);
     }
-    add_row_product(g, {nullptr, n_, {w_.sum_DK}, s_}, s_, row);
+    add_row_product(g, {nullptr, n_, {w_.sum_DK.x}, s_}, s_, row);
     add_row_product(g, {nullptr, n_, slack, s_}, s_, rounding);
     add_row_product(weight, {nullptr, n_, slack, s_}, s_, rounding);
     for (unsigned j = 0; j < s_; ++j)
@@ -390,27 +356,27 @@ class Bounding {
                      kManyTerms));
     for (unsigned j = 0; j < s_; ++j) {
       const unsigned e = i * s_ + j;
-      PackArray{w_.R}.put(e, raised(row[j] + PackArray{w_.R_of_wide}[e], kManyTerms));
+      PackArray{w_.R.x}.put(e, raised(row[j] + PackArray{w_.R_of_wide.x}[e], kManyTerms));
     }
   }
 
   REGULUS_LANE_INLINE void assemble(PackArray T) noexcept {
     const unsigned order = n_ + s_;
-    const PackArray P{w_.P};
+    const PackArray P{w_.P.x};
     for (unsigned i = 0; i < n_; ++i) {
       for (unsigned j = 0; j < n_; ++j) T.put(i * order + j, P[i * n_ + j]);
       for (unsigned j = 0; j < s_; ++j)
-        T.put(
-            i * order + n_ + j,
-            raised(PackArray{w_.abs_K}[i * s_ + j] + PackArray{w_.sum_DK}[i * s_ + j], kFewTerms));
+        T.put(i * order + n_ + j,
+              raised(PackArray{w_.abs_K.x}[i * s_ + j] + PackArray{w_.sum_DK.x}[i * s_ + j],
+                     kFewTerms));
     }
     for (unsigned i = 0; i < s_; ++i) {
       const PackArray row = T + (n_ + i) * order;
-      for (unsigned j = 0; j < n_; ++j) row.put(j, PackArray{w_.rest}[i * n_ + j]);
-      add_row_product(PackArray{w_.weight} + i * n_, {nullptr, n_, P, n_}, n_, row);
-      add_row_product(PackArray{w_.weight_of_g} + i * n_, {nullptr, n_, P, n_}, n_, row);
+      for (unsigned j = 0; j < n_; ++j) row.put(j, PackArray{w_.rest.x}[i * n_ + j]);
+      add_row_product(PackArray{w_.weight.x} + i * n_, {nullptr, n_, P, n_}, n_, row);
+      add_row_product(PackArray{w_.weight_of_g.x} + i * n_, {nullptr, n_, P, n_}, n_, row);
       raise(row, n_, kManyTerms);
-      for (unsigned j = 0; j < s_; ++j) row.put(n_ + j, PackArray{w_.R}[i * s_ + j]);
+      for (unsigned j = 0; j < s_; ++j) row.put(n_ + j, PackArray{w_.R.x}[i * s_ + j]);
     }
   }
 
@@ -425,7 +391,7 @@ class Bounding {
 };
 
 inline void bound(const SecondOrderPlan& plan, const SecondOrderInput& input,
-                  const SecondOrderWork& work, double* T) noexcept {
+                  const SecondOrderWork& work, PointMatrix T) noexcept {
   Bounding(plan, input, work).run(T);
 }
 

@@ -174,8 +174,8 @@ namespace {
 class Dealer {
  public:
   explicit Dealer(double* begin) noexcept : next_(begin) {}
-  void give(double*& array, std::size_t packs) noexcept {
-    array = next_ == nullptr ? nullptr : next_ + used_ * kLanes;
+  void give(PointArray& array, std::size_t packs) noexcept {
+    array.x = next_ == nullptr ? nullptr : next_ + used_ * kLanes;
     used_ += packs;
   }
   [[nodiscard]] std::size_t used() const noexcept { return used_; }
@@ -193,15 +193,17 @@ struct Sizes {
 std::size_t deal(double* begin, const Sizes& size, SecondOrderWork& work) noexcept {
   const auto [n, s, w, pairs, rows, entries_of_D] = size;
   Dealer dealer(begin);
-  for (double** array : {&work.K, &work.abs_K, &work.sum_DK}) dealer.give(*array, n * s);
+  for (PointArray* array : {&work.K, &work.abs_K, &work.sum_DK}) dealer.give(*array, n * s);
   dealer.give(work.D, entries_of_D);
   dealer.give(work.DK, w * n * s);
-  for (double** array : {&work.e, &work.sum_d, &work.sum_D, &work.magnitude_of_B, &work.linear,
-                         &work.rounding, &work.P})
+  for (PointArray* array : {&work.e, &work.sum_d, &work.sum_D, &work.magnitude_of_B, &work.linear,
+                            &work.rounding, &work.P})
     dealer.give(*array, n * n);
-  for (double** array : {&work.pair_row, &work.pair_radius, &work.center}) dealer.give(*array, n);
+  for (PointArray* array : {&work.pair_row, &work.pair_radius, &work.center})
+    dealer.give(*array, n);
   dealer.give(work.pairs, pairs * n * n);
-  for (double** array : {&work.weight, &work.weight_of_g, &work.rest}) dealer.give(*array, s * n);
+  for (PointArray* array : {&work.weight, &work.weight_of_g, &work.rest})
+    dealer.give(*array, s * n);
   dealer.give(work.R, s * s);
   dealer.give(work.R_of_wide, (1 + w) * s * s);
   dealer.give(work.R_of_row, rows * s);

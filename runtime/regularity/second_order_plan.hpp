@@ -4,6 +4,7 @@
 #pragma once
 
 #include "regulus/regularity/lanes.hpp"
+#include "regulus/regularity/views.hpp"
 
 namespace regulus {
 
@@ -63,31 +64,31 @@ struct SecondOrderPlan {
 /// For one batch, in point layout. n columns of A, s slots, w wide variables. A sum over p has the
 /// weights r_p, over p, q the weights r_pr_q.
 struct SecondOrderWork {
-  double *K, *abs_K;                 // n×s: at the rows touched
-  double *D, *DK, *sum_DK;           // as planned; w·n×s; n×s
-  double *e, *sum_d, *sum_D;         // n×n
-  double* magnitude_of_B;            // n×n: ½ Σ_pq of |∂_p∂_qB|
-  double *linear, *rounding, *P;     // n×n
-  double *pair_row, *pair_radius;    // n
-  double* pairs;                     // for each row: what each pair adds to that of P
-  double *weight, *weight_of_g;      // s×n: Σ_k Δ_k of |w̄_k|, of Σ_p r_p|g_kp|
-  double* rest;                      // s×n: what is left of |w_k − w_k(t)|
-  double *R, *R_of_wide, *R_of_row;  // s×s; (1 + w)·s×s: fixed, by each p; s for each row variable
-  double *forms, *moving;            // s for each row variable: w̄_kᵀK₀; s×s: R without these
-  double *center, *slope;            // n: w̄_k by entry; w·n: g_kp by entry
-  double *weight_of_value, *weight_of_row;  // 1 + w; s
-  double *group_R, *group_lower;            // (1 + w)·s, (1 + w)·n
+  PointArray K, abs_K;               // n×s: at the rows touched
+  PointArray D, DK, sum_DK;          // as planned; w·n×s; n×s
+  PointArray e, sum_d, sum_D;        // n×n
+  PointArray magnitude_of_B;         // n×n: ½ Σ_pq of |∂_p∂_qB|
+  PointArray linear, rounding, P;    // n×n
+  PointArray pair_row, pair_radius;  // n
+  PointArray pairs;                  // for each row: what each pair adds to that of P
+  PointArray weight, weight_of_g;    // s×n: Σ_k Δ_k of |w̄_k|, of Σ_p r_p|g_kp|
+  PointArray rest;                   // s×n: what is left of |w_k − w_k(t)|
+  PointArray R, R_of_wide, R_of_row;  // s×s; (1 + w)·s×s: fixed, by each p; s for each row variable
+  PointArray forms, moving;  // s for each row variable: w̄_kᵀK₀; s×s: R without these
+  PointArray center, slope;  // n: w̄_k by entry; w·n: g_kp by entry
+  PointArray weight_of_value, weight_of_row;  // 1 + w; s
+  PointArray group_R, group_lower;            // (1 + w)·s, (1 + w)·n
 };
 
-/// Values for eight boxes, in the layouts of regulus/regularity/lanes.hpp.
+/// Values for eight boxes.
 struct SecondOrderInput {
-  const double* K;           ///< n×m, points
-  const double* product;     ///< B(t₀), n×n, intervals
-  const double* first;       ///< at (t₀, ū), intervals
-  const double* second;      ///< over the boxes, intervals
-  const double* row_first;   ///< at (t₀, ū), intervals
-  const double* row_second;  ///< over the boxes, intervals
-  const double* radius;      ///< r_p, Δ_k: of each variable, points
+  ConstPointMatrix K;              ///< n×m
+  ConstIntervalMatrix product;     ///< B(t₀), n×n
+  ConstIntervalVector first;       ///< at (t₀, ū), as listed
+  ConstIntervalVector second;      ///< over the boxes, as listed
+  ConstIntervalVector row_first;   ///< at (t₀, ū), as listed
+  ConstIntervalVector row_second;  ///< over the boxes, as listed
+  ConstPointVector radius;         ///< r_p, Δ_k: of each variable
 };
 
 /// γ of second_order_lanes.hpp, for sums of at most 64 terms.

@@ -28,7 +28,7 @@ double Bisector::approx_score(Batch& batch, std::size_t variable, std::size_t la
     case Bisection::kWeighted:
       return (x.hi - x.lo) / range_[variable];
     case Bisection::kImpact:
-      return batch.approx_impact()[point_at(variable, lane)];
+      return batch.approx_impact().at(variable, lane);
   }
   return 0.0;
 }

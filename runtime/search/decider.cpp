@@ -90,8 +90,8 @@ void Decider::decide(Decisions& decisions, bool keep_proofs) noexcept {
   decisions.inside = undecided != 0 ? batch_.certain_inside() : 0;
   if (looks_at_midpoints_)
     decisions.midpoint_determinants = approx_midpoint_determinants(batch_, lanes, scaled_);
-  decisions.preconditioner = batch_.preconditioner();
-  decisions.vector = batch_.vector();
+  decisions.preconditioner = batch_.preconditioner().data();
+  decisions.vector = batch_.vector().data();
   if (keep_proofs) decisions.keep_proofs(batch_);
   decisions.decided = true;
 }

@@ -8,8 +8,8 @@
 #include "regulus/search/bisector.hpp"
 #include "regulus/search/box_witness.hpp"
 #include "regulus/search/decisions.hpp"
-#include "regulus/search/row_structure.hpp"
 #include "regulus/search/regularity_tests.hpp"
+#include "regulus/search/row_structure.hpp"
 
 namespace regulus {
 

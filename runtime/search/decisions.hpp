@@ -71,8 +71,8 @@ class Decisions {
 
   /// Copies the proofs of a batch that is about to be used again.
   void keep_proofs(Batch& batch) noexcept {
-    std::copy_n(batch.preconditioner(), points_, preconditioner_.get());
-    std::copy_n(batch.vector(), order_, vector_.get());
+    std::copy_n(batch.preconditioner().data(), points_, preconditioner_.get());
+    std::copy_n(batch.vector().data(), order_, vector_.get());
     preconditioner = preconditioner_.get();
     vector = vector_.get();
   }

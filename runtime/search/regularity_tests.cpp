@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "regulus/search/regularity_tests.hpp"
 
+#include "regulus/regularity/determinant.hpp"
 #include "regulus/regularity/h_matrix.hpp"
 #include "regulus/regularity/minors.hpp"
 #include "regulus/regularity/rohn.hpp"
@@ -31,14 +32,12 @@ class HMatrixTest final : public RegularityTest {
   LaneMask certify(Batch& batch, LaneMask lanes, TestBudget& /*budget*/) noexcept override {
     const bool moving = rule() == Rule::kSecondOrder;
     const std::size_t n = moving ? batch.order() : batch.kernel().columns;
-    const double* P = bounds(batch);
-    lanes &= certain_h_matrix(P, n, batch.candidate_vector());
+    const ConstPointMatrix P = bounds(batch);
+    lanes &= certain_h_matrix(P, batch.candidate_vector(n));
     batch.keep_vector(lanes, n);
     if (alpha_ == 0.0) return above_threshold(batch, lanes, [](std::size_t) { return 1.0; });
-    double product_rd[kLanes], moving_ru[kLanes];
-    determinant_rd(P, n, product_rd);
-    std::fill_n(moving_ru, kLanes, 1.0);
-    if (moving) batch.moving_determinant_ru(moving_ru);
+    const LaneNumbers product_rd = determinant_rd(P);
+    const LaneNumbers moving_ru = moving ? batch.moving_determinant_ru() : kOnes;
     // |det A| = |det KA| / |det K|.
     return above_threshold(batch, lanes, [&](std::size_t lane) {
       return div_rd(product_rd[lane],
@@ -47,7 +46,9 @@ class HMatrixTest final : public RegularityTest {
   }
 
  private:
-  [[nodiscard]] const double* bounds(Batch& batch) const noexcept {
+  static constexpr LaneNumbers kOnes{{1, 1, 1, 1, 1, 1, 1, 1}};
+
+  [[nodiscard]] ConstPointMatrix bounds(Batch& batch) const noexcept {
     switch (rule()) {
       case Rule::kSecondOrder:
         return batch.second_order_bounds();
@@ -87,10 +88,9 @@ class DeterminantTest final : public RegularityTest {
       : RegularityTest(rule), form_(form), alpha_(alpha) {}
 
   LaneMask certify(Batch& batch, LaneMask lanes, TestBudget& /*budget*/) noexcept override {
-    const double* product = batch.product(form_, lanes);
-    const Determinants determinants = enclose(product, batch.kernel().columns, lanes);
+    const LaneIntervals determinants = enclose(batch.product(form_, lanes), lanes);
     return above_threshold(batch, lanes, [&](std::size_t lane) {
-      const double lower = mig(determinants.of[lane]);
+      const double lower = mig(determinants[lane]);
       // α = 0: a product is regular only if both factors are.
       if (form_.side == Side::kNone || alpha_ == 0.0) return lower;
       return div_rd(lower, mag(batch.preconditioner_determinant(lane)));
@@ -98,22 +98,14 @@ class DeterminantTest final : public RegularityTest {
   }
 
  private:
-  struct Determinants {
-    Interval of[kLanes];
-  };
-
-  [[nodiscard]] Determinants enclose(const double* matrix, std::size_t n,
-                                     LaneMask lanes) const noexcept {
-    Determinants result;
+  [[nodiscard]] LaneIntervals enclose(ConstIntervalMatrix matrix, LaneMask lanes) const noexcept {
+    LaneIntervals result;
     if (rule() == Rule::kElimination) {
       for_each_lane(lanes, [&](std::size_t lane) {
-        result.of[lane] = enclose_determinant_by_elimination(interval_lane(matrix, n, lane));
+        result[lane] = enclose_determinant_by_elimination(matrix_of_lane(matrix, lane));
       });
     } else if (lanes != 0) {
-      double lower[kLanes], upper[kLanes];
-      enclose_determinants(matrix, n, lower, upper);
-      for (std::size_t lane = 0; lane < kLanes; ++lane)
-        result.of[lane] = Interval(lower[lane], upper[lane]);
+      result = enclose_determinants(matrix);
     }
     return result;
   }
@@ -152,9 +144,9 @@ class ClosedFormTest final : public RegularityTest {
 
  private:
   /// A lane that is not defined is enclosed by all numbers.
-  static LaneMask certify(Batch& batch, LaneMask lanes, const double* determinant) noexcept {
+  static LaneMask certify(Batch& batch, LaneMask lanes, ConstIntervalVector determinant) noexcept {
     return above_threshold(batch, lanes, [&](std::size_t lane) {
-      return mig(Interval{determinant[lower_at(0, lane)], determinant[upper_at(0, lane)]});
+      return mig(Interval{determinant.lower(0, lane), determinant.upper(0, lane)});
     });
   }
 };
@@ -165,8 +157,8 @@ class RohnTest final : public RegularityTest {
   explicit RohnTest(ProductForm form) noexcept : RegularityTest(Rule::kRohn), form_(form) {}
 
   LaneMask certify(Batch& batch, LaneMask lanes, TestBudget& /*budget*/) noexcept override {
-    const double* product = batch.product(form_, lanes);
-    lanes = certain_rohn(product, batch.kernel().columns, lanes);
+    const ConstIntervalMatrix product = batch.product(form_, lanes);
+    lanes = certain_rohn(product, lanes);
     return above_threshold(batch, lanes, [](std::size_t) { return 1.0; });
   }
 
@@ -182,13 +174,14 @@ class FilterTest final : public RegularityTest {
 
   LaneMask certify(Batch& batch, LaneMask lanes, TestBudget& /*budget*/) noexcept override {
     lanes &= batch.certain_posed();
-    const double* product = batch.product({Side::kLeft, false}, lanes);
-    const double* matrix = batch.product({}, lanes);
+    const ConstIntervalMatrix product = batch.product({Side::kLeft, false}, lanes);
+    const ConstIntervalMatrix matrix = batch.product({}, lanes);
     if (lanes == 0) return 0;
     const regulus_kernel& kernel = batch.kernel();
-    return call_filter(filter_, {lanes, kernel.variables, kernel.motion_variables, kernel.rows,
-                                 kernel.columns, batch.boxes(), matrix, batch.preconditioner(),
-                                 product, batch.row_scales(), alpha_});
+    return call_filter(
+        filter_, {lanes, kernel.variables, kernel.motion_variables, kernel.rows, kernel.columns,
+                  batch.boxes().data(), matrix.data(), batch.preconditioner().data(),
+                  product.data(), batch.row_scales().data(), alpha_});
   }
 
  private:

@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "regulus/regularity/determinant.hpp"
+
 namespace regulus {
 namespace {
 
@@ -194,9 +196,9 @@ void WitnessSearch::try_opposite_signs() noexcept {
 
 Interval WitnessSearch::enclose_at(std::size_t lane, bool scaled) noexcept {
   LaneMask defined = 1U << lane;
-  const double* matrix = points_.product({}, defined);
+  const ConstIntervalMatrix matrix = points_.product({}, defined);
   if (defined == 0) return kEntire;
-  const IntervalMatrix M = interval_lane(matrix, points_.kernel().columns, lane);
+  const LaneMatrix M = matrix_of_lane(matrix, lane);
   Interval determinant = enclose_determinant_by_elimination(M);
   if (certain_sign(determinant) == 0)
     determinant = intersect(determinant, enclose_determinant(M)).value_or(determinant);

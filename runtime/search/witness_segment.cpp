@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 
+#include "regulus/regularity/determinant.hpp"
 #include "regulus/search/witness_search.hpp"
 
 namespace regulus {

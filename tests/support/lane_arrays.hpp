@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Matrices in the layouts of regulus/regularity/lanes.hpp, and matrices within their bounds.
+// Matrices in the layouts of regulus/interval/lanes.hpp, and matrices within their bounds.
 #pragma once
 
 #include <algorithm>
 #include <vector>
 
 #include "regulus/regularity/lanes.hpp"
+#include "regulus/regularity/views.hpp"
 #include "support/exact.hpp"
 #include "support/random_source.hpp"
 
@@ -39,6 +40,26 @@ inline double awkward(Random& random) {
     default:
       return uniform(random, -3, 3);
   }
+}
+
+// Square matrices of order n, and vectors, in arrays of numbers.
+inline PointMatrix points(std::vector<double>& x, std::size_t n) {
+  return PointMatrix(x.data(), n, n);
+}
+inline ConstPointMatrix points(const std::vector<double>& x, std::size_t n) {
+  return ConstPointMatrix(x.data(), n, n);
+}
+inline PointVector points(std::vector<double>& x) {
+  return PointVector(x.data(), x.size() / kLanes);
+}
+inline ConstPointVector points(const std::vector<double>& x) {
+  return ConstPointVector(x.data(), x.size() / kLanes);
+}
+inline ConstIntervalMatrix intervals(const std::vector<double>& x, std::size_t n) {
+  return ConstIntervalMatrix(x.data(), n, n);
+}
+inline ConstIntervalVector intervals(const std::vector<double>& x) {
+  return ConstIntervalVector(x.data(), x.size() / (2 * kLanes));
 }
 
 /// One lane of an array of intervals, as intervals.

@@ -83,9 +83,10 @@ Sample make_sample(const Module& module) {
 
   for (std::size_t b = 0; b < Sample::kBoxes; b += REGULUS_LANES) {
     const PointRows matrix = matrix_at_midpoints(kernel, &sample.boxes[b * sample.variables]);
-    alignas(64) double determinant[REGULUS_LANES];
+    LaneNumbers determinant;
     std::vector<LaneRow> inverse(sample.points);
-    if (approx_inverse(matrix.data(), kernel.rows, kernel.columns, inverse.data()->lane,
+    if (approx_inverse(ConstPointMatrix(matrix.data(), kernel.rows, kernel.columns),
+                       PointMatrix(inverse.data()->lane, kernel.columns, kernel.rows),
                        determinant) != 0)
       throw std::logic_error("the matrix has no inverse at a pose of the sample");
     for (std::size_t lane = 0; lane < REGULUS_LANES; ++lane)

@@ -73,10 +73,10 @@ TEST_P(ClosedFormOf, HoldsArbsDeterminantOverEveryBox) {
     batch.clear();
     batch.load(0, box);
     batch.seal(1);
-    const double* natural = batch.natural_determinant();
-    const double* monotone = batch.monotone_determinant();
-    const Interval by_value{natural[lower_at(0, 0)], natural[upper_at(0, 0)]};
-    const Interval by_slope{monotone[lower_at(0, 0)], monotone[upper_at(0, 0)]};
+    const ConstIntervalVector natural = batch.natural_determinant();
+    const ConstIntervalVector monotone = batch.monotone_determinant();
+    const Interval by_value{natural.lower(0, 0), natural.upper(0, 0)};
+    const Interval by_slope{monotone.lower(0, 0), monotone.upper(0, 0)};
     EXPECT_TRUE(is_bounded(by_value));
     EXPECT_TRUE(certain_subset(by_slope, by_value));
     for (int sample = 0; sample < 5; ++sample) {
@@ -98,8 +98,8 @@ TEST_P(ClosedFormOf, IsCloseToArbsDeterminantAtAPoint) {
     batch.clear();
     batch.load(0, point);
     batch.seal(1);
-    const double* natural = batch.natural_determinant();
-    return Interval{natural[lower_at(0, 0)], natural[upper_at(0, 0)]};
+    const ConstIntervalVector natural = batch.natural_determinant();
+    return Interval{natural.lower(0, 0), natural.upper(0, 0)};
   };
   for (int repetition = 0; repetition < 20; ++repetition) {
     const std::vector<Interval> point = random_point(problem_.outer);

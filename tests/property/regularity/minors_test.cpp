@@ -47,10 +47,9 @@ TEST(Minors, EnclosesTheDeterminantsOfExactMembers) {
   for (int round = 0; round < 600; ++round) {
     const std::size_t n = 1 + random.next() % (round % 20 == 0 ? 8 : 6);
     const std::vector<double> x = random_matrices(random, n);
-    double lower[kLanes], upper[kLanes];
-    enclose_determinants(x.data(), n, lower, upper);
+    const LaneIntervals found = enclose_determinants(test::intervals(x, n));
     for (std::size_t l = 0; l < kLanes; ++l) {
-      const Interval enclosure(lower[l], upper[l]);
+      const Interval enclosure = found[l];
       bounded += is_bounded(enclosure);
       for (int sample = 0; sample < 4; ++sample)
         ASSERT_TRUE(test::holds(enclosure, determinant(random_member(random, x, l), n))) << n;
@@ -66,9 +65,8 @@ TEST(Minors, OfThinMatricesLosesLittleMoreThanTheRounding) {
     for (std::size_t e = 0; e < 36; ++e)
       for (std::size_t l = 0; l < kLanes; ++l)
         x[lower_at(e, l)] = x[upper_at(e, l)] = test::uniform(random, -1, 1);
-    double lower[kLanes], upper[kLanes];
-    enclose_determinants(x.data(), 6, lower, upper);
-    for (std::size_t l = 0; l < kLanes; ++l) EXPECT_LT(upper[l] - lower[l], 1e-11);
+    const LaneIntervals found = enclose_determinants(test::intervals(x, 6));
+    for (std::size_t l = 0; l < kLanes; ++l) EXPECT_LT(found[l].hi - found[l].lo, 1e-11);
   }
 }
 
@@ -83,11 +81,10 @@ TEST(Minors, OfWideMatricesIsAboutAsTightAsTheRecursion) {
         x[lower_at(e, l)] = center - test::uniform(random, 0, 0.1);
         x[upper_at(e, l)] = center + test::uniform(random, 0, 0.1);
       }
-    double lower[kLanes], upper[kLanes];
-    enclose_determinants(x.data(), 6, lower, upper);
+    const LaneIntervals found = enclose_determinants(test::intervals(x, 6));
     for (std::size_t l = 0; l < kLanes; ++l) {
-      const Interval one = enclose_determinant(interval_lane(x.data(), 6, l));
-      eight += upper[l] - lower[l];
+      const Interval one = enclose_determinant(matrix_of_lane(test::intervals(x, 6), l));
+      eight += found[l].hi - found[l].lo;
       recursive += one.hi - one.lo;
     }
   }
@@ -98,11 +95,10 @@ TEST(Minors, BoundsNothingAfterAnOverflow) {
   std::vector<double> x(2 * 4 * kLanes, 1.0);
   x[lower_at(0, 2)] = x[upper_at(0, 2)] = 0x1p1000;
   x[lower_at(3, 2)] = x[upper_at(3, 2)] = 0x1p1000;
-  double lower[kLanes], upper[kLanes];
-  enclose_determinants(x.data(), 2, lower, upper);
-  EXPECT_EQ(Interval(lower[2], upper[2]), kEntire);
-  EXPECT_TRUE(contains_zero({lower[1], upper[1]}));
-  EXPECT_LT(upper[1], 1e-14);
+  const LaneIntervals found = enclose_determinants(test::intervals(x, 2));
+  EXPECT_EQ(found[2], kEntire);
+  EXPECT_TRUE(contains_zero(found[1]));
+  EXPECT_LT(found[1].hi, 1e-14);
 }
 
 TEST(Minors, IsTheSameOnEveryInstructionSet) {
@@ -112,18 +108,20 @@ TEST(Minors, IsTheSameOnEveryInstructionSet) {
     const std::vector<double> drawn = random_matrices(random, n);
     alignas(64) double matrix[2 * 64 * kLanes], expected[2 * kLanes], found[2 * kLanes];
     std::copy(drawn.begin(), drawn.end(), matrix);
-    std::vector<double> lo(n * n), hi(n * n);
-    for (std::size_t e = 0; e < lo.size(); ++e)
-      lo[e] = matrix[lower_at(e, 0)], hi[e] = matrix[upper_at(e, 0)];
+    const ConstIntervalMatrix M(matrix, n, n);
+    BoundsOfOneLane bounds;
+    bounds.n = n;
+    for (std::size_t e = 0; e < M.size(); ++e)
+      bounds.lo[e] = M.lower(e, 0), bounds.hi[e] = M.upper(e, 0);
     const RegularityBackend& reference = regularity_backend(Isa::kPortable);
-    reference.expand(matrix, n, expected);
-    const bool share = reference.vertices_share_sign(lo.data(), hi.data(), n, 1e-12);
+    reference.expand(M, IntervalVector(expected, 1));
+    const bool share = reference.vertices_share_sign(bounds, 1e-12);
     for (const Isa isa : kAllIsas) {
       if (!supported(isa)) continue;
-      regularity_backend(isa).expand(matrix, n, found);
+      regularity_backend(isa).expand(M, IntervalVector(found, 1));
       for (std::size_t i = 0; i < 2 * kLanes; ++i)
         ASSERT_TRUE(found[i] == expected[i] || (std::isnan(found[i]) && std::isnan(expected[i])));
-      EXPECT_EQ(regularity_backend(isa).vertices_share_sign(lo.data(), hi.data(), n, 1e-12), share);
+      EXPECT_EQ(regularity_backend(isa).vertices_share_sign(bounds, 1e-12), share);
     }
   }
 }
@@ -191,7 +189,7 @@ TEST(Rohn, LooksAtEveryVertexOfLargeMatrices) {
           most = std::max(most, determinant);
         }
       ASSERT_GT(std::fabs(least), 1e-9);
-      EXPECT_EQ(certain_rohn(x.data(), n, 1U), least > 0 || most < 0 ? 1U : 0U) << n;
+      EXPECT_EQ(certain_rohn(test::intervals(x, n), 1U), least > 0 || most < 0 ? 1U : 0U) << n;
     }
 }
 
@@ -214,8 +212,8 @@ TEST(Rohn, FindsTheOnlyBadVertexOfAnyTwoRows) {
   for (std::size_t n = 2; n <= kMaxRohn; ++n)
     for (std::size_t i = 0; i < n; ++i)
       for (std::size_t k = i + 1; k < n; ++k) {
-        EXPECT_EQ(certain_rohn(one_block(n, i, k, 0.9).data(), n, 1U), 1U) << n << i << k;
-        EXPECT_EQ(certain_rohn(one_block(n, i, k, 1.1).data(), n, 1U), 0U) << n << i << k;
+        EXPECT_EQ(certain_rohn(test::intervals(one_block(n, i, k, 0.9), n), 1U), 1U) << n << i << k;
+        EXPECT_EQ(certain_rohn(test::intervals(one_block(n, i, k, 1.1), n), 1U), 0U) << n << i << k;
       }
 }
 
@@ -231,7 +229,7 @@ TEST(Rohn, AgreesWithTheVertexDeterminantsInExactArithmetic) {
         x[lower_at(e, l)] = center - spread;
         x[upper_at(e, l)] = center + spread;
       }
-    const LaneMask certain = certain_rohn(x.data(), n, kAllLanes);
+    const LaneMask certain = certain_rohn(test::intervals(x, n), kAllLanes);
     for (std::size_t l = 0; l < kLanes; ++l) {
       const bool expected = exact_vertices_share_sign(test::interval_lane_of(x, l), n);
       EXPECT_EQ((certain >> l & 1U) != 0, expected) << n;

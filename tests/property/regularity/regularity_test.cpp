@@ -44,11 +44,12 @@ TEST(Regularity, HMatrixClaimsHoldForExactMembers) {
     const std::size_t n = 1 + random.next() % 6;
     const double spread = test::uniform(random, 0.1, 2.5) / static_cast<double>(n);
     const std::vector<double> product = random_intervals(random, n * n, true, n, spread);
-    std::vector<double> P(n * n * kLanes), v(n * kLanes), lower(kLanes), upper(kLanes);
-    distance_to_identity_ru(product.data(), n, P.data());
-    const LaneMask certain = certain_h_matrix(P.data(), n, v.data());
-    determinant_rd(P.data(), n, lower.data());
-    determinant_ru(P.data(), v.data(), n, upper.data());
+    std::vector<double> numbers(n * n * kLanes), v(n * kLanes);
+    const PointMatrix P = test::points(numbers, n);
+    distance_to_identity_ru(test::intervals(product, n), P);
+    const LaneMask certain = certain_h_matrix(P, test::points(v));
+    const LaneNumbers lower = determinant_rd(P);
+    const LaneNumbers upper = determinant_ru(P, test::points(v));
     for (std::size_t l = 0; l < kLanes; ++l) {
       const bool regular = (certain >> l & 1U) != 0;
       ++(regular ? certified : refused);
@@ -84,7 +85,7 @@ TEST(Regularity, ContractionMeansExactlyPvBelowV) {
         for (std::size_t j = 0; j < n; ++j)
           P[point_at(i * n + j, l)] *= v[point_at(i, l)] / sum * edge;
       }
-    const LaneMask certain = certain_contraction(P.data(), v.data(), n);
+    const LaneMask certain = certain_contraction(test::points(P, n), test::points(v));
     for (std::size_t l = 0; l < kLanes; l += 3) {
       ++((certain >> l & 1U) != 0 ? certified : refused);
       if ((certain >> l & 1U) == 0) continue;
@@ -130,8 +131,8 @@ TEST(Regularity, MeanValueBoundsHoldAlongTheBox) {
       for (std::size_t l = 0; l < kLanes; ++l)
         D[lower_at(d, l)] = D[upper_at(d, l)] = test::awkward(random);
     for (double& r : radius) r = std::fabs(test::awkward(random));
-    lower_to_mean_value_ru(center.data(), D.data(), radius.data(), n, variables, kAllLanes,
-                           P.data());
+    lower_to_mean_value_ru(test::points(center, n), ConstIntervalMatrix(D.data(), variables, n * n),
+                           test::points(radius), kAllLanes, test::points(P, n));
     const std::size_t l = random.next() % kLanes;
     for (std::size_t e = 0; e < n * n; ++e) {
       Exact value(B0[point_at(e, l)]);
@@ -156,7 +157,7 @@ TEST(Regularity, DeterminantsEncloseExactMembers) {
         x[lower_at(e, 0)] = std::min(a, b);
         x[upper_at(e, 0)] = std::max(a, b);
       }
-    const IntervalMatrix M = interval_lane(x.data(), n, 0);
+    const LaneMatrix M = matrix_of_lane(test::intervals(x, n), 0);
     const Interval expanded = enclose_determinant(M);
     const Interval eliminated = enclose_determinant_by_elimination(M);
     for (int sample = 0; sample < 6; ++sample) {
@@ -175,7 +176,7 @@ TEST(Regularity, RohnClaimsHoldForExactMembers) {
     const double spread = test::uniform(random, 0.05, 1.2);
     const std::vector<double> x =
         random_intervals(random, n * n, random.next() % 2 == 0, n, spread);
-    const LaneMask certain = certain_rohn(x.data(), n, kAllLanes);
+    const LaneMask certain = certain_rohn(test::intervals(x, n), kAllLanes);
     for (std::size_t l = 0; l < kLanes; ++l) {
       const bool regular = (certain >> l & 1U) != 0;
       ++(regular ? certified : refused);
@@ -202,7 +203,7 @@ TEST(Regularity, RohnNeverCertifiesANearlySingularVertexFalsely) {
       for (std::size_t j = 0; j < n; ++j) a[(n - 1) * n + j] = 0.7 * a[j];
       for (std::size_t e = 0; e < n * n; ++e) x[lower_at(e, l)] = x[upper_at(e, l)] = a[e];
     }
-    const LaneMask certain = certain_rohn(x.data(), n, kAllLanes);
+    const LaneMask certain = certain_rohn(test::intervals(x, n), kAllLanes);
     for (std::size_t l = 0; l < kLanes; ++l)
       if ((certain >> l & 1U) != 0) {
         ASSERT_NE(determinant(random_member(random, x, l), n).sign(), 0);

@@ -129,8 +129,14 @@ class Inputs {
   }
 
   [[nodiscard]] SecondOrderInput input() const {
-    return {K.data(),         product.data(),    first.data(), second.data(),
-            row_first.data(), row_second.data(), radius.data()};
+    using test::intervals;
+    return {.K = ConstPointMatrix(K.data(), f.n, f.m),
+            .product = intervals(product, f.n),
+            .first = intervals(first),
+            .second = intervals(second),
+            .row_first = intervals(row_first),
+            .row_second = intervals(row_second),
+            .radius = test::points(radius)};
   }
 
   std::vector<double> K, product, first, second, row_first, row_second, radius;
@@ -144,10 +150,12 @@ class Inputs {
 
   void invert(Random& random) {
     K.resize(f.m * f.n * kLanes);
-    std::vector<double> A(f.m * f.n * kLanes), det(kLanes);
+    std::vector<double> A(f.m * f.n * kLanes);
+    LaneNumbers det;
     for (std::size_t e = 0; e < f.m * f.n; ++e)
       for (std::size_t l = 0; l < kLanes; ++l) A[point_at(e, l)] = f.A[0][e];
-    static_cast<void>(approx_inverse(A.data(), f.m, f.n, K.data(), det.data()));
+    static_cast<void>(
+        approx_inverse(ConstPointMatrix(A.data(), f.m, f.n), PointMatrix(K.data(), f.n, f.m), det));
     // A poor inverse is as legitimate as a good one, and leaves more to bound.
     for (std::size_t p = 0; p < f.m * f.n; ++p) {
       const double noise = 1.0 + test::uniform(random, -noise_of_K_, noise_of_K_);
@@ -197,20 +205,21 @@ class Inputs {
 };
 
 struct Bounds {
-  std::vector<double> T, v, lower, moving;
+  std::vector<double> T, v;
+  LaneNumbers lower, moving;
   bool regular;
 
   Bounds(const Family& f, const Inputs& in, bool moves = true,
-         const RegularityBackend& backend = regularity_backend())
-      : lower(kLanes), moving(kLanes) {
+         const RegularityBackend& backend = regularity_backend()) {
     SecondOrderBounds bounds(in.lists, f.structure(), {.moves = moves}, backend);
     T.resize(bounds.order() * bounds.order() * kLanes);
     v.resize(bounds.order() * kLanes);
     const SecondOrderInput input = in.input();
-    bounds.bound_ru(input, T.data());
-    regular = certain_h_matrix(T.data(), bounds.order(), v.data()) == kAllLanes;
-    determinant_rd(T.data(), bounds.order(), lower.data());
-    bounds.moving_determinant_ru(input, moving.data());
+    const PointMatrix view = test::points(T, bounds.order());
+    bounds.bound_ru(input, view);
+    regular = certain_h_matrix(view, test::points(v)) == kAllLanes;
+    lower = determinant_rd(view);
+    moving = bounds.moving_determinant_ru(input);
   }
 };
 
@@ -278,13 +287,15 @@ TEST(Orthants, ClaimsHoldForExactMembers) {
     const Inputs in(random, f, 1e-3);
     SecondOrderBounds bounds(in.lists, f.structure(), {.moves = round % 4 != 0});
     const std::size_t n = bounds.order();
-    std::vector<double> T(n * n * kLanes), v(n * kLanes), y(n * kLanes), radius(kLanes);
+    std::vector<double> numbers(n * n * kLanes), right(n * kLanes), left(n * kLanes);
+    const PointMatrix T = test::points(numbers, n);
+    const PointVector v = test::points(right), y = test::points(left);
     const SecondOrderInput input = in.input();
-    bounds.bound_ru(input, T.data());
-    if (certain_h_matrix(T.data(), n, v.data()) == kAllLanes) continue;
-    approx_perron(T.data(), n, v.data(), y.data(), radius.data());
+    bounds.bound_ru(input, T);
+    if (certain_h_matrix(T, v) == kAllLanes) continue;
+    static_cast<void>(approx_perron(T, {.right = v, .left = y}));
     OrthantCell hint{};
-    if (bounds.certain_by_orthants(input, T.data(), v.data(), 1U, hint) == 0) {
+    if (bounds.certain_by_orthants(input, T, v, 1U, hint) == 0) {
       ++refused;
       continue;
     }
@@ -372,7 +383,8 @@ TEST(SecondOrder, WithoutMovingKeepsThePreconditionerWhereItIs) {
   for (int round = 0; round < 20; ++round) {
     Family f(random, 3, 0);
     const Inputs in(random, f);
-    EXPECT_EQ(Bounds(f, in, false).moving, std::vector<double>(kLanes, std::nextafter(1.0, 2.0)));
+    for (const double moving : Bounds(f, in, false).moving.of)
+      EXPECT_EQ(moving, std::nextafter(1.0, 2.0));
   }
 }
 
@@ -391,10 +403,11 @@ TEST(SecondOrder, LosesNothingOfFirstOrderInThePose) {
       Random same(23);
       Inputs in(same, f);
       // With the inverse itself, so that nothing else is left.
-      std::vector<double> A(16 * kLanes), det(kLanes);
+      std::vector<double> A(16 * kLanes);
+      LaneNumbers det;
       for (std::size_t e = 0; e < 16; ++e)
         for (std::size_t l = 0; l < kLanes; ++l) A[point_at(e, l)] = f.A[0][e];
-      static_cast<void>(approx_inverse(A.data(), 4, 4, in.K.data(), det.data()));
+      static_cast<void>(approx_inverse(test::points(A, 4), test::points(in.K, 4), det));
       Inputs exact = in;
       exact.product.clear();
       for (std::size_t i = 0; i < 4; ++i)

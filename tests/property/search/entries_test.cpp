@@ -59,12 +59,12 @@ void check(Random& random, const RandomMatrix& kernel, Method method, Widths& wi
   }
   for (Batch* batch : {&natural, &sharpened}) batch->seal(kLanes);
   LaneMask lanes = kAllLanes;
-  const double* wide = natural.product(form, lanes);
-  const double* narrow = sharpened.product(form, lanes);
+  const ConstIntervalMatrix wide = natural.product(form, lanes);
+  const ConstIntervalMatrix narrow = sharpened.product(form, lanes);
   for_each_lane(lanes, [&](std::size_t lane) {
     for (std::size_t e = 0; e < n * n; ++e) {
-      const Interval outer(wide[lower_at(e, lane)], wide[upper_at(e, lane)]);
-      const Interval inner(narrow[lower_at(e, lane)], narrow[upper_at(e, lane)]);
+      const Interval outer(wide.lower(e, lane), wide.upper(e, lane));
+      const Interval inner(narrow.lower(e, lane), narrow.upper(e, lane));
       ASSERT_TRUE(certain_subset(inner, outer));
       widths.natural += outer.hi - outer.lo;
       widths.sharpened += inner.hi - inner.lo;
@@ -115,8 +115,8 @@ TEST(Entries, OfAMonotoneParabolaAreExact) {
     batch.load(0, problem.outer);
     batch.seal(1);
     LaneMask lanes = 1U;
-    const double* entry = batch.product({}, lanes);
-    EXPECT_EQ(Interval(entry[lower_at(0, 0)], entry[upper_at(0, 0)]), expected);
+    const ConstIntervalMatrix entry = batch.product({}, lanes);
+    EXPECT_EQ(Interval(entry.lower(0, 0), entry.upper(0, 0)), expected);
   }
 }
 

@@ -9,17 +9,17 @@
 namespace regulus {
 namespace {
 
-IntervalMatrix matrix(std::size_t n, const std::vector<Interval>& entries) {
-  IntervalMatrix M;
+LaneMatrix matrix(std::size_t n, const std::vector<Interval>& entries) {
+  LaneMatrix M;
   M.n = n;
   std::copy(entries.begin(), entries.end(), M.entries.begin());
   return M;
 }
 
 TEST(Determinant, IsExactOnSmallIntegers) {
-  const IntervalMatrix M = matrix(3, {2.0, 0.0, 1.0, 1.0, 3.0, 2.0, 1.0, 1.0, 1.0});
+  const LaneMatrix M = matrix(3, {2.0, 0.0, 1.0, 1.0, 3.0, 2.0, 1.0, 1.0, 1.0});
   EXPECT_EQ(enclose_determinant(M), Interval(0.0));
-  const IntervalMatrix regular = matrix(3, {2.0, 0.0, 1.0, 1.0, 3.0, 2.0, 1.0, 1.0, 4.0});
+  const LaneMatrix regular = matrix(3, {2.0, 0.0, 1.0, 1.0, 3.0, 2.0, 1.0, 1.0, 4.0});
   EXPECT_EQ(enclose_determinant(regular), Interval(18.0));
   EXPECT_TRUE(contains(enclose_determinant_by_elimination(regular), 18.0));
 }
@@ -43,7 +43,7 @@ TEST(Determinant, EliminationExpandsWhatHasNoPivot) {
 }
 
 TEST(Determinant, EliminationOfManyRowsWithoutPivotIsTheWholeLine) {
-  IntervalMatrix M;
+  LaneMatrix M;
   M.n = kMaxExpansion + 1;
   M.entries.fill(Interval(-1, 1));
   EXPECT_EQ(enclose_determinant_by_elimination(M), kEntire);
@@ -75,7 +75,7 @@ std::vector<double> same_lanes(const std::vector<Interval>& entries) {
 }
 
 LaneMask rohn(std::size_t n, const std::vector<Interval>& entries) {
-  return certain_rohn(same_lanes(entries).data(), n, kAllLanes);
+  return certain_rohn(test::intervals(same_lanes(entries), n), kAllLanes);
 }
 
 TEST(Rohn, CertifiesRegularIntervalMatrices) {
@@ -99,7 +99,7 @@ TEST(Rohn, RefusesIntervalMatricesWithASingularMember) {
 }
 
 TEST(Rohn, LooksOnlyAtTheLanesAsked) {
-  EXPECT_EQ(certain_rohn(same_lanes({{1, 2}}).data(), 1, 0b101U), 0b101U);
+  EXPECT_EQ(certain_rohn(test::intervals(same_lanes({{1, 2}}), 1), 0b101U), 0b101U);
 }
 
 TEST(Rohn, RefusesWhatIsTooLarge) {

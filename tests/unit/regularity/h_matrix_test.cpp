@@ -6,8 +6,13 @@
 #include <limits>
 #include <vector>
 
+#include "support/lane_arrays.hpp"
+
 namespace regulus {
 namespace {
+
+using test::intervals;
+using test::points;
 
 std::vector<double> in_every_lane(const std::vector<double>& entries) {
   std::vector<double> x(entries.size() * kLanes);
@@ -19,7 +24,7 @@ std::vector<double> in_every_lane(const std::vector<double>& entries) {
 LaneMask certify(const std::vector<double>& entries, std::size_t n) {
   const std::vector<double> P = in_every_lane(entries);
   std::vector<double> v(n * kLanes);
-  return certain_h_matrix(P.data(), n, v.data());
+  return certain_h_matrix(points(P, n), points(v));
 }
 
 TEST(HMatrix, CertifiesUpToSpectralRadiusOne) {
@@ -46,30 +51,30 @@ TEST(HMatrix, NeverCertifiesWhatIsNotFinite) {
 TEST(HMatrix, DecidesEachLaneByItself) {
   std::vector<double> P(kLanes), v(kLanes);
   for (std::size_t l = 0; l < kLanes; ++l) P[l] = l % 3 == 0 ? 0.5 : 1.5;
-  EXPECT_EQ(certain_h_matrix(P.data(), 1, v.data()), 0b01001001U);
+  EXPECT_EQ(certain_h_matrix(points(P, 1), points(v)), 0b01001001U);
 }
 
 TEST(HMatrix, ContractionRefusesVectorsThatAreNotPositiveAndFinite) {
   const std::vector<double> P = in_every_lane({0.5, 0, 0, 0.5});
-  EXPECT_EQ(certain_contraction(P.data(), in_every_lane({1, 1}).data(), 2), kAllLanes);
-  EXPECT_EQ(certain_contraction(P.data(), in_every_lane({1, 0}).data(), 2), 0U);
-  EXPECT_EQ(certain_contraction(P.data(), in_every_lane({-1, -1}).data(), 2), 0U);
+  EXPECT_EQ(certain_contraction(points(P, 2), points(in_every_lane({1, 1}))), kAllLanes);
+  EXPECT_EQ(certain_contraction(points(P, 2), points(in_every_lane({1, 0}))), 0U);
+  EXPECT_EQ(certain_contraction(points(P, 2), points(in_every_lane({-1, -1}))), 0U);
   EXPECT_EQ(certain_contraction(
-                P.data(), in_every_lane({1, std::numeric_limits<double>::infinity()}).data(), 2),
+                points(P, 2), points(in_every_lane({1, std::numeric_limits<double>::infinity()}))),
             0U);
 }
 
 TEST(HMatrix, ContractionFailsAtEqualityAndWithinRounding) {
   const std::vector<double> P = in_every_lane({1.0});
-  EXPECT_EQ(certain_contraction(P.data(), in_every_lane({1}).data(), 1), 0U);
+  EXPECT_EQ(certain_contraction(points(P, 1), points(in_every_lane({1}))), 0U);
   const std::vector<double> close = in_every_lane({1.0 - 0x1p-53});
-  EXPECT_EQ(certain_contraction(close.data(), in_every_lane({1}).data(), 1), 0U);
+  EXPECT_EQ(certain_contraction(points(close, 1), points(in_every_lane({1}))), 0U);
 }
 
 TEST(HMatrix, DistanceToIdentityTakesTheFartherBound) {
   const std::vector<double> product = in_every_lane({0.75, 1.5, -3, 2, -1, 0.5, 0.5, 1});
   std::vector<double> P(4 * kLanes);
-  distance_to_identity_ru(product.data(), 2, P.data());
+  distance_to_identity_ru(intervals(product, 2), points(P, 2));
   EXPECT_GE(P[0], 0.5);
   EXPECT_LE(P[0], 0.5 + 0x1p-50);
   EXPECT_EQ(P[point_at(1, 0)], 3.0);
@@ -82,7 +87,8 @@ TEST(HMatrix, MeanValueLowersOnlyTheLanesAsked) {
   const std::vector<double> derivatives = in_every_lane({-2, 1});
   const std::vector<double> radius = in_every_lane({0.25});
   std::vector<double> P = in_every_lane({4});
-  lower_to_mean_value_ru(center.data(), derivatives.data(), radius.data(), 1, 1, 0b10U, P.data());
+  lower_to_mean_value_ru(points(center, 1), intervals(derivatives, 1), points(radius), 0b10U,
+                         points(P, 1));
   EXPECT_EQ(P[0], 4.0);
   EXPECT_GE(P[1], 0.625);
   EXPECT_LE(P[1], 0.625 + 0x1p-45);
@@ -93,16 +99,16 @@ TEST(HMatrix, MeanValueNeverRaisesABound) {
   const std::vector<double> derivatives = in_every_lane({-2, 1});
   const std::vector<double> radius = in_every_lane({8});
   std::vector<double> P = in_every_lane({4});
-  lower_to_mean_value_ru(center.data(), derivatives.data(), radius.data(), 1, 1, kAllLanes,
-                         P.data());
+  lower_to_mean_value_ru(points(center, 1), intervals(derivatives, 1), points(radius), kAllLanes,
+                         points(P, 1));
   EXPECT_EQ(P[0], 4.0);
 }
 
 TEST(HMatrix, PerronVectorsOfAKnownMatrix) {
   // P = u wᵀ has right vector u, left vector w, radius wᵀu.
   const std::vector<double> P = in_every_lane({0.1, 0.3, 0.2, 0.6});  // u = (1, 2), w = (0.1, 0.3)
-  std::vector<double> v(2 * kLanes), y(2 * kLanes), radius(kLanes);
-  approx_perron(P.data(), 2, v.data(), y.data(), radius.data());
+  std::vector<double> v(2 * kLanes), y(2 * kLanes);
+  const LaneNumbers radius = approx_perron(points(P, 2), {.right = points(v), .left = points(y)});
   EXPECT_NEAR(v[point_at(0, 5)] / v[point_at(1, 5)], 0.5, 1e-3);
   EXPECT_NEAR(y[point_at(0, 5)] / y[point_at(1, 5)], 1.0 / 3, 1e-3);
   EXPECT_NEAR(radius[5], 0.7, 1e-3);

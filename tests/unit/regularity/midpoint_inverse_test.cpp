@@ -15,6 +15,11 @@ namespace {
 
 using test::Random;
 
+LaneMask invert(const std::vector<double>& A, std::size_t m, std::size_t n, std::vector<double>& K,
+                LaneNumbers& determinant) {
+  return approx_inverse(ConstPointMatrix(A.data(), m, n), PointMatrix(K.data(), n, m), determinant);
+}
+
 /// Largest |(KA − I)[i][j]| of a lane.
 double residual(const std::vector<double>& K, const std::vector<double>& A, std::size_t m,
                 std::size_t n, std::size_t lane) {
@@ -32,24 +37,26 @@ double residual(const std::vector<double>& K, const std::vector<double>& A, std:
 TEST(MidpointInverse, InvertsRandomMatricesOfEveryOrder) {
   Random random(1);
   for (std::size_t n = 1; n <= kMaxColumns; ++n) {
-    std::vector<double> A(n * n * kLanes), K(A.size()), det(kLanes);
+    std::vector<double> A(n * n * kLanes), K(A.size());
+    LaneNumbers det;
     for (double& x : A) x = test::uniform(random, -1, 1);
     for (std::size_t i = 0; i < n; ++i)
       for (std::size_t l = 0; l < kLanes; ++l) A[point_at(i * n + i, l)] += 4.0;
-    EXPECT_EQ(approx_inverse(A.data(), n, n, K.data(), det.data()), 0U);
+    EXPECT_EQ(invert(A, n, n, K, det), 0U);
     for (std::size_t l = 0; l < kLanes; ++l) EXPECT_LT(residual(K, A, n, n, l), 1e-6) << n;
   }
 }
 
 TEST(MidpointInverse, ExchangesRowsLaneByLane) {
   // Lane 0 needs no exchange, lane 1 does; both have determinants of known sign.
-  std::vector<double> A(4 * kLanes, 0.0), K(4 * kLanes), det(kLanes);
+  std::vector<double> A(4 * kLanes, 0.0), K(4 * kLanes);
+  LaneNumbers det;
   for (std::size_t l = 0; l < kLanes; ++l) {
     const bool swapped = l % 2 == 1;
     A[point_at(swapped ? 1 : 0, l)] = 2.0;
     A[point_at(swapped ? 2 : 3, l)] = 3.0;
   }
-  EXPECT_EQ(approx_inverse(A.data(), 2, 2, K.data(), det.data()), 0U);
+  EXPECT_EQ(invert(A, 2, 2, K, det), 0U);
   for (std::size_t l = 0; l < kLanes; ++l) {
     EXPECT_EQ(det[l], l % 2 == 1 ? -6.0 : 6.0);
     EXPECT_LT(residual(K, A, 2, 2, l), 1e-7);
@@ -57,14 +64,15 @@ TEST(MidpointInverse, ExchangesRowsLaneByLane) {
 }
 
 TEST(MidpointInverse, FlagsExactlyTheSingularLanes) {
-  std::vector<double> A(4 * kLanes), K(4 * kLanes), det(kLanes);
+  std::vector<double> A(4 * kLanes), K(4 * kLanes);
+  LaneNumbers det;
   for (std::size_t l = 0; l < kLanes; ++l) {
     A[point_at(0, l)] = 1.0;
     A[point_at(1, l)] = 2.0;
     A[point_at(2, l)] = 2.0;
     A[point_at(3, l)] = l == 3 ? 4.0 : 5.0;
   }
-  EXPECT_EQ(approx_inverse(A.data(), 2, 2, K.data(), det.data()), 1U << 3);
+  EXPECT_EQ(invert(A, 2, 2, K, det), 1U << 3);
 }
 
 /// Whether the row is integers of at most 2^28 times a power of two.
@@ -90,13 +98,14 @@ TEST(MidpointInverse, PutsEachRowOnAGridInEveryRoundingMode) {
   for (const int mode : {FE_TONEAREST, FE_UPWARD, FE_DOWNWARD, FE_TOWARDZERO})
     for (int round = 0; round < 50; ++round) {
       const std::size_t m = round % 2 == 0 ? 6 : 8, n = 6;
-      std::vector<double> A(m * n * kLanes), K(A.size()), det(kLanes);
+      std::vector<double> A(m * n * kLanes), K(A.size());
+      LaneNumbers det;
       for (std::size_t e = 0; e < m * n; ++e)
         for (std::size_t l = 0; l < kLanes; ++l)
           A[point_at(e, l)] =
               std::ldexp(test::uniform(random, -1, 1), static_cast<int>(e % n) * (round % 5));
       std::fesetround(mode);
-      const LaneMask failed = approx_inverse(A.data(), m, n, K.data(), det.data());
+      const LaneMask failed = invert(A, m, n, K, det);
       std::fesetround(saved);
       EXPECT_EQ(failed, 0U);
       for (std::size_t i = 0; i < n; ++i)
@@ -109,19 +118,21 @@ TEST(MidpointInverse, PutsEachRowOnAGridInEveryRoundingMode) {
 }
 
 TEST(MidpointInverse, FlagsRowsThatAreTooSmallForAGrid) {
-  std::vector<double> A(kLanes, 0x1p700), K(kLanes), det(kLanes);
+  std::vector<double> A(kLanes, 0x1p700), K(kLanes);
+  LaneNumbers det;
   A[point_at(0, 2)] = 0x1p850;
-  EXPECT_EQ(approx_inverse(A.data(), 1, 1, K.data(), det.data()), 1U << 2);
+  EXPECT_EQ(invert(A, 1, 1, K, det), 1U << 2);
 }
 
 TEST(MidpointInverse, InvertsTallMatricesFromTheLeftInMixedUnits) {
   Random random(2);
   const std::size_t m = 8, n = 6;
-  std::vector<double> A(m * n * kLanes), K(A.size()), det(kLanes);
+  std::vector<double> A(m * n * kLanes), K(A.size());
+  LaneNumbers det;
   for (std::size_t e = 0; e < m * n; ++e)
     for (std::size_t l = 0; l < kLanes; ++l)
       A[point_at(e, l)] = test::uniform(random, -1, 1) * (e % n < 3 ? 1.0 : 1e7);
-  EXPECT_EQ(approx_inverse(A.data(), m, n, K.data(), det.data()), 0U);
+  EXPECT_EQ(invert(A, m, n, K, det), 0U);
   // In the units of the columns: (KA)[i][j] carries unit j over unit i.
   for (std::size_t l = 0; l < kLanes; ++l) {
     std::vector<double> scaled_A = A, scaled_K = K;

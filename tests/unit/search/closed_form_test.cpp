@@ -39,10 +39,10 @@ Interval bounds(FunctionKernel& kernel, const std::vector<Interval>& box) {
   batch.clear();
   batch.load(0, box);
   batch.seal(1);
-  const double* det = kernel.functions().determinant_derivatives != nullptr
-                          ? batch.monotone_determinant()
-                          : batch.natural_determinant();
-  return {det[lower_at(0, 0)], det[upper_at(0, 0)]};
+  const ConstIntervalVector det = kernel.functions().determinant_derivatives != nullptr
+                                      ? batch.monotone_determinant()
+                                      : batch.natural_determinant();
+  return {det.lower(0, 0), det.upper(0, 0)};
 }
 
 TEST(ClosedForm, NeedsAKernelThatHasIt) {

@@ -1,0 +1,54 @@
+// SPDX-License-Identifier: Apache-2.0
+// The terms that the sums of second_order_lanes.hpp are made of: middles and distances of
+// enclosures, and factors that make upper bounds of sums of magnitudes.
+#pragma once
+
+#include "regulus/regularity/lanes.hpp"
+#include "regulus/regularity/pack_lanes.hpp"
+
+namespace regulus::second_order {
+inline namespace REGULUS_LANES_ISA {
+
+using namespace lanes::REGULUS_LANES_ISA;
+
+/// For one term, a few, and any sum of magnitudes here, which costs 2^-35 of it.
+inline constexpr double kOneTerm = raise_factor(1);
+inline constexpr double kFewTerms = raise_factor(16);
+inline constexpr double kManyTerms = raise_factor(std::size_t{1} << 16);
+
+REGULUS_LANE_INLINE Pack product_ru(const Pack& a, const Pack& b) noexcept {
+  return raised(a * b, kOneTerm);
+}
+
+struct Middle {
+  Pack middle, distance;  ///< distance: rounded once
+};
+
+REGULUS_LANE_INLINE Middle middle_of(ConstIntervalVector intervals, unsigned at) noexcept {
+  const Pack lo = Pack::load(intervals.data() + 2 * at * kLanes);
+  const Pack hi = Pack::load(intervals.data() + (2 * at + 1) * kLanes);
+  const Pack half = Pack::of(0.5);
+  const Pack middle = half * lo + half * hi;
+  return {middle, larger(hi - middle, middle - lo)};
+}
+
+/// |x| of the farthest x.
+REGULUS_LANE_INLINE Pack largest_of(ConstIntervalVector intervals, unsigned at) noexcept {
+  return larger(magnitude(Pack::load(intervals.data() + 2 * at * kLanes)),
+                magnitude(Pack::load(intervals.data() + (2 * at + 1) * kLanes)));
+}
+
+REGULUS_LANE_INLINE void clear(PackArray array, unsigned count) noexcept {
+  for (unsigned e = 0; e < count; ++e) array.put(e, Pack::of(0.0));
+}
+REGULUS_LANE_INLINE void raise(PackArray array, unsigned count, double factor) noexcept {
+  for (unsigned e = 0; e < count; ++e) array.put(e, raised(array[e], factor));
+}
+/// The square roots of sums of squares, from above.
+REGULUS_LANE_INLINE void take_roots(PackArray x, unsigned count) noexcept {
+  for (unsigned e = 0; e < count; ++e)
+    x.put(e, raised(square_root(raised(x[e], kFewTerms)), kOneTerm));
+}
+
+}  // namespace REGULUS_LANES_ISA
+}  // namespace regulus::second_order
