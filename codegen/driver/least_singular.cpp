@@ -21,7 +21,10 @@ using RowMajor = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::Ro
 constexpr int kStarts = 16;
 constexpr int kSteps = 40;
 constexpr int kHalvings = 8;
-constexpr int kEvaluations = 4000;
+constexpr std::size_t kEvaluations = 4000;
+/// Operations with 256 bits that all evaluations may take, of the order of a second: a report must
+/// not take longer than the search was allowed to.
+constexpr std::size_t kMostOperations = 10'000'000;
 /// Of the range of a variable, for a difference quotient.
 constexpr double kDifference = 1e-6;
 /// A step that gains less is the last.
@@ -31,7 +34,9 @@ class Descent {
  public:
   explicit Descent(const Preparation& p)
       : jacobian_(p),
-        constraints_(lower_outputs(p.stages->outline(), p.stages->outline().constraints)) {
+        constraints_(lower_outputs(p.stages->outline(), p.stages->outline().constraints)),
+        most_evaluations_(std::min(kEvaluations, kMostOperations / (1 + jacobian_.operations() +
+                                                                    constraints_.nodes.size()))) {
     for (std::size_t k = 0; k < p.variety.outer.size(); ++k)
       ranges_.push_back(p.variety.inner[k].value_or(Interval(mid(p.variety.outer[k]))));
     scales_ = balance(typical_matrix(), jacobian_.rows(), jacobian_.columns());
@@ -71,7 +76,7 @@ class Descent {
     return place;
   }
 
-  [[nodiscard]] bool exhausted() const noexcept { return evaluations_ >= kEvaluations; }
+  [[nodiscard]] bool exhausted() const noexcept { return evaluations_ >= most_evaluations_; }
   [[nodiscard]] const InverseJacobian& jacobian() const noexcept { return jacobian_; }
 
  private:
@@ -161,7 +166,8 @@ class Descent {
   std::vector<Interval> ranges_;
   BalancedMatrix scales_;
   std::minstd_rand random_;
-  int evaluations_ = 0;
+  std::size_t evaluations_ = 0;
+  std::size_t most_evaluations_;
 };
 
 std::vector<Interval> approx_pose(const Preparation& p, std::span<const Interval> point) {
@@ -193,8 +199,8 @@ std::optional<LeastSingular> approx_least_singular(const Preparation& p,
 
 std::optional<LeastSingular> nearest_singular(const Preparation& preparation,
                                               const Result& result) {
-  if (result.verdict != Verdict::kPossibleProblem || result.reason == Reason::kUndefined ||
-      result.occupancy == Occupancy::kEmpty)
+  if (preparation.stopped || result.verdict != Verdict::kPossibleProblem ||
+      result.reason == Reason::kUndefined || result.occupancy == Occupancy::kEmpty)
     return std::nullopt;
   return approx_least_singular(preparation, result.blocking_box);
 }

@@ -41,6 +41,8 @@ class InverseJacobian {
       std::span<const Interval> variables) const;
   [[nodiscard]] std::size_t rows() const noexcept { return rows_; }
   [[nodiscard]] std::size_t columns() const noexcept { return columns_; }
+  /// Of one evaluation.
+  [[nodiscard]] std::size_t operations() const noexcept { return entries_.nodes.size(); }
 
  private:
   std::vector<TwistComponent> components_;

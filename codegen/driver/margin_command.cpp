@@ -61,7 +61,7 @@ int run_margin(const MarginCommand& given) {
   interrupt.begin_search();
   for (const FilterFile& filter : preparation.filters)
     settings.filters.push_back(&filter.interface());
-  if (preparation.stopped()) settings.method = Method::kAuto;  // as run_search has it
+  if (preparation.stopped) settings.method = Method::kAuto;  // as run_search has it
   require_searchable(preparation, settings);
 
   const bool quiet = command.output.quiet;

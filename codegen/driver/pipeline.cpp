@@ -29,7 +29,8 @@ class CompiledCode : public LoadedKernel {
 
 class InterpretedList : public LoadedKernel {
  public:
-  InterpretedList(const Module& module, Isa isa) : kernel_(select(module), isa) {}
+  InterpretedList(const Module& module, Isa isa, const FormingWatch& watch)
+      : kernel_(select(module, kOperationsPerPart, &watch), isa) {}
   const regulus_kernel& functions() const noexcept override { return *kernel_.get(); }
 
  private:
@@ -73,7 +74,7 @@ void interpret(Preparation& p, const SearchOptions& search) {
   p.isa = chosen_isa(search);
   require_sound_rounding(self_test(p.isa));
   p.cache = "off";
-  p.kernel = std::make_unique<InterpretedList>(p.stages->module(), p.isa);
+  p.kernel = std::make_unique<InterpretedList>(p.stages->module(), p.isa, p.stages->watch());
   p.seconds.compile += watch.lap();
 }
 
@@ -125,7 +126,7 @@ void compile_if_possible(const EmittedKernel& text, Preparation& p, const Search
 void compile(Preparation& p, const SearchOptions& search, const Keep& keep) {
   Stopwatch watch;
   p.isa = chosen_isa(search);
-  const EmittedKernel text = emit(anonymous(p.stages->module()));
+  const EmittedKernel text = emit(anonymous(p.stages->module()), {}, &p.stages->watch());
   p.seconds.emit += watch.lap();
   if (search.engine == Engine::kAuto)
     compile_if_possible(text, p, search, keep);
@@ -161,26 +162,46 @@ FormingWatch within_time_limit(FormingWatch watch, const SearchOptions& search) 
   return watch;
 }
 
+/// Every stage after the reading of the model, one after the other. Throws FormingStopped.
+void form(Preparation& p, const Request& request) {
+  const Formulation& formulation = p.stages->formulation();
+  static_cast<void>(p.stages->module());
+  p.subject = subject_of(request, formulation);
+  // Here and not when a search asks for it: GiNaC and CLN are for this thread alone.
+  if (!p.stopped && p.subject.rows == p.subject.columns) p.matrix.emplace(p.stages->matrix());
+  Stopwatch watch;
+  p.variety = enclose_variety(request.model, request.motion, formulation.variables);
+  p.seconds.symbolic += watch.lap();
+}
+
+/// A kernel with which nothing is searched, for a report.
+void give_up(Preparation& p, const Request& request, const SearchOptions& search) {
+  p.stages->give_up();
+  p.matrix.reset();
+  form(p, request);
+  interpret(p, search);
+}
+
 /// Every stage, one after the other.
 void prepare_anew(Preparation& p, const SearchOptions& search, const Keep& keep) {
   const Request& request = p.stages->request();
   Stopwatch watch;
   load_filters(p, search);
   p.seconds.model += watch.lap();
-  const Formulation& formulation = p.stages->formulation();
-  static_cast<void>(p.stages->module());
-  p.subject = subject_of(request, formulation);
-  // Here and not when a search asks for it: GiNaC and CLN are for this thread alone.
-  if (p.subject.rows == p.subject.columns) p.matrix.emplace(p.stages->matrix());
-  static_cast<void>(watch.lap());
-  p.variety = enclose_variety(request.model, request.motion, formulation.variables);
-  p.seconds.symbolic += watch.lap();
   require_sound_rounding(self_test(Isa::kPortable));
   p.seconds.compile += watch.lap();
-  if (search.engine == Engine::kInterpreted || p.stopped())
-    interpret(p, search);
-  else
-    compile(p, search, keep);
+  const double before = p.stages->symbolic_seconds();
+  try {
+    form(p, request);
+    search.engine == Engine::kInterpreted ? interpret(p, search) : compile(p, search, keep);
+  } catch (const FormingStopped& stopped) {
+    p.stopped = stopped;
+    // The stage that was stopped has not said what it took.
+    p.seconds.symbolic = watch.lap() - (p.stages->symbolic_seconds() - before);
+    give_up(p, request, search);
+  }
+  // From here on the search has the clock, and reports are owed.
+  p.stages->watch({});
 }
 
 /// The place of a question in the cache, if it has one. What is wrong with a command line is for
@@ -227,7 +248,10 @@ Preparation prepare(const ModelOptions& model, const SearchOptions& search, Form
   p.stages = std::make_unique<SymbolicStages>(std::move(text), model, functions);
   p.stages->watch(within_time_limit(std::move(forming), search));
   p.seconds.model = watch.lap();
-  if (cache && take_from(*cache, p, search)) return p;
+  if (cache && take_from(*cache, p, search)) {
+    p.stages->watch({});
+    return p;
+  }
   prepare_anew(p, search, [&](const KernelPlace& kernel) {
     if (cache && !kernel.object_key.empty())
       cache->keep({p.subject, p.variety, p.matrix, kernel.object_key, kernel.name});

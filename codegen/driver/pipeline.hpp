@@ -60,20 +60,21 @@ struct Preparation {
   /// Without what `stages` has spent, which may still be going to be more.
   StageSeconds seconds;
   std::unique_ptr<SymbolicStages> stages;
+  /// Why the search is not to begin; nullopt: it may.
+  std::optional<FormingStopped> stopped = {};
 
   /// Refers to the kernel of this preparation.
   [[nodiscard]] Problem problem() const;
   /// What has been spent until now.
   [[nodiscard]] StageSeconds seconds_spent() const;
-  /// Why the search is not to begin; nullopt: it may.
-  [[nodiscard]] const std::optional<FormingStopped>& stopped() const { return stages->stopped(); }
 };
 
 /// Runs every stage up to the search, or takes what an earlier run has kept of them. Throws
 /// FileError, InputError, ClosedFormError, CompileError and InternalError too.
 ///
-/// The forming of expressions ends at the time limit of `search`, counted from here, and when
-/// `watch` says so: then Preparation::stopped() is set, and what is prepared is good for a report.
+/// The stages between the reading of the model and the compiler end at the time limit of `search`,
+/// counted from here, and when `watch` says so: then Preparation::stopped is set, and what is
+/// prepared is good for a report.
 [[nodiscard]] Preparation prepare(const ModelOptions& model, const SearchOptions& search,
                                   FormingWatch watch = {});
 /// The same for a request that has been read, which took `model_seconds`; the engine `auto` waits

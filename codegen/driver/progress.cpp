@@ -6,6 +6,7 @@
 #include <cinttypes>
 #include <cmath>
 #include <memory>
+#include <utility>
 
 namespace regulus::codegen {
 namespace {
@@ -14,6 +15,21 @@ constexpr std::chrono::milliseconds kPeriod{150};
 
 double seconds(std::chrono::steady_clock::duration d) {
   return std::chrono::duration<double>(d).count();
+}
+
+/// What a stage does, and what it counts.
+std::pair<const char*, const char*> words_of(WorkStage stage) {
+  switch (stage) {
+    case WorkStage::kSubstitution:
+      return {"reading expressions", "nodes"};
+    case WorkStage::kForming:
+      return {"forming expressions", "terms"};
+    case WorkStage::kLowering:
+      return {"lowering expressions to programs", "nodes"};
+    case WorkStage::kSelection:
+      return {"selecting operations", "steps"};
+  }
+  return {"", ""};
 }
 
 }  // namespace
@@ -49,12 +65,13 @@ FormingDisplay::~FormingDisplay() {
   std::fflush(terminal_);
 }
 
-void FormingDisplay::show(std::uint64_t work, std::uint64_t most) {
+void FormingDisplay::show(WorkStage stage, std::uint64_t work, std::uint64_t most) {
   const Clock::time_point now = Clock::now();
   if (now - last_ < kPeriod) return;
   last_ = now;
   shown_ = true;
-  std::fprintf(terminal_, "\r\033[Kforming expressions: %" PRIu64 " terms", work);
+  const auto [activity, unit] = words_of(stage);
+  std::fprintf(terminal_, "\r\033[K%s: %" PRIu64 " %s", activity, work, unit);
   if (most != WorkMeter::kNoLimit) std::fprintf(terminal_, " of at most %" PRIu64, most);
   std::fprintf(terminal_, ", %.1f s", seconds(now - start_));
   std::fflush(terminal_);
@@ -65,7 +82,9 @@ FormingWatch forming_watch(const OutputOptions& output, const std::atomic<bool>*
   watch.interrupt = interrupt;
   if (output.quiet || isatty(STDERR_FILENO) == 0) return watch;
   auto display = std::make_shared<FormingDisplay>(stderr);
-  watch.progress = [display](std::uint64_t work, std::uint64_t most) { display->show(work, most); };
+  watch.progress = [display](WorkStage stage, std::uint64_t work, std::uint64_t most) {
+    display->show(stage, work, most);
+  };
   return watch;
 }
 

@@ -7,7 +7,7 @@
 #include <cstdio>
 
 #include "regulus/codegen/driver/options.hpp"
-#include "regulus/codegen/symbolic/work_meter.hpp"
+#include "regulus/codegen/program/work_meter.hpp"
 #include "regulus/search/observer.hpp"
 
 namespace regulus::codegen {
@@ -33,7 +33,7 @@ class ProgressDisplay : public Observer {
   bool shown_ = false;
 };
 
-/// Shows on a terminal how far the forming of expressions is.
+/// Shows on a terminal how far a stage before the search is.
 class FormingDisplay {
  public:
   explicit FormingDisplay(std::FILE* terminal) : terminal_(terminal) {}
@@ -41,7 +41,7 @@ class FormingDisplay {
   FormingDisplay(const FormingDisplay&) = delete;
   FormingDisplay& operator=(const FormingDisplay&) = delete;
 
-  void show(std::uint64_t work, std::uint64_t most);
+  void show(WorkStage stage, std::uint64_t work, std::uint64_t most);
 
  private:
   using Clock = std::chrono::steady_clock;

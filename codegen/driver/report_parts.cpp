@@ -218,9 +218,9 @@ const char* json_name(FormDetail detail) {
 
 /// Empty for forms of full detail.
 std::string detail_line(const Preparation& p) {
-  if (p.stopped())
-    return fmt::format("forms      none: {} while expressions were formed\n",
-                       p.stopped()->interrupted ? "interrupted" : "the time limit was reached");
+  if (p.stopped)
+    return fmt::format("forms      none: {} before the search\n",
+                       p.stopped->interrupted ? "interrupted" : "the time limit was reached");
   if (p.subject.detail == FormDetail::kFull) return "";
   return fmt::format(
       "forms      {}: the model takes more terms than the budget for them; bounds may be wide\n",
@@ -242,7 +242,7 @@ std::string time_line(const StageSeconds& s) {
 }
 
 Json json_forms(const Preparation& p) {
-  if (p.stopped()) return nullptr;
+  if (p.stopped) return nullptr;
   return json_name(p.subject.detail);
 }
 

@@ -69,7 +69,7 @@ Result run_search(Preparation& preparation, const SearchOptions& search,
   const Problem problem = preparation.problem();
   const double before = preparation.stages->seconds();
   const Method method = settings.method;
-  if (preparation.stopped()) {
+  if (preparation.stopped) {
     settings.time_limit = 0;
     settings.method = Method::kAuto;  // no other kernel is without the functions of its method
   }

@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "regulus/codegen/driver/symbolic_stages.hpp"
 
-#include <utility>
-
 namespace regulus::codegen {
 namespace {
 
@@ -16,7 +14,7 @@ FormulationOptions no_functions(const FormulationOptions& functions) {
   return options;
 }
 
-Program matrix_of(const Formulation& outline) {
+Program matrix_of(const Formulation& outline, const FormingWatch& watch) {
   Formulation f;
   f.variables = outline.variables;
   f.rows = outline.rows;
@@ -26,7 +24,7 @@ Program matrix_of(const Formulation& outline) {
       f.matrix.push_back(outline.scaling.apply(
           outline.natural_matrix[static_cast<std::size_t>(i * outline.columns + j)], i, j));
   f.must_be_defined = outline.must_be_defined;
-  return lower(f).find("matrix")->program;
+  return lower(f, &watch).find("matrix")->program;
 }
 
 }  // namespace
@@ -38,30 +36,32 @@ const Request& SymbolicStages::request() {
 const Formulation& SymbolicStages::outline() {
   const Request& of = request();
   return made(outline_, symbolic_seconds_,
-              [&] { return formulate(of.model, of.motion, no_functions(functions_)); });
+              [&] { return formulate(of.model, of.motion, no_functions(functions_), &watch_); });
 }
 
 const Program& SymbolicStages::matrix() {
   const Formulation& of = outline();
-  return made(matrix_, symbolic_seconds_, [&] { return matrix_of(of); });
+  return made(matrix_, symbolic_seconds_, [&] { return matrix_of(of, watch_); });
 }
 
 const Formulation& SymbolicStages::formulation() {
   const Request& of = request();
-  return made(formulation_, symbolic_seconds_, [&] {
-    try {
-      const FormingWatch watch = std::exchange(watch_, {});
-      return formulate(of.model, of.motion, functions_, &watch);
-    } catch (const FormingStopped& stopped) {
-      stopped_ = stopped;
-      return formulate_as_written(of.model, of.motion, functions_);
-    }
-  });
+  return made(formulation_, symbolic_seconds_,
+              [&] { return formulate(of.model, of.motion, functions_, &watch_); });
 }
 
 const Module& SymbolicStages::module() {
   const Formulation& of = formulation();
-  return made(module_, symbolic_seconds_, [&] { return lower(of); });
+  return made(module_, symbolic_seconds_, [&] { return lower(of, &watch_); });
+}
+
+void SymbolicStages::give_up() {
+  const Request& of = request();
+  watch_ = {};
+  matrix_.reset();
+  outline_ = formulation_ = formulate_shape(of.model, of.motion);
+  module_ = undefined_kernel(*formulation_, static_cast<int>(of.motion.constraints.size()),
+                             static_cast<int>(of.model.pose.size()));
 }
 
 }  // namespace regulus::codegen

@@ -4,10 +4,12 @@
 
 #include <optional>
 #include <string>
+#include <utility>
 
 #include "regulus/codegen/driver/stopwatch.hpp"
 #include "regulus/codegen/model/request.hpp"
 #include "regulus/codegen/program/module.hpp"
+#include "regulus/codegen/program/work_meter.hpp"
 #include "regulus/codegen/symbolic/formulation.hpp"
 
 namespace regulus::codegen {
@@ -15,7 +17,7 @@ namespace regulus::codegen {
 /// Each stage runs when its result is first asked for: a kernel from the cache needs none of them
 /// until a report has to say what only the expressions can tell. Not for two threads at once.
 ///
-/// Throws, where a stage runs: InputError, UsageError, ClosedFormError.
+/// Throws, where a stage runs: InputError, UsageError, ClosedFormError, FormingStopped.
 class SymbolicStages {
  public:
   /// `text`: the bytes of the model file.
@@ -32,14 +34,15 @@ class SymbolicStages {
   /// The program of the matrix as the model writes it, scaled as that of the kernel is.
   [[nodiscard]] const Program& matrix();
   /// With every function of the kernel.
-  /// As written, if `watch` stops it (see stopped()).
   [[nodiscard]] const Formulation& formulation();
   [[nodiscard]] const Module& module();
 
-  /// From now on `watch` may stop the forming of `formulation`.
-  void watch(const FormingWatch& watch) { watch_ = watch; }
-  /// Why `formulation` is less than what was asked for, if it is.
-  [[nodiscard]] const std::optional<FormingStopped>& stopped() const noexcept { return stopped_; }
+  /// From now on `watch` may stop the stages that follow the reading of the model.
+  void watch(FormingWatch watch) { watch_ = std::move(watch); }
+  [[nodiscard]] const FormingWatch& watch() const noexcept { return watch_; }
+  /// From now on the forms are the variables and sizes alone, which takes no time; the kernel is
+  /// undefined everywhere, and no watch is looked at.
+  void give_up();
 
   /// What has been spent so far.
   [[nodiscard]] double model_seconds() const noexcept { return model_seconds_; }
@@ -63,7 +66,6 @@ class SymbolicStages {
   std::optional<Formulation> outline_, formulation_;
   std::optional<Program> matrix_;
   FormingWatch watch_;
-  std::optional<FormingStopped> stopped_;
   std::optional<Module> module_;
   double model_seconds_ = 0;
   double symbolic_seconds_ = 0;

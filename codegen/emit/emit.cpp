@@ -125,7 +125,7 @@ std::string kernel_table(const Module& module, const std::string& symbol,
 
 }  // namespace
 
-EmittedKernel emit(const Module& module, const EmitOptions& options) {
+EmittedKernel emit(const Module& module, const EmitOptions& options, const FormingWatch* watch) {
   check_module(module);
   if (!is_identifier(options.prefix) || options.prefix == "regulus")
     throw std::invalid_argument("the prefix must be a C identifier other than regulus");
@@ -134,12 +134,13 @@ EmittedKernel emit(const Module& module, const EmitOptions& options) {
   kernel.symbol = options.prefix + "_kernel";
   kernel.identity = identity(module);
   kernel.source = header(module, options, kernel.identity);
+  WorkMeter meter(WorkMeter::kNoLimit, watch, WorkStage::kSelection);
   std::vector<SelectedFunction> selected;
   for (const Function& function : module.functions) {
     selected.push_back(select(function.program, options.operations_per_part,
-                              static_cast<std::size_t>(module.rows)));
+                              static_cast<std::size_t>(module.rows), &meter));
     if (!function.program.outputs.empty())
-      kernel.source += write_function(module, function, selected.back()) + "\n";
+      kernel.source += write_function(module, function, selected.back(), meter) + "\n";
   }
   kernel.source += expansion_table(module);
   kernel.source += "}  // namespace\n\n" + kernel_table(module, kernel.symbol, kernel.identity);

@@ -5,6 +5,7 @@
 
 #include "regulus/codegen/emit/emitted_kernel.hpp"
 #include "regulus/codegen/program/module.hpp"
+#include "regulus/codegen/program/work_meter.hpp"
 
 namespace regulus::codegen {
 
@@ -17,6 +18,8 @@ namespace regulus::codegen {
 /// Ensures   equal modules and options give equal bytes. Nothing that comes from a model file
 ///           (names, titles, comments) gets outside a comment or a string literal, except as an
 ///           identifier of letters, digits and underscores that starts with a prefix of ours.
-[[nodiscard]] EmittedKernel emit(const Module& module, const EmitOptions& options = {});
+///           Throws FormingStopped when `watch` says so.
+[[nodiscard]] EmittedKernel emit(const Module& module, const EmitOptions& options = {},
+                                 const FormingWatch* watch = nullptr);
 
 }  // namespace regulus::codegen

@@ -49,10 +49,13 @@ std::string caller(const Function& function, const SelectedFunction& selected) {
 }  // namespace
 
 std::string write_function(const Module& module, const Function& function,
-                           const SelectedFunction& selected) {
+                           const SelectedFunction& selected, WorkMeter& meter) {
   ValueNames names(function.program);
   std::string text = comment_lines("", function.title.empty() ? function.name : function.title);
+  std::uint32_t written = 0;
   for (std::uint32_t part = 0; part < selected.code.part_ends.size(); ++part) {
+    meter.spend(selected.code.part_ends[part] - written);
+    written = selected.code.part_ends[part];
     PartPrinter printer(module, function, selected, names, part);
     printer.print();
     if (selected.code.part_ends.size() == 1)

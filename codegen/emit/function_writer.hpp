@@ -6,12 +6,13 @@
 #include "regulus/codegen/emit/output_label.hpp"
 #include "regulus/codegen/pack/select.hpp"
 #include "regulus/codegen/program/module.hpp"
+#include "regulus/codegen/program/work_meter.hpp"
 
 namespace regulus::codegen {
 
 /// The C++ text of one function of the kernel: its parts, and the function of the ABI that calls
-/// them in turn.
+/// them in turn. `meter` counts the operations that are written.
 [[nodiscard]] std::string write_function(const Module& module, const Function& function,
-                                         const SelectedFunction& selected);
+                                         const SelectedFunction& selected, WorkMeter& meter);
 
 }  // namespace regulus::codegen

@@ -14,8 +14,13 @@ constexpr std::uint32_t kNoPart = static_cast<std::uint32_t>(-1);
 
 class Planner {
  public:
-  Planner(const Program& program, std::size_t operations_per_part, std::size_t row_length)
-      : program_(program), limit_(operations_per_part), wanted_(program.nodes.size(), false) {
+  Planner(const Program& program, std::size_t operations_per_part, std::size_t row_length,
+          WorkMeter* meter)
+      : program_(program),
+        limit_(operations_per_part),
+        meter_(meter),
+        wanted_(program.nodes.size(), false) {
+    spend(meter_, program.nodes.size());
     plan_.known = enclose_constant_nodes(program);
     plan_.magnitudes = bound_magnitudes(program, plan_.known);
     plan_.exact = exact_nodes(program, plan_.known, row_length);
@@ -54,6 +59,7 @@ class Planner {
   std::size_t schedule_outputs_from(std::size_t first) {
     const NodeId root = program_.outputs[first];
     std::size_t last = first;
+    spend(meter_, 1);
     while (is_known(root) && last + 1 < program_.outputs.size() &&
            program_.outputs[last + 1] == root)
       ++last;
@@ -75,6 +81,7 @@ class Planner {
       if (wanted_[id] || plan_.leaves[id]) continue;
       wanted_[id] = true;
       found.push_back(id);
+      spend(meter_, 1);
       const int operands = operand_count(node(id).op);
       if (operands >= 1) stack.push_back(node(id).a);
       if (operands == 2) stack.push_back(node(id).b);
@@ -146,6 +153,7 @@ class Planner {
 
   const Program& program_;
   std::size_t limit_;
+  WorkMeter* meter_;
   std::vector<bool> wanted_;
   FunctionPlan plan_;
 };
@@ -153,8 +161,8 @@ class Planner {
 }  // namespace
 
 FunctionPlan plan_function(const Program& program, std::size_t operations_per_part,
-                           std::size_t row_length) {
-  return Planner(program, operations_per_part, row_length).run();
+                           std::size_t row_length, WorkMeter* meter) {
+  return Planner(program, operations_per_part, row_length, meter).run();
 }
 
 }  // namespace regulus::codegen

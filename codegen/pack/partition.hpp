@@ -9,6 +9,7 @@
 #include "regulus/codegen/program/interpreter.hpp"
 #include "regulus/codegen/program/magnitude.hpp"
 #include "regulus/codegen/program/program.hpp"
+#include "regulus/codegen/program/work_meter.hpp"
 #include "regulus/interval/interval.hpp"
 
 namespace regulus::codegen {
@@ -51,8 +52,8 @@ struct FunctionPlan {
 };
 
 /// Requires  a well formed program; operations_per_part ≥ 1; points row by row, `row_length` in
-///           each row of K, or 0 when they are on no grid.
+///           each row of K, or 0 when they are on no grid. `meter`: null, or it counts nodes.
 [[nodiscard]] FunctionPlan plan_function(const Program& program, std::size_t operations_per_part,
-                                         std::size_t row_length = 0);
+                                         std::size_t row_length = 0, WorkMeter* meter = nullptr);
 
 }  // namespace regulus::codegen

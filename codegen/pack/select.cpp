@@ -68,8 +68,11 @@ Pack operation_of(Op op) {
 /// The operations of one program, part by part.
 class Selector {
  public:
-  Selector(const Program& program, std::size_t operations_per_part, std::size_t row_length)
-      : program_(program), plan_(plan_function(program, operations_per_part, row_length)) {
+  Selector(const Program& program, std::size_t operations_per_part, std::size_t row_length,
+           WorkMeter* meter)
+      : program_(program),
+        meter_(meter),
+        plan_(plan_function(program, operations_per_part, row_length, meter)) {
     find_absorbed();
   }
 
@@ -165,6 +168,7 @@ class Selector {
 
   ValueId add(Pack operation, std::uint32_t a = 0, std::uint32_t b = 0, std::uint32_t c = 0,
               NodeId of = SelectedFunction::kNoNode) {
+    spend(meter_, 1);
     code_.code.push_back({operation, a, b, c});
     nodes_.push_back(of);
     return static_cast<ValueId>(code_.code.size() - 1);
@@ -387,6 +391,7 @@ class Selector {
   }
 
   const Program& program_;
+  WorkMeter* meter_;
   FunctionPlan plan_;
   machine::PackFunction code_;
   std::vector<NodeId> nodes_;
@@ -401,8 +406,8 @@ class Selector {
 }  // namespace
 
 SelectedFunction select(const Program& program, std::size_t operations_per_part,
-                        std::size_t row_length) {
-  return Selector(program, operations_per_part, row_length).run();
+                        std::size_t row_length, WorkMeter* meter) {
+  return Selector(program, operations_per_part, row_length, meter).run();
 }
 
 }  // namespace regulus::codegen

@@ -47,14 +47,17 @@ struct SelectedFunction {
 /// Requires  a well formed program; operations_per_part ≥ 1; points row by row, `row_length` in
 /// each
 ///           row of K, or 0 when they are on no grid.
-/// Ensures   machine::find_fault finds none in the list. Equal programs give equal lists.
+/// Ensures   machine::find_fault finds none in the list. Equal programs give equal lists. `meter`,
+///           if any, counts nodes and operations.
 [[nodiscard]] SelectedFunction select(const Program& program, std::size_t operations_per_part,
-                                      std::size_t row_length);
+                                      std::size_t row_length, WorkMeter* meter = nullptr);
 
 /// All functions of a module.
 ///
-/// Requires  a module that check_module accepts; std::invalid_argument otherwise.
+/// Requires  a module that check_module accepts; std::invalid_argument otherwise. Throws
+///           FormingStopped when `watch` says so.
 [[nodiscard]] machine::PackKernel select(const Module& module,
-                                         std::size_t operations_per_part = kOperationsPerPart);
+                                         std::size_t operations_per_part = kOperationsPerPart,
+                                         const FormingWatch* watch = nullptr);
 
 }  // namespace regulus::codegen

@@ -32,8 +32,10 @@ machine::PackExpansion expansion_of(const Module& module) {
 
 }  // namespace
 
-machine::PackKernel select(const Module& module, std::size_t operations_per_part) {
+machine::PackKernel select(const Module& module, std::size_t operations_per_part,
+                           const FormingWatch* watch) {
   check_module(module);
+  WorkMeter meter(WorkMeter::kNoLimit, watch, WorkStage::kSelection);
   machine::PackKernel kernel;
   kernel.variables = static_cast<std::uint32_t>(module.variables.size());
   kernel.motion_variables = static_cast<std::uint32_t>(module.motion_variables);
@@ -44,7 +46,7 @@ machine::PackKernel select(const Module& module, std::size_t operations_per_part
   for (const Function& function : module.functions)
     if (!function.program.outputs.empty())
       kernel.functions[static_cast<std::size_t>(parse_kernel_function(function.name).value())] =
-          select(function.program, operations_per_part, kernel.rows).code;
+          select(function.program, operations_per_part, kernel.rows, &meter).code;
   kernel.has_expansion = module.expansion.has_value();
   if (module.expansion) kernel.expansion = expansion_of(module);
   kernel.identity = identity(module);

@@ -7,8 +7,8 @@
 #include <unordered_map>
 #include <vector>
 
+#include "regulus/codegen/program/work_meter.hpp"
 #include "regulus/codegen/symbolic/expression.hpp"
-#include "regulus/codegen/symbolic/work_meter.hpp"
 
 namespace regulus::codegen {
 

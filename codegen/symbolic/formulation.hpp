@@ -11,11 +11,11 @@
 
 #include "regulus/codegen/model/model.hpp"
 #include "regulus/codegen/program/module.hpp"
+#include "regulus/codegen/program/work_meter.hpp"
 #include "regulus/codegen/symbolic/expression.hpp"
 #include "regulus/codegen/symbolic/measure.hpp"
 #include "regulus/codegen/symbolic/rewrite.hpp"
 #include "regulus/codegen/symbolic/scaling.hpp"
-#include "regulus/codegen/symbolic/work_meter.hpp"
 
 namespace regulus::codegen {
 
@@ -191,17 +191,20 @@ struct Formulation {
                                     const FormulationOptions& options = {},
                                     const FormingWatch* watch = nullptr);
 
-/// The same functions with the least detail, which takes hardly longer than to read the model; no
-/// determinant.
-[[nodiscard]] Formulation formulate_as_written(const Model& model, const Motion& motion,
-                                               const FormulationOptions& options);
+/// The variables and sizes without any function, for reports on a question that was given up.
+[[nodiscard]] Formulation formulate_shape(const Model& model, const Motion& motion);
 
 /// A program of expressions over the formulation's variables, which need not be functions of the
 /// kernel.
 [[nodiscard]] Program lower_outputs(const Formulation& formulation,
                                     const std::vector<Expression>& outputs);
 
-/// The program of every function, in canonical order.
-[[nodiscard]] Module lower(const Formulation& formulation);
+/// The program of every function, in canonical order. Throws FormingStopped when `watch` says so.
+[[nodiscard]] Module lower(const Formulation& formulation, const FormingWatch* watch = nullptr);
+
+/// A kernel of the formulation's variables and sizes whose functions are undefined at every point:
+/// nothing can be proved with it, neither that a matrix is regular nor that it is singular.
+[[nodiscard]] Module undefined_kernel(const Formulation& shape, int constraints,
+                                      int pose_parameters);
 
 }  // namespace regulus::codegen

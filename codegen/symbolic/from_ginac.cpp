@@ -87,6 +87,7 @@ constexpr std::array<Named, 10> kFunctions = {{{"sin", Call::kSin},
 Expression GinacReader::read(const GiNaC::ex& e) {
   if (GiNaC::is_a<GiNaC::numeric>(e)) return Expression(rational(e));
   if (const auto found = known_.find(e); found != known_.end()) return found->second;
+  spend(meter_, 1 + e.nops());
   Expression result = converted(e);
   known_.emplace(e, result);
   return result;

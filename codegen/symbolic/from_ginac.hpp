@@ -5,6 +5,7 @@
 
 #include <map>
 
+#include "regulus/codegen/program/work_meter.hpp"
 #include "regulus/codegen/symbolic/expression.hpp"
 
 namespace regulus::codegen {
@@ -15,7 +16,9 @@ using SymbolMeaning = std::map<GiNaC::ex, Expression, GiNaC::ex_is_less>;
 /// Converts GiNaC expressions; what they share stays shared.
 class GinacReader {
  public:
-  explicit GinacReader(const SymbolMeaning& symbols) : symbols_(symbols) {}
+  /// `meter`: null, or it outlives this object and counts the nodes that are read.
+  explicit GinacReader(const SymbolMeaning& symbols, WorkMeter* meter = nullptr)
+      : symbols_(symbols), meter_(meter) {}
 
   /// Ensures   the same function, independent of the order in which GiNaC keeps its terms.
   ///           Throws InputError for floating-point or complex numbers, undeclared symbols,
@@ -29,6 +32,7 @@ class GinacReader {
   Expressions read_operands(const GiNaC::ex& e);
 
   const SymbolMeaning& symbols_;
+  WorkMeter* meter_;
   std::map<GiNaC::ex, Expression, GiNaC::ex_is_less> known_;
 };
 

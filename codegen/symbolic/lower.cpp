@@ -19,15 +19,17 @@ struct Shape {
 };
 
 /// The conditions that no sub-expression of the outputs evaluates anyway.
-Expressions missing_conditions(const Expressions& outputs, const Expressions& conditions) {
+Expressions missing_conditions(const Expressions& outputs, const Expressions& conditions,
+                               WorkMeter& meter) {
   if (conditions.empty()) return {};
   std::unordered_set<Expression, ExpressionHash> present;
   std::vector<Expression> stack = outputs;
   while (!stack.empty()) {
     const Expression e = std::move(stack.back());
     stack.pop_back();
-    if (present.insert(e).second)
-      stack.insert(stack.end(), e.operands().begin(), e.operands().end());
+    if (!present.insert(e).second) continue;
+    meter.spend(1);
+    stack.insert(stack.end(), e.operands().begin(), e.operands().end());
   }
   Expressions missing;
   for (const Expression& condition : conditions)
@@ -73,7 +75,8 @@ std::string title(const Shape& shape, const std::vector<EntryStatistics>& entrie
 
 class ModuleBuilder {
  public:
-  explicit ModuleBuilder(const Formulation& formulation) : f_(formulation) {
+  ModuleBuilder(const Formulation& formulation, const FormingWatch* watch)
+      : f_(formulation), meter_(WorkMeter::kNoLimit, watch, WorkStage::kLowering) {
     module_.model = f_.model;
     module_.motion = f_.motion;
     for (const Variable& v : f_.variables) {
@@ -90,8 +93,9 @@ class ModuleBuilder {
 
   void add(const Shape& shape, const Expressions& outputs, const Expressions& conditions) {
     if (outputs.empty()) return;
-    Lowering lowering(module_.variables, shape.uses_points ? points_ : std::vector<std::string>());
-    const Expressions missing = missing_conditions(outputs, conditions);
+    Lowering lowering(module_.variables, shape.uses_points ? points_ : std::vector<std::string>(),
+                      &meter_);
+    const Expressions missing = missing_conditions(outputs, conditions, meter_);
     for (std::size_t i = 0; i < outputs.size(); ++i) {
       if (i == 0)
         lowering.output_where_defined(outputs[i], missing);
@@ -162,6 +166,7 @@ class ModuleBuilder {
   }
 
   const Formulation& f_;
+  WorkMeter meter_;
   Module module_;
   std::vector<std::string> points_;
 };
@@ -176,8 +181,8 @@ Program lower_outputs(const Formulation& f, const Expressions& outputs) {
   return std::move(lowering).finish();
 }
 
-Module lower(const Formulation& f) {
-  ModuleBuilder builder(f);
+Module lower(const Formulation& f, const FormingWatch* watch) {
+  ModuleBuilder builder(f, watch);
   const int variables = static_cast<int>(f.variables.size());
   const int constraints = static_cast<int>(f.constraints.size());
   const int pose = static_cast<int>(f.pose.size());
@@ -197,6 +202,29 @@ Module lower(const Formulation& f) {
               f.determinant_derivatives, f.must_be_defined);
   builder.add_expansion();
   return builder.take();
+}
+
+Module undefined_kernel(const Formulation& shape, int constraints, int pose_parameters) {
+  Module module = ModuleBuilder(shape, nullptr).take();
+  module.constraints = constraints;
+  module.pose_parameters = pose_parameters;
+  const auto add = [&](const char* name, int rows, int columns) {
+    if (rows == 0) return;
+    ProgramBuilder builder(module.variables, {});
+    const NodeId undefined = builder.divide(builder.constant(1), builder.constant(0));
+    for (int i = 0; i < rows * columns; ++i) builder.output(undefined);
+    Function function;
+    function.name = name;
+    function.program = std::move(builder).finish();
+    function.rows = rows;
+    function.columns = columns;
+    module.functions.push_back(std::move(function));
+  };
+  add("matrix", shape.rows, shape.columns);
+  add("left_product", shape.columns, shape.columns);
+  add("constraint", constraints, 1);
+  add("pose", pose_parameters, 1);
+  return module;
 }
 
 }  // namespace regulus::codegen

@@ -59,8 +59,11 @@ Expressions summation_order(const Expressions& terms) {
 }  // namespace
 
 Lowering::Lowering(const std::vector<std::string>& variables,
-                   const std::vector<std::string>& points)
-    : builder_(variables, points), inputs_(numbered(variables)), points_(numbered(points)) {}
+                   const std::vector<std::string>& points, WorkMeter* meter)
+    : builder_(variables, points),
+      meter_(meter),
+      inputs_(numbered(variables)),
+      points_(numbered(points)) {}
 
 void Lowering::output(const Expression& e) { builder_.output(lower(e)); }
 
@@ -74,6 +77,7 @@ void Lowering::output_where_defined(const Expression& e, const Expressions& cond
 
 NodeId Lowering::lower(const Expression& e) {
   if (const auto found = known_.find(e); found != known_.end()) return found->second;
+  spend(meter_, 1 + e.operands().size());
   const NodeId result = lowered(e);
   known_.emplace(e, result);
   return result;

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "regulus/codegen/program/program.hpp"
+#include "regulus/codegen/program/work_meter.hpp"
 #include "regulus/codegen/symbolic/expression.hpp"
 
 namespace regulus::codegen {
@@ -13,8 +14,10 @@ namespace regulus::codegen {
 /// Translates expressions into one program that shares what they have in common.
 class Lowering {
  public:
-  /// `points` empty: the expressions must not contain entries of K.
-  Lowering(const std::vector<std::string>& variables, const std::vector<std::string>& points);
+  /// `points` empty: the expressions must not contain entries of K. `meter`: null, or it outlives
+  /// this object and counts the nodes of expressions.
+  Lowering(const std::vector<std::string>& variables, const std::vector<std::string>& points,
+           WorkMeter* meter = nullptr);
 
   /// Appends an output.
   void output(const Expression& e);
@@ -34,6 +37,7 @@ class Lowering {
   NodeId lower_sum(const Expressions& terms);
 
   ProgramBuilder builder_;
+  WorkMeter* meter_;
   std::unordered_map<std::string, std::uint32_t> inputs_, points_;
   std::unordered_map<Expression, NodeId, ExpressionHash> known_;
 };

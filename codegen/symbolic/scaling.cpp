@@ -58,38 +58,57 @@ Interval sample(Interval range, int point, std::size_t variable) {
   return Interval(std::clamp(range.lo + part * (range.hi - range.lo), range.lo, range.hi));
 }
 
-/// The entries at a point; empty if one is undefined.
-std::vector<Ball> values_at(const Program& program, const std::vector<Interval>& ranges,
-                            int point) {
-  ArbArithmetic arithmetic(kBits);
-  std::vector<Ball> inputs;
-  for (std::size_t v = 0; v < ranges.size(); ++v)
-    inputs.emplace_back(sample(ranges[v], point, v), kBits);
-  std::vector<Ball> values =
-      evaluate<ArbArithmetic>(program, std::span<const Ball>(inputs), {}, arithmetic);
-  if (arithmetic.undefined()) values.clear();
-  return values;
-}
+/// Evaluates entries at points.
+class Entries {
+ public:
+  Entries(const Expressions& entries, const std::vector<Variable>& variables, WorkMeter* meter)
+      : meter_(meter) {
+    std::vector<std::string> names;
+    for (const Variable& v : variables) {
+      names.push_back(v.name);
+      ranges_.push_back(
+          hull(enclose_constant(v.range.lo, v.name), enclose_constant(v.range.hi, v.name)));
+    }
+    Lowering lowering(names, {}, meter);
+    for (const Expression& entry : entries) lowering.output(entry);
+    program_ = std::move(lowering).finish();
+    known_ = convert_constants(program_, arithmetic_);
+    values_.resize(program_.nodes.size());
+  }
+
+  /// Empty if an entry is undefined there.
+  std::vector<Ball> at(int point) {
+    spend(meter_, program_.nodes.size());
+    std::vector<Ball> inputs;
+    for (std::size_t v = 0; v < ranges_.size(); ++v)
+      inputs.emplace_back(sample(ranges_[v], point, v), kBits);
+    arithmetic_.clear();
+    run<ArbArithmetic, Ball>(program_, known_, inputs, {}, values_, arithmetic_);
+    std::vector<Ball> outputs;
+    if (arithmetic_.undefined()) return outputs;
+    for (const NodeId output : program_.outputs) outputs.push_back(values_[output]);
+    return outputs;
+  }
+
+ private:
+  WorkMeter* meter_;
+  std::vector<Interval> ranges_;
+  Program program_;
+  ArbArithmetic arithmetic_{kBits};
+  KnownValues<Ball> known_;
+  std::vector<Ball> values_;
+};
 
 /// Empty if the entries are defined at none of the points.
-std::vector<Exponent> exponents_of(const Expressions& entries,
-                                   const std::vector<Variable>& variables) {
-  std::vector<std::string> names;
-  std::vector<Interval> ranges;
-  for (const Variable& v : variables) {
-    names.push_back(v.name);
-    ranges.push_back(
-        hull(enclose_constant(v.range.lo, v.name), enclose_constant(v.range.hi, v.name)));
-  }
-  Lowering lowering(names, {});
-  for (const Expression& entry : entries) lowering.output(entry);
-  const Program program = std::move(lowering).finish();
+std::vector<Exponent> exponents_of(const Expressions& expressions,
+                                   const std::vector<Variable>& variables, WorkMeter* meter) {
+  Entries entries(expressions, variables, meter);
   std::vector<Exponent> largest;
   for (int point = 0; point < kPoints; ++point) {
-    const std::vector<Ball> values = values_at(program, ranges, point);
+    const std::vector<Ball> values = entries.at(point);
     if (values.empty()) continue;
-    largest.resize(entries.size());
-    for (std::size_t e = 0; e < entries.size(); ++e)
+    largest.resize(values.size());
+    for (std::size_t e = 0; e < values.size(); ++e)
       largest[e] = std::max(largest[e], exponent_of(values[e]));
   }
   return largest;
@@ -238,10 +257,11 @@ cln::cl_RA power_of_two(int e) {
 }
 
 MatrixScaling find_scaling(const Expressions& entries, int columns,
-                           const std::vector<Variable>& variables, bool moderate) {
+                           const std::vector<Variable>& variables, bool moderate,
+                           WorkMeter* meter) {
   std::vector<Exponent> exponents;
   try {
-    exponents = exponents_of(entries, variables);
+    exponents = exponents_of(entries, variables, meter);
   } catch (const InputError&) {
     // A range without a value is complained of where ranges are enclosed.
   }

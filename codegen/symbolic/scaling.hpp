@@ -10,6 +10,7 @@
 
 #include <vector>
 
+#include "regulus/codegen/program/work_meter.hpp"
 #include "regulus/codegen/symbolic/expression.hpp"
 
 namespace regulus::codegen {
@@ -38,9 +39,11 @@ struct MatrixScaling {
 ///           diagonal of entries that are not zero. Matrices that differ by powers of two in rows
 ///           and columns are scaled to the same one, if they are scaled. With `moderate`, also
 ///           empty where 2^-e is not well within the doubles: a threshold needs it.
+///           `meter`, if any, counts the nodes that are evaluated.
 /// Source    the diagonal: Olschowka and Neumaier, "A new pivoting strategy for Gaussian
 ///           elimination", Linear Algebra Appl. 240 (1996).
 [[nodiscard]] MatrixScaling find_scaling(const Expressions& entries, int columns,
-                                         const std::vector<Variable>& variables, bool moderate);
+                                         const std::vector<Variable>& variables, bool moderate,
+                                         WorkMeter* meter = nullptr);
 
 }  // namespace regulus::codegen

@@ -55,6 +55,35 @@ void collect_partial(const Expression& e, std::unordered_set<const void*>& seen,
   if (is_partial_operation(e)) found.push_back(e);
 }
 
+/// What GiNaC's own substitution of symbols gives, node by node, so that a meter can end it; what
+/// expressions share is replaced once.
+class Replacement : public GiNaC::map_function {
+ public:
+  Replacement(const GiNaC::exmap& values, WorkMeter* meter) : values_(values), meter_(meter) {}
+
+  GiNaC::ex operator()(const GiNaC::ex& e) override {
+    if (GiNaC::is_a<GiNaC::symbol>(e)) {
+      const auto value = values_.find(e);
+      return value == values_.end() ? e : value->second;
+    }
+    if (e.nops() == 0) return e;
+    if (const auto found = done_.find(e); found != done_.end()) return found->second;
+    spend(meter_, 1 + e.nops());
+    GiNaC::ex result = e.map(*this);
+    done_.emplace(e, result);
+    return result;
+  }
+
+ private:
+  const GiNaC::exmap& values_;
+  WorkMeter* meter_;
+  GiNaC::exmap done_;
+};
+
+GiNaC::ex replace(const GiNaC::ex& e, const GiNaC::exmap& values, WorkMeter* meter) {
+  return Replacement(values, meter)(e);
+}
+
 }  // namespace
 
 Expressions partial_nodes(const Expression& e) {
@@ -64,7 +93,8 @@ Expressions partial_nodes(const Expression& e) {
   return found;
 }
 
-Substitution::Substitution(const Model& model, const Motion& motion) {
+Substitution::Substitution(const Model& model, const Motion& motion, WorkMeter* meter)
+    : meter_(meter) {
   check_shapes(model, motion);
   for (const PoseParameter& p : model.pose) reserved_.push_back(p.name);
   for (const GeometryParameter& g : model.geometry) reserved_.push_back(g.name);
@@ -108,7 +138,7 @@ void Substitution::add_pose(const Model& model, const Motion& motion) {
   const GiNaC::exmap geometry = replaced_;
   for (std::size_t i = 0; i < model.pose.size(); ++i) {
     const PoseParameter& p = model.pose[i];
-    const GiNaC::ex commanded = motion.pose[i].subs(geometry, GiNaC::subs_options::no_pattern);
+    const GiNaC::ex commanded = replace(motion.pose[i], geometry, meter_);
     const GiNaC::ex error = motion.error.empty() ? GiNaC::ex(0) : motion.error[i];
     GiNaC::ex actual = commanded;
     if (!error.is_zero()) {
@@ -121,7 +151,7 @@ void Substitution::add_pose(const Model& model, const Motion& motion) {
     if (!commanded.is_equal(p.symbol)) commanded_[p.symbol] = commanded;
     if (!actual.is_equal(p.symbol)) replaced_[p.symbol] = actual;
   }
-  GinacReader reader(symbols_);
+  GinacReader reader(symbols_, meter_);
   written_ = symbols_;
   for (const auto& [symbol, value] : replaced_)
     written_.insert_or_assign(symbol, reader.read(value));
@@ -145,7 +175,7 @@ Expression Substitution::apply_commanded(const GiNaC::ex& e) { return apply(e, c
 
 Expression Substitution::apply(const GiNaC::ex& e, const GiNaC::exmap& replaced) {
   try {
-    return GinacReader(symbols_).read(e.subs(replaced, GiNaC::subs_options::no_pattern));
+    return GinacReader(symbols_, meter_).read(replace(e, replaced, meter_));
   } catch (const GiNaC::pole_error& error) {
     std::ostringstream text;
     text << e;
@@ -155,7 +185,7 @@ Expression Substitution::apply(const GiNaC::ex& e, const GiNaC::exmap& replaced)
 }
 
 Expressions Substitution::partial_operations(const GiNaC::ex& e) {
-  return partial_nodes(GinacReader(written_).read(e));
+  return partial_nodes(GinacReader(written_, meter_).read(e));
 }
 
 }  // namespace regulus::codegen

@@ -14,9 +14,11 @@ namespace regulus::codegen {
 /// variable, pose parameters the motion's map plus a control error where there is one.
 class Substitution {
  public:
+  /// `meter`: null, or it outlives this object and counts the nodes that are read.
+  ///
   /// Throws InputError when the motion has another number of pose parameters than the model, a name
   /// stands for two variables, or shapes do not fit.
-  Substitution(const Model& model, const Motion& motion);
+  Substitution(const Model& model, const Motion& motion, WorkMeter* meter = nullptr);
 
   [[nodiscard]] const std::vector<Variable>& variables() const noexcept { return variables_; }
   [[nodiscard]] std::vector<std::string> names() const;
@@ -37,6 +39,7 @@ class Substitution {
   [[nodiscard]] std::string unused_name(const std::string& wish) const;
   Expression apply(const GiNaC::ex& e, const GiNaC::exmap& replaced);
 
+  WorkMeter* meter_;
   std::vector<Variable> variables_;
   std::vector<std::string> reserved_;
   GiNaC::exmap replaced_;  // model and motion symbols, errors included

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// A time limit and an interrupt hold while expressions are formed, and leave no trace.
+// A time limit and an interrupt hold in every stage before the compiler, and leave no trace.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -7,9 +7,11 @@
 #include <fstream>
 #include <nlohmann/json.hpp>
 
+#include "regulus/codegen/driver/least_singular.hpp"
 #include "regulus/codegen/driver/report.hpp"
 #include "regulus/codegen/driver/search_run.hpp"
 #include "regulus/codegen/driver/settings.hpp"
+#include "regulus/search/solver.hpp"
 #include "support/temporary_directory.hpp"
 
 namespace regulus::codegen {
@@ -60,13 +62,13 @@ TEST_F(FormingStop, AtTheTimeLimitProvesNothing) {
     search_.method = method;
     search_.time_limit = 1e-9;
     const Result result = searched({});
-    EXPECT_TRUE(preparation_.stopped()) << method;
+    EXPECT_TRUE(preparation_.stopped) << method;
     EXPECT_EQ(result.verdict, Verdict::kPossibleProblem);
     EXPECT_EQ(result.reason, Reason::kTimeBudget) << method;
     EXPECT_STREQ(name(result.method), method);
     EXPECT_EQ(result.statistics.boxes, 0U);
     EXPECT_THAT(text_report(preparation_, search_, result),
-                HasSubstr("time limit was reached while"));
+                HasSubstr("the time limit was reached before the search"));
     EXPECT_TRUE(json_report(preparation_, search_, result)["forms"].is_null());
   }
 }
@@ -76,15 +78,51 @@ TEST_F(FormingStop, ByAnInterruptProvesNothing) {
   FormingWatch watch;
   watch.interrupt = &interrupted;
   const Result result = searched(watch, &interrupted);
-  ASSERT_TRUE(preparation_.stopped());
-  EXPECT_TRUE(preparation_.stopped()->interrupted);
+  ASSERT_TRUE(preparation_.stopped);
+  EXPECT_TRUE(preparation_.stopped->interrupted);
   EXPECT_EQ(result.reason, Reason::kInterrupted);
+}
+
+TEST_F(FormingStop, HappensInEachStage) {
+  using enum WorkStage;
+  for (const Engine engine : {Engine::kInterpreted, Engine::kJit})
+    for (const WorkStage stage : {kSubstitution, kForming, kLowering, kSelection}) {
+      search_.engine = engine;
+      std::atomic<bool> interrupted = false;
+      FormingWatch watch;
+      watch.progress = [&](WorkStage at, std::uint64_t, std::uint64_t) {
+        if (at != stage) return;
+        interrupted = true;
+        throw FormingStopped{true};
+      };
+      const Result result = searched(watch, &interrupted);
+      EXPECT_TRUE(interrupted) << static_cast<int>(stage);
+      ASSERT_TRUE(preparation_.stopped) << static_cast<int>(stage);
+      EXPECT_EQ(result.verdict, Verdict::kPossibleProblem);
+      EXPECT_EQ(result.reason, Reason::kInterrupted);
+      EXPECT_EQ(result.statistics.boxes, 0U);
+      EXPECT_FALSE(nearest_singular(preparation_, result));
+      EXPECT_THAT(text_report(preparation_, search_, result),
+                  HasSubstr("forms      none: interrupted before the search"));
+    }
+}
+
+/// Even if a search did begin, it could prove nothing with the kernel that is left.
+TEST_F(FormingStop, LeavesAKernelThatIsUndefinedEverywhere) {
+  search_.time_limit = 1e-9;
+  static_cast<void>(searched({}));
+  ASSERT_TRUE(preparation_.stopped);
+  Settings settings;
+  settings.max_boxes = 100;
+  const Result result = solve(preparation_.problem(), settings);
+  EXPECT_EQ(result.verdict, Verdict::kPossibleProblem);
+  EXPECT_GT(result.statistics.boxes, 0U);
 }
 
 TEST_F(FormingStop, DoesNotHappenOtherwise) {
   search_.time_limit = 1000;
   const Result result = searched({});
-  EXPECT_FALSE(preparation_.stopped());
+  EXPECT_FALSE(preparation_.stopped);
   EXPECT_EQ(result.verdict, Verdict::kNoSingularity);
   EXPECT_EQ(json_report(preparation_, search_, result)["forms"], "full");
 }

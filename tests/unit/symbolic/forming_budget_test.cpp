@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "regulus/codegen/model/model.hpp"
+#include "regulus/codegen/program/print.hpp"
 #include "regulus/codegen/symbolic/formulation.hpp"
 #include "regulus/codegen/symbolic/print.hpp"
 #include "support/symbolic/exact_values.hpp"
@@ -122,8 +123,41 @@ TEST(FormingBudget, IsStoppedFromOutside) {
   FormingWatch late;
   late.deadline = FormingWatch::Clock::time_point::min();
   EXPECT_THROW(static_cast<void>(formed(model, {}, &late)), FormingStopped);
-  const Formulation left = formulate_as_written(model, model.motions.front(), {});
-  EXPECT_EQ(left.detail, FormDetail::kAsWritten);
+  const Formulation left = formulate_shape(model, model.motions.front());
+  EXPECT_EQ(left.variables.size(), 6U);
+  EXPECT_TRUE(left.matrix.empty());
+}
+
+/// Of the stages that no budget counts.
+TEST(FormingBudget, IsStoppedInTheMiddleOfSubstitutionAndLowering) {
+  const Model model = dense(6, 8, 5);
+  const Formulation f = formed(model, with_budget(1));
+  for (const WorkStage stage : {WorkStage::kSubstitution, WorkStage::kLowering}) {
+    std::atomic<bool> interrupted = false;
+    std::uint64_t told = 0;
+    FormingWatch watch;
+    watch.interrupt = &interrupted;
+    watch.progress = [&](WorkStage at, std::uint64_t work, std::uint64_t most) {
+      EXPECT_EQ(at, stage);
+      EXPECT_EQ(most, WorkMeter::kNoLimit);
+      told = work;
+      interrupted = true;
+    };
+    if (stage == WorkStage::kSubstitution)
+      EXPECT_THROW(static_cast<void>(formed(model, {}, &watch)), FormingStopped);
+    else
+      EXPECT_THROW(static_cast<void>(lower(f, &watch)), FormingStopped);
+    EXPECT_GT(told, 0U);
+    EXPECT_LT(told, 5000U);
+  }
+}
+
+TEST(FormingBudget, DoesNotStopWithoutAReason) {
+  const Model model = dense(2, 2, 2);
+  const FormingWatch watch;
+  const Formulation f = formed(model, {}, &watch);
+  EXPECT_EQ(printed(f.left_product), printed(formed(model, {}).left_product));
+  EXPECT_EQ(identity(lower(f, &watch)), identity(lower(f)));
 }
 
 /// In the middle of it, at a count that does not depend on the time.
@@ -133,7 +167,8 @@ TEST(FormingBudget, TellsHowFarItIsAndStopsThere) {
   std::uint64_t told = 0;
   FormingWatch watch;
   watch.interrupt = &interrupted;
-  watch.progress = [&](std::uint64_t work, std::uint64_t most) {
+  watch.progress = [&](WorkStage stage, std::uint64_t work, std::uint64_t most) {
+    if (stage != WorkStage::kForming) return;
     EXPECT_GE(work, told);
     EXPECT_EQ(most, kFormingBudget);
     told = work;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// How much work the symbolic stage has done, and when it is to stop.
+// How much work the stages before compilation have done, and when they are to stop.
 #pragma once
 
 #include <atomic>
@@ -13,30 +13,39 @@ namespace regulus::codegen {
 /// Forming took more terms than were allowed.
 struct OverBudget {};
 
-/// Forming was stopped from outside: time is up, or the user has interrupted it.
+/// A stage was stopped from outside: time is up, or the user has interrupted it.
 struct FormingStopped {
   bool interrupted = false;  ///< false: time is up
 };
 
-/// What may stop the symbolic stage from outside, and who is told how far it is.
+/// The stages that look at a watch, in their order.
+enum class WorkStage {
+  kSubstitution,  ///< of the motion in the model, and the scales of the matrix
+  kForming,
+  kLowering,   ///< of expressions to programs
+  kSelection,  ///< of the operations of a kernel, and its text
+};
+
+/// Stops the stages before compilation from outside, and is told how far they are.
 struct FormingWatch {
   using Clock = std::chrono::steady_clock;
   Clock::time_point deadline = Clock::time_point::max();
   const std::atomic<bool>* interrupt = nullptr;
-  /// Work done and, where there is a limit, the most; called now and then.
-  std::function<void(std::uint64_t, std::uint64_t)> progress{};
+  /// Work done in a stage and, where there is a limit, the most; called now and then.
+  std::function<void(WorkStage, std::uint64_t, std::uint64_t)> progress{};
 };
 
-/// Counts terms of polynomials as they are produced: a measure of time and memory that is the same
-/// on every machine and in every run, so that what is formed within a budget does not depend on the
-/// time it took.
+/// Counts terms of polynomials, or nodes, as they are produced: a measure of time and memory that
+/// is the same on every machine and in every run, so that what is formed within a budget does not
+/// depend on the time it took.
 class WorkMeter {
  public:
   static constexpr std::uint64_t kNoLimit = std::numeric_limits<std::uint64_t>::max();
 
   /// `watch`: null, or it outlives this object.
-  explicit WorkMeter(std::uint64_t most, const FormingWatch* watch = nullptr)
-      : most_(most), watch_(watch) {}
+  explicit WorkMeter(std::uint64_t most, const FormingWatch* watch = nullptr,
+                     WorkStage stage = WorkStage::kForming)
+      : most_(most), watch_(watch), stage_(stage) {}
 
   /// Asked before the work is done. Throws OverBudget and FormingStopped.
   void spend(std::uint64_t terms) {
@@ -54,12 +63,18 @@ class WorkMeter {
     if (watch_ == nullptr) return;
     if (watch_->interrupt != nullptr && *watch_->interrupt) throw FormingStopped{true};
     if (FormingWatch::Clock::now() >= watch_->deadline) throw FormingStopped{false};
-    if (watch_->progress) watch_->progress(spent_, most_);
+    if (watch_->progress) watch_->progress(stage_, spent_, most_);
   }
 
   std::uint64_t most_;
   const FormingWatch* watch_;
+  WorkStage stage_;
   std::uint64_t spent_ = 0, next_look_ = 0;
 };
+
+/// Does nothing without a meter.
+inline void spend(WorkMeter* meter, std::uint64_t work) {
+  if (meter != nullptr) meter->spend(work);
+}
 
 }  // namespace regulus::codegen
