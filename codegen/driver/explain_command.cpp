@@ -12,7 +12,7 @@ namespace regulus::codegen {
 namespace {
 
 /// Without a motion the forms are shown over the pose parameters themselves.
-std::string forms(const ExplainCommand& command) {
+Explanation forms(const ExplainCommand& command) {
   ExplainOptions options;
   options.all_entries = command.all_entries;
   options.part = command.stage == "matrix"        ? ExplainPart::kMatrix
@@ -33,19 +33,28 @@ std::string kernel_text(const ExplainCommand& command, const std::string& typed)
       .source;
 }
 
+/// Exponents of two; null where the matrix is as the model has it.
+nlohmann::ordered_json json_scaling(const MatrixScaling& scaling) {
+  if (scaling.empty()) return nullptr;
+  return {{"rows", scaling.rows}, {"columns", scaling.columns}};
+}
+
 }  // namespace
 
 int run_explain(const ExplainCommand& command, const std::string& typed) {
-  const std::string text = command.stage == "text" ? kernel_text(command, typed) : forms(command);
-  if (command.output.json)
-    std::cout << nlohmann::ordered_json{{"model", command.model.path},
-                                        {"motion", command.model.motion},
-                                        {"stage", command.stage},
-                                        {"text", text}}
-                     .dump(command.output.json_indent)
-              << '\n';
-  else
-    std::cout << text;
+  const bool kernel = command.stage == "text";
+  const Explanation explained =
+      kernel ? Explanation{kernel_text(command, typed), {}} : forms(command);
+  if (command.output.json) {
+    nlohmann::ordered_json report{{"model", command.model.path},
+                                  {"motion", command.model.motion},
+                                  {"stage", command.stage},
+                                  {"text", explained.text}};
+    if (!kernel) report["scaling"] = json_scaling(explained.scaling);
+    std::cout << report.dump(command.output.json_indent) << '\n';
+  } else {
+    std::cout << explained.text;
+  }
   std::cout.flush();
   return 0;
 }

@@ -47,25 +47,26 @@ std::uint64_t count_of(const Occurrences& occurrences, const std::string& name) 
   return found == occurrences.end() ? 0 : found->second;
 }
 
-class Explanation {
+class Explainer {
  public:
-  Explanation(const Model& model, const Motion& motion, const ExplainOptions& options)
+  Explainer(const Model& model, const Motion& motion, const ExplainOptions& options)
       : f_(formulate(model, motion, options.formulation)), module_(lower(f_)), options_(options) {}
 
-  std::string text() {
+  Explanation explanation() {
     if (options_.part == ExplainPart::kAll)
       everything();
     else if (options_.part == ExplainPart::kMatrix)
       matrix();
     else
       occurrence_table();
-    return std::move(text_);
+    return {std::move(text_), f_.scaling};
   }
 
  private:
   void everything() {
     heading();
     matrix();
+    if (!f_.scaling.empty()) scaling();
     if (f_.column_trials) column_operations(*f_.column_trials);
     left_entries();
     if (!f_.right_product.empty()) right_entries();
@@ -97,6 +98,22 @@ class Explanation {
       for (int j = 0; j < f_.columns; ++j)
         line("  A({},{}) = {}", i + 1, j + 1,
              shortened(f_.natural_matrix[at(i, j, f_.columns)], options_.longest));
+    line("");
+  }
+
+  void exponents(const char* name, const std::vector<int>& exponents) {
+    std::string text;
+    for (std::size_t i = 0; i < exponents.size(); ++i)
+      text += fmt::format("{}{} 2^{}", i == 0 ? "" : ", ", i + 1, exponents[i]);
+    line("  {}  {}", name, text);
+  }
+
+  void scaling() {
+    line("Rows and columns times powers of two, since their scales are far apart");
+    line("  A stands for R·A·C below; its rank and the sign of its determinant are those of A");
+    exponents("R, of row   ", f_.scaling.rows);
+    exponents("C, of column", f_.scaling.columns);
+    if (f_.rows == f_.columns) line("  det R·A·C = 2^{} det A", f_.scaling.determinant_exponent());
     line("");
   }
 
@@ -145,7 +162,7 @@ class Explanation {
         Expressions natural;
         for (int j = 0; j < f_.rows; ++j)
           natural.push_back(point(point_name(i + 1, j + 1)) *
-                            f_.natural_matrix[at(j, c, f_.columns)]);
+                            f_.scaling.apply(f_.natural_matrix[at(j, c, f_.columns)], j, c));
         const std::size_t k = at(i, c, f_.columns);
         entry(fmt::format("(K·A)({},{})", i + 1, c + 1), sum(std::move(natural)),
               f_.left_product[k], statistics[k]);
@@ -163,7 +180,7 @@ class Explanation {
         Expressions natural;
         for (int j = 0; j < f_.columns; ++j)
           natural.push_back(point(point_name(j + 1, c + 1)) *
-                            f_.natural_matrix[at(r, j, f_.columns)]);
+                            f_.scaling.apply(f_.natural_matrix[at(r, j, f_.columns)], r, j));
         const std::size_t k = at(r, c, f_.rows);
         entry(fmt::format("(A·K)({},{})", r + 1, c + 1), sum(std::move(natural)),
               f_.right_product[k], statistics[k]);
@@ -227,12 +244,14 @@ class Explanation {
 
 }  // namespace
 
-std::string explain(const Model& model, const Motion& motion, const ExplainOptions& options) {
-  return Explanation(model, motion, options).text();
+Explanation explain(const Model& model, const Motion& motion, const ExplainOptions& options) {
+  return Explainer(model, motion, options).explanation();
 }
 
-std::string explain(const Model& model, const ExplainOptions& options) {
-  return explain(model, pose_as_motion(model), options);
+Explanation explain(const Model& model, const ExplainOptions& options) {
+  ExplainOptions unscaled = options;
+  unscaled.formulation.scaling = false;
+  return explain(model, pose_as_motion(model), unscaled);
 }
 
 Motion pose_as_motion(const Model& model) {

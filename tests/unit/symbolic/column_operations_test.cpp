@@ -94,13 +94,14 @@ TEST(ColumnOperations, AreSoughtNoLongerThanTheBudgetLasts) {
 TEST(ColumnOperations, AreExplainedWithTheFiguresThatDecided) {
   const Model model = robot_1();
   ExplainOptions options;
-  EXPECT_THAT(explain(model, wide_motion(model), options), Not(HasSubstr("Column operations")));
+  EXPECT_THAT(explain(model, wide_motion(model), options).text,
+              Not(HasSubstr("Column operations")));
   options.formulation.columns = ColumnSearch::kSecondOrder;
-  const std::string text = explain(model, wide_motion(model), options);
+  const std::string text = explain(model, wide_motion(model), options).text;
   EXPECT_THAT(text, HasSubstr("Column operations of determinant 1"));
   EXPECT_THAT(text, HasSubstr("column 4 += -z · column 2"));
   EXPECT_THAT(text, HasSubstr("kept: these; A stands for A·V in K·A below"));
-  EXPECT_THAT(explain(model, wide_motion(model, 1), options),
+  EXPECT_THAT(explain(model, wide_motion(model, 1), options).text,
               HasSubstr("not compared: A is likely to be certified as it is"));
 }
 
