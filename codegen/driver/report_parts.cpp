@@ -10,8 +10,43 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-std::string text_interval(const Interval& x) {
-  return x.lo == x.hi ? fmt::format("{}", x.lo) : fmt::format("[{}, {}]", x.lo, x.hi);
+std::string shortest(double x) { return fmt::format("{}", x + 0.0); }  // −0 reads as 0
+
+/// The shortest decimal that is read as a double of the interval.
+std::string shortest_in(const Interval& x) {
+  for (int digits = 1; digits < 17; ++digits)
+    for (const double end : {x.lo, x.hi}) {
+      const std::string text = fmt::format("{:.{}g}", end, digits);
+      double shown = 0;
+      std::from_chars(text.data(), text.data() + text.size(), shown);
+      if (x.lo <= shown && shown <= x.hi) return shortest(shown);
+    }
+  return shortest(x.lo);
+}
+
+std::string joined(const std::string& lo, const std::string& hi) {
+  return lo == hi ? lo : fmt::format("[{}, {}]", lo, hi);
+}
+
+/// Bounds of variable k. Those of its whole range are written as the model has them: rounded
+/// outward and inward, they enclose what it says.
+std::string text_of(const Preparation& p, std::size_t k, const Interval& x) {
+  const Interval& outer = p.variety.outer[k];
+  const std::optional<Interval>& inner = p.variety.inner[k];
+  if (!inner && x.lo == outer.lo && x.hi == outer.hi) return shortest_in(outer);
+  const bool from_first = inner && x.lo == outer.lo, to_last = inner && x.hi == outer.hi;
+  return joined(from_first ? shortest_in({outer.lo, inner->lo}) : shortest(x.lo),
+                to_last ? shortest_in({inner->hi, outer.hi}) : shortest(x.hi));
+}
+
+std::string short_text_of(const Preparation&, std::size_t, const Interval& x) {
+  return short_interval(x);
+}
+
+/// A value that is known to six digits or more: the shortest that it may be.
+std::string value_text(const Interval& x) {
+  const std::string brief = short_interval(x);
+  return brief.front() == '[' ? joined(shortest(x.lo), shortest(x.hi)) : shortest_in(x);
 }
 
 Json json_variables(const Preparation& p, std::span<const Interval> values, bool motion) {
@@ -27,7 +62,7 @@ std::string variable_lines(const Preparation& p, bool motion) {
   const auto& variables = p.subject.variables;
   for (std::size_t i = 0; i < variables.size(); ++i) {
     if (is_motion(variables[i]) != motion) continue;
-    const std::string range = short_interval(p.variety.outer[i]);
+    const std::string range = text_of(p, i, p.variety.outer[i]);
     lines += fmt::format("           {} {} {}{}\n", variables[i].name,
                          range.front() == '[' ? "in" : "=", range, unit_suffix(variables[i].unit));
   }
@@ -47,12 +82,13 @@ std::string uncertain_lines(const Preparation& p) {
 
 /// "x = 3, y = [4, 5]": of the motion parameters or of the other variables.
 std::string assignments(const Preparation& p, std::span<const Interval> values, bool motion,
-                        std::string (*text)(const Interval&)) {
+                        std::string (*text)(const Preparation&, std::size_t, const Interval&)) {
   std::string words;
   for (std::size_t i = 0; i < values.size(); ++i) {
     const VariableLabel& variable = p.subject.variables[i];
     if (is_motion(variable) != motion) continue;
-    words += fmt::format("{}{} = {}", words.empty() ? "" : ", ", variable.name, text(values[i]));
+    words +=
+        fmt::format("{}{} = {}", words.empty() ? "" : ", ", variable.name, text(p, i, values[i]));
   }
   return words;
 }
@@ -165,12 +201,12 @@ std::size_t uncertain_count(const Preparation& p) {
 }
 
 std::string place_words(const Preparation& p, std::span<const Interval> variables) {
-  const std::string words = assignments(p, variables, true, text_interval);
+  const std::string words = assignments(p, variables, true, text_of);
   return words.empty() ? "the only pose" : words;
 }
 
 std::string short_place_words(const Preparation& p, std::span<const Interval> variables) {
-  const std::string words = assignments(p, variables, true, short_interval);
+  const std::string words = assignments(p, variables, true, short_text_of);
   return words.empty() ? "the only pose" : words;
 }
 
@@ -180,11 +216,11 @@ std::string uncertain_values_line(const Preparation& p, std::span<const Interval
   if (count > kListed)
     return fmt::format("           with values of the {} uncertain quantities that --json lists\n",
                        count);
-  return fmt::format("           with {}\n", assignments(p, variables, false, short_interval));
+  return fmt::format("           with {}\n", assignments(p, variables, false, short_text_of));
 }
 
 std::string pose_line(const Preparation& p, std::span<const Interval> pose) {
-  return pose_line_of(p, pose, text_interval);
+  return pose_line_of(p, pose, value_text);
 }
 
 std::string short_pose_line(const Preparation& p, std::span<const Interval> pose) {

@@ -37,7 +37,8 @@ namespace regulus::codegen {
 [[nodiscard]] std::string unit_suffix(const std::string& unit);
 [[nodiscard]] bool is_motion(const VariableLabel& variable);
 [[nodiscard]] std::size_t uncertain_count(const Preparation& preparation);
-/// "x = 3, y = [4, 5]": the motion parameters.
+/// "x = 3, y = [4, 5]": the motion parameters, in the shortest decimals that determine them. Ends
+/// of the variety are written as the model has them.
 [[nodiscard]] std::string place_words(const Preparation& preparation,
                                       std::span<const Interval> variables);
 /// The same with six digits.

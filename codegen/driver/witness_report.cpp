@@ -83,8 +83,8 @@ std::string witness_lines(const Preparation& p, const Result& result) {
   if (!result.witness) return "";
   const Witness& witness = *result.witness;
   const WitnessPoint& point = closest(witness);
-  std::string lines = fmt::format("witness    {}\n", short_place_words(p, point.variables)) +
-                      short_pose_line(p, point.pose) + uncertain_values_line(p, point.variables) +
+  std::string lines = fmt::format("witness    {}\n", place_words(p, point.variables)) +
+                      pose_line(p, point.pose) + uncertain_values_line(p, point.variables) +
                       proof_lines(p, witness);
   if (!witness.near) return lines;
   return lines + degeneracy_lines(p, InverseJacobian(p).approx_degeneracy(point.variables));
