@@ -6,6 +6,7 @@
 #include <link.h>
 
 #include <cstring>
+#include <exception>
 #include <string_view>
 
 #include "regulus/codegen/jit/clang_compiler.hpp"
@@ -44,23 +45,39 @@ std::string_view build_id_of(const dl_phdr_info& object) {
 /// The page that the kernel maps is no part of the program, and has no file.
 bool is_of_the_system(std::string_view file) { return file.starts_with("linux-"); }
 
-int append_object(dl_phdr_info* object, std::size_t, void* identity) noexcept {
-  const std::string_view file = object->dlpi_name;
-  if (is_of_the_system(file)) return 0;
-  auto& text = *static_cast<std::string*>(identity);
-  const std::string_view id = build_id_of(*object);
+void append_object(const dl_phdr_info& object, std::string& text) {
+  const std::string_view file = object.dlpi_name;
+  if (is_of_the_system(file)) return;
+  const std::string_view id = build_id_of(object);
   for (const char byte : id) text += fmt::format("{:02x}", static_cast<unsigned char>(byte));
   if (id.empty()) text += file_identity(file.empty() ? "/proc/self/exe" : std::string(file));
   text += '\n';
-  return 0;
+}
+
+struct Identity {
+  std::string text;
+  std::exception_ptr failure;
+};
+
+/// Called by C: nothing may be thrown through it, and memory may run out.
+int visit_object(dl_phdr_info* object, std::size_t, void* data) noexcept {
+  auto& identity = *static_cast<Identity*>(data);
+  try {
+    append_object(*object, identity.text);
+    return 0;
+  } catch (...) {
+    identity.failure = std::current_exception();
+    return 1;
+  }
 }
 
 }  // namespace
 
 std::string program_identity() {
-  std::string identity;
-  ::dl_iterate_phdr(append_object, &identity);
-  return identity;
+  Identity identity;
+  ::dl_iterate_phdr(visit_object, &identity);
+  if (identity.failure) std::rethrow_exception(identity.failure);
+  return identity.text;
 }
 
 }  // namespace regulus::codegen
