@@ -55,35 +55,6 @@ void collect_partial(const Expression& e, std::unordered_set<const void*>& seen,
   if (is_partial_operation(e)) found.push_back(e);
 }
 
-/// What GiNaC's own substitution of symbols gives, node by node, so that a meter can end it; what
-/// expressions share is replaced once.
-class Replacement : public GiNaC::map_function {
- public:
-  Replacement(const GiNaC::exmap& values, WorkMeter* meter) : values_(values), meter_(meter) {}
-
-  GiNaC::ex operator()(const GiNaC::ex& e) override {
-    if (GiNaC::is_a<GiNaC::symbol>(e)) {
-      const auto value = values_.find(e);
-      return value == values_.end() ? e : value->second;
-    }
-    if (e.nops() == 0) return e;
-    if (const auto found = done_.find(e); found != done_.end()) return found->second;
-    spend(meter_, 1 + e.nops());
-    GiNaC::ex result = e.map(*this);
-    done_.emplace(e, result);
-    return result;
-  }
-
- private:
-  const GiNaC::exmap& values_;
-  WorkMeter* meter_;
-  GiNaC::exmap done_;
-};
-
-GiNaC::ex replace(const GiNaC::ex& e, const GiNaC::exmap& values, WorkMeter* meter) {
-  return Replacement(values, meter)(e);
-}
-
 }  // namespace
 
 Expressions partial_nodes(const Expression& e) {
@@ -138,7 +109,7 @@ void Substitution::add_pose(const Model& model, const Motion& motion) {
   const GiNaC::exmap geometry = replaced_;
   for (std::size_t i = 0; i < model.pose.size(); ++i) {
     const PoseParameter& p = model.pose[i];
-    const GiNaC::ex commanded = replace(motion.pose[i], geometry, meter_);
+    const GiNaC::ex commanded = motion.pose[i].subs(geometry, GiNaC::subs_options::no_pattern);
     const GiNaC::ex error = motion.error.empty() ? GiNaC::ex(0) : motion.error[i];
     GiNaC::ex actual = commanded;
     if (!error.is_zero()) {
@@ -175,7 +146,7 @@ Expression Substitution::apply_commanded(const GiNaC::ex& e) { return apply(e, c
 
 Expression Substitution::apply(const GiNaC::ex& e, const GiNaC::exmap& replaced) {
   try {
-    return GinacReader(symbols_, meter_).read(replace(e, replaced, meter_));
+    return GinacReader(symbols_, meter_).read(e.subs(replaced, GiNaC::subs_options::no_pattern));
   } catch (const GiNaC::pole_error& error) {
     std::ostringstream text;
     text << e;
