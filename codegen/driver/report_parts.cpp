@@ -12,16 +12,17 @@ using Json = nlohmann::ordered_json;
 
 std::string shortest(double x) { return fmt::format("{}", x + 0.0); }  // −0 reads as 0
 
-/// The shortest decimal that is read as a double of the interval.
+/// The shortest decimal that is read as a double of the interval; the same for −x but for its sign.
 std::string shortest_in(const Interval& x) {
+  const bool negative = x.hi <= 0;
   for (int digits = 1; digits < 17; ++digits)
-    for (const double end : {x.lo, x.hi}) {
+    for (const double end : {negative ? x.hi : x.lo, negative ? x.lo : x.hi}) {
       const std::string text = fmt::format("{:.{}g}", end, digits);
       double shown = 0;
       std::from_chars(text.data(), text.data() + text.size(), shown);
       if (x.lo <= shown && shown <= x.hi) return shortest(shown);
     }
-  return shortest(x.lo);
+  return shortest(negative ? x.hi : x.lo);
 }
 
 std::string joined(const std::string& lo, const std::string& hi) {

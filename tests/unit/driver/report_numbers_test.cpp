@@ -35,7 +35,7 @@ x = [0.1234567, 0.3]
 y = [0.2, 0.3]
 [motion.angle]
 x = ["10*deg", "20*deg"]
-y = 1
+y = ["-20*deg", "-10*deg"]
 )";
 
 class ReportNumbers : public testing::Test {
@@ -77,7 +77,9 @@ TEST_F(ReportNumbers, OfAnOpenBoxAreThoseOfTheFileAtItsEnds) {
 }
 
 TEST_F(ReportNumbers, OfAnAngleAreAsManyAsItTakes) {
-  EXPECT_THAT(report_of("angle"), HasSubstr("x in [0.17453292519943295, 0.3490658503988659]\n"));
+  const std::string text = report_of("angle");
+  EXPECT_THAT(text, HasSubstr("x in [0.17453292519943295, 0.3490658503988659]\n"));
+  EXPECT_THAT(text, HasSubstr("y in [-0.3490658503988659, -0.17453292519943295]\n"));
 }
 
 TEST_F(ReportNumbers, DetermineTheWitness) {
