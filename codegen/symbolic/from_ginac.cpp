@@ -54,6 +54,24 @@ Expressions normalized_factors(Expressions factors) {
   return factors;
 }
 
+/// Terms c·(a + b) as c·a and c·b. GiNaC writes them so when it makes a term, but not always when
+/// it puts a sum in the place of a symbol: that changes with addresses, too.
+Expressions distributed(const Expressions& terms) {
+  Expressions result;
+  for (const Expression& term : terms) {
+    const bool is_multiple = term.kind() == Kind::kProduct && term.operands().size() == 2 &&
+                             term.operands()[0].kind() == Kind::kConstant &&
+                             term.operands()[1].kind() == Kind::kSum;
+    if (!is_multiple) {
+      result.push_back(term);
+      continue;
+    }
+    for (const Expression& part : term.operands()[1].operands())
+      result.push_back(product({term.operands()[0], part}));
+  }
+  return result;
+}
+
 /// x^(p/q): square roots where q is a power of two (defined for x ≥ 0), else exp(p/q·log x) (for
 /// x > 0). A p beyond the integers that powers have takes the latter as well, which is defined at
 /// no more points.
@@ -100,7 +118,7 @@ Expression GinacReader::converted(const GiNaC::ex& e) {
     return meaning->second;
   }
   if (e.is_equal(GiNaC::Pi)) return pi();
-  if (GiNaC::is_a<GiNaC::add>(e)) return sum(read_operands(e));
+  if (GiNaC::is_a<GiNaC::add>(e)) return sum(distributed(read_operands(e)));
   if (GiNaC::is_a<GiNaC::mul>(e)) return product(normalized_factors(read_operands(e)));
   if (GiNaC::is_a<GiNaC::power>(e)) return read_power(e);
   if (GiNaC::is_a<GiNaC::function>(e)) return read_function(e);

@@ -67,6 +67,19 @@ TEST(GenerateCommand, WritesTheTextThatExplainShows) {
   EXPECT_EQ(body(read(folder.path() / "generated_kernel.inc")), body(shown.output));
 }
 
+/// Addresses differ from process to process, and with them the order of a library's terms.
+TEST(GenerateCommand, WritesTheSameTextInEveryProcess) {
+  const std::string hexapod = REGULUS_SOURCE_DIR "/models/hexapod_6rus.toml";
+  const auto text = [&hexapod] {
+    return run_command(
+               {REGULUS_BINARY_DIR "/bin/regulus", "explain", hexapod, "orbit", "--stage", "text"})
+        .output;
+  };
+  const std::string first = text();
+  EXPECT_THAT(first, HasSubstr("regulus_kernel"));
+  for (int run = 0; run < 4; ++run) EXPECT_TRUE(text() == first) << "in run " << run;
+}
+
 TEST(GenerateCommand, WritesADependencyFile) {
   const TemporaryDirectory folder;
   const std::string dependencies = (folder.path() / "kernel.d").string();

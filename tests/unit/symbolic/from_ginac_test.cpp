@@ -64,6 +64,13 @@ TEST_F(FromGinac, SignsOfPowersDoNotDependOnTermOrder) {
   EXPECT_EQ(text(pow(6 * y - 4 * x, 2)), "4*(2*x - 3*y)^2");
 }
 
+TEST_F(FromGinac, SumsInThePlaceOfSymbolsAreTermsOfTheSum) {
+  const ex nested = (numeric(20) - x).subs(x == x + y, GiNaC::subs_options::no_pattern);
+  EXPECT_EQ(text(nested), text(20 - x - y));
+  EXPECT_EQ(text((3 - 2 * x).subs(x == x - y)), text(3 - 2 * x + 2 * y));
+  EXPECT_EQ(text(1 + x * (x + y)), "1 + x*(x + y)") << "a product of its own";
+}
+
 TEST_F(FromGinac, RefusesWhatIsNotExact) {
   expect_refused(x * numeric(0.5), "exact rational");
   expect_refused(x * GiNaC::I, "exact rational");
