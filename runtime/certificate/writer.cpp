@@ -145,14 +145,19 @@ void CertificateWriter::on_start(const Problem&, const Settings&) noexcept try {
   failed_ = true;
 }
 
+/// Formatting may want memory, too: a line that is missing for that reason leaves no error behind.
+void CertificateWriter::note_written(int count) noexcept {
+  if (count < 0 && std::ferror(file_.get()) == 0) failed_ = true;
+}
+
 void CertificateWriter::on_split(const OpenBox&, const Split& split) noexcept {
-  std::fprintf(file_.get(), "s %" PRIu64 " %" PRIu32 " %a\n", split.parent, split.variable,
-               split.at);
+  note_written(std::fprintf(file_.get(), "s %" PRIu64 " %" PRIu32 " %a\n", split.parent,
+                            split.variable, split.at));
 }
 
 void CertificateWriter::on_leaf(const OpenBox& box, Rule rule, const Proof&) noexcept {
   ++leaves_;
-  std::fprintf(file_.get(), "l %" PRIu64 " %s\n", box.id, word_of(rule));
+  note_written(std::fprintf(file_.get(), "l %" PRIu64 " %s\n", box.id, word_of(rule)));
 }
 
 void CertificateWriter::write_point(const WitnessPoint& point, const char* sign) {

@@ -66,6 +66,7 @@ class CertificateWriter final : public Observer {
   void write_witness(const Result& result);
   void write_point(const WitnessPoint& point, const char* sign);
   void put(const std::string& text) noexcept;
+  void note_written(int count) noexcept;
   void check(bool done, const char* what) const;
 
   std::string path_, temporary_;

@@ -68,6 +68,7 @@ Checker::Checker(const regulus_kernel& kernel, std::span<const Interval> ranges,
       batch_(kernel, decider_.order()),
       witness_(problem_, settings_, false),
       frontier_(kernel.variables, std::size_t{max_boxes} + kLanes + 1),
+      loop_(*this, frontier_, decider_.bisector(), kernel.variables),
       half_(kernel.variables),
       places_(2 * std::size_t{kernel.variables}) {
   // What is initialised on first use is used here.
@@ -77,22 +78,17 @@ Checker::Checker(const regulus_kernel& kernel, std::span<const Interval> ranges,
 /// Kept out of line, so that no floating-point work moves out of the rounding scope of its caller.
 [[gnu::noinline]] Check Checker::search(std::span<const Interval> piece) noexcept {
   boxes_ = 0;
-  certified_ = false;
+  certified_ = stopped_ = false;
+  check_ = {};
   threshold_ = {};
   witness_.forget();
   load_frontier(piece);
-  Check check;
-  while (!frontier_.empty()) {
-    if (boxes_ == max_boxes_) return stopped_at(Reason::kBoxBudget, frontier_.top().box);
-    load_batch();
-    batch_.budget.threshold = threshold_;
-    decider_.decide(batch_, false);
-    if (!draw_conclusions(check)) return check;
-  }
-  check.verdict = certified_ ? Verdict::kNoSingularity : Verdict::kPossibleProblem;
-  check.reason = certified_ ? Reason::kAllBoxesCertified : Reason::kEmptyVariety;
-  check.boxes = boxes_;
-  return check;
+  loop_.run();
+  if (stopped_) return check_;
+  check_.verdict = certified_ ? Verdict::kNoSingularity : Verdict::kPossibleProblem;
+  check_.reason = certified_ ? Reason::kAllBoxesCertified : Reason::kEmptyVariety;
+  check_.boxes = boxes_;
+  return check_;
 }
 
 Check Checker::check(std::span<const Interval> piece) noexcept {
@@ -124,60 +120,55 @@ void Checker::load_frontier(std::span<const Interval> piece) noexcept {
   }
 }
 
-void Checker::load_batch() noexcept {
+bool Checker::begin_round() noexcept {
+  if (!stopped_ && boxes_ == max_boxes_) stop_at(Reason::kBoxBudget, frontier_.top().box);
+  return !stopped_;
+}
+
+std::size_t Checker::decide_round() noexcept {
   batch_.clear();
   for (; batch_.count() < kLanes && boxes_ < max_boxes_ && !frontier_.empty(); ++boxes_) {
     batch_.add(frontier_.top());
     frontier_.pop();
   }
+  batch_.budget.threshold = threshold_;
+  decider_.decide(batch_, false);  // the search is not exhaustive: nothing is allocated
+  return 1;
 }
 
-/// Whether the search goes on; if not, `check` says why.
-bool Checker::draw_conclusions(Check& check) noexcept {
-  for (std::size_t t = 0; t < batch_.budget.trials; ++t) threshold_.learn(batch_.budget.trial[t]);
-  witness_.look_at_midpoints(batch_);
-  if (witness_.found()) {
-    const std::size_t variables = kernel().variables;
-    for (std::size_t p = 0; p < witness_.points(); ++p)
-      witness_.copy_point(p, {places_.data() + p * variables, variables});
-    check = {Verdict::kSingularity,
-             witness_.reason(),
-             boxes_,
-             {places_.data(), witness_.points() * variables}};
-    return false;
-  }
-  for (std::size_t lane = batch_.count(); lane-- > 0;) {
-    const Decision& decision = batch_.decision[lane];
-    if (decision.kind == Decision::Kind::kSplit) {
-      split(lane);
-    } else if (decision.rule == Rule::kBlocked) {
-      check = stopped_at(decision.reason, batch_.box_of(lane));
-      return false;
-    } else if (decision.rule != Rule::kOutside) {
-      certified_ = true;
-    }
-  }
-  return true;
+bool Checker::conclude(Decisions& batch) noexcept {
+  for (std::size_t t = 0; t < batch.budget.trials; ++t) threshold_.learn(batch.budget.trial[t]);
+  witness_.look_at_midpoints(batch);
+  if (!witness_.found()) return true;
+  const std::size_t variables = kernel().variables;
+  for (std::size_t p = 0; p < witness_.points(); ++p)
+    witness_.copy_point(p, {places_.data() + p * variables, variables});
+  check_ = {Verdict::kSingularity,
+            witness_.reason(),
+            boxes_,
+            {places_.data(), witness_.points() * variables}};
+  stopped_ = true;
+  return false;
 }
 
-Check Checker::stopped_at(Reason reason, std::span<const Interval> box) noexcept {
+void Checker::settle(Decisions& batch, std::size_t lane) noexcept {
+  const Decision& decision = batch.decision[lane];
+  if (decision.rule == Rule::kBlocked)
+    stop_at(decision.reason, batch.box_of(lane));
+  else if (decision.rule != Rule::kOutside)
+    certified_ = true;
+}
+
+/// There is room, in truth: each box evaluated adds one at most to the eight there may be at the
+/// start. Were there none, a box would be left out, and nothing may be claimed.
+void Checker::lose(const OpenBox& first, const OpenBox&) noexcept {
+  stop_at(Reason::kBoxBudget, first.box);
+}
+
+void Checker::stop_at(Reason reason, std::span<const Interval> box) noexcept {
   std::copy(box.begin(), box.end(), places_.begin());
-  return {Verdict::kPossibleProblem, reason, boxes_, {places_.data(), box.size()}};
-}
-
-void Checker::split(std::size_t lane) noexcept {
-  const std::span<Interval> lower = batch_.box_of(lane);
-  const std::uint32_t variable = batch_.decision[lane].variable;
-  const std::uint32_t depth = batch_.open(lane).depth + 1;
-  const Halves halves = *bisect(lower[variable]);
-  std::copy(lower.begin(), lower.end(), half_.begin());
-  lower[variable] = halves.left;
-  half_[variable] = halves.right;
-  const Bisector& bisector = decider_.bisector();
-  // There is room: each box evaluated adds one at most to the eight there may be at the start.
-  static_cast<void>(frontier_.push_halves({0, depth, lower}, bisector.approx_relative_width(lower),
-                                          {0, depth, half_},
-                                          bisector.approx_relative_width(half_)));
+  check_ = {Verdict::kPossibleProblem, reason, boxes_, {places_.data(), box.size()}};
+  stopped_ = true;
 }
 
 }  // namespace regulus

@@ -7,6 +7,7 @@
 
 #include "regulus/interval/interval.hpp"
 #include "regulus/kernel/abi.hpp"
+#include "regulus/search/branch_and_prune.hpp"
 #include "regulus/search/decider.hpp"
 #include "regulus/search/frontier.hpp"
 #include "regulus/search/result.hpp"
@@ -52,10 +53,19 @@ class Checker {
  private:
   [[nodiscard]] Check search(std::span<const Interval> piece) noexcept;
   void load_frontier(std::span<const Interval> piece) noexcept;
-  void load_batch() noexcept;
-  [[nodiscard]] bool draw_conclusions(Check& check) noexcept;
-  [[nodiscard]] Check stopped_at(Reason reason, std::span<const Interval> box) noexcept;
-  void split(std::size_t lane) noexcept;
+  friend class BranchAndPrune<Checker>;
+  [[nodiscard]] bool begin_round() noexcept;
+  [[nodiscard]] std::size_t decide_round() noexcept;
+  [[nodiscard]] Decisions& batch(std::size_t) noexcept { return batch_; }
+  [[nodiscard]] bool conclude(Decisions& batch) noexcept;
+  [[nodiscard]] bool goes_on() const noexcept { return !stopped_; }
+  void give_back(Decisions&) noexcept {}  // every batch is decided
+  void settle(Decisions& batch, std::size_t lane) noexcept;
+  [[nodiscard]] bool splits(const OpenBox&) const noexcept { return true; }
+  [[nodiscard]] BoxId number(const OpenBox&, std::uint32_t, double) const noexcept { return 0; }
+  void lose(const OpenBox& first, const OpenBox& second) noexcept;
+  void end_round() const noexcept {}
+  void stop_at(Reason reason, std::span<const Interval> box) noexcept;
 
   const Problem problem_;
   const Settings settings_;
@@ -65,9 +75,12 @@ class Checker {
   Decisions batch_;
   WitnessSearch witness_;
   Frontier frontier_;
+  BranchAndPrune<Checker> loop_;
   AdaptiveThreshold threshold_;
   std::vector<Interval> half_, places_;
+  Check check_;  ///< the one under way
   unsigned boxes_ = 0;
+  bool stopped_ = false;    ///< check_ is the answer
   bool certified_ = false;  ///< a test vouches for some box that the constraints do not exclude
 };
 

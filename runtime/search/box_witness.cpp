@@ -23,7 +23,7 @@ bool BoxWitness::small_throughout(Batch& batch, std::size_t lane) noexcept {
   return true;
 }
 
-bool BoxWitness::somewhere_in(std::span<const Interval> box) noexcept {
+bool BoxWitness::somewhere_in(std::span<const Interval> box) {
   if (!search_.look_inside(box)) return false;
   witness_ = &search_.witness();
   reason_ = search_.reason();

@@ -15,7 +15,8 @@ class BoxWitness {
 
   /// The box holds two points of opposite signs that are joined within it, or a point with
   /// |det J⁻¹| ≤ α.
-  [[nodiscard]] bool somewhere_in(std::span<const Interval> box) noexcept;
+  /// Errors    std::bad_alloc: nothing is claimed then.
+  [[nodiscard]] bool somewhere_in(std::span<const Interval> box);
 
   /// The last proof, valid until the next call: of small_throughout, one point that is the box.
   [[nodiscard]] const Witness& witness() const noexcept { return *witness_; }

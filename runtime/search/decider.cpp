@@ -63,8 +63,9 @@ Decider::Decider(const Problem& problem, const Settings& settings, const RowStru
 }
 
 /// Steps 5–30 of Algorithm 1.
-void Decider::decide(Decisions& decisions, bool keep_proofs) noexcept {
+void Decider::decide(Decisions& decisions, bool keep_proofs) {
   out_ = &decisions;
+  decisions.forget_attempt();
   batch_.clear();
   for (std::size_t lane = 0; lane < decisions.count(); ++lane) {
     batch_.load(lane, decisions.box_of(lane));
@@ -109,7 +110,7 @@ void Decider::leave(std::size_t lane, Rule rule, std::size_t order) noexcept {
         times_power_of_two(*decision.determinant, -problem_.determinant_exponent);
 }
 
-void Decider::leave_with_witness(std::size_t lane) noexcept {
+void Decider::leave_with_witness(std::size_t lane) {
   leave(lane, Rule::kWitness);
   out_->decision[lane].witness = box_witness_->witness();
   out_->decision[lane].reason = box_witness_->reason();
@@ -124,7 +125,7 @@ LaneMask Decider::at_minimum_width(LaneMask lanes) noexcept {
   return result;
 }
 
-LaneMask Decider::leave_small(LaneMask lanes) noexcept {
+LaneMask Decider::leave_small(LaneMask lanes) {
   LaneMask rest = lanes;
   for_each_lane(lanes, [&](std::size_t lane) {
     if (!box_witness_->small_throughout(batch_, lane)) return;
@@ -190,7 +191,7 @@ void Decider::split_or_block(std::size_t lane, bool hopeless) noexcept {
   block(lane, reason_at_minimum_width(lane));
 }
 
-void Decider::split_or_look_inside(std::size_t lane) noexcept {
+void Decider::split_or_look_inside(std::size_t lane) {
   const std::optional<std::size_t> variable = bisector_.choose(batch_, lane);
   if (variable) return split(lane, *variable);
   if (certified_by_determinant(lane)) return leave(lane, Rule::kDeterminant);

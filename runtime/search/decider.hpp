@@ -22,7 +22,9 @@ class Decider {
   /// unless `keep_proofs`.
   ///
   /// Rounding  to nearest.
-  void decide(Decisions& decisions, bool keep_proofs) noexcept;
+  /// Errors    std::bad_alloc, in an exhaustive search only, which copies witnesses: the batch is
+  ///           then undecided and may be decided again. Other searches allocate nothing.
+  void decide(Decisions& decisions, bool keep_proofs);
 
   [[nodiscard]] const Bisector& bisector() const noexcept { return bisector_; }
   /// Entries of v.
@@ -30,15 +32,15 @@ class Decider {
 
  private:
   void leave(std::size_t lane, Rule rule, std::size_t order = 0) noexcept;
-  void leave_with_witness(std::size_t lane) noexcept;
+  void leave_with_witness(std::size_t lane);
   [[nodiscard]] LaneMask leave_outside(LaneMask lanes) noexcept;
   [[nodiscard]] LaneMask leave_certified(LaneMask lanes) noexcept;
   [[nodiscard]] LaneMask leave_by_closed_form(LaneMask lanes) noexcept;
-  [[nodiscard]] LaneMask leave_small(LaneMask lanes) noexcept;
+  [[nodiscard]] LaneMask leave_small(LaneMask lanes);
   [[nodiscard]] LaneMask at_minimum_width(LaneMask lanes) noexcept;
   [[nodiscard]] std::size_t vector_order(Rule rule) const noexcept;
   void split_or_block(std::size_t lane, bool hopeless) noexcept;
-  void split_or_look_inside(std::size_t lane) noexcept;
+  void split_or_look_inside(std::size_t lane);
   void split(std::size_t lane, std::size_t variable) noexcept;
   void block(std::size_t lane, Reason reason) noexcept;
   void load_center(std::size_t lane, std::size_t thin_variables, std::size_t center) noexcept;

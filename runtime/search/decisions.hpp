@@ -52,8 +52,14 @@ class Decisions {
 
   void clear() noexcept {
     count_ = 0;
-    decided = false;
     budget = {};
+    forget_attempt();
+  }
+  /// The boxes stay, and the threshold of their budget.
+  void forget_attempt() noexcept {
+    decided = false;
+    budget.anyway = 0;
+    budget.trials = 0;
     midpoint_determinants.lanes = 0;
     probes = 0;
   }

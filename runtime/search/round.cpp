@@ -88,9 +88,12 @@ bool Round::must_stop() const noexcept {
          Clock::now() >= deadline_;
 }
 
-void Round::decide(Decider& decider, std::size_t index) noexcept {
+/// Without memory the batch stays undecided, in whichever thread that happens.
+void Round::decide(Decider& decider, std::size_t index) noexcept try {
   const RoundingScope scope(REGULUS_ROUND_NEAREST);
   if (index == 0 || !must_stop()) decider.decide(batch(index), size_ > 1);
+} catch (const std::bad_alloc&) {
+  memory_exhausted_.store(true, std::memory_order_relaxed);
 }
 
 void Round::decide_in_parallel() {
@@ -103,15 +106,18 @@ void Round::decide_in_parallel() {
       size_, [this](std::size_t thread, std::size_t index) { decide(*deciders_[thread], index); });
 }
 
-void Round::decide(const AdaptiveThreshold& threshold) noexcept {
+bool Round::decide(const AdaptiveThreshold& threshold) noexcept {
   for (std::size_t i = 0; i < size_; ++i) batch(i).budget.threshold = threshold;
   // Without the means for more threads one does the work.
   if (thread_count_ > 1 && size_ > 1) try {
       decide_in_parallel();
     } catch (const std::exception&) {
     }
+  // One thread alone may find the memory that several together did not.
+  memory_exhausted_ = false;
   for (std::size_t i = 0; i < size_; ++i)
     if (!batch(i).decided) decide(*deciders_.front(), i);
+  return !memory_exhausted_;
 }
 
 }  // namespace regulus

@@ -6,6 +6,7 @@
 // everything a search does is the same for any number of threads.
 #pragma once
 
+#include <atomic>
 #include <chrono>
 #include <memory>
 #include <vector>
@@ -31,7 +32,9 @@ class Round {
   [[nodiscard]] Decisions& batch(std::size_t index) noexcept { return *batches_[index]; }
 
   /// Decides every batch that has boxes.
-  void decide(const AdaptiveThreshold& threshold) noexcept;
+  ///
+  /// Ensures   false: memory was exhausted, and some batches are left as they are.
+  [[nodiscard]] bool decide(const AdaptiveThreshold& threshold) noexcept;
 
   [[nodiscard]] const Bisector& bisector() const noexcept { return deciders_.front()->bisector(); }
 
@@ -49,6 +52,7 @@ class Round {
   std::vector<std::unique_ptr<Decider>> deciders_;  ///< one a thread; the first is the caller's
   std::vector<std::unique_ptr<Decisions>> batches_;
   std::size_t size_ = 0;
+  std::atomic<bool> memory_exhausted_ = false;
   std::unique_ptr<Threads> threads_;  ///< made when first needed
 };
 

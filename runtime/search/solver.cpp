@@ -6,16 +6,16 @@
 // search then goes on for a while, widest boxes first, since SINGULARITY may still be shown.
 // An exhaustive search goes through all boxes, and looks for a singularity inside each that
 // remains.
-#include "regulus/search/solver.hpp"
-
 #include <algorithm>
 #include <chrono>
+#include <utility>
 
-#include "regulus/kernel/rounding_scope.hpp"
+#include "regulus/search/branch_and_prune.hpp"
 #include "regulus/search/conclusion.hpp"
 #include "regulus/search/frontier.hpp"
 #include "regulus/search/headway.hpp"
 #include "regulus/search/round.hpp"
+#include "regulus/search/run_search.hpp"
 #include "regulus/search/witness_search.hpp"
 
 namespace regulus {
@@ -44,13 +44,26 @@ class Search {
         round_(problem, settings, structure_, deadline()),
         witness_(problem, settings, !settings.exhaustive),
         frontier_(problem.kernel->variables),
-        half_(problem.kernel->variables),
+        loop_(*this, frontier_, round_.bisector(), problem.kernel->variables),
         top_when_stopped_(problem.kernel->variables) {}
 
   Result run(std::span<const OpenBox> open, const SearchState& state);
 
  private:
-  void loop() noexcept;
+  friend class BranchAndPrune<Search>;
+  [[nodiscard]] bool begin_round() noexcept;
+  [[nodiscard]] std::size_t decide_round() noexcept;
+  [[nodiscard]] Decisions& batch(std::size_t index) noexcept { return round_.batch(index); }
+  [[nodiscard]] bool conclude(Decisions& batch) noexcept;
+  [[nodiscard]] bool goes_on() const noexcept { return !witness_.found(); }
+  void give_back(Decisions& batch) noexcept;
+  void settle(Decisions& batch, std::size_t lane) noexcept;
+  [[nodiscard]] bool splits(const OpenBox& box) noexcept;
+  [[nodiscard]] BoxId number(const OpenBox& parent, std::uint32_t variable, double at) noexcept;
+  void lose(const OpenBox& first, const OpenBox& second) noexcept;
+  void end_round() noexcept;
+
+  void stop_at_undecided_batch() noexcept;
   [[nodiscard]] bool must_stop() noexcept;
   [[nodiscard]] std::uint64_t batches_of_round() const noexcept;
   [[nodiscard]] bool has_budget_for_round() const noexcept;
@@ -60,16 +73,11 @@ class Search {
 
   void load_round() noexcept;
   void load(Decisions& batch) noexcept;
-  void give_back(Decisions& batch) noexcept;
-  void close_leaves(Decisions& batch) noexcept;
   void leave(const Decisions& batch, std::size_t lane) noexcept;
   void look_for_witness(Decisions& batch) noexcept;
-  void split_rest(Decisions& batch) noexcept;
-  void split(Decisions& batch, std::size_t lane) noexcept;
   void block(Decisions& batch, std::size_t lane) noexcept;
   void pause() noexcept;
   void count_up() noexcept;
-  void report_open() noexcept;
   [[nodiscard]] Result conclude();
 
   [[nodiscard]] Clock::time_point deadline() const noexcept;
@@ -86,8 +94,9 @@ class Search {
   Round round_;
   WitnessSearch witness_;
   Frontier frontier_;
+  BranchAndPrune<Search> loop_;
   SearchState state_;
-  std::vector<Interval> half_, top_when_stopped_;
+  std::vector<Interval> top_when_stopped_;
   bool stopped_ = false;
   bool exhausted_ = false;  ///< stopped by a budget or from outside, not by a verdict
   std::optional<Reason> stopped_by_;
@@ -121,30 +130,38 @@ Result Search::run(std::span<const OpenBox> open, const SearchState& state) {
   for (std::size_t k = open.size(); k-- > 0;)
     if (!frontier_.push_top(open[k], round_.bisector().approx_relative_width(open[k].box)))
       stop_at_open_box(Reason::kMemory);
-  loop();
+  loop_.run();
   if (exhausted_) {
     if (stopped_by_ != Reason::kMemory) pause();
-    report_open();
+    for (; !frontier_.empty(); frontier_.pop()) observer_.on_open(frontier_.top());
   }
   Result result = conclude();
   observer_.on_finish(result);
   return result;
 }
 
-/// What follows from the batches of a round is drawn in two passes, so that a singularity met in
-/// any of them ends the search before boxes are split; undecided boxes are split last to first, so
-/// that the first ends on top again.
-void Search::loop() noexcept {
-  while (!frontier_.empty() && !stopped_) {
-    if (must_stop()) return;
-    make_closed_form();
-    load_round();
-    round_.decide(state_.threshold);
-    for (std::size_t i = 0; i < round_.size() && !stopped_; ++i) close_leaves(round_.batch(i));
-    for (std::size_t i = round_.size(); i-- > 0 && !witness_.found();) split_rest(round_.batch(i));
-    observer_.on_progress(state_.statistics, frontier_.size());
-    if (!stopped_ && !frontier_.empty() && observer_.wants_pause()) pause();
+bool Search::begin_round() noexcept { return !stopped_ && !must_stop(); }
+
+std::size_t Search::decide_round() noexcept {
+  make_closed_form();
+  load_round();
+  if (!round_.decide(state_.threshold)) stop_at_undecided_batch();
+  return round_.size();
+}
+
+/// Memory is exhausted. What the other batches led to counts; these boxes are given back.
+void Search::stop_at_undecided_batch() noexcept {
+  stop_at_open_box(Reason::kMemory);
+  for (std::size_t i = round_.size(); i-- > 0;) {
+    if (round_.batch(i).decided) continue;
+    const std::span<const Interval> box = round_.batch(i).box_of(0);
+    std::copy(box.begin(), box.end(), top_when_stopped_.begin());
   }
+}
+
+void Search::end_round() noexcept {
+  observer_.on_progress(state_.statistics, frontier_.size());
+  if (!stopped_ && !frontier_.empty() && observer_.wants_pause()) pause();
 }
 
 void Search::pause() noexcept {
@@ -206,9 +223,8 @@ std::uint64_t Search::batches_of_round() const noexcept {
 /// A budget ends a search between two rounds, never within one: the boxes that a round takes
 /// decide which come next, so that a search that goes on later takes those of one without a stop.
 bool Search::has_budget_for_round() const noexcept {
-  const std::uint64_t boxes = state_.statistics.boxes;
-  const std::uint64_t next =
-      std::min<std::uint64_t>(batches_of_round() * settings_.batch, frontier_.size());
+  const std::uint64_t boxes = state_.statistics.boxes, size = frontier_.size();
+  const std::uint64_t next = std::min(batches_of_round() * settings_.batch, size);
   return boxes <= settings_.max_boxes && next <= settings_.max_boxes - boxes;
 }
 
@@ -243,23 +259,25 @@ void Search::give_back(Decisions& batch) noexcept {
   }
 }
 
-void Search::close_leaves(Decisions& batch) noexcept {
-  if (!batch.decided) return;
+bool Search::conclude(Decisions& batch) noexcept {
+  if (!batch.decided) return true;
   for (std::size_t t = 0; t < batch.budget.trials; ++t)
     state_.threshold.learn(batch.budget.trial[t]);
   probes_in_boxes_ += batch.probes;
   for (std::size_t lane = 0; lane < batch.count(); ++lane) {
-    const Decision& decision = batch.decision[lane];
+    Decision& decision = batch.decision[lane];
     if (decision.kind != Decision::Kind::kLeaf || decision.rule == Rule::kBlocked) continue;
     if (decision.rule == Rule::kFilter) ++state_.filter_boxes[decision.filter];
-    if (decision.witness && !state_.witness)
-      state_.witness_reason = decision.reason, state_.witness = decision.witness;
     leave(batch, lane);
+    // Moved, which needs no memory: nobody asks the batch for it any more.
+    if (decision.witness && !state_.witness)
+      state_.witness_reason = decision.reason, state_.witness = std::move(decision.witness);
   }
-  if (settings_.exhaustive) return;
+  if (settings_.exhaustive) return true;
   witness_.look_at_midpoints(batch);
   look_for_witness(batch);
-  stopped_ = witness_.found();
+  stopped_ = stopped_ || witness_.found();
+  return !witness_.found();
 }
 
 void Search::leave(const Decisions& batch, std::size_t lane) noexcept {
@@ -289,36 +307,26 @@ void Search::look_for_witness(Decisions& batch) noexcept {
   witness_.descend(batch.open(lane).box);
 }
 
-void Search::split_rest(Decisions& batch) noexcept {
-  if (!batch.decided) return give_back(batch);
-  for (std::size_t lane = batch.count(); lane-- > 0 && !witness_.found();) {
-    const Decision& decision = batch.decision[lane];
-    if (decision.kind == Decision::Kind::kSplit)
-      exhausted_ ? observer_.on_open(batch.open(lane)) : split(batch, lane);
-    else if (decision.rule == Rule::kBlocked)
-      block(batch, lane);
-  }
+bool Search::splits(const OpenBox& box) noexcept {
+  if (exhausted_) observer_.on_open(box);
+  return !exhausted_;
 }
 
-void Search::split(Decisions& batch, std::size_t lane) noexcept {
-  const OpenBox& parent = batch.open(lane);
-  const std::uint32_t variable = batch.decision[lane].variable;
-  const std::span<Interval> lower = batch.box_of(lane);
-  const Halves halves = *bisect(lower[variable]);
-  observer_.on_split(parent, {parent.id, variable, halves.left.hi, state_.next_id});
-  std::copy(lower.begin(), lower.end(), half_.begin());
-  lower[variable] = halves.left;
-  half_[variable] = halves.right;
-  const OpenBox first{state_.next_id, parent.depth + 1, lower};
-  const OpenBox second{state_.next_id + 1, parent.depth + 1, half_};
+BoxId Search::number(const OpenBox& parent, std::uint32_t variable, double at) noexcept {
+  const BoxId first = state_.next_id;
+  observer_.on_split(parent, {parent.id, variable, at, first});
   state_.next_id += 2;
-  const Bisector& bisector = round_.bisector();
-  if (!frontier_.push_halves(first, bisector.approx_relative_width(first.box), second,
-                             bisector.approx_relative_width(second.box))) {
-    stop_at_open_box(Reason::kMemory);
-    observer_.on_open(first);
-    observer_.on_open(second);
-  }
+  return first;
+}
+
+void Search::lose(const OpenBox& first, const OpenBox& second) noexcept {
+  stop_at_open_box(Reason::kMemory);
+  observer_.on_open(first);
+  observer_.on_open(second);
+}
+
+void Search::settle(Decisions& batch, std::size_t lane) noexcept {
+  if (batch.decision[lane].rule == Rule::kBlocked) block(batch, lane);
 }
 
 void Search::block(Decisions& batch, std::size_t lane) noexcept {
@@ -337,11 +345,6 @@ void Search::block(Decisions& batch, std::size_t lane) noexcept {
   if (!looking_for_witness() || blocked > kMaxDescentsFromBlocked) return;
   witness_.descend(box);
   stopped_ = stopped_ || witness_.found();
-}
-
-/// The frontier is emptied: the search is over.
-void Search::report_open() noexcept {
-  for (; !frontier_.empty(); frontier_.pop()) observer_.on_open(frontier_.top());
 }
 
 Result Search::conclude() {
@@ -371,43 +374,11 @@ Result Search::conclude() {
   return result;
 }
 
-/// Kept out of line, so that no floating-point work moves out of the rounding scope of its caller.
-[[gnu::noinline]] Result search(const Problem& problem, const Settings& settings,
-                                std::span<const OpenBox> open, const SearchState& state,
-                                Observer* observer) {
-  return Search(problem, settings, observer).run(open, state);
-}
-
-Result faulty(const Settings& settings) {
-  Result result;
-  result.method = settings.method;
-  result.reason = Reason::kBadProblem;
-  return result;
-}
-
-/// Uncertain quantities that are kept whole have their whole range in every box.
-bool keeps_ranges(const Problem& problem, const Settings& settings, const OpenBox& open) noexcept {
-  if (open.box.size() != problem.outer.size()) return false;
-  if (settings.uncertainty == Uncertainty::kVariables) return true;
-  const std::size_t first = problem.kernel->motion_variables;
-  return std::equal(open.box.begin() + static_cast<std::ptrdiff_t>(first), open.box.end(),
-                    problem.outer.begin() + static_cast<std::ptrdiff_t>(first));
-}
-
 }  // namespace
 
-Result resume(const Problem& problem, const Settings& settings, std::span<const OpenBox> open,
-              const SearchState& state, Observer* observer) {
-  if (find_fault(problem, settings)) return faulty(settings);
-  for (const OpenBox& box : open)
-    if (!keeps_ranges(problem, settings, box)) return faulty(settings);
-  const RoundingScope scope(REGULUS_ROUND_NEAREST);
-  return search(problem, settings, open, state, observer);
-}
-
-Result solve(const Problem& problem, const Settings& settings, Observer* observer) {
-  const OpenBox root{0, 0, problem.outer};
-  return resume(problem, settings, {&root, 1}, {}, observer);
+Result run_search(const Problem& problem, const Settings& settings, std::span<const OpenBox> open,
+                  const SearchState& state, Observer* observer) {
+  return Search(problem, settings, observer).run(open, state);
 }
 
 }  // namespace regulus

@@ -32,7 +32,8 @@ WitnessSearch::WitnessSearch(const Problem& problem, const Settings& settings, b
       box_(variables_),
       current_(variables_),
       middle_(variables_) {
-  for (Candidate* candidate : {&positive_, &negative_, &small_, &nearest_})
+  for (Candidate* candidate :
+       {&positive_, &negative_, &small_, &nearest_, &far_positive_, &far_negative_})
     candidate->point.resize(variables_);
   witness_.points.reserve(2);
 }

@@ -52,7 +52,8 @@ class WitnessSearch {
   bool look_inside(std::span<const Interval> box) noexcept;
 
   /// The proof, complete with poses, valid until the next search. Requires found().
-  [[nodiscard]] const Witness& witness() noexcept;
+  /// Errors    std::bad_alloc: the proof may be asked for again.
+  [[nodiscard]] const Witness& witness();
 
   /// How many points the proof has, and where one of them lies. Requires found(); n entries.
   [[nodiscard]] std::size_t points() const noexcept {
@@ -92,9 +93,9 @@ class WitnessSearch {
   void approach_nearest(Candidate& side) noexcept;
 
   bool step(std::span<const Interval> box, std::size_t first, double sign, double& best) noexcept;
-  void report(WitnessPoint& into, const Candidate& candidate) noexcept;
+  void report(WitnessPoint& into, const Candidate& candidate);
   [[nodiscard]] const Candidate& closest_to_zero() const noexcept;
-  void copy_pose(const std::vector<Interval>& point, std::vector<Interval>& pose) noexcept;
+  void copy_pose(const std::vector<Interval>& point, std::vector<Interval>& pose);
 
   const Problem& problem_;
   DeterminantOracle* oracle_;
@@ -108,7 +109,8 @@ class WitnessSearch {
   AlignedBuffer pose_;
   std::vector<Interval> box_;
   Candidate positive_, negative_, small_;
-  Candidate nearest_;  ///< between the two, where the sign could not be told
+  Candidate nearest_;                      ///< between the two, where the sign could not be told
+  Candidate far_positive_, far_negative_;  ///< the two before closing in
   std::vector<double> current_, middle_;
   std::uint64_t probes_ = 0;
   bool small_known_ = false, small_fresh_ = false;

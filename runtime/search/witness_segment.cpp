@@ -65,8 +65,9 @@ bool WitnessSearch::find_middle(const Candidate& a, const Candidate& b) noexcept
 /// a middle whose sign cannot. Each shorter pair is a proof of its own: its signs are certified,
 /// and so is its segment.
 void WitnessSearch::close_in() noexcept {
-  const Candidate far_positive = positive_;
-  const Candidate far_negative = negative_;
+  // Points of the same length: no memory is needed.
+  far_positive_ = positive_;
+  far_negative_ = negative_;
   nearest_.determinant = kEntire;
   for (int step = 0; step < kMaxCloseIn && find_middle(positive_, negative_); ++step) {
     const std::optional<Interval> determinant = certify_point(middle_, false);
@@ -81,8 +82,8 @@ void WitnessSearch::close_in() noexcept {
     break;
   }
   if (certain_segment(positive_.point, negative_.point)) return;
-  positive_ = far_positive;
-  negative_ = far_negative;
+  positive_ = far_positive_;
+  negative_ = far_negative_;
 }
 
 /// Halves the way to nearest_ as long as the sign is certainly the same.
@@ -102,8 +103,7 @@ const WitnessSearch::Candidate& WitnessSearch::closest_to_zero() const noexcept 
   return closer(nearest_, closer(positive_, negative_));
 }
 
-void WitnessSearch::copy_pose(const std::vector<Interval>& point,
-                              std::vector<Interval>& pose) noexcept {
+void WitnessSearch::copy_pose(const std::vector<Interval>& point, std::vector<Interval>& pose) {
   pose.clear();
   if (problem_.kernel->pose == nullptr) return;
   points_.clear();
@@ -114,7 +114,7 @@ void WitnessSearch::copy_pose(const std::vector<Interval>& point,
     pose.push_back({pose_[lower_at(k, 0)], pose_[upper_at(k, 0)]});
 }
 
-void WitnessSearch::report(WitnessPoint& into, const Candidate& candidate) noexcept {
+void WitnessSearch::report(WitnessPoint& into, const Candidate& candidate) {
   into.variables.clear();
   for (std::size_t k = 0; k < variables_; ++k)
     into.variables.push_back(within_inner(k, candidate.point[k]));
@@ -132,7 +132,7 @@ void WitnessSearch::copy_point(std::size_t index, std::span<Interval> variables)
 }
 
 /// Fills the same vectors each time: they grow once.
-const Witness& WitnessSearch::witness() noexcept {
+const Witness& WitnessSearch::witness() {
   const bool small = reason_ == Reason::kSmallDeterminant;
   witness_.points.resize(small ? 1 : 2);
   report(witness_.points[0], small ? small_ : positive_);

@@ -74,9 +74,9 @@ void check(Random& random, const RandomMatrix& kernel, Method method, Widths& wi
       for (const Interval& range : boxes[lane])
         x.emplace_back(test::member(random, range.lo, range.hi));
       const std::vector<Exact> values =
-          exact_product(kernel.entries(x), sharpened.preconditioner(), lane, n, form.side);
+          exact_product(kernel.entries(x), sharpened.preconditioner().data(), lane, n, form.side);
       for (std::size_t e = 0; e < n * n; ++e)
-        ASSERT_TRUE(test::holds({narrow[lower_at(e, lane)], narrow[upper_at(e, lane)]}, values[e]))
+        ASSERT_TRUE(test::holds({narrow.lower(e, lane), narrow.upper(e, lane)}, values[e]))
             << name(method) << " entry " << e;
     }
   });

@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <limits>
+#include <type_traits>
 #include <vector>
 
 #include "support/lane_arrays.hpp"
@@ -25,6 +26,22 @@ LaneMask certify(const std::vector<double>& entries, std::size_t n) {
   const std::vector<double> P = in_every_lane(entries);
   std::vector<double> v(n * kLanes);
   return certain_h_matrix(points(P, n), points(v));
+}
+
+/// Whether a call of certain_contraction with arguments of these types compiles.
+template <typename First, typename Second>
+constexpr bool kIsContractionOf = std::is_invocable_v<decltype(certain_contraction), First, Second>;
+
+TEST(HMatrix, ArgumentsInTheWrongPlaceDoNotCompile) {
+  static_assert(kIsContractionOf<ConstPointMatrix, ConstPointVector>);
+  static_assert(kIsContractionOf<PointMatrix, PointVector>);
+  static_assert(!kIsContractionOf<ConstPointVector, ConstPointMatrix>);
+  static_assert(!kIsContractionOf<ConstIntervalMatrix, ConstPointVector>);
+  static_assert(!kIsContractionOf<const double*, const double*>);
+  using Distance = decltype(distance_to_identity_ru);
+  static_assert(std::is_invocable_v<Distance, ConstIntervalMatrix, PointMatrix>);
+  static_assert(!std::is_invocable_v<Distance, ConstIntervalMatrix, ConstPointMatrix>);
+  static_assert(!std::is_invocable_v<Distance, PointMatrix, IntervalMatrix>);
 }
 
 TEST(HMatrix, CertifiesUpToSpectralRadiusOne) {

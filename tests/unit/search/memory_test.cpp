@@ -1,0 +1,124 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// A search that runs out of memory says so. The kernel is a plain function, so that only the search
+// asks for memory.
+#include <gtest/gtest.h>
+
+#include <atomic>
+#include <cstdlib>
+#include <new>
+
+#include "regulus/search/solver.hpp"
+#include "unit/embedded/static_kernel.hpp"
+
+namespace {
+
+/// How many more allocations succeed; negative: all.
+std::atomic<long> allocations_left = -1;
+std::atomic<bool> refused = false;
+/// Only one is refused.
+std::atomic<bool> once = false;
+
+}  // namespace
+
+void* operator new(std::size_t size) {
+  const long left = allocations_left.load();
+  if (left > 0) allocations_left = left - 1;
+  if (left == 0) {
+    refused = true;
+    if (once) allocations_left = -1;
+    throw std::bad_alloc();
+  }
+  if (void* memory = std::malloc(size == 0 ? 1 : size)) return memory;
+  throw std::bad_alloc();
+}
+void operator delete(void* memory) noexcept { std::free(memory); }
+void operator delete(void* memory, std::size_t) noexcept { std::free(memory); }
+
+namespace regulus {
+namespace {
+
+/// Refuses one allocation, or that and all that follow.
+enum class Shortage { kOnce, kForGood };
+
+class ShortOfMemory final : public Observer {
+ public:
+  ShortOfMemory(long allocations, Shortage shortage) : allocations_(allocations) {
+    refused = false;
+    once = shortage == Shortage::kOnce;
+  }
+  ShortOfMemory(const ShortOfMemory&) = delete;
+  ShortOfMemory& operator=(const ShortOfMemory&) = delete;
+  ~ShortOfMemory() override { allocations_left = -1; }
+
+  void on_start(const Problem&, const Settings&) noexcept override {
+    allocations_left = allocations_;
+  }
+  void on_open(const OpenBox&) noexcept override { ++open_; }
+  void on_finish(const Result&) noexcept override { allocations_left = -1; }
+
+  [[nodiscard]] std::size_t open() const noexcept { return open_; }
+
+ private:
+  long allocations_;
+  std::size_t open_ = 0;
+};
+
+/// det A = x + u vanishes in the middle of the ranges.
+Problem singular_line(const regulus_kernel& kernel) {
+  Problem problem;
+  problem.kernel = &kernel;
+  problem.outer = {{-1, 1}, {0, 1}, {-0x1p-8, 0x1p-8}};
+  problem.inner.assign(problem.outer.begin(), problem.outer.end());
+  return problem;
+}
+
+Settings paving() {
+  Settings settings;
+  settings.exhaustive = true;
+  settings.min_relative_width = 0x1p-4;
+  settings.threads = 1;
+  return settings;
+}
+
+TEST(Memory, ASearchThatRunsOutOfItEndsWithThatReason) {
+  const double r = 0;
+  const regulus_kernel kernel = test::static_kernel(test::line_matrix, 1, &r);
+  const Problem problem = singular_line(kernel);
+  const Settings settings = paving();
+  std::size_t reported = 0;
+  for (const Shortage shortage : {Shortage::kOnce, Shortage::kForGood})
+    for (long allocations = 0; allocations < 10000; ++allocations) {
+      ShortOfMemory memory(allocations, shortage);
+      try {
+        const Result result = solve(problem, settings, &memory);
+        EXPECT_NE(result.verdict, Verdict::kNoSingularity);
+        if (result.stopped_by == Reason::kMemory) {
+          ++reported;
+          EXPECT_GT(memory.open(), 0U);
+        }
+      } catch (const std::bad_alloc&) {  // by what comes before or after the search
+      }
+      if (!refused) break;
+    }
+  EXPECT_GT(reported, 0U);
+}
+
+TEST(Memory, SearchesForAWitnessNeedNoneOnTheWay) {
+  const double r = 0;
+  const regulus_kernel kernel = test::static_kernel(test::line_matrix, 1, &r);
+  const Problem problem = singular_line(kernel);
+  Settings settings;
+  settings.threads = 1;
+  for (long allocations = 0; allocations < 10000; ++allocations) {
+    ShortOfMemory memory(allocations, Shortage::kForGood);
+    try {
+      EXPECT_NE(solve(problem, settings, &memory).verdict, Verdict::kNoSingularity);
+    } catch (const std::bad_alloc&) {
+    }
+    if (!refused) return;
+  }
+  FAIL() << "the search never ended";
+}
+
+}  // namespace
+}  // namespace regulus
