@@ -76,14 +76,14 @@ install(FILES ${PROJECT_BINARY_DIR}/package/regulus-runtime.pc
 
 if(REGULUS_CODEGEN)
   # The libraries of this machine that are in no standard folder, LLVM's above all.
-  set_target_properties(regulus regulus-verify regulus_reader_plugin regulus_clang_plugin
+  set_target_properties(regulus regulus-verify regulus_pack_plugin regulus_clang_plugin
                         PROPERTIES INSTALL_RPATH_USE_LINK_PATH TRUE)
   install(TARGETS regulus EXPORT Regulus_command
           RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR} COMPONENT codegen)
   install(TARGETS regulus-verify RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR} COMPONENT codegen)
   install(EXPORT Regulus_command NAMESPACE Regulus:: FILE Regulus_command.cmake
           DESTINATION ${package_dir} COMPONENT codegen)
-  install(TARGETS regulus_reader_plugin regulus_clang_plugin
+  install(TARGETS regulus_pack_plugin regulus_clang_plugin
           LIBRARY DESTINATION ${plugin_dir} COMPONENT jit)
   install(DIRECTORY ${PROJECT_SOURCE_DIR}/models DESTINATION ${CMAKE_INSTALL_DATADIR}/regulus
           COMPONENT codegen FILES_MATCHING PATTERN "*.toml")

@@ -11,11 +11,12 @@
 #include <cerrno>
 #include <csignal>
 #include <cstring>
+#include <utility>
 
 namespace regulus::codegen {
 namespace {
 
-// The first letter of the answer; the key of the object, or the reason, follows.
+// The first letter of the answer; a reason follows.
 constexpr char kCompiled = 'k';
 constexpr char kFailed = 'f';
 
@@ -38,24 +39,24 @@ void detach() noexcept {
   for (const int stream : {STDIN_FILENO, STDOUT_FILENO, STDERR_FILENO}) ::dup2(nothing, stream);
 }
 
-std::string compile(const EmittedKernel& text, const CompileOptions& options,
-                    const std::function<void(const std::string&)>& after) try {
+std::string compile(const machine::PackKernel& program, const CompileOptions& options,
+                    const std::function<void()>& after) try {
   if (const auto fault = rounding_self_test(options))
     return kFailed + ("the rounding self-test failed: " + *fault);
-  const CompiledKernel kernel = compile_kernel(text, options);
-  after(kernel.report().object_key);
-  return kCompiled + kernel.report().object_key;
+  static_cast<void>(compile_kernel(program, options));
+  after();
+  return {kCompiled};
 } catch (const std::exception& error) {
   return kFailed + std::string(error.what());
 }
 
 /// Never returns to what belongs to the process that it was made from: no destructor runs, and what
 /// cannot be said for want of memory is an end without an answer.
-[[noreturn]] void answer_and_exit(int to, const EmittedKernel& text, const CompileOptions& options,
-                                  const std::function<void(const std::string&)>& after) noexcept
-    try {
+[[noreturn]] void answer_and_exit(int to, const machine::PackKernel& program,
+                                  const CompileOptions& options,
+                                  const std::function<void()>& after) noexcept try {
   detach();
-  const std::string answer = compile(text, options, after);
+  const std::string answer = compile(program, options, after);
   std::size_t done = 0;
   while (done < answer.size()) {
     const ssize_t count = ::write(to, answer.data() + done, answer.size() - done);
@@ -70,20 +71,20 @@ std::string compile(const EmittedKernel& text, const CompileOptions& options,
 
 }  // namespace
 
-BackgroundCompilation::BackgroundCompilation(const EmittedKernel& text,
+BackgroundCompilation::BackgroundCompilation(std::shared_ptr<const machine::PackKernel> program,
                                              const CompileOptions& options,
-                                             const std::function<void(const std::string&)>& after)
-    : kernel_(name_of(text)),
-      cache_directory_(options.cache_directory.empty() ? default_cache_directory()
-                                                       : options.cache_directory) {
-  lock_ = FileDescriptor(::open(cache_directory_.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC));
+                                             const std::function<void()>& after)
+    : program_(std::move(program)), options_(options) {
+  if (options_.cache_directory.empty()) options_.cache_directory = default_cache_directory();
+  lock_ =
+      FileDescriptor(::open(options_.cache_directory.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC));
   std::array<int, 2> ends{};
   if (::pipe2(ends.data(), O_CLOEXEC) != 0)
     throw NoCompiler(std::string("no pipe to the compiler: ") + std::strerror(errno));
   answer_ = FileDescriptor(ends[0]);
   const FileDescriptor to(ends[1]);
   process_ = ::fork();
-  if (process_ == 0) answer_and_exit(to.get(), text, options, after);
+  if (process_ == 0) answer_and_exit(to.get(), *program_, options, after);
   if (process_ < 0)
     throw NoCompiler(std::string("no process for the compiler: ") + std::strerror(errno));
 }
@@ -121,7 +122,7 @@ std::optional<CompiledKernel> BackgroundCompilation::take() {
     failure_ = words;
     return std::nullopt;
   }
-  auto kernel = load_cached_kernel(ObjectCache(cache_directory_), words, kernel_);
+  auto kernel = find_cached_kernel(*program_, options_);
   if (!kernel) failure_ = "the cache does not have it";
   return kernel;
 }

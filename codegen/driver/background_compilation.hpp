@@ -4,10 +4,10 @@
 #include <sys/types.h>
 
 #include <functional>
+#include <memory>
 #include <optional>
 #include <string>
 
-#include "regulus/codegen/emit/emitted_kernel.hpp"
 #include "regulus/codegen/jit/file_descriptor.hpp"
 #include "regulus/codegen/jit/jit.hpp"
 
@@ -21,7 +21,7 @@ namespace regulus::codegen {
 /// or a script that asks one short question after the other would fill the machine with compilers.
 class BackgroundCompilation {
  public:
-  /// `after` runs in the other process, once the cache has the object: with its key.
+  /// `after` runs in the other process, once the cache has all parts.
   ///
   /// Requires  every other thread of this process is known to hold no lock at this moment, of
   /// malloc,
@@ -33,8 +33,8 @@ class BackgroundCompilation {
   /// Ensures   the other process takes the signals that end a process, whatever this one does with
   ///           them.
   /// Throws    NoCompiler when the system has no process for it.
-  BackgroundCompilation(const EmittedKernel& text, const CompileOptions& options,
-                        const std::function<void(const std::string&)>& after);
+  BackgroundCompilation(std::shared_ptr<const machine::PackKernel> program,
+                        const CompileOptions& options, const std::function<void()>& after);
   BackgroundCompilation(const BackgroundCompilation&) = delete;
   BackgroundCompilation& operator=(const BackgroundCompilation&) = delete;
   /// Does not wait. The other process goes on unless another such is under way for this cache.
@@ -50,8 +50,8 @@ class BackgroundCompilation {
  private:
   [[nodiscard]] bool answered();
 
-  KernelName kernel_;
-  std::filesystem::path cache_directory_;
+  std::shared_ptr<const machine::PackKernel> program_;
+  CompileOptions options_;
   FileDescriptor answer_;
   /// Of the cache directory, opened before the fork and so held by both: a lock that this process
   /// takes lasts until the other one ends.

@@ -3,13 +3,13 @@
 #pragma once
 
 #include <functional>
+#include <memory>
 #include <optional>
 #include <string>
 
 #include "regulus/codegen/driver/background_compilation.hpp"
 #include "regulus/codegen/driver/loaded_kernel.hpp"
 #include "regulus/codegen/driver/switching_kernel.hpp"
-#include "regulus/codegen/pack/select.hpp"
 #include "regulus/machine/machine_kernel.hpp"
 #include "regulus/search/observer.hpp"
 
@@ -20,11 +20,11 @@ namespace regulus::codegen {
 class EngineSwitch : public LoadedKernel, public Observer {
  public:
   /// See BackgroundCompilation.
-  EngineSwitch(const Module& module, const EmittedKernel& text, const CompileOptions& options,
-               const std::function<void(const std::string&)>& after)
-      : interpreted_(select(module), options.isa),
+  EngineSwitch(const std::shared_ptr<const machine::PackKernel>& program,
+               const CompileOptions& options, const std::function<void()>& after)
+      : interpreted_(*program, options.isa),
         kernel_(*interpreted_.get()),
-        compilation_(text, options, after) {}
+        compilation_(program, options, after) {}
 
   [[nodiscard]] const regulus_kernel& functions() const noexcept override {
     return kernel_.functions();

@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "regulus/codegen/generate/generate_command.hpp"
-#include "regulus/codegen/jit/compiled_parts.hpp"
+#include "regulus/codegen/jit/part_store.hpp"
 #include "regulus/codegen/model/request.hpp"
 #include "regulus/codegen/symbolic/formulation.hpp"
 
@@ -41,7 +41,7 @@ struct SearchOptions {
   double time_limit = 0;                               ///< seconds, 0: no bound
   std::uint64_t symbolic_budget = kDeterminantBudget;  ///< terms of a closed form
   long precision = 1024;                               ///< most bits where doubles cannot decide
-  CompiledParts* parts = nullptr;                      ///< of kernels compiled before
+  PartStore* parts = nullptr;                          ///< of kernels compiled before
   /// Engine::kAuto: the compiler may run in a process that is forked. Not where the program has
   /// threads of which nothing is known: a lock that one of them holds stays locked in the fork.
   bool may_fork = true;

@@ -29,18 +29,11 @@ class CompiledCode : public LoadedKernel {
 
 class InterpretedList : public LoadedKernel {
  public:
-  InterpretedList(const Module& module, Isa isa, const FormingWatch& watch)
-      : kernel_(select(module, kOperationsPerPart, &watch), isa) {}
+  InterpretedList(const machine::PackKernel& program, Isa isa) : kernel_(program, isa) {}
   const regulus_kernel& functions() const noexcept override { return *kernel_.get(); }
 
  private:
   machine::MachineKernel kernel_;
-};
-
-/// What the cache calls a kernel; empty if it has none.
-struct KernelPlace {
-  std::string object_key;
-  KernelName name;
 };
 
 Isa chosen_isa(const SearchOptions& search) {
@@ -61,7 +54,7 @@ void require_sound_rounding(const std::optional<std::string>& failure) {
   if (failure) throw InternalError("the rounding self-test failed: " + *failure);
 }
 
-/// Without the names of model and motion: the text then depends on what is computed alone, and
+/// Without the names of model and motion: the program then depends on what is computed alone, and
 /// motions of the same expressions share one entry of the cache.
 Module anonymous(Module module) {
   module.model.clear();
@@ -74,50 +67,50 @@ void interpret(Preparation& p, const SearchOptions& search) {
   p.isa = chosen_isa(search);
   require_sound_rounding(self_test(p.isa));
   p.cache = "off";
-  p.kernel = std::make_unique<InterpretedList>(p.stages->module(), p.isa, p.stages->watch());
+  p.kernel = std::make_unique<InterpretedList>(
+      select(p.stages->module(), kOperationsPerPart, &p.stages->watch()), p.isa);
   p.seconds.compile += watch.lap();
 }
 
 void use(CompiledKernel code, Preparation& p) {
   p.cache = code.cache();
   p.cache_note = code.cache_note();
-  p.functions = {code.report().functions_compiled, code.report().functions_known};
+  p.parts = code.report().parts;
   p.kernel = std::make_unique<CompiledCode>(std::move(code));
 }
 
-/// Is told where the cache has a kernel.
-using Keep = std::function<void(const KernelPlace&)>;
+using Program = std::shared_ptr<const machine::PackKernel>;
 
-void compile(const EmittedKernel& text, Preparation& p, const SearchOptions& search,
+/// Receives the program of a kernel once the cache has its parts.
+using Keep = std::function<void(const machine::PackKernel&)>;
+
+void compile(const Program& program, Preparation& p, const SearchOptions& search,
              const Keep& keep) {
   const CompileOptions options = compile_options(p.isa, search);
   require_sound_rounding(rounding_self_test(options));
-  CompiledKernel code = compile_kernel(text, options);
-  keep({code.report().object_key, name_of(text)});
+  CompiledKernel code = compile_kernel(*program, options);
+  if (code.report().cache != CacheUse::kOff) keep(*program);
   use(std::move(code), p);
 }
 
 /// Has the kernel compiled while it is interpreted, unless the cache has it. Without a cache the
 /// compiler's work would be lost whenever the search is done first: then it is waited for.
-void compile_meanwhile(const EmittedKernel& text, Preparation& p, const SearchOptions& search,
+void compile_meanwhile(const Program& program, Preparation& p, const SearchOptions& search,
                        const Keep& keep) {
+  const CompileOptions options = compile_options(p.isa, search);
   const ObjectCache cache(default_cache_directory());
-  if (!search.use_cache || !cache.refusal().empty() ||
-      load_cached_kernel(cache, kernel_object_key(text, p.isa), name_of(text)))
-    return compile(text, p, search, keep);
-  auto kernel = std::make_unique<EngineSwitch>(
-      p.stages->module(), text, compile_options(p.isa, search), [&](const std::string& object_key) {
-        keep({object_key, name_of(text)});
-      });
+  if (!search.use_cache || !cache.refusal().empty() || find_cached_kernel(*program, options))
+    return compile(program, p, search, keep);
+  auto kernel = std::make_unique<EngineSwitch>(program, options, [&] { keep(*program); });
   p.cache = name(CacheUse::kMiss);
   p.engine_switch = kernel.get();
   p.kernel = std::move(kernel);
 }
 
 /// The interpreter needs no compiler, and none is no reason to have no answer.
-void compile_if_possible(const EmittedKernel& text, Preparation& p, const SearchOptions& search,
+void compile_if_possible(const Program& program, Preparation& p, const SearchOptions& search,
                          const Keep& keep) try {
-  search.may_fork ? compile_meanwhile(text, p, search, keep) : compile(text, p, search, keep);
+  search.may_fork ? compile_meanwhile(program, p, search, keep) : compile(program, p, search, keep);
 } catch (const NoCompiler& error) {
   interpret(p, search);
   p.no_compiler = error.what();
@@ -126,12 +119,13 @@ void compile_if_possible(const EmittedKernel& text, Preparation& p, const Search
 void compile(Preparation& p, const SearchOptions& search, const Keep& keep) {
   Stopwatch watch;
   p.isa = chosen_isa(search);
-  const EmittedKernel text = emit(anonymous(p.stages->module()), {}, &p.stages->watch());
+  const auto program = std::make_shared<const machine::PackKernel>(
+      select(anonymous(p.stages->module()), kOperationsPerPart, &p.stages->watch()));
   p.seconds.emit += watch.lap();
   if (search.engine == Engine::kAuto)
-    compile_if_possible(text, p, search, keep);
+    compile_if_possible(program, p, search, keep);
   else
-    compile(text, p, search, keep);
+    compile(program, p, search, keep);
   p.seconds.compile += watch.lap();
 }
 
@@ -252,9 +246,8 @@ Preparation prepare(const ModelOptions& model, const SearchOptions& search, Form
     p.stages->watch({});
     return p;
   }
-  prepare_anew(p, search, [&](const KernelPlace& kernel) {
-    if (cache && !kernel.object_key.empty())
-      cache->keep({p.subject, p.variety, p.matrix, kernel.object_key, kernel.name});
+  prepare_anew(p, search, [&](const machine::PackKernel& program) {
+    if (cache) cache->keep({p.subject, p.variety, p.matrix, {}}, program);
   });
   if (cache && p.cache_note.empty()) p.cache_note = cache->note();
   return p;
@@ -268,7 +261,7 @@ Preparation prepare(Request request, double model_seconds, const SearchOptions& 
   p.stages->watch(within_time_limit(std::move(forming), search));
   SearchOptions compiled = search;
   compiled.may_fork = false;
-  prepare_anew(p, compiled, [](const KernelPlace&) {});
+  prepare_anew(p, compiled, [](const machine::PackKernel&) {});
   return p;
 }
 

@@ -51,12 +51,12 @@ struct Preparation {
   EngineSwitch* engine_switch = nullptr;  ///< the kernel, if that may change during the search
   std::vector<FilterFile> filters;        ///< in the order of Settings::filters
   Isa isa = Isa::kPortable;
-  std::string cache;               ///< "hit", "miss" or "off"
-  std::string no_compiler;         ///< why the interpreter was left; empty if it was not
-  std::string cache_note;          ///< why the cache could not be used; empty if it could
-  CompiledParts::Count functions;  ///< of the kernel, with SearchOptions::parts
-  EngineBoxes engine_boxes;        ///< of the last search
-  long bits = 53;                  ///< the most that the search computed with
+  std::string cache;         ///< "hit", "miss" or "off"
+  std::string no_compiler;   ///< why the interpreter was left; empty if it was not
+  std::string cache_note;    ///< why the cache could not be used; empty if it could
+  PartCount parts;           ///< of the kernel, with SearchOptions::parts
+  EngineBoxes engine_boxes;  ///< of the last search
+  long bits = 53;            ///< the most that the search computed with
   /// Without what `stages` has spent, which may still be going to be more.
   StageSeconds seconds;
   std::unique_ptr<SymbolicStages> stages;

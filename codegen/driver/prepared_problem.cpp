@@ -16,7 +16,7 @@ namespace {
 using Json = nlohmann::json;
 
 /// To be raised when the text of a prepared problem means something else.
-constexpr int kFormat = 3;
+constexpr int kFormat = 4;
 
 // In these three the names between the brackets are all members there are: one more does not
 // compile until it is in the key.
@@ -212,9 +212,7 @@ std::string prepared_problem_key(std::string_view model_text, const ModelOptions
 std::string to_text(const PreparedProblem& problem) {
   Json json = json_of(problem.subject);
   json["format"] = kFormat;
-  json["object"] = problem.object_key;
-  json["symbol"] = problem.kernel.symbol;
-  json["identity"] = problem.kernel.identity;
+  json["program"] = problem.program_key;
   json["alpha"] = json_of(problem.variety.alpha);
   json["matrix"] = problem.matrix ? json_of(*problem.matrix) : Json(nullptr);
   Json& variables = json["variables"] = Json::array();
@@ -228,9 +226,8 @@ std::optional<PreparedProblem> read_prepared_problem(std::string_view text) try 
   const Json json = Json::parse(text);
   PreparedProblem problem;
   problem.subject = subject_of(json);
-  problem.object_key = json.at("object");
-  problem.kernel = {json.at("symbol"), json.at("identity")};
-  if (json.at("format") != kFormat || !is_key(problem.object_key)) return std::nullopt;
+  problem.program_key = json.at("program");
+  if (json.at("format") != kFormat || !is_key(problem.program_key)) return std::nullopt;
   problem.variety.alpha = interval_of(json.at("alpha"));
   for (const Json& variable : json.at("variables")) read_variable(variable, problem);
   if (!json.at("matrix").is_null()) problem.matrix = program_of(json.at("matrix"));

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// A problem as the symbolic stage leaves it, kept in the cache beside the object of its kernel: a
-// later run of the same program on the same question then starts with the search.
+// A problem as the symbolic stage leaves it, kept in the cache beside the pack program and the
+// parts of its kernel: a later run of the same program on the same question then starts with the
+// search.
 #pragma once
 
 #include <optional>
@@ -21,8 +22,7 @@ struct PreparedProblem {
   Subject subject;
   Variety variety;
   std::optional<BallProgram> matrix;  ///< of a square one
-  std::string object_key;             ///< of the kernel's object in the cache
-  KernelName kernel;                  ///< in the object
+  std::string program_key;            ///< of the kernel's pack program in the cache
 };
 
 /// The name of a prepared problem in the cache.

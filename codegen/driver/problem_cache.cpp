@@ -2,12 +2,15 @@
 #include "regulus/codegen/driver/problem_cache.hpp"
 
 #include "regulus/codegen/driver/program_identity.hpp"
+#include "regulus/codegen/model/sha256.hpp"
+#include "regulus/machine/pack_file.hpp"
 
 namespace regulus::codegen {
 
 ProblemCache::ProblemCache(std::string_view model_text, const ModelOptions& model,
                            const FormulationOptions& functions, Isa isa)
     : cache_(default_cache_directory()),
+      isa_(isa),
       key_(prepared_problem_key(model_text, model, functions, isa, program_identity(),
                                 compiler_identity())) {}
 
@@ -17,14 +20,21 @@ std::optional<ProblemCache::Found> ProblemCache::find() {
   if (!entry.object) return std::nullopt;
   std::optional<PreparedProblem> problem = read_prepared_problem(*entry.object);
   if (!problem) return std::nullopt;
-  std::optional<CompiledKernel> kernel =
-      load_cached_kernel(cache_, problem->object_key, problem->kernel);
+  const ObjectCache::Entry bytes = cache_.read(problem->program_key);
+  if (!bytes.object || sha256(*bytes.object) != problem->program_key) return std::nullopt;
+  const std::optional<machine::PackKernel> program = machine::read_pack_kernel(*bytes.object);
+  if (!program) return std::nullopt;
+  CompileOptions options;
+  options.isa = isa_;
+  std::optional<CompiledKernel> kernel = find_cached_kernel(*program, options);
   if (!kernel || !fits(*problem, *kernel->kernel())) return std::nullopt;
   return Found{std::move(*problem), std::move(*kernel)};
 }
 
-void ProblemCache::keep(const PreparedProblem& problem) const {
-  static_cast<void>(cache_.write(key_, to_text(problem)));
+void ProblemCache::keep(PreparedProblem problem, const machine::PackKernel& program) const {
+  const std::string bytes = machine::to_bytes(program);
+  problem.program_key = sha256(bytes);
+  static_cast<void>(cache_.write({{problem.program_key, bytes}, {key_, to_text(problem)}}));
 }
 
 }  // namespace regulus::codegen

@@ -21,16 +21,17 @@ class ProblemCache {
     PreparedProblem problem;
     CompiledKernel kernel;
   };
-  /// nullopt also when the object of the kernel is gone.
+  /// nullopt also when a part of the kernel is gone.
   [[nodiscard]] std::optional<Found> find();
   /// Why an entry that is there was not used; empty if that did not happen.
   [[nodiscard]] const std::string& note() const noexcept { return note_; }
 
   /// A problem that cannot be kept is prepared again the next time.
-  void keep(const PreparedProblem& problem) const;
+  void keep(PreparedProblem problem, const machine::PackKernel& program) const;
 
  private:
   ObjectCache cache_;
+  Isa isa_;
   std::string key_;
   std::string note_;
 };

@@ -9,7 +9,7 @@
 #include <exception>
 #include <string_view>
 
-#include "regulus/codegen/jit/clang_compiler.hpp"
+#include "regulus/codegen/jit/plugin.hpp"
 
 namespace regulus::codegen {
 namespace {

@@ -244,15 +244,15 @@ int ShellSession::prepare_again() {
   adopt(line);
   const Preparation p = prepare(line.check->model, line.check->search);
   const StageSeconds spent = p.seconds_spent();
-  const std::size_t functions = p.functions.compiled + p.functions.known;
-  const std::string kernel = p.cache == "hit" ? "unchanged or known"
-                             : functions == 0 ? "interpreted"
-                                              : fmt::format("{} of {} functions compiled",
-                                                            p.functions.compiled, functions);
+  const std::size_t functions = p.parts.compiled + p.parts.known;
+  const std::string kernel =
+      p.cache == "hit" ? "unchanged or known"
+      : functions == 0 ? "interpreted"
+                       : fmt::format("{} of {} functions compiled", p.parts.compiled, functions);
   say(time_line(spent) + "kernel     " + kernel, Json{{"seconds", json_seconds(spent)},
                                                       {"cache", p.cache},
                                                       {"functions", functions},
-                                                      {"compiled", p.functions.compiled}}
+                                                      {"compiled", p.parts.compiled}}
                                                      .dump());
   return 0;
 }

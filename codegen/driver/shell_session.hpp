@@ -10,7 +10,7 @@
 #include "regulus/codegen/driver/options.hpp"
 #include "regulus/codegen/driver/pipeline.hpp"
 #include "regulus/codegen/driver/shell_completion.hpp"
-#include "regulus/codegen/jit/compiled_parts.hpp"
+#include "regulus/codegen/jit/part_store.hpp"
 #include "regulus/codegen/model/model.hpp"
 
 namespace regulus::codegen {
@@ -75,8 +75,8 @@ class ShellSession {
   bool ended_ = false;
   bool keep_going_ = false;
   Asked asked_;
-  std::string draft_;    ///< an edited text that is no model yet; else empty
-  CompiledParts parts_;  ///< of the kernels of this session
+  std::string draft_;  ///< an edited text that is no model yet; else empty
+  PartStore parts_;    ///< of the kernels of this session
   Words history_;
 
   struct Entry;

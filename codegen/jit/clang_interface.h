@@ -6,7 +6,7 @@
 #include <stddef.h>
 
 /// Changes with every incompatible change of this file; the loader refuses another number.
-enum { REGULUS_CLANG_INTERFACE = 4 };
+enum { REGULUS_CLANG_INTERFACE = 5 };
 
 /// Bytes with a length; `data` is also followed by a zero.
 typedef struct regulus_bytes {
@@ -37,7 +37,7 @@ typedef struct regulus_clang_seconds {
 typedef struct regulus_clang_sink {
   void* state;
   void (*object)(void* state,
-                 regulus_bytes object);  ///< on success, once or, by a reader, more often
+                 regulus_bytes object);  ///< on success, once or, of parts, once for each
   void (*diagnostics)(void* state, regulus_bytes diagnostics);  ///< at most once, never empty
   void (*seconds)(void* state, regulus_clang_seconds seconds);  ///< once, on success
 } regulus_clang_sink;
@@ -52,20 +52,16 @@ typedef int (*regulus_clang_interface_function)(void);
 typedef int (*regulus_clang_compile_function)(const regulus_clang_request* request,
                                               const regulus_clang_sink* sink);
 
-/// The text of a kernel, and the name of the instruction set that it is for.
-typedef struct regulus_reader_request {
-  regulus_bytes text;
+/// Parts of pack programs (part.hpp), and the name of the instruction set that they are for.
+typedef struct regulus_parts_request {
+  const regulus_bytes* parts;
+  size_t part_count;
   regulus_bytes isa;
-  int for_others;              ///< other kernels are to use the objects, too, all but the last
-  const regulus_bytes* known;  ///< symbols that need not be defined again, with for_others
-  size_t known_count;
-} regulus_reader_request;
+} regulus_parts_request;
 
-enum { REGULUS_READER_DONE = 0, REGULUS_READER_FAILED = 1, REGULUS_READER_OUTSIDE = 2 };
+#define REGULUS_PARTS_COMPILE_SYMBOL "regulus_parts_compile"
 
-#define REGULUS_READER_COMPILE_SYMBOL "regulus_reader_compile"
-
-/// Compiles what is written in the part of C++ that emitted kernels use; nothing but the text and
-/// the arithmetic of packs enters. Otherwise REGULUS_READER_OUTSIDE, and the diagnostics say why.
-typedef int (*regulus_reader_compile_function)(const regulus_reader_request* request,
-                                               const regulus_clang_sink* sink);
+/// Compiles each part to an object of its own; the sink gets them in their order. Returns 0 on
+/// success.
+typedef int (*regulus_parts_compile_function)(const regulus_parts_request* request,
+                                              const regulus_clang_sink* sink);

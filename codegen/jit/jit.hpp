@@ -1,19 +1,22 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// C++ text of a kernel → machine code in this process, kept in a cache between runs.
+// A kernel's pack program, or its C++ text, → machine code in this process, kept in a cache between
+// runs. Any number of threads may compile at once.
 #pragma once
 
 #include <filesystem>
+#include <memory>
 #include <optional>
 #include <string>
 #include <string_view>
 #include <utility>
 
 #include "regulus/codegen/emit/emitted_kernel.hpp"
-#include "regulus/codegen/jit/compiled_parts.hpp"
 #include "regulus/codegen/jit/machine_code.hpp"
 #include "regulus/codegen/jit/object_cache.hpp"
+#include "regulus/codegen/jit/part_store.hpp"
 #include "regulus/kernel/abi.hpp"
 #include "regulus/kernel/isa.hpp"
+#include "regulus/machine/pack_program.hpp"
 
 namespace regulus::codegen {
 
@@ -21,7 +24,7 @@ struct CompileOptions {
   Isa isa = Isa::kPortable;
   bool use_cache = true;
   std::filesystem::path cache_directory;  ///< empty: default_cache_directory()
-  CompiledParts* parts = nullptr;         ///< what need not be compiled again, and gets more
+  PartStore* parts = nullptr;             ///< of pack programs: what is known, and gets more
 };
 
 /// Compiles a text, or takes what an earlier run made of the same text.
@@ -36,63 +39,62 @@ struct CompileOptions {
 /// Throws    CompileError, std::bad_alloc.
 [[nodiscard]] MachineCode compile_text(std::string_view text, const CompileOptions& options);
 
-/// What the table of a kernel must be called, and say. An object of another kernel is no use, even
-/// one that the cache has under the right key.
-struct KernelName {
-  std::string symbol;
-  std::string identity;  ///< regulus_kernel::identity; empty: that of nothing that was emitted
-};
-[[nodiscard]] KernelName name_of(const EmittedKernel& emitted);
-
 /// A kernel in memory as long as one copy of this object lives.
 class CompiledKernel {
  public:
+  /// Requires  `owner` keeps the kernel.
+  CompiledKernel(std::shared_ptr<const void> owner, const regulus_kernel* kernel,
+                 CompileReport report) noexcept
+      : owner_(std::move(owner)), kernel_(kernel), report_(std::move(report)) {}
+
   [[nodiscard]] const regulus_kernel* kernel() const noexcept { return kernel_; }
-  [[nodiscard]] const CompileReport& report() const noexcept { return code_.report(); }
-  [[nodiscard]] std::string_view cache() const noexcept { return name(report().cache); }
-  [[nodiscard]] const std::string& cache_note() const noexcept { return report().cache_note; }
+  [[nodiscard]] const CompileReport& report() const noexcept { return report_; }
+  [[nodiscard]] std::string_view cache() const noexcept { return name(report_.cache); }
+  [[nodiscard]] const std::string& cache_note() const noexcept { return report_.cache_note; }
 
  private:
-  friend CompiledKernel compile_kernel(const EmittedKernel&, const CompileOptions&);
-  friend std::optional<CompiledKernel> load_cached_kernel(const ObjectCache&, const std::string&,
-                                                          const KernelName&);
-  CompiledKernel(MachineCode code, const regulus_kernel* kernel) noexcept
-      : code_(std::move(code)), kernel_(kernel) {}
-
-  /// Null unless the code has that kernel, of this ABI.
-  [[nodiscard]] static const regulus_kernel* find(const MachineCode& code, const KernelName& name);
-
-  MachineCode code_;
+  std::shared_ptr<const void> owner_;
   const regulus_kernel* kernel_;
+  CompileReport report_;
 };
 
-/// compile_text for an emitted kernel.
+/// Compiles the parts of a pack program that neither options.parts nor the cache has. Each part is
+/// kept by itself, so that other kernels may use it.
+///
+/// Requires  a processor with options.isa, to run what comes out.
+/// Ensures   as MachineKernel of the same program, to the bit. A cache that cannot be used, or an
+///           entry that is damaged, costs time and nothing else. The caller's floating-point
+///           environment is kept.
+/// Rounding  the flags of regulus/floating_point_flags.hpp, as for ahead-of-time code.
+/// Throws    CompileError; std::invalid_argument for a program that find_fault objects to;
+///           std::bad_alloc.
+[[nodiscard]] CompiledKernel compile_kernel(const machine::PackKernel& program,
+                                            const CompileOptions& options);
+
+/// The same if nothing has to be compiled; nullopt otherwise.
+///
+/// Throws    std::invalid_argument, std::bad_alloc.
+[[nodiscard]] std::optional<CompiledKernel> find_cached_kernel(const machine::PackKernel& program,
+                                                               const CompileOptions& options);
+
+/// compile_text for an emitted kernel: the reference of what is made of its pack program.
 ///
 /// Ensures   kernel() is not null and of this ABI.
 /// Throws    CompileError, also when the text does not define such a kernel; std::bad_alloc.
 [[nodiscard]] CompiledKernel compile_kernel(const EmittedKernel& emitted,
                                             const CompileOptions& options);
 
-/// What the cache calls the object of a kernel.
-[[nodiscard]] std::string kernel_object_key(const EmittedKernel& emitted, Isa isa);
-
-/// The kernel that an earlier run compiled, by the key that its report gave; nullopt when the cache
-/// has it no longer, or nothing that can be used.
-///
-/// Requires  the object of that key was compiled for an instruction set that this processor has.
-/// Throws    std::bad_alloc.
-[[nodiscard]] std::optional<CompiledKernel> load_cached_kernel(const ObjectCache& cache,
-                                                               const std::string& key,
-                                                               const KernelName& name);
-
-/// Changes when the compiler is exchanged, see ClangCompiler::identity.
+/// Changes when a compiler is exchanged.
 [[nodiscard]] std::string compiler_identity();
 
-/// Compiles and runs the rounding self-test of regulus/kernel/self_test.hpp.
+/// Compiles the pack program of the rounding self-test of regulus/kernel/self_test.hpp and runs it.
 ///
 /// Requires  supported(options.isa).
 /// Ensures   nullopt when code compiled with these options rounds outward; otherwise what it
-/// computed. Throws    CompileError, std::bad_alloc.
+///           computed.
+/// Throws    CompileError, std::bad_alloc.
 [[nodiscard]] std::optional<std::string> rounding_self_test(const CompileOptions& options);
+/// The same of the C++ text of the self-test, compiled by Clang.
+[[nodiscard]] std::optional<std::string> text_rounding_self_test(const CompileOptions& options);
 
 }  // namespace regulus::codegen

@@ -7,7 +7,6 @@
 #include <string>
 #include <string_view>
 #include <utility>
-#include <vector>
 
 #include "regulus/codegen/jit/object_loader.hpp"
 
@@ -19,13 +18,16 @@ enum class CacheUse { kHit, kMiss, kOff };
 /// "hit", "miss", "off".
 [[nodiscard]] std::string_view name(CacheUse use) noexcept;
 
+/// How many parts of a pack program had to be compiled, and how many an earlier kernel had.
+struct PartCount {
+  std::size_t compiled = 0, known = 0;
+};
+
 struct CompileReport {
   CacheUse cache = CacheUse::kOff;
-  std::string cache_note;  ///< what is wrong with the cache or was with the entry; else empty
-  std::string not_read;    ///< why the text took a C++ compiler; empty for an emitted kernel
-  std::string object_key;  ///< the name of the object in the cache; empty if that is off
-  std::size_t functions_compiled = 0;  ///< with CompileOptions::parts
-  std::size_t functions_known = 0;
+  std::string cache_note;    ///< what is wrong with the cache or was with the entry; else empty
+  std::string object_key;    ///< of a text: what the cache calls its object; empty if that is off
+  PartCount parts;           ///< of a pack program
   double cache_seconds = 0;  ///< making the key, reading, writing
   double open_compiler_seconds = 0;
   double front_end_seconds = 0;
@@ -60,22 +62,23 @@ class NoCompiler : public CompileError {
 /// The code of one text, in memory as long as one copy of this object lives.
 class MachineCode {
  public:
-  MachineCode(std::vector<LoadedObject> objects, CompileReport report)
-      : objects_(std::make_shared<const std::vector<LoadedObject>>(std::move(objects))),
+  MachineCode(LoadedObject object, CompileReport report)
+      : object_(std::make_shared<const LoadedObject>(std::move(object))),
         report_(std::move(report)) {}
 
   /// The address of an extern "C" function or variable of at least `size` bytes; null if the text
   /// defines none.
   [[nodiscard]] void* symbol(std::string_view name, std::size_t size = 1) const noexcept {
-    for (const LoadedObject& object : *objects_)
-      if (void* found = object.find(name, size)) return found;
-    return nullptr;
+    return object_->find(name, size);
   }
 
   [[nodiscard]] const CompileReport& report() const noexcept { return report_; }
+  [[nodiscard]] const std::shared_ptr<const LoadedObject>& object() const noexcept {
+    return object_;
+  }
 
  private:
-  std::shared_ptr<const std::vector<LoadedObject>> objects_;
+  std::shared_ptr<const LoadedObject> object_;
   CompileReport report_;
 };
 

@@ -12,6 +12,7 @@
 #include <ctime>
 #include <memory>
 #include <random>
+#include <set>
 #include <span>
 #include <vector>
 
@@ -99,7 +100,7 @@ void remove_abandoned(int directory) {
     if (file.used < now - kTemporaryLifetime) ::unlinkat(directory, file.name.c_str(), 0);
 }
 
-void evict_down_to(int directory, std::uint64_t limit, const std::string& kept) {
+void evict_down_to(int directory, std::uint64_t limit, const std::set<std::string>& kept) {
   auto files = list_files(directory, kEntrySuffix);
   std::uint64_t total = 0;
   for (const DirectoryFile& file : files) total += file.size;
@@ -107,7 +108,7 @@ void evict_down_to(int directory, std::uint64_t limit, const std::string& kept) 
   std::ranges::sort(files, {}, &DirectoryFile::used);
   for (const DirectoryFile& file : files) {
     if (total <= limit) return;
-    if (file.name == kept) continue;
+    if (kept.contains(file.name)) continue;
     if (::unlinkat(directory, file.name.c_str(), 0) == 0) total -= file.size;
   }
 }
@@ -137,7 +138,27 @@ ObjectCache::Entry ObjectCache::read(std::string_view key) const {
 }
 
 std::string ObjectCache::write(std::string_view key, std::string_view object) const {
+  return write({{key, object}});
+}
+
+std::string ObjectCache::write(const std::vector<NamedObject>& objects) const {
   if (!directory_.descriptor) return refusal();
+  std::set<std::string> written;
+  std::string reason;
+  for (const NamedObject& object : objects) {
+    reason = write_entry(object);
+    if (!reason.empty()) break;  // the next one would hardly fare better
+    written.insert(entry_name(object.key));
+  }
+  if (written.empty()) return reason;
+  remove_abandoned(directory_.descriptor.get());
+  evict_down_to(directory_.descriptor.get(), limit_, written);
+  return reason;
+}
+
+/// Without waiting for the disk: an entry that a crash has left half written is a damaged one.
+std::string ObjectCache::write_entry(const NamedObject& named) const {
+  const auto [key, object] = named;
   const int directory = directory_.descriptor.get();
   const CacheEntryHeader header = make_cache_entry_header(key, object);
   if (sizeof header + object.size() > limit_) return "the object is larger than the whole cache";
@@ -148,15 +169,13 @@ std::string ObjectCache::write(std::string_view key, std::string_view object) co
   if (!file) return "cache entry cannot be created: " + std::string(std::strerror(errno));
   const bool written =
       write_all(file.get(), {reinterpret_cast<const char*>(&header), sizeof header}) &&
-      write_all(file.get(), object) && ::fsync(file.get()) == 0 &&
+      write_all(file.get(), object) &&
       ::renameat(directory, temporary.c_str(), directory, name.c_str()) == 0;
   if (!written) {
     const std::string reason = std::strerror(errno);
     ::unlinkat(directory, temporary.c_str(), 0);
     return "cache entry cannot be written: " + reason;
   }
-  remove_abandoned(directory);
-  evict_down_to(directory, limit_, name);
   return {};
 }
 

@@ -7,6 +7,7 @@
 #include <optional>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "regulus/codegen/jit/cache_directory.hpp"
 
@@ -42,7 +43,15 @@ class ObjectCache {
   /// Requires  key is 64 hexadecimal digits.
   std::string write(std::string_view key, std::string_view object) const;
 
+  struct NamedObject {
+    std::string_view key, object;
+  };
+  /// The same for several; looks once for what has become too much.
+  std::string write(const std::vector<NamedObject>& objects) const;
+
  private:
+  [[nodiscard]] std::string write_entry(const NamedObject& object) const;
+
   CacheDirectory directory_;
   std::uint64_t limit_;
 };

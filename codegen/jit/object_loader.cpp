@@ -83,8 +83,6 @@ class Linker {
     switch (r.type) {
       case R_X86_64_64:
         return write(offset, value_of(symbol) + addend);
-      case R_X86_64_32S:
-        return write_signed(offset, value_of(symbol) + addend);
       case R_X86_64_PC32:
         return write_signed(offset, value_of(symbol) + addend - here);
       case R_X86_64_PLT32: {
@@ -132,6 +130,16 @@ class Linker {
   std::span<const ExternalSymbol> externals_;
 };
 
+/// Whether the object is the same wherever it is.
+bool is_free_of_addresses(const ElfObject& object) {
+  for (const ElfSection& section : object.sections)
+    for (const ElfRelocation& r : section.relocations)
+      if ((r.type != R_X86_64_PC32 && r.type != R_X86_64_PLT32) ||
+          object.symbols[r.symbol].section == SHN_UNDEF)
+        return false;
+  return true;
+}
+
 bool is_exported(const ElfSymbol& symbol) noexcept {
   return symbol.section != SHN_UNDEF && !symbol.name.empty() &&
          (symbol.binding == STB_GLOBAL || symbol.binding == STB_WEAK);
@@ -167,8 +175,23 @@ LoadedObject load_object(std::span<const std::byte> bytes,
   return LoadedObject(std::move(mapping), std::move(symbols));
 }
 
-void LoadedObject::add_symbols_to(std::vector<ExternalSymbol>& externals) const {
-  for (const auto& [name, symbol] : symbols_) externals.push_back({name, symbol.address});
+std::string flat_code(std::span<const std::byte> bytes, std::string_view entry,
+                      std::size_t alignment) {
+  const ElfObject object = read_elf_object(bytes);
+  const ObjectLayout layout = lay_out(object, alignment);
+  if (!is_free_of_addresses(object) || layout.begin[kVariables] != layout.size())
+    throw LoadError("object: a part that needs more than itself");
+  for (const ElfSection& section : object.sections)
+    if (section.is_loaded() && section.alignment > alignment)
+      throw LoadError("object: a part of too large an alignment");
+  std::string code(layout.size(), '\0');
+  auto* memory = reinterpret_cast<std::byte*>(code.data());
+  const Linker linker(object, layout, memory, {});
+  linker.link();
+  const auto found = std::ranges::find(object.symbols, entry, &ElfSymbol::name);
+  if (found == object.symbols.end() || linker.address_of(*found) != memory)
+    throw LoadError("object: a part that does not begin with its function");
+  return code;
 }
 
 void* LoadedObject::find(std::string_view name, std::size_t size) const noexcept {

@@ -31,9 +31,6 @@ class LoadedObject {
   /// The address of a global symbol with at least `size` bytes behind it; null if there is none.
   [[nodiscard]] void* find(std::string_view name, std::size_t size = 1) const noexcept;
 
-  /// What it exports, for objects that are loaded after it. The names live as long as this one.
-  void add_symbols_to(std::vector<ExternalSymbol>& externals) const;
-
   [[nodiscard]] std::size_t mapped_size() const noexcept { return mapping_.size(); }
 
  private:
@@ -61,5 +58,14 @@ class LoadedObject {
 ///           `externals` does not have. std::bad_alloc.
 [[nodiscard]] LoadedObject load_object(std::span<const std::byte> object,
                                        std::span<const ExternalSymbol> externals);
+
+/// The code and constants of an object one after the other, good at every address that is a
+/// multiple of `alignment`.
+///
+/// Ensures   the function `entry` is at the first byte.
+/// Throws    LoadError for bytes that are no such object: for whatever needs an address of the
+///           process, for variables, and for an alignment that is larger.
+[[nodiscard]] std::string flat_code(std::span<const std::byte> object, std::string_view entry,
+                                    std::size_t alignment);
 
 }  // namespace regulus::codegen

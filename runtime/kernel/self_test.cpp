@@ -130,11 +130,11 @@ regulus_function compiled_ahead_of_time([[maybe_unused]] Isa isa) {
 
 }  // namespace
 
-std::optional<std::string> check_self_test_as_is(regulus_function function) {
+std::optional<std::string> check_self_test_as_is(regulus_function function, const void* context) {
   const BoxBatch boxes = boxes_of_the_program();
   const PointRows points = points_of_the_program();
   OutputBatch out(kOutputs);
-  if (const unsigned undefined = function(boxes.data(), points.data(), out.data(), nullptr))
+  if (const unsigned undefined = function(boxes.data(), points.data(), out.data(), context))
     return "lanes " + std::to_string(undefined) + " (a bit each) are reported undefined, none is";
   const RoundingScope without_flush_to_zero(REGULUS_ROUND_NEAREST);
   for (std::size_t e = 0; e < kOutputs; ++e)
@@ -144,9 +144,10 @@ std::optional<std::string> check_self_test_as_is(regulus_function function) {
   return std::nullopt;
 }
 
-std::optional<std::string> check_self_test(regulus_function function, Isa isa) {
+std::optional<std::string> check_self_test(regulus_function function, Isa isa,
+                                           const void* context) {
   const RoundingScope scope(required_rounding(isa));
-  return check_self_test_as_is(function);
+  return check_self_test_as_is(function, context);
 }
 
 std::optional<std::string> self_test(Isa isa) {

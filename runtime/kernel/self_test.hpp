@@ -22,11 +22,12 @@ inline constexpr const char* kSelfTestSymbol = "regulus_self_test";
 
 /// Runs a compiled kSelfTestSource and compares every lane with the known results.
 ///
-/// Requires  `function` was compiled for `isa`, and supported(isa).
+/// Requires  `function` was compiled for `isa`, and supported(isa). It is called with `context`.
 /// Ensures   nullopt if every true result is enclosed, by bounds within a few doubles of it;
 ///           otherwise what was computed and what is true.
 /// Rounding  as `function` needs; the caller's environment is restored.
-[[nodiscard]] std::optional<std::string> check_self_test(regulus_function function, Isa isa);
+[[nodiscard]] std::optional<std::string> check_self_test(regulus_function function, Isa isa,
+                                                         const void* context = nullptr);
 
 /// The same for the packs as they were compiled ahead of time into this library.
 [[nodiscard]] std::optional<std::string> self_test(Isa isa);
@@ -35,6 +36,7 @@ inline constexpr const char* kSelfTestSymbol = "regulus_self_test";
 ///
 /// Ensures   nullopt or a failure, as check_self_test. The floating-point environment of the caller
 ///           is used as it is.
-[[nodiscard]] std::optional<std::string> check_self_test_as_is(regulus_function function);
+[[nodiscard]] std::optional<std::string> check_self_test_as_is(regulus_function function,
+                                                               const void* context = nullptr);
 
 }  // namespace regulus

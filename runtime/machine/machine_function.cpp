@@ -5,6 +5,8 @@
 #include <cstring>
 #include <map>
 
+#include "regulus/machine/stack_slots.hpp"
+
 namespace regulus::machine {
 namespace {
 
@@ -169,22 +171,15 @@ MachineFunction::MachineFunction(const PackFunction& function, const StepTable& 
   slots_ = layout.slots();
 }
 
-template <std::size_t slots>
-unsigned MachineFunction::run_in_frame(const double* boxes, const double* points,
-                                       double* out) const noexcept {
-  Slot values[slots];  // not initialised: every value is written before it is read
-  if (!constants_.empty()) std::memcpy(values, constants_.data(), constants_.size() * sizeof(Slot));
-  Frame frame{boxes, points, out, values, 0};
-  for (const Step& step : steps_) step.run(frame, step);
-  return frame.undefined;
-}
-
 unsigned MachineFunction::run(const double* boxes, const double* points,
                               double* out) const noexcept {
-  if (slots_ <= 64) return run_in_frame<64>(boxes, points, out);
-  if (slots_ <= 256) return run_in_frame<256>(boxes, points, out);
-  if (slots_ <= 1024) return run_in_frame<1024>(boxes, points, out);
-  return run_in_frame<kMaxFrameSlots>(boxes, points, out);
+  return with_slots(slots_, [&](Slot* values) {
+    if (!constants_.empty())
+      std::memcpy(values, constants_.data(), constants_.size() * sizeof(Slot));
+    Frame frame{boxes, points, out, values, 0};
+    for (const Step& step : steps_) step.run(frame, step);
+    return frame.undefined;
+  });
 }
 
 }  // namespace regulus::machine

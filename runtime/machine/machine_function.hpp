@@ -27,16 +27,9 @@ class MachineFunction {
   [[nodiscard]] std::size_t steps() const noexcept { return steps_.size(); }
 
  private:
-  template <std::size_t slots>
-  [[gnu::noinline]] unsigned run_in_frame(const double* boxes, const double* points,
-                                          double* out) const noexcept;
-
   std::vector<Step> steps_;
   std::vector<Slot> constants_;
   std::size_t slots_ = 0;
 };
-
-/// The most slots that a frame has: 1 MiB of them, on the stack of the caller's thread.
-inline constexpr std::size_t kMaxFrameSlots = 8192;
 
 }  // namespace regulus::machine

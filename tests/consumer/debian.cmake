@@ -29,7 +29,7 @@ run(depends dpkg-query --admindir=${root}/var/lib/dpkg -W -f "\${Depends}" libre
 if(NOT depends STREQUAL "regulus (= ${version})")
   fail("libregulus-dev depends on: ${depends}")
 endif()
-foreach(file IN ITEMS bin/regulus bin/regulus-verify lib/regulus/plugins/libregulus-reader.so
+foreach(file IN ITEMS bin/regulus bin/regulus-verify lib/regulus/plugins/libregulus-pack.so
                       share/doc/regulus/copyright share/doc/libregulus-dev/copyright
                       lib/cmake/Regulus/RegulusConfig.cmake
                       include/regulus/embedded/checker.h lib/libregulus-runtime.a)

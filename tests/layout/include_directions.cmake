@@ -19,7 +19,7 @@ set(codegen_model      codegen/model)
 set(codegen_symbolic   interval regularity search codegen/model codegen/program codegen/symbolic)
 set(codegen_emit       interval kernel machine codegen/program codegen/pack codegen/emit)
 set(codegen_generate   interval kernel search codegen/model codegen/program codegen/symbolic codegen/emit codegen/generate)
-set(codegen_jit        interval kernel codegen/emit codegen/jit codegen/jit/reader codegen/jit/builder codegen/jit/plugin)
+set(codegen_jit        interval kernel machine codegen/emit codegen/jit codegen/jit/builder codegen/jit/plugin)
 set(codegen_examples   codegen/model codegen/driver)
 set(codegen_driver     interval kernel machine regularity search checkpoint certificate certificate/verifier codegen/model codegen/program codegen/symbolic
                        codegen/pack codegen/emit codegen/generate codegen/jit codegen/driver)

@@ -50,18 +50,20 @@ class CachedCommand {
     return nlohmann::json::parse(run(std::move(arguments)).output);
   }
 
-  /// The files that hold a prepared problem, and those that hold objects.
-  [[nodiscard]] std::vector<std::filesystem::path> problems() const { return entries(true); }
-  [[nodiscard]] std::vector<std::filesystem::path> objects() const { return entries(false); }
+  /// The files that hold a prepared problem, a pack program, and machine code.
+  [[nodiscard]] std::vector<std::filesystem::path> problems() const { return entries('{'); }
+  [[nodiscard]] std::vector<std::filesystem::path> programs() const { return entries('r'); }
+  [[nodiscard]] std::vector<std::filesystem::path> objects() const { return entries('0'); }
 
  private:
-  [[nodiscard]] std::vector<std::filesystem::path> entries(bool problems) const {
+  [[nodiscard]] std::vector<std::filesystem::path> entries(char kind) const {
     std::vector<std::filesystem::path> found;
     if (!std::filesystem::exists(directory_.path() / "regulus")) return found;
     for (const auto& file : std::filesystem::directory_iterator(directory_.path() / "regulus")) {
       const std::string bytes = file_contents(file.path());
       const std::size_t begin = sizeof(codegen::CacheEntryHeader);
-      if ((bytes.size() > begin && bytes[begin] == '{') == problems) found.push_back(file.path());
+      const char first = bytes.size() > begin ? bytes[begin] : '0';
+      if ((first == '{' || first == 'r' ? first : '0') == kind) found.push_back(file.path());
     }
     return found;
   }

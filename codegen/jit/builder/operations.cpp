@@ -8,16 +8,21 @@
 #include <llvm/IR/IntrinsicInst.h>
 
 #include <algorithm>
+#include <stdexcept>
 
-#include "regulus/codegen/jit/reader/token.hpp"
+#include "regulus/machine/step.hpp"
 
 namespace regulus::codegen::builder {
 namespace {
 
-using reader::OutsideSubset;
-
-constexpr std::uint64_t kIntervalBytes = 128;  // eight lanes of two doubles, whatever the packs
 constexpr std::uint64_t kAlignment = 64;
+
+bool refers_to_a_global(const llvm::Instruction& i) {
+  const auto* call = llvm::dyn_cast<llvm::CallBase>(&i);
+  return std::any_of(i.op_begin(), i.op_end(), [&](const llvm::Use& use) {
+    return llvm::isa<llvm::GlobalValue>(use) && !(call && call->isCallee(&use));
+  });
+}
 
 /// Whether all that the operation does is to compute components from components.
 bool is_straight(const llvm::Function& operation) {
@@ -27,8 +32,17 @@ bool is_straight(const llvm::Function& operation) {
     const auto* call = llvm::dyn_cast<llvm::CallBase>(&i);
     const bool real_call =
         call && (!call->getCalledFunction() || !call->getCalledFunction()->isIntrinsic());
-    return real_call || llvm::isa<llvm::AllocaInst, llvm::MemIntrinsic>(i);
+    return real_call || refers_to_a_global(i) || llvm::isa<llvm::AllocaInst, llvm::MemIntrinsic>(i);
   });
+}
+
+/// A call of an intrinsic function in another module than the one that it was copied from.
+void move_callee(llvm::Instruction& copy, llvm::Module& module) {
+  auto* call = llvm::dyn_cast<llvm::CallBase>(&copy);
+  if (!call) return;
+  const llvm::Function* callee = call->getCalledFunction();
+  call->setCalledFunction(module.getOrInsertFunction(callee->getName(), callee->getFunctionType(),
+                                                     callee->getAttributes()));
 }
 
 llvm::Align alignment_of(llvm::Type* type, const llvm::DataLayout& layout) {
@@ -59,27 +73,26 @@ void set_component(Object& object, std::uint64_t offset, llvm::Value* value) {
 
 }  // namespace
 
-Operations::Operations(llvm::Module& module)
-    : module_(module), load_(module.getFunction("regulus_load")) {
-  if (!load_ || load_->empty()) throw OutsideSubset("the operations of the packs are missing");
-  for (llvm::Instruction& i : load_->getEntryBlock())
-    if (auto* store = llvm::dyn_cast<llvm::StoreInst>(&i))
-      layout_.push_back({target_of(store->getPointerOperand(), module.getDataLayout()).offset,
-                         store->getValueOperand()->getType()});
+Operations::Operations(llvm::Module& packs) : packs_(packs), load_(find_straight("load")) {
+  if (!load_) throw std::runtime_error("the operations of the packs are missing");
+  const llvm::DataLayout& layout = packs.getDataLayout();
   std::uint64_t bytes = 0;
-  for (const Part& part : layout_) bytes += module.getDataLayout().getTypeStoreSize(part.type);
-  if (bytes != kIntervalBytes) throw OutsideSubset("the packs keep intervals in another way");
+  for (llvm::Instruction& i : load_->getEntryBlock())
+    if (auto* store = llvm::dyn_cast<llvm::StoreInst>(&i)) {
+      layout_.push_back({target_of(store->getPointerOperand(), layout).offset,
+                         store->getValueOperand()->getType()});
+      bytes += layout.getTypeStoreSize(layout_.back().type);
+    }
+  if (bytes != sizeof(machine::Slot))
+    throw std::runtime_error("the packs keep intervals in another way");
 }
 
-void Operations::apply(llvm::IRBuilder<>& code, const std::string& name,
-                       llvm::ArrayRef<Operand> operands) {
-  llvm::Function* operation = module_.getFunction("regulus_" + name);
-  if (!operation || operation->empty() || operation->arg_size() != operands.size())
-    throw OutsideSubset("the packs have no operation " + name);
-  if (is_straight(*operation))
-    expand(code, *operation, operands);
-  else
-    call(code, *operation, operands);
+llvm::Function* Operations::find_straight(const char* name) {
+  llvm::Function* operation = packs_.getFunction(("regulus_" + llvm::StringRef(name)).str());
+  if (!operation) return nullptr;
+  if (llvm::Error error = operation->materialize())
+    throw std::runtime_error(llvm::toString(std::move(error)));
+  return is_straight(*operation) ? operation : nullptr;
 }
 
 /// A copy of the operation's instructions in which each access to an object is the object's
@@ -87,7 +100,8 @@ void Operations::apply(llvm::IRBuilder<>& code, const std::string& name,
 /// what is constant by the rules that hold in any rounding mode.
 void Operations::expand(llvm::IRBuilder<>& code, llvm::Function& operation,
                         llvm::ArrayRef<Operand> operands) {
-  const llvm::DataLayout& layout = module_.getDataLayout();
+  llvm::Module& module = *code.GetInsertBlock()->getModule();
+  const llvm::DataLayout& layout = module.getDataLayout();
   llvm::DenseMap<const llvm::Value*, llvm::Value*> copies;
   const auto object_at = [&](const Target& target) -> Object* {
     if (!target.argument) return nullptr;
@@ -120,6 +134,7 @@ void Operations::expand(llvm::IRBuilder<>& code, llvm::Function& operation,
     // What it says of aliasing held for the one place in the operation.
     copy->dropUnknownNonDebugMetadata();
     for (llvm::Use& use : copy->operands()) use.set(copy_of(use.get()));
+    move_callee(*copy, module);
     code.Insert(copy);
     copies[&i] = copy;
     if (llvm::Value* simpler = llvm::simplifyInstruction(copy, {layout, copy})) {
@@ -127,31 +142,6 @@ void Operations::expand(llvm::IRBuilder<>& code, llvm::Function& operation,
       copy->eraseFromParent();
     }
   }
-}
-
-void Operations::call(llvm::IRBuilder<>& code, llvm::Function& operation,
-                      llvm::ArrayRef<Operand> operands) {
-  llvm::SmallVector<llvm::Value*, 4> arguments;
-  for (const Operand& operand : operands)
-    arguments.push_back(std::holds_alternative<Object*>(operand)
-                            ? address(code, *std::get<Object*>(operand))
-                            : std::get<llvm::Value*>(operand));
-  code.CreateCall(&operation, arguments);
-  for (const Operand& operand : operands)
-    if (auto* const* object = std::get_if<Object*>(&operand); object && (*object)->changes) {
-      Object& mask = **object;
-      mask.components.clear();
-      set_component(mask, 0, component(code, mask, 0, code.getInt32Ty()));
-    }
-}
-
-llvm::Value* Operations::reserve(llvm::IRBuilder<>& code, std::uint64_t intervals) {
-  llvm::BasicBlock& first = code.GetInsertBlock()->getParent()->getEntryBlock();
-  llvm::IRBuilder<> front(&first, first.begin());
-  auto* memory =
-      front.CreateAlloca(llvm::ArrayType::get(front.getInt8Ty(), intervals * kIntervalBytes));
-  memory->setAlignment(llvm::Align(kAlignment));
-  return memory;
 }
 
 llvm::Value* Operations::at(llvm::IRBuilder<>& code, llvm::Value* address, std::uint64_t offset) {
@@ -163,12 +153,12 @@ llvm::Value* Operations::component(llvm::IRBuilder<>& code, Object& object, std:
   for (const Component& component : object.components)
     if (component.offset == offset) {
       if (!component.value->getType()->canLosslesslyBitCastTo(type))
-        throw OutsideSubset("an operation that takes its operand apart");
+        throw std::runtime_error("an operation that takes its operand apart");
       return code.CreateBitCast(component.value, type);
     }
-  if (!object.address) throw OutsideSubset("a value that is used before it has one");
+  if (!object.address) throw std::runtime_error("a value that is used before it has one");
   llvm::Value* value = code.CreateAlignedLoad(type, at(code, object.address, offset),
-                                              alignment_of(type, module_.getDataLayout()));
+                                              alignment_of(type, packs_.getDataLayout()));
   set_component(object, offset, value);
   return value;
 }
@@ -181,21 +171,16 @@ Object Operations::read(llvm::IRBuilder<>& code, llvm::Value* address) {
   return object;
 }
 
-void Operations::write(llvm::IRBuilder<>& code, Object& value, llvm::Value* address) {
-  for (const Part& part : layout_)
-    code.CreateAlignedStore(component(code, value, part.offset, part.type),
-                            at(code, address, part.offset),
-                            alignment_of(part.type, module_.getDataLayout()));
+void Operations::write(llvm::IRBuilder<>& code, Object& interval, llvm::Value* address) {
+  for (const Part& part : layout_) (void)component(code, interval, part.offset, part.type);
+  write_components(code, interval, address);
 }
 
-llvm::Value* Operations::address(llvm::IRBuilder<>& code, Object& object) {
-  const bool written = object.address && !object.changes;
-  if (!object.address) object.address = reserve(code, 1);
-  if (!written)
-    for (const Component& component : object.components)
-      code.CreateAlignedStore(component.value, at(code, object.address, component.offset),
-                              alignment_of(component.value->getType(), module_.getDataLayout()));
-  return object.address;
+void Operations::write_components(llvm::IRBuilder<>& code, const Object& object,
+                                  llvm::Value* address) {
+  for (const Component& component : object.components)
+    code.CreateAlignedStore(component.value, at(code, address, component.offset),
+                            alignment_of(component.value->getType(), packs_.getDataLayout()));
 }
 
 }  // namespace regulus::codegen::builder

@@ -8,7 +8,6 @@
 #include <llvm/IR/Module.h>
 
 #include <cstdint>
-#include <string>
 #include <variant>
 
 namespace regulus::codegen::builder {
@@ -19,10 +18,8 @@ struct Component {
   llvm::Value* value;
 };
 
-/// An interval, a point or a mask of lanes: its components, its place in memory, or both. Only a
-/// mask changes.
+/// An interval, a point or a mask of lanes: its components, its place in memory, or both.
 struct Object {
-  bool changes = false;
   llvm::SmallVector<Component, 4> components;
   llvm::Value* address = nullptr;
 };
@@ -30,29 +27,34 @@ struct Object {
 /// An operand: an object, or a number or pointer as it is.
 using Operand = std::variant<Object*, llvm::Value*>;
 
-/// The functions of operations/pack_operations.hpp in a module.
+/// The functions of operations/pack_operations.hpp in a module that is read as they are needed.
 class Operations {
  public:
-  /// Requires  the module is that of pack_operations.hpp for one instruction set.
-  explicit Operations(llvm::Module& module);
+  /// Requires  the module is that of pack_operations.hpp for one instruction set, and outlives
+  /// this. Throws    std::runtime_error for another.
+  explicit Operations(llvm::Module& packs);
 
-  /// Puts the operation's instructions at the end of the function. One without branches and memory
-  /// of its own becomes its instructions on the operands' components; another is called.
+  /// The operation whose instructions may stand where it is used: without branches, calls and
+  /// memory of its own. Null when there is none of that name, or it is not of that kind.
+  [[nodiscard]] llvm::Function* find_straight(const char* name);
+
+  /// Puts the operation's instructions at the end of the function that is built.
   ///
-  /// Throws    reader::OutsideSubset when there is no such operation.
-  void apply(llvm::IRBuilder<>& code, const std::string& name, llvm::ArrayRef<Operand> operands);
+  /// Requires  an operation that find_straight found.
+  void expand(llvm::IRBuilder<>& code, llvm::Function& operation, llvm::ArrayRef<Operand> operands);
 
-  /// Memory for one interval or more, in the function's first block.
-  [[nodiscard]] llvm::Value* reserve(llvm::IRBuilder<>& code, std::uint64_t intervals);
+  /// Writes the components of an interval, or those that the object has, to memory.
+  void write(llvm::IRBuilder<>& code, Object& interval, llvm::Value* address);
+  void write_components(llvm::IRBuilder<>& code, const Object& object, llvm::Value* address);
 
-  /// The interval in memory with its components read, so that later writes do not change it; and
-  /// the reverse.
+  /// The interval in memory with its components read, so that later writes do not change it.
   [[nodiscard]] Object read(llvm::IRBuilder<>& code, llvm::Value* address);
-  void write(llvm::IRBuilder<>& code, Object& value, llvm::Value* address);
 
-  /// Where the object is in memory, written there if it was not.
-  [[nodiscard]] llvm::Value* address(llvm::IRBuilder<>& code, Object& object);
+  /// The component of that offset, read from memory if it is not known.
+  [[nodiscard]] llvm::Value* component(llvm::IRBuilder<>& code, Object& object,
+                                       std::uint64_t offset, llvm::Type* type);
 
+  /// With the target and the floating-point rules that all operations were compiled for.
   [[nodiscard]] const llvm::Function& sample() const noexcept { return *load_; }
 
  private:
@@ -63,12 +65,8 @@ class Operations {
 
   [[nodiscard]] llvm::Value* at(llvm::IRBuilder<>& code, llvm::Value* address,
                                 std::uint64_t offset);
-  [[nodiscard]] llvm::Value* component(llvm::IRBuilder<>& code, Object& object,
-                                       std::uint64_t offset, llvm::Type* type);
-  void expand(llvm::IRBuilder<>& code, llvm::Function& operation, llvm::ArrayRef<Operand> operands);
-  void call(llvm::IRBuilder<>& code, llvm::Function& operation, llvm::ArrayRef<Operand> operands);
 
-  llvm::Module& module_;
+  llvm::Module& packs_;
   llvm::Function* load_;
   llvm::SmallVector<Part, 4> layout_;  ///< of an interval
 };

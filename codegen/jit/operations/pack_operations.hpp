@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The operations of packs as functions on memory, one for each kind of operands: I interval, P
-// point, D double, N count, U mask of undefined lanes. Clang compiles them once, when the project
-// is built; what reads kernels in process puts their code where a kernel names the operation. So
-// both roads have the arithmetic of the same headers.
-#include "regulus/kernel/abi.hpp"
+// The short operations of packs as functions on memory, one for each kind of operands: I interval,
+// P point, D double, U mask of undefined lanes. Clang compiles them once, when the project is
+// built; the compiler of pack programs puts the instructions of those without branches where a list
+// has the operation. The others are called as the vector machine's steps.
 #include "regulus/kernel/pack.hpp"
 
 using regulus::pack::I;
@@ -36,7 +35,6 @@ void regulus_store(double* rows, const I* x) { regulus::pack::store(rows, 0, *x)
 REGULUS_OPERATION(P_D, P, (P * out, double c), c)
 REGULUS_OPERATION(constant_DD, I, (I * out, double lo, double hi), constant(lo, hi))
 REGULUS_OPERATION(thin_P, I, (I * out, const P* x), thin(*x))
-REGULUS_OPERATION(count_U, P, (P * out, const unsigned* u), static_cast<double>(*u))
 
 REGULUS_OPERATION(point_of_I, P, (P * out, const I* x), point_of(*x))
 REGULUS_OPERATION(exact_add_PP, P, (P * out, const P* x, const P* y), exact_add(*x, *y))
@@ -56,26 +54,8 @@ REGULUS_MUL_ADD(III, I, I)
 
 REGULUS_UNARY(sqr, sqr)
 REGULUS_UNARY(abs, abs)
-REGULUS_OPERATION(pow_IN, I, (I * out, const I* x, unsigned n), pow(*x, n))
 REGULUS_OPERATION(div_IIU, I, (I * out, const I* x, const I* y, unsigned* u), div(*x, *y, *u))
 REGULUS_PARTIAL(checked)
 REGULUS_PARTIAL(sqrt)
-
-REGULUS_UNARY(sin, sin)
-REGULUS_UNARY(cos, cos)
-REGULUS_UNARY(atan, atan)
-REGULUS_PARTIAL(tan)
-REGULUS_PARTIAL(asin)
-REGULUS_PARTIAL(acos)
-REGULUS_PARTIAL(exp)
-REGULUS_PARTIAL(log)
-REGULUS_OPERATION(atan2_IIU, I, (I * out, const I* y, const I* x, unsigned* u), atan2(*y, *x, *u))
-void regulus_sincos_I(I* sine, I* cosine, const I* x) { regulus::pack::sincos(*x, *sine, *cosine); }
-
-// The types and numbers of the tables of a kernel.
-regulus_kernel regulus_kernel_type = {};
-regulus_expansion regulus_expansion_type = {};
-regulus_derivative regulus_derivative_type = {};
-extern const unsigned regulus_rounding = regulus::pack::kRounding;
 
 }  // extern "C"

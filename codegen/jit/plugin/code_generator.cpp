@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "regulus/codegen/jit/plugin/code_generator.hpp"
 
+#include <llvm/Analysis/TargetTransformInfo.h>
 #include <llvm/Config/llvm-config.h>
 #include <llvm/IR/LegacyPassManager.h>
 #include <llvm/MC/TargetRegistry.h>
@@ -8,6 +9,7 @@
 #include <llvm/Support/ErrorHandling.h>
 #include <llvm/Support/TargetSelect.h>
 #include <llvm/TargetParser/Triple.h>
+#include <llvm/Transforms/Scalar.h>
 
 #include <cstdio>
 #include <cstdlib>
@@ -87,9 +89,14 @@ bool optimise(llvm::Module& module, llvm::TargetMachine& machine, const char* pa
 }
 
 bool generate_code(llvm::Module& module, llvm::TargetMachine& machine,
-                   llvm::SmallVectorImpl<char>& object, llvm::raw_ostream& errors) {
+                   llvm::SmallVectorImpl<char>& object, llvm::raw_ostream& errors,
+                   Repeated repeated) {
   llvm::raw_svector_ostream stream(object);
   llvm::legacy::PassManager passes;
+  if (repeated == Repeated::kJoined) {
+    passes.add(llvm::createTargetTransformInfoWrapperPass(machine.getTargetIRAnalysis()));
+    passes.add(llvm::createEarlyCSEPass());
+  }
   if (machine.addPassesToEmitFile(passes, stream, nullptr, llvm::CodeGenFileType::ObjectFile)) {
     errors << "the target cannot write object files\n";
     return false;

@@ -25,9 +25,15 @@ void initialise_llvm();
 [[nodiscard]] bool optimise(llvm::Module& module, llvm::TargetMachine& machine, const char* passes,
                             llvm::raw_ostream& errors);
 
+/// Equal computations in a straight list can be made one: masks of signs that several operations
+/// look at. That cannot merge two roundings: calls are joined that are equal in every argument, the
+/// rounding included, and constrained arithmetic of dynamic rounding is left alone.
+enum class Repeated { kAsTheyAre, kJoined };
+
 /// Code generation runs without optimisation: a kernel is straight-line code without common
 /// sub-expressions, in which the default pipeline finds nothing but spends most of the time.
 [[nodiscard]] bool generate_code(llvm::Module& module, llvm::TargetMachine& machine,
-                                 llvm::SmallVectorImpl<char>& object, llvm::raw_ostream& errors);
+                                 llvm::SmallVectorImpl<char>& object, llvm::raw_ostream& errors,
+                                 Repeated repeated = Repeated::kAsTheyAre);
 
 }  // namespace regulus::codegen::plugin

@@ -9,7 +9,6 @@
 #include "bench/kernel/ahead_of_time.hpp"
 #include "bench/kernel/batched.hpp"
 #include "bench/kernel/rival.hpp"
-#include "regulus/codegen/emit/emit.hpp"
 #include "regulus/codegen/jit/jit.hpp"
 #include "regulus/codegen/pack/select.hpp"
 #include "regulus/machine/machine_kernel.hpp"
@@ -90,7 +89,7 @@ class KernelBench {
     options.isa = isa;
     options.use_cache = false;
     const auto& compiled =
-        compiled_.emplace_back(codegen::compile_kernel(codegen::emit(module_), options));
+        compiled_.emplace_back(codegen::compile_kernel(codegen::select(module_), options));
     add_kernel(title, *compiled.kernel(), explanation);
   }
 

@@ -9,17 +9,19 @@
 #include "regulus/codegen/driver/pipeline.hpp"
 #include "regulus/codegen/emit/emit.hpp"
 #include "regulus/codegen/jit/jit.hpp"
+#include "regulus/codegen/pack/select.hpp"
 #include "support/spawned_compiler.hpp"
 #include "support/temporary_directory.hpp"
 
 namespace regulus::bench {
 namespace {
 
-/// A text, and how much sooner it should be machine code in process than by a spawned compiler.
+/// A kernel, and how much sooner it should be machine code in process than its text by a spawned
+/// compiler.
 struct Subject {
   const char* name;
   const char* explanation;
-  codegen::EmittedKernel text;
+  codegen::Module module;
   std::optional<Target> target;
 };
 
@@ -34,15 +36,13 @@ codegen::Module robot_1(const codegen::FormulationOptions& functions) {
 std::vector<Subject> subjects() {
   Settings derivatives;
   derivatives.entries = Entries::kDerivatives;
-  return {
-      {"values", "A and K·M, nothing else", codegen::emit(kernel_subject()), ratio_at_least(15)},
-      {"values and derivatives", "what `check --method kj` compiles",
-       codegen::emit(robot_1(codegen::functions_needed(Method::kKj, derivatives))),
-       ratio_at_least(4)},
-      {"second order",
-       "what `check` compiles",
-       codegen::emit(robot_1(codegen::functions_needed(Method::kAuto))),
-       {}}};
+  return {{"values", "A and K·M, nothing else", kernel_subject(), ratio_at_least(15)},
+          {"values and derivatives", "what `check --method kj` compiles",
+           robot_1(codegen::functions_needed(Method::kKj, derivatives)), ratio_at_least(4)},
+          {"second order",
+           "what `check` compiles",
+           robot_1(codegen::functions_needed(Method::kAuto)),
+           {}}};
 }
 
 void add_rows(const Subject& subject, Section& section) {
@@ -50,11 +50,13 @@ void add_rows(const Subject& subject, Section& section) {
   codegen::CompileOptions options;
   options.isa = best_isa();
   options.use_cache = false;
+  const machine::PackKernel program = codegen::select(subject.module);
+  const codegen::EmittedKernel text = codegen::emit(subject.module);
   const Contender contenders[] = {
-      {"in process", 1, [&] { static_cast<void>(codegen::compile_kernel(subject.text, options)); }},
+      {"in process", 1, [&] { static_cast<void>(codegen::compile_kernel(program, options)); }},
       {"spawned", 1, [&] {
          static_cast<void>(
-             test::compile_with_spawned("g++", subject.text.source, options.isa, directory.path()));
+             test::compile_with_spawned("g++", text.source, options.isa, directory.path()));
        }}};
   RoundOptions rounds;
   rounds.rounds = 5;
@@ -62,7 +64,7 @@ void add_rows(const Subject& subject, Section& section) {
   rounds.clock = wall_seconds;
   const std::vector<Timing> timings = compare(contenders, rounds);
 
-  const auto lines = std::count(subject.text.source.begin(), subject.text.source.end(), '\n');
+  const auto lines = std::count(text.source.begin(), text.source.end(), '\n');
   section.rows.push_back(
       timed_row(fmt::format("{}, in process", subject.name), timings[0], 1e3, "ms",
                 fmt::format("{}: {} lines; machine code in memory, ready to be called",

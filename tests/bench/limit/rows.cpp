@@ -10,11 +10,11 @@
 #include "bench/kernel/subject.hpp"
 #include "bench/limit/instructions.hpp"
 #include "bench/limit/peak.hpp"
-#include "regulus/codegen/emit/emit.hpp"
 #include "regulus/codegen/jit/clang_compiler.hpp"
 #include "regulus/codegen/jit/jit.hpp"
 #include "regulus/codegen/jit/kernel_compilation.hpp"
 #include "regulus/codegen/jit/object_bundle.hpp"
+#include "regulus/codegen/pack/select.hpp"
 #include "regulus/interval/x8.hpp"
 #include "regulus/kernel/buffers.hpp"
 
@@ -157,11 +157,11 @@ Section limit_rows() {
   }
   const codegen::Module module = kernel_subject();
   const Sample sample = make_sample(module);
-  const codegen::EmittedKernel text = codegen::emit(module);
   codegen::CompileOptions options;
   options.isa = Isa::kAvx512;
   options.use_cache = false;
-  const codegen::CompiledKernel compiled = codegen::compile_kernel(text, options);
+  const codegen::CompiledKernel compiled =
+      codegen::compile_kernel(codegen::select(module), options);
   BatchedProduct product(*compiled.kernel(), sample);
   SinesAndCosines sines(module, sample);
   const std::vector<Timing> timings = time_all(product, sines);

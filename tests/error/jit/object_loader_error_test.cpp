@@ -97,10 +97,31 @@ TEST(ObjectLoaderError, RefusesDistancesThatDoNotFit) {
   }
 }
 
-TEST(ObjectLoaderError, RefusesAbsoluteAddressesThatDoNotFit) {
-  Sound object;
-  object.relocate(object.text, 0, R_X86_64_32S, object.start);
-  EXPECT_THAT(refusal_of(object), HasSubstr("out of range"));
+TEST(ObjectLoaderError, RefusesInPartsWhateverNeedsAnAddressOfTheProcess) {
+  const auto refusal = [](const ElfBuilder& object, std::size_t alignment = 64) -> std::string {
+    const std::string bytes = object.build();
+    try {
+      (void)flat_code(std::as_bytes(std::span(bytes)), "start", alignment);
+    } catch (const LoadError& error) {
+      return error.what();
+    }
+    return "flat";
+  };
+  EXPECT_EQ(refusal(Sound()), "flat");
+  Sound absolute, external, slot, variable, aligned;
+  absolute.relocate(absolute.text, 0, R_X86_64_64, absolute.start);
+  EXPECT_THAT(refusal(absolute), HasSubstr("more than itself"));
+  external.relocate(external.text, 0, R_X86_64_PLT32, external.symbol("memcpy", SHN_UNDEF), -4);
+  EXPECT_THAT(refusal(external), HasSubstr("more than itself"));
+  slot.relocate(slot.text, 0, R_X86_64_GOTPCREL, slot.start, -4);
+  EXPECT_THAT(refusal(slot), HasSubstr("more than itself"));
+  variable.section(".data", SHF_ALLOC | SHF_WRITE, "x");
+  EXPECT_THAT(refusal(variable), HasSubstr("more than itself"));
+  aligned.section(".rodata", SHF_ALLOC, "x", SHT_PROGBITS, 0, 128);
+  EXPECT_THAT(refusal(aligned), HasSubstr("too large an alignment"));
+  ElfBuilder late;
+  late.symbol("start", late.code(std::string(16, '\x90')), 8, 8);
+  EXPECT_THAT(refusal(late), HasSubstr("does not begin with its function"));
 }
 
 TEST(ObjectLoaderError, RefusesSectionsThatWouldRunWhenLoaded) {

@@ -109,7 +109,7 @@ PreparedProblem example() {
   p.variety.outer = {{-0.0, 0x1.8p-900}, {0.1, 0.3}, {-1e300, 1e300}};
   p.variety.inner = {Interval{0.0, 0.0}, std::nullopt, Interval{-1, 1}};
   p.variety.alpha = {1.0 / 3, std::nextafter(1.0 / 3, 1.0)};
-  p.object_key = std::string(64, '7');
+  p.program_key = std::string(64, '7');
   p.kernel = {"regulus_kernel_42", "0123456789abcdef"};
   return p;
 }
@@ -130,7 +130,7 @@ TEST(PreparedProblem, IsReadBackAsItWas) {
   EXPECT_EQ(after->subject.twist.at(1).kind, TwistComponent::Kind::kAngular);
   EXPECT_EQ(after->subject.variables.at(2).kind, VariableKind::kControl);
   EXPECT_EQ(to_text(*after), to_text(before));
-  EXPECT_EQ(after->object_key, before.object_key);
+  EXPECT_EQ(after->program_key, before.program_key);
   EXPECT_EQ(after->kernel.symbol, before.kernel.symbol);
   EXPECT_EQ(after->kernel.identity, before.kernel.identity);
   expect_same(after->variety.alpha, before.variety.alpha);

@@ -1,0 +1,35 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What compiling a text and compiling a pack program have in common.
+#pragma once
+
+#include <chrono>
+#include <optional>
+#include <string>
+
+#include "regulus/codegen/jit/jit.hpp"
+
+namespace regulus::codegen {
+
+/// Adds the time it lives to a number of seconds.
+class Timer {
+ public:
+  explicit Timer(double& seconds) noexcept : seconds_(seconds) {}
+  ~Timer() {
+    seconds_ += std::chrono::duration<double>(std::chrono::steady_clock::now() - start_).count();
+  }
+  Timer(const Timer&) = delete;
+  Timer& operator=(const Timer&) = delete;
+
+ private:
+  double& seconds_;
+  std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
+};
+
+/// The cache of the options, if it is to be used and can be; the report says why it cannot.
+[[nodiscard]] std::optional<ObjectCache> open_cache(const CompileOptions& options,
+                                                    CompileReport& report);
+
+/// Adds why the cache was of no use, if `note` is not empty.
+void append_note(CompileReport& report, const std::string& note);
+
+}  // namespace regulus::codegen

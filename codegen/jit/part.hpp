@@ -1,0 +1,38 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// A part of a pack program's function, by itself: what is compiled, and what the cache keeps.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "regulus/machine/pack_program.hpp"
+
+namespace regulus::codegen {
+
+/// Values are numbers of instructions of the part; constants are in the order of their first use.
+struct Part {
+  std::vector<machine::PackInstruction> code;
+  std::vector<Interval> constants;
+};
+
+/// The part of that number as bytes that can be read in one way only.
+///
+/// Requires  find_fault finds none in the function.
+/// Ensures   parts with equal bytes compute the same from the same slots. Nothing else of the
+///           function or of its place in it is in the bytes.
+[[nodiscard]] std::string part_bytes(const machine::PackFunction& function, std::size_t part);
+
+/// Requires  bytes of part_bytes.
+[[nodiscard]] Part read_part(std::string_view bytes);
+
+/// What the cache calls the machine code of a part.
+///
+/// Shape     64 hexadecimal digits.
+/// Requires  `compiler` changes with everything else that the machine code depends on.
+[[nodiscard]] std::string part_name(std::string_view bytes, std::string_view isa,
+                                    std::string_view compiler);
+
+}  // namespace regulus::codegen

@@ -1,0 +1,44 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "regulus/codegen/jit/part_code.hpp"
+
+#include <algorithm>
+#include <cstring>
+#include <span>
+
+#include "regulus/codegen/jit/object_loader.hpp"
+
+namespace regulus::codegen {
+namespace {
+
+std::size_t round_up(std::size_t value, std::size_t alignment) {
+  return (value + alignment - 1) / alignment * alignment;
+}
+
+/// Where each code begins, and at last where all of them end, in whole pages.
+std::vector<std::size_t> offsets_of(const std::vector<std::string>& codes) {
+  std::vector<std::size_t> offsets{0};
+  for (const std::string& code : codes)
+    offsets.push_back(round_up(offsets.back() + code.size(), kCodeAlignment));
+  offsets.back() = round_up(std::max<std::size_t>(offsets.back(), 1), MemoryMapping::page_size());
+  return offsets;
+}
+
+}  // namespace
+
+std::string part_code(std::string_view object) {
+  return flat_code(std::as_bytes(std::span(object)), kPartSymbol, kCodeAlignment);
+}
+
+LoadedParts::LoadedParts(const std::vector<std::string>& codes)
+    : offsets_(offsets_of(codes)), mapping_(offsets_.back()) {
+  for (std::size_t i = 0; i < codes.size(); ++i)
+    std::memcpy(mapping_.data() + offsets_[i], codes[i].data(), codes[i].size());
+  if (!mapping_.seal(0, mapping_.size(), MemoryMapping::Access::kExecutable))
+    throw LoadError("the system refuses executable memory");
+}
+
+PartFunction LoadedParts::function(std::size_t part) const noexcept {
+  return reinterpret_cast<PartFunction>(mapping_.data() + offsets_[part]);
+}
+
+}  // namespace regulus::codegen

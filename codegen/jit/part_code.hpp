@@ -1,0 +1,46 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Machine code of the parts of pack programs, in memory.
+#pragma once
+
+#include <cstddef>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "regulus/codegen/jit/memory_mapping.hpp"
+#include "regulus/machine/step.hpp"
+
+namespace regulus::codegen {
+
+/// One part of a function. `slots` are what parts keep for each other, `operations` the row `run`
+/// of the step_table of the part's instruction set: operations that are too long to be repeated
+/// wherever they are needed are called there. Returns the lanes where the part is undefined.
+using PartFunction = unsigned (*)(const double* boxes, const double* points, machine::Slot* slots,
+                                  double* out, const machine::StepFunction* operations);
+
+inline constexpr std::string_view kPartSymbol = "part";
+
+/// The machine code of a part, of which the function is the first byte: code and constants one
+/// after the other, good at every address that is a multiple of kCodeAlignment.
+///
+/// Throws    LoadError for bytes that are no object of a part: anything but code, constants and
+///           distances between them.
+[[nodiscard]] std::string part_code(std::string_view object);
+
+inline constexpr std::size_t kCodeAlignment = 64;
+
+/// The code of several parts in memory: readable and executable, and no longer writable.
+class LoadedParts {
+ public:
+  /// Requires  what part_code returned, or an earlier run of the same program.
+  /// Throws    LoadError when the system refuses executable memory; std::bad_alloc.
+  explicit LoadedParts(const std::vector<std::string>& codes);
+
+  [[nodiscard]] PartFunction function(std::size_t part) const noexcept;
+
+ private:
+  std::vector<std::size_t> offsets_;
+  MemoryMapping mapping_;
+};
+
+}  // namespace regulus::codegen

@@ -1,0 +1,48 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "regulus/codegen/jit/part_compiler.hpp"
+
+#include "regulus/codegen/jit/clang_interface.h"
+#include "regulus/codegen/jit/plugin.hpp"
+
+namespace regulus::codegen {
+namespace {
+
+regulus_bytes bytes_of(std::string_view text) { return {text.data(), text.size()}; }
+
+regulus_clang_sink sink_into(CompiledObjects& result) {
+  return {&result,
+          [](void* state, regulus_bytes object) {
+            static_cast<CompiledObjects*>(state)->objects.emplace_back(object.data, object.size);
+          },
+          [](void* state, regulus_bytes diagnostics) {
+            static_cast<CompiledObjects*>(state)->diagnostics.assign(diagnostics.data,
+                                                                     diagnostics.size);
+          },
+          [](void* state, regulus_clang_seconds seconds) {
+            auto& into = *static_cast<CompiledObjects*>(state);
+            into.front_end_seconds = seconds.front_end;
+            into.code_generation_seconds = seconds.code_generation;
+          }};
+}
+
+}  // namespace
+
+PartCompiler::PartCompiler()
+    : plugin_(find_plugin(REGULUS_PACK_PLUGIN)),
+      identity_("LLVM " REGULUS_CLANG_VERSION "; " + file_identity(plugin_) + "; " +
+                file_identity(REGULUS_LLVM_LIBRARY)) {}
+
+CompiledObjects PartCompiler::compile(const std::vector<std::string_view>& parts, Isa isa) const {
+  const DefaultFloatingPoint environment;
+  CompiledObjects result;
+  const auto compile_parts = reinterpret_cast<regulus_parts_compile_function>(
+      open_plugin(plugin_, REGULUS_PARTS_COMPILE_SYMBOL, result.open_seconds));
+  std::vector<regulus_bytes> bytes;
+  for (const std::string_view part : parts) bytes.push_back(bytes_of(part));
+  const regulus_parts_request request{bytes.data(), bytes.size(), bytes_of(name(isa))};
+  const regulus_clang_sink sink = sink_into(result);
+  if (compile_parts(&request, &sink) != 0) result.objects.clear();
+  return result;
+}
+
+}  // namespace regulus::codegen

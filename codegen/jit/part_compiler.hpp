@@ -1,0 +1,43 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// From the parts of pack programs to machine code, with LLVM alone.
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "regulus/kernel/isa.hpp"
+
+namespace regulus::codegen {
+
+struct CompiledObjects {
+  std::vector<std::string> objects;  ///< ELF, one for each part in their order; empty: a failure
+  std::string diagnostics;
+  double open_seconds = 0;  ///< loading the compiler, the first time
+  double front_end_seconds = 0;
+  double code_generation_seconds = 0;
+};
+
+class PartCompiler {
+ public:
+  PartCompiler();
+
+  /// Version of LLVM, and the size and the time of the last change of each library that takes part.
+  [[nodiscard]] const std::string& identity() const noexcept { return identity_; }
+
+  /// The symbol kPartSymbol of each object is a PartFunction (part_code.hpp). Opens the plugin if
+  /// this is the first time; spreads many parts over threads. Any number of threads may call it.
+  ///
+  /// Requires  bytes of part_bytes.
+  /// Ensures   equal bytes give equal objects. The caller's floating-point environment is kept; the
+  ///           compiler sees the default one.
+  /// Throws    CompilerUnavailable.
+  [[nodiscard]] CompiledObjects compile(const std::vector<std::string_view>& parts, Isa isa) const;
+
+ private:
+  std::filesystem::path plugin_;
+  std::string identity_;
+};
+
+}  // namespace regulus::codegen

@@ -1,0 +1,86 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "regulus/codegen/jit/plugin.hpp"
+
+#include <dlfcn.h>
+#include <sys/auxv.h>
+#include <sys/stat.h>
+
+#include <chrono>
+#include <cstdlib>
+#include <system_error>
+#include <vector>
+
+#include "regulus/codegen/jit/clang_interface.h"
+#include "regulus/codegen/jit/plugin_folder.h"
+
+namespace regulus::codegen {
+namespace {
+
+namespace fs = std::filesystem;
+
+/// Where /proc is not mounted, by the name the program was started with, links followed.
+fs::path folder_of_executable() {
+  std::error_code error;
+  fs::path executable = fs::read_symlink("/proc/self/exe", error);
+  const auto* started = reinterpret_cast<const char*>(::getauxval(AT_EXECFN));
+  if (error && started) executable = fs::canonical(started, error);
+  return error ? fs::path() : executable.parent_path();
+}
+
+/// The folders that may hold plugins: the one the environment names, then beside the executable as
+/// it is installed and as it is built, then the one that a program linked with this library says.
+std::vector<fs::path> plugin_folders() {
+  std::vector<fs::path> folders;
+  if (const char* named = std::getenv("REGULUS_PLUGINS"); named && *named)
+    folders.emplace_back(named);
+  if (const fs::path folder = folder_of_executable(); !folder.empty()) {
+    folders.push_back(folder / "../lib/regulus/plugins");
+    folders.push_back(folder / "../lib");
+  }
+  if (const std::string linked = regulus_plugin_folder(); !linked.empty())
+    folders.emplace_back(linked);
+  return folders;
+}
+
+void* find_function(void* library, const char* name) {
+  void* found = ::dlsym(library, name);
+  if (!found) throw CompilerUnavailable(std::string("the compiler plugin has no ") + name);
+  return found;
+}
+
+}  // namespace
+
+std::string file_identity(const std::filesystem::path& file) {
+  struct stat status {};
+  if (::stat(file.c_str(), &status) != 0) return file.string() + " absent";
+  return file.string() + " " + std::to_string(status.st_size) + " " +
+         std::to_string(status.st_mtim.tv_sec) + "." + std::to_string(status.st_mtim.tv_nsec);
+}
+
+std::filesystem::path find_plugin(const char* file) {
+  std::error_code error;
+  for (const fs::path& folder : plugin_folders())
+    if (fs::exists(folder / file, error)) return folder / file;
+  return file;
+}
+
+/// The handle is never given back: LLVM cannot be unloaded, and opening it again costs nothing.
+void* open_plugin(const std::filesystem::path& plugin, const char* symbol, double& seconds) {
+  const auto start = std::chrono::steady_clock::now();
+  void* library = ::dlopen(plugin.c_str(), RTLD_LAZY | RTLD_LOCAL | RTLD_NODELETE);
+  if (!library) {
+    const char* reason = ::dlerror();
+    throw CompilerUnavailable(std::string("the compiler plugin cannot be opened: ") +
+                              (reason ? reason : plugin.string()) +
+                              " (REGULUS_PLUGINS names the folder it is in)");
+  }
+  const auto version = reinterpret_cast<regulus_clang_interface_function>(
+      find_function(library, REGULUS_CLANG_INTERFACE_SYMBOL));
+  if (version() != REGULUS_CLANG_INTERFACE)
+    throw CompilerUnavailable("the compiler plugin belongs to another version: " + plugin.string());
+  void* function = find_function(library, symbol);
+  seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+  return function;
+}
+
+}  // namespace regulus::codegen

@@ -1,0 +1,197 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "regulus/machine/pack_file.hpp"
+
+#include <cstring>
+
+namespace regulus::machine {
+namespace {
+
+constexpr std::string_view kMagic = "regulus pack program 1\n";
+constexpr std::uint32_t kMaxSize = std::uint32_t{1} << 24;  // of what is counted, not listed
+
+/// Numbers by 7 bits, the low ones first; all but the last byte have the high bit set.
+class Writer {
+ public:
+  void add(std::uint32_t number) {
+    for (; number >= 0x80; number >>= 7) bytes_ += static_cast<char>(number | 0x80);
+    bytes_ += static_cast<char>(number);
+  }
+  void add(int number) { add(static_cast<std::uint32_t>(number)); }
+  void add(const Interval& x) {
+    char bytes[sizeof x];
+    std::memcpy(bytes, &x, sizeof x);
+    bytes_.append(bytes, sizeof bytes);
+  }
+  void add(const std::string& text) {
+    add(static_cast<std::uint32_t>(text.size()));
+    bytes_ += text;
+  }
+  void add(const PackInstruction& i) {
+    bytes_ += static_cast<char>(i.operation);
+    for (const std::uint32_t operand : {i.a, i.b, i.c}) add(operand);
+  }
+  void add(const regulus_derivative& d) {
+    for (const std::uint32_t number : {d.row, d.column, d.first, d.second}) add(number);
+  }
+  template <class Item>
+  void add(const std::vector<Item>& list) {
+    add(static_cast<std::uint32_t>(list.size()));
+    for (const Item& item : list) add(item);
+  }
+  std::string take() { return std::move(bytes_); }
+
+ private:
+  std::string bytes_{kMagic};
+};
+
+/// Reads what the writer writes. After bytes that it does not, every value is 0.
+class Reader {
+ public:
+  explicit Reader(std::string_view bytes) : rest_(bytes) {
+    sound_ = rest_.starts_with(kMagic);
+    if (sound_) rest_.remove_prefix(kMagic.size());
+  }
+
+  [[nodiscard]] bool at_end() const noexcept { return sound_ && rest_.empty(); }
+
+  std::uint32_t number() {
+    std::uint64_t value = 0;
+    for (int shift = 0; shift < 35; shift += 7) {
+      const auto byte = static_cast<unsigned char>(this->byte());
+      value |= std::uint64_t{byte & 0x7fu} << shift;
+      if (byte >= 0x80) continue;
+      // One way of writing each number: no zero byte at the end, and nothing past 32 bits.
+      if (value > UINT32_MAX || (byte == 0 && shift > 0)) break;
+      return static_cast<std::uint32_t>(value);
+    }
+    sound_ = false;
+    return 0;
+  }
+  void read(std::uint32_t& number) { number = this->number(); }
+  void read(int& number) { number = static_cast<int>(this->number()); }
+  void read(Interval& x) {
+    const std::string_view bytes = take(sizeof x);
+    if (sound_) std::memcpy(static_cast<void*>(&x), bytes.data(), sizeof x);
+  }
+  void read(std::string& text) { text = take(number()); }
+  void read(PackInstruction& i) {
+    i.operation = static_cast<PackOperation>(byte());
+    for (std::uint32_t* operand : {&i.a, &i.b, &i.c}) read(*operand);
+  }
+  void read(regulus_derivative& d) {
+    for (unsigned* number : {&d.row, &d.column, &d.first, &d.second}) read(*number);
+  }
+  /// Each item takes a byte at least, so that the bytes bound what is allocated.
+  template <class Item>
+  void read(std::vector<Item>& list) {
+    const std::uint32_t size = number();
+    sound_ = sound_ && size <= rest_.size();
+    if (sound_) list.resize(size);
+    for (Item& item : list) read(item);
+  }
+
+ private:
+  char byte() {
+    const std::string_view bytes = take(1);
+    return sound_ ? bytes.front() : '\0';
+  }
+  std::string_view take(std::size_t size) {
+    sound_ = sound_ && size <= rest_.size();
+    if (!sound_) return {};
+    const std::string_view taken = rest_.substr(0, size);
+    rest_.remove_prefix(size);
+    return taken;
+  }
+
+  std::string_view rest_;
+  bool sound_;
+};
+
+template <class Kernel, class Use>
+void for_each_size(Kernel& k, Use use) {
+  for (auto* size :
+       {&k.variables, &k.motion_variables, &k.rows, &k.columns, &k.constraints, &k.pose_parameters})
+    use(*size);
+}
+
+void read(Reader& in, PackFunction& function) {
+  in.read(function.code);
+  in.read(function.part_ends);
+  in.read(function.constants);
+  in.read(function.slots);
+  in.read(function.outputs);
+}
+
+void read(Reader& in, PackExpansion& x) {
+  x.product = static_cast<KernelFunction>(in.number());
+  for (PackDerivatives& d : x.derivatives) {
+    d.function = static_cast<KernelFunction>(in.number());
+    in.read(d.list);
+  }
+  in.read(x.row_of_variable);
+  in.read(x.ball_of_variable);
+  in.read(x.nominal);
+}
+
+bool is_function(KernelFunction function) {
+  return static_cast<std::size_t>(function) < kKernelFunctions.size();
+}
+
+bool is_sound(const PackExpansion& x, std::uint32_t variables) {
+  for (const PackDerivatives& d : x.derivatives)
+    if (!is_function(d.function)) return false;
+  const auto fits = [variables](std::size_t size) { return size == 0 || size == variables; };
+  return is_function(x.product) && x.row_of_variable.size() == variables &&
+         fits(x.ball_of_variable.size()) && fits(x.nominal.size());
+}
+
+bool is_sound(const PackKernel& k) {
+  bool small = true;
+  for_each_size(k, [&](std::uint32_t size) { small = small && size < kMaxSize; });
+  if (!small || std::uint64_t{k.rows} * k.columns >= kMaxSize) return false;
+  for (const PackFunction& f : k.functions) {
+    if (f.slots >= kMaxSize || f.outputs >= kMaxSize) return false;
+    if (!find_fault(f, k.variables, k.rows * k.columns).empty()) return false;
+  }
+  return !k.has_expansion || is_sound(k.expansion, k.variables);
+}
+
+}  // namespace
+
+std::string to_bytes(const PackKernel& program) {
+  Writer out;
+  for_each_size(program, [&](std::uint32_t size) { out.add(size); });
+  for (const PackFunction& function : program.functions) {
+    out.add(function.code);
+    out.add(function.part_ends);
+    out.add(function.constants);
+    out.add(function.slots);
+    out.add(function.outputs);
+  }
+  out.add(std::uint32_t{program.has_expansion});
+  const PackExpansion& x = program.expansion;
+  out.add(static_cast<std::uint32_t>(x.product));
+  for (const PackDerivatives& d : x.derivatives) {
+    out.add(static_cast<std::uint32_t>(d.function));
+    out.add(d.list);
+  }
+  out.add(x.row_of_variable);
+  out.add(x.ball_of_variable);
+  out.add(x.nominal);
+  out.add(program.identity);
+  return out.take();
+}
+
+std::optional<PackKernel> read_pack_kernel(std::string_view bytes) {
+  Reader in(bytes);
+  PackKernel program;
+  for_each_size(program, [&](std::uint32_t& size) { in.read(size); });
+  for (PackFunction& function : program.functions) read(in, function);
+  program.has_expansion = in.number() != 0;
+  read(in, program.expansion);
+  in.read(program.identity);
+  if (!in.at_end() || !is_sound(program)) return std::nullopt;
+  return program;
+}
+
+}  // namespace regulus::machine

@@ -1,0 +1,24 @@
+// SPDX-License-Identifier: Apache-2.0
+// The rounding self-test of regulus/kernel/self_test.hpp as a pack program, for what makes kernels
+// from lists.
+#pragma once
+
+#include <optional>
+#include <string>
+
+#include "regulus/kernel/abi.hpp"
+#include "regulus/kernel/isa.hpp"
+#include "regulus/machine/pack_program.hpp"
+
+namespace regulus::machine {
+
+/// Ensures   find_fault finds none in its functions.
+[[nodiscard]] PackKernel self_test_kernel();
+
+/// Runs what was made of self_test_kernel() and compares every lane with the known results.
+///
+/// Requires  `kernel` was made of self_test_kernel() for `isa`, and supported(isa).
+/// Ensures   as regulus::check_self_test.
+[[nodiscard]] std::optional<std::string> check_self_test(const regulus_kernel& kernel, Isa isa);
+
+}  // namespace regulus::machine
