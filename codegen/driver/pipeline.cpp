@@ -247,7 +247,7 @@ Preparation prepare(const ModelOptions& model, const SearchOptions& search, Form
     return p;
   }
   prepare_anew(p, search, [&](const machine::PackKernel& program) {
-    if (cache) cache->keep({p.subject, p.variety, p.matrix, {}}, program);
+    if (cache) cache->keep({p.subject, p.variety, p.matrix, {}, {}}, program);
   });
   if (cache && p.cache_note.empty()) p.cache_note = cache->note();
   return p;

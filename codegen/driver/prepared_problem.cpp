@@ -213,6 +213,7 @@ std::string to_text(const PreparedProblem& problem) {
   Json json = json_of(problem.subject);
   json["format"] = kFormat;
   json["program"] = problem.program_key;
+  json["identity"] = problem.identity;
   json["alpha"] = json_of(problem.variety.alpha);
   json["matrix"] = problem.matrix ? json_of(*problem.matrix) : Json(nullptr);
   Json& variables = json["variables"] = Json::array();
@@ -227,6 +228,7 @@ std::optional<PreparedProblem> read_prepared_problem(std::string_view text) try 
   PreparedProblem problem;
   problem.subject = subject_of(json);
   problem.program_key = json.at("program");
+  problem.identity = json.at("identity");
   if (json.at("format") != kFormat || !is_key(problem.program_key)) return std::nullopt;
   problem.variety.alpha = interval_of(json.at("alpha"));
   for (const Json& variable : json.at("variables")) read_variable(variable, problem);

@@ -23,6 +23,7 @@ struct PreparedProblem {
   Variety variety;
   std::optional<BallProgram> matrix;  ///< of a square one
   std::string program_key;            ///< of the kernel's pack program in the cache
+  std::string identity;               ///< of that program
 };
 
 /// The name of a prepared problem in the cache.

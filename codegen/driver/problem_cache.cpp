@@ -21,9 +21,9 @@ std::optional<ProblemCache::Found> ProblemCache::find() {
   std::optional<PreparedProblem> problem = read_prepared_problem(*entry.object);
   if (!problem) return std::nullopt;
   const ObjectCache::Entry bytes = cache_.read(problem->program_key);
-  if (!bytes.object || sha256(*bytes.object) != problem->program_key) return std::nullopt;
+  if (!bytes.object) return std::nullopt;
   const std::optional<machine::PackKernel> program = machine::read_pack_kernel(*bytes.object);
-  if (!program) return std::nullopt;
+  if (!program || program->identity != problem->identity) return std::nullopt;
   CompileOptions options;
   options.isa = isa_;
   std::optional<CompiledKernel> kernel = find_cached_kernel(*program, options);
@@ -34,6 +34,7 @@ std::optional<ProblemCache::Found> ProblemCache::find() {
 void ProblemCache::keep(PreparedProblem problem, const machine::PackKernel& program) const {
   const std::string bytes = machine::to_bytes(program);
   problem.program_key = sha256(bytes);
+  problem.identity = program.identity;
   static_cast<void>(cache_.write({{problem.program_key, bytes}, {key_, to_text(problem)}}));
 }
 

@@ -1,11 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // From a pack program to machine code, part by part.
+#include <cstring>
 #include <map>
 #include <stdexcept>
 #include <utility>
 #include <vector>
 
 #include "regulus/codegen/jit/compile_steps.hpp"
+#include "regulus/codegen/jit/key_parts.hpp"
 #include "regulus/codegen/jit/part.hpp"
 #include "regulus/codegen/jit/part_code.hpp"
 #include "regulus/codegen/jit/part_compiler.hpp"
@@ -18,6 +20,7 @@ namespace {
 
 /// The parts of a kernel, each once.
 struct PartList {
+  std::string all;  ///< what the cache calls all of them together
   std::vector<std::string> names, bytes;
   std::vector<std::string> codes;  ///< empty: not there yet
   std::array<std::vector<std::size_t>, kKernelFunctions.size()> of_function;
@@ -36,6 +39,10 @@ PartList parts_of(const machine::PackKernel& program, Isa isa, const std::string
       list.bytes.push_back(std::move(bytes));
     }
   list.codes.resize(list.names.size());
+  KeyParts all;
+  all.add("all parts");
+  all.add(list.names);
+  list.all = all.key();
   return list;
 }
 
@@ -49,6 +56,42 @@ std::string find_in_cache(const ObjectCache& cache, const std::string& name, std
   code = std::move(*entry.object);
   code.erase(0, name.size());
   return {};
+}
+
+/// The codes of all parts in one entry of the cache, which is read sooner than an entry of each.
+std::string all_codes(const PartList& list) {
+  std::string bytes = list.all;
+  for (const std::string& code : list.codes) {
+    const std::uint64_t size = code.size();
+    bytes.append(reinterpret_cast<const char*>(&size), sizeof size).append(code);
+  }
+  return bytes;
+}
+
+/// Whether the entry gave every part its code.
+bool take_all_codes(PartList& list, std::string_view bytes) {
+  if (!bytes.starts_with(list.all)) return false;
+  bytes.remove_prefix(list.all.size());
+  std::vector<std::string> codes;
+  for (std::uint64_t size = 0; codes.size() < list.codes.size(); bytes.remove_prefix(size)) {
+    if (bytes.size() < sizeof size) return false;
+    std::memcpy(&size, bytes.data(), sizeof size);
+    bytes.remove_prefix(sizeof size);
+    if (size == 0 || size > bytes.size()) return false;
+    codes.emplace_back(bytes.substr(0, size));
+  }
+  list.codes = std::move(codes);
+  return bytes.empty();
+}
+
+bool find_whole(PartList& list, PartStore* store, const ObjectCache& cache, CompileReport& report) {
+  const Timer timer(report.cache_seconds);
+  const ObjectCache::Entry entry = cache.read(list.all);
+  append_note(report, entry.note);
+  if (!entry.object || !take_all_codes(list, *entry.object)) return false;
+  if (store)
+    for (std::size_t i = 0; i < list.names.size(); ++i) store->add(list.names[i], list.codes[i]);
+  return true;
 }
 
 /// The parts that are known get their code. Returns the others.
@@ -100,15 +143,16 @@ void compile_missing(PartList& list, const std::vector<std::size_t>& missing,
 void keep(const PartList& list, const std::vector<std::size_t>& fresh, PartStore* store,
           const std::optional<ObjectCache>& cache, CompileReport& report) {
   const Timer timer(report.cache_seconds);
+  if (store)
+    for (const std::size_t i : fresh) store->add(list.names[i], list.codes[i]);
+  if (!cache) return;
   std::vector<std::string> entries;
-  for (const std::size_t i : fresh) {
-    if (store) store->add(list.names[i], list.codes[i]);
-    entries.push_back(list.names[i] + list.codes[i]);
-  }
-  if (!cache || fresh.empty()) return;
   std::vector<ObjectCache::NamedObject> objects;
+  for (const std::size_t i : fresh) entries.push_back(list.names[i] + list.codes[i]);
   for (std::size_t i = 0; i < fresh.size(); ++i)
     objects.push_back({list.names[fresh[i]], entries[i]});
+  const std::string all = all_codes(list);
+  objects.push_back({list.all, all});
   append_note(report, cache->write(objects));
 }
 
@@ -182,11 +226,13 @@ std::optional<CompiledKernel> make_kernel(const machine::PackKernel& program,
     const PartCompiler compiler;
     PartList list = parts_of(program, options.isa, compiler.identity());
     const auto cache = open_cache(options, report);
-    const std::vector<std::size_t> missing = find_known(list, options.parts, cache, report);
+    const bool whole = cache && find_whole(list, options.parts, *cache, report);
+    std::vector<std::size_t> missing;
+    if (!whole) missing = find_known(list, options.parts, cache, report);
     if (!missing.empty() && what == Missing::kGiveUp) return std::nullopt;
     if (!missing.empty()) compile_missing(list, missing, compiler, options.isa, report);
     loaded = load(program, list, options.isa, report);
-    keep(list, missing, options.parts, cache, report);
+    if (!whole) keep(list, missing, options.parts, cache, report);
     report.parts = {missing.size(), list.names.size() - missing.size()};
     if (cache) report.cache = missing.empty() ? CacheUse::kHit : CacheUse::kMiss;
   }

@@ -88,11 +88,14 @@ Operations::Operations(llvm::Module& packs) : packs_(packs), load_(find_straight
 }
 
 llvm::Function* Operations::find_straight(const char* name) {
+  const auto [place, is_new] = straight_.try_emplace(name, nullptr);
+  if (!is_new) return place->second;
   llvm::Function* operation = packs_.getFunction(("regulus_" + llvm::StringRef(name)).str());
   if (!operation) return nullptr;
   if (llvm::Error error = operation->materialize())
     throw std::runtime_error(llvm::toString(std::move(error)));
-  return is_straight(*operation) ? operation : nullptr;
+  if (is_straight(*operation)) place->second = operation;
+  return place->second;
 }
 
 /// A copy of the operation's instructions in which each access to an object is the object's

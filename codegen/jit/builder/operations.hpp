@@ -4,6 +4,7 @@
 
 #include <llvm/ADT/ArrayRef.h>
 #include <llvm/ADT/SmallVector.h>
+#include <llvm/ADT/StringMap.h>
 #include <llvm/IR/IRBuilder.h>
 #include <llvm/IR/Module.h>
 
@@ -67,6 +68,7 @@ class Operations {
                                 std::uint64_t offset);
 
   llvm::Module& packs_;
+  llvm::StringMap<llvm::Function*> straight_;  ///< those that were looked for; null: it is none
   llvm::Function* load_;
   llvm::SmallVector<Part, 4> layout_;  ///< of an interval
 };

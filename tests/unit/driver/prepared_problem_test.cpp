@@ -110,7 +110,7 @@ PreparedProblem example() {
   p.variety.inner = {Interval{0.0, 0.0}, std::nullopt, Interval{-1, 1}};
   p.variety.alpha = {1.0 / 3, std::nextafter(1.0 / 3, 1.0)};
   p.program_key = std::string(64, '7');
-  p.kernel = {"regulus_kernel_42", "0123456789abcdef"};
+  p.identity = "0123456789abcdef";
   return p;
 }
 
@@ -131,8 +131,7 @@ TEST(PreparedProblem, IsReadBackAsItWas) {
   EXPECT_EQ(after->subject.variables.at(2).kind, VariableKind::kControl);
   EXPECT_EQ(to_text(*after), to_text(before));
   EXPECT_EQ(after->program_key, before.program_key);
-  EXPECT_EQ(after->kernel.symbol, before.kernel.symbol);
-  EXPECT_EQ(after->kernel.identity, before.kernel.identity);
+  EXPECT_EQ(after->identity, before.identity);
   expect_same(after->variety.alpha, before.variety.alpha);
   ASSERT_EQ(after->variety.outer.size(), 3U);
   ASSERT_EQ(after->variety.inner.size(), 3U);

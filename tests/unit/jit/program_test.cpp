@@ -4,6 +4,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <fstream>
 #include <thread>
 #include <vector>
@@ -86,9 +87,24 @@ TEST_F(ProgramTest, TakesThePartsOfAnotherOneFromMemory) {
 
 TEST_F(ProgramTest, CompilesAgainThePartsWhoseEntriesAreDamaged) {
   (void)compile_kernel(program(), options_);
-  const auto files = entries();
-  std::ofstream(files.front(), std::ios::trunc) << "damaged";
-  std::filesystem::remove(files.back());
+  const auto files = entries();  // one of all parts together, and one of each
+  const auto largest = std::ranges::max_element(
+      files, {}, [](const auto& file) { return std::filesystem::file_size(file); });
+  std::ofstream(*largest, std::ios::trunc) << "damaged";
+  const CompiledKernel of_parts = compile_kernel(program(), options_);
+  EXPECT_EQ(of_parts.cache(), "hit");
+  EXPECT_THAT(of_parts.cache_note(), HasSubstr("is damaged"));
+  EXPECT_EQ(compile_kernel(program(), options_).cache_note(), "");
+
+  std::filesystem::remove(*largest);
+  int spoilt = 0;
+  for (const auto& file : files) {
+    if (file == *largest || spoilt == 2) continue;
+    if (spoilt++ == 0)
+      std::ofstream(file, std::ios::trunc) << "damaged";
+    else
+      std::filesystem::remove(file);
+  }
   const CompiledKernel again = compile_kernel(program(), options_);
   EXPECT_EQ(again.cache(), "miss");
   EXPECT_EQ(again.report().parts.compiled, 2U);
