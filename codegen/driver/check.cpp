@@ -23,7 +23,6 @@ ModelOptions question(const Robot& robot, const std::string& motion, const Check
   return model;
 }
 
-/// No process is forked in a program whose threads may hold any lock.
 SearchOptions search_options(const CheckOptions& options) {
   SearchOptions search;
   search.method = name(options.method);
@@ -41,7 +40,7 @@ SearchOptions search_options(const CheckOptions& options) {
   search.time_limit = options.time_limit;
   search.symbolic_budget = options.symbolic_budget;
   search.precision = options.precision;
-  search.may_fork = false;
+  search.boxes_before_compiling = 0;
   return search;
 }
 

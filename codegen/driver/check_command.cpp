@@ -15,12 +15,11 @@
 #include "regulus/search/observers.hpp"
 
 namespace regulus::codegen {
+namespace {
 
-int run_check(const CheckCommand& command) {
-  set_earlier_outputs_aside(command.model.path, {{"--certificate", command.certificate, true}});
-  InterruptGuard interrupt;
-  Preparation preparation =
-      prepare(command.model, command.search, forming_watch(command.output, &interrupt.requested()));
+/// Returns when the report and all files are written.
+Result search_and_report(const CheckCommand& command, Preparation& preparation,
+                         InterruptGuard& interrupt) {
   Settings settings = settings_from(command.search);
   settings.interrupt = &interrupt.requested();
   settings.time_limit = seconds_left(preparation, settings.time_limit);
@@ -35,8 +34,8 @@ int run_check(const CheckCommand& command) {
   if (certificate.observer() != nullptr) watching.push_back(certificate.observer());
   if (Observer* saving = checkpoint.observer(certificate.writer())) watching.push_back(saving);
   Observers observers(std::move(watching));
-  const Result result = run_search(preparation, command.search, command.output, settings,
-                                   &observers, checkpoint.found());
+  Result result = run_search(preparation, command.search, command.output, settings, &observers,
+                             checkpoint.found());
   certificate.finish(result);
   checkpoint.finish(result, certificate.writer());
   const auto nearest = nearest_singular(preparation, result);
@@ -50,8 +49,18 @@ int run_check(const CheckCommand& command) {
   } else {
     std::cout << name(result.verdict) << '\n';
   }
-  std::cout.flush();
-  return exit_code_of(result.verdict);
+  return result;
+}
+
+}  // namespace
+
+int run_check(const CheckCommand& command) {
+  set_earlier_outputs_aside(command.model.path, {{"--certificate", command.certificate, true}});
+  InterruptGuard interrupt;
+  Preparation preparation =
+      prepare(command.model, command.search, forming_watch(command.output, &interrupt.requested()));
+  const Result result = search_and_report(command, preparation, interrupt);
+  return end_command(preparation, command.output, result, interrupt.requested());
 }
 
 }  // namespace regulus::codegen

@@ -106,14 +106,9 @@ std::vector<Observer*> present(std::initializer_list<Observer*> observers) {
   return result;
 }
 
-}  // namespace
-
-int run_locate(const LocateCommand& command) {
-  for (const std::string& picture : command.pictures) require_picture_format(picture);
-  set_earlier_outputs_aside(command.model.path, outputs_of(command));
-  InterruptGuard interrupt;
-  Preparation preparation =
-      prepare(command.model, command.search, forming_watch(command.output, &interrupt.requested()));
+/// Returns when the report and all files are written.
+Result pave_and_report(const LocateCommand& command, Preparation& preparation,
+                       InterruptGuard& interrupt) {
   const PavingOptions options = resolve_paving(command, preparation);
   LinesFile lines(command);
   Pictures pictures(command.pictures, preparation, options);
@@ -147,8 +142,19 @@ int run_locate(const LocateCommand& command) {
     std::cout << name(result.verdict) << '\n';
   else if (!command.output.quiet)
     std::cerr << name(result.verdict) << '\n';
-  std::cout.flush();
-  return exit_code_of(result.verdict);
+  return result;
+}
+
+}  // namespace
+
+int run_locate(const LocateCommand& command) {
+  for (const std::string& picture : command.pictures) require_picture_format(picture);
+  set_earlier_outputs_aside(command.model.path, outputs_of(command));
+  InterruptGuard interrupt;
+  Preparation preparation =
+      prepare(command.model, command.search, forming_watch(command.output, &interrupt.requested()));
+  const Result result = pave_and_report(command, preparation, interrupt);
+  return end_command(preparation, command.output, result, interrupt.requested());
 }
 
 }  // namespace regulus::codegen

@@ -99,7 +99,7 @@ std::string margin_report(const Preparation& p, const SearchOptions& search,
       fmt::format("model      {}\nmotion     {}\nmargin     {}, from {} to {}\n", p.subject.model,
                   p.subject.motion, growing_words(question), question.low.text,
                   question.high ? question.high->text : "where it ends");
-  text += method_lines(p, search, parse_method(search.method).value());
+  text += method_lines(p, search, parse_method(search.method).value(), margin.boxes);
   text += fmt::format("boxes      {} evaluated at {} values\n", margin.boxes, margin.steps.size());
   text += time_line(p.seconds_spent());
   if (margin.empty)

@@ -145,12 +145,17 @@ void add_search_options(CLI::App& app, SearchOptions& options) {
       ->check(CLI::IsMember(ingredient_names()).description(""))
       ->type_name("NAME");
   const std::map<std::string, Engine> engines{
-      {"auto", Engine::kAuto}, {"jit", Engine::kJit}, {"interpreted", Engine::kInterpreted}};
+      {"auto", Engine::kAuto},
+      {"jit", Engine::kJit},
+      {"clang", Engine::kClang},
+      {"interpreted", Engine::kInterpreted}};
   app.add_option(
          "--engine", options.engine,
-         "How the model's functions run: compiled (jit, margin's default), interpreted, or "
-         "interpreted until a compiler beside the search is done (auto, the default of others)")
-      ->transform(CLI::CheckedTransformer(engines).description("{auto,jit,interpreted}"));
+         "How the model's functions run: compiled by LLVM (jit, margin's default), compiled from "
+         "their C++ text by Clang (clang), interpreted, or as the "
+         "cache has them, otherwise interpreted, and compiled beside a search that becomes long "
+         "(auto, the default of others)")
+      ->transform(CLI::CheckedTransformer(engines).description("{auto,jit,clang,interpreted}"));
   app.add_option("--isa", options.isa,
                  "Instruction set of the kernel; the best the CPU has by default")
       ->check(known_word(isa_of))

@@ -15,8 +15,16 @@
 
 namespace regulus::codegen {
 
-/// kAuto: interpreted until the compiler, which runs meanwhile, is done.
-enum class Engine { kAuto, kJit, kInterpreted };
+/// kAuto: compiled if the cache has the kernel, otherwise interpreted, and compiled beside a search
+/// that becomes long. kJit: built with LLVM from the list of operations. kClang: the C++ text,
+/// compiled by Clang in this process; it takes longer and computes the same bits.
+enum class Engine { kAuto, kJit, kClang, kInterpreted };
+
+/// From so many boxes on a search is worth a compiler: what it saves on a box pays for it within
+/// 65 000 to 80 000 boxes, whatever the size of the kernel (runtime/PERFORMANCE.md). It takes half
+/// the time of so many interpreted boxes in one thread, so that a search which ends just after it
+/// began is not waited for longer than it took.
+inline constexpr std::uint64_t kBoxesBeforeCompiling = 50'000;
 
 /// `--tolerance base,platform=0.1`
 struct ToleranceOption {
@@ -42,9 +50,9 @@ struct SearchOptions {
   std::uint64_t symbolic_budget = kDeterminantBudget;  ///< terms of a closed form
   long precision = 1024;                               ///< most bits where doubles cannot decide
   PartStore* parts = nullptr;                          ///< of kernels compiled before
-  /// Engine::kAuto: the compiler may run in a process that is forked. Not where the program has
-  /// threads of which nothing is known: a lock that one of them holds stays locked in the fork.
-  bool may_fork = true;
+  /// Of Engine::kAuto. 0: the kernel is compiled before the search, and interpreted only where
+  /// there is no compiler.
+  std::uint64_t boxes_before_compiling = kBoxesBeforeCompiling;
   bool threshold = false;  ///< α may be raised above 0 once the kernel is formed
 };
 

@@ -164,7 +164,8 @@ std::string percentage(const Volumes& volumes, const Share& share) {
 std::string paving_report(const Preparation& p, const SearchOptions& search,
                           const PavingOptions& options, const Volumes& volumes,
                           const Result& result) {
-  std::string text = question_lines(p) + method_lines(p, search, result.method);
+  std::string text =
+      question_lines(p) + method_lines(p, search, result.method, result.statistics.boxes);
   if (!options.axes.empty())
     text += fmt::format("resolution 1/{:g} of each range\n", 1 / options.resolution);
   text += fmt::format("boxes      {} evaluated, at most {} waiting\n", result.statistics.boxes,

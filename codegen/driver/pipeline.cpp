@@ -4,6 +4,7 @@
 #include <functional>
 
 #include "regulus/codegen/driver/ingredients.hpp"
+#include "regulus/codegen/driver/kernel_source.hpp"
 #include "regulus/codegen/driver/problem_cache.hpp"
 #include "regulus/codegen/driver/search_words.hpp"
 #include "regulus/codegen/driver/settings.hpp"
@@ -50,11 +51,7 @@ CompileOptions compile_options(Isa isa, const SearchOptions& search) {
   return options;
 }
 
-void require_sound_rounding(const std::optional<std::string>& failure) {
-  if (failure) throw InternalError("the rounding self-test failed: " + *failure);
-}
-
-/// Without the names of model and motion: the program then depends on what is computed alone, and
+/// Without the names of model and motion: a program then depends on what is computed alone, and
 /// motions of the same expressions share one entry of the cache.
 Module anonymous(Module module) {
   module.model.clear();
@@ -62,14 +59,21 @@ Module anonymous(Module module) {
   return module;
 }
 
-void interpret(Preparation& p, const SearchOptions& search) {
-  Stopwatch watch;
-  p.isa = chosen_isa(search);
+void interpret(const machine::PackKernel& program, Preparation& p) {
   require_sound_rounding(self_test(p.isa));
-  p.cache = "off";
-  p.kernel = std::make_unique<InterpretedList>(
-      select(p.stages->module(), kOperationsPerPart, &p.stages->watch()), p.isa);
-  p.seconds.compile += watch.lap();
+  p.cache = name(CacheUse::kOff);
+  p.kernel = std::make_unique<InterpretedList>(program, p.isa);
+}
+
+/// Only a search that becomes long has the kernel compiled.
+void interpret_first(const SharedProgram& program, Preparation& p, const SearchOptions& search) {
+  interpret(*program, p);
+  const std::string refusal =
+      search.use_cache ? ObjectCache(default_cache_directory()).refusal() : "";
+  if (search.use_cache && refusal.empty()) p.cache = name(CacheUse::kMiss);
+  p.cache_note = refusal;
+  p.late = std::make_unique<LateCompilation>(program, search.boxes_before_compiling,
+                                             compile_options(p.isa, search));
 }
 
 void use(CompiledKernel code, Preparation& p) {
@@ -79,53 +83,57 @@ void use(CompiledKernel code, Preparation& p) {
   p.kernel = std::make_unique<CompiledCode>(std::move(code));
 }
 
-using Program = std::shared_ptr<const machine::PackKernel>;
-
-/// Receives the program of a kernel once the cache has its parts.
-using Keep = std::function<void(const machine::PackKernel&)>;
-
-void compile(const Program& program, Preparation& p, const SearchOptions& search,
-             const Keep& keep) {
-  const CompileOptions options = compile_options(p.isa, search);
-  require_sound_rounding(rounding_self_test(options));
-  CompiledKernel code = compile_kernel(*program, options);
-  if (code.report().cache != CacheUse::kOff) keep(*program);
-  use(std::move(code), p);
-}
-
-/// Has the kernel compiled while it is interpreted, unless the cache has it. Without a cache the
-/// compiler's work would be lost whenever the search is done first: then it is waited for.
-void compile_meanwhile(const Program& program, Preparation& p, const SearchOptions& search,
-                       const Keep& keep) {
-  const CompileOptions options = compile_options(p.isa, search);
-  const ObjectCache cache(default_cache_directory());
-  if (!search.use_cache || !cache.refusal().empty() || find_cached_kernel(*program, options))
-    return compile(program, p, search, keep);
-  auto kernel = std::make_unique<EngineSwitch>(program, options, [&] { keep(*program); });
-  p.cache = name(CacheUse::kMiss);
-  p.engine_switch = kernel.get();
-  p.kernel = std::move(kernel);
-}
-
 /// The interpreter needs no compiler, and none is no reason to have no answer.
-void compile_if_possible(const Program& program, Preparation& p, const SearchOptions& search,
-                         const Keep& keep) try {
-  search.may_fork ? compile_meanwhile(program, p, search, keep) : compile(program, p, search, keep);
+void compile_if_possible(const machine::PackKernel& program, Preparation& p,
+                         const SearchOptions& search) try {
+  use(compile(program, compile_options(p.isa, search)), p);
 } catch (const NoCompiler& error) {
-  interpret(p, search);
+  interpret(program, p);
   p.no_compiler = error.what();
 }
 
-void compile(Preparation& p, const SearchOptions& search, const Keep& keep) {
+/// nullopt also where compiled code cannot be tested for want of a compiler.
+std::optional<CompiledKernel> find_tested(const machine::PackKernel& program,
+                                          const CompileOptions& options) try {
+  std::optional<CompiledKernel> found =
+      options.use_cache ? find_cached_kernel(program, options) : std::nullopt;
+  if (found) require_sound_rounding(options);
+  return found;
+} catch (const NoCompiler&) {
+  return std::nullopt;
+}
+
+void choose_engine(const SharedProgram& program, Preparation& p, const SearchOptions& search) {
+  const CompileOptions options = compile_options(p.isa, search);
+  if (search.engine == Engine::kJit) return use(compile(*program, options), p);
+  if (search.boxes_before_compiling == 0) return compile_if_possible(*program, p, search);
+  if (auto found = find_tested(*program, options)) return use(std::move(*found), p);
+  interpret_first(program, p, search);
+}
+
+/// Receives the program of a kernel.
+using Keep = std::function<void(const machine::PackKernel&)>;
+
+void make_kernel(Preparation& p, const SearchOptions& search, const Keep& keep) {
   Stopwatch watch;
   p.isa = chosen_isa(search);
-  const auto program = std::make_shared<const machine::PackKernel>(
-      select(anonymous(p.stages->module()), kOperationsPerPart, &p.stages->watch()));
-  p.seconds.emit += watch.lap();
-  if (search.engine == Engine::kAuto)
-    compile_if_possible(program, p, search, keep);
-  else
-    compile(program, p, search, keep);
+  const FormingWatch& forming = p.stages->watch();
+  const Module module = anonymous(p.stages->module());
+  if (search.engine == Engine::kClang) {
+    const EmittedKernel text = emit(module, {}, &forming);
+    p.seconds.emit += watch.lap();
+    use(compile(text, compile_options(p.isa, search)), p);
+  } else {
+    const auto program = std::make_shared<const machine::PackKernel>(
+        select(module, kOperationsPerPart, &forming));
+    p.seconds.emit += watch.lap();
+    if (search.engine == Engine::kInterpreted || p.stopped) {
+      interpret(*program, p);
+    } else {
+      keep(*program);
+      choose_engine(program, p, search);
+    }
+  }
   p.seconds.compile += watch.lap();
 }
 
@@ -173,7 +181,9 @@ void give_up(Preparation& p, const Request& request, const SearchOptions& search
   p.stages->give_up();
   p.matrix.reset();
   form(p, request);
-  interpret(p, search);
+  SearchOptions interpreted = search;
+  interpreted.engine = Engine::kInterpreted;
+  make_kernel(p, interpreted, {});
 }
 
 /// Every stage, one after the other.
@@ -187,7 +197,7 @@ void prepare_anew(Preparation& p, const SearchOptions& search, const Keep& keep)
   const double before = p.stages->symbolic_seconds();
   try {
     form(p, request);
-    search.engine == Engine::kInterpreted ? interpret(p, search) : compile(p, search, keep);
+    make_kernel(p, search, keep);
   } catch (const FormingStopped& stopped) {
     p.stopped = stopped;
     // The stage that was stopped has not said what it took.
@@ -203,16 +213,19 @@ void prepare_anew(Preparation& p, const SearchOptions& search, const Keep& keep)
 std::optional<ProblemCache> place_in_cache(std::string_view text, const ModelOptions& model,
                                            const FormulationOptions& functions,
                                            const SearchOptions& search) {
-  if (search.engine == Engine::kInterpreted || !search.use_cache) return std::nullopt;
+  if (search.engine == Engine::kInterpreted || search.engine == Engine::kClang || !search.use_cache)
+    return std::nullopt;
   const Isa isa = isa_of(search.isa).value_or(best_isa());
   if (!supported(isa)) return std::nullopt;
   return std::optional<ProblemCache>(std::in_place, text, model, functions, isa);
 }
 
-/// Returns whether the cache had what is asked for.
+/// Takes what is asked for from the cache: the kernel as machine code, or as a program for an
+/// engine that may interpret. Returns whether it was there.
 bool take_from(ProblemCache& cache, Preparation& p, const SearchOptions& search) try {
   Stopwatch watch;
-  std::optional<ProblemCache::Found> found = cache.find();
+  const bool may_interpret = search.engine == Engine::kAuto && search.boxes_before_compiling != 0;
+  std::optional<ProblemCache::Found> found = cache.find(may_interpret);
   if (!found) return false;
   load_filters(p, search);
   p.subject = std::move(found->problem.subject);
@@ -220,8 +233,13 @@ bool take_from(ProblemCache& cache, Preparation& p, const SearchOptions& search)
   p.matrix = std::move(found->problem.matrix);
   p.isa = chosen_isa(search);
   require_sound_rounding(self_test(Isa::kPortable));
-  require_sound_rounding(rounding_self_test(compile_options(p.isa, search)));
-  use(std::move(found->kernel), p);
+  if (found->kernel) {
+    require_sound_rounding(compile_options(p.isa, search));
+    use(std::move(*found->kernel), p);
+  } else {
+    interpret_first(std::make_shared<const machine::PackKernel>(std::move(found->program)), p,
+                    search);
+  }
   p.seconds.compile += watch.lap();
   return true;
 } catch (const NoCompiler&) {
@@ -260,7 +278,7 @@ Preparation prepare(Request request, double model_seconds, const SearchOptions& 
       std::make_unique<SymbolicStages>(std::move(request), model_seconds, functions_for(search));
   p.stages->watch(within_time_limit(std::move(forming), search));
   SearchOptions compiled = search;
-  compiled.may_fork = false;
+  compiled.boxes_before_compiling = 0;
   prepare_anew(p, compiled, [](const machine::PackKernel&) {});
   return p;
 }
@@ -276,6 +294,7 @@ StageSeconds Preparation::seconds_spent() const {
 Problem Preparation::problem() const {
   Problem problem;
   problem.kernel = &kernel->functions();
+  if (late) problem.faster_kernel = &late->kernel();
   problem.outer = variety.outer;
   problem.inner = variety.inner;
   problem.alpha = variety.alpha;

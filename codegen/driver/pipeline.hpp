@@ -7,8 +7,8 @@
 #include <string>
 #include <vector>
 
-#include "regulus/codegen/driver/engine_switch.hpp"
 #include "regulus/codegen/driver/filter_file.hpp"
+#include "regulus/codegen/driver/late_compilation.hpp"
 #include "regulus/codegen/driver/loaded_kernel.hpp"
 #include "regulus/codegen/driver/options.hpp"
 #include "regulus/codegen/driver/stopwatch.hpp"
@@ -34,12 +34,6 @@ struct StageSeconds {
   double search = 0;
 };
 
-/// How many boxes each engine evaluated.
-struct EngineBoxes {
-  std::uint64_t interpreted = 0;
-  std::uint64_t compiled = 0;
-};
-
 /// Everything a check needs, and what the report says about how it came about.
 struct Preparation {
   Subject subject;
@@ -48,22 +42,22 @@ struct Preparation {
   /// threads of a search ask it with more digits.
   std::optional<BallProgram> matrix;
   std::unique_ptr<LoadedKernel> kernel;
-  EngineSwitch* engine_switch = nullptr;  ///< the kernel, if that may change during the search
-  std::vector<FilterFile> filters;        ///< in the order of Settings::filters
+  /// Of Engine::kAuto, where the kernel is interpreted; null: it is compiled or stays interpreted.
+  std::unique_ptr<LateCompilation> late;
+  std::vector<FilterFile> filters;  ///< in the order of Settings::filters
   Isa isa = Isa::kPortable;
-  std::string cache;         ///< "hit", "miss" or "off"
-  std::string no_compiler;   ///< why the interpreter was left; empty if it was not
-  std::string cache_note;    ///< why the cache could not be used; empty if it could
-  PartCount parts;           ///< of the kernel, with SearchOptions::parts
-  EngineBoxes engine_boxes;  ///< of the last search
-  long bits = 53;            ///< the most that the search computed with
+  std::string cache;        ///< "hit", "miss" or "off"
+  std::string no_compiler;  ///< why the interpreter was left; empty if it was not
+  std::string cache_note;   ///< why the cache could not be used; empty if it could
+  PartCount parts;          ///< of the kernel, with SearchOptions::parts
+  long bits = 53;           ///< the most that the search computed with
   /// Without what `stages` has spent, which may still be going to be more.
   StageSeconds seconds;
   std::unique_ptr<SymbolicStages> stages;
   /// Why the search is not to begin; nullopt: it may.
   std::optional<FormingStopped> stopped = {};
 
-  /// Refers to the kernel of this preparation.
+  /// Refers to the kernels of this preparation.
   [[nodiscard]] Problem problem() const;
   /// What has been spent until now.
   [[nodiscard]] StageSeconds seconds_spent() const;
@@ -78,7 +72,7 @@ struct Preparation {
 [[nodiscard]] Preparation prepare(const ModelOptions& model, const SearchOptions& search,
                                   FormingWatch watch = {});
 /// The same for a request that has been read, which took `model_seconds`; the engine `auto` waits
-/// for the compiler here.
+/// for the compiler here, whatever SearchOptions::boxes_before_compiling.
 [[nodiscard]] Preparation prepare(Request request, double model_seconds,
                                   const SearchOptions& search, FormingWatch watch = {});
 

@@ -242,12 +242,13 @@ std::optional<PreparedProblem> read_prepared_problem(std::string_view text) try 
   return std::nullopt;
 }
 
-bool fits(const PreparedProblem& problem, const regulus_kernel& kernel) noexcept {
+bool fits(const PreparedProblem& problem, const machine::PackKernel& program) noexcept {
   const Subject& s = problem.subject;
   const auto motion = std::ranges::count(s.variables, VariableKind::kMotion, &VariableLabel::kind);
-  return kernel.variables == s.variables.size() && kernel.motion_variables == unsigned(motion) &&
-         kernel.rows == unsigned(s.rows) && kernel.columns == unsigned(s.columns) &&
-         kernel.constraints == s.constraints && kernel.pose_parameters == s.pose.size();
+  return program.identity == problem.identity && program.variables == s.variables.size() &&
+         program.motion_variables == unsigned(motion) && program.rows == unsigned(s.rows) &&
+         program.columns == unsigned(s.columns) && program.constraints == s.constraints &&
+         program.pose_parameters == s.pose.size();
 }
 
 }  // namespace regulus::codegen

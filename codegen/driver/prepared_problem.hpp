@@ -13,8 +13,8 @@
 #include "regulus/codegen/jit/jit.hpp"
 #include "regulus/codegen/program/ball_program.hpp"
 #include "regulus/codegen/symbolic/variety.hpp"
-#include "regulus/kernel/abi.hpp"
 #include "regulus/kernel/isa.hpp"
+#include "regulus/machine/pack_program.hpp"
 
 namespace regulus::codegen {
 
@@ -44,7 +44,8 @@ struct PreparedProblem {
 /// nullopt unless the text is one that to_text wrote.
 [[nodiscard]] std::optional<PreparedProblem> read_prepared_problem(std::string_view text);
 
-/// Whether a kernel is of the problem's sizes.
-[[nodiscard]] bool fits(const PreparedProblem& problem, const regulus_kernel& kernel) noexcept;
+/// Whether a program is of the problem's sizes, and the one that its kernel was made from.
+[[nodiscard]] bool fits(const PreparedProblem& problem,
+                        const machine::PackKernel& program) noexcept;
 
 }  // namespace regulus::codegen

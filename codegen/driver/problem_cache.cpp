@@ -14,7 +14,7 @@ ProblemCache::ProblemCache(std::string_view model_text, const ModelOptions& mode
       key_(prepared_problem_key(model_text, model, functions, isa, program_identity(),
                                 compiler_identity())) {}
 
-std::optional<ProblemCache::Found> ProblemCache::find() {
+std::optional<ProblemCache::Found> ProblemCache::find(bool may_interpret) {
   const ObjectCache::Entry entry = cache_.read(key_);
   note_ = entry.note;
   if (!entry.object) return std::nullopt;
@@ -22,13 +22,13 @@ std::optional<ProblemCache::Found> ProblemCache::find() {
   if (!problem) return std::nullopt;
   const ObjectCache::Entry bytes = cache_.read(problem->program_key);
   if (!bytes.object) return std::nullopt;
-  const std::optional<machine::PackKernel> program = machine::read_pack_kernel(*bytes.object);
-  if (!program || program->identity != problem->identity) return std::nullopt;
+  std::optional<machine::PackKernel> program = machine::read_pack_kernel(*bytes.object);
+  if (!program || !fits(*problem, *program)) return std::nullopt;
   CompileOptions options;
   options.isa = isa_;
   std::optional<CompiledKernel> kernel = find_cached_kernel(*program, options);
-  if (!kernel || !fits(*problem, *kernel->kernel())) return std::nullopt;
-  return Found{std::move(*problem), std::move(*kernel)};
+  if (!kernel && !may_interpret) return std::nullopt;
+  return Found{std::move(*problem), std::move(kernel), std::move(*program)};
 }
 
 void ProblemCache::keep(PreparedProblem problem, const machine::PackKernel& program) const {

@@ -5,13 +5,15 @@
 #include <string>
 #include <string_view>
 
+#include "regulus/codegen/driver/kernel_source.hpp"
 #include "regulus/codegen/driver/prepared_problem.hpp"
-#include "regulus/codegen/jit/jit.hpp"
+#include "regulus/machine/pack_program.hpp"
 
 namespace regulus::codegen {
 
-/// The place in the cache of one question's prepared problem and kernel. Rules of trust are those
-/// of ObjectCache; what is damaged, or was made by another program, is as good as absent.
+/// The place in the cache of one question's prepared problem, and what it says of its kernel. Rules
+/// of trust are those of ObjectCache; what is damaged, or was made by another program, is as good
+/// as absent.
 class ProblemCache {
  public:
   ProblemCache(std::string_view model_text, const ModelOptions& model,
@@ -19,10 +21,11 @@ class ProblemCache {
 
   struct Found {
     PreparedProblem problem;
-    CompiledKernel kernel;
+    std::optional<CompiledKernel> kernel;  ///< null: a part of it is not in the cache
+    machine::PackKernel program;
   };
-  /// nullopt also when a part of the kernel is gone.
-  [[nodiscard]] std::optional<Found> find();
+  /// nullopt also when a part of the kernel is not there, unless its program will do.
+  [[nodiscard]] std::optional<Found> find(bool may_interpret);
   /// Why an entry that is there was not used; empty if that did not happen.
   [[nodiscard]] const std::string& note() const noexcept { return note_; }
 

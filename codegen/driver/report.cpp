@@ -128,7 +128,7 @@ Json json_report(const Preparation& p, const SearchOptions& search, const Result
   if (result.reason == Reason::kUndefined && !result.blocking_box.empty())
     report["undefined"] = json_undefined(p, find_undefined(p, result.blocking_box));
   report["engine"] = engine_name(search);
-  report["engine_boxes"] = json_engine_boxes(p.engine_boxes);
+  report["engine_boxes"] = json_engine_boxes(p, search, result.statistics.boxes);
   report["isa"] = name(p.isa);
   report["cache"] = p.cache;
   report["threads"] = settings_from(search).threads;
@@ -138,7 +138,8 @@ Json json_report(const Preparation& p, const SearchOptions& search, const Result
 
 std::string text_report(const Preparation& p, const SearchOptions& search, const Result& result,
                         const std::optional<LeastSingular>& nearest) {
-  std::string text = question_lines(p) + method_lines(p, search, result.method);
+  std::string text =
+      question_lines(p) + method_lines(p, search, result.method, result.statistics.boxes);
   text += filter_lines(p, result);
   text += fmt::format("boxes      {} evaluated, at most {} waiting\n", result.statistics.boxes,
                       result.statistics.max_frontier);

@@ -3,6 +3,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <charconv>
 
 namespace regulus::codegen {
@@ -107,16 +108,21 @@ std::string pose_line_of(const Preparation& p, std::span<const Interval> pose,
   return shown ? fmt::format("           where the pose is {}\n", words) : "";
 }
 
-std::string engine_words(const Preparation& p, const SearchOptions& search) {
-  if (search.engine == Engine::kInterpreted) return "interpreted";
+/// "50 000"
+std::string in_thousands(std::uint64_t count) {
+  if (count < 1000) return std::to_string(count);
+  return fmt::format("{} {:03}", in_thousands(count / 1000), count % 1000);
+}
+
+/// Says nothing that depends on how fast the compiler is: `boxes` decide whether it was asked.
+std::string engine_words(const Preparation& p, const SearchOptions& search, std::uint64_t boxes) {
+  if (search.engine == Engine::kInterpreted || p.stopped) return "interpreted";
   if (!p.no_compiler.empty()) return "interpreted: there is no compiled kernel, " + p.no_compiler;
-  const std::string compiled = fmt::format("compiled for {}, cache {}", name(p.isa), p.cache);
-  if (p.engine_switch == nullptr) return compiled;
-  if (p.engine_switch->switched())
-    return fmt::format("interpreted for {} boxes, then {}", p.engine_boxes.interpreted, compiled);
-  const std::string& failure = p.engine_switch->failure();
-  return failure.empty() ? "interpreted: the compiler was not done before the search"
-                         : "interpreted: there is no compiled kernel, " + failure;
+  if (!p.late) return fmt::format("compiled for {}, cache {}", name(p.isa), p.cache);
+  const std::string most = in_thousands(p.late->after_boxes());
+  return boxes < p.late->after_boxes()
+             ? fmt::format("interpreted (the search ended before {} boxes)", most)
+             : fmt::format("interpreted, and compiled meanwhile from {} boxes on", most);
 }
 
 }  // namespace
@@ -169,8 +175,13 @@ const char* engine_name(const SearchOptions& search) {
   return "";
 }
 
-Json json_engine_boxes(const EngineBoxes& boxes) {
-  return {{"interpreted", boxes.interpreted}, {"compiled", boxes.compiled}};
+Json json_engine_boxes(const Preparation& p, const SearchOptions& search, std::uint64_t boxes) {
+  std::uint64_t interpreted = 0;
+  if (search.engine == Engine::kInterpreted || p.stopped || !p.no_compiler.empty())
+    interpreted = boxes;
+  else if (p.late)
+    interpreted = std::min(boxes, p.late->after_boxes());
+  return {{"interpreted", interpreted}, {"compiled", boxes - interpreted}};
 }
 
 std::string short_interval(const Interval& x) {
@@ -265,9 +276,10 @@ std::string detail_line(const Preparation& p) {
                                                   : "as the model writes them");
 }
 
-std::string method_lines(const Preparation& p, const SearchOptions& search, Method method) {
+std::string method_lines(const Preparation& p, const SearchOptions& search, Method method,
+                         std::uint64_t boxes) {
   const std::string line = fmt::format("method     {}{}, {}\n", name(method), without_words(search),
-                                       engine_words(p, search));
+                                       engine_words(p, search, boxes));
   const std::string note = p.cache_note.empty() ? "" : fmt::format("           {}\n", p.cache_note);
   return line + note + detail_line(p);
 }

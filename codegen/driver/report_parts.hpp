@@ -25,7 +25,12 @@ namespace regulus::codegen {
 [[nodiscard]] nlohmann::ordered_json json_seconds(const StageSeconds& seconds);
 [[nodiscard]] const char* json_name(Verdict verdict);
 [[nodiscard]] const char* engine_name(const SearchOptions& search);
-[[nodiscard]] nlohmann::ordered_json json_engine_boxes(const EngineBoxes& boxes);
+/// How many of a search's boxes came before the compiler was asked, {"interpreted", "compiled"}:
+/// all or none of them where the engine is one from the start. When the compiler was done is left
+/// out, since it differs from run to run: until then the latter are interpreted, too.
+[[nodiscard]] nlohmann::ordered_json json_engine_boxes(const Preparation& preparation,
+                                                       const SearchOptions& search,
+                                                       std::uint64_t boxes);
 
 /// Short enough to read; never used for anything that is certified.
 [[nodiscard]] std::string short_interval(const Interval& x);
@@ -56,9 +61,9 @@ namespace regulus::codegen {
 
 /// The lines about model, motion and uncertain quantities.
 [[nodiscard]] std::string question_lines(const Preparation& preparation);
-/// The line about method and engine.
+/// The line about method and engine, after a search of `boxes`.
 [[nodiscard]] std::string method_lines(const Preparation& preparation, const SearchOptions& search,
-                                       Method method);
+                                       Method method, std::uint64_t boxes);
 [[nodiscard]] std::string time_line(const StageSeconds& seconds);
 /// How much was made of the model's expressions: "full", "small-parts", "as-written"; null where
 /// the forming was stopped.

@@ -5,8 +5,7 @@
 
 #include <algorithm>
 #include <cstdio>
-#include <exception>
-#include <mutex>
+#include <iostream>
 #include <optional>
 
 #include "regulus/codegen/driver/algebra_oracle.hpp"
@@ -40,14 +39,11 @@ Result with_oracle(Preparation& preparation, const SearchOptions& search, Settin
   return result;
 }
 
-/// `boxes`: all of a search, of which `earlier` were evaluated before a checkpoint.
-EngineBoxes engine_boxes(const Preparation& p, const SearchOptions& search, std::uint64_t boxes,
-                         std::uint64_t earlier) {
-  if (search.engine == Engine::kInterpreted || !p.no_compiler.empty()) return {boxes - earlier, 0};
-  if (p.engine_switch == nullptr) return {0, boxes - earlier};
-  if (!p.engine_switch->switched()) return {boxes - earlier, 0};
-  const std::uint64_t at_switch = p.engine_switch->interpreted_boxes();
-  return {at_switch - earlier, boxes - at_switch};
+/// The compiler's work is kept for a later run, and nobody asked for an end.
+bool is_worth_waiting(const Preparation& preparation, const Result& result) {
+  return preparation.cache != name(CacheUse::kOff) &&
+         (!result.stopped_by || *result.stopped_by == Reason::kBoxBudget ||
+          *result.stopped_by == Reason::kStalled);
 }
 
 }  // namespace
@@ -64,7 +60,7 @@ Result run_search(Preparation& preparation, const SearchOptions& search,
   if (observer != nullptr) watching.push_back(observer);
   std::optional<ProgressDisplay> display;
   if (!output.quiet && isatty(STDERR_FILENO) != 0) watching.push_back(&display.emplace(stderr));
-  if (preparation.engine_switch != nullptr) watching.push_back(preparation.engine_switch);
+  if (preparation.late) watching.push_back(preparation.late.get());
   Observers observers(std::move(watching));
   const Problem problem = preparation.problem();
   const double before = preparation.stages->seconds();
@@ -78,10 +74,6 @@ Result run_search(Preparation& preparation, const SearchOptions& search,
                            : solve(problem, settings, &observers);
   });
   result.method = method;
-  const std::uint64_t earlier = from != nullptr ? from->state.statistics.boxes : 0;
-  preparation.engine_boxes = engine_boxes(preparation, search, result.statistics.boxes, earlier);
-  if (preparation.engine_switch != nullptr && settings.interrupt != nullptr && *settings.interrupt)
-    preparation.engine_switch->abandon();
   const double spent_by_stages = preparation.stages->seconds() - before;
   preparation.seconds.search = result.statistics.seconds - spent_by_stages;
   return result;
@@ -100,6 +92,21 @@ void close_in_on_witness(Preparation& preparation, const SearchOptions& search, 
     close_in(preparation.problem(), settings, closer);
     return closer;
   });
+}
+
+ExitCode end_command(Preparation& preparation, const OutputOptions& output, const Result& result,
+                     const std::atomic<bool>& interrupted) {
+  const ExitCode code = exit_code_of(result.verdict);
+  LateCompilation* const late = preparation.late.get();
+  std::cout.flush();
+  if (late == nullptr || !std::cout) return code;
+  if (late->is_compiling() && !(is_worth_waiting(preparation, result) && late->wait(interrupted))) {
+    std::fflush(nullptr);
+    ::_exit(code);
+  }
+  if (!late->failure().empty() && !output.quiet)
+    std::cerr << "compiler   none, and all was interpreted: " << late->failure() << '\n';
+  return code;
 }
 
 ExitCode exit_code_of(Verdict verdict) {

@@ -349,9 +349,8 @@ CommandLine ShellSession::parsed(const Asked& asked, const Words& words) {
   return result;
 }
 
-/// The model is the one in memory. Its kernel is waited for, since compiling beside the search is
-/// for a process that has one question, and what it has in common with those before is compiled
-/// already.
+/// The model is the one in memory. Its kernel is compiled before the search: what it has in common
+/// with earlier ones is compiled already, and the process keeps it.
 void ShellSession::adopt(CommandLine& line) {
   const auto with = [&](ModelOptions& model, OutputOptions& output) {
     model.text = asked_.text;
@@ -359,7 +358,7 @@ void ShellSession::adopt(CommandLine& line) {
     output.json_indent = json_ ? -1 : output.json_indent;
   };
   const auto wait = [this](SearchOptions& search) {
-    search.may_fork = false;
+    search.boxes_before_compiling = 0;
     search.parts = &parts_;
   };
   if (line.check) with(line.check->model, line.check->output), wait(line.check->search);

@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "regulus/machine/pack_file.hpp"
 
+#include <algorithm>
 #include <cstring>
 
 namespace regulus::machine {
 namespace {
 
 constexpr std::string_view kMagic = "regulus pack program 1\n";
-constexpr std::uint32_t kMaxSize = std::uint32_t{1} << 24;  // of what is counted, not listed
 
 /// Numbers by 7 bits, the low ones first; all but the last byte have the high bit set.
 class Writer {
@@ -137,23 +137,10 @@ bool is_function(KernelFunction function) {
   return static_cast<std::size_t>(function) < kKernelFunctions.size();
 }
 
-bool is_sound(const PackExpansion& x, std::uint32_t variables) {
-  for (const PackDerivatives& d : x.derivatives)
-    if (!is_function(d.function)) return false;
-  const auto fits = [variables](std::size_t size) { return size == 0 || size == variables; };
-  return is_function(x.product) && x.row_of_variable.size() == variables &&
-         fits(x.ball_of_variable.size()) && fits(x.nominal.size());
-}
-
-bool is_sound(const PackKernel& k) {
-  bool small = true;
-  for_each_size(k, [&](std::uint32_t size) { small = small && size < kMaxSize; });
-  if (!small || std::uint64_t{k.rows} * k.columns >= kMaxSize) return false;
-  for (const PackFunction& f : k.functions) {
-    if (f.slots >= kMaxSize || f.outputs >= kMaxSize) return false;
-    if (!find_fault(f, k.variables, k.rows * k.columns).empty()) return false;
-  }
-  return !k.has_expansion || is_sound(k.expansion, k.variables);
+/// What find_fault looks for functions by.
+bool names_functions(const PackExpansion& x) {
+  return is_function(x.product) &&
+         std::ranges::all_of(x.derivatives, is_function, &PackDerivatives::function);
 }
 
 }  // namespace
@@ -187,10 +174,12 @@ std::optional<PackKernel> read_pack_kernel(std::string_view bytes) {
   PackKernel program;
   for_each_size(program, [&](std::uint32_t& size) { in.read(size); });
   for (PackFunction& function : program.functions) read(in, function);
-  program.has_expansion = in.number() != 0;
+  const std::uint32_t has_expansion = in.number();
+  program.has_expansion = has_expansion == 1;
   read(in, program.expansion);
   in.read(program.identity);
-  if (!in.at_end() || !is_sound(program)) return std::nullopt;
+  if (!in.at_end() || has_expansion > 1 || !names_functions(program.expansion)) return std::nullopt;
+  if (!find_fault(program).empty()) return std::nullopt;
   return program;
 }
 

@@ -13,7 +13,7 @@ namespace regulus::machine {
 /// Ensures   equal programs give equal bytes, and others do not.
 [[nodiscard]] std::string to_bytes(const PackKernel& program);
 
-/// The program; nullopt unless the bytes are those of one whose functions have no fault.
+/// The program; nullopt unless the bytes are those of one that find_fault has no objection to.
 [[nodiscard]] std::optional<PackKernel> read_pack_kernel(std::string_view bytes);
 
 }  // namespace regulus::machine

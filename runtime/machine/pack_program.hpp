@@ -127,4 +127,9 @@ struct PackKernel {
   std::string identity;
 };
 
+/// What is wrong with a kernel, in words; empty for one that a search can be given: find_fault has
+/// nothing to say about its functions, each has the outputs that regulus_kernel states for the
+/// kernel's sizes, and the lists of the expansion name variables and entries that exist.
+[[nodiscard]] std::string find_fault(const PackKernel& kernel);
+
 }  // namespace regulus::machine

@@ -22,7 +22,7 @@ Batch::Batch(const Problem& problem, const Settings& settings, const RowStructur
     : alpha_(problem.alpha),
       plan_(make_plan(problem, settings)),
       order_(problem.kernel->columns + structure.rows.size()),
-      lanes_(*problem.kernel),
+      lanes_(problem),
       pose_(lanes_),
       midpoint_(lanes_),
       matrix_(lanes_, plan_.form),

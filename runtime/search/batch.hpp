@@ -16,12 +16,13 @@ namespace regulus {
 
 class Batch {
  public:
-  /// `problem` must be free of faults; its kernel and `structure` must outlive this object.
+  /// `problem` must be free of faults; its kernels and `structure` must outlive this object.
   Batch(const Problem& problem, const Settings& settings, const RowStructure& structure);
   Batch(const Batch&) = delete;
   Batch& operator=(const Batch&) = delete;
 
-  /// Forgets everything. Then load 1…8 lanes from 0, without gaps, and seal.
+  /// Forgets everything, and takes the problem's faster kernel if there is one by now. Then load
+  /// 1…8 lanes from 0, without gaps, and seal.
   void clear() noexcept;
   void load(std::size_t lane, std::span<const Interval> box) noexcept { lanes_.load(lane, box); }
   /// Loads copies of lane 0 into the lanes before `count`, of which single ranges may then change.

@@ -5,14 +5,23 @@
 
 namespace regulus {
 
-BoxLanes::BoxLanes(const regulus_kernel& kernel)
-    : caller_(kernel),
-      variables_(kernel.variables),
+BoxLanes::BoxLanes(const Problem& problem)
+    : kernel_(*problem.kernel),
+      caller_(kernel_),
+      faster_kernel_(problem.faster_kernel),
+      variables_(kernel_.variables),
       changing_(variables_),
       boxes_(2 * variables_ * kLanes),
       thin_(2 * variables_ * kLanes),
       midpoint_(variables_ * kLanes),
       radius_(variables_ * kLanes) {}
+
+void BoxLanes::clear() noexcept {
+  loaded_ = 0;
+  if (faster_kernel_ == nullptr) return;
+  if (const regulus_kernel* kernel = faster_kernel_->load(std::memory_order_acquire))
+    kernel_ = *kernel;
+}
 
 void BoxLanes::load(std::size_t lane, std::span<const Interval> box) noexcept {
   for (std::size_t k = 0; k < changing_; ++k) change(lane, k, box[k]);

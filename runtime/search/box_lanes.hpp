@@ -3,6 +3,7 @@
 // evaluators of a Batch read.
 #pragma once
 
+#include <atomic>
 #include <span>
 #include <utility>
 
@@ -10,6 +11,7 @@
 #include "regulus/kernel/call.hpp"
 #include "regulus/regularity/aligned_buffer.hpp"
 #include "regulus/regularity/views.hpp"
+#include "regulus/search/problem.hpp"
 
 namespace regulus {
 
@@ -26,13 +28,14 @@ class Once {
 
 class BoxLanes {
  public:
-  /// The kernel, and what it points to, must outlive this object.
-  explicit BoxLanes(const regulus_kernel& kernel);
+  /// The kernels of the problem, and what they point to, must outlive this object.
+  explicit BoxLanes(const Problem& problem);
   BoxLanes(const BoxLanes&) = delete;
   BoxLanes& operator=(const BoxLanes&) = delete;
 
-  /// Then load 1…8 lanes from 0, without gaps, and seal.
-  void clear() noexcept { loaded_ = 0; }
+  /// Takes the problem's faster kernel if there is one by now. Then load 1…8 lanes from 0, without
+  /// gaps, and seal.
+  void clear() noexcept;
   void load(std::size_t lane, std::span<const Interval> box) noexcept;
   /// Loads copies of lane 0 into the lanes before `count`, of which single ranges may then change.
   void spread(std::size_t count) noexcept;
@@ -45,7 +48,7 @@ class BoxLanes {
   void fix_from(std::size_t first) noexcept;
 
   [[nodiscard]] LaneMask loaded() const noexcept { return loaded_; }
-  [[nodiscard]] const regulus_kernel& kernel() const noexcept { return caller_.functions(); }
+  [[nodiscard]] const regulus_kernel& kernel() const noexcept { return kernel_; }
   [[nodiscard]] std::size_t variables() const noexcept { return variables_; }
   /// The variables 0 … changing() − 1 differ from batch to batch.
   [[nodiscard]] std::size_t changing() const noexcept { return changing_; }
@@ -78,7 +81,9 @@ class BoxLanes {
  private:
   void copy_first_lane(std::size_t from) noexcept;
 
-  const Kernel caller_;
+  regulus_kernel kernel_;  ///< a copy, so that a kernel is exchanged as a whole
+  const Kernel caller_;    ///< calls kernel_
+  const std::atomic<const regulus_kernel*>* const faster_kernel_;
   const std::size_t variables_;
   std::size_t changing_;
   LaneMask loaded_ = 0, outside_contract_ = 0, fixed_outside_contract_ = 0;

@@ -35,6 +35,13 @@ struct Problem {
   /// determinant 2^e times the user's. Determinants that are reported are the user's. The kernel's
   /// row scale has the factor 2^-e wherever α > 0, so that det J⁻¹ is the user's throughout.
   int determinant_exponent = 0;
+  /// Where another thread may put a kernel that computes what `kernel` does, equal to the bit, in
+  /// less time. It is looked at before each batch of boxes, and the batch that is being decided
+  /// goes on with the kernel that it has. Null: there will be none.
+  ///
+  /// Requires  regulus::Kernel accepts it, and it has the sizes and lists of `kernel`; both live as
+  ///           long as the search.
+  const std::atomic<const regulus_kernel*>* faster_kernel = nullptr;
 };
 
 /// The regularity tests tried on each box, in the order of the name; kAuto is the H-matrix test on

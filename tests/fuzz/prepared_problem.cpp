@@ -6,6 +6,7 @@
 #include <cstdint>
 #include <cstdlib>
 
+
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   using namespace regulus::codegen;
   const std::string_view text(reinterpret_cast<const char*>(data), size);
@@ -17,8 +18,6 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
     std::abort();
   for (const regulus::Interval& x : problem->variety.outer)
     if (!(x.lo <= x.hi)) std::abort();
-  regulus_kernel kernel{};
-  kernel.rows = kernel.columns = 6;
-  static_cast<void>(fits(*problem, kernel));
+  static_cast<void>(fits(*problem, regulus::machine::PackKernel{}));
   return 0;
 }

@@ -14,6 +14,13 @@ TEST(WhatAPageShows, AgreesToThreeDigitsAndNoFewer) {
   EXPECT_FALSE(agrees({"NO SINGULARITY"}, {"SINGULARITY"}));
 }
 
+TEST(WhatAPageShows, AgreesWhateverInstructionsTheProcessorHas) {
+  EXPECT_TRUE(agrees({"method     auto, compiled for avx512, cache hit"},
+                     {"method     auto, compiled for portable, cache hit"}));
+  EXPECT_FALSE(agrees({"method     auto, compiled for avx512, cache hit"},
+                      {"method     auto, compiled for avx512, cache miss"}));
+}
+
 TEST(WhatAPageShows, LeavesOutWhatItSaysItDoes) {
   EXPECT_TRUE(agrees({"a", "...", "z"}, {"a", "b", "c", "z"}));
   EXPECT_TRUE(agrees({"a", "...", "z"}, {"a", "z"}));

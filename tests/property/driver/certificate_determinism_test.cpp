@@ -50,6 +50,21 @@ TEST_P(ACertificateFile, DoesNotDependOnWhatTheSearchRanOn) {
   EXPECT_EQ(written({"--engine", "jit", "--no-cache"}), first);
 }
 
+TEST_P(ACertificateFile, DoesNotDependOnWhatTheCacheHolds) {
+  std::string first;
+  for (const char* threads : {"1", "2", "8"})
+    for (const char* engine : {"interpreted", "auto", "jit"}) {
+      const CachedCommand empty;
+      const std::vector<std::string> more = {"--engine", engine, "--threads", threads};
+      const std::string cold = written(more);
+      if (first.empty()) first = cold;
+      EXPECT_EQ(cold, first) << engine << ", cold, " << threads;
+      EXPECT_EQ(written(more), first) << engine << ", warm, " << threads;
+      for (const auto& object : empty.objects()) std::filesystem::remove(object);
+      EXPECT_EQ(written({"--engine", "auto"}), first) << "from what " << engine << " has left";
+    }
+}
+
 const std::string kRobot1 = "/models/robot_1.toml", kRobot2 = "/models/robot_2.toml";
 
 INSTANTIATE_TEST_SUITE_P(

@@ -144,9 +144,7 @@ TEST_P(ALibraryThatWasLoadedBefore, ChangesNoByteOfAVerdict) {
     const CommandResult found = run_after(GetParam(), words);
     ASSERT_EQ(found.exit_code, usual.exit_code) << found.errors;
     EXPECT_EQ(file_contents(certificate), proof);
-    json before = timeless(json::parse(usual.output)), after = timeless(json::parse(found.output));
-    for (json* report : {&before, &after}) report->erase("engine_boxes");
-    EXPECT_EQ(after, before);
+    EXPECT_EQ(timeless(json::parse(found.output)), timeless(json::parse(usual.output)));
   }
 }
 

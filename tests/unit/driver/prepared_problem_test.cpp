@@ -166,8 +166,8 @@ TEST(PreparedProblem, IsNotReadFromAnythingElse) {
     EXPECT_NE(at, std::string::npos) << from;
     return other.replace(at, from.size(), to);
   };
-  EXPECT_FALSE(read_prepared_problem(with("\"format\":3", "\"format\":2")));
-  EXPECT_FALSE(read_prepared_problem(with("\"format\":3", "\"format\":4")));
+  EXPECT_FALSE(read_prepared_problem(with("\"format\":4", "\"format\":3")));
+  EXPECT_FALSE(read_prepared_problem(with("\"format\":4", "\"format\":5")));
   EXPECT_FALSE(read_prepared_problem(with(std::string(64, '7'), "../" + std::string(61, '7'))));
   EXPECT_FALSE(read_prepared_problem(text + ' '));
   EXPECT_FALSE(read_prepared_problem(with("\"rows\":7", "\"rows\":7.0")));

@@ -6,6 +6,7 @@
 #include <cfenv>
 #include <cstdio>
 
+#include "regulus/search/observers.hpp"
 #include "support/function_kernel.hpp"
 #include "support/gough_kernel.hpp"
 
@@ -207,6 +208,53 @@ TEST(Threads, AnInterruptLosesNoBox) {
       EXPECT_NEAR(cover.area, 4.0, 1e-12) << threads << " threads, after " << after;
     }
     EXPECT_GT(interrupted, 40U);
+  }
+}
+
+/// Offers a search another kernel after so many boxes.
+class OffersKernel : public Observer {
+ public:
+  OffersKernel(const regulus_kernel* kernel, std::uint64_t after)
+      : kernel_(kernel), after_(after) {}
+  void on_progress(const Statistics& statistics, std::uint64_t) noexcept override {
+    if (statistics.boxes >= after_) offered.store(kernel_, std::memory_order_release);
+  }
+  std::atomic<const regulus_kernel*> offered = nullptr;
+
+ private:
+  const regulus_kernel* kernel_;
+  const std::uint64_t after_;
+};
+
+/// Counts its evaluations.
+class Counted : public test::FixtureKernel {
+ public:
+  Counted() : FixtureKernel(2, 2, 2, 2) {}
+  Values matrix(const Values& x) const override {
+    calls.fetch_add(1, std::memory_order_relaxed);
+    return {x[0] - Interval(1.0), x[1], -x[1], x[0] - Interval(1.0)};
+  }
+  mutable std::atomic<std::uint64_t> calls = 0;
+};
+
+TEST(Threads, GoOverToAFasterKernelInTheMiddleOfASearch) {
+  for (const unsigned threads : {1U, 2U, 8U}) {
+    const Counted first, second;
+    Problem problem = problem_over(first, {{0x1p-30, 0.999999}, {-1, 1}});
+    Settings settings;
+    const Logged plain = search_by(1, problem, settings);
+    const std::uint64_t all = first.calls.exchange(0);
+    OffersKernel offering(second.get(), plain.result.statistics.boxes / 2);
+    problem.faster_kernel = &offering.offered;
+    settings.threads = threads;
+    EventLog log(problem);
+    Observers observers({&offering, &log});
+    const Result result = solve(problem, settings, &observers);
+    EXPECT_TRUE(log.text == plain.events) << threads;
+    EXPECT_EQ(result.statistics.boxes, plain.result.statistics.boxes);
+    EXPECT_GT(first.calls, 0U);
+    EXPECT_GT(second.calls, 0U);
+    EXPECT_EQ(first.calls + second.calls, all);
   }
 }
 
