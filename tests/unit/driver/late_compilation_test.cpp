@@ -58,7 +58,8 @@ class WaitsForCompiler : public Observer {
   explicit WaitsForCompiler(LateCompilation* late) : late_(late) {}
   void on_progress(const Statistics&, std::uint64_t) noexcept override {
     const std::atomic<bool> never = false;
-    if (late_ != nullptr) EXPECT_TRUE(late_->wait(never));
+    if (late_ == nullptr) return;
+    EXPECT_TRUE(late_->wait(never));
   }
 
  private:
@@ -184,8 +185,12 @@ TEST(LateCompilation, StartsFromTheCacheWithoutAnObject) {
 
 /// Runs a compilation that fails.
 struct Failing {
-  explicit Failing(LateCompilation::Source source)
-      : late(std::move(source), 64, CompileOptions{.isa = Isa::kPortable, .use_cache = false}) {}
+  explicit Failing(LateCompilation::Source source) : late(std::move(source), 64, uncached()) {}
+  static CompileOptions uncached() {
+    CompileOptions options;
+    options.use_cache = false;
+    return options;
+  }
   void reach(std::uint64_t boxes) {
     Statistics statistics;
     statistics.boxes = boxes;
