@@ -10,10 +10,9 @@
 #include "bench/kernel/subject.hpp"
 #include "bench/limit/instructions.hpp"
 #include "bench/limit/peak.hpp"
-#include "regulus/codegen/jit/clang_compiler.hpp"
 #include "regulus/codegen/jit/jit.hpp"
-#include "regulus/codegen/jit/kernel_compilation.hpp"
-#include "regulus/codegen/jit/object_bundle.hpp"
+#include "regulus/codegen/jit/part.hpp"
+#include "regulus/codegen/jit/part_compiler.hpp"
 #include "regulus/codegen/pack/select.hpp"
 #include "regulus/interval/x8.hpp"
 #include "regulus/kernel/buffers.hpp"
@@ -133,13 +132,15 @@ void add_fractions(const VectorInstructions& counts, const std::vector<Timing>& 
 }
 
 /// The listing of the machine code that `check` would run; nullopt where there is no objdump.
-std::optional<std::string> listing_of(const codegen::EmittedKernel& text) {
-  const std::string bundle = codegen::ClangCompiler()
-                                 .compile(codegen::kernel_compilation(text.source, Isa::kAvx512))
-                                 .object;
+std::optional<std::string> listing_of(const machine::PackKernel& program) {
+  std::vector<std::string> bytes;
+  for (const machine::PackFunction& function : program.functions)
+    for (std::size_t part = 0; part < function.part_ends.size(); ++part)
+      bytes.push_back(codegen::part_bytes(function, part));
+  const std::vector<std::string_view> parts(bytes.begin(), bytes.end());
   std::string listing;
-  for (const std::string_view object : codegen::objects_in(bundle)) {
-    const std::optional<std::string> part = disassemble(std::string(object));
+  for (const std::string& object : codegen::PartCompiler().compile(parts, Isa::kAvx512).objects) {
+    const std::optional<std::string> part = disassemble(object);
     if (!part) return std::nullopt;
     listing += *part;
   }
@@ -171,7 +172,7 @@ Section limit_rows() {
       "2 for a sum, 2 for a product with a double, 4 and a minimum and a maximum "
       "for a product of intervals"));
 
-  if (const std::optional<std::string> listing = listing_of(text)) {
+  if (const std::optional<std::string> listing = listing_of(codegen::select(module))) {
     const VectorInstructions counts = count_instructions(*listing, "left_product");
     add_counts(counts, rows);
     add_fractions(counts, timings, rows);
