@@ -58,7 +58,7 @@ class Cutter {
     part_.code.push_back(own);
   }
 
-  Part take() { return std::move(part_); }
+  PartProgram take() { return std::move(part_); }
 
  private:
   /// By their bits: −0 is another constant than 0.
@@ -74,7 +74,7 @@ class Cutter {
   const machine::PackFunction& function_;
   std::uint32_t begin_;
   std::map<std::pair<std::uint64_t, std::uint64_t>, std::uint32_t> numbers_;
-  Part part_;
+  PartProgram part_;
 };
 
 template <class Item>
@@ -93,7 +93,7 @@ std::string part_bytes(const machine::PackFunction& function, std::size_t part) 
   const std::uint32_t begin = part == 0 ? 0 : function.part_ends[part - 1];
   Cutter cutter(function, begin);
   for (std::uint32_t at = begin; at < function.part_ends[part]; ++at) cutter.add(function.code[at]);
-  const Part cut = cutter.take();
+  const PartProgram cut = cutter.take();
   const auto count = static_cast<std::uint64_t>(cut.code.size());
   std::string bytes;
   append(bytes, &count, 1);
@@ -105,12 +105,12 @@ std::string part_bytes(const machine::PackFunction& function, std::size_t part) 
   return bytes;
 }
 
-Part read_part(std::string_view bytes) {
+PartProgram read_part(std::string_view bytes) {
   const auto take = [&bytes](auto& item) {
     std::memcpy(static_cast<void*>(&item), bytes.data(), sizeof item);
     bytes.remove_prefix(sizeof item);
   };
-  Part part;
+  PartProgram part;
   std::uint64_t count = 0;
   take(count);
   for (Record record{}; part.code.size() < count;) {

@@ -13,7 +13,7 @@
 namespace regulus::codegen {
 
 /// Values are numbers of instructions of the part; constants are in the order of their first use.
-struct Part {
+struct PartProgram {
   std::vector<machine::PackInstruction> code;
   std::vector<Interval> constants;
 };
@@ -26,7 +26,7 @@ struct Part {
 [[nodiscard]] std::string part_bytes(const machine::PackFunction& function, std::size_t part);
 
 /// Requires  bytes of part_bytes.
-[[nodiscard]] Part read_part(std::string_view bytes);
+[[nodiscard]] PartProgram read_part(std::string_view bytes);
 
 /// What the cache calls the machine code of a part.
 ///

@@ -53,7 +53,7 @@ bool marks_undefined(Op operation) { return operation >= Op::kChecked_IU; }
 
 class PartBuilder {
  public:
-  PartBuilder(const Part& part, Operations& packs, llvm::Module& module)
+  PartBuilder(const PartProgram& part, Operations& packs, llvm::Module& module)
       : part_(part),
         packs_(packs),
         function_(declare(module)),
@@ -222,7 +222,7 @@ class PartBuilder {
     return global;
   }
 
-  const Part& part_;
+  const PartProgram& part_;
   Operations& packs_;
   llvm::Function& function_;
   llvm::BasicBlock* entry_;
@@ -236,7 +236,7 @@ class PartBuilder {
 
 }  // namespace
 
-void build_part(const Part& part, Operations& packs, llvm::Module& module) {
+void build_part(const PartProgram& part, Operations& packs, llvm::Module& module) {
   PartBuilder(part, packs, module).run();
 }
 

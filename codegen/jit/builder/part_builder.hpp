@@ -14,6 +14,6 @@ namespace regulus::codegen::builder {
 ///
 /// Requires  a part of a function in which find_fault finds none.
 /// Throws    std::runtime_error.
-void build_part(const Part& part, Operations& packs, llvm::Module& module);
+void build_part(const PartProgram& part, Operations& packs, llvm::Module& module);
 
 }  // namespace regulus::codegen::builder

@@ -68,7 +68,7 @@ TEST(PartBytes, TellApartWhateverIsReadWrittenOrComputed) {
 
 TEST(PartBytes, AreReadAsTheyWereWritten) {
   const PackFunction f = example();
-  const Part part = read_part(part_bytes(f, 2));
+  const PartProgram part = read_part(part_bytes(f, 2));
   ASSERT_EQ(part.code.size(), 5U);
   EXPECT_EQ(part.code[3], (machine::PackInstruction{Op::kMulAdd_III, 0, 1, 2}));
   ASSERT_EQ(part.constants.size(), 2U);
