@@ -144,11 +144,10 @@ void add_search_options(CLI::App& app, SearchOptions& options) {
       ->expected(1)
       ->check(CLI::IsMember(ingredient_names()).description(""))
       ->type_name("NAME");
-  const std::map<std::string, Engine> engines{
-      {"auto", Engine::kAuto},
-      {"jit", Engine::kJit},
-      {"clang", Engine::kClang},
-      {"interpreted", Engine::kInterpreted}};
+  const std::map<std::string, Engine> engines{{"auto", Engine::kAuto},
+                                              {"jit", Engine::kJit},
+                                              {"clang", Engine::kClang},
+                                              {"interpreted", Engine::kInterpreted}};
   app.add_option(
          "--engine", options.engine,
          "How the model's functions run: compiled by LLVM (jit, margin's default), compiled from "

@@ -124,8 +124,8 @@ void make_kernel(Preparation& p, const SearchOptions& search, const Keep& keep) 
     p.seconds.emit += watch.lap();
     use(compile(text, compile_options(p.isa, search)), p);
   } else {
-    const auto program = std::make_shared<const machine::PackKernel>(
-        select(module, kOperationsPerPart, &forming));
+    const auto program =
+        std::make_shared<const machine::PackKernel>(select(module, kOperationsPerPart, &forming));
     p.seconds.emit += watch.lap();
     if (search.engine == Engine::kInterpreted || p.stopped) {
       interpret(*program, p);

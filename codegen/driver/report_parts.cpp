@@ -118,7 +118,9 @@ std::string in_thousands(std::uint64_t count) {
 std::string engine_words(const Preparation& p, const SearchOptions& search, std::uint64_t boxes) {
   if (search.engine == Engine::kInterpreted || p.stopped) return "interpreted";
   if (!p.no_compiler.empty()) return "interpreted: there is no compiled kernel, " + p.no_compiler;
-  if (!p.late) return fmt::format("compiled for {}, cache {}", name(p.isa), p.cache);
+  if (!p.late)
+    return fmt::format("compiled {}for {}, cache {}",
+                       search.engine == Engine::kClang ? "by Clang " : "", name(p.isa), p.cache);
   const std::string most = in_thousands(p.late->after_boxes());
   return boxes < p.late->after_boxes()
              ? fmt::format("interpreted (the search ended before {} boxes)", most)
@@ -169,6 +171,8 @@ const char* engine_name(const SearchOptions& search) {
       return "auto";
     case Engine::kJit:
       return "jit";
+    case Engine::kClang:
+      return "clang";
     case Engine::kInterpreted:
       return "interpreted";
   }

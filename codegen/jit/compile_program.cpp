@@ -12,8 +12,8 @@
 #include "regulus/codegen/jit/part_code.hpp"
 #include "regulus/codegen/jit/part_compiler.hpp"
 #include "regulus/codegen/jit/plugin.hpp"
+#include "regulus/machine/frame_slots.hpp"
 #include "regulus/machine/kernel_table.hpp"
-#include "regulus/machine/stack_slots.hpp"
 
 namespace regulus::codegen {
 namespace {
@@ -205,20 +205,11 @@ std::shared_ptr<const ProgramInMemory> load(const machine::PackKernel& program,
   throw CompileError(error.what(), {}, {});
 }
 
-void require_room(const machine::PackKernel& program) {
-  for (const machine::PackFunction& function : program.functions)
-    if (function.slots > machine::kMaxFrameSlots)
-      throw std::invalid_argument("a function of a pack program keeps " +
-                                  std::to_string(function.slots) + " values for later parts, " +
-                                  "more than " + std::to_string(machine::kMaxFrameSlots));
-}
-
 enum class Missing { kCompile, kGiveUp };
 
 std::optional<CompiledKernel> make_kernel(const machine::PackKernel& program,
                                           const CompileOptions& options, Missing what) {
   machine::require_no_fault(program);
-  require_room(program);
   CompileReport report;
   std::shared_ptr<const ProgramInMemory> loaded;
   {

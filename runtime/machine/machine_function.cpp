@@ -5,7 +5,7 @@
 #include <cstring>
 #include <map>
 
-#include "regulus/machine/stack_slots.hpp"
+#include "regulus/machine/frame_slots.hpp"
 
 namespace regulus::machine {
 namespace {

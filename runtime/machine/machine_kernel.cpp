@@ -6,7 +6,6 @@
 
 #include "regulus/machine/kernel_table.hpp"
 #include "regulus/machine/machine_function.hpp"
-#include "regulus/machine/stack_slots.hpp"
 
 namespace regulus::machine {
 
@@ -32,15 +31,9 @@ using Kernel = KernelOf<MachineFunction>;
 Kernel::Functions prepare(const PackKernel& program, const StepTable& table) {
   require_no_fault(program);
   Kernel::Functions functions;
-  for (std::size_t row = 0; row < functions.size(); ++row) {
-    if (program.functions[row].outputs == 0) continue;
-    functions[row] = MachineFunction(program.functions[row], table);
-    if (functions[row].slots() > kMaxFrameSlots)
-      throw std::invalid_argument("the function " + std::string(kKernelFunctions[row].name) +
-                                  " of a pack program: its values need " +
-                                  std::to_string(functions[row].slots()) + " slots, more than " +
-                                  std::to_string(kMaxFrameSlots));
-  }
+  for (std::size_t row = 0; row < functions.size(); ++row)
+    if (program.functions[row].outputs > 0)
+      functions[row] = MachineFunction(program.functions[row], table);
   return functions;
 }
 

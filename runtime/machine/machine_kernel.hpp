@@ -16,9 +16,9 @@ namespace regulus::machine {
 /// Requires  the instruction set is supported by this processor.
 /// Ensures   the contract of regulus/kernel/abi.hpp; bounds and undefined lanes equal to the bit to
 ///           those of the program's C++ text compiled for the same instruction set. Calls share
-///           nothing that they change and take no memory but their stack's.
-/// Throws    std::invalid_argument for a program that find_fault objects to, or whose values need
-///           more than kMaxFrameSlots slots.
+///           nothing that they change, and take no memory but their stack's unless a function has
+///           more than kMaxStackSlots values; where such memory is exhausted no lane is defined.
+/// Throws    std::invalid_argument for a program that find_fault objects to.
 /// Rounding  as required_rounding(isa) says.
 class MachineKernel {
  public:

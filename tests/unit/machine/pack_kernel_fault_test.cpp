@@ -1,12 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "regulus/machine/pack_file.hpp"
-
 #include <gtest/gtest.h>
 
 #include <functional>
 #include <limits>
 
 #include "regulus/machine/machine_kernel.hpp"
+#include "regulus/machine/pack_file.hpp"
 
 namespace regulus::machine {
 namespace {
