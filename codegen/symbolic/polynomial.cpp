@@ -2,10 +2,15 @@
 #include "regulus/codegen/symbolic/polynomial.hpp"
 
 #include <algorithm>
+#include <iterator>
 #include <utility>
 
 namespace regulus::codegen {
 namespace {
+
+bool precedes(const PolynomialTerm& a, const PolynomialTerm& b) {
+  return lex_greater(a.monomial, b.monomial);
+}
 
 void combine_like_terms(std::vector<PolynomialTerm>& terms) {
   std::size_t kept = 0;
@@ -55,11 +60,8 @@ Polynomial::Polynomial(const cln::cl_RA& constant) {
 }
 
 Polynomial::Polynomial(std::vector<PolynomialTerm> terms) : terms_(std::move(terms)) {
-  const auto greater = [](const PolynomialTerm& a, const PolynomialTerm& b) {
-    return lex_greater(a.monomial, b.monomial);
-  };
-  if (!std::is_sorted(terms_.begin(), terms_.end(), greater))
-    std::sort(terms_.begin(), terms_.end(), greater);
+  if (!std::is_sorted(terms_.begin(), terms_.end(), precedes))
+    std::sort(terms_.begin(), terms_.end(), precedes);
   combine_like_terms(terms_);
 }
 
@@ -68,8 +70,10 @@ bool Polynomial::has_variables() const noexcept {
 }
 
 Polynomial operator+(const Polynomial& a, const Polynomial& b) {
-  std::vector<PolynomialTerm> terms = a.terms();
-  terms.insert(terms.end(), b.terms().begin(), b.terms().end());
+  std::vector<PolynomialTerm> terms;
+  terms.reserve(a.terms().size() + b.terms().size());
+  std::merge(a.terms().begin(), a.terms().end(), b.terms().begin(), b.terms().end(),
+             std::back_inserter(terms), precedes);
   return Polynomial(std::move(terms));
 }
 

@@ -154,9 +154,10 @@ class AngleMerger {
 
   void replace(const std::vector<std::pair<AtomProduct, Polynomial>>& old,
                const Polynomial& replacement) {
+    Polynomial change = replacement;
     for (const auto& [variables, coefficient] : old)
-      p_ = p_ + times_variables(coefficient, variables) * cln::cl_RA(-1);
-    p_ = p_ + replacement;
+      change = change + times_variables(coefficient, variables) * cln::cl_RA(-1);
+    p_ = p_ + change;
   }
 
   /// factor·function(Σ arguments). Even and odd symmetry give each angle one form.

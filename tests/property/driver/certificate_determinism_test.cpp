@@ -48,6 +48,7 @@ TEST_P(ACertificateFile, DoesNotDependOnWhatTheSearchRanOn) {
   EXPECT_EQ(written({"--isa", "portable"}), first);
   EXPECT_EQ(written({"--engine", "interpreted"}), first);
   EXPECT_EQ(written({"--engine", "jit", "--no-cache"}), first);
+  EXPECT_EQ(written({"--engine", "clang"}), first) << "the reference of all others";
 }
 
 TEST_P(ACertificateFile, DoesNotDependOnWhatTheCacheHolds) {

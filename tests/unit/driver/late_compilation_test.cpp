@@ -185,7 +185,7 @@ TEST(LateCompilation, StartsFromTheCacheWithoutAnObject) {
 
 /// Runs a compilation that fails.
 struct Failing {
-  explicit Failing(LateCompilation::Source source) : late(std::move(source), 64, uncached()) {}
+  explicit Failing(SharedProgram program) : late(std::move(program), 64, uncached()) {}
   static CompileOptions uncached() {
     CompileOptions options;
     options.use_cache = false;
@@ -201,23 +201,15 @@ struct Failing {
 
 TEST(LateCompilation, ThatFailsLeavesTheInterpreter) {
   const std::atomic<bool> never = false;
-  Failing broken([] { return KernelSource{{}, {"this is no kernel", "symbol", "", ""}}; });
+  Failing broken(std::make_shared<const machine::PackKernel>());
   broken.reach(63);
   EXPECT_FALSE(broken.late.is_compiling());
   broken.reach(64);
   EXPECT_TRUE(broken.late.wait(never));
   EXPECT_NE(broken.late.failure(), "");
   EXPECT_EQ(broken.late.kernel().load(), nullptr);
-
-  Failing without_source([] { return std::nullopt; });
-  without_source.reach(1000);
-  EXPECT_TRUE(without_source.late.wait(never));
-  EXPECT_EQ(without_source.late.failure(), "");
-
-  Failing throwing([]() -> std::optional<KernelSource> { throw std::runtime_error("no source"); });
-  throwing.reach(1000);
-  throwing.reach(2000);
-  EXPECT_EQ(throwing.late.failure(), "no source");
+  broken.reach(1000);
+  EXPECT_FALSE(broken.late.is_compiling()) << "it is asked once";
 }
 
 TEST(LateCompilation, IsNotWaitedForOnceThatIsGivenUp) {

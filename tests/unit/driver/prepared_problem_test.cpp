@@ -221,7 +221,8 @@ TEST(PreparedProblem, IsNotReadWithAMatrixThatCannotBeEvaluated) {
 }
 
 TEST(PreparedProblem, FitsAKernelOfItsSizesOnly) {
-  regulus_kernel kernel{};
+  machine::PackKernel kernel;
+  kernel.identity = example().identity;
   kernel.variables = 3;
   kernel.motion_variables = 1;
   kernel.rows = 7;
@@ -229,13 +230,16 @@ TEST(PreparedProblem, FitsAKernelOfItsSizesOnly) {
   kernel.constraints = 2;
   kernel.pose_parameters = 2;
   EXPECT_TRUE(fits(example(), kernel));
-  for (unsigned regulus_kernel::*member :
-       {&regulus_kernel::variables, &regulus_kernel::motion_variables, &regulus_kernel::rows,
-        &regulus_kernel::columns, &regulus_kernel::constraints, &regulus_kernel::pose_parameters}) {
-    regulus_kernel other = kernel;
+  for (std::uint32_t machine::PackKernel::*member :
+       {&machine::PackKernel::variables, &machine::PackKernel::motion_variables,
+        &machine::PackKernel::rows, &machine::PackKernel::columns,
+        &machine::PackKernel::constraints, &machine::PackKernel::pose_parameters}) {
+    machine::PackKernel other = kernel;
     ++(other.*member);
     EXPECT_FALSE(fits(example(), other));
   }
+  kernel.identity.back() = 'x';
+  EXPECT_FALSE(fits(example(), kernel));
 }
 
 }  // namespace
