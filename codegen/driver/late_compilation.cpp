@@ -7,6 +7,8 @@
 #include <csignal>
 #include <exception>
 
+#include "regulus/kernel/call.hpp"
+
 namespace regulus::codegen {
 namespace {
 
@@ -56,6 +58,7 @@ void LateCompilation::start() noexcept try {
 void LateCompilation::compile() noexcept {
   try {
     kernel_.emplace(codegen::compile(*program_, options_));
+    static_cast<void>(Kernel(*kernel_->kernel()));  // throws for one that cannot be called
     offered_.store(kernel_->kernel(), std::memory_order_release);
   } catch (const std::exception& error) {
     failure_ = error.what();

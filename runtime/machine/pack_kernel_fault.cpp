@@ -56,7 +56,8 @@ bool needs_square_matrix(KernelFunction function) {
 
 std::string fault_of_function(const PackKernel& kernel, std::size_t row) {
   const PackFunction& function = kernel.functions[row];
-  if (function.outputs == 0) return {};
+  if (function.outputs == 0)
+    return function.code.empty() && function.slots == 0 ? "" : "has instructions but no outputs";
   if (function.outputs != outputs_stated(kernel, static_cast<KernelFunction>(row)))
     return "has another number of outputs";
   if (needs_square_matrix(static_cast<KernelFunction>(row)) && kernel.rows != kernel.columns)

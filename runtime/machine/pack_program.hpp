@@ -103,7 +103,7 @@ struct PackFunction {
 
 /// A list of derivatives of a function of the expansion; see regulus_derivatives.
 struct PackDerivatives {
-  KernelFunction function;
+  KernelFunction function = KernelFunction::kNominalFirst;
   std::vector<regulus_derivative> list;  ///< empty: there is no such function
 };
 

@@ -6,7 +6,7 @@
 namespace regulus {
 
 BoxLanes::BoxLanes(const Problem& problem)
-    : kernel_(*problem.kernel),
+    : kernel_(copied(*problem.kernel)),
       caller_(kernel_),
       faster_kernel_(problem.faster_kernel),
       variables_(kernel_.variables),
@@ -16,11 +16,20 @@ BoxLanes::BoxLanes(const Problem& problem)
       midpoint_(variables_ * kLanes),
       radius_(variables_ * kLanes) {}
 
+/// The table, with this object's own copy of the expansion.
+regulus_kernel BoxLanes::copied(const regulus_kernel& kernel) noexcept {
+  regulus_kernel copy = kernel;
+  if (kernel.expansion == nullptr) return copy;
+  expansion_ = *kernel.expansion;
+  copy.expansion = &expansion_;
+  return copy;
+}
+
 void BoxLanes::clear() noexcept {
   loaded_ = 0;
   if (faster_kernel_ == nullptr) return;
   if (const regulus_kernel* kernel = faster_kernel_->load(std::memory_order_acquire))
-    kernel_ = *kernel;
+    kernel_ = copied(*kernel);
 }
 
 void BoxLanes::load(std::size_t lane, std::span<const Interval> box) noexcept {

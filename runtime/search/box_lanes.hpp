@@ -79,10 +79,13 @@ class BoxLanes {
                 double* out) const noexcept;
 
  private:
+  [[nodiscard]] regulus_kernel copied(const regulus_kernel& kernel) noexcept;
   void copy_first_lane(std::size_t from) noexcept;
 
-  regulus_kernel kernel_;  ///< a copy, so that a kernel is exchanged as a whole
-  const Kernel caller_;    ///< calls kernel_
+  // Copies, so that a kernel is exchanged as a whole: functions go with their context.
+  regulus_expansion expansion_{};
+  regulus_kernel kernel_;
+  const Kernel caller_;  ///< calls kernel_
   const std::atomic<const regulus_kernel*>* const faster_kernel_;
   const std::size_t variables_;
   std::size_t changing_;

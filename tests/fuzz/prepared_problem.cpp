@@ -6,7 +6,6 @@
 #include <cstdint>
 #include <cstdlib>
 
-
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   using namespace regulus::codegen;
   const std::string_view text(reinterpret_cast<const char*>(data), size);

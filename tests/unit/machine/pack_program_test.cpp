@@ -139,16 +139,5 @@ TEST(MachineKernel, RefusesAListThatIsFaulty) {
   EXPECT_THROW(MachineKernel(kernel_of(f), Isa::kPortable), std::invalid_argument);
 }
 
-TEST(MachineKernel, RefusesMoreValuesThanAFrameHolds) {
-  PackFunction f;
-  f.code = {{Op::kLoad, 0}};
-  for (std::uint32_t i = 0; i < 9000; ++i) f.code.push_back({Op::kAbs_I, 0});
-  for (std::uint32_t i = 0; i < 9000; ++i) f.code.push_back({Op::kAdd_II, i + 1, 9000 - i});
-  for (std::uint32_t e = 0; e < 3; ++e) f.code.push_back({Op::kStore, e, e, 18000});
-  f.part_ends = {static_cast<std::uint32_t>(f.code.size())};
-  f.outputs = 3;
-  EXPECT_THROW(MachineKernel(kernel_of(f), Isa::kPortable), std::invalid_argument);
-}
-
 }  // namespace
 }  // namespace regulus::machine
