@@ -17,8 +17,12 @@ TEST(PackFile, IsReadAsItWasWritten) {
   for (const Module& module :
        {test::planar_module(), test::everything_module(), test::long_module(150)}) {
     PackKernel program = select(module, 24);
-    if (auto& matrix = program.functions[0]; matrix.outputs == 0)
-      matrix = program.functions[static_cast<std::size_t>(KernelFunction::kLeftProduct)];
+    if (machine::PackFunction& matrix = program.functions[0]; matrix.outputs == 0) {
+      using Op = machine::PackOperation;
+      matrix.code = {{Op::kLoad, 0}, {Op::kStore, 0, 0, 0}};
+      matrix.part_ends = {2};
+      matrix.outputs = 1;
+    }
     ASSERT_EQ(find_fault(program), "") << module.model;
     const std::string bytes = to_bytes(program);
     const auto read = read_pack_kernel(bytes);
