@@ -71,13 +71,19 @@ int visit_object(dl_phdr_info* object, std::size_t, void* data) noexcept {
   }
 }
 
-}  // namespace
-
-std::string program_identity() {
+std::string loaded_objects() {
   Identity identity;
   ::dl_iterate_phdr(visit_object, &identity);
   if (identity.failure) std::rethrow_exception(identity.failure);
   return identity.text;
+}
+
+}  // namespace
+
+/// A constant of the process: a compiler that is loaded later has an identity of its own.
+std::string program_identity() {
+  static const std::string identity = loaded_objects();
+  return identity;
 }
 
 }  // namespace regulus::codegen
