@@ -7,11 +7,13 @@
 #include <algorithm>
 #include <bit>
 #include <cmath>
+#include <filesystem>
 #include <functional>
 #include <limits>
 #include <set>
 
 #include "regulus/codegen/driver/program_identity.hpp"
+#include "support/cached_command.hpp"
 #include "support/random_source.hpp"
 
 namespace regulus::codegen {
@@ -218,6 +220,17 @@ TEST(PreparedProblem, IsNotReadWithAMatrixThatCannotBeEvaluated) {
   expect_refusal([](auto& p) { p.matrix->inputs = 2; });
   expect_refusal([](auto& p) { p.matrix.reset(); });
   expect_refusal([](auto& p) { p.subject.rows = 2; });
+}
+
+/// A format that has changed leaves seeds behind from which a fuzzer finds nothing.
+TEST(PreparedProblem, IsWhatTheFuzzerStartsFrom) {
+  int seeds = 0;
+  for (const auto& file : std::filesystem::directory_iterator(
+           REGULUS_SOURCE_DIR "/tests/fuzz/corpus/prepared_problem")) {
+    EXPECT_TRUE(read_prepared_problem(test::file_contents(file.path()))) << file.path();
+    ++seeds;
+  }
+  EXPECT_GE(seeds, 2);
 }
 
 TEST(PreparedProblem, FitsAKernelOfItsSizesOnly) {
