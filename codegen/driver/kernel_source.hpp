@@ -12,7 +12,7 @@
 
 namespace regulus::codegen {
 
-/// What a kernel is made from. Nothing in it belongs to GiNaC or CLN, so that threads may share it.
+/// A kernel is made from this. Nothing in it belongs to GiNaC or CLN, so that threads may share it.
 using SharedProgram = std::shared_ptr<const machine::PackKernel>;
 
 /// Compiles a program with LLVM, or finds it in the cache.

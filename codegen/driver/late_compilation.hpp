@@ -35,7 +35,7 @@ class LateCompilation : public Observer {
   [[nodiscard]] const std::atomic<const regulus_kernel*>& kernel() const noexcept {
     return offered_;
   }
-  /// Whether the compiler is at work.
+  /// True while the compiler is at work.
   [[nodiscard]] bool is_compiling() const noexcept { return thread_.joinable() && !done_; }
 
   /// Waits until the compiler is done or `given_up` is true.

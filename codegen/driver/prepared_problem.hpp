@@ -44,7 +44,7 @@ struct PreparedProblem {
 /// nullopt unless the text is one that to_text wrote.
 [[nodiscard]] std::optional<PreparedProblem> read_prepared_problem(std::string_view text);
 
-/// Whether a program is of the problem's sizes, and the one that its kernel was made from.
+/// True if a program has the problem's sizes, and is the one that its kernel was made from.
 [[nodiscard]] bool fits(const PreparedProblem& problem,
                         const machine::PackKernel& program) noexcept;
 

@@ -17,7 +17,7 @@ double seconds(std::chrono::steady_clock::duration d) {
   return std::chrono::duration<double>(d).count();
 }
 
-/// What a stage does, and what it counts.
+/// Names what a stage does and what it counts.
 std::pair<const char*, const char*> words_of(WorkStage stage) {
   switch (stage) {
     case WorkStage::kSubstitution:

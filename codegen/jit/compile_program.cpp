@@ -68,7 +68,7 @@ std::string all_codes(const PartList& list) {
   return bytes;
 }
 
-/// Whether the entry gave every part its code.
+/// Returns true if the entry gave every part its code.
 bool take_all_codes(PartList& list, std::string_view bytes) {
   if (!bytes.starts_with(list.all)) return false;
   bytes.remove_prefix(list.all.size());

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What compiling a text and compiling a pack program have in common.
+// Steps that the compilation of a text shares with that of a pack program.
 #pragma once
 
 #include <chrono>

@@ -130,7 +130,7 @@ class Linker {
   std::span<const ExternalSymbol> externals_;
 };
 
-/// Whether the object is the same wherever it is.
+/// True if the object is the same wherever it is.
 bool is_free_of_addresses(const ElfObject& object) {
   for (const ElfSection& section : object.sections)
     for (const ElfRelocation& r : section.relocations)

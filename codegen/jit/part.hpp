@@ -28,7 +28,7 @@ struct PartProgram {
 /// Requires  bytes of part_bytes.
 [[nodiscard]] PartProgram read_part(std::string_view bytes);
 
-/// What the cache calls the machine code of a part.
+/// The name of a part's machine code in the cache.
 ///
 /// Shape     64 hexadecimal digits.
 /// Requires  `compiler` changes with everything else that the machine code depends on.
