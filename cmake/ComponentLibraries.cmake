@@ -16,10 +16,11 @@ function(regulus_component name)
   set_target_properties(regulus_component_${name} PROPERTIES
     OUTPUT_NAME regulus-${name} EXPORT_NAME ${name} LINKER_LANGUAGE CXX)
   target_include_directories(regulus_component_${name} INTERFACE
-    $<BUILD_INTERFACE:${REGULUS_INCLUDE_TREE}> $<INSTALL_INTERFACE:${CMAKE_INSTALL_INCLUDEDIR}>)
+    "$<BUILD_INTERFACE:${REGULUS_INCLUDE_DIRECTORIES}>"
+    "$<INSTALL_INTERFACE:${CMAKE_INSTALL_INCLUDEDIR};${CMAKE_INSTALL_INCLUDEDIR}/regulus>")
 endfunction()
 
-regulus_component(runtime interval kernel machine regularity decider embedded)
+regulus_component(runtime interval kernel machine regularity problem evaluation witness decider embedded)
 target_compile_features(regulus_component_runtime INTERFACE cxx_std_20)
 # The headers hold interval arithmetic that is compiled where it is used.
 target_compile_options(regulus_component_runtime INTERFACE
@@ -31,11 +32,11 @@ if(REGULUS_SEARCH)
 endif()
 
 if(REGULUS_CODEGEN)
-  regulus_component(codegen sha256 program pack model symbolic emit generate)
+  regulus_component(codegen support model robot program symbolic columns formulation pack cpp)
   target_link_libraries(regulus_component_codegen INTERFACE
     Regulus::runtime regulus_tomlplusplus regulus_ginac regulus_cln regulus_arb fmt::fmt)
 
-  regulus_component(jit object_loader kernel_compilation jit verifier driver)
+  regulus_component(jit object_loader kernel_compilation jit verifier engine analysis proof report margin api)
   target_link_libraries(regulus_component_jit INTERFACE
     Regulus::codegen Regulus::search ${CMAKE_DL_LIBS})
 

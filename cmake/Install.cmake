@@ -9,6 +9,7 @@
 include(GNUInstallDirs)
 include(CMakePackageConfigHelpers)
 include(${CMAKE_CURRENT_LIST_DIR}/ComponentLibraries.cmake)
+include(${CMAKE_CURRENT_LIST_DIR}/PublicHeaders.cmake)
 
 set(package_dir ${CMAKE_INSTALL_LIBDIR}/cmake/Regulus)
 # Beside bin, wherever libraries go (codegen/jit/clang_compiler.cpp), and deep enough that CPack does
@@ -23,10 +24,16 @@ function(regulus_export name component)
           DESTINATION ${package_dir} COMPONENT ${component})
 endfunction()
 
-# regulus_install_headers(FROM TO COMPONENT)
-function(regulus_install_headers from to component)
-  install(DIRECTORY ${PROJECT_SOURCE_DIR}/${from}/ DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/regulus/${to}
-          COMPONENT ${component} FILES_MATCHING PATTERN "*.hpp" PATTERN "*.h")
+# regulus_install_headers(COMPONENT HEADERS...): with what they include, each below its path in the
+# repository.
+function(regulus_install_headers component)
+  regulus_with_includes(headers ${PROJECT_SOURCE_DIR} ${ARGN})
+  foreach(header IN LISTS headers)
+    get_filename_component(folder ${header} DIRECTORY)
+    install(FILES ${PROJECT_SOURCE_DIR}/${header} DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/regulus/${folder}
+            COMPONENT ${component})
+  endforeach()
+  set_property(DIRECTORY APPEND PROPERTY CMAKE_CONFIGURE_DEPENDS ${headers})
 endfunction()
 
 # regulus_install_licences(FOLDER COMPONENT): Debian's name for what says which licence is whose.
@@ -41,14 +48,13 @@ regulus_install_licences(${CMAKE_INSTALL_DATADIR}/doc/libregulus-dev runtime)
 if(REGULUS_SEARCH)
   regulus_export(search runtime)
 endif()
-foreach(layer IN ITEMS interval kernel machine regularity search embedded checkpoint)
-  regulus_install_headers(runtime/${layer} ${layer} runtime)
-endforeach()
-install(DIRECTORY ${PROJECT_SOURCE_DIR}/runtime/certificate/
-        DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/regulus/certificate COMPONENT runtime
-        FILES_MATCHING PATTERN "*.hpp" PATTERN verifier EXCLUDE)
-install(FILES ${REGULUS_INCLUDE_TREE}/regulus/floating_point_flags.hpp
-              ${REGULUS_INCLUDE_TREE}/regulus/instruction_set_flags.hpp
+regulus_install_headers(runtime ${REGULUS_RUNTIME_HEADERS})
+if(REGULUS_SEARCH)
+  regulus_install_headers(runtime ${REGULUS_SEARCH_HEADERS})
+endif()
+install(FILES ${REGULUS_CONFIGURED_HEADERS}/regulus/filter.h
+              ${REGULUS_CONFIGURED_HEADERS}/regulus/floating_point_flags.hpp
+              ${REGULUS_CONFIGURED_HEADERS}/regulus/instruction_set_flags.hpp
         DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/regulus COMPONENT runtime)
 
 configure_package_config_file(
@@ -93,13 +99,12 @@ if(REGULUS_CODEGEN)
 
   regulus_export(codegen development)
   regulus_export(jit development)
-  regulus_install_headers(codegen codegen development)
-  regulus_install_headers(runtime/certificate/verifier certificate/verifier development)
-  install(FILES ${REGULUS_INCLUDE_TREE}/regulus/version.hpp
+  regulus_install_headers(development ${REGULUS_DEVELOPMENT_HEADERS})
+  install(FILES ${REGULUS_CONFIGURED_HEADERS}/regulus/version.hpp ${REGULUS_CONFIGURED_HEADERS}/regulus/regulus.hpp
           DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/regulus COMPONENT development)
   install(FILES ${CMAKE_CURRENT_LIST_DIR}/Arb.cmake ${CMAKE_CURRENT_LIST_DIR}/PkgConfigTarget.cmake
                 ${CMAKE_CURRENT_LIST_DIR}/CodegenDependencies.cmake
                 ${CMAKE_CURRENT_LIST_DIR}/package/plugin_folder.cpp
-                ${PROJECT_SOURCE_DIR}/codegen/examples/write_model.cpp
+                ${PROJECT_SOURCE_DIR}/codegen/robot/examples/write_model.cpp
           DESTINATION ${package_dir} COMPONENT development)
 endif()

@@ -8,7 +8,7 @@
 #
 #   MODEL      model file, relative to the current source folder
 #   SOURCE     in its place, the model in C++: a file that defines regulus_model()
-#              (codegen/model/AUTHORS.md). Needs the component codegen, and is run on this machine
+#              (codegen/robot/AUTHORS.md). Needs the component codegen, and is run on this machine
 #   MOTION     one of its motions; may be left out when it has one
 #   ISA        instruction sets; the program chooses among them when it runs, and portable is always
 #              there. Default: all that the target processor's family has
@@ -103,7 +103,7 @@ function(_regulus_model_of_source target source model)
   endif()
   set(main ${CMAKE_CURRENT_FUNCTION_LIST_DIR}/write_model.cpp)
   if(NOT EXISTS ${main}) # Regulus's own tree
-    set(main ${CMAKE_CURRENT_FUNCTION_LIST_DIR}/../codegen/examples/write_model.cpp)
+    set(main ${CMAKE_CURRENT_FUNCTION_LIST_DIR}/../codegen/robot/examples/write_model.cpp)
   endif()
   add_executable(${target}_model ${source} ${main})
   target_link_libraries(${target}_model PRIVATE Regulus::codegen)

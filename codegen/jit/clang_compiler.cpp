@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "regulus/codegen/jit/clang_compiler.hpp"
+#include "codegen/jit/clang_compiler.hpp"
 
 #include <vector>
 
-#include "regulus/codegen/jit/clang_interface.h"
-#include "regulus/codegen/jit/plugin.hpp"
+#include "codegen/jit/clang_interface.h"
+#include "codegen/jit/plugin.hpp"
 
-namespace regulus::codegen {
+namespace regulus::inline jit {
 namespace {
 
 regulus_bytes bytes_of(std::string_view text) { return {text.data(), text.size()}; }
@@ -56,4 +56,4 @@ CompiledObject ClangCompiler::compile(const Compilation& compilation) const {
   return result;
 }
 
-}  // namespace regulus::codegen
+}  // namespace regulus::inline jit

@@ -5,9 +5,9 @@
 #include <filesystem>
 #include <string>
 
-#include "regulus/codegen/jit/compilation.hpp"
+#include "codegen/jit/compilation.hpp"
 
-namespace regulus::codegen {
+namespace regulus::inline jit {
 
 struct CompiledObject {
   std::string object;       ///< ELF, relocatable; empty when the text has an error
@@ -37,4 +37,4 @@ class ClangCompiler {
   std::string identity_;
 };
 
-}  // namespace regulus::codegen
+}  // namespace regulus::inline jit

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "regulus/codegen/jit/compilation.hpp"
+#include "codegen/jit/compilation.hpp"
 
-#include "regulus/codegen/jit/key_parts.hpp"
-#include "regulus/kernel/abi.hpp"
+#include "codegen/jit/cache/key_parts.hpp"
+#include "runtime/kernel/abi.hpp"
 
-namespace regulus::codegen {
+namespace regulus::inline jit {
 namespace {
 
 /// To be raised when the loader begins to need something of its objects that older ones lack.
@@ -31,4 +31,4 @@ std::string object_key(const Compilation& compilation, std::string_view compiler
   return parts.key();
 }
 
-}  // namespace regulus::codegen
+}  // namespace regulus::inline jit

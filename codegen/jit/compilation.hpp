@@ -6,7 +6,7 @@
 #include <string_view>
 #include <vector>
 
-namespace regulus::codegen {
+namespace regulus::inline jit {
 
 struct NamedText {
   std::string_view name;
@@ -32,4 +32,4 @@ struct Compilation {
 ///           is preceded by its length, so that no two lists of parts read the same.
 [[nodiscard]] std::string object_key(const Compilation& compilation, std::string_view compiler);
 
-}  // namespace regulus::codegen
+}  // namespace regulus::inline jit

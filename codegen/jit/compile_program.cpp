@@ -6,16 +6,16 @@
 #include <utility>
 #include <vector>
 
-#include "regulus/codegen/jit/compile_steps.hpp"
-#include "regulus/codegen/jit/key_parts.hpp"
-#include "regulus/codegen/jit/part.hpp"
-#include "regulus/codegen/jit/part_code.hpp"
-#include "regulus/codegen/jit/part_compiler.hpp"
-#include "regulus/codegen/jit/plugin.hpp"
-#include "regulus/machine/frame_slots.hpp"
-#include "regulus/machine/kernel_table.hpp"
+#include "codegen/jit/cache/key_parts.hpp"
+#include "codegen/jit/compile_steps.hpp"
+#include "codegen/jit/part.hpp"
+#include "codegen/jit/part_code.hpp"
+#include "codegen/jit/part_compiler.hpp"
+#include "codegen/jit/plugin.hpp"
+#include "runtime/machine/frame_slots.hpp"
+#include "runtime/machine/kernel_table.hpp"
 
-namespace regulus::codegen {
+namespace regulus::inline jit {
 namespace {
 
 /// The parts of a kernel, each once.
@@ -242,4 +242,4 @@ std::optional<CompiledKernel> find_cached_kernel(const machine::PackKernel& prog
   return make_kernel(program, options, Missing::kGiveUp);
 }
 
-}  // namespace regulus::codegen
+}  // namespace regulus::inline jit

@@ -6,9 +6,9 @@
 #include <optional>
 #include <string>
 
-#include "regulus/codegen/jit/jit.hpp"
+#include "codegen/jit/jit.hpp"
 
-namespace regulus::codegen {
+namespace regulus::inline jit {
 
 /// Adds the time it lives to a number of seconds.
 class Timer {
@@ -32,4 +32,4 @@ class Timer {
 /// Adds why the cache was of no use, if `note` is not empty.
 void append_note(CompileReport& report, const std::string& note);
 
-}  // namespace regulus::codegen
+}  // namespace regulus::inline jit

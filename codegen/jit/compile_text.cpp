@@ -2,12 +2,12 @@
 // From C++ text to machine code, with Clang.
 #include <span>
 
-#include "regulus/codegen/jit/clang_compiler.hpp"
-#include "regulus/codegen/jit/compile_steps.hpp"
-#include "regulus/codegen/jit/kernel_compilation.hpp"
-#include "regulus/codegen/jit/plugin.hpp"
+#include "codegen/jit/clang_compiler.hpp"
+#include "codegen/jit/compile_steps.hpp"
+#include "codegen/jit/kernel_compilation.hpp"
+#include "codegen/jit/plugin.hpp"
 
-namespace regulus::codegen {
+namespace regulus::inline jit {
 namespace {
 
 LoadedObject load(std::string_view object, CompileReport& report) {
@@ -116,4 +116,4 @@ CompiledKernel compile_kernel(const EmittedKernel& emitted, const CompileOptions
   return {code.object(), kernel, code.report()};
 }
 
-}  // namespace regulus::codegen
+}  // namespace regulus::inline jit

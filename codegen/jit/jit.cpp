@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "regulus/codegen/jit/jit.hpp"
+#include "codegen/jit/jit.hpp"
 
-#include "regulus/codegen/jit/clang_compiler.hpp"
-#include "regulus/codegen/jit/compile_steps.hpp"
-#include "regulus/codegen/jit/part_compiler.hpp"
-#include "regulus/kernel/self_test.hpp"
-#include "regulus/machine/self_test_kernel.hpp"
+#include "codegen/jit/clang_compiler.hpp"
+#include "codegen/jit/compile_steps.hpp"
+#include "codegen/jit/part_compiler.hpp"
+#include "runtime/kernel/self_test.hpp"
+#include "runtime/machine/self_test_kernel.hpp"
 
-namespace regulus::codegen {
+namespace regulus::inline jit {
 
 std::optional<ObjectCache> open_cache(const CompileOptions& options, CompileReport& report) {
   if (!options.use_cache) return std::nullopt;
@@ -52,4 +52,4 @@ std::optional<std::string> text_rounding_self_test(const CompileOptions& options
   return check_self_test(function, options.isa);
 }
 
-}  // namespace regulus::codegen
+}  // namespace regulus::inline jit

@@ -10,15 +10,15 @@
 #include <string_view>
 #include <utility>
 
-#include "regulus/codegen/emit/emitted_kernel.hpp"
-#include "regulus/codegen/jit/machine_code.hpp"
-#include "regulus/codegen/jit/object_cache.hpp"
-#include "regulus/codegen/jit/part_store.hpp"
-#include "regulus/kernel/abi.hpp"
-#include "regulus/kernel/isa.hpp"
-#include "regulus/machine/pack_program.hpp"
+#include "codegen/cpp/emitted_kernel.hpp"
+#include "codegen/jit/cache/object_cache.hpp"
+#include "codegen/jit/cache/part_store.hpp"
+#include "codegen/jit/loader/machine_code.hpp"
+#include "runtime/kernel/abi.hpp"
+#include "runtime/kernel/isa.hpp"
+#include "runtime/machine/pack_program.hpp"
 
-namespace regulus::codegen {
+namespace regulus::inline jit {
 
 struct CompileOptions {
   Isa isa = Isa::kPortable;
@@ -30,7 +30,7 @@ struct CompileOptions {
 /// Compiles a text, or takes what an earlier run made of the same text.
 ///
 /// The text sees the headers of runtime/kernel and no other file, and may call the elementary
-/// functions of regulus/interval/x8.hpp, memcpy, memmove and memset, and nothing else.
+/// functions of runtime/interval/x8.hpp, memcpy, memmove and memset, and nothing else.
 ///
 /// Requires  a processor with options.isa, to run what comes out.
 /// Ensures   a cache that cannot be used, or an entry that is damaged, costs time and nothing else.
@@ -87,7 +87,7 @@ class CompiledKernel {
 /// Changes when a compiler is exchanged.
 [[nodiscard]] std::string compiler_identity();
 
-/// Compiles the pack program of the rounding self-test of regulus/kernel/self_test.hpp and runs it.
+/// Compiles the pack program of the rounding self-test of runtime/kernel/self_test.hpp and runs it.
 ///
 /// Requires  supported(options.isa).
 /// Ensures   nullopt when code compiled with these options rounds outward; otherwise what it
@@ -97,4 +97,4 @@ class CompiledKernel {
 /// The same of the C++ text of the self-test, compiled by Clang.
 [[nodiscard]] std::optional<std::string> text_rounding_self_test(const CompileOptions& options);
 
-}  // namespace regulus::codegen
+}  // namespace regulus::inline jit

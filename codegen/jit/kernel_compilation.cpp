@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "regulus/codegen/jit/kernel_compilation.hpp"
+#include "codegen/jit/kernel_compilation.hpp"
 
 #include <cstring>
 
 #include "regulus/floating_point_flags.hpp"
-#include "regulus/interval/x8.hpp"
-#include "regulus/kernel/kernel_headers.hpp"
+#include "runtime/interval/x8.hpp"
+#include "runtime/kernel/kernel_headers.hpp"
 
-namespace regulus::codegen {
+namespace regulus::inline jit {
 namespace {
 
 /// The processor is the oldest x86-64 plus the instruction set's own flags, so that the object
@@ -60,4 +60,4 @@ std::vector<ExternalSymbol> kernel_externals() {
   return externals;
 }
 
-}  // namespace regulus::codegen
+}  // namespace regulus::inline jit

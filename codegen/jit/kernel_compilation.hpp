@@ -4,11 +4,11 @@
 #include <string_view>
 #include <vector>
 
-#include "regulus/codegen/jit/compilation.hpp"
-#include "regulus/codegen/jit/object_loader.hpp"
-#include "regulus/kernel/isa.hpp"
+#include "codegen/jit/compilation.hpp"
+#include "codegen/jit/loader/object_loader.hpp"
+#include "runtime/kernel/isa.hpp"
 
-namespace regulus::codegen {
+namespace regulus::inline jit {
 
 /// How the text of a kernel is compiled: the headers, flags and passes of every kernel for `isa`.
 [[nodiscard]] Compilation kernel_compilation(std::string_view text, Isa isa);
@@ -16,4 +16,4 @@ namespace regulus::codegen {
 /// What a kernel may call.
 [[nodiscard]] std::vector<ExternalSymbol> kernel_externals();
 
-}  // namespace regulus::codegen
+}  // namespace regulus::inline jit

@@ -1,15 +1,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "regulus/codegen/jit/part.hpp"
+#include "codegen/jit/part.hpp"
 
 #include <bit>
 #include <cstring>
 #include <map>
 #include <utility>
 
-#include "regulus/codegen/jit/key_parts.hpp"
-#include "regulus/kernel/abi.hpp"
+#include "codegen/jit/cache/key_parts.hpp"
+#include "runtime/kernel/abi.hpp"
 
-namespace regulus::codegen {
+namespace regulus::inline jit {
 namespace {
 
 using machine::PackInstruction;
@@ -133,4 +133,4 @@ std::string part_name(std::string_view bytes, std::string_view isa, std::string_
   return key.key();
 }
 
-}  // namespace regulus::codegen
+}  // namespace regulus::inline jit

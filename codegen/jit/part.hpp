@@ -8,9 +8,9 @@
 #include <string_view>
 #include <vector>
 
-#include "regulus/machine/pack_program.hpp"
+#include "runtime/machine/pack_program.hpp"
 
-namespace regulus::codegen {
+namespace regulus::inline jit {
 
 /// Values are numbers of instructions of the part; constants are in the order of their first use.
 struct PartProgram {
@@ -35,4 +35,4 @@ struct PartProgram {
 [[nodiscard]] std::string part_name(std::string_view bytes, std::string_view isa,
                                     std::string_view compiler);
 
-}  // namespace regulus::codegen
+}  // namespace regulus::inline jit

@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "regulus/codegen/jit/part_code.hpp"
+#include "codegen/jit/part_code.hpp"
 
 #include <algorithm>
 #include <cstring>
 #include <span>
 
-#include "regulus/codegen/jit/object_loader.hpp"
+#include "codegen/jit/loader/object_loader.hpp"
 
-namespace regulus::codegen {
+namespace regulus::inline jit {
 namespace {
 
 std::size_t round_up(std::size_t value, std::size_t alignment) {
@@ -41,4 +41,4 @@ PartFunction LoadedParts::function(std::size_t part) const noexcept {
   return reinterpret_cast<PartFunction>(mapping_.data() + offsets_[part]);
 }
 
-}  // namespace regulus::codegen
+}  // namespace regulus::inline jit

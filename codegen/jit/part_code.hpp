@@ -7,10 +7,10 @@
 #include <string_view>
 #include <vector>
 
-#include "regulus/codegen/jit/memory_mapping.hpp"
-#include "regulus/machine/step.hpp"
+#include "codegen/jit/loader/memory_mapping.hpp"
+#include "runtime/machine/step.hpp"
 
-namespace regulus::codegen {
+namespace regulus::inline jit {
 
 /// One part of a function. `slots` are what parts keep for each other, `operations` the row `run`
 /// of the step_table of the part's instruction set: operations that are too long to be repeated
@@ -43,4 +43,4 @@ class LoadedParts {
   MemoryMapping mapping_;
 };
 
-}  // namespace regulus::codegen
+}  // namespace regulus::inline jit

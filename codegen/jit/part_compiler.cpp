@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "regulus/codegen/jit/part_compiler.hpp"
+#include "codegen/jit/part_compiler.hpp"
 
-#include "regulus/codegen/jit/clang_interface.h"
-#include "regulus/codegen/jit/plugin.hpp"
+#include "codegen/jit/clang_interface.h"
+#include "codegen/jit/plugin.hpp"
 
-namespace regulus::codegen {
+namespace regulus::inline jit {
 namespace {
 
 regulus_bytes bytes_of(std::string_view text) { return {text.data(), text.size()}; }
@@ -45,4 +45,4 @@ CompiledObjects PartCompiler::compile(const std::vector<std::string_view>& parts
   return result;
 }
 
-}  // namespace regulus::codegen
+}  // namespace regulus::inline jit

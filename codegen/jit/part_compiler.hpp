@@ -7,9 +7,9 @@
 #include <string_view>
 #include <vector>
 
-#include "regulus/kernel/isa.hpp"
+#include "runtime/kernel/isa.hpp"
 
-namespace regulus::codegen {
+namespace regulus::inline jit {
 
 struct CompiledObjects {
   std::vector<std::string> objects;  ///< ELF, one for each part in their order; empty: a failure
@@ -40,4 +40,4 @@ class PartCompiler {
   std::string identity_;
 };
 
-}  // namespace regulus::codegen
+}  // namespace regulus::inline jit

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "regulus/codegen/jit/plugin.hpp"
+#include "codegen/jit/plugin.hpp"
 
 #include <dlfcn.h>
 #include <sys/auxv.h>
@@ -10,10 +10,10 @@
 #include <system_error>
 #include <vector>
 
-#include "regulus/codegen/jit/clang_interface.h"
-#include "regulus/codegen/jit/plugin_folder.h"
+#include "codegen/jit/clang_interface.h"
+#include "codegen/jit/plugin_folder.h"
 
-namespace regulus::codegen {
+namespace regulus::inline jit {
 namespace {
 
 namespace fs = std::filesystem;
@@ -83,4 +83,4 @@ void* open_plugin(const std::filesystem::path& plugin, const char* symbol, doubl
   return function;
 }
 
-}  // namespace regulus::codegen
+}  // namespace regulus::inline jit

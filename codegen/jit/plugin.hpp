@@ -7,9 +7,9 @@
 #include <stdexcept>
 #include <string>
 
-#include "regulus/codegen/jit/clang_interface.h"
+#include "codegen/jit/clang_interface.h"
 
-namespace regulus::codegen {
+namespace regulus::inline jit {
 
 /// The plugin cannot be opened: the installation is incomplete.
 class CompilerUnavailable : public std::runtime_error {
@@ -45,4 +45,4 @@ class DefaultFloatingPoint {
   std::fenv_t saved_;
 };
 
-}  // namespace regulus::codegen
+}  // namespace regulus::inline jit

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "regulus/codegen/model/certain_sign.hpp"
+#include "codegen/model/certain_sign.hpp"
 
 #include <arb.h>
 #include <cln/integer.h>
@@ -11,7 +11,7 @@
 #include <string>
 #include <utility>
 
-namespace regulus::codegen {
+namespace regulus::inline model {
 namespace {
 
 using GiNaC::ex;
@@ -151,4 +151,4 @@ CertainSign certain_sign(const ex& constant) {
   return CertainSign::kUnknown;
 }
 
-}  // namespace regulus::codegen
+}  // namespace regulus::inline model

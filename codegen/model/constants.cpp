@@ -1,16 +1,16 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "regulus/codegen/model/constants.hpp"
+#include "codegen/model/constants.hpp"
 
 #include <cmath>
 #include <set>
 #include <string>
 
-#include "regulus/codegen/model/certain_sign.hpp"
-#include "regulus/codegen/model/errors.hpp"
-#include "regulus/codegen/model/names.hpp"
-#include "regulus/codegen/model/sign.hpp"
+#include "codegen/model/certain_sign.hpp"
+#include "codegen/model/names.hpp"
+#include "codegen/model/sign.hpp"
+#include "codegen/support/errors.hpp"
 
-namespace regulus::codegen {
+namespace regulus::inline model {
 namespace {
 
 using GiNaC::ex;
@@ -23,7 +23,7 @@ std::string in(const Place& place) { return place.key.empty() ? "" : " in " + pl
 
 }  // namespace
 
-Range checked_range(const Term& lo, const Term& hi, const Place& place) {
+Range checked_range(const ParsedExpression& lo, const ParsedExpression& hi, const Place& place) {
   const std::string ends = shown(lo.value) + " to " + shown(hi.value) + in(place);
   switch (lo.value.is_equal(hi.value) ? CertainSign::kZero : certain_sign(hi.value - lo.value)) {
     case CertainSign::kNegative:
@@ -39,7 +39,7 @@ Range checked_range(const Term& lo, const Term& hi, const Place& place) {
   }
 }
 
-ex checked_nonnegative(const Term& value, const Place& place) {
+ex checked_nonnegative(const ParsedExpression& value, const Place& place) {
   switch (certain_sign(value.value)) {
     case CertainSign::kNegative:
       throw InputError(place.file, place.line,
@@ -56,8 +56,8 @@ ex checked_nonnegative(const Term& value, const Place& place) {
 
 Range parse_range(std::string_view text, const Place& place, std::vector<ex>& must_be_defined) {
   const std::size_t colon = text.find(':');
-  const Term lo = parse_constant(text.substr(0, colon), place);
-  const Term hi =
+  const ParsedExpression lo = parse_constant(text.substr(0, colon), place);
+  const ParsedExpression hi =
       colon == std::string_view::npos ? lo : parse_constant(text.substr(colon + 1), place);
   append(must_be_defined, lo.must_be_defined);
   append(must_be_defined, hi.must_be_defined);
@@ -76,4 +76,4 @@ std::vector<ex> distinct(const std::vector<ex>& all) {
   return result;
 }
 
-}  // namespace regulus::codegen
+}  // namespace regulus::inline model

@@ -2,17 +2,18 @@
 // What is asked of constants wherever they come from: a file or a command line.
 #pragma once
 
-#include "regulus/codegen/model/expression_parser.hpp"
-#include "regulus/codegen/model/model.hpp"
+#include "codegen/model/expression_parser.hpp"
+#include "codegen/model/model.hpp"
 
-namespace regulus::codegen {
+namespace regulus::inline model {
 
 /// lo ≤ hi, proved. Throws InputError for a range that is reversed, and for one whose ends even
 /// certified evaluation cannot put in order (sqrt(2)*sqrt(3) to sqrt(6)).
-[[nodiscard]] Range checked_range(const Term& lo, const Term& hi, const Place& place);
+[[nodiscard]] Range checked_range(const ParsedExpression& lo, const ParsedExpression& hi,
+                                  const Place& place);
 
 /// A tolerance, an error or a threshold: throws InputError unless it is proved to be ≥ 0.
-[[nodiscard]] GiNaC::ex checked_nonnegative(const Term& value, const Place& place);
+[[nodiscard]] GiNaC::ex checked_nonnegative(const ParsedExpression& value, const Place& place);
 
 /// "LO:HI", or "V" for the range that is one value. Conditions of the constants are added to
 /// `must_be_defined`.
@@ -24,4 +25,4 @@ void append(std::vector<GiNaC::ex>& all, const std::vector<GiNaC::ex>& more);
 /// Without repetitions, in the order of first occurrence.
 [[nodiscard]] std::vector<GiNaC::ex> distinct(const std::vector<GiNaC::ex>& all);
 
-}  // namespace regulus::codegen
+}  // namespace regulus::inline model

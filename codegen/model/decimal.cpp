@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "regulus/codegen/model/decimal.hpp"
+#include "codegen/model/decimal.hpp"
 
 #include <cln/integer.h>
 #include <cln/integer_io.h>
@@ -12,7 +12,7 @@
 #include <string>
 #include <utility>
 
-namespace regulus::codegen {
+namespace regulus::inline model {
 namespace {
 
 /// Only digits reach CLN's reader: its own syntax has radix prefixes and fractions.
@@ -149,4 +149,4 @@ GiNaC::numeric exact_integer(std::int64_t value) {
   return GiNaC::numeric(cln::cl_I(static_cast<long long>(value)));
 }
 
-}  // namespace regulus::codegen
+}  // namespace regulus::inline model

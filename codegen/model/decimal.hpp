@@ -9,7 +9,7 @@
 #include <optional>
 #include <string_view>
 
-namespace regulus::codegen {
+namespace regulus::inline model {
 
 // Limits of a number. No robot needs more, and ten characters could ask for gigabytes without them.
 constexpr std::size_t kMaxDigits = 1000;
@@ -50,4 +50,4 @@ constexpr const char* kNumberLimits = "at most 1000 digits and an exponent withi
 /// The integer itself; GiNaC's constructors take no 64-bit integer on every platform.
 [[nodiscard]] GiNaC::numeric exact_integer(std::int64_t value);
 
-}  // namespace regulus::codegen
+}  // namespace regulus::inline model

@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "regulus/codegen/model/declarations.hpp"
+#include "codegen/model/declarations.hpp"
 
 #include <algorithm>
 #include <utility>
 
-#include "regulus/codegen/model/errors.hpp"
-#include "regulus/codegen/model/names.hpp"
+#include "codegen/model/names.hpp"
+#include "codegen/support/errors.hpp"
 
-namespace regulus::codegen {
+namespace regulus::inline model {
 
 void require_free_name(const std::string& name, const Place& place) {
   const std::string found = "the name " + in_quotes(name) + " for " + place.key;
@@ -19,7 +19,7 @@ void require_free_name(const std::string& name, const Place& place) {
                      name);
 }
 
-void Declarations::declare(const std::string& name, Term meaning, const Place& place) {
+void Declarations::declare(const std::string& name, ParsedExpression meaning, const Place& place) {
   insert(name, {.meaning = std::move(meaning), .place = place});
 }
 
@@ -41,7 +41,7 @@ void Declarations::insert(const std::string& name, Declaration declaration) {
                    "a name that is not declared yet", name);
 }
 
-const Term* Declarations::find(const std::string& name, int depth) {
+const ParsedExpression* Declarations::find(const std::string& name, int depth) {
   const auto at = declarations_.find(name);
   if (at == declarations_.end()) return nullptr;
   Declaration& declaration = at->second;
@@ -71,4 +71,4 @@ void Declarations::refuse_cycle(const std::string& name) const {
                    "sub-expressions that do not use themselves", name);
 }
 
-}  // namespace regulus::codegen
+}  // namespace regulus::inline model

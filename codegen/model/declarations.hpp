@@ -6,20 +6,20 @@
 #include <string>
 #include <vector>
 
-#include "regulus/codegen/model/expression_parser.hpp"
+#include "codegen/model/expression_parser.hpp"
 
-namespace regulus::codegen {
+namespace regulus::inline model {
 
 class Declarations final : public Names {
  public:
   /// Throws InputError for a text that is not a name, a reserved name, or one declared before.
-  void declare(const std::string& name, Term meaning, const Place& place);
+  void declare(const std::string& name, ParsedExpression meaning, const Place& place);
 
   /// A sub-expression, read when it is first used, so that the order of declarations is free.
   void declare_expression(const std::string& name, std::string text, const Place& place);
 
   /// Throws InputError for a cycle of sub-expressions, which it names.
-  [[nodiscard]] const Term* find(const std::string& name, int depth) override;
+  [[nodiscard]] const ParsedExpression* find(const std::string& name, int depth) override;
 
   [[nodiscard]] std::vector<std::string> all() const override;
 
@@ -27,7 +27,7 @@ class Declarations final : public Names {
   enum class State { kUnread, kBeingRead, kRead };
   struct Declaration {
     State state = State::kRead;
-    Term meaning{};
+    ParsedExpression meaning{};
     std::string text{};
     Place place{};
   };
@@ -42,4 +42,4 @@ class Declarations final : public Names {
 /// Throws InputError unless `name` is a name that the language of model files does not use itself.
 void require_free_name(const std::string& name, const Place& place);
 
-}  // namespace regulus::codegen
+}  // namespace regulus::inline model

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "regulus/codegen/model/domain.hpp"
+#include "codegen/model/domain.hpp"
 
-#include "regulus/codegen/model/sign.hpp"
+#include "codegen/model/sign.hpp"
 
-namespace regulus::codegen {
+namespace regulus::inline model {
 namespace {
 
 using GiNaC::ex;
@@ -28,7 +28,7 @@ bool violates_lower(const ex& x, bool constant, int lower, bool strict) {
   return !value || *value < lower - kClearlyOutside;
 }
 
-void record(Term& result, const ex& partial) {
+void record(ParsedExpression& result, const ex& partial) {
   if (!certain_defined(partial)) result.must_be_defined.push_back(partial);
 }
 
@@ -39,7 +39,7 @@ std::string value_text(const ex& constant) {
 
 }  // namespace
 
-void require_nonzero(Term& result, const ex& x, bool constant) {
+void require_nonzero(ParsedExpression& result, const ex& x, bool constant) {
   if (x.is_zero()) throw Refusal{"a division by zero", "a divisor that is not zero"};
   if (constant && !is_number(x) && !approx_value(x))
     throw Refusal{"a divisor that is not a finite real number", "a divisor that is one"};
@@ -47,14 +47,14 @@ void require_nonzero(Term& result, const ex& x, bool constant) {
   record(result, GiNaC::pow(x, -1));
 }
 
-void require_nonnegative(Term& result, const ex& x, bool constant) {
+void require_nonnegative(ParsedExpression& result, const ex& x, bool constant) {
   if (violates_lower(x, constant, 0, false))
     throw Refusal{"the root of a negative number" + value_text(x), "an operand that is ≥ 0"};
   if (is_number(x) || certain_nonnegative(x)) return;
   record(result, square_root(x));
 }
 
-void require_positive(Term& result, const ex& x, bool constant) {
+void require_positive(ParsedExpression& result, const ex& x, bool constant) {
   if (violates_lower(x, constant, 0, true))
     throw Refusal{"the logarithm or fractional power of a number" + value_text(x),
                   "an operand that is > 0"};
@@ -62,7 +62,7 @@ void require_positive(Term& result, const ex& x, bool constant) {
   record(result, GiNaC::log(x));
 }
 
-void require_unit_range(Term& result, const ex& x, bool constant) {
+void require_unit_range(ParsedExpression& result, const ex& x, bool constant) {
   if (violates_lower(x, constant, -1, false) || violates_lower(-x, constant, -1, false))
     throw Refusal{"the arc sine or cosine of a number" + value_text(x),
                   "an operand between -1 and 1"};
@@ -70,12 +70,12 @@ void require_unit_range(Term& result, const ex& x, bool constant) {
   record(result, GiNaC::asin(x));
 }
 
-void require_no_pole_of_tan(Term& result, const ex& x) {
+void require_no_pole_of_tan(ParsedExpression& result, const ex& x) {
   if (is_number(x)) return;  // no rational but is off π/2 + kπ
   record(result, GiNaC::tan(x));
 }
 
-void require_off_branch_cut(Term& result, const ex& y, const ex& x) {
+void require_off_branch_cut(ParsedExpression& result, const ex& y, const ex& x) {
   if (is_number(y) && is_number(x)) {
     if (y.is_zero() && !x.info(GiNaC::info_flags::positive))
       throw Refusal{"atan2(0, x) with x ≤ 0", "a point off the branch cut"};
@@ -85,4 +85,4 @@ void require_off_branch_cut(Term& result, const ex& y, const ex& x) {
   record(result, GiNaC::atan2(y, x));
 }
 
-}  // namespace regulus::codegen
+}  // namespace regulus::inline model

@@ -6,18 +6,20 @@
 // built, so a simplification across the two (1/(1/x) into x) loses nothing: x ≠ 0 is already there.
 #pragma once
 
-#include "regulus/codegen/model/term.hpp"
+#include "codegen/model/parsed_expression.hpp"
 
-namespace regulus::codegen {
+namespace regulus::inline model {
 
 // Each records in `result` what the operand must satisfy, unless the operand's form shows it, and
 // throws Refusal when the operand is a constant that does not satisfy it.
 
-void require_nonzero(Term& result, const GiNaC::ex& operand, bool constant);
-void require_nonnegative(Term& result, const GiNaC::ex& operand, bool constant);
-void require_positive(Term& result, const GiNaC::ex& operand, bool constant);
-void require_unit_range(Term& result, const GiNaC::ex& operand, bool constant);  ///< |x| ≤ 1
-void require_no_pole_of_tan(Term& result, const GiNaC::ex& operand);
-void require_off_branch_cut(Term& result, const GiNaC::ex& ordinate, const GiNaC::ex& abscissa);
+void require_nonzero(ParsedExpression& result, const GiNaC::ex& operand, bool constant);
+void require_nonnegative(ParsedExpression& result, const GiNaC::ex& operand, bool constant);
+void require_positive(ParsedExpression& result, const GiNaC::ex& operand, bool constant);
+void require_unit_range(ParsedExpression& result, const GiNaC::ex& operand,
+                        bool constant);  ///< |x| ≤ 1
+void require_no_pole_of_tan(ParsedExpression& result, const GiNaC::ex& operand);
+void require_off_branch_cut(ParsedExpression& result, const GiNaC::ex& ordinate,
+                            const GiNaC::ex& abscissa);
 
-}  // namespace regulus::codegen
+}  // namespace regulus::inline model

@@ -1,17 +1,17 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "regulus/codegen/model/expression_parser.hpp"
+#include "codegen/model/expression_parser.hpp"
 
 #include <exception>
 #include <utility>
 
-#include "regulus/codegen/model/decimal.hpp"
-#include "regulus/codegen/model/errors.hpp"
-#include "regulus/codegen/model/lexer.hpp"
-#include "regulus/codegen/model/names.hpp"
-#include "regulus/codegen/model/real_functions.hpp"
-#include "regulus/codegen/model/sign.hpp"
+#include "codegen/model/decimal.hpp"
+#include "codegen/model/lexer.hpp"
+#include "codegen/model/names.hpp"
+#include "codegen/model/real_functions.hpp"
+#include "codegen/model/sign.hpp"
+#include "codegen/support/errors.hpp"
 
-namespace regulus::codegen {
+namespace regulus::inline model {
 namespace {
 
 class Parser {
@@ -19,9 +19,9 @@ class Parser {
   Parser(std::string_view text, Names& names, const Place& place, int depth)
       : text_(text), names_(names), place_(place), lexer_(text), depth_(depth) {}
 
-  Term parse() {
+  ParsedExpression parse() {
     advance();
-    Term result = parse_sum();
+    ParsedExpression result = parse_sum();
     if (token_.kind != Token::Kind::kEnd)
       refuse(token_, "an operator or the end of the expression");
     return result;
@@ -46,7 +46,7 @@ class Parser {
     Parser& parser_;
   };
 
-  Term parse_sum() {
+  ParsedExpression parse_sum() {
     const Level level(*this);
     std::vector<Operand> operands;
     operands.push_back({parse_product()});
@@ -58,7 +58,7 @@ class Parser {
     return combine(sum, std::move(operands));
   }
 
-  Term parse_product() {
+  ParsedExpression parse_product() {
     std::vector<Operand> operands;
     operands.push_back({parse_factor()});
     while (token_.is('*') || token_.is('/')) {
@@ -69,12 +69,13 @@ class Parser {
     return combine(product, std::move(operands));
   }
 
-  Term combine(Term (*operation)(std::vector<Operand>), std::vector<Operand> operands) {
+  ParsedExpression combine(ParsedExpression (*operation)(std::vector<Operand>),
+                           std::vector<Operand> operands) {
     if (operands.size() == 1 && !operands.front().inverted) return std::move(operands.front().term);
     return guarded(token_, [&] { return operation(std::move(operands)); });
   }
 
-  Term parse_factor() {
+  ParsedExpression parse_factor() {
     if (!token_.is('+') && !token_.is('-')) return parse_power();
     const Level level(*this);
     const Token sign = token_;
@@ -84,51 +85,51 @@ class Parser {
     return guarded(sign, [&] { return sum(std::move(operand)); });
   }
 
-  Term parse_power() {
-    Term base = parse_primary();
+  ParsedExpression parse_power() {
+    ParsedExpression base = parse_primary();
     if (!token_.is('^')) return base;
     const Level level(*this);
     const Token caret = token_;
     advance();
-    const Term exponent = parse_factor();
+    const ParsedExpression exponent = parse_factor();
     return guarded(caret, [&] { return power(base, exponent); });
   }
 
-  Term parse_primary() {
+  ParsedExpression parse_primary() {
     const Token start = token_;
     if (start.kind == Kind::kNumber) return parse_number();
     if (start.kind == Kind::kName) return parse_name();
     if (!start.is('(')) refuse(start, "a number, a name or '('");
     advance();
-    Term inner = parse_sum();
+    ParsedExpression inner = parse_sum();
     expect(')', start);
     return inner;
   }
 
-  Term parse_number() {
+  ParsedExpression parse_number() {
     const auto value = exact_decimal(token_.text);
     if (!value) refuse(token_, kNumberLimits);
     advance();
     return number(*value);
   }
 
-  Term parse_name() {
+  ParsedExpression parse_name() {
     const Token name = token_;
     advance();
     if (is_function(name.text)) return parse_call(name);
     if (name.text == "pi") return constant(GiNaC::Pi);
     if (name.text == "deg") return constant(GiNaC::Pi / 180);
     const std::string key(name.text);
-    const Term* meaning = is_name(key) ? names_.find(key, depth_) : nullptr;
+    const ParsedExpression* meaning = is_name(key) ? names_.find(key, depth_) : nullptr;
     if (!meaning) refuse_undeclared(name);
     return *meaning;
   }
 
-  Term parse_call(const Token& name) {
+  ParsedExpression parse_call(const Token& name) {
     const Token bracket = token_;
     if (!bracket.is('(')) refuse(bracket, "'(' after the function " + std::string(name.text));
     advance();
-    std::vector<Term> arguments;
+    std::vector<ParsedExpression> arguments;
     arguments.push_back(parse_sum());
     while (token_.is(',')) {
       advance();
@@ -140,8 +141,8 @@ class Parser {
 
   /// Runs an operation; its refusal, or GiNaC's (a pole, 0^0), becomes an error that says where.
   template <typename Operation>
-  Term guarded(const Token& at, Operation operation) try {
-    Term result = operation();
+  ParsedExpression guarded(const Token& at, Operation operation) try {
+    ParsedExpression result = operation();
     if (result.constant && GiNaC::is_a<GiNaC::numeric>(result.value) &&
         !result.value.info(GiNaC::info_flags::rational))
       throw Refusal{"a value that is not real", "real arithmetic"};
@@ -199,13 +200,14 @@ class Parser {
 
 class NoNames final : public Names {
  public:
-  const Term* find(const std::string&, int) override { return nullptr; }
+  const ParsedExpression* find(const std::string&, int) override { return nullptr; }
   std::vector<std::string> all() const override { return {}; }
 };
 
 }  // namespace
 
-Term parse_expression(std::string_view text, Names& names, const Place& place, int depth) {
+ParsedExpression parse_expression(std::string_view text, Names& names, const Place& place,
+                                  int depth) {
   if (text.size() > kLongestExpression)
     throw InputError(place.file, place.line,
                      "an expression of " + std::to_string(text.size()) + " bytes" +
@@ -214,9 +216,9 @@ Term parse_expression(std::string_view text, Names& names, const Place& place, i
   return Parser(text, names, place, depth).parse();
 }
 
-Term parse_constant(std::string_view text, const Place& place) {
+ParsedExpression parse_constant(std::string_view text, const Place& place) {
   NoNames names;
-  Term result = parse_expression(text, names, place);
+  ParsedExpression result = parse_expression(text, names, place);
   if (!approx_value(result.value))
     throw InputError(place.file, place.line,
                      in_quotes(text) + (place.key.empty() ? "" : " in " + place.key),
@@ -224,4 +226,4 @@ Term parse_constant(std::string_view text, const Place& place) {
   return result;
 }
 
-}  // namespace regulus::codegen
+}  // namespace regulus::inline model

@@ -15,9 +15,9 @@
 #include <string_view>
 #include <vector>
 
-#include "regulus/codegen/model/term.hpp"
+#include "codegen/model/parsed_expression.hpp"
 
-namespace regulus::codegen {
+namespace regulus::inline model {
 
 /// The names an expression may use.
 class Names {
@@ -26,7 +26,7 @@ class Names {
 
   /// The meaning of a name, nullptr if it has none. `depth` is how deep in nested expressions the
   /// name stands; whoever parses another expression to answer passes it on.
-  [[nodiscard]] virtual const Term* find(const std::string& name, int depth) = 0;
+  [[nodiscard]] virtual const ParsedExpression* find(const std::string& name, int depth) = 0;
 
   /// For suggesting the one that may have been meant.
   [[nodiscard]] virtual std::vector<std::string> all() const = 0;
@@ -46,10 +46,10 @@ constexpr std::size_t kLongestExpression = 65536;
 /// Ensures   numbers in the result are exact rationals, constants are pi or unevaluated; throws
 ///           InputError with file, line and column for anything else than arithmetic on `names`,
 ///           and beyond the limits of term.hpp or kLongestExpression bytes.
-[[nodiscard]] Term parse_expression(std::string_view text, Names& names, const Place& place,
-                                    int depth = 0);
+[[nodiscard]] ParsedExpression parse_expression(std::string_view text, Names& names,
+                                                const Place& place, int depth = 0);
 
 /// The same for an expression that uses no names but pi and deg, and whose value is finite.
-[[nodiscard]] Term parse_constant(std::string_view text, const Place& place);
+[[nodiscard]] ParsedExpression parse_constant(std::string_view text, const Place& place);
 
-}  // namespace regulus::codegen
+}  // namespace regulus::inline model

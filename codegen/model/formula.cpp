@@ -1,23 +1,23 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "regulus/codegen/model/formula.hpp"
+#include "codegen/model/formula.hpp"
 
 #include <algorithm>
 #include <cmath>
 #include <map>
 
-#include "regulus/codegen/model/decimal.hpp"
-#include "regulus/codegen/model/errors.hpp"
-#include "regulus/codegen/model/expression_parser.hpp"
-#include "regulus/codegen/model/ginac_text.hpp"
-#include "regulus/codegen/model/names.hpp"
+#include "codegen/model/decimal.hpp"
+#include "codegen/model/expression_parser.hpp"
+#include "codegen/model/ginac_text.hpp"
+#include "codegen/model/names.hpp"
+#include "codegen/support/errors.hpp"
 
-namespace regulus::codegen {
+namespace regulus::inline model {
 namespace {
 
 /// Every name has a meaning here: which ones a model declares is asked when it is read.
 class AnyName final : public Names {
  public:
-  const Term* find(const std::string& name, int) override {
+  const ParsedExpression* find(const std::string& name, int) override {
     const auto at = terms_.find(name);
     if (at != terms_.end()) return &at->second;
     return &terms_.emplace(name, variable(GiNaC::realsymbol(name))).first->second;
@@ -25,7 +25,7 @@ class AnyName final : public Names {
   std::vector<std::string> all() const override { return {}; }
 
  private:
-  std::map<std::string, Term> terms_;
+  std::map<std::string, ParsedExpression> terms_;
 };
 
 /// So that "1) + (2" is refused where it is written, and not taken for a part of something else.
@@ -144,4 +144,4 @@ Formula exact_value_of(double value, SourcePlace place) {
   return Formula(GiNaC::ex(exact_value(value)), place);
 }
 
-}  // namespace regulus::codegen
+}  // namespace regulus::inline model

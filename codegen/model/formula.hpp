@@ -9,9 +9,9 @@
 #include <string_view>
 #include <vector>
 
-#include "regulus/codegen/model/source_place.hpp"
+#include "codegen/model/source_place.hpp"
 
-namespace regulus::codegen {
+namespace regulus::inline model {
 
 /// An expression of a model that is written in C++: what a model file would say in its place.
 ///
@@ -136,4 +136,4 @@ template <char... kText>
 }
 
 }  // namespace literals
-}  // namespace regulus::codegen
+}  // namespace regulus::inline model

@@ -2,10 +2,10 @@
 // [geometry]: a number, or { value, tolerance, group }; a list is a point, in a box or in a ball.
 #include <array>
 
-#include "regulus/codegen/model/constants.hpp"
-#include "regulus/codegen/model/sections.hpp"
+#include "codegen/model/constants.hpp"
+#include "codegen/model/sections.hpp"
 
-namespace regulus::codegen {
+namespace regulus::inline model {
 namespace {
 
 constexpr std::size_t kMostCoordinates = 16;
@@ -54,8 +54,8 @@ class GeometryReader {
     return checked_nonnegative(constant(entry), toml_.place(entry));
   }
 
-  Term constant(const TomlEntry& entry) {
-    Term term = toml_.constant(entry);
+  ParsedExpression constant(const TomlEntry& entry) {
+    ParsedExpression term = toml_.constant(entry);
     append(reading_.model.must_be_defined, term.must_be_defined);
     return term;
   }
@@ -93,4 +93,4 @@ void read_geometry(ModelReading& reading, const TomlEntry& geometry) {
   for (const TomlEntry& entry : reading.toml.entries(geometry)) reader.read(entry);
 }
 
-}  // namespace regulus::codegen
+}  // namespace regulus::inline model

@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "regulus/codegen/model/ginac_text.hpp"
+#include "codegen/model/ginac_text.hpp"
 
 #include <algorithm>
 #include <set>
 #include <sstream>
 
-#include "regulus/codegen/model/real_functions.hpp"
+#include "codegen/model/real_functions.hpp"
 
-namespace regulus::codegen {
+namespace regulus::inline model {
 namespace {
 
 using GiNaC::ex;
@@ -139,4 +139,4 @@ std::vector<ex> symbols_of(const ex& expression) {
   return {found.begin(), found.end()};
 }
 
-}  // namespace regulus::codegen
+}  // namespace regulus::inline model

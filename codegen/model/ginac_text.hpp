@@ -7,9 +7,9 @@
 #include <string>
 #include <vector>
 
-#include "regulus/codegen/model/term.hpp"
+#include "codegen/model/parsed_expression.hpp"
 
-namespace regulus::codegen {
+namespace regulus::inline model {
 
 /// Text that parse_expression reads as that expression, names standing for symbols.
 ///
@@ -21,4 +21,4 @@ namespace regulus::codegen {
 /// Each once.
 [[nodiscard]] std::vector<GiNaC::ex> symbols_of(const GiNaC::ex& expression);
 
-}  // namespace regulus::codegen
+}  // namespace regulus::inline model

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "regulus/codegen/model/gough.hpp"
+#include "codegen/model/gough.hpp"
 
-#include "regulus/codegen/model/rotation.hpp"
+#include "codegen/model/rotation.hpp"
 
-namespace regulus::codegen {
+namespace regulus::inline model {
 namespace {
 
 using GiNaC::ex;
@@ -140,4 +140,4 @@ Model gough_model(const Gough& robot) {
   return model;
 }
 
-}  // namespace regulus::codegen
+}  // namespace regulus::inline model

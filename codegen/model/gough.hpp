@@ -7,9 +7,9 @@
 #include <string>
 #include <vector>
 
-#include "regulus/codegen/model/model.hpp"
+#include "codegen/model/model.hpp"
 
-namespace regulus::codegen {
+namespace regulus::inline model {
 
 /// How the platform's orientation is described, with the names of its pose parameters.
 enum class Orientation {
@@ -55,4 +55,4 @@ struct Gough {
 /// Source    Merlet, T-RO 2007, Eqs. (5)–(7).
 [[nodiscard]] Model gough_model(const Gough& robot);
 
-}  // namespace regulus::codegen
+}  // namespace regulus::inline model

@@ -3,11 +3,11 @@
 #include <array>
 #include <map>
 
-#include "regulus/codegen/model/constants.hpp"
-#include "regulus/codegen/model/names.hpp"
-#include "regulus/codegen/model/sections.hpp"
+#include "codegen/model/constants.hpp"
+#include "codegen/model/names.hpp"
+#include "codegen/model/sections.hpp"
 
-namespace regulus::codegen {
+namespace regulus::inline model {
 namespace {
 
 template <typename Value, std::size_t count>
@@ -34,8 +34,9 @@ ToleranceShape tolerance_shape(const TomlReader& toml, const TomlEntry& entry) {
                            std::pair{std::string("ball"), ToleranceShape::kBall}});
 }
 
-Term constant(ModelReading& reading, const TomlEntry& entry, std::vector<GiNaC::ex>& conditions) {
-  Term term = reading.toml.constant(entry);
+ParsedExpression constant(ModelReading& reading, const TomlEntry& entry,
+                          std::vector<GiNaC::ex>& conditions) {
+  ParsedExpression term = reading.toml.constant(entry);
   append(conditions, term.must_be_defined);
   return term;
 }
@@ -99,4 +100,4 @@ void read_gough(ModelReading& reading, const TomlEntry& gough) {
   declare_symbols(reading, gough);
 }
 
-}  // namespace regulus::codegen
+}  // namespace regulus::inline model

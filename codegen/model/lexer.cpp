@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "regulus/codegen/model/lexer.hpp"
+#include "codegen/model/lexer.hpp"
 
-namespace regulus::codegen {
+namespace regulus::inline model {
 namespace {
 
 // <cctype> depends on the locale.
@@ -51,4 +51,4 @@ Token Lexer::token(Token::Kind kind, std::size_t end) noexcept {
   return result;
 }
 
-}  // namespace regulus::codegen
+}  // namespace regulus::inline model

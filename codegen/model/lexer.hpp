@@ -5,7 +5,7 @@
 #include <cstddef>
 #include <string_view>
 
-namespace regulus::codegen {
+namespace regulus::inline model {
 
 struct Token {
   enum class Kind { kEnd, kNumber, kName, kSymbol };
@@ -35,4 +35,4 @@ class Lexer {
   std::size_t at_ = 0;
 };
 
-}  // namespace regulus::codegen
+}  // namespace regulus::inline model

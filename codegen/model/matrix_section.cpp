@@ -2,17 +2,17 @@
 // [matrix]: m rows of n entries, m ≥ n, and the row scales.
 #include <array>
 
-#include "regulus/codegen/model/constants.hpp"
-#include "regulus/codegen/model/domain.hpp"
-#include "regulus/codegen/model/sections.hpp"
+#include "codegen/model/constants.hpp"
+#include "codegen/model/domain.hpp"
+#include "codegen/model/sections.hpp"
 
-namespace regulus::codegen {
+namespace regulus::inline model {
 namespace {
 
 constexpr std::size_t kLargestMatrix = 64;
 
-Term read_entry(ModelReading& reading, const TomlEntry& entry) {
-  Term term = reading.toml.expression(entry, reading.names);
+ParsedExpression read_entry(ModelReading& reading, const TomlEntry& entry) {
+  ParsedExpression term = reading.toml.expression(entry, reading.names);
   reading.count(term, entry);
   append(reading.model.must_be_defined, term.must_be_defined);
   return term;
@@ -44,8 +44,9 @@ void read_rows(ModelReading& reading, const TomlEntry& entry) {
 }
 
 /// A scale that is 0 or changes sign would make J⁻¹ singular where the matrix is not.
-void require_positive_scale(ModelReading& reading, const TomlEntry& entry, const Term& scale) try {
-  Term conditions;
+void require_positive_scale(ModelReading& reading, const TomlEntry& entry,
+                            const ParsedExpression& scale) try {
+  ParsedExpression conditions;
   require_positive(conditions, scale.value, scale.constant);
   append(reading.model.must_be_defined, conditions.must_be_defined);
 } catch (const Refusal&) {
@@ -59,7 +60,7 @@ void read_row_scale(ModelReading& reading, const TomlEntry& entry) {
     reading.toml.refuse(entry, std::to_string(scales.size()) + " factors in " + entry.path,
                         std::to_string(reading.model.matrix.rows()) + ", one per row");
   for (const TomlEntry& scale : scales) {
-    const Term term = read_entry(reading, scale);
+    const ParsedExpression term = read_entry(reading, scale);
     require_positive_scale(reading, scale, term);
     reading.model.row_scale.push_back(term.value);
   }
@@ -75,4 +76,4 @@ void read_matrix(ModelReading& reading, const TomlEntry& matrix) {
   if (scale.node) read_row_scale(reading, scale);
 }
 
-}  // namespace regulus::codegen
+}  // namespace regulus::inline model

@@ -16,7 +16,7 @@
 #include <string>
 #include <vector>
 
-namespace regulus::codegen {
+namespace regulus::inline model {
 
 /// A range with exact ends: rationals, or constant expressions such as 15*Pi/180. lo ≤ hi.
 struct Range {
@@ -89,4 +89,4 @@ struct Model {
   std::vector<Motion> motions;
 };
 
-}  // namespace regulus::codegen
+}  // namespace regulus::inline model

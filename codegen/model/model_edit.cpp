@@ -1,17 +1,17 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "regulus/codegen/model/model_edit.hpp"
+#include "codegen/model/model_edit.hpp"
 
 #include <toml++/toml.h>
 
 #include <algorithm>
 
-#include "regulus/codegen/model/errors.hpp"
-#include "regulus/codegen/model/names.hpp"
-#include "regulus/codegen/model/source_lines.hpp"
-#include "regulus/codegen/model/toml_limits.hpp"
-#include "regulus/codegen/model/written.hpp"
+#include "codegen/model/names.hpp"
+#include "codegen/model/source_lines.hpp"
+#include "codegen/model/toml_limits.hpp"
+#include "codegen/model/written.hpp"
+#include "codegen/support/errors.hpp"
 
-namespace regulus::codegen {
+namespace regulus::inline model {
 namespace {
 
 toml::table document(const std::string& text) try {
@@ -59,4 +59,4 @@ std::vector<std::string> let_names(const std::string& text) {
   return names;
 }
 
-}  // namespace regulus::codegen
+}  // namespace regulus::inline model

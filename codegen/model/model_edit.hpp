@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-namespace regulus::codegen {
+namespace regulus::inline model {
 
 /// The text with another entry (i, j) of [matrix], counted from 1. Throws InputError when there is
 /// none; whether the result is a model is for its reader to say.
@@ -19,4 +19,4 @@ namespace regulus::codegen {
 /// The names of its sub-expressions.
 [[nodiscard]] std::vector<std::string> let_names(const std::string& text);
 
-}  // namespace regulus::codegen
+}  // namespace regulus::inline model

@@ -1,20 +1,20 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "regulus/codegen/model/model_file.hpp"
+#include "codegen/model/model_file.hpp"
 
 #include <algorithm>
 #include <array>
 #include <cfenv>
 #include <system_error>
 
-#include "regulus/codegen/model/constants.hpp"
-#include "regulus/codegen/model/errors.hpp"
-#include "regulus/codegen/model/names.hpp"
-#include "regulus/codegen/model/read_file.hpp"
-#include "regulus/codegen/model/sections.hpp"
-#include "regulus/codegen/model/sha256.hpp"
-#include "regulus/codegen/model/toml_limits.hpp"
+#include "codegen/model/constants.hpp"
+#include "codegen/model/names.hpp"
+#include "codegen/model/read_file.hpp"
+#include "codegen/model/sections.hpp"
+#include "codegen/model/toml_limits.hpp"
+#include "codegen/support/errors.hpp"
+#include "codegen/support/sha256.hpp"
 
-namespace regulus::codegen {
+namespace regulus::inline model {
 namespace {
 
 /// A library that reads a decimal as a double may go by the caller's rounding; its double is
@@ -125,4 +125,4 @@ Model load_model(const std::filesystem::path& path) {
   return model;
 }
 
-}  // namespace regulus::codegen
+}  // namespace regulus::inline model

@@ -6,9 +6,9 @@
 #include <string>
 #include <string_view>
 
-#include "regulus/codegen/model/model.hpp"
+#include "codegen/model/model.hpp"
 
-namespace regulus::codegen {
+namespace regulus::inline model {
 
 constexpr std::size_t kLargestModelFile = std::size_t{4} << 20;
 
@@ -26,4 +26,4 @@ constexpr std::size_t kLargestModelFile = std::size_t{4} << 20;
 /// Throws FileError when it cannot be read.
 [[nodiscard]] std::string read_model_text(const std::filesystem::path& path);
 
-}  // namespace regulus::codegen
+}  // namespace regulus::inline model

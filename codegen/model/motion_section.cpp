@@ -3,12 +3,12 @@
 #include <algorithm>
 #include <array>
 
-#include "regulus/codegen/model/constants.hpp"
-#include "regulus/codegen/model/names.hpp"
-#include "regulus/codegen/model/sections.hpp"
-#include "regulus/codegen/model/sign.hpp"
+#include "codegen/model/constants.hpp"
+#include "codegen/model/names.hpp"
+#include "codegen/model/sections.hpp"
+#include "codegen/model/sign.hpp"
 
-namespace regulus::codegen {
+namespace regulus::inline model {
 namespace {
 
 /// The names of a motion: its parameters, and the declared ones where those may be used.
@@ -20,7 +20,7 @@ class MotionNames final : public Names {
     parameters_.emplace(parameter.name, variable(parameter.symbol));
   }
 
-  const Term* find(const std::string& name, int depth) override {
+  const ParsedExpression* find(const std::string& name, int depth) override {
     if (const auto at = parameters_.find(name); at != parameters_.end()) return &at->second;
     return declared_ ? declared_->find(name, depth) : nullptr;
   }
@@ -33,7 +33,7 @@ class MotionNames final : public Names {
 
  private:
   Declarations* declared_;
-  std::map<std::string, Term> parameters_;
+  std::map<std::string, ParsedExpression> parameters_;
 };
 
 class MotionReader {
@@ -112,7 +112,7 @@ class MotionReader {
   }
 
   GiNaC::ex pose_expression(const TomlEntry& given, MotionNames& names) {
-    const Term term = toml_.expression(given, names);
+    const ParsedExpression term = toml_.expression(given, names);
     if (term.constant && !approx_value(term.value))
       toml_.refuse(given, "a finite number, a range or an expression");
     return recorded(term, given);
@@ -148,20 +148,20 @@ class MotionReader {
     if (ends.size() != 2)
       toml_.refuse(entry, std::to_string(ends.size()) + " numbers in " + entry.path,
                    "a range [lower, upper]");
-    const Term lo = toml_.constant(ends[0]);
-    const Term hi = toml_.constant(ends[1]);
+    const ParsedExpression lo = toml_.constant(ends[0]);
+    const ParsedExpression hi = toml_.constant(ends[1]);
     append(motion_.must_be_defined, lo.must_be_defined);
     append(motion_.must_be_defined, hi.must_be_defined);
     return checked_range(lo, hi, toml_.place(entry));
   }
 
   GiNaC::ex nonnegative(const TomlEntry& entry) {
-    const Term term = toml_.constant(entry);
+    const ParsedExpression term = toml_.constant(entry);
     append(motion_.must_be_defined, term.must_be_defined);
     return checked_nonnegative(term, toml_.place(entry));
   }
 
-  GiNaC::ex recorded(const Term& term, const TomlEntry& entry) {
+  GiNaC::ex recorded(const ParsedExpression& term, const TomlEntry& entry) {
     reading_.count(term, entry);
     append(motion_.must_be_defined, term.must_be_defined);
     return term.value;
@@ -182,4 +182,4 @@ void read_motions(ModelReading& reading, const TomlEntry& motions) {
     reading.toml.refuse(motions, "no motion", "at least one table [motion.NAME]");
 }
 
-}  // namespace regulus::codegen
+}  // namespace regulus::inline model

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "regulus/codegen/model/names.hpp"
+#include "codegen/model/names.hpp"
 
 #include <algorithm>
 #include <numeric>
 
-#include "regulus/codegen/model/real_functions.hpp"
+#include "codegen/model/real_functions.hpp"
 
-namespace regulus::codegen {
+namespace regulus::inline model {
 namespace {
 
 constexpr std::size_t kLongestName = 64;
@@ -101,4 +101,4 @@ bool is_label(std::string_view text) noexcept {
          });
 }
 
-}  // namespace regulus::codegen
+}  // namespace regulus::inline model

@@ -7,7 +7,7 @@
 #include <string_view>
 #include <vector>
 
-namespace regulus::codegen {
+namespace regulus::inline model {
 
 /// Whether the text matches [A-Za-z][A-Za-z0-9_]* (ASCII) and has at most 64 characters. Words of
 /// C++ are names like others: a name reaches generated code only through a mangling.
@@ -35,4 +35,4 @@ namespace regulus::codegen {
 /// most 200 bytes of printable ASCII or UTF-8 beyond it, no control character, no backslash.
 [[nodiscard]] bool is_label(std::string_view text) noexcept;
 
-}  // namespace regulus::codegen
+}  // namespace regulus::inline model

@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "regulus/codegen/model/overrides.hpp"
+#include "codegen/model/overrides.hpp"
 
 #include <algorithm>
 
-#include "regulus/codegen/model/constants.hpp"
-#include "regulus/codegen/model/errors.hpp"
-#include "regulus/codegen/model/names.hpp"
+#include "codegen/model/constants.hpp"
+#include "codegen/model/names.hpp"
+#include "codegen/support/errors.hpp"
 
-namespace regulus::codegen {
+namespace regulus::inline model {
 namespace {
 
 using GiNaC::ex;
@@ -84,7 +84,7 @@ void set_range(const Model& model, Motion& motion, const std::string& parameter,
 
 void set_alpha(Motion& motion, std::string_view alpha) {
   const Place place{.file = "", .key = "alpha"};
-  const Term term = parse_constant(alpha, place);
+  const ParsedExpression term = parse_constant(alpha, place);
   append(motion.must_be_defined, term.must_be_defined);
   motion.alpha = checked_nonnegative(term, place);
 }
@@ -94,7 +94,7 @@ void set_alpha(Motion& motion, const ex& alpha) {
 }
 
 void set_tolerance(Model& model, std::string_view groups, std::string_view tolerance) {
-  const Term term = parse_constant(tolerance, {.file = "", .key = std::string(groups)});
+  const ParsedExpression term = parse_constant(tolerance, {.file = "", .key = std::string(groups)});
   append(model.must_be_defined, term.must_be_defined);
   set_tolerance(model, groups, term.value);
 }
@@ -125,4 +125,4 @@ std::vector<std::string> tolerance_groups(const Model& model) {
   return groups;
 }
 
-}  // namespace regulus::codegen
+}  // namespace regulus::inline model

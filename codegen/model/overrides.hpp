@@ -7,9 +7,9 @@
 #include <string>
 #include <string_view>
 
-#include "regulus/codegen/model/model.hpp"
+#include "codegen/model/model.hpp"
 
-namespace regulus::codegen {
+namespace regulus::inline model {
 
 /// The motion of that name; with an empty name the only one. Throws InputError that lists the
 /// names.
@@ -35,4 +35,4 @@ void set_tolerance(Model& model, std::string_view groups, const GiNaC::ex& toler
 /// The groups of the model, each once, in the order of the geometry.
 [[nodiscard]] std::vector<std::string> tolerance_groups(const Model& model);
 
-}  // namespace regulus::codegen
+}  // namespace regulus::inline model

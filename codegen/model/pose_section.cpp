@@ -3,9 +3,9 @@
 #include <algorithm>
 #include <array>
 
-#include "regulus/codegen/model/sections.hpp"
+#include "codegen/model/sections.hpp"
 
-namespace regulus::codegen {
+namespace regulus::inline model {
 
 void read_pose(ModelReading& reading, const TomlEntry& pose) {
   static const std::array<std::string, 4> kMotionKeys = {"parameters", "constraints", "alpha",
@@ -36,4 +36,4 @@ void read_let(ModelReading& reading, const TomlEntry& let) {
   for (const TomlEntry& entry : entries) (void)reading.names.find(entry.key, 0);
 }
 
-}  // namespace regulus::codegen
+}  // namespace regulus::inline model

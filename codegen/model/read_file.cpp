@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "regulus/codegen/model/read_file.hpp"
+#include "codegen/model/read_file.hpp"
 
 #include <fcntl.h>
 #include <sys/stat.h>
@@ -10,9 +10,9 @@
 #include <cstring>
 #include <utility>
 
-#include "regulus/codegen/model/errors.hpp"
+#include "codegen/support/errors.hpp"
 
-namespace regulus::codegen {
+namespace regulus::inline model {
 namespace {
 
 constexpr std::uint64_t kPart = std::uint64_t{1} << 20;
@@ -94,4 +94,4 @@ std::string read_start(const std::string& path, std::uint64_t most, Readable kin
   return file.start(most);
 }
 
-}  // namespace regulus::codegen
+}  // namespace regulus::inline model

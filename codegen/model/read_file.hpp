@@ -7,7 +7,7 @@
 #include <optional>
 #include <string>
 
-namespace regulus::codegen {
+namespace regulus::inline model {
 
 /// kFile: one on a disk. kStream: also what comes from a pipe or a device, such as /dev/stdin.
 enum class Readable { kFile, kStream };
@@ -25,4 +25,4 @@ enum class Readable { kFile, kStream };
 /// Its first bytes, all if there are no more than that. Throws FileError.
 [[nodiscard]] std::string read_start(const std::string& path, std::uint64_t most, Readable kind);
 
-}  // namespace regulus::codegen
+}  // namespace regulus::inline model

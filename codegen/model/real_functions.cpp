@@ -1,61 +1,69 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "regulus/codegen/model/real_functions.hpp"
+#include "codegen/model/real_functions.hpp"
 
 #include <algorithm>
 #include <array>
 
-#include "regulus/codegen/model/domain.hpp"
-#include "regulus/codegen/model/growth.hpp"
+#include "codegen/model/combine_limits.hpp"
+#include "codegen/model/domain.hpp"
 
-namespace regulus::codegen {
+namespace regulus::inline model {
 namespace {
 
 using GiNaC::ex;
 
 /// Records the domain in the first argument and returns the value.
-using Apply = ex (*)(Term& result, const std::vector<Term>& arguments);
+using Apply = ex (*)(ParsedExpression& result, const std::vector<ParsedExpression>& arguments);
 
-ex apply_sqrt(Term& result, const std::vector<Term>& x) {
+ex apply_sqrt(ParsedExpression& result, const std::vector<ParsedExpression>& x) {
   require_nonnegative(result, x[0].value, x[0].constant);
   // GiNaC::sqrt on a number would give a float.
   return GiNaC::pow(x[0].value, GiNaC::numeric(1, 2));
 }
 
-ex apply_sin(Term&, const std::vector<Term>& x) { return GiNaC::sin(x[0].value); }
-ex apply_cos(Term&, const std::vector<Term>& x) { return GiNaC::cos(x[0].value); }
+ex apply_sin(ParsedExpression&, const std::vector<ParsedExpression>& x) {
+  return GiNaC::sin(x[0].value);
+}
+ex apply_cos(ParsedExpression&, const std::vector<ParsedExpression>& x) {
+  return GiNaC::cos(x[0].value);
+}
 
-ex apply_tan(Term& result, const std::vector<Term>& x) {
+ex apply_tan(ParsedExpression& result, const std::vector<ParsedExpression>& x) {
   require_no_pole_of_tan(result, x[0].value);
   return GiNaC::tan(x[0].value);
 }
 
-ex apply_asin(Term& result, const std::vector<Term>& x) {
+ex apply_asin(ParsedExpression& result, const std::vector<ParsedExpression>& x) {
   require_unit_range(result, x[0].value, x[0].constant);
   return GiNaC::asin(x[0].value);
 }
 
-ex apply_acos(Term& result, const std::vector<Term>& x) {
+ex apply_acos(ParsedExpression& result, const std::vector<ParsedExpression>& x) {
   require_unit_range(result, x[0].value, x[0].constant);
   return GiNaC::acos(x[0].value);
 }
 
-ex apply_atan(Term&, const std::vector<Term>& x) { return GiNaC::atan(x[0].value); }
+ex apply_atan(ParsedExpression&, const std::vector<ParsedExpression>& x) {
+  return GiNaC::atan(x[0].value);
+}
 
-ex apply_atan2(Term& result, const std::vector<Term>& x) {
+ex apply_atan2(ParsedExpression& result, const std::vector<ParsedExpression>& x) {
   require_off_branch_cut(result, x[0].value, x[1].value);
   return GiNaC::atan2(x[0].value, x[1].value);
 }
 
-ex apply_exp(Term&, const std::vector<Term>& x) { return GiNaC::exp(x[0].value); }
+ex apply_exp(ParsedExpression&, const std::vector<ParsedExpression>& x) {
+  return GiNaC::exp(x[0].value);
+}
 
-ex apply_log(Term& result, const std::vector<Term>& x) {
+ex apply_log(ParsedExpression& result, const std::vector<ParsedExpression>& x) {
   require_positive(result, x[0].value, x[0].constant);
   return GiNaC::log(x[0].value);
 }
 
 /// For an operand that GiNaC does not know to be real, such as log(x), its abs(u)^2 becomes
 /// u·conjugate(u), and so do derivatives.
-ex apply_abs(Term&, const std::vector<Term>& x) {
+ex apply_abs(ParsedExpression&, const std::vector<ParsedExpression>& x) {
   const ex& u = x[0].value;
   if (u.info(GiNaC::info_flags::real)) return GiNaC::abs(u);
   return GiNaC::pow(GiNaC::pow(u, 2), GiNaC::numeric(1, 2));
@@ -81,14 +89,14 @@ std::span<const std::string> function_names() {
 
 bool is_function(std::string_view name) { return index_of(name) < kFunctions; }
 
-Term call(std::string_view name, std::vector<Term> arguments) {
+ParsedExpression call(std::string_view name, std::vector<ParsedExpression> arguments) {
   const std::size_t wanted = name == "atan2" ? 2 : 1;
   if (arguments.size() != wanted)
     throw Refusal{std::string(name) + " with " + std::to_string(arguments.size()) + " arguments",
                   wanted == 1 ? "one argument" : "two arguments, atan2(y, x)"};
-  Term result = grow(arguments);
+  ParsedExpression result = combine_limits(arguments);
   result.value = kApply[index_of(name)](result, arguments);
   return result;
 }
 
-}  // namespace regulus::codegen
+}  // namespace regulus::inline model

@@ -7,9 +7,9 @@
 #include <string_view>
 #include <vector>
 
-#include "regulus/codegen/model/term.hpp"
+#include "codegen/model/parsed_expression.hpp"
 
-namespace regulus::codegen {
+namespace regulus::inline model {
 
 /// sqrt sin cos tan asin acos atan atan2 exp log abs.
 [[nodiscard]] std::span<const std::string> function_names();
@@ -20,6 +20,6 @@ namespace regulus::codegen {
 ///
 /// Requires  is_function(name).
 /// Ensures   throws Refusal for a wrong number of arguments, or constants outside the domain.
-[[nodiscard]] Term call(std::string_view name, std::vector<Term> arguments);
+[[nodiscard]] ParsedExpression call(std::string_view name, std::vector<ParsedExpression> arguments);
 
-}  // namespace regulus::codegen
+}  // namespace regulus::inline model

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "regulus/codegen/model/request.hpp"
+#include "codegen/model/request.hpp"
 
-#include "regulus/codegen/model/model_file.hpp"
-#include "regulus/codegen/model/overrides.hpp"
+#include "codegen/model/model_file.hpp"
+#include "codegen/model/overrides.hpp"
 
-namespace regulus::codegen {
+namespace regulus::inline model {
 
 Assignment split_assignment(const std::string& text, const char* option) {
   const std::size_t equals = text.find('=');
@@ -40,4 +40,4 @@ Request read_request(std::string_view text, const ModelOptions& options) {
   return request;
 }
 
-}  // namespace regulus::codegen
+}  // namespace regulus::inline model

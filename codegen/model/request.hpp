@@ -3,15 +3,14 @@
 #pragma once
 
 #include <optional>
-#include <stdexcept>
 #include <string>
 #include <string_view>
 #include <vector>
 
-#include "regulus/codegen/model/errors.hpp"
-#include "regulus/codegen/model/model.hpp"
+#include "codegen/model/model.hpp"
+#include "codegen/support/errors.hpp"
 
-namespace regulus::codegen {
+namespace regulus::inline model {
 
 /// What every command that reads a model takes: which variety, with which changes.
 struct ModelOptions {
@@ -21,12 +20,6 @@ struct ModelOptions {
   std::vector<std::string> tolerances;
   std::string alpha;                  ///< empty: the motion's own
   std::optional<std::string> text{};  ///< of the model, in place of what the file holds
-};
-
-/// Something wrong with a command line that only the model can tell (an unknown motion, say).
-class UsageError : public std::runtime_error {
- public:
-  using std::runtime_error::runtime_error;
 };
 
 /// A model and the one motion to look at, with the command line's changes made.
@@ -59,4 +52,4 @@ void from_option(const char* option, Change change) {
   }
 }
 
-}  // namespace regulus::codegen
+}  // namespace regulus::inline model

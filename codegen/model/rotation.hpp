@@ -4,7 +4,7 @@
 
 #include <ginac/ginac.h>
 
-namespace regulus::codegen {
+namespace regulus::inline model {
 
 /// Rz(psi)·Rx(theta)·Rz(phi): Euler angles, z-x-z.
 ///
@@ -26,4 +26,4 @@ namespace regulus::codegen {
 [[nodiscard]] GiNaC::matrix scaled_rotation_quaternion(const GiNaC::ex& q0, const GiNaC::ex& q1,
                                                        const GiNaC::ex& q2, const GiNaC::ex& q3);
 
-}  // namespace regulus::codegen
+}  // namespace regulus::inline model

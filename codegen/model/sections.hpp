@@ -5,12 +5,12 @@
 #include <functional>
 #include <vector>
 
-#include "regulus/codegen/model/declarations.hpp"
-#include "regulus/codegen/model/gough.hpp"
-#include "regulus/codegen/model/model.hpp"
-#include "regulus/codegen/model/toml_reader.hpp"
+#include "codegen/model/declarations.hpp"
+#include "codegen/model/gough.hpp"
+#include "codegen/model/model.hpp"
+#include "codegen/model/toml_reader.hpp"
 
-namespace regulus::codegen {
+namespace regulus::inline model {
 
 /// Operations of all expressions together, named sub-expressions included: what a file may ask to
 /// be built. A 6×6 matrix of the largest expressions is below it.
@@ -24,7 +24,7 @@ struct ModelReading {
   double size = 0;  ///< of the expressions so far
 
   /// Adds up the sizes; refuses the entry that makes the model too large.
-  void count(const Term& term, const TomlEntry& entry) {
+  void count(const ParsedExpression& term, const TomlEntry& entry) {
     size += term.size;
     if (size > kMaxModelSize)
       toml.refuse(entry, "a model too large at " + entry.path,
@@ -42,4 +42,4 @@ void read_gough(ModelReading& reading, const TomlEntry& gough);
 
 void read_motions(ModelReading& reading, const TomlEntry& motions);
 
-}  // namespace regulus::codegen
+}  // namespace regulus::inline model

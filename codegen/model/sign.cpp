@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "regulus/codegen/model/sign.hpp"
+#include "codegen/model/sign.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -9,7 +9,7 @@
 #include <numeric>
 #include <string>
 
-namespace regulus::codegen {
+namespace regulus::inline model {
 namespace {
 
 using GiNaC::ex;
@@ -116,4 +116,4 @@ std::optional<double> approx_value(const ex& constant) {
   return std::isfinite(value) ? std::optional(value) : std::nullopt;
 }
 
-}  // namespace regulus::codegen
+}  // namespace regulus::inline model

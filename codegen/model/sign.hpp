@@ -6,7 +6,7 @@
 
 #include <optional>
 
-namespace regulus::codegen {
+namespace regulus::inline model {
 
 /// Whether e ≥ 0 at every real point where e is defined, by its form alone: squares, roots, sums
 /// and products of such. false says nothing.
@@ -23,4 +23,4 @@ namespace regulus::codegen {
 /// beyond its exponent range it gives exp(exp(exp(9))) = 1.)
 [[nodiscard]] std::optional<double> approx_value(const GiNaC::ex& constant);
 
-}  // namespace regulus::codegen
+}  // namespace regulus::inline model

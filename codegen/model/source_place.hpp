@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-namespace regulus::codegen {
+namespace regulus::inline model {
 
 /// A place in a C++ program. What std::source_location is where compilers have it: Clang does from
 /// version 15 on.
@@ -26,4 +26,4 @@ class SourcePlace {
   unsigned line_ = 0;
 };
 
-}  // namespace regulus::codegen
+}  // namespace regulus::inline model

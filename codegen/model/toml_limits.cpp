@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "regulus/codegen/model/toml_limits.hpp"
+#include "codegen/model/toml_limits.hpp"
 
 #include <algorithm>
 
-#include "regulus/codegen/model/errors.hpp"
+#include "codegen/support/errors.hpp"
 
-namespace regulus::codegen {
+namespace regulus::inline model {
 namespace {
 
 /// Follows the text as far as to know what is a string, a comment, a key or a value. It agrees with
@@ -120,4 +120,4 @@ class Scan {
 
 void require_toml_limits(std::string_view text, const std::string& file) { Scan(text, file).run(); }
 
-}  // namespace regulus::codegen
+}  // namespace regulus::inline model

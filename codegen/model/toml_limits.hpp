@@ -6,7 +6,7 @@
 #include <string>
 #include <string_view>
 
-namespace regulus::codegen {
+namespace regulus::inline model {
 
 // The library builds a table for each part of a key, one in the other, and takes them apart by
 // recursion; and it looks each part up in a list of all tables. No model needs as much as this.
@@ -18,4 +18,4 @@ constexpr std::size_t kMaxTomlTables = 20'000;  ///< parts of all dotted keys an
 /// what is no TOML passes. Takes linear time and no stack.
 void require_toml_limits(std::string_view text, const std::string& file);
 
-}  // namespace regulus::codegen
+}  // namespace regulus::inline model

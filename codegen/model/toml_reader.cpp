@@ -1,17 +1,17 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "regulus/codegen/model/toml_reader.hpp"
+#include "codegen/model/toml_reader.hpp"
 
 #include <algorithm>
 #include <cmath>
 #include <optional>
 #include <tuple>
 
-#include "regulus/codegen/model/decimal.hpp"
-#include "regulus/codegen/model/declarations.hpp"
-#include "regulus/codegen/model/errors.hpp"
-#include "regulus/codegen/model/names.hpp"
+#include "codegen/model/decimal.hpp"
+#include "codegen/model/declarations.hpp"
+#include "codegen/model/names.hpp"
+#include "codegen/support/errors.hpp"
 
-namespace regulus::codegen {
+namespace regulus::inline model {
 namespace {
 
 int line_of(const toml::source_region& source) { return static_cast<int>(source.begin.line); }
@@ -135,18 +135,18 @@ std::string TomlReader::name(const TomlEntry& entry) const {
   return result;
 }
 
-Term TomlReader::expression(const TomlEntry& entry, Names& names) const {
+ParsedExpression TomlReader::expression(const TomlEntry& entry, Names& names) const {
   if (const auto* text = entry.node->as_string())
     return parse_expression(text->get(), names, place(entry));
   return number_of(entry);
 }
 
-Term TomlReader::constant(const TomlEntry& entry) const {
+ParsedExpression TomlReader::constant(const TomlEntry& entry) const {
   if (const auto* text = entry.node->as_string()) return parse_constant(text->get(), place(entry));
   return number_of(entry);
 }
 
-Term TomlReader::number_of(const TomlEntry& entry) const {
+ParsedExpression TomlReader::number_of(const TomlEntry& entry) const {
   const toml::node& node = *entry.node;
   const auto* real = node.as_floating_point();
   if (!node.is_number() || (real && !std::isfinite(real->get())))
@@ -192,4 +192,4 @@ const toml::table& TomlReader::table_of(const TomlEntry& entry) const {
   return *table;
 }
 
-}  // namespace regulus::codegen
+}  // namespace regulus::inline model

@@ -10,10 +10,10 @@
 #include <string_view>
 #include <vector>
 
-#include "regulus/codegen/model/expression_parser.hpp"
-#include "regulus/codegen/model/source_lines.hpp"
+#include "codegen/model/expression_parser.hpp"
+#include "codegen/model/source_lines.hpp"
 
-namespace regulus::codegen {
+namespace regulus::inline model {
 
 /// An entry of a table, with its full key for messages ("motion.small.x").
 struct TomlEntry {
@@ -55,8 +55,8 @@ class TomlReader {
 
   /// A number, or an expression in a string. A number is the one that is written, to the last
   /// digit: it is read from the text of the file.
-  [[nodiscard]] Term expression(const TomlEntry& entry, Names& names) const;
-  [[nodiscard]] Term constant(const TomlEntry& entry) const;
+  [[nodiscard]] ParsedExpression expression(const TomlEntry& entry, Names& names) const;
+  [[nodiscard]] ParsedExpression constant(const TomlEntry& entry) const;
 
   [[nodiscard]] Place place(const TomlEntry& entry) const;
 
@@ -68,11 +68,11 @@ class TomlReader {
 
  private:
   [[nodiscard]] const toml::table& table_of(const TomlEntry& entry) const;
-  [[nodiscard]] Term number_of(const TomlEntry& entry) const;
+  [[nodiscard]] ParsedExpression number_of(const TomlEntry& entry) const;
   [[nodiscard]] std::string_view literal_of(const TomlEntry& entry) const;
 
   std::string file_;
   SourceLines source_;
 };
 
-}  // namespace regulus::codegen
+}  // namespace regulus::inline model

@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "regulus/codegen/model/written.hpp"
+#include "codegen/model/written.hpp"
 
 #include <algorithm>
 #include <array>
 #include <cstdio>
 
-#include "regulus/codegen/model/ginac_text.hpp"
-#include "regulus/codegen/model/names.hpp"
+#include "codegen/model/ginac_text.hpp"
+#include "codegen/model/names.hpp"
 
-namespace regulus::codegen {
+namespace regulus::inline model {
 namespace {
 
 constexpr std::size_t kDigitsOfAnInteger = 15;  // far below the ends of TOML's
@@ -91,4 +91,4 @@ InputError input_error(const SourcePlace& place, const std::string& found,
   return {place.file_name(), static_cast<int>(place.line()), found, expected, symbol};
 }
 
-}  // namespace regulus::codegen
+}  // namespace regulus::inline model

@@ -7,10 +7,10 @@
 #include <string_view>
 #include <vector>
 
-#include "regulus/codegen/model/errors.hpp"
-#include "regulus/codegen/model/formula.hpp"
+#include "codegen/model/formula.hpp"
+#include "codegen/support/errors.hpp"
 
-namespace regulus::codegen {
+namespace regulus::inline model {
 
 struct WrittenLine {
   std::string key, value;
@@ -54,4 +54,4 @@ class WrittenSymbols {
 [[nodiscard]] InputError input_error(const SourcePlace& place, const std::string& found,
                                      const std::string& expected, const std::string& symbol = {});
 
-}  // namespace regulus::codegen
+}  // namespace regulus::inline model

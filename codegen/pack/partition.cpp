@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "regulus/codegen/pack/partition.hpp"
+#include "codegen/pack/partition.hpp"
 
 #include <algorithm>
 #include <set>
 
-#include "regulus/codegen/program/enclose.hpp"
-#include "regulus/codegen/program/exact_nodes.hpp"
+#include "codegen/program/enclose.hpp"
+#include "codegen/program/exact_nodes.hpp"
 
-namespace regulus::codegen {
+namespace regulus::inline packing {
 namespace {
 
 constexpr std::uint32_t kNoPart = static_cast<std::uint32_t>(-1);
@@ -165,4 +165,4 @@ FunctionPlan plan_function(const Program& program, std::size_t operations_per_pa
   return Planner(program, operations_per_part, row_length, meter).run();
 }
 
-}  // namespace regulus::codegen
+}  // namespace regulus::inline packing

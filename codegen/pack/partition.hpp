@@ -6,15 +6,15 @@
 #include <cstdint>
 #include <vector>
 
-#include "regulus/codegen/program/interpreter.hpp"
-#include "regulus/codegen/program/magnitude.hpp"
-#include "regulus/codegen/program/program.hpp"
-#include "regulus/codegen/program/work_meter.hpp"
-#include "regulus/interval/interval.hpp"
+#include "codegen/program/interpreter.hpp"
+#include "codegen/program/magnitude.hpp"
+#include "codegen/program/program.hpp"
+#include "codegen/program/work_meter.hpp"
+#include "runtime/interval/interval.hpp"
 
-namespace regulus::codegen {
+namespace regulus::inline packing {
 
-/// The type of a node in the text: P, exact doubles, or I, intervals (regulus/kernel/pack.hpp).
+/// The type of a node in the text: P, exact doubles, or I, intervals (runtime/kernel/pack.hpp).
 enum class Form : std::uint8_t { kPoint, kInterval };
 
 /// One thing to print: the value of a node, or the outputs from first_output to last_output.
@@ -56,4 +56,4 @@ struct FunctionPlan {
 [[nodiscard]] FunctionPlan plan_function(const Program& program, std::size_t operations_per_part,
                                          std::size_t row_length = 0, WorkMeter* meter = nullptr);
 
-}  // namespace regulus::codegen
+}  // namespace regulus::inline packing

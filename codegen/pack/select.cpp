@@ -1,14 +1,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "regulus/codegen/pack/select.hpp"
+#include "codegen/pack/select.hpp"
 
 #include <algorithm>
 #include <map>
 #include <optional>
 #include <stdexcept>
-#include <unordered_map>
 #include <utility>
 
-namespace regulus::codegen {
+#include "codegen/pack/part_values.hpp"
+
+namespace regulus::inline packing {
 namespace {
 
 using machine::ValueId;
@@ -71,16 +72,17 @@ class Selector {
   Selector(const Program& program, std::size_t operations_per_part, std::size_t row_length,
            WorkMeter* meter)
       : program_(program),
-        meter_(meter),
-        plan_(plan_function(program, operations_per_part, row_length, meter)) {
+        plan_(plan_function(program, operations_per_part, row_length, meter)),
+        values_(program, plan_, meter) {
     find_absorbed();
   }
 
   SelectedFunction run() {
     for (std::uint32_t part = 0; part < plan_.parts.size(); ++part) select_part(part);
-    code_.slots = static_cast<std::uint32_t>(plan_.slot_count);
-    code_.outputs = static_cast<std::uint32_t>(program_.outputs.size());
-    return {std::move(plan_), std::move(code_), std::move(nodes_), std::move(marks_)};
+    machine::PackFunction& code = values_.code();
+    code.slots = static_cast<std::uint32_t>(plan_.slot_count);
+    code.outputs = static_cast<std::uint32_t>(program_.outputs.size());
+    return {std::move(plan_), std::move(code), std::move(values_.nodes()), std::move(marks_)};
   }
 
  private:
@@ -135,20 +137,18 @@ class Selector {
 
   void select_part(std::uint32_t part) {
     const Part& range = plan_.parts[part];
-    value_of_.clear();
-    interval_of_.clear();
-    negated_.clear();
+    values_.begin_part();
     find_partners(range);
     for (std::size_t i = range.first_step; i < range.last_step; ++i) {
       const Step& step = plan_.steps[i];
       if (step.opens_group || i == range.first_step)
-        marks_.push_back({static_cast<std::uint32_t>(code_.code.size()), i});
+        marks_.push_back({static_cast<std::uint32_t>(values_.size()), i});
       if (step.kind == Step::Kind::kStore)
         store(step);
-      else if (!absorbed_[step.node] && !value_of_.contains(step.node))
+      else if (!absorbed_[step.node] && !values_.knows(step.node))
         compute(step.node);
     }
-    code_.part_ends.push_back(static_cast<std::uint32_t>(code_.code.size()));
+    values_.end_part();
   }
 
   /// A sine and a cosine of one argument cost one operation when the same part computes both.
@@ -166,62 +166,45 @@ class Selector {
     }
   }
 
-  ValueId add(Pack operation, std::uint32_t a = 0, std::uint32_t b = 0, std::uint32_t c = 0,
-              NodeId of = SelectedFunction::kNoNode) {
-    spend(meter_, 1);
-    code_.code.push_back({operation, a, b, c});
-    nodes_.push_back(of);
-    return static_cast<ValueId>(code_.code.size() - 1);
-  }
-
   void store(const Step& step) {
-    const ValueId value = use_as_interval(step.node);
-    add(Pack::kStore, static_cast<std::uint32_t>(step.first_output),
-        static_cast<std::uint32_t>(step.last_output), value, step.node);
-  }
-
-  /// The value is the node's, checked where it may overflow, and kept for the parts that follow.
-  void define(NodeId id, ValueId value) {
-    if (plan_.magnitudes.needs_check[id]) value = add(Pack::kChecked_IU, value);
-    nodes_[value] = id;
-    value_of_[id] = value;
-    if (plan_.slots[id] != kNoSlot)
-      add(Pack::kKeep, static_cast<std::uint32_t>(plan_.slots[id]), use_as_interval(id));
+    const ValueId value = values_.use_as_interval(step.node);
+    values_.add(Pack::kStore, static_cast<std::uint32_t>(step.first_output),
+                static_cast<std::uint32_t>(step.last_output), value, step.node);
   }
 
   void compute(NodeId id) {
     const Node& n = node(id);
     if (partner_.contains(id)) return compute_sine_and_cosine(id);
     if (n.op == Op::kPower && plan_.magnitudes.needs_check[id]) return compute_checked_power(id);
-    define(id, value_for(id));
+    values_.define(id, value_for(id));
   }
 
   void compute_sine_and_cosine(NodeId id) {
     const NodeId other = partner_.at(id);
     const NodeId sine = node(id).op == Op::kSin ? id : other;
     const NodeId cosine = node(id).op == Op::kSin ? other : id;
-    const ValueId both = add(Pack::kSinCos_I, use_as_interval(node(id).a));
-    const ValueId second = add(Pack::kCosine, both);
-    define(sine, both);
-    define(cosine, second);
+    const ValueId both = values_.add(Pack::kSinCos_I, values_.use_as_interval(node(id).a));
+    const ValueId second = values_.add(Pack::kCosine, both);
+    values_.define(sine, both);
+    values_.define(cosine, second);
   }
 
   /// By squaring, each step checked: inside pow an infinite factor could meet a 0.
   void compute_checked_power(NodeId id) {
     const std::uint32_t n = node(id).index;
-    const ValueId base = use_as_interval(node(id).a);
+    const ValueId base = values_.use_as_interval(node(id).a);
     ValueId value = base;
     bool is_first = true;
     const auto next = [&](Pack operation, ValueId a, ValueId b) {
-      if (!is_first) a = add(Pack::kChecked_IU, a);
+      if (!is_first) a = values_.add(Pack::kChecked_IU, a);
       is_first = false;
-      value = add(operation, a, b);
+      value = values_.add(operation, a, b);
     };
     for (int bit = highest_bit(n) - 1; bit >= 0; --bit) {
       next(Pack::kSqr_I, value, 0);
       if ((n >> bit) & 1U) next(Pack::kMultiply_II, value, base);
     }
-    define(id, value);
+    values_.define(id, value);
   }
 
   // --- one operation
@@ -248,29 +231,29 @@ class Selector {
   ValueId exact(NodeId id) {
     const Node& n = node(id);
     const auto binary = [this](Pack operation, NodeId a, NodeId b) {
-      const ValueId left = use(a);
-      return add(operation, left, use(b));
+      const ValueId left = values_.use(a);
+      return values_.add(operation, left, values_.use(b));
     };
-    if (n.op == Op::kNegate) return add(Pack::kNegate_P, use(n.a));
+    if (n.op == Op::kNegate) return values_.add(Pack::kNegate_P, values_.use(n.a));
     if (n.op == Op::kMultiply) return binary(Pack::kExactMul_PP, n.a, n.b);
     const std::optional<NodeId> fused = fused_product(id);
     if (!fused) return binary(n.op == Op::kAdd ? Pack::kExactAdd_PP : Pack::kExactSub_PP, n.a, n.b);
     const auto [a, b] = factors(*fused);
-    const ValueId left = n.op == Op::kSubtract ? use_negated(a) : use(a);
-    const ValueId right = use(b);
-    return add(Pack::kExactMulAdd_PPP, left, right, use(*fused == n.b ? n.a : n.b));
+    const ValueId left = n.op == Op::kSubtract ? values_.use_negated(a) : values_.use(a);
+    const ValueId right = values_.use(b);
+    return values_.add(Pack::kExactMulAdd_PPP, left, right, values_.use(*fused == n.b ? n.a : n.b));
   }
 
   ValueId negation(NodeId a) {
     const Node& n = node(a);
     if (!absorbed_[a]) {
-      const ValueId value = use(a);
-      return add(is_interval(a) ? Pack::kNegate_I : Pack::kNegate_P, value);
+      const ValueId value = values_.use(a);
+      return values_.add(is_interval(a) ? Pack::kNegate_I : Pack::kNegate_P, value);
     }
     if (n.op == Op::kSubtract) return of_kinds(Pack::kSubtract_II, n.b, n.a);
-    const ValueId left = use_negated(n.a);
-    const ValueId right = use(n.b);
-    return add(is_interval(n.b) ? Pack::kMultiply_PI : Pack::kMultiply_PP, left, right);
+    const ValueId left = values_.use_negated(n.a);
+    const ValueId right = values_.use(n.b);
+    return values_.add(is_interval(n.b) ? Pack::kMultiply_PI : Pack::kMultiply_PP, left, right);
   }
 
   ValueId sum(NodeId id) {
@@ -289,36 +272,36 @@ class Selector {
     const auto [a, b] = factors(fused);
     const bool subtract = n.op == Op::kSubtract;
     const bool negate_a = subtract && !is_interval(a);
-    const ValueId left = negate_a ? use_negated(a) : use(a);
-    const ValueId right = subtract && !negate_a ? use_negated(b) : use(b);
-    const ValueId other = use_as_interval(fused == n.b ? n.a : n.b);
+    const ValueId left = negate_a ? values_.use_negated(a) : values_.use(a);
+    const ValueId right = subtract && !negate_a ? values_.use_negated(b) : values_.use(b);
+    const ValueId other = values_.use_as_interval(fused == n.b ? n.a : n.b);
     const Pack operation = is_interval(a)
                                ? (is_interval(b) ? Pack::kMulAdd_III : Pack::kMulAdd_IPI)
                                : (is_interval(b) ? Pack::kMulAdd_PII : Pack::kMulAdd_PPI);
-    return add(operation, left, right, other);
+    return values_.add(operation, left, right, other);
   }
 
   ValueId power(NodeId id) {
     const Node& n = node(id);
-    if (n.index != 2) return add(Pack::kPow_IN, use_as_interval(n.a), n.index);
-    if (is_interval(n.a)) return add(Pack::kSqr_I, use(n.a));
+    if (n.index != 2) return values_.add(Pack::kPow_IN, values_.use_as_interval(n.a), n.index);
+    if (is_interval(n.a)) return values_.add(Pack::kSqr_I, values_.use(n.a));
     return of_kinds(Pack::kMultiply_II, n.a, n.a);
   }
 
   ValueId call(NodeId id) {
     const Node& n = node(id);
-    const ValueId a = use_as_interval(n.a);
-    const ValueId b = program_operands(id) == 2 ? use_as_interval(n.b) : 0;
-    return add(operation_of(n.op), a, b);
+    const ValueId a = values_.use_as_interval(n.a);
+    const ValueId b = program_operands(id) == 2 ? values_.use_as_interval(n.b) : 0;
+    return values_.add(operation_of(n.op), a, b);
   }
   [[nodiscard]] int program_operands(NodeId id) const { return operand_count(node(id).op); }
 
   /// The operation of a family II, IP, PI, PP that fits the operands.
   ValueId of_kinds(Pack first_of_family, NodeId a, NodeId b) {
-    const ValueId left = use(a);
-    const ValueId right = use(b);
+    const ValueId left = values_.use(a);
+    const ValueId right = values_.use(b);
     const int kinds = (is_interval(a) ? 0 : 2) + (is_interval(b) ? 0 : 1);
-    return add(static_cast<Pack>(static_cast<int>(first_of_family) + kinds), left, right);
+    return values_.add(static_cast<Pack>(static_cast<int>(first_of_family) + kinds), left, right);
   }
 
   /// Packs tell factors apart by the signs of the left one's bounds: a value used often goes there,
@@ -330,77 +313,12 @@ class Selector {
     return swap ? std::pair(b, a) : std::pair(a, b);
   }
 
-  // --- operands
-
-  /// The node's value in this part, of the node's own form.
-  ValueId use(NodeId id) {
-    if (const auto found = value_of_.find(id); found != value_of_.end()) return found->second;
-    const ValueId value = plan_.leaves[id] ? leaf(id) : fetch(id);
-    nodes_[value] = id;
-    value_of_[id] = value;
-    return value;
-  }
-
-  ValueId use_as_interval(NodeId id) {
-    if (is_interval(id)) return use(id);
-    if (const auto found = interval_of_.find(id); found != interval_of_.end()) return found->second;
-    const ValueId value = plan_.known[id] ? add(Pack::kConstant, constant(*plan_.known[id]))
-                                          : add(Pack::kThin_P, use(id));
-    interval_of_[id] = value;
-    return value;
-  }
-
-  /// −p for exact doubles p.
-  ValueId use_negated(NodeId id) {
-    if (node(id).op == Op::kNegate && plan_.leaves[id] && !plan_.known[id]) return use(node(id).a);
-    if (const auto found = negated_.find(id); found != negated_.end()) return found->second;
-    const ValueId value = plan_.known[id]
-                              ? add(Pack::kExact, constant(Interval(-plan_.known[id]->lo)))
-                              : add(Pack::kNegate_P, use(id));
-    negated_[id] = value;
-    return value;
-  }
-
-  ValueId leaf(NodeId id) {
-    const Node& n = node(id);
-    if (plan_.known[id]) return known(id);
-    if (n.op == Op::kNegate) return add(Pack::kNegate_P, use(n.a));
-    return add(n.op == Op::kInput ? Pack::kLoad : Pack::kPoint, n.index);
-  }
-
-  ValueId known(NodeId id) {
-    const Interval& bounds = *plan_.known[id];
-    if (!is_interval(id)) return add(Pack::kExact, constant(bounds));
-    const ValueId value = add(Pack::kConstant, constant(bounds));
-    return plan_.magnitudes.needs_check[id] ? add(Pack::kChecked_IU, value) : value;
-  }
-
-  /// The two zeros are one bound, and one constant.
-  std::uint32_t constant(Interval bounds) {
-    if (bounds.lo == 0.0) bounds.lo = 0.0;
-    if (bounds.hi == 0.0) bounds.hi = 0.0;
-    const auto [place, is_new] = constant_index_.try_emplace(
-        {bounds.lo, bounds.hi}, static_cast<std::uint32_t>(code_.constants.size()));
-    if (is_new) code_.constants.push_back(bounds);
-    return place->second;
-  }
-
-  ValueId fetch(NodeId id) {
-    const ValueId kept = add(Pack::kFetch, static_cast<std::uint32_t>(plan_.slots[id]));
-    return is_interval(id) ? kept : add(Pack::kPointOf_I, kept);
-  }
-
   const Program& program_;
-  WorkMeter* meter_;
   FunctionPlan plan_;
-  machine::PackFunction code_;
-  std::vector<NodeId> nodes_;
+  PartValues values_;
   std::vector<SelectedFunction::Mark> marks_;
   std::vector<bool> absorbed_;        ///< has no operation: the one that reads it computes it, too
   std::map<NodeId, NodeId> partner_;  ///< the cosine of a sine's argument and the reverse
-  // Of this part.
-  std::unordered_map<NodeId, ValueId> value_of_, interval_of_, negated_;
-  std::map<std::pair<double, double>, std::uint32_t> constant_index_;
 };
 
 }  // namespace
@@ -410,4 +328,4 @@ SelectedFunction select(const Program& program, std::size_t operations_per_part,
   return Selector(program, operations_per_part, row_length, meter).run();
 }
 
-}  // namespace regulus::codegen
+}  // namespace regulus::inline packing

@@ -6,12 +6,12 @@
 #include <cstdint>
 #include <vector>
 
-#include "regulus/codegen/pack/partition.hpp"
-#include "regulus/codegen/program/module.hpp"
-#include "regulus/codegen/program/program.hpp"
-#include "regulus/machine/pack_program.hpp"
+#include "codegen/pack/partition.hpp"
+#include "codegen/program/module.hpp"
+#include "codegen/program/program.hpp"
+#include "runtime/machine/pack_program.hpp"
 
-namespace regulus::codegen {
+namespace regulus::inline packing {
 
 inline constexpr std::size_t kOperationsPerPart = 64;
 
@@ -60,4 +60,4 @@ struct SelectedFunction {
                                          std::size_t operations_per_part = kOperationsPerPart,
                                          const FormingWatch* watch = nullptr);
 
-}  // namespace regulus::codegen
+}  // namespace regulus::inline packing

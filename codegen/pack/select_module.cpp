@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // All functions of a kernel, and the tables beside them.
-#include "regulus/codegen/pack/select.hpp"
-#include "regulus/codegen/program/module_check.hpp"
-#include "regulus/codegen/program/print.hpp"
+#include "codegen/pack/select.hpp"
+#include "codegen/program/module_check.hpp"
+#include "codegen/program/print.hpp"
 
-namespace regulus::codegen {
+namespace regulus::inline packing {
 namespace {
 
 machine::PackDerivatives derivatives_of(const Module& module, const std::string& name) {
@@ -53,4 +53,4 @@ machine::PackKernel select(const Module& module, std::size_t operations_per_part
   return kernel;
 }
 
-}  // namespace regulus::codegen
+}  // namespace regulus::inline packing

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "regulus/codegen/program/arb_arithmetic.hpp"
+#include "codegen/program/arb_arithmetic.hpp"
 
 #include <stdexcept>
 
-namespace regulus::codegen {
+namespace regulus::inline program {
 namespace {
 
 /// |a| − 1.
@@ -139,4 +139,4 @@ Ball ArbArithmetic::call(Op function, const Ball& a) {
   return result;
 }
 
-}  // namespace regulus::codegen
+}  // namespace regulus::inline program

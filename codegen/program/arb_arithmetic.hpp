@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "regulus/codegen/program/ball.hpp"
-#include "regulus/codegen/program/node.hpp"
+#include "codegen/program/ball.hpp"
+#include "codegen/program/node.hpp"
 
-namespace regulus::codegen {
+namespace regulus::inline program {
 
 /// The interpreter's arithmetic on balls: rigorous, as narrow as `precision` bits allow.
 ///
@@ -46,4 +46,4 @@ class ArbArithmetic {
   bool violated_ = false;
 };
 
-}  // namespace regulus::codegen
+}  // namespace regulus::inline program

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "regulus/codegen/program/ball.hpp"
+#include "codegen/program/ball.hpp"
 
 #include <cmath>
 #include <limits>
 
-namespace regulus::codegen {
+namespace regulus::inline program {
 namespace {
 
 class Float {
@@ -55,4 +55,4 @@ Interval Ball::enclosure() const {
                   arf_get_d(hi.get(), ARF_RND_CEIL) + 0.0};
 }
 
-}  // namespace regulus::codegen
+}  // namespace regulus::inline program

@@ -3,10 +3,10 @@
 
 #include <arb.h>
 
-#include "regulus/codegen/program/flint_rational.hpp"
-#include "regulus/interval/interval.hpp"
+#include "codegen/program/flint_rational.hpp"
+#include "runtime/interval/interval.hpp"
 
-namespace regulus::codegen {
+namespace regulus::inline program {
 
 /// An owned arb_t: a ball [m − r, m + r] that encloses a real number.
 class Ball {
@@ -42,4 +42,4 @@ class Ball {
   arb_t value_;
 };
 
-}  // namespace regulus::codegen
+}  // namespace regulus::inline program

@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "regulus/codegen/program/ball_program.hpp"
+#include "codegen/program/ball_program.hpp"
 
 #include <algorithm>
 #include <stdexcept>
 
-#include "regulus/codegen/program/arb_arithmetic.hpp"
-#include "regulus/codegen/program/run.hpp"
+#include "codegen/program/arb_arithmetic.hpp"
+#include "codegen/program/run.hpp"
 
-namespace regulus::codegen {
+namespace regulus::inline program {
 namespace {
 
 bool is_consistent(const BallProgram& program, NodeId at) noexcept {
@@ -63,4 +63,4 @@ std::optional<std::vector<Ball>> evaluate(const BallProgram& program, std::span<
   return outputs;
 }
 
-}  // namespace regulus::codegen
+}  // namespace regulus::inline program

@@ -8,11 +8,11 @@
 #include <span>
 #include <vector>
 
-#include "regulus/codegen/program/ball.hpp"
-#include "regulus/codegen/program/flint_rational.hpp"
-#include "regulus/codegen/program/node.hpp"
+#include "codegen/program/ball.hpp"
+#include "codegen/program/flint_rational.hpp"
+#include "codegen/program/node.hpp"
 
-namespace regulus::codegen {
+namespace regulus::inline program {
 
 struct Program;
 
@@ -40,4 +40,4 @@ struct BallProgram {
 [[nodiscard]] std::optional<std::vector<Ball>> evaluate(const BallProgram& program,
                                                         std::span<const Ball> inputs, long bits);
 
-}  // namespace regulus::codegen
+}  // namespace regulus::inline program

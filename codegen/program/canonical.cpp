@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "regulus/codegen/program/canonical.hpp"
+#include "codegen/program/canonical.hpp"
 
 #include <algorithm>
 #include <limits>
 #include <utility>
 
-namespace regulus::codegen {
+namespace regulus::inline program {
 namespace {
 
 constexpr NodeId kNone = std::numeric_limits<NodeId>::max();
@@ -93,4 +93,4 @@ class Renumbering {
 
 Program canonical(Program program) { return Renumbering(std::move(program)).run(); }
 
-}  // namespace regulus::codegen
+}  // namespace regulus::inline program

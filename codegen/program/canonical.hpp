@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "regulus/codegen/program/program.hpp"
+#include "codegen/program/program.hpp"
 
-namespace regulus::codegen {
+namespace regulus::inline program {
 
 /// The same program without the nodes that no output uses, in the one order that depends on the
 /// outputs alone: depth first from each output in turn, the operand that needs more registers
@@ -13,4 +13,4 @@ namespace regulus::codegen {
 /// Requires  operands come before their use; no two nodes are equal.
 [[nodiscard]] Program canonical(Program program);
 
-}  // namespace regulus::codegen
+}  // namespace regulus::inline program

@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "regulus/codegen/program/enclose.hpp"
+#include "codegen/program/enclose.hpp"
 
 #include <cmath>
 #include <limits>
 #include <stdexcept>
 
-#include "regulus/codegen/program/arb_arithmetic.hpp"
-#include "regulus/codegen/program/rational_bounds.hpp"
+#include "codegen/program/arb_arithmetic.hpp"
+#include "codegen/program/rational_bounds.hpp"
 
-namespace regulus::codegen {
+namespace regulus::inline program {
 namespace {
 
 constexpr long kFirstPrecision = 128;
@@ -139,4 +139,4 @@ std::optional<Interval> round_inward(const Program& lo, const Program& hi) {
   return Interval{lower->hi, upper->lo};
 }
 
-}  // namespace regulus::codegen
+}  // namespace regulus::inline program

@@ -4,11 +4,11 @@
 
 #include <optional>
 
-#include "regulus/codegen/program/interpreter.hpp"
-#include "regulus/codegen/program/program.hpp"
-#include "regulus/interval/interval.hpp"
+#include "codegen/program/interpreter.hpp"
+#include "codegen/program/program.hpp"
+#include "runtime/interval/interval.hpp"
 
-namespace regulus::codegen {
+namespace regulus::inline program {
 
 /// Encloses an output of a program that reads no inputs and no points.
 ///
@@ -35,4 +35,4 @@ namespace regulus::codegen {
 /// not certainly defined has no value here, so that running it sets the undefined flag.
 [[nodiscard]] KnownValues<Interval> enclose_constant_nodes(const Program& program);
 
-}  // namespace regulus::codegen
+}  // namespace regulus::inline program

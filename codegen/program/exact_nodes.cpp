@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "regulus/codegen/program/exact_nodes.hpp"
+#include "codegen/program/exact_nodes.hpp"
 
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
 #include <optional>
 
-#include "regulus/kernel/abi.hpp"
+#include "runtime/kernel/abi.hpp"
 
-namespace regulus::codegen {
+namespace regulus::inline program {
 namespace {
 
 constexpr std::uint64_t kLargest = std::uint64_t{1} << 53;
@@ -83,4 +83,4 @@ std::vector<bool> exact_nodes(const Program& program, const KnownValues<Interval
   return exact;
 }
 
-}  // namespace regulus::codegen
+}  // namespace regulus::inline program

@@ -4,11 +4,11 @@
 #include <cstddef>
 #include <vector>
 
-#include "regulus/codegen/program/interpreter.hpp"
-#include "regulus/codegen/program/program.hpp"
-#include "regulus/interval/interval.hpp"
+#include "codegen/program/interpreter.hpp"
+#include "codegen/program/program.hpp"
+#include "runtime/interval/interval.hpp"
 
-namespace regulus::codegen {
+namespace regulus::inline program {
 
 /// The nodes whose value is a double, and is found by computing in doubles in any rounding mode:
 /// sums of entries of one row of K with short coefficients.
@@ -25,4 +25,4 @@ namespace regulus::codegen {
                                             const KnownValues<Interval>& known,
                                             std::size_t row_length);
 
-}  // namespace regulus::codegen
+}  // namespace regulus::inline program

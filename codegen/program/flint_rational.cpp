@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "regulus/codegen/program/flint_rational.hpp"
+#include "codegen/program/flint_rational.hpp"
 
 #include <fmpz.h>
 
 #include <memory>
 
-namespace regulus::codegen {
+namespace regulus::inline program {
 
 std::string FlintRational::text() const {
   const std::unique_ptr<char, void (*)(void*)> digits(fmpq_get_str(nullptr, 10, value_),
@@ -29,4 +29,4 @@ std::optional<FlintRational> FlintRational::read(const std::string& text) {
   return result;
 }
 
-}  // namespace regulus::codegen
+}  // namespace regulus::inline program

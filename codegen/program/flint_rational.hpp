@@ -10,7 +10,7 @@ namespace cln {
 class cl_RA;
 }
 
-namespace regulus::codegen {
+namespace regulus::inline program {
 
 /// An owned fmpq_t. Unlike a number of CLN, whose reference count is not atomic, it may be read by
 /// several threads at once: nothing is written when it is read or copied.
@@ -41,4 +41,4 @@ class FlintRational {
   fmpq_t value_;
 };
 
-}  // namespace regulus::codegen
+}  // namespace regulus::inline program

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "regulus/codegen/program/fold.hpp"
+#include "codegen/program/fold.hpp"
 
 #include <cln/integer.h>
 
-namespace regulus::codegen {
+namespace regulus::inline program {
 namespace {
 
 // Far past anything a double can tell apart, short enough to print.
@@ -48,4 +48,4 @@ std::optional<cln::cl_RA> fold_call(Op function, const cln::cl_RA& value) {
   }
 }
 
-}  // namespace regulus::codegen
+}  // namespace regulus::inline program

@@ -7,9 +7,9 @@
 #include <cstdint>
 #include <optional>
 
-#include "regulus/codegen/program/program.hpp"
+#include "codegen/program/program.hpp"
 
-namespace regulus::codegen {
+namespace regulus::inline program {
 
 /// value^exponent, or nullopt when the result would be too long to be worth writing down.
 [[nodiscard]] std::optional<cln::cl_RA> fold_power(const cln::cl_RA& value, std::uint32_t exponent);
@@ -17,4 +17,4 @@ namespace regulus::codegen {
 /// function(value) when that is defined and a known rational, e.g. sqrt(9/4), cos(0), |−3|.
 [[nodiscard]] std::optional<cln::cl_RA> fold_call(Op function, const cln::cl_RA& value);
 
-}  // namespace regulus::codegen
+}  // namespace regulus::inline program

@@ -7,10 +7,10 @@
 
 #include <sstream>
 
-#include "regulus/codegen/program/ball_program.hpp"
-#include "regulus/codegen/program/program.hpp"
+#include "codegen/program/ball_program.hpp"
+#include "codegen/program/program.hpp"
 
-namespace regulus::codegen {
+namespace regulus::inline program {
 namespace {
 
 void assign(fmpz_t to, const cln::cl_I& value) {
@@ -36,4 +36,4 @@ BallProgram::BallProgram(const Program& program)
   if (!program.points.empty()) throw std::invalid_argument("a program that reads entries of K");
 }
 
-}  // namespace regulus::codegen
+}  // namespace regulus::inline program

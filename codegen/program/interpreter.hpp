@@ -13,10 +13,10 @@
 #include <stdexcept>
 #include <vector>
 
-#include "regulus/codegen/program/program.hpp"
-#include "regulus/codegen/program/run.hpp"
+#include "codegen/program/program.hpp"
+#include "codegen/program/run.hpp"
 
-namespace regulus::codegen {
+namespace regulus::inline program {
 
 /// The rational constants and π, converted once.
 template <class Arithmetic>
@@ -56,4 +56,4 @@ template <class Arithmetic, class Number = typename Arithmetic::Number>
   return outputs;
 }
 
-}  // namespace regulus::codegen
+}  // namespace regulus::inline program

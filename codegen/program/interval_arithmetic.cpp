@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "regulus/codegen/program/interval_arithmetic.hpp"
+#include "codegen/program/interval_arithmetic.hpp"
 
 #include <stdexcept>
 
-#include "regulus/codegen/program/rational_bounds.hpp"
+#include "codegen/program/rational_bounds.hpp"
 
-namespace regulus::codegen {
+namespace regulus::inline program {
 
 Interval IntervalArithmetic::constant(const cln::cl_RA& value) const { return enclose(value); }
 
@@ -53,4 +53,4 @@ Interval IntervalArithmetic::call(Op function, Interval a) {
   }
 }
 
-}  // namespace regulus::codegen
+}  // namespace regulus::inline program

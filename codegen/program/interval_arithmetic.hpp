@@ -1,16 +1,16 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "regulus/codegen/program/program.hpp"
-#include "regulus/interval/interval.hpp"
+#include "codegen/program/program.hpp"
+#include "runtime/interval/interval.hpp"
 
-namespace regulus::codegen {
+namespace regulus::inline program {
 
 /// The interpreter's arithmetic on intervals of doubles.
 ///
 /// Ensures   unless undefined(), the program is defined at every point of the operands and each
 ///           interval contains its values there. Results of guarded operations (those that
-///           regulus/kernel/pack.hpp guards) beyond `largest` in magnitude count as undefined.
+///           runtime/kernel/pack.hpp guards) beyond `largest` in magnitude count as undefined.
 /// Rounding  outward; MXCSR must be at nearest.
 class IntervalArithmetic {
  public:
@@ -41,4 +41,4 @@ class IntervalArithmetic {
   bool undefined_ = false;
 };
 
-}  // namespace regulus::codegen
+}  // namespace regulus::inline program

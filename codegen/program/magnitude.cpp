@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "regulus/codegen/program/magnitude.hpp"
+#include "codegen/program/magnitude.hpp"
 
 #include <algorithm>
 #include <cmath>
 
-namespace regulus::codegen {
+namespace regulus::inline program {
 namespace {
 
 constexpr long kInputExponent = 64;
@@ -63,4 +63,4 @@ Magnitudes bound_magnitudes(const Program& program, const KnownValues<Interval>&
   return result;
 }
 
-}  // namespace regulus::codegen
+}  // namespace regulus::inline program

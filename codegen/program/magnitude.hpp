@@ -3,11 +3,11 @@
 
 #include <vector>
 
-#include "regulus/codegen/program/interpreter.hpp"
-#include "regulus/codegen/program/program.hpp"
-#include "regulus/interval/interval.hpp"
+#include "codegen/program/interpreter.hpp"
+#include "codegen/program/program.hpp"
+#include "runtime/interval/interval.hpp"
 
-namespace regulus::codegen {
+namespace regulus::inline program {
 
 /// Beyond this exponent a result counts as possibly not finite.
 inline constexpr long kLargestSafeExponent = 1000;
@@ -30,4 +30,4 @@ struct Magnitudes {
 [[nodiscard]] Magnitudes bound_magnitudes(const Program& program,
                                           const KnownValues<Interval>& known);
 
-}  // namespace regulus::codegen
+}  // namespace regulus::inline program

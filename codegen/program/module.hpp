@@ -6,10 +6,10 @@
 #include <string>
 #include <vector>
 
-#include "regulus/codegen/program/program.hpp"
-#include "regulus/interval/interval.hpp"
+#include "codegen/program/program.hpp"
+#include "runtime/interval/interval.hpp"
 
-namespace regulus::codegen {
+namespace regulus::inline program {
 
 /// A derivative of a matrix entry by variables, counted from 0; `second` is kNone for a first
 /// derivative.
@@ -21,7 +21,7 @@ struct DerivativeIndex {
   int second = kNone;
 };
 
-/// One function of a kernel. `name` is its field in regulus_kernel (regulus/kernel/abi.hpp).
+/// One function of a kernel. `name` is its field in regulus_kernel (runtime/kernel/abi.hpp).
 struct Function {
   std::string name;
   std::string title;  ///< one line for readers, e.g. "K·M, §III-B1 form 2, greedy Horner"
@@ -61,4 +61,4 @@ struct Module {
   }
 };
 
-}  // namespace regulus::codegen
+}  // namespace regulus::inline program

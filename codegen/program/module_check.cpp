@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "regulus/codegen/program/module_check.hpp"
+#include "codegen/program/module_check.hpp"
 
 #include <set>
 #include <stdexcept>
 
-namespace regulus::codegen {
+namespace regulus::inline program {
 namespace {
 
 [[noreturn]] void refuse(const Function& function, const std::string& reason) {
@@ -126,4 +126,4 @@ void check_module(const Module& module) {
   if (module.expansion) check_expansion(module);
 }
 
-}  // namespace regulus::codegen
+}  // namespace regulus::inline program

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "regulus/codegen/program/module.hpp"
+#include "codegen/program/module.hpp"
 
-namespace regulus::codegen {
+namespace regulus::inline program {
 
 /// Throws std::invalid_argument, with the function's name, unless the module can become a kernel:
 /// each function is a field of regulus_kernel that occurs once, has as many outputs as the ABI
@@ -11,4 +11,4 @@ namespace regulus::codegen {
 /// (operands before their use, indices declared).
 void check_module(const Module& module);
 
-}  // namespace regulus::codegen
+}  // namespace regulus::inline program

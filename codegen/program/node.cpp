@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "regulus/codegen/program/node.hpp"
+#include "codegen/program/node.hpp"
 
 #include <cstddef>
 
-namespace regulus::codegen {
+namespace regulus::inline program {
 
 int operand_count(Op op) noexcept {
   switch (op) {
@@ -31,4 +31,4 @@ const char* op_name(Op op) noexcept {
   return kNames[static_cast<std::size_t>(op)];
 }
 
-}  // namespace regulus::codegen
+}  // namespace regulus::inline program

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "regulus/codegen/program/print.hpp"
+#include "codegen/program/print.hpp"
 
 #include <cln/rational_io.h>
 
 #include <cstdint>
 #include <sstream>
 
-namespace regulus::codegen {
+namespace regulus::inline program {
 namespace {
 
 __extension__ typedef unsigned __int128 UInt128;
@@ -92,4 +92,4 @@ std::string to_text(const Module& module) {
 
 std::string identity(const Module& module) { return hexadecimal(fnv1a(to_text(module))); }
 
-}  // namespace regulus::codegen
+}  // namespace regulus::inline program

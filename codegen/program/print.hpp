@@ -3,10 +3,10 @@
 
 #include <string>
 
-#include "regulus/codegen/program/module.hpp"
-#include "regulus/codegen/program/program.hpp"
+#include "codegen/program/module.hpp"
+#include "codegen/program/program.hpp"
 
-namespace regulus::codegen {
+namespace regulus::inline program {
 
 /// A program as text, one node per line: "%3 = multiply %1 %2". For reading and for hashing:
 /// programs with the same text compute the same.
@@ -22,4 +22,4 @@ namespace regulus::codegen {
 /// Source    FNV-1a, 128 bits (Fowler, Noll, Vo; IETF draft-eastlake-fnv).
 [[nodiscard]] std::string identity(const Module& module);
 
-}  // namespace regulus::codegen
+}  // namespace regulus::inline program

@@ -3,17 +3,17 @@
 // Folding must not change where an expression is defined: a pose at which a sub-expression has no
 // value is "undefined", never safe, even when that sub-expression is multiplied by 0. So a node may
 // only disappear when it is total, i.e. certainly defined for all values of inputs and points.
-#include "regulus/codegen/program/program.hpp"
+#include "codegen/program/program.hpp"
 
 #include <cln/integer.h>
 
 #include <stdexcept>
 #include <utility>
 
-#include "regulus/codegen/program/canonical.hpp"
-#include "regulus/codegen/program/fold.hpp"
+#include "codegen/program/canonical.hpp"
+#include "codegen/program/fold.hpp"
 
-namespace regulus::codegen {
+namespace regulus::inline program {
 namespace {
 
 constexpr std::uint32_t kMaxExponent = 1U << 20;
@@ -201,4 +201,4 @@ void ProgramBuilder::output(NodeId node) {
 
 Program ProgramBuilder::finish() && { return canonical(std::move(program_)); }
 
-}  // namespace regulus::codegen
+}  // namespace regulus::inline program

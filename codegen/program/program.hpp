@@ -11,9 +11,9 @@
 #include <tuple>
 #include <vector>
 
-#include "regulus/codegen/program/node.hpp"
+#include "codegen/program/node.hpp"
 
-namespace regulus::codegen {
+namespace regulus::inline program {
 
 /// Straight-line code. Operands come before their use; no two nodes are equal; every node is used.
 struct Program {
@@ -81,4 +81,4 @@ class ProgramBuilder {
   std::map<cln::cl_RA, std::uint32_t, ValueOrder> constant_index_;
 };
 
-}  // namespace regulus::codegen
+}  // namespace regulus::inline program

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "regulus/codegen/program/rational_arithmetic.hpp"
+#include "codegen/program/rational_arithmetic.hpp"
 
 #include <cln/integer.h>
 
-#include "regulus/codegen/program/fold.hpp"
+#include "codegen/program/fold.hpp"
 
-namespace regulus::codegen {
+namespace regulus::inline program {
 namespace {
 
 bool in_domain(Op function, const cln::cl_RA& a) {
@@ -45,4 +45,4 @@ cln::cl_RA RationalArithmetic::call(Op function, const Number& a) const {
   throw NotRational(op_name(function));
 }
 
-}  // namespace regulus::codegen
+}  // namespace regulus::inline program

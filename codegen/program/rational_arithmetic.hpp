@@ -5,9 +5,9 @@
 
 #include <stdexcept>
 
-#include "regulus/codegen/program/program.hpp"
+#include "codegen/program/program.hpp"
 
-namespace regulus::codegen {
+namespace regulus::inline program {
 
 /// The expression has no value at this point.
 class UndefinedValue : public std::domain_error {
@@ -39,4 +39,4 @@ class RationalArithmetic {
   [[nodiscard]] Number call(Op function, const Number& a) const;
 };
 
-}  // namespace regulus::codegen
+}  // namespace regulus::inline program

@@ -3,14 +3,14 @@
 // All steps are exact: the only rounding is one floor of a quotient of integers, scaled so that the
 // floor is an integer below 2^53. It is then a double, and so is its successor (at most 2^53), and
 // scaling by a power of two is exact because the scale never goes below the subnormal grid.
-#include "regulus/codegen/program/rational_bounds.hpp"
+#include "codegen/program/rational_bounds.hpp"
 
 #include <cln/integer.h>
 
 #include <cmath>
 #include <limits>
 
-namespace regulus::codegen {
+namespace regulus::inline program {
 namespace {
 
 constexpr long kPrecision = std::numeric_limits<double>::digits;
@@ -74,4 +74,4 @@ long exponent_bound(const cln::cl_RA& value) {
   return floor_log2(cln::abs(value)) + 1;
 }
 
-}  // namespace regulus::codegen
+}  // namespace regulus::inline program

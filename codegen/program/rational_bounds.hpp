@@ -4,9 +4,9 @@
 
 #include <cln/rational.h>
 
-#include "regulus/interval/interval.hpp"
+#include "runtime/interval/interval.hpp"
 
-namespace regulus::codegen {
+namespace regulus::inline program {
 
 /// The largest double ≤ value; −∞ when value < −DBL_MAX. Never −0. Subnormals included.
 [[nodiscard]] double round_down(const cln::cl_RA& value);
@@ -25,4 +25,4 @@ namespace regulus::codegen {
 /// An e with |value| ≤ 2^e, at most one too large.
 [[nodiscard]] long exponent_bound(const cln::cl_RA& value);
 
-}  // namespace regulus::codegen
+}  // namespace regulus::inline program

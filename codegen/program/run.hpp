@@ -9,9 +9,9 @@
 #include <span>
 #include <vector>
 
-#include "regulus/codegen/program/node.hpp"
+#include "codegen/program/node.hpp"
 
-namespace regulus::codegen {
+namespace regulus::inline program {
 
 /// The values of some nodes, by NodeId, known without running the program.
 template <class Number>
@@ -63,4 +63,4 @@ void run(std::span<const Node> nodes, const KnownValues<Number>& known,
   }
 }
 
-}  // namespace regulus::codegen
+}  // namespace regulus::inline program

@@ -8,7 +8,7 @@
 #include <functional>
 #include <limits>
 
-namespace regulus::codegen {
+namespace regulus::inline program {
 
 /// Forming took more terms than were allowed.
 struct OverBudget {};
@@ -77,4 +77,4 @@ inline void spend(WorkMeter* meter, std::uint64_t work) {
   if (meter != nullptr) meter->spend(work);
 }
 
-}  // namespace regulus::codegen
+}  // namespace regulus::inline program

@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "regulus/codegen/symbolic/atoms.hpp"
+#include "codegen/symbolic/atoms.hpp"
 
 #include <algorithm>
 #include <iterator>
 
-#include "regulus/codegen/model/errors.hpp"
-#include "regulus/codegen/symbolic/measure.hpp"
+#include "codegen/support/errors.hpp"
+#include "codegen/symbolic/measure.hpp"
 
-namespace regulus::codegen {
+namespace regulus::inline symbolic {
 
 AtomTable::AtomTable(const std::vector<std::string>& variables,
                      const std::vector<std::string>& points, WorkMeter* meter)
@@ -70,4 +70,4 @@ int exponent_of(const AtomProduct& p, Atom a) noexcept {
   return static_cast<int>(std::count(p.begin(), p.end(), a));
 }
 
-}  // namespace regulus::codegen
+}  // namespace regulus::inline symbolic

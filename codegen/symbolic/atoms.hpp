@@ -7,10 +7,10 @@
 #include <unordered_map>
 #include <vector>
 
-#include "regulus/codegen/program/work_meter.hpp"
-#include "regulus/codegen/symbolic/expression.hpp"
+#include "codegen/program/work_meter.hpp"
+#include "codegen/symbolic/expression.hpp"
 
-namespace regulus::codegen {
+namespace regulus::inline symbolic {
 
 using Atom = char16_t;
 
@@ -73,4 +73,4 @@ class AtomTable {
 
 [[nodiscard]] int exponent_of(const AtomProduct& p, Atom a) noexcept;
 
-}  // namespace regulus::codegen
+}  // namespace regulus::inline symbolic

@@ -2,9 +2,9 @@
 #include <algorithm>
 #include <utility>
 
-#include "regulus/codegen/symbolic/passes.hpp"
+#include "codegen/symbolic/passes.hpp"
 
-namespace regulus::codegen {
+namespace regulus::inline symbolic {
 namespace {
 
 Expression coefficient_product(const AtomProduct& product_of, const AtomTable& atoms) {
@@ -65,4 +65,4 @@ Expression collect(const Polynomial& p, const AtomTable& atoms) {
   return sum(std::move(terms));
 }
 
-}  // namespace regulus::codegen
+}  // namespace regulus::inline symbolic

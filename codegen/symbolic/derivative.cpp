@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "regulus/codegen/symbolic/derivative.hpp"
+#include "codegen/symbolic/derivative.hpp"
 
 #include <vector>
 
-namespace regulus::codegen {
+namespace regulus::inline symbolic {
 namespace {
 
 /// The derivative of a function of one argument with respect to it.
@@ -117,4 +117,4 @@ const Polynomial& PolynomialDifferentiator::of_atom(Atom a) {
   return known_.emplace(a, p ? std::move(*p) : expander_->atom(derived)).first->second;
 }
 
-}  // namespace regulus::codegen
+}  // namespace regulus::inline symbolic

@@ -6,9 +6,9 @@
 #include <unordered_map>
 #include <utility>
 
-#include "regulus/codegen/symbolic/polynomial.hpp"
+#include "codegen/symbolic/polynomial.hpp"
 
-namespace regulus::codegen {
+namespace regulus::inline symbolic {
 
 /// ∂/∂variable by the chain rule, one shared result for each shared sub-expression.
 ///
@@ -48,4 +48,4 @@ class PolynomialDifferentiator {
   std::map<Atom, Polynomial> known_;
 };
 
-}  // namespace regulus::codegen
+}  // namespace regulus::inline symbolic

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "regulus/codegen/symbolic/determinant.hpp"
+#include "codegen/symbolic/determinant.hpp"
 
 #include <algorithm>
 #include <bit>
@@ -8,7 +8,7 @@
 #include <string>
 #include <utility>
 
-namespace regulus::codegen {
+namespace regulus::inline symbolic {
 namespace {
 
 using Terms = std::vector<PolynomialTerm>;
@@ -166,4 +166,4 @@ Polynomial determinant(const std::vector<Polynomial>& entries, int n, AtomTable&
   return Minors(entries, n, atoms, budget).run();
 }
 
-}  // namespace regulus::codegen
+}  // namespace regulus::inline symbolic

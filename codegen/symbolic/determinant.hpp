@@ -6,9 +6,9 @@
 #include <stdexcept>
 #include <vector>
 
-#include "regulus/codegen/symbolic/polynomial.hpp"
+#include "codegen/symbolic/polynomial.hpp"
 
-namespace regulus::codegen {
+namespace regulus::inline symbolic {
 
 /// There is no closed form of a determinant: it takes more terms than were allowed, or the matrix
 /// is not square.
@@ -44,4 +44,4 @@ class TermBudget {
 [[nodiscard]] Polynomial determinant(const std::vector<Polynomial>& entries, int n,
                                      AtomTable& atoms, TermBudget& budget);
 
-}  // namespace regulus::codegen
+}  // namespace regulus::inline symbolic

@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "regulus/codegen/symbolic/evaluate.hpp"
+#include "codegen/symbolic/evaluate.hpp"
 
 #include <stdexcept>
 #include <unordered_map>
 #include <utility>
 
-#include "regulus/codegen/symbolic/print.hpp"
+#include "codegen/symbolic/print.hpp"
 
-namespace regulus::codegen {
+namespace regulus::inline symbolic {
 namespace {
 
 class Evaluator {
@@ -119,4 +119,4 @@ Expressions substitute(const Expressions& expressions, const ReplacementOf& repl
   return result;
 }
 
-}  // namespace regulus::codegen
+}  // namespace regulus::inline symbolic

@@ -4,9 +4,9 @@
 #include <functional>
 #include <optional>
 
-#include "regulus/codegen/symbolic/expression.hpp"
+#include "codegen/symbolic/expression.hpp"
 
-namespace regulus::codegen {
+namespace regulus::inline symbolic {
 
 /// Gives a value to a sub-expression, or leaves it to be computed from its operands.
 using ValueOf = std::function<std::optional<cln::cl_RA>(const Expression&)>;
@@ -25,4 +25,4 @@ using ReplacementOf = std::function<std::optional<Expression>(const Expression&)
 [[nodiscard]] Expressions substitute(const Expressions& expressions,
                                      const ReplacementOf& replacement);
 
-}  // namespace regulus::codegen
+}  // namespace regulus::inline symbolic

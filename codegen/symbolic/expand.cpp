@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <utility>
 
-#include "regulus/codegen/symbolic/polynomial.hpp"
+#include "codegen/symbolic/polynomial.hpp"
 
-namespace regulus::codegen {
+namespace regulus::inline symbolic {
 namespace {
 
 // Higher powers stay atoms: multiplied out they would only add occurrences.
@@ -83,4 +83,4 @@ std::optional<Polynomial> Expander::expand_power(const Expression& e) {
   return result;
 }
 
-}  // namespace regulus::codegen
+}  // namespace regulus::inline symbolic

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "regulus/codegen/symbolic/expression.hpp"
+#include "codegen/symbolic/expression.hpp"
 
 #include <algorithm>
 #include <array>
 #include <functional>
 #include <utility>
 
-namespace regulus::codegen {
+namespace regulus::inline symbolic {
 
 struct Expression::Node {
   Kind kind;
@@ -228,4 +228,4 @@ Signed normalize_sign(const Expression& e) {
   return {-1, divide_by(e, -1)};
 }
 
-}  // namespace regulus::codegen
+}  // namespace regulus::inline symbolic

@@ -12,7 +12,7 @@
 #include <string>
 #include <vector>
 
-namespace regulus::codegen {
+namespace regulus::inline symbolic {
 
 enum class Kind : std::uint8_t {
   kConstant,
@@ -122,4 +122,4 @@ struct Signed {
 };
 [[nodiscard]] Signed normalize_sign(const Expression& e);
 
-}  // namespace regulus::codegen
+}  // namespace regulus::inline symbolic

@@ -3,9 +3,9 @@
 #include <cctype>
 #include <compare>
 
-#include "regulus/codegen/symbolic/expression.hpp"
+#include "codegen/symbolic/expression.hpp"
 
-namespace regulus::codegen {
+namespace regulus::inline symbolic {
 namespace {
 
 bool is_digit(char c) { return std::isdigit(static_cast<unsigned char>(c)) != 0; }
@@ -103,4 +103,4 @@ bool operator==(const Expression& a, const Expression& b) {
   return a.identity() == b.identity() || (a.hash() == b.hash() && compare(a, b) == 0);
 }
 
-}  // namespace regulus::codegen
+}  // namespace regulus::inline symbolic

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <utility>
 
-#include "regulus/codegen/symbolic/passes.hpp"
+#include "codegen/symbolic/passes.hpp"
 
-namespace regulus::codegen {
+namespace regulus::inline symbolic {
 namespace {
 
 Polynomial coefficient_polynomial(const Polynomial& p, Group group) {
@@ -43,4 +43,4 @@ std::optional<Factored> factor_split(const Polynomial& outer, const Polynomial& 
   return std::nullopt;
 }
 
-}  // namespace regulus::codegen
+}  // namespace regulus::inline symbolic

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "regulus/codegen/symbolic/from_ginac.hpp"
+#include "codegen/symbolic/from_ginac.hpp"
 
 #include <cln/complex.h>
 #include <cln/integer.h>
@@ -9,9 +9,9 @@
 #include <string>
 #include <utility>
 
-#include "regulus/codegen/model/errors.hpp"
+#include "codegen/support/errors.hpp"
 
-namespace regulus::codegen {
+namespace regulus::inline symbolic {
 namespace {
 
 [[noreturn]] void refuse(const GiNaC::ex& e, const std::string& expected) {
@@ -148,4 +148,4 @@ Expression GinacReader::read_function(const GiNaC::ex& e) {
   refuse(e, "one of the functions sqrt sin cos tan asin acos atan atan2 exp log abs");
 }
 
-}  // namespace regulus::codegen
+}  // namespace regulus::inline symbolic

@@ -5,10 +5,10 @@
 
 #include <map>
 
-#include "regulus/codegen/program/work_meter.hpp"
-#include "regulus/codegen/symbolic/expression.hpp"
+#include "codegen/program/work_meter.hpp"
+#include "codegen/symbolic/expression.hpp"
 
-namespace regulus::codegen {
+namespace regulus::inline symbolic {
 
 /// What each GiNaC symbol stands for. Looked up only, never walked through: its order is GiNaC's.
 using SymbolMeaning = std::map<GiNaC::ex, Expression, GiNaC::ex_is_less>;
@@ -36,4 +36,4 @@ class GinacReader {
   std::map<GiNaC::ex, Expression, GiNaC::ex_is_less> known_;
 };
 
-}  // namespace regulus::codegen
+}  // namespace regulus::inline symbolic

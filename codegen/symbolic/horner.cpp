@@ -3,9 +3,9 @@
 #include <map>
 #include <utility>
 
-#include "regulus/codegen/symbolic/passes.hpp"
+#include "codegen/symbolic/passes.hpp"
 
-namespace regulus::codegen {
+namespace regulus::inline symbolic {
 namespace {
 
 /// p = atom^exponent·inner + rest, and rest is free of the atom unless some of its terms have it
@@ -127,4 +127,4 @@ Expression horner(const Polynomial& p, const AtomTable& atoms, const HornerOptio
   return Nesting(atoms, options).form(p);
 }
 
-}  // namespace regulus::codegen
+}  // namespace regulus::inline symbolic

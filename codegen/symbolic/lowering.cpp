@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "regulus/codegen/symbolic/lowering.hpp"
+#include "codegen/symbolic/lowering.hpp"
 
 #include <algorithm>
 #include <array>
 #include <optional>
 #include <utility>
 
-#include "regulus/codegen/model/errors.hpp"
+#include "codegen/support/errors.hpp"
 
-namespace regulus::codegen {
+namespace regulus::inline symbolic {
 namespace {
 
 std::unordered_map<std::string, std::uint32_t> numbered(const std::vector<std::string>& names) {
@@ -140,4 +140,4 @@ NodeId Lowering::lower_sum(const Expressions& terms) {
   return *result;
 }
 
-}  // namespace regulus::codegen
+}  // namespace regulus::inline symbolic

@@ -5,11 +5,11 @@
 #include <unordered_map>
 #include <vector>
 
-#include "regulus/codegen/program/program.hpp"
-#include "regulus/codegen/program/work_meter.hpp"
-#include "regulus/codegen/symbolic/expression.hpp"
+#include "codegen/program/program.hpp"
+#include "codegen/program/work_meter.hpp"
+#include "codegen/symbolic/expression.hpp"
 
-namespace regulus::codegen {
+namespace regulus::inline symbolic {
 
 /// Translates expressions into one program that shares what they have in common.
 class Lowering {
@@ -42,4 +42,4 @@ class Lowering {
   std::unordered_map<Expression, NodeId, ExpressionHash> known_;
 };
 
-}  // namespace regulus::codegen
+}  // namespace regulus::inline symbolic

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "regulus/codegen/symbolic/measure.hpp"
+#include "codegen/symbolic/measure.hpp"
 
 #include <limits>
 #include <unordered_map>
 #include <vector>
 
-namespace regulus::codegen {
+namespace regulus::inline symbolic {
 namespace {
 
 std::uint64_t add(std::uint64_t a, std::uint64_t b) noexcept {
@@ -135,4 +135,4 @@ std::uint64_t width_cost(const Expression& expression, const Weights& weights) {
   return cost;
 }
 
-}  // namespace regulus::codegen
+}  // namespace regulus::inline symbolic

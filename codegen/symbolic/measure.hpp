@@ -7,9 +7,9 @@
 #include <string>
 #include <unordered_map>
 
-#include "regulus/codegen/symbolic/expression.hpp"
+#include "codegen/symbolic/expression.hpp"
 
-namespace regulus::codegen {
+namespace regulus::inline symbolic {
 
 /// How often each variable appears in the printed form. Saturates at the largest value.
 using Occurrences = std::map<std::string, std::uint64_t>;
@@ -32,4 +32,4 @@ using Weights = std::unordered_map<std::string, std::uint64_t>;
 /// motion (their derivatives' squares add up to one), so that a pair costs as much as one variable.
 [[nodiscard]] std::uint64_t width_cost(const Expression& expression, const Weights& weights = {});
 
-}  // namespace regulus::codegen
+}  // namespace regulus::inline symbolic

@@ -6,9 +6,9 @@
 #include <functional>
 #include <optional>
 
-#include "regulus/codegen/symbolic/polynomial.hpp"
+#include "codegen/symbolic/polynomial.hpp"
 
-namespace regulus::codegen {
+namespace regulus::inline symbolic {
 
 /// One coefficient as an expression: terms of the same magnitude are added before they are
 /// multiplied, 9*(k_1_1 - k_1_2) + 12*(k_1_3 + k_1_4), so that the sums of K's entries come first
@@ -70,4 +70,4 @@ struct TrigonometricOptions {
                                       const std::function<Expression(const Expression&)>& simplify,
                                       const TrigonometricOptions& options);
 
-}  // namespace regulus::codegen
+}  // namespace regulus::inline symbolic

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "regulus/codegen/symbolic/polynomial.hpp"
+#include "codegen/symbolic/polynomial.hpp"
 
 #include <algorithm>
 #include <iterator>
 #include <utility>
 
-namespace regulus::codegen {
+namespace regulus::inline symbolic {
 namespace {
 
 bool precedes(const PolynomialTerm& a, const PolynomialTerm& b) {
@@ -125,4 +125,4 @@ std::vector<Group> groups(const Polynomial& p) {
   return result;
 }
 
-}  // namespace regulus::codegen
+}  // namespace regulus::inline symbolic

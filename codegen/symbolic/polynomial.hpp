@@ -7,9 +7,9 @@
 #include <optional>
 #include <vector>
 
-#include "regulus/codegen/symbolic/atoms.hpp"
+#include "codegen/symbolic/atoms.hpp"
 
-namespace regulus::codegen {
+namespace regulus::inline symbolic {
 
 struct Monomial {
   AtomProduct variables;
@@ -84,4 +84,4 @@ class Expander {
   std::unordered_map<Expression, std::optional<Polynomial>, ExpressionHash> known_;
 };
 
-}  // namespace regulus::codegen
+}  // namespace regulus::inline symbolic

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "regulus/codegen/symbolic/print.hpp"
+#include "codegen/symbolic/print.hpp"
 
 #include <cln/rational_io.h>
 
 #include <sstream>
 
-namespace regulus::codegen {
+namespace regulus::inline symbolic {
 namespace {
 
 enum class Binding { kSum, kProduct, kPower };
@@ -108,4 +108,4 @@ std::string print(const Expression& e, Binding context) {
 
 std::string to_string(const Expression& expression) { return print(expression, Binding::kSum); }
 
-}  // namespace regulus::codegen
+}  // namespace regulus::inline symbolic

@@ -3,11 +3,11 @@
 
 #include <string>
 
-#include "regulus/codegen/symbolic/expression.hpp"
+#include "codegen/symbolic/expression.hpp"
 
-namespace regulus::codegen {
+namespace regulus::inline symbolic {
 
 /// The expression in the syntax of model files: x*(k_1_1 + k_1_2) - 3*sin(psi)^2.
 [[nodiscard]] std::string to_string(const Expression& expression);
 
-}  // namespace regulus::codegen
+}  // namespace regulus::inline symbolic

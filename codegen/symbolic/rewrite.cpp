@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "regulus/codegen/symbolic/rewrite.hpp"
+#include "codegen/symbolic/rewrite.hpp"
 
 #include <algorithm>
 #include <cstdint>
 #include <optional>
 #include <utility>
 
-namespace regulus::codegen {
+namespace regulus::inline symbolic {
 namespace {
 
 /// The cheapest form offered so far. On equal width the one with fewer operations, then the first.
@@ -167,4 +167,4 @@ Expression Rewriter::simplified_argument(const Expression& e) {
   return p ? horner(*p, atoms_) : e;
 }
 
-}  // namespace regulus::codegen
+}  // namespace regulus::inline symbolic

@@ -5,10 +5,10 @@
 #include <string>
 #include <vector>
 
-#include "regulus/codegen/symbolic/measure.hpp"
-#include "regulus/codegen/symbolic/passes.hpp"
+#include "codegen/symbolic/measure.hpp"
+#include "codegen/symbolic/passes.hpp"
 
-namespace regulus::codegen {
+namespace regulus::inline symbolic {
 
 struct RewriteOptions {
   /// Look for better forms; else an expression stays as it is written, a derivative is multiplied
@@ -75,4 +75,4 @@ class Rewriter {
   std::unordered_map<Expression, Expression, ExpressionHash> prepared_;
 };
 
-}  // namespace regulus::codegen
+}  // namespace regulus::inline symbolic

@@ -4,9 +4,9 @@
 #include <utility>
 #include <vector>
 
-#include "regulus/codegen/symbolic/passes.hpp"
+#include "codegen/symbolic/passes.hpp"
 
-namespace regulus::codegen {
+namespace regulus::inline symbolic {
 namespace {
 
 struct LexGreater {
@@ -186,4 +186,4 @@ Polynomial merge_angles(const Polynomial& p, AtomTable& atoms, Expander& expande
   return AngleMerger(p, atoms, expander, simplify, options).run();
 }
 
-}  // namespace regulus::codegen
+}  // namespace regulus::inline symbolic

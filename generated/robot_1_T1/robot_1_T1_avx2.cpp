@@ -8,6 +8,6 @@
 // Identity         bd2ea858100370471e6520abecf815ee
 // Flags            -std=c++20 -O2 -frounding-math -ffp-contract=off -DREGULUS_ISA_AVX2 -mavx2 -mfma
 #define regulus_self_test robot_1_T1_self_test_avx2
-#include "regulus/kernel/self_test_program.hpp"
+#include "runtime/kernel/self_test_program.hpp"
 #define robot_1_T1_kernel robot_1_T1_kernel_avx2
 #include "robot_1_T1_kernel.inc"

@@ -9,6 +9,6 @@
 // Flags            -std=c++20 -O2 -frounding-math -ffp-contract=off -DREGULUS_ISA_AVX512 -mavx512f
 //                  -mavx512dq -mprefer-vector-width=512
 #define regulus_self_test robot_1_T1_self_test_avx512
-#include "regulus/kernel/self_test_program.hpp"
+#include "runtime/kernel/self_test_program.hpp"
 #define robot_1_T1_kernel robot_1_T1_kernel_avx512
 #include "robot_1_T1_kernel.inc"

@@ -9,6 +9,6 @@
 // Flags            -std=c++20 -O2 -frounding-math -ffp-contract=off -DREGULUS_ISA_PORTABLE
 //                  -fno-math-errno
 #define regulus_self_test robot_1_T1_self_test_portable
-#include "regulus/kernel/self_test_program.hpp"
+#include "runtime/kernel/self_test_program.hpp"
 #define robot_1_T1_kernel robot_1_T1_kernel_portable
 #include "robot_1_T1_kernel.inc"

@@ -12,8 +12,8 @@
 #include <optional>
 #include <string>
 
-#include "regulus/kernel/isa.hpp"
-#include "regulus/kernel/self_test.hpp"
+#include "runtime/kernel/isa.hpp"
+#include "runtime/kernel/self_test.hpp"
 
 extern "C" {
 #if defined(__x86_64__)

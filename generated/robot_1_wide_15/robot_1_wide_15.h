@@ -13,7 +13,7 @@
 #ifndef REGULUS_GENERATED_robot_1_wide_15_H
 #define REGULUS_GENERATED_robot_1_wide_15_H
 
-#include "regulus/embedded/checker.h"
+#include "runtime/embedded/checker.h"
 
 #ifdef __cplusplus
 extern "C" {

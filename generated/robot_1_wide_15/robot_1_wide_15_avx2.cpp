@@ -8,6 +8,6 @@
 // Identity         79abd0d07feae8273627b7dde9b05c97
 // Flags            -std=c++20 -O2 -frounding-math -ffp-contract=off -DREGULUS_ISA_AVX2 -mavx2 -mfma
 #define regulus_self_test robot_1_wide_15_self_test_avx2
-#include "regulus/kernel/self_test_program.hpp"
+#include "runtime/kernel/self_test_program.hpp"
 #define robot_1_wide_15_kernel robot_1_wide_15_kernel_avx2
 #include "robot_1_wide_15_kernel.inc"

@@ -13,7 +13,7 @@
 #ifndef REGULUS_GENERATED_robot_2_table5_30_H
 #define REGULUS_GENERATED_robot_2_table5_30_H
 
-#include "regulus/embedded/checker.h"
+#include "runtime/embedded/checker.h"
 
 #ifdef __cplusplus
 extern "C" {

@@ -8,6 +8,6 @@
 // Identity         48a1dd6ed302dc41953d158077918b0b
 // Flags            -std=c++20 -O2 -frounding-math -ffp-contract=off -DREGULUS_ISA_AVX2 -mavx2 -mfma
 #define regulus_self_test robot_2_table5_30_self_test_avx2
-#include "regulus/kernel/self_test_program.hpp"
+#include "runtime/kernel/self_test_program.hpp"
 #define robot_2_table5_30_kernel robot_2_table5_30_kernel_avx2
 #include "robot_2_table5_30_kernel.inc"

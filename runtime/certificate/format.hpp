@@ -37,7 +37,7 @@ struct ClaimedSet {
 };
 
 /// The one wording of a claim.
-[[nodiscard]] inline std::string claim_words(const ClaimedSet& set, bool singular) {
+[[nodiscard]] inline std::string describe_claim(const ClaimedSet& set, bool singular) {
   const std::string matrix = "the full " + std::to_string(set.rows) + "x" +
                              std::to_string(set.columns) + " matrix of the model";
   const std::string values =

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "regulus/certificate/writer.hpp"
+#include "runtime/certificate/writer.hpp"
 
 #include <fcntl.h>
 #include <sys/stat.h>
@@ -13,7 +13,7 @@
 #include <stdexcept>
 #include <utility>
 
-#include "regulus/certificate/format.hpp"
+#include "runtime/certificate/format.hpp"
 
 namespace regulus {
 namespace {

@@ -8,7 +8,7 @@
 #include <optional>
 #include <string>
 
-#include "regulus/search/observer.hpp"
+#include "runtime/problem/observer.hpp"
 
 namespace regulus {
 

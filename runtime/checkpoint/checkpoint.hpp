@@ -8,7 +8,7 @@
 #include <string_view>
 #include <vector>
 
-#include "regulus/search/observer.hpp"
+#include "runtime/problem/observer.hpp"
 
 namespace regulus {
 

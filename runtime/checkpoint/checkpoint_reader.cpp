@@ -5,8 +5,8 @@
 #include <cmath>
 #include <cstdio>
 
-#include "regulus/checkpoint/checkpoint.hpp"
-#include "regulus/checkpoint/checksum.hpp"
+#include "runtime/checkpoint/checkpoint.hpp"
+#include "runtime/checkpoint/checksum.hpp"
 
 namespace regulus {
 namespace {

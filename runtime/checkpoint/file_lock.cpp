@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "regulus/checkpoint/file_lock.hpp"
+#include "runtime/checkpoint/file_lock.hpp"
 
 #include <fcntl.h>
 #include <sys/file.h>

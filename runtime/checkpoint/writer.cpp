@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "regulus/checkpoint/writer.hpp"
+#include "runtime/checkpoint/writer.hpp"
 
 #include <fcntl.h>
 #include <sys/stat.h>

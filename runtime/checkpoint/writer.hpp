@@ -6,7 +6,7 @@
 #include <functional>
 #include <string>
 
-#include "regulus/checkpoint/checkpoint.hpp"
+#include "runtime/checkpoint/checkpoint.hpp"
 
 namespace regulus {
 

@@ -8,7 +8,7 @@
  *       if (regulus_check(checker, from, to, &report) != REGULUS_CHECK_NO_SINGULARITY) brake();
  *     }
  *
- * `my_kernel` is a regulus_kernel (regulus/kernel/abi.hpp) that was compiled ahead of time.
+ * `my_kernel` is a regulus_kernel (runtime/kernel/abi.hpp) that was compiled ahead of time.
  * Everything is allocated by regulus_checker_new: regulus_check neither allocates, nor throws, nor
  * locks, and evaluates at most the number of boxes it was given. */
 #ifndef REGULUS_EMBEDDED_CHECKER_H
@@ -16,7 +16,7 @@
 
 #include <stddef.h>
 
-#include "regulus/kernel/abi.hpp"
+#include "runtime/kernel/abi.hpp"
 
 #ifdef __cplusplus
 extern "C" {

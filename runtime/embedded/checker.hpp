@@ -2,16 +2,12 @@
 // The same as checker.h, for C++: it says what a check is.
 #pragma once
 
+#include <memory>
 #include <span>
-#include <vector>
 
-#include "regulus/interval/interval.hpp"
-#include "regulus/kernel/abi.hpp"
-#include "regulus/search/branch_and_prune.hpp"
-#include "regulus/search/decider.hpp"
-#include "regulus/search/frontier.hpp"
-#include "regulus/search/result.hpp"
-#include "regulus/search/witness_search.hpp"
+#include "runtime/interval/interval.hpp"
+#include "runtime/kernel/abi.hpp"
+#include "runtime/problem/result.hpp"
 
 namespace regulus {
 
@@ -25,6 +21,8 @@ struct Check {
   std::span<const Interval> places;
 };
 
+class PieceSearch;
+
 /// Decides pieces of one variety, over and over.
 class Checker {
  public:
@@ -36,52 +34,23 @@ class Checker {
   /// Errors    std::invalid_argument; std::bad_alloc: max_boxes + 1 boxes have to fit in memory.
   Checker(const regulus_kernel& kernel, std::span<const Interval> ranges, unsigned max_boxes,
           double alpha = 0.0);
-  Checker(const Checker&) = delete;
-  Checker& operator=(const Checker&) = delete;
+  Checker(Checker&&) noexcept;
+  Checker& operator=(Checker&&) noexcept;
+  ~Checker();
 
   /// Neither allocates nor locks; evaluates at most max_boxes boxes.
   ///
   /// Shape     `piece`: a range for each motion parameter.
-  /// Ensures   as solve() in regulus/search/solver.hpp, for that piece and the whole ranges of the
+  /// Ensures   as solve() in runtime/search/solver.hpp, for that piece and the whole ranges of the
   ///           uncertain quantities. kBadProblem: the piece does not lie in the ranges. Gives up at
   ///           the first box that cannot be decided. What it says follows from the piece alone. One
   ///           thread at a time; the caller's floating-point environment is kept.
   [[nodiscard]] Check check(std::span<const Interval> piece) noexcept;
 
-  [[nodiscard]] const regulus_kernel& kernel() const noexcept { return *problem_.kernel; }
+  [[nodiscard]] const regulus_kernel& kernel() const noexcept;
 
  private:
-  [[nodiscard]] Check search(std::span<const Interval> piece) noexcept;
-  void load_frontier(std::span<const Interval> piece) noexcept;
-  friend class BranchAndPrune<Checker>;
-  [[nodiscard]] bool begin_round() noexcept;
-  [[nodiscard]] std::size_t decide_round() noexcept;
-  [[nodiscard]] Decisions& batch(std::size_t) noexcept { return batch_; }
-  [[nodiscard]] bool conclude(Decisions& batch) noexcept;
-  [[nodiscard]] bool goes_on() const noexcept { return !stopped_; }
-  void give_back(Decisions&) noexcept {}  // every batch is decided
-  void settle(Decisions& batch, std::size_t lane) noexcept;
-  [[nodiscard]] bool splits(const OpenBox&) const noexcept { return true; }
-  [[nodiscard]] BoxId number(const OpenBox&, std::uint32_t, double) const noexcept { return 0; }
-  void lose(const OpenBox& first, const OpenBox& second) noexcept;
-  void end_round() const noexcept {}
-  void stop_at(Reason reason, std::span<const Interval> box) noexcept;
-
-  const Problem problem_;
-  const Settings settings_;
-  const RowStructure structure_;
-  const unsigned max_boxes_;
-  Decider decider_;
-  Decisions batch_;
-  WitnessSearch witness_;
-  Frontier frontier_;
-  BranchAndPrune<Checker> loop_;
-  AdaptiveThreshold threshold_;
-  std::vector<Interval> half_, places_;
-  Check check_;  ///< the one under way
-  unsigned boxes_ = 0;
-  bool stopped_ = false;    ///< check_ is the answer
-  bool certified_ = false;  ///< a test vouches for some box that the constraints do not exclude
+  std::unique_ptr<PieceSearch> search_;
 };
 
 }  // namespace regulus

@@ -6,8 +6,8 @@
 #include <new>
 #include <stdexcept>
 
-#include "regulus/embedded/checker.h"
-#include "regulus/embedded/checker.hpp"
+#include "runtime/embedded/checker.h"
+#include "runtime/embedded/checker.hpp"
 
 struct regulus_checker {
   regulus_checker(const regulus_kernel& kernel, std::span<const regulus::Interval> ranges,

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Arithmetic on intervals.
 //
-// Requires  MXCSR at nearest (regulus/interval/rounding.hpp).
+// Requires  MXCSR at nearest (runtime/interval/rounding.hpp).
 // Ensures   z ∈ result for the exact z of the operation on any points of the arguments. + − · / sqr
 //           sqrt abs are tight: the narrowest such interval of doubles.
 //
@@ -10,7 +10,7 @@
 // f(x) returns [−∞, ∞] there without telling.
 #pragma once
 
-#include "regulus/interval/type.hpp"
+#include "runtime/interval/type.hpp"
 
 namespace regulus {
 

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "regulus/interval/elementary.hpp"
+#include "runtime/interval/elementary.hpp"
 
-#include "regulus/interval/elementary/arcsine.hpp"
-#include "regulus/interval/elementary/arctangent.hpp"
-#include "regulus/interval/elementary/exponential.hpp"
-#include "regulus/interval/elementary/trigonometric.hpp"
+#include "runtime/interval/elementary/arcsine.hpp"
+#include "runtime/interval/elementary/arctangent.hpp"
+#include "runtime/interval/elementary/exponential.hpp"
+#include "runtime/interval/elementary/trigonometric.hpp"
 
 namespace regulus {
 namespace {

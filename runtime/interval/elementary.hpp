@@ -1,16 +1,16 @@
 // SPDX-License-Identifier: Apache-2.0
 // Elementary functions on intervals. No library function takes part in a bound: the evaluators and
-// the arguments for their error bounds are in regulus/interval/elementary/.
+// the arguments for their error bounds are in runtime/interval/elementary/.
 //
-// Requires  MXCSR at nearest (regulus/interval/rounding.hpp).
+// Requires  MXCSR at nearest (runtime/interval/rounding.hpp).
 // Ensures   f(t) ∈ result for every t ∈ x, and no bound lies further out than stated, in units in
 //           the last place of the exact bound. sin 0, cos 0, tan 0, asin 0, acos 1, atan 0,
 //           atan2(0, 1), exp 0 and log 1 are exact.
 //
-// The forms with `undefined` behave as in regulus/interval/arithmetic.hpp.
+// The forms with `undefined` behave as in runtime/interval/arithmetic.hpp.
 #pragma once
 
-#include "regulus/interval/type.hpp"
+#include "runtime/interval/type.hpp"
 
 namespace regulus {
 

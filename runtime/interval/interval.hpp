@@ -2,7 +2,7 @@
 // Everything about one interval of doubles.
 #pragma once
 
-#include "regulus/interval/arithmetic.hpp"  // IWYU pragma: export
-#include "regulus/interval/elementary.hpp"  // IWYU pragma: export
-#include "regulus/interval/rounding.hpp"    // IWYU pragma: export
-#include "regulus/interval/type.hpp"        // IWYU pragma: export
+#include "runtime/interval/arithmetic.hpp"  // IWYU pragma: export
+#include "runtime/interval/elementary.hpp"  // IWYU pragma: export
+#include "runtime/interval/rounding.hpp"    // IWYU pragma: export
+#include "runtime/interval/type.hpp"        // IWYU pragma: export

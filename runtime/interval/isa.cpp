@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "regulus/interval/isa.hpp"
+#include "runtime/interval/isa.hpp"
 
 namespace regulus {
 

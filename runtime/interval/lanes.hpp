@@ -3,7 +3,7 @@
 //
 // Arrays of exact doubles: entry e of a lane is x[e * kLanes + lane] ("point layout"). Arrays of
 // intervals: bound s (0 lower, 1 upper) of entry e is x[(2 * e + s) * kLanes + lane] ("interval
-// layout", that of regulus/kernel/abi.hpp).
+// layout", that of runtime/kernel/abi.hpp).
 #pragma once
 
 #include <cstddef>

@@ -3,7 +3,7 @@
 #include <bit>
 #include <cstdint>
 
-#include "regulus/interval/arithmetic.hpp"
+#include "runtime/interval/arithmetic.hpp"
 
 namespace regulus {
 namespace {

@@ -2,7 +2,7 @@
 // Directed bounds of one operation, computed with rounding to nearest: the sign of the exact error
 // of the nearest result tells whether it already is the bound or its neighbour is.
 //
-// Requires  MXCSR at nearest, FTZ and DAZ off (regulus/interval/floating_point_scope.hpp), for
+// Requires  MXCSR at nearest, FTZ and DAZ off (runtime/interval/floating_point_scope.hpp), for
 //           everything in this header.
 // Rounding  _rd: the largest double ≤ the exact value; _ru: the smallest ≥ it. Over the whole range
 //           of doubles, subnormal and overflowing results included.

@@ -6,7 +6,7 @@
 #include <cmath>
 #include <optional>
 
-#include "regulus/interval/rounding.hpp"
+#include "runtime/interval/rounding.hpp"
 
 namespace regulus {
 

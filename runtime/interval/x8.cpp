@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "regulus/interval/x8.hpp"
+#include "runtime/interval/x8.hpp"
 
-#include "regulus/interval/floating_point_scope.hpp"
-#include "regulus/interval/x8_backend.hpp"
+#include "runtime/interval/floating_point_scope.hpp"
+#include "runtime/interval/x8_backend.hpp"
 
 namespace regulus {
 

@@ -7,7 +7,7 @@
 // Ensures   the result is the mask of undefined lanes: some point of the argument is outside the
 //           domain, or a bound of the result exceeds 2^128 in magnitude, or the argument has a NaN
 //           or its bounds in the wrong order. Their outputs are 0. In the other lanes the output is
-//           bit for bit that of the function of the same name in regulus/interval/elementary.hpp.
+//           bit for bit that of the function of the same name in runtime/interval/elementary.hpp.
 // Rounding  any MXCSR: it is set to nearest inside and restored. No state is kept.
 #pragma once
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "regulus/interval/x8_lanes.hpp"
+#include "runtime/interval/x8_lanes.hpp"
 
 namespace regulus {
 

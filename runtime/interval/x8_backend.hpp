@@ -2,11 +2,11 @@
 // The eight-lane functions compiled once per instruction set. What x8.hpp calls; tests call each.
 #pragma once
 
-#include "regulus/interval/isa.hpp"
+#include "runtime/interval/isa.hpp"
 
 namespace regulus {
 
-/// Each expects MXCSR at nearest and is otherwise as in regulus/interval/x8.hpp.
+/// Each expects MXCSR at nearest and is otherwise as in runtime/interval/x8.hpp.
 struct X8Backend {
   using Function = unsigned (*)(const double* in, double* out) noexcept;
   Function sin, cos, sincos, tan, asin, acos, atan, atan2, exp, log;

@@ -5,12 +5,12 @@
 // Only always-inlined or ISA-namespaced functions may be used here; see elementary/lanes.hpp.
 #pragma once
 
-#include "regulus/interval/elementary/arcsine.hpp"
-#include "regulus/interval/elementary/arctangent.hpp"
-#include "regulus/interval/elementary/exponential.hpp"
-#include "regulus/interval/elementary/trigonometric.hpp"
-#include "regulus/interval/lanes.hpp"
-#include "regulus/interval/x8_backend.hpp"
+#include "runtime/interval/elementary/arcsine.hpp"
+#include "runtime/interval/elementary/arctangent.hpp"
+#include "runtime/interval/elementary/exponential.hpp"
+#include "runtime/interval/elementary/trigonometric.hpp"
+#include "runtime/interval/lanes.hpp"
+#include "runtime/interval/x8_backend.hpp"
 
 namespace regulus::elementary {
 inline namespace REGULUS_LANES_ISA {

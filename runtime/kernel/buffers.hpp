@@ -5,8 +5,8 @@
 #include <cstddef>
 #include <vector>
 
-#include "regulus/interval/lanes.hpp"
-#include "regulus/interval/type.hpp"
+#include "runtime/interval/lanes.hpp"
+#include "runtime/interval/type.hpp"
 
 namespace regulus {
 

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "regulus/kernel/call.hpp"
+#include "runtime/kernel/call.hpp"
 
 #include <cstddef>
 #include <cstdint>
 #include <stdexcept>
 #include <string>
 
-#include "regulus/kernel/rounding_scope.hpp"
+#include "runtime/kernel/rounding_scope.hpp"
 
 namespace regulus {
 namespace {

@@ -4,8 +4,8 @@
 
 #include <cstddef>
 
-#include "regulus/interval/lanes.hpp"
-#include "regulus/kernel/abi.hpp"
+#include "runtime/interval/lanes.hpp"
+#include "runtime/kernel/abi.hpp"
 
 namespace regulus {
 

@@ -16,15 +16,15 @@ set(entries "")
 string(REPLACE "," ";" HEADERS "${HEADERS}")
 foreach(header IN LISTS HEADERS)
   literal(text ${header})
-  string(APPEND entries "    {\"regulus/kernel/${header}\", ${text}},\n")
+  string(APPEND entries "    {\"runtime/kernel/${header}\", ${text}},\n")
 endforeach()
 literal(program ${PROGRAM})
 
 file(WRITE ${OUTPUT} "// SPDX-License-Identifier: Apache-2.0
 // Written by runtime/kernel/embed_headers.cmake.
-#include \"regulus/kernel/kernel_headers.hpp\"
+#include \"runtime/kernel/kernel_headers.hpp\"
 
-#include \"regulus/kernel/self_test.hpp\"
+#include \"runtime/kernel/self_test.hpp\"
 
 namespace regulus {
 namespace {

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "regulus/kernel/isa.hpp"
+#include "runtime/kernel/isa.hpp"
 
 #include "regulus/instruction_set_flags.hpp"
-#include "regulus/kernel/abi.hpp"
+#include "runtime/kernel/abi.hpp"
 
 namespace regulus {
 

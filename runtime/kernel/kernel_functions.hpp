@@ -7,7 +7,7 @@
 #include <optional>
 #include <string_view>
 
-#include "regulus/kernel/abi.hpp"
+#include "runtime/kernel/abi.hpp"
 
 namespace regulus {
 

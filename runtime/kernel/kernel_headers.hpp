@@ -8,11 +8,11 @@
 namespace regulus {
 
 struct KernelHeader {
-  std::string_view path;  ///< as it is included: "regulus/kernel/pack.hpp"
+  std::string_view path;  ///< as it is included: "runtime/kernel/pack.hpp"
   std::string_view text;
 };
 
-/// Ensures   all headers that "regulus/kernel/abi.hpp" and "regulus/kernel/pack.hpp" include,
+/// Ensures   all headers that "runtime/kernel/abi.hpp" and "runtime/kernel/pack.hpp" include,
 ///           directly or not, for any instruction set.
 [[nodiscard]] std::span<const KernelHeader> kernel_headers() noexcept;
 

@@ -2,7 +2,7 @@
 // Eight intervals, or eight exact doubles, one per lane: the arithmetic of generated kernels.
 //
 // One of REGULUS_ISA_AVX512, REGULUS_ISA_AVX2, REGULUS_ISA_PORTABLE is defined by whoever compiles
-// the kernel, with the flags of regulus/kernel/isa.hpp. No header but ours is included.
+// the kernel, with the flags of runtime/kernel/isa.hpp. No header but ours is included.
 //
 //   I                      8 intervals          P                      8 exact doubles
 //   load(boxes, v) → I     variable v           point(points, p) → P   entry p of K
@@ -43,11 +43,11 @@
 #pragma once
 
 #if defined(REGULUS_ISA_AVX512)
-#include "regulus/kernel/pack_avx512.hpp"
+#include "runtime/kernel/pack_avx512.hpp"
 #elif defined(REGULUS_ISA_AVX2)
-#include "regulus/kernel/pack_avx2.hpp"
+#include "runtime/kernel/pack_avx2.hpp"
 #elif defined(REGULUS_ISA_PORTABLE)
-#include "regulus/kernel/pack_portable.hpp"
+#include "runtime/kernel/pack_portable.hpp"
 #else
 #error "define REGULUS_ISA_AVX512, REGULUS_ISA_AVX2 or REGULUS_ISA_PORTABLE"
 #endif

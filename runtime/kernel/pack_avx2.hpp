@@ -8,8 +8,8 @@
 //           −((−a)·b) for a·b would be caught by the self-test.
 #pragma once
 
-#include "regulus/kernel/pack_avx2_half.hpp"
-#include "regulus/kernel/simd.hpp"
+#include "runtime/kernel/pack_avx2_half.hpp"
+#include "runtime/kernel/simd.hpp"
 
 namespace regulus::pack {
 inline namespace avx2 {
@@ -105,4 +105,4 @@ REGULUS_INLINE I sqrt(I x, unsigned& undefined) { return joined(sqrt(x.a), sqrt(
 }  // namespace regulus::pack
 
 #define REGULUS_PACK_ISA avx2
-#include "regulus/kernel/pack_functions.hpp"
+#include "runtime/kernel/pack_functions.hpp"

@@ -6,7 +6,7 @@
 // Rounding  every + − * / and fma on vectors here is upward, by MXCSR.
 #pragma once
 
-#include "regulus/kernel/simd.hpp"
+#include "runtime/kernel/simd.hpp"
 
 namespace regulus::pack {
 inline namespace avx2 {

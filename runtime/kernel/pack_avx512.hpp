@@ -4,7 +4,7 @@
 // folded at compile time or merged with the other one.
 #pragma once
 
-#include "regulus/kernel/simd.hpp"
+#include "runtime/kernel/simd.hpp"
 
 namespace regulus::pack {
 inline namespace avx512 {
@@ -40,4 +40,4 @@ REGULUS_INLINE V mul_rd_nonnegative(V a, V b) { return mul_rd(a, b); }
 
 #define REGULUS_PACK_OPERATION REGULUS_INLINE
 #define REGULUS_PACK_ISA avx512
-#include "regulus/kernel/pack_lo_hi.hpp"
+#include "runtime/kernel/pack_lo_hi.hpp"

@@ -21,7 +21,7 @@ namespace regulus::pack {
 inline namespace REGULUS_PACK_ISA {
 
 /// A function of the library: one interval in, one out, the mask of undefined lanes. The outputs
-/// are 0 in those, and at most 2^128 in magnitude in the others (regulus/interval/x8.hpp).
+/// are 0 in those, and at most 2^128 in magnitude in the others (runtime/interval/x8.hpp).
 using LibraryFunction = unsigned (*)(const double* in, double* out);
 
 REGULUS_INLINE I call_library(LibraryFunction f, I x, unsigned& undefined) {

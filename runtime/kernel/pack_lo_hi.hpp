@@ -164,4 +164,4 @@ REGULUS_PACK_OPERATION I sqrt(I x, unsigned& undefined) {
 }  // namespace REGULUS_PACK_ISA
 }  // namespace regulus::pack
 
-#include "regulus/kernel/pack_functions.hpp"
+#include "runtime/kernel/pack_functions.hpp"

@@ -6,8 +6,8 @@
 //           IEEE arithmetic, since no bound depends on a rounding mode the compiler may not know.
 #pragma once
 
-#include "regulus/kernel/pack_portable_pair.hpp"
-#include "regulus/kernel/simd.hpp"
+#include "runtime/kernel/pack_portable_pair.hpp"
+#include "runtime/kernel/simd.hpp"
 
 namespace regulus::pack {
 inline namespace portable {
@@ -100,4 +100,4 @@ REGULUS_INLINE void store_row(double* rows, int index, V x) {
 // half a minute, and gains little.
 #define REGULUS_PACK_OPERATION static inline __attribute__((noinline))
 #define REGULUS_PACK_ISA portable
-#include "regulus/kernel/pack_lo_hi.hpp"
+#include "runtime/kernel/pack_lo_hi.hpp"

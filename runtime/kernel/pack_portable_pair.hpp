@@ -7,7 +7,7 @@
 //         4.2.2.
 #pragma once
 
-#include "regulus/kernel/simd.hpp"
+#include "runtime/kernel/simd.hpp"
 
 namespace regulus::pack {
 inline namespace portable {

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include "regulus/interval/floating_point_scope.hpp"
-#include "regulus/kernel/abi.hpp"
+#include "runtime/interval/floating_point_scope.hpp"
+#include "runtime/kernel/abi.hpp"
 
 namespace regulus {
 

@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "regulus/kernel/self_test.hpp"
+#include "runtime/kernel/self_test.hpp"
 
 #include <bit>
 #include <cstdint>
 #include <cstdio>
 #include <iterator>
 
-#include "regulus/kernel/buffers.hpp"
-#include "regulus/kernel/rounding_scope.hpp"
+#include "runtime/kernel/buffers.hpp"
+#include "runtime/kernel/rounding_scope.hpp"
 
 extern "C" {
 unsigned regulus_self_test_portable(const double*, const double*, double*, const void*);

@@ -10,13 +10,13 @@
 #include <optional>
 #include <string>
 
-#include "regulus/kernel/abi.hpp"
-#include "regulus/kernel/isa.hpp"
+#include "runtime/kernel/abi.hpp"
+#include "runtime/kernel/isa.hpp"
 
 namespace regulus {
 
 /// The text of a program that defines `kSelfTestSymbol`, a regulus_function; it needs the headers
-/// of regulus/kernel/kernel_headers.hpp and the compile flags of the instruction set under test.
+/// of runtime/kernel/kernel_headers.hpp and the compile flags of the instruction set under test.
 extern const char* const kSelfTestSource;
 inline constexpr const char* kSelfTestSymbol = "regulus_self_test";
 

@@ -1,3 +1,3 @@
 // SPDX-License-Identifier: Apache-2.0
 #define regulus_self_test regulus_self_test_avx2
-#include "regulus/kernel/self_test_program.hpp"
+#include "runtime/kernel/self_test_program.hpp"

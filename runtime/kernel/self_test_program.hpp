@@ -3,7 +3,7 @@
 // ahead of time, and in process as its own program, it shows what the compiler made of directed
 // rounding. The expected results, in the same order, are in self_test.cpp. Who includes it may
 // define regulus_self_test as another name.
-#include "regulus/kernel/pack.hpp"
+#include "runtime/kernel/pack.hpp"
 
 using namespace regulus::pack;
 

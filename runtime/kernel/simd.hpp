@@ -6,7 +6,7 @@
 // has an operator in the language is written with it: a + b under -frounding-math.
 #pragma once
 
-#include "regulus/kernel/abi.hpp"
+#include "runtime/kernel/abi.hpp"
 
 #if defined(__FAST_MATH__) || (defined(__FINITE_MATH_ONLY__) && __FINITE_MATH_ONLY__)
 #error "fast-math breaks directed rounding: every bound would be unproved"

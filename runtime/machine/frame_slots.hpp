@@ -7,8 +7,8 @@
 #include <cstdlib>
 #include <memory>
 
-#include "regulus/kernel/abi.hpp"
-#include "regulus/machine/step.hpp"
+#include "runtime/kernel/abi.hpp"
+#include "runtime/machine/step.hpp"
 
 namespace regulus::machine {
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "regulus/machine/kernel_table.hpp"
+#include "runtime/machine/kernel_table.hpp"
 
 #include <stdexcept>
 

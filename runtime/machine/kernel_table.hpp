@@ -8,9 +8,9 @@
 #include <utility>
 #include <vector>
 
-#include "regulus/kernel/abi.hpp"
-#include "regulus/kernel/isa.hpp"
-#include "regulus/machine/pack_program.hpp"
+#include "runtime/kernel/abi.hpp"
+#include "runtime/kernel/isa.hpp"
+#include "runtime/machine/pack_program.hpp"
 
 namespace regulus::machine {
 

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "regulus/machine/machine_function.hpp"
+#include "runtime/machine/machine_function.hpp"
 
 #include <algorithm>
 #include <cstring>
 #include <map>
 
-#include "regulus/machine/frame_slots.hpp"
+#include "runtime/machine/frame_slots.hpp"
 
 namespace regulus::machine {
 namespace {

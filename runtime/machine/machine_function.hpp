@@ -5,8 +5,8 @@
 #include <cstdint>
 #include <vector>
 
-#include "regulus/machine/pack_program.hpp"
-#include "regulus/machine/step.hpp"
+#include "runtime/machine/pack_program.hpp"
+#include "runtime/machine/step.hpp"
 
 namespace regulus::machine {
 

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "regulus/machine/machine_kernel.hpp"
+#include "runtime/machine/machine_kernel.hpp"
 
 #include <stdexcept>
 #include <string>
 
-#include "regulus/machine/kernel_table.hpp"
-#include "regulus/machine/machine_function.hpp"
+#include "runtime/machine/kernel_table.hpp"
+#include "runtime/machine/machine_function.hpp"
 
 namespace regulus::machine {
 

@@ -4,9 +4,9 @@
 
 #include <memory>
 
-#include "regulus/kernel/abi.hpp"
-#include "regulus/kernel/isa.hpp"
-#include "regulus/machine/pack_program.hpp"
+#include "runtime/kernel/abi.hpp"
+#include "runtime/kernel/isa.hpp"
+#include "runtime/machine/pack_program.hpp"
 
 namespace regulus::machine {
 
@@ -14,7 +14,7 @@ namespace regulus::machine {
 /// instruction set.
 ///
 /// Requires  the instruction set is supported by this processor.
-/// Ensures   the contract of regulus/kernel/abi.hpp; bounds and undefined lanes equal to the bit to
+/// Ensures   the contract of runtime/kernel/abi.hpp; bounds and undefined lanes equal to the bit to
 ///           those of the program's C++ text compiled for the same instruction set. Calls share
 ///           nothing that they change, and take no memory but their stack's unless a function has
 ///           more than kMaxStackSlots values; where such memory is exhausted no lane is defined.

@@ -5,8 +5,8 @@
 
 #include <type_traits>
 
-#include "regulus/kernel/pack.hpp"
-#include "regulus/machine/step.hpp"
+#include "runtime/kernel/pack.hpp"
+#include "runtime/machine/step.hpp"
 
 namespace regulus::machine {
 

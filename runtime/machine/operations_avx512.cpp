@@ -1,3 +1,3 @@
 // SPDX-License-Identifier: Apache-2.0
 #define REGULUS_MACHINE_TABLE step_table_avx512
-#include "regulus/machine/operations.hpp"
+#include "runtime/machine/operations.hpp"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "regulus/machine/pack_file.hpp"
+#include "runtime/machine/pack_file.hpp"
 
 #include <algorithm>
 #include <cstring>

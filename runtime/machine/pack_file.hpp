@@ -6,7 +6,7 @@
 #include <string>
 #include <string_view>
 
-#include "regulus/machine/pack_program.hpp"
+#include "runtime/machine/pack_program.hpp"
 
 namespace regulus::machine {
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <algorithm>
 
-#include "regulus/machine/pack_program.hpp"
+#include "runtime/machine/pack_program.hpp"
 
 namespace regulus::machine {
 namespace {

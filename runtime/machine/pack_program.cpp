@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "regulus/machine/pack_program.hpp"
+#include "runtime/machine/pack_program.hpp"
 
 #include <string_view>
 

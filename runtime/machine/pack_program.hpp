@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // A kernel as data: for each of its functions a straight list of the operations that packs have
-// (regulus/kernel/pack.hpp). C++ text, machine code and the vector machine are made from this list
+// (runtime/kernel/pack.hpp). C++ text, machine code and the vector machine are made from this list
 // and decide nothing, so that they give the same bounds to the bit.
 #pragma once
 
@@ -9,9 +9,9 @@
 #include <string>
 #include <vector>
 
-#include "regulus/interval/interval.hpp"
-#include "regulus/kernel/abi.hpp"
-#include "regulus/kernel/kernel_functions.hpp"
+#include "runtime/interval/interval.hpp"
+#include "runtime/kernel/abi.hpp"
+#include "runtime/kernel/kernel_functions.hpp"
 
 namespace regulus::machine {
 

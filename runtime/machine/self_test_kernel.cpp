@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "regulus/machine/self_test_kernel.hpp"
+#include "runtime/machine/self_test_kernel.hpp"
 
-#include "regulus/kernel/buffers.hpp"
-#include "regulus/kernel/self_test.hpp"
+#include "runtime/kernel/buffers.hpp"
+#include "runtime/kernel/self_test.hpp"
 
 namespace regulus::machine {
 namespace {

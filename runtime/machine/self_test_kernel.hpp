@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: Apache-2.0
-// The rounding self-test of regulus/kernel/self_test.hpp as a pack program, for what makes kernels
+// The rounding self-test of runtime/kernel/self_test.hpp as a pack program, for what makes kernels
 // from lists.
 #pragma once
 
 #include <optional>
 #include <string>
 
-#include "regulus/kernel/abi.hpp"
-#include "regulus/kernel/isa.hpp"
-#include "regulus/machine/pack_program.hpp"
+#include "runtime/kernel/abi.hpp"
+#include "runtime/kernel/isa.hpp"
+#include "runtime/machine/pack_program.hpp"
 
 namespace regulus::machine {
 

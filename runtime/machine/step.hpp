@@ -6,9 +6,9 @@
 #include <cstddef>
 #include <cstdint>
 
-#include "regulus/interval/lanes.hpp"
-#include "regulus/kernel/isa.hpp"
-#include "regulus/machine/pack_program.hpp"
+#include "runtime/interval/lanes.hpp"
+#include "runtime/kernel/isa.hpp"
+#include "runtime/machine/pack_program.hpp"
 
 namespace regulus::machine {
 

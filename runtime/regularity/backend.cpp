@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "regulus/regularity/backend.hpp"
+#include "runtime/regularity/backend.hpp"
 
 namespace regulus {
 

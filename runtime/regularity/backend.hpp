@@ -4,9 +4,9 @@
 // used.
 #pragma once
 
-#include "regulus/interval/isa.hpp"
-#include "regulus/interval/lanes.hpp"
-#include "regulus/regularity/views.hpp"
+#include "runtime/interval/isa.hpp"
+#include "runtime/interval/lanes.hpp"
+#include "runtime/regularity/views.hpp"
 
 namespace regulus {
 

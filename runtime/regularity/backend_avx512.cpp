@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "regulus/regularity/backend_lanes.hpp"
+#include "runtime/regularity/backend_lanes.hpp"
 
 namespace regulus {
 

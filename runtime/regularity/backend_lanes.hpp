@@ -2,13 +2,13 @@
 // All that backend_*.cpp compile for one instruction set each.
 #pragma once
 
-#include "regulus/regularity/backend.hpp"
-#include "regulus/regularity/h_matrix_lanes.hpp"
-#include "regulus/regularity/inverse_lanes.hpp"
-#include "regulus/regularity/minors_lanes.hpp"
-#include "regulus/regularity/orthants_lanes.hpp"
-#include "regulus/regularity/second_order_impact_lanes.hpp"
-#include "regulus/regularity/second_order_lanes.hpp"
+#include "runtime/regularity/backend.hpp"
+#include "runtime/regularity/h_matrix_lanes.hpp"
+#include "runtime/regularity/inverse_lanes.hpp"
+#include "runtime/regularity/minors_lanes.hpp"
+#include "runtime/regularity/orthants_lanes.hpp"
+#include "runtime/regularity/second_order_impact_lanes.hpp"
+#include "runtime/regularity/second_order_lanes.hpp"
 
 namespace regulus::regularity {
 inline namespace REGULUS_LANES_ISA {

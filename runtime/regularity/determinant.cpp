@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "regulus/regularity/determinant.hpp"
+#include "runtime/regularity/determinant.hpp"
 
 #include <algorithm>
 #include <utility>
@@ -34,7 +34,7 @@ struct Line {
 };
 
 /// The line of least total width; all have the same number of entries. A choice, not a bound.
-Line narrowest_line(const LaneMatrix& M, const Minor& minor) noexcept {
+Line format_narrowest(const LaneMatrix& M, const Minor& minor) noexcept {
   double row_width[kMaxColumns] = {};
   double column_width[kMaxColumns] = {};
   for (std::size_t i = 0; i < minor.order; ++i)
@@ -57,7 +57,7 @@ Interval expand(const LaneMatrix& M, const Minor& minor) noexcept {
   };
   if (minor.order == 1) return at(0, 0);
   if (minor.order == 2) return at(0, 0) * at(1, 1) - at(0, 1) * at(1, 0);
-  const Line line = narrowest_line(M, minor);
+  const Line line = format_narrowest(M, minor);
   Interval sum(0.0);
   for (std::size_t k = 0; k < minor.order; ++k) {
     const std::size_t i = line.is_row ? line.index : k;

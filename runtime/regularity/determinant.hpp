@@ -4,9 +4,9 @@
 
 #include <array>
 
-#include "regulus/interval/interval.hpp"
-#include "regulus/regularity/lanes.hpp"
-#include "regulus/regularity/views.hpp"
+#include "runtime/interval/interval.hpp"
+#include "runtime/regularity/lanes.hpp"
+#include "runtime/regularity/views.hpp"
 
 namespace regulus {
 

@@ -5,7 +5,7 @@
 // if S' is a nonsingular M-matrix so is S, and det S ≥ det S'.
 #include <cstring>
 
-#include "regulus/regularity/h_matrix.hpp"
+#include "runtime/regularity/h_matrix.hpp"
 
 namespace regulus {
 namespace {

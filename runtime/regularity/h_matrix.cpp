@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "regulus/regularity/h_matrix.hpp"
+#include "runtime/regularity/h_matrix.hpp"
 
 #include <algorithm>
 #include <cmath>
 #include <limits>
 
-#include "regulus/regularity/backend.hpp"
+#include "runtime/regularity/backend.hpp"
 
 namespace regulus {
 namespace {

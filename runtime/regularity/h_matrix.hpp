@@ -6,8 +6,8 @@
 // finite come out undecided, never certified.
 #pragma once
 
-#include "regulus/regularity/lanes.hpp"
-#include "regulus/regularity/views.hpp"
+#include "runtime/regularity/lanes.hpp"
+#include "runtime/regularity/views.hpp"
 
 namespace regulus {
 

@@ -3,8 +3,8 @@
 // compiled for. Nothing here is a bound by itself: h_matrix.cpp says what follows from it.
 #pragma once
 
-#include "regulus/regularity/lanes.hpp"
-#include "regulus/regularity/pack_lanes.hpp"
+#include "runtime/regularity/lanes.hpp"
+#include "runtime/regularity/pack_lanes.hpp"
 
 namespace regulus::h_matrix {
 inline namespace REGULUS_LANES_ISA {

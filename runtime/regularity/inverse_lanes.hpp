@@ -3,8 +3,8 @@
 // a row that has a larger one changes places with the pivot row in those lanes only.
 #pragma once
 
-#include "regulus/regularity/lanes.hpp"
-#include "regulus/regularity/pack_lanes.hpp"
+#include "runtime/regularity/lanes.hpp"
+#include "runtime/regularity/pack_lanes.hpp"
 
 namespace regulus::inverse {
 inline namespace REGULUS_LANES_ISA {

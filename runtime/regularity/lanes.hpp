@@ -3,7 +3,7 @@
 // from above.
 #pragma once
 
-#include "regulus/interval/lanes.hpp"
+#include "runtime/interval/lanes.hpp"
 
 namespace regulus {
 
@@ -12,7 +12,7 @@ inline constexpr std::size_t kMaxColumns = 12;
 inline constexpr std::size_t kMaxRows = 24;
 
 /// The largest order of a matrix P given to the H-matrix test
-/// (regulus/regularity/second_order.hpp).
+/// (runtime/regularity/second_order.hpp).
 inline constexpr std::size_t kMaxOrder = kMaxColumns + kMaxRows;
 
 /// The most coordinates of one ball that are taken together.

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "regulus/regularity/midpoint_inverse.hpp"
+#include "runtime/regularity/midpoint_inverse.hpp"
 
 #include <bit>
 #include <cmath>
 #include <cstdint>
 #include <cstring>
 
-#include "regulus/regularity/backend.hpp"
+#include "runtime/regularity/backend.hpp"
 
 namespace regulus {
 namespace {

@@ -7,14 +7,14 @@
 // at most 2^-1074 each, which is multiplied on by entries of the remaining rows; with M the largest
 // magnitude, at least 1, that is below n·2^n·4·2^-1074·n!·M^n ≤ 2^-1040·M^n for n ≤ 8. An overflow
 // makes the permanent infinite or NaN, whose factor exceeds (1+u)^t at each level: no bound then.
-#include "regulus/regularity/minors.hpp"
+#include "runtime/regularity/minors.hpp"
 
 #include <algorithm>
 #include <array>
 
-#include "regulus/interval/interval.hpp"
-#include "regulus/regularity/backend.hpp"
-#include "regulus/regularity/minors_error.hpp"
+#include "runtime/interval/interval.hpp"
+#include "runtime/regularity/backend.hpp"
+#include "runtime/regularity/minors_error.hpp"
 
 namespace regulus {
 namespace {

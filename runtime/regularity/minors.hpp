@@ -2,9 +2,9 @@
 // Determinants of eight interval matrices at once, by expansion into minors.
 #pragma once
 
-#include "regulus/interval/type.hpp"
-#include "regulus/regularity/lanes.hpp"
-#include "regulus/regularity/views.hpp"
+#include "runtime/interval/type.hpp"
+#include "runtime/regularity/lanes.hpp"
+#include "runtime/regularity/views.hpp"
 
 namespace regulus {
 

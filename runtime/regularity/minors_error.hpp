@@ -5,8 +5,8 @@
 #include <cstddef>
 #include <limits>
 
-#include "regulus/regularity/lanes.hpp"
-#include "regulus/regularity/views.hpp"
+#include "runtime/regularity/lanes.hpp"
+#include "runtime/regularity/views.hpp"
 
 namespace regulus {
 

@@ -5,8 +5,8 @@
 // Only always-inlined or ISA-namespaced functions may be used here; see elementary/lanes.hpp.
 #pragma once
 
-#include "regulus/regularity/backend.hpp"
-#include "regulus/regularity/pack_lanes.hpp"
+#include "runtime/regularity/backend.hpp"
+#include "runtime/regularity/pack_lanes.hpp"
 
 namespace regulus::minors {
 inline namespace REGULUS_LANES_ISA {

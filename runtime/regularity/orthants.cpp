@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
 // From the bounds of a box to the cells of orthants.hpp.
-#include "regulus/regularity/orthants.hpp"
+#include "runtime/regularity/orthants.hpp"
 
 #include <algorithm>
 #include <bit>
 #include <cmath>
 
-#include "regulus/regularity/backend.hpp"
-#include "regulus/regularity/second_order.hpp"
+#include "runtime/regularity/backend.hpp"
+#include "runtime/regularity/second_order.hpp"
 
 namespace regulus {
 namespace {

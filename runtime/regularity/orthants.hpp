@@ -26,7 +26,7 @@
 // the truth, and the H-matrix test within ten to twenty.
 #pragma once
 
-#include "regulus/regularity/lanes.hpp"
+#include "runtime/regularity/lanes.hpp"
 
 namespace regulus {
 

@@ -5,8 +5,8 @@
 // raised. m = ±(a + b)/2 is within an ulp of b, for which r is enlarged.
 #pragma once
 
-#include "regulus/regularity/orthants.hpp"
-#include "regulus/regularity/pack_lanes.hpp"
+#include "runtime/regularity/orthants.hpp"
+#include "runtime/regularity/pack_lanes.hpp"
 
 namespace regulus::orthants {
 inline namespace REGULUS_LANES_ISA {

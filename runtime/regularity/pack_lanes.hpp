@@ -3,9 +3,9 @@
 // are compiled once per instruction set; see elementary/lanes.hpp for what these may use.
 #pragma once
 
-#include "regulus/interval/elementary/lanes.hpp"
-#include "regulus/interval/lanes.hpp"
-#include "regulus/regularity/views.hpp"
+#include "runtime/interval/elementary/lanes.hpp"
+#include "runtime/interval/lanes.hpp"
+#include "runtime/regularity/views.hpp"
 
 namespace regulus::lanes {
 inline namespace REGULUS_LANES_ISA {

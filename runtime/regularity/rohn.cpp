@@ -6,12 +6,12 @@
 // Error: each of the n! products is rounded at most h(h+1)/2 times in the minor of the h upper
 // rows, b(b+1)/2 times in that of the b lower ones, and C(n, h) times in the product and the sum of
 // both. That and the permanent, bounded once for magnitudes max(|lo|, |hi|), hold for all vertices.
-#include "regulus/regularity/rohn.hpp"
+#include "runtime/regularity/rohn.hpp"
 
 #include <algorithm>
 
-#include "regulus/regularity/backend.hpp"
-#include "regulus/regularity/minors_error.hpp"
+#include "runtime/regularity/backend.hpp"
+#include "runtime/regularity/minors_error.hpp"
 
 namespace regulus {
 namespace {

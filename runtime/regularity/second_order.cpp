@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
 // The sums are in second_order_lanes.hpp.
-#include "regulus/regularity/second_order.hpp"
+#include "runtime/regularity/second_order.hpp"
 
 #include <algorithm>
 #include <cmath>
 
-#include "regulus/interval/elementary.hpp"
-#include "regulus/regularity/h_matrix.hpp"
+#include "runtime/interval/elementary.hpp"
+#include "runtime/regularity/h_matrix.hpp"
 
 namespace regulus {
 

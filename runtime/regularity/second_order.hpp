@@ -40,10 +40,10 @@
 // The H-matrix test and its bounds of determinants then apply to T.
 #pragma once
 
-#include "regulus/regularity/aligned_buffer.hpp"
-#include "regulus/regularity/backend.hpp"
-#include "regulus/regularity/orthants.hpp"
-#include "regulus/regularity/second_order_lists.hpp"
+#include "runtime/regularity/aligned_buffer.hpp"
+#include "runtime/regularity/backend.hpp"
+#include "runtime/regularity/orthants.hpp"
+#include "runtime/regularity/second_order_lists.hpp"
 
 namespace regulus {
 
@@ -81,7 +81,7 @@ class SecondOrderBounds {
   [[nodiscard]] LaneNumbers moving_determinant_ru(const SecondOrderInput& input) const noexcept;
 
   /// Whether A is regular because no direction of the uncertain rows can make it singular, after
-  /// bound_ru with this T; regulus/regularity/orthants.hpp.
+  /// bound_ru with this T; runtime/regularity/orthants.hpp.
   ///
   /// Shape     guess: order() entries, positive, of which the lower part is used: how large
   ///           the |ρ_l| are likely to be. hint: a cell that remained before.

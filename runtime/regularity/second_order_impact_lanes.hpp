@@ -2,9 +2,9 @@
 // What each variable adds to the bounds of second_order_lanes.hpp, once these have been made.
 #pragma once
 
-#include "regulus/regularity/pack_lanes.hpp"
-#include "regulus/regularity/second_order_lanes.hpp"
-#include "regulus/regularity/second_order_plan.hpp"
+#include "runtime/regularity/pack_lanes.hpp"
+#include "runtime/regularity/second_order_lanes.hpp"
+#include "runtime/regularity/second_order_plan.hpp"
 
 namespace regulus::second_order {
 inline namespace REGULUS_LANES_ISA {

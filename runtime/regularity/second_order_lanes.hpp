@@ -9,9 +9,9 @@
 // r_pr_q|D_p||D_q| = (Σ_p r_p|D_p|)². Sums of magnitudes become upper bounds by raise().
 #pragma once
 
-#include "regulus/regularity/pack_lanes.hpp"
-#include "regulus/regularity/second_order_plan.hpp"
-#include "regulus/regularity/second_order_terms_lanes.hpp"
+#include "runtime/regularity/pack_lanes.hpp"
+#include "runtime/regularity/second_order_plan.hpp"
+#include "runtime/regularity/second_order_terms_lanes.hpp"
 
 namespace regulus::second_order {
 inline namespace REGULUS_LANES_ISA {

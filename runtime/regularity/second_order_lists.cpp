@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "regulus/regularity/second_order_lists.hpp"
+#include "runtime/regularity/second_order_lists.hpp"
 
 #include <algorithm>
 #include <set>

@@ -5,9 +5,9 @@
 #include <map>
 #include <vector>
 
-#include "regulus/regularity/aligned_buffer.hpp"
-#include "regulus/regularity/row_structure.hpp"
-#include "regulus/regularity/second_order_plan.hpp"
+#include "runtime/regularity/aligned_buffer.hpp"
+#include "runtime/regularity/row_structure.hpp"
+#include "runtime/regularity/second_order_plan.hpp"
 
 namespace regulus {
 

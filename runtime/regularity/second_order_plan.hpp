@@ -3,8 +3,8 @@
 // compiled for any instruction set may read them.
 #pragma once
 
-#include "regulus/regularity/lanes.hpp"
-#include "regulus/regularity/views.hpp"
+#include "runtime/regularity/lanes.hpp"
+#include "runtime/regularity/views.hpp"
 
 namespace regulus {
 

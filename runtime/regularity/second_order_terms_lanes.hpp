@@ -3,8 +3,8 @@
 // enclosures, and factors that make upper bounds of sums of magnitudes.
 #pragma once
 
-#include "regulus/regularity/lanes.hpp"
-#include "regulus/regularity/pack_lanes.hpp"
+#include "runtime/regularity/lanes.hpp"
+#include "runtime/regularity/pack_lanes.hpp"
 
 namespace regulus::second_order {
 inline namespace REGULUS_LANES_ISA {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Arrays of eight lanes seen as matrices and vectors, of exact doubles or of intervals, in the
-// layouts of regulus/interval/lanes.hpp. Each is a type of its own, so that a matrix given for a
+// layouts of runtime/interval/lanes.hpp. Each is a type of its own, so that a matrix given for a
 // vector, bounds given for points, or a constant given for a result does not compile. A view does
 // not own its numbers; it is passed in two registers.
 #pragma once
@@ -8,7 +8,7 @@
 #include <cstddef>
 #include <type_traits>
 
-#include "regulus/interval/lanes.hpp"
+#include "runtime/interval/lanes.hpp"
 
 namespace regulus {
 

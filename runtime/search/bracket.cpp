@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "regulus/search/bracket.hpp"
+#include "runtime/search/bracket.hpp"
 
 #include <algorithm>
 #include <charconv>

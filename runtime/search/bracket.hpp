@@ -8,7 +8,7 @@
 #include <optional>
 #include <vector>
 
-#include "regulus/search/result.hpp"
+#include "runtime/problem/result.hpp"
 
 namespace regulus {
 

@@ -6,9 +6,9 @@
 #include <algorithm>
 #include <vector>
 
-#include "regulus/search/bisector.hpp"
-#include "regulus/search/decisions.hpp"
-#include "regulus/search/frontier.hpp"
+#include "runtime/evaluation/bisector.hpp"
+#include "runtime/evaluation/decisions.hpp"
+#include "runtime/search/frontier.hpp"
 
 namespace regulus {
 

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "regulus/search/conclusion.hpp"
+#include "runtime/search/conclusion.hpp"
 
 #include <numeric>
 #include <utility>
 
-#include "regulus/search/pose_search.hpp"
+#include "runtime/witness/pose_search.hpp"
 
 namespace regulus {
 namespace {

@@ -3,8 +3,8 @@
 // and whether algebra knows that every pose is singular.
 #pragma once
 
-#include "regulus/search/problem.hpp"
-#include "regulus/search/result.hpp"
+#include "runtime/problem/problem.hpp"
+#include "runtime/problem/result.hpp"
 
 namespace regulus {
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "regulus/search/decider.hpp"
+#include "runtime/search/decider.hpp"
 
 #include <algorithm>
 

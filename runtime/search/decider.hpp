@@ -4,12 +4,12 @@
 // has one of its own.
 #pragma once
 
-#include "regulus/search/batch.hpp"
-#include "regulus/search/bisector.hpp"
-#include "regulus/search/box_witness.hpp"
-#include "regulus/search/decisions.hpp"
-#include "regulus/search/regularity_tests.hpp"
-#include "regulus/search/row_structure.hpp"
+#include "runtime/evaluation/batch.hpp"
+#include "runtime/evaluation/bisector.hpp"
+#include "runtime/evaluation/decisions.hpp"
+#include "runtime/evaluation/regularity_tests.hpp"
+#include "runtime/problem/row_structure.hpp"
+#include "runtime/witness/box_witness.hpp"
 
 namespace regulus {
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "regulus/search/frontier.hpp"
+#include "runtime/search/frontier.hpp"
 
 #include <algorithm>
 #include <new>

@@ -6,8 +6,8 @@
 #include <span>
 #include <vector>
 
-#include "regulus/interval/interval.hpp"
-#include "regulus/search/observer.hpp"
+#include "runtime/interval/interval.hpp"
+#include "runtime/problem/observer.hpp"
 
 namespace regulus {
 

@@ -6,7 +6,7 @@
 #include <cstddef>
 #include <cstdint>
 
-#include "regulus/search/result.hpp"
+#include "runtime/problem/result.hpp"
 
 namespace regulus {
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "regulus/search/paving.hpp"
+#include "runtime/search/paving.hpp"
 
 namespace regulus {
 namespace {

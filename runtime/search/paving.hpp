@@ -6,7 +6,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "regulus/search/observer.hpp"
+#include "runtime/problem/observer.hpp"
 
 namespace regulus {
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "regulus/search/round.hpp"
+#include "runtime/search/round.hpp"
 
 #include <tbb/global_control.h>
 #include <tbb/info.h>
@@ -12,8 +12,8 @@
 #include <new>
 #include <optional>
 
-#include "regulus/kernel/rounding_scope.hpp"
-#include "regulus/search/hand_over.hpp"
+#include "runtime/kernel/rounding_scope.hpp"
+#include "runtime/search/hand_over.hpp"
 
 namespace regulus {
 

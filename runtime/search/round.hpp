@@ -11,7 +11,7 @@
 #include <memory>
 #include <vector>
 
-#include "regulus/search/decider.hpp"
+#include "runtime/search/decider.hpp"
 
 namespace regulus {
 

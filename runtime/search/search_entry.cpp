@@ -2,9 +2,9 @@
 // run_search() is in another file, so that no floating-point work moves out of the rounding scope.
 #include <algorithm>
 
-#include "regulus/kernel/rounding_scope.hpp"
-#include "regulus/search/run_search.hpp"
-#include "regulus/search/solver.hpp"
+#include "runtime/kernel/rounding_scope.hpp"
+#include "runtime/search/run_search.hpp"
+#include "runtime/search/solver.hpp"
 
 namespace regulus {
 namespace {

@@ -10,13 +10,13 @@
 #include <chrono>
 #include <utility>
 
-#include "regulus/search/branch_and_prune.hpp"
-#include "regulus/search/conclusion.hpp"
-#include "regulus/search/frontier.hpp"
-#include "regulus/search/headway.hpp"
-#include "regulus/search/round.hpp"
-#include "regulus/search/run_search.hpp"
-#include "regulus/search/witness_search.hpp"
+#include "runtime/search/branch_and_prune.hpp"
+#include "runtime/search/conclusion.hpp"
+#include "runtime/search/frontier.hpp"
+#include "runtime/search/headway.hpp"
+#include "runtime/search/round.hpp"
+#include "runtime/search/run_search.hpp"
+#include "runtime/witness/witness_search.hpp"
 
 namespace regulus {
 namespace {

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include "regulus/search/observer.hpp"
-#include "regulus/search/problem.hpp"
-#include "regulus/search/result.hpp"
+#include "runtime/problem/observer.hpp"
+#include "runtime/problem/problem.hpp"
+#include "runtime/problem/result.hpp"
 
 namespace regulus {
 

@@ -4,11 +4,11 @@
 
 #include <set>
 
-#include "attack/families/builder.hpp"
-#include "attack/families/families.hpp"
-#include "attack/oracle/confirm.hpp"
-#include "attack/oracle/evaluate.hpp"
-#include "attack/runner/outcome.hpp"
+#include "tests/attack/families/builder.hpp"
+#include "tests/attack/families/families.hpp"
+#include "tests/attack/oracle/confirm.hpp"
+#include "tests/attack/oracle/evaluate.hpp"
+#include "tests/attack/runner/outcome.hpp"
 
 namespace regulus::attack {
 

@@ -6,9 +6,9 @@
 #include <cstdlib>
 #include <map>
 
-#include "attack/families/families.hpp"
-#include "attack/runner/summary.hpp"
-#include "attack/runner/workers.hpp"
+#include "tests/attack/families/families.hpp"
+#include "tests/attack/runner/summary.hpp"
+#include "tests/attack/runner/workers.hpp"
 
 namespace regulus::attack {
 namespace {

@@ -8,14 +8,14 @@
 #include <fstream>
 #include <iostream>
 
-#include "bench/counts/rows.hpp"
-#include "bench/embedded/rows.hpp"
-#include "bench/kernel/rows.hpp"
-#include "bench/latency/rows.hpp"
-#include "bench/limit/rows.hpp"
-#include "bench/report/writers.hpp"
-#include "bench/search/prepared.hpp"
-#include "bench/search/rows.hpp"
+#include "tests/bench/counts/rows.hpp"
+#include "tests/bench/embedded/rows.hpp"
+#include "tests/bench/kernel/rows.hpp"
+#include "tests/bench/latency/rows.hpp"
+#include "tests/bench/limit/rows.hpp"
+#include "tests/bench/report/writers.hpp"
+#include "tests/bench/search/prepared.hpp"
+#include "tests/bench/search/rows.hpp"
 
 namespace regulus::bench {
 namespace {

@@ -32,7 +32,7 @@ endif()
 foreach(file IN ITEMS bin/regulus bin/regulus-verify lib/regulus/plugins/libregulus-pack.so
                       share/doc/regulus/copyright share/doc/libregulus-dev/copyright
                       lib/cmake/Regulus/RegulusConfig.cmake
-                      include/regulus/embedded/checker.h lib/libregulus-runtime.a)
+                      include/regulus/runtime/embedded/checker.h lib/libregulus-runtime.a)
   if(NOT EXISTS ${root}/usr/${file})
     fail("no package has /usr/${file}")
   endif()

@@ -10,7 +10,7 @@ file(RENAME ${WORK_DIR}/staged ${PREFIX})
 
 file(GLOB_RECURSE files LIST_DIRECTORIES false ${PREFIX}/*)
 list(LENGTH files count)
-if(count LESS 200)
+if(count LESS 120)
   fail("only ${count} files were installed")
 endif()
 foreach(file IN LISTS files)
@@ -22,6 +22,26 @@ foreach(file IN LISTS files)
     fail("${file} names a folder of this build:\n" "${lines}")
   endif()
 endforeach()
+
+# The headers that are installed are those of the interfaces and what they include; they are enough.
+include(${SOURCE_DIR}/cmake/PublicHeaders.cmake)
+regulus_with_includes(expected ${SOURCE_DIR} ${REGULUS_RUNTIME_HEADERS} ${REGULUS_SEARCH_HEADERS}
+                      ${REGULUS_DEVELOPMENT_HEADERS})
+list(APPEND expected regulus.hpp filter.h version.hpp floating_point_flags.hpp instruction_set_flags.hpp)
+file(GLOB_RECURSE headers LIST_DIRECTORIES false RELATIVE ${PREFIX}/include/regulus ${PREFIX}/include/*)
+list(SORT expected)
+list(SORT headers)
+if(NOT headers STREQUAL expected)
+  fail("installed are the headers\n${headers}\nexpected\n${expected}")
+endif()
+set(source "#include <regulus/regulus.hpp>\n")
+list(FILTER headers EXCLUDE REGEX "self_test_program.hpp|kernel/pack|kernel/simd.hpp|plugin_folder.h") # not for users to include
+foreach(header IN LISTS headers)
+  string(APPEND source "#include <regulus/${header}>\n")
+endforeach()
+file(WRITE ${WORK_DIR}/everything.cpp "${source}int main() {}\n")
+run(ignored ${CXX_COMPILER} -std=c++20 -Wall -Wextra -Werror -frounding-math -fsyntax-only
+    -I${PREFIX}/include -I${PREFIX}/include/regulus everything.cpp)
 
 # Of what a kernel needs nothing refers to the symbolic front end, the compiler or TBB.
 run(symbols nm --undefined-only --demangle ${PREFIX}/lib/libregulus-runtime.a)

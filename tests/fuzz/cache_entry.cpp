@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Bytes are the entry of a key only if they are what was written for it.
-#include "regulus/codegen/jit/cache_entry.hpp"
+#include "codegen/jit/cache/cache_entry.hpp"
 
 #include <cstddef>
 #include <cstdint>
@@ -9,7 +9,7 @@
 #include <string>
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
-  using namespace regulus::codegen;
+  using namespace regulus;
   const std::string key(64, 'a');
   const std::string bytes(reinterpret_cast<const char*>(data), size);
   if (const auto object = open_cache_entry(key, bytes)) {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Any bytes are a checkpoint of the question or a CheckpointError. They are given a checksum that
 // fits, since nothing would pass it otherwise.
-#include "regulus/checkpoint/checkpoint.hpp"
+#include "runtime/checkpoint/checkpoint.hpp"
 
 #include <cinttypes>
 #include <cstddef>
@@ -9,7 +9,7 @@
 #include <cstdio>
 #include <cstdlib>
 
-#include "regulus/checkpoint/checksum.hpp"
+#include "runtime/checkpoint/checksum.hpp"
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   using namespace regulus;

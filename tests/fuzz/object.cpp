@@ -6,10 +6,10 @@
 #include <cstring>
 #include <span>
 
-#include "regulus/codegen/jit/object_loader.hpp"
+#include "codegen/jit/loader/object_loader.hpp"
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
-  using namespace regulus::codegen;
+  using namespace regulus;
   const ExternalSymbol externals[] = {{"memcpy", reinterpret_cast<const void*>(&std::memcpy)}};
   const auto bytes = std::as_bytes(std::span(data, size));
   try {

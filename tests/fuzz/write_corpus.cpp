@@ -4,8 +4,8 @@
 #include <fstream>
 #include <string>
 
-#include "regulus/codegen/jit/cache_entry.hpp"
-#include "support/elf_builder.hpp"
+#include "codegen/jit/cache/cache_entry.hpp"
+#include "tests/support/elf_builder.hpp"
 
 namespace {
 
@@ -28,7 +28,7 @@ int main(int argc, char** argv) {
   if (argc != 2) return 64;
   const std::string folder = argv[1];
   const std::string bytes = object();
-  const auto header = regulus::codegen::make_cache_entry_header(std::string(64, 'a'), bytes);
+  const auto header = regulus::make_cache_entry_header(std::string(64, 'a'), bytes);
   std::ofstream(folder + "/object/sound", std::ios::binary) << bytes;
   std::ofstream(folder + "/cache_entry/sound", std::ios::binary)
       << std::string(reinterpret_cast<const char*>(&header), sizeof header) << bytes;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <gtest/gtest.h>
 
-#include "manual/page.hpp"
+#include "tests/manual/page.hpp"
 
 namespace regulus::test {
 namespace {

@@ -10,8 +10,8 @@
 #include <filesystem>
 #include <fstream>
 
-#include "manual/page.hpp"
-#include "support/temporary_directory.hpp"
+#include "tests/manual/page.hpp"
+#include "tests/support/temporary_directory.hpp"
 
 namespace regulus::test {
 namespace {

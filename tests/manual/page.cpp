@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "manual/page.hpp"
+#include "tests/manual/page.hpp"
 
 #include <charconv>
 #include <cmath>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The Agile Eye: six curves of self-motions, and regular everywhere else.
-#include "models/jacobian.hpp"
-#include "models/paving.hpp"
+#include "tests/models/jacobian.hpp"
+#include "tests/models/paving.hpp"
 
 namespace regulus::test {
 namespace {

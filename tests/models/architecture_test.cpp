@@ -2,10 +2,10 @@
 // Platforms whose legs are dependent at every pose, and what a hair's breadth makes of them.
 #include <fstream>
 
-#include "models/jacobian.hpp"
-#include "models/shipped_model.hpp"
-#include "support/example_model.hpp"
-#include "support/temporary_directory.hpp"
+#include "tests/models/jacobian.hpp"
+#include "tests/models/shipped_model.hpp"
+#include "tests/support/example_model.hpp"
+#include "tests/support/temporary_directory.hpp"
 
 namespace regulus::test {
 namespace {
@@ -36,8 +36,8 @@ TEST(SimilarHexagons, AreSingularAtEveryPose) {
 
 /// Ten micrometres at one of twelve anchors.
 TEST(SimilarHexagons, AreRegularOnATurnOnceOneAnchorIsMoved) {
-  const std::string moved = codegen::test::changed(text_of(ShippedModel("similar_hexagons")),
-                                                   "[0, -25, 0]", "[0, -25.001, 0]");
+  const std::string moved =
+      test::changed(text_of(ShippedModel("similar_hexagons")), "[0, -25, 0]", "[0, -25.001, 0]");
   EXPECT_EQ(verdict_of(moved, {"turn"}), "NO SINGULARITY\n");
   EXPECT_EQ(verdict_of(moved, {"turn", "--tolerance", "base=0.001", "--max-boxes", "2000"}),
             "SINGULARITY\n");
@@ -59,7 +59,7 @@ TEST(GriffisDuffy, IsSingularAtEveryPose) {
 
 TEST(GriffisDuffy, IsRegularOnATurnOnceACornerIsMoved) {
   const std::string moved =
-      codegen::test::changed(text_of(ShippedModel("griffis_duffy")), "[0, 12, 0]", "[0, 12.5, 0]");
+      test::changed(text_of(ShippedModel("griffis_duffy")), "[0, 12, 0]", "[0, 12.5, 0]");
   EXPECT_EQ(verdict_of(moved, {"turn", "--max-boxes", "2000"}), "NO SINGULARITY\n");
 }
 

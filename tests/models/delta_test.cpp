@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The Delta robot by its six rods: two of equal length to each arm.
-#include "models/jacobian.hpp"
-#include "models/paving.hpp"
+#include "tests/models/jacobian.hpp"
+#include "tests/models/paving.hpp"
 
 namespace regulus::test {
 namespace {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The 6-RUS hexapod: cranks in vertical planes, rods of constant length.
-#include "models/jacobian.hpp"
-#include "models/paving.hpp"
+#include "tests/models/jacobian.hpp"
+#include "tests/models/paving.hpp"
 
 namespace regulus::test {
 namespace {

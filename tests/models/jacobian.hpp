@@ -8,8 +8,8 @@
 #include <cmath>
 #include <random>
 
-#include "models/rigid_body.hpp"
-#include "models/shipped_model.hpp"
+#include "tests/models/rigid_body.hpp"
+#include "tests/models/shipped_model.hpp"
 
 namespace regulus::test {
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The octahedral platform: legs along the edges of an octahedron between two of its faces.
-#include "models/jacobian.hpp"
-#include "models/paving.hpp"
+#include "tests/models/jacobian.hpp"
+#include "tests/models/paving.hpp"
 
 namespace regulus::test {
 namespace {

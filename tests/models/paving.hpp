@@ -11,7 +11,7 @@
 #include <string>
 #include <vector>
 
-#include "models/shipped_model.hpp"
+#include "tests/models/shipped_model.hpp"
 
 namespace regulus::test {
 

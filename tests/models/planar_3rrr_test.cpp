@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The planar 3-RRR robot: singular where the lines of its three links meet or are parallel.
-#include "models/jacobian.hpp"
-#include "models/paving.hpp"
-#include "regulus/codegen/model/overrides.hpp"
-#include "regulus/codegen/symbolic/formulation.hpp"
+#include "codegen/formulation/formulation.hpp"
+#include "codegen/model/overrides.hpp"
+#include "tests/models/jacobian.hpp"
+#include "tests/models/paving.hpp"
 
 namespace regulus::test {
 namespace {
@@ -95,11 +95,10 @@ TEST(Planar3Rrr, ShowsAPoseWhereTheLinksMeet) {
 /// Multiplied out and differentiated, a leg's root and quotient made hundreds of thousands of
 /// operations.
 TEST(Planar3Rrr, HasFunctionsOfModerateLength) {
-  const codegen::Model& model = robot().model();
-  codegen::FormulationOptions options;
+  const Model& model = robot().model();
+  FormulationOptions options;
   options.right_product = false;
-  const codegen::Module module =
-      lower(formulate(model, codegen::find_motion(model, "regular"), options));
+  const Module module = lower(formulate(model, find_motion(model, "regular"), options));
   EXPECT_LT(module.find("left_product")->program.nodes.size(), 1000U);
   EXPECT_LT(module.find("left_derivatives")->program.nodes.size(), 4000U);
 }

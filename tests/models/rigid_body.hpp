@@ -6,7 +6,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "models/dual.hpp"
+#include "tests/models/dual.hpp"
 
 namespace regulus::test {
 

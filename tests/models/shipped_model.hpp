@@ -6,32 +6,30 @@
 #include <string>
 #include <vector>
 
-#include "regulus/codegen/model/model_file.hpp"
-#include "support/command.hpp"
-#include "support/evaluate.hpp"
+#include "codegen/model/model_file.hpp"
+#include "tests/support/command.hpp"
+#include "tests/support/evaluate.hpp"
 
 namespace regulus::test {
 
-using Point = codegen::test::Point;
+using Point = test::Point;
 using Row = std::vector<double>;
 using Rows = std::vector<Row>;
 
 class ShippedModel {
  public:
   explicit ShippedModel(const std::string& name)
-      : path_(REGULUS_SOURCE_DIR "/models/" + name + ".toml"), model_(codegen::load_model(path_)) {}
+      : path_(REGULUS_SOURCE_DIR "/models/" + name + ".toml"), model_(load_model(path_)) {}
 
   /// J⁻¹ at a pose, row scales included, with the geometry as it is given.
   [[nodiscard]] Rows matrix(Point pose) const {
-    for (const codegen::GeometryParameter& g : model_.geometry)
-      pose[g.name] = codegen::test::evaluate(g.value, {});
+    for (const GeometryParameter& g : model_.geometry) pose[g.name] = test::evaluate(g.value, {});
     Rows rows;
     for (unsigned i = 0; i < model_.matrix.rows(); ++i) {
-      const double scale =
-          model_.row_scale.empty() ? 1 : codegen::test::evaluate(model_.row_scale[i], pose);
+      const double scale = model_.row_scale.empty() ? 1 : test::evaluate(model_.row_scale[i], pose);
       rows.emplace_back();
       for (unsigned j = 0; j < model_.matrix.cols(); ++j)
-        rows.back().push_back(scale * codegen::test::evaluate(model_.matrix(i, j), pose));
+        rows.back().push_back(scale * test::evaluate(model_.matrix(i, j), pose));
     }
     return rows;
   }
@@ -50,11 +48,11 @@ class ShippedModel {
   }
 
   [[nodiscard]] const std::string& path() const noexcept { return path_; }
-  [[nodiscard]] const codegen::Model& model() const noexcept { return model_; }
+  [[nodiscard]] const Model& model() const noexcept { return model_; }
 
  private:
   std::string path_;
-  codegen::Model model_;
+  Model model_;
 };
 
 /// The pose of a report's witness, by parameter.

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Tsai's 3-UPU robot: why the full matrix is needed.
-#include "models/jacobian.hpp"
-#include "models/paving.hpp"
+#include "tests/models/jacobian.hpp"
+#include "tests/models/paving.hpp"
 
 namespace regulus::test {
 namespace {

@@ -10,7 +10,7 @@
 #include <string>
 #include <vector>
 
-#include "support/command.hpp"
+#include "tests/support/command.hpp"
 
 namespace regulus::test {
 namespace {

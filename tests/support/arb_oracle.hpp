@@ -4,7 +4,7 @@
 
 #include <arb.h>
 
-#include "regulus/interval/type.hpp"
+#include "runtime/interval/type.hpp"
 
 namespace regulus::test {
 

@@ -7,24 +7,24 @@
 
 #include <cmath>
 
-#include "regulus/codegen/program/ball.hpp"
-#include "regulus/codegen/program/rational_bounds.hpp"
-#include "regulus/interval/interval.hpp"
+#include "codegen/program/ball.hpp"
+#include "codegen/program/rational_bounds.hpp"
+#include "runtime/interval/interval.hpp"
 
 namespace regulus::test {
 
 /// Whether value ∈ x.
 inline bool contains_exactly(const Interval& x, const cln::cl_RA& value) {
-  const bool above = x.lo == -kInfinity || codegen::exact_rational(x.lo) <= value;
-  const bool below = x.hi == kInfinity || value <= codegen::exact_rational(x.hi);
+  const bool above = x.lo == -kInfinity || exact_rational(x.lo) <= value;
+  const bool below = x.hi == kInfinity || value <= exact_rational(x.hi);
   return above && below;
 }
 
 /// False iff the number that the ball encloses is certainly outside x. The ball is narrower than
 /// any double by hundreds of bits, so that "possibly" only covers values on a bound.
-inline bool possibly_contains(const Interval& x, const codegen::Ball& ball) {
-  const codegen::Ball lo(std::isfinite(x.lo) ? x.lo : 0.0);
-  const codegen::Ball hi(std::isfinite(x.hi) ? x.hi : 0.0);
+inline bool possibly_contains(const Interval& x, const Ball& ball) {
+  const Ball lo(std::isfinite(x.lo) ? x.lo : 0.0);
+  const Ball hi(std::isfinite(x.hi) ? x.hi : 0.0);
   const bool below = std::isfinite(x.lo) && arb_lt(ball.get(), lo.get());
   const bool above = std::isfinite(x.hi) && arb_gt(ball.get(), hi.get());
   return !below && !above;

@@ -11,9 +11,9 @@
 #include <string>
 #include <vector>
 
-#include "regulus/codegen/jit/cache_entry.hpp"
-#include "support/command.hpp"
-#include "support/temporary_directory.hpp"
+#include "codegen/jit/cache/cache_entry.hpp"
+#include "tests/support/command.hpp"
+#include "tests/support/temporary_directory.hpp"
 
 namespace regulus::test {
 
@@ -61,7 +61,7 @@ class CachedCommand {
     if (!std::filesystem::exists(directory_.path() / "regulus")) return found;
     for (const auto& file : std::filesystem::directory_iterator(directory_.path() / "regulus")) {
       const std::string bytes = file_contents(file.path());
-      const std::size_t begin = sizeof(codegen::CacheEntryHeader);
+      const std::size_t begin = sizeof(CacheEntryHeader);
       const char first = bytes.size() > begin ? bytes[begin] : '0';
       if ((first == '{' || first == 'r' ? first : '0') == kind) found.push_back(file.path());
     }

@@ -5,7 +5,7 @@
 #include <sstream>
 #include <string>
 
-#include "regulus/certificate/verifier/verify.hpp"
+#include "runtime/certificate/verifier/verify.hpp"
 
 namespace regulus::test {
 

@@ -8,13 +8,13 @@
 #include <string>
 #include <vector>
 
-#include "regulus/certificate/verifier/verify.hpp"
-#include "regulus/codegen/driver/certificate_file.hpp"
-#include "regulus/codegen/driver/certificate_question.hpp"
-#include "regulus/codegen/driver/search_run.hpp"
-#include "regulus/codegen/driver/settings.hpp"
-#include "support/certificate_texts.hpp"
-#include "support/temporary_directory.hpp"
+#include "codegen/certificate/certificate_file.hpp"
+#include "codegen/certificate/certificate_question.hpp"
+#include "codegen/engine/search_run.hpp"
+#include "codegen/engine/settings.hpp"
+#include "runtime/certificate/verifier/verify.hpp"
+#include "tests/support/certificate_texts.hpp"
+#include "tests/support/temporary_directory.hpp"
 
 namespace regulus::test {
 
@@ -29,31 +29,27 @@ inline std::string contents(const std::filesystem::path& path) {
   return text.str();
 }
 
-inline Certified certify(codegen::Preparation& preparation, const codegen::SearchOptions& search,
+inline Certified certify(PreparedSearch& preparation, const SearchOptions& search,
                          Settings settings) {
   const TemporaryDirectory directory;
   const std::string path = (directory.path() / "certificate").string();
-  codegen::CertificateFile file(path, preparation);
-  codegen::OutputOptions quiet;
-  quiet.quiet = true;
+  CertificateFile file(path, preparation);
   Certified certified;
-  certified.result =
-      codegen::run_search(preparation, search, quiet, std::move(settings), file.observer());
+  certified.result = run_search(preparation, search, std::move(settings), file.observer());
   file.finish(certified.result);
   if (file.written()) certified.text = contents(path);
   return certified;
 }
 
-inline Certified certify(const codegen::ModelOptions& model,
-                         const codegen::SearchOptions& search = {}) {
-  codegen::Preparation preparation = codegen::prepare(model, search);
-  return certify(preparation, search, codegen::settings_from(search));
+inline Certified certify(const ModelOptions& model, const SearchOptions& search = {}) {
+  PreparedSearch preparation = prepare(model, search);
+  return certify(preparation, search, settings_from(search));
 }
 
 /// `tolerance`: of base and platform; "" for exact geometry.
-inline codegen::ModelOptions robot(const std::string& name, const std::string& motion,
-                                   const std::string& tolerance = "") {
-  codegen::ModelOptions model;
+inline ModelOptions robot(const std::string& name, const std::string& motion,
+                          const std::string& tolerance = "") {
+  ModelOptions model;
   model.path = REGULUS_SOURCE_DIR "/models/" + name + ".toml";
   model.motion = motion;
   if (!tolerance.empty()) model.tolerances = {"base,platform=" + tolerance};

@@ -5,9 +5,9 @@
 #include <sstream>
 #include <string>
 
-#include "regulus/certificate/verifier/leaf.hpp"
-#include "regulus/certificate/verifier/proof.hpp"
-#include "support/random_source.hpp"
+#include "runtime/certificate/verifier/leaf.hpp"
+#include "runtime/certificate/verifier/proof.hpp"
+#include "tests/support/random_source.hpp"
 
 namespace regulus::test {
 

@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "support/spawned_compiler.hpp"
+#include "tests/support/spawned_compiler.hpp"
 
 namespace regulus::test {
 
@@ -28,13 +28,9 @@ inline bool compiles_without_warnings(const std::string& compiler, const std::st
                                       const std::filesystem::path& directory) {
   const auto source = directory / "text.cpp";
   std::ofstream(source) << text;
-  std::vector<std::string> command{compiler,
-                                   "-std=c++20",
-                                   "-fsyntax-only",
-                                   "-Wall",
-                                   "-Wextra",
-                                   "-Werror",
-                                   "-I" REGULUS_BINARY_DIR "/include"};
+  std::vector<std::string> command{
+      compiler,  "-std=c++20", "-fsyntax-only",         "-Wall",
+      "-Wextra", "-Werror",    "-I" REGULUS_SOURCE_DIR, "-I" REGULUS_BINARY_DIR "/include"};
   command.insert(command.end(), std::begin(kFloatingPointFlags), std::end(kFloatingPointFlags));
   const auto flags = compile_flags(isa);
   command.insert(command.end(), flags.begin(), flags.end());

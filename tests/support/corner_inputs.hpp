@@ -10,7 +10,7 @@
 #include <random>
 #include <vector>
 
-#include "regulus/interval/type.hpp"
+#include "runtime/interval/type.hpp"
 
 namespace regulus::test {
 

@@ -10,7 +10,7 @@
 #include <cstdint>
 #include <span>
 
-#include "regulus/interval/interval.hpp"
+#include "runtime/interval/interval.hpp"
 
 namespace regulus::test {
 

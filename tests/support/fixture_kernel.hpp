@@ -7,8 +7,8 @@
 #include <span>
 #include <vector>
 
-#include "regulus/interval/interval.hpp"
-#include "regulus/kernel/abi.hpp"
+#include "runtime/interval/interval.hpp"
+#include "runtime/kernel/abi.hpp"
 
 namespace regulus::test {
 

@@ -5,8 +5,8 @@
 #include <functional>
 #include <utility>
 
-#include "regulus/search/solver.hpp"
-#include "support/fixture_kernel.hpp"
+#include "runtime/search/solver.hpp"
+#include "tests/support/fixture_kernel.hpp"
 
 namespace regulus::test {
 

@@ -5,7 +5,7 @@
 // these twelve, and each of its derivatives too.
 #pragma once
 
-#include "support/fixture_kernel.hpp"
+#include "tests/support/fixture_kernel.hpp"
 
 namespace regulus::test {
 

@@ -5,8 +5,8 @@
 #include <cmath>
 #include <vector>
 
-#include "regulus/kernel/abi.hpp"
-#include "support/random_source.hpp"
+#include "runtime/kernel/abi.hpp"
+#include "tests/support/random_source.hpp"
 
 namespace regulus::test {
 

@@ -10,8 +10,8 @@
 #include <sstream>
 #include <thread>
 
-#include "support/command.hpp"
-#include "support/temporary_directory.hpp"
+#include "tests/support/command.hpp"
+#include "tests/support/temporary_directory.hpp"
 
 namespace regulus::test {
 

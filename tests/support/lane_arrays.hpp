@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Matrices in the layouts of regulus/interval/lanes.hpp, and matrices within their bounds.
+// Matrices in the layouts of runtime/interval/lanes.hpp, and matrices within their bounds.
 #pragma once
 
 #include <algorithm>
 #include <vector>
 
-#include "regulus/regularity/lanes.hpp"
-#include "regulus/regularity/views.hpp"
-#include "support/exact.hpp"
-#include "support/random_source.hpp"
+#include "runtime/regularity/lanes.hpp"
+#include "runtime/regularity/views.hpp"
+#include "tests/support/exact.hpp"
+#include "tests/support/random_source.hpp"
 
 namespace regulus::test {
 

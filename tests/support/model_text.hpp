@@ -3,10 +3,10 @@
 
 #include <string>
 
-#include "regulus/codegen/model/ginac_text.hpp"
-#include "regulus/codegen/model/model.hpp"
+#include "codegen/model/ginac_text.hpp"
+#include "codegen/model/model.hpp"
 
-namespace regulus::codegen::test {
+namespace regulus::test {
 
 /// Everything that a model says, but for the digest of its file: models of the same text here are
 /// the same to every stage that follows.
@@ -43,4 +43,4 @@ inline std::string everything_of(const Model& model) {
   return text;
 }
 
-}  // namespace regulus::codegen::test
+}  // namespace regulus::test

@@ -8,7 +8,7 @@
 #include <functional>
 #include <span>
 
-#include "regulus/interval/type.hpp"
+#include "runtime/interval/type.hpp"
 
 namespace regulus::test {
 

@@ -138,8 +138,8 @@ class RandomKernelText {
   int number(int below) { return static_cast<int>(random_() % static_cast<std::uint64_t>(below)); }
 
   static constexpr const char* kPrologue = R"(
-#include "regulus/kernel/abi.hpp"
-#include "regulus/kernel/pack.hpp"
+#include "runtime/kernel/abi.hpp"
+#include "runtime/kernel/pack.hpp"
 namespace {
 using namespace regulus::pack;
 )";

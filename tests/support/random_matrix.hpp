@@ -4,8 +4,8 @@
 
 #include <utility>
 
-#include "support/fixture_kernel.hpp"
-#include "support/lane_arrays.hpp"
+#include "tests/support/fixture_kernel.hpp"
+#include "tests/support/lane_arrays.hpp"
 
 namespace regulus::test {
 

@@ -9,9 +9,9 @@
 #include <utility>
 #include <vector>
 
-#include "regulus/codegen/program/canonical.hpp"
-#include "regulus/codegen/program/program.hpp"
-#include "support/random_source.hpp"
+#include "codegen/program/canonical.hpp"
+#include "codegen/program/program.hpp"
+#include "tests/support/random_source.hpp"
 
 namespace regulus::test {
 
@@ -36,8 +36,6 @@ inline std::vector<std::string> numbered_names(const char* prefix, int count) {
 /// agree with.
 class RawBuilder {
  public:
-  using NodeId = codegen::NodeId;
-  using Op = codegen::Op;
 
   RawBuilder(std::vector<std::string> inputs, std::vector<std::string> points) {
     program_.inputs = std::move(inputs);
@@ -63,14 +61,14 @@ class RawBuilder {
   NodeId call(Op function, NodeId a) { return push({function, a}); }
   NodeId atan2(NodeId a, NodeId b) { return push({Op::kAtan2, a, b}); }
   void output(NodeId id) { program_.outputs.push_back(id); }
-  codegen::Program finish() && { return codegen::canonical(std::move(program_)); }
+  Program finish() && { return canonical(std::move(program_)); }
 
  private:
-  NodeId push(codegen::Node node) {
+  NodeId push(Node node) {
     program_.nodes.push_back(node);
     return static_cast<NodeId>(program_.nodes.size() - 1);
   }
-  codegen::Program program_;
+  Program program_;
 };
 
 inline cln::cl_RA random_rational(RandomSource& random) {
@@ -81,25 +79,24 @@ inline cln::cl_RA random_rational(RandomSource& random) {
 
 /// The nodes made so far, and those that nothing uses yet.
 struct NodePool {
-  std::vector<codegen::NodeId> all;
-  std::vector<codegen::NodeId> unused;
+  std::vector<NodeId> all;
+  std::vector<NodeId> unused;
 
-  void add(codegen::NodeId id) {
+  void add(NodeId id) {
     all.push_back(id);
     unused.push_back(id);
   }
-  codegen::NodeId pick(RandomSource& random, bool tree_like) {
+  NodeId pick(RandomSource& random, bool tree_like) {
     if (!tree_like || unused.empty() || random.one_in(3)) return all[random.below(all.size())];
     const std::size_t i = random.below(unused.size());
-    const codegen::NodeId id = unused[i];
+    const NodeId id = unused[i];
     unused.erase(unused.begin() + static_cast<std::ptrdiff_t>(i));
     return id;
   }
 };
 
 template <class Builder>
-codegen::NodeId random_coefficient(RandomSource& random, Builder& builder,
-                                   const ProgramShape& shape) {
+NodeId random_coefficient(RandomSource& random, Builder& builder, const ProgramShape& shape) {
   if (shape.points == 0 || random.one_in(3)) return builder.constant(random_rational(random));
   return builder.point(
       static_cast<unsigned>(random.below(static_cast<std::uint64_t>(shape.points))));
@@ -107,11 +104,10 @@ codegen::NodeId random_coefficient(RandomSource& random, Builder& builder,
 
 /// One more node from those in `pool`.
 template <class Builder>
-codegen::NodeId random_node(RandomSource& random, Builder& builder, const ProgramShape& shape,
-                            NodePool& pool) {
-  using codegen::Op;
-  const codegen::NodeId a = pool.pick(random, shape.tree_like);
-  const codegen::NodeId b = pool.pick(random, shape.tree_like);
+NodeId random_node(RandomSource& random, Builder& builder, const ProgramShape& shape,
+                   NodePool& pool) {
+  const NodeId a = pool.pick(random, shape.tree_like);
+  const NodeId b = pool.pick(random, shape.tree_like);
   const int n =
       static_cast<int>(random.below(static_cast<std::uint64_t>(shape.largest_power) + 2)) - 1;
   switch (random.below(shape.functions ? 14 : 10)) {
@@ -125,7 +121,7 @@ codegen::NodeId random_node(RandomSource& random, Builder& builder, const Progra
     case 5:
       return builder.multiply(a, b);
     case 6: {
-      const codegen::NodeId factor = random_coefficient(random, builder, shape);
+      const NodeId factor = random_coefficient(random, builder, shape);
       return random.one_in(2) ? builder.multiply(a, factor) : builder.multiply(factor, a);
     }
     case 7:
@@ -149,8 +145,8 @@ codegen::NodeId random_node(RandomSource& random, Builder& builder, const Progra
 /// Entries of a row of K with coefficients of a few bits, or of so many that the sum just fits a
 /// double or does not.
 template <class Builder>
-codegen::NodeId random_row_sum(RandomSource& random, Builder& builder, int first, int length) {
-  std::optional<codegen::NodeId> sum;
+NodeId random_row_sum(RandomSource& random, Builder& builder, int first, int length) {
+  std::optional<NodeId> sum;
   for (int i = 0; i < length; ++i) {
     const long largest = random.one_in(2) ? 200 : (1L << 23) + 1;
     const long factor = 1 + static_cast<long>(random.below(static_cast<std::uint64_t>(largest)));
@@ -168,7 +164,7 @@ codegen::NodeId random_row_sum(RandomSource& random, Builder& builder, int first
 
 /// The same source and shape give the same expressions with every builder.
 template <class Builder>
-codegen::Program random_program(RandomSource& random, const ProgramShape& shape) {
+Program random_program(RandomSource& random, const ProgramShape& shape) {
   Builder builder(numbered_names("x", shape.inputs), numbered_names("k_1_", shape.points));
   NodePool pool;
   for (int i = 0; i < shape.inputs; ++i) pool.add(builder.input(static_cast<unsigned>(i)));

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <cstdint>
 
-#include "regulus/interval/interval.hpp"
+#include "runtime/interval/interval.hpp"
 
 namespace regulus::test {
 

@@ -6,15 +6,10 @@
 #include <utility>
 #include <vector>
 
-#include "regulus/codegen/program/module.hpp"
+#include "codegen/program/module.hpp"
 
 namespace regulus::test {
 
-using codegen::Function;
-using codegen::Module;
-using codegen::NodeId;
-using codegen::Op;
-using codegen::ProgramBuilder;
 
 inline std::vector<std::string> entries_of_k(int rows, int columns) {
   std::vector<std::string> names;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The other road from a text to code: an installed compiler in a process of its own, a shared
+// The other variant from a text to code: an installed compiler in a process of its own, a shared
 // library, the system's loader. For comparison only.
 #pragma once
 
@@ -17,7 +17,7 @@
 #include <vector>
 
 #include "regulus/floating_point_flags.hpp"
-#include "regulus/kernel/isa.hpp"
+#include "runtime/kernel/isa.hpp"
 
 namespace regulus::test {
 
@@ -71,6 +71,7 @@ inline SpawnedLibrary compile_with_spawned(const std::string& compiler, const st
                                    "-fPIC",
                                    "-w",
                                    optimisation,
+                                   "-I" REGULUS_SOURCE_DIR,
                                    "-I" REGULUS_BINARY_DIR "/include"};
   command.insert(command.end(), std::begin(kFloatingPointFlags), std::end(kFloatingPointFlags));
   const auto flags = compile_flags(isa);

@@ -6,7 +6,7 @@
 #include <bit>
 #include <cstdint>
 
-#include "regulus/interval/type.hpp"
+#include "runtime/interval/type.hpp"
 
 namespace regulus::test {
 

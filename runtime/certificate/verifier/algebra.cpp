@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "regulus/certificate/verifier/algebra.hpp"
+#include "runtime/certificate/verifier/algebra.hpp"
 
 #include <algorithm>
 
-#include "regulus/certificate/verifier/evaluation.hpp"
+#include "runtime/certificate/verifier/evaluation.hpp"
 
 namespace regulus::verifier {
 namespace {

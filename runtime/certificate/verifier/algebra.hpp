@@ -8,8 +8,8 @@
 #include <string>
 #include <vector>
 
-#include "regulus/certificate/verifier/expression.hpp"
-#include "regulus/certificate/verifier/polynomial.hpp"
+#include "runtime/certificate/verifier/expression.hpp"
+#include "runtime/certificate/verifier/polynomial.hpp"
 
 namespace regulus::verifier {
 

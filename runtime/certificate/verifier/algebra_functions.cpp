@@ -4,7 +4,7 @@
 
 #include <cstdlib>
 
-#include "regulus/certificate/verifier/algebra.hpp"
+#include "runtime/certificate/verifier/algebra.hpp"
 
 namespace regulus::verifier {
 namespace {

@@ -5,7 +5,7 @@
 
 #include <cmath>
 
-#include "regulus/certificate/verifier/interval.hpp"
+#include "runtime/certificate/verifier/interval.hpp"
 
 namespace regulus::verifier {
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "regulus/certificate/verifier/derivative.hpp"
+#include "runtime/certificate/verifier/derivative.hpp"
 
 namespace regulus::verifier {
 

@@ -3,7 +3,7 @@
 
 #include <map>
 
-#include "regulus/certificate/verifier/expression.hpp"
+#include "runtime/certificate/verifier/expression.hpp"
 
 namespace regulus::verifier {
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "regulus/certificate/verifier/domination.hpp"
+#include "runtime/certificate/verifier/domination.hpp"
 
-#include "regulus/certificate/verifier/rounding.hpp"
+#include "runtime/certificate/verifier/rounding.hpp"
 
 namespace regulus::verifier {
 namespace {

@@ -4,8 +4,8 @@
 
 #include <vector>
 
-#include "regulus/certificate/verifier/ball.hpp"
-#include "regulus/certificate/verifier/linear_algebra.hpp"
+#include "runtime/certificate/verifier/ball.hpp"
+#include "runtime/certificate/verifier/linear_algebra.hpp"
 
 namespace regulus::verifier {
 

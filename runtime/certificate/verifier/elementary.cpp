@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 // Monotone functions are enclosed by their values at the two ends, sine and cosine also by the
 // extrema that may lie between. Every value comes from Arb at a point, with its own error bound.
-#include "regulus/certificate/verifier/elementary.hpp"
+#include "runtime/certificate/verifier/elementary.hpp"
 
-#include "regulus/certificate/verifier/ball.hpp"
+#include "runtime/certificate/verifier/ball.hpp"
 
 namespace regulus::verifier {
 namespace {

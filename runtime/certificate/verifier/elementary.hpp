@@ -4,8 +4,8 @@
 
 #include <arb.h>
 
-#include "regulus/certificate/verifier/expression.hpp"
-#include "regulus/certificate/verifier/interval.hpp"
+#include "runtime/certificate/verifier/expression.hpp"
+#include "runtime/certificate/verifier/interval.hpp"
 
 namespace regulus::verifier {
 

@@ -6,9 +6,9 @@
 #include <span>
 #include <vector>
 
-#include "regulus/certificate/verifier/ball.hpp"
-#include "regulus/certificate/verifier/interval.hpp"
-#include "regulus/certificate/verifier/question.hpp"
+#include "runtime/certificate/verifier/ball.hpp"
+#include "runtime/certificate/verifier/interval.hpp"
+#include "runtime/certificate/verifier/question.hpp"
 
 namespace regulus::verifier {
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "regulus/certificate/verifier/exact_determinant.hpp"
+#include "runtime/certificate/verifier/exact_determinant.hpp"
 
 #include <algorithm>
 

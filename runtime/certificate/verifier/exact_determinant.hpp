@@ -8,10 +8,10 @@
 #include <string>
 #include <vector>
 
-#include "regulus/certificate/verifier/algebra.hpp"
-#include "regulus/certificate/verifier/extremum.hpp"
-#include "regulus/certificate/verifier/univariate.hpp"
-#include "regulus/certificate/verifier/variety.hpp"
+#include "runtime/certificate/verifier/algebra.hpp"
+#include "runtime/certificate/verifier/extremum.hpp"
+#include "runtime/certificate/verifier/univariate.hpp"
+#include "runtime/certificate/verifier/variety.hpp"
 
 namespace regulus::verifier {
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "regulus/certificate/verifier/exact_point.hpp"
+#include "runtime/certificate/verifier/exact_point.hpp"
 
-#include "regulus/certificate/verifier/univariate.hpp"
+#include "runtime/certificate/verifier/univariate.hpp"
 
 namespace regulus::verifier {
 namespace {

@@ -2,8 +2,8 @@
 // A point of a witness, or the segment between two, by exact algebra.
 #pragma once
 
-#include "regulus/certificate/verifier/algebra.hpp"
-#include "regulus/certificate/verifier/variety.hpp"
+#include "runtime/certificate/verifier/algebra.hpp"
+#include "runtime/certificate/verifier/variety.hpp"
 
 namespace regulus::verifier {
 

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "regulus/certificate/verifier/exact_range.hpp"
+#include "runtime/certificate/verifier/exact_range.hpp"
 
 #include <algorithm>
 
-#include "regulus/certificate/verifier/elementary.hpp"
+#include "runtime/certificate/verifier/elementary.hpp"
 
 namespace regulus::verifier {
 namespace {

@@ -7,8 +7,8 @@
 #include <optional>
 #include <vector>
 
-#include "regulus/certificate/verifier/expression.hpp"
-#include "regulus/certificate/verifier/interval.hpp"
+#include "runtime/certificate/verifier/expression.hpp"
+#include "runtime/certificate/verifier/interval.hpp"
 
 namespace regulus::verifier {
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "regulus/certificate/verifier/expansion.hpp"
+#include "runtime/certificate/verifier/expansion.hpp"
 
 #include <algorithm>
 

@@ -7,8 +7,8 @@
 #include <utility>
 #include <vector>
 
-#include "regulus/certificate/verifier/evaluation.hpp"
-#include "regulus/certificate/verifier/expression.hpp"
+#include "runtime/certificate/verifier/evaluation.hpp"
+#include "runtime/certificate/verifier/expression.hpp"
 
 namespace regulus::verifier {
 

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "regulus/certificate/verifier/expression.hpp"
+#include "runtime/certificate/verifier/expression.hpp"
 
 #include <algorithm>
 #include <array>
 #include <utility>
 
-#include "regulus/certificate/format.hpp"
-#include "regulus/certificate/verifier/infix_reader.hpp"
+#include "runtime/certificate/format.hpp"
+#include "runtime/certificate/verifier/infix_reader.hpp"
 
 namespace regulus::verifier {
 namespace {

@@ -11,7 +11,7 @@
 #include <tuple>
 #include <vector>
 
-#include "regulus/certificate/verifier/rational.hpp"
+#include "runtime/certificate/verifier/rational.hpp"
 
 namespace regulus::verifier {
 

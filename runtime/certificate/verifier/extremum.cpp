@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "regulus/certificate/verifier/extremum.hpp"
+#include "runtime/certificate/verifier/extremum.hpp"
 
 #include <arb_mat.h>
 
 #include <algorithm>
 
-#include "regulus/certificate/verifier/derivative.hpp"
+#include "runtime/certificate/verifier/derivative.hpp"
 
 namespace regulus::verifier {
 namespace {

@@ -9,7 +9,7 @@
 #include <utility>
 #include <vector>
 
-#include "regulus/certificate/verifier/variety.hpp"
+#include "runtime/certificate/verifier/variety.hpp"
 
 namespace regulus::verifier {
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "regulus/certificate/verifier/infix_reader.hpp"
+#include "runtime/certificate/verifier/infix_reader.hpp"
 
 namespace regulus::verifier {
 

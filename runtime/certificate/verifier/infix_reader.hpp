@@ -3,7 +3,7 @@
 // factors, calls of functions, marks between white space.
 #pragma once
 
-#include "regulus/certificate/verifier/expression.hpp"
+#include "runtime/certificate/verifier/expression.hpp"
 
 namespace regulus::verifier {
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "regulus/certificate/verifier/input_file.hpp"
+#include "runtime/certificate/verifier/input_file.hpp"
 
 #include <fcntl.h>
 #include <sys/stat.h>

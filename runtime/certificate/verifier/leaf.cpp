@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "regulus/certificate/verifier/leaf.hpp"
+#include "runtime/certificate/verifier/leaf.hpp"
 
 #include <algorithm>
 
-#include "regulus/certificate/verifier/linear_algebra.hpp"
+#include "runtime/certificate/verifier/linear_algebra.hpp"
 
 namespace regulus::verifier {
 namespace {

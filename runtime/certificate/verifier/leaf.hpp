@@ -5,10 +5,10 @@
 #include <cstdint>
 #include <optional>
 
-#include "regulus/certificate/verifier/exact_determinant.hpp"
-#include "regulus/certificate/verifier/regularity.hpp"
-#include "regulus/certificate/verifier/verify.hpp"
-#include "regulus/certificate/verifier/work_clock.hpp"
+#include "runtime/certificate/verifier/exact_determinant.hpp"
+#include "runtime/certificate/verifier/regularity.hpp"
+#include "runtime/certificate/verifier/verify.hpp"
+#include "runtime/certificate/verifier/work_clock.hpp"
 
 namespace regulus::verifier {
 

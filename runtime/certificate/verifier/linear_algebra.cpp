@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "regulus/certificate/verifier/linear_algebra.hpp"
+#include "runtime/certificate/verifier/linear_algebra.hpp"
 
 #include <arb_mat.h>
 

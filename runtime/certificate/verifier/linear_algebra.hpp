@@ -3,7 +3,7 @@
 
 #include <vector>
 
-#include "regulus/certificate/verifier/ball.hpp"
+#include "runtime/certificate/verifier/ball.hpp"
 
 namespace regulus::verifier {
 

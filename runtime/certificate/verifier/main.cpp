@@ -6,15 +6,15 @@
 #include <string>
 #include <vector>
 
-#include "regulus/certificate/verifier/input_file.hpp"
-#include "regulus/certificate/verifier/verify.hpp"
+#include "runtime/certificate/verifier/input_file.hpp"
+#include "runtime/certificate/verifier/verify.hpp"
 
 namespace {
 
 using regulus::verifier::Options;
 using regulus::verifier::Verification;
 
-constexpr int kUsageError = 64, kFileTrouble = 74;
+constexpr int kUsageError = 64, kFileError = 74;
 constexpr std::size_t kMaxModelBytes = std::size_t{1} << 22;
 
 constexpr const char* kHelp =
@@ -117,6 +117,6 @@ int main(int argc, char** argv) {
     return verify(usage);
   } catch (const std::exception& error) {
     std::cerr << "regulus-verify: " << error.what() << '\n';
-    return kFileTrouble;
+    return kFileError;
   }
 }

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "regulus/certificate/verifier/model_comparison.hpp"
+#include "runtime/certificate/verifier/model_comparison.hpp"
 
 #include <algorithm>
 
-#include "regulus/certificate/verifier/algebra.hpp"
-#include "regulus/certificate/verifier/evaluation.hpp"
-#include "regulus/certificate/verifier/model_expression.hpp"
-#include "regulus/certificate/verifier/model_file.hpp"
+#include "runtime/certificate/verifier/algebra.hpp"
+#include "runtime/certificate/verifier/evaluation.hpp"
+#include "runtime/certificate/verifier/model_expression.hpp"
+#include "runtime/certificate/verifier/model_file.hpp"
 
 namespace regulus::verifier {
 namespace {

@@ -3,8 +3,8 @@
 // a reader of the verifier's own, against what the certificate says in its place.
 #pragma once
 
-#include "regulus/certificate/verifier/question.hpp"
-#include "regulus/certificate/verifier/verify.hpp"
+#include "runtime/certificate/verifier/question.hpp"
+#include "runtime/certificate/verifier/verify.hpp"
 
 namespace regulus::verifier {
 

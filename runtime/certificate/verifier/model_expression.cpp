@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "regulus/certificate/verifier/model_expression.hpp"
+#include "runtime/certificate/verifier/model_expression.hpp"
 
 #include <cstdlib>
 
-#include "regulus/certificate/format.hpp"
-#include "regulus/certificate/verifier/algebra.hpp"
-#include "regulus/certificate/verifier/infix_reader.hpp"
+#include "runtime/certificate/format.hpp"
+#include "runtime/certificate/verifier/algebra.hpp"
+#include "runtime/certificate/verifier/infix_reader.hpp"
 
 namespace regulus::verifier {
 namespace {

@@ -6,7 +6,7 @@
 #include <functional>
 #include <string_view>
 
-#include "regulus/certificate/verifier/expression.hpp"
+#include "runtime/certificate/verifier/expression.hpp"
 
 namespace regulus::verifier {
 

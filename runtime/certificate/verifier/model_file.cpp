@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "regulus/certificate/verifier/model_file.hpp"
+#include "runtime/certificate/verifier/model_file.hpp"
 
 #include <algorithm>
 
-#include "regulus/certificate/verifier/infix_reader.hpp"
+#include "runtime/certificate/verifier/infix_reader.hpp"
 
 namespace regulus::verifier {
 namespace {

@@ -7,7 +7,7 @@
 #include <string>
 #include <string_view>
 
-#include "regulus/certificate/verifier/expression.hpp"
+#include "runtime/certificate/verifier/expression.hpp"
 
 namespace regulus::verifier {
 

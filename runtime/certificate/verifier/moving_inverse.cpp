@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "regulus/certificate/verifier/moving_inverse.hpp"
+#include "runtime/certificate/verifier/moving_inverse.hpp"
 
 #include <algorithm>
 
-#include "regulus/certificate/verifier/derivative.hpp"
-#include "regulus/certificate/verifier/linear_algebra.hpp"
-#include "regulus/certificate/verifier/rounding.hpp"
+#include "runtime/certificate/verifier/derivative.hpp"
+#include "runtime/certificate/verifier/linear_algebra.hpp"
+#include "runtime/certificate/verifier/rounding.hpp"
 
 namespace regulus::verifier {
 

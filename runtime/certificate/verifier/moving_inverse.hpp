@@ -7,10 +7,10 @@
 #include <optional>
 #include <vector>
 
-#include "regulus/certificate/verifier/evaluation.hpp"
-#include "regulus/certificate/verifier/expansion.hpp"
-#include "regulus/certificate/verifier/linear_algebra.hpp"
-#include "regulus/certificate/verifier/question.hpp"
+#include "runtime/certificate/verifier/evaluation.hpp"
+#include "runtime/certificate/verifier/expansion.hpp"
+#include "runtime/certificate/verifier/linear_algebra.hpp"
+#include "runtime/certificate/verifier/question.hpp"
 
 namespace regulus::verifier {
 

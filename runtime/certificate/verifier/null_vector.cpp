@@ -2,8 +2,8 @@
 // The search for y ≠ 0 with y_s = Σ_k δ_k(b_k + c_k)·y: branch and prune over directions. Where b
 // rules, this comes as near to the critical spread of the quantities as one likes: the δ_k of each
 // row are free of those of the others, so that for one y the bound is attained.
-#include "regulus/certificate/verifier/rounding.hpp"
-#include "regulus/certificate/verifier/touched_rows.hpp"
+#include "runtime/certificate/verifier/rounding.hpp"
+#include "runtime/certificate/verifier/touched_rows.hpp"
 
 namespace regulus::verifier {
 namespace {

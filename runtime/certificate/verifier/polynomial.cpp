@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "regulus/certificate/verifier/polynomial.hpp"
+#include "runtime/certificate/verifier/polynomial.hpp"
 
 #include <cstdlib>
 

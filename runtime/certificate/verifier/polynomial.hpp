@@ -10,7 +10,7 @@
 #include <utility>
 #include <vector>
 
-#include "regulus/certificate/verifier/rational.hpp"
+#include "runtime/certificate/verifier/rational.hpp"
 
 namespace regulus::verifier {
 

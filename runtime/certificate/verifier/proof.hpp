@@ -2,7 +2,7 @@
 // The second part of a certificate: a tree of boxes, or a witness.
 #pragma once
 
-#include "regulus/certificate/verifier/leaf.hpp"
+#include "runtime/certificate/verifier/leaf.hpp"
 
 namespace regulus::verifier {
 

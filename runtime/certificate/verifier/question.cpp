@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "regulus/certificate/verifier/question.hpp"
+#include "runtime/certificate/verifier/question.hpp"
 
 #include <algorithm>
 #include <charconv>
@@ -36,9 +36,9 @@ class QuestionReader {
     read_model();
     read_motion();
     if (lines_.text() != "proof") throw Rejection("expected the line 'proof'");
-    if (claim != format::claim_words(q_.claimed_set(), q_.singular))
+    if (claim != format::describe_claim(q_.claimed_set(), q_.singular))
       throw Rejection("the claim is not about this matrix and set: expected '" +
-                      format::claim_words(q_.claimed_set(), q_.singular) + "'");
+                      format::describe_claim(q_.claimed_set(), q_.singular) + "'");
   }
 
  private:

@@ -8,9 +8,9 @@
 #include <string>
 #include <vector>
 
-#include "regulus/certificate/format.hpp"
-#include "regulus/certificate/verifier/exact_range.hpp"
-#include "regulus/certificate/verifier/expression.hpp"
+#include "runtime/certificate/format.hpp"
+#include "runtime/certificate/verifier/exact_range.hpp"
+#include "runtime/certificate/verifier/expression.hpp"
 
 namespace regulus::verifier {
 

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "regulus/certificate/verifier/regularity.hpp"
+#include "runtime/certificate/verifier/regularity.hpp"
 
 #include <algorithm>
 
-#include "regulus/certificate/verifier/derivative.hpp"
-#include "regulus/certificate/verifier/elementary.hpp"
-#include "regulus/certificate/verifier/rounding.hpp"
+#include "runtime/certificate/verifier/derivative.hpp"
+#include "runtime/certificate/verifier/elementary.hpp"
+#include "runtime/certificate/verifier/rounding.hpp"
 
 namespace regulus::verifier {
 namespace {

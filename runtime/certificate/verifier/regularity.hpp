@@ -2,7 +2,7 @@
 // The test that every matrix over a box has full column rank. PROOF.md, "The test", derives it.
 #pragma once
 
-#include "regulus/certificate/verifier/touched_rows.hpp"
+#include "runtime/certificate/verifier/touched_rows.hpp"
 
 namespace regulus::verifier {
 

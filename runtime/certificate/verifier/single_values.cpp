@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "regulus/certificate/verifier/single_values.hpp"
+#include "runtime/certificate/verifier/single_values.hpp"
 
-#include "regulus/certificate/verifier/algebra.hpp"
-#include "regulus/certificate/verifier/evaluation.hpp"
+#include "runtime/certificate/verifier/algebra.hpp"
+#include "runtime/certificate/verifier/evaluation.hpp"
 
 namespace regulus::verifier {
 namespace {

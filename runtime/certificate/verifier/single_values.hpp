@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include "regulus/certificate/verifier/question.hpp"
+#include "runtime/certificate/verifier/question.hpp"
 
 namespace regulus::verifier {
 

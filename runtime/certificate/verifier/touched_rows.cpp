@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "regulus/certificate/verifier/touched_rows.hpp"
+#include "runtime/certificate/verifier/touched_rows.hpp"
 
 #include <algorithm>
 
-#include "regulus/certificate/verifier/derivative.hpp"
-#include "regulus/certificate/verifier/rounding.hpp"
+#include "runtime/certificate/verifier/derivative.hpp"
+#include "runtime/certificate/verifier/rounding.hpp"
 
 namespace regulus::verifier {
 

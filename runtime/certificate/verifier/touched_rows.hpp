@@ -7,9 +7,9 @@
 
 #include <optional>
 
-#include "regulus/certificate/verifier/domination.hpp"
-#include "regulus/certificate/verifier/moving_inverse.hpp"
-#include "regulus/certificate/verifier/variety.hpp"
+#include "runtime/certificate/verifier/domination.hpp"
+#include "runtime/certificate/verifier/moving_inverse.hpp"
+#include "runtime/certificate/verifier/variety.hpp"
 
 namespace regulus::verifier {
 

@@ -5,7 +5,7 @@
 #include <charconv>
 #include <unordered_map>
 
-#include "regulus/certificate/verifier/proof.hpp"
+#include "runtime/certificate/verifier/proof.hpp"
 
 namespace regulus::verifier {
 namespace {

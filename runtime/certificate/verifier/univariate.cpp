@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "regulus/certificate/verifier/univariate.hpp"
+#include "runtime/certificate/verifier/univariate.hpp"
 
 #include <fmpz_poly.h>
 

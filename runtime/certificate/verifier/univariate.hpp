@@ -4,7 +4,7 @@
 
 #include <fmpq_poly.h>
 
-#include "regulus/certificate/verifier/polynomial.hpp"
+#include "runtime/certificate/verifier/polynomial.hpp"
 
 namespace regulus::verifier {
 

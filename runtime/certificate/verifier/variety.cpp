@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "regulus/certificate/verifier/variety.hpp"
+#include "runtime/certificate/verifier/variety.hpp"
 
 #include <algorithm>
 #include <cmath>
 
-#include "regulus/certificate/verifier/algebra.hpp"
-#include "regulus/certificate/verifier/elementary.hpp"
+#include "runtime/certificate/verifier/algebra.hpp"
+#include "runtime/certificate/verifier/elementary.hpp"
 
 namespace regulus::verifier {
 namespace {

@@ -5,8 +5,8 @@
 #include <optional>
 #include <vector>
 
-#include "regulus/certificate/verifier/evaluation.hpp"
-#include "regulus/certificate/verifier/question.hpp"
+#include "runtime/certificate/verifier/evaluation.hpp"
+#include "runtime/certificate/verifier/question.hpp"
 
 namespace regulus::verifier {
 

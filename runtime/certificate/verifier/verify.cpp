@@ -1,18 +1,18 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "regulus/certificate/verifier/verify.hpp"
+#include "runtime/certificate/verifier/verify.hpp"
 
 #include <cfenv>
 
-#include "regulus/certificate/verifier/model_comparison.hpp"
-#include "regulus/certificate/verifier/proof.hpp"
-#include "regulus/certificate/verifier/single_values.hpp"
+#include "runtime/certificate/verifier/model_comparison.hpp"
+#include "runtime/certificate/verifier/proof.hpp"
+#include "runtime/certificate/verifier/single_values.hpp"
 
 namespace regulus::verifier {
 namespace {
 
 void check(Lines& lines, Question& question, const Options& options, Verification& result) {
   read_question(lines, question);
-  result.claim = format::claim_words(question.claimed_set(), question.singular);
+  result.claim = format::describe_claim(question.claimed_set(), question.singular);
   result.model = question.model;
   result.sha256 = question.sha256;
   result.motion = question.motion;

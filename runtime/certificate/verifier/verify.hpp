@@ -9,7 +9,7 @@
 #include <string>
 #include <vector>
 
-#include "regulus/certificate/verifier/question.hpp"
+#include "runtime/certificate/verifier/question.hpp"
 
 namespace regulus::verifier {
 

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 // A point whose determinant is at most alpha, or two points of opposite signs and the segment that
 // joins them, on which the model is defined and no constraint is violated.
-#include "regulus/certificate/verifier/exact_determinant.hpp"
-#include "regulus/certificate/verifier/exact_point.hpp"
-#include "regulus/certificate/verifier/proof.hpp"
-#include "regulus/certificate/verifier/work_clock.hpp"
+#include "runtime/certificate/verifier/exact_determinant.hpp"
+#include "runtime/certificate/verifier/exact_point.hpp"
+#include "runtime/certificate/verifier/proof.hpp"
+#include "runtime/certificate/verifier/work_clock.hpp"
 
 namespace regulus::verifier {
 namespace {

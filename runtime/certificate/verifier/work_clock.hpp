@@ -3,8 +3,8 @@
 
 #include <chrono>
 
-#include "regulus/certificate/verifier/expression.hpp"
-#include "regulus/certificate/verifier/verify.hpp"
+#include "runtime/certificate/verifier/expression.hpp"
+#include "runtime/certificate/verifier/verify.hpp"
 
 namespace regulus::verifier {
 

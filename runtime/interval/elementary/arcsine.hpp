@@ -7,7 +7,7 @@
 // Test      tests/property/interval/elementary_test.cpp, containment against Arb.
 #pragma once
 
-#include "regulus/interval/elementary/arctangent.hpp"
+#include "runtime/interval/elementary/arctangent.hpp"
 
 namespace regulus::elementary {
 inline namespace REGULUS_LANES_ISA {

@@ -2,7 +2,7 @@
 // Error-free transforms: high + low is the exact result, high the nearest double to it.
 #pragma once
 
-#include "regulus/interval/elementary/lanes.hpp"
+#include "runtime/interval/elementary/lanes.hpp"
 
 namespace regulus::elementary {
 inline namespace REGULUS_LANES_ISA {

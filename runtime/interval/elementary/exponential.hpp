@@ -8,8 +8,8 @@
 // Test      tests/property/interval/elementary_test.cpp, containment against Arb.
 #pragma once
 
-#include "regulus/interval/elementary/exact.hpp"
-#include "regulus/interval/elementary/outward.hpp"
+#include "runtime/interval/elementary/exact.hpp"
+#include "runtime/interval/elementary/outward.hpp"
 
 namespace regulus::elementary {
 inline namespace REGULUS_LANES_ISA {

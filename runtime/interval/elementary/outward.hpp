@@ -2,7 +2,7 @@
 // From a nearly nearest value to its bounds, in any number of lanes.
 #pragma once
 
-#include "regulus/interval/elementary/lanes.hpp"
+#include "runtime/interval/elementary/lanes.hpp"
 
 namespace regulus::elementary {
 inline namespace REGULUS_LANES_ISA {

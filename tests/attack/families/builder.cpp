@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "attack/families/builder.hpp"
+#include "tests/attack/families/builder.hpp"
 
 #include <algorithm>
 
-#include "attack/families/hidden.hpp"
+#include "tests/attack/families/hidden.hpp"
 
 namespace regulus::attack {
 namespace {

@@ -5,9 +5,9 @@
 #include <string>
 #include <vector>
 
-#include "attack/families/spelling.hpp"
-#include "attack/oracle/attack.hpp"
-#include "attack/oracle/random.hpp"
+#include "tests/attack/families/spelling.hpp"
+#include "tests/attack/oracle/attack.hpp"
+#include "tests/attack/oracle/random.hpp"
 
 namespace regulus::attack {
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "attack/families/families.hpp"
+#include "tests/attack/families/families.hpp"
 
 namespace regulus::attack {
 namespace {

@@ -5,7 +5,7 @@
 #include <span>
 #include <string_view>
 
-#include "attack/oracle/attack.hpp"
+#include "tests/attack/oracle/attack.hpp"
 
 namespace regulus::attack {
 

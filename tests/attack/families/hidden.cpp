@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "attack/families/hidden.hpp"
+#include "tests/attack/families/hidden.hpp"
 
 namespace regulus::attack {
 namespace {

@@ -5,8 +5,8 @@
 #include <string>
 #include <vector>
 
-#include "attack/oracle/attack.hpp"
-#include "attack/oracle/random.hpp"
+#include "tests/attack/oracle/attack.hpp"
+#include "tests/attack/oracle/random.hpp"
 
 namespace regulus::attack {
 

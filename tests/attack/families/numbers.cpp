@@ -2,8 +2,8 @@
 // Numbers of which the last digit decides; ranges of extreme size.
 #include <cstdio>
 
-#include "attack/families/builder.hpp"
-#include "attack/families/families.hpp"
+#include "tests/attack/families/builder.hpp"
+#include "tests/attack/families/families.hpp"
 
 namespace regulus::attack {
 namespace {

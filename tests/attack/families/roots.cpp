@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Determinants with a root that is known.
-#include "attack/families/builder.hpp"
-#include "attack/families/families.hpp"
+#include "tests/attack/families/builder.hpp"
+#include "tests/attack/families/families.hpp"
 
 namespace regulus::attack {
 namespace {

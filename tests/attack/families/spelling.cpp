@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "attack/families/spelling.hpp"
+#include "tests/attack/families/spelling.hpp"
 
 #include <algorithm>
 

@@ -5,8 +5,8 @@
 #include <optional>
 #include <string>
 
-#include "attack/oracle/random.hpp"
-#include "attack/oracle/rational.hpp"
+#include "tests/attack/oracle/random.hpp"
+#include "tests/attack/oracle/rational.hpp"
 
 namespace regulus::attack {
 

@@ -2,8 +2,8 @@
 // Uncertain quantities at the value that decides.
 #include <array>
 
-#include "attack/families/builder.hpp"
-#include "attack/families/families.hpp"
+#include "tests/attack/families/builder.hpp"
+#include "tests/attack/families/families.hpp"
 
 namespace regulus::attack {
 namespace {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "attack/oracle/attack.hpp"
+#include "tests/attack/oracle/attack.hpp"
 
 namespace regulus::attack {
 namespace {

@@ -10,7 +10,7 @@
 #include <string>
 #include <vector>
 
-#include "attack/oracle/rational.hpp"
+#include "tests/attack/oracle/rational.hpp"
 
 namespace regulus::attack {
 

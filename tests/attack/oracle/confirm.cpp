@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "attack/oracle/confirm.hpp"
+#include "tests/attack/oracle/confirm.hpp"
 
-#include "attack/oracle/evaluate.hpp"
-#include "attack/oracle/random.hpp"
+#include "tests/attack/oracle/evaluate.hpp"
+#include "tests/attack/oracle/random.hpp"
 
 namespace regulus::attack {
 namespace {

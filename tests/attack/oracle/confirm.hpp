@@ -5,7 +5,7 @@
 #include <optional>
 #include <string>
 
-#include "attack/oracle/attack.hpp"
+#include "tests/attack/oracle/attack.hpp"
 
 namespace regulus::attack {
 

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "attack/oracle/evaluate.hpp"
+#include "tests/attack/oracle/evaluate.hpp"
 
 #include <algorithm>
 #include <numeric>
 
-#include "attack/oracle/hexapod.hpp"
+#include "tests/attack/oracle/hexapod.hpp"
 
 namespace regulus::attack {
 namespace {

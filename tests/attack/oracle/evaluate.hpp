@@ -8,8 +8,8 @@
 #include <string_view>
 #include <vector>
 
-#include "attack/oracle/attack.hpp"
-#include "attack/oracle/value.hpp"
+#include "tests/attack/oracle/attack.hpp"
+#include "tests/attack/oracle/value.hpp"
 
 namespace regulus::attack {
 

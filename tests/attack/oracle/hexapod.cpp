@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "attack/oracle/hexapod.hpp"
+#include "tests/attack/oracle/hexapod.hpp"
 
 namespace regulus::attack {
 namespace {

@@ -2,8 +2,8 @@
 // The inverse Jacobian of a six-legged platform, from its anchors.
 #pragma once
 
-#include "attack/oracle/attack.hpp"
-#include "attack/oracle/evaluate.hpp"
+#include "tests/attack/oracle/attack.hpp"
+#include "tests/attack/oracle/evaluate.hpp"
 
 namespace regulus::attack {
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "attack/oracle/rational.hpp"
+#include "tests/attack/oracle/rational.hpp"
 
 #include <cmath>
 #include <stdexcept>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "attack/oracle/value.hpp"
+#include "tests/attack/oracle/value.hpp"
 
 #include <stdexcept>
 

@@ -7,7 +7,7 @@
 #include <optional>
 #include <string>
 
-#include "attack/oracle/rational.hpp"
+#include "tests/attack/oracle/rational.hpp"
 
 namespace regulus::attack {
 

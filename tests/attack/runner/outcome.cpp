@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "attack/runner/outcome.hpp"
+#include "tests/attack/runner/outcome.hpp"
 
 namespace regulus::attack {
 namespace {

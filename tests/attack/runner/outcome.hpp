@@ -4,7 +4,7 @@
 
 #include <string>
 
-#include "attack/oracle/attack.hpp"
+#include "tests/attack/oracle/attack.hpp"
 
 namespace regulus::attack {
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "attack/runner/subject.hpp"
+#include "tests/attack/runner/subject.hpp"
 
 #include <time.h>
 
@@ -10,8 +10,8 @@
 #include <nlohmann/json.hpp>
 #include <sstream>
 
-#include "attack/oracle/random.hpp"
-#include "regulus/codegen/driver/run_command_line.hpp"
+#include "codegen/command/run_command_line.hpp"
+#include "tests/attack/oracle/random.hpp"
 
 namespace regulus::attack {
 namespace {
@@ -53,9 +53,9 @@ Answer run_command(const std::vector<std::string>& words) {
   const Captured output(std::cout), errors(std::cerr);
   const double begin = processor_seconds();
   Answer answer;
-  answer.exit_code = codegen::report_errors([&] {
-    return codegen::run_command_line(
-        codegen::parse_command_line(static_cast<int>(arguments.size()), arguments.data()), typed);
+  answer.exit_code = report_errors([&] {
+    return run_command_line(
+        parse_command_line(static_cast<int>(arguments.size()), arguments.data()), typed);
   });
   answer.seconds = processor_seconds() - begin;
   answer.output = output.text();

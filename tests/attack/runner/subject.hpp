@@ -6,8 +6,8 @@
 #include <string>
 #include <vector>
 
-#include "attack/oracle/attack.hpp"
-#include "attack/runner/outcome.hpp"
+#include "tests/attack/oracle/attack.hpp"
+#include "tests/attack/runner/outcome.hpp"
 
 namespace regulus::attack {
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "attack/runner/summary.hpp"
+#include "tests/attack/runner/summary.hpp"
 
 #include <fmt/format.h>
 

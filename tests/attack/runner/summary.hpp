@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "attack/runner/outcome.hpp"
+#include "tests/attack/runner/outcome.hpp"
 
 namespace regulus::attack {
 

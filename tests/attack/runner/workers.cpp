@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "attack/runner/workers.hpp"
+#include "tests/attack/runner/workers.hpp"
 
 #include <fcntl.h>
 #include <poll.h>

@@ -6,7 +6,7 @@
 #include <functional>
 #include <string>
 
-#include "attack/runner/subject.hpp"
+#include "tests/attack/runner/subject.hpp"
 
 namespace regulus::attack {
 

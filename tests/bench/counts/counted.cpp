@@ -9,10 +9,10 @@
 #include <stdexcept>
 #include <string>
 
-#include "bench/kernel/ahead_of_time.hpp"
-#include "bench/kernel/batched.hpp"
-#include "bench/kernel/rival.hpp"
-#include "regulus/search/solver.hpp"
+#include "runtime/search/solver.hpp"
+#include "tests/bench/kernel/ahead_of_time.hpp"
+#include "tests/bench/kernel/batched.hpp"
+#include "tests/bench/kernel/rival.hpp"
 
 extern "C" {
 extern const regulus_kernel bench_search_kernel;
@@ -41,7 +41,7 @@ void count_rival(const std::string& key) {
 }
 
 void count_search() {
-  const codegen::Variety variety = search_subject().variety;
+  const Variety variety = search_subject().variety;
   Problem problem;
   problem.kernel = &bench_search_kernel;
   problem.outer = variety.outer;

@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "bench/counts/rows.hpp"
+#include "tests/bench/counts/rows.hpp"
 
 #include <optional>
 #include <stdexcept>
 #include <string>
 #include <vector>
 
-#include "bench/kernel/subject.hpp"
-#include "bench/measure/process.hpp"
+#include "tests/bench/kernel/subject.hpp"
+#include "tests/bench/measure/process.hpp"
 
 namespace regulus::bench {
 namespace {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "bench/embedded/rows.hpp"
+#include "tests/bench/embedded/rows.hpp"
 
 #include <fmt/format.h>
 
@@ -7,8 +7,8 @@
 #include <stdexcept>
 #include <vector>
 
-#include "regulus/codegen/driver/pipeline.hpp"
-#include "regulus/embedded/checker.hpp"
+#include "codegen/engine/pipeline.hpp"
+#include "runtime/embedded/checker.hpp"
 
 namespace regulus::bench {
 namespace {
@@ -64,15 +64,15 @@ class Trajectory {
  private:
   static constexpr unsigned kMaxBoxes = 1000;
 
-  static codegen::Preparation prepare(const Question& question) {
-    codegen::ModelOptions options;
+  static PreparedSearch prepare(const Question& question) {
+    ModelOptions options;
     options.path = REGULUS_SOURCE_DIR "/models/robot_1.toml";
     options.motion = question.motion;
     options.tolerances = {fmt::format("base,platform={}", question.tolerance)};
-    return codegen::prepare(options, {});
+    return prepare(options, {});
   }
 
-  codegen::Preparation preparation_;
+  PreparedSearch preparation_;
   Checker checker_;
   std::vector<Interval> pieces_;
   unsigned most_boxes_ = 0;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "bench/kernel/ahead_of_time.hpp"
+#include "tests/bench/kernel/ahead_of_time.hpp"
 
 extern "C" {
 #if defined(__x86_64__)

@@ -2,8 +2,8 @@
 // The subject as the build compiled it: emitted text, the suite's own compiler, -O2.
 #pragma once
 
-#include "regulus/kernel/abi.hpp"
-#include "regulus/kernel/isa.hpp"
+#include "runtime/kernel/abi.hpp"
+#include "runtime/kernel/isa.hpp"
 
 namespace regulus::bench {
 

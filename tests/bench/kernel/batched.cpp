@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "bench/kernel/batched.hpp"
+#include "tests/bench/kernel/batched.hpp"
 
 #include <stdexcept>
 

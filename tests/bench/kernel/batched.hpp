@@ -3,9 +3,9 @@
 
 #include <vector>
 
-#include "bench/kernel/subject.hpp"
-#include "regulus/kernel/buffers.hpp"
-#include "regulus/kernel/call.hpp"
+#include "runtime/kernel/buffers.hpp"
+#include "runtime/kernel/call.hpp"
+#include "tests/bench/kernel/subject.hpp"
 
 namespace regulus::bench {
 

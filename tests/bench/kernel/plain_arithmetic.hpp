@@ -3,7 +3,7 @@
 // function that another one might be given.
 #pragma once
 
-#include "bench/kernel/operator_arithmetic.hpp"
+#include "tests/bench/kernel/operator_arithmetic.hpp"
 
 namespace regulus::bench {
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "bench/kernel/plain_arithmetic.hpp"
 #include "left_product.hpp"
+#include "tests/bench/kernel/plain_arithmetic.hpp"
 
 namespace regulus::bench {
 namespace {

@@ -6,8 +6,8 @@
 #include <string>
 #include <vector>
 
-#include "bench/kernel/subject.hpp"
-#include "regulus/interval/interval.hpp"
+#include "runtime/interval/interval.hpp"
+#include "tests/bench/kernel/subject.hpp"
 
 namespace regulus::bench {
 

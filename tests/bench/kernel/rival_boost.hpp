@@ -3,8 +3,8 @@
 
 #include <boost/numeric/interval.hpp>
 
-#include "bench/kernel/operator_arithmetic.hpp"
-#include "bench/kernel/straight_rival.hpp"
+#include "tests/bench/kernel/operator_arithmetic.hpp"
+#include "tests/bench/kernel/straight_rival.hpp"
 
 namespace regulus::bench {
 

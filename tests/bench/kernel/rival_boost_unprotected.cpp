@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "bench/kernel/rival_boost.hpp"
+#include "tests/bench/kernel/rival_boost.hpp"
 
 namespace regulus::bench {
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <mpfi.h>
 
-#include "bench/kernel/straight_rival.hpp"
+#include "tests/bench/kernel/straight_rival.hpp"
 
 namespace regulus::bench {
 namespace {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "bench/kernel/operator_arithmetic.hpp"
-#include "bench/kernel/straight_rival.hpp"
+#include "tests/bench/kernel/operator_arithmetic.hpp"
+#include "tests/bench/kernel/straight_rival.hpp"
 
 namespace regulus::bench {
 namespace {

@@ -1,17 +1,17 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "bench/kernel/rows.hpp"
+#include "tests/bench/kernel/rows.hpp"
 
 #include <fmt/format.h>
 
 #include <deque>
 #include <map>
 
-#include "bench/kernel/ahead_of_time.hpp"
-#include "bench/kernel/batched.hpp"
-#include "bench/kernel/rival.hpp"
-#include "regulus/codegen/jit/jit.hpp"
-#include "regulus/codegen/pack/select.hpp"
-#include "regulus/machine/machine_kernel.hpp"
+#include "codegen/jit/jit.hpp"
+#include "codegen/pack/select.hpp"
+#include "runtime/machine/machine_kernel.hpp"
+#include "tests/bench/kernel/ahead_of_time.hpp"
+#include "tests/bench/kernel/batched.hpp"
+#include "tests/bench/kernel/rival.hpp"
 
 namespace regulus::bench {
 namespace {
@@ -85,11 +85,10 @@ class KernelBench {
       entries_.push_back({skipped_row(title, "this processor cannot run it", explanation), {}});
       return;
     }
-    codegen::CompileOptions options;
+    CompileOptions options;
     options.isa = isa;
     options.use_cache = false;
-    const auto& compiled =
-        compiled_.emplace_back(codegen::compile_kernel(codegen::select(module_), options));
+    const auto& compiled = compiled_.emplace_back(compile_kernel(select(module_), options));
     add_kernel(title, *compiled.kernel(), explanation);
   }
 
@@ -110,7 +109,7 @@ class KernelBench {
       entries_.push_back({skipped_row(title, "this processor cannot run it", explanation), {}});
       return;
     }
-    const auto& machine = machines_.emplace_back(codegen::select(module_), isa);
+    const auto& machine = machines_.emplace_back(select(module_), isa);
     add_kernel(title, *machine.get(), explanation);
   }
 
@@ -129,10 +128,10 @@ class KernelBench {
     add(std::move(row), [&rival] { rival.rival->pass(); });
   }
 
-  codegen::Module module_ = kernel_subject();
+  Module module_ = kernel_subject();
   Sample sample_ = make_sample(module_);
   std::vector<NamedRival> rivals_ = make_rivals(sample_);
-  std::deque<codegen::CompiledKernel> compiled_;
+  std::deque<CompiledKernel> compiled_;
   std::deque<machine::MachineKernel> machines_;
   std::deque<BatchedProduct> products_;
   std::vector<Entry> entries_;

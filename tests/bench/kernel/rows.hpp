@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "bench/report/row.hpp"
+#include "tests/bench/report/row.hpp"
 
 namespace regulus::bench {
 

@@ -1,18 +1,16 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "bench/kernel/straight_line.hpp"
+#include "tests/bench/kernel/straight_line.hpp"
 
 #include <fmt/format.h>
 
 #include <stdexcept>
 #include <vector>
 
-#include "regulus/codegen/emit/literal.hpp"
-#include "regulus/codegen/program/rational_bounds.hpp"
+#include "codegen/cpp/literal.hpp"
+#include "codegen/program/rational_bounds.hpp"
 
 namespace regulus::bench {
 namespace {
-
-using namespace codegen;
 
 /// What one node's value is called, or how a leaf is written.
 std::string operand(const Program& program, NodeId id) {

@@ -4,7 +4,7 @@
 
 #include <string>
 
-#include "regulus/codegen/program/program.hpp"
+#include "codegen/program/program.hpp"
 
 namespace regulus::bench {
 
@@ -14,7 +14,6 @@ namespace regulus::bench {
 ///
 /// Throws    std::invalid_argument for an operation that an arithmetic need not have:
 ///           straight_arithmetic.hpp has what there is.
-[[nodiscard]] std::string straight_line_text(const codegen::Program& program,
-                                             const std::string& name);
+[[nodiscard]] std::string straight_line_text(const Program& program, const std::string& name);
 
 }  // namespace regulus::bench

@@ -5,8 +5,8 @@
 #include <utility>
 #include <vector>
 
-#include "bench/kernel/rival.hpp"
 #include "left_product.hpp"
+#include "tests/bench/kernel/rival.hpp"
 
 namespace regulus::bench {
 

@@ -1,22 +1,20 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "bench/kernel/subject.hpp"
+#include "tests/bench/kernel/subject.hpp"
 
 #include <random>
 #include <stdexcept>
 
-#include "regulus/codegen/driver/pipeline.hpp"
-#include "regulus/codegen/pack/select.hpp"
-#include "regulus/codegen/symbolic/variety.hpp"
-#include "regulus/kernel/buffers.hpp"
-#include "regulus/machine/machine_kernel.hpp"
-#include "regulus/regularity/midpoint_inverse.hpp"
+#include "codegen/engine/pipeline.hpp"
+#include "codegen/formulation/variety.hpp"
+#include "codegen/pack/select.hpp"
+#include "runtime/kernel/buffers.hpp"
+#include "runtime/machine/machine_kernel.hpp"
+#include "runtime/regularity/midpoint_inverse.hpp"
 
 namespace regulus::bench {
 namespace {
 
-using namespace codegen;
-
-SearchSubject subject_of(Method method) {
+SearchSubject report_labels(Method method) {
   ModelOptions options;
   options.path = REGULUS_SOURCE_DIR "/models/robot_1.toml";
   options.motion = "wide_15";
@@ -54,13 +52,13 @@ PointRows matrix_at_midpoints(const regulus_kernel& kernel, const Interval* boxe
 }  // namespace
 
 Module kernel_subject() {
-  Module module = subject_of(Method::kKj).module;
+  Module module = report_labels(Method::kKj).module;
   std::erase_if(module.functions,
                 [](const Function& f) { return f.name != "matrix" && f.name != "left_product"; });
   return module;
 }
 
-SearchSubject search_subject() { return subject_of(Method::kAuto); }
+SearchSubject search_subject() { return report_labels(Method::kAuto); }
 
 const Program& left_product_of(const Module& module) {
   const Function* found = module.find("left_product");
@@ -69,7 +67,7 @@ const Program& left_product_of(const Module& module) {
 }
 
 Sample make_sample(const Module& module) {
-  const Variety variety = subject_of(Method::kKj).variety;
+  const Variety variety = report_labels(Method::kKj).variety;
   const machine::MachineKernel interpreted(select(module), best_isa());
   const regulus_kernel& kernel = *interpreted.get();
 

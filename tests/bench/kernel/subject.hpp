@@ -4,23 +4,23 @@
 
 #include <vector>
 
-#include "regulus/codegen/program/module.hpp"
-#include "regulus/codegen/symbolic/variety.hpp"
-#include "regulus/interval/interval.hpp"
-#include "regulus/kernel/abi.hpp"
+#include "codegen/formulation/variety.hpp"
+#include "codegen/program/module.hpp"
+#include "runtime/interval/interval.hpp"
+#include "runtime/kernel/abi.hpp"
 
 namespace regulus::bench {
 
 /// A and K·A, formed and rewritten as `regulus check --method kj` has them, and nothing else.
-[[nodiscard]] codegen::Module kernel_subject();
+[[nodiscard]] Module kernel_subject();
 
 /// K·A of a module. Everyone's code is made from this one program.
-[[nodiscard]] const codegen::Program& left_product_of(const codegen::Module& module);
+[[nodiscard]] const Program& left_product_of(const Module& module);
 
 /// A whole search, as `regulus check models/robot_1.toml wide_15` makes it.
 struct SearchSubject {
-  codegen::Module module;
-  codegen::Variety variety;
+  Module module;
+  Variety variety;
 };
 [[nodiscard]] SearchSubject search_subject();
 
@@ -38,6 +38,6 @@ struct Sample {
 };
 
 /// Parts of wide_15: each range whole, a half or a quarter, chosen at random from a fixed seed.
-[[nodiscard]] Sample make_sample(const codegen::Module& module);
+[[nodiscard]] Sample make_sample(const Module& module);
 
 }  // namespace regulus::bench

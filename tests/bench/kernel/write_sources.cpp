@@ -8,10 +8,10 @@
 #include <iostream>
 #include <sstream>
 
-#include "bench/kernel/straight_line.hpp"
-#include "bench/kernel/subject.hpp"
-#include "regulus/codegen/emit/emit.hpp"
-#include "regulus/kernel/isa.hpp"
+#include "codegen/cpp/emit.hpp"
+#include "runtime/kernel/isa.hpp"
+#include "tests/bench/kernel/straight_line.hpp"
+#include "tests/bench/kernel/subject.hpp"
 
 namespace regulus::bench {
 namespace {
@@ -27,17 +27,16 @@ void write(const std::filesystem::path& path, const std::string& text) {
 }
 
 void write_sources(const std::filesystem::path& directory) {
-  const codegen::Module module = kernel_subject();
+  const Module module = kernel_subject();
   write(directory / "left_product.hpp",
         straight_line_text(left_product_of(module), "left_product"));
-  codegen::EmitOptions search;
+  EmitOptions search;
   search.prefix = "bench_search";
-  write(directory / "search.cpp", codegen::emit(search_subject().module, search).source);
+  write(directory / "search.cpp", emit(search_subject().module, search).source);
   for (const Isa isa : kAllIsas) {
-    codegen::EmitOptions options;
+    EmitOptions options;
     options.prefix = "bench_" + std::string(name(isa));
-    write(directory / ("kernel_" + std::string(name(isa)) + ".cpp"),
-          codegen::emit(module, options).source);
+    write(directory / ("kernel_" + std::string(name(isa)) + ".cpp"), emit(module, options).source);
   }
 }
 

@@ -4,14 +4,14 @@
 #include <algorithm>
 #include <optional>
 
-#include "bench/kernel/subject.hpp"
-#include "bench/latency/rows.hpp"
-#include "regulus/codegen/driver/pipeline.hpp"
-#include "regulus/codegen/emit/emit.hpp"
-#include "regulus/codegen/jit/jit.hpp"
-#include "regulus/codegen/pack/select.hpp"
-#include "support/spawned_compiler.hpp"
-#include "support/temporary_directory.hpp"
+#include "codegen/cpp/emit.hpp"
+#include "codegen/engine/pipeline.hpp"
+#include "codegen/jit/jit.hpp"
+#include "codegen/pack/select.hpp"
+#include "tests/bench/kernel/subject.hpp"
+#include "tests/bench/latency/rows.hpp"
+#include "tests/support/spawned_compiler.hpp"
+#include "tests/support/temporary_directory.hpp"
 
 namespace regulus::bench {
 namespace {
@@ -21,16 +21,16 @@ namespace {
 struct Subject {
   const char* name;
   const char* explanation;
-  codegen::Module module;
+  Module module;
   std::optional<Target> target;
 };
 
-codegen::Module robot_1(const codegen::FormulationOptions& functions) {
-  codegen::ModelOptions options;
+Module robot_1(const FormulationOptions& functions) {
+  ModelOptions options;
   options.path = REGULUS_SOURCE_DIR "/models/robot_1.toml";
   options.motion = "wide_15";
-  const codegen::Request request = codegen::read_request(options);
-  return codegen::lower(codegen::formulate(request.model, request.motion, functions));
+  const Request request = read_request(options);
+  return lower(formulate(request.model, request.motion, functions));
 }
 
 std::vector<Subject> subjects() {
@@ -38,22 +38,19 @@ std::vector<Subject> subjects() {
   derivatives.entries = Entries::kDerivatives;
   return {{"values", "A and K·M, nothing else", kernel_subject(), ratio_at_least(15)},
           {"values and derivatives", "what `check --method kj` compiles",
-           robot_1(codegen::functions_needed(Method::kKj, derivatives)), ratio_at_least(4)},
-          {"second order",
-           "what `check` compiles",
-           robot_1(codegen::functions_needed(Method::kAuto)),
-           {}}};
+           robot_1(functions_needed(Method::kKj, derivatives)), ratio_at_least(4)},
+          {"second order", "what `check` compiles", robot_1(functions_needed(Method::kAuto)), {}}};
 }
 
 void add_rows(const Subject& subject, Section& section) {
   const test::TemporaryDirectory directory;
-  codegen::CompileOptions options;
+  CompileOptions options;
   options.isa = best_isa();
   options.use_cache = false;
-  const machine::PackKernel program = codegen::select(subject.module);
-  const codegen::EmittedKernel text = codegen::emit(subject.module);
+  const machine::PackKernel program = select(subject.module);
+  const EmittedKernel text = emit(subject.module);
   const Contender contenders[] = {
-      {"in process", 1, [&] { static_cast<void>(codegen::compile_kernel(program, options)); }},
+      {"in process", 1, [&] { static_cast<void>(compile_kernel(program, options)); }},
       {"spawned", 1, [&] {
          static_cast<void>(
              test::compile_with_spawned("g++", text.source, options.isa, directory.path()));
@@ -88,10 +85,10 @@ Section compile_rows() {
     return section;
   }
   // What the first compilation of a process takes more is in the rows of whole processes.
-  codegen::CompileOptions options;
+  CompileOptions options;
   options.isa = best_isa();
   options.use_cache = false;
-  static_cast<void>(codegen::rounding_self_test(options));
+  static_cast<void>(rounding_self_test(options));
   for (const Subject& subject : subjects()) add_rows(subject, section);
   return section;
 }

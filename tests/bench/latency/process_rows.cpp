@@ -3,9 +3,9 @@
 #include <string>
 #include <vector>
 
-#include "bench/latency/rows.hpp"
-#include "bench/measure/process.hpp"
-#include "support/temporary_directory.hpp"
+#include "tests/bench/latency/rows.hpp"
+#include "tests/bench/measure/process.hpp"
+#include "tests/support/temporary_directory.hpp"
 
 namespace regulus::bench {
 namespace {

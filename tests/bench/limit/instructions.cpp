@@ -1,20 +1,16 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "bench/limit/instructions.hpp"
+#include "tests/bench/limit/instructions.hpp"
 
 #include <fstream>
 #include <set>
 #include <sstream>
 
-#include "bench/measure/process.hpp"
-#include "support/temporary_directory.hpp"
+#include "tests/bench/measure/process.hpp"
+#include "tests/support/temporary_directory.hpp"
 
 namespace regulus::bench {
 namespace {
 
-using codegen::Node;
-using codegen::NodeId;
-using codegen::Op;
-using codegen::Program;
 
 bool is_exact_double(const Program& program, NodeId id) {
   const Op op = program.nodes[id].op;

@@ -7,17 +7,17 @@
 #include <string>
 #include <string_view>
 
-#include "regulus/codegen/program/program.hpp"
+#include "codegen/program/program.hpp"
 
 namespace regulus::bench {
 
 /// Operations on bounds that a program asks for: two for a sum, two for a product with an exact
 /// double; for a product of two intervals four products, of which two are selected by a minimum and
 /// a maximum. Elementary functions are not counted: they are calls.
-[[nodiscard]] std::size_t bound_operations(const codegen::Program& program);
+[[nodiscard]] std::size_t bound_operations(const Program& program);
 
 /// How many different angles a program takes the sine or the cosine of: one call each.
-[[nodiscard]] std::size_t sines_and_cosines(const codegen::Program& program);
+[[nodiscard]] std::size_t sines_and_cosines(const Program& program);
 
 /// Instructions on 512-bit registers, by what they do.
 struct VectorInstructions {

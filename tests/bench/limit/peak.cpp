@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // CMakeLists.txt has the flags of this file.
-#include "bench/limit/peak.hpp"
+#include "tests/bench/limit/peak.hpp"
 
 #include <cstddef>
 #include <utility>
 
-#include "regulus/kernel/simd.hpp"
+#include "runtime/kernel/simd.hpp"
 
 namespace regulus::bench {
 

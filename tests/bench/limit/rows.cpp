@@ -1,21 +1,21 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "bench/limit/rows.hpp"
+#include "tests/bench/limit/rows.hpp"
 
 #include <fmt/format.h>
 
 #include <optional>
 #include <vector>
 
-#include "bench/kernel/batched.hpp"
-#include "bench/kernel/subject.hpp"
-#include "bench/limit/instructions.hpp"
-#include "bench/limit/peak.hpp"
-#include "regulus/codegen/jit/jit.hpp"
-#include "regulus/codegen/jit/part.hpp"
-#include "regulus/codegen/jit/part_compiler.hpp"
-#include "regulus/codegen/pack/select.hpp"
-#include "regulus/interval/x8.hpp"
-#include "regulus/kernel/buffers.hpp"
+#include "codegen/jit/jit.hpp"
+#include "codegen/jit/part.hpp"
+#include "codegen/jit/part_compiler.hpp"
+#include "codegen/pack/select.hpp"
+#include "runtime/interval/x8.hpp"
+#include "runtime/kernel/buffers.hpp"
+#include "tests/bench/kernel/batched.hpp"
+#include "tests/bench/kernel/subject.hpp"
+#include "tests/bench/limit/instructions.hpp"
+#include "tests/bench/limit/peak.hpp"
 
 namespace regulus::bench {
 namespace {
@@ -59,7 +59,7 @@ Spread without(const Spread& ratio, const Spread& part) {
 /// As many sines and cosines of eight intervals as a batch takes.
 class SinesAndCosines {
  public:
-  SinesAndCosines(const codegen::Module& module, const Sample& sample)
+  SinesAndCosines(const Module& module, const Sample& sample)
       : count_(sines_and_cosines(left_product_of(module))), angles_(1), values_(2) {
     for (std::size_t lane = 0; lane < REGULUS_LANES; ++lane)
       angles_.set(0, lane, sample.boxes[(lane + 1) * sample.variables - 1]);
@@ -136,10 +136,10 @@ std::optional<std::string> listing_of(const machine::PackKernel& program) {
   std::vector<std::string> bytes;
   for (const machine::PackFunction& function : program.functions)
     for (std::size_t part = 0; part < function.part_ends.size(); ++part)
-      bytes.push_back(codegen::part_bytes(function, part));
+      bytes.push_back(part_bytes(function, part));
   const std::vector<std::string_view> parts(bytes.begin(), bytes.end());
   std::string listing;
-  for (const std::string& object : codegen::PartCompiler().compile(parts, Isa::kAvx512).objects) {
+  for (const std::string& object : PartCompiler().compile(parts, Isa::kAvx512).objects) {
     const std::optional<std::string> part = disassemble(object);
     if (!part) return std::nullopt;
     listing += *part;
@@ -156,13 +156,12 @@ Section limit_rows() {
     rows = {skipped_row("fraction of the peak", "this processor has no AVX-512", "")};
     return section;
   }
-  const codegen::Module module = kernel_subject();
+  const Module module = kernel_subject();
   const Sample sample = make_sample(module);
-  codegen::CompileOptions options;
+  CompileOptions options;
   options.isa = Isa::kAvx512;
   options.use_cache = false;
-  const codegen::CompiledKernel compiled =
-      codegen::compile_kernel(codegen::select(module), options);
+  const CompiledKernel compiled = compile_kernel(select(module), options);
   BatchedProduct product(*compiled.kernel(), sample);
   SinesAndCosines sines(module, sample);
   const std::vector<Timing> timings = time_all(product, sines);
@@ -172,7 +171,7 @@ Section limit_rows() {
       "2 for a sum, 2 for a product with a double, 4 and a minimum and a maximum "
       "for a product of intervals"));
 
-  if (const std::optional<std::string> listing = listing_of(codegen::select(module))) {
+  if (const std::optional<std::string> listing = listing_of(select(module))) {
     const VectorInstructions counts = count_instructions(*listing, "left_product");
     add_counts(counts, rows);
     add_fractions(counts, timings, rows);

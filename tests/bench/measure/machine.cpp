@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "bench/measure/machine.hpp"
+#include "tests/bench/measure/machine.hpp"
 
 #include <cstdlib>
 #include <fstream>
 #include <thread>
 
-#include "regulus/codegen/jit/clang_compiler.hpp"
+#include "codegen/jit/clang_compiler.hpp"
 
 namespace regulus::bench {
 namespace {
@@ -33,7 +33,7 @@ Machine this_machine() {
 #else
   machine.compiler = "g++ " __VERSION__;
 #endif
-  const std::string identity = codegen::ClangCompiler().identity();
+  const std::string identity = ClangCompiler().identity();
   machine.in_process = identity.substr(0, identity.find_first_of(";,\n("));
   return machine;
 }

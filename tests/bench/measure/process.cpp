@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "bench/measure/process.hpp"
+#include "tests/bench/measure/process.hpp"
 
 #include <fcntl.h>
 #include <spawn.h>
@@ -9,7 +9,7 @@
 #include <array>
 #include <stdexcept>
 
-#include "bench/measure/clocks.hpp"
+#include "tests/bench/measure/clocks.hpp"
 
 namespace regulus::bench {
 namespace {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "bench/measure/rounds.hpp"
+#include "tests/bench/measure/rounds.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -11,7 +11,7 @@
 #include <string>
 #include <vector>
 
-#include "bench/measure/clocks.hpp"
+#include "tests/bench/measure/clocks.hpp"
 
 namespace regulus::bench {
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <nlohmann/json.hpp>
 
-#include "bench/report/writers.hpp"
+#include "tests/bench/report/writers.hpp"
 
 namespace regulus::bench {
 namespace {

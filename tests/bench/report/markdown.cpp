@@ -3,7 +3,7 @@
 
 #include <cmath>
 
-#include "bench/report/writers.hpp"
+#include "tests/bench/report/writers.hpp"
 
 namespace regulus::bench {
 namespace {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "bench/report/row.hpp"
+#include "tests/bench/report/row.hpp"
 
 namespace regulus::bench {
 

@@ -6,8 +6,8 @@
 #include <string>
 #include <vector>
 
-#include "bench/measure/machine.hpp"
-#include "bench/measure/rounds.hpp"
+#include "tests/bench/measure/machine.hpp"
+#include "tests/bench/measure/rounds.hpp"
 
 namespace regulus::bench {
 

@@ -3,7 +3,7 @@
 
 #include <string>
 
-#include "bench/report/row.hpp"
+#include "tests/bench/report/row.hpp"
 
 namespace regulus::bench {
 

@@ -1,19 +1,19 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "bench/search/prepared.hpp"
+#include "tests/bench/search/prepared.hpp"
 
 #include <fmt/format.h>
 
 #include <stdexcept>
 #include <string_view>
 
-#include "regulus/codegen/driver/settings.hpp"
-#include "regulus/search/solver.hpp"
+#include "codegen/engine/settings.hpp"
+#include "runtime/search/solver.hpp"
 
 namespace regulus::bench {
 namespace {
 
-codegen::ModelOptions model_of(const SearchCase& which) {
-  codegen::ModelOptions options;
+ModelOptions model_of(const SearchCase& which) {
+  ModelOptions options;
   options.path = std::string_view(which.model).ends_with(".toml")
                      ? which.model
                      : fmt::format("{}/models/{}.toml", REGULUS_SOURCE_DIR, which.model);
@@ -25,13 +25,12 @@ codegen::ModelOptions model_of(const SearchCase& which) {
 
 }  // namespace
 
-PreparedSearch::PreparedSearch(const SearchCase& which, const codegen::SearchOptions& options)
-    : preparation_(codegen::prepare(model_of(which), options)),
-      settings_(codegen::settings_from(options)) {}
+TimedSearch::TimedSearch(const SearchCase& which, const SearchOptions& options)
+    : preparation_(prepare(model_of(which), options)), settings_(settings_from(options)) {}
 
-void PreparedSearch::run() { result_ = solve(preparation_.problem(), settings_); }
+void TimedSearch::run() { result_ = solve(preparation_.problem(), settings_); }
 
-const Statistics& PreparedSearch::statistics() const {
+const Statistics& TimedSearch::statistics() const {
   if (result_.verdict != Verdict::kNoSingularity)
     throw std::logic_error(fmt::format("no proof: {}", describe(result_.reason)));
   return result_.statistics;

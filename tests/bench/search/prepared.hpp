@@ -4,10 +4,10 @@
 #include <memory>
 #include <string>
 
-#include "bench/measure/rounds.hpp"
-#include "regulus/codegen/driver/options.hpp"
-#include "regulus/codegen/driver/pipeline.hpp"
-#include "regulus/search/result.hpp"
+#include "codegen/engine/options.hpp"
+#include "codegen/engine/pipeline.hpp"
+#include "runtime/problem/result.hpp"
+#include "tests/bench/measure/rounds.hpp"
 
 namespace regulus::bench {
 
@@ -21,9 +21,9 @@ struct SearchCase {
 };
 
 /// A search that only has to be started: the kernel is compiled.
-class PreparedSearch {
+class TimedSearch {
  public:
-  PreparedSearch(const SearchCase& which, const codegen::SearchOptions& options);
+  TimedSearch(const SearchCase& which, const SearchOptions& options);
 
   Settings& settings() noexcept { return settings_; }
   void run();
@@ -33,7 +33,7 @@ class PreparedSearch {
   [[nodiscard]] const Statistics& statistics() const;
 
  private:
-  codegen::Preparation preparation_;
+  PreparedSearch preparation_;
   Settings settings_;
   Result result_;
 };

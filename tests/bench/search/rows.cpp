@@ -1,12 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "bench/search/rows.hpp"
+#include "tests/bench/search/rows.hpp"
 
 #include <fmt/format.h>
 
 #include <deque>
 #include <optional>
 
-#include "bench/search/prepared.hpp"
+#include "codegen/engine/choices.hpp"
+#include "tests/bench/search/prepared.hpp"
 
 namespace regulus::bench {
 namespace {
@@ -24,9 +25,9 @@ std::string count_of(std::uint64_t boxes) {
 class SearchComparison {
  public:
   void add(std::string name, std::string explanation, const SearchCase& which,
-           const codegen::SearchOptions& options, unsigned batch = REGULUS_LANES,
+           const SearchOptions& options, unsigned batch = REGULUS_LANES,
            std::optional<Target> target = std::nullopt) {
-    PreparedSearch& search = searches_.emplace_back(which, options);
+    TimedSearch& search = searches_.emplace_back(which, options);
     search.settings().batch = batch;
     search.run();
     static_cast<void>(search.statistics());
@@ -59,21 +60,21 @@ class SearchComparison {
   }
 
  private:
-  std::deque<PreparedSearch> searches_;
+  std::deque<TimedSearch> searches_;
   std::vector<Row> rows_, skipped_;
   std::vector<Contender> contenders_;
 };
 
 /// One thread, whose processor time is what is measured.
-codegen::SearchOptions alone() {
-  codegen::SearchOptions options;
+SearchOptions alone() {
+  SearchOptions options;
   options.threads = 1;
   return options;
 }
 
-codegen::SearchOptions on(Isa isa) {
-  codegen::SearchOptions options = alone();
-  options.isa = name(isa);
+SearchOptions on(Isa isa) {
+  SearchOptions options = alone();
+  options.isa = isa;
   return options;
 }
 
@@ -142,9 +143,8 @@ Section engine_rows() {
       if (!supported(isa)) continue;
       SearchComparison comparison;
       for (const auto& [engine, title] :
-           {std::pair{codegen::Engine::kJit, "compiled"},
-            std::pair{codegen::Engine::kInterpreted, "interpreted"}}) {
-        codegen::SearchOptions options = on(isa);
+           {std::pair{Engine::kJit, "compiled"}, std::pair{Engine::kInterpreted, "interpreted"}}) {
+        SearchOptions options = on(isa);
         options.engine = engine;
         comparison.add(fmt::format("{}, {}, {}", which.title, name(isa), title), "search alone",
                        which, options);
@@ -168,8 +168,8 @@ Section product_rows() {
   for (const SearchCase& which : kBoth) {
     SearchComparison comparison;
     for (const char* method : {"kj", "kj-numeric", "auto"}) {
-      codegen::SearchOptions options = alone();
-      options.method = method;
+      SearchOptions options = alone();
+      options.method = choice_of<Method>("--method", method);
       comparison.add(fmt::format("{}, {}", which.title, method),
                      fmt::format("`--method {}`", method), which, options);
     }
@@ -184,9 +184,9 @@ Section thread_rows() {
                   "Time on the wall, and processor time, of a search of more than 100 000 boxes. "
                   "The ratio is to one thread: below 1 is sooner.",
                   {}};
-  codegen::SearchOptions options = alone();
+  SearchOptions options = alone();
   options.without = {"moving"};
-  PreparedSearch search({"", "robot_1", "wide_15", "0.115"}, options);
+  TimedSearch search({"", "robot_1", "wide_15", "0.115"}, options);
   const auto with_threads = [&](unsigned threads) {
     search.settings().threads = threads;
     search.run();

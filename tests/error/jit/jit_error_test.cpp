@@ -4,13 +4,13 @@
 
 #include <fstream>
 
-#include "regulus/codegen/jit/clang_compiler.hpp"
-#include "regulus/codegen/jit/jit.hpp"
-#include "regulus/codegen/jit/kernel_compilation.hpp"
-#include "regulus/codegen/jit/object_cache.hpp"
-#include "support/temporary_directory.hpp"
+#include "codegen/jit/cache/object_cache.hpp"
+#include "codegen/jit/clang_compiler.hpp"
+#include "codegen/jit/jit.hpp"
+#include "codegen/jit/kernel_compilation.hpp"
+#include "tests/support/temporary_directory.hpp"
 
-namespace regulus::codegen {
+namespace regulus {
 namespace {
 
 using testing::HasSubstr;
@@ -76,7 +76,7 @@ TEST(JitError, AKernelOfAnotherAbiIsRefused) {
   EmittedKernel kernel;
   kernel.symbol = "old_kernel";
   kernel.source =
-      "#include \"regulus/kernel/abi.hpp\"\n"
+      "#include \"runtime/kernel/abi.hpp\"\n"
       "extern \"C\" { extern const regulus_kernel old_kernel;\n"
       "const regulus_kernel old_kernel = {REGULUS_KERNEL_ABI + 1}; }\n";
   EXPECT_THROW((void)compile_kernel(kernel, kNoCache), CompileError);
@@ -144,4 +144,4 @@ TEST_F(BadCacheTest, ADirectoryThatIsNotSafeIsNotUsed) {
 }
 
 }  // namespace
-}  // namespace regulus::codegen
+}  // namespace regulus

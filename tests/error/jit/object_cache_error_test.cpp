@@ -9,10 +9,10 @@
 #include <fstream>
 #include <iterator>
 
-#include "regulus/codegen/jit/object_cache.hpp"
-#include "support/temporary_directory.hpp"
+#include "codegen/jit/cache/object_cache.hpp"
+#include "tests/support/temporary_directory.hpp"
 
-namespace regulus::codegen {
+namespace regulus {
 namespace {
 
 using testing::HasSubstr;
@@ -162,4 +162,4 @@ TEST_F(ObjectCacheErrorTest, SaysWhenAnObjectIsLargerThanTheCache) {
 }
 
 }  // namespace
-}  // namespace regulus::codegen
+}  // namespace regulus

@@ -2,10 +2,10 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "regulus/codegen/jit/object_loader.hpp"
-#include "support/elf_builder.hpp"
+#include "codegen/jit/loader/object_loader.hpp"
+#include "tests/support/elf_builder.hpp"
 
-namespace regulus::codegen {
+namespace regulus {
 namespace {
 
 using test::ElfBuilder;
@@ -191,4 +191,4 @@ TEST(ObjectLoaderError, RefusesThreadLocalAndIndirectSymbols) {
 }
 
 }  // namespace
-}  // namespace regulus::codegen
+}  // namespace regulus

@@ -2,10 +2,10 @@
 // What must be refused in an expression, wherever it stands.
 #include <chrono>
 
-#include "error/model/refusal.hpp"
-#include "regulus/codegen/model/expression_parser.hpp"
+#include "codegen/model/expression_parser.hpp"
+#include "tests/error/model/refusal.hpp"
 
-namespace regulus::codegen {
+namespace regulus {
 namespace {
 
 using test::expect_refused;
@@ -275,4 +275,4 @@ TEST(ExpressionRefusal, ChainDeeperThanTheStackShouldGo) {
 }
 
 }  // namespace
-}  // namespace regulus::codegen
+}  // namespace regulus

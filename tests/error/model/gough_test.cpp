@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "error/model/refusal.hpp"
+#include "tests/error/model/refusal.hpp"
 
-namespace regulus::codegen {
+namespace regulus {
 namespace {
 
 using test::expect_refused;
@@ -70,4 +70,4 @@ TEST(GoughRefusal, MotionInTheWrongAngles) {
 }
 
 }  // namespace
-}  // namespace regulus::codegen
+}  // namespace regulus

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "error/model/refusal.hpp"
+#include "tests/error/model/refusal.hpp"
 
-namespace regulus::codegen {
+namespace regulus {
 namespace {
 
 using test::expect_refused;
@@ -270,4 +270,4 @@ TEST(ModelRefusal, DirectoryIsAFileError) {
 }
 
 }  // namespace
-}  // namespace regulus::codegen
+}  // namespace regulus

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "error/model/refusal.hpp"
+#include "tests/error/model/refusal.hpp"
 
-namespace regulus::codegen {
+namespace regulus {
 namespace {
 
 using test::expect_refused_change;
@@ -141,4 +141,4 @@ TEST(MotionRefusal, ConstraintOnAnUndeclaredName) {
 }
 
 }  // namespace
-}  // namespace regulus::codegen
+}  // namespace regulus

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Numbers are exact or refused, and so is TOML that would exhaust the stack of its parser.
-#include "error/model/refusal.hpp"
-#include "regulus/codegen/model/toml_limits.hpp"
+#include "codegen/model/toml_limits.hpp"
+#include "tests/error/model/refusal.hpp"
 
-namespace regulus::codegen {
+namespace regulus {
 namespace {
 
 using test::changed;
@@ -127,4 +127,4 @@ TEST(TomlLimits, CountNothingInStringsCommentsAndNumbers) {
 }
 
 }  // namespace
-}  // namespace regulus::codegen
+}  // namespace regulus

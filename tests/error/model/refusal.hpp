@@ -6,11 +6,11 @@
 
 #include <string>
 
-#include "regulus/codegen/model/errors.hpp"
-#include "regulus/codegen/model/model_file.hpp"
-#include "support/example_model.hpp"
+#include "codegen/model/model_file.hpp"
+#include "codegen/support/errors.hpp"
+#include "tests/support/example_model.hpp"
 
-namespace regulus::codegen::test {
+namespace regulus::test {
 
 /// Expects that the model is refused at that line, with messages that contain the given words.
 inline void expect_refused(const std::string& text, int line, const std::string& found,
@@ -41,4 +41,4 @@ inline void expect_refused_gough(const std::string& from, const std::string& to,
   expect_refused(changed(kExampleGough, from, to), line, found, expected);
 }
 
-}  // namespace regulus::codegen::test
+}  // namespace regulus::test

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "regulus/codegen/program/module_check.hpp"
+#include "codegen/program/module_check.hpp"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include <stdexcept>
 
-namespace regulus::codegen {
+namespace regulus {
 namespace {
 
 Module good_module() {
@@ -93,4 +93,4 @@ TEST(CheckModule, RefusesAnOutputThatIsNoNode) {
 }
 
 }  // namespace
-}  // namespace regulus::codegen
+}  // namespace regulus

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Pipes that nobody writes, folders, and files without an end.
-#include "regulus/certificate/verifier/input_file.hpp"
+#include "runtime/certificate/verifier/input_file.hpp"
 
 #include <fcntl.h>
 #include <gtest/gtest.h>
@@ -11,8 +11,8 @@
 #include <cstdlib>
 #include <fstream>
 
-#include "support/certificate_texts.hpp"
-#include "support/temporary_directory.hpp"
+#include "tests/support/certificate_texts.hpp"
+#include "tests/support/temporary_directory.hpp"
 
 namespace regulus::test {
 namespace {

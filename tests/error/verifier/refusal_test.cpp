@@ -2,8 +2,8 @@
 // What is not a certificate is rejected with its line and a reason.
 #include <gtest/gtest.h>
 
-#include "regulus/certificate/format.hpp"
-#include "support/certificate_texts.hpp"
+#include "runtime/certificate/format.hpp"
+#include "tests/support/certificate_texts.hpp"
 
 namespace regulus::test {
 namespace {

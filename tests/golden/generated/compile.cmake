@@ -4,9 +4,9 @@
 # tested, and the small one shows that it can be compiled, too.
 cmake_minimum_required(VERSION 3.25)
 file(REMOVE_RECURSE ${WORK_DIR})
-file(MAKE_DIRECTORY ${WORK_DIR}/regulus)
+file(MAKE_DIRECTORY ${WORK_DIR}/include/runtime)
 foreach(layer IN ITEMS interval kernel regularity search embedded)
-  file(CREATE_LINK ${SOURCE_DIR}/runtime/${layer} ${WORK_DIR}/regulus/${layer} SYMBOLIC)
+  file(CREATE_LINK ${SOURCE_DIR}/runtime/${layer} ${WORK_DIR}/include/runtime/${layer} SYMBOLIC)
 endforeach()
 include(${SOURCE_DIR}/cmake/FloatingPoint.cmake)
 include(${SOURCE_DIR}/cmake/InstructionSets.cmake)
@@ -14,7 +14,7 @@ set(warnings -Wall -Wextra -Wpedantic -Wshadow -Werror)
 
 # compile(SOURCE FLAGS...)
 function(compile source)
-  execute_process(COMMAND ${COMPILER} ${ARGN} ${warnings} -I${WORK_DIR} -c ${source} -o ${WORK_DIR}/object.o
+  execute_process(COMMAND ${COMPILER} ${ARGN} ${warnings} -I${WORK_DIR}/include -c ${source} -o ${WORK_DIR}/object.o
                   ERROR_VARIABLE errors RESULT_VARIABLE failed)
   if(failed)
     string(SUBSTRING "${errors}" 0 4000 errors)

@@ -2,7 +2,8 @@
 // What is left out, and of which problems.
 #pragma once
 
-#include "paper/tables/run_cell.hpp"
+#include "codegen/engine/choices.hpp"
+#include "tests/paper/tables/run_cell.hpp"
 
 namespace regulus::test {
 
@@ -37,11 +38,11 @@ struct Ablation {
   std::string bisect = "impact";
   std::string method = "auto";
 
-  [[nodiscard]] codegen::SearchOptions options(double limit) const {
-    codegen::SearchOptions search;
+  [[nodiscard]] SearchOptions options(double limit) const {
+    SearchOptions search;
     search.without = without;
-    search.bisect = bisect;
-    search.method = method;
+    search.bisection = choice_of<Bisection>("--bisect", bisect);
+    search.method = choice_of<Method>("--method", method);
     search.time_limit = limit;
     return search;
   }

@@ -4,16 +4,16 @@
 #include <cstdlib>
 #include <iostream>
 
-#include "paper/tables/ablation.hpp"
-#include "paper/tables/words.hpp"
-#include "regulus/codegen/driver/ingredients.hpp"
+#include "codegen/engine/ingredients.hpp"
+#include "tests/paper/tables/ablation.hpp"
+#include "tests/paper/tables/words.hpp"
 
 namespace regulus::test {
 namespace {
 
 std::vector<Ablation> ablations() {
   std::vector<Ablation> list = {{}};
-  for (const std::string& name : codegen::ingredient_names()) list.push_back({{name}});
+  for (const std::string& name : ingredient_names()) list.push_back({{name}});
   list.push_back({{"second-order", "mean-value"}});
   list.push_back({{"midpoints", "corners", "descents"}});
   list.push_back({{}, "weighted"});

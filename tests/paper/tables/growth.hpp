@@ -8,7 +8,7 @@
 #include <optional>
 #include <span>
 
-#include "paper/tables/run_cell.hpp"
+#include "tests/paper/tables/run_cell.hpp"
 
 namespace regulus::test {
 

@@ -7,9 +7,9 @@
 #include <iostream>
 #include <vector>
 
-#include "paper/tables/growth.hpp"
-#include "paper/tables/words.hpp"
-#include "regulus/codegen/driver/gnuplot.hpp"
+#include "codegen/report/gnuplot.hpp"
+#include "tests/paper/tables/growth.hpp"
+#include "tests/paper/tables/words.hpp"
 
 namespace regulus::test {
 namespace {
@@ -33,7 +33,7 @@ bool finished(const Cell& cell) { return cell && cell->reason == Reason::kAllBox
 std::vector<Row> run(const Series& series, double limit) {
   std::vector<Row> rows(series.steps.size());
   for (std::size_t c = 0; c < kColumns.size(); ++c) {
-    codegen::SearchOptions search;
+    SearchOptions search;
     search.without = kColumns[c].without;
     search.time_limit = limit;
     for (std::size_t r = 0; r < rows.size(); ++r) {
@@ -69,7 +69,7 @@ std::string words(const Cell& cell, double limit) {
   return fmt::format("{}, {:.2g}{}", count(s.boxes), s.seconds, verdict);
 }
 
-std::string exponent_words(std::span<const GrowthPoint> points) {
+std::string describe_exponent(std::span<const GrowthPoint> points) {
   const std::optional<double> p = exponent(points);
   return p ? fmt::format("{:.2f}", *p) : "–";
 }
@@ -81,9 +81,9 @@ void print_exponents(const Series& series, const std::vector<Row>& rows) {
   for (std::size_t c = 0; c < kColumns.size(); ++c) {
     const std::vector<GrowthPoint> all = points(series, rows, c);
     const std::span<const GrowthPoint> some(all);
-    of_first += fmt::format(" {} |", exponent_words(some.first(shared)));
+    of_first += fmt::format(" {} |", describe_exponent(some.first(shared)));
     of_last +=
-        fmt::format(" {} |", exponent_words(some.last(std::min<std::size_t>(3, some.size()))));
+        fmt::format(" {} |", describe_exponent(some.last(std::min<std::size_t>(3, some.size()))));
   }
   std::cout << of_first << '\n' << of_last << '\n';
 }
@@ -184,5 +184,5 @@ int main(int argc, char** argv) {
     std::cout.flush();
     panels.push_back(panel(series, rows, panels.size()));
   }
-  regulus::codegen::Gnuplot(argv[1]).draw(picture(panels));
+  regulus::Gnuplot(argv[1]).draw(picture(panels));
 }

@@ -6,8 +6,8 @@
 #include <cstdlib>
 #include <iostream>
 
-#include "paper/tables/run_cell.hpp"
-#include "paper/tables/words.hpp"
+#include "tests/paper/tables/run_cell.hpp"
+#include "tests/paper/tables/words.hpp"
 
 namespace regulus::test {
 namespace {

@@ -6,7 +6,7 @@
 #include <cstdint>
 #include <span>
 
-#include "regulus/search/result.hpp"
+#include "runtime/problem/result.hpp"
 
 namespace regulus::test {
 

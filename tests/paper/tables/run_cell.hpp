@@ -5,10 +5,11 @@
 #include <ctime>
 #include <string>
 
-#include "paper/tables/paper_tables.hpp"
-#include "regulus/codegen/driver/pipeline.hpp"
-#include "regulus/codegen/driver/settings.hpp"
-#include "regulus/search/solver.hpp"
+#include "codegen/engine/choices.hpp"
+#include "codegen/engine/pipeline.hpp"
+#include "codegen/engine/settings.hpp"
+#include "runtime/search/solver.hpp"
+#include "tests/paper/tables/paper_tables.hpp"
 
 namespace regulus::test {
 
@@ -20,13 +21,13 @@ struct Question {
   std::vector<std::string> tolerances = {};
   std::string alpha = {};
 
-  [[nodiscard]] codegen::ModelOptions options() const {
+  [[nodiscard]] ModelOptions options() const {
     return {REGULUS_SOURCE_DIR "/" + model, motion, ranges, tolerances, alpha};
   }
 };
 
 /// A search in processor time, which depends less on what else the machine does.
-inline Result timed(const codegen::Preparation& preparation, const Settings& settings) {
+inline Result timed(const PreparedSearch& preparation, const Settings& settings) {
   const std::clock_t start = std::clock();
   Result result = solve(preparation.problem(), settings);
   result.statistics.seconds = static_cast<double>(std::clock() - start) / CLOCKS_PER_SEC;
@@ -34,7 +35,7 @@ inline Result timed(const codegen::Preparation& preparation, const Settings& set
 }
 
 /// The quickest of several: three, and more while they take little together.
-inline Result quickest(const codegen::Preparation& preparation, const Settings& settings) {
+inline Result quickest(const PreparedSearch& preparation, const Settings& settings) {
   constexpr double kLittle = 0.05, kMuch = 0.2;
   Result best = timed(preparation, settings);
   if (best.stopped_by) return best;
@@ -48,8 +49,8 @@ inline Result quickest(const codegen::Preparation& preparation, const Settings& 
 }
 
 /// search.time_limit is that of a search.
-inline Result run(const Question& question, const codegen::SearchOptions& search) {
-  return quickest(codegen::prepare(question.options(), search), codegen::settings_from(search));
+inline Result run(const Question& question, const SearchOptions& search) {
+  return quickest(prepare(question.options(), search), settings_from(search));
 }
 
 /// At most `seconds` of search, 0: no limit.
@@ -57,12 +58,12 @@ inline Result run(const PaperTable& table, const PaperCell& cell, double seconds
   Question question{std::string("models/") + table.model + ".toml", cell.motion};
   if (*cell.tolerance != '\0')
     question.tolerances.push_back(std::string("base,platform=") + cell.tolerance);
-  codegen::SearchOptions search;
-  search.method = cell.method;
-  search.uncertainty = cell.uncertainty;
+  SearchOptions search;
+  search.method = choice_of<Method>("--method", cell.method);
+  search.uncertainty = choice_of<Uncertainty>("--uncertainty", cell.uncertainty);
   search.time_limit = seconds;
-  const codegen::Preparation preparation = codegen::prepare(question.options(), search);
-  return solve(preparation.problem(), codegen::settings_from(search));
+  const PreparedSearch preparation = prepare(question.options(), search);
+  return solve(preparation.problem(), settings_from(search));
 }
 
 }  // namespace regulus::test

@@ -7,7 +7,7 @@
 #include <cstdint>
 #include <string>
 
-#include "regulus/search/result.hpp"
+#include "runtime/problem/result.hpp"
 
 namespace regulus::test {
 

@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // + − · / sqr √ against MPFR, on a million pairs each: the bounds are not only outside but tight.
-#include "regulus/interval/arithmetic.hpp"
+#include "runtime/interval/arithmetic.hpp"
 
 #include <gtest/gtest.h>
 
-#include "property/interval/interval_printing.hpp"
-#include "support/corner_inputs.hpp"
-#include "support/mpfr_bounds.hpp"
-#include "support/ulps.hpp"
+#include "tests/property/interval/interval_printing.hpp"
+#include "tests/support/corner_inputs.hpp"
+#include "tests/support/mpfr_bounds.hpp"
+#include "tests/support/ulps.hpp"
 
 namespace regulus::test {
 namespace {

@@ -2,11 +2,11 @@
 // atan2 on doubles and on rectangles, against Arb; eight at a time against one at a time.
 #include <gtest/gtest.h>
 
-#include "property/interval/eight_lanes.hpp"
-#include "regulus/interval/elementary.hpp"
-#include "support/arb_oracle.hpp"
-#include "support/corner_inputs.hpp"
-#include "support/ulps.hpp"
+#include "runtime/interval/elementary.hpp"
+#include "tests/property/interval/eight_lanes.hpp"
+#include "tests/support/arb_oracle.hpp"
+#include "tests/support/corner_inputs.hpp"
+#include "tests/support/ulps.hpp"
 
 namespace regulus::test {
 namespace {

@@ -8,8 +8,8 @@
 #include <array>
 #include <ostream>
 
-#include "property/interval/interval_printing.hpp"
-#include "regulus/interval/x8_backend.hpp"
+#include "runtime/interval/x8_backend.hpp"
+#include "tests/property/interval/interval_printing.hpp"
 
 namespace regulus::test {
 

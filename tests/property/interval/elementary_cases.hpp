@@ -6,10 +6,10 @@
 #include <string>
 #include <vector>
 
-#include "regulus/interval/elementary.hpp"
-#include "regulus/interval/x8_backend.hpp"
-#include "support/arb_oracle.hpp"
-#include "support/corner_inputs.hpp"
+#include "runtime/interval/elementary.hpp"
+#include "runtime/interval/x8_backend.hpp"
+#include "tests/support/arb_oracle.hpp"
+#include "tests/support/corner_inputs.hpp"
 
 namespace regulus::test {
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The elementary functions on eight million doubles and on a million intervals.
-#include "property/interval/elementary_suite.hpp"
+#include "tests/property/interval/elementary_suite.hpp"
 
 namespace regulus::test {
 namespace {

@@ -5,9 +5,9 @@
 
 #include <gtest/gtest.h>
 
-#include "property/interval/eight_lanes.hpp"
-#include "property/interval/elementary_cases.hpp"
-#include "support/ulps.hpp"
+#include "tests/property/interval/eight_lanes.hpp"
+#include "tests/property/interval/elementary_cases.hpp"
+#include "tests/support/ulps.hpp"
 
 namespace regulus::test {
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The elementary functions on a million doubles and on intervals.
-#include "property/interval/elementary_suite.hpp"
+#include "tests/property/interval/elementary_suite.hpp"
 
 namespace regulus::test {
 namespace {

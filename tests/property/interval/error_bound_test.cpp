@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Proves the error bounds claimed beside the evaluators of regulus/interval/elementary/, by running
+// Proves the error bounds claimed beside the evaluators of runtime/interval/elementary/, by running
 // their own code on pieces that together hold every reduced argument.
 //
 // A result is known before its last rounding up to `carried` (what rounding did, tracked.hpp) plus
@@ -12,12 +12,12 @@
 #include <functional>
 #include <vector>
 
-#include "property/interval/tracked.hpp"
-#include "regulus/interval/elementary/arcsine.hpp"
-#include "regulus/interval/elementary/arctangent.hpp"
-#include "regulus/interval/elementary/exponential.hpp"
-#include "regulus/interval/elementary/trigonometric.hpp"
-#include "support/polynomial_error.hpp"
+#include "runtime/interval/elementary/arcsine.hpp"
+#include "runtime/interval/elementary/arctangent.hpp"
+#include "runtime/interval/elementary/exponential.hpp"
+#include "runtime/interval/elementary/trigonometric.hpp"
+#include "tests/property/interval/tracked.hpp"
+#include "tests/support/polynomial_error.hpp"
 
 namespace regulus::test {
 namespace {

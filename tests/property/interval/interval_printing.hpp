@@ -4,7 +4,7 @@
 
 #include <ostream>
 
-#include "regulus/interval/type.hpp"
+#include "runtime/interval/type.hpp"
 
 namespace regulus {
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What reduce and quotient of regulus/interval/elementary/trigonometric.hpp promise the evaluators,
+// What reduce and quotient of runtime/interval/elementary/trigonometric.hpp promise the evaluators,
 // measured against Arb.
 #include <arb.h>
 #include <gtest/gtest.h>
@@ -7,8 +7,8 @@
 #include <bit>
 #include <cmath>
 
-#include "regulus/interval/elementary/trigonometric.hpp"
-#include "support/corner_inputs.hpp"
+#include "runtime/interval/elementary/trigonometric.hpp"
+#include "tests/support/corner_inputs.hpp"
 
 namespace regulus::test {
 namespace {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// A number type that runs an evaluator of regulus/interval/elementary/ on all the doubles of an
+// A number type that runs an evaluator of runtime/interval/elementary/ on all the doubles of an
 // interval at once and bounds what rounding can do, as the tool Gappa does.
 #pragma once
 
@@ -7,8 +7,8 @@
 #include <cstdint>
 #include <stdexcept>
 
-#include "regulus/interval/arithmetic.hpp"
-#include "regulus/interval/elementary/exact.hpp"
+#include "runtime/interval/arithmetic.hpp"
+#include "runtime/interval/elementary/exact.hpp"
 
 namespace regulus::test {
 

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "regulus/codegen/jit/cache_entry.hpp"
+#include "codegen/jit/cache/cache_entry.hpp"
 
 #include <gtest/gtest.h>
 
-namespace regulus::codegen {
+namespace regulus {
 namespace {
 
 const std::string kKey(64, 'a');
@@ -38,4 +38,4 @@ TEST(CacheEntry, DoesNotOpenWithBytesMissingOrAdded) {
 }
 
 }  // namespace
-}  // namespace regulus::codegen
+}  // namespace regulus

@@ -11,14 +11,14 @@
 #include <cstring>
 #include <random>
 
-#include "regulus/codegen/jit/jit.hpp"
-#include "regulus/kernel/buffers.hpp"
-#include "regulus/kernel/call.hpp"
-#include "support/random_kernel_text.hpp"
-#include "support/spawned_compiler.hpp"
-#include "support/temporary_directory.hpp"
+#include "codegen/jit/jit.hpp"
+#include "runtime/kernel/buffers.hpp"
+#include "runtime/kernel/call.hpp"
+#include "tests/support/random_kernel_text.hpp"
+#include "tests/support/spawned_compiler.hpp"
+#include "tests/support/temporary_directory.hpp"
 
-namespace regulus::codegen {
+namespace regulus {
 namespace {
 
 constexpr int kRounds = 200;
@@ -154,4 +154,4 @@ TEST(CompileLatency, IsPrintedForAKernelOfRealisticSize) {
 }
 
 }  // namespace
-}  // namespace regulus::codegen
+}  // namespace regulus

@@ -9,13 +9,13 @@
 #include <string>
 #include <vector>
 
-#include "regulus/codegen/jit/clang_compiler.hpp"
-#include "regulus/codegen/jit/kernel_compilation.hpp"
-#include "regulus/codegen/jit/object_loader.hpp"
-#include "support/elf_builder.hpp"
-#include "support/random_kernel_text.hpp"
+#include "codegen/jit/clang_compiler.hpp"
+#include "codegen/jit/kernel_compilation.hpp"
+#include "codegen/jit/loader/object_loader.hpp"
+#include "tests/support/elf_builder.hpp"
+#include "tests/support/random_kernel_text.hpp"
 
-namespace regulus::codegen {
+namespace regulus {
 namespace {
 
 std::string sound_object() {
@@ -136,4 +136,4 @@ TEST(ObjectMutation, NoiseIsRefused) {
 }
 
 }  // namespace
-}  // namespace regulus::codegen
+}  // namespace regulus

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // A pack program gives the same bounds, bit for bit, as machine code of its parts, on the vector
 // machine, and as C++ text compiled by Clang in process.
-#include "property/emit/compiled_kernels.hpp"
-#include "regulus/codegen/jit/jit.hpp"
-#include "regulus/machine/self_test_kernel.hpp"
+#include "codegen/jit/jit.hpp"
+#include "runtime/machine/self_test_kernel.hpp"
+#include "tests/property/cpp/compiled_kernels.hpp"
 
-namespace regulus::codegen {
+namespace regulus {
 namespace {
 
 using test::Answer;
@@ -99,4 +99,4 @@ INSTANTIATE_TEST_SUITE_P(EveryInstructionSet, Programs, testing::ValuesIn(kAllIs
                          [](const auto& isa) { return std::string(name(isa.param)); });
 
 }  // namespace
-}  // namespace regulus::codegen
+}  // namespace regulus

@@ -4,7 +4,7 @@
 
 #include <cmath>
 
-#include "property/kernel/pack_workload.hpp"
+#include "tests/property/kernel/pack_workload.hpp"
 
 namespace regulus::test {
 namespace {

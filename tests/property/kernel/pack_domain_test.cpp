@@ -6,8 +6,8 @@
 #include <cmath>
 #include <limits>
 
-#include "property/kernel/pack_workload.hpp"
-#include "regulus/kernel/rounding_scope.hpp"
+#include "runtime/kernel/rounding_scope.hpp"
+#include "tests/property/kernel/pack_workload.hpp"
 
 namespace regulus::test {
 namespace {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "property/kernel/pack_oracle.hpp"
+#include "tests/property/kernel/pack_oracle.hpp"
 
 #include <algorithm>
 #include <cmath>

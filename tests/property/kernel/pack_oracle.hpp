@@ -5,9 +5,9 @@
 
 #include <optional>
 
-#include "property/kernel/pack_operations.hpp"
-#include "regulus/interval/type.hpp"
-#include "support/mpfr_bounds.hpp"
+#include "runtime/interval/type.hpp"
+#include "tests/property/kernel/pack_operations.hpp"
+#include "tests/support/mpfr_bounds.hpp"
 
 namespace regulus::test {
 

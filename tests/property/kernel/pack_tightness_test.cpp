@@ -5,8 +5,8 @@
 
 #include <cmath>
 
-#include "property/kernel/pack_workload.hpp"
-#include "support/ulps.hpp"
+#include "tests/property/kernel/pack_workload.hpp"
+#include "tests/support/ulps.hpp"
 
 namespace regulus::test {
 namespace {

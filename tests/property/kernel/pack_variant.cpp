@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The packs as one compiler makes them at one level of optimisation for one instruction set.
 // Compiled many times; REGULUS_VARIANT is the name of the function.
-#include "property/kernel/pack_operations.hpp"
-#include "regulus/kernel/pack.hpp"
+#include "runtime/kernel/pack.hpp"
+#include "tests/property/kernel/pack_operations.hpp"
 
 namespace {
 

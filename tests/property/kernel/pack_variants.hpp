@@ -5,9 +5,9 @@
 #include <string_view>
 #include <vector>
 
-#include "property/kernel/pack_operations.hpp"
-#include "regulus/kernel/abi.hpp"
-#include "regulus/kernel/isa.hpp"
+#include "runtime/kernel/abi.hpp"
+#include "runtime/kernel/isa.hpp"
+#include "tests/property/kernel/pack_operations.hpp"
 
 namespace regulus::test {
 

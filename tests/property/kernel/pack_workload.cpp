@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "property/kernel/pack_workload.hpp"
+#include "tests/property/kernel/pack_workload.hpp"
 
 #include <cstdio>
 
-#include "regulus/kernel/rounding_scope.hpp"
+#include "runtime/kernel/rounding_scope.hpp"
 
 namespace regulus::test {
 namespace {

@@ -6,10 +6,10 @@
 #include <string>
 #include <vector>
 
-#include "property/kernel/pack_oracle.hpp"
-#include "property/kernel/pack_variants.hpp"
-#include "regulus/kernel/buffers.hpp"
-#include "support/corner_inputs.hpp"
+#include "runtime/kernel/buffers.hpp"
+#include "tests/property/kernel/pack_oracle.hpp"
+#include "tests/property/kernel/pack_variants.hpp"
+#include "tests/support/corner_inputs.hpp"
 
 namespace regulus::test {
 

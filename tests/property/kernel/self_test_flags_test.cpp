@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <gtest/gtest.h>
 
-#include "property/kernel/pack_variants.hpp"
-#include "regulus/kernel/self_test.hpp"
+#include "runtime/kernel/self_test.hpp"
+#include "tests/property/kernel/pack_variants.hpp"
 
 namespace regulus::test {
 namespace {

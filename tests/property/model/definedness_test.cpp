@@ -9,11 +9,11 @@
 #include <string>
 #include <vector>
 
-#include "regulus/codegen/model/errors.hpp"
-#include "regulus/codegen/model/expression_parser.hpp"
-#include "support/evaluate.hpp"
+#include "codegen/model/expression_parser.hpp"
+#include "codegen/support/errors.hpp"
+#include "tests/support/evaluate.hpp"
 
-namespace regulus::codegen {
+namespace regulus {
 namespace {
 
 using test::kUndefined;
@@ -163,16 +163,16 @@ class Generator {
 
 class TwoNames final : public Names {
  public:
-  const Term* find(const std::string& name, int) override {
+  const ParsedExpression* find(const std::string& name, int) override {
     return name == "x" ? &x_ : name == "y" ? &y_ : nullptr;
   }
   std::vector<std::string> all() const override { return {"x", "y"}; }
 
  private:
-  Term x_ = variable(GiNaC::realsymbol("x")), y_ = variable(GiNaC::realsymbol("y"));
+  ParsedExpression x_ = variable(GiNaC::realsymbol("x")), y_ = variable(GiNaC::realsymbol("y"));
 };
 
-bool read_as_defined(const Term& term, const Point& point) {
+bool read_as_defined(const ParsedExpression& term, const Point& point) {
   if (std::isnan(test::evaluate(term.value, point))) return false;
   for (const GiNaC::ex& condition : term.must_be_defined)
     if (std::isnan(test::evaluate(condition, point))) return false;
@@ -185,7 +185,7 @@ struct Counts {
   int refused = 0;
 };
 
-void compare(const Written& written, const Term& term, Counts& counts) {
+void compare(const Written& written, const ParsedExpression& term, Counts& counts) {
   for (const double x : {-2.0, -1.0, -0.5, 0.0, 0.25, 1.0, 3.0})
     for (const double y : {-2.0, -1.0, 0.0, 0.5, 1.0, 3.0}) {
       const Point point = {{"x", x}, {"y", y}};
@@ -227,4 +227,4 @@ TEST(WrittenExpression, IsDefinedWhereItsReadingIsAndHasItsValue) {
 }
 
 }  // namespace
-}  // namespace regulus::codegen
+}  // namespace regulus

@@ -7,11 +7,11 @@
 #include <sstream>
 #include <string>
 
-#include "regulus/codegen/model/errors.hpp"
-#include "regulus/codegen/model/model_file.hpp"
-#include "support/example_model.hpp"
+#include "codegen/model/model_file.hpp"
+#include "codegen/support/errors.hpp"
+#include "tests/support/example_model.hpp"
 
-namespace regulus::codegen {
+namespace regulus {
 namespace {
 
 const std::vector<std::string> kSplices = {
@@ -116,4 +116,4 @@ TEST(DamagedModel, NoiseGivesAnInputError) {
 }
 
 }  // namespace
-}  // namespace regulus::codegen
+}  // namespace regulus

@@ -9,12 +9,12 @@
 #include <string>
 #include <vector>
 
-#include "regulus/codegen/model/decimal.hpp"
-#include "regulus/codegen/model/errors.hpp"
-#include "regulus/codegen/model/model_file.hpp"
-#include "support/random_source.hpp"
+#include "codegen/model/decimal.hpp"
+#include "codegen/model/model_file.hpp"
+#include "codegen/support/errors.hpp"
+#include "tests/support/random_source.hpp"
 
-namespace regulus::codegen {
+namespace regulus {
 namespace {
 
 using test::RandomSource;
@@ -329,4 +329,4 @@ TEST(Numbers, AfterLettersOfSeveralBytesOnTheLineAreFound) {
 }
 
 }  // namespace
-}  // namespace regulus::codegen
+}  // namespace regulus

@@ -4,14 +4,13 @@
 
 #include <optional>
 
-#include "regulus/codegen/program/interpreter.hpp"
-#include "regulus/codegen/program/rational_arithmetic.hpp"
-#include "support/random_program.hpp"
+#include "codegen/program/interpreter.hpp"
+#include "codegen/program/rational_arithmetic.hpp"
+#include "tests/support/random_program.hpp"
 
 namespace regulus::test {
 namespace {
 
-using codegen::Program;
 using Values = std::vector<cln::cl_RA>;
 
 enum class Outcome { kValues, kUndefined, kNotRational };
@@ -22,13 +21,12 @@ struct Evaluation {
 };
 
 Evaluation evaluate_at(const Program& program, const Values& inputs, const Values& points) {
-  codegen::RationalArithmetic arithmetic;
+  RationalArithmetic arithmetic;
   try {
-    return {Outcome::kValues,
-            codegen::evaluate(program, std::span(inputs), std::span(points), arithmetic)};
-  } catch (const codegen::UndefinedValue&) {
+    return {Outcome::kValues, evaluate(program, std::span(inputs), std::span(points), arithmetic)};
+  } catch (const UndefinedValue&) {
     return {Outcome::kUndefined, {}};
-  } catch (const codegen::NotRational&) {
+  } catch (const NotRational&) {
     return {Outcome::kNotRational, {}};
   }
 }
@@ -54,7 +52,7 @@ TEST(Folding, KeepsTheValueAndTheDomainOfRandomExpressions) {
     RandomSource first(seed);
     RandomSource second(seed);
     const Program raw = random_program<RawBuilder>(first, shape);
-    const Program folded = random_program<codegen::ProgramBuilder>(second, shape);
+    const Program folded = random_program<ProgramBuilder>(second, shape);
     for (int sample = 0; sample < 3; ++sample) {
       const Values inputs = corner_values(first, shape.inputs);
       const Values points = corner_values(first, shape.points);
@@ -79,7 +77,7 @@ TEST(Folding, NeverMakesAProgramLonger) {
     RandomSource first(seed);
     RandomSource second(seed);
     const Program raw = random_program<RawBuilder>(first, {});
-    const Program folded = random_program<codegen::ProgramBuilder>(second, {});
+    const Program folded = random_program<ProgramBuilder>(second, {});
     // A sign moved outwards may need a node for each use that had shared one.
     ASSERT_LE(folded.nodes.size(), raw.nodes.size() + 4) << "seed " << seed;
   }

@@ -1,25 +1,21 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Intervals against exact rationals and against Arb, on random programs over random boxes.
-#include "regulus/codegen/program/interpreter.hpp"
+#include "codegen/program/interpreter.hpp"
 
 #include <gtest/gtest.h>
 
-#include "regulus/codegen/program/arb_arithmetic.hpp"
-#include "regulus/codegen/program/enclose.hpp"
-#include "regulus/codegen/program/interval_arithmetic.hpp"
-#include "regulus/codegen/program/print.hpp"
-#include "regulus/codegen/program/rational_arithmetic.hpp"
-#include "regulus/codegen/program/rational_bounds.hpp"
-#include "support/ball_containment.hpp"
-#include "support/random_program.hpp"
+#include "codegen/program/arb_arithmetic.hpp"
+#include "codegen/program/enclose.hpp"
+#include "codegen/program/interval_arithmetic.hpp"
+#include "codegen/program/print.hpp"
+#include "codegen/program/rational_arithmetic.hpp"
+#include "codegen/program/rational_bounds.hpp"
+#include "tests/support/ball_containment.hpp"
+#include "tests/support/random_program.hpp"
 
 namespace regulus::test {
 namespace {
 
-using codegen::ArbArithmetic;
-using codegen::Ball;
-using codegen::IntervalArithmetic;
-using codegen::Program;
 
 struct Box {
   std::vector<Interval> inputs;
@@ -56,8 +52,8 @@ struct IntervalResult {
 IntervalResult evaluate_box(const Program& program, const Box& box) {
   IntervalArithmetic arithmetic;
   const std::vector<Interval> points = convert<Interval>(box.points);
-  auto outputs = codegen::evaluate(program, std::span<const Interval>(box.inputs),
-                                   std::span<const Interval>(points), arithmetic);
+  auto outputs = evaluate(program, std::span<const Interval>(box.inputs),
+                          std::span<const Interval>(points), arithmetic);
   return {arithmetic.undefined(), std::move(outputs)};
 }
 
@@ -72,7 +68,7 @@ BallResult evaluate_point(const Program& program, const std::vector<double>& inp
   ArbArithmetic arithmetic(precision);
   const std::vector<Ball> in = convert<Ball>(inputs);
   const std::vector<Ball> k = convert<Ball>(points);
-  auto outputs = codegen::evaluate(program, std::span(in), std::span(k), arithmetic);
+  auto outputs = evaluate(program, std::span(in), std::span(k), arithmetic);
   return {!arithmetic.undefined(), arithmetic.certainly_undefined(), std::move(outputs)};
 }
 
@@ -85,7 +81,7 @@ TEST(Interpreter, EnclosesArbAtPointsOfTheBox) {
     ProgramShape shape;
     shape.operations = 2 + static_cast<int>(random.below(14));
     shape.tree_like = seed % 2 == 0;
-    const Program program = random_program<codegen::ProgramBuilder>(random, shape);
+    const Program program = random_program<ProgramBuilder>(random, shape);
     const Box box = random_box(random, shape, seed % 4 == 0 ? 64 : 4);
     const IntervalResult found = evaluate_box(program, box);
     const BallResult exact =
@@ -115,25 +111,24 @@ TEST(Interpreter, EnclosesExactRationalsAndBallsDoToo) {
     shape.outputs = 1;
     shape.functions = false;
     shape.largest_power = 3;
-    const Program program = random_program<codegen::ProgramBuilder>(random, shape);
+    const Program program = random_program<ProgramBuilder>(random, shape);
     const Box box = random_box(random, shape, 64);
     const std::vector<double> point = random_point(random, box);
     std::vector<cln::cl_RA> inputs, points;
-    for (const double x : point) inputs.push_back(codegen::exact_rational(x));
-    for (const double x : box.points) points.push_back(codegen::exact_rational(x));
+    for (const double x : point) inputs.push_back(exact_rational(x));
+    for (const double x : box.points) points.push_back(exact_rational(x));
     const IntervalResult found = evaluate_box(program, box);
     const BallResult ball = evaluate_point(program, point, box.points, 64);
-    codegen::RationalArithmetic arithmetic;
+    RationalArithmetic arithmetic;
     try {
-      const cln::cl_RA value =
-          codegen::evaluate(program, std::span<const cln::cl_RA>(inputs),
-                            std::span<const cln::cl_RA>(points), arithmetic)[0];
+      const cln::cl_RA value = evaluate(program, std::span<const cln::cl_RA>(inputs),
+                                        std::span<const cln::cl_RA>(points), arithmetic)[0];
       ASSERT_TRUE(found.undefined || contains_exactly(found.outputs[0], value)) << "seed " << seed;
       ASSERT_TRUE(!ball.defined || contains_exactly(ball.outputs[0].enclosure(), value))
           << "seed " << seed;
       ASSERT_FALSE(ball.certainly_undefined) << "seed " << seed;
       ++compared;
-    } catch (const codegen::UndefinedValue&) {
+    } catch (const UndefinedValue&) {
       ASSERT_TRUE(found.undefined) << "seed " << seed;
       ASSERT_FALSE(ball.defined) << "seed " << seed;
     }
@@ -148,8 +143,8 @@ TEST(Interpreter, EnclosesConstantsWithinAStepOfArb) {
     shape.inputs = shape.points = 0;
     shape.operations = 1 + static_cast<int>(random.below(8));
     shape.outputs = 1;
-    const Program program = random_program<codegen::ProgramBuilder>(random, shape);
-    const auto found = codegen::enclose(program);
+    const Program program = random_program<ProgramBuilder>(random, shape);
+    const auto found = enclose(program);
     const BallResult exact = evaluate_point(program, {}, {}, 4096);
     ASSERT_EQ(exact.certainly_undefined && found.has_value(), false) << "seed " << seed;
     if (!found || !exact.defined) continue;

@@ -1,15 +1,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Determinants of eight matrices at once, against exact arithmetic and on every instruction set.
-#include "regulus/regularity/minors.hpp"
+#include "runtime/regularity/minors.hpp"
 
 #include <gtest/gtest.h>
 
 #include <vector>
 
-#include "regulus/regularity/backend.hpp"
-#include "regulus/regularity/determinant.hpp"
-#include "regulus/regularity/rohn.hpp"
-#include "support/lane_arrays.hpp"
+#include "runtime/regularity/backend.hpp"
+#include "runtime/regularity/determinant.hpp"
+#include "runtime/regularity/rohn.hpp"
+#include "tests/support/lane_arrays.hpp"
 
 namespace regulus {
 namespace {

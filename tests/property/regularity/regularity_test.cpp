@@ -4,10 +4,10 @@
 
 #include <vector>
 
-#include "regulus/regularity/determinant.hpp"
-#include "regulus/regularity/h_matrix.hpp"
-#include "regulus/regularity/rohn.hpp"
-#include "support/lane_arrays.hpp"
+#include "runtime/regularity/determinant.hpp"
+#include "runtime/regularity/h_matrix.hpp"
+#include "runtime/regularity/rohn.hpp"
+#include "tests/support/lane_arrays.hpp"
 
 namespace regulus {
 namespace {

@@ -2,9 +2,9 @@
 // Enclosures of the entries that a method looks at, against exact values at points of the box.
 #include <gtest/gtest.h>
 
-#include "regulus/search/batch.hpp"
-#include "support/function_kernel.hpp"
-#include "support/random_matrix.hpp"
+#include "runtime/evaluation/batch.hpp"
+#include "tests/support/function_kernel.hpp"
+#include "tests/support/random_matrix.hpp"
 
 namespace regulus {
 namespace {

@@ -2,8 +2,8 @@
 // Verdicts on random matrix functions against their exact determinants on a grid of points.
 #include <gtest/gtest.h>
 
-#include "support/function_kernel.hpp"
-#include "support/random_matrix.hpp"
+#include "tests/support/function_kernel.hpp"
+#include "tests/support/random_matrix.hpp"
 
 namespace regulus {
 namespace {

@@ -1,15 +1,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Derivatives against dual numbers (forward differentiation on exact values), which share nothing
 // with the symbolic chain rule.
-#include "regulus/codegen/symbolic/derivative.hpp"
+#include "codegen/symbolic/derivative.hpp"
 
 #include <gtest/gtest.h>
 
-#include "regulus/codegen/symbolic/passes.hpp"
-#include "regulus/codegen/symbolic/rewrite.hpp"
-#include "support/symbolic/exact_values.hpp"
+#include "codegen/symbolic/passes.hpp"
+#include "codegen/symbolic/rewrite.hpp"
+#include "tests/support/symbolic/exact_values.hpp"
 
-namespace regulus::codegen::test {
+namespace regulus::test {
 namespace {
 
 struct Dual {
@@ -158,4 +158,4 @@ TEST_F(InverseFunction, AbsHasTheSlopeOfItsSign) {
 }
 
 }  // namespace
-}  // namespace regulus::codegen::test
+}  // namespace regulus::test

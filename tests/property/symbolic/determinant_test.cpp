@@ -1,20 +1,20 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The closed form against exact elimination, and its derivatives against the chain rule, at points
 // where every sine and cosine is rational.
-#include "regulus/codegen/symbolic/determinant.hpp"
+#include "codegen/symbolic/determinant.hpp"
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
 
-#include "regulus/codegen/program/module_check.hpp"
-#include "regulus/codegen/symbolic/derivative.hpp"
-#include "regulus/codegen/symbolic/formulation.hpp"
-#include "regulus/codegen/symbolic/passes.hpp"
-#include "support/symbolic/exact_values.hpp"
-#include "support/symbolic/gough_model.hpp"
+#include "codegen/formulation/formulation.hpp"
+#include "codegen/program/module_check.hpp"
+#include "codegen/symbolic/derivative.hpp"
+#include "codegen/symbolic/passes.hpp"
+#include "tests/support/symbolic/exact_values.hpp"
+#include "tests/support/symbolic/gough_model.hpp"
 
-namespace regulus::codegen::test {
+namespace regulus::test {
 namespace {
 
 /// By exact elimination.
@@ -140,4 +140,4 @@ TEST(Determinant, IsAFunctionOfTheModule) {
 }
 
 }  // namespace
-}  // namespace regulus::codegen::test
+}  // namespace regulus::test

@@ -1,15 +1,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Each pass gives the same function: values at random rational points are equal, exactly.
-#include "regulus/codegen/symbolic/passes.hpp"
+#include "codegen/symbolic/passes.hpp"
 
 #include <gtest/gtest.h>
 
-#include "regulus/codegen/symbolic/derivative.hpp"
-#include "regulus/codegen/symbolic/measure.hpp"
-#include "regulus/codegen/symbolic/rewrite.hpp"
-#include "support/symbolic/exact_values.hpp"
+#include "codegen/symbolic/derivative.hpp"
+#include "codegen/symbolic/measure.hpp"
+#include "codegen/symbolic/rewrite.hpp"
+#include "tests/support/symbolic/exact_values.hpp"
 
-namespace regulus::codegen::test {
+namespace regulus::test {
 namespace {
 
 class Passes : public ::testing::Test {
@@ -202,4 +202,4 @@ TEST_F(Passes, FormsDoNotDependOnTheOrderOfOperands) {
 }
 
 }  // namespace
-}  // namespace regulus::codegen::test
+}  // namespace regulus::test

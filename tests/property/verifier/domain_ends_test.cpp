@@ -6,7 +6,7 @@
 #include <array>
 #include <random>
 
-#include "support/certificate_texts.hpp"
+#include "tests/support/certificate_texts.hpp"
 
 namespace regulus::test {
 namespace {

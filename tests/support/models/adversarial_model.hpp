@@ -5,8 +5,8 @@
 
 #include <string>
 
-#include "support/models/model_text.hpp"
-#include "support/random_source.hpp"
+#include "tests/support/models/model_text.hpp"
+#include "tests/support/random_source.hpp"
 
 namespace regulus::test {
 

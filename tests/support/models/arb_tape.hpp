@@ -10,7 +10,7 @@
 #include <string>
 #include <vector>
 
-#include "regulus/codegen/program/ball.hpp"
+#include "codegen/program/ball.hpp"
 
 namespace regulus::test {
 
@@ -42,12 +42,12 @@ class ArbTape {
   void forget_symbols() { known_.clear(); }
 
   struct Values {
-    std::vector<codegen::Ball> of;
+    std::vector<Ball> of;
     std::vector<Defined> defined;
   };
 
-  [[nodiscard]] Values run(const std::vector<codegen::Ball>& inputs) const {
-    Values values{std::vector<codegen::Ball>(steps_.size()),
+  [[nodiscard]] Values run(const std::vector<Ball>& inputs) const {
+    Values values{std::vector<Ball>(steps_.size()),
                   std::vector<Defined>(steps_.size(), Defined::kYes)};
     for (Node node = 0; node < steps_.size(); ++node) {
       const Step& step = steps_[node];
@@ -67,7 +67,7 @@ class ArbTape {
     Kind kind;
     std::vector<Node> operands;
     std::size_t index;  ///< of an input
-    codegen::Ball constant;
+    Ball constant;
     long exponent = 0;  ///< of a power; of a root, in halves
     std::string function{};
   };
@@ -79,13 +79,13 @@ class ArbTape {
 
   Node read_new(const GiNaC::ex& e) {
     if (GiNaC::is_a<GiNaC::numeric>(e))
-      return push({Kind::kConstant,
-                   {},
-                   0,
-                   codegen::Ball(cln::the<cln::cl_RA>(GiNaC::ex_to<GiNaC::numeric>(e).to_cl_N()),
-                                 kTapeBits)});
+      return push(
+          {Kind::kConstant,
+           {},
+           0,
+           Ball(cln::the<cln::cl_RA>(GiNaC::ex_to<GiNaC::numeric>(e).to_cl_N()), kTapeBits)});
     if (e.is_equal(GiNaC::Pi)) {
-      codegen::Ball pi;
+      Ball pi;
       arb_const_pi(pi.get(), kTapeBits);
       return push({Kind::kConstant, {}, 0, pi});
     }
@@ -115,8 +115,8 @@ class ArbTape {
     return certain ? Defined::kYes : violated ? Defined::kNo : Defined::kUnknown;
   }
 
-  static Defined compute(const Step& step, const std::vector<codegen::Ball>& inputs,
-                         const std::vector<codegen::Ball>& of, arb_ptr out) {
+  static Defined compute(const Step& step, const std::vector<Ball>& inputs,
+                         const std::vector<Ball>& of, arb_ptr out) {
     switch (step.kind) {
       case Kind::kInput:
         arb_set(out, inputs[step.index].get());
@@ -150,13 +150,13 @@ class ArbTape {
   }
 
   static Defined root(arb_ptr out, arb_srcptr base, long halves) {
-    codegen::Ball root;
+    Ball root;
     arb_sqrt(root.get(), base, kTapeBits);
     const Defined rooted = where(arb_is_nonnegative(base) != 0, arb_is_negative(base) != 0);
     return worse(rooted, power(out, root.get(), halves));
   }
 
-  static Defined call(const Step& step, const std::vector<codegen::Ball>& of, arb_ptr out) {
+  static Defined call(const Step& step, const std::vector<Ball>& of, arb_ptr out) {
     using Function = void (*)(arb_t, const arb_t, slong);
     static const std::map<std::string, Function> kFunctions{
         {"sin", arb_sin},   {"cos", arb_cos}, {"tan", arb_tan}, {"asin", arb_asin},
@@ -180,7 +180,7 @@ class ArbTape {
   }
 
   static Defined within_one(arb_srcptr x) {
-    codegen::Ball distance;
+    Ball distance;
     arb_abs(distance.get(), x);
     arb_sub_ui(distance.get(), distance.get(), 1, kTapeBits);
     return where(arb_is_nonpositive(distance.get()) != 0, arb_is_positive(distance.get()) != 0);

@@ -13,12 +13,11 @@
 #include <optional>
 #include <vector>
 
-#include "regulus/codegen/driver/pipeline.hpp"
-#include "support/models/arb_tape.hpp"
+#include "codegen/engine/pipeline.hpp"
+#include "tests/support/models/arb_tape.hpp"
 
 namespace regulus::test {
 
-using codegen::Ball;
 using Parts = std::vector<double>;
 
 /// What a point, or each point of a piece of a segment, is known to be.
@@ -39,10 +38,9 @@ struct Fact {
 
 class ModelOracle {
  public:
-  ModelOracle(const codegen::Model& model, const codegen::Motion& motion,
-              const std::vector<codegen::Variable>& variables)
+  ModelOracle(const Model& model, const Motion& motion, const std::vector<Variable>& variables)
       : model_(model), rows_(model.matrix.rows()), columns_(model.matrix.cols()) {
-    for (const codegen::Variable& v : variables) {
+    for (const Variable& v : variables) {
       lo_.push_back(constant(v.range.lo));
       hi_.push_back(constant(v.range.hi));
       ball_.push_back(v.ball);
@@ -148,8 +146,7 @@ class ModelOracle {
     return tape.run({}).of.back();
   }
 
-  void bind_symbols(const codegen::Motion& motion,
-                    const std::vector<codegen::Variable>& variables) {
+  void bind_symbols(const Motion& motion, const std::vector<Variable>& variables) {
     std::vector<std::pair<GiNaC::ex, ArbTape::Node>> shared;
     const auto bind = [&](const GiNaC::ex& symbol, ArbTape::Node node) {
       tape_.bind(symbol, node);
@@ -252,7 +249,7 @@ class ModelOracle {
     return result;
   }
 
-  const codegen::Model& model_;
+  const Model& model_;
   unsigned rows_, columns_;
   std::vector<Ball> lo_, hi_;
   std::vector<int> ball_;

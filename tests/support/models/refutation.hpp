@@ -5,9 +5,9 @@
 #include <optional>
 #include <string>
 
-#include "regulus/search/result.hpp"
-#include "support/models/model_oracle.hpp"
-#include "support/random_source.hpp"
+#include "runtime/problem/result.hpp"
+#include "tests/support/models/model_oracle.hpp"
+#include "tests/support/random_source.hpp"
 
 namespace regulus::test {
 

@@ -14,10 +14,10 @@
 #include <string>
 #include <vector>
 
-#include "regulus/codegen/symbolic/evaluate.hpp"
-#include "regulus/codegen/symbolic/print.hpp"
+#include "codegen/symbolic/evaluate.hpp"
+#include "codegen/symbolic/print.hpp"
 
-namespace regulus::codegen::test {
+namespace regulus::test {
 
 using cln::cl_RA;
 
@@ -194,4 +194,4 @@ class RandomExpressions {
 inline std::vector<std::string> variable_names() { return {"x", "y", "z", "a", "b", "c"}; }
 inline std::vector<std::string> point_names() { return {"k_1_1", "k_1_2", "k_1_3"}; }
 
-}  // namespace regulus::codegen::test
+}  // namespace regulus::test

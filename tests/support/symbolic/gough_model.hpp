@@ -6,9 +6,9 @@
 #include <string>
 #include <vector>
 
-#include "regulus/codegen/model/model.hpp"
+#include "codegen/model/model.hpp"
 
-namespace regulus::codegen::test {
+namespace regulus::test {
 
 using Anchors = std::array<std::array<int, 3>, 6>;
 
@@ -111,4 +111,4 @@ inline Model robot_2(const GoughOptions& options = {}) {
   return gough_model(kRobot2Base, kRobot2Platform, options);
 }
 
-}  // namespace regulus::codegen::test
+}  // namespace regulus::test

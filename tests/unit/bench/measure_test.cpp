@@ -2,9 +2,9 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "bench/limit/instructions.hpp"
-#include "bench/measure/process.hpp"
-#include "bench/measure/rounds.hpp"
+#include "tests/bench/limit/instructions.hpp"
+#include "tests/bench/measure/process.hpp"
+#include "tests/bench/measure/rounds.hpp"
 
 namespace regulus::bench {
 namespace {
@@ -68,7 +68,7 @@ TEST(Process, ThatDoesNotExistHasExitCodeMinusOne) {
 }
 
 TEST(BoundOperations, AreTwoForASumAndSixForAProductOfIntervals) {
-  codegen::ProgramBuilder builder({"x", "y"}, {"k"});
+  ProgramBuilder builder({"x", "y"}, {"k"});
   const auto x = builder.input(0), y = builder.input(1);
   builder.output(builder.add(builder.multiply(x, y), builder.multiply(builder.point(0), x)));
   EXPECT_EQ(bound_operations(std::move(builder).finish()), 2U + 6U + 2U);

@@ -4,7 +4,7 @@
 
 #include <nlohmann/json.hpp>
 
-#include "bench/report/writers.hpp"
+#include "tests/bench/report/writers.hpp"
 
 namespace regulus::bench {
 namespace {

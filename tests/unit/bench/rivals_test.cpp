@@ -4,17 +4,15 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "bench/kernel/ahead_of_time.hpp"
-#include "bench/kernel/batched.hpp"
-#include "bench/kernel/rival.hpp"
-#include "regulus/codegen/program/arb_arithmetic.hpp"
-#include "regulus/codegen/program/interpreter.hpp"
+#include "codegen/program/arb_arithmetic.hpp"
+#include "codegen/program/interpreter.hpp"
+#include "tests/bench/kernel/ahead_of_time.hpp"
+#include "tests/bench/kernel/batched.hpp"
+#include "tests/bench/kernel/rival.hpp"
 
 namespace regulus::bench {
 namespace {
 
-using codegen::ArbArithmetic;
-using codegen::Ball;
 
 class Rivals : public ::testing::Test {
  protected:
@@ -28,8 +26,8 @@ class Rivals : public ::testing::Test {
       points.emplace_back(sample_.K[box * sample_.points + p]);
     ArbArithmetic arithmetic(kPrecision);
     std::vector<Interval> values;
-    for (const Ball& value : codegen::evaluate<ArbArithmetic, Ball>(left_product_of(module_),
-                                                                    inputs, points, arithmetic))
+    for (const Ball& value :
+         evaluate<ArbArithmetic, Ball>(left_product_of(module_), inputs, points, arithmetic))
       values.push_back(value.enclosure());
     EXPECT_FALSE(arithmetic.undefined());
     return values;
@@ -45,7 +43,7 @@ class Rivals : public ::testing::Test {
     }
   }
 
-  codegen::Module module_ = kernel_subject();
+  Module module_ = kernel_subject();
   Sample sample_ = make_sample(module_);
 };
 

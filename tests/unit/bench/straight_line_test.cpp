@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "bench/kernel/straight_line.hpp"
+#include "tests/bench/kernel/straight_line.hpp"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -7,8 +7,6 @@
 namespace regulus::bench {
 namespace {
 
-using codegen::Op;
-using codegen::ProgramBuilder;
 using ::testing::HasSubstr;
 
 TEST(StraightLineText, HasEveryOperationOnceInTheProgramsOrder) {

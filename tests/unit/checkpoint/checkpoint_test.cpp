@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "regulus/checkpoint/checkpoint.hpp"
+#include "runtime/checkpoint/checkpoint.hpp"
 
 #include <gtest/gtest.h>
 #include <sys/resource.h>
@@ -12,9 +12,9 @@
 #include <random>
 #include <sstream>
 
-#include "regulus/checkpoint/checksum.hpp"
-#include "regulus/checkpoint/writer.hpp"
-#include "support/temporary_directory.hpp"
+#include "runtime/checkpoint/checksum.hpp"
+#include "runtime/checkpoint/writer.hpp"
+#include "tests/support/temporary_directory.hpp"
 
 namespace regulus {
 namespace {

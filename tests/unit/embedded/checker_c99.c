@@ -2,7 +2,7 @@
 /* checker.h is C99, and a C program can use it. */
 #include <stdio.h>
 
-#include "regulus/embedded/checker.h"
+#include "runtime/embedded/checker.h"
 
 /* A = [x] over one motion parameter x. */
 static unsigned matrix(const double* boxes, const double* points, double* out,

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "regulus/embedded/checker.hpp"
+#include "runtime/embedded/checker.hpp"
 
 #include <gtest/gtest.h>
 
@@ -8,9 +8,9 @@
 #include <limits>
 
 #include "counted_calls.hpp"
-#include "regulus/embedded/checker.h"
-#include "regulus/interval/floating_point_scope.hpp"
-#include "regulus/search/solver.hpp"
+#include "runtime/embedded/checker.h"
+#include "runtime/interval/floating_point_scope.hpp"
+#include "runtime/search/solver.hpp"
 #include "static_kernel.hpp"
 
 namespace regulus {

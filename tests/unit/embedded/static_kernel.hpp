@@ -5,8 +5,8 @@
 
 #include <cstddef>
 
-#include "regulus/interval/interval.hpp"
-#include "regulus/kernel/abi.hpp"
+#include "runtime/interval/interval.hpp"
+#include "runtime/kernel/abi.hpp"
 
 namespace regulus::test {
 

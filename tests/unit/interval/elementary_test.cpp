@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Exact values, domains and unbounded arguments of the elementary functions.
-#include "regulus/interval/elementary.hpp"
+#include "runtime/interval/elementary.hpp"
 
 #include <gtest/gtest.h>
 

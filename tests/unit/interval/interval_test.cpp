@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // What the interval type promises at its edges.
-#include "regulus/interval/interval.hpp"
+#include "runtime/interval/interval.hpp"
 
 #include <gtest/gtest.h>
 

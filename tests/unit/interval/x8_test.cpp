@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The eight-lane functions as generated code calls them: by name, in any rounding mode.
-#include "regulus/interval/x8.hpp"
+#include "runtime/interval/x8.hpp"
 
 #include <gtest/gtest.h>
 
@@ -10,8 +10,8 @@
 #include <set>
 #include <string>
 
-#include "regulus/interval/floating_point_scope.hpp"
-#include "regulus/interval/interval.hpp"
+#include "runtime/interval/floating_point_scope.hpp"
+#include "runtime/interval/interval.hpp"
 
 namespace regulus {
 namespace {

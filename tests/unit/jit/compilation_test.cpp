@@ -1,16 +1,16 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "regulus/codegen/jit/compilation.hpp"
+#include "codegen/jit/compilation.hpp"
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <set>
 
-#include "regulus/codegen/jit/clang_compiler.hpp"
-#include "regulus/codegen/jit/kernel_compilation.hpp"
+#include "codegen/jit/clang_compiler.hpp"
+#include "codegen/jit/kernel_compilation.hpp"
 #include "regulus/floating_point_flags.hpp"
 
-namespace regulus::codegen {
+namespace regulus {
 namespace {
 
 Compilation small_compilation() {
@@ -51,7 +51,7 @@ TEST(KernelCompilation, HasTheFloatingPointFlagsAndThoseOfTheInstructionSet) {
 TEST(ClangCompiler, MakesTheSameObjectEveryTime) {
   const ClangCompiler compiler;
   const Compilation compilation = kernel_compilation(
-      "#include \"regulus/kernel/pack.hpp\"\n"
+      "#include \"runtime/kernel/pack.hpp\"\n"
       "extern \"C\" int f(int x) { return x + 1; }",
       Isa::kPortable);
   const CompiledObject first = compiler.compile(compilation);
@@ -67,4 +67,4 @@ TEST(ClangCompiler, IsIdentifiedByItsVersionWithoutBeingOpened) {
 }
 
 }  // namespace
-}  // namespace regulus::codegen
+}  // namespace regulus

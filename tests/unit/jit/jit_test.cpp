@@ -1,18 +1,18 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "regulus/codegen/jit/jit.hpp"
+#include "codegen/jit/jit.hpp"
 
 #include <gtest/gtest.h>
 
 #include <cfenv>
 
-#include "regulus/codegen/jit/clang_compiler.hpp"
-#include "regulus/codegen/jit/kernel_compilation.hpp"
-#include "regulus/kernel/buffers.hpp"
-#include "regulus/kernel/call.hpp"
-#include "support/process_maps.hpp"
-#include "support/temporary_directory.hpp"
+#include "codegen/jit/clang_compiler.hpp"
+#include "codegen/jit/kernel_compilation.hpp"
+#include "runtime/kernel/buffers.hpp"
+#include "runtime/kernel/call.hpp"
+#include "tests/support/process_maps.hpp"
+#include "tests/support/temporary_directory.hpp"
 
-namespace regulus::codegen {
+namespace regulus {
 namespace {
 
 /// Two variables x, y and one entry k of K: k·x + y·y, sin(x), x/y.
@@ -20,8 +20,8 @@ EmittedKernel small_kernel() {
   EmittedKernel kernel;
   kernel.symbol = "small_kernel";
   kernel.source = R"(
-#include "regulus/kernel/abi.hpp"
-#include "regulus/kernel/pack.hpp"
+#include "runtime/kernel/abi.hpp"
+#include "runtime/kernel/pack.hpp"
 namespace {
 unsigned matrix(const double* boxes, const double* points, double* out, const void*) {
   using namespace regulus::pack;
@@ -137,4 +137,4 @@ INSTANTIATE_TEST_SUITE_P(EveryInstructionSet, JitTest, testing::ValuesIn(kAllIsa
                          [](const auto& isa) { return std::string(name(isa.param)); });
 
 }  // namespace
-}  // namespace regulus::codegen
+}  // namespace regulus

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "regulus/codegen/jit/object_cache.hpp"
+#include "codegen/jit/cache/object_cache.hpp"
 
 #include <fcntl.h>
 #include <gtest/gtest.h>
@@ -12,9 +12,9 @@
 #include <fstream>
 #include <vector>
 
-#include "support/temporary_directory.hpp"
+#include "tests/support/temporary_directory.hpp"
 
-namespace regulus::codegen {
+namespace regulus {
 namespace {
 
 const std::string kKey(64, 'a');
@@ -162,4 +162,4 @@ TEST(DefaultCacheDirectory, IsEmptyWithoutAHome) {
 }
 
 }  // namespace
-}  // namespace regulus::codegen
+}  // namespace regulus

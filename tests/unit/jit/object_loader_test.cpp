@@ -1,15 +1,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "regulus/codegen/jit/object_loader.hpp"
+#include "codegen/jit/loader/object_loader.hpp"
 
 #include <gtest/gtest.h>
 
 #include <cstring>
 #include <string>
 
-#include "support/elf_builder.hpp"
-#include "support/process_maps.hpp"
+#include "tests/support/elf_builder.hpp"
+#include "tests/support/process_maps.hpp"
 
-namespace regulus::codegen {
+namespace regulus {
 namespace {
 
 using test::ElfBuilder;
@@ -160,4 +160,4 @@ TEST(ObjectLoader, UnmapsWhenDestroyedAndOnlyThen) {
 }
 
 }  // namespace
-}  // namespace regulus::codegen
+}  // namespace regulus

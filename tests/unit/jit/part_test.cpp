@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "regulus/codegen/jit/part.hpp"
+#include "codegen/jit/part.hpp"
 
 #include <gtest/gtest.h>
 
 #include <set>
 
-namespace regulus::codegen {
+namespace regulus {
 namespace {
 
 using machine::PackFunction;
@@ -85,4 +85,4 @@ TEST(PartName, DependsOnTheBytesTheInstructionSetAndTheCompiler) {
 }
 
 }  // namespace
-}  // namespace regulus::codegen
+}  // namespace regulus

@@ -9,16 +9,16 @@
 #include <thread>
 #include <vector>
 
-#include "regulus/codegen/jit/jit.hpp"
-#include "regulus/codegen/jit/part_code.hpp"
-#include "regulus/codegen/pack/select.hpp"
-#include "regulus/kernel/buffers.hpp"
-#include "regulus/kernel/call.hpp"
-#include "support/process_maps.hpp"
-#include "support/sample_modules.hpp"
-#include "support/temporary_directory.hpp"
+#include "codegen/jit/jit.hpp"
+#include "codegen/jit/part_code.hpp"
+#include "codegen/pack/select.hpp"
+#include "runtime/kernel/buffers.hpp"
+#include "runtime/kernel/call.hpp"
+#include "tests/support/process_maps.hpp"
+#include "tests/support/sample_modules.hpp"
+#include "tests/support/temporary_directory.hpp"
 
-namespace regulus::codegen {
+namespace regulus {
 namespace {
 
 using testing::HasSubstr;
@@ -157,4 +157,4 @@ TEST_F(ProgramTest, LivesAsLongAsOneCopyAndIsNeverWritable) {
 }
 
 }  // namespace
-}  // namespace regulus::codegen
+}  // namespace regulus

@@ -10,17 +10,17 @@
 #include <optional>
 #include <vector>
 
-#include "regulus/codegen/jit/jit.hpp"
-#include "support/process_maps.hpp"
-#include "support/temporary_directory.hpp"
+#include "codegen/jit/jit.hpp"
+#include "tests/support/process_maps.hpp"
+#include "tests/support/temporary_directory.hpp"
 
-namespace regulus::codegen {
+namespace regulus {
 namespace {
 
 constexpr const char* kDirectoryVariable = "REGULUS_TEST_CACHE";
 
 const char* const kText = R"(
-#include "regulus/kernel/pack.hpp"
+#include "runtime/kernel/pack.hpp"
 extern "C" int answer() { return 42; }
 )";
 
@@ -89,4 +89,4 @@ TEST_F(WarmStart, FollowsOnProcessesThatCompiledTheSameTextAtOnce) {
 }
 
 }  // namespace
-}  // namespace regulus::codegen
+}  // namespace regulus

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "regulus/kernel/call.hpp"
+#include "runtime/kernel/call.hpp"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -9,9 +9,9 @@
 #include <limits>
 #include <stdexcept>
 
-#include "regulus/interval/floating_point_scope.hpp"
-#include "regulus/kernel/buffers.hpp"
-#include "regulus/kernel/rounding_scope.hpp"
+#include "runtime/interval/floating_point_scope.hpp"
+#include "runtime/kernel/buffers.hpp"
+#include "runtime/kernel/rounding_scope.hpp"
 
 namespace regulus {
 namespace {

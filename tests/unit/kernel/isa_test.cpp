@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "regulus/kernel/isa.hpp"
+#include "runtime/kernel/isa.hpp"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "regulus/kernel/abi.hpp"
+#include "runtime/kernel/abi.hpp"
 
 namespace regulus {
 namespace {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "regulus/kernel/kernel_headers.hpp"
+#include "runtime/kernel/kernel_headers.hpp"
 
 #include <gtest/gtest.h>
 
@@ -9,7 +9,7 @@
 #include <sstream>
 #include <string>
 
-#include "regulus/kernel/self_test.hpp"
+#include "runtime/kernel/self_test.hpp"
 
 namespace regulus {
 namespace {
@@ -21,7 +21,7 @@ std::string file_text(const std::string& path) {
   return text.str();
 }
 
-/// runtime/kernel/pack.hpp of regulus/kernel/pack.hpp.
+/// runtime/kernel/pack.hpp of runtime/kernel/pack.hpp.
 std::string source_path(std::string_view header) {
   return REGULUS_SOURCE_DIR "/runtime" + std::string(header.substr(header.find('/')));
 }
@@ -44,8 +44,8 @@ TEST(KernelHeaders, AreTheFilesByteForByte) {
 TEST(KernelHeaders, IncludeNothingButEachOther) {
   std::set<std::string> known;
   for (const KernelHeader& header : kernel_headers()) known.emplace(header.path);
-  EXPECT_TRUE(known.contains("regulus/kernel/abi.hpp"));
-  EXPECT_TRUE(known.contains("regulus/kernel/pack.hpp"));
+  EXPECT_TRUE(known.contains("runtime/kernel/abi.hpp"));
+  EXPECT_TRUE(known.contains("runtime/kernel/pack.hpp"));
   for (const KernelHeader& header : kernel_headers())
     for (const std::string& included : included_by(header.text))
       EXPECT_TRUE(known.contains(included)) << header.path << " includes " << included;
@@ -53,7 +53,7 @@ TEST(KernelHeaders, IncludeNothingButEachOther) {
 
 TEST(KernelHeaders, TheSelfTestIncludesOnlyThem) {
   const auto included = included_by(kSelfTestSource);
-  EXPECT_EQ(included, std::set<std::string>{"regulus/kernel/pack.hpp"});
+  EXPECT_EQ(included, std::set<std::string>{"runtime/kernel/pack.hpp"});
   EXPECT_NE(std::string_view(kSelfTestSource).find(kSelfTestSymbol), std::string_view::npos);
 }
 

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "regulus/kernel/self_test.hpp"
+#include "runtime/kernel/self_test.hpp"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "regulus/interval/floating_point_scope.hpp"
+#include "runtime/interval/floating_point_scope.hpp"
 
 extern "C" {
 unsigned regulus_self_test_avx512(const double*, const double*, double*, const void*);

@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "regulus/machine/frame_slots.hpp"
+#include "runtime/machine/frame_slots.hpp"
 
 #include <gtest/gtest.h>
 
 #include <vector>
 
-#include "regulus/interval/interval.hpp"
-#include "regulus/kernel/call.hpp"
-#include "regulus/machine/machine_kernel.hpp"
+#include "runtime/interval/interval.hpp"
+#include "runtime/kernel/call.hpp"
+#include "runtime/machine/machine_kernel.hpp"
 
 namespace regulus::machine {
 namespace {

@@ -4,8 +4,8 @@
 #include <functional>
 #include <limits>
 
-#include "regulus/machine/machine_kernel.hpp"
-#include "regulus/machine/pack_file.hpp"
+#include "runtime/machine/machine_kernel.hpp"
+#include "runtime/machine/pack_file.hpp"
 
 namespace regulus::machine {
 namespace {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // A list of operations that someone else made: what is wrong with it is said before it is run.
-#include "regulus/machine/pack_program.hpp"
+#include "runtime/machine/pack_program.hpp"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -8,9 +8,9 @@
 #include <functional>
 #include <stdexcept>
 
-#include "regulus/kernel/buffers.hpp"
-#include "regulus/kernel/call.hpp"
-#include "regulus/machine/machine_kernel.hpp"
+#include "runtime/kernel/buffers.hpp"
+#include "runtime/kernel/call.hpp"
+#include "runtime/machine/machine_kernel.hpp"
 
 namespace regulus::machine {
 namespace {

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "regulus/codegen/model/certain_sign.hpp"
+#include "codegen/model/certain_sign.hpp"
 
 #include <gtest/gtest.h>
 
-#include "regulus/codegen/model/expression_parser.hpp"
+#include "codegen/model/expression_parser.hpp"
 
-namespace regulus::codegen {
+namespace regulus {
 namespace {
 
 CertainSign sign(const char* text) {
@@ -35,4 +35,4 @@ TEST(CertainSign, SeesZeroByAlgebraAlone) {
 }
 
 }  // namespace
-}  // namespace regulus::codegen
+}  // namespace regulus

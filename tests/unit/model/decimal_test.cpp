@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "regulus/codegen/model/decimal.hpp"
+#include "codegen/model/decimal.hpp"
 
 #include <gtest/gtest.h>
 
@@ -9,7 +9,7 @@
 #include <random>
 #include <string>
 
-namespace regulus::codegen {
+namespace regulus {
 namespace {
 
 using GiNaC::numeric;
@@ -128,4 +128,4 @@ TEST(ExactInteger, TakesAll64Bits) {
 }
 
 }  // namespace
-}  // namespace regulus::codegen
+}  // namespace regulus

@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "regulus/codegen/model/expression_parser.hpp"
+#include "codegen/model/expression_parser.hpp"
 
 #include <gtest/gtest.h>
 
 #include <chrono>
 #include <map>
 
-#include "regulus/codegen/model/errors.hpp"
+#include "codegen/support/errors.hpp"
 
-namespace regulus::codegen {
+namespace regulus {
 namespace {
 
 using GiNaC::ex;
@@ -17,14 +17,14 @@ using GiNaC::Pi;
 
 class TwoNames final : public Names {
  public:
-  const Term* find(const std::string& name, int) override {
+  const ParsedExpression* find(const std::string& name, int) override {
     const auto at = terms_.find(name);
     return at == terms_.end() ? nullptr : &at->second;
   }
   std::vector<std::string> all() const override { return {"x", "y"}; }
 
  private:
-  std::map<std::string, Term> terms_ = {{"x", variable(x)}, {"y", variable(y)}};
+  std::map<std::string, ParsedExpression> terms_ = {{"x", variable(x)}, {"y", variable(y)}};
 
  public:
   inline static const GiNaC::realsymbol x{"x"}, y{"y"};
@@ -33,7 +33,7 @@ class TwoNames final : public Names {
 const GiNaC::realsymbol& x = TwoNames::x;
 const GiNaC::realsymbol& y = TwoNames::y;
 
-Term parse(const std::string& text) {
+ParsedExpression parse(const std::string& text) {
   TwoNames names;
   return parse_expression(text, names, {.file = "test", .line = 1});
 }
@@ -42,7 +42,7 @@ ex half_power(const ex& e) { return GiNaC::pow(e, numeric(1, 2)); }
 
 /// Whether the expressions that must be defined are these, in this order.
 void expect_conditions(const std::string& text, const std::vector<ex>& expected) {
-  const Term term = parse(text);
+  const ParsedExpression term = parse(text);
   ASSERT_EQ(term.must_be_defined.size(), expected.size()) << text;
   for (std::size_t i = 0; i < expected.size(); ++i)
     EXPECT_TRUE(term.must_be_defined[i].is_equal(expected[i]))
@@ -181,7 +181,7 @@ TEST(Definedness, OfConstantsNearTheEndOfADomainIsLeftToTheCertifiedEvaluation) 
 }
 
 TEST(ExpressionParser, CountsWhatIsWritten) {
-  const Term term = parse("sin(x + y)*x");
+  const ParsedExpression term = parse("sin(x + y)*x");
   EXPECT_FALSE(term.constant);
   EXPECT_TRUE(parse("sin(2 + pi)").constant);
   EXPECT_FALSE(parse("x - x").constant);
@@ -193,7 +193,7 @@ TEST(ExpressionParser, TakesLinearTime) {
   std::string text = "x";
   while (text.size() + 8 < kLongestExpression) text.append("+y*x/3");
   const auto start = std::chrono::steady_clock::now();
-  const Term term = parse(text);
+  const ParsedExpression term = parse(text);
   EXPECT_LT(std::chrono::steady_clock::now() - start, std::chrono::seconds(5));
   EXPECT_FALSE(term.constant);
 }
@@ -222,4 +222,4 @@ TEST(ParseConstant, RefusesWhatNoDoubleCanBound) {
 }
 
 }  // namespace
-}  // namespace regulus::codegen
+}  // namespace regulus

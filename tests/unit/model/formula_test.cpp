@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "regulus/codegen/model/formula.hpp"
+#include "codegen/model/formula.hpp"
 
 #include <gtest/gtest.h>
 
@@ -7,11 +7,11 @@
 #include <map>
 #include <type_traits>
 
-#include "regulus/codegen/model/errors.hpp"
-#include "regulus/codegen/model/expression_parser.hpp"
-#include "support/random_source.hpp"
+#include "codegen/model/expression_parser.hpp"
+#include "codegen/support/errors.hpp"
+#include "tests/support/random_source.hpp"
 
-namespace regulus::codegen {
+namespace regulus {
 namespace {
 
 using GiNaC::ex;
@@ -22,14 +22,14 @@ class KnownSymbols final : public Names {
   explicit KnownSymbols(const std::vector<GiNaC::realsymbol>& symbols) {
     for (const GiNaC::realsymbol& s : symbols) terms_.emplace(s.get_name(), variable(s));
   }
-  const Term* find(const std::string& name, int) override {
+  const ParsedExpression* find(const std::string& name, int) override {
     const auto at = terms_.find(name);
     return at == terms_.end() ? nullptr : &at->second;
   }
   std::vector<std::string> all() const override { return {}; }
 
  private:
-  std::map<std::string, Term> terms_;
+  std::map<std::string, ParsedExpression> terms_;
 };
 
 const Formula x("x"), y("y");
@@ -83,7 +83,7 @@ TEST(Formula, IsNotMadeFromADoubleThatHasBeenRounded) {
   EXPECT_EQ(Formula(INT64_MIN).text(), "-9223372036854775808");
 }
 
-/// The same random expression by both roads.
+/// The same random expression by both variants.
 struct Pair {
   Formula formula;
   ex value;
@@ -120,10 +120,10 @@ TEST(Formula, MeansWhatGiNaCMakesOfTheSameOperations) {
   for (int i = 0; i < 300; ++i) {
     const Pair pair = random_pair(random, leaves, 1 + i % 4);
     KnownSymbols names(symbols);
-    const Term read = parse_expression(pair.formula.text(), names, {});
+    const ParsedExpression read = parse_expression(pair.formula.text(), names, {});
     EXPECT_TRUE(read.value.is_equal(pair.value)) << pair.formula.text();
     KnownSymbols again(symbols);
-    const Term back = parse_expression(Formula(pair.value).text(), again, {});
+    const ParsedExpression back = parse_expression(Formula(pair.value).text(), again, {});
     EXPECT_TRUE((back.value - pair.value).expand().is_zero()) << Formula(pair.value).text();
   }
 }
@@ -146,10 +146,10 @@ TEST(Formula, OfGiNaCIsReadBackAsItWas) {
            pow(sqrt(a), 3), ex(numeric(-2, 3)), GiNaC::Pi * a / 180, atan2(a, b), abs(a), exp(-a),
            log(b), sqrt(ex(2)) * a, pow(a, -1) * pow(b, 3)}) {
     KnownSymbols names({a, b});
-    const Term read = parse_expression(Formula(e).text(), names, {});
+    const ParsedExpression read = parse_expression(Formula(e).text(), names, {});
     EXPECT_TRUE(read.value.is_equal(e)) << e << " became " << Formula(e).text();
   }
 }
 
 }  // namespace
-}  // namespace regulus::codegen
+}  // namespace regulus

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The Gough family against a plain implementation in doubles that shares nothing with it.
-#include "regulus/codegen/model/gough.hpp"
+#include "codegen/model/gough.hpp"
 
 #include <gtest/gtest.h>
 
@@ -11,9 +11,9 @@
 #include <utility>
 #include <vector>
 
-#include "support/evaluate.hpp"
+#include "tests/support/evaluate.hpp"
 
-namespace regulus::codegen {
+namespace regulus {
 namespace {
 
 using Vector = std::array<double, 3>;
@@ -227,4 +227,4 @@ TEST(GoughTolerance, BoxesHaveNoBalls) {
 }
 
 }  // namespace
-}  // namespace regulus::codegen
+}  // namespace regulus

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "regulus/codegen/model/model_file.hpp"
+#include "codegen/model/model_file.hpp"
 
 #include <gtest/gtest.h>
 
@@ -7,12 +7,12 @@
 #include <filesystem>
 #include <fstream>
 
-#include "regulus/codegen/model/overrides.hpp"
-#include "regulus/codegen/model/sha256.hpp"
-#include "support/evaluate.hpp"
-#include "support/example_model.hpp"
+#include "codegen/model/overrides.hpp"
+#include "codegen/support/sha256.hpp"
+#include "tests/support/evaluate.hpp"
+#include "tests/support/example_model.hpp"
 
-namespace regulus::codegen {
+namespace regulus {
 namespace {
 
 using GiNaC::ex;
@@ -229,4 +229,4 @@ TEST(ModelFile, TakesWindowsLineEndings) {
 }
 
 }  // namespace
-}  // namespace regulus::codegen
+}  // namespace regulus

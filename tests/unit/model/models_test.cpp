@@ -5,11 +5,11 @@
 #include <algorithm>
 #include <cmath>
 
-#include "regulus/codegen/model/model_file.hpp"
-#include "regulus/codegen/model/overrides.hpp"
-#include "support/evaluate.hpp"
+#include "codegen/model/model_file.hpp"
+#include "codegen/model/overrides.hpp"
+#include "tests/support/evaluate.hpp"
 
-namespace regulus::codegen {
+namespace regulus {
 namespace {
 
 using GiNaC::ex;
@@ -206,4 +206,4 @@ TEST_F(Planar, CrossingMotionChangesSides) {
 }
 
 }  // namespace
-}  // namespace regulus::codegen
+}  // namespace regulus

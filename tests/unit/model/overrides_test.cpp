@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "regulus/codegen/model/overrides.hpp"
+#include "codegen/model/overrides.hpp"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "regulus/codegen/model/errors.hpp"
-#include "regulus/codegen/model/model_file.hpp"
-#include "support/example_model.hpp"
+#include "codegen/model/model_file.hpp"
+#include "codegen/support/errors.hpp"
+#include "tests/support/example_model.hpp"
 
-namespace regulus::codegen {
+namespace regulus {
 namespace {
 
 using GiNaC::ex;
@@ -139,4 +139,4 @@ TEST(SetTolerance, RefusesANegativeOne) {
 }
 
 }  // namespace
-}  // namespace regulus::codegen
+}  // namespace regulus

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "regulus/codegen/model/source_lines.hpp"
+#include "codegen/model/source_lines.hpp"
 
 #include <gtest/gtest.h>
 
 #include <string>
 
-namespace regulus::codegen {
+namespace regulus {
 namespace {
 
 TEST(SourceLines, CountCharactersAndNotBytes) {
@@ -48,4 +48,4 @@ TEST(SourceLines, FindPlacesOnLongLines) {
 }
 
 }  // namespace
-}  // namespace regulus::codegen
+}  // namespace regulus

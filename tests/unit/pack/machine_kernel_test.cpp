@@ -1,18 +1,18 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "regulus/machine/machine_kernel.hpp"
+#include "runtime/machine/machine_kernel.hpp"
 
 #include <gtest/gtest.h>
 
 #include <thread>
 #include <vector>
 
-#include "regulus/codegen/pack/select.hpp"
-#include "regulus/codegen/program/print.hpp"
-#include "regulus/interval/interval.hpp"
-#include "regulus/kernel/buffers.hpp"
-#include "regulus/kernel/call.hpp"
+#include "codegen/pack/select.hpp"
+#include "codegen/program/print.hpp"
+#include "runtime/interval/interval.hpp"
+#include "runtime/kernel/buffers.hpp"
+#include "runtime/kernel/call.hpp"
 
-namespace regulus::codegen {
+namespace regulus {
 namespace {
 
 using machine::MachineKernel;
@@ -141,4 +141,4 @@ TEST(MachineKernelOfAModule, GivesEveryThreadTheSameAnswer) {
 }
 
 }  // namespace
-}  // namespace regulus::codegen
+}  // namespace regulus

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "regulus/machine/pack_file.hpp"
+#include "runtime/machine/pack_file.hpp"
 
 #include <gtest/gtest.h>
 
-#include "regulus/codegen/pack/select.hpp"
-#include "support/sample_modules.hpp"
+#include "codegen/pack/select.hpp"
+#include "tests/support/sample_modules.hpp"
 
-namespace regulus::codegen {
+namespace regulus {
 namespace {
 
 using machine::PackKernel;
@@ -54,4 +54,4 @@ TEST(PackFile, IsASoundProgramOrNoneWithAnyByteChanged) {
 }
 
 }  // namespace
-}  // namespace regulus::codegen
+}  // namespace regulus

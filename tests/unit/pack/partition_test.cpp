@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "regulus/codegen/pack/partition.hpp"
+#include "codegen/pack/partition.hpp"
 
 #include <gtest/gtest.h>
 
 #include <map>
 
-#include "support/random_program.hpp"
+#include "tests/support/random_program.hpp"
 
-namespace regulus::codegen {
+namespace regulus {
 namespace {
 
 using Kind = Step::Kind;
@@ -110,4 +110,4 @@ TEST(FunctionPlan, TakesEntriesOfKAsPoints) {
 }
 
 }  // namespace
-}  // namespace regulus::codegen
+}  // namespace regulus

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "regulus/codegen/program/ball_program.hpp"
+#include "codegen/program/ball_program.hpp"
 
 // What a search hands to its threads is to hold no number of CLN: none is so much as declared here.
 #if defined(_CL_OBJECT_H) || defined(_CL_NUMBER_H) || defined(_CL_RATIONAL_H) || \
     defined(GINAC_EX_H) || defined(GINAC_BASIC_H)
-#error "regulus/codegen/program/ball_program.hpp includes CLN or GiNaC"
+#error "codegen/program/ball_program.hpp includes CLN or GiNaC"
 #endif
 
 #include <cln/rational.h>
@@ -13,10 +13,10 @@
 
 #include <thread>
 
-#include "regulus/codegen/program/arb_arithmetic.hpp"
-#include "regulus/codegen/program/interpreter.hpp"
+#include "codegen/program/arb_arithmetic.hpp"
+#include "codegen/program/interpreter.hpp"
 
-namespace regulus::codegen {
+namespace regulus {
 namespace {
 
 using cln::cl_RA;
@@ -111,4 +111,4 @@ TEST(FlintRational, IsReadBackFromItsTextAndFromNoOther) {
 }
 
 }  // namespace
-}  // namespace regulus::codegen
+}  // namespace regulus

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "regulus/codegen/program/enclose.hpp"
+#include "codegen/program/enclose.hpp"
 
 #include <gtest/gtest.h>
 
@@ -7,9 +7,9 @@
 #include <functional>
 #include <stdexcept>
 
-#include "regulus/codegen/program/rational_bounds.hpp"
+#include "codegen/program/rational_bounds.hpp"
 
-namespace regulus::codegen {
+namespace regulus {
 namespace {
 
 using Expression = std::function<NodeId(ProgramBuilder&)>;
@@ -99,4 +99,4 @@ TEST(Enclose, RoundsInwardToNothingWhenNoDoubleIsInside) {
 }
 
 }  // namespace
-}  // namespace regulus::codegen
+}  // namespace regulus

@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "regulus/codegen/program/exact_nodes.hpp"
+#include "codegen/program/exact_nodes.hpp"
 
 #include <gtest/gtest.h>
 
 #include <functional>
 
-#include "regulus/codegen/program/enclose.hpp"
+#include "codegen/program/enclose.hpp"
 
-namespace regulus::codegen {
+namespace regulus {
 namespace {
 
 using Expression = std::function<NodeId(ProgramBuilder&)>;
@@ -66,4 +66,4 @@ TEST(ExactNodes, AreNoneWhenNothingIsKnownOfTheRows) {
 }
 
 }  // namespace
-}  // namespace regulus::codegen
+}  // namespace regulus

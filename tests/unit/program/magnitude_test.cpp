@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "regulus/codegen/program/magnitude.hpp"
+#include "codegen/program/magnitude.hpp"
 
 #include <gtest/gtest.h>
 
 #include <functional>
 
-#include "regulus/codegen/program/enclose.hpp"
+#include "codegen/program/enclose.hpp"
 
-namespace regulus::codegen {
+namespace regulus {
 namespace {
 
 struct Bound {
@@ -75,4 +75,4 @@ TEST(Magnitude, DoesNotTrustSmallFactors) {
 }
 
 }  // namespace
-}  // namespace regulus::codegen
+}  // namespace regulus

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "regulus/codegen/program/print.hpp"
+#include "codegen/program/print.hpp"
 
 #include <gtest/gtest.h>
 
-namespace regulus::codegen {
+namespace regulus {
 namespace {
 
 Module small_module() {
@@ -55,4 +55,4 @@ TEST(Print, IsTheFowlerNollVoHashOfTheText) {
 }
 
 }  // namespace
-}  // namespace regulus::codegen
+}  // namespace regulus

@@ -5,10 +5,10 @@
 #include <functional>
 #include <stdexcept>
 
-#include "regulus/codegen/program/print.hpp"
-#include "regulus/codegen/program/program.hpp"
+#include "codegen/program/print.hpp"
+#include "codegen/program/program.hpp"
 
-namespace regulus::codegen {
+namespace regulus {
 namespace {
 
 using Expression = std::function<NodeId(ProgramBuilder&)>;
@@ -180,4 +180,4 @@ TEST(ProgramBuilder, DoesNotWriteOutEnormousPowers) {
 }
 
 }  // namespace
-}  // namespace regulus::codegen
+}  // namespace regulus

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "regulus/codegen/program/rational_bounds.hpp"
+#include "codegen/program/rational_bounds.hpp"
 
 #include <cln/integer.h>
 #include <gtest/gtest.h>
@@ -9,9 +9,9 @@
 #include <limits>
 #include <vector>
 
-#include "support/random_source.hpp"
+#include "tests/support/random_source.hpp"
 
-namespace regulus::codegen {
+namespace regulus {
 namespace {
 
 using Limits = std::numeric_limits<double>;
@@ -96,4 +96,4 @@ TEST(RationalBounds, BoundsTheExponent) {
 }
 
 }  // namespace
-}  // namespace regulus::codegen
+}  // namespace regulus

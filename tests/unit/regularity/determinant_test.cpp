@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "regulus/regularity/determinant.hpp"
+#include "runtime/regularity/determinant.hpp"
 
 #include <gtest/gtest.h>
 
-#include "regulus/regularity/rohn.hpp"
-#include "support/lane_arrays.hpp"
+#include "runtime/regularity/rohn.hpp"
+#include "tests/support/lane_arrays.hpp"
 
 namespace regulus {
 namespace {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "regulus/regularity/h_matrix.hpp"
+#include "runtime/regularity/h_matrix.hpp"
 
 #include <gtest/gtest.h>
 
@@ -7,7 +7,7 @@
 #include <type_traits>
 #include <vector>
 
-#include "support/lane_arrays.hpp"
+#include "tests/support/lane_arrays.hpp"
 
 namespace regulus {
 namespace {

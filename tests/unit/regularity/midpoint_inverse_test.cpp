@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "regulus/regularity/midpoint_inverse.hpp"
+#include "runtime/regularity/midpoint_inverse.hpp"
 
 #include <gtest/gtest.h>
 
@@ -8,7 +8,7 @@
 #include <cmath>
 #include <vector>
 
-#include "support/lane_arrays.hpp"
+#include "tests/support/lane_arrays.hpp"
 
 namespace regulus {
 namespace {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Which values are tried, with searches whose outcome and price are a formula.
-#include "regulus/search/bracket.hpp"
+#include "runtime/search/bracket.hpp"
 
 #include <gtest/gtest.h>
 

@@ -8,7 +8,7 @@
 #include <map>
 #include <thread>
 
-#include "support/function_kernel.hpp"
+#include "tests/support/function_kernel.hpp"
 
 namespace regulus {
 namespace {

@@ -4,8 +4,8 @@
 
 #include <random>
 
-#include "regulus/search/batch.hpp"
-#include "support/function_kernel.hpp"
+#include "runtime/evaluation/batch.hpp"
+#include "tests/support/function_kernel.hpp"
 
 namespace regulus::test {
 namespace {

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "regulus/search/frontier.hpp"
+#include "runtime/search/frontier.hpp"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
 
-#include "support/random_source.hpp"
+#include "tests/support/random_source.hpp"
 
 namespace regulus {
 namespace {

@@ -2,9 +2,9 @@
 // The six-legged platforms of Table III. Verdicts, and budgets for the numbers of boxes.
 #include <gtest/gtest.h>
 
-#include "regulus/search/solver.hpp"
-#include "support/exact.hpp"
-#include "support/gough_kernel.hpp"
+#include "runtime/search/solver.hpp"
+#include "tests/support/exact.hpp"
+#include "tests/support/gough_kernel.hpp"
 
 namespace regulus {
 namespace {

@@ -7,8 +7,8 @@
 #include <cstdlib>
 #include <new>
 
-#include "regulus/search/solver.hpp"
-#include "unit/embedded/static_kernel.hpp"
+#include "runtime/search/solver.hpp"
+#include "tests/unit/embedded/static_kernel.hpp"
 
 namespace {
 
@@ -64,7 +64,7 @@ class ShortOfMemory final : public Observer {
 };
 
 /// det A = x + u vanishes in the middle of the ranges.
-Problem singular_line(const regulus_kernel& kernel) {
+Problem format_singular(const regulus_kernel& kernel) {
   Problem problem;
   problem.kernel = &kernel;
   problem.outer = {{-1, 1}, {0, 1}, {-0x1p-8, 0x1p-8}};
@@ -83,7 +83,7 @@ Settings paving() {
 TEST(Memory, ASearchThatRunsOutOfItEndsWithThatReason) {
   const double r = 0;
   const regulus_kernel kernel = test::static_kernel(test::line_matrix, 1, &r);
-  const Problem problem = singular_line(kernel);
+  const Problem problem = format_singular(kernel);
   const Settings settings = paving();
   std::size_t reported = 0;
   for (const Shortage shortage : {Shortage::kOnce, Shortage::kForGood})
@@ -106,7 +106,7 @@ TEST(Memory, ASearchThatRunsOutOfItEndsWithThatReason) {
 TEST(Memory, SearchesForAWitnessNeedNoneOnTheWay) {
   const double r = 0;
   const regulus_kernel kernel = test::static_kernel(test::line_matrix, 1, &r);
-  const Problem problem = singular_line(kernel);
+  const Problem problem = format_singular(kernel);
   Settings settings;
   settings.threads = 1;
   for (long allocations = 0; allocations < 10000; ++allocations) {

@@ -5,7 +5,7 @@
 #include <atomic>
 #include <vector>
 
-#include "support/function_kernel.hpp"
+#include "tests/support/function_kernel.hpp"
 
 namespace regulus {
 namespace {

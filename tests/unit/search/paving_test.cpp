@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // What an exhaustive search says of each box, and how the volumes add up.
-#include "regulus/search/paving.hpp"
+#include "runtime/search/paving.hpp"
 
 #include <gtest/gtest.h>
 
 #include <atomic>
 
-#include "support/function_kernel.hpp"
+#include "tests/support/function_kernel.hpp"
 
 namespace regulus {
 namespace {

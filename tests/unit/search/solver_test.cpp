@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // What each verdict means, on matrices whose singularities are known.
-#include "regulus/search/solver.hpp"
+#include "runtime/search/solver.hpp"
 
 #include <gtest/gtest.h>
 
-#include "support/function_kernel.hpp"
+#include "tests/support/function_kernel.hpp"
 
 namespace regulus {
 namespace {

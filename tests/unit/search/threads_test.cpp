@@ -6,9 +6,9 @@
 #include <cfenv>
 #include <cstdio>
 
-#include "regulus/search/observers.hpp"
-#include "support/function_kernel.hpp"
-#include "support/gough_kernel.hpp"
+#include "runtime/problem/observers.hpp"
+#include "tests/support/function_kernel.hpp"
+#include "tests/support/gough_kernel.hpp"
 
 namespace regulus {
 namespace {

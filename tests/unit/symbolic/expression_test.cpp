@@ -1,15 +1,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "regulus/codegen/symbolic/expression.hpp"
+#include "codegen/symbolic/expression.hpp"
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
 
-#include "regulus/codegen/symbolic/evaluate.hpp"
-#include "regulus/codegen/symbolic/measure.hpp"
-#include "regulus/codegen/symbolic/print.hpp"
+#include "codegen/symbolic/evaluate.hpp"
+#include "codegen/symbolic/measure.hpp"
+#include "codegen/symbolic/print.hpp"
 
-namespace regulus::codegen {
+namespace regulus {
 namespace {
 
 const Expression x = variable("x"), y = variable("y"), k = point("k_1_1");
@@ -176,4 +176,4 @@ TEST(Substitute, ReplacesWhereverItOccurs) {
 }
 
 }  // namespace
-}  // namespace regulus::codegen
+}  // namespace regulus

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "regulus/codegen/symbolic/from_ginac.hpp"
+#include "codegen/symbolic/from_ginac.hpp"
 
 #include <gtest/gtest.h>
 
-#include "regulus/codegen/model/errors.hpp"
-#include "regulus/codegen/symbolic/print.hpp"
+#include "codegen/support/errors.hpp"
+#include "codegen/symbolic/print.hpp"
 
-namespace regulus::codegen {
+namespace regulus {
 namespace {
 
 using GiNaC::ex, GiNaC::numeric, GiNaC::pow;
@@ -83,4 +83,4 @@ TEST_F(FromGinac, RefusesWhatIsNotExact) {
 }
 
 }  // namespace
-}  // namespace regulus::codegen
+}  // namespace regulus

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "regulus/codegen/symbolic/rewrite.hpp"
+#include "codegen/symbolic/rewrite.hpp"
 
 #include <gtest/gtest.h>
 
-#include "regulus/codegen/symbolic/print.hpp"
+#include "codegen/symbolic/print.hpp"
 
-namespace regulus::codegen {
+namespace regulus {
 namespace {
 
 const Expression x = variable("x"), y = variable("y"), z = variable("z");
@@ -121,4 +121,4 @@ TEST(Rewrite, ExpansionsThatExplodeAreGivenUp) {
 }
 
 }  // namespace
-}  // namespace regulus::codegen
+}  // namespace regulus

@@ -2,7 +2,7 @@
 // What only exact algebra can tell: margins next to double roots, exact substitution, identities.
 #include <gtest/gtest.h>
 
-#include "support/certificate_texts.hpp"
+#include "tests/support/certificate_texts.hpp"
 
 namespace regulus::test {
 namespace {

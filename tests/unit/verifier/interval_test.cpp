@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "regulus/certificate/verifier/interval.hpp"
+#include "runtime/certificate/verifier/interval.hpp"
 
 #include <arb.h>
 #include <gtest/gtest.h>
 
-#include "regulus/certificate/verifier/ball.hpp"
-#include "regulus/certificate/verifier/elementary.hpp"
-#include "support/random_source.hpp"
+#include "runtime/certificate/verifier/ball.hpp"
+#include "runtime/certificate/verifier/elementary.hpp"
+#include "tests/support/random_source.hpp"
 
 namespace regulus::verifier {
 namespace {

@@ -3,8 +3,8 @@
 // whoever wrote the certificate.
 #include <gtest/gtest.h>
 
-#include "regulus/certificate/verifier/model_file.hpp"
-#include "support/certificate_texts.hpp"
+#include "runtime/certificate/verifier/model_file.hpp"
+#include "tests/support/certificate_texts.hpp"
 
 namespace regulus::test {
 namespace {

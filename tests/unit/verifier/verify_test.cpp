@@ -7,7 +7,7 @@
 #include <xmmintrin.h>
 #endif
 
-#include "support/certificate_texts.hpp"
+#include "tests/support/certificate_texts.hpp"
 
 namespace regulus::test {
 namespace {

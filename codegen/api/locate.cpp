@@ -1,0 +1,84 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "codegen/api/locate.hpp"
+
+#include <nlohmann/json.hpp>
+
+#include "codegen/api/algebra_lock.hpp"
+#include "codegen/engine/search_run.hpp"
+#include "codegen/engine/settings.hpp"
+#include "codegen/report/paving_options.hpp"
+#include "codegen/report/paving_report.hpp"
+#include "runtime/problem/observers.hpp"
+
+namespace regulus::inline api {
+namespace {
+
+/// Hands on the boxes. What a callback throws ends the search and is thrown by locate().
+class BoxListener final : public Observer {
+ public:
+  explicit BoxListener(const LocateOptions& options, const std::atomic<bool>* interrupt)
+      : options_(options), interrupt_(interrupt) {}
+
+  void on_leaf(const OpenBox& box, Rule rule, const Proof&) noexcept override {
+    tell(claim_of(rule), box.box);
+  }
+  void on_open(const OpenBox& box) noexcept override { tell(Claim::kUndecided, box.box); }
+  void on_progress(const Statistics&, std::uint64_t) noexcept override {
+    if (interrupt_ != nullptr && *interrupt_) stop_ = true;
+  }
+
+  [[nodiscard]] const std::atomic<bool>& stop() const noexcept { return stop_; }
+  void rethrow() const {
+    if (thrown_) std::rethrow_exception(thrown_);
+  }
+
+ private:
+  void tell(Claim claim, std::span<const Interval> box) noexcept {
+    if (!options_.on_box || thrown_) return;
+    try {
+      options_.on_box(claim, box);
+    } catch (...) {
+      thrown_ = std::current_exception();
+      stop_ = true;
+    }
+  }
+
+  const LocateOptions& options_;
+  const std::atomic<bool>* interrupt_;
+  std::atomic<bool> stop_{false};
+  std::exception_ptr thrown_;
+};
+
+}  // namespace
+
+Paving locate(const Question& question, const LocateOptions& options,
+              const std::atomic<bool>* interrupt) {
+  const AlgebraLock lock;
+  SearchOptions search = options.search;
+  search.boxes_before_compiling = 0;
+  PreparedSearch prepared =
+      prepare(question.options(), search, FormingWatch{.interrupt = interrupt});
+  const PavingOptions paving = resolve_paving({.resolution = options.resolution}, search, prepared);
+  const Problem problem = prepared.problem();
+  Volumes volumes(problem);
+  BoxListener listener(options, interrupt);
+  Observers observers({&volumes, &listener});
+  Settings settings = settings_of(prepared, search, &listener.stop());
+  require_paving(paving, settings);
+  Paving found;
+  found.result = run_search(prepared, search, settings, &observers);
+  listener.rethrow();
+  close_in_on_witness(prepared, search, settings, found.result);
+  found.verdict = found.result.verdict;
+  found.free = volumes.fraction(volumes.of(Claim::kFree));
+  found.singular = volumes.fraction(volumes.of(Claim::kSingular));
+  found.undecided = volumes.fraction(volumes.of(Claim::kUndecided));
+  found.outside = volumes.fraction(volumes.of(Claim::kOutside));
+  found.report = paving_report(prepared, search, paving, volumes, found.result);
+  found.json = json_paving_summary(prepared, search, paving, volumes, found.result).dump(2);
+  for (const VariableLabel& variable : prepared.labels.variables)
+    found.variables.push_back(variable.name);
+  return found;
+}
+
+}  // namespace regulus::inline api

@@ -1,0 +1,44 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// `regulus margin` for a program: the largest tolerance, threshold or size that is safe.
+#pragma once
+
+#include <atomic>
+#include <optional>
+#include <string>
+
+#include "codegen/api/question.hpp"
+#include "codegen/engine/options.hpp"
+
+namespace regulus::inline api {
+
+/// One of `tolerance`, `alpha` and `scale` is a range "LO:HI", or "LO:" where the upper end is to
+/// be found; the others are empty.
+struct MarginOptions {
+  SearchOptions search = for_a_minute();
+  std::string tolerance;  ///< "base,platform=0:0.2"
+  std::string alpha;
+  std::string scale;         ///< of the ranges of a box variety about their middles
+  std::string gap = "0.01";  ///< the bracket is closed when (b - a)/b is at most this
+
+  [[nodiscard]] static SearchOptions for_a_minute() {
+    SearchOptions options;
+    options.time_limit = 60;
+    return options;
+  }
+};
+
+struct MarginFinding {
+  /// The exact values of the two ends, as `regulus check` takes them: no singularity at `safe` and
+  /// below, a witness at `singular`.
+  std::optional<std::string> safe, singular;
+  bool closed = false;  ///< as narrow as asked, or all of the range is safe
+  std::string bracket;  ///< "SAFE UP TO 0.119, NOT AT 0.134"
+  std::string report;   ///< the lines that precede the bracket on a terminal
+  std::string json;     ///< the report that --json prints
+};
+
+/// Threads and errors as check().
+[[nodiscard]] MarginFinding margin(const Question& question, const MarginOptions& options,
+                                   const std::atomic<bool>* interrupt = nullptr);
+
+}  // namespace regulus::inline api

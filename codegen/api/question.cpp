@@ -1,0 +1,55 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "codegen/api/question.hpp"
+
+#include <utility>
+
+#include "codegen/api/algebra_lock.hpp"
+#include "codegen/model/request.hpp"
+
+namespace regulus::inline api {
+
+Question::Question() : options_(std::make_unique<ModelOptions>()) {}
+
+Question::Question(const Robot& robot, const std::string& motion) : Question() {
+  const AlgebraLock lock;
+  // Complains in terms of the C++, and not of the file that it amounts to.
+  static_cast<void>(robot.model());
+  options_->path = robot.name();
+  options_->text = robot.model_file();
+  options_->motion = motion;
+}
+
+Question Question::of_file(const std::string& path, const std::string& motion) {
+  Question question;
+  question.options_->path = path;
+  question.options_->motion = motion;
+  return question;
+}
+
+Question::Question(const Question& other)
+    : options_(std::make_unique<ModelOptions>(*other.options_)) {}
+Question& Question::operator=(const Question& other) {
+  *this = Question(other);
+  return *this;
+}
+Question::Question(Question&&) noexcept = default;
+Question& Question::operator=(Question&&) noexcept = default;
+Question::~Question() = default;
+
+Question& Question::range(const std::string& parameter, const std::string& lo,
+                          const std::string& hi) {
+  options_->ranges.push_back(parameter + '=' + lo + ':' + hi);
+  return *this;
+}
+
+Question& Question::tolerance(const std::string& groups, const std::string& tolerance) {
+  options_->tolerances.push_back(groups + '=' + tolerance);
+  return *this;
+}
+
+Question& Question::alpha(const std::string& threshold) {
+  options_->alpha = threshold;
+  return *this;
+}
+
+}  // namespace regulus::inline api

@@ -1,0 +1,48 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <memory>
+#include <string>
+
+#include "codegen/robot/robot.hpp"
+
+namespace regulus::inline model {
+struct ModelOptions;
+}
+
+namespace regulus::inline api {
+
+/// What is asked: a robot, one of its motions, and changes to them. Numbers are texts and exact:
+/// "0.1", "1/3", "15*deg".
+///
+/// A question holds no object of GiNaC: it may be copied, and asked, by any thread.
+class Question {
+ public:
+  /// `motion`: empty if the robot has only one.
+  ///
+  /// Throws    InputError with the place in C++ for what is wrong with the robot.
+  explicit Question(const Robot& robot, const std::string& motion = {});
+  /// The file is read when the question is asked, and its faults are named then.
+  [[nodiscard]] static Question of_file(const std::string& path, const std::string& motion = {});
+  Question(const Question& other);
+  Question& operator=(const Question& other);
+  Question(Question&&) noexcept;
+  Question& operator=(Question&&) noexcept;
+  ~Question();
+
+  /// In place of the motion's own range of a parameter.
+  Question& range(const std::string& parameter, const std::string& lo, const std::string& hi);
+  /// Of every quantity of a group; several groups are separated by commas.
+  Question& tolerance(const std::string& groups, const std::string& tolerance);
+  /// The threshold that |det J⁻¹| must exceed.
+  Question& alpha(const std::string& threshold);
+
+  [[nodiscard]] const ModelOptions& options() const noexcept { return *options_; }
+
+ private:
+  Question();
+
+  std::unique_ptr<ModelOptions> options_;
+};
+
+}  // namespace regulus::inline api

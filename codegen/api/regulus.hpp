@@ -1,0 +1,20 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The interface of Regulus for C++ programs.
+//
+//   Robot     a robot, its motions and its uncertain quantities, written in C++
+//   Question  a robot or a model file, one of its motions, and changes to them
+//   check     proves that the motion has no singular pose, or shows one: a Finding
+//   locate    paves the motion with boxes that are free, singular or undecided
+//   margin    brackets the largest tolerance, threshold or size that is safe
+//   Kernel    compiled functions of a question, for checks of pieces of the motion in a loop
+//
+// Link Regulus::jit. Errors are InputError, UsageError, FileError, CompileError and InternalError.
+#pragma once
+
+#include "codegen/api/check.hpp"
+#include "codegen/api/kernel.hpp"
+#include "codegen/api/locate.hpp"
+#include "codegen/api/margin.hpp"
+#include "codegen/api/question.hpp"
+#include "codegen/robot/robot.hpp"
+#include "codegen/support/errors.hpp"

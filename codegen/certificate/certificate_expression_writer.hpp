@@ -1,0 +1,57 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// GiNaC expressions as text in the language of certificates, the same bytes in every process.
+#pragma once
+
+#include <ginac/ginac.h>
+
+#include <map>
+#include <set>
+#include <string>
+#include <vector>
+
+#include "codegen/certificate/canonical_term.hpp"
+
+namespace regulus::inline certificate {
+
+/// Writes expressions; what occurs several times in them becomes a `let` of its own.
+class CertificateExpressionWriter {
+ public:
+  /// Names that a `let` must not take.
+  explicit CertificateExpressionWriter(std::set<std::string> taken) : taken_(std::move(taken)) {}
+
+  /// Announces an expression that will be written: its repeated parts are counted.
+  void announce(const GiNaC::ex& e);
+
+  /// The text of an expression; the `let` lines that it needs and that have not been written yet
+  /// are added to `lets`.
+  [[nodiscard]] std::string write(const GiNaC::ex& e, std::string& lets);
+
+ private:
+  using Strength = int;  ///< of the operator that a text ends with
+  struct Text {
+    std::string text;
+    Strength strength;
+  };
+
+  void count(const CanonicalNode& node);
+  [[nodiscard]] Text text_of(const CanonicalTerm& term, std::string& lets);
+  /// Of a node, or of the name that it has been given.
+  [[nodiscard]] Text node_text(const CanonicalNode& node, std::string& lets);
+  [[nodiscard]] Text bare_text(const CanonicalNode& node, std::string& lets);
+  [[nodiscard]] Text sum(const CanonicalNode& node, std::string& lets);
+  [[nodiscard]] Text power(const CanonicalNode& node, std::string& lets);
+  [[nodiscard]] Text call(const CanonicalNode& node, std::string& lets);
+  [[nodiscard]] Text quotient(const GiNaC::numeric& factor,
+                              const std::vector<CanonicalTerm>& factors, std::string& lets);
+  [[nodiscard]] std::string unused_name();
+
+  CanonicalReader reader_;
+  std::set<std::string> taken_;
+  std::map<const CanonicalNode*, int> count_;
+  std::map<const CanonicalNode*, std::string> named_;
+};
+
+/// An expression without `let` lines.
+[[nodiscard]] std::string expression_text(const GiNaC::ex& e);
+
+}  // namespace regulus::inline certificate

@@ -1,0 +1,160 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "codegen/certificate/certificate_question.hpp"
+
+#include <algorithm>
+#include <set>
+#include <sstream>
+
+#include "codegen/certificate/certificate_expression_writer.hpp"
+#include "runtime/certificate/format.hpp"
+#include "runtime/certificate/verifier/question.hpp"
+
+namespace regulus::inline certificate {
+namespace {
+
+using GiNaC::ex;
+
+class QuestionText {
+ public:
+  QuestionText(const Request& request, const std::set<std::string>& uncertain)
+      : model_(request.model),
+        motion_(request.motion),
+        uncertain_(uncertain),
+        lines_(names(request)) {}
+
+  std::string text() {
+    put("model", model_.name);
+    put("sha256", model_.sha256.empty() ? "-" : model_.sha256);
+    put("motion", motion_.name);
+    put("alpha", expression_text(motion_.alpha));
+    for (const MotionParameter& p : motion_.parameters)
+      put("parameter",
+          p.name + " in " + expression_text(p.range.lo) + " : " + expression_text(p.range.hi));
+    write_geometry();
+    write_poses();
+    write_matrix();
+    for (const ex& e : motion_.must_be_defined) put("motion-defined", expression_text(e));
+    for (const ex& e : motion_.constraints) put("constraint", expression_text(e));
+    return std::move(text_);
+  }
+
+ private:
+  static std::set<std::string> names(const Request& request) {
+    std::set<std::string> result;
+    for (const GeometryParameter& g : request.model.geometry) result.insert(g.name);
+    for (const PoseParameter& q : request.model.pose) result.insert(q.name);
+    for (const MotionParameter& q : request.motion.parameters) result.insert(q.name);
+    return result;
+  }
+
+  void put(const std::string& key, const std::string& value) { text_ += key + ' ' + value + '\n'; }
+
+  [[nodiscard]] bool is_variable(const GeometryParameter& g) const {
+    return uncertain_.contains(g.name);
+  }
+
+  void write_geometry() {
+    for (const GeometryParameter& g : model_.geometry) {
+      const ex spread = g.ball >= 0 ? model_.balls.at(std::size_t(g.ball)).radius : g.tolerance;
+      if (is_variable(g))
+        put("uncertain",
+            g.name + " = " + expression_text(g.value) + " +- " + expression_text(spread));
+      else
+        put("constant", g.name + " = " + expression_text(g.value));
+    }
+    for (const ToleranceBall& ball : model_.balls) {
+      std::string members;
+      for (const std::size_t i : ball.members)
+        if (is_variable(model_.geometry[i]))
+          members += (members.empty() ? "" : " ") + model_.geometry[i].name;
+      if (!members.empty()) put("ball", members);
+    }
+  }
+
+  void write_poses() {
+    for (std::size_t i = 0; i < model_.pose.size(); ++i) {
+      const ex error = motion_.error.empty() ? ex(0) : motion_.error[i];
+      put("pose", model_.pose[i].name + " = " + expression_text(motion_.pose[i]) +
+                      (error.is_zero() ? "" : " +- " + expression_text(error)));
+    }
+  }
+
+  /// The lines of matrix, scale and defined, after the `let` lines that they use.
+  void write_matrix() {
+    std::vector<std::pair<std::string, ex>> lines;
+    for (unsigned i = 0; i < model_.matrix.rows(); ++i)
+      for (unsigned j = 0; j < model_.matrix.cols(); ++j)
+        lines.emplace_back("entry", model_.matrix(i, j));
+    for (const ex& e : model_.row_scale) lines.emplace_back("scale", e);
+    for (const ex& e : model_.must_be_defined) lines.emplace_back("defined", e);
+    for (const auto& [key, e] : lines) lines_.announce(e);
+    std::string lets, rest;
+    for (const auto& [key, e] : lines) rest += key + ' ' + lines_.write(e, lets) + '\n';
+    text_ += lets + "matrix " + std::to_string(model_.matrix.rows()) + ' ' +
+             std::to_string(model_.matrix.cols()) + '\n' + rest;
+  }
+
+  const Model& model_;
+  const Motion& motion_;
+  const std::set<std::string>& uncertain_;
+  CertificateExpressionWriter lines_;
+  std::string text_;
+};
+
+/// A certificate tells symbols apart by their names alone.
+void require_distinct_names(const Request& request) {
+  std::map<std::string, ex> known;
+  const auto note = [&known](const std::string& name, const GiNaC::realsymbol& symbol) {
+    const auto [place, is_new] = known.emplace(name, symbol);
+    if (!is_new && !place->second.is_equal(symbol))
+      throw UsageError("--certificate: found two things named '" + name +
+                       "', expected different names");
+  };
+  for (const PoseParameter& q : request.model.pose) note(q.name, q.symbol);
+  for (const GeometryParameter& g : request.model.geometry) note(g.name, g.symbol);
+  for (const MotionParameter& q : request.motion.parameters) note(q.name, q.symbol);
+}
+
+std::size_t control_errors(const Motion& motion) {
+  return std::size_t(
+      std::ranges::count_if(motion.error, [](const ex& error) { return !error.is_zero(); }));
+}
+
+}  // namespace
+
+std::set<std::string> uncertain_names(const ReportLabels& subject) {
+  std::set<std::string> names;
+  for (const VariableLabel& v : subject.variables)
+    if (v.kind == VariableKind::kGeometry) names.insert(v.name);
+  return names;
+}
+
+CertifiedQuestion certified_question(const Request& request,
+                                     const std::set<std::string>& uncertain) {
+  require_distinct_names(request);
+  const GiNaC::matrix& matrix = request.model.matrix;
+  const format::ClaimedSet set{matrix.rows(), matrix.cols(),
+                               uncertain.size() + control_errors(request.motion),
+                               expression_text(request.motion.alpha) != "0"};
+  return {QuestionText(request, uncertain).text(), format::describe_claim(set, false),
+          format::describe_claim(set, true)};
+}
+
+std::string certificate_obstacle(const CertifiedQuestion& question) {
+  std::istringstream text(std::string(format::kMagic) + "\nverdict " + format::kNoSingularity +
+                          "\nclaim " + question.no_singularity + '\n' + question.text + "proof\n");
+  verifier::Lines lines(text);
+  verifier::Question read;
+  try {
+    verifier::read_question(lines, read);
+  } catch (const verifier::Rejection& why) {
+    return std::string("the question is beyond the limits of the format: ") + why.what();
+  }
+  return "";
+}
+
+CertifiedQuestion certified_question(const PreparedSearch& p) {
+  return certified_question(p.stages->request(), uncertain_names(p.labels));
+}
+
+}  // namespace regulus::inline certificate

@@ -1,0 +1,29 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The question of a certificate: model and motion as they were read, before any rewriting.
+#pragma once
+
+#include <set>
+#include <string>
+
+#include "codegen/engine/pipeline.hpp"
+#include "runtime/certificate/writer.hpp"
+
+namespace regulus::inline certificate {
+
+/// The constants of a robot that are variables of a search.
+[[nodiscard]] std::set<std::string> uncertain_names(const ReportLabels& subject);
+
+/// `uncertain`: the constants of the robot that vary; one of no spread may be among them.
+///
+/// Ensures   the same bytes for the same model file and options, in every process. Throws
+/// UsageError
+///           when the model's names do not fit into a certificate: two things of one name.
+[[nodiscard]] CertifiedQuestion certified_question(const Request& request,
+                                                   const std::set<std::string>& uncertain);
+/// Why the verifier could not read a certificate of this question, whatever its proof: it is beyond
+/// the limits of the format. Empty if it can.
+[[nodiscard]] std::string certificate_obstacle(const CertifiedQuestion& question);
+/// What a preparation was made for.
+[[nodiscard]] CertifiedQuestion certified_question(const PreparedSearch& preparation);
+
+}  // namespace regulus::inline certificate

@@ -1,0 +1,239 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "codegen/certificate/certified_model.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cctype>
+#include <map>
+#include <optional>
+#include <set>
+#include <sstream>
+
+#include "codegen/certificate/certificate_expression_writer.hpp"
+#include "codegen/certificate/certificate_question.hpp"
+#include "codegen/model/model_file.hpp"
+#include "codegen/model/overrides.hpp"
+#include "codegen/model/request.hpp"
+
+namespace regulus::inline certificate {
+namespace {
+
+using GiNaC::ex;
+
+/// "a = b" in two; empty where there is no such mark.
+std::pair<std::string, std::string> parted(std::string_view text, std::string_view mark) {
+  const std::size_t at = text.find(mark);
+  if (at == std::string_view::npos) return {};
+  return {std::string(text.substr(0, at)), std::string(text.substr(at + mark.size()))};
+}
+
+struct StatedRange {
+  std::string parameter, lo, hi;
+};
+
+/// What a command line could have changed, as a question states it.
+struct Stated {
+  std::string alpha;
+  std::vector<StatedRange> ranges;            ///< in their order, which is that of the variables
+  std::map<std::string, std::string> spread;  ///< of each constant of the robot that varies
+
+  explicit Stated(const CertificateHead& certificate) : alpha(certificate.value("alpha")) {
+    for (const std::string& line : certificate.lines()) {
+      if (const auto text = value_of(line, "parameter"); !text.empty()) {
+        const auto [name, range] = parted(text, " in ");
+        const auto [lo, hi] = parted(range, " : ");
+        ranges.push_back({name, lo, hi});
+      }
+      if (const auto text = value_of(line, "uncertain"); !text.empty())
+        spread[parted(text, " = ").first] = parted(text, " +- ").second;
+    }
+  }
+};
+
+std::string range_text(const Range& range) {
+  return expression_text(range.lo) + " : " + expression_text(range.hi);
+}
+
+ex spread_of(const Model& model, const GeometryParameter& g) {
+  return g.ball >= 0 ? model.balls.at(std::size_t(g.ball)).radius : g.tolerance;
+}
+
+/// A request of a model file, changed into what a question states.
+class CertificateOverrides {
+ public:
+  CertificateOverrides(Request request, const Stated& stated)
+      : request_(std::move(request)), stated_(stated) {
+    change_ranges();
+    change_tolerances();
+    change_threshold();
+  }
+
+  [[nodiscard]] const std::vector<std::string>& differences() const { return differences_; }
+  /// The question's lines from `model` on.
+  [[nodiscard]] std::string question() const {
+    std::set<std::string> uncertain;
+    for (const GeometryParameter& g : request_.model.geometry)
+      if (stated_.spread.contains(g.name) || !spread_of(request_.model, g).is_zero())
+        uncertain.insert(g.name);
+    return certified_question(request_, uncertain).text;
+  }
+
+ private:
+  void note(const std::string& what, const std::string& now, const std::string& before) {
+    differences_.push_back(fmt::format("{} {} instead of {}", what, now, before));
+  }
+
+  /// The range or the value of a parameter.
+  [[nodiscard]] std::string range_before(const std::string& name) const {
+    const Motion& motion = request_.motion;
+    for (const MotionParameter& p : motion.parameters)
+      if (p.name == name) return range_text(p.range);
+    for (std::size_t i = 0; i < request_.model.pose.size(); ++i)
+      if (request_.model.pose[i].name == name) return expression_text(motion.pose[i]);
+    return "none";
+  }
+
+  void change_ranges() {
+    for (const StatedRange& range : stated_.ranges) {
+      const std::string now = range.lo + " : " + range.hi;
+      const std::string before = range_before(range.parameter);
+      if (now == before) continue;
+      set_range(request_.model, request_.motion, range.parameter, range.lo + ':' + range.hi);
+      note("range " + range.parameter, now, before);
+    }
+  }
+
+  /// An option changes all of a group. Where the members of one are stated to differ, the lines do.
+  void change_tolerances() {
+    std::set<std::string> changed;
+    for (const GeometryParameter& g : std::vector(request_.model.geometry)) {
+      const auto stated = stated_.spread.find(g.name);
+      const std::string now = stated == stated_.spread.end() ? "0" : stated->second;
+      const std::string before = expression_text(spread_of(request_.model, g));
+      if (g.group.empty() || now == before || !changed.insert(g.group).second) continue;
+      set_tolerance(request_.model, g.group, now);
+      note("tolerance " + g.group, now, before);
+    }
+  }
+
+  void change_threshold() {
+    const std::string before = expression_text(request_.motion.alpha);
+    if (stated_.alpha == before) return;
+    set_alpha(request_.motion, stated_.alpha);
+    note("alpha", stated_.alpha, before);
+  }
+
+  Request request_;
+  const Stated& stated_;
+  std::vector<std::string> differences_;
+};
+
+bool is_condition(const std::string& line) {
+  return !value_of(line, "defined").empty() || !value_of(line, "motion-defined").empty();
+}
+
+/// Whether a condition is about constants alone. What a range was computed with, such as the root
+/// in sqrt(pi - 3)^2, may have left one behind that the range itself no longer shows.
+bool names_nothing(const std::string& condition) {
+  static const std::set<std::string, std::less<>> kKnown{
+      "pi", "sqrt", "sin", "cos", "tan", "asin", "acos", "atan", "atan2", "exp", "log", "abs"};
+  const std::string text = condition.substr(condition.find(' '));
+  const auto is_part = [](char c) {
+    return std::isalnum(static_cast<unsigned char>(c)) || c == '_';
+  };
+  for (std::size_t begin = 0, end; begin < text.size(); begin = end) {
+    end = begin + 1;
+    if (std::isalpha(static_cast<unsigned char>(text[begin])) == 0) continue;
+    while (end < text.size() && is_part(text[end])) ++end;
+    if (!kKnown.contains(text.substr(begin, end - begin))) return false;
+  }
+  return true;
+}
+
+struct NumberedLine {
+  std::size_t number;
+  std::string text;
+};
+
+/// A question in two: lines whose order means something, and conditions.
+struct Sorted {
+  std::vector<NumberedLine> ordered, conditions;
+
+  Sorted(const std::vector<std::string>& lines, std::size_t first) {
+    for (std::size_t i = first; i < lines.size(); ++i)
+      (is_condition(lines[i]) ? conditions : ordered).push_back({i + 1, lines[i]});
+  }
+  [[nodiscard]] std::set<std::string> condition_texts() const {
+    std::set<std::string> texts;
+    for (const NumberedLine& line : conditions) texts.insert(line.text);
+    return texts;
+  }
+};
+
+std::vector<std::string> lines_in(const std::string& text) {
+  std::vector<std::string> lines;
+  std::istringstream stream(text);
+  for (std::string line; std::getline(stream, line);) lines.push_back(line);
+  return lines;
+}
+
+/// The first lines hold verdict and claim, which follow from the others.
+constexpr std::size_t kFirstOfQuestion = 3;
+
+std::string shortened(const std::string& line) {
+  constexpr std::size_t kLong = 200;
+  return line.size() <= kLong ? line : line.substr(0, kLong) + " …";
+}
+
+std::string line_difference(const NumberedLine& found, const std::string& expected) {
+  return fmt::format("line {} reads '{}', where the model file gives '{}'", found.number,
+                     shortened(found.text), shortened(expected));
+}
+
+/// Empty if there is none.
+std::string first_difference(const std::vector<std::string>& certificate,
+                             const std::string& question) {
+  const Sorted found(certificate, kFirstOfQuestion), expected(lines_in(question), 0);
+  const NumberedLine end{certificate.size() + 1, "proof"};
+  for (std::size_t i = 0; i < std::max(found.ordered.size(), expected.ordered.size()); ++i) {
+    const NumberedLine& line = i < found.ordered.size() ? found.ordered[i] : end;
+    const std::string text = i < expected.ordered.size() ? expected.ordered[i].text : "proof";
+    if (line.text != text) return line_difference(line, text);
+  }
+  const std::set<std::string> needed = expected.condition_texts(), given = found.condition_texts();
+  for (const std::string& condition : needed)
+    if (!given.contains(condition)) return "there is no line '" + shortened(condition) + '\'';
+  for (const NumberedLine& line : found.conditions)
+    if (!needed.contains(line.text) && !names_nothing(line.text))
+      return fmt::format("line {}, '{}', is none of the model file's", line.number,
+                         shortened(line.text));
+  return "";
+}
+
+}  // namespace
+
+ModelConfirmation confirm_model(const CertificateHead& certificate, const std::string& path) {
+  const std::string text = read_model_text(path);
+  const Model model = parse_model(text, path);
+  const auto refused = [&path](const std::string& why) {
+    return ModelConfirmation{"the certificate is not about " + path + ": " + why, {}};
+  };
+  if (certificate.value("sha256") != model.sha256)
+    return refused("the SHA-256 of that file is another");
+  try {
+    ModelOptions options;
+    options.path = path;
+    options.motion = certificate.value("motion");
+    const Stated stated(certificate);
+    const CertificateOverrides changed(read_request(text, options), stated);
+    const std::string difference = first_difference(certificate.lines(), changed.question());
+    return difference.empty() ? ModelConfirmation{"", changed.differences()} : refused(difference);
+  } catch (const UsageError& error) {
+    return refused(error.what());
+  } catch (const InputError& error) {
+    return refused(error.what());
+  }
+}
+
+}  // namespace regulus::inline certificate

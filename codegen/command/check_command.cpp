@@ -1,0 +1,64 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <iostream>
+#include <nlohmann/json.hpp>
+
+#include "codegen/analysis/least_singular.hpp"
+#include "codegen/certificate/certificate_file.hpp"
+#include "codegen/command/commands.hpp"
+#include "codegen/command/end_command.hpp"
+#include "codegen/command/interrupt.hpp"
+#include "codegen/engine/checkpoint_file.hpp"
+#include "codegen/engine/search_run.hpp"
+#include "codegen/engine/settings.hpp"
+#include "codegen/report/progress.hpp"
+#include "codegen/report/report.hpp"
+#include "codegen/support/earlier_outputs.hpp"
+#include "runtime/problem/observers.hpp"
+
+namespace regulus::inline command {
+namespace {
+
+/// Returns when the report and all files are written.
+Result search_and_report(const CheckCommand& command, PreparedSearch& preparation,
+                         InterruptGuard& interrupt) {
+  const Settings settings = settings_of(preparation, command.search, &interrupt.requested());
+  interrupt.begin_search();
+  CheckpointFile checkpoint(command.checkpoint, preparation, settings);
+  CertificateFile certificate(command.certificate, preparation,
+                              checkpoint.partial(command.certificate));
+  // The certificate first: what it has is then safe before a checkpoint speaks of it.
+  std::vector<Observer*> watching;
+  if (certificate.observer() != nullptr) watching.push_back(certificate.observer());
+  if (Observer* saving = checkpoint.observer(certificate.writer())) watching.push_back(saving);
+  SearchDisplay display(command.output);
+  if (display.observer() != nullptr) watching.push_back(display.observer());
+  Observers observers(std::move(watching));
+  Result result = run_search(preparation, command.search, settings, &observers, checkpoint.found());
+  certificate.finish(result);
+  checkpoint.finish(result, certificate.writer());
+  const auto nearest = nearest_singular(preparation, result);
+  if (!command.output.quiet)
+    std::cerr << text_report(preparation, command.search, result, nearest) << certificate.line()
+              << checkpoint.line();
+  if (command.output.json) {
+    nlohmann::ordered_json report = json_report(preparation, command.search, result, nearest);
+    certificate.add_to(report);
+    std::cout << report.dump(command.output.json_indent) << '\n';
+  } else {
+    std::cout << name(result.verdict) << '\n';
+  }
+  return result;
+}
+
+}  // namespace
+
+int run_check(const CheckCommand& command) {
+  set_earlier_outputs_aside(command.model.path, {{"--certificate", command.certificate, true}});
+  InterruptGuard interrupt;
+  PreparedSearch preparation =
+      prepare(command.model, command.search, forming_watch(command.output, &interrupt.requested()));
+  const Result result = search_and_report(command, preparation, interrupt);
+  return end_command(preparation, command.output, result, interrupt.requested());
+}
+
+}  // namespace regulus::inline command

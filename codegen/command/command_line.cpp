@@ -1,0 +1,86 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "codegen/command/command_line.hpp"
+
+#include <algorithm>
+
+#include "codegen/command/command_tables.hpp"
+#include "codegen/engine/ingredients.hpp"
+#include "codegen/support/exit_code.hpp"
+
+namespace regulus::inline command {
+namespace {
+
+/// "{a,b,c}" anywhere in what --help says of an option's value.
+std::vector<std::string> choices_in(const std::string& type) {
+  const std::size_t open = type.find('{'), close = type.find('}');
+  std::vector<std::string> choices;
+  if (open == std::string::npos || close == std::string::npos) return choices;
+  for (std::size_t begin = open + 1; begin < close;) {
+    const std::size_t end = std::min(type.find(',', begin), close);
+    choices.push_back(type.substr(begin, end - begin));
+    begin = end + 1;
+  }
+  return choices;
+}
+
+/// "S" of "S:POSITIVE", which is what CLI11 makes of a value that is checked.
+std::string without_check(const std::string& type) {
+  for (const char* check : {":POSITIVE", ":NONNEGATIVE", ":INT in", ":UINT in"})
+    if (const std::size_t at = type.find(check); at != std::string::npos) return type.substr(0, at);
+  return type;
+}
+
+OptionEntry entry_of(const CLI::Option& option) {
+  OptionEntry entry;
+  entry.name = option.get_positional() ? option.get_name(true) : option.get_name(false);
+  const bool flag = option.get_expected_min() == 0 && option.get_type_size() == 0;
+  const std::string type = option.get_type_name();
+  entry.choices = choices_in(type);
+  if (!flag && !option.get_positional())
+    entry.value = entry.choices.empty() ? without_check(type) : "CHOICE";
+  if (entry.name == "--without") entry.choices = ingredient_names();
+  entry.description = option.get_description();
+  entry.required = option.get_required();
+  return entry;
+}
+
+CommandEntry entry_of(const CLI::App& app, const std::string& name) {
+  CommandEntry entry{name, app.get_description(), app.get_footer(), {}, {}};
+  // An option without a group is one that is refused in words: help does not show it.
+  for (const CLI::Option* option : app.get_options())
+    if (option->get_positional() || !option->get_group().empty())
+      (option->get_positional() ? entry.arguments : entry.options).push_back(entry_of(*option));
+  return entry;
+}
+
+}  // namespace
+
+CommandLine parse_command_line(int argc, const char* const* argv,
+                               const std::string& shell_commands) {
+  CommandTables tables(shell_commands);
+  CommandLine result;
+  try {
+    tables.app.parse(argc, argv);
+  } catch (const CLI::ParseError& error) {
+    result.exit_code = tables.app.exit(error) == 0 ? 0 : kUsageError;
+    return result;
+  }
+  if (tables.check_command->parsed()) result.check = tables.check;
+  if (tables.locate_command->parsed()) result.locate = tables.locate;
+  if (tables.margin_command->parsed()) result.margin = tables.margin;
+  if (tables.explain_command->parsed()) result.explain = tables.explain;
+  if (tables.generate_command->parsed()) result.generate = tables.generate;
+  if (tables.verify_command->parsed()) result.verify = tables.verify;
+  if (tables.shell_command->parsed()) result.shell = tables.shell;
+  return result;
+}
+
+std::vector<CommandEntry> command_table(const std::string& shell_commands) {
+  const CommandTables tables(shell_commands);
+  std::vector<CommandEntry> table{entry_of(tables.app, "")};
+  for (const CLI::App* command : tables.app.get_subcommands(nullptr))
+    table.push_back(entry_of(*command, command->get_name()));
+  return table;
+}
+
+}  // namespace regulus::inline command

@@ -1,0 +1,106 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The command line, as values. Names that the option texts spell are those of DESIGN's command
+// table.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "codegen/command/generate_options.hpp"
+#include "codegen/engine/options.hpp"
+#include "codegen/report/output_options.hpp"
+
+namespace regulus::inline command {
+
+struct CheckCommand {
+  ModelOptions model;
+  SearchOptions search;
+  OutputOptions output;
+  std::string certificate;  ///< file; empty: none
+  CheckpointOptions checkpoint;
+};
+
+struct LocateCommand {
+  ModelOptions model;
+  SearchOptions search;
+  OutputOptions output;
+  std::string resolution;  ///< part of each range, an expression; empty: by the number of ranges
+  std::string axes;        ///< "p,q"; empty: the first two that are not single values
+  std::string lines;       ///< file of the JSON lines, "-" = standard output; empty: see --json
+  std::vector<std::string> pictures;
+  std::string certificate;        ///< file; empty: none
+  bool boxes_unless_json = true;  ///< print the boxes where nothing says otherwise
+};
+
+/// One of the model's tolerances, its alpha, or `scale` is a range LO:HI.
+struct MarginCommand {
+  ModelOptions model;
+  SearchOptions search;
+  OutputOptions output;
+  std::string scale;  ///< empty: not that
+  std::string gap = "0.01";
+  std::string certificate;  ///< files, without their endings; empty: none
+};
+
+struct VerifyCommand {
+  std::string path;
+  std::string model;                 ///< the model file it must be about; empty: any
+  std::optional<double> time_limit;  ///< in seconds
+  std::optional<std::uint64_t> max_boxes;
+  OutputOptions output;
+};
+
+struct ExplainCommand {
+  ModelOptions model;
+  bool all_entries = false;
+  std::string stage = "forms";    ///< or a part of them, or "text": the C++ of the kernel
+  Method method = Method::kAuto;  ///< whose functions are shown
+  std::uint64_t symbolic_budget = kDeterminantBudget;
+  OutputOptions output;
+};
+
+/// `regulus shell`
+struct ShellCommand {
+  std::string path;  ///< a model to begin with; empty: none
+  bool json = false;
+};
+
+/// What was asked. Exactly one command is set; none when `exit_code` is (--help, --version, an
+/// error).
+struct CommandLine {
+  std::optional<int> exit_code;
+  std::optional<CheckCommand> check;
+  std::optional<LocateCommand> locate;
+  std::optional<MarginCommand> margin;
+  std::optional<ExplainCommand> explain;
+  std::optional<GenerateCommand> generate;
+  std::optional<VerifyCommand> verify;
+  std::optional<ShellCommand> shell;
+};
+
+/// Parses the arguments. Prints help, the version and usage errors itself; `shell_commands` goes
+/// into the help of `regulus shell`.
+[[nodiscard]] CommandLine parse_command_line(int argc, const char* const* argv,
+                                             const std::string& shell_commands = {});
+
+/// An option of a command, or an argument, as --help shows it.
+struct OptionEntry {
+  std::string name;   ///< "--range"; of an argument "MODEL"
+  std::string value;  ///< what follows, "p=LO:HI"; empty: a flag
+  std::string description;
+  std::vector<std::string> choices;  ///< every value there is; empty if that is free
+  bool required = false;
+};
+
+struct CommandEntry {
+  std::string name, description, footer;
+  std::vector<OptionEntry> arguments, options;
+};
+
+/// Every command, from the tables that parse_command_line goes by; the program itself first, under
+/// the name "". `shell_commands` is the first part of the footer of `shell`.
+[[nodiscard]] std::vector<CommandEntry> command_table(const std::string& shell_commands = {});
+
+}  // namespace regulus::inline command

@@ -1,0 +1,38 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <CLI/CLI.hpp>
+#include <string>
+
+#include "codegen/command/command_line.hpp"
+
+namespace regulus::inline command {
+
+/// The tables of all commands, and where they put what they read.
+struct CommandTables {
+  CLI::App app;
+  CheckCommand check;
+  LocateCommand locate;
+  MarginCommand margin;
+  ExplainCommand explain;
+  GenerateCommand generate;
+  VerifyCommand verify;
+  ShellCommand shell;
+  CLI::App* check_command;
+  CLI::App* locate_command;
+  CLI::App* margin_command;
+  CLI::App* explain_command;
+  CLI::App* generate_command;
+  CLI::App* verify_command;
+  CLI::App* shell_command;
+
+  /// `shell_commands`: the first part of the footer of `shell`.
+  explicit CommandTables(const std::string& shell_commands);
+
+ private:
+  void add_check();
+  void add_locate();
+  void add_margin();
+};
+
+}  // namespace regulus::inline command

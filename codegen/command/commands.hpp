@@ -1,0 +1,25 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The commands. Each prints its result and returns the exit code.
+#pragma once
+
+#include <string>
+
+#include "codegen/command/command_line.hpp"
+
+namespace regulus::inline command {
+
+[[nodiscard]] int run_check(const CheckCommand& command);
+
+[[nodiscard]] int run_locate(const LocateCommand& command);
+
+[[nodiscard]] int run_margin(const MarginCommand& command);
+
+[[nodiscard]] int run_verify(const VerifyCommand& command);
+
+/// `typed`: the command line as typed, for the header of generated text.
+[[nodiscard]] int run_explain(const ExplainCommand& command, const std::string& typed);
+
+/// `typed`: the same.
+[[nodiscard]] int run_generate(const GenerateCommand& command, const std::string& typed);
+
+}  // namespace regulus::inline command

@@ -1,0 +1,92 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "codegen/command/generate_options.hpp"
+
+#include <CLI/CLI.hpp>
+#include <iostream>
+#include <nlohmann/json.hpp>
+
+#include "codegen/cpp/write_files.hpp"
+#include "codegen/support/errors.hpp"
+
+namespace regulus::inline command {
+namespace {
+
+GenerateOptions generate_options(const GenerateCommand& command, const Request& request,
+                                 const std::string& typed) {
+  GenerateOptions options;
+  options.name = command.name.empty() ? default_kernel_name(request) : command.name;
+  options.name_space = command.name_space;
+  for (const std::string& isa : command.isas) options.isas.push_back(parse_isa(isa).value());
+  options.command = typed;
+  return options;
+}
+
+nlohmann::ordered_json json_list(const std::string& name, const std::filesystem::path& folder,
+                                 const std::vector<GeneratedFile>& files) {
+  nlohmann::ordered_json list = {{"name", name}, {"files", nlohmann::json::array()}};
+  for (const GeneratedFile& file : files) list["files"].push_back((folder / file.name).string());
+  return list;
+}
+
+}  // namespace
+
+void add_model_changes(CLI::App& app, ModelOptions& options) {
+  app.add_option("--range", options.ranges,
+                 "Range of a motion parameter, p=LO:HI, or its value, p=V; expressions allowed: "
+                 "psi=-5*deg:5*deg")
+      ->take_all()
+      ->expected(1)
+      ->type_name("p=LO:HI");
+  app.add_option("--tolerance", options.tolerances,
+                 "Tolerance of a group of constants, e.g. base,platform=0.1")
+      ->take_all()
+      ->expected(1)
+      ->type_name("GROUP=E");
+  app.add_option("--alpha", options.alpha, "Threshold: certify |det J^-1| > A instead of full rank")
+      ->type_name("A");
+}
+
+void add_generate_options(CLI::App& app, GenerateCommand& command) {
+  app.add_option("-o,--output", command.folder, "Folder for the files; made if there is none")
+      ->required()
+      ->type_name("DIR");
+  app.add_option("--isa", command.isas,
+                 "Instruction sets to generate for; the program that is built chooses among them "
+                 "when it runs, portable is always there")
+      ->delimiter(',')
+      ->check(CLI::IsMember({"avx512", "avx2", "portable"}))
+      ->expected(1)
+      ->take_all()
+      ->type_name("ISA,...")
+      ->default_str("avx512,avx2,portable");
+  app.add_option("--name", command.name,
+                 "Name of the files and symbols; by default of the model file and the motion")
+      ->type_name("NAME");
+  app.add_option("--namespace", command.name_space, "Namespace of the C++ header; default NAME")
+      ->type_name("NS");
+  app.add_option("--depfile", command.dependencies,
+                 "Also write which file these depend on, as make and Ninja read it")
+      ->type_name("FILE");
+  app.add_flag("--json", command.json, "The list on standard output, as one JSON object");
+  app.add_flag("--quiet", command.quiet, "Do not list the files (unless as JSON)");
+}
+
+void generate_files(const GenerateCommand& command, const Request& request,
+                    const std::string& typed) {
+  const GenerateOptions options = generate_options(command, request, typed);
+  const std::vector<GeneratedFile> files = generate(request, options);
+  const std::filesystem::path folder = command.folder;
+  write_files(folder, files);
+  if (!command.dependencies.empty())
+    write_file(command.dependencies, dependency_text(folder, files, request.model.path));
+  if (command.json)
+    std::cout << json_list(options.name, folder, files)
+                     .dump(command.json_indent, ' ', false,
+                           nlohmann::json::error_handler_t::replace)
+              << '\n';
+  else if (!command.quiet)
+    for (const GeneratedFile& file : files) std::cout << (folder / file.name).string() << '\n';
+  if (!std::cout.flush()) throw FileError("standard output cannot be written");
+}
+
+}  // namespace regulus::inline command

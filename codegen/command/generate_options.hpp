@@ -1,0 +1,41 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// `regulus generate`, and what a program says that generates the kernel of its own C++ model.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "codegen/cpp/generate.hpp"
+
+namespace CLI {
+class App;
+}
+
+namespace regulus::inline command {
+
+struct GenerateCommand {
+  ModelOptions model;
+  std::string folder;
+  std::string name;
+  std::string name_space;
+  std::vector<std::string> isas = {"avx512", "avx2", "portable"};
+  std::string dependencies;  ///< file; empty: none
+  bool json = false;
+  bool quiet = false;
+  int json_indent = 2;  ///< −1: all on one line
+};
+
+/// What changes a model or its motion: --range, --tolerance, --alpha.
+void add_model_changes(CLI::App& app, ModelOptions& options);
+
+/// All options of generate but the model and the motion.
+void add_generate_options(CLI::App& app, GenerateCommand& command);
+
+/// Writes the files and lists them on standard output, as JSON if asked for. `typed`: the command
+/// line, for their heads.
+///
+/// Throws    UsageError, InputError, FileError; no file has been touched then.
+void generate_files(const GenerateCommand& command, const Request& request,
+                    const std::string& typed);
+
+}  // namespace regulus::inline command

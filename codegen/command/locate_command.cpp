@@ -1,0 +1,165 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <sys/stat.h>
+
+#include <fstream>
+#include <iostream>
+#include <memory>
+#include <nlohmann/json.hpp>
+#include <optional>
+
+#include "codegen/certificate/certificate_file.hpp"
+#include "codegen/command/commands.hpp"
+#include "codegen/command/end_command.hpp"
+#include "codegen/command/interrupt.hpp"
+#include "codegen/engine/search_run.hpp"
+#include "codegen/engine/settings.hpp"
+#include "codegen/report/canvas.hpp"
+#include "codegen/report/gnuplot.hpp"
+#include "codegen/report/paving_options.hpp"
+#include "codegen/report/paving_report.hpp"
+#include "codegen/report/paving_writer.hpp"
+#include "codegen/report/picture.hpp"
+#include "codegen/report/progress.hpp"
+#include "codegen/support/earlier_outputs.hpp"
+#include "codegen/support/errors.hpp"
+#include "runtime/problem/observers.hpp"
+
+namespace regulus::inline command {
+namespace {
+
+/// Where the JSON lines go: a file, standard output, or nowhere.
+class LinesFile {
+ public:
+  explicit LinesFile(const LocateCommand& command) : name_(chosen(command)) {
+    if (name_ == "-" && command.output.json)
+      throw UsageError("--json: found --output -, expected one of them on standard output");
+    if (name_.empty() || name_ == "-") return;
+    file_.open(name_);
+    if (!file_) throw FileError("cannot write " + name_);
+    opened_ = identity();
+  }
+
+  [[nodiscard]] bool wanted() const { return !name_.empty(); }
+  [[nodiscard]] bool is_standard_output() const { return name_ == "-"; }
+  [[nodiscard]] std::string name() const {
+    return is_standard_output() ? "standard output" : name_;
+  }
+  /// Lines that nobody will find are not written. Throws FileError.
+  void require_in_place() const {
+    const std::pair<dev_t, ino_t> none;
+    if (wanted() && !is_standard_output() && (opened_ == none || identity() != opened_))
+      throw FileError(name_ + " was removed while it was written");
+  }
+  [[nodiscard]] std::ostream& stream() { return is_standard_output() ? std::cout : file_; }
+
+ private:
+  static std::string chosen(const LocateCommand& command) {
+    const bool print = command.boxes_unless_json && !command.output.json;
+    return command.lines.empty() && print ? std::string("-") : command.lines;
+  }
+
+  /// Of the file that has the name now.
+  [[nodiscard]] std::pair<dev_t, ino_t> identity() const {
+    struct stat status {};
+    return ::stat(name_.c_str(), &status) == 0 ? std::pair(status.st_dev, status.st_ino)
+                                               : std::pair<dev_t, ino_t>();
+  }
+
+  std::string name_;
+  std::ofstream file_;
+  std::pair<dev_t, ino_t> opened_;
+};
+
+/// The pictures, their files opened and gnuplot started before the search: what cannot be had is
+/// said at once.
+class Pictures {
+ public:
+  Pictures(const std::vector<std::string>& files, const PreparedSearch& preparation,
+           const PavingOptions& options)
+      : files_(files) {
+    if (files_.empty()) return;
+    for (const std::string& file : files_) plotters_.push_back(std::make_unique<Gnuplot>(file));
+    canvas_.emplace(preparation, options);
+  }
+
+  [[nodiscard]] Observer* canvas() { return canvas_ ? &*canvas_ : nullptr; }
+  void draw(const PreparedSearch& preparation, const PavingOptions& options,
+            const Volumes& volumes) {
+    for (std::size_t i = 0; i < files_.size(); ++i)
+      plotters_[i]->draw(picture_commands(files_[i], preparation, options, volumes, *canvas_));
+  }
+
+ private:
+  std::vector<std::string> files_;
+  std::vector<std::unique_ptr<Gnuplot>> plotters_;
+  std::optional<Canvas> canvas_;
+};
+
+std::vector<OutputFile> outputs_of(const LocateCommand& command) {
+  std::vector<OutputFile> outputs = {{"--certificate", command.certificate, true}};
+  if (command.lines != "-") outputs.push_back({"--output", command.lines});
+  for (const std::string& picture : command.pictures) outputs.push_back({"--picture", picture});
+  return outputs;
+}
+
+std::vector<Observer*> present(std::initializer_list<Observer*> observers) {
+  std::vector<Observer*> result;
+  for (Observer* observer : observers)
+    if (observer != nullptr) result.push_back(observer);
+  return result;
+}
+
+/// Returns when the report and all files are written.
+Result pave_and_report(const LocateCommand& command, PreparedSearch& preparation,
+                       InterruptGuard& interrupt) {
+  const PavingOptions options = resolve_paving(
+      {command.resolution, command.axes, !command.pictures.empty()}, command.search, preparation);
+  LinesFile lines(command);
+  Pictures pictures(command.pictures, preparation, options);
+  std::optional<PavingWriter> writer;
+  if (lines.wanted())
+    writer.emplace(lines.stream(), preparation, options, [&interrupt] { interrupt.request(); });
+  const Problem problem = preparation.problem();
+  Volumes volumes(problem);
+  CertificateFile certificate(command.certificate, preparation);
+  SearchDisplay display(command.output);
+  Observers observers(present({&volumes, writer ? &*writer : nullptr, pictures.canvas(),
+                               certificate.observer(), display.observer()}));
+
+  Settings settings = settings_of(preparation, command.search, &interrupt.requested());
+  require_paving(options, settings);
+  interrupt.begin_search();
+  Result result = run_search(preparation, command.search, settings, &observers);
+  close_in_on_witness(preparation, command.search, settings, result);
+
+  certificate.finish(result);
+  auto summary = json_paving_summary(preparation, command.search, options, volumes, result);
+  certificate.add_to(summary);
+  if (writer) writer->finish(summary, lines.name());
+  lines.require_in_place();
+  pictures.draw(preparation, options, volumes);
+  if (!command.output.quiet)
+    std::cerr << paving_report(preparation, command.search, options, volumes, result)
+              << certificate.line();
+  if (command.output.json)
+    std::cout << summary.dump(command.output.json_indent) << '\n';
+  else if (!lines.is_standard_output())
+    std::cout << name(result.verdict) << '\n';
+  else if (!command.output.quiet)
+    std::cerr << name(result.verdict) << '\n';
+  return result;
+}
+
+}  // namespace
+
+int run_locate(const LocateCommand& command) {
+  for (const std::string& picture : command.pictures) require_picture_format(picture);
+  set_earlier_outputs_aside(command.model.path, outputs_of(command));
+  InterruptGuard interrupt;
+  PreparedSearch preparation =
+      prepare(command.model, command.search, forming_watch(command.output, &interrupt.requested()));
+  const Result result = pave_and_report(command, preparation, interrupt);
+  return end_command(preparation, command.output, result, interrupt.requested());
+}
+
+}  // namespace regulus::inline command

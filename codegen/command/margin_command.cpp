@@ -1,0 +1,57 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <iostream>
+#include <nlohmann/json.hpp>
+
+#include "codegen/command/commands.hpp"
+#include "codegen/command/interrupt.hpp"
+#include "codegen/margin/margin_report.hpp"
+#include "codegen/margin/prepared_margin.hpp"
+#include "codegen/report/progress.hpp"
+#include "codegen/support/earlier_outputs.hpp"
+#include "codegen/support/exit_code.hpp"
+
+namespace regulus::inline command {
+namespace {
+
+int exit_code_of(const MarginQuestion& question, const Margin& margin) {
+  if (margin.refuted && margin.refuted->value.approx <= question.low.approx) return kSingularity;
+  return margin.closed && margin.certified ? kNoSingularity : kPossibleProblem;
+}
+
+}  // namespace
+
+int run_margin(const MarginCommand& given) {
+  MarginCommand command = given;
+  const double gap = read_gap(command.gap);
+  const MarginQuestion question = take_question(command.model, command.scale);
+  set_earlier_outputs_aside(command.model.path, MarginCertificates::files(command.certificate));
+  InterruptGuard interrupt;
+  PreparedMargin margin(question, command.model, command.search,
+                        forming_watch(command.output, &interrupt.requested()));
+  margin.settings.interrupt = &interrupt.requested();
+  interrupt.begin_search();
+
+  const bool quiet = command.output.quiet;
+  MarginCertificates certificates(command.certificate, margin.request, margin.prepared.labels);
+  MarginRun run(margin.prepared, question, margin.request, margin.search, command.output,
+                margin.settings, gap, certificates, [quiet](const MarginStep& step) {
+                  if (!quiet) std::cerr << format_step(step);
+                });
+  const Margin found = run.run();
+  margin.prepared.seconds.search = found.seconds;
+  if (!quiet)
+    std::cerr << margin_report(margin.prepared, margin.search, question, found)
+              << certificates.lines();
+  if (command.output.json) {
+    nlohmann::ordered_json report =
+        json_margin(margin.prepared, margin.search, question, found, gap);
+    certificates.add_to(report);
+    std::cout << report.dump(command.output.json_indent) << '\n';
+  } else {
+    std::cout << describe_bracket(question, found) << '\n';
+  }
+  std::cout.flush();
+  return exit_code_of(question, found);
+}
+
+}  // namespace regulus::inline command

@@ -1,0 +1,53 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "codegen/cpp/expression_text.hpp"
+
+#include <utility>
+
+namespace regulus::inline cpp {
+namespace {
+
+std::string parenthesised(const std::string& text) { return concatenate({"(", text, ")"}); }
+
+std::string at_least(const ExpressionText& a, Precedence precedence) {
+  return a.precedence < precedence ? parenthesised(a.text) : a.text;
+}
+
+/// The right operand of a binary operator: a sign there reads better in parentheses, and operators
+/// of the same precedence group to the left, which is not what the program says.
+std::string right_of(const ExpressionText& b, Precedence precedence) {
+  const bool plain = b.precedence > precedence && b.precedence != Precedence::kSign;
+  return plain ? b.text : parenthesised(b.text);
+}
+
+ExpressionText binary(const ExpressionText& a, const char* sign, const ExpressionText& b,
+                      Precedence precedence) {
+  return {concatenate({at_least(a, precedence), sign, right_of(b, precedence)}), precedence};
+}
+
+}  // namespace
+
+std::string concatenate(std::initializer_list<std::string_view> pieces) {
+  std::string result;
+  for (const std::string_view piece : pieces) result += piece;
+  return result;
+}
+
+ExpressionText atom(std::string text) { return {std::move(text), Precedence::kAtom}; }
+
+ExpressionText negation(const ExpressionText& a) {
+  return {concatenate({"-", at_least(a, Precedence::kAtom)}), Precedence::kSign};
+}
+
+ExpressionText sum(const ExpressionText& a, const ExpressionText& b) {
+  return binary(a, " + ", b, Precedence::kSum);
+}
+
+ExpressionText difference(const ExpressionText& a, const ExpressionText& b) {
+  return binary(a, " - ", b, Precedence::kSum);
+}
+
+ExpressionText product(const ExpressionText& a, const ExpressionText& b) {
+  return binary(a, " * ", b, Precedence::kProduct);
+}
+
+}  // namespace regulus::inline cpp

@@ -1,0 +1,27 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// C++ expressions put together with no more parentheses than the order of operations needs.
+#pragma once
+
+#include <initializer_list>
+#include <string>
+#include <string_view>
+
+namespace regulus::inline cpp {
+
+enum class Precedence { kSum, kProduct, kSign, kAtom };
+
+struct ExpressionText {
+  std::string text;
+  Precedence precedence = Precedence::kAtom;
+};
+
+/// The pieces one after the other.
+[[nodiscard]] std::string concatenate(std::initializer_list<std::string_view> pieces);
+
+[[nodiscard]] ExpressionText atom(std::string text);
+[[nodiscard]] ExpressionText negation(const ExpressionText& a);
+[[nodiscard]] ExpressionText sum(const ExpressionText& a, const ExpressionText& b);
+[[nodiscard]] ExpressionText difference(const ExpressionText& a, const ExpressionText& b);
+[[nodiscard]] ExpressionText product(const ExpressionText& a, const ExpressionText& b);
+
+}  // namespace regulus::inline cpp

@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "codegen/cpp/names.hpp"
+#include "codegen/program/program.hpp"
+
+namespace regulus::inline cpp {
+
+/// The names of a function's values; they are the same in all its parts.
+class ValueNames {
+ public:
+  explicit ValueNames(const Program& program);
+
+  /// t_3: over the variables; c_3: of K and constants alone; sin_psi, k_1_1, v_x.
+  [[nodiscard]] const std::string& of(NodeId id);
+
+  /// A name of its own for a value that is no node.
+  [[nodiscard]] std::string temporary() { return table_.take("t_" + std::to_string(++last_)); }
+
+ private:
+  [[nodiscard]] std::string wanted(NodeId id);
+
+  const Program& program_;
+  std::vector<bool> depends_on_inputs_;
+  std::vector<std::string> inputs_;
+  std::vector<std::string> points_;
+  std::vector<std::string> names_;
+  NameTable table_;
+  int last_ = 0;
+  int last_constant_ = 0;
+};
+
+}  // namespace regulus::inline cpp

@@ -1,0 +1,27 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "codegen/cpp/generate.hpp"
+
+namespace regulus::inline cpp {
+
+/// Writes the files into the folder, which is made if there is none.
+///
+/// Ensures   no file is ever seen half-written; when it throws, none has been replaced unless the
+///           file system fails between one renaming and the next.
+/// Throws    FileError.
+void write_files(const std::filesystem::path& folder, const std::vector<GeneratedFile>& files);
+
+/// Writes one file in the same way.
+void write_file(const std::filesystem::path& path, const std::string& text);
+
+/// What `make` and Ninja read: that the files in the folder depend on the input.
+[[nodiscard]] std::string dependency_text(const std::filesystem::path& folder,
+                                          const std::vector<GeneratedFile>& files,
+                                          const std::string& input);
+
+}  // namespace regulus::inline cpp

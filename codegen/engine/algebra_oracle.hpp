@@ -1,0 +1,29 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Models that are singular at every pose ("architecturally"): no search can show that.
+#pragma once
+
+#include "codegen/engine/pipeline.hpp"
+#include "runtime/problem/problem.hpp"
+
+namespace regulus::inline engine {
+
+/// Multiplies the determinant out exactly, within a small budget. That is tried only where
+/// determinants at sample points hold 0 to many bits.
+///
+/// It says kVanishes if det A is the zero polynomial in the atoms of the entries: variables, and
+/// functions of them taken as indeterminates, with sin²u + cos²u = 1 as the only relation. It says
+/// kSeemsToVanish if samples hold 0 to very many bits and the polynomial is not 0, or too long.
+///
+/// The thread that made the preparation asks.
+class ExactAlgebra final : public AlgebraOracle {
+ public:
+  /// The preparation outlives it.
+  explicit ExactAlgebra(const PreparedSearch& preparation) : preparation_(preparation) {}
+
+  [[nodiscard]] Determinant determinant(std::span<const Interval> point) noexcept override;
+
+ private:
+  const PreparedSearch& preparation_;
+};
+
+}  // namespace regulus::inline engine

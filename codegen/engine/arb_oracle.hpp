@@ -1,0 +1,38 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <atomic>
+
+#include "codegen/program/ball_program.hpp"
+#include "runtime/problem/problem.hpp"
+
+namespace regulus::inline engine {
+
+/// Encloses det A at a point with as many bits as its sign takes: 106, 212, … up to a limit. For
+/// points whose rounding errors hide the sign from doubles (Rump's expression, say). May be asked
+/// by several threads at once: it holds nothing of CLN's, whose numbers belong to one thread.
+class ArbOracle : public DeterminantOracle {
+ public:
+  /// `matrix`: the program of a square matrix of that size, row-major.
+  ArbOracle(BallProgram matrix, int size, long max_bits);
+  /// Converts the program; by the thread that owns it.
+  ArbOracle(const Program& matrix, int size, long max_bits)
+      : ArbOracle(BallProgram(matrix), size, max_bits) {}
+
+  [[nodiscard]] std::optional<Interval> enclose(std::span<const Interval> point) noexcept override;
+
+  /// The most bits that any answer so far took; 53 if none was asked for.
+  [[nodiscard]] long bits() const noexcept { return bits_; }
+
+ private:
+  void note_bits(long bits) noexcept;
+  [[nodiscard]] std::optional<Interval> enclose_with(std::span<const Interval> point,
+                                                     long bits) const;
+
+  const BallProgram matrix_;
+  const int size_;
+  const long max_bits_;
+  std::atomic<long> bits_ = 53;
+};
+
+}  // namespace regulus::inline engine

@@ -1,0 +1,134 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "codegen/engine/checkpoint_file.hpp"
+
+#include <fmt/format.h>
+
+#include <numeric>
+
+#include "codegen/model/read_file.hpp"
+#include "codegen/support/errors.hpp"
+#include "codegen/support/sha256.hpp"
+
+namespace regulus::inline engine {
+namespace {
+
+std::string words_of(const Interval& x) { return fmt::format(" {:a}:{:a}", x.lo, x.hi); }
+
+/// Everything that what is known about a box depends on; not how it was found out. Filters belong
+/// to it, since nobody has checked what they vouched for: whoever goes on must name them, too.
+CheckpointedQuestion question_of(const PreparedSearch& p, const Settings& settings) {
+  const regulus_kernel& kernel = p.kernel->functions();
+  const bool splits_uncertainty = settings.uncertainty == Uncertainty::kVariables;
+  std::string text = p.labels.model_sha256 + '\n' + p.labels.motion + '\n';
+  for (const Interval& x : p.variety.outer) text += words_of(x);
+  text += "\nalpha" + words_of(p.variety.alpha);
+  text += splits_uncertainty ? "\nvariables" : "\nelements";
+  for (const FilterFile& filter : p.filters) text += "\nfilter " + filter.sha256();
+  CheckpointedQuestion question;
+  question.identity = sha256(text);
+  question.splittable = splits_uncertainty ? kernel.variables : kernel.motion_variables;
+  question.ranges = p.variety.outer;
+  return question;
+}
+
+constexpr std::uint64_t kLargestCheckpoint = std::uint64_t{4} << 30;
+
+/// nullopt: there is no such file.
+std::optional<std::string> read_text(const std::string& path) {
+  try {
+    return read_file_if_any(path, kLargestCheckpoint, Readable::kFile);
+  } catch (const FileError& error) {
+    throw FileError(std::string("the checkpoint ") + error.what());
+  }
+}
+
+std::uint64_t leaves_of(const Checkpoint& checkpoint) {
+  const auto& leaves = checkpoint.state.statistics.leaves;
+  return std::accumulate(leaves.begin(), leaves.end(), std::uint64_t{0});
+}
+
+}  // namespace
+
+CheckpointFile::CheckpointFile(const CheckpointOptions& options, const PreparedSearch& preparation,
+                               const Settings& settings)
+    : path_(options.path), interval_(options.interval) {
+  if (!wanted()) return;
+  try {
+    lock_.emplace(path_);
+  } catch (const std::runtime_error& error) {
+    throw FileError(std::string("the checkpoint ") + error.what());
+  }
+  question_ = question_of(preparation, settings);
+  const std::optional<std::string> text = read_text(path_);
+  if (!text) return;
+  try {
+    found_ = read_checkpoint(*text, question_);
+  } catch (const CheckpointError& error) {
+    throw InputError(path_, 0, error.what(), "the checkpoint of this search, or no file");
+  }
+}
+
+std::optional<CertificateWriter::Partial> CheckpointFile::partial(const std::string& certificate) {
+  if (!wanted()) return std::nullopt;
+  if (!found_ || certificate.empty()) return CertificateWriter::Partial{};
+  if (!found_->certificate)
+    throw InputError(path_, 0, "a checkpoint of a search without --certificate",
+                     "the same options as before, or no file");
+  require_undamaged(certificate);
+  return CertificateWriter::Partial{found_->certificate->length, leaves_of(*found_)};
+}
+
+/// A file that is missing or too short is for the writer to report.
+void CheckpointFile::require_undamaged(const std::string& certificate) {
+  const CertificateSoFar& expected = *found_->certificate;
+  const std::string file = CertificateWriter::partial_file(certificate);
+  digest_.emplace(file);
+  const auto found = digest_->of_first(expected.length);
+  if (!found || expected.sha256.empty() || *found == expected.sha256) return;
+  throw InputError(file, 0, "other bytes than the checkpoint " + path_ + " speaks of",
+                   "the proof so far as it was written; without both files the search starts anew");
+}
+
+Observer* CheckpointFile::observer(CertificateWriter* certificate) {
+  if (!wanted()) return nullptr;
+  CheckpointWriter::Certificate sync;
+  if (certificate != nullptr) {
+    if (!digest_) digest_.emplace(CertificateWriter::partial_file(certificate->path()));
+    sync = [this, certificate]() -> std::optional<CertificateSoFar> {
+      const auto length = certificate->sync();
+      const auto sha256 = length ? digest_->of_first(*length) : std::nullopt;
+      if (!sha256) return std::nullopt;
+      return CertificateSoFar{*length, *sha256};
+    };
+  }
+  const std::chrono::duration<double> interval(interval_);
+  writer_.emplace(path_, question_,
+                  std::chrono::duration_cast<CheckpointWriter::Clock::duration>(interval), sync);
+  try {
+    writer_->require_writable();
+  } catch (const std::runtime_error& error) {
+    throw FileError(error.what());
+  }
+  return &*writer_;
+}
+
+void CheckpointFile::finish(const Result& result, CertificateWriter* certificate) {
+  if (!writer_) return;
+  kept_ = result.verdict == Verdict::kPossibleProblem && result.stopped_by.has_value();
+  if (kept_ && !writer_->failure().empty()) throw FileError(writer_->failure());
+  if (kept_) return;
+  writer_->remove();
+  if (certificate != nullptr) certificate->discard();
+}
+
+std::string CheckpointFile::line() const {
+  std::string text;
+  if (found_)
+    text = fmt::format("           continued from {} boxes\n", found_->state.statistics.boxes);
+  if (kept_) text += "checkpoint " + path_ + ": the same command goes on from here\n";
+  if (writer_ && !kept_ && !writer_->failure().empty())
+    text += "checkpoint " + writer_->failure() + '\n';
+  return text;
+}
+
+}  // namespace regulus::inline engine

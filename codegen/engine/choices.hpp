@@ -1,0 +1,54 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The words of the search's options and what they mean. The command line, the shell, the manual,
+// completion and the reports all take them from here.
+#pragma once
+
+#include <optional>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "codegen/engine/options.hpp"
+#include "runtime/kernel/isa.hpp"
+#include "runtime/problem/problem.hpp"
+
+namespace regulus::inline engine {
+
+template <class Value>
+struct Choice {
+  std::string_view word;
+  Value value;
+};
+
+/// Every choice of an option, in the order of --help. Method, Determinant, optional Entries
+/// (nullopt is "auto"), Bisection, Uncertainty, Engine and optional Isa have them; that no
+/// instruction set is named, nullopt, has no word.
+template <class Value>
+[[nodiscard]] std::span<const Choice<Value>> choices();
+
+/// Throws UsageError for a word that there is not, with the one that was probably meant. `option`
+/// is named in the message: "--method".
+template <class Value>
+[[nodiscard]] Value choice_of(const char* option, std::string_view word);
+
+/// The word of a value; empty if it has none.
+template <class Value>
+[[nodiscard]] std::string word_of(const Value& value) {
+  for (const Choice<Value>& choice : choices<Value>())
+    if (choice.value == value) return std::string(choice.word);
+  return {};
+}
+
+template <class Value>
+[[nodiscard]] std::vector<std::string> words_of() {
+  std::vector<std::string> words;
+  for (const Choice<Value>& choice : choices<Value>()) words.emplace_back(choice.word);
+  return words;
+}
+
+/// Throws UsageError if a value is none of its enumeration, as a program may have it by a cast, or
+/// an ingredient has a name that --help does not list.
+void require_valid(const SearchOptions& options);
+
+}  // namespace regulus::inline engine

@@ -1,0 +1,59 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "codegen/engine/filter_file.hpp"
+
+#include <dlfcn.h>
+
+#include <cfenv>
+#include <cstdint>
+#include <filesystem>
+
+#include "codegen/model/read_file.hpp"
+#include "codegen/support/errors.hpp"
+#include "codegen/support/sha256.hpp"
+#include "codegen/support/shared_object.hpp"
+
+namespace regulus::inline engine {
+namespace {
+
+constexpr const char* kSymbol = "regulus_filter";
+
+constexpr std::uint64_t kLargestFilter = std::uint64_t{256} << 20;
+
+/// Throws InputError unless the file may be loaded: dlopen itself would crash on one that is cut.
+std::string contents(const std::string& path) {
+  std::string bytes = read_file(path, kLargestFilter, Readable::kFile);
+  if (const auto fault = find_fault_in_shared_object(bytes))
+    throw InputError(path, 0, "no shared object that loads (" + *fault + ")",
+                     "a shared object with " + std::string(kSymbol));
+  return bytes;
+}
+
+/// What a file built with -ffast-math runs as it is loaded flushes subnormals to zero from then on:
+/// the floating-point environment is put back. The path is made absolute because a bare name would
+/// be looked for elsewhere.
+void* load(const std::string& path) {
+  std::fenv_t kept;
+  std::fegetenv(&kept);
+  void* const library = dlopen(std::filesystem::absolute(path).c_str(), RTLD_NOW | RTLD_LOCAL);
+  std::fesetenv(&kept);
+  return library;
+}
+
+}  // namespace
+
+void FilterFile::Close::operator()(void* library) const noexcept { dlclose(library); }
+
+FilterFile::FilterFile(const std::string& path)
+    : path_(path), sha256_(support::sha256(contents(path))), library_(load(path)) {
+  if (!library_)
+    throw InputError(path, 0, std::string("no shared object that loads (") + dlerror() + ")",
+                     "a shared object with " + std::string(kSymbol));
+  filter_ = static_cast<const regulus_filter_interface*>(dlsym(library_.get(), kSymbol));
+  if (filter_ == nullptr)
+    throw InputError(path, 0, "no symbol " + std::string(kSymbol),
+                     "a regulus_filter_interface of that name, see regulus/filter.h");
+  if (const auto fault = find_fault(*filter_))
+    throw InputError(path, 0, *fault, "an interface as regulus/filter.h declares it");
+}
+
+}  // namespace regulus::inline engine

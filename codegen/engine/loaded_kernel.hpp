@@ -1,0 +1,18 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "runtime/kernel/abi.hpp"
+
+namespace regulus::inline engine {
+
+/// Keeps what a kernel's functions need: compiled code, or programs to interpret.
+class LoadedKernel {
+ public:
+  LoadedKernel() = default;
+  LoadedKernel(const LoadedKernel&) = delete;
+  LoadedKernel& operator=(const LoadedKernel&) = delete;
+  virtual ~LoadedKernel() = default;
+  [[nodiscard]] virtual const regulus_kernel& functions() const noexcept = 0;
+};
+
+}  // namespace regulus::inline engine

@@ -1,0 +1,316 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "codegen/engine/pipeline.hpp"
+
+#include <functional>
+
+#include "codegen/cpp/emit.hpp"
+#include "codegen/engine/ingredients.hpp"
+#include "codegen/engine/kernel_source.hpp"
+#include "codegen/engine/problem_cache.hpp"
+#include "codegen/engine/settings.hpp"
+#include "codegen/jit/jit.hpp"
+#include "codegen/model/model_file.hpp"
+#include "codegen/pack/select.hpp"
+#include "codegen/support/errors.hpp"
+#include "runtime/kernel/self_test.hpp"
+#include "runtime/machine/machine_kernel.hpp"
+
+namespace regulus::inline engine {
+namespace {
+
+class CompiledCode : public LoadedKernel {
+ public:
+  explicit CompiledCode(CompiledKernel code) : code_(std::move(code)) {}
+  const regulus_kernel& functions() const noexcept override { return *code_.kernel(); }
+
+ private:
+  CompiledKernel code_;
+};
+
+class InterpretedList : public LoadedKernel {
+ public:
+  InterpretedList(const machine::PackKernel& program, Isa isa) : kernel_(program, isa) {}
+  const regulus_kernel& functions() const noexcept override { return *kernel_.get(); }
+
+ private:
+  machine::MachineKernel kernel_;
+};
+
+Isa chosen_isa(const SearchOptions& search) {
+  const Isa isa = search.isa.value_or(best_isa());
+  if (!supported(isa))
+    throw UsageError("--isa: this processor cannot run " + std::string(name(isa)));
+  return isa;
+}
+
+CompileOptions compile_options(Isa isa, const SearchOptions& search) {
+  CompileOptions options;
+  options.isa = isa;
+  options.use_cache = search.use_cache;
+  options.parts = search.parts;
+  return options;
+}
+
+/// Without the names of model and motion: a program then depends on what is computed alone, and
+/// motions of the same expressions share one entry of the cache.
+Module anonymous(Module module) {
+  module.model.clear();
+  module.motion.clear();
+  return module;
+}
+
+void interpret(const machine::PackKernel& program, PreparedSearch& p) {
+  require_sound_rounding(self_test(p.isa));
+  p.cache = name(CacheUse::kOff);
+  p.kernel = std::make_unique<InterpretedList>(program, p.isa);
+}
+
+/// Only a search that becomes long has the kernel compiled.
+void interpret_first(const SharedProgram& program, PreparedSearch& p, const SearchOptions& search) {
+  interpret(*program, p);
+  const std::string refusal =
+      search.use_cache ? ObjectCache(default_cache_directory()).refusal() : "";
+  if (search.use_cache && refusal.empty()) p.cache = name(CacheUse::kMiss);
+  p.cache_note = refusal;
+  p.late = std::make_unique<LateCompilation>(program, search.boxes_before_compiling,
+                                             compile_options(p.isa, search));
+}
+
+void use(CompiledKernel code, PreparedSearch& p) {
+  p.cache = code.cache();
+  p.cache_note = code.cache_note();
+  p.parts = code.report().parts;
+  p.kernel = std::make_unique<CompiledCode>(std::move(code));
+}
+
+/// The interpreter needs no compiler, and none is no reason to have no answer.
+void compile_if_possible(const machine::PackKernel& program, PreparedSearch& p,
+                         const SearchOptions& search) try {
+  use(compile(program, compile_options(p.isa, search)), p);
+} catch (const NoCompiler& error) {
+  interpret(program, p);
+  p.no_compiler = error.what();
+}
+
+/// nullopt also where compiled code cannot be tested for want of a compiler.
+std::optional<CompiledKernel> find_tested(const machine::PackKernel& program,
+                                          const CompileOptions& options) try {
+  std::optional<CompiledKernel> found =
+      options.use_cache ? find_cached_kernel(program, options) : std::nullopt;
+  if (found) require_sound_rounding(options);
+  return found;
+} catch (const NoCompiler&) {
+  return std::nullopt;
+}
+
+void choose_engine(const SharedProgram& program, PreparedSearch& p, const SearchOptions& search) {
+  const CompileOptions options = compile_options(p.isa, search);
+  if (search.engine == Engine::kJit) return use(compile(*program, options), p);
+  if (search.boxes_before_compiling == 0) return compile_if_possible(*program, p, search);
+  if (auto found = find_tested(*program, options)) return use(std::move(*found), p);
+  interpret_first(program, p, search);
+}
+
+/// Receives the program of a kernel.
+using Keep = std::function<void(const machine::PackKernel&)>;
+
+void make_kernel(PreparedSearch& p, const SearchOptions& search, const Keep& keep) {
+  Stopwatch watch;
+  p.isa = chosen_isa(search);
+  const FormingWatch& forming = p.stages->watch();
+  const Module module = anonymous(p.stages->module());
+  if (search.engine == Engine::kClang) {
+    const EmittedKernel text = emit(module, {}, &forming);
+    p.seconds.emit += watch.lap();
+    use(compile(text, compile_options(p.isa, search)), p);
+  } else {
+    const auto program =
+        std::make_shared<const machine::PackKernel>(select(module, kOperationsPerPart, &forming));
+    p.seconds.emit += watch.lap();
+    if (search.engine == Engine::kInterpreted || p.stopped) {
+      interpret(*program, p);
+    } else {
+      keep(*program);
+      choose_engine(program, p, search);
+    }
+  }
+  p.seconds.compile += watch.lap();
+}
+
+void load_filters(PreparedSearch& p, const SearchOptions& search) {
+  for (const std::string& path : search.filters) p.filters.emplace_back(path);
+}
+
+FormulationOptions functions_for(const SearchOptions& search) {
+  FormulationOptions functions =
+      functions_needed(search.method, settings_from(search), search.symbolic_budget);
+  leave_out(search.without, functions);
+  // Who wrote a filter knows the model's own matrix.
+  if (!search.filters.empty()) {
+    functions.columns = ColumnSearch::kNone;
+    functions.scaling = false;
+  }
+  functions.threshold = search.threshold;
+  return functions;
+}
+
+/// With the time limit of the search counted from now. A limit that no clock will reach is none.
+FormingWatch within_time_limit(FormingWatch watch, const SearchOptions& search) {
+  const std::chrono::duration<double> limit(search.time_limit);
+  if (search.time_limit == 0 || !(limit < std::chrono::hours(24 * 365 * 100))) return watch;
+  watch.deadline = std::min(watch.deadline,
+                            FormingWatch::Clock::now() +
+                                std::chrono::duration_cast<FormingWatch::Clock::duration>(limit));
+  return watch;
+}
+
+/// Every stage after the reading of the model, one after the other. Throws FormingStopped.
+void form(PreparedSearch& p, const Request& request) {
+  const Formulation& formulation = p.stages->formulation();
+  static_cast<void>(p.stages->module());
+  p.labels = report_labels(request, formulation);
+  // Here and not when a search asks for it: GiNaC and CLN are for this thread alone.
+  if (!p.stopped && p.labels.rows == p.labels.columns) p.matrix.emplace(p.stages->matrix());
+  Stopwatch watch;
+  p.variety = enclose_variety(request.model, request.motion, formulation.variables);
+  p.seconds.symbolic += watch.lap();
+}
+
+/// A kernel with which nothing is searched, for a report.
+void give_up(PreparedSearch& p, const Request& request, const SearchOptions& search) {
+  p.stages->give_up();
+  p.matrix.reset();
+  form(p, request);
+  SearchOptions interpreted = search;
+  interpreted.engine = Engine::kInterpreted;
+  make_kernel(p, interpreted, {});
+}
+
+/// Every stage, one after the other.
+void prepare_anew(PreparedSearch& p, const SearchOptions& search, const Keep& keep) {
+  const Request& request = p.stages->request();
+  Stopwatch watch;
+  load_filters(p, search);
+  p.seconds.model += watch.lap();
+  require_sound_rounding(self_test(Isa::kPortable));
+  p.seconds.compile += watch.lap();
+  const double before = p.stages->symbolic_seconds();
+  try {
+    form(p, request);
+    make_kernel(p, search, keep);
+  } catch (const FormingStopped& stopped) {
+    p.stopped = stopped;
+    // The stage that was stopped has not said what it took.
+    p.seconds.symbolic = watch.lap() - (p.stages->symbolic_seconds() - before);
+    give_up(p, request, search);
+  }
+  // From here on the search has the clock, and reports are owed.
+  p.stages->watch({});
+}
+
+/// The place of a question in the cache, if it has one. What is wrong with a command line is for
+/// prepare_anew to say.
+std::optional<ProblemCache> place_in_cache(std::string_view text, const ModelOptions& model,
+                                           const FormulationOptions& functions,
+                                           const SearchOptions& search) {
+  if (search.engine == Engine::kInterpreted || search.engine == Engine::kClang || !search.use_cache)
+    return std::nullopt;
+  const Isa isa = search.isa.value_or(best_isa());
+  if (!supported(isa)) return std::nullopt;
+  return std::optional<ProblemCache>(std::in_place, text, model, functions, isa);
+}
+
+/// Takes what is asked for from the cache: the kernel as machine code, or as a program for an
+/// engine that may interpret. Returns whether it was there.
+bool take_from(ProblemCache& cache, PreparedSearch& p, const SearchOptions& search) try {
+  Stopwatch watch;
+  const bool may_interpret = search.engine == Engine::kAuto && search.boxes_before_compiling != 0;
+  std::optional<ProblemCache::Found> found = cache.find(may_interpret);
+  if (!found) return false;
+  load_filters(p, search);
+  p.labels = std::move(found->problem.labels);
+  p.variety = std::move(found->problem.variety);
+  p.matrix = std::move(found->problem.matrix);
+  p.isa = chosen_isa(search);
+  require_sound_rounding(self_test(Isa::kPortable));
+  if (found->kernel) {
+    require_sound_rounding(compile_options(p.isa, search));
+    use(std::move(*found->kernel), p);
+  } else {
+    interpret_first(std::make_shared<const machine::PackKernel>(std::move(found->program)), p,
+                    search);
+  }
+  p.seconds.compile += watch.lap();
+  return true;
+} catch (const NoCompiler&) {
+  // The self-test could not be compiled: without it no compiled kernel is used.
+  if (search.engine != Engine::kAuto) throw;
+  p.filters.clear();
+  return false;
+}
+
+}  // namespace
+
+PreparedSearch prepare(const ModelOptions& model, const SearchOptions& search,
+                       FormingWatch forming) {
+  Stopwatch watch;
+  PreparedSearch p;
+  std::string text = model_text(model);
+  const FormulationOptions functions = functions_for(search);
+  std::optional<ProblemCache> cache = place_in_cache(text, model, functions, search);
+  p.stages = std::make_unique<SymbolicStages>(std::move(text), model, functions);
+  p.stages->watch(within_time_limit(std::move(forming), search));
+  p.seconds.model = watch.lap();
+  if (cache && take_from(*cache, p, search)) {
+    p.stages->watch({});
+    return p;
+  }
+  prepare_anew(p, search, [&](const machine::PackKernel& program) {
+    if (cache) cache->keep({p.labels, p.variety, p.matrix, {}, {}}, program);
+  });
+  if (cache && p.cache_note.empty()) p.cache_note = cache->note();
+  return p;
+}
+
+PreparedSearch prepare(Request request, double model_seconds, const SearchOptions& search,
+                       FormingWatch forming) {
+  PreparedSearch p;
+  p.stages =
+      std::make_unique<SymbolicStages>(std::move(request), model_seconds, functions_for(search));
+  p.stages->watch(within_time_limit(std::move(forming), search));
+  SearchOptions compiled = search;
+  compiled.boxes_before_compiling = 0;
+  prepare_anew(p, compiled, [](const machine::PackKernel&) {});
+  return p;
+}
+
+StageSeconds PreparedSearch::seconds_spent() const {
+  StageSeconds spent = seconds;
+  if (!stages) return spent;
+  spent.model += stages->model_seconds();
+  spent.symbolic += stages->symbolic_seconds();
+  return spent;
+}
+
+Problem PreparedSearch::problem() const {
+  Problem problem;
+  problem.kernel = &kernel->functions();
+  if (late) problem.faster_kernel = &late->kernel();
+  problem.outer = variety.outer;
+  problem.inner = variety.inner;
+  problem.alpha = variety.alpha;
+  problem.determinant_exponent = labels.determinant_exponent;
+  return problem;
+}
+
+EmittedKernel emit_kernel(const Request& request, Method method, const std::string& command,
+                          std::uint64_t symbolic_budget) {
+  EmitOptions options;
+  options.command = command;
+  options.source = request.model.source;
+  return emit(lower(formulate(request.model, request.motion,
+                              functions_needed(method, Settings{}, symbolic_budget))),
+              options);
+}
+
+}  // namespace regulus::inline engine

@@ -1,0 +1,19 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "codegen/program/program.hpp"
+#include "runtime/interval/interval.hpp"
+
+namespace regulus::inline engine {
+
+/// The outputs of a program without points at the middles of `variables`, computed with so many
+/// bits that rounding errors do not hide them from doubles; nullopt where one is undefined or too
+/// large. Approximate all the same.
+[[nodiscard]] std::optional<std::vector<double>> approx_values(const Program& program,
+                                                               std::span<const Interval> variables);
+
+}  // namespace regulus::inline engine

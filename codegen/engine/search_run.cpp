@@ -1,0 +1,82 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "codegen/engine/search_run.hpp"
+
+#include <algorithm>
+#include <optional>
+
+#include "codegen/engine/algebra_oracle.hpp"
+#include "codegen/engine/arb_oracle.hpp"
+#include "codegen/engine/closed_form_bounds.hpp"
+#include "runtime/problem/observers.hpp"
+#include "runtime/search/solver.hpp"
+#include "runtime/witness/point_witness.hpp"
+
+namespace regulus::inline engine {
+
+namespace {
+
+/// Runs a search with more digits and exact algebra at hand, where there is a determinant.
+template <class Search>
+Result with_oracle(PreparedSearch& preparation, const SearchOptions& search, Settings& settings,
+                   Search run) {
+  std::optional<ArbOracle> oracle;
+  ExactAlgebra algebra(preparation);
+  if (preparation.matrix) {
+    settings.oracle =
+        &oracle.emplace(*preparation.matrix, preparation.labels.rows, search.precision);
+    settings.algebra = &algebra;
+  }
+  ClosedFormBounds closed_form(*preparation.stages);
+  if (search.filters.empty()) settings.closed_form = &closed_form;
+  Result result = run();
+  settings.closed_form = nullptr;
+  if (oracle) preparation.bits = std::max(preparation.bits, oracle->bits());
+  return result;
+}
+
+}  // namespace
+
+double seconds_left(const PreparedSearch& preparation, double time_limit) {
+  const StageSeconds spent = preparation.seconds_spent();
+  return std::max(0.0, time_limit - (spent.model + spent.symbolic + spent.emit + spent.compile));
+}
+
+Result run_search(PreparedSearch& preparation, const SearchOptions& search, Settings settings,
+                  Observer* observer, const Checkpoint* from) {
+  std::vector<Observer*> watching;
+  if (observer != nullptr) watching.push_back(observer);
+  if (preparation.late) watching.push_back(preparation.late.get());
+  Observers observers(std::move(watching));
+  const Problem problem = preparation.problem();
+  const double before = preparation.stages->seconds();
+  const Method method = settings.method;
+  if (preparation.stopped) {
+    settings.time_limit = 0;
+    settings.method = Method::kAuto;  // no other kernel is without the functions of its method
+  }
+  Result result = with_oracle(preparation, search, settings, [&] {
+    return from != nullptr ? resume(problem, settings, from->open(), from->state, &observers)
+                           : solve(problem, settings, &observers);
+  });
+  result.method = method;
+  const double spent_by_stages = preparation.stages->seconds() - before;
+  preparation.seconds.search = result.statistics.seconds - spent_by_stages;
+  return result;
+}
+
+Result prove_between(PreparedSearch& preparation, const SearchOptions& search, Settings settings,
+                     std::span<const std::vector<double>> points) {
+  return with_oracle(preparation, search, settings,
+                     [&] { return prove_singularity(preparation.problem(), settings, points); });
+}
+
+void close_in_on_witness(PreparedSearch& preparation, const SearchOptions& search,
+                         Settings settings, Result& result) {
+  result = with_oracle(preparation, search, settings, [&] {
+    Result closer = result;
+    close_in(preparation.problem(), settings, closer);
+    return closer;
+  });
+}
+
+}  // namespace regulus::inline engine

@@ -1,0 +1,18 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "codegen/engine/options.hpp"
+#include "codegen/engine/pipeline.hpp"
+#include "runtime/problem/problem.hpp"
+
+namespace regulus::inline engine {
+
+/// The settings of a search. Throws UsageError for a value that is none of its enumeration, or an
+/// unknown ingredient.
+[[nodiscard]] Settings settings_from(const SearchOptions& options);
+
+/// The same with what is left of the time limit, the filters that were loaded, and the interrupt.
+[[nodiscard]] Settings settings_of(const PreparedSearch& prepared, const SearchOptions& options,
+                                   const std::atomic<bool>* interrupt);
+
+}  // namespace regulus::inline engine

@@ -1,0 +1,49 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// A problem as the symbolic stage leaves it, kept in the cache beside the pack program and the
+// parts of its kernel: a later run of the same program on the same question then starts with the
+// search.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <string_view>
+
+#include "codegen/engine/options.hpp"
+#include "codegen/engine/report_labels.hpp"
+#include "codegen/formulation/variety.hpp"
+#include "codegen/jit/jit.hpp"
+#include "codegen/program/ball_program.hpp"
+#include "runtime/kernel/isa.hpp"
+#include "runtime/machine/pack_program.hpp"
+
+namespace regulus::inline engine {
+
+struct WarmStart {
+  ReportLabels labels;
+  Variety variety;
+  std::optional<BallProgram> matrix;  ///< of a square one
+  std::string program_key;            ///< of the kernel's pack program in the cache
+  std::string identity;               ///< of that program
+};
+
+/// The name of a prepared problem in the cache.
+///
+/// Shape     64 hexadecimal digits.
+/// Requires  `program` and `compiler` change whenever either may make something else of a question.
+/// Ensures   two questions that differ in a byte of the model file, in the motion or any change to
+///           it, in a function that is formed or a way of forming it, in the instruction set, the
+///           program or the compiler have different keys, up to collisions of SHA-256; the key of
+///           no object is among them.
+[[nodiscard]] std::string warm_start_key(std::string_view model_text, const ModelOptions& model,
+                                         const FormulationOptions& functions, Isa isa,
+                                         std::string_view program, std::string_view compiler);
+
+/// Bounds are hexadecimal: they are read back as they were.
+[[nodiscard]] std::string to_text(const WarmStart& problem);
+/// nullopt unless the text is one that to_text wrote.
+[[nodiscard]] std::optional<WarmStart> read_warm_start(std::string_view text);
+
+/// True if a program has the problem's sizes, and is the one that its kernel was made from.
+[[nodiscard]] bool fits(const WarmStart& problem, const machine::PackKernel& program) noexcept;
+
+}  // namespace regulus::inline engine

@@ -1,0 +1,60 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "codegen/formulation/variety.hpp"
+
+#include "codegen/program/enclose.hpp"
+#include "codegen/support/errors.hpp"
+#include "codegen/symbolic/from_ginac.hpp"
+#include "codegen/symbolic/lowering.hpp"
+
+namespace regulus::inline formulation {
+namespace {
+
+Program constant_program(const GiNaC::ex& value) {
+  const SymbolMeaning no_symbols;
+  Lowering lowering({}, {});
+  lowering.output(GinacReader(no_symbols).read(value));
+  return std::move(lowering).finish();
+}
+
+InputError no_value(const std::string& what) {
+  return {"", 0, what + " without a certain value", "a constant expression that is defined", what};
+}
+
+/// Where a witness may lie on one axis of a ball: the widest box inside the ball has half-sides
+/// radius/√dimension, and every number of it is a point of the ball whatever the other axes are.
+Range inside_ball(const Range& axis, std::size_t dimension) {
+  const GiNaC::ex middle = (axis.lo + axis.hi) / 2;
+  const GiNaC::ex half = (axis.hi - axis.lo) / (2 * GiNaC::sqrt(GiNaC::ex(int(dimension))));
+  return {middle - half, middle + half};
+}
+
+std::optional<Interval> inward(const Model& model, const Variable& variable) {
+  Range range = variable.range;
+  if (variable.ball >= 0)
+    range = inside_ball(range, model.balls[std::size_t(variable.ball)].members.size());
+  return round_inward(constant_program(range.lo), constant_program(range.hi));
+}
+
+}  // namespace
+
+Interval enclose_constant(const GiNaC::ex& value, const std::string& what) {
+  const std::optional<Interval> enclosure = enclose(constant_program(value));
+  if (!enclosure) throw no_value(what);
+  return *enclosure;
+}
+
+Variety enclose_variety(const Model& model, const Motion& motion,
+                        std::span<const Variable> variables) {
+  Variety variety;
+  for (const Variable& variable : variables) {
+    const auto outer =
+        enclose_outward(constant_program(variable.range.lo), constant_program(variable.range.hi));
+    if (!outer) throw no_value("the range of " + variable.name);
+    variety.outer.push_back(*outer);
+    variety.inner.push_back(inward(model, variable));
+  }
+  variety.alpha = enclose_constant(motion.alpha, "alpha");
+  return variety;
+}
+
+}  // namespace regulus::inline formulation

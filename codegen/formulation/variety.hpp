@@ -1,0 +1,29 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "codegen/formulation/formulation.hpp"
+#include "codegen/model/model.hpp"
+#include "runtime/interval/interval.hpp"
+
+namespace regulus::inline formulation {
+
+/// The exact ranges of variables as doubles: outward for what must be proved,
+/// inward for where a witness may lie (see Problem).
+struct Variety {
+  std::vector<Interval> outer;
+  std::vector<std::optional<Interval>> inner;
+  Interval alpha{0.0};
+};
+
+/// Throws InputError when a range or the threshold has no certain value.
+[[nodiscard]] Variety enclose_variety(const Model& model, const Motion& motion,
+                                      std::span<const Variable> variables);
+
+/// A constant expression, outward. Throws InputError naming `what` when it has no certain value.
+[[nodiscard]] Interval enclose_constant(const GiNaC::ex& value, const std::string& what);
+
+}  // namespace regulus::inline formulation

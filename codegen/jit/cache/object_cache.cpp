@@ -1,0 +1,182 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "codegen/jit/cache/object_cache.hpp"
+
+#include <dirent.h>
+#include <fcntl.h>
+#include <sys/stat.h>
+
+#include <algorithm>
+#include <cerrno>
+#include <cstdio>
+#include <cstring>
+#include <ctime>
+#include <memory>
+#include <random>
+#include <set>
+#include <span>
+#include <vector>
+
+#include "codegen/jit/cache/cache_entry.hpp"
+
+namespace regulus::inline jit {
+namespace {
+
+constexpr std::string_view kEntrySuffix = ".object";
+constexpr std::string_view kTemporarySuffix = ".temporary";
+constexpr std::time_t kTemporaryLifetime = 3600;
+constexpr off_t kMaximumEntrySize = off_t{1} << 28;
+
+std::string entry_name(std::string_view key) { return std::string(key).append(kEntrySuffix); }
+
+/// Why the open file is not to be trusted; empty when it is.
+std::string reason_to_distrust(const struct stat& status) {
+  if (!S_ISREG(status.st_mode)) return "is no regular file";
+  if (status.st_uid != ::geteuid()) return "belongs to another user";
+  if (status.st_mode & (S_IWGRP | S_IWOTH)) return "is writable by other users";
+  if (status.st_size > kMaximumEntrySize) return "is too large";
+  return {};
+}
+
+/// Everything in the file, or fewer bytes when it shrinks meanwhile.
+std::string read_all(int descriptor, std::size_t size) {
+  std::string bytes(size, '\0');
+  std::size_t done = 0;
+  while (done < size) {
+    const ssize_t count = ::read(descriptor, bytes.data() + done, size - done);
+    if (count < 0 && errno == EINTR) continue;
+    if (count <= 0) break;
+    done += static_cast<std::size_t>(count);
+  }
+  bytes.resize(done);
+  return bytes;
+}
+
+bool write_all(int descriptor, std::string_view bytes) {
+  while (!bytes.empty()) {
+    const ssize_t count = ::write(descriptor, bytes.data(), bytes.size());
+    if (count < 0 && errno == EINTR) continue;
+    if (count <= 0) return false;
+    bytes.remove_prefix(static_cast<std::size_t>(count));
+  }
+  return true;
+}
+
+std::string temporary_name() {
+  std::random_device random;
+  char name[64];
+  std::snprintf(name, sizeof name, "%lld-%08x%08x", static_cast<long long>(::getpid()), random(),
+                random());
+  return std::string(name).append(kTemporarySuffix);
+}
+
+struct DirectoryFile {
+  std::string name;
+  std::uint64_t size;
+  std::time_t used;
+};
+
+/// The regular files of the directory whose name ends in `suffix`.
+std::vector<DirectoryFile> list_files(int directory, std::string_view suffix) {
+  std::vector<DirectoryFile> files;
+  FileDescriptor copy(::openat(directory, ".", O_RDONLY | O_DIRECTORY | O_CLOEXEC));
+  DIR* opened = copy ? ::fdopendir(copy.get()) : nullptr;
+  if (!opened) return files;
+  copy.release();
+  const std::unique_ptr<DIR, int (*)(DIR*)> stream(opened, ::closedir);
+  while (const dirent* item = ::readdir(stream.get())) {
+    struct stat status {};
+    if (!std::string_view(item->d_name).ends_with(suffix)) continue;
+    if (::fstatat(directory, item->d_name, &status, AT_SYMLINK_NOFOLLOW) == 0 &&
+        S_ISREG(status.st_mode))
+      files.push_back({item->d_name, static_cast<std::uint64_t>(status.st_size), status.st_mtime});
+  }
+  return files;
+}
+
+/// What a process that ended in the middle of writing has left.
+void remove_abandoned(int directory) {
+  const std::time_t now = std::time(nullptr);
+  for (const DirectoryFile& file : list_files(directory, kTemporarySuffix))
+    if (file.used < now - kTemporaryLifetime) ::unlinkat(directory, file.name.c_str(), 0);
+}
+
+void evict_down_to(int directory, std::uint64_t limit, const std::set<std::string>& kept) {
+  auto files = list_files(directory, kEntrySuffix);
+  std::uint64_t total = 0;
+  for (const DirectoryFile& file : files) total += file.size;
+  if (total <= limit) return;
+  std::ranges::sort(files, {}, &DirectoryFile::used);
+  for (const DirectoryFile& file : files) {
+    if (total <= limit) return;
+    if (kept.contains(file.name)) continue;
+    if (::unlinkat(directory, file.name.c_str(), 0) == 0) total -= file.size;
+  }
+}
+
+}  // namespace
+
+ObjectCache::ObjectCache(const std::filesystem::path& directory, std::uint64_t limit)
+    : directory_(open_cache_directory(directory)), limit_(limit) {}
+
+ObjectCache::Entry ObjectCache::read(std::string_view key) const {
+  if (!directory_.descriptor) return {};
+  const std::string name = entry_name(key);
+  // O_NONBLOCK: opening a pipe that somebody put there must not wait for a writer.
+  const FileDescriptor file(::openat(directory_.descriptor.get(), name.c_str(),
+                                     O_RDONLY | O_NOFOLLOW | O_NONBLOCK | O_CLOEXEC));
+  if (!file && errno == ENOENT) return {};
+  if (!file) return {{}, "cache entry cannot be opened: " + std::string(std::strerror(errno))};
+  struct stat status {};
+  if (::fstat(file.get(), &status) != 0) return {{}, "cache entry cannot be examined"};
+  if (const auto reason = reason_to_distrust(status); !reason.empty())
+    return {{}, "cache entry " + reason};
+  auto object =
+      open_cache_entry(key, read_all(file.get(), static_cast<std::size_t>(status.st_size)));
+  if (!object) return {{}, "cache entry is damaged"};
+  ::futimens(file.get(), nullptr);  // the time of the last use decides what is evicted
+  return {std::move(object), {}};
+}
+
+std::string ObjectCache::write(std::string_view key, std::string_view object) const {
+  return write({{key, object}});
+}
+
+std::string ObjectCache::write(const std::vector<NamedObject>& objects) const {
+  if (!directory_.descriptor) return refusal();
+  std::set<std::string> written;
+  std::string reason;
+  for (const NamedObject& object : objects) {
+    reason = write_entry(object);
+    if (!reason.empty()) break;  // the next one would hardly fare better
+    written.insert(entry_name(object.key));
+  }
+  if (written.empty()) return reason;
+  remove_abandoned(directory_.descriptor.get());
+  evict_down_to(directory_.descriptor.get(), limit_, written);
+  return reason;
+}
+
+/// Without waiting for the disk: an entry that a crash has left half written is a damaged one.
+std::string ObjectCache::write_entry(const NamedObject& named) const {
+  const auto [key, object] = named;
+  const int directory = directory_.descriptor.get();
+  const CacheEntryHeader header = make_cache_entry_header(key, object);
+  if (sizeof header + object.size() > limit_) return "the object is larger than the whole cache";
+  const std::string temporary = temporary_name();
+  const std::string name = entry_name(key);
+  const FileDescriptor file(::openat(directory, temporary.c_str(),
+                                     O_WRONLY | O_CREAT | O_EXCL | O_NOFOLLOW | O_CLOEXEC, 0600));
+  if (!file) return "cache entry cannot be created: " + std::string(std::strerror(errno));
+  const bool written =
+      write_all(file.get(), {reinterpret_cast<const char*>(&header), sizeof header}) &&
+      write_all(file.get(), object) &&
+      ::renameat(directory, temporary.c_str(), directory, name.c_str()) == 0;
+  if (!written) {
+    const std::string reason = std::strerror(errno);
+    ::unlinkat(directory, temporary.c_str(), 0);
+    return "cache entry cannot be written: " + reason;
+  }
+  return {};
+}
+
+}  // namespace regulus::inline jit

@@ -1,0 +1,63 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The in-process C++ compiler: any text → relocatable object, with the Clang front end and the LLVM
+// code generator. The program opens it when nothing cached fits and the text is not one that
+// reader_plugin.cpp reads.
+#include <chrono>
+#include <utility>
+
+#include "codegen/jit/llvm/code_generator.hpp"
+#include "codegen/jit/llvm/front_end.hpp"
+
+namespace regulus::inline jit::plugin {
+namespace {
+
+using Clock = std::chrono::steady_clock;
+
+double seconds_since(Clock::time_point start) {
+  return std::chrono::duration<double>(Clock::now() - start).count();
+}
+
+bool compile(const regulus_clang_request& request, Diagnostics& diagnostics,
+             const FileSystem& files, llvm::SmallVectorImpl<char>& object,
+             regulus_clang_seconds& seconds) {
+  auto start = Clock::now();
+  const auto lap = [&start] { return seconds_since(std::exchange(start, Clock::now())); };
+  auto invocation = make_invocation(request, files, diagnostics);
+  if (!invocation) return false;
+  const auto machine =
+      make_target_machine(invocation->getTargetOpts().Triple, invocation->getTargetOpts().CPU,
+                          features_of(invocation->getTargetOpts()), diagnostics.stream());
+  if (!machine) return false;
+  llvm::LLVMContext context;
+  const auto module = run_front_end(std::move(invocation), files, diagnostics, context);
+  seconds.front_end = lap();
+  if (!module || !optimise(*module, *machine, request.passes, diagnostics.stream())) return false;
+  seconds.optimiser = lap();
+  if (!generate_code(*module, *machine, object, diagnostics.stream())) return false;
+  seconds.code_generation = lap();
+  return true;
+}
+
+}  // namespace
+}  // namespace regulus::inline jit::plugin
+
+extern "C" [[gnu::visibility("default")]] int regulus_clang_interface(void) {
+  return REGULUS_CLANG_INTERFACE;
+}
+
+extern "C" [[gnu::visibility("default")]] int regulus_clang_compile(
+    const regulus_clang_request* request, const regulus_clang_sink* sink) {
+  using namespace regulus::plugin;
+  initialise_llvm();
+  const FileSystem files = make_file_system(*request);
+  Diagnostics diagnostics(*files);
+  llvm::SmallVector<char, 0> object;
+  regulus_clang_seconds seconds{};
+  const bool done = compile(*request, diagnostics, files, object, seconds);
+  if (!diagnostics.text().empty())
+    sink->diagnostics(sink->state, {diagnostics.text().data(), diagnostics.text().size()});
+  if (!done) return 1;
+  sink->seconds(sink->state, seconds);
+  sink->object(sink->state, {object.data(), object.size()});
+  return 0;
+}

@@ -1,0 +1,64 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What compiling a text gives, and what it cost.
+#pragma once
+
+#include <memory>
+#include <stdexcept>
+#include <string>
+#include <string_view>
+#include <utility>
+
+#include "codegen/jit/loader/object_loader.hpp"
+#include "codegen/support/errors.hpp"
+
+namespace regulus::inline jit {
+
+/// kOff: not asked for, or no directory that is safe to use.
+enum class CacheUse { kHit, kMiss, kOff };
+
+/// "hit", "miss", "off".
+[[nodiscard]] std::string_view name(CacheUse use) noexcept;
+
+/// How many parts of a pack program had to be compiled, and how many an earlier kernel had.
+struct PartCount {
+  std::size_t compiled = 0, known = 0;
+};
+
+struct CompileReport {
+  CacheUse cache = CacheUse::kOff;
+  std::string cache_note;    ///< what is wrong with the cache or was with the entry; else empty
+  std::string object_key;    ///< of a text: what the cache calls its object; empty if that is off
+  PartCount parts;           ///< of a pack program
+  double cache_seconds = 0;  ///< making the key, reading, writing
+  double open_compiler_seconds = 0;
+  double front_end_seconds = 0;
+  double optimiser_seconds = 0;
+  double code_generation_seconds = 0;
+  double load_seconds = 0;
+  double total_seconds = 0;
+};
+
+/// The code of one text, in memory as long as one copy of this object lives.
+class MachineCode {
+ public:
+  MachineCode(LoadedObject object, CompileReport report)
+      : object_(std::make_shared<const LoadedObject>(std::move(object))),
+        report_(std::move(report)) {}
+
+  /// The address of an extern "C" function or variable of at least `size` bytes; null if the text
+  /// defines none.
+  [[nodiscard]] void* symbol(std::string_view name, std::size_t size = 1) const noexcept {
+    return object_->find(name, size);
+  }
+
+  [[nodiscard]] const CompileReport& report() const noexcept { return report_; }
+  [[nodiscard]] const std::shared_ptr<const LoadedObject>& object() const noexcept {
+    return object_;
+  }
+
+ private:
+  std::shared_ptr<const LoadedObject> object_;
+  CompileReport report_;
+};
+
+}  // namespace regulus::inline jit

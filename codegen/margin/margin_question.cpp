@@ -1,0 +1,166 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "codegen/margin/margin_question.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "codegen/model/certain_sign.hpp"
+#include "codegen/model/constants.hpp"
+#include "codegen/model/decimal.hpp"
+#include "codegen/model/overrides.hpp"
+#include "codegen/model/sign.hpp"
+
+namespace regulus::inline bracketing {
+namespace {
+
+using GiNaC::ex;
+
+MarginValue read_value(const std::string& text, const char* option) {
+  MarginValue value{text, 0, 0, {}};
+  from_option(option, [&] {
+    const Place place{.file = "", .key = option};
+    const ParsedExpression term = parse_constant(text, place);
+    value.exact = checked_nonnegative(term, place);
+    value.must_be_defined = term.must_be_defined;
+    value.approx = approx_value(value.exact).value_or(0);
+  });
+  return value;
+}
+
+bool is_range(const std::string& text) { return text.find(':') != std::string::npos; }
+
+void read_range(MarginQuestion& question, const std::string& text, const char* option) {
+  const std::size_t colon = text.find(':');
+  if (colon == std::string::npos)
+    throw UsageError(std::string(option) + ": found '" + text + "', expected LO:HI");
+  question.low = read_value(text.substr(0, colon), option);
+  if (colon + 1 == text.size()) return;
+  question.high = read_value(text.substr(colon + 1), option);
+  // The bracket is kept in doubles, which must tell the ends apart, too.
+  if (certain_sign(question.high->exact - question.low.exact) != CertainSign::kPositive ||
+      !(question.low.approx < question.high->approx))
+    throw UsageError(std::string(option) + ": found '" + text + "', expected LO below HI");
+}
+
+/// Only where a pose parameter is its own motion parameter a range has a size that means anything.
+void require_box_variety(const Request& request) {
+  const Motion& motion = request.motion;
+  for (const MotionParameter& p : motion.parameters) {
+    const auto same = [&p](const PoseParameter& pose) { return pose.symbol.is_equal(p.symbol); };
+    if (std::none_of(request.model.pose.begin(), request.model.pose.end(), same))
+      throw UsageError("--scale: found the motion '" + motion.name + "' with the parameter '" +
+                       p.name + "', expected a box variety: its ranges are those of the pose");
+  }
+}
+
+void scale_ranges(Motion& motion, const ex& scale) {
+  for (MotionParameter& p : motion.parameters) {
+    const ex middle = (p.range.lo + p.range.hi) / 2;
+    const ex half = (p.range.hi - p.range.lo) / 2 * scale;
+    p.range = {middle - half, middle + half};
+  }
+}
+
+/// The range of a variable at the tolerances and ranges of a request.
+Range range_at(const Request& request, const Variable& variable) {
+  for (const MotionParameter& p : request.motion.parameters)
+    if (variable.kind == VariableKind::kMotion && p.name == variable.name) return p.range;
+  for (const GeometryParameter& g : request.model.geometry)
+    if (variable.kind == VariableKind::kGeometry && g.name == variable.name) {
+      const bool in_ball = g.ball >= 0;
+      const ex spread =
+          in_ball ? request.model.balls.at(static_cast<std::size_t>(g.ball)).radius : g.tolerance;
+      return {g.value - spread, g.value + spread};
+    }
+  if (variable.kind != VariableKind::kControl)
+    throw InternalError("the variable " + variable.name + " is not of the request");
+  return variable.range;
+}
+
+}  // namespace
+
+MarginValue decimal_value(double value) {
+  return {fmt::format("{}", value), shortest_decimal(value), value, {}};
+}
+
+MarginQuestion take_question(ModelOptions& model, const std::string& scale) {
+  MarginQuestion question;
+  int ranges = 0;
+  auto& tolerances = model.tolerances;
+  for (std::size_t i = tolerances.size(); i-- > 0;) {
+    if (!is_range(tolerances[i])) continue;
+    ++ranges;
+    question.quantity = MarginQuantity::kTolerance;
+    const auto [groups, range] = split_assignment(tolerances[i], "--tolerance");
+    question.groups = groups;
+    read_range(question, range, "--tolerance");
+    tolerances.erase(tolerances.begin() + std::ptrdiff_t(i));
+  }
+  if (is_range(model.alpha)) {
+    ++ranges;
+    question.quantity = MarginQuantity::kAlpha;
+    read_range(question, model.alpha, "--alpha");
+    model.alpha.clear();
+  }
+  if (!scale.empty()) {
+    ++ranges;
+    question.quantity = MarginQuantity::kScale;
+    read_range(question, scale, "--scale");
+  }
+  if (ranges != 1)
+    throw UsageError(
+        fmt::format("margin: found {} ranges, expected one of --tolerance "
+                    "GROUP=LO:HI, --alpha LO:HI, --scale LO:HI",
+                    ranges));
+  return question;
+}
+
+MarginRequest::MarginRequest(Request nominal, const MarginQuestion& question)
+    : nominal_(std::move(nominal)), question_(question) {
+  auto& conditions = nominal_.model.must_be_defined;
+  append(conditions, question.low.must_be_defined);
+  if (question.high) append(conditions, question.high->must_be_defined);
+  if (question.quantity == MarginQuantity::kScale) require_box_variety(nominal_);
+  if (question.quantity == MarginQuantity::kAlpha &&
+      nominal_.model.matrix.rows() != nominal_.model.matrix.cols())
+    throw UsageError("--alpha: found a matrix that is not square, expected one with a determinant");
+}
+
+Request MarginRequest::at(const MarginValue& value) const {
+  Request request = nominal_;
+  switch (question_.quantity) {
+    case MarginQuantity::kTolerance:
+      from_option("--tolerance",
+                  [&] { set_tolerance(request.model, question_.groups, value.exact); });
+      break;
+    case MarginQuantity::kAlpha:
+      from_option("--alpha", [&] { set_alpha(request.motion, value.exact); });
+      break;
+    case MarginQuantity::kScale:
+      scale_ranges(request.motion, value.exact);
+      break;
+  }
+  return request;
+}
+
+void MarginRequest::replan(PreparedSearch& p, const MarginValue& value) const {
+  const Request request = at(value);
+  std::vector<Variable> variables = p.stages->formulation().variables;
+  for (Variable& variable : variables) variable.range = range_at(request, variable);
+  p.variety = enclose_variety(request.model, request.motion, variables);
+}
+
+std::string describe_quantity(const MarginQuestion& question) {
+  switch (question.quantity) {
+    case MarginQuantity::kTolerance:
+      return "tolerance of " + question.groups;
+    case MarginQuantity::kAlpha:
+      return "alpha";
+    case MarginQuantity::kScale:
+      return "scale of the motion's ranges";
+  }
+  return "";
+}
+
+}  // namespace regulus::inline bracketing

@@ -1,0 +1,28 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The bracket, for people and for programs.
+#pragma once
+
+#include <nlohmann/json_fwd.hpp>
+#include <string>
+
+#include "codegen/margin/margin_run.hpp"
+
+namespace regulus::inline bracketing {
+
+/// "SAFE UP TO 0.119, NOT AT 0.134"
+[[nodiscard]] std::string describe_bracket(const MarginQuestion& question, const Margin& margin);
+
+/// One line about one search or witness.
+[[nodiscard]] std::string format_step(const MarginStep& step);
+
+[[nodiscard]] std::string margin_report(const PreparedSearch& preparation,
+                                        const SearchOptions& search, const MarginQuestion& question,
+                                        const Margin& margin);
+
+/// `certified` is not above, `refuted` not below the value that its text denotes.
+[[nodiscard]] nlohmann::ordered_json json_margin(const PreparedSearch& preparation,
+                                                 const SearchOptions& search,
+                                                 const MarginQuestion& question,
+                                                 const Margin& margin, double gap_wanted);
+
+}  // namespace regulus::inline bracketing

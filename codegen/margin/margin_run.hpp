@@ -1,0 +1,77 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The bracket of the largest safe value: searches at one value after another, with one kernel.
+#pragma once
+
+#include <functional>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "codegen/engine/pipeline.hpp"
+#include "codegen/margin/margin_certificates.hpp"
+#include "codegen/margin/margin_question.hpp"
+#include "codegen/report/output_options.hpp"
+#include "runtime/problem/result.hpp"
+#include "runtime/search/bracket.hpp"
+#include "runtime/witness/least_witness.hpp"
+
+namespace regulus::inline bracketing {
+
+/// What was shown, or not, at one value.
+struct MarginStep {
+  MarginValue value;
+  Result result;
+  std::string claim;
+};
+
+struct Margin {
+  std::optional<MarginStep> certified;  ///< the largest value, with the search that certified it
+  std::optional<MarginStep> refuted;    ///< the least value, with a witness
+  std::optional<MarginStep> empty;      ///< the last value at which no pose remains
+  std::optional<double> gap;            ///< relative
+  bool closed = false;                  ///< see Bracket::closed
+  bool interrupted = false;
+  std::vector<MarginStep> steps;  ///< in the order they were made
+  std::uint64_t boxes = 0;
+  double seconds = 0;  ///< of search
+};
+
+class MarginRun {
+ public:
+  using Listener = std::function<void(const MarginStep&)>;
+
+  MarginRun(PreparedSearch& preparation, const MarginQuestion& question,
+            const MarginRequest& request, const SearchOptions& search, const OutputOptions& output,
+            const Settings& settings, double gap, MarginCertificates& certificates,
+            Listener listener);
+
+  [[nodiscard]] Margin run();
+
+ private:
+  [[nodiscard]] bool interrupted() const noexcept;
+  [[nodiscard]] Problem problem_at(const MarginValue& value);
+  void look_below(const std::optional<MarginValue>& high, double limit);
+  void look_for_witness(double seconds, int starts);
+  bool refute_at_found();
+  void close_in();
+  void attempt(const PlannedAttempt& planned);
+  void look_near(std::span<const Interval> box);
+  void note(MarginStep step, bool is_search);
+  [[nodiscard]] MarginValue value_of(double approx) const;
+
+  PreparedSearch& preparation_;
+  const MarginQuestion& question_;
+  const MarginRequest& request_;
+  const SearchOptions& search_;
+  const OutputOptions& output_;
+  Settings settings_;
+  MarginCertificates& certificates_;
+  Listener listener_;
+  Bracket bracket_;
+  Problem widest_;
+  std::unique_ptr<LeastWitness> witness_;
+  Margin margin_;
+};
+
+}  // namespace regulus::inline bracketing

@@ -1,0 +1,51 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "codegen/margin/prepared_margin.hpp"
+
+#include "codegen/engine/settings.hpp"
+#include "codegen/model/expression_parser.hpp"
+#include "codegen/model/sign.hpp"
+#include "codegen/support/stopwatch.hpp"
+
+namespace regulus::inline bracketing {
+namespace {
+
+/// The value at which the kernel is formed, which is the same at all: one that is not 0, where
+/// quantities would not be uncertain at all.
+MarginValue forming_value(const MarginQuestion& question) {
+  return question.high ? *question.high : decimal_value(1);
+}
+
+void require_searchable(const PreparedSearch& preparation, const Settings& settings) {
+  if (const auto fault = find_fault(preparation.problem(), settings))
+    throw UsageError("margin: " + *fault);
+}
+
+SearchOptions with_threshold(SearchOptions options) {
+  options.threshold = true;
+  return options;
+}
+
+}  // namespace
+
+double read_gap(const std::string& text) {
+  double gap = 0;
+  from_option("--gap", [&] {
+    gap = approx_value(parse_constant(text, {.file = "", .key = "--gap"}).value).value_or(0);
+  });
+  if (!(gap > 0 && gap < 1))
+    throw UsageError("--gap: found " + text + ", expected a number between 0 and 1");
+  return gap;
+}
+
+PreparedMargin::PreparedMargin(const MarginQuestion& question, const ModelOptions& model,
+                               const SearchOptions& options, FormingWatch watch)
+    : request(read_request(model), question), search(with_threshold(options)) {
+  Stopwatch stopwatch;
+  prepared =
+      prepare(request.at(forming_value(question)), stopwatch.lap(), search, std::move(watch));
+  settings = settings_of(prepared, search, nullptr);
+  if (prepared.stopped) settings.method = Method::kAuto;  // as run_search has it
+  require_searchable(prepared, settings);
+}
+
+}  // namespace regulus::inline bracketing

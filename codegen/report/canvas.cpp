@@ -1,0 +1,110 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "codegen/report/canvas.hpp"
+
+#include <algorithm>
+#include <bit>
+#include <cmath>
+
+namespace regulus::inline report {
+namespace {
+
+/// Tiles along a range: what a picture can show.
+constexpr std::size_t kMostTiles = 512;
+
+std::size_t tile_count(double resolution) {
+  const auto parts = std::size_t(std::min(std::ceil(1 / resolution), double(kMostTiles)));
+  return std::bit_ceil(parts);
+}
+
+constexpr std::uint8_t bit_of(Claim claim) {
+  return std::uint8_t(1U << static_cast<unsigned>(claim));
+}
+
+}  // namespace
+
+Canvas::Canvas(const PreparedSearch& preparation, const PavingOptions& options)
+    : drawn_(options.drawn),
+      columns_(tile_count(options.resolution)),
+      rows_(options.drawn.size() > 1 ? columns_ : 1),
+      tiles_(columns_ * rows_),
+      determinants_(rows_ == 1 ? columns_ : 0) {
+  for (const std::size_t k : drawn_) ranges_.push_back(preparation.variety.outer[k]);
+}
+
+/// Boxes come from halving, tiles from multiplying: their edges agree but for rounding.
+Canvas::Span Canvas::tiles(std::size_t axis, std::size_t count, Interval x) const noexcept {
+  constexpr double kRounding = 1e-6;
+  const Interval& range = ranges_[axis];
+  const double scale = double(count) / (range.hi - range.lo);
+  const double begin = std::floor((x.lo - range.lo) * scale + kRounding);
+  const double end = std::ceil((x.hi - range.lo) * scale - kRounding);
+  const auto first = std::size_t(std::clamp(begin, 0.0, double(count - 1)));
+  return {first, std::clamp(std::size_t(std::max(end, 0.0)), first + 1, count)};
+}
+
+void Canvas::paint(std::span<const Interval> box, Claim claim) noexcept {
+  const Span across = tiles(0, columns_, box[drawn_[0]]);
+  const Span up = rows_ > 1 ? tiles(1, rows_, box[drawn_[1]]) : Span{0, 1};
+  for (std::size_t row = up.begin; row < up.end; ++row)
+    for (std::size_t column = across.begin; column < across.end; ++column)
+      tiles_[row * columns_ + column] |= bit_of(claim);
+}
+
+void Canvas::on_leaf(const OpenBox& box, Rule rule, const Proof& proof) noexcept {
+  paint(box.box, claim_of(rule));
+  if (!is_flat() || rule == Rule::kOutside) return;
+  const Span across = tiles(0, columns_, box.box[drawn_[0]]);
+  for (std::size_t column = across.begin; column < across.end; ++column) {
+    DeterminantTile& tile = determinants_[column];
+    if (!proof.determinant || !is_bounded(*proof.determinant)) {
+      tile.unknown = true;
+      continue;
+    }
+    tile.enclosure = tile.known ? hull(tile.enclosure, *proof.determinant) : *proof.determinant;
+    tile.known = true;
+  }
+}
+
+void Canvas::on_open(const OpenBox& box) noexcept {
+  paint(box.box, Claim::kUndecided);
+  if (!is_flat()) return;
+  const Span across = tiles(0, columns_, box.box[drawn_[0]]);
+  for (std::size_t column = across.begin; column < across.end; ++column)
+    determinants_[column].unknown = true;
+}
+
+Claim Canvas::claim(std::size_t column, std::size_t row) const noexcept {
+  const std::uint8_t seen = tiles_[row * columns_ + column];
+  for (const Claim claim : {Claim::kSingular, Claim::kUndecided, Claim::kFree})
+    if ((seen & bit_of(claim)) != 0) return claim;
+  return seen != 0 ? Claim::kOutside : Claim::kUndecided;
+}
+
+/// Runs along each row, joined with an equal run below.
+std::vector<TileRectangle> Canvas::rectangles(Claim wanted) const {
+  std::vector<TileRectangle> done, growing;
+  for (std::size_t row = 0; row < rows_; ++row) {
+    std::vector<TileRectangle> runs;
+    for (std::size_t column = 0; column < columns_; ++column) {
+      if (claim(column, row) != wanted) continue;
+      if (!runs.empty() && runs.back().right == column)
+        ++runs.back().right;
+      else
+        runs.push_back({column, column + 1, row, row + 1});
+    }
+    for (const TileRectangle& below : growing) {
+      const auto same = std::find_if(runs.begin(), runs.end(), [&](const TileRectangle& run) {
+        return run.left == below.left && run.right == below.right;
+      });
+      if (same != runs.end())
+        same->bottom = below.bottom;
+      else
+        done.push_back(below);
+    }
+    growing = std::move(runs);
+  }
+  done.insert(done.end(), growing.begin(), growing.end());
+  return done;
+}
+
+}  // namespace regulus::inline report

@@ -1,0 +1,165 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "codegen/report/gnuplot.hpp"
+
+#include <fcntl.h>
+#include <spawn.h>
+#include <sys/mman.h>
+#include <sys/socket.h>
+#include <sys/stat.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <array>
+#include <cerrno>
+#include <cstring>
+#include <string_view>
+
+#include "codegen/support/errors.hpp"
+
+namespace regulus::inline report {
+namespace {
+
+FileError system_error(const std::string& what, int error) {
+  return FileError(what + ": " + std::strerror(error));
+}
+
+FileError cannot_start(int error) {
+  if (error != ENOENT) return system_error("cannot start gnuplot", error);
+  return FileError(
+      "gnuplot, which draws the pictures, was not found. On Debian: apt-get install gnuplot-nox");
+}
+
+/// Redirections of a child's standard streams.
+class SpawnActions {
+ public:
+  SpawnActions() { posix_spawn_file_actions_init(&actions_); }
+  ~SpawnActions() { posix_spawn_file_actions_destroy(&actions_); }
+  SpawnActions(const SpawnActions&) = delete;
+  SpawnActions& operator=(const SpawnActions&) = delete;
+
+  void redirect(int stream, int to) { posix_spawn_file_actions_adddup2(&actions_, to, stream); }
+  [[nodiscard]] const posix_spawn_file_actions_t* get() const { return &actions_; }
+
+ private:
+  posix_spawn_file_actions_t actions_{};
+};
+
+/// The mask of signals is inherited: an interrupt ends the search, and its picture is still drawn.
+pid_t start(int input, int output, int errors) {
+  SpawnActions actions;
+  actions.redirect(STDIN_FILENO, input);
+  actions.redirect(STDOUT_FILENO, output);
+  actions.redirect(STDERR_FILENO, errors);
+  std::string name = "gnuplot";
+  std::array<char*, 2> words{name.data(), nullptr};
+  pid_t process = -1;
+  const int error =
+      posix_spawnp(&process, name.c_str(), actions.get(), nullptr, words.data(), environ);
+  if (error != 0) throw cannot_start(error);
+  return process;
+}
+
+}  // namespace
+
+Gnuplot::Gnuplot(const std::string& picture) : picture_(picture) {
+  constexpr int kWriting = O_WRONLY | O_CREAT | O_CLOEXEC;
+  file_ = open(picture.c_str(), kWriting | O_EXCL, 0666);
+  leaves_nothing_ = file_ >= 0;
+  if (file_ < 0) file_ = open(picture.c_str(), kWriting, 0666);
+  if (file_ < 0) throw system_error("cannot write " + picture, errno);
+  std::array<int, 2> ends{-1, -1};
+  drawing_ = memfd_create("gnuplot-drawing", MFD_CLOEXEC);
+  errors_ = memfd_create("gnuplot-errors", MFD_CLOEXEC);
+  const bool opened = drawing_ >= 0 && errors_ >= 0 &&
+                      socketpair(AF_UNIX, SOCK_STREAM | SOCK_CLOEXEC, 0, ends.data()) == 0;
+  const int error = errno;
+  input_ = ends[0];
+  try {
+    if (!opened) throw system_error("cannot start gnuplot", error);
+    process_ = start(ends[1], drawing_, errors_);
+  } catch (const FileError&) {
+    if (ends[1] >= 0) close(ends[1]);
+    close_all();
+    throw;
+  }
+  close(ends[1]);
+}
+
+Gnuplot::~Gnuplot() {
+  if (process_ > 0) static_cast<void>(wait_for_end());
+  close_all();
+}
+
+/// A picture that was not drawn leaves no empty file, and the one that was there before it as it
+/// was.
+void Gnuplot::close_all() noexcept {
+  struct stat status {};
+  if (leaves_nothing_ && fstat(file_, &status) == 0 && status.st_nlink > 0)
+    unlink(picture_.c_str());
+  for (const int descriptor : {file_, input_, drawing_, errors_})
+    if (descriptor >= 0) close(descriptor);
+}
+
+/// MSG_NOSIGNAL: a gnuplot that has ended is an error to report, not a signal.
+bool Gnuplot::send_all(const std::string& commands) const {
+  std::string_view rest = commands;
+  while (!rest.empty()) {
+    const ssize_t sent = send(input_, rest.data(), rest.size(), MSG_NOSIGNAL);
+    if (sent < 0 && errno == EINTR) continue;
+    if (sent <= 0) return false;
+    rest.remove_prefix(std::size_t(sent));
+  }
+  return true;
+}
+
+int Gnuplot::wait_for_end() {
+  shutdown(input_, SHUT_WR);
+  int status = -1;
+  while (waitpid(process_, &status, 0) < 0 && errno == EINTR) continue;
+  process_ = -1;
+  return status;
+}
+
+std::string Gnuplot::complaint() const {
+  std::array<char, 2048> text{};
+  const ssize_t size = pread(errors_, text.data(), text.size(), 0);
+  return size > 0 ? ":\n" + std::string(text.data(), std::size_t(size)) : "";
+}
+
+void Gnuplot::draw(const std::string& commands) {
+  const bool sent = send_all(commands);
+  const int status = wait_for_end();
+  if (!sent || !WIFEXITED(status) || WEXITSTATUS(status) != 0)
+    throw FileError("gnuplot could not draw " + picture_ + complaint());
+  write_picture();
+}
+
+void Gnuplot::write_picture() {
+  struct stat before {};
+  if (fstat(file_, &before) == 0 && S_ISREG(before.st_mode) && ftruncate(file_, 0) != 0)
+    throw system_error("cannot write " + picture_, errno);
+  std::array<char, 65536> part{};
+  for (off_t at = 0;;) {
+    const ssize_t size = pread(drawing_, part.data(), part.size(), at);
+    if (size == 0) break;
+    const ssize_t written = size < 0 ? -1 : write(file_, part.data(), std::size_t(size));
+    if (written < 0 && errno == EINTR) continue;
+    if (written <= 0) throw system_error("cannot write " + picture_, errno);
+    at += written;
+  }
+  struct stat status {};
+  if (fstat(file_, &status) != 0 || status.st_nlink == 0)
+    throw FileError(picture_ + " was removed before it was drawn");
+  leaves_nothing_ = false;
+}
+
+std::string Gnuplot::quoted(const std::string& text) {
+  std::string result = "'";
+  for (const char c : text) {
+    if (static_cast<unsigned char>(c) < 0x20 || c == 0x7f) continue;
+    result += c == '\'' ? "''" : std::string(1, c);
+  }
+  return result + "'";
+}
+
+}  // namespace regulus::inline report

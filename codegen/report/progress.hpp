@@ -1,0 +1,71 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <atomic>
+#include <chrono>
+#include <cstdint>
+#include <cstdio>
+#include <optional>
+
+#include "codegen/program/work_meter.hpp"
+#include "codegen/report/output_options.hpp"
+#include "runtime/problem/observer.hpp"
+
+namespace regulus::inline report {
+
+/// Shows on a terminal how far a search is: boxes, volume decided, rate, time. One line, rewritten
+/// a few times a second, erased at the end. Construct it only when the stream is a terminal.
+class ProgressDisplay : public Observer {
+ public:
+  explicit ProgressDisplay(std::FILE* terminal) : terminal_(terminal) {}
+
+  void on_start(const Problem&, const Settings&) noexcept override;
+  void on_leaf(const OpenBox& box, Rule rule, const Proof& proof) noexcept override;
+  void on_progress(const Statistics& statistics, std::uint64_t frontier) noexcept override;
+  void on_finish(const Result& result) noexcept override;
+
+ private:
+  using Clock = std::chrono::steady_clock;
+
+  std::FILE* terminal_;
+  Clock::time_point start_{};
+  Clock::time_point last_{};
+  double decided_ = 0;  ///< part of the root's volume, 0 … 1; for display only
+  bool shown_ = false;
+};
+
+/// Such a display if standard error is a terminal and nobody asked for quiet; nothing otherwise.
+class SearchDisplay {
+ public:
+  explicit SearchDisplay(const OutputOptions& output);
+  /// nullptr: nothing is shown.
+  [[nodiscard]] Observer* observer() noexcept { return display_ ? &*display_ : nullptr; }
+
+ private:
+  std::optional<ProgressDisplay> display_;
+};
+
+/// Shows on a terminal how far a stage before the search is.
+class FormingDisplay {
+ public:
+  explicit FormingDisplay(std::FILE* terminal) : terminal_(terminal) {}
+  ~FormingDisplay();
+  FormingDisplay(const FormingDisplay&) = delete;
+  FormingDisplay& operator=(const FormingDisplay&) = delete;
+
+  void show(WorkStage stage, std::uint64_t work, std::uint64_t most);
+
+ private:
+  using Clock = std::chrono::steady_clock;
+
+  std::FILE* terminal_;
+  Clock::time_point start_ = Clock::now(), last_ = start_;
+  bool shown_ = false;
+};
+
+/// Watches for an interrupt, and shows the progress of what it watches if standard error is a
+/// terminal and nobody asked for quiet.
+[[nodiscard]] FormingWatch forming_watch(const OutputOptions& output,
+                                         const std::atomic<bool>* interrupt);
+
+}  // namespace regulus::inline report

@@ -1,0 +1,115 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "codegen/report/witness_report.hpp"
+
+#include <fmt/format.h>
+
+#include "codegen/analysis/lost_twist.hpp"
+#include "codegen/report/degeneracy_report.hpp"
+#include "codegen/report/report_parts.hpp"
+
+namespace regulus::inline report {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+/// Exhaustive searches stay away from the zero: there the first point stands for the proof.
+const WitnessPoint& closest(const Witness& witness) {
+  return witness.near ? *witness.near : witness.points.front();
+}
+
+std::vector<Interval> hull_of_points(const Witness& witness) {
+  std::vector<Interval> box = witness.points.front().variables;
+  for (std::size_t k = 0; k < box.size(); ++k)
+    for (const WitnessPoint& point : witness.points) box[k] = hull(box[k], point.variables[k]);
+  return box;
+}
+
+/// The largest difference in any variable; nothing is claimed of it.
+double approx_distance(const Witness& witness) {
+  double largest = 0;
+  for (const Interval& range : hull_of_points(witness))
+    largest = std::max(largest, range.hi - range.lo);
+  return largest;
+}
+
+/// "= 3"; "in [1, 2]"; "≈ 2.5" for bounds that differ in later digits.
+std::string describe_value(const Interval& x) {
+  const std::string text = short_interval(x);
+  return fmt::format("{} {}", x.lo == x.hi ? "=" : text.front() == '[' ? "in" : "≈", text);
+}
+
+std::string format_proof(const PreparedSearch& p, const Witness& witness) {
+  const WitnessPoint& point = closest(witness);
+  const bool crossed = witness.points.size() == 2;
+  const bool scaled = !crossed && p.variety.alpha.hi > 0;
+  const std::string line =
+      fmt::format("           {} {} there\n", scaled ? "det J⁻¹" : "determinant",
+                  describe_value(point.determinant));
+  if (!crossed) return line;
+  return line +
+         fmt::format(
+             "           it changes sign: {} and {} at points that differ by at most {:.2g}\n",
+             short_interval(witness.points[0].determinant),
+             short_interval(witness.points[1].determinant), approx_distance(witness));
+}
+
+}  // namespace
+
+Json json_point(const PreparedSearch& p, const WitnessPoint& point) {
+  return {{"parameters", json_parameters(p, point.variables)},
+          {"pose", json_pose(p, point.pose)},
+          {"uncertain", json_uncertain(p, point.variables)},
+          {"determinant", json_interval(point.determinant)}};
+}
+
+Json json_witness(const PreparedSearch& p, const Result& result) {
+  if (!result.witness) return nullptr;
+  const Witness& witness = *result.witness;
+  Json points = Json::array();
+  for (const WitnessPoint& point : witness.points) points.push_back(json_point(p, point));
+  Json report = {{"points", points}};
+  if (witness.points.size() == 2) {
+    const std::vector<Interval> box = hull_of_points(witness);
+    report["vanishes_within"] = {{"parameters", json_parameters(p, box)},
+                                 {"uncertain", json_uncertain(p, box)}};
+  }
+  if (!witness.near) return report;
+  report["near"] = json_point(p, *witness.near);
+  report.update(json_degeneracy(p, InverseJacobian(p).approx_degeneracy(witness.near->variables)));
+  return report;
+}
+
+std::string format_witness(const PreparedSearch& p, const Result& result) {
+  if (!result.witness) return "";
+  const Witness& witness = *result.witness;
+  const WitnessPoint& point = closest(witness);
+  std::string lines = fmt::format("witness    {}\n", describe_place(p, point.variables)) +
+                      format_pose(p, point.pose) + format_uncertain_values(p, point.variables) +
+                      format_proof(p, witness);
+  if (!witness.near) return lines;
+  return lines + format_degeneracy(p, InverseJacobian(p).approx_degeneracy(point.variables));
+}
+
+Json json_nearest(const PreparedSearch& p, const LeastSingular& nearest) {
+  Json report = {{"approximate", true},
+                 {"parameters", json_parameters(p, nearest.variables)},
+                 {"pose", json_pose(p, nearest.pose)},
+                 {"uncertain", json_uncertain(p, nearest.variables)}};
+  report.update(json_degeneracy(p, nearest.degeneracy));
+  return report;
+}
+
+std::string format_nearest(const PreparedSearch& p, const std::optional<LeastSingular>& nearest) {
+  if (!nearest) return "";
+  const std::string lines =
+      fmt::format("nearest    {}\n", describe_short_place(p, nearest->variables)) +
+      format_short_pose(p, nearest->pose) + format_uncertain_values(p, nearest->variables) +
+      fmt::format(
+          "           the least singular value met, about {:.2g} of the largest; this proves "
+          "nothing\n",
+          nearest->degeneracy.singular_values.back());
+  return nearest->degeneracy.twists.empty() ? lines
+                                            : lines + format_degeneracy(p, nearest->degeneracy);
+}
+
+}  // namespace regulus::inline report

@@ -1,0 +1,74 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// At a terminal a prompt, otherwise a script.
+#include "codegen/shell/shell_command.hpp"
+
+#include <unistd.h>
+
+#include <csignal>
+#include <iostream>
+
+#include "codegen/command/run_command_line.hpp"
+#include "codegen/shell/line_editor.hpp"
+#include "codegen/shell/shell_session.hpp"
+#include "codegen/support/exit_code.hpp"
+
+namespace regulus::inline shell {
+namespace {
+
+/// Whether a code says that something is wrong, and not what a verdict is.
+bool is_error(int code) { return code >= kUsageError; }
+
+/// While it lives, SIGINT ends a read and nothing else; a search takes it for itself.
+class InterruptsReading {
+ public:
+  InterruptsReading() {
+    struct sigaction action {};
+    action.sa_handler = [](int) {};
+    sigaction(SIGINT, &action, &previous_);
+  }
+  ~InterruptsReading() { sigaction(SIGINT, &previous_, nullptr); }
+  InterruptsReading(const InterruptsReading&) = delete;
+  InterruptsReading& operator=(const InterruptsReading&) = delete;
+
+ private:
+  struct sigaction previous_ {};
+};
+
+/// The code of the last line that had a verdict. Nothing ends it but quit and the end of the input.
+int at_prompt(ShellSession& session) {
+  const InterruptsReading reading;
+  LineEditor editor("regulus> ", history_file(), [&session](const std::string& before) {
+    return completions(before, session.names());
+  });
+  while (!session.ended()) {
+    const std::optional<std::string> line = editor.next();
+    if (!line) break;
+    static_cast<void>(report_errors([&] { return session.execute(*line); }, "regulus: "));
+  }
+  return 0;
+}
+
+int as_script(ShellSession& session) {
+  int last = 0;
+  std::string line;
+  for (int number = 1; !session.ended() && std::getline(std::cin, line); ++number) {
+    const int code = report_errors([&] { return session.execute(line); },
+                                   "regulus: line " + std::to_string(number) + ": ");
+    const std::string command = line.substr(0, line.find_first_of(" \t"));
+    const bool has_verdict = command == "check" || command == "locate" || command == "margin" ||
+                             command == "verify" || command == "plot";
+    if (is_error(code) || has_verdict) last = code;
+    if (is_error(code) && !session.keeps_going()) return code;
+  }
+  return last;
+}
+
+}  // namespace
+
+int run_shell(const ShellCommand& command) {
+  ShellSession session(command.json);
+  if (!command.path.empty()) static_cast<void>(session.execute("load '" + command.path + "'"));
+  return isatty(STDIN_FILENO) != 0 ? at_prompt(session) : as_script(session);
+}
+
+}  // namespace regulus::inline shell

@@ -1,0 +1,11 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "codegen/command/command_line.hpp"
+
+namespace regulus::inline shell {
+
+/// `regulus shell`: prints what each line asks for and returns the exit code.
+[[nodiscard]] int run_shell(const ShellCommand& command);
+
+}  // namespace regulus::inline shell

@@ -1,0 +1,299 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "codegen/shell/shell_session.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <charconv>
+#include <fstream>
+#include <iostream>
+#include <nlohmann/json.hpp>
+
+#include "codegen/command/run_command_line.hpp"
+#include "codegen/model/model_edit.hpp"
+#include "codegen/model/model_file.hpp"
+#include "codegen/model/names.hpp"
+#include "codegen/model/overrides.hpp"
+#include "codegen/model/request.hpp"
+#include "codegen/report/report_parts.hpp"
+#include "codegen/shell/kept_options.hpp"
+#include "codegen/shell/shell_words.hpp"
+#include "codegen/shell/text_editor.hpp"
+#include "codegen/support/exit_code.hpp"
+
+namespace regulus::inline shell {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+int position(const std::string& word) {
+  int value = 0;
+  const auto [end, error] = std::from_chars(word.data(), word.data() + word.size(), value);
+  if (error != std::errc{} || end != word.data() + word.size())
+    refuse("'" + word + "'", "a number of a row or column, from 1");
+  return value;
+}
+
+std::vector<std::string> motion_names(const Model& model) {
+  std::vector<std::string> names;
+  for (const Motion& motion : model.motions) names.push_back(motion.name);
+  return names;
+}
+
+std::string listed(const std::vector<std::string>& words) {
+  return fmt::format("{}", fmt::join(words, " "));
+}
+
+}  // namespace
+
+struct ShellSession::Entry {
+  const char* name;
+  const char* usage;
+  const char* summary;
+  int (ShellSession::*run)(const Words&);
+};
+
+const std::vector<ShellSession::Entry>& ShellSession::table() {
+  using S = ShellSession;
+  static const std::vector<Entry> kTable = {
+      {"load", "load MODEL", "read a model file; what was set is forgotten", &S::load},
+      {"motions", "motions", "list the motions of the model", &S::motions},
+      {"motion", "motion NAME", "choose a motion", &S::motion},
+      {"show", "show matrix|forms|occurrences|text|settings",
+       "show what explain shows, or what is set", &S::show},
+      {"set", "set OPTION [VALUE]",
+       "set an option of check: range p=LO:HI, tolerance G=E, alpha A, method M …;\n"
+       "set entry I J EXPR, set let NAME EXPR: change the matrix or a sub-expression;\n"
+       "set keep-going on|off, set json on|off",
+       &S::set},
+      {"edit", "edit", "change the model's text in the editor that EDITOR names", &S::edit},
+      {"reload", "reload", "read the model file again; what was set stays", &S::reload},
+      {"unset", "unset OPTION [NAME]", "back to what the model or the default says", &S::unset},
+      {"check", "check [OPTIONS]", "prove that there is no singular pose, or show one", &S::run},
+      {"locate", "locate [OPTIONS]", "pave the motion: free, singular, undecided", &S::run},
+      {"margin", "margin OPTIONS", "bracket what is safe, e.g. margin --tolerance base=0:1",
+       &S::run},
+      {"plot", "plot FILE.svg|FILE.png [OPTIONS]", "locate, drawn", &S::plot},
+      {"verify", "verify FILE", "check a certificate, which check --certificate FILE writes",
+       &S::run},
+      {"history", "history", "list the lines of this session", &S::history},
+      {"help", "help [COMMAND]", "list the commands, or say more about one", &S::help},
+      {"save", "save FILE", "write the model with the changes made to its expressions", &S::save},
+      {"quit", "quit", "end the session", &S::quit},
+  };
+  return kTable;
+}
+
+int ShellSession::execute(const std::string& line) {
+  const Words words = split_words(line);
+  if (words.empty()) return 0;
+  history_.push_back(line);
+  std::vector<std::string> known;
+  for (const Entry& entry : table()) {
+    if (words[0] == entry.name) try {
+        return (this->*entry.run)(words);
+      } catch (const CommandLineRefused& refused) {
+        return refused.code;
+      }
+    known.emplace_back(entry.name);
+  }
+  const std::string meant = nearest(words[0], known);
+  refuse("the command " + in_quotes(words[0]),
+         meant.empty() ? "one that help lists" : in_quotes(meant));
+}
+
+void ShellSession::say(const std::string& text, const std::string& json) const {
+  std::cout << (json_ ? json : text) << '\n' << std::flush;
+}
+
+void ShellSession::require_model() const {
+  if (!asked_.model) refuse("no model", "load MODEL first");
+}
+
+// ---- the model ----
+
+int ShellSession::load(const Words& words) {
+  if (words.size() != 2) refuse(rest_of(words, 0), "load MODEL");
+  std::string text = read_model_text(words[1]);
+  Model model = parse_model(text, words[1]);
+  asked_.path = words[1];
+  asked_.text = std::move(text);
+  draft_.clear();
+  asked_.model = std::move(model);
+  asked_.motion = asked_.model->motions.size() == 1 ? asked_.model->motions.front().name : "";
+  asked_.settings.clear();
+  const auto names = motion_names(*asked_.model);
+  say(fmt::format("{}: {}×{}, motions {}", asked_.model->name, asked_.model->matrix.rows(),
+                  asked_.model->matrix.cols(), listed(names)),
+      Json{{"model", asked_.model->name}, {"path", asked_.path}, {"motions", names}}.dump());
+  return 0;
+}
+
+int ShellSession::motions(const Words&) {
+  require_model();
+  const auto names = motion_names(*asked_.model);
+  say(fmt::format("{}", fmt::join(names, "\n")), Json{{"motions", names}}.dump());
+  return 0;
+}
+
+int ShellSession::motion(const Words& words) {
+  require_model();
+  if (words.size() != 2) refuse(rest_of(words, 0), "motion NAME");
+  from_option("motion", [&] { static_cast<void>(find_motion(*asked_.model, words[1])); });
+  asked_.motion = words[1];
+  // A range is of a motion's parameters.
+  std::erase_if(asked_.settings, [](const Setting& s) { return s.option == "range"; });
+  return 0;
+}
+
+int ShellSession::save(const Words& words) {
+  require_model();
+  if (words.size() != 2) refuse(rest_of(words, 0), "save FILE");
+  std::ofstream file(words[1], std::ios::binary);
+  file << asked_.text;
+  if (!file.flush()) throw FileError("cannot write " + words[1]);
+  return 0;
+}
+
+/// What is no model, or not one for what is set, is refused, and the session keeps what it had.
+void ShellSession::take(std::string text) {
+  Asked changed = asked_;
+  changed.model = parse_model(text, asked_.path);
+  changed.text = std::move(text);
+  require_valid(changed);
+  asked_ = std::move(changed);
+  draft_.clear();
+}
+
+int ShellSession::change_expression(const Words& words) {
+  require_model();
+  if (words[1] == "entry") {
+    if (words.size() < 5) refuse(rest_of(words, 0), "set entry ROW COLUMN EXPRESSION");
+    take(with_entry(asked_.text, position(words[2]), position(words[3]), rest_of(words, 4)));
+  } else {
+    if (words.size() < 4) refuse(rest_of(words, 0), "set let NAME EXPRESSION");
+    take(with_let(asked_.text, words[2], rest_of(words, 3)));
+  }
+  return asked_.motion.empty() ? 0 : prepare_again();
+}
+
+/// A text with a mistake is what the next edit begins with.
+int ShellSession::edit(const Words& words) {
+  require_model();
+  if (words.size() != 1) refuse(rest_of(words, 0), "edit");
+  draft_ = edited(draft_.empty() ? asked_.text : draft_);
+  if (draft_ == asked_.text) return draft_.clear(), 0;
+  take(draft_);
+  return asked_.motion.empty() ? 0 : prepare_again();
+}
+
+int ShellSession::reload(const Words& words) {
+  require_model();
+  if (words.size() != 1) refuse(rest_of(words, 0), "reload");
+  take(read_model_text(asked_.path));
+  return asked_.motion.empty() ? 0 : prepare_again();
+}
+
+/// Every stage goes by its own input: where an edit leaves the text of the kernel as it was (after
+/// a change to a name), the cache has the whole of it, and otherwise the functions it leaves are
+/// known.
+int ShellSession::prepare_again() {
+  CommandLine line = parsed(asked_, {"check"});
+  adopt(line);
+  const PreparedSearch p = prepare(line.check->model, line.check->search);
+  const StageSeconds spent = p.seconds_spent();
+  const std::size_t functions = p.parts.compiled + p.parts.known;
+  const std::string kernel =
+      p.cache == "hit" ? "unchanged or known"
+      : functions == 0 ? "interpreted"
+                       : fmt::format("{} of {} functions compiled", p.parts.compiled, functions);
+  say(format_time(spent) + "kernel     " + kernel, Json{{"seconds", json_seconds(spent)},
+                                                        {"cache", p.cache},
+                                                        {"functions", functions},
+                                                        {"compiled", p.parts.compiled}}
+                                                       .dump());
+  return 0;
+}
+
+int ShellSession::run(const Words& words) {
+  if (words[0] != "verify") require_model();
+  CommandLine line = parsed(asked_, words);
+  adopt(line);
+  return run_command_line(line, rest_of(words, 0));
+}
+
+int ShellSession::plot(const Words& words) {
+  if (words.size() < 2) refuse("plot", "plot FILE.svg|FILE.png");
+  Words located = {"locate", "--picture", words[1]};
+  located.insert(located.end(), words.begin() + 2, words.end());
+  return run(located);
+}
+
+int ShellSession::show(const Words& words) {
+  if (words.size() == 2 && words[1] == "settings") return show_settings();
+  require_model();
+  static const Words kParts = {"matrix", "forms", "occurrences", "text"};
+  if (words.size() != 2 || std::ranges::find(kParts, words[1]) == kParts.end())
+    refuse(rest_of(words, 0), "show matrix|forms|occurrences|text|settings");
+  if (words[1] == "text" && asked_.motion.empty()) refuse("no motion", "motion NAME first");
+  CommandLine line = parsed(asked_, {"explain", "--stage", words[1]});
+  adopt(line);
+  return run_command_line(line, rest_of(words, 0));
+}
+
+int ShellSession::history(const Words&) {
+  say(fmt::format("{}", fmt::join(history_, "\n")), Json{{"history", history_}}.dump());
+  return 0;
+}
+
+std::string ShellSession::commands() {
+  std::string text;
+  for (const Entry& entry : table()) {
+    const std::string summary = entry.summary;
+    text += fmt::format("{:<44}{}\n", entry.usage, summary.substr(0, summary.find('\n')));
+  }
+  return text;
+}
+
+int ShellSession::help(const Words& words) {
+  std::string text;
+  if (words.size() == 1) {
+    text = commands();
+    text.pop_back();
+  }
+  for (const Entry& entry : table())
+    if (words.size() > 1 && words[1] == entry.name)
+      text = fmt::format("{}\n{}", entry.usage, entry.summary);
+  if (text.empty()) refuse("no command " + in_quotes(words[1]), "one that help lists");
+  if (words.size() > 1 && words[1] == "set") text += "\noptions: " + listed(names_of_options());
+  if (words.size() > 1 && words[1] == "quit")
+    text += "\nA script ends with the exit code of its first error, otherwise of its last check.";
+  say(text, Json{{"help", text}}.dump());
+  return 0;
+}
+
+int ShellSession::quit(const Words&) {
+  ended_ = true;
+  return 0;
+}
+
+ShellNames ShellSession::names() const {
+  ShellNames names;
+  for (const Entry& entry : table()) names.commands.emplace_back(entry.name);
+  names.options = names_of_options();
+  names.values_of = [](const std::string& option) {
+    const OptionEntry* entry = option_of_check(option);
+    return entry == nullptr ? Words{} : entry->choices;
+  };
+  names.files = files_beginning;
+  if (!asked_.model) return names;
+  names.motions = motion_names(*asked_.model);
+  names.groups = tolerance_groups(*asked_.model);
+  names.lets = let_names(asked_.text);
+  if (asked_.motion.empty()) return names;
+  for (const MotionParameter& p : find_motion(*asked_.model, asked_.motion).parameters)
+    names.parameters.push_back(p.name);
+  return names;
+}
+
+}  // namespace regulus::inline shell

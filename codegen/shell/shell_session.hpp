@@ -1,0 +1,86 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What the shell remembers between two lines, and what a line does. Every result comes from the
+// command of that name: a session makes a command line of what it remembers and runs it.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "codegen/command/command_line.hpp"
+#include "codegen/engine/pipeline.hpp"
+#include "codegen/jit/cache/part_store.hpp"
+#include "codegen/model/model.hpp"
+#include "codegen/shell/shell_completion.hpp"
+
+namespace regulus::inline shell {
+
+class ShellSession {
+ public:
+  explicit ShellSession(bool json) : json_(json) {}
+
+  /// Runs a line. Returns the exit code of the command it ran, 0 for what has none. Throws what
+  /// commands throw.
+  int execute(const std::string& line);
+
+  /// What a session understands, a line for each command.
+  [[nodiscard]] static std::string commands();
+
+  [[nodiscard]] bool ended() const noexcept { return ended_; }
+  [[nodiscard]] bool keeps_going() const noexcept { return keep_going_; }
+  [[nodiscard]] ShellNames names() const;
+
+ private:
+  using Words = std::vector<std::string>;
+  /// An option that has been set; `key` tells those apart that may be repeated.
+  struct Setting {
+    std::string option, key, value;
+  };
+  /// What a question is about.
+  struct Asked {
+    std::string path;
+    std::string text;  ///< of the model, with its changes
+    std::optional<Model> model;
+    std::string motion;
+    std::vector<Setting> settings;
+  };
+
+  int load(const Words& words);
+  int motions(const Words& words);
+  int motion(const Words& words);
+  int show(const Words& words);
+  int show_settings();
+  int set(const Words& words);
+  int unset(const Words& words);
+  int reload(const Words& words);
+  int edit(const Words& words);
+  int change_expression(const Words& words);
+  int plot(const Words& words);
+  int save(const Words& words);
+  int history(const Words& words);
+  int help(const Words& words);
+  int quit(const Words& words);
+  int run(const Words& words);
+
+  [[nodiscard]] static CommandLine parsed(const Asked& asked, const Words& words);
+  void adopt(CommandLine& line);
+  void change(const Setting& setting, bool keep);
+  static void require_valid(const Asked& asked);
+  void require_model() const;
+  void take(std::string text);
+  int prepare_again();
+  void say(const std::string& text, const std::string& json) const;
+
+  bool json_;
+  bool ended_ = false;
+  bool keep_going_ = false;
+  Asked asked_;
+  std::string draft_;  ///< an edited text that is no model yet; else empty
+  PartStore parts_;    ///< of the kernels of this session
+  Words history_;
+
+  struct Entry;
+  static const std::vector<Entry>& table();
+};
+
+}  // namespace regulus::inline shell

@@ -1,0 +1,24 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <string>
+#include <vector>
+
+namespace regulus::inline support {
+
+/// A file that an option names, to be written by the end of a command.
+struct OutputFile {
+  std::string option;         ///< for messages
+  std::string path;           ///< empty: none
+  bool must_be_file = false;  ///< no device: the file is put in its place by a rename
+};
+
+/// Renames what earlier runs wrote, FILE to FILE.old. So nobody takes the proof or the picture of
+/// an earlier run for that of one which ended without it, by an error, a signal or a full disk.
+///
+/// To be called before anything else is done. Devices and pipes stay as they are. FILE.old of a run
+/// before is replaced.
+/// Throws    FileError when a file cannot be moved, UsageError when it is the model file.
+void set_earlier_outputs_aside(const std::string& model, const std::vector<OutputFile>& outputs);
+
+}  // namespace regulus::inline support

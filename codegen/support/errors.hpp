@@ -1,0 +1,84 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Exceptions cross the boundaries only: a verdict is a value, never thrown.
+#pragma once
+
+#include <stdexcept>
+#include <string>
+
+namespace regulus::inline support {
+
+/// Bad input: a model file, an option, a C++ model. what() is "file:line: found, expected".
+class InputError : public std::runtime_error {
+ public:
+  /// line 0 = not known or not a file. `symbol` is the name at fault, empty if none.
+  InputError(const std::string& file, int line, const std::string& found,
+             const std::string& expected, const std::string& symbol = {})
+      : std::runtime_error(message(file, line, found, expected)),
+        file_(file),
+        line_(line),
+        found_(found),
+        expected_(expected),
+        symbol_(symbol) {}
+
+  [[nodiscard]] const std::string& file() const noexcept { return file_; }
+  [[nodiscard]] int line() const noexcept { return line_; }
+  [[nodiscard]] const std::string& found() const noexcept { return found_; }
+  [[nodiscard]] const std::string& expected() const noexcept { return expected_; }
+  [[nodiscard]] const std::string& symbol() const noexcept { return symbol_; }
+
+ private:
+  static std::string message(const std::string& file, int line, const std::string& found,
+                             const std::string& expected) {
+    std::string text = file;
+    if (!file.empty() && line > 0) text.append(":").append(std::to_string(line));
+    if (!file.empty()) text.append(": ");
+    return text.append("found ").append(found).append(", expected ").append(expected);
+  }
+
+  std::string file_;
+  int line_;
+  std::string found_, expected_;
+  std::string symbol_;
+};
+
+/// A file that cannot be read or written (exit 74).
+class FileError : public std::runtime_error {
+ public:
+  using std::runtime_error::runtime_error;
+};
+
+/// A fault of ours (exit 70).
+class InternalError : public std::logic_error {
+ public:
+  using std::logic_error::logic_error;
+};
+
+/// Something wrong with a command line that only the model can tell (an unknown motion, say).
+class UsageError : public std::runtime_error {
+ public:
+  using std::runtime_error::runtime_error;
+};
+
+/// The compiler refused a text, or produced what cannot be loaded. The texts are generated, so this
+/// is a fault of the generator or of the installation, never of a model file.
+class CompileError : public std::runtime_error {
+ public:
+  CompileError(const std::string& what, std::string diagnostics, std::string text)
+      : std::runtime_error(what), diagnostics_(std::move(diagnostics)), text_(std::move(text)) {}
+
+  [[nodiscard]] const std::string& diagnostics() const noexcept { return diagnostics_; }
+  [[nodiscard]] const std::string& text() const noexcept { return text_; }
+
+ private:
+  std::string diagnostics_;
+  std::string text_;
+};
+
+/// There is no compiler to be had: it cannot be opened, or the system has no process for it.
+/// Nothing is wrong with the text.
+class NoCompiler : public CompileError {
+ public:
+  explicit NoCompiler(const std::string& what) : CompileError(what, {}, {}) {}
+};
+
+}  // namespace regulus::inline support

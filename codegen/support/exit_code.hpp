@@ -1,0 +1,17 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+namespace regulus::inline support {
+
+/// What the process returns. Verdicts first; the others follow sysexits.h.
+enum ExitCode : int {
+  kNoSingularity = 0,
+  kSingularity = 1,
+  kPossibleProblem = 2,
+  kUsageError = 64,
+  kBadInput = 65,
+  kInternalFault = 70,
+  kFileError = 74,
+};
+
+}  // namespace regulus::inline support

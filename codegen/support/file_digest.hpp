@@ -1,0 +1,30 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string>
+
+#include "codegen/support/file_descriptor.hpp"
+#include "codegen/support/sha256.hpp"
+
+namespace regulus::inline support {
+
+/// SHA-256 of a file that grows. Each byte is read once.
+class FileDigest {
+ public:
+  /// The file is opened now: what takes its name later is another file.
+  explicit FileDigest(const std::string& path);
+
+  /// The digest of its first `length` bytes; nullopt when it cannot be read or has fewer.
+  ///
+  /// Requires  a length that is not less than that of the call before.
+  [[nodiscard]] std::optional<std::string> of_first(std::uint64_t length);
+
+ private:
+  FileDescriptor file_;
+  Sha256 digest_;
+  std::uint64_t done_ = 0;
+};
+
+}  // namespace regulus::inline support

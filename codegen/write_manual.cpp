@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Writes manual pages and completions below a folder, as they are installed below share/.
+#include <filesystem>
+#include <fstream>
+#include <iostream>
+
+#include "codegen/command/manual.hpp"
+#include "codegen/shell/shell_session.hpp"
+
+namespace {
+
+bool write(const std::filesystem::path& path, const std::string& text) {
+  std::filesystem::create_directories(path.parent_path());
+  std::ofstream file(path, std::ios::binary);
+  file << text;
+  return static_cast<bool>(file.flush());
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  using namespace regulus;
+  if (argc != 2) return 64;
+  const std::filesystem::path share = argv[1];
+  const std::vector<CommandEntry> table = command_table(ShellSession::commands());
+  bool written = write(share / "bash-completion/completions/regulus", bash_completion(table)) &&
+                 write(share / "zsh/site-functions/_regulus", zsh_completion(table));
+  for (const CommandEntry& command : table) {
+    const std::string name = command.name.empty() ? "regulus" : "regulus-" + command.name;
+    written = write(share / "man/man1" / (name + ".1"), manual_page(command, table)) && written;
+  }
+  if (!written) std::cerr << "cannot write below " << share << '\n';
+  return written ? 0 : 74;
+}

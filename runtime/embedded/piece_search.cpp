@@ -1,0 +1,174 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "runtime/embedded/piece_search.hpp"
+
+#include <algorithm>
+#include <stdexcept>
+
+#include "runtime/kernel/rounding_scope.hpp"
+
+namespace regulus {
+namespace {
+
+/// Witnesses may lie anywhere in the ranges, which are exact here. Not so for a coordinate of a
+/// point in a ball, whose range is a side of the box around it: a witness speaks of all of that.
+std::vector<std::optional<Interval>> witness_ranges(const regulus_kernel& kernel,
+                                                    std::span<const Interval> ranges) {
+  std::vector<std::optional<Interval>> inner(ranges.begin(), ranges.end());
+  const int* ball = kernel.expansion == nullptr ? nullptr : kernel.expansion->ball_of_variable;
+  for (std::size_t k = 0; ball != nullptr && k < inner.size(); ++k)
+    if (ball[k] >= 0) inner[k].reset();
+  return inner;
+}
+
+Problem make_problem(const regulus_kernel& kernel, std::span<const Interval> ranges, double alpha) {
+  Problem problem;
+  problem.kernel = &kernel;
+  problem.outer.assign(ranges.begin(), ranges.end());
+  problem.inner = witness_ranges(kernel, ranges);
+  // A negative number or a NaN is a fault that is found below.
+  problem.alpha.lo = problem.alpha.hi = alpha;
+  return problem;
+}
+
+const Problem& sound(const Problem& problem, const Settings& settings, unsigned max_boxes) {
+  if (max_boxes < 1 || max_boxes > Checker::kMaxBoxes)
+    throw std::invalid_argument("the number of boxes is not from 1 to 1048576");
+  if (const auto fault = find_fault(problem, settings)) throw std::invalid_argument(*fault);
+  return problem;
+}
+
+bool within(Interval part, Interval whole) noexcept {
+  return whole.lo <= part.lo && part.lo <= part.hi && part.hi <= whole.hi;
+}
+
+bool has_width(Interval x) noexcept { return x.lo < x.hi; }
+
+/// A range in up to `most` ≤ kLanes parts, which cover it.
+std::size_t cut(Interval range, std::size_t most, Interval* parts) noexcept {
+  std::size_t count = 1;
+  parts[0] = range;
+  while (count < most) {
+    const std::optional<Halves> halves = bisect(parts[0]);  // the oldest: none is wider
+    if (!halves) break;
+    std::rotate(parts, parts + 1, parts + count);
+    parts[count - 1] = halves->left;
+    parts[count++] = halves->right;
+  }
+  return count;
+}
+
+}  // namespace
+
+PieceSearch::PieceSearch(const regulus_kernel& kernel, std::span<const Interval> ranges,
+                         unsigned max_boxes, double alpha)
+    : problem_(make_problem(kernel, ranges, alpha)),
+      structure_(find_row_structure(sound(problem_, settings_, max_boxes), settings_)),
+      max_boxes_(max_boxes),
+      decider_(problem_, settings_, structure_),
+      batch_(kernel, decider_.order()),
+      witness_(problem_, settings_, false),
+      frontier_(kernel.variables, std::size_t{max_boxes} + kLanes + 1),
+      loop_(*this, frontier_, decider_.bisector(), kernel.variables),
+      half_(kernel.variables),
+      places_(2 * std::size_t{kernel.variables}) {
+  // What is initialised on first use is used here.
+  static_cast<void>(check({problem_.outer.data(), kernel.motion_variables}));
+}
+
+/// Kept out of line, so that no floating-point work moves out of the rounding scope of its caller.
+[[gnu::noinline]] Check PieceSearch::search(std::span<const Interval> piece) noexcept {
+  boxes_ = 0;
+  certified_ = stopped_ = false;
+  check_ = {};
+  threshold_ = {};
+  witness_.forget();
+  load_frontier(piece);
+  loop_.run();
+  if (stopped_) return check_;
+  check_.verdict = certified_ ? Verdict::kNoSingularity : Verdict::kPossibleProblem;
+  check_.reason = certified_ ? Reason::kAllBoxesCertified : Reason::kEmptyVariety;
+  check_.boxes = boxes_;
+  return check_;
+}
+
+Check PieceSearch::check(std::span<const Interval> piece) noexcept {
+  bool fits = piece.size() == kernel().motion_variables;
+  for (std::size_t k = 0; fits && k < piece.size(); ++k) fits = within(piece[k], problem_.outer[k]);
+  if (!fits) return {};
+  const RoundingScope scope(REGULUS_ROUND_NEAREST);
+  return search(piece);
+}
+
+/// A batch costs the same however many boxes it has: what can only be split in one variable, such
+/// as a trajectory, starts as eight.
+void PieceSearch::load_frontier(std::span<const Interval> piece) noexcept {
+  std::copy(problem_.outer.begin(), problem_.outer.end(), half_.begin());
+  std::copy(piece.begin(), piece.end(), half_.begin());
+  frontier_.clear();
+  const auto push = [this] {
+    static_cast<void>(
+        frontier_.push_top({0, 0, half_}, decider_.bisector().approx_relative_width(half_)));
+  };
+  if (std::count_if(piece.begin(), piece.end(), has_width) != 1) return push();
+  const auto wide = std::find_if(piece.begin(), piece.end(), has_width) - piece.begin();
+  Interval parts[kLanes];
+  const std::size_t count =
+      cut(piece[std::size_t(wide)], std::min(std::size_t{max_boxes_}, kLanes), parts);
+  for (std::size_t i = 0; i < count; ++i) {
+    half_[std::size_t(wide)] = parts[i];
+    push();
+  }
+}
+
+bool PieceSearch::begin_round() noexcept {
+  if (!stopped_ && boxes_ == max_boxes_) stop_at(Reason::kBoxBudget, frontier_.top().box);
+  return !stopped_;
+}
+
+std::size_t PieceSearch::decide_round() noexcept {
+  batch_.clear();
+  for (; batch_.count() < kLanes && boxes_ < max_boxes_ && !frontier_.empty(); ++boxes_) {
+    batch_.add(frontier_.top());
+    frontier_.pop();
+  }
+  batch_.budget.threshold = threshold_;
+  decider_.decide(batch_, false);  // the search is not exhaustive: nothing is allocated
+  return 1;
+}
+
+bool PieceSearch::conclude(Decisions& batch) noexcept {
+  for (std::size_t t = 0; t < batch.budget.trials; ++t) threshold_.learn(batch.budget.trial[t]);
+  witness_.look_at_midpoints(batch);
+  if (!witness_.found()) return true;
+  const std::size_t variables = kernel().variables;
+  for (std::size_t p = 0; p < witness_.points(); ++p)
+    witness_.copy_point(p, {places_.data() + p * variables, variables});
+  check_ = {Verdict::kSingularity,
+            witness_.reason(),
+            boxes_,
+            {places_.data(), witness_.points() * variables}};
+  stopped_ = true;
+  return false;
+}
+
+void PieceSearch::settle(Decisions& batch, std::size_t lane) noexcept {
+  const Decision& decision = batch.decision[lane];
+  if (decision.rule == Rule::kBlocked)
+    stop_at(decision.reason, batch.box_of(lane));
+  else if (decision.rule != Rule::kOutside)
+    certified_ = true;
+}
+
+/// There is room, in truth: each box evaluated adds one at most to the eight there may be at the
+/// start. Were there none, a box would be left out, and nothing may be claimed.
+void PieceSearch::lose(const OpenBox& first, const OpenBox&) noexcept {
+  stop_at(Reason::kBoxBudget, first.box);
+}
+
+void PieceSearch::stop_at(Reason reason, std::span<const Interval> box) noexcept {
+  std::copy(box.begin(), box.end(), places_.begin());
+  check_ = {Verdict::kPossibleProblem, reason, boxes_, {places_.data(), box.size()}};
+  stopped_ = true;
+}
+
+}  // namespace regulus

@@ -1,0 +1,62 @@
+// SPDX-License-Identifier: Apache-2.0
+// A search of a piece of a variety in memory that it owns from the start.
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include "runtime/embedded/checker.hpp"
+#include "runtime/search/branch_and_prune.hpp"
+#include "runtime/search/decider.hpp"
+#include "runtime/search/frontier.hpp"
+#include "runtime/witness/witness_search.hpp"
+
+namespace regulus {
+
+/// What a Checker does; checker.hpp has the contracts.
+class PieceSearch {
+ public:
+  PieceSearch(const regulus_kernel& kernel, std::span<const Interval> ranges, unsigned max_boxes,
+              double alpha = 0.0);
+  PieceSearch(const PieceSearch&) = delete;
+  PieceSearch& operator=(const PieceSearch&) = delete;
+
+  [[nodiscard]] Check check(std::span<const Interval> piece) noexcept;
+
+  [[nodiscard]] const regulus_kernel& kernel() const noexcept { return *problem_.kernel; }
+
+ private:
+  [[nodiscard]] Check search(std::span<const Interval> piece) noexcept;
+  void load_frontier(std::span<const Interval> piece) noexcept;
+  friend class BranchAndPrune<PieceSearch>;
+  [[nodiscard]] bool begin_round() noexcept;
+  [[nodiscard]] std::size_t decide_round() noexcept;
+  [[nodiscard]] Decisions& batch(std::size_t) noexcept { return batch_; }
+  [[nodiscard]] bool conclude(Decisions& batch) noexcept;
+  [[nodiscard]] bool goes_on() const noexcept { return !stopped_; }
+  void give_back(Decisions&) noexcept {}  // every batch is decided
+  void settle(Decisions& batch, std::size_t lane) noexcept;
+  [[nodiscard]] bool splits(const OpenBox&) const noexcept { return true; }
+  [[nodiscard]] BoxId number(const OpenBox&, std::uint32_t, double) const noexcept { return 0; }
+  void lose(const OpenBox& first, const OpenBox& second) noexcept;
+  void end_round() const noexcept {}
+  void stop_at(Reason reason, std::span<const Interval> box) noexcept;
+
+  const Problem problem_;
+  const Settings settings_;
+  const RowStructure structure_;
+  const unsigned max_boxes_;
+  Decider decider_;
+  Decisions batch_;
+  WitnessSearch witness_;
+  Frontier frontier_;
+  BranchAndPrune<PieceSearch> loop_;
+  AdaptiveThreshold threshold_;
+  std::vector<Interval> half_, places_;
+  Check check_;  ///< the one under way
+  unsigned boxes_ = 0;
+  bool stopped_ = false;    ///< check_ is the answer
+  bool certified_ = false;  ///< a test vouches for some box that the constraints do not exclude
+};
+
+}  // namespace regulus

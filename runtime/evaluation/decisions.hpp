@@ -1,0 +1,113 @@
+// SPDX-License-Identifier: Apache-2.0
+// Up to eight boxes on their way from the frontier through the tests and back, with what is to
+// become of each. Everything in it follows from the boxes and the threshold of dear tests alone:
+// which thread decided them, and when, leaves no trace.
+#pragma once
+
+#include <algorithm>
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "runtime/evaluation/batch.hpp"
+#include "runtime/problem/adaptive_threshold.hpp"
+#include "runtime/problem/observer.hpp"
+
+namespace regulus {
+
+/// What is to become of one box.
+struct Decision {
+  enum class Kind : std::uint8_t { kLeaf, kSplit };
+  Kind kind = Kind::kLeaf;
+  Rule rule = Rule::kBlocked;           ///< of a leaf
+  Reason reason = Reason::kWidth;       ///< kWitness: which proof; kBlocked: what blocks
+  std::uint32_t variable = 0;           ///< to split in
+  std::size_t order = 0;                ///< entries of v
+  std::size_t filter = 0;               ///< kFilter: which of Settings::filters
+  std::optional<Interval> determinant;  ///< if the settings ask for it
+  std::optional<Witness> witness;       ///< kWitness
+};
+
+/// det A, with α > 0 det J⁻¹, at the middle of each box, to nearest. Lanes without are those whose
+/// middle is outside a constraint, or where A is not defined.
+struct MidpointDeterminants {
+  LaneMask lanes = 0;
+  double approx[kLanes];
+};
+
+/// Requires  Batch::approx_row_scale where `scaled`.
+[[nodiscard]] MidpointDeterminants approx_midpoint_determinants(Batch& batch, LaneMask lanes,
+                                                                bool scaled) noexcept;
+
+class Decisions {
+ public:
+  /// Room for a problem of that size, v of that order.
+  Decisions(const regulus_kernel& kernel, std::size_t order)
+      : variables_(kernel.variables),
+        points_(std::size_t{kernel.rows} * kernel.columns * kLanes),
+        order_(order * kLanes),
+        boxes_(kLanes * variables_),
+        preconditioner_(points_),
+        vector_(order_) {}
+
+  void clear() noexcept {
+    count_ = 0;
+    budget = {};
+    forget_attempt();
+  }
+  /// The boxes stay, and the threshold of their budget.
+  void forget_attempt() noexcept {
+    decided = false;
+    budget.anyway = 0;
+    budget.trials = 0;
+    midpoint_determinants.lanes = 0;
+    probes = 0;
+  }
+  /// Copies a box to the next lane.
+  void add(const OpenBox& box) noexcept {
+    std::copy(box.box.begin(), box.box.end(), box_of(count_).begin());
+    open_[count_] = {box.id, box.depth, box_of(count_)};
+    ++count_;
+  }
+  [[nodiscard]] std::size_t count() const noexcept { return count_; }
+  [[nodiscard]] const OpenBox& open(std::size_t lane) const noexcept { return open_[lane]; }
+  [[nodiscard]] std::span<Interval> box_of(std::size_t lane) noexcept {
+    return {boxes_.data() + lane * variables_, variables_};
+  }
+
+  /// Copies the proofs of a batch that is about to be used again.
+  void keep_proofs(Batch& batch) noexcept {
+    std::copy_n(batch.preconditioner().data(), points_, preconditioner_.get());
+    std::copy_n(batch.vector().data(), order_, vector_.get());
+    preconditioner = preconditioner_.get();
+    vector = vector_.get();
+  }
+  [[nodiscard]] Proof proof(std::size_t lane) const noexcept {
+    const Decision& d = decision[lane];
+    Proof proof;
+    proof.preconditioner = preconditioner + lane;
+    if (d.order > 0) proof.vector = vector + lane, proof.order = d.order;
+    if (d.witness) proof.witness = &*d.witness;
+    proof.reason = d.reason;
+    proof.determinant = d.determinant;
+    return proof;
+  }
+
+  bool decided = false;
+  TestBudget budget;
+  Decision decision[kLanes];
+  LaneMask uncertified = 0;  ///< neither outside nor certified by a test
+  LaneMask inside = 0;       ///< certainly inside all constraints
+  MidpointDeterminants midpoint_determinants;
+  std::uint64_t probes = 0;                ///< determinants computed in search of a witness
+  const double* preconditioner = nullptr;  ///< as in Proof, of lane 0
+  const double* vector = nullptr;
+
+ private:
+  std::size_t variables_, points_, order_, count_ = 0;
+  std::vector<Interval> boxes_;
+  OpenBox open_[kLanes];
+  AlignedBuffer preconditioner_, vector_;
+};
+
+}  // namespace regulus

@@ -1,0 +1,56 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "runtime/evaluation/product_evaluator.hpp"
+#include "runtime/regularity/second_order.hpp"
+
+namespace regulus {
+
+/// Bounds K·A by its expansion to second order (runtime/regularity/second_order.hpp).
+class ExpansionEvaluator {
+ public:
+  /// All must outlive this object.
+  ///
+  /// Requires  the kernel has an expansion; structure.is_known().
+  ExpansionEvaluator(const BoxLanes& lanes, MidpointEvaluator& midpoint, ProductEvaluator& product,
+                     const RowStructure& structure, const EvaluationPlan& plan);
+
+  void forget() noexcept { computed_.forget(); }
+
+  [[nodiscard]] std::size_t order() const noexcept { return second_order_.order(); }
+  /// T, of order order(); +∞ in lanes without.
+  [[nodiscard]] ConstPointMatrix bounds() noexcept;
+  /// The lanes that have one.
+  [[nodiscard]] LaneMask defined() noexcept;
+  /// Upper bounds of |det K(t)|/|det K| for the preconditioner that belongs to T.
+  [[nodiscard]] LaneNumbers moving_determinant_ru() noexcept;
+  /// SecondOrderBounds::certain_by_orthants on T; guess: its right Perron vector.
+  [[nodiscard]] LaneMask certain_by_orthants(ConstPointVector guess, LaneMask lanes) noexcept;
+  /// What each variable adds to the spectral radius of T, roughly; in lanes without T how far it
+  /// moves K·A to first order.
+  void approx_impact(PerronVectors vectors, PointVector impact) noexcept;
+
+ private:
+  void compute() noexcept;
+  void load_expansion_point() noexcept;
+  void add_impact_at_center(LaneMask lanes, PointVector impact) const noexcept;
+  [[nodiscard]] SecondOrderInput input() noexcept;
+  [[nodiscard]] LaneMask call_listed(const regulus_derivatives& derivatives,
+                                     ConstIntervalVector boxes, AlignedBuffer& out) noexcept;
+
+  const BoxLanes& lanes_;
+  MidpointEvaluator& midpoint_;
+  ProductEvaluator& product_;
+  const regulus_kernel& kernel_;
+  const regulus_expansion& expansion_;
+  const RowStructure& structure_;
+  SecondOrderBounds second_order_;
+  AlignedBuffer point_, radius_, center_product_;
+  AlignedBuffer first_, second_, row_first_, row_second_, bounds_;
+  Once computed_;
+  bool point_known_ = false;
+  LaneMask point_outside_contract_ = 0, defined_ = 0;
+  OrthantCell orthant_hint_{};
+};
+
+}  // namespace regulus

@@ -1,0 +1,35 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "runtime/evaluation/product_evaluator.hpp"
+
+namespace regulus {
+
+/// Bounds |KA − I| over the boxes by a matrix P.
+class FirstOrderBounds {
+ public:
+  /// All must outlive this object.
+  FirstOrderBounds(const BoxLanes& lanes, MidpointEvaluator& midpoint, ProductEvaluator& product,
+                   DerivativeEvaluator& derivatives, const EvaluationPlan& plan);
+
+  void forget() noexcept;
+
+  /// P from natural entries; +∞ in lanes without.
+  [[nodiscard]] ConstPointMatrix natural() noexcept;
+  /// The same P, lowered to the mean-value bound where that is smaller.
+  [[nodiscard]] ConstPointMatrix mean_value() noexcept;
+
+ private:
+  [[nodiscard]] PointMatrix P() noexcept;
+
+  const BoxLanes& lanes_;
+  MidpointEvaluator& midpoint_;
+  ProductEvaluator& product_;
+  DerivativeEvaluator& derivatives_;
+  const bool sees_mean_values_;
+  const std::size_t columns_;
+  AlignedBuffer bounds_, center_, product_at_center_;
+  Once natural_, mean_value_;
+};
+
+}  // namespace regulus

@@ -1,0 +1,60 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <optional>
+
+#include "runtime/evaluation/closed_form_evaluator.hpp"
+#include "runtime/evaluation/expansion_evaluator.hpp"
+#include "runtime/evaluation/first_order_bounds.hpp"
+
+namespace regulus {
+
+/// Estimates what each variable contributes to the obstacle before a method's test. Heuristics
+/// throughout: they choose where to split and decide nothing.
+class ImpactEvaluator {
+ public:
+  /// All that it reads; each must outlive this object.
+  struct Sources {
+    const BoxLanes& lanes;
+    MidpointEvaluator& midpoint;
+    MatrixEvaluator& matrix;
+    ProductEvaluator& product;
+    DerivativeEvaluator& derivatives;
+    FirstOrderBounds& first_order;
+    std::optional<ExpansionEvaluator>& expansion;
+    ClosedFormEvaluator& closed_form;
+  };
+  ImpactEvaluator(const Sources& sources, const EvaluationPlan& plan, std::size_t order);
+
+  void forget() noexcept;
+
+  /// Spectral radius of T, or of P where there is no T.
+  [[nodiscard]] double approx_spectral_radius(std::size_t lane) noexcept;
+  /// The right Perron vector of that matrix.
+  [[nodiscard]] ConstPointVector approx_right_vector() noexcept;
+  /// What each variable adds to the spectral radius of T or, without it, of |NM − I|, where M is
+  /// the matrix the method looks at and N inverts its middle: K for A itself, I for a product with
+  /// K; for the method closed-form what it adds to the width of the determinant.
+  [[nodiscard]] ConstPointVector approx_impact() noexcept;
+
+ private:
+  void find_perron() noexcept;
+  [[nodiscard]] LaneNumbers perron_of(ConstPointMatrix bounds) noexcept;
+  void approx_distances(PointMatrix P) noexcept;
+  void estimate() noexcept;
+  void weigh(std::size_t variable, std::size_t entry, const double* magnitude) noexcept;
+  void weigh_rows() noexcept;
+  void from_derivatives() noexcept;
+  void from_fixing() noexcept;
+  [[nodiscard]] PerronVectors vectors() noexcept;
+  [[nodiscard]] PointVector impact() noexcept;
+
+  const Sources from_;
+  const EvaluationPlan plan_;
+  const std::size_t order_, columns_, variables_;
+  AlignedBuffer right_, left_, impact_, fixed_boxes_, fixed_product_;
+  Once perron_known_, impact_known_;
+  LaneNumbers approx_spectral_radius_{};
+};
+
+}  // namespace regulus

@@ -1,0 +1,245 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "runtime/evaluation/regularity_tests.hpp"
+
+#include "runtime/regularity/determinant.hpp"
+#include "runtime/regularity/h_matrix.hpp"
+#include "runtime/regularity/minors.hpp"
+#include "runtime/regularity/rohn.hpp"
+
+namespace regulus {
+namespace {
+
+using Side = ProductForm::Side;
+
+/// Larger determinants are not worth their expansion where K is of no use.
+constexpr std::size_t kMaxFallback = 8;
+
+/// Lower bounds of |det A| decide against the threshold; α = 0 needs only their sign.
+template <typename LowerBound>
+LaneMask above_threshold(Batch& batch, LaneMask lanes, LowerBound&& lower_rd) noexcept {
+  LaneMask certain = 0;
+  for_each_lane(lanes, [&](std::size_t lane) {
+    if (batch.certain_above_threshold(lane, lower_rd(lane))) certain |= 1U << lane;
+  });
+  return certain;
+}
+
+/// Pv < v for P ≥ |KA − I|, or Tv < v for T ≥ |B − I| with det B = det KA.
+class HMatrixTest final : public RegularityTest {
+ public:
+  HMatrixTest(Rule rule, double alpha) noexcept : RegularityTest(rule), alpha_(alpha) {}
+
+  LaneMask certify(Batch& batch, LaneMask lanes, TestBudget& /*budget*/) noexcept override {
+    const bool moving = rule() == Rule::kSecondOrder;
+    const std::size_t n = moving ? batch.order() : batch.kernel().columns;
+    const ConstPointMatrix P = bounds(batch);
+    lanes &= certain_h_matrix(P, batch.candidate_vector(n));
+    batch.keep_vector(lanes, n);
+    if (alpha_ == 0.0) return above_threshold(batch, lanes, [](std::size_t) { return 1.0; });
+    const LaneNumbers product_rd = determinant_rd(P);
+    const LaneNumbers moving_ru = moving ? batch.moving_determinant_ru() : kOnes;
+    // |det A| = |det KA| / |det K|.
+    return above_threshold(batch, lanes, [&](std::size_t lane) {
+      return div_rd(product_rd[lane],
+                    mul_ru(mag(batch.preconditioner_determinant(lane)), moving_ru[lane]));
+    });
+  }
+
+ private:
+  static constexpr LaneNumbers kOnes{{1, 1, 1, 1, 1, 1, 1, 1}};
+
+  [[nodiscard]] ConstPointMatrix bounds(Batch& batch) const noexcept {
+    switch (rule()) {
+      case Rule::kSecondOrder:
+        return batch.second_order_bounds();
+      case Rule::kMeanValue:
+        return batch.mean_value_bounds();
+      default:
+        return batch.natural_bounds();
+    }
+  }
+
+  double alpha_;
+};
+
+/// The same T, direction by direction, where its spectral radius exceeds 1 by little enough. It
+/// shows regularity, not a distance from it: α = 0 only.
+class OrthantTest final : public RegularityTest {
+ public:
+  OrthantTest() noexcept : RegularityTest(Rule::kOrthants) {}
+
+  LaneMask certify(Batch& batch, LaneMask lanes, TestBudget& budget) noexcept override {
+    LaneMask certain = 0;
+    for_each_lane(lanes, [&](std::size_t lane) {
+      const double radius = batch.approx_spectral_radius(lane);
+      if (!has_lane(budget.anyway, lane) && !budget.threshold.worth_trying(radius)) return;
+      const LaneMask empty = batch.certain_by_orthants(1U << lane);
+      budget.note({radius, empty != 0});
+      certain |= empty;
+    });
+    return above_threshold(batch, certain, [](std::size_t) { return 1.0; });
+  }
+};
+
+/// An interval determinant of A, or of its product with K divided by that of K.
+class DeterminantTest final : public RegularityTest {
+ public:
+  DeterminantTest(Rule rule, ProductForm form, double alpha) noexcept
+      : RegularityTest(rule), form_(form), alpha_(alpha) {}
+
+  LaneMask certify(Batch& batch, LaneMask lanes, TestBudget& /*budget*/) noexcept override {
+    const LaneIntervals determinants = enclose(batch.product(form_, lanes), lanes);
+    return above_threshold(batch, lanes, [&](std::size_t lane) {
+      const double lower = mig(determinants[lane]);
+      // α = 0: a product is regular only if both factors are.
+      if (form_.side == Side::kNone || alpha_ == 0.0) return lower;
+      return div_rd(lower, mag(batch.preconditioner_determinant(lane)));
+    });
+  }
+
+ private:
+  [[nodiscard]] LaneIntervals enclose(ConstIntervalMatrix matrix, LaneMask lanes) const noexcept {
+    LaneIntervals result;
+    if (rule() == Rule::kElimination) {
+      for_each_lane(lanes, [&](std::size_t lane) {
+        result[lane] = enclose_determinant_by_elimination(matrix_of_lane(matrix, lane));
+      });
+    } else if (lanes != 0) {
+      result = enclose_determinants(matrix);
+    }
+    return result;
+  }
+
+  ProductForm form_;
+  double alpha_;
+};
+
+/// A DeterminantTest of A where K is of no use: A is nearly singular there, or its scales are too
+/// far apart, and K·A cannot show that it is regular.
+class FallbackTest final : public RegularityTest {
+ public:
+  FallbackTest(Rule rule, double alpha) noexcept : RegularityTest(rule), test_(rule, {}, alpha) {}
+
+  LaneMask certify(Batch& batch, LaneMask lanes, TestBudget& budget) noexcept override {
+    LaneMask poor = lanes & ~batch.preconditioned();
+    if ((lanes & budget.anyway) != 0) poor |= lanes & budget.anyway & batch.poorly_preconditioned();
+    return poor == 0 ? 0 : test_.certify(batch, poor, budget);
+  }
+
+ private:
+  DeterminantTest test_;
+};
+
+/// The determinant as one expression of the variables: no dependency between entries is lost.
+class ClosedFormTest final : public RegularityTest {
+ public:
+  ClosedFormTest() noexcept : RegularityTest(Rule::kClosedForm) {}
+
+  LaneMask certify(Batch& batch, LaneMask lanes, TestBudget& /*budget*/) noexcept override {
+    const LaneMask natural = certify(batch, lanes, batch.natural_determinant());
+    const LaneMask rest = lanes & ~natural;
+    if (rest == 0 || batch.kernel().determinant_derivatives == nullptr) return natural;
+    return natural | certify(batch, rest, batch.monotone_determinant());
+  }
+
+ private:
+  /// A lane that is not defined is enclosed by all numbers.
+  static LaneMask certify(Batch& batch, LaneMask lanes, ConstIntervalVector determinant) noexcept {
+    return above_threshold(batch, lanes, [&](std::size_t lane) {
+      return mig(Interval{determinant.lower(0, lane), determinant.upper(0, lane)});
+    });
+  }
+};
+
+/// Rohn's vertex determinants. They show regularity, not a distance from it: α = 0 only.
+class RohnTest final : public RegularityTest {
+ public:
+  explicit RohnTest(ProductForm form) noexcept : RegularityTest(Rule::kRohn), form_(form) {}
+
+  LaneMask certify(Batch& batch, LaneMask lanes, TestBudget& /*budget*/) noexcept override {
+    const ConstIntervalMatrix product = batch.product(form_, lanes);
+    lanes = certain_rohn(product, lanes);
+    return above_threshold(batch, lanes, [](std::size_t) { return 1.0; });
+  }
+
+ private:
+  ProductForm form_;
+};
+
+/// A test that is not ours. That J⁻¹ and the pose are defined is shown by us all the same.
+class FilterTest final : public RegularityTest {
+ public:
+  FilterTest(const regulus_filter_interface& filter, double alpha) noexcept
+      : RegularityTest(Rule::kFilter), filter_(filter), alpha_(alpha) {}
+
+  LaneMask certify(Batch& batch, LaneMask lanes, TestBudget& /*budget*/) noexcept override {
+    lanes &= batch.certain_posed();
+    const ConstIntervalMatrix product = batch.product({Side::kLeft, false}, lanes);
+    const ConstIntervalMatrix matrix = batch.product({}, lanes);
+    if (lanes == 0) return 0;
+    const regulus_kernel& kernel = batch.kernel();
+    return call_filter(
+        filter_, {lanes, kernel.variables, kernel.motion_variables, kernel.rows, kernel.columns,
+                  batch.boxes().data(), matrix.data(), batch.preconditioner().data(),
+                  product.data(), batch.row_scales().data(), alpha_});
+  }
+
+ private:
+  const regulus_filter_interface& filter_;
+  double alpha_;
+};
+
+bool with_rohn(Method method) noexcept {
+  return method == Method::kRegRohn || method == Method::kKjRohn || method == Method::kJkRohn;
+}
+
+/// Ours, in the order of the method's name.
+TestSequence tests_of_method(const Problem& problem, const Settings& settings,
+                             const RowStructure& structure) {
+  const double alpha = problem.alpha.hi;
+  const regulus_kernel& kernel = *problem.kernel;
+  const Ingredients& use = settings.ingredients;
+  TestSequence tests;
+  if (settings.method == Method::kAuto) {
+    // Where quantities touch one row only, bounds that are blind to it are far wider.
+    if (structure.empty() && use.natural)
+      tests.push_back(std::make_unique<HMatrixTest>(Rule::kHMatrix, alpha));
+    if (structure.empty() && use.mean_value && kernel.left_derivatives != nullptr &&
+        kernel.left_product != nullptr)
+      tests.push_back(std::make_unique<HMatrixTest>(Rule::kMeanValue, alpha));
+    if (structure.is_known())
+      tests.push_back(std::make_unique<HMatrixTest>(Rule::kSecondOrder, alpha));
+    if (structure.is_known() && !structure.empty() && alpha == 0.0 && use.orthants)
+      tests.push_back(std::make_unique<OrthantTest>());
+    if (kernel.rows == kernel.columns && kernel.columns <= kMaxFallback)
+      for (const Rule rule : {Rule::kDeterminant, Rule::kElimination})
+        tests.push_back(std::make_unique<FallbackTest>(rule, alpha));
+    return tests;
+  }
+  if (settings.method == Method::kClosedForm) {
+    tests.push_back(std::make_unique<ClosedFormTest>());
+    return tests;
+  }
+  const ProductForm form = form_of(settings.method);
+  const bool rohn = with_rohn(settings.method) && alpha == 0.0;
+  if (settings.determinant != Determinant::kElimination)
+    tests.push_back(std::make_unique<DeterminantTest>(Rule::kDeterminant, form, alpha));
+  // What elimination shows regular, Rohn's test does too.
+  if (settings.determinant == Determinant::kElimination ||
+      (settings.determinant == Determinant::kBoth && !rohn))
+    tests.push_back(std::make_unique<DeterminantTest>(Rule::kElimination, form, alpha));
+  if (rohn) tests.push_back(std::make_unique<RohnTest>(form));
+  return tests;
+}
+
+}  // namespace
+
+TestSequence make_tests(const Problem& problem, const Settings& settings,
+                        const RowStructure& structure) {
+  TestSequence tests = tests_of_method(problem, settings, structure);
+  for (const regulus_filter_interface* filter : settings.filters)
+    tests.push_back(std::make_unique<FilterTest>(*filter, problem.alpha.hi));
+  return tests;
+}
+
+}  // namespace regulus

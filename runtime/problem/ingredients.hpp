@@ -1,0 +1,29 @@
+// SPDX-License-Identifier: Apache-2.0
+// What the search is made of, to be left out one by one: to see what each is good for.
+#pragma once
+
+namespace regulus {
+
+/// All are on unless told. Without one a search decides less, or takes longer; what it decides is
+/// proved all the same, since each of them only adds a bound, a test or a place to look.
+struct Ingredients {
+  // Tests of method auto.
+  bool natural = true;       ///< on K·A as rewritten
+  bool mean_value = true;    ///< on its mean-value form
+  bool second_order = true;  ///< on its expansion (runtime/regularity/second_order.hpp)
+
+  // Of that expansion.
+  bool moving = true;    ///< K(t) and w_k(t) move with the pose; else D_p = g_kp = 0
+  bool rows = true;      ///< quantities that touch one row only are taken by that row
+  bool orthants = true;  ///< direction by direction, where the test on T fails narrowly
+  bool balls = true;     ///< the coordinates of a point in a ball are taken by their Euclidean norm
+
+  // Where to look for a singularity.
+  bool midpoints = true;  ///< at the midpoints of boxes
+  bool corners = true;    ///< at corners of the variety
+  bool descents = true;   ///< downhill from boxes
+
+  bool stall = true;  ///< give up on poses at which the uncertainty alone defeats the tests
+};
+
+}  // namespace regulus

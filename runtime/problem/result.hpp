@@ -1,0 +1,105 @@
+// SPDX-License-Identifier: Apache-2.0
+// What the search claims, and why.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <optional>
+#include <vector>
+
+#include "runtime/interval/interval.hpp"
+#include "runtime/problem/problem.hpp"
+
+namespace regulus {
+
+enum class Verdict : std::uint8_t { kNoSingularity, kSingularity, kPossibleProblem };
+
+/// Why a verdict, or what stood in the way of one.
+enum class Reason : std::uint8_t {
+  kAllBoxesCertified,
+  kOppositeSigns,     ///< two points, det of opposite signs, joined within the variety
+  kSmallDeterminant,  ///< a point with |det| ≤ α
+  kAlwaysSingular,    ///< the determinant is the zero function, by exact algebra
+  kWidth,             ///< a box at the minimum width could not be decided
+  kUncertainty,       ///< at one pose the uncertain quantities alone defeat the test
+  kUndefined,         ///< an expression is undefined at, or near, a pose
+  kBoxBudget,
+  kTimeBudget,
+  kInterrupted,
+  kMemory,
+  kBadProblem,
+  // Checkpoints know the reasons above by their numbers: new ones come here.
+  kEmptyVariety,   ///< the constraints exclude every pose: there is nothing to claim
+  kSeemsSingular,  ///< the determinant seems to vanish at every pose, which nothing proves
+  kStalled,        ///< boxes are certified so slowly that the search would not end
+};
+
+/// Whether the constraints leave any pose of the variety.
+enum class Occupancy : std::uint8_t {
+  kUnknown,
+  kEmpty,      ///< proved: none
+  kInhabited,  ///< proved: at least one
+};
+
+/// What was decided about a box, and by which test.
+enum class Rule : std::uint8_t {
+  kOutside,         ///< a constraint is positive throughout
+  kHMatrix,         ///< Pv < v, natural entries
+  kMeanValue,       ///< Pv < v, smaller of natural and mean-value bounds
+  kSecondOrder,     ///< Tv < v, second order, uncertain quantities by the row they touch
+  kOrthants,        ///< the same bounds, direction by direction of the uncertain rows
+  kDeterminant,     ///< interval determinant, by expansion
+  kElimination,     ///< interval determinant, by elimination
+  kRohn,            ///< vertex determinants
+  kClosedForm,      ///< the determinant in closed form, or its values on faces of the box
+  kFilter,          ///< a filter vouches for it; Regulus has not checked that
+  kMultiprecision,  ///< the determinant, with more bits than doubles have
+  kWitness,         ///< a singularity inside the box is certified; exhaustive searches only
+  kBlocked,         ///< not decided and not split any more
+};
+inline constexpr std::size_t kRules = static_cast<std::size_t>(Rule::kBlocked) + 1;
+
+struct WitnessPoint {
+  std::vector<Interval> variables;  ///< thin wherever the range holds a double
+  Interval determinant;             ///< of A for opposite signs, of J⁻¹ for a small determinant
+  std::vector<Interval> pose;
+};
+
+/// Two points of opposite signs, or one of small determinant.
+struct Witness {
+  std::vector<WitnessPoint> points;
+  /// Where the determinant is smallest of all points that were looked at on the way to the zero.
+  /// Exhaustive searches do not close in: absent.
+  std::optional<WitnessPoint> near{};
+};
+
+struct Statistics {
+  std::uint64_t boxes = 0;  ///< evaluated
+  std::uint64_t max_frontier = 0;
+  std::uint64_t probes = 0;  ///< points at which a determinant was computed in search of a witness
+  std::array<std::uint64_t, kRules> leaves{};
+  double seconds = 0;
+};
+
+struct Result {
+  Verdict verdict = Verdict::kPossibleProblem;
+  Reason reason = Reason::kBadProblem;
+  Method method = Method::kAuto;
+  Statistics statistics;
+  /// The budget, interrupt or lack of memory that left boxes open.
+  std::optional<Reason> stopped_by;
+  std::vector<std::uint64_t> filter_boxes;  ///< how many rest on each of Settings::filters
+  std::optional<Witness> witness;
+  std::vector<Interval> blocking_box;  ///< POSSIBLE PROBLEM: the box that stands in the way
+  /// NO SINGULARITY with kUnknown may be a claim about no pose at all; with kEmpty it is not made.
+  Occupancy occupancy = Occupancy::kUnknown;
+  /// A pose that is certainly inside the constraints, where one was looked for and found: a value,
+  /// or an interval that holds the true one, for each variable.
+  std::vector<Interval> inhabitant;
+};
+
+[[nodiscard]] const char* name(Verdict verdict) noexcept;
+[[nodiscard]] const char* describe(Reason reason) noexcept;
+[[nodiscard]] const char* name(Rule rule) noexcept;
+
+}  // namespace regulus

@@ -1,0 +1,117 @@
+// SPDX-License-Identifier: Apache-2.0
+// Looking for the least value at which a set that grows holds a singularity, in plain doubles. What
+// is found is a place to look at, never a claim: point_witness.hpp certifies.
+#pragma once
+
+#include <atomic>
+#include <chrono>
+#include <optional>
+#include <random>
+#include <span>
+#include <vector>
+
+#include "runtime/evaluation/batch.hpp"
+
+namespace regulus {
+
+/// Where the variables may lie at a value, for points that lie at the same part of every range:
+/// the ends of the ranges are linear in the value.
+class Growth {
+ public:
+  /// The ranges at two values, `low` < `high`; within those of `low` ones from which to start.
+  Growth(double low, std::vector<Interval> at_low, double high, std::vector<Interval> at_high);
+
+  /// The true ranges of two problems, as well as doubles know them.
+  static Growth between(double low, const Problem& at_low, double high, const Problem& at_high);
+
+  [[nodiscard]] double low() const noexcept { return low_; }
+  [[nodiscard]] double high() const noexcept { return high_; }
+  [[nodiscard]] std::size_t variables() const noexcept { return at_low_.size(); }
+  /// Of variable k, at part t of its range, 0 ≤ t ≤ 1.
+  [[nodiscard]] double at(double value, std::size_t k, double t) const noexcept;
+  [[nodiscard]] std::vector<double> point(double value, std::span<const double> parts) const;
+
+ private:
+  double low_, high_;
+  std::vector<Interval> at_low_, at_high_;
+};
+
+/// A pattern search downhill from many places: over the parts of the ranges at one value, then
+/// down to the value at which the determinant vanishes at those parts, and so on. For a threshold
+/// that grows the ranges stay, and it is the determinant that is made small.
+class LeastWitness {
+ public:
+  using Parts = std::vector<double>;
+
+  /// Parts of the ranges at which the determinant is nearly 0 (or α) at a value; `from`: others at
+  /// which it is not at `low`.
+  struct Place {
+    double value;
+    Parts parts, from;
+  };
+
+  /// `threshold_grows`: the values are those of α and the ranges do not grow.
+  ///
+  /// Requires  a square kernel; `problem` is that of growth.high() and outlives this; where the
+  ///           threshold grows that may be infinite, and `problem` that of any value > 0.
+  LeastWitness(const Problem& problem, const Settings& settings, Growth growth,
+               bool threshold_grows);
+
+  /// From the middle, from corners and from other places, as long as the time lasts; repeated calls
+  /// go on with new places. Returns found().
+  bool search(double seconds, int starts, const std::atomic<bool>* interrupt);
+  /// From the middle of a box.
+  bool search_from(std::span<const Interval> box);
+
+  /// The best so far; its value is at most growth.high().
+  [[nodiscard]] const std::optional<Place>& found() const noexcept { return found_; }
+
+  /// At a value a little above the one found: the singularity is left behind, and the two points
+  /// are on both sides of it. Empty if nothing was found.
+  [[nodiscard]] std::vector<std::vector<double>> points_at(double value) const;
+
+ private:
+  struct Move {
+    std::size_t variable;
+    double part;
+  };
+  using Clock = std::chrono::steady_clock;
+
+  /// The value at which the ranges are widest.
+  [[nodiscard]] double widest() const noexcept {
+    return threshold_grows_ ? growth_.low() : growth_.high();
+  }
+  [[nodiscard]] bool out_of_time() const noexcept;
+  [[nodiscard]] Parts start(int number);
+  void improve_from(Parts parts);
+  [[nodiscard]] bool set_out_from(const Parts& parts);
+  double minimise(double value, Parts& parts);
+  bool sweep(double value, Parts& parts, double step, double& best);
+  void list_moves(const Parts& parts, double step);
+  bool leap(double value, Parts& parts, const Parts& before, double& best);
+  [[nodiscard]] double root(double value, const Parts& parts);
+  void keep(double value, const Parts& parts);
+  [[nodiscard]] double objective_at(double value, const Parts& parts);
+  void load(std::size_t lane, double value, const Parts& parts);
+  [[nodiscard]] double objective(std::size_t lane);
+
+  const Problem& problem_;
+  Growth growth_;
+  bool threshold_grows_;
+  std::size_t motion_variables_;
+  RowStructure no_structure_;
+  Batch batch_;
+  std::vector<Interval> box_;
+  std::vector<Move> moves_;
+  Parts trial_;
+  std::minstd_rand random_;
+  int next_start_ = 0;
+  double sign_ = 0;  ///< of the determinant where the search starts
+  Parts start_;
+  double least_;
+  std::optional<Place> found_;
+  Clock::time_point end_;
+  const std::atomic<bool>* interrupt_ = nullptr;
+};
+
+}  // namespace regulus

@@ -1,0 +1,30 @@
+// SPDX-License-Identifier: Apache-2.0
+// Whether the constraints leave any pose: branch and prune over the constraints alone. It counts
+// its boxes and looks at no clock, so that a search that was interrupted and resumed comes to the
+// same end.
+#pragma once
+
+#include <optional>
+
+#include "runtime/problem/problem.hpp"
+#include "runtime/problem/result.hpp"
+
+namespace regulus {
+
+/// What is known about the poses that the constraints leave.
+struct Inhabitants {
+  Occupancy occupancy = Occupancy::kUnknown;
+  /// kInhabited: one of them, as in Witness; `determinant` has no meaning.
+  std::optional<WitnessPoint> point;
+};
+
+/// Requires  find_fault finds none; rounding to nearest.
+/// Ensures   kEmpty: at every point of the true ranges some constraint is certainly positive.
+///           kInhabited: at `point`, of the inner ranges, every constraint is certainly ≤ 0.
+[[nodiscard]] Inhabitants find_pose(const Problem& problem, const Settings& settings);
+
+/// The same, for a point at which the matrix, the row scales and the pose are certainly defined,
+/// too; kUnknown when none was found.
+[[nodiscard]] Inhabitants find_defined_pose(const Problem& problem, const Settings& settings);
+
+}  // namespace regulus

@@ -1,0 +1,123 @@
+// SPDX-License-Identifier: Apache-2.0
+// Looking for a proof of SINGULARITY. Determinants in plain doubles say where to look; a claim
+// needs certified enclosures at the points and, for two points of opposite signs, a segment between
+// them that is certified to stay in the variety and where the matrix is defined throughout: then A
+// is continuous along it and det A vanishes on it.
+#pragma once
+
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "runtime/evaluation/batch.hpp"
+#include "runtime/evaluation/decisions.hpp"
+#include "runtime/problem/observer.hpp"
+#include "runtime/problem/result.hpp"
+
+namespace regulus {
+
+class WitnessSearch {
+ public:
+  /// `closes_in`: a proof by two points is brought as close to the zero between them as can be.
+  WitnessSearch(const Problem& problem, const Settings& settings, bool closes_in = true);
+
+  /// As though nothing had been looked at yet.
+  void forget() noexcept;
+
+  /// What a later search needs to look on as this one would; and back. Points of another length
+  /// than the variables are none. Does not allocate when `into` has held such candidates before.
+  void copy_candidates(WitnessCandidates& into) const;
+  void look_on_from(const WitnessCandidates& candidates);
+
+  /// A proof was found.
+  [[nodiscard]] bool found() const noexcept { return found_; }
+  [[nodiscard]] Reason reason() const noexcept { return reason_; }
+  [[nodiscard]] std::uint64_t probes() const noexcept { return probes_; }
+
+  /// Looks at the middles of boxes that were decided, by what was seen there.
+  void look_at_midpoints(Decisions& batch) noexcept;
+
+  /// Looks at these points, each moved into the inner ranges: the first with each of the others.
+  void look_at(std::span<const std::vector<double>> points) noexcept;
+
+  /// Looks at the corners of the variety; at 64 of them when there are more.
+  void look_at_corners() noexcept;
+
+  /// Descends from the middle of `box`, one variable at a time, towards the other sign or towards
+  /// determinant 0, moving the uncertain quantities too.
+  void descend(std::span<const Interval> box) noexcept;
+
+  /// Forgets what was found and looks inside `box` alone: in its middle, downhill, at its corners.
+  /// Returns found().
+  bool look_inside(std::span<const Interval> box) noexcept;
+
+  /// The proof, complete with poses, valid until the next search. Requires found().
+  /// Errors    std::bad_alloc: the proof may be asked for again.
+  [[nodiscard]] const Witness& witness();
+
+  /// How many points the proof has, and where one of them lies. Requires found(); n entries.
+  [[nodiscard]] std::size_t points() const noexcept {
+    return reason_ == Reason::kSmallDeterminant ? 1 : 2;
+  }
+  void copy_point(std::size_t index, std::span<Interval> variables) const noexcept;
+
+ private:
+  struct Candidate : WitnessCandidates::Candidate {
+    Interval determinant;
+  };
+
+  [[nodiscard]] double inner_lo(std::size_t variable) const noexcept;
+  [[nodiscard]] double inner_hi(std::size_t variable) const noexcept;
+  [[nodiscard]] Interval within_inner(std::size_t variable, double x) const noexcept;
+  void load_point(std::size_t lane, const double* point) noexcept;
+  void evaluate_points(std::size_t count) noexcept;
+  [[nodiscard]] double approx_objective(std::size_t lane) noexcept;
+
+  void look_at_points(LaneMask lanes) noexcept;
+  template <typename Middle>
+  void offer(double approx, Middle middle) noexcept;
+  template <typename Middle>
+  void copy_middle(Middle middle, Candidate& candidate) noexcept;
+  void try_opposite_signs() noexcept;
+  void try_small() noexcept;
+
+  [[nodiscard]] std::optional<Interval> certify_point(const std::vector<double>& point,
+                                                      bool scaled) noexcept;
+  [[nodiscard]] Interval enclose_at(std::size_t lane, bool scaled) noexcept;
+  [[nodiscard]] bool certain_segment(const std::vector<double>& from,
+                                     const std::vector<double>& to) noexcept;
+  void load_piece(std::size_t lane, const std::vector<double>& from, const std::vector<double>& to,
+                  Interval part) noexcept;
+  void close_in() noexcept;
+  [[nodiscard]] bool find_middle(const Candidate& a, const Candidate& b) noexcept;
+  void approach_nearest(Candidate& side) noexcept;
+
+  bool step(std::span<const Interval> box, std::size_t first, double sign, double& best) noexcept;
+  void report(WitnessPoint& into, const Candidate& candidate);
+  [[nodiscard]] const Candidate& closest_to_zero() const noexcept;
+  void copy_pose(const std::vector<Interval>& point, std::vector<Interval>& pose);
+
+  const Problem& problem_;
+  DeterminantOracle* oracle_;
+  std::size_t variables_;
+  bool square_, scaled_;
+  const bool uses_corners_, uses_descents_;
+  bool closes_in_;
+  std::vector<std::optional<Interval>> inner_;  ///< where points may lie: all of it, or one box's
+  RowStructure no_structure_;
+  Batch points_;
+  AlignedBuffer pose_;
+  std::vector<Interval> box_;
+  Candidate positive_, negative_, small_;
+  Candidate nearest_;                      ///< between the two, where the sign could not be told
+  Candidate far_positive_, far_negative_;  ///< the two before closing in
+  std::vector<double> current_, middle_;
+  std::uint64_t probes_ = 0;
+  bool small_known_ = false, small_fresh_ = false;
+  unsigned small_tries_ = 0;
+  bool found_ = false;
+  Reason reason_ = Reason::kOppositeSigns;
+  Witness witness_;
+};
+
+}  // namespace regulus

@@ -1,0 +1,146 @@
+// SPDX-License-Identifier: Apache-2.0
+// The segment between two points of opposite signs, and closing in on it.
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "runtime/regularity/determinant.hpp"
+#include "runtime/witness/witness_search.hpp"
+
+namespace regulus {
+namespace {
+
+/// Pieces of the segment that are looked at before giving up; the narrowest is 2^-kMaxHalvings.
+constexpr std::size_t kMaxPieces = 4096;
+constexpr std::size_t kMaxHalvings = 30;
+
+/// Steps of closing in: after 60 halvings a segment is at the resolution of doubles.
+constexpr int kMaxCloseIn = 60;
+
+}  // namespace
+
+/// Encloses from + (to − from)·part. Both ends lie in the inner box, which is convex, so the exact
+/// segment does; that the rounding may lead a little out of it only makes the check stricter.
+void WitnessSearch::load_piece(std::size_t lane, const std::vector<double>& from,
+                               const std::vector<double>& to, Interval part) noexcept {
+  for (std::size_t k = 0; k < variables_; ++k) {
+    const Interval a = within_inner(k, from[k]);
+    const Interval b = within_inner(k, to[k]);
+    box_[k] = a == b ? a : a + (b - a) * part;
+  }
+  points_.load(lane, box_);
+}
+
+bool WitnessSearch::certain_segment(const std::vector<double>& from,
+                                    const std::vector<double>& to) noexcept {
+  // Depth first: at most one waiting half for each halving.
+  std::array<Interval, kMaxHalvings + 1> waiting;
+  std::size_t count = 0;
+  waiting[count++] = Interval(0.0, 1.0);
+  for (std::size_t pieces = 0; count > 0; ++pieces) {
+    if (pieces == kMaxPieces) return false;
+    const Interval part = waiting[--count];
+    points_.clear();
+    load_piece(0, from, to, part);
+    points_.seal(1);
+    LaneMask certain = points_.certain_inside() & points_.certain_posed() & 1U;
+    static_cast<void>(points_.product({}, certain));
+    if (certain != 0) continue;
+    const double middle = 0.5 * (part.lo + part.hi);  // exact: a multiple of 2^-kMaxHalvings
+    if (count + 2 > waiting.size() || part.hi - part.lo < 0x1p-29) return false;
+    waiting[count++] = Interval(middle, part.hi);
+    waiting[count++] = Interval(part.lo, middle);
+  }
+  return true;
+}
+
+/// The middle of two points, into middle_; false when it is one of them.
+bool WitnessSearch::find_middle(const Candidate& a, const Candidate& b) noexcept {
+  for (std::size_t k = 0; k < variables_; ++k)
+    middle_[k] = std::clamp(0.5 * a.point[k] + 0.5 * b.point[k], inner_lo(k), inner_hi(k));
+  return middle_ != a.point && middle_ != b.point;
+}
+
+/// Shortens the segment while the sign of its middle can be told, and then from both sides towards
+/// a middle whose sign cannot. Each shorter pair is a proof of its own: its signs are certified,
+/// and so is its segment.
+void WitnessSearch::close_in() noexcept {
+  // Points of the same length: no memory is needed.
+  far_positive_ = positive_;
+  far_negative_ = negative_;
+  nearest_.determinant = kEntire;
+  for (int step = 0; step < kMaxCloseIn && find_middle(positive_, negative_); ++step) {
+    const std::optional<Interval> determinant = certify_point(middle_, false);
+    if (!determinant) break;
+    const int sign = certain_sign(*determinant);
+    Candidate& side = sign > 0 ? positive_ : sign < 0 ? negative_ : nearest_;
+    side.point = middle_;
+    side.determinant = *determinant;
+    if (sign != 0) continue;
+    approach_nearest(positive_);
+    approach_nearest(negative_);
+    break;
+  }
+  if (certain_segment(positive_.point, negative_.point)) return;
+  positive_ = far_positive_;
+  negative_ = far_negative_;
+}
+
+/// Halves the way to nearest_ as long as the sign is certainly the same.
+void WitnessSearch::approach_nearest(Candidate& side) noexcept {
+  for (int step = 0; step < kMaxCloseIn && find_middle(side, nearest_); ++step) {
+    const std::optional<Interval> determinant = certify_point(middle_, false);
+    if (!determinant || certain_sign(*determinant) != certain_sign(side.determinant)) return;
+    side.point = middle_;
+    side.determinant = *determinant;
+  }
+}
+
+const WitnessSearch::Candidate& WitnessSearch::closest_to_zero() const noexcept {
+  const auto closer = [](const Candidate& a, const Candidate& b) -> const Candidate& {
+    return mag(b.determinant) < mag(a.determinant) ? b : a;
+  };
+  return closer(nearest_, closer(positive_, negative_));
+}
+
+void WitnessSearch::copy_pose(const std::vector<Interval>& point, std::vector<Interval>& pose) {
+  pose.clear();
+  if (problem_.kernel->pose == nullptr) return;
+  points_.clear();
+  points_.load(0, point);
+  points_.seal(1);
+  if (!has_lane(points_.call_on_boxes(problem_.kernel->pose, pose_.get()), 0)) return;
+  for (std::size_t k = 0; k < problem_.kernel->pose_parameters; ++k)
+    pose.push_back({pose_[lower_at(k, 0)], pose_[upper_at(k, 0)]});
+}
+
+void WitnessSearch::report(WitnessPoint& into, const Candidate& candidate) {
+  into.variables.clear();
+  for (std::size_t k = 0; k < variables_; ++k)
+    into.variables.push_back(within_inner(k, candidate.point[k]));
+  // With α > 0 that of one point is of J⁻¹, which the row scale has made the user's.
+  const bool of_kernel = reason_ == Reason::kOppositeSigns || !scaled_;
+  into.determinant = of_kernel
+                         ? times_power_of_two(candidate.determinant, -problem_.determinant_exponent)
+                         : candidate.determinant;
+  copy_pose(into.variables, into.pose);
+}
+
+void WitnessSearch::copy_point(std::size_t index, std::span<Interval> variables) const noexcept {
+  const Candidate& candidate = points() == 1 ? small_ : index == 0 ? positive_ : negative_;
+  for (std::size_t k = 0; k < variables_; ++k) variables[k] = within_inner(k, candidate.point[k]);
+}
+
+/// Fills the same vectors each time: they grow once.
+const Witness& WitnessSearch::witness() {
+  const bool small = reason_ == Reason::kSmallDeterminant;
+  witness_.points.resize(small ? 1 : 2);
+  report(witness_.points[0], small ? small_ : positive_);
+  if (!small) report(witness_.points[1], negative_);
+  if (!closes_in_) return witness_;
+  if (!witness_.near) witness_.near.emplace();
+  report(*witness_.near, small ? small_ : closest_to_zero());
+  return witness_;
+}
+
+}  // namespace regulus

@@ -1,0 +1,58 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// A question that no verifier could read leaves no certificate, and the report says why.
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <filesystem>
+#include <nlohmann/json.hpp>
+
+#include "tests/support/cached_command.hpp"
+
+namespace regulus::test {
+namespace {
+
+using testing::HasSubstr;
+
+const std::string kCommand = REGULUS_BINARY_DIR "/bin/regulus";
+
+/// x + u0 + u1 + …, every u known to 1/1000.
+std::string sum_of_quantities(int count) {
+  std::string text = "regulus = 1\nname = \"sum\"\n[pose]\nx = \"m\"\n[geometry]\n", entry = "x";
+  for (int i = 0; i < count; ++i) {
+    const std::string number = std::to_string(i);
+    text += "u" + number + " = { value = 1, tolerance = 0.001 }\n";
+    entry += " + u" + number;
+  }
+  return text + "[matrix]\nrows = [[\"" + entry + "\"]]\n[motion.only]\nx = [0, 1]\n";
+}
+
+TEST(AQuestionBeyondTheLimitsOfTheFormat, LeavesNoCertificate) {
+  const TemporaryDirectory directory;
+  const std::string model = directory.path() / "sum.toml", file = directory.path() / "proof";
+  const auto check = [&](int count) {
+    write_file(model, sum_of_quantities(count));
+    return run_command(
+        {kCommand, "check", model, "--certificate", file, "--engine", "interpreted"});
+  };
+  const CommandResult largest = check(127);  // and x
+  EXPECT_EQ(largest.output, "NO SINGULARITY\n");
+  EXPECT_THAT(largest.errors, HasSubstr("certificate " + file));
+  EXPECT_EQ(run_command({kCommand, "verify", file}).output, "VERIFIED\n");
+  std::filesystem::remove(file);
+
+  const CommandResult larger = check(128);
+  EXPECT_EQ(larger.output, "NO SINGULARITY\n");
+  EXPECT_THAT(larger.errors,
+              HasSubstr("certificate none: the question is beyond the limits of the format: too "
+                        "many variables"));
+  EXPECT_FALSE(std::filesystem::exists(file));
+  const auto report =
+      nlohmann::json::parse(run_command({kCommand, "check", model, "--certificate", file, "--json",
+                                         "--quiet", "--engine", "interpreted"})
+                                .output);
+  EXPECT_TRUE(report["certificate"].is_null());
+  EXPECT_THAT(std::string(report["certificate_obstacle"]), HasSubstr("too many variables"));
+}
+
+}  // namespace
+}  // namespace regulus::test

@@ -1,0 +1,195 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// --checkpoint, as its users meet it.
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "tests/support/interrupted_runs.hpp"
+
+namespace regulus::test {
+namespace {
+
+using testing::HasSubstr;
+
+class CheckpointOption : public testing::Test {
+ protected:
+  CommandResult check(std::vector<std::string> more) const {
+    std::vector<std::string> words = {REGULUS_BINARY_DIR "/bin/regulus",
+                                      "check",
+                                      REGULUS_SOURCE_DIR "/models/robot_1.toml",
+                                      "table6_15_15",
+                                      "--tolerance",
+                                      "base,platform=0.1",
+                                      "--checkpoint",
+                                      file("checkpoint")};
+    words.insert(words.end(), more.begin(), more.end());
+    return run_command(words);
+  }
+  [[nodiscard]] std::string file(const std::string& name) const {
+    return (directory_.path() / name).string();
+  }
+  [[nodiscard]] bool exists(const std::string& name) const {
+    return std::filesystem::exists(file(name));
+  }
+  const TemporaryDirectory directory_;
+};
+
+TEST_F(CheckpointOption, ASearchOutOfBoxesGoesOnLater) {
+  const CommandResult first = check({"--max-boxes", "200"});
+  EXPECT_EQ(first.exit_code, 2);
+  EXPECT_THAT(first.errors, HasSubstr("the same command goes on from here"));
+  ASSERT_TRUE(exists("checkpoint"));
+  // Nothing ties it to the machine code, the number of threads, or what the bounds were made with.
+  const CommandResult second = check({"--threads", "2", "--isa", "portable"});
+  EXPECT_EQ(second.exit_code, 0) << second.errors;
+  EXPECT_THAT(second.errors, testing::ContainsRegex("continued from (1[789][0-9]|200) boxes"));
+  EXPECT_FALSE(exists("checkpoint"));
+}
+
+TEST_F(CheckpointOption, ACertificateGoesOnWithIt) {
+  ASSERT_EQ(check({"--max-boxes", "300", "--certificate", file("pieces")}).exit_code, 2);
+  EXPECT_FALSE(exists("pieces"));
+  ASSERT_EQ(check({"--max-boxes", "600", "--certificate", file("pieces")}).exit_code, 2);
+  ASSERT_EQ(check({"--certificate", file("pieces")}).exit_code, 0);
+  const CommandResult verified =
+      run_command({REGULUS_BINARY_DIR "/bin/regulus", "verify", file("pieces")});
+  EXPECT_EQ(verified.exit_code, 0) << verified.errors;
+  EXPECT_FALSE(exists("pieces.partial"));
+}
+
+/// One byte of the proof so far changes between two runs: it is noticed before the search.
+TEST_F(CheckpointOption, ACertificateThatWasDamagedIsNotContinued) {
+  const std::vector<std::string> words = {"--max-boxes", "300", "--certificate", file("proof")};
+  ASSERT_EQ(check(words).exit_code, 2);
+  const auto flip = [this](std::streamoff at) {
+    std::fstream partial(file("proof.partial"), std::ios::in | std::ios::out | std::ios::binary);
+    partial.seekg(at);
+    const auto byte = static_cast<char>(partial.get() ^ 1);
+    partial.seekp(at);
+    partial.put(byte);
+  };
+  const auto size = static_cast<std::streamoff>(std::filesystem::file_size(file("proof.partial")));
+  for (const std::streamoff at : {std::streamoff{0}, size / 2, size - 2}) {
+    flip(at);
+    const CommandResult damaged = check(words);
+    EXPECT_EQ(damaged.exit_code, 65) << at;
+    EXPECT_THAT(damaged.errors, HasSubstr("proof.partial: found other bytes than the checkpoint"));
+    flip(at);
+  }
+  EXPECT_EQ(check({"--certificate", file("proof")}).exit_code, 0);
+  EXPECT_TRUE(exists("proof"));
+}
+
+/// With one engine nothing tells a certificate in pieces from one without a stop.
+TEST_F(CheckpointOption, ABudgetLeavesTheCertificateAsItIs) {
+  const auto certified = [this](std::vector<std::string> more) {
+    more.insert(more.end(), {"--engine", "jit", "--threads", "2", "--certificate", file("proof")});
+    return check(more);
+  };
+  ASSERT_EQ(certified({}).exit_code, 0);
+  std::ifstream whole_file(file("proof"), std::ios::binary);
+  const std::string whole{std::istreambuf_iterator<char>(whole_file), {}};
+  for (const char* budget : {"7", "100", "301"}) {
+    ASSERT_EQ(certified({"--max-boxes", budget}).exit_code, 2);
+    EXPECT_FALSE(exists("proof")) << "the proof of an earlier run";
+    ASSERT_EQ(certified({}).exit_code, 0);
+    std::ifstream file_of_pieces(file("proof"), std::ios::binary);
+    const std::string pieces{std::istreambuf_iterator<char>(file_of_pieces), {}};
+    EXPECT_TRUE(pieces == whole) << budget;
+  }
+}
+
+TEST_F(CheckpointOption, ACertificateThatIsNotThereIsNotInvented) {
+  ASSERT_EQ(check({"--max-boxes", "300"}).exit_code, 2);
+  const CommandResult late = check({"--certificate", file("late")});
+  EXPECT_EQ(late.exit_code, 65);
+  EXPECT_THAT(late.errors, HasSubstr("a checkpoint of a search without --certificate"));
+  std::filesystem::remove(file("checkpoint"));
+
+  ASSERT_EQ(check({"--max-boxes", "300", "--certificate", file("lost")}).exit_code, 2);
+  std::filesystem::resize_file(file("lost.partial"), 100);
+  const CommandResult cut = check({"--certificate", file("lost")});
+  EXPECT_EQ(cut.exit_code, 74);
+  EXPECT_THAT(cut.errors, HasSubstr("is shorter than the checkpoint says"));
+  std::filesystem::remove(file("lost.partial"));
+  EXPECT_EQ(check({"--certificate", file("lost")}).exit_code, 74);
+  EXPECT_TRUE(exists("checkpoint"));
+}
+
+TEST_F(CheckpointOption, AnotherSearchOrAnotherFileIsRefused) {
+  ASSERT_EQ(check({"--max-boxes", "100"}).exit_code, 2);
+  for (const char* change : {"x=-14:15", "psi=0"}) {
+    const CommandResult other = check({"--range", change});
+    EXPECT_EQ(other.exit_code, 65) << other.errors;
+    EXPECT_THAT(other.errors, HasSubstr("about another question"));
+  }
+  EXPECT_EQ(check({"--alpha", "0.001"}).exit_code, 65);
+  EXPECT_EQ(check({"--uncertainty", "variables"}).exit_code, 65);
+  std::ofstream(file("checkpoint")) << "[pose]\n";
+  const CommandResult strange = check({});
+  EXPECT_EQ(strange.exit_code, 65);
+  EXPECT_THAT(strange.errors, HasSubstr("it is no checkpoint"));
+}
+
+/// Boxes that rest on a filter are nobody's proof: the report of the end must name it.
+TEST_F(CheckpointOption, BoxesThatAFilterVouchedForAreNotTakenOverWithoutIt) {
+  const std::string filter = REGULUS_BINARY_DIR "/filters/gershgorin.so";
+  ASSERT_EQ(check({"--method", "reg", "--filter", filter, "--max-boxes", "100"}).exit_code, 2);
+  const CommandResult without = check({"--method", "reg"});
+  EXPECT_EQ(without.exit_code, 65) << without.errors;
+  EXPECT_THAT(without.errors, HasSubstr("about another question"));
+}
+
+TEST_F(CheckpointOption, AFolderThatIsNotThereIsSaidBeforeTheSearch) {
+  const CommandResult result = run_command({REGULUS_BINARY_DIR "/bin/regulus", "check",
+                                            REGULUS_SOURCE_DIR "/models/robot_1.toml", "wide_15",
+                                            "--checkpoint", file("no/such/folder")});
+  EXPECT_EQ(result.exit_code, 74);
+  EXPECT_THAT(result.errors, HasSubstr("cannot be made"));
+}
+
+/// A terminal that closes sends SIGHUP, perhaps twice; nohup asks that it be ignored.
+TEST_F(CheckpointOption, SighupSavesWhatIsDone) {
+  RunningCommand run({REGULUS_BINARY_DIR "/bin/regulus", "check",
+                      REGULUS_SOURCE_DIR "/models/robot_1.toml", "table6_15_15", "--tolerance",
+                      "base,platform=0.13", "--checkpoint", file("checkpoint"),
+                      "--checkpoint-every", "0"});
+  for (int i = 0; i < 10000 && !exists("checkpoint"); ++i)
+    std::this_thread::sleep_for(std::chrono::milliseconds(1));
+  ::kill(run.pid(), SIGHUP);
+  ::kill(run.pid(), SIGHUP);
+  const CommandResult result = run.wait();
+  EXPECT_EQ(result.exit_code, 2) << result.errors;
+  EXPECT_THAT(result.errors, HasSubstr("the same command goes on from here"));
+  EXPECT_TRUE(exists("checkpoint"));
+}
+
+TEST_F(CheckpointOption, SighupThatIsIgnoredStaysSo) {
+  RunningCommand run(
+      {"/bin/sh", "-c", "trap '' HUP; exec \"$0\" \"$@\"", REGULUS_BINARY_DIR "/bin/regulus",
+       "check", REGULUS_SOURCE_DIR "/models/robot_1.toml", "table6_15_15", "--tolerance",
+       "base,platform=0.1", "--checkpoint", file("checkpoint"), "--checkpoint-every", "0"});
+  for (int i = 0; i < 10000 && !exists("checkpoint"); ++i)
+    std::this_thread::sleep_for(std::chrono::milliseconds(1));
+  ::kill(run.pid(), SIGHUP);
+  EXPECT_EQ(run.wait().exit_code, 0);
+}
+
+TEST_F(CheckpointOption, SigtermSavesWhatIsDone) {
+  RunningCommand run({REGULUS_BINARY_DIR "/bin/regulus", "check",
+                      REGULUS_SOURCE_DIR "/models/robot_1.toml", "table6_15_15", "--tolerance",
+                      "base,platform=0.13", "--checkpoint", file("checkpoint"),
+                      "--checkpoint-every", "0"});
+  for (int i = 0; i < 10000 && !exists("checkpoint"); ++i)
+    std::this_thread::sleep_for(std::chrono::milliseconds(1));
+  ::kill(run.pid(), SIGTERM);
+  const CommandResult result = run.wait();
+  EXPECT_EQ(result.exit_code, 2) << result.errors;
+  EXPECT_THAT(result.errors, HasSubstr("the same command goes on from here"));
+  EXPECT_TRUE(exists("checkpoint"));
+  EXPECT_FALSE(exists("checkpoint.new"));
+}
+
+TEST_F(CheckpointOption, KillsChangeNothing) { expect_kills_change_nothing(1, 5); }
+
+}  // namespace
+}  // namespace regulus::test

@@ -1,0 +1,309 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The command as its users see it: exit codes, what is on which stream, the JSON report.
+#include "tests/support/command.hpp"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <csignal>
+#include <fstream>
+#include <nlohmann/json.hpp>
+#include <sstream>
+#include <thread>
+
+#include "tests/support/temporary_directory.hpp"
+
+namespace regulus::test {
+namespace {
+
+using nlohmann::json;
+using testing::AllOf;
+using testing::EndsWith;
+using testing::HasSubstr;
+
+const std::string kCommand = REGULUS_BINARY_DIR "/bin/regulus";
+const std::string kRobot1 = REGULUS_SOURCE_DIR "/models/robot_1.toml";
+const std::string kPlanar = REGULUS_SOURCE_DIR "/models/planar_3rpr.toml";
+
+CommandResult regulus(std::vector<std::string> words) {
+  words.insert(words.begin(), kCommand);
+  return run_command(words);
+}
+
+TEST(Command, PutsTheVerdictAloneOnStandardOutput) {
+  const CommandResult none = regulus({"check", kPlanar, "regular"});
+  EXPECT_EQ(none.output, "NO SINGULARITY\n");
+  EXPECT_EQ(none.exit_code, 0);
+  EXPECT_THAT(none.errors, HasSubstr("the full 3×3 matrix has full rank"));
+
+  const CommandResult singular = regulus({"check", kPlanar, "crossing"});
+  EXPECT_EQ(singular.output, "SINGULARITY\n");
+  EXPECT_EQ(singular.exit_code, 1);
+}
+
+TEST(Command, SaysNothingElseWhenQuiet) {
+  EXPECT_EQ(regulus({"check", kPlanar, "regular", "--quiet"}).errors, "");
+}
+
+TEST(Command, ShowsNoProgressInAPipe) {
+  EXPECT_THAT(regulus({"check", kPlanar, "regular"}).errors, testing::Not(HasSubstr("\r")));
+}
+
+TEST(Command, ReportsEveryPromisedKeyAsJson) {
+  const json report = json::parse(regulus({"check", kPlanar, "crossing", "--json"}).output);
+  for (const char* key :
+       {"verdict", "reason", "alpha", "method", "boxes", "max_frontier", "bits", "motion", "model",
+        "model_sha256", "witness", "blocking_box", "seconds", "engine", "isa", "cache"})
+    EXPECT_TRUE(report.contains(key)) << key;
+  for (const char* stage : {"model", "symbolic", "emit", "compile", "search", "total"})
+    EXPECT_TRUE(report["seconds"].contains(stage)) << stage;
+  EXPECT_EQ(report["verdict"], "singularity");
+  const json& witness = report["witness"];
+  ASSERT_EQ(witness["points"].size(), 2u);
+  for (const json& point : {witness["points"][0], witness["points"][1], witness["near"]})
+    for (const char* key : {"parameters", "pose", "uncertain", "determinant"})
+      EXPECT_TRUE(point.contains(key)) << key;
+  for (const char* key : {"vanishes_within", "nullity", "singular_values"})
+    EXPECT_TRUE(witness.contains(key)) << key;
+  EXPECT_EQ(witness["twist"]["columns"].size(), 3u);
+  EXPECT_EQ(witness["twist"]["vectors"][0].size(), 3u);
+  EXPECT_EQ(witness["twist"]["normalised"], "the largest entry is 1");
+  EXPECT_EQ(witness["rows"]["vectors"][0].size(), 3u);
+  for (const char* part : {"twist", "rows"}) EXPECT_EQ(witness[part]["approximate"], true);
+}
+
+TEST(Command, GivesAWitnessInsideTheVariety) {
+  const json report = json::parse(regulus({"check", kPlanar, "crossing", "--json"}).output);
+  for (const json& point : report["witness"]["points"]) {
+    const json& x = point["parameters"]["x"];
+    EXPECT_GE(x[0].get<double>(), -2);
+    EXPECT_LE(x[1].get<double>(), 4);
+  }
+}
+
+TEST(Command, ChangesARangeFromTheCommandLine) {
+  const CommandResult narrowed =
+      regulus({"check", kPlanar, "crossing", "--range", "phi=-15*deg:5*deg", "--quiet"});
+  EXPECT_EQ(narrowed.output, "NO SINGULARITY\n");
+}
+
+TEST(Command, ComparesWithAThreshold) {
+  const auto verdict = [](const std::string& alpha) {
+    return regulus({"check", kPlanar, "regular", "--alpha", alpha, "--quiet"}).output;
+  };
+  EXPECT_EQ(verdict("1/1000"), "NO SINGULARITY\n");
+  EXPECT_EQ(verdict("1000"), "SINGULARITY\n");
+}
+
+TEST(Command, AgreesWithItselfOnEveryEngineAndMethod) {
+  for (const char* method : {"auto", "reg", "reg+rohn", "kj", "kj+rohn", "jk", "jk+rohn",
+                             "kj-numeric", "jk-numeric", "closed-form"}) {
+    EXPECT_EQ(regulus({"check", kPlanar, "regular", "--quiet", "--engine", "interpreted",
+                       "--method", method})
+                  .output,
+              "NO SINGULARITY\n")
+        << method;
+  }
+}
+
+TEST(Command, StopsAtABudgetWithAReason) {
+  const CommandResult stopped = regulus(
+      {"check", kRobot1, "wide_15", "--max-boxes", "3", "--json", "--engine", "interpreted"});
+  EXPECT_EQ(stopped.exit_code, 2);
+  const json report = json::parse(stopped.output);
+  EXPECT_EQ(report["verdict"], "possible-problem");
+  EXPECT_THAT(report["reason"].get<std::string>(), HasSubstr("number of boxes"));
+  EXPECT_FALSE(report["blocking_box"].is_null());
+}
+
+/// Some minutes of multiplying out: nothing is certain yet, and nobody should have to wait.
+TEST(Command, EndsWithAReportWhenInterruptedLongBeforeASearch) {
+  for (const int signal : {SIGINT, SIGTERM}) {
+    RunningCommand running({REGULUS_BINARY_DIR "/bin/regulus", "check",
+                            REGULUS_SOURCE_DIR "/models/robot_2.toml", "table5_30", "--tolerance",
+                            "base,platform=1", "--method", "closed-form", "--symbolic-budget",
+                            "1000000000", "--no-cache"});
+    std::this_thread::sleep_for(std::chrono::milliseconds(300));
+    kill(running.pid(), signal);
+    const CommandResult result = running.wait();
+    EXPECT_EQ(result.exit_code, 2);
+    EXPECT_EQ(result.output, "POSSIBLE PROBLEM\n");
+  }
+}
+
+TEST(Command, EndsWithAReportWhenInterrupted) {
+  RunningCommand running({kCommand, "check", kRobot1, "wide_15", "--method", "reg", "--engine",
+                          "interpreted", "--json", "--quiet"});
+  std::this_thread::sleep_for(std::chrono::seconds(2));
+  kill(running.pid(), SIGINT);
+  const CommandResult result = running.wait();
+  EXPECT_EQ(result.exit_code, 2);
+  EXPECT_THAT(json::parse(result.output)["reason"].get<std::string>(), HasSubstr("interrupted"));
+}
+
+TEST(Command, RefusesWrongUseWith64) {
+  for (const std::vector<std::string>& words : std::vector<std::vector<std::string>>{
+           {},
+           {"check"},
+           {"no-such-command"},
+           {"check", kPlanar, "no_such_motion"},
+           {"check", kPlanar},
+           {"check", kPlanar, "regular", "--method", "guess"},
+           {"check", kPlanar, "regular", "--range", "phi"},
+           {"check", kPlanar, "regular", "--range", "phi=2:1"},
+           {"check", kPlanar, "regular", "--tolerance", "nothing=0.1"},
+           {"check", kPlanar, "regular", "--alpha", "-1"},
+       })
+    EXPECT_EQ(regulus(words).exit_code, 64) << testing::PrintToString(words);
+}
+
+TEST(Command, LeavesOutAnIngredientAndSaysSo) {
+  const auto report = [](std::vector<std::string> options) {
+    options.insert(options.begin(), {"check", kRobot1, "wide_15", "--json"});
+    return json::parse(regulus(options).output);
+  };
+  const json whole = report({});
+  EXPECT_EQ(whole["without"], json::array());
+  const json natural = report({"--without", "columns"});
+  EXPECT_GT(natural["boxes"], whole["boxes"]);
+  const json fixed = report({"--without", "columns", "--without", "moving"});
+  EXPECT_EQ(fixed["without"], json({"columns", "moving"}));
+  EXPECT_EQ(fixed["verdict"], "no-singularity");
+  EXPECT_GT(fixed["boxes"], natural["boxes"]);
+  EXPECT_THAT(regulus({"check", kPlanar, "regular", "--without", "rewriting"}).errors,
+              HasSubstr("auto without rewriting"));
+}
+
+TEST(Command, RefusesAnUnknownIngredientWithTheNamesOfAll) {
+  const CommandResult refused = regulus({"check", kPlanar, "regular", "--without", "magic"});
+  EXPECT_EQ(refused.exit_code, 64);
+  EXPECT_THAT(refused.errors,
+              AllOf(HasSubstr("--without: magic not in"), HasSubstr("moving"), HasSubstr("batch")));
+}
+
+TEST(Command, RefusesAClosedFormBeyondItsBudgetWithTheWayOut) {
+  const CommandResult refused = regulus({"check", kRobot1, "wide_15", "--method", "closed-form",
+                                         "--tolerance", "base,platform=0.01"});
+  EXPECT_EQ(refused.exit_code, 64);
+  EXPECT_EQ(refused.output, "");
+  EXPECT_THAT(refused.errors,
+              AllOf(HasSubstr("the determinant takes at least "), HasSubstr("the budget is 500000"),
+                    HasSubstr("another method"), HasSubstr("--symbolic-budget")));
+  EXPECT_THAT(
+      regulus({"check", kPlanar, "regular", "--method", "closed-form", "--symbolic-budget", "20"})
+          .errors,
+      HasSubstr("the budget is 20:"));
+}
+
+TEST(Command, RefusesAClosedFormOfAMatrixThatIsNotSquare) {
+  const TemporaryDirectory folder;
+  const std::string path = (folder.path() / "redundant.toml").string();
+  std::ofstream(path) << "regulus = 1\nname = \"redundant\"\nsource = \"a test\"\n"
+                         "[pose]\nx = \"m\"\n[matrix]\nrows = [[\"x\"], [\"x + 1\"]]\n"
+                         "[motion.all]\nx = [0, 1]\n";
+  const CommandResult refused = regulus({"check", path, "--method", "closed-form"});
+  EXPECT_EQ(refused.exit_code, 64);
+  EXPECT_THAT(refused.errors, HasSubstr("2×1; only a square one has a determinant"));
+}
+
+TEST(Command, RefusesABadModelWith65AndAMissingOneWith74) {
+  const TemporaryDirectory folder;
+  const std::string path = (folder.path() / "bad.toml").string();
+  std::ofstream(path) << "regulus = 1\nname = \"bad\"\nwheels = 4\n";
+  const CommandResult bad = regulus({"check", path});
+  EXPECT_EQ(bad.exit_code, 65);
+  EXPECT_THAT(bad.errors,
+              AllOf(HasSubstr("bad.toml:3: found"), HasSubstr("wheels"), HasSubstr("expected")));
+  EXPECT_EQ(regulus({"check", "/no/such/model.toml"}).exit_code, 74);
+}
+
+TEST(Command, ChecksAVarietyOfOnePose) {
+  const TemporaryDirectory folder;
+  const std::string path = (folder.path() / "fixed.toml").string();
+  std::ofstream(path) << "regulus = 1\nname = \"fixed\"\nsource = \"a test\"\n"
+                         "[pose]\nx = \"m\"\ny = \"m\"\n"
+                         "[matrix]\nrows = [[\"x - 1\", \"y\"], [\"x + 1\", \"y\"]]\n"
+                         "[motion.regular]\nx = \"sqrt(2)\"\ny = \"pi\"\n"
+                         "[motion.singular]\nx = 0.5\ny = 0\n";
+  EXPECT_EQ(regulus({"check", path, "regular"}).output, "NO SINGULARITY\n");
+  const CommandResult singular = regulus({"check", path, "singular"});
+  EXPECT_EQ(singular.output, "SINGULARITY\n");
+  EXPECT_THAT(singular.errors,
+              AllOf(HasSubstr("witness    the only pose\n"), HasSubstr("determinant = 0 there\n")));
+}
+
+TEST(Command, HasHelpForEveryCommand) {
+  EXPECT_THAT(regulus({"--help"}).output, HasSubstr("POSSIBLE PROBLEM"));
+  EXPECT_THAT(regulus({"check", "--help"}).output, HasSubstr("--tolerance"));
+  EXPECT_THAT(regulus({"explain", "--help"}).output, HasSubstr("MODEL"));
+  EXPECT_THAT(regulus({"--version"}).output, testing::StartsWith("regulus "));
+}
+
+/// Address randomisation changes the order in which GiNaC keeps terms; nothing may come of it.
+TEST(Command, EmitsTheSameBytesInTwentyProcesses) {
+  for (const auto& [model, motion, method] : {std::tuple{"robot_2", "table5_30", "auto"},
+                                              {"robot_1", "T2_errors", "auto"},
+                                              {"planar_3rpr", "circle", "auto"},
+                                              {"robot_1", "T2_errors", "closed-form"}}) {
+    const std::vector<std::string> words{
+        "explain", std::string(REGULUS_SOURCE_DIR "/models/") + model + ".toml",
+        motion,    "--stage",
+        "text",    "--method",
+        method};
+    const std::string first = regulus(words).output;
+    EXPECT_NE(first, "");
+    for (int process = 1; process < 20; ++process)
+      ASSERT_EQ(regulus(words).output, first) << model << ", process " << process;
+  }
+}
+
+TEST(Command, ExplainsThePapersTwoForms) {
+  const CommandResult explained = regulus({"explain", kRobot1});
+  EXPECT_EQ(explained.exit_code, 0);
+  EXPECT_THAT(explained.output, HasSubstr("form 1, as written: k_1_1*(x + "));
+  EXPECT_THAT(explained.output, HasSubstr("x*(k_1_1 + k_1_2 + k_1_3 + k_1_4 + k_1_5 + k_1_6)"));
+}
+
+TEST(Command, WritesACertificateThatBothVerifiersAccept) {
+  const TemporaryDirectory directory;
+  const std::string file = (directory.path() / "proof.txt").string();
+  for (const char* motion : {"regular", "crossing"}) {
+    regulus({"check", kPlanar, motion, "--certificate", file});
+    const CommandResult verified = regulus({"verify", file, "--model", kPlanar});
+    EXPECT_EQ(verified.output, "VERIFIED\n") << verified.errors;
+    EXPECT_EQ(verified.exit_code, 0);
+    EXPECT_EQ(run_command({REGULUS_BINARY_DIR "/bin/regulus-verify", file}).output, "VERIFIED\n");
+    const CommandResult other = regulus({"verify", file, "--model", kRobot1});
+    EXPECT_EQ(other.output, "REJECTED\n");
+    EXPECT_EQ(other.exit_code, 1);
+    EXPECT_THAT(other.errors, HasSubstr("is not about"));
+  }
+}
+
+TEST(Command, WritesTheCertificateOfALocatedSingularity) {
+  const TemporaryDirectory directory;
+  const std::string file = (directory.path() / "proof.txt").string();
+  regulus({"locate", kPlanar, "crossing", "--certificate", file, "--quiet"});
+  EXPECT_EQ(regulus({"verify", file}).output, "VERIFIED\n");
+}
+
+TEST(Command, SaysWhyACertificateCannotBeWritten) {
+  const CommandResult refused =
+      regulus({"check", kPlanar, "regular", "--certificate", "/nowhere/at/all"});
+  EXPECT_EQ(refused.exit_code, 74);
+  EXPECT_THAT(refused.errors, HasSubstr("cannot be made: No such file or directory"));
+  EXPECT_EQ(regulus({"verify", "/nowhere/at/all"}).exit_code, 74);
+}
+
+TEST(Command, WritesNoCertificateWhereNothingIsClaimed) {
+  const TemporaryDirectory directory;
+  const std::string file = (directory.path() / "proof.txt").string();
+  const CommandResult none =
+      regulus({"check", kRobot1, "wide_15", "--max-boxes", "1", "--certificate", file});
+  EXPECT_EQ(none.exit_code, 2);
+  EXPECT_THAT(none.errors, HasSubstr("certificate none"));
+  EXPECT_TRUE(std::filesystem::is_empty(directory.path()));
+}
+
+}  // namespace
+}  // namespace regulus::test

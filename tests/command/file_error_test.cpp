@@ -1,0 +1,293 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Disks that are full, files that vanish, folders where nothing can be made, two runs on one file:
+// each is said, with exit code 74, and what was there before stays.
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+#include <sys/file.h>
+#include <sys/stat.h>
+
+#include <csignal>
+#include <thread>
+
+#include "tests/support/cached_command.hpp"
+
+namespace regulus::test {
+namespace {
+
+using testing::HasSubstr;
+
+const std::string kCommand = REGULUS_BINARY_DIR "/bin/regulus";
+const std::string kRobot1 = REGULUS_SOURCE_DIR "/models/robot_1.toml";
+const std::string kPlanar = REGULUS_SOURCE_DIR "/models/planar_3rpr.toml";
+
+class FileTrouble : public testing::Test {
+ protected:
+  [[nodiscard]] static CommandResult regulus(std::vector<std::string> words) {
+    words.insert(words.begin(), kCommand);
+    return run_command(words);
+  }
+  /// No file may grow beyond so many blocks of 512 bytes: what a full disk does, for every user.
+  [[nodiscard]] static CommandResult with_small_files(int blocks, std::vector<std::string> words) {
+    words.insert(words.begin(),
+                 {"/bin/sh", "-c", "ulimit -f " + std::to_string(blocks) + "; exec \"$0\" \"$@\"",
+                  kCommand});
+    return run_command(words);
+  }
+  [[nodiscard]] std::string file(const std::string& name) const { return directory_.path() / name; }
+  [[nodiscard]] bool exists(const std::string& name) const {
+    return std::filesystem::exists(file(name));
+  }
+  /// A search of some thousand boxes.
+  [[nodiscard]] std::vector<std::string> long_check(std::vector<std::string> more) const {
+    more.insert(more.begin(), {"check", kRobot1, "table6_15_15", "--tolerance",
+                               "base,platform=0.12", "--checkpoint", file("checkpoint")});
+    return more;
+  }
+  static void expect_trouble(const CommandResult& result, const std::string& what) {
+    EXPECT_EQ(result.exit_code, 74) << result.errors;
+    EXPECT_THAT(result.errors, HasSubstr(what));
+    EXPECT_THAT(result.errors, testing::Not(HasSubstr("internal error")));
+  }
+
+  const TemporaryDirectory directory_;
+};
+
+constexpr const char* kNowhere = "/proc/self/nothing/can/be/made/here";
+
+TEST_F(FileTrouble, AFolderInWhichNothingCanBeMadeIsSaid) {
+  const std::vector<std::string> check = {"check", kPlanar, "regular"},
+                                 locate = {"locate", kPlanar, "regular", "--quiet"};
+  const auto with = [](std::vector<std::string> words, const std::string& option,
+                       const std::string& path) {
+    words.insert(words.end(), {option, path});
+    return regulus(words);
+  };
+  expect_trouble(with(check, "--certificate", kNowhere), "the certificate");
+  expect_trouble(with(check, "--checkpoint", kNowhere), "the checkpoint");
+  expect_trouble(with(locate, "--certificate", kNowhere), "the certificate");
+  expect_trouble(with(locate, "--output", kNowhere), "cannot write");
+  expect_trouble(with(locate, "--picture", std::string(kNowhere) + ".svg"), "cannot write");
+}
+
+TEST_F(FileTrouble, ACertificateThatDoesNotFitLeavesNoneOfAnEarlierRun) {
+  write_file(file("certificate"), "the one before");
+  const std::vector<std::string> words = {"check", kPlanar, "regular", "--certificate",
+                                          file("certificate")};
+  const CommandResult full = with_small_files(1, words);
+  expect_trouble(full, "cannot be written: File too large");
+  EXPECT_EQ(full.output, "");
+  EXPECT_FALSE(exists("certificate"));
+  EXPECT_EQ(file_contents(file("certificate.old")), "the one before");
+  EXPECT_EQ(std::distance(std::filesystem::directory_iterator(directory_.path()), {}), 1);
+}
+
+TEST_F(FileTrouble, MarginCertificatesThatDoNotFitAreSaid) {
+  expect_trouble(with_small_files(1, {"margin", kPlanar, "regular", "--tolerance", "base=0:0.1",
+                                      "--certificate", file("ends")}),
+                 "cannot be written: File too large");
+  EXPECT_TRUE(std::filesystem::is_empty(directory_.path()));
+}
+
+TEST_F(FileTrouble, LinesAndPicturesThatDoNotFitAreSaid) {
+  const std::vector<std::string> locate = {"locate", kPlanar, "crossing", "--quiet"};
+  auto lines = locate;
+  lines.insert(lines.end(), {"--output", "/dev/full"});
+  expect_trouble(regulus(lines), "cannot write /dev/full");
+  std::filesystem::create_symlink("/dev/full", file("picture.svg"));
+  auto picture = locate;
+  picture.insert(picture.end(), {"--output", file("lines"), "--picture", file("picture.svg")});
+  expect_trouble(regulus(picture), "picture.svg: No space left on device");
+}
+
+/// However a run ends: nothing that an earlier one wrote stands under the name that it was given.
+TEST_F(FileTrouble, NoOutputOfAnEarlierRunStaysUnderItsName) {
+  const auto expect_aside = [this](const std::vector<std::string>& words, int exit_code,
+                                   const std::vector<std::string>& names) {
+    for (const std::string& name : names) write_file(file(name), "the one before");
+    const CommandResult result = regulus(words);
+    EXPECT_EQ(result.exit_code, exit_code) << result.errors;
+    for (const std::string& name : names) {
+      EXPECT_FALSE(exists(name)) << name;
+      EXPECT_EQ(file_contents(file(name + ".old")), "the one before") << name;
+    }
+  };
+  const std::string proof = file("proof");
+  expect_aside({"check", file("no_model.toml"), "--certificate", proof}, 74, {"proof"});
+  expect_aside({"check", kPlanar, "no_motion", "--certificate", proof}, 64, {"proof"});
+  expect_aside({"check", kRobot1, "wide_15", "--max-boxes", "1", "--certificate", proof}, 2,
+               {"proof"});
+  expect_aside(
+      {"margin", kPlanar, "no_motion", "--tolerance", "base=0:0.1", "--certificate", proof}, 64,
+      {"proof.safe", "proof.singular"});
+  expect_aside({"locate", kPlanar, "no_motion", "--certificate", proof, "--output", file("lines"),
+                "--picture", file("picture.svg")},
+               64, {"proof", "lines", "picture.svg"});
+  expect_trouble(regulus({"check", kPlanar, "regular", "--certificate", "/dev/null"}),
+                 "no file that can be replaced");
+  const std::string model = file("model.toml");
+  std::filesystem::copy_file(kPlanar, model);
+  EXPECT_EQ(regulus({"check", model, "regular", "--certificate", model}).exit_code, 64);
+  EXPECT_EQ(file_contents(model), file_contents(kPlanar));
+}
+
+TEST_F(FileTrouble, ARunThatIsKilledLeavesNoProofOfAnEarlierOne) {
+  write_file(file("proof"), "the one before");
+  auto words = long_check({"--certificate", file("proof"), "--checkpoint-every", "0"});
+  words.insert(words.begin(), kCommand);
+  RunningCommand run(words);
+  for (int i = 0; i < 10000 && !exists("checkpoint"); ++i)
+    std::this_thread::sleep_for(std::chrono::milliseconds(1));
+  ::kill(run.pid(), SIGKILL);
+  static_cast<void>(run.wait());
+  EXPECT_FALSE(exists("proof"));
+  EXPECT_TRUE(exists("proof.old"));
+}
+
+TEST_F(FileTrouble, GeneratedFilesAreReplacedByAWholeKernelOrNotAtAll) {
+  const std::string folder = file("generated");
+  const std::vector<std::string> generate = {"generate", kPlanar,  "regular", "-o",
+                                             folder,     "--name", "planar",  "--quiet"};
+  ASSERT_EQ(regulus(generate).exit_code, 0);
+  ASSERT_TRUE(exists("generated/planar.cpp"));
+  write_file(folder + "/mine.cpp", "not the command's");
+  EXPECT_NE(
+      regulus({"generate", file("no_model.toml"), "-o", folder, "--name", "planar"}).exit_code, 0);
+  EXPECT_TRUE(exists("generated/planar.cpp"));
+  EXPECT_TRUE(exists("generated/planar_kernel.inc"));
+  EXPECT_TRUE(exists("generated/mine.cpp"));
+  write_file(file("outside.cpp"), "not the command's");
+  EXPECT_NE(
+      regulus({"generate", kPlanar, "regular", "-o", folder, "--name", "../outside"}).exit_code, 0);
+  EXPECT_TRUE(exists("outside.cpp"));
+}
+
+/// Devices without an end, pipes that nobody writes, folders, and files larger than can be meant.
+TEST_F(FileTrouble, WhatIsNoFileIsNotRead) {
+  const std::string pipe = file("pipe"), sparse = file("sparse");
+  ASSERT_EQ(mkfifo(pipe.c_str(), 0600), 0);
+  write_file(sparse, "");
+  std::filesystem::resize_file(sparse, std::uintmax_t{1} << 40);
+  for (const std::string& other : {std::string("/dev/zero"), pipe, file(""), sparse}) {
+    expect_trouble(regulus({"check", kPlanar, "regular", "--filter", other}), "cannot be read");
+    EXPECT_NE(regulus({"check", other}).exit_code, 0);
+    if (other == pipe) std::filesystem::remove(other + ".lock");
+    expect_trouble(regulus({"check", kPlanar, "regular", "--checkpoint", other}), "checkpoint");
+  }
+}
+
+TEST_F(FileTrouble, AFilterThatIsCutIsRefused) {
+  const std::string whole = file_contents(REGULUS_BINARY_DIR "/filters/gershgorin.so");
+  ASSERT_GT(whole.size(), 5000U);
+  for (const std::size_t size :
+       {std::size_t{4}, std::size_t{60}, std::size_t{200}, whole.size() / 2}) {
+    write_file(file("cut.so"), whole.substr(0, size));
+    const CommandResult cut = regulus({"check", kPlanar, "regular", "--filter", file("cut.so")});
+    EXPECT_EQ(cut.exit_code, 65) << size;
+    EXPECT_THAT(cut.errors, HasSubstr("cut off"));
+  }
+}
+
+/// The plugins cannot be opened, as where the address space is too small for LLVM.
+TEST_F(FileTrouble, WithoutACompilerTheInterpreterAnswers) {
+  const auto without_compiler = [this](const std::string& engine) {
+    return run_command({"/bin/sh", "-c",
+                        "ulimit -v 170000; XDG_CACHE_HOME=\"$1\" exec \"$0\" check \"$2\" regular "
+                        "--threads 1 --engine \"$3\"",
+                        kCommand, file("cache"), kPlanar, engine});
+  };
+  const CommandResult by_itself = without_compiler("auto");
+  EXPECT_EQ(by_itself.exit_code, 0) << by_itself.errors;
+  EXPECT_THAT(by_itself.errors, HasSubstr("interpreted"));
+  const CommandResult asked_for = without_compiler("jit");
+  EXPECT_EQ(asked_for.exit_code, 70);
+  EXPECT_THAT(asked_for.errors, HasSubstr("--engine interpreted needs none"));
+}
+
+TEST_F(FileTrouble, AVerdictThatNobodyCanReadIsNone) {
+  for (const char* words :
+       {"check " REGULUS_SOURCE_DIR "/models/planar_3rpr.toml regular",
+        "margin " REGULUS_SOURCE_DIR "/models/planar_3rpr.toml regular --tolerance base=0:0.1"})
+    expect_trouble(run_command({"/bin/sh", "-c", kCommand + ' ' + words + " >/dev/full"}),
+                   "cannot write standard output");
+}
+
+TEST_F(FileTrouble, AnOutputThatIsRemovedMeanwhileIsSaid) {
+  for (const std::string option : {"--output", "--picture"}) {
+    const std::string path = file("paving.svg");
+    RunningCommand run({kCommand, "locate", kRobot1, "wide_40", "--quiet", "--max-boxes", "1500",
+                        "--engine", "interpreted", option, path});
+    for (int i = 0; i < 10000 && !std::filesystem::exists(path); ++i)
+      std::this_thread::sleep_for(std::chrono::milliseconds(1));
+    std::filesystem::remove(path);
+    expect_trouble(run.wait(), path + " was removed");
+  }
+}
+
+TEST_F(FileTrouble, ACheckpointThatDoesNotFitLeavesTheOneThatWasThere) {
+  ASSERT_EQ(regulus(long_check({"--max-boxes", "200"})).exit_code, 2);
+  const std::string before = file_contents(file("checkpoint"));
+  expect_trouble(with_small_files(1, long_check({"--max-boxes", "400"})),
+                 "the checkpoint " + file("checkpoint") + " cannot be written: File too large");
+  EXPECT_EQ(file_contents(file("checkpoint")), before);
+  EXPECT_FALSE(exists("checkpoint.new"));
+  EXPECT_FALSE(exists("checkpoint.lock"));
+}
+
+/// The certificate runs out of room first; when there is room again, nothing of it is missing.
+TEST_F(FileTrouble, ASearchWhoseCertificateDoesNotFitGoesOnWhenThereIsRoom) {
+  const auto certified = [this](std::vector<std::string> more) {
+    more.insert(more.end(), {"--certificate", file("certificate")});
+    return long_check(more);
+  };
+  ASSERT_EQ(regulus(certified({"--max-boxes", "100"})).exit_code, 2);
+  const std::string before = file_contents(file("checkpoint"));
+  const auto kilobytes = std::filesystem::file_size(file("certificate.partial")) / 512 + 1;
+  expect_trouble(with_small_files(int(kilobytes), certified({"--max-boxes", "3000"})),
+                 "the certificate cannot be written");
+  EXPECT_EQ(file_contents(file("checkpoint")), before);
+  EXPECT_EQ(regulus(certified({})).exit_code, 0);
+  const CommandResult verified = regulus({"verify", file("certificate"), "--model", kRobot1});
+  EXPECT_EQ(verified.output, "VERIFIED\n") << verified.errors;
+}
+
+TEST_F(FileTrouble, TwoRunsOnOneCheckpointAreKeptApart) {
+  RunningCommand first([&] {
+    auto words = long_check({"--checkpoint-every", "0", "--tolerance", "base,platform=0.13"});
+    words.insert(words.begin(), kCommand);
+    return words;
+  }());
+  for (int i = 0; i < 10000 && !exists("checkpoint"); ++i)
+    std::this_thread::sleep_for(std::chrono::milliseconds(1));
+  expect_trouble(regulus(long_check({})),
+                 "is in use by another run (process " + std::to_string(first.pid()) + ")");
+  ::kill(first.pid(), SIGKILL);
+  static_cast<void>(first.wait());
+  ASSERT_TRUE(exists("checkpoint.lock"));
+  const CommandResult next =
+      regulus(long_check({"--tolerance", "base,platform=0.13", "--max-boxes", "1"}));
+  EXPECT_EQ(next.exit_code, 2) << next.errors;
+  EXPECT_THAT(next.errors, HasSubstr("continued from"));
+  EXPECT_FALSE(exists("checkpoint.lock"));
+}
+
+TEST_F(FileTrouble, TwoCheckpointsOfOneCertificateAreKeptApart) {
+  const std::string held = file("certificate.lock");
+  const int lock = ::open(held.c_str(), O_RDWR | O_CREAT | O_CLOEXEC, 0666);
+  ASSERT_EQ(::flock(lock, LOCK_EX), 0);
+  expect_trouble(regulus(long_check({"--certificate", file("certificate")})),
+                 file("certificate") + " is in use by another run");
+  ::close(lock);
+}
+
+TEST_F(FileTrouble, OnlyCheckCanBeContinuedAndTheOthersSaySo) {
+  const CommandResult locate = regulus({"locate", kPlanar, "regular", "--checkpoint", file("c")});
+  EXPECT_EQ(locate.exit_code, 64);
+  EXPECT_THAT(locate.errors, HasSubstr("only `regulus check` can be continued"));
+  const CommandResult margin =
+      regulus({"margin", kPlanar, "regular", "--tolerance", "base=0:1", "--checkpoint-every", "1"});
+  EXPECT_EQ(margin.exit_code, 64);
+  EXPECT_THAT(margin.errors, HasSubstr("can be narrowed from its two ends"));
+}
+
+}  // namespace
+}  // namespace regulus::test

@@ -1,0 +1,145 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// --filter: a user's own regularity test takes part, and the report names it.
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <fstream>
+#include <iterator>
+#include <nlohmann/json.hpp>
+
+#include "codegen/support/sha256.hpp"
+#include "tests/support/command.hpp"
+#include "tests/support/temporary_directory.hpp"
+
+namespace regulus::test {
+namespace {
+
+using nlohmann::json;
+using testing::AllOf;
+using testing::HasSubstr;
+using testing::Not;
+
+const std::string kRobot1 = REGULUS_SOURCE_DIR "/models/robot_1.toml";
+const std::string kPlanar = REGULUS_SOURCE_DIR "/models/planar_3rpr.toml";
+
+std::string filter(const std::string& name) {
+  return REGULUS_BINARY_DIR "/filters/" + name + ".so";
+}
+
+std::string read(const std::string& path) {
+  std::ifstream file(path, std::ios::binary);
+  return {std::istreambuf_iterator<char>(file), {}};
+}
+
+/// `reg` alone decides little, which leaves much to a filter.
+CommandResult check(const std::string& model, const std::string& motion,
+                    const std::vector<std::string>& filters, std::vector<std::string> more = {}) {
+  std::vector<std::string> words{
+      REGULUS_BINARY_DIR "/bin/regulus", "check", model, motion, "--engine", "interpreted"};
+  for (const std::string& name : filters) words.insert(words.end(), {"--filter", filter(name)});
+  words.insert(words.end(), more.begin(), more.end());
+  return run_command(words);
+}
+
+json report(const std::string& motion, const std::vector<std::string>& filters,
+            const std::string& method, const std::string& without = "") {
+  std::vector<std::string> options = {"--json", "--quiet", "--method", method};
+  if (!without.empty()) options.insert(options.end(), {"--without", without});
+  return json::parse(check(kRobot1, motion, filters, options).output);
+}
+
+TEST(Filter, DecidesWhatTheMethodLeavesUndecided) {
+  const json alone = report("T1", {}, "reg"), helped = report("T1", {"gershgorin"}, "reg");
+  EXPECT_EQ(helped["verdict"], "no-singularity");
+  EXPECT_GT(alone["boxes"], helped["boxes"]);
+  EXPECT_GT(helped["leaves"]["filter"], 0);
+  EXPECT_EQ(helped["filters"][0]["boxes"], helped["leaves"]["filter"]);
+}
+
+TEST(Filter, IsNamedInTheClaimThatRestsOnIt) {
+  const CommandResult result = check(kRobot1, "T1", {"gershgorin"}, {"--method", "reg"});
+  EXPECT_EQ(result.output, "NO SINGULARITY\n");
+  EXPECT_THAT(
+      result.errors,
+      AllOf(HasSubstr("filter     gershgorin (" + filter("gershgorin") + "): "),
+            HasSubstr("boxes rest on the filter gershgorin, which Regulus has not checked")));
+}
+
+TEST(Filter, LeavesTheClaimAloneWhenNothingRestsOnIt) {
+  const CommandResult result = check(kRobot1, "T1", {"gershgorin"});
+  EXPECT_THAT(result.errors, AllOf(HasSubstr("): 0 boxes rest on it"),
+                                   HasSubstr("for every pose of the variety\n"),
+                                   Not(HasSubstr("which Regulus has not checked"))));
+}
+
+TEST(Filter, IsDescribedInJson) {
+  const json filters = report("T1", {"timid", "gershgorin"}, "reg")["filters"];
+  ASSERT_EQ(filters.size(), 2u);
+  EXPECT_EQ(filters[0]["name"], "timid");
+  EXPECT_EQ(filters[0]["boxes"], 0);
+  EXPECT_EQ(filters[1]["path"], filter("gershgorin"));
+  EXPECT_EQ(filters[1]["sha256"], sha256(read(filter("gershgorin"))));
+  EXPECT_GT(filters[1]["boxes"], 0);
+  EXPECT_EQ(report("T1", {}, "auto")["filters"], json::array());
+}
+
+/// What it vouches for is wrong, and the only defence is that this is said.
+TEST(Filter, ThatLiesIsNamedByTheReport) {
+  const CommandResult result = check(kRobot1, "wide_40", {"lying"}, {"--method", "reg"});
+  EXPECT_EQ(result.output, "NO SINGULARITY\n");
+  EXPECT_THAT(result.errors,
+              HasSubstr("1 of 1 boxes rest on the filter lying, which Regulus has not checked"));
+}
+
+TEST(Filter, CannotVouchForWhatIsUndefined) {
+  const TemporaryDirectory folder;
+  const std::string path = (folder.path() / "pole.toml").string();
+  std::ofstream(path) << "regulus = 1\nname = \"pole\"\nsource = \"a test\"\n[pose]\nx = \"m\"\n"
+                         "[matrix]\nrows = [[\"1/x\"]]\n[motion.all]\nx = [-1, 2]\n";
+  const CommandResult result = check(path, "all", {"lying"});
+  EXPECT_EQ(result.output, "POSSIBLE PROBLEM\n");
+}
+
+TEST(Filter, ThatChangesTheRoundingOrThrowsIsNotBelieved) {
+  for (const char* name : {"upward", "throwing"}) {
+    // Filters look at the model's own matrix, whose columns are as they are written.
+    const json with = report("wide_15", {name}, "auto");
+    const json without = report("wide_15", {}, "auto", "columns");
+    EXPECT_EQ(with["filters"][0]["boxes"], 0) << name;
+    EXPECT_EQ(with["boxes"], without["boxes"]) << name;
+    EXPECT_EQ(with["verdict"], "no-singularity") << name;
+  }
+}
+
+TEST(Filter, IsNotAskedToVouchForAThresholdItCannotSee) {
+  const CommandResult result =
+      check(kPlanar, "regular", {"gershgorin"}, {"--alpha", "1/1000", "--method", "reg"});
+  EXPECT_THAT(result.errors, HasSubstr("): 0 boxes rest on it"));
+}
+
+TEST(Filter, IsRefusedWhenItCannotBeUsed) {
+  const auto refusal = [](const std::string& name) { return check(kPlanar, "regular", {name}); };
+  const CommandResult missing = refusal("no_such_filter");
+  EXPECT_EQ(missing.exit_code, 74);
+  EXPECT_THAT(missing.errors, HasSubstr("no_such_filter.so cannot be read: there is no such file"));
+  EXPECT_EQ(refusal("newer").exit_code, 65);
+  EXPECT_THAT(refusal("newer").errors,
+              HasSubstr("a filter of ABI 2, this runtime has filter ABI 1"));
+  EXPECT_EQ(refusal("empty").exit_code, 65);
+  EXPECT_THAT(refusal("empty").errors, HasSubstr("no symbol regulus_filter"));
+  EXPECT_EQ(refusal("nameless").exit_code, 65);
+  EXPECT_THAT(refusal("nameless").errors, HasSubstr("whose name is not"));
+  const CommandResult text = run_command(
+      {REGULUS_BINARY_DIR "/bin/regulus", "check", kPlanar, "regular", "--filter", kPlanar});
+  EXPECT_EQ(text.exit_code, 65);
+  EXPECT_THAT(text.errors, HasSubstr("no shared object that loads"));
+}
+
+TEST(Filter, InTheManualIsTheOneTestedHere) {
+  const std::string source = read(REGULUS_SOURCE_DIR "/tests/command/filters/gershgorin.cpp");
+  const std::string shown = source.substr(source.find("// Gershgorin"));
+  EXPECT_THAT(read(REGULUS_SOURCE_DIR "/codegen/command/CHECKING.md"), HasSubstr(shown));
+}
+
+}  // namespace
+}  // namespace regulus::test

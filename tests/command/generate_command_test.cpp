@@ -1,0 +1,110 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// `regulus generate` as its users see it.
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <filesystem>
+#include <fstream>
+#include <iterator>
+#include <nlohmann/json.hpp>
+
+#include "tests/support/command.hpp"
+#include "tests/support/temporary_directory.hpp"
+
+namespace regulus::test {
+namespace {
+
+namespace fs = std::filesystem;
+using testing::HasSubstr;
+using testing::StartsWith;
+
+const std::string kPlanar = REGULUS_SOURCE_DIR "/models/planar_3rpr.toml";
+
+CommandResult generate(std::vector<std::string> words) {
+  words.insert(words.begin(), {REGULUS_BINARY_DIR "/bin/regulus", "generate"});
+  return run_command(words);
+}
+
+std::string read(const fs::path& path) {
+  std::ifstream file(path, std::ios::binary);
+  return {std::istreambuf_iterator<char>(file), {}};
+}
+
+TEST(GenerateCommand, ListsWhatItWrote) {
+  const TemporaryDirectory folder;
+  const CommandResult result =
+      generate({kPlanar, "regular", "-o", folder.path().string(), "--isa", "avx2,avx512"});
+  EXPECT_EQ(result.exit_code, 0) << result.errors;
+  std::string expected;
+  for (const char* end :
+       {".h", ".hpp", ".cpp", "_kernel.inc", "_avx512.cpp", "_avx2.cpp", "_portable.cpp"}) {
+    const fs::path file = folder.path() / ("planar_3rpr_regular" + std::string(end));
+    expected += file.string() + "\n";
+    EXPECT_THAT(read(file), StartsWith("// SPDX-License-Identifier: Apache-2.0")) << file;
+  }
+  EXPECT_EQ(result.output, expected);
+}
+
+TEST(GenerateCommand, ListsTheFilesAsJson) {
+  const TemporaryDirectory folder;
+  const CommandResult result = generate({kPlanar, "regular", "-o", folder.path().string(), "--name",
+                                         "arm", "--isa", "portable", "--json"});
+  const auto list = nlohmann::json::parse(result.output);
+  EXPECT_EQ(list["name"], "arm");
+  ASSERT_EQ(list["files"].size(), 5U);
+  for (const std::string file : list["files"]) EXPECT_TRUE(fs::exists(file)) << file;
+}
+
+/// But for the command in its head, and the name.
+TEST(GenerateCommand, WritesTheTextThatExplainShows) {
+  const TemporaryDirectory folder;
+  ASSERT_EQ(
+      generate({kPlanar, "regular", "-o", folder.path().string(), "--name", "generated"}).exit_code,
+      0);
+  const auto body = [](const std::string& text) { return text.substr(text.find("// Model ")); };
+  const CommandResult shown = run_command(
+      {REGULUS_BINARY_DIR "/bin/regulus", "explain", kPlanar, "regular", "--stage", "text"});
+  EXPECT_EQ(body(read(folder.path() / "generated_kernel.inc")), body(shown.output));
+}
+
+/// Addresses differ from process to process, and with them the order of a library's terms.
+TEST(GenerateCommand, WritesTheSameTextInEveryProcess) {
+  const std::string hexapod = REGULUS_SOURCE_DIR "/models/hexapod_6rus.toml";
+  const auto text = [&hexapod] {
+    return run_command(
+               {REGULUS_BINARY_DIR "/bin/regulus", "explain", hexapod, "orbit", "--stage", "text"})
+        .output;
+  };
+  const std::string first = text();
+  EXPECT_THAT(first, HasSubstr("regulus_kernel"));
+  for (int run = 0; run < 4; ++run) EXPECT_TRUE(text() == first) << "in run " << run;
+}
+
+TEST(GenerateCommand, WritesADependencyFile) {
+  const TemporaryDirectory folder;
+  const std::string dependencies = (folder.path() / "kernel.d").string();
+  EXPECT_EQ(generate({kPlanar, "regular", "-o", folder.path().string(), "--name", "arm",
+                      "--depfile", dependencies})
+                .exit_code,
+            0);
+  EXPECT_THAT(read(dependencies), StartsWith((folder.path() / "arm.h").string() + " "));
+  EXPECT_THAT(read(dependencies), HasSubstr(": " + kPlanar + "\n"));
+}
+
+TEST(GenerateCommand, HasAnExitCodeForEachKindOfTrouble) {
+  const TemporaryDirectory folder;
+  const std::string out = (folder.path() / "out").string();
+  std::ofstream(folder.path() / "file") << "regulus = 1\n";
+  const std::string file = (folder.path() / "file").string();
+  EXPECT_EQ(generate({kPlanar, "regular"}).exit_code, 64);
+  EXPECT_EQ(generate({kPlanar, "irregular", "-o", out}).exit_code, 64);
+  EXPECT_EQ(generate({kPlanar, "regular", "-o", out, "--name", "for"}).exit_code, 64);
+  EXPECT_EQ(generate({kPlanar, "regular", "-o", out, "--isa", "sse2"}).exit_code, 64);
+  EXPECT_EQ(generate({file, "regular", "-o", out}).exit_code, 65);
+  EXPECT_EQ(generate({out + ".toml", "regular", "-o", out}).exit_code, 74);
+  EXPECT_EQ(generate({kPlanar, "regular", "-o", file}).exit_code, 74);
+  EXPECT_FALSE(fs::exists(out));
+}
+
+}  // namespace
+}  // namespace regulus::test

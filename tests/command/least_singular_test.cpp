@@ -1,0 +1,113 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Where to look when nothing was proved: of models whose singular poses are known.
+#include "codegen/analysis/least_singular.hpp"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <fstream>
+#include <nlohmann/json.hpp>
+
+#include "tests/support/command.hpp"
+#include "tests/support/temporary_directory.hpp"
+
+namespace regulus {
+namespace {
+
+using nlohmann::json;
+using testing::AllOf;
+using testing::HasSubstr;
+
+/// Two columns and three legs: they are parallel to one line at x = 1/3, y = -2/3 alone.
+constexpr const char* kRedundant = R"toml(regulus = 1
+name = "redundant"
+[pose]
+x = "m"
+y = "m"
+[geometry]
+a = { value = 1, tolerance = 0, group = "a" }
+[matrix]
+rows = [["1", "x - 1/3"], ["y + 2/3", "sin(x - 1/3)"], ["a", "3*y + 2"]]
+[motion.all]
+x = [-1, 1]
+y = [-1, 1]
+[motion.beside]
+x = [-1, 0]
+y = [-1, 1]
+constraints = ["-1.3 - x"]
+[motion.path]
+parameters = { T = [0, 1] }
+x = "T"
+y = "-T*2"
+)toml";
+
+class Redundant : public testing::Test {
+ protected:
+  Redundant() { std::ofstream(path_) << kRedundant; }
+
+  [[nodiscard]] PreparedSearch prepared(const std::string& motion) const {
+    ModelOptions model;
+    model.path = path_;
+    model.motion = motion;
+    SearchOptions search;
+    search.engine = Engine::kInterpreted;
+    return prepare(model, search);
+  }
+  [[nodiscard]] test::CommandResult check(std::vector<std::string> words) const {
+    words.insert(words.begin(), {REGULUS_BINARY_DIR "/bin/regulus", "check", path_});
+    words.insert(words.end(), {"--engine", "interpreted", "--max-boxes", "20000"});
+    return test::run_command(words);
+  }
+
+  test::TemporaryDirectory folder_;
+  std::string path_ = folder_.path() / "redundant.toml";
+};
+
+TEST_F(Redundant, IsFoundNearlySingularWhereItIsSingular) {
+  const auto nearest = approx_least_singular(prepared("all"), {});
+  ASSERT_TRUE(nearest);
+  EXPECT_NEAR(mid(nearest->variables[0]), 1.0 / 3, 1e-8);
+  EXPECT_NEAR(mid(nearest->variables[1]), -2.0 / 3, 1e-8);
+  EXPECT_THAT(nearest->degeneracy.twists, testing::SizeIs(1));
+  EXPECT_TRUE(nearest->degeneracy.rows.empty());
+  EXPECT_EQ(nearest->degeneracy.twists[0], (std::vector<double>{0, 1}));
+}
+
+TEST_F(Redundant, IsLeftRegularWhereItIs) {
+  const auto nearest = approx_least_singular(prepared("beside"), {});
+  ASSERT_TRUE(nearest);
+  EXPECT_TRUE(nearest->degeneracy.twists.empty());
+  EXPECT_LE(nearest->variables[0].hi, 0);
+  EXPECT_GE(nearest->variables[0].lo, -1);
+}
+
+TEST_F(Redundant, IsReportedWithThePoseAndTheTwist) {
+  const test::CommandResult result = check({"all", "--json"});
+  EXPECT_EQ(result.exit_code, 2);
+  EXPECT_THAT(result.errors, AllOf(HasSubstr("nearest    x = 0.333333, y = -0.666667\n"),
+                                   HasSubstr("this proves nothing\n"),
+                                   HasSubstr("twist      lost, approximately: (0, 1), an entry")));
+  const json nearest = json::parse(result.output)["nearest_singular"];
+  EXPECT_EQ(nearest["approximate"], true);
+  EXPECT_EQ(nearest["nullity"], 1);
+  EXPECT_TRUE(nearest["rows"].is_null());
+  EXPECT_NEAR(nearest["pose"]["x"][0].get<double>(), 1.0 / 3, 1e-8);
+  EXPECT_NEAR(nearest["parameters"]["y"][0].get<double>(), -2.0 / 3, 1e-8);
+}
+
+TEST_F(Redundant, HasNoSuchLinesWhereItIsCertified) {
+  const test::CommandResult result = check({"beside", "--json"});
+  EXPECT_EQ(result.exit_code, 0) << result.errors;
+  EXPECT_FALSE(json::parse(result.output).contains("nearest_singular"));
+}
+
+TEST_F(Redundant, OnAPathIsGivenInPoseParametersToo) {
+  const auto nearest = approx_least_singular(prepared("path"), {});
+  ASSERT_TRUE(nearest);
+  EXPECT_NEAR(mid(nearest->variables[0]), 1.0 / 3, 1e-8);
+  ASSERT_EQ(nearest->pose.size(), 2U);
+  EXPECT_NEAR(mid(nearest->pose[1]), -2.0 / 3, 1e-8);
+}
+
+}  // namespace
+}  // namespace regulus

@@ -1,0 +1,212 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Brackets as users see them, of models whose critical values are known.
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <chrono>
+#include <cmath>
+#include <csignal>
+#include <fstream>
+#include <nlohmann/json.hpp>
+#include <thread>
+
+#include "tests/support/command.hpp"
+#include "tests/support/temporary_directory.hpp"
+
+namespace regulus::test {
+namespace {
+
+using nlohmann::json;
+using testing::HasSubstr;
+
+const std::string kRobot1 = REGULUS_SOURCE_DIR "/models/robot_1.toml";
+
+/// det = a − x²/2, a = 1 ± the tolerance of a, |x| ≤ 1: singular from tolerance 1/2 on; at
+/// tolerance 0 from |x| = √2 on, and |det| ≥ 1/2.
+constexpr const char* kBowl = R"(regulus = 1
+name = "bowl"
+[pose]
+x = "1"
+[geometry]
+a = { value = 1, tolerance = 0, group = "a" }
+b = { value = 1, tolerance = 0, group = "b" }
+[matrix]
+rows = [["a", "x/2"], ["x", "b"]]
+[motion.small]
+x = [-1, 1]
+[motion.path]
+parameters = { T = [0, 1] }
+x = "T"
+[motion.half]
+x = [-1, 1]
+constraints = ["x"]
+)";
+
+class Margin : public testing::Test {
+ protected:
+  Margin() { std::ofstream(model_) << kBowl; }
+
+  [[nodiscard]] CommandResult margin(std::vector<std::string> words) const {
+    words.insert(words.begin(), {REGULUS_BINARY_DIR "/bin/regulus", "margin", model_});
+    words.insert(words.end(), {"--engine", "interpreted"});
+    return run_command(words);
+  }
+  [[nodiscard]] json report(std::vector<std::string> words, int exit_code = 0) const {
+    words.insert(words.end(), {"--json", "--quiet"});
+    const CommandResult result = margin(words);
+    EXPECT_EQ(result.exit_code, exit_code) << result.errors;
+    EXPECT_EQ(result.errors, "");
+    return json::parse(result.output);
+  }
+  /// certified < critical ≤ refuted, within the gap.
+  static void expect_brackets(const json& report, double critical, double gap) {
+    EXPECT_LT(report["certified"], critical);
+    EXPECT_GE(report["refuted"], critical);
+    EXPECT_LE(report["gap"], gap);
+    EXPECT_TRUE(report["closed"]);
+  }
+
+  TemporaryDirectory directory_;
+  std::string model_ = directory_.path() / "bowl.toml";
+};
+
+TEST_F(Margin, BracketsAToleranceWhoseCriticalValueIsOneHalf) {
+  expect_brackets(report({"small", "--tolerance", "a=0:0.9"}), 0.5, 0.01);
+  expect_brackets(report({"small", "--tolerance", "a=0:0.9", "--gap", "1e-3"}), 0.5, 1e-3);
+}
+
+TEST_F(Margin, FindsTheUpperEndItself) {
+  expect_brackets(report({"small", "--tolerance", "a=0:"}), 0.5, 0.01);
+  expect_brackets(report({"small", "--scale", "1:"}), std::sqrt(2), 0.01);
+  expect_brackets(report({"small", "--alpha", "0:"}), 0.5, 0.01);
+}
+
+TEST_F(Margin, BracketsTheScaleOfABoxVariety) {
+  expect_brackets(report({"small", "--scale", "0:2"}), std::sqrt(2), 0.01);
+}
+
+TEST_F(Margin, BracketsAThreshold) {
+  expect_brackets(report({"small", "--alpha", "0:10"}), 0.5, 0.01);
+}
+
+TEST_F(Margin, KeepsTheOtherOptionsAsTheyAreGiven) {
+  // (1 − e)(1 − 0.1) = 1/2
+  expect_brackets(report({"small", "--tolerance", "b=0.1", "--tolerance", "a=0:0.9"}), 4.0 / 9,
+                  0.01);
+  // 1 − e − 1/2 = 1/4
+  expect_brackets(report({"small", "--tolerance", "a=0:0.9", "--alpha", "1/4"}), 0.25, 0.01);
+  expect_brackets(report({"small", "--range", "x=0:0.5", "--tolerance", "a=0:2"}), 0.875, 0.01);
+}
+
+TEST_F(Margin, LooksBetweenConstraintsToo) {
+  expect_brackets(report({"half", "--tolerance", "a=0:0.9"}), 0.5, 0.01);
+}
+
+TEST_F(Margin, ReportsEveryKeyThatProgramsReadAndAConcreteWitness) {
+  const json found = report({"small", "--tolerance", "a=0:9/10"});
+  for (const char* key :
+       {"certified", "refuted", "gap", "witness", "boxes", "model", "model_sha256", "motion",
+        "method", "seconds", "steps", "reason", "engine", "isa", "cache", "bits"})
+    EXPECT_TRUE(found.contains(key)) << key;
+  EXPECT_EQ(found["margin"]["kind"], "tolerance");
+  EXPECT_EQ(found["margin"]["groups"], "a");
+  EXPECT_EQ(found["margin"]["high"], "9/10");
+  const json points = found["witness"]["points"];
+  ASSERT_EQ(points.size(), 2U);
+  const double refuted = found["refuted"];
+  for (const json& point : points) {
+    EXPECT_GE(point["uncertain"]["a"][0], 1 - refuted - 1e-12);
+    EXPECT_LE(point["uncertain"]["a"][1], 1 + refuted + 1e-12);
+  }
+  EXPECT_GT(points[0]["determinant"][0], 0);
+  EXPECT_LT(points[1]["determinant"][1], 0);
+  const json near = found["witness"]["near"];
+  const double a = near["uncertain"]["a"][0], x = near["parameters"]["x"][0];
+  EXPECT_NEAR(a, x * x / 2, 1e-14);
+  EXPECT_LE(near["determinant"][1].get<double>() - near["determinant"][0].get<double>(), 1e-14);
+  // (a, x/2)·v = 0 and (x, 1)·v = 0
+  const json v = found["witness"]["twist"]["vectors"][0];
+  EXPECT_NEAR(v[1].get<double>() / v[0].get<double>(), -x, 1e-12);
+  EXPECT_EQ(found["witness"]["rows"]["taking_part"], json({1, 2}));
+  std::uint64_t boxes = 0;
+  for (const json& step : found["steps"]) {
+    boxes += step["boxes"].get<std::uint64_t>();
+    EXPECT_EQ(step["value"] < 0.5, step["verdict"] == "no-singularity");
+  }
+  EXPECT_EQ(found["boxes"], boxes);
+}
+
+TEST_F(Margin, SaysTheBracketOnTheLastLineAndEachStepOnStandardError) {
+  const CommandResult result = margin({"small", "--tolerance", "a=0:0.9"});
+  EXPECT_EQ(result.exit_code, 0);
+  EXPECT_THAT(result.output,
+              testing::MatchesRegex("SAFE UP TO 0\\.49[0-9]*, NOT AT 0\\.5[0-9]*\n"));
+  EXPECT_THAT(result.errors, HasSubstr("NO SINGULARITY"));
+  EXPECT_THAT(result.errors, HasSubstr("a witness"));
+}
+
+TEST_F(Margin, ChecksWhatItClaims) {
+  const json found = report({"small", "--tolerance", "a=1/3:0.9"});
+  const auto check = [&](const std::string& value) {
+    return run_command({REGULUS_BINARY_DIR "/bin/regulus", "check", model_, "small", "--tolerance",
+                        "a=" + value, "--engine", "interpreted"})
+        .exit_code;
+  };
+  EXPECT_EQ(check(found["certified_exact"]), 0);
+  EXPECT_EQ(check(found["refuted_exact"]), 1);
+}
+
+TEST_F(Margin, SaysThatAllIsSafeWhenTheUpperEndIsCertified) {
+  const CommandResult result = margin({"small", "--tolerance", "a=0:1/3"});
+  EXPECT_EQ(result.exit_code, 0);
+  EXPECT_EQ(result.output, "SAFE UP TO 1/3\n");
+  EXPECT_LE(report({"small", "--tolerance", "a=0:1/3"})["certified"], 1.0 / 3);
+}
+
+TEST_F(Margin, ExitsWith1WhenTheLowerEndIsNotSafe) {
+  const CommandResult result = margin({"small", "--tolerance", "a=0.6:0.9"});
+  EXPECT_EQ(result.exit_code, 1);
+  EXPECT_EQ(result.output, "NOT SAFE AT 0.6\n");
+}
+
+TEST_F(Margin, ExitsWith2WhenALimitEndsItEarly) {
+  const json found = report({"small", "--tolerance", "a=0:0.9", "--time-limit", "1e-9"}, 2);
+  EXPECT_FALSE(found["closed"]);
+  EXPECT_TRUE(found["certified"].is_null());
+}
+
+TEST_F(Margin, RefusesWrongUseWith64AndSaysWhy) {
+  const std::vector<std::pair<std::vector<std::string>, std::string>> cases{
+      {{"small"}, "found 0 ranges"},
+      {{"small", "--tolerance", "a=0.1"}, "found 0 ranges"},
+      {{"small", "--tolerance", "a=0:1", "--alpha", "0:1"}, "found 2 ranges"},
+      {{"small", "--tolerance", "a=1:0"}, "expected LO below HI"},
+      {{"small", "--tolerance", "a=-1:0"}, "a number ≥ 0"},
+      {{"small", "--tolerance", "a=0:x"}, "--tolerance"},
+      {{"small", "--tolerance", "nothing=0:1"}, "nothing"},
+      {{"small", "--scale", "2"}, "expected LO:HI"},
+      {{"path", "--scale", "0:2"}, "expected a box variety"},
+      {{"small", "--alpha", "0:1", "--gap", "0"}, "--gap"},
+      {{"nowhere", "--alpha", "0:1"}, "nowhere"},
+  };
+  for (const auto& [words, why] : cases) {
+    const CommandResult result = margin(words);
+    EXPECT_EQ(result.exit_code, 64) << why;
+    EXPECT_THAT(result.errors, HasSubstr(why));
+    EXPECT_EQ(result.output, "");
+  }
+}
+
+TEST_F(Margin, GivesTheBracketSoFarWhenInterrupted) {
+  RunningCommand running({REGULUS_BINARY_DIR "/bin/regulus", "margin", kRobot1, "table4_5",
+                          "--tolerance", "base,platform=0.19:0.4", "--engine", "interpreted",
+                          "--json", "--quiet"});
+  std::this_thread::sleep_for(std::chrono::seconds(3));
+  kill(running.pid(), SIGINT);
+  const CommandResult result = running.wait();
+  EXPECT_EQ(result.exit_code, 2);
+  EXPECT_THAT(json::parse(result.output)["reason"], HasSubstr("interrupted"));
+}
+
+}  // namespace
+}  // namespace regulus::test

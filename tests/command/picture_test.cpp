@@ -1,0 +1,202 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Pictures of pavings: drawn by gnuplot, from texts that mean nothing to it.
+#include "codegen/report/picture.hpp"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <cstdlib>
+#include <filesystem>
+#include <fstream>
+
+#include "codegen/report/canvas.hpp"
+#include "codegen/report/gnuplot.hpp"
+#include "codegen/support/errors.hpp"
+#include "tests/support/command.hpp"
+#include "tests/support/temporary_directory.hpp"
+
+namespace regulus {
+namespace {
+
+using test::CommandResult;
+using test::run_command;
+using test::TemporaryDirectory;
+using testing::AllOf;
+using testing::HasSubstr;
+using testing::Not;
+using testing::StartsWith;
+
+const std::string kCommand = REGULUS_BINARY_DIR "/bin/regulus";
+const std::string kPlanar = REGULUS_SOURCE_DIR "/models/planar_3rpr.toml";
+const std::string kRobot1 = REGULUS_SOURCE_DIR "/models/robot_1.toml";
+
+std::string contents(const std::filesystem::path& path) {
+  std::ifstream file(path, std::ios::binary);
+  return {std::istreambuf_iterator<char>(file), {}};
+}
+
+class PictureFile : public testing::Test {
+ protected:
+  std::string draw(const std::string& name, std::vector<std::string> words) {
+    const std::filesystem::path path = folder_.path() / name;
+    words.insert(words.begin(), {kCommand, "locate"});
+    words.insert(words.end(), {"--picture", path.string(), "--output", "/dev/null"});
+    result_ = run_command(words);
+    return contents(path);
+  }
+  TemporaryDirectory folder_;
+  CommandResult result_;
+};
+
+TEST_F(PictureFile, ShowsAPlaneWithItsUnitsAndLegend) {
+  const std::string svg =
+      draw("plane.svg", {kPlanar, "crossing", "--range", "x=0", "--axes", "y,phi"});
+  EXPECT_EQ(result_.exit_code, 1);
+  EXPECT_THAT(svg, AllOf(HasSubstr("planar 3-RPR, crossing"), HasSubstr("x = 0"),
+                         HasSubstr("phi (rad)"), HasSubstr("free "), HasSubstr("singular ")));
+  EXPECT_LT(svg.size(), 60000u);
+}
+
+TEST_F(PictureFile, SaysWhichRangesAreProjected) {
+  const std::string svg = draw("projected.svg", {kPlanar, "crossing", "--resolution", "1/8"});
+  EXPECT_THAT(svg, HasSubstr("phi in [-0.261799, 1.0472] rad: the worst of them"));
+}
+
+TEST_F(PictureFile, ShowsTheDeterminantOverATrajectory) {
+  const std::string svg = draw("path.svg", {kRobot1, "T2"});
+  EXPECT_EQ(result_.exit_code, 0);
+  EXPECT_THAT(svg, AllOf(HasSubstr("robot 1, T2"), HasSubstr("determinant of the matrix"),
+                         HasSubstr("free 100 %")));
+}
+
+TEST_F(PictureFile, HasNoDeterminantWhereTheMatrixHasNone) {
+  const std::string path = (folder_.path() / "redundant.toml").string();
+  std::ofstream(path) << "regulus = 1\nname = \"redundant\"\nsource = \"a test\"\n"
+                         "[pose]\nx = \"m\"\n[matrix]\nrows = [[\"x\"], [\"x - 1\"]]\n"
+                         "[motion.m]\nx = [-1, 2]\n";
+  const std::string svg = draw("redundant.svg", {path});
+  EXPECT_EQ(result_.exit_code, 0) << result_.errors;
+  EXPECT_THAT(svg, AllOf(HasSubstr("free 100 %"), Not(HasSubstr("determinant"))));
+}
+
+TEST_F(PictureFile, MayBeAPng) {
+  const std::string png = draw("plane.png", {kPlanar, "crossing", "--range", "phi=25*deg"});
+  EXPECT_THAT(png, StartsWith("\x89PNG"));
+}
+
+TEST_F(PictureFile, IsDrawnOfAnInterruptedSearchToo) {
+  const std::string svg =
+      draw("part.svg", {kPlanar, "crossing", "--range", "x=0", "--max-boxes", "50"});
+  EXPECT_THAT(svg, AllOf(HasSubstr("undecided"), HasSubstr("</svg>")));
+}
+
+TEST_F(PictureFile, MeansNothingByTheNamesInIt) {
+  const std::string path = (folder_.path() / "model.toml").string();
+  std::ofstream(path) << "regulus = 1\nname = \"a 'name' `touch evil` $(touch evil) @x\"\n"
+                         "source = \"a test\"\n[pose]\nx = \"%s{x}\"\n[matrix]\nrows = [[\"x\"]]\n"
+                         "[motion.m]\nx = [1, 2]\n";
+  const std::string svg = draw("names.svg", {path});
+  EXPECT_EQ(result_.exit_code, 0) << result_.errors;
+  EXPECT_THAT(svg, HasSubstr("`touch evil` $(touch evil) @x"));
+  EXPECT_FALSE(std::filesystem::exists("evil"));
+}
+
+TEST_F(PictureFile, NeedsGnuplotAndSaysWhereToGetIt) {
+  const CommandResult result =
+      run_command({"/usr/bin/env", "PATH=" + folder_.path().string(), kCommand, "locate", kPlanar,
+                   "regular", "--picture", (folder_.path() / "p.svg").string()});
+  EXPECT_EQ(result.exit_code, 74);
+  EXPECT_EQ(result.output, "");
+  EXPECT_THAT(result.errors, HasSubstr("apt-get install gnuplot-nox"));
+  EXPECT_FALSE(std::filesystem::exists(folder_.path() / "p.svg"));
+}
+
+TEST(Gnuplot, QuotesSoThatNothingHasAMeaning) {
+  EXPECT_EQ(Gnuplot::quoted("it's\n$x"), "'it''s$x'");
+}
+
+TEST(Gnuplot, ReportsItsComplaint) {
+  const TemporaryDirectory folder;
+  Gnuplot gnuplot((folder.path() / "p.svg").string());
+  try {
+    gnuplot.draw("plot nonsense(\n");
+    FAIL();
+  } catch (const FileError& error) {
+    EXPECT_THAT(error.what(), AllOf(HasSubstr("could not draw"), HasSubstr("nonsense")));
+  }
+}
+
+std::string text_of(const std::filesystem::path& file) {
+  std::ifstream stream(file);
+  return {std::istreambuf_iterator<char>(stream), {}};
+}
+
+TEST(Gnuplot, LeavesThePictureThatWasThereUntilItHasAnother) {
+  const TemporaryDirectory folder;
+  const auto file = folder.path() / "p.svg";
+  std::ofstream(file) << "an earlier picture, longer than what is drawn now";
+  { const Gnuplot gnuplot(file.string()); }
+  EXPECT_THAT(text_of(file), HasSubstr("an earlier picture"));
+  Gnuplot(file.string()).draw("set terminal dumb\nplot x\n");
+  EXPECT_THAT(text_of(file), testing::Not(HasSubstr("picture")));
+  EXPECT_THAT(text_of(file), HasSubstr("*"));
+}
+
+TEST(Gnuplot, LeavesNoFileWithoutAPicture) {
+  const TemporaryDirectory folder;
+  const auto file = folder.path() / "p.svg";
+  { const Gnuplot gnuplot(file.string()); }
+  EXPECT_FALSE(std::filesystem::exists(file));
+}
+
+/// A canvas over the unit square, 4 by 4 tiles.
+class CanvasTest : public testing::Test {
+ protected:
+  CanvasTest() {
+    preparation_.variety.outer = {{0, 1}, {0, 1}, {0, 1}};
+    options_.resolution = 0.25;
+    options_.drawn = {0, 1};
+  }
+  void paint(std::vector<Interval> box, Rule rule) { canvas().on_leaf({0, 0, box}, rule, {}); }
+  Canvas& canvas() {
+    if (!canvas_) canvas_.emplace(preparation_, options_);
+    return *canvas_;
+  }
+  PreparedSearch preparation_;
+  PavingOptions options_;
+  std::optional<Canvas> canvas_;
+};
+
+TEST_F(CanvasTest, ShowsTheWorstOfAllBoxesOverATile) {
+  paint({{0, 1}, {0, 1}, {0, 0.5}}, Rule::kHMatrix);
+  paint({{0, 0.5}, {0, 1}, {0.5, 1}}, Rule::kOutside);
+  paint({{0.5, 0.75}, {0, 1}, {0.5, 1}}, Rule::kBlocked);
+  paint({{0.5, 0.75}, {0, 0.25}, {0.5, 1}}, Rule::kWitness);
+  EXPECT_EQ(canvas().claim(1, 2), Claim::kFree);
+  EXPECT_EQ(canvas().claim(2, 1), Claim::kUndecided);
+  EXPECT_EQ(canvas().claim(2, 0), Claim::kSingular);
+  EXPECT_EQ(canvas().claim(3, 3), Claim::kFree);
+}
+
+TEST_F(CanvasTest, ShowsNothingAsFreeThatNoBoxReached) {
+  EXPECT_EQ(canvas().claim(0, 0), Claim::kUndecided);
+}
+
+TEST_F(CanvasTest, CoversEveryTileOfAKindOnce) {
+  paint({{0, 1}, {0, 1}, {0, 1}}, Rule::kHMatrix);
+  paint({{0.25, 0.75}, {0.25, 0.5}, {0, 1}}, Rule::kWitness);
+  paint({{0.75, 1}, {0.5, 1}, {0, 1}}, Rule::kWitness);
+  for (const Claim claim : {Claim::kFree, Claim::kSingular}) {
+    std::vector<int> covered(16);
+    for (const TileRectangle& r : canvas().rectangles(claim))
+      for (std::size_t row = r.bottom; row < r.top; ++row)
+        for (std::size_t column = r.left; column < r.right; ++column) ++covered[4 * row + column];
+    for (std::size_t row = 0; row < 4; ++row)
+      for (std::size_t column = 0; column < 4; ++column)
+        EXPECT_EQ(covered[4 * row + column], canvas().claim(column, row) == claim)
+            << column << ' ' << row;
+  }
+}
+
+}  // namespace
+}  // namespace regulus

@@ -1,0 +1,176 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The shell as a person at a terminal has it.
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+#include <poll.h>
+#include <pty.h>
+#include <sys/stat.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <chrono>
+#include <csignal>
+#include <filesystem>
+#include <fstream>
+#include <thread>
+
+#include "tests/support/temporary_directory.hpp"
+
+namespace regulus {
+namespace {
+
+using regulus::test::TemporaryDirectory;
+using testing::HasSubstr;
+
+const std::string kProgram = REGULUS_BINARY_DIR "/bin/regulus";
+const std::string kPlanar = REGULUS_SOURCE_DIR "/models/planar_3rpr.toml";
+
+/// A person at a terminal.
+class Terminal {
+ public:
+  explicit Terminal(const std::string& home) {
+    pid_ = forkpty(&end_, nullptr, nullptr, nullptr);
+    if (pid_ != 0) return;
+    setenv("HOME", home.c_str(), 1);
+    unsetenv("XDG_STATE_HOME");
+    setenv("TERM", "dumb", 1);
+    execl(kProgram.c_str(), "regulus", "shell", nullptr);
+    _exit(127);
+  }
+  ~Terminal() {
+    close(end_);
+    if (pid_ > 0) kill(pid_, SIGKILL), waitpid(pid_, nullptr, 0);
+  }
+
+  void type(const std::string& text) {
+    ASSERT_EQ(write(end_, text.data(), text.size()), ssize_t(text.size()));
+  }
+  /// Whether the text appears after what has been waited for; gives up after a minute of silence.
+  bool shows(const std::string& text) {
+    for (;;) {
+      if (const std::size_t at = seen_.find(text); at != std::string::npos) {
+        seen_.erase(0, at + text.size());
+        return true;
+      }
+      pollfd wait{end_, POLLIN, 0};
+      if (poll(&wait, 1, 60000) <= 0) return false;
+      char part[4096];
+      const ssize_t n = read(end_, part, sizeof part);
+      if (n <= 0) return false;
+      seen_.append(part, std::size_t(n));
+    }
+  }
+  /// Of the shell, which is at its end; -1 when it is not, after a minute.
+  int exit_code() { return exit_code_after(""); }
+  /// The same for one that has been typed the end of the input. Once would do, but for the moment
+  /// between the prompt and the terminal's going raw.
+  int exit_code_at_end_of_file() { return exit_code_after("\x04"); }
+  [[nodiscard]] std::string seen() const { return seen_; }
+
+ private:
+  int exit_code_after(const std::string& typed) {
+    for (int tenth = 0; tenth < 600; ++tenth) {
+      [[maybe_unused]] const ssize_t written = write(end_, typed.data(), typed.size());
+      int status = -1;
+      if (waitpid(pid_, &status, WNOHANG) == pid_) {
+        pid_ = -1;
+        return WIFEXITED(status) ? WEXITSTATUS(status) : -1;
+      }
+      std::this_thread::sleep_for(std::chrono::milliseconds(100));
+    }
+    return -1;
+  }
+
+  int end_ = -1;
+  pid_t pid_ = -1;
+  std::string seen_;
+};
+
+TEST(ShellAtATerminal, AnErrorDoesNotEndItAndQuitDoes) {
+  const TemporaryDirectory home;
+  Terminal terminal(home.path().string());
+  ASSERT_TRUE(terminal.shows("regulus> ")) << terminal.seen();
+  terminal.type("load /nowhere.toml\n");
+  ASSERT_TRUE(terminal.shows("no such file")) << terminal.seen();
+  ASSERT_TRUE(terminal.shows("regulus> "));
+  terminal.type("quit\n");
+  EXPECT_EQ(terminal.exit_code(), 0);
+}
+
+TEST(ShellAtATerminal, AnInterruptEndsTheSearchAndNotTheSession) {
+  const TemporaryDirectory home;
+  Terminal terminal(home.path().string());
+  ASSERT_TRUE(terminal.shows("regulus> "));
+  terminal.type("load " REGULUS_SOURCE_DIR "/models/robot_2.toml\n");
+  ASSERT_TRUE(terminal.shows("motions")) << terminal.seen();
+  // Without its strongest tests this takes far longer than anybody waits.
+  terminal.type("motion table5_30\nset method reg\nset engine interpreted\ncheck\n");
+  ASSERT_TRUE(terminal.shows("boxes,")) << terminal.seen();
+  terminal.type("\x03");
+  ASSERT_TRUE(terminal.shows("POSSIBLE PROBLEM")) << terminal.seen();
+  ASSERT_TRUE(terminal.shows("regulus> "));
+  terminal.type("quit\n");
+  EXPECT_EQ(terminal.exit_code(), 0);
+}
+
+TEST(ShellAtATerminal, AnInterruptAtThePromptGivesAnotherPrompt) {
+  const TemporaryDirectory home;
+  Terminal terminal(home.path().string());
+  ASSERT_TRUE(terminal.shows("regulus> "));
+  terminal.type("half a li\x03");
+  ASSERT_TRUE(terminal.shows("regulus> "));
+  EXPECT_EQ(terminal.exit_code_at_end_of_file(), 0);
+}
+
+TEST(ShellAtATerminal, TakesLettersOfAnyAlphabet) {
+  const TemporaryDirectory home;
+  Terminal terminal(home.path().string());
+  ASSERT_TRUE(terminal.shows("regulus> "));
+  terminal.type("load Prüfstand\xff.toml\n");
+  ASSERT_TRUE(terminal.shows("'Pr\\xc3\\xbcfstand?.toml': no such file")) << terminal.seen();
+  terminal.type("quit\n");
+  EXPECT_EQ(terminal.exit_code(), 0);
+}
+
+TEST(ShellAtATerminal, TabTypesWhatHasToFollow) {
+  const TemporaryDirectory home;
+  Terminal terminal(home.path().string());
+  ASSERT_TRUE(terminal.shows("regulus> "));
+  terminal.type("loa\t" REGULUS_SOURCE_DIR "/models/planar_3rp\t\n");
+  ASSERT_TRUE(terminal.shows("motions regular")) << terminal.seen();
+  terminal.type("motion cro\t\nsho\tse\t\n");
+  ASSERT_TRUE(terminal.shows("motion crossing\r\n")) << terminal.seen();
+  terminal.type("quit\n");
+  EXPECT_EQ(terminal.exit_code(), 0);
+}
+
+TEST(ShellAtATerminal, KeepsItsHistoryForItsOwnerAlone) {
+  const TemporaryDirectory home;
+  const auto file = home.path() / ".local/state/regulus/history";
+  {
+    Terminal terminal(home.path().string());
+    ASSERT_TRUE(terminal.shows("regulus> "));
+    terminal.type("help quit\n");
+    ASSERT_TRUE(terminal.shows("exit code"));
+    terminal.type("quit\n");
+    ASSERT_EQ(terminal.exit_code(), 0);
+  }
+  struct stat status {};
+  ASSERT_EQ(stat(file.c_str(), &status), 0);
+  EXPECT_EQ(status.st_mode & 0777U, 0600U);
+  std::ifstream kept(file);
+  const std::string lines{std::istreambuf_iterator<char>(kept), {}};
+  EXPECT_THAT(lines, HasSubstr("quit"));
+}
+
+TEST(ShellAtATerminal, NeedsNoHome) {
+  Terminal terminal("/dev/null/nowhere");
+  ASSERT_TRUE(terminal.shows("regulus> "));
+  terminal.type("motions\n");
+  ASSERT_TRUE(terminal.shows("found no model"));
+  terminal.type("quit\n");
+  EXPECT_EQ(terminal.exit_code(), 0);
+}
+
+}  // namespace
+}  // namespace regulus

@@ -1,0 +1,195 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// `regulus verify --model`: what it confirms, what it reports, what it refuses.
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <nlohmann/json.hpp>
+
+#include "tests/support/cached_command.hpp"
+
+namespace regulus::test {
+namespace {
+
+using nlohmann::json;
+using testing::ElementsAre;
+using testing::HasSubstr;
+
+const std::string kCommand = REGULUS_BINARY_DIR "/bin/regulus";
+const std::string kRobot1 = REGULUS_SOURCE_DIR "/models/robot_1.toml";
+const std::string kPlanar = REGULUS_SOURCE_DIR "/models/planar_3rpr.toml";
+
+class VerifyModel : public testing::Test {
+ protected:
+  void certify(const std::string& model, std::vector<std::string> words) const {
+    words.insert(words.begin(), {kCommand, "check", model});
+    words.insert(words.end(), {"--certificate", certificate_, "--quiet"});
+    const CommandResult result = run_command(words);
+    ASSERT_LE(result.exit_code, 1) << result.errors;
+  }
+  [[nodiscard]] CommandResult verify(const std::string& model,
+                                     const std::vector<std::string>& more = {}) const {
+    std::vector<std::string> words = {kCommand, "verify", certificate_, "--model", model};
+    words.insert(words.end(), more.begin(), more.end());
+    return run_command(words);
+  }
+  [[nodiscard]] json report(const std::string& model) const {
+    return json::parse(verify(model, {"--json", "--quiet"}).output);
+  }
+  /// Replaces some text, which must be there.
+  void tamper(const std::string& from, const std::string& to) const {
+    std::string text = file_contents(certificate_);
+    const std::size_t at = text.find(from);
+    ASSERT_NE(at, std::string::npos) << from;
+    write_file(certificate_, text.replace(at, from.size(), to));
+  }
+  void expect_refused(const std::string& model, const std::string& why) const {
+    const CommandResult result = verify(model);
+    EXPECT_EQ(result.output, "REJECTED\n");
+    EXPECT_EQ(result.exit_code, 1);
+    EXPECT_THAT(result.errors, HasSubstr("the certificate is not about " + model));
+    EXPECT_THAT(result.errors, HasSubstr(why));
+  }
+  [[nodiscard]] bool is_verified_without_the_model() const {
+    return run_command({kCommand, "verify", certificate_}).output == "VERIFIED\n";
+  }
+
+  TemporaryDirectory directory_;
+  std::string certificate_ = directory_.path() / "certificate";
+};
+
+TEST_F(VerifyModel, ConfirmsWhatTheFileSays) {
+  for (const char* motion : {"regular", "crossing", "circle", "reach"}) {
+    certify(kPlanar, {motion});
+    const CommandResult result = verify(kPlanar);
+    EXPECT_EQ(result.output, "VERIFIED\n") << motion << result.errors;
+    EXPECT_THAT(result.errors, HasSubstr("question   that of " + kPlanar + '\n'));
+    EXPECT_TRUE(report(kPlanar)["differences"].empty());
+  }
+}
+
+/// Of the whole variety: that it is free, or that it holds a singular pose.
+TEST_F(VerifyModel, ConfirmsTheProofOfAPaving) {
+  for (const auto& [motion, claim] :
+       {std::pair("regular", "is defined and has full rank at every pose"),
+        {"reach", "is defined and has full rank at every pose"},
+        {"crossing", "is singular at some pose"}}) {
+    const CommandResult paved = run_command({kCommand, "locate", kPlanar, motion, "--resolution",
+                                             "1/4", "--quiet", "--certificate", certificate_});
+    EXPECT_LE(paved.exit_code, 1) << paved.errors;
+    const json proof = report(kPlanar);
+    EXPECT_EQ(proof["outcome"], "verified") << proof;
+    EXPECT_THAT(std::string(proof["claim"]), HasSubstr(claim));
+  }
+}
+
+TEST_F(VerifyModel, ReportsWhatOptionsHaveChanged) {
+  certify(kPlanar, {"regular", "--tolerance", "base=0.1", "--range", "x=-1:2", "--alpha", "1/50"});
+  const json changed = report(kPlanar);
+  EXPECT_EQ(changed["outcome"], "verified") << changed;
+  EXPECT_THAT(changed["differences"],
+              ElementsAre("range x -1 : 2 instead of -2 : 4", "tolerance base 1/10 instead of 0",
+                          "alpha 1/50 instead of 0"));
+  EXPECT_THAT(verify(kPlanar).errors,
+              HasSubstr("with range x -1 : 2 instead of -2 : 4, tolerance base 1/10"));
+}
+
+TEST_F(VerifyModel, ConfirmsAParameterThatAnOptionSetFree) {
+  certify(kRobot1, {"table4_1", "--range", "x=0", "--range", "psi=-1*deg:2*deg"});
+  EXPECT_EQ(report(kRobot1)["outcome"], "verified");
+  certify(kPlanar, {"circle", "--range", "phi=-4*deg:-3*deg"});
+  EXPECT_THAT(report(kPlanar)["differences"],
+              ElementsAre("range phi -1/45*pi : -1/60*pi instead of -1/36*pi"));
+}
+
+/// Each change leaves a certificate that is consistent, true and verified by itself.
+TEST_F(VerifyModel, RefusesAnotherRobotUnderTheSameHash) {
+  const std::pair<const char*, const char*> changes[] = {
+      {"constant a2_1 = 1591/100", "constant a2_1 = 1590/100"},
+      {"constant side_12 = 426/25", "constant side_12 = 427/25"},
+      {"model planar 3-RPR", "model planar 3-PRR"},
+      {"entry 0", "entry 1/1000000"},
+      {"\nproof\n", "\nconstraint x - 3\nproof\n"},
+  };
+  for (const auto& [from, to] : changes) {
+    certify(kPlanar, {"regular"});
+    tamper(from, to);
+    EXPECT_TRUE(is_verified_without_the_model()) << to;
+    expect_refused(kPlanar, "where the model file gives");
+  }
+}
+
+TEST_F(VerifyModel, RefusesAMotionWithLessControlErrorOrFewerConstraints) {
+  certify(kPlanar, {"circle"});
+  tamper("+- 1/100", "+- 1/1000");
+  EXPECT_TRUE(is_verified_without_the_model());
+  expect_refused(kPlanar, "where the model file gives 'pose x = ");
+
+  certify(kPlanar, {"reach"});
+  std::string text = file_contents(certificate_);
+  const std::size_t at = text.find("\nconstraint ");
+  text.erase(at, text.find('\n', at + 1) - at);
+  write_file(certificate_, text);
+  expect_refused(kPlanar, "where the model file gives 'constraint ");
+}
+
+TEST_F(VerifyModel, RefusesAToleranceThatOneOfAGroupDoesNotHave) {
+  certify(kPlanar, {"regular", "--tolerance", "base=0.1"});
+  tamper("uncertain a3_2 = 10 +- 1/10", "constant a3_2 = 10");
+  tamper("value of the 6 uncertain", "value of the 5 uncertain");
+  EXPECT_TRUE(is_verified_without_the_model());
+  expect_refused(kPlanar, "reads 'constant a3_2 = 10'");
+}
+
+/// As `margin` writes it at the lower end of a tolerance.
+TEST_F(VerifyModel, TakesAQuantityOfNoSpreadForAConstant) {
+  certify(kPlanar, {"regular"});
+  tamper("constant a1_1 = 0", "uncertain a1_1 = 0 +- 0");
+  tamper("at every pose of", "at every pose and value of the 1 uncertain quantities of");
+  const json proof = report(kPlanar);
+  EXPECT_EQ(proof["outcome"], "verified") << proof;
+  EXPECT_TRUE(proof["differences"].empty());
+}
+
+TEST_F(VerifyModel, RefusesAMotionThatTheModelDoesNotHave) {
+  certify(kPlanar, {"regular"});
+  tamper("motion regular", "motion regulax");
+  expect_refused(kPlanar, "'regular'");
+}
+
+TEST_F(VerifyModel, RefusesAnotherFile) {
+  certify(kPlanar, {"regular"});
+  expect_refused(kRobot1, "SHA-256");
+}
+
+TEST_F(VerifyModel, SaysWhatIsWrongWithFiles) {
+  certify(kPlanar, {"regular"});
+  EXPECT_EQ(verify(directory_.path() / "missing.toml").exit_code, 74);
+  write_file(directory_.path() / "bad.toml", "regulus = 2");
+  EXPECT_EQ(verify(directory_.path() / "bad.toml").exit_code, 65);
+  write_file(certificate_, "nothing of the kind\n");
+  EXPECT_EQ(verify(kPlanar).output, "REJECTED\n");
+  write_file(certificate_, "");
+  EXPECT_EQ(verify(kPlanar).output, "REJECTED\n");
+}
+
+TEST_F(VerifyModel, PrintsNoControlCharactersOfAForeignFile) {
+  certify(kPlanar, {"regular"});
+  tamper("model planar", "model \x1b[2Jplanar");
+  const CommandResult result = verify(kPlanar);
+  EXPECT_EQ(result.output, "REJECTED\n");
+  EXPECT_EQ(result.errors.find('\x1b'), std::string::npos);
+  certify(kPlanar, {"regular"});
+  tamper("model planar", "model \xff planar");
+  EXPECT_EQ(report(kPlanar)["outcome"], "rejected");
+}
+
+TEST_F(VerifyModel, ReadsACertificateFromAPipe) {
+  certify(kPlanar, {"regular"});
+  const CommandResult piped = run_command(
+      {"/bin/sh", "-c",
+       "cat " + certificate_ + " | " + kCommand + " verify /dev/stdin --model " + kPlanar});
+  EXPECT_EQ(piped.output, "VERIFIED\n") << piped.errors;
+}
+
+}  // namespace
+}  // namespace regulus::test

@@ -1,0 +1,49 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// For every motion of every model: the report of a warm run is that of the cold one.
+#include <gtest/gtest.h>
+
+#include "codegen/model/model_file.hpp"
+#include "tests/support/cached_command.hpp"
+
+namespace regulus::test {
+namespace {
+
+struct Question {
+  std::string model, motion;
+};
+
+std::ostream& operator<<(std::ostream& out, const Question& q) {
+  return out << q.model << ' ' << q.motion;
+}
+
+std::vector<Question> every_question() {
+  std::vector<Question> questions;
+  for (const auto& file : std::filesystem::directory_iterator(REGULUS_SOURCE_DIR "/models")) {
+    if (file.path().extension() != ".toml") continue;
+    for (const Motion& motion : load_model(file.path()).motions)
+      questions.push_back({file.path(), motion.name});
+  }
+  return questions;
+}
+
+class EveryMotion : public testing::TestWithParam<Question> {};
+
+TEST_P(EveryMotion, HasTheSameReportWarmAsCold) {
+  const CachedCommand command;
+  const std::vector<std::string> words = {"check", GetParam().model, GetParam().motion};
+  const nlohmann::json cold = command.report(words);
+  EXPECT_EQ(cold["cache"], "miss");
+  ASSERT_EQ(command.problems().size(), 1U);
+  const nlohmann::json warm = command.report(words);
+  EXPECT_EQ(warm["cache"], "hit");
+  EXPECT_EQ(warm["seconds"]["emit"], 0.0);
+  EXPECT_EQ(timeless(warm), timeless(cold));
+  const std::string warm_lines = timeless(command.run(words).errors);
+  std::filesystem::remove(command.problems().front());
+  EXPECT_EQ(warm_lines, timeless(command.run(words).errors));
+}
+
+INSTANTIATE_TEST_SUITE_P(Models, EveryMotion, testing::ValuesIn(every_question()));
+
+}  // namespace
+}  // namespace regulus::test

@@ -1,0 +1,22 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Any bytes are the text of a prepared problem, to the last byte, or none.
+#include "codegen/engine/warm_start.hpp"
+
+#include <cstddef>
+#include <cstdint>
+#include <cstdlib>
+
+extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
+  using namespace regulus;
+  const std::string_view text(reinterpret_cast<const char*>(data), size);
+  const auto problem = read_warm_start(text);
+  if (!problem) return 0;
+  if (to_text(*problem) != text) std::abort();
+  const std::size_t variables = problem->labels.variables.size();
+  if (problem->variety.outer.size() != variables || problem->variety.inner.size() != variables)
+    std::abort();
+  for (const regulus::Interval& x : problem->variety.outer)
+    if (!(x.lo <= x.hi)) std::abort();
+  static_cast<void>(fits(*problem, regulus::machine::PackKernel{}));
+  return 0;
+}

@@ -1,0 +1,46 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The cells of the paper's tables as tests: verdict and boxes, never seconds.
+#pragma once
+
+#include <gtest/gtest.h>
+
+#include <string>
+#include <vector>
+
+#include "tests/paper/tables/run_cell.hpp"
+
+namespace regulus::test {
+
+struct TableCell {
+  const PaperTable* table;
+  const PaperCell* cell;
+};
+
+/// Cells that are decided in `least` to `most` boxes.
+inline std::vector<TableCell> cells_of(std::uint64_t least, std::uint64_t most) {
+  std::vector<TableCell> cells;
+  for (const PaperTable& table : kPaperTables)
+    for (const PaperRow& row : table.rows)
+      for (const PaperCell& cell : row.cells)
+        if (cell.boxes >= least && cell.boxes <= most) cells.push_back({&table, &cell});
+  return cells;
+}
+
+inline std::string cell_name(const testing::TestParamInfo<TableCell>& info) {
+  const auto& [table, cell] = info.param;
+  std::string text = std::string(table->model) + "_" + cell->motion + "_" + cell->tolerance + "_" +
+                     cell->uncertainty + "_" + cell->method;
+  for (char& c : text)
+    if (std::isalnum(static_cast<unsigned char>(c)) == 0) c = '_';
+  return std::to_string(info.index) + "_" + text;
+}
+
+/// Instruction sets differ by a rounding here and there, so by a few boxes.
+inline void expect_as_recorded(const TableCell& of) {
+  const PaperCell& cell = *of.cell;
+  const Result result = run(*of.table, cell, 0);
+  EXPECT_EQ(result.verdict, cell.found) << describe(result.reason);
+  EXPECT_LE(result.statistics.boxes, cell.boxes + cell.boxes / 50 + 1);
+}
+
+}  // namespace regulus::test

@@ -1,0 +1,17 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "tests/property/certificate/certificate_tampering.hpp"
+
+namespace regulus::test {
+namespace {
+
+TEST(ManyRandomChanges, NeverLeadToAFalseClaimThatIsVerified) {
+  RandomSource random(20261123);
+  judge_random_changes(certify(robot("robot_2", "table5_20", "20")).text, 3000, random);
+  judge_random_changes(certify(robot("planar_3rpr", "regular", "0.2")).text, 4000, random);
+  ModelOptions threshold = robot("robot_1", "wide_15");
+  threshold.alpha = "0.001";
+  judge_random_changes(certify(threshold).text, 3000, random);
+}
+
+}  // namespace
+}  // namespace regulus::test

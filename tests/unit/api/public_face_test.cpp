@@ -1,0 +1,133 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The interface for C++ programs, by its one header alone.
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <stdexcept>
+
+#include "codegen/api/regulus.hpp"
+
+namespace {
+
+using regulus::Claim;
+using regulus::Interval;
+using regulus::Question;
+using regulus::Verdict;
+
+/// det = x² + y² − h²: singular on a circle of radius h.
+regulus::Robot circle() {
+  regulus::Robot robot("circle");
+  const regulus::Formula x = robot.pose("x", "cm"), y = robot.pose("y", "cm");
+  const regulus::Formula h = robot.uncertain("h", 1, 0, "platform");
+  robot.matrix({{x - h, y}, {-y, x + h}});
+  robot.motion("outside").range(x, 2, 3).range(y, 2, 3);
+  robot.motion("across").range(x, -3, 3).range(y, -3, 3);
+  return robot;
+}
+
+regulus::SearchOptions interpreted() {
+  regulus::SearchOptions options;
+  options.engine = regulus::Engine::kInterpreted;
+  return options;
+}
+
+TEST(PublicFace, AnswersForAFileAsForTheRobotThatItDescribes) {
+  const Question file = Question::of_file(REGULUS_SOURCE_DIR "/models/planar_3rpr.toml", "regular");
+  EXPECT_EQ(regulus::check(file, interpreted()).verdict, Verdict::kNoSingularity);
+  EXPECT_THROW(static_cast<void>(regulus::check(Question::of_file("/no/such/file"))),
+               regulus::FileError);
+}
+
+TEST(PublicFace, CopiesOfAQuestionAreChangedApart) {
+  const Question asked(circle(), "outside");
+  Question changed = asked;
+  changed.tolerance("platform", "2");
+  EXPECT_EQ(regulus::check(asked, interpreted()).verdict, Verdict::kNoSingularity);
+  EXPECT_EQ(regulus::check(changed, interpreted()).verdict, Verdict::kSingularity);
+}
+
+TEST(PublicFace, AnInterruptThatCameBeforeLeavesNoVerdict) {
+  const std::atomic<bool> interrupt{true};
+  const regulus::Finding finding =
+      regulus::check(Question(circle(), "outside"), interpreted(), &interrupt);
+  EXPECT_EQ(finding.verdict, Verdict::kPossibleProblem);
+}
+
+TEST(PublicFace, LocateHandsOnEveryBoxOfThePaving) {
+  double area[regulus::kClaims] = {};
+  regulus::LocateOptions options{.search = interpreted(), .resolution = "1/64"};
+  options.on_box = [&area](Claim claim, std::span<const Interval> box) {
+    area[static_cast<std::size_t>(claim)] += (box[0].hi - box[0].lo) * (box[1].hi - box[1].lo);
+  };
+  const regulus::Paving paving = regulus::locate(Question(circle(), "across"), options);
+  EXPECT_EQ(paving.verdict, Verdict::kSingularity);
+  EXPECT_EQ(paving.variables, (std::vector<std::string>{"x", "y"}));
+  const auto part = [&area](Claim claim) { return area[static_cast<std::size_t>(claim)] / 36; };
+  EXPECT_NEAR(part(Claim::kFree) + part(Claim::kSingular) + part(Claim::kUndecided), 1, 1e-12);
+  EXPECT_TRUE(paving.free.lo <= part(Claim::kFree) + 1e-12 &&
+              part(Claim::kFree) <= paving.free.hi + 1e-12);
+  EXPECT_GT(paving.free.lo, 0.8);
+  EXPECT_GT(paving.singular.lo, 0.0);
+}
+
+TEST(PublicFace, WhatABoxCallbackThrowsEndsThePaving) {
+  int calls = 0;
+  regulus::LocateOptions options{.search = interpreted(), .resolution = "1/64"};
+  options.on_box = [&calls](Claim, std::span<const Interval>) {
+    ++calls;
+    throw std::runtime_error("enough");
+  };
+  EXPECT_THROW(static_cast<void>(regulus::locate(Question(circle(), "across"), options)),
+               std::runtime_error);
+  EXPECT_EQ(calls, 1);
+}
+
+/// On [2, 3]² the circle of radius h is met from h = √8 on.
+TEST(PublicFace, MarginBracketsTheToleranceThatIsSafe) {
+  regulus::MarginOptions options;
+  options.search.engine = regulus::Engine::kInterpreted;
+  options.tolerance = "platform=0:4";
+  const regulus::MarginFinding finding = regulus::margin(Question(circle(), "outside"), options);
+  ASSERT_TRUE(finding.safe && finding.singular) << finding.report;
+  EXPECT_TRUE(finding.closed);
+  const double critical = std::sqrt(8.0) - 1;
+  EXPECT_LE(std::stod(*finding.safe), critical);
+  EXPECT_GE(std::stod(*finding.singular), critical);
+  EXPECT_LE(std::stod(*finding.singular) - std::stod(*finding.safe), 0.02 * critical);
+  EXPECT_THAT(finding.bracket, testing::StartsWith("SAFE UP TO "));
+  EXPECT_THROW(static_cast<void>(regulus::margin(Question(circle(), "outside"), {})),
+               regulus::UsageError);
+}
+
+TEST(PublicFace, AKernelDecidesPiecesOfTheMotion) {
+  regulus::KernelOptions options;
+  options.engine = regulus::Engine::kInterpreted;
+  regulus::Kernel made(Question(circle(), "across").tolerance("platform", "1/4"), options);
+  const regulus::Kernel kernel = std::move(made);
+  EXPECT_EQ(kernel.variables(), (std::vector<std::string>{"x", "y", "h"}));
+  EXPECT_EQ(kernel.motion_parameters(), 2U);
+  EXPECT_EQ(kernel.ranges()[2].lo, 0.75);
+  EXPECT_EQ(kernel.ranges()[2].hi, 1.25);
+  regulus::Checker checker = kernel.checker(1024);
+  const auto verdict = [&checker](Interval x, Interval y) {
+    return checker.check(std::vector<Interval>{x, y}).verdict;
+  };
+  EXPECT_EQ(verdict({1.5, 2.0}, {0.0, 1.0}), Verdict::kNoSingularity);
+  EXPECT_EQ(verdict({0.0, 2.0}, {0.0, 1.0}), Verdict::kSingularity);
+  EXPECT_EQ(verdict({2.0, 4.0}, {0.0, 1.0}), Verdict::kPossibleProblem) << "outside of the motion";
+}
+
+/// The threshold of the question holds in the checks: |det| > 2 where x² + y² > 3.
+TEST(PublicFace, AKernelHasTheThresholdOfTheQuestion) {
+  regulus::KernelOptions options;
+  options.engine = regulus::Engine::kInterpreted;
+  const regulus::Kernel kernel(Question(circle(), "across").alpha("2"), options);
+  regulus::Checker checker = kernel.checker(1024);
+  EXPECT_EQ(checker.check(std::vector<Interval>{{1.8, 2.0}, {0.0, 1.0}}).verdict,
+            Verdict::kNoSingularity);
+  EXPECT_EQ(checker.check(std::vector<Interval>{{1.5, 1.6}, {0.0, 0.1}}).verdict,
+            Verdict::kSingularity);
+}
+
+}  // namespace

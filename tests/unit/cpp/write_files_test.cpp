@@ -1,0 +1,78 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "codegen/cpp/write_files.hpp"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+#include <unistd.h>
+
+#include <fstream>
+#include <iterator>
+
+#include "codegen/support/errors.hpp"
+#include "tests/support/temporary_directory.hpp"
+
+namespace regulus {
+namespace {
+
+namespace fs = std::filesystem;
+using testing::HasSubstr;
+using testing::ThrowsMessage;
+
+std::string read(const fs::path& path) {
+  std::ifstream file(path, std::ios::binary);
+  return {std::istreambuf_iterator<char>(file), {}};
+}
+
+std::size_t entries(const fs::path& folder) {
+  return std::size_t(std::distance(fs::directory_iterator(folder), fs::directory_iterator()));
+}
+
+TEST(WriteFiles, MakesTheFolderAndReplacesWhatIsThere) {
+  const test::TemporaryDirectory temporary;
+  const fs::path folder = temporary.path() / "a/b";
+  write_files(folder, {{"x", "old"}, {"y", "1"}});
+  write_files(folder, {{"x", "new"}, {"y", "2"}});
+  EXPECT_EQ(read(folder / "x") + read(folder / "y"), "new2");
+  EXPECT_EQ(entries(folder), 2U);
+}
+
+TEST(WriteFiles, TouchesNothingWhereOneCannotBeWritten) {
+  const test::TemporaryDirectory temporary;
+  write_files(temporary.path(), {{"x", "old"}});
+  fs::create_directory(temporary.path() / "y");
+  EXPECT_THAT(
+      [&] {
+        write_files(temporary.path(), {{"x", "new"}, {"y", "new"}});
+      },
+      ThrowsMessage<FileError>(HasSubstr("y cannot be written: there is a folder")));
+  EXPECT_EQ(read(temporary.path() / "x"), "old");
+  EXPECT_EQ(entries(temporary.path()), 2U);
+}
+
+TEST(WriteFiles, SaysWhyAFolderCannotBe) {
+  const test::TemporaryDirectory temporary;
+  write_file(temporary.path() / "file", "");
+  EXPECT_THAT(
+      [&] {
+        write_files(temporary.path() / "file/folder", {{"x", ""}});
+      },
+      ThrowsMessage<FileError>(HasSubstr("folder cannot be written: Not a directory")));
+}
+
+TEST(WriteFiles, SaysWhenTheDeviceIsFull) {
+  if (!fs::exists("/dev/full")) GTEST_SKIP() << "no /dev/full";
+  const test::TemporaryDirectory temporary;
+  const fs::path file = temporary.path() / "x";
+  fs::create_symlink("/dev/full", file.string() + ".part" + std::to_string(::getpid()));
+  EXPECT_THAT([&] { write_file(file, "text"); },
+              ThrowsMessage<FileError>(HasSubstr("No space left on device")));
+  EXPECT_FALSE(fs::exists(file));
+}
+
+TEST(DependencyText, EscapesWhatMakeWouldRead) {
+  EXPECT_EQ(dependency_text("my out", {{"a.h", ""}, {"a.cpp", ""}}, "m$1 #2.toml"),
+            "my\\ out/a.h my\\ out/a.cpp: m$$1\\ \\#2.toml\n");
+}
+
+}  // namespace
+}  // namespace regulus

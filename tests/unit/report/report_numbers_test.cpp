@@ -1,0 +1,96 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The numbers of a text report are those of the model file, and determine a witness.
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <fstream>
+#include <string>
+
+#include "codegen/engine/search_run.hpp"
+#include "codegen/engine/settings.hpp"
+#include "codegen/report/report.hpp"
+#include "tests/support/temporary_directory.hpp"
+
+namespace regulus {
+namespace {
+
+using testing::HasSubstr;
+
+/// The matrix is singular where x = y.
+constexpr const char* kModel = R"(regulus = 1
+name = "r"
+source = "a test"
+[pose]
+x = "1"
+y = "1"
+[geometry]
+h = { value = 2, tolerance = 0.0001 }
+[matrix]
+rows = [["x", "y"], ["1", "h/2"]]
+[motion.apart]
+x = [0.1234567, 0.3]
+y = [0.70000001, 1000000]
+[motion.crossing]
+x = [0.1234567, 0.3]
+y = [0.2, 0.3]
+[motion.angle]
+x = ["10*deg", "20*deg"]
+y = ["-20*deg", "-10*deg"]
+)";
+
+class ReportNumbers : public testing::Test {
+ protected:
+  ReportNumbers() {
+    options_.path = directory_.path() / "model.toml";
+    std::ofstream(options_.path) << kModel;
+    search_.engine = Engine::kInterpreted;
+    search_.use_cache = false;
+  }
+
+  std::string report_of(const std::string& motion) {
+    options_.motion = motion;
+    preparation_ = prepare(options_, search_);
+    result_ = run_search(preparation_, search_, settings_from(search_));
+    return text_report(preparation_, search_, result_);
+  }
+
+  const test::TemporaryDirectory directory_;
+  ModelOptions options_;
+  SearchOptions search_;
+  PreparedSearch preparation_;
+  Result result_;
+};
+
+TEST_F(ReportNumbers, OfAMotionAreThoseOfTheFile) {
+  const std::string text = report_of("apart");
+  EXPECT_THAT(text, HasSubstr("x in [0.1234567, 0.3]\n"));
+  EXPECT_THAT(text, HasSubstr("y in [0.70000001, 1000000]\n"));
+  EXPECT_THAT(text, HasSubstr("h in [1.9999, 2.0001]\n"));
+}
+
+TEST_F(ReportNumbers, OfAnOpenBoxAreThoseOfTheFileAtItsEnds) {
+  search_.time_limit = 1e-9;
+  EXPECT_THAT(report_of("apart"),
+              HasSubstr("blocked    x = [0.1234567, 0.3], y = [0.70000001, 1000000]\n"));
+}
+
+TEST_F(ReportNumbers, OfAnAngleAreAsManyAsItTakes) {
+  const std::string text = report_of("angle");
+  EXPECT_THAT(text, HasSubstr("x in [0.17453292519943295, 0.3490658503988659]\n"));
+  EXPECT_THAT(text, HasSubstr("y in [-0.3490658503988659, -0.17453292519943295]\n"));
+}
+
+TEST_F(ReportNumbers, DetermineTheWitness) {
+  const std::string text = report_of("crossing");
+  ASSERT_TRUE(result_.witness) << text;
+  const WitnessPoint& point =
+      result_.witness->near ? *result_.witness->near : result_.witness->points.front();
+  EXPECT_EQ(point.variables[0].lo, point.variables[0].hi);
+  const std::string start = "witness    x = ";
+  const std::size_t place = text.find(start);
+  ASSERT_NE(place, std::string::npos) << text;
+  EXPECT_EQ(std::stod(text.substr(place + start.size())), point.variables[0].lo);
+}
+
+}  // namespace
+}  // namespace regulus
