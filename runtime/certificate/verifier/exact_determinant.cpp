@@ -28,7 +28,8 @@ std::optional<std::size_t> only_variable(const Algebra& algebra, const Polynomia
 
 }  // namespace
 
-ExactDeterminant::ExactDeterminant(Question& question, const Variety& variety, long max_bits)
+ExactDeterminant::ExactDeterminant(Question& question, const Variety& variety,
+                                   const std::vector<NodeId>& matrix, long max_bits)
     : q_(question),
       variety_(variety),
       max_bits_(max_bits),
@@ -38,24 +39,25 @@ ExactDeterminant::ExactDeterminant(Question& question, const Variety& variety, l
   AlgebraBudget of_plain(kProductsInPlainForm), of_full(kProductsInFullForm);
   try {
     Algebra plain(q_.graph, none, Algebra::Form::kPlain, of_plain);
-    plain_ = form_of(plain);
+    plain_ = form_of(plain, matrix);
   } catch (const TooLarge&) {
     plain_.reset();
   }
   try {
     Algebra full(q_.graph, none, Algebra::Form::kFull, of_full);
-    std::vector<NodeId> roots = q_.matrix;
+    std::vector<NodeId> roots = matrix;
     roots.insert(roots.end(), q_.scale.begin(), q_.scale.end());
     full.find_units(roots);
-    full_ = form_of(full);
+    full_ = form_of(full, matrix);
   } catch (const TooLarge& why) {
     full_.reset();
     obstacle_ = why.what();
   }
 }
 
-std::unique_ptr<ExactDeterminant::Form> ExactDeterminant::form_of(Algebra& algebra) {
-  Polynomial p = algebra.determinant(q_.matrix, q_.columns);
+std::unique_ptr<ExactDeterminant::Form> ExactDeterminant::form_of(
+    Algebra& algebra, const std::vector<NodeId>& matrix) {
+  Polynomial p = algebra.determinant(matrix, q_.columns);
   if (q_.has_threshold)
     for (const NodeId scale : q_.scale) p = algebra.product(p, algebra.of(scale));
   vanishes_ = vanishes_ || algebra.vanishes(p);

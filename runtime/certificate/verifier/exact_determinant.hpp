@@ -19,7 +19,11 @@ class ExactDeterminant {
  public:
   /// det A; times all scales if there is a threshold. Adds to the question's graph. Requires a
   /// square matrix.
-  ExactDeterminant(Question& question, const Variety& variety, long max_bits);
+  ExactDeterminant(Question& question, const Variety& variety, long max_bits)
+      : ExactDeterminant(question, variety, question.matrix, max_bits) {}
+  /// The determinant of another square matrix with as many columns as A.
+  ExactDeterminant(Question& question, const Variety& variety, const std::vector<NodeId>& matrix,
+                   long max_bits);
 
   /// It is 0 wherever the matrix is defined.
   [[nodiscard]] bool vanishes() const noexcept { return vanishes_; }
@@ -36,7 +40,7 @@ class ExactDeterminant {
   [[nodiscard]] bool exceeds_in_one_variable(const Box& box) const;
   [[nodiscard]] bool exceeds_at_extremum(const Box& box);
 
-  [[nodiscard]] std::unique_ptr<Form> form_of(Algebra& algebra);
+  [[nodiscard]] std::unique_ptr<Form> form_of(Algebra& algebra, const std::vector<NodeId>& matrix);
 
   Question& q_;
   const Variety& variety_;

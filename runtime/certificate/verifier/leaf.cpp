@@ -38,11 +38,11 @@ std::optional<PointValues> values_over(const Question& q, const Box& box, long b
 
   PointValues result;
   auto next = values->begin();
-  const std::vector<Ball> matrix(next, next + std::ptrdiff_t(q.matrix.size()));
+  result.matrix.assign(next, next + std::ptrdiff_t(q.matrix.size()));
   next += std::ptrdiff_t(q.matrix.size());
   result.constraints.assign(next, next + std::ptrdiff_t(q.constraints.size()));
   next += std::ptrdiff_t(q.constraints.size());
-  result.determinant = determinant(matrix, q.columns, bits);
+  if (q.rows == q.columns) result.determinant = determinant(result.matrix, q.columns, bits);
   for (std::size_t i = 0; q.has_threshold && i < q.scale.size(); ++i, ++next)
     arb_mul(result.determinant.get(), result.determinant.get(), next->get(), bits);
   return result;
@@ -85,17 +85,19 @@ void LeafProver::prove(const Box& box) {
   }
 }
 
-/// Whether the determinant, multiplied out, keeps away from 0 all over a box.
+/// Whether determinants, multiplied out, keep away from 0 all over a box.
 bool LeafProver::is_regular_exactly(const Box& box, std::uint64_t boxes_of_leaf) {
-  if (q_.rows != q_.columns || !test_.is_defined() || is_exact_too_large_) return false;
+  if (!test_.is_defined() || is_exact_too_large_) return false;
+  if (!exact_ && !exact_rank_ && q_.columns > kSmallOrder && boxes_of_leaf < kBoxesBeforeAlgebra &&
+      test_.variable_to_split(box))
+    return false;
   try {
-    if (!exact_) {
-      if (q_.columns > kSmallOrder && boxes_of_leaf < kBoxesBeforeAlgebra &&
-          test_.variable_to_split(box))
-        return false;
-      exact_.emplace(q_, variety_, options_.max_bits);
+    if (q_.rows == q_.columns) {
+      if (!exact_) exact_.emplace(q_, variety_, options_.max_bits);
+      return exact_->exceeds_threshold(box);
     }
-    return exact_->exceeds_threshold(box);
+    if (!exact_rank_) exact_rank_.emplace(q_, variety_, options_.max_bits);
+    return exact_rank_->is_full(box, test_.middle());
   } catch (const Unfinished&) {
     // Too many operations in the forms or their derivatives: the other tests go on.
     is_exact_too_large_ = true;
@@ -154,10 +156,14 @@ bool LeafProver::certain_at_middle() const {
 }
 
 bool LeafProver::proved_with_more_bits(const Box& box) const {
-  if (q_.rows != q_.columns) return false;
+  const bool is_square = q_.rows == q_.columns;
   for (long bits = kFirstBits; bits <= options_.max_bits; bits *= 2) {
     const auto values = values_over(q_, box, bits);
-    if (values && mig(values->determinant.enclosure()) > variety_.alpha.hi) return true;
+    if (!values) continue;
+    if (is_square
+            ? mig(values->determinant.enclosure()) > variety_.alpha.hi
+            : independent_rows(values->matrix, q_.rows, q_.columns, bits).size() == q_.columns)
+      return true;
   }
   return false;
 }

@@ -6,6 +6,7 @@
 #include <optional>
 
 #include "runtime/certificate/verifier/exact_determinant.hpp"
+#include "runtime/certificate/verifier/exact_rank.hpp"
 #include "runtime/certificate/verifier/regularity.hpp"
 #include "runtime/certificate/verifier/verify.hpp"
 #include "runtime/certificate/verifier/work_clock.hpp"
@@ -41,6 +42,7 @@ class LeafProver {
   WorkClock& clock_;
   RegularityTest test_;
   std::optional<ExactDeterminant> exact_;  ///< once it has been needed
+  std::optional<ExactRank> exact_rank_;    ///< the same for more rows than columns
   std::vector<Box> waiting_;
   std::uint64_t& boxes_;
   bool is_exact_too_large_ = false;
@@ -51,10 +53,11 @@ class LeafProver {
 
 /// The nodes that a point's determinant and its definedness need, evaluated over a box in Arb.
 struct PointValues {
-  Ball determinant;  ///< of A; of J⁻¹ if there is a threshold
+  std::vector<Ball> matrix;
+  Ball determinant;  ///< of A; of J⁻¹ if there is a threshold; 0 if A is not square
   std::vector<Ball> constraints;
 };
-/// nullopt where something is not certainly defined. The matrix must be square.
+/// nullopt where something is not certainly defined.
 [[nodiscard]] std::optional<PointValues> values_over(const Question& question, const Box& box,
                                                      long bits);
 

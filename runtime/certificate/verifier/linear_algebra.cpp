@@ -3,11 +3,16 @@
 
 #include <arb_mat.h>
 
+#include <algorithm>
 #include <cmath>
+#include <numeric>
+#include <optional>
 #include <utility>
 
 namespace regulus::verifier {
 namespace {
+
+constexpr long kBitsOfPivot = 64;
 
 /// Gauss–Jordan elimination of [A | I], in place: A becomes I, `inverse` its inverse.
 bool invert(std::vector<double>& A, std::size_t n, std::vector<double>& inverse) {
@@ -37,27 +42,95 @@ bool invert(std::vector<double>& A, std::size_t n, std::vector<double>& inverse)
   return true;
 }
 
+double length(const std::vector<double>& x) {
+  double largest = 0.0, sum = 0.0;
+  for (const double value : x) largest = std::max(largest, std::fabs(value));
+  if (!(largest > 0.0)) return 0.0;
+  for (const double value : x) sum += (value / largest) * (value / largest);
+  return largest * std::sqrt(sum);
+}
+
+/// A = QR by Gram and Schmidt. Twice for each column: the first time may lose what is orthogonal.
+bool orthogonalise(std::vector<std::vector<double>>& Q, std::vector<double>& R) {
+  const std::size_t n = Q.size();
+  for (std::size_t j = 0; j < n; ++j) {
+    for (std::size_t k = 0; k < 2 * j; ++k) {
+      const std::vector<double>& q = Q[k % j];
+      const double part = std::inner_product(q.begin(), q.end(), Q[j].begin(), 0.0);
+      for (std::size_t row = 0; row < q.size(); ++row) Q[j][row] -= part * q[row];
+      R[k % j * n + j] += part;
+    }
+    R[j * n + j] = length(Q[j]);
+    if (!(R[j * n + j] > 0.0)) return false;
+    for (double& x : Q[j]) x /= R[j * n + j];
+  }
+  return true;
+}
+
+/// K = R⁻¹Qᵀ, of the condition of A; that of (AᵀA)⁻¹Aᵀ is its square.
+bool invert_tall(const std::vector<double>& A, std::size_t rows, std::size_t n, Matrix& K) {
+  std::vector<std::vector<double>> Q(n, std::vector<double>(rows));
+  std::vector<double> R(n * n);
+  for (std::size_t e = 0; e < A.size(); ++e) Q[e % n][e / n] = A[e];
+  if (!orthogonalise(Q, R)) return false;
+  K.assign(n * rows, 0.0);
+  for (std::size_t row = 0; row < rows; ++row)
+    for (std::size_t i = n; i-- > 0;) {
+      double sum = Q[i][row];
+      for (std::size_t j = i + 1; j < n; ++j) sum -= R[i * n + j] * K[row * n + j];
+      K[row * n + i] = sum / R[i * n + i];
+    }
+  return true;
+}
+
+/// The element whose magnitude is certain to be greatest, outside of the rows and columns that are
+/// used up; nullopt if each may be 0.
+std::optional<std::size_t> pivot_of(const std::vector<Ball>& A, std::size_t columns,
+                                    const std::vector<bool>& used_row,
+                                    const std::vector<bool>& used_column) {
+  std::optional<std::size_t> best;
+  arf_t most, least;
+  arf_init(most), arf_init(least);
+  for (std::size_t e = 0; e < A.size(); ++e) {
+    if (used_row[e / columns] || used_column[e % columns] || !arb_is_finite(A[e].get())) continue;
+    arb_get_abs_lbound_arf(least, A[e].get(), kBitsOfPivot);
+    if (arf_cmp(least, most) > 0) best = e, arf_set(most, least);
+  }
+  arf_clear(most), arf_clear(least);
+  return best;
+}
+
 }  // namespace
 
 bool approx_left_inverse(const std::vector<double>& A, std::size_t rows, std::size_t columns,
                          Matrix& K) {
-  // (AᵀA)⁻¹Aᵀ, or A⁻¹, which has the better condition
-  const bool is_square = rows == columns;
-  std::vector<double> square(columns * columns), inverse;
-  for (std::size_t i = 0; i < columns; ++i)
-    for (std::size_t j = 0; j < columns; ++j)
-      for (std::size_t r = 0; !is_square && r < rows; ++r)
-        square[i * columns + j] += A[r * columns + i] * A[r * columns + j];
-  if (is_square) square = A;
+  if (rows != columns) return invert_tall(A, rows, columns, K);
+  std::vector<double> square = A, inverse;
   if (!invert(square, columns, inverse)) return false;
-  K.assign(columns * rows, 0.0);
-  for (std::size_t r = 0; r < rows; ++r)
-    for (std::size_t i = 0; i < columns; ++i) {
-      if (is_square) K[r * columns + i] = inverse[i * columns + r];
-      for (std::size_t j = 0; !is_square && j < columns; ++j)
-        K[r * columns + i] += inverse[i * columns + j] * A[r * columns + j];
-    }
+  K.resize(columns * columns);
+  for (std::size_t e = 0; e < K.size(); ++e) K[e % columns * columns + e / columns] = inverse[e];
   return true;
+}
+
+/// Gaussian elimination: whatever the member of A, each step keeps its rank.
+std::vector<std::size_t> independent_rows(std::vector<Ball> A, std::size_t rows,
+                                          std::size_t columns, long bits) {
+  std::vector<bool> used_row(rows), used_column(columns);
+  std::vector<std::size_t> result;
+  Ball factor;
+  while (const auto pivot = pivot_of(A, columns, used_row, used_column)) {
+    const std::size_t row = *pivot / columns, column = *pivot % columns;
+    used_row[row] = used_column[column] = true;
+    result.push_back(row);
+    for (std::size_t r = 0; r < rows; ++r) {
+      if (used_row[r]) continue;
+      arb_div(factor.get(), A[r * columns + column].get(), A[*pivot].get(), bits);
+      for (std::size_t c = 0; c < columns; ++c)
+        if (!used_column[c])
+          arb_submul(A[r * columns + c].get(), factor.get(), A[row * columns + c].get(), bits);
+    }
+  }
+  return result;
 }
 
 Ball determinant(const std::vector<Ball>& A, std::size_t order, long bits) {

@@ -15,6 +15,13 @@ using Matrix = std::vector<double>;
 [[nodiscard]] bool approx_left_inverse(const std::vector<double>& A, std::size_t rows,
                                        std::size_t columns, Matrix& K);
 
+/// Rows of A, given row by row, that elimination uses.
+///
+/// Ensures   they are linearly independent for every member of A: as many as there are columns
+///           show that every member has full column rank.
+[[nodiscard]] std::vector<std::size_t> independent_rows(std::vector<Ball> A, std::size_t rows,
+                                                        std::size_t columns, long bits);
+
 /// Encloses the determinant of a square matrix, given row by row or column by column.
 [[nodiscard]] Ball determinant(const std::vector<Ball>& A, std::size_t order, long bits);
 [[nodiscard]] Ball determinant(const std::vector<double>& A, std::size_t order, long bits);
