@@ -69,6 +69,7 @@ void CertificateFile::add_to(nlohmann::ordered_json& report) const {
   report["certificate"] = nullptr;
   if (written_) report["certificate"] = writer_->path();
   if (!obstacle_.empty()) report["certificate_obstacle"] = obstacle_;
+  if (written_ && !note_.empty()) report["certificate_note"] = note_;
 }
 
 }  // namespace regulus::inline certificate

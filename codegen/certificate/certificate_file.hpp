@@ -30,7 +30,9 @@ class CertificateFile {
   [[nodiscard]] bool written() const noexcept { return written_; }
   /// Lines of the report; empty if none was wanted.
   [[nodiscard]] std::string line() const;
-  /// The key `certificate` of a JSON report: the file, null if none could be written.
+  /// The key `certificate` of a JSON report: the file, null if none could be written. With
+  /// `certificate_obstacle`: why there is none, and `certificate_note`: why the verifier may not
+  /// finish.
   void add_to(nlohmann::ordered_json& report) const;
 
  private:

@@ -1,0 +1,84 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What the writer puts into a file that a search alone seldom asks for.
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <filesystem>
+#include <limits>
+#include <nlohmann/json.hpp>
+
+#include "runtime/certificate/format.hpp"
+#include "runtime/certificate/writer.hpp"
+#include "tests/support/cached_command.hpp"
+#include "tests/support/certificates.hpp"
+
+namespace regulus::test {
+namespace {
+
+using testing::HasSubstr;
+using testing::Not;
+
+constexpr double kLeast = std::numeric_limits<double>::denorm_min();
+
+/// x − 1/2 with a witness whose determinants have these enclosures, first the positive one.
+std::string witness_of(const Interval& positive, const Interval& negative) {
+  const TemporaryDirectory directory;
+  const std::string path = (directory.path() / "proof").string();
+  Result result;
+  result.verdict = Verdict::kSingularity;
+  result.reason = Reason::kOppositeSigns;
+  result.witness.emplace();
+  result.witness->points.push_back({{{1, 1}}, positive, {{1, 1}}});
+  result.witness->points.push_back({{{0, 0}}, negative, {{0, 0}}});
+  CertificateWriter writer(path,
+                           {"model m\nsha256 -\nmotion m\nalpha 0\nparameter x in 0 : 1\npose x = "
+                            "x\nmatrix 1 1\nentry x - 1/2\n",
+                            "",
+                            "the full 1x1 matrix of the model is singular at some pose of the "
+                            "variety"});
+  EXPECT_TRUE(writer.finish(result));
+  return contents(path);
+}
+
+TEST(ASignOfADeterminantThatUnderflows, IsThatOfTheOtherEnd) {
+  for (const double zero : {0.0, -0.0}) {
+    const std::string text = witness_of({zero, kLeast}, {-kLeast, zero});
+    EXPECT_THAT(text, HasSubstr("point + 0x1p+0\npoint - 0x0p+0\npath segment\nend\n"));
+    EXPECT_EQ(verify_text(text).outcome, verifier::Outcome::kVerified);
+  }
+  EXPECT_EQ(witness_of({0.5, 0.5}, {-0.5, -0.5}), witness_of({0, kLeast}, {-kLeast, 0}));
+}
+
+/// A file of a search that is continued, with a hole as long as the limit: it takes no room.
+TEST(ACertificateBeyondTheLimitOfTheFormat, IsAnnouncedAsSuch) {
+  const TemporaryDirectory directory;
+  const std::string model = (directory.path() / "model.toml").string(),
+                    path = (directory.path() / "proof").string();
+  write_file(model,
+             "regulus = 1\nname = \"x\"\n[pose]\nx = \"m\"\n[matrix]\nrows = [[\"x + "
+             "2\"]]\n[motion.only]\nx = [0, 1]\n");
+  ModelOptions options;
+  options.path = model;
+  const PreparedSearch preparation = prepare(options, {});
+  Result result;
+  result.verdict = Verdict::kNoSingularity;
+  const auto report_of = [&](std::uint64_t length) {
+    write_file(CertificateWriter::partial_file(path), "");
+    std::filesystem::resize_file(CertificateWriter::partial_file(path), length);
+    CertificateFile file(path, preparation, CertificateWriter::Partial{length, 1});
+    file.finish(result);
+    nlohmann::ordered_json report;
+    file.add_to(report);
+    return std::pair(file.line(), report);
+  };
+  const std::uint64_t end = std::string("end 1\n").size();
+  const auto [line, report] = report_of(format::kMaxBytes - end);
+  EXPECT_EQ(line, "certificate " + path + '\n');
+  EXPECT_FALSE(report.contains("certificate_note"));
+  const auto [longer_line, longer_report] = report_of(format::kMaxBytes - end + 1);
+  EXPECT_THAT(longer_line, HasSubstr("it is larger than the 4294967296 bytes that the verifier"));
+  EXPECT_THAT(longer_report["certificate_note"].get<std::string>(), HasSubstr("it is larger than"));
+}
+
+}  // namespace
+}  // namespace regulus::test
