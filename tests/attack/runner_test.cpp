@@ -5,8 +5,10 @@
 
 #include <cstdlib>
 #include <map>
+#include <sstream>
 
 #include "tests/attack/families/families.hpp"
+#include "tests/attack/runner/progress.hpp"
 #include "tests/attack/runner/summary.hpp"
 #include "tests/attack/runner/workers.hpp"
 
@@ -109,6 +111,64 @@ TEST(ASummary, CountsAProofThatIsSlowAsNotVerified) {
   outcome.ending = Ending::kCrashed;
   summary.add(small_model(), outcome);
   EXPECT_TRUE(summary.failed());
+}
+
+TEST(ASummary, NamesEachUnfinishedProofAndTellsWhetherTheReportWarnedOfIt) {
+  Summary summary;
+  Outcome outcome;
+  outcome.exit_code = 0;
+  outcome.proof = Proof::kUnfinished;
+  outcome.proof_reason = "line 7: the matrix has too many terms";
+  Attack attack = small_model();
+  attack.seed = 5;
+  summary.add(attack, outcome);
+  outcome.is_announced = true;
+  attack.seed = 6;
+  summary.add(attack, outcome);
+  EXPECT_FALSE(summary.failed());
+  EXPECT_EQ(summary.count(Proof::kUnfinished), 2U);
+  EXPECT_EQ(summary.unannounced(), 1U);
+  const std::string lines = summary.failure_lines("attack", 5);
+  EXPECT_NE(lines.find("UNFINISHED: attack --show small:5"), std::string::npos) << lines;
+  EXPECT_NE(lines.find("UNFINISHED, announced: attack --show small:6"), std::string::npos) << lines;
+}
+
+TEST(ASummary, CountsASlowProofAsSlow) {
+  Summary summary;
+  Outcome outcome;
+  outcome.ending = Ending::kSlow;
+  summary.add(small_model(), outcome);
+  outcome.stage = Stage::kVerify;
+  outcome.exit_code = 0;
+  summary.add(small_model(), outcome);
+  EXPECT_EQ(summary.slow(), 2U);
+}
+
+TEST(AProgressLine, SaysHowFarARunIs) {
+  Summary summary;
+  Outcome outcome;
+  outcome.exit_code = 0;
+  outcome.proof = Proof::kVerified;
+  summary.add(small_model(), outcome);
+  EXPECT_EQ(progress_text(summary, 10, 0.5), "1 of 10 models, 2.0 a second, 0 contradictions");
+  outcome.exit_code = 1;
+  outcome.proof = Proof::kRejected;
+  summary.add(small_model(), outcome);
+  EXPECT_EQ(progress_text(summary, 10, 0.5),
+            "2 of 10 models, 4.0 a second, 1 contradictions, 1 proofs rejected or broken");
+}
+
+TEST(AProgressLine, IsForTerminalsOnlyAndGoesAtTheEnd) {
+  std::ostringstream pipe, terminal;
+  const Summary summary;
+  {
+    Progress silent(pipe, false, 3), loud(terminal, true, 3);
+    silent.update(summary);
+    loud.update(summary);
+  }
+  EXPECT_EQ(pipe.str(), "");
+  EXPECT_NE(terminal.str().find("0 of 3 models"), std::string::npos);
+  EXPECT_TRUE(terminal.str().ends_with("\r\033[K"));
 }
 
 TEST(ASummary, CountsAFalseVerdictWhoseProofCrashesTheVerifier) {

@@ -5,7 +5,6 @@
 #include <cstdint>
 #include <optional>
 
-#include "runtime/certificate/verifier/exact_determinant.hpp"
 #include "runtime/certificate/verifier/exact_rank.hpp"
 #include "runtime/certificate/verifier/regularity.hpp"
 #include "runtime/certificate/verifier/verify.hpp"

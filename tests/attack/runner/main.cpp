@@ -1,11 +1,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Hostile models against the whole command, judged by what is known of them (README.md).
+#include <unistd.h>
+
 #include <CLI/CLI.hpp>
 #include <fstream>
 #include <iostream>
 #include <map>
+#include <optional>
 
 #include "tests/attack/families/families.hpp"
+#include "tests/attack/runner/progress.hpp"
 #include "tests/attack/runner/summary.hpp"
 #include "tests/attack/runner/workers.hpp"
 
@@ -68,17 +72,24 @@ std::uint64_t seed_of(const Options& options, std::uint64_t round) {
 
 Summary run(const Options& options, const std::vector<const Family*>& from) {
   Summary summary;
+  std::optional<Progress> progress;
+  progress.emplace(std::cerr, isatty(STDERR_FILENO) != 0, options.models);
   Job job;
   job.count = options.models;
   job.make = [&](std::uint64_t i) {
     return from[i % from.size()]->make(seed_of(options, i / from.size()));
   };
-  job.done = [&](std::uint64_t i, const Outcome& outcome) { summary.add(job.make(i), outcome); };
+  job.done = [&](std::uint64_t i, const Outcome& outcome) {
+    summary.add(job.make(i), outcome);
+    progress->update(summary);
+  };
   job.processes = options.jobs;
   job.limits.seconds = options.time_cap;
   job.mutant = mutant_named(options.mutant);
   job.verify = !options.no_verify;
-  if (!run_all(job)) std::cout << "stopped by a signal: what follows is a part\n";
+  const bool complete = run_all(job);
+  progress.reset();
+  if (!complete) std::cout << "stopped by a signal: what follows is a part\n";
   return summary;
 }
 
@@ -100,7 +111,7 @@ int report(const Options& options, const Summary& summary) {
   if (!options.json.empty()) std::ofstream(options.json) << summary.json() << '\n';
   if (!options.mutant.empty()) return noticed(options, summary) ? 0 : 1;
   std::cout << summary.failure_lines("attack", options.failures);
-  const bool slow = options.fail_on_slow && summary.count(Judgement::kSlow) > 0;
+  const bool slow = options.fail_on_slow && summary.slow() > 0;
   const bool unverified = summary.verified_percent() < options.least_verified;
   if (unverified) std::cout << "fewer than " << options.least_verified << " % are VERIFIED\n";
   return summary.failed() || slow || unverified ? 1 : 0;

@@ -27,6 +27,7 @@ struct Outcome {
   std::string proof_reason;
   double check_seconds = 0, verify_seconds = 0;  ///< of processor time
   bool may_be_vacuous = false;  ///< the report warns that the claim may be about no pose
+  bool is_announced = false;    ///< the report warns that the verifier may not finish the proof
 };
 
 enum class Judgement {

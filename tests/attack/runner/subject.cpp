@@ -77,6 +77,12 @@ bool warns_of_no_pose(const Answer& answer) {
   return report.is_object() && report.contains("nonempty") && report["nonempty"].is_null();
 }
 
+/// Whether the report says why the verifier may not finish.
+bool warns_of_proof(const Answer& answer) {
+  const auto report = nlohmann::json::parse(answer.output, nullptr, false);
+  return report.is_object() && report.contains("certificate_note");
+}
+
 void add_search_options(Random& random, std::vector<std::string>& words) {
   const auto add = [&](std::initializer_list<std::string> more) {
     words.insert(words.end(), more);
@@ -180,6 +186,7 @@ Outcome attack_with(const Attack& attack, const Run& run) {
   outcome.reason = reason_of(answer);
   outcome.check_seconds = answer.seconds;
   outcome.may_be_vacuous = warns_of_no_pose(answer);
+  outcome.is_announced = warns_of_proof(answer);
   if (run.mutant == Mutant::kFlipped) outcome.exit_code = falsified(answer.exit_code);
   if (run.verify && run.mutant == Mutant::kNone && std::filesystem::exists(certificate)) {
     run.entering(Stage::kVerify, outcome.exit_code);

@@ -45,14 +45,15 @@ std::string row(const std::string& name, const FamilyCount& c) {
   const std::uint64_t undefined =
       of(c.truths, Truth::kUndefined) + of(c.truths, Truth::kUndefinedOrSingular);
   return fmt::format(
-      "{:18}{:7}|{:6}{:6}{:6}{:6}|{:6}{:6}{:6}{:6}|{:6}{:6}{:6}{:6}|{:6}{:6}{:6}{:6}|{:8.1f}{:7.2f}"
+      "{:18}{:7}|{:6}{:6}{:6}{:6}|{:6}{:6}{:6}{:6}|{:6}{:6}{:6}{:6}|{:6}{:6}{:6}{:6}{:6}|{:8.1f}{:"
+      "7.2f}"
       "\n",
       name, models(c), of(c.truths, Truth::kSingular), of(c.truths, Truth::kRegular), undefined,
       of(c.truths, Truth::kEmpty) + of(c.truths, Truth::kRefused), of(c.exits, 0), of(c.exits, 1),
       of(c.exits, 2), refusals(c), of(c.judgements, Judgement::kMissed),
       of(c.judgements, Judgement::kContradiction), of(c.judgements, Judgement::kCrash),
       of(c.judgements, Judgement::kSlow) + c.slow_proofs, of(c.proofs, Proof::kVerified),
-      of(c.proofs, Proof::kUnfinished), of(c.proofs, Proof::kRejected),
+      of(c.proofs, Proof::kUnfinished) - c.announced, c.announced, of(c.proofs, Proof::kRejected),
       of(c.proofs, Proof::kBroken), c.seconds, c.slowest);
 }
 
@@ -61,6 +62,7 @@ void add_to(FamilyCount& sum, const FamilyCount& c) {
   for (const auto& [key, n] : c.exits) sum.exits[key] += n;
   for (const auto& [key, n] : c.judgements) sum.judgements[key] += n;
   for (const auto& [key, n] : c.proofs) sum.proofs[key] += n;
+  sum.announced += c.announced;
   sum.slow_proofs += c.slow_proofs;
   sum.seconds += c.seconds;
   sum.slowest = std::max(sum.slowest, c.slowest);
@@ -72,6 +74,7 @@ nlohmann::ordered_json json_of(const FamilyCount& c) {
   for (const auto& [code, n] : c.exits) j["verdicts"][verdict_text(code)] = n;
   for (const auto& [judgement, n] : c.judgements) j["judgements"][name(judgement)] = n;
   for (const auto& [proof, n] : c.proofs) j["proofs"][name(proof)] = n;
+  j["announced"] = c.announced;
   j["slow_proofs"] = c.slow_proofs;
   j["seconds"] = c.seconds;
   j["slowest"] = {{"seconds", c.slowest}, {"seed", c.slowest_seed}};
@@ -101,7 +104,7 @@ void Summary::add(const Attack& attack, const Outcome& outcome) {
   } else if (outcome.proof != Proof::kNone) {
     ++count.proofs[outcome.proof];
     if (proof_failed(outcome)) note(name(outcome.proof), attack, outcome.proof_reason);
-    if (outcome.proof == Proof::kUnfinished) ++unfinished_[without_numbers(outcome.proof_reason)];
+    if (outcome.proof == Proof::kUnfinished) add_unfinished(attack, outcome);
   }
   const double seconds = outcome.check_seconds + outcome.verify_seconds;
   count.seconds += seconds;
@@ -109,6 +112,12 @@ void Summary::add(const Attack& attack, const Outcome& outcome) {
     count.slowest = seconds;
     count.slowest_seed = attack.seed;
   }
+}
+
+void Summary::add_unfinished(const Attack& attack, const Outcome& outcome) {
+  families_[attack.family].announced += outcome.is_announced ? 1 : 0;
+  ++unfinished_[without_numbers(outcome.proof_reason)];
+  note(outcome.is_announced ? "UNFINISHED, announced" : "UNFINISHED", attack, outcome.proof_reason);
 }
 
 std::uint64_t Summary::count(Judgement judgement) const {
@@ -120,6 +129,24 @@ std::uint64_t Summary::count(Judgement judgement) const {
 std::uint64_t Summary::count(Proof proof) const {
   std::uint64_t sum = 0;
   for (const auto& [name, c] : families_) sum += of(c.proofs, proof);
+  return sum;
+}
+
+std::uint64_t Summary::models() const {
+  std::uint64_t sum = 0;
+  for (const auto& [name, c] : families_) sum += attack::models(c);
+  return sum;
+}
+
+std::uint64_t Summary::slow() const {
+  std::uint64_t sum = count(Judgement::kSlow);
+  for (const auto& [name, c] : families_) sum += c.slow_proofs;
+  return sum;
+}
+
+std::uint64_t Summary::unannounced() const {
+  std::uint64_t sum = count(Proof::kUnfinished);
+  for (const auto& [name, c] : families_) sum -= c.announced;
   return sum;
 }
 
@@ -141,10 +168,12 @@ bool Summary::failed() const {
 std::string Summary::table() const {
   std::string text = fmt::format(
       "{:18}{:>7}|{:>6}{:>6}{:>6}{:>6}|{:>6}{:>6}{:>6}{:>6}|{:>6}{:>6}{:>6}{:>6}|{:>6}{:>6}{:>6}{:>"
-      "6}|"
+      "6}"
+      "{:>6}|"
       "{:>8}{:>7}\n",
       "family", "models", "sing", "reg", "undef", "other", "safe", "sing", "open", "refus",
-      "missed", "WRONG", "CRASH", "slow", "verif", "unfin", "REJEC", "BROKE", "seconds", "worst");
+      "missed", "WRONG", "CRASH", "slow", "verif", "unfin", "annou", "REJEC", "BROKE", "seconds",
+      "worst");
   FamilyCount all;
   for (const auto& [name, c] : families_) {
     text += row(name, c);

@@ -16,13 +16,15 @@ struct FamilyCount {
   std::map<int, std::uint64_t> exits;  ///< of models that returned
   std::map<Judgement, std::uint64_t> judgements;
   std::map<Proof, std::uint64_t> proofs;
+  std::uint64_t announced = 0;  ///< of the proofs that are unfinished
   std::uint64_t slow_proofs = 0;
   double seconds = 0, slowest = 0;
   std::uint64_t slowest_seed = 0;
 };
 
+/// A model that is worth a look.
 struct Failure {
-  std::string what;  ///< "CONTRADICTION", "REJECTED"
+  std::string what;  ///< "CONTRADICTION", "REJECTED", "UNFINISHED, announced"
   std::string family;
   std::uint64_t seed = 0;
   std::string detail;
@@ -33,9 +35,15 @@ class Summary {
   void add(const Attack& attack, const Outcome& outcome);
 
   [[nodiscard]] const std::map<std::string, FamilyCount>& families() const { return families_; }
+  /// Also what is slow and what is unfinished, which failed() leaves out.
   [[nodiscard]] const std::vector<Failure>& failures() const { return failures_; }
   [[nodiscard]] std::uint64_t count(Judgement judgement) const;
   [[nodiscard]] std::uint64_t count(Proof proof) const;
+  [[nodiscard]] std::uint64_t models() const;
+  /// Checks and proofs that were stopped at the limit of time.
+  [[nodiscard]] std::uint64_t slow() const;
+  /// Proofs that are unfinished although the report did not warn of it.
+  [[nodiscard]] std::uint64_t unannounced() const;
   /// Of all proofs, from 0 to 100; 100 where there is none.
   [[nodiscard]] double verified_percent() const;
   /// Contradictions, crashes, rejected proofs and verifiers that broke, but not what was slow.
@@ -47,6 +55,7 @@ class Summary {
   [[nodiscard]] std::string json() const;
 
  private:
+  void add_unfinished(const Attack& attack, const Outcome& outcome);
   void note(const std::string& what, const Attack& attack, const std::string& detail);
 
   std::map<std::string, FamilyCount> families_;

@@ -70,11 +70,16 @@ class SharedMemory {
 };
 
 std::string line_of(std::uint64_t model, const Outcome& o) {
-  const nlohmann::json line = {model,           static_cast<int>(o.stage),
-                               o.exit_code,     static_cast<int>(o.proof),
-                               o.reason,        o.proof_reason,
-                               o.check_seconds, o.verify_seconds,
-                               o.may_be_vacuous};
+  const nlohmann::json line = {model,
+                               static_cast<int>(o.stage),
+                               o.exit_code,
+                               static_cast<int>(o.proof),
+                               o.reason,
+                               o.proof_reason,
+                               o.check_seconds,
+                               o.verify_seconds,
+                               o.may_be_vacuous,
+                               o.is_announced};
   return line.dump(-1, ' ', false, nlohmann::json::error_handler_t::replace) + '\n';
 }
 
@@ -89,6 +94,7 @@ std::pair<std::uint64_t, Outcome> outcome_in(const std::string& text) {
   o.check_seconds = line[6];
   o.verify_seconds = line[7];
   o.may_be_vacuous = line[8];
+  o.is_announced = line[9];
   return {line[0], o};
 }
 
