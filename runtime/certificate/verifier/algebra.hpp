@@ -82,6 +82,7 @@ class Algebra {
   [[nodiscard]] Turn turn_of_unit(const Polynomial& unit);
   [[nodiscard]] Turn multiple(Turn unit, long times);
   [[nodiscard]] Turn add(const Turn& x, const Turn& y);
+  [[nodiscard]] Polynomial pi();
   [[nodiscard]] bool is_pi(const PowerProduct& product) const;
 
   [[nodiscard]] int number_of(Atom atom, const std::string& key);

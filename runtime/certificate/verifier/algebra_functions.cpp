@@ -153,9 +153,12 @@ Polynomial Algebra::function(Op op, const Polynomial& x) {
     case Op::kAsin:
     case Op::kAcos:
     case Op::kAtan:
-      if (const auto turns = part_of_pi(op, x))
-        return Polynomial::atom(number_of({Atom::Kind::kPi, Op::kPi, 0, {}, {}}, "pi"))
-            .scaled(*turns);
+      if (const auto turns = part_of_pi(op, x)) return pi().scaled(*turns);
+      if (op == Op::kAcos) {  // π/2 − asin x
+        Polynomial angle = pi().scaled(Rational(1) / Rational(2));
+        angle.add(function(Op::kAsin, x).scaled(Rational(-1)));
+        return angle;
+      }
       break;
     case Op::kLog:
       if (x == Polynomial(1)) return {};
@@ -164,6 +167,10 @@ Polynomial Algebra::function(Op op, const Polynomial& x) {
       break;
   }
   return Polynomial::atom(atom_of(op, x));
+}
+
+Polynomial Algebra::pi() {
+  return Polynomial::atom(number_of({Atom::Kind::kPi, Op::kPi, 0, {}, {}}, "pi"));
 }
 
 Polynomial Algebra::angle_of_two(const Polynomial& y, const Polynomial& x) {
@@ -213,8 +220,6 @@ Algebra::Turn Algebra::turn_of_unit(const Polynomial& unit) {
     };
     if (inner.kind == Atom::Kind::kFunction && inner.op == Op::kAsin)
       return {inner.argument.scaled(turned), cathetus()};
-    if (inner.kind == Atom::Kind::kFunction && inner.op == Op::kAcos)
-      return {cathetus().scaled(turned), inner.argument};
     if (inner.kind == Atom::Kind::kFunction && inner.op == Op::kAtan) {
       Polynomial norm(1);
       norm.add(product(inner.argument, inner.argument));

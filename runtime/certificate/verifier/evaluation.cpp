@@ -146,6 +146,10 @@ Interval Evaluation::with_exact_operands(const Node& node, const Box& box) {
   return compute(node, values_);
 }
 
+Interval Evaluation::narrowed(NodeId root, const Box& box) const {
+  return ExactRanges(q_.graph, q_.ends, box, values_).of(root);
+}
+
 bool Evaluation::run(const Box& box) {
   for (const Step& step : steps_) {
     Interval value = step.node.op == Op::kVariable ? box[std::size_t(step.node.a)]

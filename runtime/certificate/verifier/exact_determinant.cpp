@@ -77,7 +77,9 @@ bool ExactDeterminant::exceeds_threshold(const Box& box) {
 }
 
 bool ExactDeterminant::exceeds_naturally(Form& form, const Box& box) {
-  return form.natural.run(box) && mig(form.natural.value(form.root)) > variety_.alpha.hi;
+  if (!form.natural.run(box)) return false;
+  return mig(form.natural.value(form.root)) > variety_.alpha.hi ||
+         mig(form.natural.narrowed(form.root, box)) > variety_.alpha.hi;
 }
 
 /// Neither p − α nor p + α has a root between the ends, which are exact.

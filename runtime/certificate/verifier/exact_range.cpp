@@ -3,6 +3,7 @@
 
 #include <algorithm>
 
+#include "runtime/certificate/verifier/ball.hpp"
 #include "runtime/certificate/verifier/elementary.hpp"
 
 namespace regulus::verifier {
@@ -57,11 +58,23 @@ std::optional<RationalRange> power(const RationalRange& x, int exponent) {
   return result;
 }
 
+Interval outward(const RationalRange& x) { return {enclose(x.lo).lo, enclose(x.hi).hi}; }
+
+/// Arb's value is exact where the root is a double; that of the intervals is not.
+Interval root(Interval x) {
+  constexpr long kBits = 64;
+  if (!(x.lo >= 0.0)) return everything();
+  Ball lo(point(x.lo), kBits), hi(point(x.hi), kBits);
+  arb_sqrt(lo.get(), lo.get(), kBits);
+  arb_sqrt(hi.get(), hi.get(), kBits);
+  return hull(lo.enclosure(), hi.enclosure());
+}
+
 }  // namespace
 
 Interval ExactRanges::of(NodeId node) {
   const RationalRange x = range(node);
-  return is_empty_ ? everything() : Interval{enclose(x.lo).lo, enclose(x.hi).hi};
+  return is_empty_ ? everything() : outward(x);
 }
 
 /// Recursion is as deep as the graph, format::kDeepestNode at most.
@@ -97,9 +110,22 @@ std::optional<RationalRange> ExactRanges::exact(const Node& node) {
       return power(range(node.a), node.b);
     case Op::kAbs:
       return magnitude(range(node.a));
-    default:
+    case Op::kSign:
+    case Op::kPi:
+    case Op::kAtan2:
       return std::nullopt;
+    default:
+      return function(node);
   }
+}
+
+/// log of exactly [1, 2] is at least 0, where that of [1 − 2⁻⁵³, 2] may be below.
+std::optional<RationalRange> ExactRanges::function(const Node& node) {
+  const Interval argument = outward(range(node.a));
+  if (!is_bounded(argument)) return std::nullopt;
+  const Interval value = node.op == Op::kSqrt ? root(argument) : apply(node.op, argument);
+  if (!is_bounded(value)) return std::nullopt;
+  return RationalRange{rational_of(value.lo), rational_of(value.hi)};
 }
 
 /// The part of the box that is within the range.

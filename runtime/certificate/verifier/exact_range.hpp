@@ -21,8 +21,8 @@ struct RationalRange {
   Rational lo, hi;
 };
 
-/// Sums, products, quotients, powers and magnitudes are exact; other operations are taken as
-/// intervals of doubles enclose them.
+/// Sums, products, quotients, powers and magnitudes are exact; functions of one argument are
+/// enclosed in doubles over the exact range of it, other operations taken as doubles enclose them.
 class ExactRanges {
  public:
   /// `ends`: by variable; empty: none is known. `values`: enclosures of what the nodes that are
@@ -38,6 +38,7 @@ class ExactRanges {
  private:
   [[nodiscard]] RationalRange range(NodeId id);
   [[nodiscard]] std::optional<RationalRange> exact(const Node& node);
+  [[nodiscard]] std::optional<RationalRange> function(const Node& node);
   [[nodiscard]] RationalRange variable(std::size_t k);
 
   const Graph& graph_;

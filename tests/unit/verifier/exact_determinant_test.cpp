@@ -57,6 +57,32 @@ TEST(AMarginNextToADoubleRoot, IsSeenHoweverSmall) {
   }
 }
 
+/// Every box across the line x = y + c is undecided in doubles, which round the smallest value
+/// down.
+TEST(AMarginAlongALine, IsSeenHoweverSmall) {
+  const std::string line = "(x - y - 1/3)^2", plain = range("1 : 2");
+  for (const char* margin : {"1e-16", "4e-22", "1e-100"})
+    for (const std::string& f :
+         {"log(1 + " + line + ")", "sqrt(1 + " + line + ") - 1", "atan" + line,
+          "exp(" + line + ") - 1", "1 - 1/(1 + " + line + ")", std::string("abs(x - y - 1/3)")})
+      EXPECT_EQ(of(question(plain, around("(" + f + " + " + margin + ")")) + kOneLeaf),
+                Outcome::kVerified)
+          << f << margin;
+  for (const char* none : {"0", "(-1e-22)"})
+    EXPECT_NE(of(question(plain, around("(log(1 + " + line + ") + " + none + ")")) + kOneLeaf),
+              Outcome::kVerified);
+}
+
+TEST(AnArcCosine, IsThatOfTheOtherAngle) {
+  const std::string sum = "(acos(x) + asin(x) - pi/2 + ", plain = range("1/10 : 6/10");
+  EXPECT_EQ(of(question(plain, around(sum + "1e-12)")) + kOneLeaf), Outcome::kVerified);
+  EXPECT_EQ(of(question(plain, around(sum + "1e-200)")) + kOneLeaf), Outcome::kVerified);
+  EXPECT_NE(of(question(plain, around(sum + "0)")) + kOneLeaf), Outcome::kVerified);
+  EXPECT_NE(of(question(range("1/10 : 11/10"), around(sum + "1)")) + kOneLeaf), Outcome::kVerified);
+  const std::string turned = "(sin(2*acos(x)) - 2*x*sqrt(1 - x^2) + 1e-20)";
+  EXPECT_EQ(of(question(plain, around(turned)) + kOneLeaf), Outcome::kVerified);
+}
+
 TEST(AnInverseFunctionAtASimpleValue, IsAPartOfPi) {
   const auto at = [](const std::string& x, const std::string& entry) {
     return of(scalar_question(entry, x + " : 1", kSingular1) +
