@@ -13,10 +13,11 @@ namespace regulus {
 /// Tells that a search makes no headway: a long run of boxes closed so little of the variety that
 /// all of it would take 2^40 boxes.
 ///
-/// Boxes of many variables are small parts of the variety however fast they are certified, and
-/// nothing is said of those, unless most of them had to be certified with more digits than doubles
-/// have: such boxes are as small as boxes can be. One of these takes the time of many others and
-/// counts as so many, so that a run of them is no longer than a run of the others.
+/// Boxes of many variables are small parts of the variety however fast they are certified. Nothing
+/// is said of those, unless most of them had to be certified with more digits than doubles have, or
+/// they are as small as boxes with sides of 2^-24 of the ranges. A box that takes more digits takes
+/// the time of many others and counts as so many, so that a run of them is no longer than a run of
+/// the others.
 class Headway {
  public:
   /// Begins a run at that number of boxes.
@@ -35,17 +36,23 @@ class Headway {
   /// True if a run ended with these boxes and closed next to nothing. The next run begins then.
   [[nodiscard]] bool stalls(std::uint64_t boxes, std::size_t variables_to_split) noexcept {
     if (boxes - begin_ + kMultiprecisionBoxes * multiprecision_ < kBoxesOfRun) return false;
-    const bool small_for_its_size =
-        variables_to_split <= kFewVariables || 2 * multiprecision_ > leaves_;
-    const bool stalled = part_ < kLeastPart && small_for_its_size;
+    const bool few = variables_to_split <= kFewVariables || 2 * multiprecision_ > leaves_;
+    const bool stalled = part_ < (few ? kLeastPart : least_part_of_many(variables_to_split));
     begin(boxes);
     return stalled;
   }
 
  private:
+  /// A run of boxes of that size.
+  static double least_part_of_many(std::size_t variables) noexcept {
+    const std::size_t halvings = std::min<std::size_t>(kHalvingsOfSide * variables, 1000);
+    return std::ldexp(static_cast<double>(kBoxesOfRun), -static_cast<int>(halvings));
+  }
+
   static constexpr std::uint64_t kBoxesOfRun = 1U << 20;
   static constexpr double kLeastPart = 0x1p-20;
   static constexpr std::size_t kFewVariables = 3;
+  static constexpr std::size_t kHalvingsOfSide = 24;
   static constexpr std::uint64_t kMultiprecisionBoxes = 16;
 
   std::uint64_t begin_ = 0;  ///< boxes evaluated before the run

@@ -29,6 +29,14 @@ TEST(Headway, IsNotJudgedByTinyBoxesOfManyVariables) {
   EXPECT_FALSE(headway.stalls(kRun, 4));
 }
 
+TEST(Headway, IsNotMadeByBoxesOfManyVariablesWithTinySides) {
+  Headway headway;
+  for (int k = 0; k < 1000; ++k) headway.close(127, Rule::kHMatrix);
+  EXPECT_TRUE(headway.stalls(kRun, 4));
+  for (int k = 0; k < 1000; ++k) headway.close(127, Rule::kHMatrix);
+  EXPECT_FALSE(headway.stalls(2 * kRun, 6));
+}
+
 TEST(Headway, IsNotMadeByBoxesAtTheEndOfDoubles) {
   Headway headway;
   for (std::uint64_t k = 0; k < kRun / 16; ++k) headway.close(150, Rule::kMultiprecision);
