@@ -2,11 +2,17 @@
 #include "codegen/engine/algebra_oracle.hpp"
 
 #include <algorithm>
+#include <map>
 #include <optional>
+#include <string>
 #include <vector>
 
 #include "codegen/engine/arb_oracle.hpp"
+#include "codegen/program/rational_bounds.hpp"
 #include "codegen/symbolic/determinant.hpp"
+#include "codegen/symbolic/evaluate.hpp"
+#include "codegen/symbolic/from_ginac.hpp"
+#include "codegen/symbolic/rewrite.hpp"
 
 namespace regulus::inline engine {
 namespace {
@@ -70,7 +76,64 @@ bool vanishes_identically(const PreparedSearch& p) {
   }
 }
 
+using Values = std::map<std::string, Expression>;
+
+/// nullopt for the end of an axis of a ball, which need not be in the ball.
+std::optional<Values> values_at(std::span<const Variable> variables,
+                                std::span<const Interval> point, std::span<const Place> places) {
+  const SymbolMeaning no_symbols;
+  Values values;
+  for (std::size_t k = 0; k < variables.size(); ++k) {
+    const Variable& v = variables[k];
+    const bool at_end = places[k] != Place::kInside;
+    if (at_end ? v.ball >= 0 : point[k].lo != point[k].hi) return std::nullopt;
+    const GiNaC::ex& end = places[k] == Place::kUpperEnd ? v.range.hi : v.range.lo;
+    values.emplace(v.name, at_end ? GinacReader(no_symbols).read(end)
+                                  : Expression(exact_rational(point[k].lo)));
+  }
+  return values;
+}
+
+/// Of a polynomial in indeterminates nothing is known but that it is 0 if it has no terms.
+bool is_at_most(const Polynomial& p, const Expression& alpha) {
+  if (p.is_zero()) return true;
+  const PolynomialTerm& first = p.terms().front();
+  const bool is_number = p.terms().size() == 1 && first.monomial == Monomial{};
+  return is_number && alpha.kind() == Kind::kConstant && cln::abs(first.factor) <= alpha.value();
+}
+
+bool is_at_most_alpha(const Formulation& f, const Values& values, const GiNaC::ex& alpha) {
+  const SymbolMeaning no_symbols;
+  const Expression threshold = GinacReader(no_symbols).read(alpha);
+  const ReplacementOf value_of = [&](const Expression& e) -> std::optional<Expression> {
+    if (e.kind() != Kind::kVariable) return std::nullopt;
+    return values.at(e.name());
+  };
+  Rewriter rewriter({}, {});
+  const auto expanded = [&](const Expression& e) {
+    return rewriter.expand(substitute(e, value_of));
+  };
+  std::vector<Polynomial> entries;
+  for (const Expression& e : f.natural_matrix) entries.push_back(expanded(e));
+  TermBudget budget(kBudget);
+  Polynomial p = determinant(entries, f.columns, rewriter.atoms(), budget);
+  if (p.is_zero() || threshold.is_constant(0)) return p.is_zero();
+  for (const Expression& scale : f.natural_row_scale) p = p * expanded(scale);
+  return is_at_most(p, threshold);
+}
+
 }  // namespace
+
+bool ExactAlgebra::is_singular_at(std::span<const Interval> point,
+                                  std::span<const Place> places) noexcept try {
+  if (preparation_.is_replanned) return false;
+  const Formulation& f = preparation_.stages->outline();
+  if (f.rows != f.columns || f.rows > kMaxOrder) return false;
+  const std::optional<Values> values = values_at(f.variables, point, places);
+  return values && is_at_most_alpha(f, *values, preparation_.stages->request().motion.alpha);
+} catch (...) {
+  return false;  // one more way of not knowing
+}
 
 AlgebraOracle::Determinant ExactAlgebra::determinant(std::span<const Interval> point) noexcept try {
   if (!vanishes_at_samples(preparation_, point, kFewBits)) return Determinant::kUnknown;

@@ -22,6 +22,13 @@ class ExactAlgebra final : public AlgebraOracle {
 
   [[nodiscard]] Determinant determinant(std::span<const Interval> point) noexcept override;
 
+  /// Puts the ends, as the model writes them, and the doubles in place of the variables. The
+  /// determinant of what that leaves is expanded over the rationals; the roots and functions of
+  /// numbers that remain are taken as indeterminates. Says nothing about ranges that `margin` has
+  /// changed: the stages do not have their ends.
+  [[nodiscard]] bool is_singular_at(std::span<const Interval> point,
+                                    std::span<const Place> places) noexcept override;
+
  private:
   const PreparedSearch& preparation_;
 };

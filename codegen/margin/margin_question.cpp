@@ -149,6 +149,7 @@ void MarginRequest::replan(PreparedSearch& p, const MarginValue& value) const {
   std::vector<Variable> variables = p.stages->formulation().variables;
   for (Variable& variable : variables) variable.range = range_at(request, variable);
   p.variety = enclose_variety(request.model, request.motion, variables);
+  p.is_replanned = true;
 }
 
 std::string describe_quantity(const MarginQuestion& question) {

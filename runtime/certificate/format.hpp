@@ -14,6 +14,8 @@ inline constexpr const char* kSingularity = "SINGULARITY";
 inline constexpr const char* kOppositeSigns = "opposite-signs";
 inline constexpr const char* kSmallDeterminant = "small-determinant";
 inline constexpr const char* kAlwaysSingular = "always-singular";
+inline constexpr const char* kLowerEnd = "lower";  ///< a coordinate that is the end of its range
+inline constexpr const char* kUpperEnd = "upper";
 
 // Limits: a file beyond them is no certificate, so that reading one takes bounded memory and stack.
 inline constexpr std::uint64_t kMaxBytes = std::uint64_t{1} << 32;  ///< of a file

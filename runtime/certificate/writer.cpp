@@ -55,6 +55,11 @@ const char* word_of(Reason reason) noexcept {
   return reason == Reason::kAlwaysSingular ? format::kAlwaysSingular : format::kOppositeSigns;
 }
 
+/// Requires  an end.
+std::string word_of(Place place) {
+  return place == Place::kUpperEnd ? format::kUpperEnd : format::kLowerEnd;
+}
+
 /// Of an enclosure of a number other than 0: the end next to 0 may have become 0 by rounding.
 bool is_positive(const Interval& x) noexcept { return x.lo >= 0.0 && x.hi > 0.0; }
 
@@ -162,9 +167,11 @@ void CertificateWriter::on_leaf(const OpenBox& box, Rule rule, const Proof&) noe
 
 void CertificateWriter::write_point(const WitnessPoint& point, const char* sign) {
   std::string line = std::string("point ") + sign;
-  for (const Interval& x : point.variables) {
-    line += ' ' + hexadecimal(x.lo);
-    if (x.hi != x.lo) line += ':' + hexadecimal(x.hi);
+  for (std::size_t k = 0; k < point.variables.size(); ++k) {
+    const Interval& x = point.variables[k];
+    const Place place = point.places.empty() ? Place::kInside : point.places[k];
+    line += ' ' + (place == Place::kInside ? hexadecimal(x.lo) : word_of(place));
+    if (place == Place::kInside && x.hi != x.lo) line += ':' + hexadecimal(x.hi);
   }
   put(line + '\n');
 }

@@ -130,11 +130,16 @@ class ClosedForm {
       std::span<const Interval> box) const noexcept = 0;
 };
 
-/// Knows the model's expressions as such, and not only their bounds.
+/// Where a coordinate of a point lies in the range of its variable. An end need not be a double.
+enum class Place : std::uint8_t { kInside, kLowerEnd, kUpperEnd };
+
+/// Knows the model's expressions as such, and not only their bounds. The thread that called the
+/// search asks it, of square matrices alone.
 ///
-/// A search asks it once, in its conclusion, of a square matrix, if nothing was proved, or of one
+/// A search asks about the determinant once, in its conclusion, if nothing was proved, or of one
 /// point alone that its determinant is at most the threshold; if no box was certified; and if
-/// memory, the time limit or an interrupt have not ended the search.
+/// memory, the time limit or an interrupt have not ended the search. It asks about points at ends
+/// of ranges where bounds in doubles leave open whether the determinant there is 0.
 class AlgebraOracle {
  public:
   enum class Determinant : std::uint8_t {
@@ -153,6 +158,17 @@ class AlgebraOracle {
   /// Ensures   kVanishes only if det A is the zero function of the kernel's variables, by an exact
   ///           identity between the expressions that are its entries.
   [[nodiscard]] virtual Determinant determinant(std::span<const Interval> point) noexcept = 0;
+
+  /// `point` encloses one point: the end of a range itself where `places` says so, the double
+  /// elsewhere.
+  ///
+  /// Requires  the matrix, the row scales and the pose are certainly defined all over `point`.
+  /// Ensures   true only if |det J⁻¹| ≤ α at that point, if α > 0; det A = 0 there, if α = 0.
+  [[nodiscard]] virtual bool is_singular_at(std::span<const Interval> point,
+                                            std::span<const Place> places) noexcept {
+    static_cast<void>(point), static_cast<void>(places);
+    return false;
+  }
 };
 
 struct Settings {

@@ -61,7 +61,10 @@ inline constexpr std::size_t kRules = static_cast<std::size_t>(Rule::kBlocked) +
 
 struct WitnessPoint {
   std::vector<Interval> variables;  ///< thin wherever the range holds a double
-  Interval determinant;             ///< of A for opposite signs, of J⁻¹ for a small determinant
+  /// Empty, or for each variable: at an end of its range, which is not the double next to it. The
+  /// interval in `variables` encloses that end.
+  std::vector<Place> places{};
+  Interval determinant;  ///< of A for opposite signs, of J⁻¹ for a small determinant
   std::vector<Interval> pose;
 };
 

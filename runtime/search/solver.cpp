@@ -75,6 +75,7 @@ class Search {
   void load(Decisions& batch) noexcept;
   void leave(const Decisions& batch, std::size_t lane) noexcept;
   void look_for_witness(Decisions& batch) noexcept;
+  void look_at_exact_ends(std::span<const Interval> box) noexcept;
   void block(Decisions& batch, std::size_t lane) noexcept;
   void pause() noexcept;
   void count_up() noexcept;
@@ -102,7 +103,7 @@ class Search {
   std::optional<Reason> stopped_by_;
   std::uint64_t probes_in_boxes_ = 0;
   double seconds_before_ = 0;
-  bool closed_form_made_ = false;
+  bool closed_form_made_ = false, exact_corners_seen_ = false;
   Headway headway_;
 };
 
@@ -305,6 +306,14 @@ void Search::look_for_witness(Decisions& batch) noexcept {
   std::size_t lane = 0;
   while (!has_lane(undecided, lane)) ++lane;
   witness_.descend(batch.open(lane).box);
+  look_at_exact_ends(batch.open(lane).box);
+}
+
+/// What bounds in doubles cannot show: a determinant that is 0 at an end which is no double.
+void Search::look_at_exact_ends(std::span<const Interval> box) noexcept {
+  if (!exact_corners_seen_) witness_.look_at_exact_corners();
+  exact_corners_seen_ = true;
+  witness_.look_at_ends(box);
 }
 
 bool Search::splits(const OpenBox& box) noexcept {
@@ -344,6 +353,7 @@ void Search::block(Decisions& batch, std::size_t lane) noexcept {
   const std::uint64_t blocked = state_.statistics.leaves[static_cast<std::size_t>(Rule::kBlocked)];
   if (!looking_for_witness() || blocked > kMaxDescentsFromBlocked) return;
   witness_.descend(box);
+  look_at_exact_ends(box);
   stopped_ = stopped_ || witness_.found();
 }
 

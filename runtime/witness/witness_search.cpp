@@ -20,6 +20,7 @@ constexpr unsigned kMaxSmallTries = 64;
 WitnessSearch::WitnessSearch(const Problem& problem, const Settings& settings, bool closes_in)
     : problem_(problem),
       oracle_(settings.oracle),
+      algebra_(settings.algebra),
       variables_(problem.kernel->variables),
       square_(problem.kernel->rows == problem.kernel->columns),
       scaled_(problem.alpha.hi > 0.0),
@@ -31,7 +32,9 @@ WitnessSearch::WitnessSearch(const Problem& problem, const Settings& settings, b
       pose_(2 * std::size_t{problem.kernel->pose_parameters} * kLanes),
       box_(variables_),
       current_(variables_),
-      middle_(variables_) {
+      middle_(variables_),
+      places_(variables_),
+      at_ends_(variables_) {
   for (Candidate* candidate :
        {&positive_, &negative_, &small_, &nearest_, &far_positive_, &far_negative_})
     candidate->point.resize(variables_);
@@ -41,7 +44,7 @@ WitnessSearch::WitnessSearch(const Problem& problem, const Settings& settings, b
 void WitnessSearch::forget() noexcept {
   for (Candidate* candidate : {&positive_, &negative_, &small_})
     candidate->approx = candidate->tried = 0.0;
-  small_known_ = small_fresh_ = found_ = false;
+  small_known_ = small_fresh_ = found_ = found_at_ends_ = false;
   small_tries_ = 0;
 }
 

@@ -47,6 +47,12 @@ class WitnessSearch {
   /// determinant 0, moving the uncertain quantities too.
   void descend(std::span<const Interval> box) noexcept;
 
+  /// Looks at the corners of the variety itself, whose coordinates need not be doubles.
+  void look_at_exact_corners() noexcept;
+
+  /// Looks at the point with the ends of ranges that `box` reaches, in its middle otherwise.
+  void look_at_ends(std::span<const Interval> box) noexcept;
+
   /// Forgets what was found and looks inside `box` alone: in its middle, downhill, at its corners.
   /// Returns found().
   bool look_inside(std::span<const Interval> box) noexcept;
@@ -86,6 +92,9 @@ class WitnessSearch {
   [[nodiscard]] Interval enclose_at(std::size_t lane, bool scaled) noexcept;
   [[nodiscard]] bool certain_segment(const std::vector<double>& from,
                                      const std::vector<double>& to) noexcept;
+  void place_at(std::size_t variable, Place place) noexcept;
+  void try_exactly() noexcept;
+
   void load_piece(std::size_t lane, const std::vector<double>& from, const std::vector<double>& to,
                   Interval part) noexcept;
   void close_in() noexcept;
@@ -94,11 +103,13 @@ class WitnessSearch {
 
   bool step(std::span<const Interval> box, std::size_t first, double sign, double& best) noexcept;
   void report(WitnessPoint& into, const Candidate& candidate);
+  void report_ends(WitnessPoint& into);
   [[nodiscard]] const Candidate& closest_to_zero() const noexcept;
   void copy_pose(const std::vector<Interval>& point, std::vector<Interval>& pose);
 
   const Problem& problem_;
   DeterminantOracle* oracle_;
+  AlgebraOracle* algebra_;
   std::size_t variables_;
   bool square_, scaled_;
   const bool uses_corners_, uses_descents_;
@@ -115,7 +126,10 @@ class WitnessSearch {
   std::uint64_t probes_ = 0;
   bool small_known_ = false, small_fresh_ = false;
   unsigned small_tries_ = 0;
-  bool found_ = false;
+  std::vector<Place> places_;      ///< of box_, where it was made for exact algebra
+  std::vector<Interval> at_ends_;  ///< the point that was found there
+  Interval determinant_at_ends_;
+  bool found_ = false, found_at_ends_ = false;
   Reason reason_ = Reason::kOppositeSigns;
   Witness witness_;
 };

@@ -116,6 +116,7 @@ void WitnessSearch::copy_pose(const std::vector<Interval>& point, std::vector<In
 
 void WitnessSearch::report(WitnessPoint& into, const Candidate& candidate) {
   into.variables.clear();
+  into.places.clear();
   for (std::size_t k = 0; k < variables_; ++k)
     into.variables.push_back(within_inner(k, candidate.point[k]));
   // With α > 0 that of one point is of J⁻¹, which the row scale has made the user's.
@@ -133,6 +134,12 @@ void WitnessSearch::copy_point(std::size_t index, std::span<Interval> variables)
 
 /// Fills the same vectors each time: they grow once.
 const Witness& WitnessSearch::witness() {
+  if (found_at_ends_) {
+    witness_.points.resize(1);
+    report_ends(witness_.points.front());
+    if (closes_in_) witness_.near = witness_.points.front();
+    return witness_;
+  }
   const bool small = reason_ == Reason::kSmallDeterminant;
   witness_.points.resize(small ? 1 : 2);
   report(witness_.points[0], small ? small_ : positive_);

@@ -9,16 +9,17 @@ namespace {
 constexpr std::uint64_t kProducts = 1 << 20;
 constexpr std::uint64_t kProductsOfConstraint = 1 << 16;
 
-std::vector<NodeId> coordinates(Question& q, const Box& point) {
-  std::vector<NodeId> result(point.size(), kNoNode);
-  for (std::size_t k = 0; k < point.size(); ++k)
-    if (is_thin(point[k])) result[k] = q.graph.number(rational_of(point[k].lo));
+std::vector<NodeId> coordinates(Question& q, const ClaimedPoint& point) {
+  std::vector<NodeId> result = point.ends;
+  for (std::size_t k = 0; k < result.size(); ++k)
+    if (result[k] == kNoNode && is_thin(point.box[k]))
+      result[k] = q.graph.number(rational_of(point.box[k].lo));
   return result;
 }
 
 }  // namespace
 
-ExactPoint::ExactPoint(Question& question, const Box& point)
+ExactPoint::ExactPoint(Question& question, const ClaimedPoint& point)
     : q_(question),
       values_(coordinates(question, point)),
       budget_(kProducts),

@@ -7,10 +7,18 @@
 
 namespace regulus::verifier {
 
+/// A point of a witness. A coordinate that is the end of its range is that expression, which the
+/// box encloses; the others have kNoNode.
+struct ClaimedPoint {
+  Box box;
+  std::vector<NodeId> ends;
+};
+
 class ExactPoint {
  public:
-  /// A coordinate that is an interval is a variable: nothing depends on those of one value.
-  ExactPoint(Question& question, const Box& point);
+  /// A coordinate that is an interval and no end is a variable: nothing depends on those of one
+  /// value.
+  ExactPoint(Question& question, const ClaimedPoint& point);
 
   /// Ensures   true only if |det A·∏ scale| ≤ alpha at the point, where these are defined there.
   [[nodiscard]] bool is_singular();

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // A point whose determinant is at most alpha, or two points of opposite signs and the segment that
 // joins them, on which the model is defined and no constraint is violated.
+#include <algorithm>
+
 #include "runtime/certificate/verifier/exact_determinant.hpp"
 #include "runtime/certificate/verifier/exact_point.hpp"
 #include "runtime/certificate/verifier/proof.hpp"
@@ -11,6 +13,7 @@ namespace {
 
 constexpr std::size_t kMostPieces = 1 << 14;
 constexpr double kShortestPiece = 0x1p-40;
+constexpr long kBitsOfEnd = 128;
 
 class WitnessChecker {
  public:
@@ -34,26 +37,53 @@ class WitnessChecker {
     return lines_.text();
   }
 
-  /// `point SIGN X …`, where X is a number or LO:HI.
-  Box read_point(std::string_view sign) {
+  /// `point SIGN X …`, where X is a number or LO:HI; at a singular point also the end of a range.
+  ClaimedPoint read_point(std::string_view sign) {
     const auto words = words_of(next_line());
     if (words.size() != q_.variables.size() + 2 || words[0] != "point" || words[1] != sign)
       throw Rejection("expected 'point " + std::string(sign) + "' and " +
                       std::to_string(q_.variables.size()) + " numbers");
-    Box result;
+    ClaimedPoint result;
+    Box in_ranges;  // a value of the range in place of each end
     for (std::size_t k = 0; k < q_.variables.size(); ++k) {
       const std::string_view word = words[k + 2];
-      const std::size_t colon = word.find(':');
-      const double lo = read_double(word.substr(0, colon));
-      const double hi = colon == std::string_view::npos ? lo : read_double(word.substr(colon + 1));
-      if (!(lo <= hi)) throw Rejection("the interval " + std::string(word) + " is empty");
-      result.push_back({lo, hi});
+      const NodeId end = sign == "0" ? end_of_range(k, word) : kNoNode;
+      result.ends.push_back(end);
+      result.box.push_back(end == kNoNode ? read_coordinate(word) : enclosure_of(k, end));
+      in_ranges.push_back(end == kNoNode ? result.box.back() : some_value(k));
     }
-    if (certain_outside(q_, variety_, result))
+    if (certain_outside(q_, variety_, in_ranges))
       throw Rejection("the point is outside the ranges or the balls");
-    if (!certain_inside(q_, variety_, result))
+    if (!certain_inside(q_, variety_, in_ranges))
       throw Unfinished("the point is not certainly within the ranges");
     return result;
+  }
+
+  static Interval read_coordinate(std::string_view word) {
+    const std::size_t colon = word.find(':');
+    const double lo = read_double(word.substr(0, colon));
+    const double hi = colon == std::string_view::npos ? lo : read_double(word.substr(colon + 1));
+    if (!(lo <= hi)) throw Rejection("the interval " + std::string(word) + " is empty");
+    return {lo, hi};
+  }
+
+  /// kNoNode for a word that names none. The ends of the axes of a ball are not all in the ball.
+  NodeId end_of_range(std::size_t k, std::string_view word) const {
+    if (word != format::kLowerEnd && word != format::kUpperEnd) return kNoNode;
+    for (const BallOfVariables& ball : q_.balls)
+      if (std::find(ball.members.begin(), ball.members.end(), k) != ball.members.end())
+        throw Rejection("a coordinate of a ball has no end");
+    const Variable& v = q_.variables[k];
+    return word == format::kLowerEnd ? v.lo : v.hi;
+  }
+
+  [[nodiscard]] Interval enclosure_of(std::size_t k, NodeId end) const {
+    const auto value = evaluate(q_.graph, {end}, {}, kBitsOfEnd);
+    return value ? (*value)[0].enclosure() : variety_.outer[k];
+  }
+
+  [[nodiscard]] Interval some_value(std::size_t k) const {
+    return variety_.inner[k] ? point(variety_.inner[k]->lo) : variety_.outer[k];
   }
 
   void read_end() {
@@ -62,9 +92,9 @@ class WitnessChecker {
   }
 
   void check_signs() {
-    const Box positive = read_point("+");
+    const Box positive = read_point("+").box;
     require_sign(positive, 1);
-    const Box negative = read_point("-");
+    const Box negative = read_point("-").box;
     require_sign(negative, -1);
     if (next_line() != "path segment") throw Rejection("expected 'path segment'");
     check_segment(positive, negative);
@@ -85,12 +115,12 @@ class WitnessChecker {
   }
 
   void check_small() {
-    const Box point = read_point("0");
+    const ClaimedPoint point = read_point("0");
     read_end();
     if (is_singular_exactly(point)) return;
     for (long bits = 64; bits <= options_.max_bits; bits *= 2) {
       clock_.tick();
-      const auto values = values_over(q_, point, bits);
+      const auto values = values_over(q_, point.box, bits);
       if (!values) continue;
       const Interval size = values->determinant.enclosure();
       if (mig(size) > variety_.alpha.hi) throw Rejection("the determinant is greater than alpha");
@@ -101,7 +131,7 @@ class WitnessChecker {
 
   /// One point at which the determinant is 0 is enough for the claim.
   void check_always() {
-    const Box point = read_point("0");
+    const ClaimedPoint point = read_point("0");
     read_end();
     if (is_singular_exactly(point)) return;
     throw Unfinished(
@@ -111,7 +141,7 @@ class WitnessChecker {
   }
 
   /// Exact algebra at the point comes first: there is less to multiply out.
-  bool is_singular_exactly(const Box& point) {
+  bool is_singular_exactly(const ClaimedPoint& point) {
     if (!is_defined_within_constraints(point)) {
       obstacle_ = "the matrix is not certainly defined at the point, within the constraints";
       return false;
@@ -122,16 +152,16 @@ class WitnessChecker {
     return determinant.vanishes();
   }
 
-  bool is_defined_within_constraints(const Box& point) {
+  bool is_defined_within_constraints(const ClaimedPoint& point) {
     for (long bits = 64; bits <= options_.max_bits; bits *= 2) {
       clock_.tick();
-      const auto values = values_over(q_, point, bits);
+      const auto values = values_over(q_, point.box, bits);
       if (values && is_within_constraints(point, *values)) return true;
     }
     return false;
   }
 
-  bool is_within_constraints(const Box& point, const PointValues& values) {
+  bool is_within_constraints(const ClaimedPoint& point, const PointValues& values) {
     std::optional<ExactPoint> exact;
     for (std::size_t i = 0; i < q_.constraints.size(); ++i) {
       if (arb_is_nonpositive(values.constraints[i].get()) != 0) continue;

@@ -125,5 +125,16 @@ TEST(AForgedIdentity, IsNoProof) {
                   "expected 'end'");
 }
 
+TEST(AnEndOfARange, IsNoCoordinateOfASignOrOfABall) {
+  const std::string question = scalar_question("x - 1", "0 : 3", kSingular1);
+  expect_rejected(question + "proof\nreason opposite-signs\npoint + upper\n", "not a number");
+  expect_rejected(question + "proof\nreason small-determinant\npoint 0 middle\n", "not a number");
+  std::string ball = scalar_question("x - a", "0 : 3", kSingular1);
+  ball.insert(ball.find(" of the variety"), " and value of the 1 uncertain quantities");
+  ball.insert(ball.find("\npose") + 1, "uncertain a = 1 +- 1\nball a\n");
+  expect_rejected(ball + "proof\nreason small-determinant\npoint 0 0x1p+0 upper\nend\n",
+                  "a coordinate of a ball");
+}
+
 }  // namespace
 }  // namespace regulus::test

@@ -265,5 +265,27 @@ TEST(AlgebraBeyondItsBudget, StopsWithoutAProof) {
   }
 }
 
+std::string singular_at(const std::string& x, const std::string& e, const std::string& point) {
+  return question(range(x), around(e), true) + "proof\nreason small-determinant\npoint 0 " + point +
+         "\nend\n";
+}
+
+TEST(ASingularityAtAnEndOfARange, IsProvedByExactAlgebra) {
+  EXPECT_EQ(of(singular_at("1/3 : 1", "(3*x - 1)", "lower 0x1p+0")), Outcome::kVerified);
+  EXPECT_EQ(of(singular_at("0 : 1/3", "(3*x - 1)^3", "upper upper")), Outcome::kVerified);
+  EXPECT_EQ(of(singular_at("sqrt(2) : 2", "(x^2 - 2)", "lower lower")), Outcome::kVerified);
+}
+
+TEST(ASingularityAtAnEndOfARange, IsNotVerifiedWhereTheMatrixIsRegular) {
+  EXPECT_NE(of(singular_at("1/3 : 1", "(3*x - 1 + 1e-300)", "lower 0x1p+0")), Outcome::kVerified);
+  EXPECT_NE(of(singular_at("1/3 : 1", "(3*x - 1)", "upper 0x1p+0")), Outcome::kVerified);
+  EXPECT_NE(of(singular_at("1/3 : 1", "(3*x - 1)/(3*x - 1)*0", "lower 0x1p+0")),
+            Outcome::kVerified);
+  const std::string excluded = question(range("1/3 : 1"), around("(3*x - 1)"), true) +
+                               "constraint 1/2 - x\nproof\nreason small-determinant\n"
+                               "point 0 lower 0x1p+0\nend\n";
+  EXPECT_NE(of(excluded), Outcome::kVerified);
+}
+
 }  // namespace
 }  // namespace regulus::test

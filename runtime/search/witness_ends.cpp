@@ -1,0 +1,80 @@
+// SPDX-License-Identifier: Apache-2.0
+// Points at the ends of ranges themselves. An end that is no double lies between two of them: at
+// these the determinant may have one sign only, and be 0 at the end. Bounds in doubles say whether
+// that may be; exact algebra says whether it is.
+#include <algorithm>
+
+#include "runtime/witness/witness_search.hpp"
+
+namespace regulus {
+namespace {
+
+constexpr std::size_t kMaxCornerVariables = 6;
+
+}  // namespace
+
+/// The coordinate of box_. A range that holds no double is left at its lower end.
+///
+/// Ensures   box_[variable] encloses the end: it lies between the outer and the inner one.
+void WitnessSearch::place_at(std::size_t variable, Place place) noexcept {
+  const Interval& outer = problem_.outer[variable];
+  const std::optional<Interval>& inner = inner_[variable];
+  places_[variable] = inner ? place : Place::kLowerEnd;
+  box_[variable] = !inner                      ? outer
+                   : place == Place::kUpperEnd ? Interval(inner->hi, outer.hi)
+                                               : Interval(outer.lo, inner->lo);
+}
+
+/// Asks about the point in box_, where the model is defined and the constraints are satisfied.
+void WitnessSearch::try_exactly() noexcept {
+  points_.clear();
+  points_.load(0, box_);
+  evaluate_points(1);
+  LaneMask defined = points_.certain_inside() & points_.certain_posed() & 1U;
+  static_cast<void>(points_.product({}, defined));
+  if (defined == 0) return;
+  const Interval determinant = enclose_at(0, scaled_);
+  const Interval small(-problem_.alpha.hi, problem_.alpha.hi);
+  const std::optional<Interval> left = intersect(determinant, small);
+  if (!left || !algebra_->is_singular_at(box_, places_)) return;
+  std::copy(box_.begin(), box_.end(), at_ends_.begin());
+  determinant_at_ends_ = *left;
+  reason_ = Reason::kSmallDeterminant;
+  found_ = found_at_ends_ = true;
+}
+
+void WitnessSearch::look_at_exact_corners() noexcept {
+  if (found_ || !square_ || algebra_ == nullptr || !uses_corners_) return;
+  const std::size_t corners = std::size_t{1} << std::min(variables_, kMaxCornerVariables);
+  for (std::size_t corner = 0; corner < corners && !found_; ++corner) {
+    for (std::size_t k = 0; k < variables_; ++k)
+      place_at(
+          k, (corner >> (k % kMaxCornerVariables) & 1U) != 0 ? Place::kUpperEnd : Place::kLowerEnd);
+    try_exactly();
+  }
+}
+
+void WitnessSearch::look_at_ends(std::span<const Interval> box) noexcept {
+  if (found_ || !square_ || algebra_ == nullptr) return;
+  bool at_end = false;
+  for (std::size_t k = 0; k < variables_; ++k) {
+    const bool lower = box[k].lo == problem_.outer[k].lo, upper = box[k].hi == problem_.outer[k].hi;
+    at_end = at_end || lower != upper;
+    if (lower != upper || !inner_[k]) {
+      place_at(k, upper && !lower ? Place::kUpperEnd : Place::kLowerEnd);
+    } else {
+      places_[k] = Place::kInside;
+      box_[k] = within_inner(k, mid(box[k]));
+    }
+  }
+  if (at_end) try_exactly();
+}
+
+void WitnessSearch::report_ends(WitnessPoint& into) {
+  into.variables = at_ends_;
+  into.places = places_;
+  into.determinant = determinant_at_ends_;
+  copy_pose(into.variables, into.pose);
+}
+
+}  // namespace regulus
