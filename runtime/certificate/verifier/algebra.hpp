@@ -40,6 +40,8 @@ class Algebra {
   Algebra(Graph& graph, const std::vector<NodeId>& values, Form form, AlgebraBudget& budget)
       : graph_(graph), values_(values), form_(form), budget_(budget) {}
 
+  [[nodiscard]] Form form() const noexcept { return form_; }
+
   /// Ensures   has the value of the expression wherever all its operations are defined. Throws
   ///           TooLarge, also for a division by what is 0 identically.
   [[nodiscard]] const Polynomial& of(NodeId id);
@@ -48,6 +50,12 @@ class Algebra {
 
   /// Ensures   true only if it is 0 wherever its atoms have values and its divisors are not 0.
   [[nodiscard]] bool vanishes(Polynomial p);
+
+  /// p with √f·√g in place of √h and log f + log g in place of log h where h = f·g and all three
+  /// have been met.
+  ///
+  /// Ensures   has the value of p wherever all functions that have been met are defined.
+  [[nodiscard]] Polynomial split_functions(const Polynomial& p);
 
   /// The determinant of a matrix of expressions, by minors.
   [[nodiscard]] Polynomial determinant(const std::vector<NodeId>& matrix, std::size_t order);
@@ -88,6 +96,7 @@ class Algebra {
   [[nodiscard]] int number_of(Atom atom, const std::string& key);
   [[nodiscard]] int atom_of(Op op, const Polynomial& argument, const Polynomial& second = {});
   [[nodiscard]] Polynomial reduced(const Polynomial& p);
+  [[nodiscard]] std::optional<std::pair<int, int>> parts_of(int number);
   [[nodiscard]] bool reducible(const std::pair<int, int>& factor) const;
   [[nodiscard]] Polynomial replacement(const std::pair<int, int>& factor);
   [[nodiscard]] NodeId expression_of_atom(int number);

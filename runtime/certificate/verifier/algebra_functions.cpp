@@ -9,6 +9,7 @@
 namespace regulus::verifier {
 namespace {
 
+constexpr int kMostAtomsOfPairs = 64;          ///< among which a product of arguments is looked for
 constexpr unsigned long kLargestPrime = 1000;  ///< that is looked for below a root
 constexpr long kMostTurns = 16;                ///< of a unit angle, multiplied out
 constexpr long kMostTimes = 64;                ///< of a unit exponent
@@ -97,6 +98,47 @@ Polynomial Algebra::root_of_integer(const fmpz_t x) {
     result = product(result, Polynomial::atom(atom_of(Op::kSqrt, under)));
   }
   return result.scaled(rational(outside.get()));
+}
+
+/// Two atoms of the same function whose arguments have the product that is the atom's argument.
+std::optional<std::pair<int, int>> Algebra::parts_of(int number) {
+  const Atom whole = atoms_[std::size_t(number)];
+  if (whole.kind != Atom::Kind::kFunction || (whole.op != Op::kSqrt && whole.op != Op::kLog))
+    return std::nullopt;
+  const int count = std::min(int(atoms_.size()), kMostAtomsOfPairs);
+  const auto is_like = [&](int k) {
+    const Atom& atom = atoms_[std::size_t(k)];
+    return k != number && atom.kind == whole.kind && atom.op == whole.op;
+  };
+  for (int first = 0; first < count; ++first)
+    for (int second = first; is_like(first) && second < count; ++second) {
+      if (!is_like(second)) continue;
+      const Polynomial f = atoms_[std::size_t(first)].argument;
+      if (product(f, atoms_[std::size_t(second)].argument) == whole.argument)
+        return std::pair{first, second};
+    }
+  return std::nullopt;
+}
+
+Polynomial Algebra::split_functions(const Polynomial& p) {
+  Polynomial result;
+  for (const auto& [powers, factor] : p.terms()) {
+    Polynomial term(factor);
+    for (const auto& [number, exponent] : powers) {
+      const auto parts = exponent > 0 ? parts_of(number) : std::nullopt;
+      Polynomial atom = Polynomial::atom(number, parts ? 1 : exponent);
+      if (parts) {
+        const Polynomial first = Polynomial::atom(parts->first);
+        const Polynomial second = Polynomial::atom(parts->second);
+        const bool is_root = atoms_[std::size_t(number)].op == Op::kSqrt;
+        atom = is_root ? product(first, second) : sum(first, second, 1);
+        atom = power(atom, exponent);
+      }
+      term = product(term, atom);
+    }
+    result.add(term);
+  }
+  return result;
 }
 
 Polynomial Algebra::magnitude(const Polynomial& x) {

@@ -60,18 +60,54 @@ std::unique_ptr<ExactDeterminant::Form> ExactDeterminant::form_of(
   Polynomial p = algebra.determinant(matrix, q_.columns);
   if (q_.has_threshold)
     for (const NodeId scale : q_.scale) p = algebra.product(p, algebra.of(scale));
+  if (algebra.form() == Algebra::Form::kFull) p = algebra.split_functions(p);
   vanishes_ = vanishes_ || algebra.vanishes(p);
   int number = -1;
   if (const auto variable = only_variable(algebra, p, number))
     if (polynomial_.set(p, number)) only_ = variable;
   if (vanishes_ || p.terms().size() > kMostTermsOfForm) return nullptr;
+  if (algebra.form() == Algebra::Form::kFull) reduce_by_constraints(algebra, p);
   has_few_terms_ = p.terms().size() <= kMostTermsOfExtremum;
   return std::make_unique<Form>(q_, algebra.expression(p));
+}
+
+/// For each constraint with the λ that leaves the fewest terms.
+void ExactDeterminant::reduce_by_constraints(Algebra& algebra, const Polynomial& determinant) try {
+  const Polynomial::Terms& terms = determinant.terms();
+  for (const NodeId constraint : q_.constraints) {
+    const Polynomial h = algebra.of(constraint);
+    std::optional<Polynomial> best;
+    bool from_below = false;
+    for (const auto& [powers, factor] : h.terms()) {
+      const auto like = terms.find(powers);
+      if (like == terms.end() || powers.empty()) continue;
+      const Rational lambda = like->second * Rational(-1) / factor;
+      Polynomial left = determinant;
+      left.add(h.scaled(lambda));
+      if (left.terms().size() >= (best ? *best : determinant).terms().size()) continue;
+      best = std::move(left);
+      from_below = lambda.sign() > 0;
+    }
+    if (!best) continue;
+    reduced_.push_back({std::make_unique<Form>(q_, algebra.expression(*best)), from_below});
+  }
+} catch (const TooLarge&) {
+  // What is reduced by now stays, and the other tests go on.
+}
+
+bool ExactDeterminant::exceeds_within_constraints(const Box& box) {
+  for (const Reduced& reduced : reduced_) {
+    if (!reduced.form->natural.run(box)) continue;
+    const Interval g = reduced.form->natural.value(reduced.form->root);
+    if (reduced.from_below ? g.lo > variety_.alpha.hi : g.hi < -variety_.alpha.hi) return true;
+  }
+  return false;
 }
 
 bool ExactDeterminant::exceeds_threshold(const Box& box) {
   if (plain_ && exceeds_naturally(*plain_, box)) return true;
   if (full_ && exceeds_naturally(*full_, box)) return true;
+  if (exceeds_within_constraints(box)) return true;
   if (only_ && exceeds_in_one_variable(box)) return true;
   return full_ && has_few_terms_ && exceeds_at_extremum(box);
 }

@@ -39,6 +39,9 @@ class ExactDeterminant {
   [[nodiscard]] bool exceeds_naturally(Form& form, const Box& box);
   [[nodiscard]] bool exceeds_in_one_variable(const Box& box) const;
   [[nodiscard]] bool exceeds_at_extremum(const Box& box);
+  /// By forms from which what a constraint has in common with the determinant has been taken.
+  [[nodiscard]] bool exceeds_within_constraints(const Box& box);
+  void reduce_by_constraints(Algebra& algebra, const Polynomial& determinant);
 
   [[nodiscard]] std::unique_ptr<Form> form_of(Algebra& algebra, const std::vector<NodeId>& matrix);
 
@@ -50,6 +53,12 @@ class ExactDeterminant {
   std::string obstacle_;
   ExactBounds bounds_;
   std::unique_ptr<Form> plain_, full_;
+  /// g = f + λh for a constraint h ≤ 0, so that f ≥ g where it holds, if λ > 0, and f ≤ g if not.
+  struct Reduced {
+    std::unique_ptr<Form> form;
+    bool from_below;
+  };
+  std::vector<Reduced> reduced_;
   std::optional<Rational> alpha_;
   std::optional<std::size_t> only_;  ///< the one variable of `polynomial_`
   Univariate polynomial_;

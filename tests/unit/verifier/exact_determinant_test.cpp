@@ -287,5 +287,35 @@ TEST(ASingularityAtAnEndOfARange, IsNotVerifiedWhereTheMatrixIsRegular) {
   EXPECT_NE(of(excluded), Outcome::kVerified);
 }
 
+TEST(ARootOrLogarithmOfAProduct, IsThatOfItsFactorsWhereTheyHaveOne) {
+  for (const char* zero : {"sqrt(x)*sqrt(y) - sqrt(x*y)", "log(x*y) - log(x) - log(y)"}) {
+    const std::string e = std::string("(") + zero;
+    EXPECT_EQ(of(question(range("1/3 : 2"), around(e + " + 1e-20)")) + kOneLeaf),
+              Outcome::kVerified)
+        << zero;
+    EXPECT_NE(of(question(range("1/3 : 2"), around(e + ")")) + kOneLeaf), Outcome::kVerified);
+    EXPECT_NE(of(question(range("-2 : -1"), around(e + " + 1e-20)")) + kOneLeaf),
+              Outcome::kVerified);
+  }
+}
+
+/// A ring whose inner circle the constraint cuts out.
+Outcome beside_a_hole(const std::string& e) {
+  const std::string square =
+      "parameter x in -1 : 1\nparameter y in -1 : 1\npose x = x\npose y = y\n";
+  return of(question(square, around(e)) + "constraint 1/4 - x^2 - y^2\n" + kOneLeaf);
+}
+
+TEST(ADeterminantNextToAConstraint, IsReducedByIt) {
+  EXPECT_EQ(beside_a_hole("(x^2 + y^2 - 1/4 + 1e-30)"), Outcome::kVerified);
+  EXPECT_EQ(beside_a_hole("(1/4 - 1e-30 - x^2 - y^2)"), Outcome::kVerified);
+}
+
+TEST(ADeterminantNextToAConstraint, IsNotReducedByItsNegative) {
+  EXPECT_NE(beside_a_hole("(x^2 + y^2 - 1/4)"), Outcome::kVerified);
+  EXPECT_NE(beside_a_hole("(x^2 + y^2 - 1/4 - 1e-30)"), Outcome::kVerified);
+  EXPECT_NE(beside_a_hole("(1/4 + 1e-30 - x^2 - y^2)"), Outcome::kVerified);
+}
+
 }  // namespace
 }  // namespace regulus::test
