@@ -127,7 +127,7 @@ bool is_at_most_alpha(const Formulation& f, const Values& values, const GiNaC::e
 bool ExactAlgebra::is_singular_at(std::span<const Interval> point,
                                   std::span<const Place> places) noexcept try {
   if (preparation_.is_replanned) return false;
-  const Formulation& f = preparation_.stages->outline();
+  const Formulation& f = preparation_.stages->natural_formulation();
   if (f.rows != f.columns || f.rows > kMaxOrder) return false;
   const std::optional<Values> values = values_at(f.variables, point, places);
   return values && is_at_most_alpha(f, *values, preparation_.stages->request().motion.alpha);

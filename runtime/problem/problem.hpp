@@ -124,8 +124,8 @@ class ClosedForm {
 
   /// Several threads may ask at once.
   ///
-  /// Ensures   det A(p) ∈ result for all p in `box`, A of the kernel; nullopt if that is not
-  ///           certainly defined all over it, or if there is no closed form.
+  /// Ensures   det A(p) ∈ result for all p in `box` within the constraints, A of the kernel;
+  ///           nullopt if that is not certainly defined all over it, or there is no closed form.
   [[nodiscard]] virtual std::optional<Interval> enclose(
       std::span<const Interval> box) const noexcept = 0;
 };

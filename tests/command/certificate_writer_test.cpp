@@ -28,8 +28,10 @@ std::string witness_of(const Interval& positive, const Interval& negative) {
   result.verdict = Verdict::kSingularity;
   result.reason = Reason::kOppositeSigns;
   result.witness.emplace();
-  result.witness->points.push_back({{{1, 1}}, positive, {{1, 1}}});
-  result.witness->points.push_back({{{0, 0}}, negative, {{0, 0}}});
+  result.witness->points.push_back(
+      {.variables = {{1, 1}}, .determinant = positive, .pose = {{1, 1}}});
+  result.witness->points.push_back(
+      {.variables = {{0, 0}}, .determinant = negative, .pose = {{0, 0}}});
   CertificateWriter writer(path,
                            {"model m\nsha256 -\nmotion m\nalpha 0\nparameter x in 0 : 1\npose x = "
                             "x\nmatrix 1 1\nentry x - 1/2\n",

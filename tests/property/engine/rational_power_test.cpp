@@ -26,13 +26,13 @@ using regulus::test::RandomSource;
 
 class OneName final : public Names {
  public:
-  const Term* find(const std::string& name, int) override { return name == "x" ? &term_ : nullptr; }
+  const ParsedExpression* find(const std::string& name, int) override { return name == "x" ? &term_ : nullptr; }
   std::vector<std::string> all() const override { return {"x"}; }
   [[nodiscard]] const GiNaC::realsymbol& symbol() const { return symbol_; }
 
  private:
   GiNaC::realsymbol symbol_{"x"};
-  Term term_ = variable(symbol_);
+  ParsedExpression term_ = variable(symbol_);
 };
 
 struct Power {
@@ -102,7 +102,7 @@ class RationalPower : public testing::Test {
   static Power read(int p, int q) {
     OneName names;
     const std::string text = "x^(" + std::to_string(p) + "/" + std::to_string(q) + ")";
-    const Term term = parse_expression(text, names, {.file = "", .key = "test"});
+    const ParsedExpression term = parse_expression(text, names, {.file = "", .key = "test"});
     const SymbolMeaning meaning{{names.symbol(), variable("x")}};
     return {p, q, GinacReader(meaning).read(term.value)};
   }
