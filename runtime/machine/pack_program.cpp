@@ -125,7 +125,10 @@ class FaultFinder {
   std::string fault_of_store(const PackInstruction& i, std::uint32_t begin, std::uint32_t at) {
     if (i.a > i.b || i.b >= function_.outputs || !is_value(i.c, 'I', begin, at))
       return "stores no output";
-    for (std::uint32_t e = i.a; e <= i.b; ++e) stored_[e] = true;
+    for (std::uint32_t e = i.a; e <= i.b; ++e) {
+      if (stored_[e]) return "stores an output again";
+      stored_[e] = true;
+    }
     return {};
   }
 

@@ -97,7 +97,7 @@ struct PackFunction {
 /// What is wrong with a list, in words; empty for one that can be run: operands of the right kind
 /// from the same part and from before, numbers within `variables`, `points` and the list's own
 /// sizes, a slot written before it is read and not again by a part that reads it, constants with
-/// bounds in order, every output stored.
+/// bounds in order, every output stored once.
 [[nodiscard]] std::string find_fault(const PackFunction& function, std::uint32_t variables,
                                      std::uint32_t points);
 

@@ -80,6 +80,27 @@ TEST(PackFileOfAKernel, IsNotReadFromAnythingElse) {
   EXPECT_FALSE(read_pack_kernel(' ' + text));
 }
 
+/// 256 more than a function's number is no other way to write it.
+TEST(PackFileOfAKernel, HasOneWayToWriteAFunction) {
+  PackKernel k = sample();
+  k.identity.clear();
+  k.has_expansion = false;
+  k.expansion = {};
+  k.expansion.derivatives.fill({KernelFunction::kNominalFirst, {}});
+  const std::string text = to_bytes(k);
+  // At the end: the product, four functions with empty lists, three empty lists, no identity.
+  const std::size_t product = text.size() - 13;
+  ASSERT_EQ(text[product], static_cast<char>(k.expansion.product));
+  ASSERT_TRUE(read_pack_kernel(text));
+  std::string longer = text;
+  longer[product] |= '\x80';
+  longer.insert(product + 1, 1, '\x02');
+  EXPECT_FALSE(read_pack_kernel(longer));
+  longer[product] = static_cast<char>(kKernelFunctions.size());
+  longer.erase(product + 1, 1);
+  EXPECT_FALSE(read_pack_kernel(longer));
+}
+
 /// Every byte changed: the result is another program without fault, or none.
 TEST(PackFileOfAKernel, GivesNoProgramWithAFault) {
   const std::string text = to_bytes(sample());

@@ -92,6 +92,10 @@ TEST(PackProgram, HasBothOfAPairAndEveryOutput) {
   EXPECT_THAT(fault_after([](PackFunction& f) { f.code[6].b = 1; }), HasSubstr("output"));
 }
 
+TEST(PackProgram, StoresNoOutputAgain) {
+  EXPECT_THAT(fault_after([](PackFunction& f) { f.code[10].b = 1; }), HasSubstr("again"));
+}
+
 TEST(PackProgram, HasConstantsInOrder) {
   EXPECT_THAT(fault_after([](PackFunction& f) { f.constants[0].hi = 2; }), HasSubstr("constant"));
   EXPECT_THAT(fault_after([](PackFunction& f) {
