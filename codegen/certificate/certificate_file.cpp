@@ -3,23 +3,33 @@
 
 #include <filesystem>
 #include <nlohmann/json.hpp>
+#include <numeric>
 
 #include "codegen/certificate/certificate_question.hpp"
 #include "codegen/support/errors.hpp"
 #include "runtime/certificate/format.hpp"
+#include "runtime/certificate/verifier/verify.hpp"
 
 namespace regulus::inline certificate {
 
 namespace {
 
-/// The verifier proves each leaf by its own means; where these may not be enough.
-std::string unfollowed_rules(const Result& result) {
-  const auto leaves = [&result](Rule rule) {
-    return result.statistics.leaves[static_cast<std::size_t>(rule)];
-  };
-  if (result.verdict != Verdict::kNoSingularity || leaves(Rule::kFilter) == 0) return "";
-  return std::to_string(leaves(Rule::kFilter)) +
-         " boxes rest on a filter of yours, which the verifier does not follow";
+/// The verifier proves each leaf by its own means, in one box at least.
+std::string doubt_of(const Statistics& statistics) {
+  const auto filtered = statistics.leaves[static_cast<std::size_t>(Rule::kFilter)];
+  const auto leaves =
+      std::accumulate(statistics.leaves.begin(), statistics.leaves.end(), std::uint64_t{0});
+  const std::uint64_t most_boxes = verifier::Options().max_boxes;
+  if (filtered > 0)
+    return std::to_string(filtered) +
+           " boxes rest on a filter of yours, which the verifier does not follow";
+  if (leaves > most_boxes)
+    return "it has " + std::to_string(leaves) + " leaves, and the verifier looks at " +
+           std::to_string(most_boxes) + " boxes unless --max-boxes says otherwise";
+  if (statistics.max_frontier > format::kMostOpen)
+    return "more boxes are open at one time than the " + std::to_string(format::kMostOpen) +
+           " that the verifier keeps";
+  return "";
 }
 
 }  // namespace
@@ -30,6 +40,8 @@ CertificateFile::CertificateFile(const std::string& path, const PreparedSearch& 
   CertifiedQuestion question = certified_question(preparation);
   obstacle_ = certificate_obstacle(question);
   if (!obstacle_.empty()) return;
+  doubt_safe_ = certificate_doubt(question, false);
+  doubt_singular_ = certificate_doubt(question, true);
   try {
     if (partial) {
       lock_.emplace(path);
@@ -44,7 +56,9 @@ CertificateFile::CertificateFile(const std::string& path, const PreparedSearch& 
 
 void CertificateFile::finish(const Result& result) {
   if (!writer_) return;
-  note_ = unfollowed_rules(result);
+  const bool singular = result.verdict == Verdict::kSingularity;
+  note_ = singular ? doubt_singular_ : doubt_safe_;
+  if (note_.empty() && !singular) note_ = doubt_of(result.statistics);
   try {
     written_ = writer_->finish(result);
   } catch (const std::runtime_error& error) {

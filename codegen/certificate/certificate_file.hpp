@@ -40,7 +40,8 @@ class CertificateFile {
   std::optional<CertificateWriter> writer_;
   bool written_ = false;
   std::string obstacle_;  ///< why there can be no certificate of this question
-  std::string note_;      ///< what the verifier may not be able to follow
+  /// What the verifier may not be able to follow in a proof of either verdict, and in this one.
+  std::string doubt_safe_, doubt_singular_, note_;
 };
 
 }  // namespace regulus::inline certificate

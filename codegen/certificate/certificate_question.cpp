@@ -2,12 +2,17 @@
 #include "codegen/certificate/certificate_question.hpp"
 
 #include <algorithm>
+#include <cmath>
+#include <limits>
 #include <set>
 #include <sstream>
 
 #include "codegen/certificate/certificate_expression_writer.hpp"
 #include "runtime/certificate/format.hpp"
+#include "runtime/certificate/verifier/evaluation.hpp"
 #include "runtime/certificate/verifier/question.hpp"
+#include "runtime/certificate/verifier/rounding.hpp"
+#include "runtime/certificate/verifier/verify.hpp"
 
 namespace regulus::inline certificate {
 namespace {
@@ -120,6 +125,33 @@ std::size_t control_errors(const Motion& motion) {
       std::ranges::count_if(motion.error, [](const ex& error) { return !error.is_zero(); }));
 }
 
+/// A certificate up to its proof.
+std::string head_of(const CertifiedQuestion& question, bool singular) {
+  return std::string(format::kMagic) + "\nverdict " +
+         (singular ? format::kSingularity : format::kNoSingularity) + "\nclaim " +
+         (singular ? question.singularity : question.no_singularity) + '\n' + question.text +
+         "proof\n";
+}
+
+/// e: every number of the question is below 2^(e + 1) in magnitude. A number that only an operation
+/// between numbers used is gone.
+int largest_exponent(const verifier::Question& q) {
+  std::vector<verifier::NodeId> roots{q.alpha};
+  for (const verifier::Variable& v : q.variables) roots.insert(roots.end(), {v.lo, v.hi});
+  for (const auto* list : {&q.matrix, &q.scale, &q.defined, &q.motion_defined, &q.constraints})
+    roots.insert(roots.end(), list->begin(), list->end());
+  int largest = std::numeric_limits<int>::min();
+  for (const verifier::NodeId id : verifier::ingredients(q.graph, roots)) {
+    const verifier::Node& node = q.graph.nodes()[static_cast<std::size_t>(id)];
+    if (node.op != verifier::Op::kConstant) continue;
+    const fmpq* value = q.graph.rational(node.a).get();
+    if (fmpq_is_zero(value) != 0) continue;
+    const auto bits = [](const fmpz* x) { return static_cast<int>(fmpz_bits(x)); };
+    largest = std::max(largest, bits(fmpq_numref(value)) - bits(fmpq_denref(value)));
+  }
+  return largest;
+}
+
 }  // namespace
 
 std::set<std::string> uncertain_names(const ReportLabels& subject) {
@@ -141,8 +173,7 @@ CertifiedQuestion certified_question(const Request& request,
 }
 
 std::string certificate_obstacle(const CertifiedQuestion& question) {
-  std::istringstream text(std::string(format::kMagic) + "\nverdict " + format::kNoSingularity +
-                          "\nclaim " + question.no_singularity + '\n' + question.text + "proof\n");
+  std::istringstream text(head_of(question, false));
   verifier::Lines lines(text);
   verifier::Question read;
   try {
@@ -151,6 +182,21 @@ std::string certificate_obstacle(const CertifiedQuestion& question) {
     return std::string("the question is beyond the limits of the format: ") + why.what();
   }
   return "";
+}
+
+std::string certificate_doubt(const CertifiedQuestion& question, bool singular) {
+  std::istringstream text(head_of(question, singular)), again(head_of(question, singular));
+  verifier::Lines lines(text);
+  verifier::Question read;
+  verifier::read_question(lines, read);
+  const int most =
+      singular ? std::numeric_limits<double>::max_exponent - 1 : std::ilogb(verifier::kLargest);
+  if (largest_exponent(read) > most)
+    return "the question has numbers beyond 2^" + std::to_string(most) +
+           ", which the verifier's bounds do not reach";
+  // A head without a proof is rejected, if the verifier gets as far as that.
+  const verifier::Verification tried = verifier::verify(again);
+  return tried.outcome == verifier::Outcome::kUnfinished ? tried.reason : "";
 }
 
 CertifiedQuestion certified_question(const PreparedSearch& p) {

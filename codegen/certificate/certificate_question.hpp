@@ -23,6 +23,10 @@ namespace regulus::inline certificate {
 /// Why the verifier could not read a certificate of this question, whatever its proof: it is beyond
 /// the limits of the format. Empty if it can.
 [[nodiscard]] std::string certificate_obstacle(const CertifiedQuestion& question);
+/// Why the verifier may not finish a proof of this question, for the reader of a report: its own
+/// objection, or numbers that its bounds do not reach. Empty if nothing is known; nothing is
+/// claimed.
+[[nodiscard]] std::string certificate_doubt(const CertifiedQuestion& question, bool singular);
 /// What a preparation was made for.
 [[nodiscard]] CertifiedQuestion certified_question(const PreparedSearch& preparation);
 

@@ -54,5 +54,22 @@ TEST(AQuestionBeyondTheLimitsOfTheFormat, LeavesNoCertificate) {
   EXPECT_THAT(std::string(report["certificate_obstacle"]), HasSubstr("too many variables"));
 }
 
+TEST(NumbersBeyondTheBoundsOfTheVerifier, AreAnnounced) {
+  const TemporaryDirectory directory;
+  const std::string model = directory.path() / "huge.toml", file = directory.path() / "proof";
+  const auto check = [&](const std::string& factor, const std::string& range) {
+    write_file(model, "regulus = 1\nname = \"huge\"\n[pose]\nx = \"m\"\n[matrix]\nrows = [[\"x*" +
+                          factor + " - 1\"]]\n[motion.only]\nx = " + range + "\n");
+    return nlohmann::json::parse(run_command({kCommand, "check", model, "--certificate", file,
+                                              "--json", "--quiet", "--engine", "interpreted"})
+                                     .output);
+  };
+  EXPECT_FALSE(check("2^100", "[1, 2]").contains("certificate_note"));
+  EXPECT_THAT(std::string(check("2^100*2^100*2", "[1, 2]")["certificate_note"]),
+              HasSubstr("beyond 2^200"));
+  EXPECT_FALSE(check("2^100*2^100*2", "[0, 2]").contains("certificate_note"))
+      << "for points there are bits";
+}
+
 }  // namespace
 }  // namespace regulus::test
