@@ -10,14 +10,15 @@ namespace regulus::inline support {
 struct OutputFile {
   std::string option;         ///< for messages
   std::string path;           ///< empty: none
-  bool must_be_file = false;  ///< no device: the file is put in its place by a rename
+  bool must_be_file = false;  ///< not a device: the file is put in place by a rename
 };
 
-/// Renames what earlier runs wrote, FILE to FILE.old. So nobody takes the proof or the picture of
-/// an earlier run for that of one which ended without it, by an error, a signal or a full disk.
+/// Renames the files of earlier runs, FILE to FILE.old. So the proof or the picture of an earlier
+/// run cannot be taken for that of a run that ended without one, by an error, a signal or a full
+/// disk.
 ///
-/// To be called before anything else is done. Devices and pipes stay as they are. FILE.old of a run
-/// before is replaced.
+/// Call it before anything else is done. Devices and pipes stay as they are. An existing FILE.old
+/// is replaced.
 /// Throws    FileError when a file cannot be moved, UsageError when it is the model file.
 void set_earlier_outputs_aside(const std::string& model, const std::vector<OutputFile>& outputs);
 

@@ -47,20 +47,20 @@ class FileError : public std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
-/// A fault of ours (exit 70).
+/// A fault of the program itself (exit 70).
 class InternalError : public std::logic_error {
  public:
   using std::logic_error::logic_error;
 };
 
-/// Something wrong with a command line that only the model can tell (an unknown motion, say).
+/// A mistake in a command line that only the model shows (an unknown motion, for example).
 class UsageError : public std::runtime_error {
  public:
   using std::runtime_error::runtime_error;
 };
 
-/// The compiler refused a text, or produced what cannot be loaded. The texts are generated, so this
-/// is a fault of the generator or of the installation, never of a model file.
+/// The compiler refused a text, or its output cannot be loaded. The texts are generated, so this is
+/// a fault of the generator or of the installation, never of a model file.
 class CompileError : public std::runtime_error {
  public:
   CompileError(const std::string& what, std::string diagnostics, std::string text)
@@ -74,8 +74,8 @@ class CompileError : public std::runtime_error {
   std::string text_;
 };
 
-/// There is no compiler to be had: it cannot be opened, or the system has no process for it.
-/// Nothing is wrong with the text.
+/// No compiler is available: it cannot be opened, or the system cannot start a process for it. The
+/// text itself is not at fault.
 class NoCompiler : public CompileError {
  public:
   explicit NoCompiler(const std::string& what) : CompileError(what, {}, {}) {}

@@ -3,7 +3,7 @@
 
 namespace regulus::inline support {
 
-/// What the process returns. Verdicts first; the others follow sysexits.h.
+/// The exit codes of the process. Verdicts come first; the others follow sysexits.h.
 enum ExitCode : int {
   kNoSingularity = 0,
   kSingularity = 1,

@@ -22,7 +22,7 @@ class FileDescriptor {
   }
 
   [[nodiscard]] int get() const noexcept { return fd_; }
-  /// Gives the descriptor to somebody who will close it.
+  /// Returns the descriptor; the caller must close it.
   int release() noexcept { return std::exchange(fd_, -1); }
   [[nodiscard]] explicit operator bool() const noexcept { return fd_ >= 0; }
 

@@ -13,12 +13,12 @@ namespace regulus::inline support {
 /// SHA-256 of a file that grows. Each byte is read once.
 class FileDigest {
  public:
-  /// The file is opened now: what takes its name later is another file.
+  /// Opens the file now: a later file of the same name is another file.
   explicit FileDigest(const std::string& path);
 
-  /// The digest of its first `length` bytes; nullopt when it cannot be read or has fewer.
+  /// Returns the digest of its first `length` bytes; nullopt if it cannot be read or has fewer.
   ///
-  /// Requires  a length that is not less than that of the call before.
+  /// Requires a length that is not less than in the call before.
   [[nodiscard]] std::optional<std::string> of_first(std::uint64_t length);
 
  private:

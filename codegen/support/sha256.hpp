@@ -16,11 +16,11 @@ namespace regulus::inline support {
 /// Source    FIPS 180-4, §6.2.
 [[nodiscard]] std::string sha256(std::string_view bytes);
 
-/// The same of bytes that come in pieces.
+/// Computes the same digest of bytes that come in pieces.
 class Sha256 {
  public:
   void add(std::string_view bytes);
-  /// The digest of what was added so far; more may be added afterwards.
+  /// Returns the digest of the bytes added so far; more may be added afterwards.
   [[nodiscard]] std::string text() const;
 
  private:

@@ -7,11 +7,11 @@
 
 namespace regulus::inline support {
 
-/// Why a file cannot be loaded as a shared object for this processor; nullopt if nothing in its
-/// headers speaks against it.
+/// Returns the reason why a file cannot be loaded as a shared object for this processor; nullopt if
+/// its headers show none.
 ///
-/// Ensures   every segment that the system would map lies in the file. One that was cut off is
-///           mapped all the same by dlopen, and ends the process with SIGBUS when it is read.
+/// Ensures   every segment that the system would map lies in the file. dlopen maps even a segment
+///           that is cut off, and reading it ends the process with SIGBUS.
 [[nodiscard]] std::optional<std::string> find_fault_in_shared_object(std::string_view bytes);
 
 }  // namespace regulus::inline support
