@@ -21,7 +21,7 @@ using GiNaC::numeric;
 
 constexpr long kFirstPrecision = 64, kLastPrecision = 4096;
 
-/// An owned arb_t. What has no value is a ball that is not finite, and stays so.
+/// An owned arb_t. An expression without a value is a ball that is not finite, and stays so.
 class Enclosure {
  public:
   Enclosure() noexcept { arb_init(value_); }
@@ -97,7 +97,7 @@ class Evaluation {
     return result;
   }
 
-  /// Whole exponents by multiplication, halves by a root, others for a positive base alone.
+  /// Whole exponents by multiplication, halves by a root, others only for a positive base.
   Enclosure power(const ex& e) const {
     Enclosure base = of(e.op(0));
     Enclosure exponent = of(e.op(1));

@@ -8,12 +8,12 @@ namespace regulus::inline model {
 
 enum class CertainSign { kNegative, kZero, kPositive, kUnknown };
 
-/// The sign of an exact constant: by rational arithmetic where it is rational, else by Arb's balls
-/// with up to 4096 bits.
+/// Returns the sign of an exact constant: by rational arithmetic if it is rational, else by Arb's
+/// balls with up to 4096 bits.
 ///
 /// Requires  the constant has no symbols.
-/// Ensures   what is not kUnknown is proved. Zero is only seen by exact algebra, so that a constant
-///           such as sqrt(2)*sqrt(3) - sqrt(6), or one that is not defined, is kUnknown.
+/// Ensures   a result other than kUnknown is proved. Only rational arithmetic proves zero, so a
+///           constant such as sqrt(2)*sqrt(3) - sqrt(6), or one that is not defined, is kUnknown.
 [[nodiscard]] CertainSign certain_sign(const GiNaC::ex& constant);
 
 }  // namespace regulus::inline model

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Accounts for what an operation adds to a written expression, before it is carried out.
+// Computes the size of the result of an operation on parsed expressions, before it is carried out.
 #pragma once
 
 #include <vector>
@@ -8,13 +8,14 @@
 
 namespace regulus::inline model {
 
-// Each returns a ParsedExpression that has everything of its operands but the value, and throws
-// Refusal when it would exceed a limit of parsed_expression.hpp. Coefficients of a sum or product
-// have at most the bits of all operands together, those of a power |exponent| times as many.
+// Each function returns a ParsedExpression with the limits of the result but without its value, and
+// throws Refusal if it would exceed a limit of parsed_expression.hpp. Coefficients of a sum or
+// product have at most the bits of all operands together, those of a power |exponent| times as
+// many.
 
 [[nodiscard]] ParsedExpression combine_limits(const std::vector<Operand>& operands);
 [[nodiscard]] ParsedExpression combine_limits(const std::vector<ParsedExpression>& operands);
-/// value: the exponent's.
+/// `value` is the value of the exponent.
 [[nodiscard]] ParsedExpression combine_limits_of_power(const ParsedExpression& base,
                                                        const ParsedExpression& exponent,
                                                        const GiNaC::numeric& value);

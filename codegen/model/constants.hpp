@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What is asked of constants wherever they come from: a file or a command line.
+// Checks of constants, from a file or a command line.
 #pragma once
 
 #include "codegen/model/expression_parser.hpp"
@@ -7,22 +7,22 @@
 
 namespace regulus::inline model {
 
-/// lo ≤ hi, proved. Throws InputError for a range that is reversed, and for one whose ends even
-/// certified evaluation cannot put in order (sqrt(2)*sqrt(3) to sqrt(6)).
+/// Returns the range lo ≤ hi; the order is proved. Throws InputError for a reversed range, and for
+/// a range whose ends certified evaluation cannot put in order (sqrt(2)*sqrt(3) to sqrt(6)).
 [[nodiscard]] Range checked_range(const ParsedExpression& lo, const ParsedExpression& hi,
                                   const Place& place);
 
-/// A tolerance, an error or a threshold: throws InputError unless it is proved to be ≥ 0.
+/// Returns a tolerance, an error or a threshold; throws InputError unless it is proved to be ≥ 0.
 [[nodiscard]] GiNaC::ex checked_nonnegative(const ParsedExpression& value, const Place& place);
 
-/// "LO:HI", or "V" for the range that is one value. Conditions of the constants are added to
+/// Reads "LO:HI", or "V" for a range of one value. Conditions of the constants are added to
 /// `must_be_defined`.
 [[nodiscard]] Range parse_range(std::string_view text, const Place& place,
                                 std::vector<GiNaC::ex>& must_be_defined);
 
 void append(std::vector<GiNaC::ex>& all, const std::vector<GiNaC::ex>& more);
 
-/// Without repetitions, in the order of first occurrence.
+/// Returns the expressions without repetitions, in the order of first occurrence.
 [[nodiscard]] std::vector<GiNaC::ex> distinct(const std::vector<GiNaC::ex>& all);
 
 }  // namespace regulus::inline model

@@ -21,7 +21,7 @@ cln::cl_I integer_of_digits(const std::string& digits) {
   return first == std::string::npos ? cln::cl_I(0) : cln::cl_I(digits.c_str() + first);
 }
 
-/// The value of a digit, 36 for what is none.
+/// Returns the value of a digit, 36 for any other character.
 int digit_value(char c) {
   if ('0' <= c && c <= '9') return c - '0';
   if ('a' <= c && c <= 'z') return c - 'a' + 10;
@@ -30,7 +30,7 @@ int digit_value(char c) {
 
 bool is_digit(char c) { return digit_value(c) < 10; }
 
-/// nullopt unless each underscore stands between two digits of that base.
+/// Returns nullopt unless each underscore is between two digits of that base.
 std::optional<std::string> without_underscores(std::string_view text, int base) {
   std::string rest;
   for (std::size_t i = 0; i < text.size(); ++i) {
@@ -55,7 +55,7 @@ std::optional<cln::cl_I> integer_of_base(std::string_view text, int base) {
   return value;
 }
 
-/// digits [. digits] [(e|E) [+|-] digits], without a 0 in front of another digit.
+/// True for digits [. digits] [(e|E) [+|-] digits], without a 0 in front of another digit.
 bool is_toml_decimal(std::string_view text) {
   std::size_t at = 0;
   const auto skip_digits = [&] {

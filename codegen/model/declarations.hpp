@@ -15,7 +15,7 @@ class Declarations final : public Names {
   /// Throws InputError for a text that is not a name, a reserved name, or one declared before.
   void declare(const std::string& name, ParsedExpression meaning, const Place& place);
 
-  /// A sub-expression, read when it is first used, so that the order of declarations is free.
+  /// Declares a sub-expression. It is read at its first use, so declarations may be in any order.
   void declare_expression(const std::string& name, std::string text, const Place& place);
 
   /// Throws InputError for a cycle of sub-expressions, which it names.

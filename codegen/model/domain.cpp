@@ -9,7 +9,7 @@ namespace {
 using GiNaC::ex;
 using GiNaC::numeric;
 
-/// A constant is refused early only when it is this far outside a domain. Closer ones are recorded
+/// A constant is refused early only if it is this far outside a domain. Closer ones are recorded
 /// like any other operand, and the certified evaluation decides.
 constexpr double kClearlyOutside = 1e-9;
 
@@ -17,7 +17,7 @@ ex square_root(const ex& x) { return GiNaC::pow(x, numeric(1, 2)); }
 
 bool is_number(const ex& e) { return GiNaC::is_a<numeric>(e); }
 
-/// Whether lower ≤ x (lower < x if strict) is violated; exact for rationals.
+/// True if lower ≤ x (lower < x if strict) is violated; exact for rationals.
 bool violates_lower(const ex& x, bool constant, int lower, bool strict) {
   if (is_number(x)) {
     const numeric& value = GiNaC::ex_to<numeric>(x);
@@ -71,7 +71,7 @@ void require_unit_range(ParsedExpression& result, const ex& x, bool constant) {
 }
 
 void require_no_pole_of_tan(ParsedExpression& result, const ex& x) {
-  if (is_number(x)) return;  // no rational but is off π/2 + kπ
+  if (is_number(x)) return;  // no rational number equals π/2 + kπ
   record(result, GiNaC::tan(x));
 }
 

@@ -2,16 +2,16 @@
 // The domains of partial operations, recorded as expressions that are defined exactly there.
 //
 // An expression recorded for an operation is that operation on the operand as GiNaC has simplified
-// it. What was needed for the operand itself to be defined has been recorded when the operand was
-// built, so a simplification across the two (1/(1/x) into x) loses nothing: x ≠ 0 is already there.
+// it. The conditions for the operand itself were recorded when the operand was built, so a
+// simplification across the two (1/(1/x) into x) loses nothing: x ≠ 0 is already there.
 #pragma once
 
 #include "codegen/model/parsed_expression.hpp"
 
 namespace regulus::inline model {
 
-// Each records in `result` what the operand must satisfy, unless the operand's form shows it, and
-// throws Refusal when the operand is a constant that does not satisfy it.
+// Each function records in `result` the condition on the operand, unless the form of the operand
+// shows it, and throws Refusal if the operand is a constant that does not satisfy it.
 
 void require_nonzero(ParsedExpression& result, const GiNaC::ex& operand, bool constant);
 void require_nonnegative(ParsedExpression& result, const GiNaC::ex& operand, bool constant);

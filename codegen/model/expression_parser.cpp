@@ -139,7 +139,7 @@ class Parser {
     return guarded(name, [&] { return call(name.text, std::move(arguments)); });
   }
 
-  /// Runs an operation; its refusal, or GiNaC's (a pole, 0^0), becomes an error that says where.
+  /// Runs an operation; its refusal, or GiNaC's (a pole, 0^0), becomes an error with the place.
   template <typename Operation>
   ParsedExpression guarded(const Token& at, Operation operation) try {
     ParsedExpression result = operation();

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Reads arithmetic from untrusted text. Nothing of the text reaches another parser or a compiler.
+// Reads arithmetic from untrusted text. No part of the text reaches another parser or a compiler.
 //
 //   sum     = [+|-] product { (+|-) product }
 //   product = factor { (*|/) factor }
@@ -24,15 +24,15 @@ class Names {
  public:
   virtual ~Names() = default;
 
-  /// The meaning of a name, nullptr if it has none. `depth` is how deep in nested expressions the
-  /// name stands; whoever parses another expression to answer passes it on.
+  /// Returns the meaning of a name, nullptr if it has none. `depth` is the nesting depth of the
+  /// expression with this name; an implementation that parses another expression must pass it on.
   [[nodiscard]] virtual const ParsedExpression* find(const std::string& name, int depth) = 0;
 
-  /// For suggesting the one that may have been meant.
+  /// Returns all names, for suggestions in messages.
   [[nodiscard]] virtual std::vector<std::string> all() const = 0;
 };
 
-/// Where an expression stands, for messages.
+/// The position of an expression, for messages.
 struct Place {
   std::string file;
   int line = 0;       ///< 0 = not in a file
@@ -41,15 +41,15 @@ struct Place {
 
 constexpr std::size_t kLongestExpression = 65536;
 
-/// The expression in `text`. Takes time linear in its length.
+/// Reads the expression in `text`. Takes time linear in its length.
 ///
 /// Ensures   numbers in the result are exact rationals, constants are pi or unevaluated; throws
 ///           InputError with file, line and column for anything else than arithmetic on `names`,
-///           and beyond the limits of term.hpp or kLongestExpression bytes.
+///           and beyond the limits of parsed_expression.hpp or kLongestExpression bytes.
 [[nodiscard]] ParsedExpression parse_expression(std::string_view text, Names& names,
                                                 const Place& place, int depth = 0);
 
-/// The same for an expression that uses no names but pi and deg, and whose value is finite.
+/// The same for an expression with no names except pi and deg, and with a finite value.
 [[nodiscard]] ParsedExpression parse_constant(std::string_view text, const Place& place);
 
 }  // namespace regulus::inline model

@@ -14,7 +14,7 @@
 namespace regulus::inline model {
 namespace {
 
-/// Every name has a meaning here: which ones a model declares is asked when it is read.
+/// Gives every name a meaning: the reader of the model checks later which names are declared.
 class AnyName final : public Names {
  public:
   const ParsedExpression* find(const std::string& name, int) override {
@@ -28,7 +28,7 @@ class AnyName final : public Names {
   std::map<std::string, ParsedExpression> terms_;
 };
 
-/// So that "1) + (2" is refused where it is written, and not taken for a part of something else.
+/// Refuses a text such as "1) + (2" at its own place, before it becomes part of another expression.
 void require_expression(const std::string& text, const Formula::Place& place) {
   AnyName names;
   static_cast<void>(parse_expression(
@@ -41,7 +41,7 @@ bool is_whole_number(std::string_view text) {
 
 std::string in_parentheses(const std::string& text) { return std::string("(").append(text) + ')'; }
 
-/// Text that is shared by many uses of one C++ variable is written once for each of them.
+/// Limits the length: the text of a C++ variable is repeated at each use of it.
 void require_short(const std::string& text) {
   if (text.size() <= kLongestExpression) return;
   throw InputError(

@@ -13,11 +13,11 @@
 
 namespace regulus::inline model {
 
-/// An expression of a model that is written in C++: what a model file would say in its place.
+/// An expression of a model that is written in C++, as the text that a model file would have.
 ///
-/// It is kept as text and read by the reader of model files, so that both mean the same: numbers
-/// are exact, and what must be defined for the expression as it is written stays known. (GiNaC
-/// would make 1 of x/x and x of sqrt(x)^2 before anybody could ask whether they are defined.)
+/// The reader of model files reads this text, so that both mean the same: numbers are exact, and
+/// the parts that must be defined in the written expression stay known. (GiNaC would simplify x/x
+/// to 1 and sqrt(x)^2 to x, and the conditions for them to be defined would be lost.)
 class Formula {
  public:
   using Place = SourcePlace;
@@ -29,8 +29,8 @@ class Formula {
   requires(!std::same_as<Whole, bool> && !std::same_as<Whole, char>) Formula(Whole value)
       : Formula(std::to_string(value), value < 0 ? kSum : kPrimary) {}
 
-  /// A double is not the number that was typed: write 0.1_exact or "0.1"; exact_value_of(x) for the
-  /// binary number that the double x is.
+  /// Deleted, because a double is not the number that was typed: write 0.1_exact or "0.1". For the
+  /// exact binary value of a double x, write exact_value_of(x).
   template <class Rounded>
   requires(std::floating_point<Rounded> || std::same_as<Rounded, bool> ||
            std::same_as<Rounded, char>) Formula(Rounded)
@@ -42,14 +42,14 @@ class Formula {
   Formula(const char* text, Place place = Place::current());
   Formula(const std::string& text, Place place = Place::current());
 
-  /// The expression as GiNaC has simplified it; what must be defined for the one that was written
-  /// is what its form shows. Throws InputError for what model files have no words for: a
-  /// floating-point number, a complex one, another function.
+  /// The expression as GiNaC has simplified it; only the conditions that its form shows are known.
+  /// Throws InputError for anything that model files cannot express: a floating-point number, a
+  /// complex number, another function.
   Formula(const GiNaC::ex& value, Place place = Place::current());
   Formula(const GiNaC::basic& value, Place place = Place::current());
 
   [[nodiscard]] const std::string& text() const noexcept { return text_; }
-  /// The symbols of GiNaC that were written in it.
+  /// The symbols of GiNaC in it.
   [[nodiscard]] const std::vector<GiNaC::ex>& symbols() const noexcept { return symbols_; }
 
   Formula operator-() const;
@@ -81,7 +81,7 @@ class Formula {
   enum Binding { kSum, kProduct, kPower, kPrimary };
 
   Formula(std::string text, Binding binding) : text_(std::move(text)), binding_(binding) {}
-  /// In parentheses if it binds less tightly than that.
+  /// Returns the text, in parentheses if it binds less tightly than `binding`.
   [[nodiscard]] std::string at_least(Binding binding) const;
   [[nodiscard]] static Formula joined(const Formula& a, const char* between, const Formula& b,
                                       Binding binding, Binding left, Binding right);
@@ -93,11 +93,12 @@ class Formula {
   std::vector<GiNaC::ex> symbols_;
 };
 
-/// The binary number that a double is, for one that was computed or measured: exact_value_of(0.1)
-/// is 3602879701896397/2^55, which is not 1/10. Throws InputError for an infinite one or NaN.
+/// The exact binary value of a computed or measured double: exact_value_of(0.1) is
+/// 3602879701896397/2^55, which is not 1/10. Throws InputError for infinities and NaN.
 [[nodiscard]] Formula exact_value_of(double value, SourcePlace place = SourcePlace::current());
 
-/// digits [. digits] [(e|E) [+|-] digits] with ' between digits: a decimal that C++ has.
+/// True for a decimal literal of C++: digits [. digits] [(e|E) [+|-] digits], with ' between
+/// digits.
 [[nodiscard]] constexpr bool is_decimal_literal(std::string_view text) noexcept {
   std::size_t at = 0;
   const auto is_digit = [&text](std::size_t i) { return '0' <= text[i] && text[i] <= '9'; };
@@ -116,14 +117,14 @@ class Formula {
     if (at < text.size() && (text[at] == '+' || text[at] == '-')) ++at;
     if (!skip_digits()) return false;
   }
-  // 017 is fifteen in C++.
+  // In C++, 017 is fifteen.
   const bool octal = whole_end == text.size() && whole_end > 1 && text.front() == '0';
   return at == text.size() && !octal;
 }
 
 inline namespace literals {
 
-/// 0.1_exact is 1/10: the number that is written, which 0.1 is not. Decimals only.
+/// 0.1_exact is exactly 1/10; 0.1 is not. Decimals only.
 template <char... kText>
 [[nodiscard]] Formula operator""_exact() {
   constexpr char kCharacters[] = {kText..., '\0'};

@@ -10,7 +10,7 @@ namespace {
 
 constexpr std::size_t kMostCoordinates = 16;
 
-/// A constant as it is written, before its coordinates become parameters.
+/// A constant as in the file, before its coordinates become parameters.
 struct Written {
   TomlEntry value;
   GiNaC::ex tolerance = 0;

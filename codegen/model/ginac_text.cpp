@@ -68,8 +68,8 @@ SignedText number_text(const numeric& value) {
           value.is_integer() ? Bond::kPrimary : Bond::kProduct};
 }
 
-/// Of (a - b)^2 and (b - a)^2 GiNaC keeps the one that its order of a and b prefers; here the first
-/// term in the order of texts is positive.
+/// GiNaC writes (a - b)^2 or (b - a)^2 according to its own order of a and b. Here the first term
+/// in the order of texts is positive.
 SignedText power_text(const ex& base, const ex& exponent) {
   if (exponent.is_equal(numeric(1, 2))) return {false, "sqrt" + in_brackets(formula_text(base))};
   const SignedText n = signed_text(exponent);

@@ -33,7 +33,7 @@ void add_pose(Model& model, const Gough& robot) {
     add_pose_parameter(model, name, angles ? "rad" : "1");
 }
 
-/// One side of the robot: its anchors become geometry parameters and, if so shaped, balls.
+/// One side of the robot: its anchors become geometry parameters and, for tolerance balls, balls.
 struct Side {
   std::string letter;
   std::string group;

@@ -38,20 +38,20 @@ struct Gough {
 /// The model of a six-legged platform, without motions.
 ///
 /// Its anchors are geometry parameters a1_x … a6_z of group "base" and b1_x … b6_z of group
-/// "platform", exact ones too, so that a tolerance can be set later. Row i of the matrix is
+/// "platform", even if they are exact, so that a tolerance can be set later. Row i of the matrix is
 ///
 ///   M_i = (A_iB_i, CB_i × A_iB_i), row_scale 1/ρ_i,   and CB × AB = CB × (C − A),
 ///
-/// the right-hand side being the form that is used: it has fewer occurrences of the pose.
+/// and the code uses the right-hand side: it has fewer occurrences of the pose.
 ///
-/// A quaternion need not have norm 1: q and λq are the same orientation, so that ranges and control
-/// errors may leave the unit sphere. Its rows are multiplied by |q|² to remain polynomials
-/// (row_scale 1/(|q|²ρ_i)), and 1/|q|² must be defined: a motion that may come to q = 0, where
-/// there is no orientation, is undefined there.
+/// A quaternion need not have norm 1: q and λq are the same orientation, so ranges and control
+/// errors may leave the unit sphere. The rows are multiplied by |q|² to remain polynomials
+/// (row_scale 1/(|q|²ρ_i)), and 1/|q|² must be defined: at q = 0 there is no orientation, so a
+/// motion that may reach it is undefined there.
 ///
 /// Shape     6×6, rows by leg, columns by twist (velocity of C, angular velocity).
 /// Units     columns 0–2 unit (unit·|q|² likewise), columns 3–5 unit².
-/// Ensures   where ρ_i = 0 row i is zero, so that a regular matrix has a defined row scale.
+/// Ensures   row i is zero if ρ_i = 0, so a regular matrix has a defined row scale.
 /// Source    Merlet, T-RO 2007, Eqs. (5)–(7).
 [[nodiscard]] Model gough_model(const Gough& robot);
 

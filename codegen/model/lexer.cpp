@@ -28,7 +28,7 @@ std::size_t Lexer::skip_digits(std::size_t at) const noexcept {
   return at;
 }
 
-/// The end of the longest number that starts here; `begin` itself if none does.
+/// Returns the end of the longest number that starts at `begin`; `begin` itself if there is none.
 std::size_t Lexer::number_end(std::size_t begin) const noexcept {
   std::size_t end = skip_digits(begin);
   bool any_digit = end > begin;

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Cuts an expression into tokens. Whatever is not arithmetic is a token of its own, to be refused.
+// Cuts an expression into tokens. Each character that is not arithmetic is a token of its own; the
+// parser refuses it.
 #pragma once
 
 #include <cstddef>
@@ -23,7 +24,7 @@ class Lexer {
   /// The text must outlive the lexer and its tokens.
   explicit Lexer(std::string_view text) noexcept : text_(text) {}
 
-  /// The next token; kEnd for ever at the end.
+  /// Returns the next token; at the end, always kEnd.
   [[nodiscard]] Token next() noexcept;
 
  private:

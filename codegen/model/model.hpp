@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What a robot is: its pose parameters, its geometry, its inverse Jacobian and its motions, as
-// GiNaC expressions with exact numbers. Filled from a model file (model_file.hpp) or by C++ code.
+// The model of a robot: its pose parameters, geometry, inverse Jacobian and motions, as GiNaC
+// expressions with exact numbers. It comes from a model file (model_file.hpp) or from C++ code.
 //
 // Symbols are real: for a complex one GiNaC turns abs(x)^2 into x*conjugate(x).
 //
 // GiNaC simplifies on construction (x/x becomes 1, sqrt(x)^2 becomes x, 0*log(x) becomes 0), so an
-// expression here may be defined where the one that was written is not. What the simplification
-// could hide is kept in `must_be_defined`: a pose is undefined, and never safe, unless every
-// expression of that list is defined there. An entry's value has no meaning.
+// expression here may be defined where the written one is not. `must_be_defined` keeps the
+// conditions that the simplification could hide: a pose is undefined, and never safe, unless every
+// expression of that list is defined there. The values of these expressions have no meaning.
 #pragma once
 
 #include <ginac/ginac.h>
@@ -30,7 +30,7 @@ struct PoseParameter {
   std::string unit;  ///< a label; "1" = none
 };
 
-/// What a column of the matrix is multiplied with.
+/// The factor of a column of the matrix: a component of the twist.
 struct TwistComponent {
   enum class Kind { kLinear, kAngular };
   Kind kind = Kind::kLinear;
@@ -44,8 +44,8 @@ struct GeometryParameter {
   std::string name;
   GiNaC::ex value;
   GiNaC::ex tolerance = 0;  ///< for a member of a ball: the ball's radius
-  std::string group;        ///< what --tolerance GROUP=E sets; empty = none
-  int ball = -1;  ///< index into Model::balls when its point varies in a ball, otherwise −1
+  std::string group;        ///< the group that --tolerance GROUP=E sets; empty = none
+  int ball = -1;  ///< index into Model::balls if its point varies in a ball, otherwise −1
 };
 
 /// A point of the geometry that lies within `radius` of its nominal position.
@@ -84,7 +84,7 @@ struct Model {
   std::vector<ToleranceBall> balls;
   GiNaC::matrix matrix;              ///< m×n, m ≥ n, in the pose and geometry symbols
   std::vector<GiNaC::ex> row_scale;  ///< empty, or m positive factors: J⁻¹ row = row_scale · row
-  std::vector<TwistComponent> twist;       ///< by column; empty where nobody says what columns are
+  std::vector<TwistComponent> twist;       ///< by column; empty if the model does not say
   std::vector<GiNaC::ex> must_be_defined;  ///< of matrix and row_scale; log(s): s must be positive
   std::vector<Motion> motions;
 };

@@ -17,8 +17,8 @@
 namespace regulus::inline model {
 namespace {
 
-/// A library that reads a decimal as a double may go by the caller's rounding; its double is
-/// compared with the exact number that is written.
+/// Sets the usual rounding: a library that reads a decimal as a double may use the caller's
+/// rounding, and its double is compared with the exact number.
 class UsualArithmetic {
  public:
   UsualArithmetic() {
@@ -33,7 +33,7 @@ class UsualArithmetic {
   std::fenv_t callers_{};
 };
 
-/// Whether the library stopped at a number that neither its doubles nor its integers can hold, or
+/// True if the library stopped at a number that neither its doubles nor its integers can hold, or
 /// that is longer than its buffer.
 bool is_about_a_large_number(std::string_view description) {
   for (const char* words : {"not representable in 64 bits", "could not be interpreted as a value",
@@ -68,7 +68,7 @@ void read_header(ModelReading& reading, const TomlEntry& root) {
   if (source.node) reading.model.source = reading.toml.label(source);
 }
 
-/// The robot, by one of the two ways to write it.
+/// Reads the robot in one of its two forms.
 void read_robot(ModelReading& reading, const TomlEntry& root) {
   const TomlReader& toml = reading.toml;
   const TomlEntry gough = toml.optional(root, "gough");
@@ -95,7 +95,7 @@ std::string read_model_text(const std::filesystem::path& path) {
   const auto status = std::filesystem::status(path, error);
   if (!std::filesystem::exists(status)) throw fail("no such file");
   if (std::filesystem::is_directory(status)) throw fail("it is a directory");
-  // Some more than may be: parse_model says so in terms of the model.
+  // One byte more than allowed, so that parse_model can refuse it in terms of the model.
   return read_start(path.string(), kLargestModelFile + 1, Readable::kStream);
 }
 

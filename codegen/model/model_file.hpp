@@ -12,18 +12,18 @@ namespace regulus::inline model {
 
 constexpr std::size_t kLargestModelFile = std::size_t{4} << 20;
 
-/// The model in a file.
+/// Reads the model in a file.
 ///
 /// Ensures   every number in it is exact: decimals are rationals, pi and roots stay symbols. Throws
-///           InputError with file and line for whatever is not a model, FileError when the file
-///           cannot be read.
+///           InputError with file and line if the text is not a model, FileError if the file cannot
+///           be read.
 [[nodiscard]] Model load_model(const std::filesystem::path& path);
 
-/// The same for text that has been read already; path stays empty.
+/// Overload for text that has been read; `path` stays empty.
 [[nodiscard]] Model parse_model(std::string_view text, const std::string& name_for_errors);
 
-/// The bytes of a model file; some more than kLargestModelFile of a file that is too large.
-/// Throws FileError when it cannot be read.
+/// Returns the bytes of a model file; for a file that is too large, a few more than
+/// kLargestModelFile. Throws FileError if it cannot be read.
 [[nodiscard]] std::string read_model_text(const std::filesystem::path& path);
 
 }  // namespace regulus::inline model

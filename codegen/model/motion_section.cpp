@@ -11,7 +11,7 @@
 namespace regulus::inline model {
 namespace {
 
-/// The names of a motion: its parameters, and the declared ones where those may be used.
+/// The names of a motion: its parameters, and the declared names if they may be used.
 class MotionNames final : public Names {
  public:
   explicit MotionNames(Declarations* declared) : declared_(declared) {}
@@ -85,7 +85,7 @@ class MotionReader {
                    "at least one, with its range");
   }
 
-  /// Pose parameters that are given a range are motion parameters themselves.
+  /// Pose parameters with a range are motion parameters themselves.
   void read_ranges() {
     for (const PoseParameter& p : reading_.model.pose) {
       const TomlEntry given = toml_.required(entry_, p.name);

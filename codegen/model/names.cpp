@@ -31,7 +31,7 @@ std::size_t edit_distance(std::string_view a, std::string_view b) {
   return row.back();
 }
 
-/// k_ digits _ digits: how the symbolic stage names the entries of K.
+/// True for k_ digits _ digits: the symbolic stage gives these names to the entries of K.
 bool is_preconditioner_entry(std::string_view name) {
   if (!name.starts_with("k_")) return false;
   const std::size_t bar = name.find('_', 2);

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What a command line changes in a model: ranges, threshold, tolerances. All texts may be
-// expressions
-// ("-5*deg:5*deg"); mistakes are InputError without a file.
+// The changes of a command line to a model: ranges, threshold, tolerances. All texts may be
+// expressions ("-5*deg:5*deg"); a mistake throws InputError without a file.
 #pragma once
 
 #include <string>
@@ -11,8 +10,8 @@
 
 namespace regulus::inline model {
 
-/// The motion of that name; with an empty name the only one. Throws InputError that lists the
-/// names.
+/// Returns the motion of that name; for an empty name, the only motion. Throws InputError that
+/// lists the names.
 [[nodiscard]] const Motion& find_motion(const Model& model, std::string_view name = {});
 
 /// Sets the range of a motion parameter, "LO:HI" or "V". A pose parameter that is constant in the
@@ -26,7 +25,7 @@ void set_alpha(Motion& motion, std::string_view alpha);
 void set_alpha(Motion& motion, const GiNaC::ex& alpha);
 
 /// Sets the tolerance, or the radius of the balls, of every member of the groups: a comma list such
-/// as "base,platform". Throws InputError that lists the groups when one is unknown.
+/// as "base,platform". Throws InputError that lists the groups if one is unknown.
 void set_tolerance(Model& model, std::string_view groups, std::string_view tolerance);
 
 /// Requires  tolerance ≥ 0.

@@ -18,7 +18,7 @@ using GiNaC::numeric;
 
 bool is_rational(const ex& e) { return e.info(GiNaC::info_flags::rational); }
 
-/// The denominator a power of two: the power is made of square roots.
+/// True if the denominator is a power of two: then the power consists of square roots.
 bool is_dyadic(const numeric& exponent) {
   const cln::cl_I denominator = cln::the<cln::cl_I>(exponent.denom().to_cl_N());
   return cln::logcount(denominator) == 1 && denominator <= kMaxRootDenominator;
@@ -46,7 +46,7 @@ const ex& with_moderate_exponents(const ex& value) {
   return value;
 }
 
-/// x^(p/q) where q is not a power of two, for x > 0.
+/// Returns x^(p/q) for x > 0, if q is not a power of two.
 ex fractional_power(ParsedExpression& result, const ParsedExpression& base,
                     const numeric& exponent) {
   require_positive(result, base.value, base.constant);

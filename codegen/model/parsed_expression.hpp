@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// A written expression while it is read: the GiNaC expression it simplifies to, what must be
-// defined for the written one to be defined, and how large it has grown. Untrusted text is read
-// with these operations only.
+// An expression while it is read: the GiNaC expression that it simplifies to, the conditions for
+// the written expression to be defined, and its size. The reader uses only these operations on
+// untrusted text.
 #pragma once
 
 #include <ginac/ginac.h>
@@ -12,7 +12,8 @@
 
 namespace regulus::inline model {
 
-/// Why an operation is refused. Whoever knows file and line turns it into an InputError.
+/// The reason why an operation is refused. A caller that knows file and line turns it into an
+/// InputError.
 struct Refusal {
   std::string found;
   std::string expected;
@@ -20,8 +21,8 @@ struct Refusal {
 
 struct ParsedExpression {
   GiNaC::ex value;
-  /// Expressions that are all defined exactly where the written expression is, as far as `value`
-  /// does not show it. An operation that has a value everywhere its operands have one adds nothing.
+  /// Expressions that are all defined exactly where the written expression is, without the
+  /// conditions that `value` shows itself. An operation that always has a value adds nothing.
   std::vector<GiNaC::ex> must_be_defined{};
   bool constant = true;  ///< no symbol was written in it
   int depth = 1;         ///< of the written tree, named sub-expressions included
@@ -29,8 +30,8 @@ struct ParsedExpression {
   double bits = 0;       ///< bound of the bits in its exact coefficients
 };
 
-// The limits keep a small file from asking for unbounded memory, time or stack: doubling chains of
-// named sub-expressions, towers of powers, deep nesting.
+// The limits prevent a small file from using unbounded memory, time or stack: by doubling chains of
+// named sub-expressions, towers of powers, or deep nesting.
 constexpr int kMostDepth = 256;
 constexpr double kLargestSize = 1e5;
 constexpr double kMostBits = 1e6;
@@ -48,11 +49,11 @@ struct Operand {
   bool inverted = false;  ///< subtracted, or divided by
 };
 
-// All throw Refusal when the result would not be real, or exceed a limit above.
+// All throw Refusal if the result would not be real, or would exceed a limit above.
 
 [[nodiscard]] ParsedExpression sum(std::vector<Operand> operands);
 
-/// Divisors are recorded as having to be non-zero.
+/// Records the condition that divisors are not zero.
 [[nodiscard]] ParsedExpression product(std::vector<Operand> operands);
 
 /// base^exponent for a constant rational exponent p/q in lowest terms, |p/q| ≤ kLargestPower.
@@ -60,7 +61,7 @@ struct Operand {
 /// Ensures   q = 1 is repeated multiplication (x^0 = 1 wherever x is defined). A power of two q up
 ///           to kMaxRootDenominator needs x ≥ 0 and becomes square roots: x^(3/4) is
 ///           sqrt(sqrt(x))^3. Any other q (x^(1/3)) needs x > 0 and becomes exp(p/q · log x). A
-///           negative exponent needs x ≠ 0 besides.
+///           negative exponent also needs x ≠ 0.
 [[nodiscard]] ParsedExpression power(const ParsedExpression& base,
                                      const ParsedExpression& exponent);
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// [pose] and [let]: what the matrix is written in.
+// [pose] and [let]: the names that the matrix uses.
 #include <algorithm>
 #include <array>
 

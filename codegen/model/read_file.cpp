@@ -19,7 +19,7 @@ constexpr std::uint64_t kPart = std::uint64_t{1} << 20;
 
 class Opened {
  public:
-  /// O_NONBLOCK: a pipe that nobody writes opens, too, and has no bytes.
+  /// O_NONBLOCK: a pipe without a writer opens at once, and has no bytes.
   explicit Opened(const std::string& path)
       : path_(path), descriptor_(::open(path.c_str(), O_RDONLY | O_NONBLOCK | O_CLOEXEC)) {
     if (descriptor_ < 0 && errno != ENOENT) fail(std::strerror(errno));
@@ -35,19 +35,19 @@ class Opened {
     throw FileError(path_ + " cannot be read: " + why);
   }
 
-  /// Returns the size of a file on a disk, 0 of a stream.
+  /// Returns the size of a file on a disk, 0 for a stream.
   std::uint64_t require(Readable kind) const {
     struct stat status {};
     if (::fstat(descriptor_, &status) != 0) fail(std::strerror(errno));
     if (S_ISDIR(status.st_mode)) fail("it is a directory");
     if (S_ISREG(status.st_mode)) return static_cast<std::uint64_t>(status.st_size);
     if (kind == Readable::kFile) fail("it is not a regular file");
-    // What a writer is still going to send is waited for.
+    // Wait for the bytes that a writer has not sent yet.
     if (::fcntl(descriptor_, F_SETFL, 0) != 0) fail(std::strerror(errno));
     return 0;
   }
 
-  /// The first bytes, all if there are no more than that.
+  /// Returns the first `most` bytes, or all if there are fewer.
   [[nodiscard]] std::string start(std::uint64_t most) const {
     std::string bytes;
     while (bytes.size() < most) {

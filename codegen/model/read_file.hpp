@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Reading a file that a user names: no more of it than can be meant, and never waiting for one that
-// nobody writes.
+// Reads a file that a user names, up to a limit of bytes. It never waits for a pipe that has no
+// writer.
 #pragma once
 
 #include <cstdint>
@@ -9,20 +9,20 @@
 
 namespace regulus::inline model {
 
-/// kFile: one on a disk. kStream: also what comes from a pipe or a device, such as /dev/stdin.
+/// kFile: a file on a disk. kStream: also a pipe or a device, such as /dev/stdin.
 enum class Readable { kFile, kStream };
 
-/// The bytes of a file; nullopt if there is none of that name.
+/// Returns the bytes of a file; nullopt if there is no file of that name.
 ///
 /// Ensures   at most `most` + 1 bytes are held at any time.
 /// Throws    FileError: "`path` cannot be read: it is a directory", "it has more than N bytes", …
 [[nodiscard]] std::optional<std::string> read_file_if_any(const std::string& path,
                                                           std::uint64_t most, Readable kind);
 
-/// The same; a file that does not exist is an error, too.
+/// The same, but a file that does not exist is an error.
 [[nodiscard]] std::string read_file(const std::string& path, std::uint64_t most, Readable kind);
 
-/// Its first bytes, all if there are no more than that. Throws FileError.
+/// Returns its first `most` bytes, or all if there are fewer. Throws FileError.
 [[nodiscard]] std::string read_start(const std::string& path, std::uint64_t most, Readable kind);
 
 }  // namespace regulus::inline model

@@ -61,8 +61,8 @@ ex apply_log(ParsedExpression& result, const std::vector<ParsedExpression>& x) {
   return GiNaC::log(x[0].value);
 }
 
-/// For an operand that GiNaC does not know to be real, such as log(x), its abs(u)^2 becomes
-/// u·conjugate(u), and so do derivatives.
+/// For an operand that GiNaC does not know to be real, such as log(x), GiNaC turns abs(u)^2 into
+/// u·conjugate(u), also in derivatives.
 ex apply_abs(ParsedExpression&, const std::vector<ParsedExpression>& x) {
   const ex& u = x[0].value;
   if (u.info(GiNaC::info_flags::real)) return GiNaC::abs(u);

@@ -16,7 +16,7 @@ namespace regulus::inline model {
 
 [[nodiscard]] bool is_function(std::string_view name);
 
-/// The function applied to the arguments; where it is partial, its domain is recorded.
+/// Applies the function to the arguments; records its domain if it is not defined everywhere.
 ///
 /// Requires  is_function(name).
 /// Ensures   throws Refusal for a wrong number of arguments, or constants outside the domain.

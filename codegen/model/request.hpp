@@ -12,37 +12,38 @@
 
 namespace regulus::inline model {
 
-/// What every command that reads a model takes: which variety, with which changes.
+/// The options of every command that reads a model: the motion, and changes to it.
 struct ModelOptions {
   std::string path;
-  std::string motion;               ///< empty: the model's only one
+  std::string motion;               ///< empty: the only motion of the model
   std::vector<std::string> ranges;  ///< "p=LO:HI"
   std::vector<std::string> tolerances;
   std::string alpha;                  ///< empty: the motion's own
-  std::optional<std::string> text{};  ///< of the model, in place of what the file holds
+  std::optional<std::string> text{};  ///< of the model, instead of the file
 };
 
-/// A model and the one motion to look at, with the command line's changes made.
+/// A model and the motion in question, with the changes of the command line applied.
 struct Request {
   Model model;
   Motion motion;
 };
 
-/// The text of the model. Throws FileError.
+/// Returns the text of the model. Throws FileError.
 [[nodiscard]] std::string model_text(const ModelOptions& options);
 
 /// Throws InputError or FileError for the file, UsageError for the options.
 [[nodiscard]] Request read_request(const ModelOptions& options);
-/// The same where the bytes of the file have been read.
+/// Overload for a file that has been read.
 [[nodiscard]] Request read_request(std::string_view text, const ModelOptions& options);
 
 struct Assignment {
   std::string name, value;
 };
-/// "GROUP=VALUE" in two. Throws UsageError naming the option.
+/// Splits "GROUP=VALUE" in two. Throws UsageError that names the option.
 [[nodiscard]] Assignment split_assignment(const std::string& text, const char* option);
 
-/// Runs an override; its complaints are about the command line, not about the model file.
+/// Runs an override. Its errors are reported as UsageError, because the mistake is in the command
+/// line.
 template <class Change>
 void from_option(const char* option, Change change) {
   try {

@@ -9,7 +9,8 @@ namespace regulus::inline model {
 /// Rz(psi)·Rx(theta)·Rz(phi): Euler angles, z-x-z.
 ///
 /// Shape     3×3.
-/// Source    Merlet, T-RO 2007, §V-B; of the usual conventions z-x-z agrees with all its verdicts.
+/// Source    Merlet, T-RO 2007, §V-B; of the usual conventions, only z-x-z agrees with all its
+///           verdicts.
 [[nodiscard]] GiNaC::matrix rotation_euler_zxz(const GiNaC::ex& psi, const GiNaC::ex& theta,
                                                const GiNaC::ex& phi);
 

@@ -12,11 +12,11 @@
 
 namespace regulus::inline model {
 
-/// Operations of all expressions together, named sub-expressions included: what a file may ask to
-/// be built. A 6×6 matrix of the largest expressions is below it.
+/// The most operations that all expressions of a file may have together, including named
+/// sub-expressions. A 6×6 matrix of the largest expressions is below it.
 constexpr double kMaxModelSize = 5e6;
 
-/// What the readers share.
+/// The data that the readers share.
 struct ModelReading {
   TomlReader toml;
   Declarations names{};

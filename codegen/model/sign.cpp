@@ -25,8 +25,8 @@ const GiNaC::numeric* numeric_exponent(const ex& power) {
   return is_a<GiNaC::numeric>(exponent) ? &GiNaC::ex_to<GiNaC::numeric>(exponent) : nullptr;
 }
 
-/// Powers that are not negative whatever the sign of the base: even ones, and roots, which are
-/// defined for a base that is not negative only.
+/// True for powers that are never negative: even powers, and roots, which are defined only for a
+/// base that is not negative.
 bool is_even_or_root(const GiNaC::numeric& exponent) {
   return exponent.is_even() || (exponent.is_rational() && !exponent.is_integer());
 }
@@ -54,7 +54,7 @@ double approx_call(const GiNaC::function& f) {
   return name == "abs" ? std::fabs(x) : kNoValue;
 }
 
-/// Not a number, or infinite, if some part of e is.
+/// NaN or infinite if some part of e is.
 double approx(const ex& e) {
   if (is_a<GiNaC::numeric>(e))
     return e.info(GiNaC::info_flags::real) ? GiNaC::ex_to<GiNaC::numeric>(e).to_double() : kNoValue;

@@ -8,19 +8,20 @@
 
 namespace regulus::inline model {
 
-/// Whether e ≥ 0 at every real point where e is defined, by its form alone: squares, roots, sums
-/// and products of such. false says nothing.
+/// True if the form of e shows that e ≥ 0 at every real point where e is defined: squares, roots,
+/// sums and products of such. False says nothing.
 [[nodiscard]] bool certain_nonnegative(const GiNaC::ex& e);
 
-/// Whether e > 0 at every real point where e is defined, by its form alone. false says nothing.
+/// True if the form of e shows that e > 0 at every real point where e is defined. False says
+/// nothing.
 [[nodiscard]] bool certain_positive(const GiNaC::ex& e);
 
-/// Whether e is defined at every real point, by its form alone. false says nothing.
+/// True if the form of e shows that e is defined at every real point. False says nothing.
 [[nodiscard]] bool certain_defined(const GiNaC::ex& e);
 
-/// A constant's approximate value, for refusing input early and for messages: no bound is claimed.
-/// nullopt when it, or a part of it, is not a real number in the range of doubles. (Not by evalf():
-/// beyond its exponent range it gives exp(exp(exp(9))) = 1.)
+/// Returns a constant's approximate value, without a bound, to refuse input early and for messages;
+/// nullopt if it, or a part of it, is not a real number in the range of doubles. (evalf() is not
+/// used: beyond its exponent range it gives exp(exp(exp(9))) = 1.)
 [[nodiscard]] std::optional<double> approx_value(const GiNaC::ex& constant);
 
 }  // namespace regulus::inline model

@@ -3,13 +3,13 @@
 
 namespace regulus::inline model {
 
-/// A place in a C++ program. What std::source_location is where compilers have it: Clang does from
-/// version 15 on.
+/// A place in a C++ program. It replaces std::source_location, which Clang has only from version
+/// 15.
 class SourcePlace {
  public:
   constexpr SourcePlace() noexcept = default;
 
-  /// Where the call is written; as a default argument, where the function that has it is called.
+  /// Returns the place of the call; as a default argument, the place of the call of that function.
   static constexpr SourcePlace current(const char* file = __builtin_FILE(),
                                        unsigned line = __builtin_LINE()) noexcept {
     SourcePlace place;

@@ -8,8 +8,8 @@
 namespace regulus::inline model {
 namespace {
 
-/// Follows the text as far as to know what is a string, a comment, a key or a value. It agrees with
-/// the library up to the first mistake in the text, where the library stops.
+/// Scans the text just enough to recognise strings, comments, keys and values. It agrees with the
+/// library up to the first mistake in the text, where the library stops.
 class Scan {
  public:
   Scan(std::string_view text, const std::string& file) : text_(text), file_(file) {}
@@ -66,7 +66,7 @@ class Scan {
       refuse("a key of too many parts", std::to_string(kMaxKeyParts) + " parts, as a.b.c has 3");
   }
 
-  /// What was read since the last structural character was a key, or else a value.
+  /// Ends the text since the last structural character, which was a key or a value.
   void end_key(bool key) {
     if (key && dots_ > 0) tables_ += dots_ + 1;
     dots_ = 0;

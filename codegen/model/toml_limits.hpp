@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What is asked of a TOML text before the TOML library sees it.
+// Limits of a TOML text, checked before the TOML library reads it.
 #pragma once
 
 #include <cstddef>
@@ -8,14 +8,14 @@
 
 namespace regulus::inline model {
 
-// The library builds a table for each part of a key, one in the other, and takes them apart by
-// recursion; and it looks each part up in a list of all tables. No model needs as much as this.
+// The library builds nested tables, one for each part of a key, and destroys them by recursion; and
+// it looks each part up in a list of all tables. No model comes near these limits.
 constexpr std::size_t kMaxKeyParts = 16;        ///< of a key or a table's name: a.b.c has three
 constexpr std::size_t kMaxTomlNesting = 32;     ///< of [ ] and { } in a value
 constexpr std::size_t kMaxTomlTables = 20'000;  ///< parts of all dotted keys and table names
 
-/// Throws InputError with file and line for a text beyond these limits. Nothing else is looked at:
-/// what is no TOML passes. Takes linear time and no stack.
+/// Throws InputError with file and line for a text beyond these limits. It checks nothing else: a
+/// text that is not TOML passes. Takes linear time and no recursion.
 void require_toml_limits(std::string_view text, const std::string& file);
 
 }  // namespace regulus::inline model

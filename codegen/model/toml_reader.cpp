@@ -41,14 +41,14 @@ std::string describe(const toml::node& node) {
   }
 }
 
-/// Whether a number does not end before, or begin after, this character.
+/// True if a number cannot end before, or begin after, this character.
 bool continues_number(char c) {
   return std::string_view("0123456789abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ_.+-")
              .find(c) != std::string_view::npos;
 }
 
-/// Whether the library read the same text: its number is the exact one, or the double nearest to
-/// it. So two readers that share no code agree about where the number is and what it says.
+/// True if the library read the same number: its value is the exact one, or the double nearest to
+/// it. So two readers that share no code agree about the place and the value of the number.
 bool is_reading_of(const GiNaC::numeric& exact, const toml::node& node) {
   if (const auto* integer = node.as_integer()) return exact == exact_integer(integer->get());
   return rounds_to(exact, node.as_floating_point()->get());
@@ -162,7 +162,7 @@ ParsedExpression TomlReader::number_of(const TomlEntry& entry) const {
   return number(*exact);
 }
 
-/// The characters of the file that a number was parsed from.
+/// Returns the characters of the file that a number was parsed from.
 std::string_view TomlReader::literal_of(const TomlEntry& entry) const {
   const auto [begin, end, path] = entry.node->source();
   const std::size_t from = source_.offset(begin.line, begin.column);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Typed access to a TOML document: whatever is missing, misspelt or of the wrong type becomes an
-// InputError that says where.
+// Typed access to a TOML document: an entry that is missing, misspelt or of the wrong type becomes
+// an InputError with its place.
 #pragma once
 
 #include <toml++/toml.h>
@@ -25,36 +25,37 @@ struct TomlEntry {
 
 class TomlReader {
  public:
-  /// `text`, which must outlive the reader, is what the nodes were parsed from.
+  /// `text` is the text that the nodes were parsed from; it must outlive the reader.
   TomlReader(std::string file, std::string_view text) : file_(std::move(file)), source_(text) {}
 
-  /// The entries in the order of the file, which the pose relies on; TOML tables have none.
+  /// Returns the entries in the order of the file. TOML tables have no order, but the pose needs
+  /// one.
   [[nodiscard]] std::vector<TomlEntry> entries(const TomlEntry& table) const;
 
-  /// The entries, all of which must be named in `known`.
+  /// Returns the entries; refuses one that is not named in `known`.
   [[nodiscard]] std::vector<TomlEntry> entries(const TomlEntry& table,
                                                std::span<const std::string> known) const;
 
-  /// The entry of that key; refused when missing.
+  /// Returns the entry of that key; refuses a table without it.
   [[nodiscard]] TomlEntry required(const TomlEntry& table, const std::string& key) const;
 
-  /// The entry of that key; its node is null when missing.
+  /// Returns the entry of that key; its node is null if there is none.
   [[nodiscard]] TomlEntry optional(const TomlEntry& table, const std::string& key) const;
 
-  /// The elements of an array.
+  /// Returns the elements of an array.
   [[nodiscard]] std::vector<TomlEntry> elements(const TomlEntry& array,
                                                 const std::string& expected) const;
 
   [[nodiscard]] std::string text(const TomlEntry& entry, const std::string& expected) const;
 
-  /// A text that can stand in a report: see is_label.
+  /// Returns a text that can appear in a report: see is_label.
   [[nodiscard]] std::string label(const TomlEntry& entry) const;
 
-  /// A text that is a name and is not taken by the language.
+  /// Returns a text that is a name and is not reserved.
   [[nodiscard]] std::string name(const TomlEntry& entry) const;
 
-  /// A number, or an expression in a string. A number is the one that is written, to the last
-  /// digit: it is read from the text of the file.
+  /// Reads a number, or an expression in a string. A number is exact to the last digit, because it
+  /// is read from the text of the file.
   [[nodiscard]] ParsedExpression expression(const TomlEntry& entry, Names& names) const;
   [[nodiscard]] ParsedExpression constant(const TomlEntry& entry) const;
 
@@ -63,7 +64,7 @@ class TomlReader {
   [[noreturn]] void refuse(const TomlEntry& entry, const std::string& found,
                            const std::string& expected) const;
 
-  /// The same, what was found being the entry itself.
+  /// The same, with the entry itself as the text that was found.
   [[noreturn]] void refuse(const TomlEntry& entry, const std::string& expected) const;
 
  private:

@@ -11,7 +11,7 @@
 namespace regulus::inline model {
 namespace {
 
-constexpr std::size_t kDigitsOfAnInteger = 15;  // far below the ends of TOML's
+constexpr std::size_t kDigitsOfAnInteger = 15;  // far below TOML's limits
 
 bool is_integer(std::string_view text) {
   if (text.starts_with('-')) text.remove_prefix(1);

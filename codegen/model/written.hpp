@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Lines of a model file that is written from C++, each with the place it comes from.
+// Lines of a model file that is written from C++, each with its place in C++.
 #pragma once
 
 #include <map>
@@ -19,18 +19,18 @@ struct WrittenLine {
 
 using WrittenSection = std::vector<WrittenLine>;
 
-/// Throws InputError that names `what` when the section has the key already.
+/// Throws InputError that names `what` if the section already has the key.
 void write_once(WrittenSection& section, const std::string& what, WrittenLine line);
 
 // Values of TOML.
 [[nodiscard]] std::string written(std::string_view label);
 [[nodiscard]] std::string written(const Formula& formula);
 [[nodiscard]] std::string written(const std::vector<Formula>& formulas);
-/// A key, in quotes where TOML asks for it.
+/// Returns a key, in quotes if TOML requires them.
 [[nodiscard]] std::string written_key(const std::string& key);
 
-/// The symbols of GiNaC that a robot declares and uses. Two symbols of one name are two things to
-/// GiNaC, and one in a model file: whichever is used must be the one that was declared.
+/// The symbols of GiNaC that a robot declares and uses. GiNaC distinguishes two symbols of the same
+/// name, and a model file does not, so every symbol used must be the declared one.
 class WrittenSymbols {
  public:
   void declare(const GiNaC::symbol& symbol);
