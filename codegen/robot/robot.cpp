@@ -15,7 +15,7 @@ void Robot::source(const std::string& words, Place place) {
   write_once(header_, "source", {"source", written(std::string_view(words)), place});
 }
 
-/// Names are shared by all sections.
+/// All sections share the names.
 Formula Robot::declare(WrittenSection& section, const std::string& name, const std::string& value,
                        const Place& place) {
   const auto [first, inserted] = declared_.emplace(name, place);
@@ -25,7 +25,7 @@ Formula Robot::declare(WrittenSection& section, const std::string& name, const s
         in_quotes(name) + " declared twice, first at line " + std::to_string(first->second.line()),
         "a name that is not declared yet", name);
   section.push_back({name, value, place});
-  // What is no name is refused in its section when the robot is read.
+  // A text that is not a name is refused later, when the robot is read.
   return is_name(name) && !is_reserved(name) ? Formula(name, place) : Formula();
 }
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// A robot that is written in C++. AUTHORS.md shows how, codegen/robot/examples has whole ones.
+// A robot that is written in C++. AUTHORS.md shows how; codegen/robot/examples has complete robots.
 #pragma once
 
 #include <deque>
@@ -14,11 +14,11 @@
 
 namespace regulus::inline robot {
 
-/// The inverse Jacobian of a robot, what it is written in, and the robot's motions.
+/// The inverse Jacobian of a robot, the names in it, and the robot's motions.
 ///
-/// It is the text of a model file in the making, and read as such: whatever a model file is refused
-/// for is refused here, with the place in C++ instead of the file's line. A thing that is given
-/// twice is refused by the second call, all else when the robot is read.
+/// It collects the text of a model file, which is then read as such: the rules of model files
+/// apply, and messages have the place in C++ instead of the file's line. A second call for the same
+/// name or section is refused at once; other mistakes are refused when the robot is read.
 class Robot {
  public:
   using Place = SourcePlace;
@@ -30,35 +30,35 @@ class Robot {
   /// Who published the numbers.
   void source(const std::string& words, Place place = Place::current());
 
-  /// A pose parameter; in the order of the twist. The unit is a label, "1" for none.
+  /// Declares a pose parameter, in the order of the twist. The unit is a label, "1" for none.
   Formula pose(const std::string& name, const std::string& unit = "1",
                Place place = Place::current());
-  /// The same for a symbol that a GiNaC expression is written in; so below.
+  /// Overload for a symbol of GiNaC expressions; there are more below.
   Formula pose(const GiNaC::symbol& symbol, const std::string& unit = "1",
                Place place = Place::current());
 
-  /// A constant of the robot, exact.
+  /// Declares an exact constant of the robot.
   Formula constant(const std::string& name, const Formula& value, Place place = Place::current());
   Formula constant(const GiNaC::symbol& symbol, const Formula& value,
                    Place place = Place::current());
 
-  /// value ± tolerance, which `--tolerance GROUP=E` sets for all of a group.
+  /// Declares value ± tolerance; `--tolerance GROUP=E` sets the tolerance of a whole group.
   Formula uncertain(const std::string& name, const Formula& value, const Formula& tolerance,
                     const std::string& group = {}, Place place = Place::current());
   Formula uncertain(const GiNaC::symbol& symbol, const Formula& value, const Formula& tolerance,
                     const std::string& group = {}, Place place = Place::current());
 
-  /// A point each of whose coordinates is ± tolerance: name_1, name_2 …
+  /// Declares a point with ± tolerance on each coordinate: name_1, name_2 …
   std::vector<Formula> point(const std::string& name, const std::vector<Formula>& value,
                              const Formula& tolerance = 0, const std::string& group = {},
                              Place place = Place::current());
 
-  /// A point within that radius of its nominal place: name_1, name_2 …
+  /// Declares a point within that radius of its nominal place: name_1, name_2 …
   std::vector<Formula> ball(const std::string& name, const std::vector<Formula>& value,
                             const Formula& radius, const std::string& group = {},
                             Place place = Place::current());
 
-  /// A name for a sub-expression.
+  /// Declares a name for a sub-expression.
   Formula let(const std::string& name, const Formula& meaning, Place place = Place::current());
 
   /// m rows of n entries, m ≥ n: a row of J⁻¹ for each leg, up to its row scale.
@@ -68,17 +68,18 @@ class Robot {
     matrix(rows_of(entries, place), place);
   }
 
-  /// m positive factors: row of J⁻¹ = row_scale · row. It matters where α > 0.
+  /// m positive factors: row of J⁻¹ = row_scale · row. They matter for α > 0.
   void row_scale(const std::vector<Formula>& factors, Place place = Place::current());
 
-  /// A motion variety, to be given its ranges; it lives as long as the robot.
+  /// Adds a motion variety without ranges; it lives as long as the robot.
   RobotMotion& motion(const std::string& name, Place place = Place::current());
 
-  /// The robot as a model file, which every command takes. The same text in every process. Throws
-  /// InputError for GiNaC symbols that were not declared.
+  /// Returns the robot as a model file, which every command takes. The text is the same in every
+  /// process. Throws InputError for GiNaC symbols that were not declared.
   [[nodiscard]] std::string model_file() const;
 
-  /// The robot as its model file is read. Throws InputError with file and line in C++.
+  /// Returns the model that the reader makes of this file. Throws InputError with file and line in
+  /// C++.
   [[nodiscard]] Model model() const;
 
  private:
@@ -97,7 +98,7 @@ class Robot {
   std::string name_;
   Place place_;
   WrittenSection header_, pose_, geometry_, let_, matrix_;
-  std::deque<RobotMotion> motions_;        // which does not move what it holds
+  std::deque<RobotMotion> motions_;        // a deque does not move its elements
   std::map<std::string, Place> declared_;  // of pose, geometry and let
   WrittenSymbols symbols_;
 
@@ -106,5 +107,5 @@ class Robot {
 
 }  // namespace regulus::inline robot
 
-/// What a model in a file of its own defines, for the program that generates its kernel.
+/// Defined by the author of a robot; the program that generates its kernel calls it.
 regulus::Robot regulus_model();

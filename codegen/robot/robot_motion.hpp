@@ -17,28 +17,28 @@ class RobotMotion {
 
   RobotMotion(std::string name, Place place) : name_(std::move(name)), place_(place) {}
 
-  /// A pose parameter that is free in [lo, hi].
+  /// Sets a pose parameter that is free in [lo, hi].
   RobotMotion& range(const Formula& parameter, const Formula& lo, const Formula& hi,
                      Place place = Place::current());
 
-  /// A pose parameter that is a function of the motion's parameters, or held.
+  /// Sets a pose parameter that is a function of the motion's parameters, or constant.
   RobotMotion& pose(const Formula& parameter, const Formula& value, Place place = Place::current());
 
-  /// A parameter of the motion's own, in [lo, hi].
+  /// Declares a parameter of this motion, in [lo, hi].
   Formula parameter(const std::string& name, const Formula& lo, const Formula& hi,
                     Place place = Place::current());
-  /// The same for a symbol that a GiNaC expression is written in.
+  /// Overload for a symbol of GiNaC expressions.
   Formula parameter(const GiNaC::symbol& symbol, const Formula& lo, const Formula& hi,
                     Place place = Place::current());
 
-  /// Control error ± of a pose parameter.
+  /// Sets the control error ± of a pose parameter.
   RobotMotion& error(const Formula& parameter, const Formula& bound,
                      Place place = Place::current());
 
-  /// Poses where it is > 0 do not belong to the variety.
+  /// Excludes the poses where the expression is > 0 from the variety.
   RobotMotion& constraint(const Formula& at_most_zero, Place place = Place::current());
 
-  /// The threshold that |det J⁻¹| must exceed.
+  /// Sets the threshold that |det J⁻¹| must exceed.
   RobotMotion& alpha(const Formula& threshold, Place place = Place::current());
 
  private:

@@ -43,7 +43,7 @@ void RobotText::named_section(const std::string& name, const WrittenSection& lin
 
 void RobotText::dotted(const std::string& key, const WrittenSection& lines) {
   if (lines.empty()) return;
-  // A line each, which an inline table could not have: a mistake is found where it was made.
+  // Each entry has a line of its own, unlike in an inline table, so a message has the right place.
   for (const WrittenLine& of : lines)
     line(key + "." + written_key(of.key) + " = " + of.value, of.place);
 }

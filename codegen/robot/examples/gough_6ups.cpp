@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // A platform on six legs, each between an anchor A_i of the base and B_i of the platform, with the
-// numbers of models/robot_1.toml. [gough] in a model file says the same in three lines; here is
-// what there is to change for a robot that is not quite such a one.
+// numbers of models/robot_1.toml. [gough] in a model file says the same in three lines; start from
+// this file for a robot that differs from it.
 #include <array>
 #include <string>
 
@@ -28,7 +28,7 @@ std::string numbered(const char* letter, std::size_t i) {
   return std::string(letter).append(std::to_string(i + 1));
 }
 
-/// Its coordinates are exact as they stand; `--tolerance GROUP=E` makes them ± E.
+/// Its coordinates are exact; `--tolerance GROUP=E` makes them ± E.
 Vector anchor(Robot& robot, const std::string& name, const std::array<int, 3>& at,
               const std::string& group) {
   return {robot.uncertain(name + "_x", at[0], 0, group),
@@ -47,7 +47,7 @@ std::array<Vector, 3> rotation(Robot& robot) {
            {st * sf, st * cf, ct}}};
 }
 
-/// |x|, |y| ≤ side, 45 ≤ z ≤ 50, and each angle within as many degrees.
+/// |x|, |y| ≤ side, 45 ≤ z ≤ 50, and each angle within ±`degrees`.
 void add_box(Robot& robot, const std::string& name, int side, int degrees) {
   auto& motion = robot.motion(name);
   motion.range("x", -side, side).range("y", -side, side).range("z", 45, 50);

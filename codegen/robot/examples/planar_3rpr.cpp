@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // A triangle on three legs, each a prismatic joint between two revolute ones: the robot of
-// models/planar_3rpr.toml. With lengths of the triangle's sides for constants it takes the law of
-// cosines to place the anchors.
+// models/planar_3rpr.toml. The constants are the lengths of the triangle's sides, so the law of
+// cosines gives the anchors.
 #include <regulus/regulus.hpp>
 
 using regulus::Formula;
