@@ -14,8 +14,7 @@ Ball beyond_one(const Ball& a, long precision) {
   return result;
 }
 
-// A ball that is not finite stands for a value that is lost already: it violates nothing for
-// certain.
+// If a ball is not finite, its value is already lost: no violation is certain.
 bool certain_negative(const Ball& a) { return arb_is_finite(a.get()) && arb_is_negative(a.get()); }
 bool certain_positive(const Ball& a) { return arb_is_finite(a.get()) && arb_is_positive(a.get()); }
 bool certain_nonpositive(const Ball& a) {

@@ -17,7 +17,7 @@ class ArbArithmetic {
   explicit ArbArithmetic(long precision) noexcept : precision_(precision) {}
 
   [[nodiscard]] bool undefined() const noexcept { return undefined_; }
-  /// Whether some operation certainly has no value at any point of its operands.
+  /// True if some operation certainly has no value at any point of its operands.
   [[nodiscard]] bool certainly_undefined() const noexcept { return violated_; }
   void clear() noexcept { undefined_ = violated_ = false; }
 

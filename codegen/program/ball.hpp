@@ -35,7 +35,8 @@ class Ball {
   [[nodiscard]] arb_ptr get() noexcept { return value_; }
   [[nodiscard]] arb_srcptr get() const noexcept { return value_; }
 
-  /// The narrowest interval with double bounds around the ball; infinite bounds when it has none.
+  /// Returns the narrowest interval with double bounds around the ball; infinite bounds if there is
+  /// none.
   [[nodiscard]] Interval enclosure() const;
 
  private:

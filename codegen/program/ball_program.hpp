@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// A program for balls alone. This header and what it includes hold nothing of CLN's or GiNaC's:
-// a search hands objects of it to all of its threads (runtime/SOUNDNESS.md, "Several threads").
+// A program for balls alone. This header and its includes do not use CLN or GiNaC, because a search
+// shares these objects between all its threads (runtime/SOUNDNESS.md, "Several threads").
 #pragma once
 
 #include <cstddef>
@@ -19,8 +19,8 @@ struct Program;
 /// A Program whose constants have been converted. Any number of threads may evaluate one object.
 struct BallProgram {
   BallProgram() = default;
-  /// Requires  a program that reads no entries of K (std::invalid_argument otherwise), and that the
-  ///           thread which calls owns it.
+  /// Requires a program that reads no entries of K (std::invalid_argument otherwise) and belongs to
+  ///          the calling thread.
   explicit BallProgram(const Program& program);
 
   std::vector<Node> nodes;
@@ -29,11 +29,11 @@ struct BallProgram {
   std::vector<NodeId> outputs;
 };
 
-/// Whether every operand comes before its use, and every index names something that is there. To be
-/// asked of what was read from a file, before it is evaluated.
+/// True if every operand comes before its use, and every index is in range. Check it for a program
+/// from a file, before it is evaluated.
 [[nodiscard]] bool is_consistent(const BallProgram& program) noexcept;
 
-/// Encloses the outputs at `inputs`, computed with that many bits.
+/// Encloses the outputs at `inputs`, computed with `precision` bits.
 ///
 /// Requires  a consistent program; as many inputs as it has, std::invalid_argument otherwise.
 /// Ensures   nullopt unless the program is certainly defined at every point of the inputs.

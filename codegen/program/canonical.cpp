@@ -42,7 +42,7 @@ class Renumbering {
   }
 
  private:
-  // An explicit stack: sums of thousands of terms are chains as deep.
+  // Uses an explicit stack, because a sum of thousands of terms is a chain of that depth.
   void visit(NodeId root) {
     std::vector<NodeId> stack{root};
     while (!stack.empty()) {
@@ -54,7 +54,7 @@ class Renumbering {
     }
   }
 
-  /// Pushes the operands that have no place yet, the one to be visited first last.
+  /// Pushes the operands without a place; the last one pushed is visited first.
   bool push_operands(const Node& node, std::vector<NodeId>& stack) const {
     const int count = operand_count(node.op);
     const std::size_t before = stack.size();

@@ -12,7 +12,7 @@ namespace regulus::inline program {
 namespace {
 
 constexpr long kFirstPrecision = 128;
-// More than 1074 + 53 bits: values near the smallest subnormal are told apart, too.
+// More than 1074 + 53 bits, so that values near the smallest subnormal are separated, too.
 constexpr long kLastPrecision = 2048;
 
 /// Bounds that are equal or neighbours cannot be improved by more bits, except by making them

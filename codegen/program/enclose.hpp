@@ -12,9 +12,9 @@ namespace regulus::inline program {
 
 /// Encloses an output of a program that reads no inputs and no points.
 ///
-/// Ensures   the value ∈ result; the bounds are neighbours, or equal when the expression folded to
-///           a double. An irrational form of a double (sin²1 + cos²1) may take one step more.
-///           nullopt when the expression is not certainly defined.
+/// Ensures   the value ∈ result; the bounds are neighbours, or equal if the expression folded to a
+///           double. For an irrational form of a double (sin²1 + cos²1) they may be one step wider.
+///           nullopt if the expression is not certainly defined.
 /// Rounding  outward.
 [[nodiscard]] std::optional<Interval> enclose(const Program& constant, std::size_t output = 0);
 
@@ -25,14 +25,14 @@ namespace regulus::inline program {
 /// Rounding  outward.
 [[nodiscard]] std::optional<Interval> enclose_outward(const Program& lo, const Program& hi);
 
-/// The widest double interval inside the range from `lo` to `hi`: where a witness may lie.
+/// The widest double interval inside the range from `lo` to `hi`, for witnesses.
 ///
 /// Ensures   lo ≤ result.lo ≤ result.hi ≤ hi; nullopt when no double is certainly inside.
 /// Rounding  inward.
 [[nodiscard]] std::optional<Interval> round_inward(const Program& lo, const Program& hi);
 
-/// The enclosures of all nodes that depend on neither inputs nor points. A constant node that is
-/// not certainly defined has no value here, so that running it sets the undefined flag.
+/// Returns the enclosures of all nodes that depend on neither inputs nor points. A constant node
+/// that is not certainly defined has no value here, so running it sets the undefined flag.
 [[nodiscard]] KnownValues<Interval> enclose_constant_nodes(const Program& program);
 
 }  // namespace regulus::inline program

@@ -44,7 +44,7 @@ Place sum(const Place& a, const Place& b) {
   return OnGrid{a->row, scale, x->size + y->size};
 }
 
-/// Times a double, p·2^-q with p odd or a multiple of 2.
+/// Returns the product with a double, p·2^-q with p odd or a multiple of 2.
 Place product(const Place& a, double coefficient) {
   if (!a || !std::isfinite(coefficient) || coefficient == 0.0) return std::nullopt;
   int exponent = 0;

@@ -12,8 +12,8 @@ class cl_RA;
 
 namespace regulus::inline program {
 
-/// An owned fmpq_t. Unlike a number of CLN, whose reference count is not atomic, it may be read by
-/// several threads at once: nothing is written when it is read or copied.
+/// An owned fmpq_t. Several threads may read it at once, because reading or copying it writes
+/// nothing. (The reference count of a CLN number is not atomic.)
 class FlintRational {
  public:
   FlintRational() noexcept { fmpq_init(value_); }
@@ -27,12 +27,12 @@ class FlintRational {
   }
   ~FlintRational() { fmpq_clear(value_); }
 
-  /// Requires  the thread that calls owns the number.
+  /// Requires a number of the calling thread.
   explicit FlintRational(const cln::cl_RA& value);
 
   /// "-5/3": numerator and denominator, decimal, in lowest terms.
   [[nodiscard]] std::string text() const;
-  /// nullopt unless text() wrote it.
+  /// Returns nullopt unless text() wrote the text.
   [[nodiscard]] static std::optional<FlintRational> read(const std::string& text);
 
   [[nodiscard]] const fmpq* get() const noexcept { return value_; }

@@ -6,7 +6,7 @@
 namespace regulus::inline program {
 namespace {
 
-// Far past anything a double can tell apart, short enough to print.
+// Far beyond the precision of a double, and short enough to print.
 constexpr std::uint64_t kMaxBits = 1U << 14;
 
 std::uint64_t bits(const cln::cl_RA& value) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Exact values of operations on rational constants, where the value is a rational again.
+// Exact values of operations on rational constants, if the value is again rational.
 #pragma once
 
 #include <cln/rational.h>
@@ -11,10 +11,10 @@
 
 namespace regulus::inline program {
 
-/// value^exponent, or nullopt when the result would be too long to be worth writing down.
+/// Returns value^exponent, or nullopt if the result would be too long.
 [[nodiscard]] std::optional<cln::cl_RA> fold_power(const cln::cl_RA& value, std::uint32_t exponent);
 
-/// function(value) when that is defined and a known rational, e.g. sqrt(9/4), cos(0), |−3|.
+/// Returns function(value) if it is defined and a known rational, e.g. sqrt(9/4), cos(0), |−3|.
 [[nodiscard]] std::optional<cln::cl_RA> fold_call(Op function, const cln::cl_RA& value);
 
 }  // namespace regulus::inline program

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The way out of CLN: what is made here holds none of it, and may be given to any thread.
+// Converts from CLN: the results do not use CLN and may be given to any thread.
 #include <cln/integer.h>
 #include <cln/integer_io.h>
 #include <cln/rational.h>

@@ -6,7 +6,7 @@
 //   Number negate(Number), add, subtract, multiply, divide, atan2(Number, Number);
 //   Number power(Number, unsigned exponent ≥ 2), call(Op, Number);
 //
-// What happens outside a domain is the arithmetic's business: a flag, or an exception.
+// Each arithmetic decides what happens outside a domain: it sets a flag, or throws an exception.
 #pragma once
 
 #include <span>
@@ -31,7 +31,7 @@ template <class Arithmetic>
   return known;
 }
 
-/// The same for a program, constants and all.
+/// The same for a program; converts its constants too.
 template <class Arithmetic, class Number = typename Arithmetic::Number>
 void run(const Program& program, const KnownValues<Number>& known, std::span<const Number> inputs,
          std::span<const Number> points, std::span<Number> values, Arithmetic& arithmetic) {
@@ -39,7 +39,7 @@ void run(const Program& program, const KnownValues<Number>& known, std::span<con
                           arithmetic);
 }
 
-/// The outputs of the program at `inputs` and `points`.
+/// Returns the outputs of the program at `inputs` and `points`.
 ///
 /// Requires  as many inputs and points as the program declares; std::invalid_argument otherwise.
 template <class Arithmetic, class Number = typename Arithmetic::Number>

@@ -11,7 +11,7 @@ constexpr long kInputExponent = 64;
 constexpr long kPointExponent = 128;
 constexpr long kGuardedExponent = 128;
 constexpr long kFiniteExponent = 1024;
-// sin and cos are ≤ 1, arcs ≤ π; the packs may pass that by their last place.
+// sin and cos are ≤ 1, arcs ≤ π; the packs may exceed this in the last place.
 constexpr long kSineExponent = 1;
 constexpr long kArcExponent = 2;
 
@@ -22,7 +22,7 @@ long exponent_of(double bound) {
   return std::max(exponent, 0);
 }
 
-/// The exponent before a check, from those of the operands.
+/// Returns the exponent before a check, from the exponents of the operands.
 long exponent(const Node& node, const std::vector<long>& known) {
   switch (node.op) {
     case Op::kInput:

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// All functions of one model over one motion variety: what becomes a kernel.
+// All functions of one model over one motion variety, from which a kernel is made.
 #pragma once
 
 #include <optional>
@@ -29,10 +29,11 @@ struct Function {
   int rows = 1;  ///< shape of the outputs, row-major
   int columns = 1;
   std::vector<std::string> output_comments;       ///< per output, or empty: occurrences, form
-  std::vector<DerivativeIndex> derivatives = {};  ///< per output, where outputs are derivatives
+  std::vector<DerivativeIndex> derivatives = {};  ///< per output, if outputs are derivatives
 };
 
-/// What regulus_expansion says besides its functions expansion_second, row_first, row_second.
+/// The fields of regulus_expansion other than its functions expansion_second, row_first,
+/// row_second.
 struct Expansion {
   static constexpr int kNoRow = -1;
   std::string product;                ///< name of the function that is K·A at ū

@@ -20,7 +20,7 @@ bool lists_derivatives(const std::string& name) {
          name == "row_second";
 }
 
-/// How many outputs the ABI gives the function; −1 for a name it does not know.
+/// Returns the number of outputs of the function in the ABI; −1 for an unknown name.
 long expected_outputs(const Module& module, const Function& function) {
   const std::string& name = function.name;
   const long rows = module.rows;

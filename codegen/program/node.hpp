@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The steps of an interval program. Nothing here is CLN's: any thread may read them.
+// The steps of an interval program. They do not use CLN: any thread may read them.
 #pragma once
 
 #include <cstdint>
@@ -32,10 +32,10 @@ enum class Op : std::uint8_t {
 
 using NodeId = std::uint32_t;
 
-/// How many of Node::a and Node::b the operation reads.
+/// Returns how many of Node::a and Node::b the operation reads.
 [[nodiscard]] int operand_count(Op op) noexcept;
 
-/// The operation's name in texts: "constant", "add", "sqrt", "atan2" …
+/// Returns the operation's name in texts: "constant", "add", "sqrt", "atan2" …
 [[nodiscard]] const char* op_name(Op op) noexcept;
 
 struct Node {

@@ -28,7 +28,7 @@ std::string hexadecimal(UInt128 value) {
   return digits;
 }
 
-// The length in front keeps two lists of names apart whatever the names contain.
+// The length in front separates two lists of names, whatever the names contain.
 void print_names(std::ostream& text, const char* what, const std::vector<std::string>& names) {
   text << what << ' ' << names.size();
   for (const std::string& name : names) text << ' ' << name.size() << ':' << name;

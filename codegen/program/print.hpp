@@ -8,16 +8,16 @@
 
 namespace regulus::inline program {
 
-/// A program as text, one node per line: "%3 = multiply %1 %2". For reading and for hashing:
-/// programs with the same text compute the same.
+/// Returns a program as text, one node per line: "%3 = multiply %1 %2". For people and for hashes:
+/// programs with the same text compute the same results.
 [[nodiscard]] std::string to_text(const Program& program);
 
-/// A module as text: shapes, then each function's name and program. Titles, comments and the names
-/// of model and motion are left out: they do not change what is computed.
+/// Returns a module as text: shapes, then each function's name and program. Titles, comments and
+/// the names of model and motion are left out, because they do not change the results.
 [[nodiscard]] std::string to_text(const Module& module);
 
-/// What the kernel of a module is known by: 32 hexadecimal digits, equal for equal texts. Not a
-/// defence against forgery.
+/// Returns the name of a module's kernel: 32 hexadecimal digits, equal for equal texts. It does not
+/// protect against forgery.
 ///
 /// Source    FNV-1a, 128 bits (Fowler, Noll, Vo; IETF draft-eastlake-fnv).
 [[nodiscard]] std::string identity(const Module& module);

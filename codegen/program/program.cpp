@@ -119,7 +119,7 @@ NodeId ProgramBuilder::subtract(NodeId a, NodeId b) {
   return intern({Op::kSubtract, a, b});
 }
 
-/// factor·a, the factor merged with one that a already carries.
+/// Returns factor·a; merges the factor with one that a already has.
 NodeId ProgramBuilder::scale(const cln::cl_RA& factor, NodeId a) {
   const Node node = at(a);
   if (node.op == Op::kConstant) return constant(factor * value(a));
@@ -152,7 +152,7 @@ NodeId ProgramBuilder::divide(NodeId a, NodeId b) {
 }
 
 NodeId ProgramBuilder::power(NodeId a, int exponent) {
-  // In unsigned arithmetic, because −INT_MIN is no int.
+  // Unsigned arithmetic, because −INT_MIN is not an int.
   const auto n = exponent < 0 ? 0U - static_cast<std::uint32_t>(exponent)
                               : static_cast<std::uint32_t>(exponent);
   if (n > kMaxExponent) throw std::out_of_range("exponent is too large");

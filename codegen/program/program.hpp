@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The interval program: straight-line code over exact constants, in canonical order. What the
-// emitter prints and the interpreter runs.
+// The interval program: straight-line code over exact constants, in canonical order. The emitter
+// prints it and the interpreter runs it.
 #pragma once
 
 #include <cln/rational.h>
@@ -25,11 +25,11 @@ struct Program {
 };
 
 /// Builds a Program with common sub-expressions shared. Sums and products of two operands are
-/// stored in the order they are given: the caller decides on a canonical order (a·b after b·a is
-/// b·a again). Trivial identities (x + 0, 1·x, 0·x, −(−x), x·x = x², operations on rational
-/// constants) are folded exactly and never lose a condition of definedness: 0·x keeps x when x can
-/// be undefined, and x/x stays. Signs move outwards, so that expressions which differ by their sign
-/// are shared, too: −7·x is −(7·x), and b − a after a − b is −(a − b).
+/// stored in the given order: the caller chooses a canonical order (a·b after b·a is b·a again).
+/// Trivial identities (x + 0, 1·x, 0·x, −(−x), x·x = x², operations on rational constants) are
+/// folded exactly and never lose a condition of definedness: 0·x keeps x when x can be undefined,
+/// and x/x stays. Signs move outwards, so that expressions that differ only in sign are shared,
+/// too: −7·x is −(7·x), and b − a after a − b is −(a − b).
 ///
 /// Requires  every NodeId comes from this builder; indices name a declared input or point.
 ///           std::out_of_range otherwise.
@@ -52,7 +52,8 @@ class ProgramBuilder {
 
   void output(NodeId node);
 
-  /// The program of the nodes that the outputs use, in canonical order. The builder is spent.
+  /// Returns the program of the nodes that the outputs use, in canonical order. The builder cannot
+  /// be used again.
   [[nodiscard]] Program finish() &&;
 
  private:

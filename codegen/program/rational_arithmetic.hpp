@@ -15,14 +15,14 @@ class UndefinedValue : public std::domain_error {
   using std::domain_error::domain_error;
 };
 
-/// The expression may have a value, but none that this arithmetic can write down.
+/// The expression may have a value, but this arithmetic cannot represent it.
 class NotRational : public std::domain_error {
  public:
   using std::domain_error::domain_error;
 };
 
-/// The interpreter's arithmetic on exact rationals. Throws UndefinedValue outside a domain and
-/// NotRational where a function's value is not known to be rational.
+/// The interpreter's arithmetic on exact rationals. Throws UndefinedValue outside a domain, and
+/// NotRational if a function's value is not known to be rational.
 class RationalArithmetic {
  public:
   using Number = cln::cl_RA;

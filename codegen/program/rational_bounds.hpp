@@ -8,21 +8,22 @@
 
 namespace regulus::inline program {
 
-/// The largest double ≤ value; −∞ when value < −DBL_MAX. Never −0. Subnormals included.
+/// Returns the largest double ≤ value; −∞ if value < −DBL_MAX. Never −0. Subnormals included.
 [[nodiscard]] double round_down(const cln::cl_RA& value);
 
-/// The smallest double ≥ value; +∞ when value > DBL_MAX. Never −0. Subnormals included.
+/// Returns the smallest double ≥ value; +∞ if value > DBL_MAX. Never −0. Subnormals included.
 [[nodiscard]] double round_up(const cln::cl_RA& value);
 
-/// The narrowest interval with double bounds that contains value: thin iff value is a double.
+/// Returns the narrowest interval with double bounds that contains value: thin iff value is a
+/// double.
 [[nodiscard]] Interval enclose(const cln::cl_RA& value);
 
-/// The rational that x is.
+/// Returns the exact value of x.
 ///
 /// Requires  x finite.
 [[nodiscard]] cln::cl_RA exact_rational(double x);
 
-/// An e with |value| ≤ 2^e, at most one too large.
+/// Returns an e with |value| ≤ 2^e, at most one too large.
 [[nodiscard]] long exponent_bound(const cln::cl_RA& value);
 
 }  // namespace regulus::inline program

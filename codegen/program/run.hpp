@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Runs the steps of a program whose constants are known as numbers. Nothing here is CLN's: the
-// threads of a search run programs through this header alone (interpreter.hpp says what an
-// Arithmetic is).
+// Runs the steps of a program whose constants are known as numbers. The threads of a search run
+// programs only through this header, which does not use CLN (interpreter.hpp defines an
+// Arithmetic).
 #pragma once
 
 #include <cstddef>
@@ -13,11 +13,11 @@
 
 namespace regulus::inline program {
 
-/// The values of some nodes, by NodeId, known without running the program.
+/// The values, by NodeId, of the nodes that are known before the program runs.
 template <class Number>
 using KnownValues = std::vector<std::optional<Number>>;
 
-/// One node from the values of its operands. Not for leaves: they have none.
+/// Computes one node from the values of its operands. Leaves have no operands: not for them.
 template <class Arithmetic, class Number>
 [[nodiscard]] Number apply(const Node& node, std::span<const Number> values,
                            Arithmetic& arithmetic) {

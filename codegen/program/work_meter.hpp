@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// How much work the stages before compilation have done, and when they are to stop.
+// Counts the work of the stages before compilation, and stops them at a limit.
 #pragma once
 
 #include <atomic>
@@ -18,26 +18,26 @@ struct FormingStopped {
   bool interrupted = false;  ///< false: time is up
 };
 
-/// The stages that look at a watch, in their order.
+/// The stages that check a watch, in their order.
 enum class WorkStage {
-  kSubstitution,  ///< of the motion in the model, and the scales of the matrix
+  kSubstitution,  ///< of the motion into the model, and the scales of the matrix
   kForming,
   kLowering,   ///< of expressions to programs
   kSelection,  ///< of the operations of a kernel, and its text
 };
 
-/// Stops the stages before compilation from outside, and is told how far they are.
+/// Stops the stages before compilation from outside, and receives their progress.
 struct FormingWatch {
   using Clock = std::chrono::steady_clock;
   Clock::time_point deadline = Clock::time_point::max();
   const std::atomic<bool>* interrupt = nullptr;
-  /// Work done in a stage and, where there is a limit, the most; called now and then.
+  /// Called from time to time with the work done in a stage and its limit, if there is one.
   std::function<void(WorkStage, std::uint64_t, std::uint64_t)> progress{};
 };
 
 /// Counts terms of polynomials, or nodes, as they are produced: a measure of time and memory that
-/// is the same on every machine and in every run, so that what is formed within a budget does not
-/// depend on the time it took.
+/// is the same on every machine and in every run, so the result of a budget does not depend on the
+/// time.
 class WorkMeter {
  public:
   static constexpr std::uint64_t kNoLimit = std::numeric_limits<std::uint64_t>::max();
@@ -47,7 +47,7 @@ class WorkMeter {
                      WorkStage stage = WorkStage::kForming)
       : most_(most), watch_(watch), stage_(stage) {}
 
-  /// Asked before the work is done. Throws OverBudget and FormingStopped.
+  /// Call it before the work is done. Throws OverBudget and FormingStopped.
   void spend(std::uint64_t terms) {
     if (terms > most_ - spent_) throw OverBudget{};
     spent_ += terms;
