@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The indeterminates of polynomials: variables, and whatever is not a polynomial in them.
+// The indeterminates of polynomials: variables, and expressions that are not polynomials in them.
 #pragma once
 
 #include <cstdint>
@@ -14,16 +14,16 @@ namespace regulus::inline symbolic {
 
 using Atom = char16_t;
 
-/// A product of atoms: each as often as its exponent says, in increasing order. Up to degree seven
-/// a string needs no memory of its own.
+/// A product of atoms, in increasing order, each repeated as often as its exponent. Up to degree
+/// seven a string allocates no memory.
 using AtomProduct = std::u16string;
 
-/// Numbers atoms: variables, calls, 1/(…) in one series; the atoms without variables (entries of K,
-/// pi, sqrt(3), …), which make up the coefficients, in another.
+/// Numbers atoms in two series: variables, calls and 1/(…) in one; in the other, the atoms without
+/// variables (entries of K, pi, sqrt(3), …), which form the coefficients.
 class AtomTable {
  public:
-  /// The variables get the first numbers, in their order; the entries of K likewise. `meter`
-  /// counts what is done with polynomials over these atoms; null: nobody does.
+  /// The variables get the first numbers, in their order; the entries of K likewise. `meter` counts
+  /// the work on polynomials over these atoms; null: no count.
   AtomTable(const std::vector<std::string>& variables, const std::vector<std::string>& points,
             WorkMeter* meter = nullptr);
 
@@ -41,7 +41,7 @@ class AtomTable {
     return coefficients_.list[a];
   }
 
-  /// How many there are by now: their numbers are 0 … count − 1.
+  /// Returns the current count: their numbers are 0 … count − 1.
   [[nodiscard]] std::size_t variable_atoms() const noexcept { return variables_.list.size(); }
   [[nodiscard]] std::size_t coefficient_atoms() const noexcept { return coefficients_.list.size(); }
 
@@ -65,7 +65,7 @@ class AtomTable {
 /// The product of two atom products.
 [[nodiscard]] AtomProduct multiply(const AtomProduct& a, const AtomProduct& b);
 
-/// a/b. False if b does not divide a.
+/// Computes a/b. False if b does not divide a.
 [[nodiscard]] bool divide(const AtomProduct& a, const AtomProduct& b, AtomProduct& quotient);
 
 /// Lexicographic order of exponents, earlier atoms first: compatible with multiplication.

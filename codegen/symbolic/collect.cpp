@@ -13,7 +13,7 @@ Expression coefficient_product(const AtomProduct& product_of, const AtomTable& a
   return product(std::move(factors));
 }
 
-/// ±(e_1 ± e_2 …): what has factors of one magnitude. The first is added, not subtracted.
+/// ±(e_1 ± e_2 …): the terms with factors of one magnitude. The first is added, not subtracted.
 struct Magnitude {
   cln::cl_RA factor;  // of the first
   Expressions terms;

@@ -13,9 +13,9 @@ namespace regulus::inline symbolic {
 /// ∂/∂variable by the chain rule, one shared result for each shared sub-expression.
 ///
 /// Ensures   exact wherever the expression is differentiable. The derivative may be defined where
-/// the
-///           expression is not (log x, atan2 across its cut) and, for abs, is undefined at 0: who
-///           bounds a function by its derivative must see to it that the function is defined, too.
+///           the expression is not (log x, atan2 across its cut). The derivative of abs is
+///           undefined at 0. A caller that bounds a function by its derivative must also ensure
+///           that the function is defined.
 class Differentiator {
  public:
   explicit Differentiator(std::string with_respect_to) : variable_(std::move(with_respect_to)) {}

@@ -13,12 +13,12 @@ namespace {
 
 using Terms = std::vector<PolynomialTerm>;
 
-/// For each sine the cosine of the same angle, found once.
+/// Finds, once for each sine, the cosine of the same angle.
 class Pythagoras {
  public:
   explicit Pythagoras(AtomTable& atoms) : atoms_(atoms) {}
 
-  /// Appends an equal sum without squared sines.
+  /// Appends a sum without squared sines that equals the term.
   void append(PolynomialTerm term, Terms& to) {
     if (replace_square(term, term.monomial.variables, variable_partners_, to)) return;
     if (replace_square(term, term.monomial.coefficients, coefficient_partners_, to)) return;
@@ -105,7 +105,7 @@ class Minors {
   }
 
  private:
-  /// Of these rows and as many of the first columns, expanded along the last of those.
+  /// The minor of these rows and as many of the first columns, expanded along the last column.
   Polynomial minor(std::size_t rows) {
     const auto size = static_cast<std::size_t>(std::popcount(rows));
     const auto column = static_cast<std::size_t>(columns_[size - 1]);

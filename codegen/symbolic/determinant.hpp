@@ -10,20 +10,20 @@
 
 namespace regulus::inline symbolic {
 
-/// There is no closed form of a determinant: it takes more terms than were allowed, or the matrix
-/// is not square.
+/// The determinant has no closed form: it needs more terms than allowed, or the matrix is not
+/// square.
 class ClosedFormError : public std::runtime_error {
  public:
   using std::runtime_error::runtime_error;
 };
 
-/// Counts the terms that multiplying out produces, before like ones are combined: a measure of time
-/// and memory that is the same on every machine.
+/// Counts the terms of the expansion before like terms are combined: a measure of time and memory
+/// that is the same on every machine.
 class TermBudget {
  public:
   explicit TermBudget(std::uint64_t most) : most_(most) {}
 
-  /// Asked before the work is done. Throws ClosedFormError when that would exceed the budget.
+  /// Call it before the work is done. Throws ClosedFormError if the work would exceed the budget.
   void spend(std::uint64_t terms);
 
   [[nodiscard]] std::uint64_t spent() const noexcept { return spent_; }
@@ -33,11 +33,11 @@ class TermBudget {
   std::uint64_t spent_ = 0;
 };
 
-/// p with sin²u written as 1 − cos²u, so that what is equal by Pythagoras cancels.
+/// Returns p with sin²u written as 1 − cos²u, so that terms equal by sin² + cos² = 1 cancel.
 [[nodiscard]] Polynomial without_squared_sines(const Polynomial& p, AtomTable& atoms);
 
-/// det A, sin²u written as 1 − cos²u. Columns are added one by one to the minors of all sets of
-/// rows: n·2^(n−1) products of an entry and a minor.
+/// Returns det A, with sin²u written as 1 − cos²u. Columns are added one by one to the minors of
+/// all sets of rows: n·2^(n−1) products of an entry and a minor.
 ///
 /// Shape     entries row-major, n×n, n ≤ 12.
 /// Ensures   exact wherever the entries are defined. Throws ClosedFormError.

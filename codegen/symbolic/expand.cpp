@@ -6,7 +6,7 @@
 namespace regulus::inline symbolic {
 namespace {
 
-// Higher powers stay atoms: multiplied out they would only add occurrences.
+// Higher powers stay atoms, because their expansion would only add occurrences.
 constexpr int kLargestExpandedExponent = 8;
 
 }  // namespace

@@ -127,7 +127,7 @@ void sort_canonically(Expressions& operands) {
             [](const Expression& a, const Expression& b) { return compare(a, b) < 0; });
 }
 
-/// The operands with nested ones of the same kind merged in; their constants go through `fold`.
+/// Returns the operands, with nested ones of the same kind merged in; constants go through `fold`.
 template <class Fold>
 Expressions flatten(Kind kind, Expressions operands, Fold fold) {
   Expressions flat;
@@ -214,7 +214,7 @@ Expression divide_by(const Expression& e, const cln::cl_RA& c) {
 }
 
 Signed normalize_sign(const Expression& e) {
-  // The sign of the first term decides, in an order of the terms that does not look at signs.
+  // The sign of the first term decides, in an order of the terms that ignores signs.
   const Expression* lead = &e;
   if (e.kind() == Kind::kSum) {
     const auto bare = [](const Expression& t) {

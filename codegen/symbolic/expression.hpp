@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Immutable shared expressions with exact numbers. Nothing is redistributed: 2*(x + y) stays a
+// Immutable shared expressions with exact numbers. Products are not expanded: 2*(x + y) stays a
 // product, so that factored forms survive. Operands of sums and products are kept in an order that
 // depends on their content alone, never on addresses: equal input gives equal text in any process.
 #pragma once
@@ -39,7 +39,7 @@ enum class Call : std::uint8_t {
   kAbs,
 };
 
-/// The name of a function in model files and in text: "sqrt", "atan2", …
+/// Returns the name of a function in model files and in text: "sqrt", "atan2", …
 [[nodiscard]] const char* name_of(Call function) noexcept;
 
 class Expression;
@@ -56,7 +56,7 @@ class Expression {
   [[nodiscard]] const cln::cl_RA& value() const noexcept;
   /// Requires  kind() is kPoint or kVariable.
   [[nodiscard]] const std::string& name() const noexcept;
-  /// Of kPower the base alone; empty for constants and symbols.
+  /// Returns the operands; for kPower the base alone, for constants and symbols none.
   [[nodiscard]] const Expressions& operands() const noexcept;
   /// Requires  kind() is kPower.
   [[nodiscard]] int exponent() const noexcept;
@@ -65,10 +65,10 @@ class Expression {
 
   [[nodiscard]] bool is_constant(int value) const;
   [[nodiscard]] bool has_variables() const noexcept;
-  /// Whether the expression is defined for all values of its symbols: no division, no root …
+  /// True if the expression is defined for all values of its symbols: no division, no root …
   [[nodiscard]] bool is_total() const noexcept;
   [[nodiscard]] std::size_t hash() const noexcept;
-  /// The same for copies of one expression: for memo tables only, its order means nothing.
+  /// Equal for copies of one expression. Only for memo tables: its order means nothing.
   [[nodiscard]] const void* identity() const noexcept { return node_.get(); }
 
  private:
@@ -111,7 +111,7 @@ struct ExpressionHash {
 /// The rational factor of a term: 3 for 3*x*y, 1 for x.
 [[nodiscard]] cln::cl_RA coefficient_of(const Expression& term);
 
-/// e/c. Of a sum every term is divided, of a product the rational factor.
+/// Returns e/c: divides every term of a sum, the rational factor of a product.
 /// Requires  c ≠ 0.
 [[nodiscard]] Expression divide_by(const Expression& e, const cln::cl_RA& c);
 

@@ -58,8 +58,8 @@ int compare_operands(const Expressions& a, const Expressions& b) {
   return compare_values(a.size(), b.size());
 }
 
-/// By the factors first and by the rational factor last, so that terms that differ in sign only are
-/// neighbours and keep their places when all signs change.
+/// Compares the factors first and the rational factor last, so that terms that differ only in sign
+/// are neighbours and keep their places if all signs change.
 int compare_products(const Expressions& a, const Expressions& b) {
   const std::size_t skip_a = a[0].kind() == Kind::kConstant,
                     skip_b = b[0].kind() == Kind::kConstant;

@@ -19,7 +19,7 @@ std::optional<CommonFactor> common_coefficient(const Polynomial& p) {
   const std::vector<Group> all = groups(p);
   if (all.size() < 2) return std::nullopt;
   CommonFactor result{coefficient_polynomial(p, all[0]), {}};
-  // Rational factors do not need to be taken out: they cost nothing in width.
+  // Rational factors need not be taken out: they cost no width.
   if (result.factor.terms().size() < 2) return std::nullopt;
   const cln::cl_RA lead = result.factor.terms()[0].factor;
   std::vector<PolynomialTerm> rest;
@@ -35,7 +35,7 @@ std::optional<CommonFactor> common_coefficient(const Polynomial& p) {
 
 std::optional<Factored> factor_split(const Polynomial& outer, const Polynomial& q,
                                      const Polynomial& r) {
-  // A common monomial is not worth a factor of its own: Horner finds it.
+  // A common monomial needs no factor of its own, because Horner finds it.
   if (groups(q).size() > 1)
     if (const auto s = divide_exactly(r, q)) return Factored{q, outer + *s};
   if (groups(r).size() > 1)

@@ -38,8 +38,8 @@ cln::cl_RA rational_content(const Expression& sum_expression) {
   return numerator / denominator;
 }
 
-/// base^exponent with the content and the sign of a sum taken out. GiNaC takes them out by itself,
-/// with the sign of whichever term comes first in an order that changes with addresses.
+/// base^exponent with the content and the sign of a sum taken out. GiNaC takes them out too, with
+/// the sign of the first term in an order that changes with addresses.
 Expression normalized_power(const Expression& base, int exponent) {
   if (base.kind() != Kind::kSum) return power(base, exponent);
   const Signed form = normalize_sign(base);
@@ -54,8 +54,8 @@ Expressions normalized_factors(Expressions factors) {
   return factors;
 }
 
-/// Terms c·(a + b) as c·a and c·b. GiNaC writes them so when it makes a term, but not always when
-/// it puts a sum in the place of a symbol: that changes with addresses, too.
+/// Returns terms c·(a + b) as c·a and c·b. GiNaC does this if it makes a term, but not always if it
+/// substitutes a sum for a symbol: that changes with addresses, too.
 Expressions distributed(const Expressions& terms) {
   Expressions result;
   for (const Expression& term : terms) {
@@ -72,9 +72,9 @@ Expressions distributed(const Expressions& terms) {
   return result;
 }
 
-/// x^(p/q): square roots where q is a power of two (defined for x ≥ 0), else exp(p/q·log x) (for
-/// x > 0). A p beyond the integers that powers have takes the latter as well, which is defined at
-/// no more points.
+/// Returns x^(p/q): square roots if q is a power of two (defined for x ≥ 0), else exp(p/q·log x)
+/// (for x > 0). The latter is also used for a p beyond the integer exponents of powers, because it
+/// is defined at no more points.
 Expression fractional_power(const Expression& base, const cln::cl_RA& exponent) {
   const cln::cl_I p = numerator(exponent), q = denominator(exponent);
   const bool roots = cln::logcount(q) == 1 && q <= kLargestExponent && abs(p) <= kLargestExponent;

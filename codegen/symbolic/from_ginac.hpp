@@ -10,10 +10,10 @@
 
 namespace regulus::inline symbolic {
 
-/// What each GiNaC symbol stands for. Looked up only, never walked through: its order is GiNaC's.
+/// The meaning of each GiNaC symbol. Never iterate over it: its order is GiNaC's.
 using SymbolMeaning = std::map<GiNaC::ex, Expression, GiNaC::ex_is_less>;
 
-/// Converts GiNaC expressions; what they share stays shared.
+/// Converts GiNaC expressions; shared sub-expressions stay shared.
 class GinacReader {
  public:
   /// `meter`: null, or it outlives this object and counts the nodes that are read.

@@ -8,15 +8,15 @@
 namespace regulus::inline symbolic {
 namespace {
 
-/// p = atom^exponent·inner + rest, and rest is free of the atom unless some of its terms have it
-/// in a higher power than all of inner's could lose.
+/// p = atom^exponent·inner + rest. The rest is free of the atom, except for terms with a power that
+/// does not divide out of all terms of inner.
 struct Split {
   Polynomial outer;
   Polynomial inner;
   Polynomial rest;
 };
 
-/// In how many monomials each atom is.
+/// Counts the monomials that contain each atom.
 std::map<Atom, int> monomials_with(const Polynomial& p) {
   std::map<Atom, int> counts;
   for (const Group group : groups(p)) {
@@ -50,7 +50,7 @@ class Nesting {
   }
 
  private:
-  /// The atom to take out; none if no atom is in two monomials.
+  /// Returns the atom to take out; none if no atom is in two monomials.
   std::optional<Atom> next_atom(const Polynomial& p) const {
     std::optional<Atom> best;
     int most = 0;
@@ -89,7 +89,7 @@ class Nesting {
             Polynomial(std::move(inner)), Polynomial(std::move(rest))};
   }
 
-  /// Where p is a·t² + b·t plus terms without t, with rational a and b.
+  /// Completes the square if p is a·t² + b·t plus terms without t, with rational a and b.
   std::optional<Expression> completed_square(const Polynomial& p, Atom t) {
     cln::cl_RA a = 0, b = 0;
     std::vector<PolynomialTerm> rest;

@@ -32,7 +32,7 @@ Op operation_of(Call function) {
   return kOperations[static_cast<std::size_t>(function)];
 }
 
-/// The operands without variables, then the others.
+/// Returns the operands without variables, then the others.
 Expressions fixed_first(const Expressions& operands) {
   Expressions ordered;
   ordered.reserve(operands.size());
@@ -42,8 +42,8 @@ Expressions fixed_first(const Expressions& operands) {
   return ordered;
 }
 
-/// The order of evaluation of a sum: what has no variables comes first and is added up by itself;
-/// a term that is added, not subtracted, leads if there is one.
+/// Returns the order of evaluation of a sum: terms without variables come first and are added up
+/// separately; a term that is added, not subtracted, leads if there is one.
 Expressions summation_order(const Expressions& terms) {
   Expressions ordered = fixed_first(terms);
   const bool fixed = !ordered.front().has_variables();

@@ -11,7 +11,7 @@
 
 namespace regulus::inline symbolic {
 
-/// Translates expressions into one program that shares what they have in common.
+/// Translates expressions into one program that shares their common sub-expressions.
 class Lowering {
  public:
   /// `points` empty: the expressions must not contain entries of K. `meter`: null, or it outlives
@@ -24,7 +24,7 @@ class Lowering {
 
   /// Appends an output that is undefined wherever one of `conditions` is.
   ///
-  /// Ensures   where all conditions are defined the output encloses e as well as output(e) does.
+  /// Ensures   if all conditions are defined, the output encloses e as tightly as output(e) does.
   void output_where_defined(const Expression& e, const Expressions& conditions);
 
   [[nodiscard]] Program finish() && { return std::move(builder_).finish(); }

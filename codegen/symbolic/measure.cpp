@@ -18,7 +18,7 @@ std::uint64_t multiply(std::uint64_t a, std::uint64_t b) noexcept {
   return b != 0 && a > kMost / b ? kMost : a * b;
 }
 
-/// How often a node of the shared graph would appear in the printed form.
+/// The number of times that a node of the shared graph appears in the printed form.
 struct Appearances {
   std::uint64_t outside = 0;  ///< not inside a sine or cosine
   std::uint64_t inside = 0;

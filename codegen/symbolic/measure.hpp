@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What the rewriting passes try to make small.
+// The measures that the rewriting passes minimise.
 #pragma once
 
 #include <cstdint>
@@ -18,18 +18,19 @@ using Occurrences = std::map<std::string, std::uint64_t>;
 [[nodiscard]] Occurrences count_occurrences(const Expression& expression);
 [[nodiscard]] std::uint64_t total(const Occurrences& occurrences) noexcept;
 
-/// Nodes of the printed form, where shared sub-expressions are written out each time.
+/// Counts the nodes of the printed form, in which shared sub-expressions are repeated.
 [[nodiscard]] std::uint64_t printed_size(const Expression& expression);
 
-/// Operations when every sub-expression common to the expressions is evaluated once.
+/// Counts the operations if every common sub-expression is evaluated once.
 [[nodiscard]] std::uint64_t count_operations(const Expressions& expressions);
 
-/// How much an occurrence of a variable matters; 1 if not listed.
+/// The weight of an occurrence of a variable; 1 if not listed.
 using Weights = std::unordered_map<std::string, std::uint64_t>;
 
-/// What a form costs in width: twice the weight for each appearance of a variable, once if it is in
-/// the argument of a sine or cosine. sin(t) and cos(t) come in pairs that share the variable's
-/// motion (their derivatives' squares add up to one), so that a pair costs as much as one variable.
+/// The cost of a form in width: twice the weight for each occurrence of a variable, once if it is
+/// in the argument of a sine or cosine. sin(t) and cos(t) come in pairs that share the variable's
+/// motion (the squares of their derivatives add up to one), so a pair costs as much as one
+/// variable.
 [[nodiscard]] std::uint64_t width_cost(const Expression& expression, const Weights& weights = {});
 
 }  // namespace regulus::inline symbolic

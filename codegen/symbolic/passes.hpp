@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The rewriting passes. Each gives the same function of the same variables, wherever the original
-// is defined; each is in the file that bears its name.
+// The rewriting passes. Each returns the same function of the same variables, wherever the original
+// is defined; each is in the file of its name.
 #pragma once
 
 #include <functional>
@@ -14,7 +14,7 @@ namespace regulus::inline symbolic {
 /// multiplied, 9*(k_1_1 - k_1_2) + 12*(k_1_3 + k_1_4), so that the sums of K's entries come first
 /// and are common to many coefficients.
 ///
-/// Ensures   coefficients that differ in sign only differ in a factor −1 of one shared form.
+/// Ensures   if two coefficients differ only in sign, one is −1 times the form of the other.
 [[nodiscard]] Expression coefficient(const Polynomial& p, const AtomTable& atoms, Group group);
 
 /// A product of variable atoms as an expression.
@@ -24,7 +24,7 @@ namespace regulus::inline symbolic {
 /// Source    Merlet, T-RO 2007, §III-B1.
 [[nodiscard]] Expression collect(const Polynomial& p, const AtomTable& atoms);
 
-/// Whether some atom is in two monomials, so that Horner's form differs from the collected one.
+/// True if some atom is in two monomials, so that Horner's form differs from the collected one.
 [[nodiscard]] bool can_nest(const Polynomial& p);
 
 enum class HornerOrder {
@@ -38,19 +38,19 @@ struct HornerOptions {
   bool complete_squares = true;  ///< a·t² + b·t → a·(t + b/2a)² − b²/4a
 };
 
-/// Nested form: an atom that several monomials contain is taken out of them, and again in what it
-/// multiplies and in what is left. Ties go to the atom that comes first in AtomTable::precedes.
+/// Returns the nested form: takes an atom out of all monomials that contain it, and repeats this in
+/// its cofactor and in the rest. Ties go to the atom that comes first in AtomTable::precedes.
 [[nodiscard]] Expression horner(const Polynomial& p, const AtomTable& atoms,
                                 const HornerOptions& options = {});
 
-/// p = factor·rest where all coefficients of p are rational multiples of one sum of K's entries.
+/// p = factor·rest, if all coefficients of p are rational multiples of one sum of K's entries.
 struct CommonFactor {
   Polynomial factor;
   Polynomial rest;
 };
 [[nodiscard]] std::optional<CommonFactor> common_coefficient(const Polynomial& p);
 
-/// outer·q + r as a product where q divides r or r divides q.
+/// outer·q + r as a product, if q divides r or r divides q.
 /// Ensures   outer·q + r = first·second.
 struct Factored {
   Polynomial first;
@@ -64,8 +64,9 @@ struct TrigonometricOptions {
   bool double_angles = false;  ///< sin a cos a → sin(2a)/2, cos²a − sin²a → cos 2a
 };
 
-/// Fewer sines and cosines: sin² and cos² of one angle are expressed by cos² alone, products over
-/// pairs of angles by sums and differences. `simplify` gives the form of a new argument.
+/// Reduces the number of sines and cosines: sin² and cos² of one angle are expressed by cos² alone,
+/// products over pairs of angles by sums and differences. `simplify` gives the form of a new
+/// argument.
 [[nodiscard]] Polynomial merge_angles(const Polynomial& p, AtomTable& atoms, Expander& expander,
                                       const std::function<Expression(const Expression&)>& simplify,
                                       const TrigonometricOptions& options);

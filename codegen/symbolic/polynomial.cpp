@@ -100,7 +100,7 @@ bool operator==(const Polynomial& a, const Polynomial& b) {
 std::optional<Polynomial> divide_exactly(const Polynomial& a, const Polynomial& b) {
   if (a.is_zero()) return Polynomial();
   PolynomialTerm quotient;
-  // The least terms have to divide, too: a test that fails early for nearly all pairs.
+  // The least terms must divide, too: this cheap test rejects nearly all pairs early.
   if (!divide_term(a.terms().back(), b.terms().back(), quotient)) return std::nullopt;
   std::vector<PolynomialTerm> quotients;
   Polynomial rest = a;

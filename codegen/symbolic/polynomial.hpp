@@ -25,8 +25,8 @@ struct PolynomialTerm {
   cln::cl_RA factor;
 };
 
-/// Terms by decreasing monomial, no two alike, no factor 0. Those with the same product of variable
-/// atoms stand together: they are that product's coefficient.
+/// Terms by decreasing monomial, no two alike, no factor 0. The terms with the same product of
+/// variable atoms are adjacent: they form its coefficient.
 class Polynomial {
  public:
   Polynomial() = default;
@@ -47,7 +47,7 @@ class Polynomial {
 [[nodiscard]] Polynomial operator*(const Polynomial& a, const cln::cl_RA& factor);
 [[nodiscard]] bool operator==(const Polynomial& a, const Polynomial& b);
 
-/// The q with a = q·b; none if b does not divide a.
+/// Returns the q with a = q·b; none if b does not divide a.
 /// Requires  b ≠ 0.
 [[nodiscard]] std::optional<Polynomial> divide_exactly(const Polynomial& a, const Polynomial& b);
 
@@ -65,10 +65,10 @@ class Expander {
   explicit Expander(AtomTable& atoms, std::size_t most_terms = 20000)
       : atoms_(&atoms), most_terms_(most_terms) {}
 
-  /// The same function, multiplied out; none if that has too many terms.
+  /// Returns the same function, multiplied out; none if it has too many terms.
   [[nodiscard]] std::optional<Polynomial> expand(const Expression& e);
 
-  /// The expression as one indeterminate.
+  /// Returns the expression as one indeterminate.
   [[nodiscard]] Polynomial atom(const Expression& e);
 
  private:

@@ -7,7 +7,7 @@
 
 namespace regulus::inline symbolic {
 
-/// The expression in the syntax of model files: x*(k_1_1 + k_1_2) - 3*sin(psi)^2.
+/// Returns the expression in the syntax of model files: x*(k_1_1 + k_1_2) - 3*sin(psi)^2.
 [[nodiscard]] std::string to_string(const Expression& expression);
 
 }  // namespace regulus::inline symbolic

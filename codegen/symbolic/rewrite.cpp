@@ -9,7 +9,8 @@
 namespace regulus::inline symbolic {
 namespace {
 
-/// The cheapest form offered so far. On equal width the one with fewer operations, then the first.
+/// Keeps the cheapest form so far. For equal width it keeps the one with fewer operations, then the
+/// first.
 class Choice {
  public:
   explicit Choice(const Weights& weights) : weights_(weights) {}
@@ -48,7 +49,7 @@ bool is_odd(Call function) {
 
 bool is_even(Call function) { return function == Call::kCos || function == Call::kAbs; }
 
-/// sin(−u) as −sin(u) and cos(−u) as cos(u), so that each angle has one form.
+/// Writes sin(−u) as −sin(u) and cos(−u) as cos(u), so that each angle has one form.
 Expression symmetric_call(Call function, Expressions arguments) {
   if (!is_odd(function) && !is_even(function)) return call(function, std::move(arguments));
   const Signed argument = normalize_sign(arguments[0]);
@@ -158,7 +159,8 @@ Expression Rewriter::prepared(const Expression& e) {
 }
 
 Expression Rewriter::argument_form(const Expression& e) {
-  // A root or logarithm of a sum of squares is certainly defined as long as the squares are seen.
+  // A root or logarithm of a sum of squares is certainly defined only while the squares are
+  // visible.
   return evidently_nonnegative(e) ? prepared(e) : rewrite(e).expression;
 }
 

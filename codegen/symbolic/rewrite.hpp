@@ -11,17 +11,17 @@
 namespace regulus::inline symbolic {
 
 struct RewriteOptions {
-  /// Look for better forms; else an expression stays as it is written, a derivative is multiplied
+  /// Look for better forms. If false, an expression stays as it is, and a derivative is multiplied
   /// out.
   bool rewrite = true;
   bool horner = true;
   bool trigonometric = true;
-  std::size_t most_terms = 20000;  ///< what multiplied out has more terms stays one indeterminate
-  HornerOptions nesting;           ///< where `horner`; its order is chosen by trying
-  Weights weights;                 ///< of the variables' occurrences, when forms are compared
+  std::size_t most_terms = 20000;  ///< an expression that expands to more stays one indeterminate
+  HornerOptions nesting;           ///< if `horner`; the order is chosen by trial
+  Weights weights;                 ///< of the variables' occurrences, to compare forms
 };
 
-/// A form and how it was found.
+/// A form and the passes that found it.
 struct Rewritten {
   Expression expression;
   std::string passes;  ///< "natural", "collect", "horner", "angles + horner", …
@@ -38,26 +38,28 @@ class Rewriter {
   Rewriter(const Rewriter&) = delete;
   Rewriter& operator=(const Rewriter&) = delete;
 
-  /// The best form of e.
+  /// Returns the best form of e.
   ///
   /// Ensures   the same function wherever e is defined. width_cost(result) ≤ width_cost(e),
   ///           with the weights of the options.
-  ///           A division or root may cancel: where e is undefined nothing is said.
+  ///           A division or root may cancel: nothing is claimed where e is undefined.
   [[nodiscard]] Rewritten rewrite(const Expression& e);
 
-  /// e with the arguments of its functions and its denominators rewritten, and else as it was.
+  /// Returns e with the arguments of its functions and its denominators rewritten; the rest is
+  /// unchanged.
   [[nodiscard]] Expression with_rewritten_arguments(const Expression& e);
 
-  /// Of e, after its arguments were rewritten; as one indeterminate if that is too large.
+  /// Returns the polynomial of e, after its arguments were rewritten; one indeterminate if it is
+  /// too large.
   [[nodiscard]] Polynomial expand(const Expression& e);
 
-  /// The best of the forms of p, and of `natural` if one is given.
+  /// Returns the best of the forms of p, and of `natural` if it is given.
   [[nodiscard]] Rewritten best_form(const Polynomial& p, const Expression* natural = nullptr);
 
-  /// The best of the nested forms of p, its angles as they are: the time grows little faster than
-  /// the number of terms, where merging angles takes its square.
+  /// Returns the best of the nested forms of p, without merging angles: the time grows little
+  /// faster than the number of terms; with merging, it would grow as its square.
   [[nodiscard]] Rewritten nested_form(const Polynomial& p);
-  /// The Horner form of p if the options allow it, without looking for a better one.
+  /// Returns the Horner form of p if the options allow it, without a search for a better one.
   [[nodiscard]] Rewritten quick_form(const Polynomial& p);
 
   [[nodiscard]] AtomTable& atoms() noexcept { return atoms_; }

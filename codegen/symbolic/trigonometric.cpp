@@ -52,7 +52,7 @@ class AngleMerger {
               const TrigonometricOptions& options)
       : p_(p), atoms_(atoms), expander_(expander), simplify_(simplify), options_(options) {}
 
-  /// Every step lowers the number of monomials or their degrees, so that this ends.
+  /// Every step reduces the number of monomials or their degrees, so the loop ends.
   Polynomial run() {
     while (step()) {
     }

@@ -19,7 +19,7 @@ struct Variable {
   std::string unit;
   VariableKind kind = VariableKind::kMotion;
   Range range;
-  int ball = -1;  ///< Model::balls index when its range is one axis of a ball
+  int ball = -1;  ///< Model::balls index if its range is one axis of a ball
 };
 
 }  // namespace regulus::inline symbolic
