@@ -22,15 +22,15 @@ void store_range(std::vector<double>& values, const ApproxRange& x) {
   values.insert(values.end(), x.hi.begin(), x.hi.end());
 }
 
-/// Where the box of a lane lies in the range of a variable: 0 in the middle, ±1 at an end. Signs
-/// are rows of a Hadamard matrix, so that any two variables meet in all four combinations.
+/// Returns the place of a lane's box in the range of a variable: 0 in the middle, ±1 at an end.
+/// Signs are rows of a Hadamard matrix, so that any two variables meet in all four combinations.
 double place_of(std::size_t lane, std::size_t variable) {
   if (lane == 0) return 0;
   const auto common = static_cast<unsigned>(lane & (variable % (kLanes - 1) + 1));
   return std::popcount(common) % 2 == 0 ? 1 : -1;
 }
 
-/// yᵀPv/yᵀv: where rows differ in scale far nearer to the radius than the norm of Pv.
+/// yᵀPv/yᵀv: if rows differ in scale, this is far nearer to the radius than the norm of Pv.
 std::vector<double> rayleigh_quotients(const std::vector<double>& P, std::size_t n,
                                        const std::vector<double>& v, const std::vector<double>& y) {
   std::vector<double> above(kLanes, 0.0), below(kLanes, 0.0), quotients(kLanes);
@@ -68,7 +68,7 @@ bool ApproxBounds::touches_one_row(std::size_t variable) const {
   return setting_.row_of_variable[variable] != Expansion::kNoRow;
 }
 
-/// The j-th coefficient atom is the j-th entry of K's first row, which stands for any row.
+/// The j-th coefficient atom is the j-th entry of K's first row, which represents any row.
 void ApproxBounds::form_product(const PolynomialMatrix& A) {
   for (int c = 0; c < A.columns; ++c) {
     std::vector<PolynomialTerm> terms;
@@ -136,7 +136,7 @@ void ApproxBounds::nest(const AtomTable& atoms) {
   for (Functions* functions : {&row_first_, &row_second_}) nest_all(*functions, none);
 }
 
-/// Of atoms that depend on quantities with a row alone.
+/// Returns the values of atoms that depend only on quantities with a row.
 ApproxValues ApproxBounds::nominal_values(const AtomTable& atoms) {
   ApproxValues values(atoms.variable_atoms());
   if (std::none_of(setting_.row_of_variable.begin(), setting_.row_of_variable.end(),
@@ -191,7 +191,7 @@ bool ApproxBounds::find_preconditioner(const ApproxRanges& at_center) {
   return std::all_of(K_.begin(), K_.end(), [](double x) { return std::isfinite(x); });
 }
 
-/// Of functions of one row of K·A, for all of its rows; interval layout.
+/// Evaluates functions of one row of K·A for all of its rows; interval layout.
 std::vector<double> ApproxBounds::in_all_rows(const Functions& row,
                                               const ApproxRanges& atoms) const {
   std::vector<double> values;
@@ -253,7 +253,7 @@ std::vector<double> ApproxBounds::second_order_bounds(const ApproxRanges& at_cen
         DerivativeLists{rows_, columns_, names_.size(), places_in_all_rows(first_),
                         places_in_all_rows(second_), row_first_.places, row_second_.places},
         row_structure(), SecondOrderOptions{});
-  // Column by column, as the functions of one row come.
+  // Column by column, in the order of the functions of one row.
   const std::vector<double> by_column = in_all_rows(product_, at_center);
   values_.product.resize(by_column.size());
   for (std::size_t c = 0; c < columns_; ++c)
@@ -270,7 +270,7 @@ std::vector<double> ApproxBounds::second_order_bounds(const ApproxRanges& at_cen
   return T;
 }
 
-/// The smaller of the natural and the mean-value bound, entry by entry.
+/// Returns the smaller of the natural and the mean-value bound, entry by entry.
 std::vector<double> ApproxBounds::first_order_bounds(const ApproxRanges& at_center,
                                                      const ApproxRanges& over_boxes) {
   std::vector<double> P(columns_ * columns_ * kLanes), mean(P.size());
@@ -316,7 +316,7 @@ std::vector<double> ApproxBounds::radii(const SampleBoxes& boxes) {
   return radii;
 }
 
-/// The radii, and what each variable adds to them.
+/// Computes the radii, and the contribution of each variable.
 void ApproxBounds::weigh(const std::vector<double>& bounds, std::size_t order,
                          std::vector<double>& radii) {
   std::vector<double> v(order * kLanes), y(order * kLanes);

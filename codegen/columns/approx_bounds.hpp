@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// How well a search will get on with a form of A: the spectral radius of the bounds that it would
-// find on a few boxes of the motion. Plain doubles; nothing here feeds a verdict.
+// Estimates how well a search works with a form of A: the spectral radius of the bounds that it
+// would find on a few boxes of the motion. Plain doubles; no verdict depends on them.
 #pragma once
 
 #include <optional>
@@ -16,31 +16,33 @@
 
 namespace regulus::inline columns {
 
-/// Which bounds, over what.
+/// The kind of bounds, and the boxes for them.
 struct BoundsSetting {
   const std::vector<Variable>& variables;
-  /// Or Expansion::kNoRow. Quantities with a row are kept at their nominal values, as
-  /// regularity/second_order.hpp has it.
+  /// The row, or Expansion::kNoRow. Quantities with a row are kept at their nominal values, as in
+  /// regularity/second_order.hpp.
   std::vector<int> row_of_variable;
   bool second_order = true;  ///< T of regularity/second_order.hpp; else P ≥ |KA − I|
 };
 
-/// Eight boxes of the motion, with the uncertain quantities whole; by variable, then by lane.
+/// Eight boxes of the motion, with the whole ranges of uncertain quantities; by variable, then by
+/// lane.
 using SampleBoxes = std::vector<std::vector<Interval>>;
 
 class ApproxBounds {
  public:
   ApproxBounds(const PolynomialMatrix& A, Rewriter& rewriter, const BoundsSetting& setting);
 
-  /// All lanes the whole of the motion.
+  /// Returns boxes that are the whole motion in all lanes.
   [[nodiscard]] SampleBoxes whole() const;
 
-  /// Of each lane; +∞ where A is undefined or K not found. Below 1 a search certifies the box.
+  /// Returns the radius of each lane; +∞ if A is undefined or K was not found. A search certifies a
+  /// box below 1.
   [[nodiscard]] std::vector<double> radii(const SampleBoxes& boxes);
 
-  /// Halves the boxes of radius 1 or more as a search does, after radii(boxes): where it tells
-  /// most. A lane keeps the half that is nearer to its own point: the middle of the motion in the
-  /// first, between there and a corner in the others.
+  /// Halves the boxes of radius 1 or more as a search does, after radii(boxes), along the variable
+  /// with the largest effect. A lane keeps the half that is nearer to its own point: for the first
+  /// lane the middle of the motion, for the others a point between the middle and a corner.
   void split(SampleBoxes& boxes, const std::vector<double>& radii) const;
 
  private:
@@ -74,8 +76,8 @@ class ApproxBounds {
   std::size_t rows_, columns_;
   std::vector<std::string> names_;
   std::vector<Interval> ranges_;
-  /// A, row-major; a row of K·A and its derivatives by what touches several rows; derivatives of A
-  /// by what touches one.
+  /// A, row-major; a row of K·A and its derivatives by quantities that touch several rows;
+  /// derivatives of A by quantities that touch one row.
   Functions matrix_, product_, first_, second_, row_first_, row_second_;
 
   std::optional<AtomRanges> atoms_;

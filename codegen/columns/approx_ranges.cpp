@@ -122,7 +122,7 @@ NestedRange::Terms NestedRange::terms_of(const Polynomial& p, const ApproxValues
   return terms;
 }
 
-/// As horner does it: the atom in most terms is taken out of them.
+/// Takes the atom that is in most terms out of them, as horner does.
 std::size_t NestedRange::add_form(Terms terms, const AtomTable& atoms) {
   if (terms.empty()) return 0;
   const std::size_t here = forms_.size();

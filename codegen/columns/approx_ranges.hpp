@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Ranges of polynomials over eight boxes in plain doubles, to compare forms of a matrix before one
-// of them is chosen. Nothing here is a bound, and nothing here feeds a verdict.
+// of them is chosen. These ranges are not bounds, and no verdict depends on them.
 #pragma once
 
 #include <array>
@@ -16,10 +16,10 @@
 
 namespace regulus::inline columns {
 
-/// One for each of eight boxes.
+/// One value for each of eight boxes.
 using LaneValues = std::array<double, kLanes>;
 
-/// NaN in the lanes of boxes over which something is not defined.
+/// The ends are NaN in the lanes of boxes over which something is not defined.
 struct ApproxRange {
   LaneValues lo{}, hi{};
 };
@@ -31,7 +31,7 @@ using ApproxValues = std::vector<std::optional<double>>;
 /// The variable atoms of a table as functions of the variables.
 class AtomRanges {
  public:
-  /// Of those that `atoms` has by now.
+  /// Uses the atoms that `atoms` has at this time.
   AtomRanges(const AtomTable& atoms, const std::vector<std::string>& variables);
 
   /// Shape  boxes[variable][lane].
@@ -40,19 +40,20 @@ class AtomRanges {
  private:
   std::size_t atoms_;
   IntervalArithmetic arithmetic_;
-  std::vector<Program> programs_;  // one for each atom: what is undefined is so by itself
+  std::vector<Program> programs_;  // one for each atom, so that each is undefined separately
   std::vector<KnownValues<Interval>> known_;
   std::vector<Interval> values_;
 };
 
-/// The values of π, √3, … among the coefficient atoms; none of the first `points`, K's entries.
+/// Returns the values of π, √3, … among the coefficient atoms; the first `points`, K's entries,
+/// have none.
 [[nodiscard]] ApproxValues approx_coefficient_values(const AtomTable& atoms, std::size_t points);
 
 /// A polynomial in nested form, linear in the entries of one row of K or free of them.
 class NestedRange {
  public:
-  /// `fixed`: what takes the place of variable atoms; `coefficients` of coefficient atoms. A
-  /// coefficient atom without a value is the entry of K's row with its number.
+  /// `fixed` has values for variable atoms, `coefficients` for coefficient atoms. A coefficient
+  /// atom without a value is the entry of K's row with its number.
   NestedRange(const Polynomial& p, const AtomTable& atoms, const ApproxValues& fixed,
               const ApproxValues& coefficients);
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Fewer terms do not mean narrower bounds: for a Gough platform with anchors known exactly moments
-// about a point of the base save a quarter of the boxes, with wide tolerances they cost some.
-// So the bounds decide, over boxes about as large as those that a search certifies.
+// Fewer terms do not mean narrower bounds. For a Gough platform with exact anchors, moments about a
+// point of the base save a quarter of the boxes; with wide tolerances they cost some. So the bounds
+// decide, over boxes about as large as those that a search certifies.
 #include "codegen/columns/column_choice.hpp"
 
 #include <algorithm>
@@ -15,12 +15,13 @@ namespace {
 
 /// Pairs of terms compared: of the order of ten milliseconds.
 constexpr std::uint64_t kMostPairs = 400000;
-/// Bounds are formed of matrices up to this many terms: of the order of ten milliseconds, too.
+/// Bounds are formed only for matrices up to this many terms: of the order of ten milliseconds,
+/// too.
 constexpr std::size_t kMostTerms = 2000;
-/// What operations must gain to be kept: the radius is a guess. On the paper's robots 7 % or more
-/// meant fewer boxes, 5 % once meant more.
+/// The gain that operations must have to be kept, because the radius is an estimate. On the paper's
+/// robots a gain of 7 % or more meant fewer boxes; 5 % once meant more.
 constexpr double kLeastGain = 0.93;
-/// Halvings after which a box is compared as it is.
+/// After this many halvings a box is compared as it is.
 constexpr int kMostHalvings = 8;
 
 double geometric_mean(const std::vector<double>& x) {
@@ -75,7 +76,7 @@ class ColumnChoice {
         product({Expression(operation.factor), monomial(operation.multiplier, rewriter_.atoms())})};
   }
 
-  /// Boxes that A is just certified on, if it is not on the whole of the motion.
+  /// Chooses boxes on which A is just certified, unless it is certified on the whole motion.
   bool choose_boxes() {
     ApproxBounds bounds(A_, rewriter_, setting_);
     boxes_ = bounds.whole();

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Whether A or A·V is searched: the one for which bounds are narrower.
+// Chooses whether A or A·V is searched: the one with narrower bounds.
 #pragma once
 
 #include <vector>
@@ -15,9 +15,10 @@ struct ColumnDecision {
   ColumnTrials trials;
 };
 
-/// Compares A with what the shortening operations make of it, wholly and half-way.
+/// Compares A with its forms after the shortening operations and after half of each.
 ///
-/// Ensures   multipliers are free of quantities that touch one row only, so that these still do.
+/// Ensures   multipliers are free of quantities that touch one row only, so these still touch one
+///           row.
 [[nodiscard]] ColumnDecision choose_columns(const PolynomialMatrix& A, Rewriter& rewriter,
                                             const BoundsSetting& setting);
 

@@ -21,7 +21,7 @@ std::size_t terms_in(const PolynomialMatrix& A) {
   return count;
 }
 
-/// What a column is multiplied with before it is added to another.
+/// The factor of a column before it is added to another.
 struct Multiplier {
   AtomProduct atoms;
   cln::cl_RA factor;
@@ -34,7 +34,7 @@ struct MultiplierOrder {
   }
 };
 
-/// Looks at pairs of columns; those that have not changed are not looked at again.
+/// Examines pairs of columns; pairs that have not changed are not examined again.
 class ShorteningSearch {
  public:
   ShorteningSearch(PolynomialMatrix A, const std::function<bool(Atom)>& may_multiply,
@@ -100,7 +100,7 @@ class ShorteningSearch {
     return Found{operation, before - after};
   }
 
-  /// By which multipliers of q's terms which terms of p are cancelled.
+  /// Counts, for each multiplier of q's terms, the terms of p that it cancels.
   bool count_cancelled(const Polynomial& p, const Polynomial& q,
                        std::map<Multiplier, std::size_t, MultiplierOrder>& cancelled) {
     const std::uint64_t pairs = p.terms().size() * q.terms().size();

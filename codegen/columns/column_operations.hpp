@@ -1,13 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Operations on the columns of A that leave its determinant, and so its singular set, as they are.
+// Operations on the columns of A that do not change its determinant, nor its singular set.
 //
-// A·V is searched in place of A, for a V that is a product of elementary operations
+// A·V is searched instead of A, for a V that is a product of elementary operations
 //
 //     column target += factor · multiplier · column source,      target ≠ source,
 //
-// each of determinant 1 at every pose. In A·V variables may occur less often: the moments of a
-// platform's legs about a point of the base, say, where the model has them about a point of the
-// platform. (d, R·b × (X − a)) becomes (d, a × (X + R·b)) by two operations on each moment.
+// each of determinant 1 at every pose. In A·V variables may occur less often. For example, the
+// model has the moments of a platform's legs about a point of the platform, and A·V has them about
+// a point of the base. (d, R·b × (X − a)) becomes (d, a × (X + R·b)) by two operations on each
+// moment.
 #pragma once
 
 #include <cstdint>
@@ -44,8 +45,8 @@ struct PolynomialMatrix {
 ///           for m = n the determinant, for m > n the rank.
 void apply(const ColumnOperation& operation, PolynomialMatrix& A);
 
-/// The operations that cancel terms, found one after another, each the one that leaves the fewest
-/// terms in its target.
+/// The operations that cancel terms, found one after another; each leaves the fewest terms in its
+/// target.
 struct ShorteningOperations {
   std::vector<ColumnOperation> operations;
   std::size_t terms_before = 0;
@@ -53,12 +54,12 @@ struct ShorteningOperations {
   bool complete = true;  ///< false: the budget ended the search
 };
 
-/// `may_multiply` says which atoms a multiplier may contain. `most_pairs` bounds the pairs of terms
-/// that are compared: a number, not a time, so that every run finds the same operations.
+/// `may_multiply` selects the atoms that a multiplier may contain. `most_pairs` bounds the pairs of
+/// terms that are compared: a number, not a time, so that every run finds the same operations.
 [[nodiscard]] ShorteningOperations find_shortening_operations(
     PolynomialMatrix A, const std::function<bool(Atom)>& may_multiply, std::uint64_t most_pairs);
 
-/// The same operations, each with `part` of its factor: half-way to where they lead if part = 1/2.
+/// Returns the same operations with each factor times `part`.
 [[nodiscard]] std::vector<ColumnOperation> scaled(std::vector<ColumnOperation> operations,
                                                   const cln::cl_RA& part);
 

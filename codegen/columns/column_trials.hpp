@@ -15,11 +15,11 @@ struct AppliedOperation {
   Expression multiplier;
 };
 
-/// Which column operations were tried and kept, and the figures that decided. A radius is an
-/// approximate spectral radius of the bounds over boxes of the motion: below 1 they certify.
+/// The column operations that were tried and kept, and the figures that decided. A radius is an
+/// approximate spectral radius of the bounds over boxes of the motion: below 1 the bounds certify.
 struct ColumnTrials {
-  std::vector<AppliedOperation> tried;  ///< in their order; empty: none saves a term
-  std::vector<AppliedOperation> kept;   ///< none, these, or these with half of each multiplier
+  std::vector<AppliedOperation> tried;            ///< in their order; empty: none saves a term
+  std::vector<AppliedOperation> kept;             ///< none, all tried, or all with half multipliers
   std::size_t terms_before = 0, terms_after = 0;  ///< of A multiplied out, and after all tried
   int halvings = 0;   ///< of the motion until A's bounds certify a box, the most on eight ways
   double radius = 0;  ///< of A
