@@ -117,7 +117,7 @@ void Formulator::form_row_derivatives(int i, int j, std::vector<PolynomialDiffer
     append({i, j, variable}, first, "row_first", x.row_first);
     for (std::size_t q = 0; q < by.size(); ++q) {
       const bool same_row = x.row_of_variable[q] == i;
-      if (same_row && q < k) continue;  // found from the other
+      if (same_row && q < k) continue;  // the other order gives it
       const int other = static_cast<int>(q);
       append({i, j, std::min(variable, other), std::max(variable, other)}, by[q].derivative(first),
              "row_second", x.row_second);

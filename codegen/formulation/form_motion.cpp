@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Functions of the motion, and where the functions of a kernel are defined.
+// Forms the functions of the motion and the conditions for the functions of a kernel to be defined.
 #include <algorithm>
 #include <unordered_set>
 #include <utility>
@@ -27,7 +27,7 @@ void Formulator::form_row_scale() {
 }
 
 void Formulator::form_motion() {
-  // A constraint cuts the variety of commanded poses; control errors come on top of those.
+  // A constraint cuts the variety of commanded poses; control errors are added afterwards.
   for (const GiNaC::ex& constraint : motion_.constraints)
     result_.constraints.push_back(
         rewritten(substitution_.apply_commanded(constraint), "constraint"));

@@ -6,9 +6,10 @@
 namespace regulus::inline formulation {
 namespace {
 
-/// The legs of robots with rotary motors are roots and quotients. Multiplied out and differentiated
-/// twice, entries made of them grow to millions of terms, and no bound becomes narrower by that. In
-/// a matrix that has some, parts of more than kMostTermsOfAPart stay as the model writes them.
+/// The legs of robots with rotary motors have roots and quotients. If entries with such parts are
+/// expanded and differentiated twice, they grow to millions of terms, and no bound becomes
+/// narrower. In a matrix with such entries, parts of more than kMostTermsOfAPart terms stay as the
+/// model writes them.
 constexpr std::size_t kMostTermsOfAPart = 8;
 
 bool has_roots_or_quotients(const Model& model, const Motion& motion, const FormingWatch* watch) {
@@ -20,7 +21,7 @@ bool has_roots_or_quotients(const Model& model, const Motion& motion, const Form
   return false;
 }
 
-/// What there is to choose from within a budget.
+/// Returns the options for one level of detail within a budget.
 FormulationOptions with_detail(FormulationOptions options, FormDetail detail) {
   if (detail == FormDetail::kFull) return options;
   options.columns = ColumnSearch::kNone;
@@ -46,7 +47,7 @@ Formulation formed(const Model& model, const Motion& motion, const FormulationOp
 
 Formulation formulate(const Model& model, const Motion& motion, const FormulationOptions& options,
                       const FormingWatch* watch) {
-  // A determinant in closed form is nothing but multiplied out, and has a budget of its own.
+  // A determinant in closed form is always expanded, and has a budget of its own.
   if (options.determinant)
     return formed(model, motion, options, FormDetail::kFull, WorkMeter::kNoLimit, watch);
   FormulationOptions adapted = options;

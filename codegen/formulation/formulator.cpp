@@ -19,8 +19,8 @@ std::vector<std::string> point_names(int rows, int columns) {
   return names;
 }
 
-/// Motion parameters range over far more than the uncertain quantities do, and are what is
-/// bisected: an occurrence of one is worth many of theirs.
+/// Motion parameters have far wider ranges than uncertain quantities, and the search bisects them,
+/// so an occurrence of one counts as many occurrences of an uncertain quantity.
 RewriteOptions weighted(RewriteOptions options, const std::vector<Variable>& variables) {
   constexpr std::uint64_t kMotionWeight = 16;
   for (const Variable& v : variables)

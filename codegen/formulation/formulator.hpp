@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// How formulate() makes the functions of a kernel; for the files of this folder alone.
+// Forms the functions of a kernel for formulate(); only for the files of this folder.
 #pragma once
 
 #include <map>
@@ -14,15 +14,14 @@
 
 namespace regulus::inline formulation {
 
-/// Whether any function is asked for that is made of the entries of A in other forms than the
-/// model's own.
+/// True if any requested function uses the entries of A in other forms than those of the model.
 [[nodiscard]] bool uses_matrix(const FormulationOptions& f);
 
-/// Names, variables and sizes.
+/// Sets names, variables and sizes.
 void set_shape(const Model& model, const Motion& motion, const Substitution& substitution,
                Formulation& of);
 
-/// The functions of one kernel, with one set of options. For one run alone.
+/// Forms the functions of one kernel, with one set of options. Use it for one run only.
 class Formulator {
  public:
   /// `meter` counts the terms that are formed, `watch` may be null; both outlive this object.
@@ -33,7 +32,7 @@ class Formulator {
   Formulation run();
 
  private:
-  /// A in the forms that products with K are made of.
+  /// A in the forms for products with K.
   struct MatrixForms {
     std::vector<Polynomial> expanded;
     Expressions natural;  // as the model writes it
@@ -51,19 +50,18 @@ class Formulator {
   void form_natural_matrix();
   [[nodiscard]] bool may_have_threshold() const;
   void form_matrix();
-  /// From A to A·V where that has the narrower bounds.
+  /// Replaces A by A·V if that has narrower bounds.
   void change_columns();
   void change_column(const AppliedOperation& operation);
   void form_matrix_derivatives();
-  /// det A over the motion: the entries of a rotation are multiplied out in sines and cosines,
-  /// which leaves fewer terms than taking them as indeterminates would, since their relations are
-  /// used.
+  /// Forms det A over the motion. The entries of a rotation are expanded in sines and cosines. This
+  /// gives fewer terms than entries as indeterminates, since it uses the relations between them.
   void form_determinant();
   Expression nested(const Polynomial& p, const std::string& function);
   /// Σ_j points[j]·A[entries[j]].
   Entry combine(const MatrixForms& A, const std::vector<std::string>& points,
                 const std::vector<std::size_t>& entries);
-  /// The first row of K·A. Rows differ in the names of K's entries alone.
+  /// Returns the first row of K·A. Rows differ only in the names of K's entries.
   std::vector<Entry> first_row(const MatrixForms& A);
   void append_best_forms(const std::vector<Entry>& row, const std::string& function,
                          Expressions& to);
@@ -77,24 +75,25 @@ class Formulator {
   [[nodiscard]] ReplacementOf renaming_columns(int i) const;
   [[nodiscard]] static ReplacementOf renaming(std::map<std::string, Expression> names);
   void form_right_product();
-  /// The only row in which an uncertain quantity occurs, or Expansion::kNoRow.
+  /// Returns the only row in which an uncertain quantity occurs, or Expansion::kNoRow.
   [[nodiscard]] int row_of(const Variable& v) const;
   [[nodiscard]] bool has_row_quantity() const;
   void form_expansion(bool at_nominal);
-  /// A with uncertain quantities at their values.
+  /// Returns A with uncertain quantities at the given values.
   MatrixForms nominal_forms(const std::map<std::string, Expression>& values);
-  /// All derivatives that are not zero, from the first row of K·A.
+  /// Forms all derivatives that are not zero, from the first row of K·A.
   void form_expansion_of(const std::vector<Entry>& row);
   void append_column(DerivativeIndex place, const Polynomial& p, const std::string& function,
                      DerivativeForms& to);
-  /// ∂A[i][j] by quantities that touch row i only, and the second derivatives that go with them.
+  /// Forms ∂A[i][j] by quantities that touch only row i, and the second derivatives for them.
   void form_row_derivatives(int i, int j, std::vector<PolynomialDifferentiator>& by);
   Expression rewritten(const Expression& natural, const std::string& function);
   void form_row_scale();
   void form_motion();
   void collect_must_be_defined();
   void append_partial(const GiNaC::ex& e, Expressions& to);
-  /// In canonical order, without repetitions, without those that are part of another.
+  /// Returns them in canonical order, without repetitions and without those that are part of
+  /// another.
   [[nodiscard]] static Expressions outermost(const Expressions& all);
 
   const Model& model_;

@@ -8,7 +8,7 @@
 
 namespace regulus::inline formulation {
 
-/// Which functions a method calls; the others need not be formed or compiled.
+/// Returns the functions that a method calls; the others need not be formed or compiled.
 [[nodiscard]] FormulationOptions functions_needed(
     Method method, const Settings& settings = {},
     std::uint64_t symbolic_budget = kDeterminantBudget);

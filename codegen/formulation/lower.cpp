@@ -18,7 +18,7 @@ struct Shape {
   bool uses_points;
 };
 
-/// The conditions that no sub-expression of the outputs evaluates anyway.
+/// Returns the conditions that the outputs do not evaluate as sub-expressions.
 Expressions missing_conditions(const Expressions& outputs, const Expressions& conditions,
                                WorkMeter& meter) {
   if (conditions.empty()) return {};
@@ -156,7 +156,7 @@ class ModuleBuilder {
     return *enclosure;
   }
 
-  /// The outputs of left_derivatives in their order.
+  /// Returns the outputs of left_derivatives in their order.
   [[nodiscard]] std::vector<DerivativeIndex> all_derivatives() const {
     std::vector<DerivativeIndex> all;
     for (int v = 0; v < static_cast<int>(f_.variables.size()); ++v)

@@ -23,11 +23,11 @@ namespace {
 constexpr int kPoints = 8;
 constexpr long kBits = 128;
 
-/// Scales that differ by less are left alone: of rows, which share K's grid; of columns, which only
-/// weigh in how the rows of K compare; and of the matrix as a whole.
+/// Scales that differ by less are not changed: scales of rows, which share K's grid; of columns,
+/// which only affect how the rows of K compare; and of the matrix as a whole.
 constexpr double kMildRows = 12, kMildColumns = 24, kMildMean = 48;
 
-/// Beyond this an entry is no entry of a robot's matrix, and sums of exponents might overflow.
+/// No robot's matrix has entries beyond this, and sums of exponents might overflow.
 constexpr long kMostExponent = 100'000;
 
 /// With a threshold 2^-e is a constant of the kernel, and multiplies other row scales.
@@ -36,7 +36,7 @@ constexpr int kModerateExponent = 900;
 /// The binary exponent of an entry's greatest magnitude; nullopt for 0.
 using Exponent = std::optional<long>;
 
-/// Of a number that is not certainly 0: one that may be 0 tells no scale.
+/// Returns nullopt for a number that may be 0, because it shows no scale.
 Exponent exponent_of(const Ball& value) {
   if (!arb_is_finite(value.get()) || arb_contains_zero(value.get())) return std::nullopt;
   mag_t size;
@@ -49,8 +49,8 @@ Exponent exponent_of(const Ball& value) {
   return arf_abs_bound_lt_2exp_si(arb_midref(value.get()));
 }
 
-/// Where variable number `variable` of point number `point` lies: points that no model is likely to
-/// have anything vanish at.
+/// Returns the coordinate of a variable at a sample point. The points are chosen so that
+/// expressions of a model are unlikely to vanish there.
 Interval sample(Interval range, int point, std::size_t variable) {
   constexpr double kGolden = 0.6180339887498949;
   const double turn = (point + 0.5) * kGolden * static_cast<double>(2 * variable + 1);
@@ -123,8 +123,8 @@ class Scales {
         rows_(m_, 0),
         columns_(n_, 0) {}
 
-  /// Makes entries 0 that join all rows and columns which entries join: matrices that differ in
-  /// scales alone are the same from then on.
+  /// Makes the entries of a spanning forest of rows and columns 0. Afterwards, matrices that differ
+  /// only in scales are the same.
   void normalize() {
     std::vector<bool> row_known(m_, false), column_known(n_, false);
     for (std::size_t root = 0; root < m_; ++root) {
@@ -135,7 +135,7 @@ class Scales {
     }
   }
 
-  /// Makes every entry ≤ 0 and those of a diagonal 0. Returns whether there is one.
+  /// Makes every entry ≤ 0 and those of a diagonal 0. Returns false if there is no such diagonal.
   ///
   /// The shortest augmenting path method for assignment problems: columns are assigned rows, and
   /// the dual variables are the scales.
@@ -180,7 +180,7 @@ class Scales {
     return *e + rows_[i] + columns_[j];
   }
 
-  /// Takes the first entry that joins what is known to what is not.
+  /// Takes the first entry that joins a known row or column to an unknown one.
   bool extend(std::vector<bool>& row_known, std::vector<bool>& column_known) {
     for (std::size_t i = 0; i < m_; ++i)
       for (std::size_t j = 0; j < n_; ++j) {
@@ -263,7 +263,7 @@ MatrixScaling find_scaling(const Expressions& entries, int columns,
   try {
     exponents = exponents_of(entries, variables, meter);
   } catch (const InputError&) {
-    // A range without a value is complained of where ranges are enclosed.
+    // enclose_variety reports a range without a value.
   }
   if (exponents.empty()) return {};
   Scales scales(std::move(exponents), static_cast<std::size_t>(columns));

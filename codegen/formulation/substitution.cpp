@@ -32,7 +32,7 @@ void check_shapes(const Model& model, const Motion& motion) {
     require_size(model, "row scales", model.row_scale.size(), model.matrix.rows());
 }
 
-/// Whether the operation of this node is undefined for some values of its operands.
+/// True if the operation of this node is undefined for some values of its operands.
 bool is_partial_operation(const Expression& e) {
   if (e.kind() == Kind::kPower) return e.exponent() < 0;
   if (e.kind() != Kind::kCall || e.is_total()) return false;

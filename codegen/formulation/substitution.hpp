@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// From a model and a motion to the variables of a kernel and to what each symbol stands for.
+// Translates a model and a motion to the variables of a kernel and the meaning of each symbol.
 #pragma once
 
 #include <string>
@@ -10,26 +10,27 @@
 
 namespace regulus::inline formulation {
 
-/// What takes the place of the model's symbols: exact geometry its value, uncertain geometry a
-/// variable, pose parameters the motion's map plus a control error where there is one.
+/// The replacements of the model's symbols: for exact geometry its value, for uncertain geometry a
+/// variable, for pose parameters the motion's map plus a control error if there is one.
 class Substitution {
  public:
   /// `meter`: null, or it outlives this object and counts the nodes that are read.
   ///
-  /// Throws InputError when the motion has another number of pose parameters than the model, a name
-  /// stands for two variables, or shapes do not fit.
+  /// Throws InputError if the motion has another number of pose parameters than the model, a name
+  /// denotes two variables, or shapes do not fit.
   Substitution(const Model& model, const Motion& motion, WorkMeter* meter = nullptr);
 
   [[nodiscard]] const std::vector<Variable>& variables() const noexcept { return variables_; }
   [[nodiscard]] std::vector<std::string> names() const;
 
-  /// e over the kernel's variables. GiNaC evaluates what becomes constant, such as sin(pi/6).
+  /// Returns e over the kernel's variables. GiNaC evaluates parts that become constant, such as
+  /// sin(pi/6).
   [[nodiscard]] Expression apply(const GiNaC::ex& e);
 
-  /// e with the pose as commanded: without control errors.
+  /// Returns e with the pose as commanded: without control errors.
   [[nodiscard]] Expression apply_commanded(const GiNaC::ex& e);
 
-  /// The roots, denominators, … of e as it is written, over the kernel's variables.
+  /// Returns the roots, denominators, … of e as written, over the kernel's variables.
   [[nodiscard]] Expressions partial_operations(const GiNaC::ex& e);
 
  private:
@@ -48,7 +49,8 @@ class Substitution {
   SymbolMeaning written_;  // pose and geometry symbols as the expressions they stand for
 };
 
-/// The sub-expressions of e whose operation is undefined for some operands, inner ones first.
+/// Returns the sub-expressions of e whose operation is undefined for some operands, inner ones
+/// first.
 [[nodiscard]] Expressions partial_nodes(const Expression& e);
 
 }  // namespace regulus::inline formulation

@@ -20,8 +20,8 @@ InputError no_value(const std::string& what) {
   return {"", 0, what + " without a certain value", "a constant expression that is defined", what};
 }
 
-/// Where a witness may lie on one axis of a ball: the widest box inside the ball has half-sides
-/// radius/√dimension, and every number of it is a point of the ball whatever the other axes are.
+/// Returns the range of a witness on one axis of a ball. The largest cube inside the ball has
+/// half-sides radius/√dimension; each of its points is in the ball, whatever the other axes are.
 Range inside_ball(const Range& axis, std::size_t dimension) {
   const GiNaC::ex middle = (axis.lo + axis.hi) / 2;
   const GiNaC::ex half = (axis.hi - axis.lo) / (2 * GiNaC::sqrt(GiNaC::ex(int(dimension))));

@@ -11,19 +11,20 @@
 
 namespace regulus::inline formulation {
 
-/// The exact ranges of variables as doubles: outward for what must be proved,
-/// inward for where a witness may lie (see Problem).
+/// The exact ranges of variables as doubles: outward for proofs, inward for witnesses (see
+/// Problem).
 struct Variety {
   std::vector<Interval> outer;
   std::vector<std::optional<Interval>> inner;
   Interval alpha{0.0};
 };
 
-/// Throws InputError when a range or the threshold has no certain value.
+/// Throws InputError if a range or the threshold has no certain value.
 [[nodiscard]] Variety enclose_variety(const Model& model, const Motion& motion,
                                       std::span<const Variable> variables);
 
-/// A constant expression, outward. Throws InputError naming `what` when it has no certain value.
+/// Encloses a constant expression, outward. Throws InputError that names `what` if it has no
+/// certain value.
 [[nodiscard]] Interval enclose_constant(const GiNaC::ex& value, const std::string& what);
 
 }  // namespace regulus::inline formulation
