@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The operations of a function as they are listed, and which of them has the value of a node.
+// The operations of a function while they are listed, and the operation that has the value of each
+// node.
 #pragma once
 
 #include <cstdint>
@@ -25,7 +26,7 @@ class PartValues {
   PartValues(const Program& program, const FunctionPlan& plan, WorkMeter* meter)
       : program_(program), plan_(plan), meter_(meter) {}
 
-  /// Values of earlier parts are to be fetched again.
+  /// Begins a part: values of earlier parts must be fetched again.
   void begin_part() {
     value_of_.clear();
     interval_of_.clear();
@@ -34,11 +35,11 @@ class PartValues {
 
   ValueId add(Pack operation, std::uint32_t a = 0, std::uint32_t b = 0, std::uint32_t c = 0,
               NodeId of = SelectedFunction::kNoNode);
-  /// The value is the node's, checked where it may overflow, and kept for the parts that follow.
+  /// Records the value of the node, checked if it may overflow, and keeps it for later parts.
   void define(NodeId id, ValueId value);
   [[nodiscard]] bool knows(NodeId id) const { return value_of_.contains(id); }
 
-  /// The node's value in this part, of the node's own form.
+  /// Returns the node's value in this part, in the form of the node.
   ValueId use(NodeId id);
   ValueId use_as_interval(NodeId id);
   /// −p for exact doubles p.
@@ -56,7 +57,7 @@ class PartValues {
   ValueId leaf(NodeId id);
   ValueId known(NodeId id);
   ValueId fetch(NodeId id);
-  /// The two zeros are one bound, and one constant.
+  /// Both zeros are the same bound, so they are one constant.
   std::uint32_t constant(Interval bounds);
 
   const Program& program_;

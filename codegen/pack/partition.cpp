@@ -55,7 +55,7 @@ class Planner {
     }
   }
 
-  /// Equal constants in a row, the zeros of a derivative, are stored together.
+  /// Stores consecutive equal constants together, such as the zeros of a derivative.
   std::size_t schedule_outputs_from(std::size_t first) {
     const NodeId root = program_.outputs[first];
     std::size_t last = first;
@@ -71,7 +71,7 @@ class Planner {
     return last + 1;
   }
 
-  /// The nodes that `root` needs and no earlier output did, in the program's order.
+  /// Returns the nodes that `root` needs and no earlier output needed, in the program's order.
   std::vector<NodeId> take_unscheduled(NodeId root) {
     std::vector<NodeId> found;
     std::vector<NodeId> stack{root};
@@ -95,7 +95,7 @@ class Planner {
     return step + 1;
   }
 
-  /// A part ends with an output where it can; an output longer than a part is cut.
+  /// A part ends with an output if possible; an output longer than a part is cut.
   void assign_parts() {
     std::size_t first = 0;
     for (std::size_t step = 0; step < plan_.steps.size(); ++step) {

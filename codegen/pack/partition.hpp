@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What is decided about a function before a line of it is printed.
+// The plan of a function, made before any line is printed.
 #pragma once
 
 #include <cstddef>
@@ -17,17 +17,17 @@ namespace regulus::inline packing {
 /// The type of a node in the text: P, exact doubles, or I, intervals (runtime/kernel/pack.hpp).
 enum class Form : std::uint8_t { kPoint, kInterval };
 
-/// One thing to print: the value of a node, or the outputs from first_output to last_output.
+/// One step to print: the value of a node, or the outputs from first_output to last_output.
 struct Step {
   enum class Kind : std::uint8_t { kCompute, kStore } kind;
   NodeId node;  ///< to compute, or to store
   std::size_t first_output;
   std::size_t last_output;
-  bool opens_group;  ///< the first step that is there for these outputs
+  bool opens_group;  ///< the first step for these outputs
 };
 
-/// A run of steps that becomes one C++ function: the time a compiler takes for a function grows
-/// faster than its length, so that many short ones are compiled sooner than a long one.
+/// A sequence of steps that becomes one C++ function. The compile time of a function grows faster
+/// than its length, so many short functions compile sooner than a long one.
 struct Part {
   std::size_t first_step;
   std::size_t last_step;  ///< one past the end
@@ -44,7 +44,7 @@ struct FunctionPlan {
   std::vector<std::uint32_t> uses;     ///< by nodes that are printed and by outputs
   std::vector<std::uint32_t> part_of;  ///< the part that computes a node
   std::vector<std::uint32_t> last_part_of;  ///< the last part that uses it
-  std::vector<int> slots;                   ///< where a value waits for a later part, or kNoSlot
+  std::vector<int> slots;                   ///< of values for a later part, or kNoSlot
   int slot_count = 0;
   std::size_t operations = 0;
   std::vector<Step> steps;
@@ -52,7 +52,7 @@ struct FunctionPlan {
 };
 
 /// Requires  a well formed program; operations_per_part ≥ 1; points row by row, `row_length` in
-///           each row of K, or 0 when they are on no grid. `meter`: null, or it counts nodes.
+///           each row of K, or 0 if they are on no grid. `meter`: null, or it counts nodes.
 [[nodiscard]] FunctionPlan plan_function(const Program& program, std::size_t operations_per_part,
                                          std::size_t row_length = 0, WorkMeter* meter = nullptr);
 

@@ -91,7 +91,7 @@ class Selector {
 
   // --- which nodes have no operation of their own
 
-  /// A node that its only reader, in the same part, can take in.
+  /// True if the only reader of the node, in the same part, can include its operation.
   [[nodiscard]] bool can_be_absorbed(NodeId id) const {
     return !plan_.leaves[id] && plan_.uses[id] == 1 &&
            plan_.last_part_of[id] == plan_.part_of[id] && is_arithmetic(node(id)) &&
@@ -101,8 +101,8 @@ class Selector {
     return can_be_absorbed(id) && node(id).op == Op::kMultiply;
   }
 
-  /// The product that the sum takes in. From a − b·c the sign goes to a factor that is exact, whose
-  /// negation is exact and free; two intervals would gain nothing.
+  /// Returns the product that is fused into the sum. In a − b·c the sign goes to an exact factor,
+  /// whose negation is exact and free; with two intervals nothing would be gained.
   [[nodiscard]] std::optional<NodeId> fused_product(NodeId sum) const {
     const Node& n = node(sum);
     if (n.op == Op::kAdd && is_free_product(n.b)) return n.b;
@@ -151,7 +151,7 @@ class Selector {
     values_.end_part();
   }
 
-  /// A sine and a cosine of one argument cost one operation when the same part computes both.
+  /// A sine and a cosine of one argument cost one operation if the same part computes both.
   void find_partners(const Part& part) {
     partner_.clear();
     std::map<NodeId, NodeId> first_of;
@@ -189,7 +189,8 @@ class Selector {
     values_.define(cosine, second);
   }
 
-  /// By squaring, each step checked: inside pow an infinite factor could meet a 0.
+  /// Computes a power by squaring and checks each step, because inside pow an infinite factor could
+  /// meet a 0.
   void compute_checked_power(NodeId id) {
     const std::uint32_t n = node(id).index;
     const ValueId base = values_.use_as_interval(node(id).a);
@@ -296,7 +297,7 @@ class Selector {
   }
   [[nodiscard]] int program_operands(NodeId id) const { return operand_count(node(id).op); }
 
-  /// The operation of a family II, IP, PI, PP that fits the operands.
+  /// Returns the operation of a family II, IP, PI, PP that fits the operands.
   ValueId of_kinds(Pack first_of_family, NodeId a, NodeId b) {
     const ValueId left = values_.use(a);
     const ValueId right = values_.use(b);
@@ -304,8 +305,8 @@ class Selector {
     return values_.add(static_cast<Pack>(static_cast<int>(first_of_family) + kinds), left, right);
   }
 
-  /// Packs tell factors apart by the signs of the left one's bounds: a value used often goes there,
-  /// since the compiler looks at its signs once.
+  /// Returns the factors in order. A product selects its case by the signs of the left factor's
+  /// bounds, so a value that is used often goes to the left: the compiler tests its signs once.
   [[nodiscard]] std::pair<NodeId, NodeId> factors(NodeId id) const {
     const NodeId a = node(id).a;
     const NodeId b = node(id).b;
@@ -317,7 +318,7 @@ class Selector {
   FunctionPlan plan_;
   PartValues values_;
   std::vector<SelectedFunction::Mark> marks_;
-  std::vector<bool> absorbed_;        ///< has no operation: the one that reads it computes it, too
+  std::vector<bool> absorbed_;        ///< has no operation: its reader computes it, too
   std::map<NodeId, NodeId> partner_;  ///< the cosine of a sine's argument and the reverse
 };
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// From exact mathematics to operations of packs: every choice about what machine code does is made
-// here.
+// Translates exact mathematics to operations of packs. Every decision about the machine code is
+// made here.
 #pragma once
 
 #include <cstdint>
@@ -15,12 +15,11 @@ namespace regulus::inline packing {
 
 inline constexpr std::size_t kOperationsPerPart = 64;
 
-/// A function of a kernel as a list of operations, and what a reader of the list wants to know of
-/// it.
+/// A function of a kernel as a list of operations, with notes for readers of the list.
 struct SelectedFunction {
   static constexpr NodeId kNoNode = static_cast<NodeId>(-1);
 
-  /// A step of the plan that begins with an instruction: what a comment can say there.
+  /// A step of the plan that begins at an instruction, for a comment there.
   struct Mark {
     std::uint32_t instruction;
     std::size_t step;
@@ -28,34 +27,32 @@ struct SelectedFunction {
 
   FunctionPlan plan;
   machine::PackFunction code;
-  std::vector<NodeId> nodes;  ///< what each instruction computes, kNoNode for what is no node
+  std::vector<NodeId> nodes;  ///< the node of each instruction, or kNoNode
   std::vector<Mark> marks;    ///< first steps of outputs and of parts, in the order of the list
 };
 
 /// Chooses the operations of a program.
 ///
-///   products inside sums   one mul_add, rounded once, where nothing else reads the product; a −
-///   b·c
-///                          where a factor is exact doubles, whose negation is exact
-///   signs                  into the difference or the exact factor that they stand before
+///   products inside sums   one mul_add, rounded once, if only the sum reads the product; a − b·c
+///                          if a factor is exact doubles, whose negation is exact
+///   signs                  moved into the difference or the exact factor that they precede
 ///   sines and cosines      of one argument in one part: one operation
-///   powers                 by squaring, each step checked, where the result may overflow
+///   powers                 by squaring, each step checked, if the result may overflow
 ///   sums over a row of K   as exact doubles (exact_nodes.hpp)
-///   factors                the interval that is used more often goes to the left, where packs look
-///                          at signs
+///   factors                the interval that is used more often goes to the left, where packs test
+///                          signs
 ///
 /// Requires  a well formed program; operations_per_part ≥ 1; points row by row, `row_length` in
-/// each
-///           row of K, or 0 when they are on no grid.
+///           each row of K, or 0 if they are on no grid.
 /// Ensures   machine::find_fault finds none in the list. Equal programs give equal lists. `meter`,
 ///           if any, counts nodes and operations.
 [[nodiscard]] SelectedFunction select(const Program& program, std::size_t operations_per_part,
                                       std::size_t row_length, WorkMeter* meter = nullptr);
 
-/// All functions of a module.
+/// Selects the operations of all functions of a module.
 ///
 /// Requires  a module that check_module accepts; std::invalid_argument otherwise. Throws
-///           FormingStopped when `watch` says so.
+///           FormingStopped if `watch` stops it.
 [[nodiscard]] machine::PackKernel select(const Module& module,
                                          std::size_t operations_per_part = kOperationsPerPart,
                                          const FormingWatch* watch = nullptr);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// All functions of a kernel, and the tables beside them.
+// Selects all functions of a kernel and the tables beside them.
 #include "codegen/pack/select.hpp"
 #include "codegen/program/module_check.hpp"
 #include "codegen/program/print.hpp"
