@@ -12,7 +12,7 @@ namespace {
 constexpr std::size_t kColumns = 100;
 
 struct Character {
-  std::size_t length = 0;  ///< bytes; 0 when the bytes are not UTF-8
+  std::size_t length = 0;  ///< bytes; 0 if the bytes are not UTF-8
   std::uint32_t code = 0;
 };
 
@@ -32,8 +32,8 @@ Character decode(std::string_view text) {
   return {length, code};
 }
 
-/// Letters and mathematical signs that show themselves as they are. Left out are all the scripts
-/// and controls that reorder, join or hide.
+/// True for letters and mathematical signs that are displayed as they are. False for all scripts
+/// and controls that reorder, join or hide characters.
 bool is_plain(std::uint32_t code) {
   struct Range {
     std::uint32_t first;
@@ -52,7 +52,8 @@ bool is_plain(std::uint32_t code) {
          });
 }
 
-/// Marks that some compiler reads inside comments: "/*" warns, "*/" ends, "??/" was a backslash.
+/// Marks that some compilers interpret inside comments: "/*" warns, "*/" ends, "??/" was a
+/// backslash.
 bool is_mark(char before, char c) {
   return (before == '/' && c == '*') || (before == '*' && c == '/') || (before == '?' && c == '?');
 }
@@ -63,7 +64,7 @@ std::size_t columns(std::string_view text) {
   }));
 }
 
-/// Words after `first`, continued after `next` on further lines.
+/// Writes words after `first`, and on further lines after `next`.
 std::string wrap(const std::string& first, const std::string& next, std::string_view text) {
   std::string lines;
   std::string line = first;

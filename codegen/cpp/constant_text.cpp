@@ -26,7 +26,7 @@ const char* sign_of(Op op) {
   }
 }
 
-/// Nothing when the expression is deeper or longer than a reader wants.
+/// Returns nothing if the expression is too deep or too long for a reader.
 std::string text_of(const Program& program, NodeId id, int depth);
 
 std::string operand_text(const Program& program, NodeId id, int depth) {

@@ -7,7 +7,7 @@
 
 namespace regulus::inline cpp {
 
-/// A constant expression for readers, "1/180*pi"; empty when it would be long.
+/// Returns a constant expression for readers, "1/180*pi"; empty if it would be long.
 [[nodiscard]] std::string constant_text(const Program& program, NodeId id);
 
 }  // namespace regulus::inline cpp

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Kept apart from emit.hpp, so that who only compiles the text needs no more than strings.
+// Separate from emit.hpp, so that code that only compiles the text needs only strings.
 #pragma once
 
 #include <string>
@@ -18,7 +18,7 @@ struct EmittedKernel {
   std::string source;    ///< the C++ text
   std::string symbol;    ///< of the regulus_kernel it defines
   std::string identity;  ///< hash of the program, the kernel's `identity`
-  std::string manifest;  ///< JSON: what the kernel computes, from what; empty unless asked for
+  std::string manifest;  ///< JSON: inputs and outputs of the kernel; empty unless requested
 };
 
 }  // namespace regulus::inline cpp

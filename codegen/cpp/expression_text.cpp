@@ -12,8 +12,9 @@ std::string at_least(const ExpressionText& a, Precedence precedence) {
   return a.precedence < precedence ? parenthesised(a.text) : a.text;
 }
 
-/// The right operand of a binary operator: a sign there reads better in parentheses, and operators
-/// of the same precedence group to the left, which is not what the program says.
+/// Returns the right operand of a binary operator. It puts a sign in parentheses for readability.
+/// It also puts an operator of the same precedence in parentheses, because C++ would group to the
+/// left.
 std::string right_of(const ExpressionText& b, Precedence precedence) {
   const bool plain = b.precedence > precedence && b.precedence != Precedence::kSign;
   return plain ? b.text : parenthesised(b.text);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// C++ expressions put together with no more parentheses than the order of operations needs.
+// Builds C++ expressions with only the parentheses that the order of operations needs.
 #pragma once
 
 #include <initializer_list>
@@ -15,7 +15,7 @@ struct ExpressionText {
   Precedence precedence = Precedence::kAtom;
 };
 
-/// The pieces one after the other.
+/// Concatenates the pieces.
 [[nodiscard]] std::string concatenate(std::initializer_list<std::string_view> pieces);
 
 [[nodiscard]] ExpressionText atom(std::string text);

@@ -10,12 +10,12 @@
 namespace regulus::inline cpp {
 namespace {
 
-/// Unnamed where nothing reads it, so that no compiler warns.
+/// Returns an unnamed parameter if nothing reads it, to avoid compiler warnings.
 std::string parameter(const std::string& type, const std::string& name, bool used) {
   return used ? type + " __restrict " + name : type;
 }
 
-/// The head of a function up to its brace; `last` is the fourth parameter.
+/// Returns the head of a function up to its brace; `last` is the fourth parameter.
 std::string head(const std::string& name, const PartPrinter::Usage& usage,
                  const std::string& last) {
   const std::string start = "unsigned " + name + "(";
@@ -34,11 +34,11 @@ std::string part_name(const Function& function, std::size_t part) {
   return function.name + "_" + std::to_string(part + 1);
 }
 
-/// The function of the ABI when there are several parts: values that cross them lie in `shared`.
+/// Returns the function of the ABI for several parts; `shared` has the values that they exchange.
 std::string caller(const Function& function, const SelectedFunction& selected) {
   std::string text = "unsigned " + function.name +
                      "(const double* boxes, const double* points, double* out, const void*) {\n";
-  // At least one, since an array has to have an element.
+  // At least one, since an array must have an element.
   text += "  I shared[" + std::to_string(std::max(selected.code.slots, 1U)) + "];\n";
   text += "  unsigned undefined = 0;\n";
   for (std::size_t part = 0; part < selected.code.part_ends.size(); ++part)

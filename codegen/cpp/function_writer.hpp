@@ -10,8 +10,8 @@
 
 namespace regulus::inline cpp {
 
-/// The C++ text of one function of the kernel: its parts, and the function of the ABI that calls
-/// them in turn. `meter` counts the operations that are written.
+/// Returns the C++ text of one function of the kernel: its parts, and the function of the ABI that
+/// calls them in turn. `meter` counts the operations that are written.
 [[nodiscard]] std::string write_function(const Module& module, const Function& function,
                                          const SelectedFunction& selected, WorkMeter& meter);
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// A kernel as files: what a program that checks a robot is built from, without this one.
+// A kernel as files, from which a program that checks a robot is built without this program.
 #pragma once
 
 #include <string>
@@ -22,16 +22,16 @@ struct GeneratedFile {
   std::string text;
 };
 
-/// The name that the files of a model's motion get unless told: "robot_1_wide_15".
+/// Returns the default name of the files of a model's motion: "robot_1_wide_15".
 [[nodiscard]] std::string default_kernel_name(const Request& request);
 
-/// The files of a kernel: NAME.h and NAME.hpp, the check in C and in C++; NAME.cpp, which chooses
-/// the instruction set when it runs; NAME_kernel.inc, the kernel as emit() writes it, and
+/// Returns the files of a kernel: NAME.h and NAME.hpp, the check in C and in C++; NAME.cpp, which
+/// chooses the instruction set at run time; NAME_kernel.inc, the kernel as emit() writes it, and
 /// NAME_<isa>.cpp, which compiles it for one instruction set.
 ///
-/// Ensures   equal requests and options give equal bytes. Names that come from the model get
-///           outside a comment only as identifiers, and never as a keyword.
-/// Throws    UsageError where the names, or a motion without a range, make no such files;
+/// Ensures   equal requests and options give equal bytes. Names of the model appear outside
+///           comments only as identifiers, and never as a keyword.
+/// Throws    UsageError if the names, or a motion without a range, do not allow such files;
 ///           InputError.
 [[nodiscard]] std::vector<GeneratedFile> generate(const Request& request,
                                                   const GenerateOptions& options);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The texts of the generated files besides the kernel itself.
+// The texts of the generated files other than the kernel.
 #pragma once
 
 #include <string>
@@ -11,11 +11,11 @@ namespace regulus::inline cpp {
 /// NAME.h: C99 and C++.
 [[nodiscard]] std::string c_header(const KernelSubject& subject);
 
-/// NAME.hpp: a class over NAME.h. None of the runtime's own C++ headers, so that no code that
-/// depends on floating-point flags is compiled into who includes it.
+/// NAME.hpp: a class over NAME.h. It includes no C++ header of the runtime, so no code that depends
+/// on floating-point flags is compiled into the user's program.
 [[nodiscard]] std::string cpp_header(const KernelSubject& subject);
 
-/// NAME.cpp: what NAME.h declares.
+/// NAME.cpp: defines the functions of NAME.h.
 [[nodiscard]] std::string dispatch_source(const KernelSubject& subject);
 
 /// NAME_<isa>.cpp.

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What the generated files say about a kernel.
+// The description of a kernel in the generated files.
 #pragma once
 
 #include <string>
@@ -31,23 +31,24 @@ struct KernelSubject {
   int constraints = 0;
   std::vector<Quantity> parameters;
   std::vector<Quantity> uncertain;
-  double alpha = 0;  ///< rounded up: |det J⁻¹| > alpha is at least what the model asks for
+  double alpha = 0;  ///< rounded up: |det J⁻¹| > alpha implies the model's threshold
 };
 
-/// Throws UsageError for names that are none, InputError for ranges without a certain value.
+/// Throws UsageError for invalid names, InputError for ranges without a certain value.
 [[nodiscard]] KernelSubject kernel_subject(const Request& request, const Formulation& formulation,
                                            const GenerateOptions& options);
 
-/// "x in [-15, 15] cm", rounded to six digits, for comments.
+/// Returns "x in [-15, 15] cm", rounded to six digits, for comments.
 [[nodiscard]] std::string in_words(const Quantity& quantity);
 
-/// The first lines of every generated file: licence, command, model, motion, source, identity.
+/// Returns the first lines of every generated file: licence, command, model, motion, source,
+/// identity.
 [[nodiscard]] std::string file_head(const KernelSubject& subject);
 
-/// What NO SINGULARITY claims about a piece, as a comment.
+/// Returns the claim of NO SINGULARITY about a piece, as a comment.
 [[nodiscard]] std::string claim_comment(const KernelSubject& subject);
 
-/// Bounds of the quantities, one a line, as the elements of a braced list.
+/// Returns bounds of the quantities, one on each line, as the elements of a braced list.
 [[nodiscard]] std::string bound_list(const std::vector<Quantity>& quantities,
                                      double Interval::*bound);
 

@@ -8,7 +8,7 @@
 namespace regulus::inline cpp {
 namespace {
 
-// Printed from the bits, not by printf: its decimal point depends on the locale.
+// Prints from the bits, because the decimal point of printf depends on the locale.
 std::string hexadecimal(double magnitude) {
   std::uint64_t bits = 0;
   std::memcpy(&bits, &magnitude, sizeof bits);

@@ -7,13 +7,13 @@
 
 namespace regulus::inline cpp {
 
-/// A C++ literal that reads back as x, whatever the rounding of the compiler: an integer of few
-/// digits in decimals, anything else as a hexadecimal float, infinity as the builtin.
+/// Returns a C++ literal that reads back as x, whatever the rounding of the compiler: a short
+/// integer in decimals, infinity as the builtin, any other number as a hexadecimal float.
 ///
 /// Requires  x is not NaN.
 [[nodiscard]] std::string literal(double x);
 
-/// "constant(lo, hi)".
+/// Returns "constant(lo, hi)".
 [[nodiscard]] std::string constant_literal(const Interval& x);
 
 }  // namespace regulus::inline cpp

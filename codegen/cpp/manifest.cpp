@@ -44,7 +44,7 @@ std::string write_manifest(const Module& module, const EmitOptions& options,
                          {"pose_parameters", module.pose_parameters},
                          {"functions", functions}};
   constexpr int kIndent = 2;
-  // Names need not be UTF-8; a manifest must be.
+  // Names need not be UTF-8, but a manifest must be.
   return manifest.dump(kIndent, ' ', false, Json::error_handler_t::replace) + "\n";
 }
 

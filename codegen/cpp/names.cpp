@@ -16,7 +16,7 @@ std::string identifier_part(std::string_view text) {
   std::string result;
   for (const char c : text) {
     const char next = is_letter_or_digit(c) ? c : '_';
-    // Two underscores in a row are reserved to the compiler.
+    // Names with two consecutive underscores are reserved for the compiler.
     if (next != '_' || result.empty() || result.back() != '_') result += next;
   }
   while (!result.empty() && result.back() == '_') result.pop_back();

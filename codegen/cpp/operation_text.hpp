@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// How the operations of packs are written in C++.
+// The C++ text of the operations of packs.
 #pragma once
 
 #include <string_view>
@@ -11,10 +11,10 @@ namespace regulus::inline cpp {
 
 using BinaryText = ExpressionText (*)(const ExpressionText&, const ExpressionText&);
 
-/// The operator of two operands; null for an operation that is written as a call.
+/// Returns the operator of two operands; null for an operation that is written as a call.
 [[nodiscard]] BinaryText sign_of(machine::PackOperation operation) noexcept;
 
-/// The function of an operation that is written as a call; empty for all others.
+/// Returns the function of an operation that is written as a call; empty for all others.
 [[nodiscard]] std::string_view function_name(machine::PackOperation operation) noexcept;
 
 /// True if the function takes the mask of undefined lanes.
@@ -26,7 +26,8 @@ using BinaryText = ExpressionText (*)(const ExpressionText&, const ExpressionTex
 /// P(c).
 [[nodiscard]] bool is_literal(machine::PackOperation operation) noexcept;
 
-/// Sums, products, squares and signs of any operands: what reads well inside an expression.
+/// True for sums, products, squares and signs of any operands, which are readable inside an
+/// expression.
 [[nodiscard]] bool is_sign_or_product(machine::PackOperation operation) noexcept;
 
 }  // namespace regulus::inline cpp

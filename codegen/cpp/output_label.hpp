@@ -8,8 +8,8 @@
 
 namespace regulus::inline cpp {
 
-/// What output number `output` of a function is, for readers: "(K·A)[0][2]", "∂(K·A)[1][1]/∂x".
-/// Not sanitised: variables keep their own names.
+/// Returns the label of output number `output` for readers: "(K·A)[0][2]", "∂(K·A)[1][1]/∂x". Not
+/// sanitised: variables keep their own names.
 [[nodiscard]] std::string output_label(const Module& module, const Function& function,
                                        std::size_t output);
 

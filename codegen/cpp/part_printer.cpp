@@ -15,7 +15,7 @@ namespace {
 
 using Pack = machine::PackOperation;
 
-// With "  const I " in front and ";" behind, a line of about 100 columns.
+// With " const I " before it and ";" after it, this gives a line of about 100 columns.
 constexpr std::size_t kMaxExpression = 76;
 
 }  // namespace
@@ -45,7 +45,7 @@ void PartPrinter::count_uses() {
 void PartPrinter::print() {
   const auto& marks = selected_.marks;
   auto mark = std::ranges::lower_bound(marks, begin_, {}, &SelectedFunction::Mark::instruction);
-  // A part that ends where this one begins has no marks there: each part has instructions.
+  // Marks at the beginning belong to this part, because every part has instructions.
   for (ValueId value = begin_; value < end_; ++value) {
     for (; mark != marks.end() && mark->instruction == value; ++mark) print_mark(*mark);
     print_instruction(value);
@@ -98,8 +98,8 @@ void PartPrinter::print_instruction(ValueId value) {
     define(value, expression.text);
 }
 
-/// Values whose expression is no more than a name or a literal are written wherever they are read;
-/// others only where they are read once, and no other statement is wanted in between.
+/// True for a value whose expression is only a name or a literal. Any other value must be read
+/// exactly once, with no statement in between.
 bool PartPrinter::can_wait(ValueId value) const {
   const Instruction& i = at(value);
   const std::uint32_t uses = uses_[value - begin_];
@@ -117,7 +117,7 @@ bool PartPrinter::can_wait(ValueId value) const {
   return next_reads || is_sign_or_product(i.operation);
 }
 
-/// A value that another part reads has a name in its own part, too.
+/// True for a value that another part reads: it has a name in its own part, too.
 bool PartPrinter::is_kept(ValueId value) const {
   if (value + 1 == end_) return false;
   const Instruction& next = at(value + 1);
@@ -204,7 +204,7 @@ void PartPrinter::define(ValueId value, const std::string& expression) {
   named_[value] = name;
 }
 
-/// At the head of the part, with what a constant was written as.
+/// Declares a value at the head of the part; the comment has the source text of a constant.
 void PartPrinter::declare(ValueId value, const std::string& expression) {
   const NodeId node = selected_.nodes[value];
   const bool constant = at(value).operation != Pack::kLoad && at(value).operation != Pack::kPoint;

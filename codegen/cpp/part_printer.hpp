@@ -14,8 +14,8 @@
 
 namespace regulus::inline cpp {
 
-/// A value that is read once, of a sum, product or sign, is written inside the expression that
-/// reads it, as long as that stays on a line. That is the only thing that the printer decides.
+/// A sum, product or sign that is read once is written inside the expression that reads it, if that
+/// fits on a line. This is the only decision of the printer.
 class PartPrinter {
  public:
   PartPrinter(const Module& module, const Function& function, const SelectedFunction& selected,
@@ -58,7 +58,7 @@ class PartPrinter {
   [[nodiscard]] ExpressionText compute(ValueId value);
   [[nodiscard]] ExpressionText render(ValueId value);
   [[nodiscard]] ExpressionText render_call(const Instruction& instruction);
-  /// The value as an operand: its name, or its expression where that waits for its reader.
+  /// Returns the value as an operand: its name, or its expression if it is pending.
   [[nodiscard]] ExpressionText use(ValueId value);
   [[nodiscard]] std::string name_of(ValueId value);
 
@@ -68,7 +68,7 @@ class PartPrinter {
   ValueNames& names_;
   std::uint32_t begin_, end_;
   std::vector<std::uint32_t> uses_;                      ///< by instructions of this part
-  std::unordered_map<ValueId, ExpressionText> pending_;  ///< to be written where it is read
+  std::unordered_map<ValueId, ExpressionText> pending_;  ///< to be written at its only use
   std::unordered_map<ValueId, std::string> named_;
   std::string declarations_;
   std::string statements_;

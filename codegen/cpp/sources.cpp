@@ -23,7 +23,7 @@ std::string enumerator(Isa isa) {
   return "kPortable";
 }
 
-/// The part for each instruction set; those that only one family of processors has, behind a
+/// Writes the part for each instruction set; if only one family of processors has the set, inside a
 /// condition.
 template <class Part>
 std::string for_each_isa(const KernelSubject& subject, Part part) {

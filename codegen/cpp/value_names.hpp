@@ -14,10 +14,10 @@ class ValueNames {
  public:
   explicit ValueNames(const Program& program);
 
-  /// t_3: over the variables; c_3: of K and constants alone; sin_psi, k_1_1, v_x.
+  /// t_3 depends on the variables; c_3 on K and constants alone; also sin_psi, k_1_1, v_x.
   [[nodiscard]] const std::string& of(NodeId id);
 
-  /// A name of its own for a value that is no node.
+  /// Returns a new name for a value that is not a node.
   [[nodiscard]] std::string temporary() { return table_.take("t_" + std::to_string(++last_)); }
 
  private:

@@ -10,7 +10,7 @@ namespace regulus::inline cpp {
 namespace {
 
 /// Keywords of C23 and C++20, alternative tokens, and macros of the standard headers and of
-/// compilers that look like names of a model. Sorted.
+/// compilers that could be names in a model. Sorted.
 constexpr std::array<std::string_view, 127> kTaken = {"BUFSIZ",
                                                       "DOMAIN",
                                                       "EOF",

@@ -20,7 +20,7 @@ namespace fs = std::filesystem;
   throw FileError(path.string() + " cannot be written: " + reason);
 }
 
-/// A file under a name of its own until it is put in place; removed if it never is.
+/// A file under a temporary name until it is put in place; removed if it never is.
 class WaitingFile {
  public:
   WaitingFile(fs::path path, const std::string& text)
@@ -58,7 +58,7 @@ class WaitingFile {
   fs::path waiting_;
 };
 
-/// As it is written in a rule of a makefile.
+/// Escapes a path for a rule of a makefile.
 std::string escaped(const std::string& path) {
   std::string text;
   for (const char c : path) {

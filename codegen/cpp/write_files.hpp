@@ -9,9 +9,9 @@
 
 namespace regulus::inline cpp {
 
-/// Writes the files into the folder, which is made if there is none.
+/// Writes the files into the folder; creates it if necessary.
 ///
-/// Ensures   no file is ever seen half-written; when it throws, none has been replaced unless the
+/// Ensures   no file is ever visible half-written; if it throws, none has been replaced, unless the
 ///           file system fails between one renaming and the next.
 /// Throws    FileError.
 void write_files(const std::filesystem::path& folder, const std::vector<GeneratedFile>& files);
@@ -19,7 +19,7 @@ void write_files(const std::filesystem::path& folder, const std::vector<Generate
 /// Writes one file in the same way.
 void write_file(const std::filesystem::path& path, const std::string& text);
 
-/// What `make` and Ninja read: that the files in the folder depend on the input.
+/// Returns the rule for `make` and Ninja that the files in the folder depend on the input.
 [[nodiscard]] std::string dependency_text(const std::filesystem::path& folder,
                                           const std::vector<GeneratedFile>& files,
                                           const std::string& input);
