@@ -8,8 +8,7 @@
 namespace regulus::inline symbolic {
 namespace {
 
-/// p = atom^exponent·inner + rest. The rest is free of the atom, except for terms with a power that
-/// does not divide out of all terms of inner.
+/// p = atom^exponent·inner + rest, and no term of the rest contains the atom.
 struct Split {
   Polynomial outer;
   Polynomial inner;
