@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// From C++ text to machine code, with Clang.
+// Compiles C++ text to machine code, with Clang.
 #pragma once
 
 #include <filesystem>
@@ -10,8 +10,8 @@
 namespace regulus::inline jit {
 
 struct CompiledObject {
-  std::string object;       ///< ELF, relocatable; empty when the text has an error
-  std::string diagnostics;  ///< of the compiler; may be there without an error
+  std::string object;       ///< ELF, relocatable; empty if the text has an error
+  std::string diagnostics;  ///< of the compiler; possible without an error
   double open_seconds = 0;  ///< loading the compiler, the first time
   double front_end_seconds = 0;
   double optimiser_seconds = 0;
@@ -23,11 +23,11 @@ class ClangCompiler {
  public:
   ClangCompiler();
 
-  /// Version of Clang and, of each library that takes part, the size and the time of the last
-  /// change: enough to notice an exchanged compiler without loading it.
+  /// Returns the version of Clang and, for each library of the compiler, the size and the time of
+  /// the last change. This shows an exchanged compiler without loading it.
   [[nodiscard]] const std::string& identity() const noexcept { return identity_; }
 
-  /// Opens the plugin if this is the first time, and compiles. Any number of threads may call it.
+  /// Opens the plugin at the first call, and compiles. Any number of threads may call it.
   /// Ensures   the caller's floating-point environment is kept; the compiler sees the default one.
   /// Throws    CompilerUnavailable.
   [[nodiscard]] CompiledObject compile(const Compilation& compilation) const;

@@ -7,7 +7,7 @@
 namespace regulus::inline jit {
 namespace {
 
-/// To be raised when the loader begins to need something of its objects that older ones lack.
+/// Increase it if the loader begins to need something that older objects lack.
 constexpr int kLoaderVersion = 1;
 
 void add(KeyParts& parts, const NamedText& file) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// From a pack program to machine code, part by part.
+// Compiles a pack program to machine code, part by part.
 #include <cstring>
 #include <map>
 #include <stdexcept>
@@ -20,9 +20,9 @@ namespace {
 
 /// The parts of a kernel, each once.
 struct PartList {
-  std::string all;  ///< what the cache calls all of them together
+  std::string all;  ///< the name of all together in the cache
   std::vector<std::string> names, bytes;
-  std::vector<std::string> codes;  ///< empty: not there yet
+  std::vector<std::string> codes;  ///< empty: not known yet
   std::array<std::vector<std::size_t>, kKernelFunctions.size()> of_function;
 };
 
@@ -46,8 +46,8 @@ PartList parts_of(const machine::PackKernel& program, Isa isa, const std::string
   return list;
 }
 
-/// The code of a part in the cache follows its name, so that the code of another part is of no use,
-/// even under the right key. Returns what is wrong with the entry, if there is one.
+/// In the cache, the name of a part precedes its code, so the code of another part is not used,
+/// even under the right key. Returns the fault of an entry, if there is one.
 std::string find_in_cache(const ObjectCache& cache, const std::string& name, std::string& code) {
   ObjectCache::Entry entry = cache.read(name);
   if (!entry.object) return entry.note;
@@ -58,7 +58,8 @@ std::string find_in_cache(const ObjectCache& cache, const std::string& name, std
   return {};
 }
 
-/// The codes of all parts in one entry of the cache, which is read sooner than an entry of each.
+/// Returns the codes of all parts for one entry of the cache: it is read faster than an entry of
+/// each.
 std::string all_codes(const PartList& list) {
   std::string bytes = list.all;
   for (const std::string& code : list.codes) {
@@ -94,7 +95,7 @@ bool find_whole(PartList& list, PartStore* store, const ObjectCache& cache, Comp
   return true;
 }
 
-/// The parts that are known get their code. Returns the others.
+/// Gives the known parts their code. Returns the others.
 std::vector<std::size_t> find_known(PartList& list, PartStore* store,
                                     const std::optional<ObjectCache>& cache,
                                     CompileReport& report) {

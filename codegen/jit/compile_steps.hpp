@@ -10,7 +10,7 @@
 
 namespace regulus::inline jit {
 
-/// Adds the time it lives to a number of seconds.
+/// Adds its lifetime to a number of seconds.
 class Timer {
  public:
   explicit Timer(double& seconds) noexcept : seconds_(seconds) {}
@@ -25,11 +25,12 @@ class Timer {
   std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
 };
 
-/// The cache of the options, if it is to be used and can be; the report says why it cannot.
+/// Opens the cache of the options, if it is wanted and usable; otherwise the report gives the
+/// reason.
 [[nodiscard]] std::optional<ObjectCache> open_cache(const CompileOptions& options,
                                                     CompileReport& report);
 
-/// Adds why the cache was of no use, if `note` is not empty.
+/// Adds a note on the cache to the report, if `note` is not empty.
 void append_note(CompileReport& report, const std::string& note);
 
 }  // namespace regulus::inline jit

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// From C++ text to machine code, with Clang.
+// Compiles C++ text to machine code, with Clang.
 #include <span>
 
 #include "codegen/jit/clang_compiler.hpp"
@@ -15,7 +15,7 @@ LoadedObject load(std::string_view object, CompileReport& report) {
   return load_object(std::as_bytes(std::span(object)), kernel_externals());
 }
 
-/// A cache entry that is sound but cannot be loaded is one more damaged entry.
+/// Treats a sound cache entry that cannot be loaded as a damaged entry.
 std::optional<LoadedObject> load_from_cache(const ObjectCache& cache, const std::string& key,
                                             CompileReport& report) try {
   ObjectCache::Entry entry;
@@ -78,8 +78,8 @@ LoadedObject compile_or_find(std::string_view text, const CompileOptions& option
   return loaded;
 }
 
-/// Null unless the code has that kernel, of this ABI. An object of another kernel is of no use,
-/// even one that the cache has under the right key.
+/// Returns null unless the code has that kernel, of this ABI. An object of another kernel is not
+/// used, even if the cache has it under the right key.
 const regulus_kernel* find(const MachineCode& code, const EmittedKernel& emitted) {
   const auto* kernel =
       static_cast<const regulus_kernel*>(code.symbol(emitted.symbol, sizeof(regulus_kernel)));

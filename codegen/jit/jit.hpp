@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// A kernel's pack program, or its C++ text, → machine code in this process, kept in a cache between
-// runs. Any number of threads may compile at once.
+// Compiles a kernel's pack program, or its C++ text, to machine code in this process; a cache keeps
+// the code between runs. Any number of threads may compile at once.
 #pragma once
 
 #include <filesystem>
@@ -24,22 +24,22 @@ struct CompileOptions {
   Isa isa = Isa::kPortable;
   bool use_cache = true;
   std::filesystem::path cache_directory;  ///< empty: default_cache_directory()
-  PartStore* parts = nullptr;             ///< of pack programs: what is known, and gets more
+  PartStore* parts = nullptr;             ///< known parts of pack programs; new ones are added
 };
 
-/// Compiles a text, or takes what an earlier run made of the same text.
+/// Compiles a text, or takes the object of an earlier run from the cache.
 ///
-/// The text sees the headers of runtime/kernel and no other file, and may call the elementary
-/// functions of runtime/interval/x8.hpp, memcpy, memmove and memset, and nothing else.
+/// The text sees only the headers of runtime/kernel. It may call only the elementary functions of
+/// runtime/interval/x8.hpp, memcpy, memmove and memset.
 ///
-/// Requires  a processor with options.isa, to run what comes out.
-/// Ensures   a cache that cannot be used, or an entry that is damaged, costs time and nothing else.
+/// Requires  a processor with options.isa, to run the code.
+/// Ensures   a cache that cannot be used, or an entry that is damaged, only costs time.
 ///           The caller's floating-point environment is kept.
 /// Rounding  the flags of regulus/floating_point_flags.hpp, as for ahead-of-time code.
 /// Throws    CompileError, std::bad_alloc.
 [[nodiscard]] MachineCode compile_text(std::string_view text, const CompileOptions& options);
 
-/// A kernel in memory as long as one copy of this object lives.
+/// A kernel; it stays in memory as long as one copy of this object lives.
 class CompiledKernel {
  public:
   /// Requires  `owner` keeps the kernel.
@@ -59,11 +59,11 @@ class CompiledKernel {
 };
 
 /// Compiles the parts of a pack program that neither options.parts nor the cache has. Each part is
-/// kept by itself, so that other kernels may use it.
+/// kept separately, so that other kernels may use it.
 ///
-/// Requires  a processor with options.isa, to run what comes out.
+/// Requires  a processor with options.isa, to run the code.
 /// Ensures   as MachineKernel of the same program, to the bit. A cache that cannot be used, or an
-///           entry that is damaged, costs time and nothing else. The caller's floating-point
+///           entry that is damaged, only costs time. The caller's floating-point
 ///           environment is kept.
 /// Rounding  the flags of regulus/floating_point_flags.hpp, as for ahead-of-time code.
 /// Throws    CompileError; std::invalid_argument for a program that find_fault objects to;
@@ -71,30 +71,30 @@ class CompiledKernel {
 [[nodiscard]] CompiledKernel compile_kernel(const machine::PackKernel& program,
                                             const CompileOptions& options);
 
-/// The same if nothing has to be compiled; nullopt otherwise.
+/// Returns the same if nothing has to be compiled; nullopt otherwise.
 ///
 /// Throws    std::invalid_argument, std::bad_alloc.
 [[nodiscard]] std::optional<CompiledKernel> find_cached_kernel(const machine::PackKernel& program,
                                                                const CompileOptions& options);
 
-/// compile_text for an emitted kernel: the reference of what is made of its pack program.
+/// Calls compile_text for an emitted kernel: the reference for the code of its pack program.
 ///
 /// Ensures   kernel() is not null and of this ABI.
-/// Throws    CompileError, also when the text does not define such a kernel; std::bad_alloc.
+/// Throws    CompileError, also if the text does not define such a kernel; std::bad_alloc.
 [[nodiscard]] CompiledKernel compile_kernel(const EmittedKernel& emitted,
                                             const CompileOptions& options);
 
-/// Changes when a compiler is exchanged.
+/// Returns a text that changes with the compiler.
 [[nodiscard]] std::string compiler_identity();
 
 /// Compiles the pack program of the rounding self-test of runtime/kernel/self_test.hpp and runs it.
 ///
 /// Requires  supported(options.isa).
-/// Ensures   nullopt when code compiled with these options rounds outward; otherwise what it
-///           computed.
+/// Ensures   nullopt if code compiled with these options rounds outward; otherwise a description of
+///           the wrong result.
 /// Throws    CompileError, std::bad_alloc.
 [[nodiscard]] std::optional<std::string> rounding_self_test(const CompileOptions& options);
-/// The same of the C++ text of the self-test, compiled by Clang.
+/// The same for the C++ text of the self-test, compiled by Clang.
 [[nodiscard]] std::optional<std::string> text_rounding_self_test(const CompileOptions& options);
 
 }  // namespace regulus::inline jit

@@ -10,9 +10,9 @@
 namespace regulus::inline jit {
 namespace {
 
-/// The processor is the oldest x86-64 plus the instruction set's own flags, so that the object
-/// depends on nothing of this machine. -O1 makes the front end write code that passes may change;
-/// which passes run is kPasses alone.
+/// The processor is the oldest x86-64 plus the instruction set's own flags, so that the object does
+/// not depend on this machine. With -O1 the front end writes code that passes may change; kPasses
+/// alone decides which passes run.
 constexpr const char* kFlags[] = {"--target=x86_64-unknown-linux-gnu",
                                   "-std=c++20",
                                   "-O1",
@@ -27,9 +27,8 @@ constexpr const char* kFlags[] = {"--target=x86_64-unknown-linux-gnu",
                                   "-fno-stack-protector",
                                   "-DREGULUS_NO_SYSTEM_HEADERS"};
 
-/// Callees are inlined into a function after they have themselves been simplified: the other way
-/// round takes more than twice as long. Then intervals become registers, and choices whose
-/// sign is known disappear.
+/// Callees are simplified first and then inlined; the other order takes more than twice as long.
+/// Then intervals become registers, and choices with a known sign disappear.
 constexpr const char* kPasses = "cgscc(inline,function(sroa,early-cse,instsimplify)),globaldce";
 
 }  // namespace

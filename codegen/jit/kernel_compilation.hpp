@@ -10,10 +10,11 @@
 
 namespace regulus::inline jit {
 
-/// How the text of a kernel is compiled: the headers, flags and passes of every kernel for `isa`.
+/// Returns the compilation of a kernel's text: the headers, flags and passes of every kernel for
+/// `isa`.
 [[nodiscard]] Compilation kernel_compilation(std::string_view text, Isa isa);
 
-/// What a kernel may call.
+/// Returns the functions that a kernel may call.
 [[nodiscard]] std::vector<ExternalSymbol> kernel_externals();
 
 }  // namespace regulus::inline jit

@@ -15,7 +15,7 @@ namespace {
 using machine::PackInstruction;
 using Op = machine::PackOperation;
 
-/// To be raised when what a part's code expects of its caller changes.
+/// Increase it if the interface between a part's code and its caller changes.
 constexpr int kPartVersion = 1;
 
 class Cutter {
@@ -61,7 +61,7 @@ class Cutter {
   PartProgram take() { return std::move(part_); }
 
  private:
-  /// By their bits: −0 is another constant than 0.
+  /// Compares bits: −0 and 0 are different constants.
   std::uint32_t constant(std::uint32_t number) {
     const Interval& x = function_.constants[number];
     const std::pair bits(std::bit_cast<std::uint64_t>(x.lo), std::bit_cast<std::uint64_t>(x.hi));
@@ -82,7 +82,7 @@ void append(std::string& bytes, const Item* items, std::size_t count) {
   bytes.append(reinterpret_cast<const char*>(items), count * sizeof(Item));
 }
 
-// Without padding, so that the bytes in memory say what the instruction is and nothing else.
+// No padding, so that the bytes in memory contain only the instruction.
 struct Record {
   std::uint32_t operation, a, b, c;
 };

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// A part of a pack program's function, by itself: what is compiled, and what the cache keeps.
+// A separate part of a pack program's function: the unit of compilation and of the cache.
 #pragma once
 
 #include <cstddef>
@@ -18,17 +18,17 @@ struct PartProgram {
   std::vector<Interval> constants;
 };
 
-/// The part of that number as bytes that can be read in one way only.
+/// Returns part number `part` as bytes that have only one reading.
 ///
 /// Requires  find_fault finds none in the function.
-/// Ensures   parts with equal bytes compute the same from the same slots. Nothing else of the
-///           function or of its place in it is in the bytes.
+/// Ensures   parts with equal bytes compute the same from the same slots. The bytes contain nothing
+///           else of the function, and not the place of the part in it.
 [[nodiscard]] std::string part_bytes(const machine::PackFunction& function, std::size_t part);
 
 /// Requires  bytes of part_bytes.
 [[nodiscard]] PartProgram read_part(std::string_view bytes);
 
-/// The name of a part's machine code in the cache.
+/// Returns the name of a part's machine code in the cache.
 ///
 /// Shape     64 hexadecimal digits.
 /// Requires  `compiler` changes with everything else that the machine code depends on.

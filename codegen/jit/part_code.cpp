@@ -14,7 +14,7 @@ std::size_t round_up(std::size_t value, std::size_t alignment) {
   return (value + alignment - 1) / alignment * alignment;
 }
 
-/// Where each code begins, and at last where all of them end, in whole pages.
+/// Returns the begin of each code, and last the end of all, in whole pages.
 std::vector<std::size_t> offsets_of(const std::vector<std::string>& codes) {
   std::vector<std::size_t> offsets{0};
   for (const std::string& code : codes)

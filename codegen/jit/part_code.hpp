@@ -12,19 +12,19 @@
 
 namespace regulus::inline jit {
 
-/// One part of a function. `slots` are what parts keep for each other, `operations` the row `run`
-/// of the step_table of the part's instruction set: operations that are too long to be repeated
-/// wherever they are needed are called there. Returns the lanes where the part is undefined.
+/// One part of a function. `slots` has the values that parts keep for each other. `operations` is
+/// the row `run` of the step_table of the part's instruction set, through which the part calls
+/// operations that are too long to be copied. Returns the lanes where the part is undefined.
 using PartFunction = unsigned (*)(const double* boxes, const double* points, machine::Slot* slots,
                                   double* out, const machine::StepFunction* operations);
 
 inline constexpr std::string_view kPartSymbol = "part";
 
-/// The machine code of a part, of which the function is the first byte: code and constants one
-/// after the other, good at every address that is a multiple of kCodeAlignment.
+/// Returns the machine code of a part: code, then constants, valid at every address that is a
+/// multiple of kCodeAlignment. The function begins at the first byte.
 ///
-/// Throws    LoadError for bytes that are no object of a part: anything but code, constants and
-///           distances between them.
+/// Throws    LoadError for bytes that are not the object of a part: with anything except code,
+///           constants and distances between them.
 [[nodiscard]] std::string part_code(std::string_view object);
 
 inline constexpr std::size_t kCodeAlignment = 64;
@@ -32,8 +32,8 @@ inline constexpr std::size_t kCodeAlignment = 64;
 /// The code of several parts in memory: readable and executable, and no longer writable.
 class LoadedParts {
  public:
-  /// Requires  what part_code returned, or an earlier run of the same program.
-  /// Throws    LoadError when the system refuses executable memory; std::bad_alloc.
+  /// Requires  results of part_code, in this run or in an earlier run of the same program.
+  /// Throws    LoadError if the system refuses executable memory; std::bad_alloc.
   explicit LoadedParts(const std::vector<std::string>& codes);
 
   [[nodiscard]] PartFunction function(std::size_t part) const noexcept;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// From the parts of pack programs to machine code, with LLVM alone.
+// Compiles the parts of pack programs to machine code, with LLVM alone.
 #pragma once
 
 #include <filesystem>
@@ -12,7 +12,7 @@
 namespace regulus::inline jit {
 
 struct CompiledObjects {
-  std::vector<std::string> objects;  ///< ELF, one for each part in their order; empty: a failure
+  std::vector<std::string> objects;  ///< ELF, one for each part, in order; empty after a failure
   std::string diagnostics;
   double open_seconds = 0;  ///< loading the compiler, the first time
   double front_end_seconds = 0;
@@ -23,11 +23,12 @@ class PartCompiler {
  public:
   PartCompiler();
 
-  /// Version of LLVM, and the size and the time of the last change of each library that takes part.
+  /// Returns the version of LLVM, and the size and the time of the last change of each library of
+  /// the compiler.
   [[nodiscard]] const std::string& identity() const noexcept { return identity_; }
 
-  /// The symbol kPartSymbol of each object is a PartFunction (part_code.hpp). Opens the plugin if
-  /// this is the first time; spreads many parts over threads. Any number of threads may call it.
+  /// The symbol kPartSymbol of each object is a PartFunction (part_code.hpp). Opens the plugin at
+  /// the first call; spreads many parts over threads. Any number of threads may call it.
   ///
   /// Requires  bytes of part_bytes.
   /// Ensures   equal bytes give equal objects. The caller's floating-point environment is kept; the

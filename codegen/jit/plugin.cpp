@@ -18,7 +18,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// Where /proc is not mounted, by the name the program was started with, links followed.
+/// If /proc is not mounted, uses the name that the program was started with, and follows links.
 fs::path folder_of_executable() {
   std::error_code error;
   fs::path executable = fs::read_symlink("/proc/self/exe", error);
@@ -27,8 +27,8 @@ fs::path folder_of_executable() {
   return error ? fs::path() : executable.parent_path();
 }
 
-/// The folders that may hold plugins: the one the environment names, then beside the executable as
-/// it is installed and as it is built, then the one that a program linked with this library says.
+/// Returns the folders that may contain plugins: the folder in the environment, then beside the
+/// executable as installed and as built, then the folder from a program linked with this library.
 std::vector<fs::path> plugin_folders() {
   std::vector<fs::path> folders;
   if (const char* named = std::getenv("REGULUS_PLUGINS"); named && *named)
@@ -64,7 +64,7 @@ std::filesystem::path find_plugin(const char* file) {
   return file;
 }
 
-/// The handle is never given back: LLVM cannot be unloaded, and opening it again costs nothing.
+/// The handle is never closed: LLVM cannot be unloaded, and opening it again costs nothing.
 void* open_plugin(const std::filesystem::path& plugin, const char* symbol, double& seconds) {
   const auto start = std::chrono::steady_clock::now();
   void* library = ::dlopen(plugin.c_str(), RTLD_LAZY | RTLD_LOCAL | RTLD_NODELETE);

@@ -17,20 +17,21 @@ class CompilerUnavailable : public std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
-/// "PATH SIZE SECONDS.NANOSECONDS", or "PATH absent": changes when the file is exchanged.
+/// Returns "PATH SIZE SECONDS.NANOSECONDS", or "PATH absent": it changes if the file is exchanged.
 [[nodiscard]] std::string file_identity(const std::filesystem::path& file);
 
-/// The path of a plugin: in the folder that REGULUS_PLUGINS names, or beside the executable as it
-/// is installed or built, or in regulus_plugin_folder(). Returns the file name to report as missing
-/// when it is in none of them.
+/// Returns the path of a plugin: in the folder of REGULUS_PLUGINS, or beside the installed or built
+/// executable, or in regulus_plugin_folder(). If none has it, returns the file name to report as
+/// missing.
 [[nodiscard]] std::filesystem::path find_plugin(const char* file);
 
-/// The function of that name in the plugin. `seconds`: how long it took to have it.
+/// Returns the function of that name in the plugin. `seconds` is the time of loading.
 /// Throws    CompilerUnavailable.
 [[nodiscard]] void* open_plugin(const std::filesystem::path& plugin, const char* symbol,
                                 double& seconds);
 
-/// The default floating-point environment while it lives, whatever the caller or the compiler sets.
+/// Sets the default floating-point environment for its lifetime, whatever the caller or the
+/// compiler sets.
 class DefaultFloatingPoint {
  public:
   DefaultFloatingPoint() noexcept {

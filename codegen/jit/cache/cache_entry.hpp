@@ -14,7 +14,7 @@ namespace regulus::inline jit {
 struct CacheEntryHeader {
   std::array<char, 16> magic;
   std::uint64_t version;
-  std::array<char, 64> key;     ///< what the object was made from
+  std::array<char, 64> key;     ///< the key of the object's inputs
   std::uint64_t size;           ///< of the object
   std::array<char, 64> digest;  ///< SHA-256 of the object
 };
@@ -24,7 +24,8 @@ static_assert(sizeof(CacheEntryHeader) == 16 + 8 + 64 + 8 + 64);
 [[nodiscard]] CacheEntryHeader make_cache_entry_header(std::string_view key,
                                                        std::string_view object);
 
-/// The object of the entry, or nullopt unless the bytes are an unaltered entry for this key.
+/// Returns the object of the entry, or nullopt unless the bytes are an unaltered entry for this
+/// key.
 [[nodiscard]] std::optional<std::string> open_cache_entry(std::string_view key,
                                                           std::string_view bytes);
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What the key of a cache entry is the hash of.
+// The input of the hash that is the key of a cache entry.
 #pragma once
 
 #include <string>
@@ -10,8 +10,8 @@
 
 namespace regulus::inline jit {
 
-/// Parts one after the other, each preceded by its length, so that no two lists of parts read the
-/// same.
+/// Concatenates parts, each preceded by its length, so that different lists of parts give different
+/// bytes.
 class KeyParts {
  public:
   void add(std::string_view part) {
@@ -24,7 +24,7 @@ class KeyParts {
     for (const std::string& part : list) add(part);
   }
 
-  /// 64 hexadecimal digits.
+  /// Returns 64 hexadecimal digits.
   [[nodiscard]] std::string key() const { return sha256(bytes_); }
 
  private:

@@ -28,7 +28,7 @@ constexpr off_t kMaximumEntrySize = off_t{1} << 28;
 
 std::string entry_name(std::string_view key) { return std::string(key).append(kEntrySuffix); }
 
-/// Why the open file is not to be trusted; empty when it is.
+/// Returns the reason not to trust the open file; empty if it is trusted.
 std::string reason_to_distrust(const struct stat& status) {
   if (!S_ISREG(status.st_mode)) return "is no regular file";
   if (status.st_uid != ::geteuid()) return "belongs to another user";
@@ -37,7 +37,7 @@ std::string reason_to_distrust(const struct stat& status) {
   return {};
 }
 
-/// Everything in the file, or fewer bytes when it shrinks meanwhile.
+/// Returns the bytes of the file, or fewer if it shrinks meanwhile.
 std::string read_all(int descriptor, std::size_t size) {
   std::string bytes(size, '\0');
   std::size_t done = 0;
@@ -75,7 +75,7 @@ struct DirectoryFile {
   std::time_t used;
 };
 
-/// The regular files of the directory whose name ends in `suffix`.
+/// Returns the regular files of the directory whose name ends in `suffix`.
 std::vector<DirectoryFile> list_files(int directory, std::string_view suffix) {
   std::vector<DirectoryFile> files;
   FileDescriptor copy(::openat(directory, ".", O_RDONLY | O_DIRECTORY | O_CLOEXEC));
@@ -93,7 +93,7 @@ std::vector<DirectoryFile> list_files(int directory, std::string_view suffix) {
   return files;
 }
 
-/// What a process that ended in the middle of writing has left.
+/// Removes files of processes that ended while they were writing.
 void remove_abandoned(int directory) {
   const std::time_t now = std::time(nullptr);
   for (const DirectoryFile& file : list_files(directory, kTemporarySuffix))
@@ -121,7 +121,7 @@ ObjectCache::ObjectCache(const std::filesystem::path& directory, std::uint64_t l
 ObjectCache::Entry ObjectCache::read(std::string_view key) const {
   if (!directory_.descriptor) return {};
   const std::string name = entry_name(key);
-  // O_NONBLOCK: opening a pipe that somebody put there must not wait for a writer.
+  // O_NONBLOCK: if the entry is a pipe, opening it must not wait for a writer.
   const FileDescriptor file(::openat(directory_.descriptor.get(), name.c_str(),
                                      O_RDONLY | O_NOFOLLOW | O_NONBLOCK | O_CLOEXEC));
   if (!file && errno == ENOENT) return {};
@@ -133,7 +133,7 @@ ObjectCache::Entry ObjectCache::read(std::string_view key) const {
   auto object =
       open_cache_entry(key, read_all(file.get(), static_cast<std::size_t>(status.st_size)));
   if (!object) return {{}, "cache entry is damaged"};
-  ::futimens(file.get(), nullptr);  // the time of the last use decides what is evicted
+  ::futimens(file.get(), nullptr);  // the time of the last use decides the eviction
   return {std::move(object), {}};
 }
 
@@ -147,7 +147,7 @@ std::string ObjectCache::write(const std::vector<NamedObject>& objects) const {
   std::string reason;
   for (const NamedObject& object : objects) {
     reason = write_entry(object);
-    if (!reason.empty()) break;  // the next one would hardly fare better
+    if (!reason.empty()) break;  // the next one would probably fail, too
     written.insert(entry_name(object.key));
   }
   if (written.empty()) return reason;
@@ -156,7 +156,7 @@ std::string ObjectCache::write(const std::vector<NamedObject>& objects) const {
   return reason;
 }
 
-/// Without waiting for the disk: an entry that a crash has left half written is a damaged one.
+/// Does not wait for the disk: after a crash, a half-written entry is found as damaged.
 std::string ObjectCache::write_entry(const NamedObject& named) const {
   const auto [key, object] = named;
   const int directory = directory_.descriptor.get();

@@ -13,13 +13,13 @@
 
 namespace regulus::inline jit {
 
-/// A directory of objects (and of what else is made once and kept), each in a file named by its
-/// key. Any number of processes may use it at once: an entry appears whole or not at all, and one
-/// of them replaces the other's equal entry.
+/// A directory of objects and other results, each in a file named by its key. Any number of
+/// processes may use it at once: an entry appears whole or not at all, and one process replaces
+/// another's equal entry.
 ///
 /// An entry that is truncated, altered, of another format, or that another user could have written
-/// is as good as absent. The hash inside an entry finds damage; what keeps others from writing
-/// entries is the ownership and mode of the directory and of the entry.
+/// is treated as absent. The hash inside an entry shows damage; the ownership and mode of the
+/// directory and of the entry prevent other users from writing.
 class ObjectCache {
  public:
   static constexpr std::uint64_t kDefaultLimit = std::uint64_t{256} << 20;
@@ -27,26 +27,26 @@ class ObjectCache {
   /// `limit`: bytes that all entries may take; the least recently used ones go first.
   explicit ObjectCache(const std::filesystem::path& directory, std::uint64_t limit = kDefaultLimit);
 
-  /// Why the directory cannot be used; empty when it can. Reading then finds nothing and writing
-  /// does nothing.
+  /// Returns the reason why the directory cannot be used; empty if it can. If it cannot, reading
+  /// finds nothing and writing does nothing.
   [[nodiscard]] const std::string& refusal() const noexcept { return directory_.refusal; }
 
   struct Entry {
     std::optional<std::string> object;
-    std::string note;  ///< why a file that is there was not used; empty when it was or is not there
+    std::string note;  ///< why an existing file was not used; otherwise empty
   };
 
   /// Requires  key is 64 hexadecimal digits.
   [[nodiscard]] Entry read(std::string_view key) const;
 
-  /// Returns why the entry could not be written; empty when it was.
+  /// Returns the reason why the entry could not be written; empty if it was.
   /// Requires  key is 64 hexadecimal digits.
   std::string write(std::string_view key, std::string_view object) const;
 
   struct NamedObject {
     std::string_view key, object;
   };
-  /// The same for several; looks once for what has become too much.
+  /// The same for several entries; checks the size limit once.
   std::string write(const std::vector<NamedObject>& objects) const;
 
  private:

@@ -10,12 +10,12 @@
 namespace regulus::inline jit {
 
 /// The machine code of parts that this process has compiled or read, by name, for kernels that
-/// differ a little from those it has had. Any number of threads may use one.
+/// differ only a little from earlier ones. Any number of threads may use one.
 class PartStore {
  public:
   [[nodiscard]] std::optional<std::string> find(const std::string& name) const;
 
-  /// Forgets everything before when it has become much.
+  /// Removes all earlier parts first if the store has become large.
   void add(const std::string& name, const std::string& code);
 
  private:

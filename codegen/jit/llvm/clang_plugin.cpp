@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The in-process C++ compiler: any text → relocatable object, with the Clang front end and the LLVM
-// code generator. The program opens it when nothing cached fits and the text is not one that
-// reader_plugin.cpp reads.
+// The in-process C++ compiler: it compiles any text to a relocatable object, with the Clang front
+// end and the LLVM code generator. The program opens it for a text that the cache does not have.
 #include <chrono>
 #include <utility>
 

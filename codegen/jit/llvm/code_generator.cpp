@@ -31,7 +31,7 @@ void end_on_fatal_error(void*, const char* reason, bool) {
 void initialise_llvm() {
   static std::once_flag once;
   std::call_once(once, [] {
-    llvm::remove_fatal_error_handler();  // the other plugin's, which does the same
+    llvm::remove_fatal_error_handler();  // that of the other plugin, which does the same
     llvm::install_fatal_error_handler(end_on_fatal_error);
     LLVMInitializeX86TargetInfo();
     LLVMInitializeX86Target();

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// From LLVM's intermediate code to an object: what both plugins end with.
+// Generates an object from LLVM's intermediate code: the last stage of both plugins.
 #pragma once
 
 #include <llvm/ADT/SmallVector.h>
@@ -12,10 +12,11 @@
 
 namespace regulus::inline jit::plugin {
 
-/// Once per process. A fatal error of LLVM ends the process as an internal fault.
+/// Call it once per process. A fatal error of LLVM ends the process as an internal fault.
 void initialise_llvm();
 
-/// Without a processor's name: the oldest of the triple, plus the features.
+/// Makes a target without a processor's name: the oldest processor of the triple, plus the
+/// features.
 [[nodiscard]] std::unique_ptr<llvm::TargetMachine> make_target_machine(const std::string& triple,
                                                                        const std::string& cpu,
                                                                        const std::string& features,
@@ -25,13 +26,14 @@ void initialise_llvm();
 [[nodiscard]] bool optimise(llvm::Module& module, llvm::TargetMachine& machine, const char* passes,
                             llvm::raw_ostream& errors);
 
-/// Equal computations in a straight list can be made one: masks of signs that several operations
-/// look at. That cannot merge two roundings: calls are joined that are equal in every argument, the
-/// rounding included, and constrained arithmetic of dynamic rounding is left alone.
+/// Selects whether equal computations in a straight list are joined, such as masks of signs that
+/// several operations use. This cannot merge two roundings: only calls that are equal in every
+/// argument, including the rounding, are joined, and constrained arithmetic of dynamic rounding is
+/// not changed.
 enum class Repeated { kAsTheyAre, kJoined };
 
 /// Code generation runs without optimisation: a kernel is straight-line code without common
-/// sub-expressions, in which the default pipeline finds nothing but spends most of the time.
+/// sub-expressions, in which the default pipeline would find nothing and take most of the time.
 [[nodiscard]] bool generate_code(llvm::Module& module, llvm::TargetMachine& machine,
                                  llvm::SmallVectorImpl<char>& object, llvm::raw_ostream& errors,
                                  Repeated repeated = Repeated::kAsTheyAre);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The Clang front end without a file of the machine. The driver parses the flags, so that they mean
-// here what they mean on a command line.
+// The Clang front end, without access to files of the machine. The driver parses the flags, so they
+// have the same meaning as on a command line.
 #pragma once
 
 #include <clang/Basic/DiagnosticOptions.h>
@@ -65,16 +65,16 @@ class Diagnostics {
   llvm::IntrusiveRefCntPtr<clang::DiagnosticsEngine> engine_;
 };
 
-/// Null when the flags have an error.
+/// Returns null if the flags have an error.
 [[nodiscard]] std::unique_ptr<clang::CompilerInvocation> make_invocation(
     const regulus_clang_request& request, const FileSystem& files, Diagnostics& diagnostics);
 
-/// Intermediate code that no pass has touched; null when the text has an error.
+/// Returns intermediate code before any pass; null if the text has an error.
 [[nodiscard]] std::unique_ptr<llvm::Module> run_front_end(
     std::unique_ptr<clang::CompilerInvocation> invocation, const FileSystem& files,
     Diagnostics& diagnostics, llvm::LLVMContext& context);
 
-/// What `-target-feature` options came to, as a target machine wants them.
+/// Returns the features of the `-target-feature` options in the form for a target machine.
 [[nodiscard]] std::string features_of(const clang::TargetOptions& target);
 
 }  // namespace regulus::inline jit::plugin

@@ -24,7 +24,7 @@ bool refers_to_a_global(const llvm::Instruction& i) {
   });
 }
 
-/// Whether all that the operation does is to compute components from components.
+/// True if the operation only computes components from components.
 bool is_straight(const llvm::Function& operation) {
   if (operation.size() != 1) return false;
   const auto& block = operation.getEntryBlock();
@@ -36,7 +36,7 @@ bool is_straight(const llvm::Function& operation) {
   });
 }
 
-/// A call of an intrinsic function in another module than the one that it was copied from.
+/// Makes a copied call of an intrinsic function refer to the function in its new module.
 void move_callee(llvm::Instruction& copy, llvm::Module& module) {
   auto* call = llvm::dyn_cast<llvm::CallBase>(&copy);
   if (!call) return;
@@ -49,7 +49,7 @@ llvm::Align alignment_of(llvm::Type* type, const llvm::DataLayout& layout) {
   return llvm::Align(std::min<std::uint64_t>(kAlignment, layout.getTypeStoreSize(type)));
 }
 
-/// Where a pointer inside an operation points: an argument of it and an offset.
+/// The target of a pointer inside an operation: an argument of the operation and an offset.
 struct Target {
   const llvm::Argument* argument = nullptr;
   std::uint64_t offset = 0;
@@ -100,7 +100,7 @@ llvm::Function* Operations::find_straight(const char* name) {
 
 /// A copy of the operation's instructions in which each access to an object is the object's
 /// component. Instructions are copied with their rounding, never rewritten; the simplifier folds
-/// what is constant by the rules that hold in any rounding mode.
+/// constants by rules that hold in any rounding mode.
 void Operations::expand(llvm::IRBuilder<>& code, llvm::Function& operation,
                         llvm::ArrayRef<Operand> operands) {
   llvm::Module& module = *code.GetInsertBlock()->getModule();
@@ -134,7 +134,7 @@ void Operations::expand(llvm::IRBuilder<>& code, llvm::Function& operation,
     if (llvm::isa<llvm::GetElementPtrInst>(i) && object_at(target_of(&i, layout))) continue;
     if (llvm::isa<llvm::NoAliasScopeDeclInst>(i)) continue;
     llvm::Instruction* copy = i.clone();
-    // What it says of aliasing held for the one place in the operation.
+    // Its aliasing metadata is valid only at its original place.
     copy->dropUnknownNonDebugMetadata();
     for (llvm::Use& use : copy->operands()) use.set(copy_of(use.get()));
     move_callee(*copy, module);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The arithmetic of packs inside a function that is being built.
+// Builds the arithmetic of packs inside a function.
 #pragma once
 
 #include <llvm/ADT/ArrayRef.h>
@@ -25,37 +25,39 @@ struct Object {
   llvm::Value* address = nullptr;
 };
 
-/// An operand: an object, or a number or pointer as it is.
+/// An operand: an object, or a plain number or pointer.
 using Operand = std::variant<Object*, llvm::Value*>;
 
-/// The functions of operations/pack_operations.hpp in a module that is read as they are needed.
+/// The functions of operations/pack_operations.hpp, in a module that is read on demand.
 class Operations {
  public:
-  /// Requires  the module is that of pack_operations.hpp for one instruction set, and outlives
-  /// this. Throws    std::runtime_error for another.
+  /// Requires  the module is that of pack_operations.hpp for one instruction set, and
+  ///           outlives this.
+  /// Throws    std::runtime_error for another.
   explicit Operations(llvm::Module& packs);
 
-  /// The operation whose instructions may stand where it is used: without branches, calls and
-  /// memory of its own. Null when there is none of that name, or it is not of that kind.
+  /// Returns the operation if its instructions can be copied to the place of use: it has no
+  /// branches, calls or memory of its own. Null if there is none of that name, or it is not of that
+  /// kind.
   [[nodiscard]] llvm::Function* find_straight(const char* name);
 
-  /// Puts the operation's instructions at the end of the function that is built.
+  /// Appends the operation's instructions to the function that is built.
   ///
   /// Requires  an operation that find_straight found.
   void expand(llvm::IRBuilder<>& code, llvm::Function& operation, llvm::ArrayRef<Operand> operands);
 
-  /// Writes the components of an interval, or those that the object has, to memory.
+  /// Writes the components of an interval, or of the object, to memory.
   void write(llvm::IRBuilder<>& code, Object& interval, llvm::Value* address);
   void write_components(llvm::IRBuilder<>& code, const Object& object, llvm::Value* address);
 
-  /// The interval in memory with its components read, so that later writes do not change it.
+  /// Reads the components of an interval in memory, so that later writes do not change it.
   [[nodiscard]] Object read(llvm::IRBuilder<>& code, llvm::Value* address);
 
-  /// The component of that offset, read from memory if it is not known.
+  /// Returns the component of that offset; reads it from memory if it is not known.
   [[nodiscard]] llvm::Value* component(llvm::IRBuilder<>& code, Object& object,
                                        std::uint64_t offset, llvm::Type* type);
 
-  /// With the target and the floating-point rules that all operations were compiled for.
+  /// Returns a function with the target and the floating-point rules of all operations.
   [[nodiscard]] const llvm::Function& sample() const noexcept { return *load_; }
 
  private:
@@ -68,7 +70,7 @@ class Operations {
                                 std::uint64_t offset);
 
   llvm::Module& packs_;
-  llvm::StringMap<llvm::Function*> straight_;  ///< those that were looked for; null: it is none
+  llvm::StringMap<llvm::Function*> straight_;  ///< results of find_straight, by name
   llvm::Function* load_;
   llvm::SmallVector<Part, 4> layout_;  ///< of an interval
 };

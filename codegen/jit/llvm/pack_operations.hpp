@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The short operations of packs as functions on memory, one for each kind of operands: I interval,
 // P point, D double, U mask of undefined lanes. Clang compiles them once, when the project is
-// built; the compiler of pack programs puts the instructions of those without branches where a list
-// has the operation. The others are called as the vector machine's steps.
+// built. The compiler of pack programs copies the instructions of those without branches into the
+// code. The others are called as steps of the vector machine.
 #include "runtime/kernel/pack.hpp"
 
 using regulus::pack::I;

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The in-process compiler of pack programs: each part is built from the packs' operations, which
-// Clang compiled when the project was built, so that all engines have the arithmetic of the same
-// headers.
+// The in-process compiler of pack programs: each part is built from the operations of packs. Clang
+// compiled these when the project was built, so all engines use the arithmetic of the same headers.
 #include <llvm/Bitcode/BitcodeReader.h>
 #include <llvm/IR/LLVMContext.h>
 #include <llvm/IR/Verifier.h>
@@ -28,7 +27,7 @@ namespace {
 
 using Object = llvm::SmallVector<char, 0>;
 
-// Parts below which a second thread costs more than it saves, and the most threads that help.
+// With fewer parts a second thread costs more than it saves; more threads do not help.
 constexpr std::size_t kPartsPerThread = 4;
 constexpr std::size_t kMaxThreads = 8;
 
@@ -43,7 +42,7 @@ std::unique_ptr<llvm::Module> packs_of(std::string_view isa, llvm::LLVMContext& 
   throw std::runtime_error("the instruction set has no operations here");
 }
 
-/// Parts one after the other, in a thread and an LLVM context of its own.
+/// Compiles parts one after the other, in a thread and an LLVM context of its own.
 class Worker {
  public:
   explicit Worker(std::string_view isa)
@@ -110,7 +109,7 @@ struct Result {
   regulus_clang_seconds seconds{};
 };
 
-/// What each thread takes from the list is chance; what it makes of a part is not.
+/// Which thread compiles a part is random; the code of the part is not.
 Result compile_all(const regulus_parts_request& request) {
   Result result;
   result.objects.resize(request.part_count);

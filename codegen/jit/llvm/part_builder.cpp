@@ -22,7 +22,7 @@ using machine::Step;
 using Op = machine::PackOperation;
 
 /// The names of the operations in pack_operations.hpp, in the order of PackOperation. Null: the
-/// operation has no straight form for any instruction set, or is no operation of packs.
+/// operation has no straight form for any instruction set, or is not an operation of packs.
 constexpr std::array<const char*, machine::kPackOperations> kNames = {
     "load",         "point",
     "constant_DD",  "P_D",
@@ -110,7 +110,7 @@ class PartBuilder {
           expand(i.operation, {row(kOut, 2 * e), &values_[i.c]});
         return;
       case Op::kCosine:
-        return;  // has its value from the sine's step
+        return;  // the sine's step gives its value
       default:
         return compute(i, at);
     }
@@ -161,7 +161,7 @@ class PartBuilder {
     (void)packs_.component(code_, undefined_, 0, code_.getInt32Ty());
   }
 
-  /// The number of the frame's slot that a value is in, written there if it was not.
+  /// Returns the number of the frame's slot of a value; writes the value there if necessary.
   std::uint32_t place(Object& value) {
     if (const auto found = slot_of_.find(&value); found != slot_of_.end()) return found->second;
     const std::uint32_t number = take(value);
@@ -180,7 +180,7 @@ class PartBuilder {
     return frame_;
   }
   llvm::Value* frame_slots() {
-    if (!slots_) slots_ = reserve(sizeof(Slot), alignof(Slot));  // of one slot for the time being
+    if (!slots_) slots_ = reserve(sizeof(Slot), alignof(Slot));  // one slot for now
     return slots_;
   }
   llvm::AllocaInst* reserve(std::uint64_t size, std::uint64_t alignment) {
@@ -190,7 +190,7 @@ class PartBuilder {
     return memory;
   }
 
-  /// The frame gets its slots, now that their number is known.
+  /// Gives the frame its slots; their number is known now.
   void finish_entry() {
     llvm::IRBuilder<> front(entry_);
     if (slots_) slots_->setOperand(0, front.getInt64(slot_of_.size() * sizeof(Slot)));

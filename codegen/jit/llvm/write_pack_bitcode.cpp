@@ -22,7 +22,7 @@ regulus_named_text named(const NamedText& file) {
   return {{file.name.data(), file.name.size()}, {file.text.data(), file.text.size()}};
 }
 
-/// With the flags, headers and passes that kernels have.
+/// Uses the flags, headers and passes of kernels.
 std::string compile_to_bitcode(const std::string& text, Isa isa) {
   const Compilation compilation = kernel_compilation(text, isa);
   std::vector<regulus_named_text> headers;

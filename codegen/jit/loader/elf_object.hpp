@@ -55,7 +55,7 @@ struct ElfObject {
 ///
 /// Ensures   every name and every section lies inside `bytes`; every relocation names a symbol of
 ///           the table; section sizes are at most 2^28 and alignments at most 4096.
-///           Whether a relocation fits its section is for the loader to check.
+///           The loader checks whether a relocation fits its section.
 /// Throws    LoadError for anything else, whatever the bytes are.
 [[nodiscard]] ElfObject read_elf_object(std::span<const std::byte> bytes);
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What compiling a text gives, and what it cost.
+// The result of a compilation, and its cost.
 #pragma once
 
 #include <memory>
@@ -13,21 +13,22 @@
 
 namespace regulus::inline jit {
 
-/// kOff: not asked for, or no directory that is safe to use.
+/// kOff: not requested, or no safe directory.
 enum class CacheUse { kHit, kMiss, kOff };
 
 /// "hit", "miss", "off".
 [[nodiscard]] std::string_view name(CacheUse use) noexcept;
 
-/// How many parts of a pack program had to be compiled, and how many an earlier kernel had.
+/// The number of parts of a pack program that had to be compiled, and of parts from earlier
+/// kernels.
 struct PartCount {
   std::size_t compiled = 0, known = 0;
 };
 
 struct CompileReport {
   CacheUse cache = CacheUse::kOff;
-  std::string cache_note;    ///< what is wrong with the cache or was with the entry; else empty
-  std::string object_key;    ///< of a text: what the cache calls its object; empty if that is off
+  std::string cache_note;    ///< a fault of the cache or of the entry; else empty
+  std::string object_key;    ///< of a text: its key in the cache; empty if the cache is off
   PartCount parts;           ///< of a pack program
   double cache_seconds = 0;  ///< making the key, reading, writing
   double open_compiler_seconds = 0;
@@ -38,15 +39,15 @@ struct CompileReport {
   double total_seconds = 0;
 };
 
-/// The code of one text, in memory as long as one copy of this object lives.
+/// The code of one text; it stays in memory as long as one copy of this object lives.
 class MachineCode {
  public:
   MachineCode(LoadedObject object, CompileReport report)
       : object_(std::make_shared<const LoadedObject>(std::move(object))),
         report_(std::move(report)) {}
 
-  /// The address of an extern "C" function or variable of at least `size` bytes; null if the text
-  /// defines none.
+  /// Returns the address of an extern "C" function or variable of at least `size` bytes; null if
+  /// the text does not define it.
   [[nodiscard]] void* symbol(std::string_view name, std::size_t size = 1) const noexcept {
     return object_->find(name, size);
   }

@@ -5,13 +5,13 @@
 
 namespace regulus::inline jit {
 
-/// Pages of this process: zero and writable when made, unmapped by the destructor.
+/// Pages of this process: zero and writable at first, unmapped by the destructor.
 class MemoryMapping {
  public:
   enum class Access { kExecutable, kReadOnly };
 
   /// Requires  size > 0, a multiple of page_size().
-  /// Throws    std::bad_alloc when the system refuses.
+  /// Throws    std::bad_alloc if the system refuses.
   explicit MemoryMapping(std::size_t size);
   ~MemoryMapping();
   MemoryMapping(MemoryMapping&& other) noexcept;
@@ -20,7 +20,7 @@ class MemoryMapping {
   [[nodiscard]] std::byte* data() const noexcept { return data_; }
   [[nodiscard]] std::size_t size() const noexcept { return size_; }
 
-  /// Takes the right to write to whole pages away for good. Returns false when the system refuses.
+  /// Removes the right to write to whole pages permanently. Returns false if the system refuses.
   [[nodiscard]] bool seal(std::size_t offset, std::size_t size, Access access) const noexcept;
 
   [[nodiscard]] static std::size_t page_size() noexcept;

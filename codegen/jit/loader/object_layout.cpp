@@ -35,11 +35,11 @@ Segment segment_of(const ElfSection& section) {
     refuse("is of an unknown type");
   if (writable && executable) refuse("is writable and executable");
   if (executable) return kCode;
-  // .data.rel.ro is writable for a linker, which fills in addresses, and for nobody after it.
+  // .data.rel.ro is writable only for the linker, which fills in addresses.
   return writable && !section.name.starts_with(".data.rel.ro") ? kVariables : kConstants;
 }
 
-/// Which symbols need a slot or a stub, as the relocations of loaded sections ask for them.
+/// Marks the symbols that need a slot or a stub for the relocations of loaded sections.
 void count_indirections(const ElfObject& object, ObjectLayout& layout) {
   for (const ElfSection& section : object.sections)
     for (const ElfRelocation& r : section.relocations) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Where the parts of an object go in memory.
+// The layout of an object in memory.
 #pragma once
 
 #include <array>
@@ -13,10 +13,11 @@ namespace regulus::inline jit {
 
 enum Segment : unsigned { kCode, kConstants, kVariables, kSegments };
 
-/// Offsets from the start of one mapping, so that every part reaches every other with 32 bits.
+/// Offsets from the start of one mapping, so that 32 bits suffice for every distance.
 ///
-/// Code         executable sections, then a stub for each external function: it may be further away
-///              than a call can reach, so the stub jumps through the function's slot.
+/// Code         executable sections, then a stub for each external function. The function may be
+/// too
+///              far for a call, so the stub jumps through its slot.
 /// Constants    read-only sections, then a slot for each address that code reads from memory.
 /// Variables    the rest.
 struct ObjectLayout {

@@ -14,7 +14,7 @@ namespace regulus::inline jit {
 namespace {
 
 /// Fills a mapping with one object. Addresses are computed modulo 2^64, as the ELF rules do: an
-/// addend from untrusted bytes may wrap, and what comes out is checked to fit its field.
+/// addend from untrusted bytes may wrap, and the result is checked to fit its field.
 class Linker {
  public:
   Linker(const ElfObject& object, const ObjectLayout& layout, std::byte* memory,
@@ -130,7 +130,7 @@ class Linker {
   std::span<const ExternalSymbol> externals_;
 };
 
-/// True if the object is the same wherever it is.
+/// True if the object does not depend on its address.
 bool is_free_of_addresses(const ElfObject& object) {
   for (const ElfSection& section : object.sections)
     for (const ElfRelocation& r : section.relocations)

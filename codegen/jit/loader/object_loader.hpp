@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Relocatable object → machine code in this process.
+// Loads a relocatable object as machine code into this process.
 //
-// LLVM's own linkers (ORC, JITLink) would do this, too, but only with LLVM in the process: 73 MB
-// and 10–20 ms to load it, against 0.1 ms for what is done here. A fresh object and one from the
-// cache take the same road, so that what is tested cold is what runs warm.
+// LLVM's own linkers (ORC, JITLink) could do this, too, but only with LLVM in the process: 73 MB
+// and 10–20 ms to load it, against 0.1 ms here. New objects and cached objects are loaded by the
+// same code, so tests without a cache also cover runs with one.
 #pragma once
 
 #include <cstddef>
@@ -28,7 +28,7 @@ struct ExternalSymbol {
 /// nothing ever writable and executable at once. Unmapped by the destructor.
 class LoadedObject {
  public:
-  /// The address of a global symbol with at least `size` bytes behind it; null if there is none.
+  /// Returns the address of a global symbol with at least `size` bytes; null if there is none.
   [[nodiscard]] void* find(std::string_view name, std::size_t size = 1) const noexcept;
 
   [[nodiscard]] std::size_t mapped_size() const noexcept { return mapping_.size(); }
@@ -51,20 +51,20 @@ class LoadedObject {
 
 /// Maps an object and resolves its relocations.
 ///
-/// Requires  `externals` alone is what undefined symbols may resolve to.
+/// Requires  `externals` has all functions that undefined symbols may resolve to.
 /// Ensures   no byte outside the new mapping is written, whatever the bytes are.
-/// Throws    LoadError for bytes that are no such object; for a section, symbol or relocation of a
-///           kind that is not supported, constructors among them; for an undefined symbol that
+/// Throws    LoadError for bytes that are not such an object; for a section, symbol or relocation
+///           of a kind that is not supported, constructors among them; for an undefined symbol that
 ///           `externals` does not have. std::bad_alloc.
 [[nodiscard]] LoadedObject load_object(std::span<const std::byte> object,
                                        std::span<const ExternalSymbol> externals);
 
-/// The code and constants of an object one after the other, good at every address that is a
+/// Returns the code of an object, followed by its constants, valid at every address that is a
 /// multiple of `alignment`.
 ///
 /// Ensures   the function `entry` is at the first byte.
-/// Throws    LoadError for bytes that are no such object: for whatever needs an address of the
-///           process, for variables, and for an alignment that is larger.
+/// Throws    LoadError for bytes that are not such an object, for an object that needs an address
+///           of the process, for variables, and for a larger alignment.
 [[nodiscard]] std::string flat_code(std::span<const std::byte> object, std::string_view entry,
                                     std::size_t alignment);
 
