@@ -98,8 +98,9 @@ void PartPrinter::print_instruction(ValueId value) {
     define(value, expression.text);
 }
 
-/// True for a value whose expression is only a name or a literal. Any other value must be read
-/// exactly once, with no statement in between.
+/// True if the expression of the value may be written where the value is read. This holds for
+/// literals and negated points. Another value must be read exactly once, in this part, and either
+/// be a sum, product or sign or be read by the check that follows it.
 bool PartPrinter::can_wait(ValueId value) const {
   const Instruction& i = at(value);
   const std::uint32_t uses = uses_[value - begin_];

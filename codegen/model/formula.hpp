@@ -43,8 +43,8 @@ class Formula {
   Formula(const std::string& text, Place place = Place::current());
 
   /// The expression as GiNaC has simplified it; only the conditions that its form shows are known.
-  /// Throws InputError for anything that model files cannot express: a floating-point number, a
-  /// complex number, another function.
+  /// Throws    InputError for anything that model files cannot express: a floating-point number, a
+  ///           complex number, another function.
   Formula(const GiNaC::ex& value, Place place = Place::current());
   Formula(const GiNaC::basic& value, Place place = Place::current());
 

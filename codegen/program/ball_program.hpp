@@ -19,8 +19,8 @@ struct Program;
 /// A Program whose constants have been converted. Any number of threads may evaluate one object.
 struct BallProgram {
   BallProgram() = default;
-  /// Requires a program that reads no entries of K (std::invalid_argument otherwise) and belongs to
-  ///          the calling thread.
+  /// Requires  a program that reads no entries of K (std::invalid_argument otherwise) and belongs
+  ///           to the calling thread.
   explicit BallProgram(const Program& program);
 
   std::vector<Node> nodes;

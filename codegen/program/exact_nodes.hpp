@@ -19,7 +19,7 @@ namespace regulus::inline program {
 /// coefficient p·2^-q, p an integer, adds q to s and multiplies b by |p|. A node with b ≤ 2^53 and
 /// s ≤ 128 is a double, since g·2^-s is a multiple of 2^-1074; so are all intermediate values.
 ///
-/// Requires points row by row, `row_length` in each; 0 if the rows are not known.
+/// Requires  points row by row, `row_length` in each; 0 if the rows are not known.
 /// Ensures   entries of K count as exact, constants do not.
 [[nodiscard]] std::vector<bool> exact_nodes(const Program& program,
                                             const KnownValues<Interval>& known,

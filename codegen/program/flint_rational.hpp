@@ -27,7 +27,7 @@ class FlintRational {
   }
   ~FlintRational() { fmpq_clear(value_); }
 
-  /// Requires a number of the calling thread.
+  /// Requires  a number of the calling thread.
   explicit FlintRational(const cln::cl_RA& value);
 
   /// "-5/3": numerator and denominator, decimal, in lowest terms.

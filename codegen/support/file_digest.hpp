@@ -18,7 +18,7 @@ class FileDigest {
 
   /// Returns the digest of its first `length` bytes; nullopt if it cannot be read or has fewer.
   ///
-  /// Requires a length that is not less than in the call before.
+  /// Requires  a length that is not less than in the call before.
   [[nodiscard]] std::optional<std::string> of_first(std::uint64_t length);
 
  private:
