@@ -17,16 +17,16 @@
 namespace regulus::inline engine {
 namespace {
 
-/// Bits at the samples: before the determinant is multiplied out, and to say that it seems to
-/// vanish although that did not show it.
+/// Bits at the samples: first before the determinant is multiplied out, then for the result that it
+/// seems to vanish although the expansion did not show it.
 constexpr long kFewBits = 212;
 constexpr long kManyBits = 2048;
 /// Terms of the determinant, before like ones are combined.
 constexpr std::uint64_t kBudget = 50000;
-/// A larger matrix is not multiplied out: no certificate of it could be checked.
+/// A larger matrix is not multiplied out, because its certificate could not be checked.
 constexpr int kMaxOrder = 8;
 
-/// Points that fill the variety evenly enough, the middle first.
+/// Coordinates of points that fill the variety evenly enough, the middle first.
 constexpr double kParts[] = {0.5, 0.381966, 0.763932, 0.145898};
 constexpr std::size_t kPoints = std::size(kParts);
 
@@ -49,8 +49,8 @@ bool may_be_zero(const std::optional<Interval>& determinant) {
   return determinant && determinant->lo <= 0 && determinant->hi >= 0;
 }
 
-/// The determinant is too small to be told from 0 at the point, and at each sample where it is
-/// defined.
+/// True if the determinant cannot be distinguished from 0 at the point, and at each sample where it
+/// is defined.
 bool vanishes_at_samples(const PreparedSearch& p, std::span<const Interval> point, long bits) {
   ArbOracle oracle(p.stages->matrix(), p.labels.rows, bits);
   if (!may_be_zero(oracle.enclose(point))) return false;
@@ -141,7 +141,7 @@ AlgebraOracle::Determinant ExactAlgebra::determinant(std::span<const Interval> p
   return vanishes_at_samples(preparation_, point, kManyBits) ? Determinant::kSeemsToVanish
                                                              : Determinant::kUnknown;
 } catch (...) {
-  return Determinant::kUnknown;  // one more way of not knowing
+  return Determinant::kUnknown;  // the result is not known
 }
 
 }  // namespace regulus::inline engine

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Models that are singular at every pose ("architecturally"): no search can show that.
+// For models that are singular at every pose ("architecturally"): no search can show that.
 #pragma once
 
 #include "codegen/engine/pipeline.hpp"
@@ -7,17 +7,18 @@
 
 namespace regulus::inline engine {
 
-/// Multiplies the determinant out exactly, within a small budget. That is tried only where
-/// determinants at sample points hold 0 to many bits.
+/// Multiplies the determinant out exactly, within a small budget. It tries this only if enclosures
+/// of the determinant at sample points contain 0 to many bits.
 ///
-/// It says kVanishes if det A is the zero polynomial in the atoms of the entries: variables, and
-/// functions of them taken as indeterminates, with sin²u + cos²u = 1 as the only relation. It says
-/// kSeemsToVanish if samples hold 0 to very many bits and the polynomial is not 0, or too long.
+/// It returns kVanishes if det A is the zero polynomial in the atoms of the entries: variables, and
+/// functions of them as indeterminates, with sin²u + cos²u = 1 as the only relation. It returns
+/// kSeemsToVanish if the enclosures at samples contain 0 to very many bits and the polynomial is
+/// not 0, or too long.
 ///
-/// The thread that made the preparation asks.
+/// Only the thread that made the preparation may use it.
 class ExactAlgebra final : public AlgebraOracle {
  public:
-  /// The preparation outlives it.
+  /// The preparation must outlive this object.
   explicit ExactAlgebra(const PreparedSearch& preparation) : preparation_(preparation) {}
 
   [[nodiscard]] Determinant determinant(std::span<const Interval> point) noexcept override;

@@ -54,7 +54,7 @@ void ArbOracle::note_bits(long bits) noexcept {
   }
 }
 
-// Out of memory is one more way of not knowing.
+// If memory is exhausted, the result is not known.
 std::optional<Interval> ArbOracle::enclose(std::span<const Interval> point) noexcept try {
   std::optional<Interval> enclosure;
   for (long bits = kFirstBits; bits <= max_bits_; bits *= 2) {

@@ -8,20 +8,20 @@
 
 namespace regulus::inline engine {
 
-/// Encloses det A at a point with as many bits as its sign takes: 106, 212, … up to a limit. For
-/// points whose rounding errors hide the sign from doubles (Rump's expression, say). May be asked
-/// by several threads at once: it holds nothing of CLN's, whose numbers belong to one thread.
+/// Encloses det A at a point with as many bits as its sign needs: 106, 212, … up to a limit. For
+/// points at which rounding errors hide the sign from doubles (for example, Rump's expression).
+/// Several threads may call it at once: it does not use CLN, whose numbers belong to one thread.
 class ArbOracle : public DeterminantOracle {
  public:
   /// `matrix`: the program of a square matrix of that size, row-major.
   ArbOracle(BallProgram matrix, int size, long max_bits);
-  /// Converts the program; by the thread that owns it.
+  /// Converts the program; only for the thread that owns it.
   ArbOracle(const Program& matrix, int size, long max_bits)
       : ArbOracle(BallProgram(matrix), size, max_bits) {}
 
   [[nodiscard]] std::optional<Interval> enclose(std::span<const Interval> point) noexcept override;
 
-  /// The most bits that any answer so far took; 53 if none was asked for.
+  /// Returns the most bits of any answer so far; 53 if there was none.
   [[nodiscard]] long bits() const noexcept { return bits_; }
 
  private:

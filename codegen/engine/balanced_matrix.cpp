@@ -8,7 +8,7 @@ using RowMajor = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::Ro
 
 constexpr double kMayVanish = 1e-6;
 
-/// 1/norm, or 1/(largest norm) for what may be vanishing.
+/// Returns 1/norm, or 1/(largest norm) for a row or column that may be vanishing.
 Eigen::VectorXd scales(const Eigen::VectorXd& norms) {
   const double largest = norms.maxCoeff();
   if (!(largest > 0)) return Eigen::VectorXd::Ones(norms.size());

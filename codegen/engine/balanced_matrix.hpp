@@ -8,8 +8,8 @@
 namespace regulus::inline engine {
 
 /// A matrix with its columns and then its rows divided by their norms, since they may have
-/// different units: entries = diag(row_scale)·A·diag(column_scale). What is less than a millionth
-/// of the largest is left as small as it is: it may be what vanishes.
+/// different units: entries = diag(row_scale)·A·diag(column_scale). A norm below a millionth of the
+/// largest is not scaled up: this row or column may be vanishing.
 struct BalancedMatrix {
   Eigen::MatrixXd entries;
   Eigen::VectorXd row_scale, column_scale;

@@ -14,7 +14,7 @@
 namespace regulus::inline engine {
 namespace {
 
-/// The build id in the notes of one segment; empty if there is none.
+/// Returns the build id in the notes of one segment; empty if there is none.
 ///
 /// Requires  the segment is mapped, as those of a loaded object are.
 std::string_view build_id_in(std::string_view notes) {
@@ -42,7 +42,7 @@ std::string_view build_id_of(const dl_phdr_info& object) {
   return {};
 }
 
-/// The page that the kernel maps is no part of the program, and has no file.
+/// The page that the operating system maps is not part of the program, and has no file.
 bool is_of_the_system(std::string_view file) { return file.starts_with("linux-"); }
 
 void append_object(const dl_phdr_info& object, std::string& text) {
@@ -59,7 +59,7 @@ struct Identity {
   std::exception_ptr failure;
 };
 
-/// Called by C: nothing may be thrown through it, and memory may run out.
+/// Called by C code: it must not throw, even if memory runs out.
 int visit_object(dl_phdr_info* object, std::size_t, void* data) noexcept {
   auto& identity = *static_cast<Identity*>(data);
   try {
@@ -80,7 +80,7 @@ std::string loaded_objects() {
 
 }  // namespace
 
-/// A constant of the process: a compiler that is loaded later has an identity of its own.
+/// Constant in a process: a compiler that is loaded later has its own identity.
 std::string build_id() {
   static const std::string identity = loaded_objects();
   return identity;

@@ -14,8 +14,9 @@ namespace {
 
 std::string words_of(const Interval& x) { return fmt::format(" {:a}:{:a}", x.lo, x.hi); }
 
-/// Everything that what is known about a box depends on; not how it was found out. Filters belong
-/// to it, since nobody has checked what they vouched for: whoever goes on must name them, too.
+/// Returns all inputs on which the results about boxes depend, without the way in which they were
+/// computed. Filters are included, because their answers are not checked: a run that continues must
+/// name them, too.
 CheckpointedQuestion question_of(const PreparedSearch& p, const Settings& settings) {
   const regulus_kernel& kernel = p.kernel->functions();
   const bool splits_uncertainty = settings.uncertainty == Uncertainty::kVariables;
@@ -33,7 +34,7 @@ CheckpointedQuestion question_of(const PreparedSearch& p, const Settings& settin
 
 constexpr std::uint64_t kLargestCheckpoint = std::uint64_t{4} << 30;
 
-/// nullopt: there is no such file.
+/// Returns nullopt if there is no such file.
 std::optional<std::string> read_text(const std::string& path) {
   try {
     return read_file_if_any(path, kLargestCheckpoint, Readable::kFile);
@@ -78,7 +79,7 @@ std::optional<CertificateWriter::Partial> CheckpointFile::partial(const std::str
   return CertificateWriter::Partial{found_->certificate->length, leaves_of(*found_)};
 }
 
-/// A file that is missing or too short is for the writer to report.
+/// The writer reports a file that is missing or too short.
 void CheckpointFile::require_undamaged(const std::string& certificate) {
   const CertificateSoFar& expected = *found_->certificate;
   const std::string file = CertificateWriter::partial_file(certificate);

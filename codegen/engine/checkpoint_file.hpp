@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What --checkpoint asks for.
+// The option --checkpoint.
 #pragma once
 
 #include <optional>
@@ -16,26 +16,27 @@ namespace regulus::inline engine {
 
 class CheckpointFile {
  public:
-  /// Reads the file if there is one. `path` empty: none is wanted. Throws InputError for a file
-  /// that is no checkpoint of this question, FileError when it cannot be read or made, or when
-  /// another run uses it.
+  /// Reads the file if there is one. `path` empty: no checkpoint. Throws InputError for a file that
+  /// is not a checkpoint of this question, FileError if it cannot be read or created, or if another
+  /// run uses it.
   CheckpointFile(const CheckpointOptions& options, const PreparedSearch& preparation,
                  const Settings& settings);
 
   [[nodiscard]] bool wanted() const noexcept { return !path_.empty(); }
-  /// Where the search goes on; nullptr: it starts from the beginning.
+  /// Returns the state from which the search continues; nullptr: it starts from the beginning.
   [[nodiscard]] const Checkpoint* found() const noexcept { return found_ ? &*found_ : nullptr; }
-  /// How the certificate goes on; nullopt: without a checkpoint it does not. Throws InputError when
-  /// one is wanted and the checkpoint found has none, or one of other bytes.
+  /// Returns the state from which the certificate continues; nullopt without a checkpoint. Throws
+  /// InputError if a certificate is wanted and the checkpoint has none, or one with other bytes.
   [[nodiscard]] std::optional<CertificateWriter::Partial> partial(const std::string& certificate);
 
-  /// Watches the search, and tells the certificate to be safe first; nullptr if none is wanted.
+  /// Returns the observer that saves the search, after it has made the certificate safe; nullptr
+  /// without a checkpoint.
   [[nodiscard]] Observer* observer(CertificateWriter* certificate);
 
-  /// After the search: keeps the file of one that may go on, removes that of another. Throws
-  /// FileError when a search that may go on could not be saved.
+  /// Call it after the search: it keeps the file if the search may continue, and removes it
+  /// otherwise. Throws FileError if a search that may continue could not be saved.
   void finish(const Result& result, CertificateWriter* certificate);
-  /// A line of the report; empty if there is nothing to say.
+  /// Returns a line of the report, or an empty text.
   [[nodiscard]] std::string line() const;
 
  private:

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The words of the search's options and what they mean. The command line, the shell, the manual,
-// completion and the reports all take them from here.
+// The words of the search's options and their values. The command line, the shell, the manual,
+// completion and the reports all use them.
 #pragma once
 
 #include <optional>
@@ -21,18 +21,18 @@ struct Choice {
   Value value;
 };
 
-/// Every choice of an option, in the order of --help. Method, Determinant, optional Entries
-/// (nullopt is "auto"), Bisection, Uncertainty, Engine and optional Isa have them; that no
-/// instruction set is named, nullopt, has no word.
+/// Every choice of an option, in the order of --help. Defined for Method, Determinant, optional
+/// Entries (nullopt is "auto"), Bisection, Uncertainty, Engine and optional Isa; for Isa, nullopt
+/// has no word.
 template <class Value>
 [[nodiscard]] std::span<const Choice<Value>> choices();
 
-/// Throws UsageError for a word that there is not, with the one that was probably meant. `option`
-/// is named in the message: "--method".
+/// Returns the value of a word. Throws UsageError for an unknown word, with a suggestion. The
+/// message names `option`: "--method".
 template <class Value>
 [[nodiscard]] Value choice_of(const char* option, std::string_view word);
 
-/// The word of a value; empty if it has none.
+/// Returns the word of a value; empty if it has none.
 template <class Value>
 [[nodiscard]] std::string word_of(const Value& value) {
   for (const Choice<Value>& choice : choices<Value>())
@@ -47,8 +47,8 @@ template <class Value>
   return words;
 }
 
-/// Throws UsageError if a value is none of its enumeration, as a program may have it by a cast, or
-/// an ingredient has a name that --help does not list.
+/// Throws    UsageError if a value is not in its enumeration (a program can make one by a cast), or
+///           if --help does not list the name of an ingredient.
 void require_valid(const SearchOptions& options);
 
 }  // namespace regulus::inline engine

@@ -19,7 +19,7 @@ constexpr const char* kSymbol = "regulus_filter";
 
 constexpr std::uint64_t kLargestFilter = std::uint64_t{256} << 20;
 
-/// Throws InputError unless the file may be loaded: dlopen itself would crash on one that is cut.
+/// Throws InputError unless the file may be loaded: dlopen itself would crash on a truncated file.
 std::string contents(const std::string& path) {
   std::string bytes = read_file(path, kLargestFilter, Readable::kFile);
   if (const auto fault = find_fault_in_shared_object(bytes))
@@ -28,9 +28,9 @@ std::string contents(const std::string& path) {
   return bytes;
 }
 
-/// What a file built with -ffast-math runs as it is loaded flushes subnormals to zero from then on:
-/// the floating-point environment is put back. The path is made absolute because a bare name would
-/// be looked for elsewhere.
+/// Restores the floating-point environment, because the initialisers of a file built with
+/// -ffast-math set flush-to-zero. Makes the path absolute, because dlopen would search for a bare
+/// name elsewhere.
 void* load(const std::string& path) {
   std::fenv_t kept;
   std::fegetenv(&kept);

@@ -9,11 +9,11 @@
 
 namespace regulus::inline engine {
 
-/// A filter that has been loaded; it stays so until this is destroyed.
+/// A loaded filter; the destructor unloads it.
 class FilterFile {
  public:
-  /// Runs what the file runs when it is loaded. Throws FileError when it is no file on a disk or is
-  /// too large, InputError when it is no whole shared object for this processor, has no
+  /// Loads the file, which runs its initialisers. Throws FileError if it is not a file on a disk or
+  /// is too large, InputError if it is not a complete shared object for this processor, has no
   /// `regulus_filter`, or one of another ABI.
   explicit FilterFile(const std::string& path);
 

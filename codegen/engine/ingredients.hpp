@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What `--without` leaves out, by name: each name, what it means, and which switch it is.
+// The parts of the method that `--without` switches off: each name, its meaning, and its switch.
 #pragma once
 
 #include <string>
@@ -12,11 +12,11 @@ namespace regulus::inline engine {
 
 [[nodiscard]] std::vector<std::string> ingredient_names();
 
-/// Of --help: every name and what it means.
+/// Returns the text of --help: every name and its meaning.
 [[nodiscard]] std::string describe_ingredient();
 
-/// What the named ingredients are to the search and to the symbolic stage. A search never depends
-/// on the latter having been told: a kernel may have more than it uses, or less.
+/// Switches off the named ingredients in the search and in the symbolic stage. A search never
+/// depends on the latter: a kernel may have more functions than the search uses, or fewer.
 void leave_out(const std::vector<std::string>& names, Settings& settings);
 void leave_out(const std::vector<std::string>& names, FormulationOptions& functions);
 

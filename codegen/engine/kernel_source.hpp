@@ -12,19 +12,19 @@
 
 namespace regulus::inline engine {
 
-/// A kernel is made from this. Nothing in it belongs to GiNaC or CLN, so that threads may share it.
+/// The source of a kernel. It does not use GiNaC or CLN, so threads may share it.
 using SharedProgram = std::shared_ptr<const machine::PackKernel>;
 
 /// Compiles a program with LLVM, or finds it in the cache.
 ///
-/// Throws    CompileError, NoCompiler; InternalError when compiled code does not round outward.
+/// Throws    CompileError, NoCompiler; InternalError if compiled code does not round outward.
 [[nodiscard]] CompiledKernel compile(const machine::PackKernel& program,
                                      const CompileOptions& options);
 /// Compiles the C++ text with Clang, or finds it in the cache. Throws the same.
 [[nodiscard]] CompiledKernel compile(const EmittedKernel& text, const CompileOptions& options);
 
-/// Throws InternalError unless compiled code rounds outward; CompileError and NoCompiler, too, if
-/// the cache does not have the code that this is tested with.
+/// Throws    InternalError unless compiled code rounds outward. Also throws CompileError and
+///           NoCompiler, if the cache does not have the code of the self-test.
 void require_sound_rounding(const CompileOptions& options);
 /// Throws InternalError if there is a failure.
 void require_sound_rounding(const std::optional<std::string>& failure);

@@ -14,7 +14,7 @@ namespace {
 
 constexpr std::chrono::milliseconds kLook{10};
 
-/// While it lives, threads that are made take no signal.
+/// Threads that are created during its lifetime receive no signals.
 class NoSignals {
  public:
   NoSignals() {
@@ -58,7 +58,7 @@ void LateCompilation::start() noexcept try {
 void LateCompilation::compile() noexcept {
   try {
     kernel_.emplace(engine::compile(*program_, options_));
-    static_cast<void>(Kernel(*kernel_->kernel()));  // throws for one that cannot be called
+    static_cast<void>(Kernel(*kernel_->kernel()));  // throws if it cannot be called
     offered_.store(kernel_->kernel(), std::memory_order_release);
   } catch (const std::exception& error) {
     failure_ = error.what();

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// `--engine auto` where the cache has no compiled kernel: the search interprets, and a long one is
-// worth a compiler.
+// `--engine auto` without a compiled kernel in the cache: the search interprets, and for a long
+// search the kernel is compiled.
 #pragma once
 
 #include <atomic>
@@ -13,17 +13,18 @@
 
 namespace regulus::inline engine {
 
-/// Compiles a kernel in a thread of its own once the search that it observes has evaluated a
-/// number of boxes, and offers it to the search as Problem::faster_kernel.
+/// Compiles a kernel in a separate thread after the observed search has evaluated a number of
+/// boxes, and offers it to the search as Problem::faster_kernel.
 ///
-/// Whether it compiles depends on the question alone. When the compiled kernel takes over depends
-/// on the time that the compiler needs, and nothing but time depends on that: it computes the same
-/// bits as the interpreter. A compiler that fails leaves the search with the interpreter.
+/// Only the question decides whether it compiles. The time of the compiler decides when the search
+/// changes to the compiled kernel; this affects only the running time, because the kernel computes
+/// the same bits as the interpreter. If the compiler fails, the search continues with the
+/// interpreter.
 ///
-/// The thread blocks every signal, so that they go to whoever waits for them.
+/// The thread blocks every signal, so that other threads receive them.
 class LateCompilation : public Observer {
  public:
-  /// `after_boxes` ≥ 1. options.parts is left alone: it is for one thread.
+  /// `after_boxes` ≥ 1. It does not use options.parts, which are for one thread.
   LateCompilation(SharedProgram program, std::uint64_t after_boxes, const CompileOptions& options);
   /// Waits for the compiler.
   ~LateCompilation() override;
@@ -31,7 +32,7 @@ class LateCompilation : public Observer {
   void on_progress(const Statistics& statistics, std::uint64_t frontier) noexcept override;
 
   [[nodiscard]] std::uint64_t after_boxes() const noexcept { return after_boxes_; }
-  /// Null until the kernel is compiled. It lives as long as this.
+  /// Null until the kernel is compiled. It lives as long as this object.
   [[nodiscard]] const std::atomic<const regulus_kernel*>& kernel() const noexcept {
     return offered_;
   }
@@ -42,7 +43,7 @@ class LateCompilation : public Observer {
   ///
   /// Ensures   false if it is still at work.
   [[nodiscard]] bool wait(const std::atomic<bool>& given_up);
-  /// Why there is no kernel though the compiler was asked for one; empty if that is not so.
+  /// Returns the reason why a requested compilation gave no kernel; otherwise empty.
   ///
   /// Requires  !is_compiling().
   [[nodiscard]] const std::string& failure() const noexcept { return failure_; }
@@ -57,7 +58,7 @@ class LateCompilation : public Observer {
   bool started_ = false;
   std::atomic<bool> done_ = false;
   std::atomic<const regulus_kernel*> offered_ = nullptr;
-  std::optional<CompiledKernel> kernel_;  ///< the thread's until done_
+  std::optional<CompiledKernel> kernel_;  ///< only for the thread until done_
   std::string failure_;                   ///< the same
   std::thread thread_;
 };

@@ -5,7 +5,7 @@
 
 namespace regulus::inline engine {
 
-/// Keeps what a kernel's functions need: compiled code, or programs to interpret.
+/// Owns the data of a kernel's functions: compiled code, or programs to interpret.
 class LoadedKernel {
  public:
   LoadedKernel() = default;

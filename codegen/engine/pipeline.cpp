@@ -51,8 +51,8 @@ CompileOptions compile_options(Isa isa, const SearchOptions& search) {
   return options;
 }
 
-/// Without the names of model and motion: a program then depends on what is computed alone, and
-/// motions of the same expressions share one entry of the cache.
+/// Removes the names of model and motion, so a program depends only on its operations, and motions
+/// with the same expressions share one entry of the cache.
 Module anonymous(Module module) {
   module.model.clear();
   module.motion.clear();
@@ -65,7 +65,7 @@ void interpret(const machine::PackKernel& program, PreparedSearch& p) {
   p.kernel = std::make_unique<InterpretedList>(program, p.isa);
 }
 
-/// Only a search that becomes long has the kernel compiled.
+/// The kernel is compiled only for a long search.
 void interpret_first(const SharedProgram& program, PreparedSearch& p, const SearchOptions& search) {
   interpret(*program, p);
   const std::string refusal =
@@ -83,7 +83,7 @@ void use(CompiledKernel code, PreparedSearch& p) {
   p.kernel = std::make_unique<CompiledCode>(std::move(code));
 }
 
-/// The interpreter needs no compiler, and none is no reason to have no answer.
+/// Without a compiler, the interpreter is used, so there is an answer anyway.
 void compile_if_possible(const machine::PackKernel& program, PreparedSearch& p,
                          const SearchOptions& search) try {
   use(compile(program, compile_options(p.isa, search)), p);
@@ -92,7 +92,7 @@ void compile_if_possible(const machine::PackKernel& program, PreparedSearch& p,
   p.no_compiler = error.what();
 }
 
-/// nullopt also where compiled code cannot be tested for want of a compiler.
+/// Returns nullopt also if compiled code cannot be tested because there is no compiler.
 std::optional<CompiledKernel> find_tested(const machine::PackKernel& program,
                                           const CompileOptions& options) try {
   std::optional<CompiledKernel> found =
@@ -145,7 +145,7 @@ FormulationOptions functions_for(const SearchOptions& search) {
   FormulationOptions functions =
       functions_needed(search.method, settings_from(search), search.symbolic_budget);
   leave_out(search.without, functions);
-  // Who wrote a filter knows the model's own matrix.
+  // Column operations are off: a user's filter expects the matrix as written.
   if (!search.filters.empty()) {
     functions.columns = ColumnSearch::kNone;
     functions.scaling = false;
@@ -154,7 +154,7 @@ FormulationOptions functions_for(const SearchOptions& search) {
   return functions;
 }
 
-/// With the time limit of the search counted from now. A limit that no clock will reach is none.
+/// Adds the time limit of the search, counted from now. A limit that no clock reaches is no limit.
 FormingWatch within_time_limit(FormingWatch watch, const SearchOptions& search) {
   const std::chrono::duration<double> limit(search.time_limit);
   if (search.time_limit == 0 || !(limit < std::chrono::hours(24 * 365 * 100))) return watch;
@@ -164,19 +164,19 @@ FormingWatch within_time_limit(FormingWatch watch, const SearchOptions& search) 
   return watch;
 }
 
-/// Every stage after the reading of the model, one after the other. Throws FormingStopped.
+/// Runs every stage after the reading of the model, one after the other. Throws FormingStopped.
 void form(PreparedSearch& p, const Request& request) {
   const Formulation& formulation = p.stages->formulation();
   static_cast<void>(p.stages->module());
   p.labels = report_labels(request, formulation);
-  // Here and not when a search asks for it: GiNaC and CLN are for this thread alone.
+  // Made here and not later in a search, because only this thread may use GiNaC and CLN.
   if (!p.stopped && p.labels.rows == p.labels.columns) p.matrix.emplace(p.stages->matrix());
   Stopwatch watch;
   p.variety = enclose_variety(request.model, request.motion, formulation.variables);
   p.seconds.symbolic += watch.lap();
 }
 
-/// A kernel with which nothing is searched, for a report.
+/// Makes a kernel only for a report, not for a search.
 void give_up(PreparedSearch& p, const Request& request, const SearchOptions& search) {
   p.stages->give_up();
   p.matrix.reset();
@@ -186,7 +186,7 @@ void give_up(PreparedSearch& p, const Request& request, const SearchOptions& sea
   make_kernel(p, interpreted, {});
 }
 
-/// Every stage, one after the other.
+/// Runs every stage, one after the other.
 void prepare_anew(PreparedSearch& p, const SearchOptions& search, const Keep& keep) {
   const Request& request = p.stages->request();
   Stopwatch watch;
@@ -200,16 +200,16 @@ void prepare_anew(PreparedSearch& p, const SearchOptions& search, const Keep& ke
     make_kernel(p, search, keep);
   } catch (const FormingStopped& stopped) {
     p.stopped = stopped;
-    // The stage that was stopped has not said what it took.
+    // The stopped stage has not reported its time.
     p.seconds.symbolic = watch.lap() - (p.stages->symbolic_seconds() - before);
     give_up(p, request, search);
   }
-  // From here on the search has the clock, and reports are owed.
+  // From here on the search checks the time, and reports must be complete.
   p.stages->watch({});
 }
 
-/// The place of a question in the cache, if it has one. What is wrong with a command line is for
-/// prepare_anew to say.
+/// Returns the entry of a question in the cache, if it has one. prepare_anew reports mistakes in
+/// the command line.
 std::optional<ProblemCache> place_in_cache(std::string_view text, const ModelOptions& model,
                                            const FormulationOptions& functions,
                                            const SearchOptions& search) {
@@ -220,8 +220,8 @@ std::optional<ProblemCache> place_in_cache(std::string_view text, const ModelOpt
   return std::optional<ProblemCache>(std::in_place, text, model, functions, isa);
 }
 
-/// Takes what is asked for from the cache: the kernel as machine code, or as a program for an
-/// engine that may interpret. Returns whether it was there.
+/// Takes the kernel from the cache: as machine code, or as a program for an engine that may
+/// interpret. Returns false if it is not there.
 bool take_from(ProblemCache& cache, PreparedSearch& p, const SearchOptions& search) try {
   Stopwatch watch;
   const bool may_interpret = search.engine == Engine::kAuto && search.boxes_before_compiling != 0;

@@ -10,9 +10,9 @@
 
 namespace regulus::inline engine {
 
-/// The outputs of a program without points at the middles of `variables`, computed with so many
-/// bits that rounding errors do not hide them from doubles; nullopt where one is undefined or too
-/// large. Approximate all the same.
+/// Returns approximate outputs of a program without points, at the middles of `variables`. It uses
+/// enough bits that rounding errors do not hide the values; nullopt if one is undefined or too
+/// large.
 [[nodiscard]] std::optional<std::vector<double>> approx_values(const Program& program,
                                                                std::span<const Interval> variables);
 

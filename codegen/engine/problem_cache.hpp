@@ -11,9 +11,8 @@
 
 namespace regulus::inline engine {
 
-/// The place in the cache of one question's prepared problem, and what it says of its kernel. Rules
-/// of trust are those of ObjectCache; what is damaged, or was made by another program, is as good
-/// as absent.
+/// The entry in the cache of one question's prepared problem and its kernel. The rules of trust are
+/// those of ObjectCache; an entry that is damaged, or from another program, is treated as absent.
 class ProblemCache {
  public:
   ProblemCache(std::string_view model_text, const ModelOptions& model,
@@ -24,12 +23,12 @@ class ProblemCache {
     std::optional<CompiledKernel> kernel;  ///< null: a part of it is not in the cache
     machine::PackKernel program;
   };
-  /// nullopt also when a part of the kernel is not there, unless its program will do.
+  /// Returns nullopt also if a part of the kernel is missing, unless its program suffices.
   [[nodiscard]] std::optional<Found> find(bool may_interpret);
-  /// Why an entry that is there was not used; empty if that did not happen.
+  /// Returns the reason why an existing entry was not used; otherwise empty.
   [[nodiscard]] const std::string& note() const noexcept { return note_; }
 
-  /// A problem that cannot be kept is prepared again the next time.
+  /// Keeps the problem. If this fails, the next run prepares it again.
   void keep(WarmStart problem, const machine::PackKernel& program) const;
 
  private:

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What a report calls things: names, units and sizes, and no expression, so that they can be kept
-// in a file.
+// The labels of a report: names, units and sizes, without expressions, so that a file can keep
+// them.
 #pragma once
 
 #include <cstddef>
@@ -23,7 +23,7 @@ struct VariableLabel {
   VariableKind kind = VariableKind::kMotion;
 };
 
-/// What is searched, as a report speaks of it.
+/// The labels of the search in a report.
 struct ReportLabels {
   std::string model;
   std::string model_sha256;

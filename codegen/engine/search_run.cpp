@@ -15,7 +15,7 @@ namespace regulus::inline engine {
 
 namespace {
 
-/// Runs a search with more digits and exact algebra at hand, where there is a determinant.
+/// Runs a search; with more digits and exact algebra if there is a determinant.
 template <class Search>
 Result with_oracle(PreparedSearch& preparation, const SearchOptions& search, Settings& settings,
                    Search run) {
@@ -52,7 +52,7 @@ Result run_search(PreparedSearch& preparation, const SearchOptions& search, Sett
   const Method method = settings.method;
   if (preparation.stopped) {
     settings.time_limit = 0;
-    settings.method = Method::kAuto;  // no other kernel is without the functions of its method
+    settings.method = Method::kAuto;  // any other method needs its functions in the kernel
   }
   Result result = with_oracle(preparation, search, settings, [&] {
     return from != nullptr ? resume(problem, settings, from->open(), from->state, &observers)

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Running a search of a preparation, with more digits and exact algebra at hand.
+// Runs a prepared search, with more digits and exact algebra if needed.
 #pragma once
 
 #include <span>
@@ -11,22 +11,22 @@
 
 namespace regulus::inline engine {
 
-/// The seconds of a time limit that the stages before the search have left.
+/// Returns the seconds of a time limit that remain after the stages before the search.
 [[nodiscard]] double seconds_left(const PreparedSearch& preparation, double time_limit);
 
-/// Searches all of the preparation's variety; time and bits are noted in the preparation. Where the
-/// forming of expressions was stopped the search ends for the same reason before its first box.
+/// Searches the whole variety of the preparation; records time and bits in the preparation. If
+/// forming was stopped, the search ends for the same reason before its first box.
 [[nodiscard]] Result run_search(PreparedSearch& preparation, const SearchOptions& search,
                                 Settings settings, Observer* observer = nullptr,
                                 const Checkpoint* from = nullptr);
 
-/// Certifies a singularity at the first of these points of the variety, or between it and one of
-/// the others, and closes in on it (see prove_singularity).
+/// Proves a singularity at the first of these points of the variety, or between it and one of the
+/// others, and refines the witness (see prove_singularity).
 [[nodiscard]] Result prove_between(PreparedSearch& preparation, const SearchOptions& search,
                                    Settings settings, std::span<const std::vector<double>> points);
 
-/// Closes in on the first singularity of a paving, whose points are as far apart as its box is
-/// wide; where that does not succeed the result stays as it is.
+/// Refines the witness of the first singularity of a paving, whose points are as far apart as its
+/// box is wide. If this fails, the result is unchanged.
 void close_in_on_witness(PreparedSearch& preparation, const SearchOptions& search,
                          Settings settings, Result& result);
 

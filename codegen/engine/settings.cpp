@@ -13,7 +13,7 @@
 namespace regulus::inline engine {
 namespace {
 
-/// Those this process may run on, where the system tells.
+/// Returns the number of processors for this process, if the system reports it.
 unsigned processors() noexcept {
   cpu_set_t allowed;
   if (sched_getaffinity(0, sizeof allowed, &allowed) == 0)

@@ -7,11 +7,11 @@
 
 namespace regulus::inline engine {
 
-/// The settings of a search. Throws UsageError for a value that is none of its enumeration, or an
-/// unknown ingredient.
+/// Returns the settings of a search. Throws UsageError for a value that is not in its enumeration,
+/// or an unknown ingredient.
 [[nodiscard]] Settings settings_from(const SearchOptions& options);
 
-/// The same with what is left of the time limit, the filters that were loaded, and the interrupt.
+/// The same with the rest of the time limit, the loaded filters, and the interrupt.
 [[nodiscard]] Settings settings_of(const PreparedSearch& prepared, const SearchOptions& options,
                                    const std::atomic<bool>* interrupt);
 

@@ -14,37 +14,37 @@
 
 namespace regulus::inline engine {
 
-/// Each stage runs when its result is first asked for: a kernel from the cache needs none of them
-/// until a report has to say what only the expressions can tell. Not for two threads at once.
+/// Each stage runs at the first request of its result. With a kernel from the cache none of them
+/// runs until a report needs the expressions. Not for two threads at once.
 ///
-/// Throws, where a stage runs: InputError, UsageError, ClosedFormError, FormingStopped.
+/// A stage may throw InputError, UsageError, ClosedFormError and FormingStopped.
 class SymbolicStages {
  public:
   /// `text`: the bytes of the model file.
   SymbolicStages(std::string text, ModelOptions options, const FormulationOptions& functions)
       : text_(std::move(text)), options_(std::move(options)), functions_(functions) {}
-  /// Of a request that has been read, which took `model_seconds`.
+  /// For a request that has been read in `model_seconds`.
   SymbolicStages(Request request, double model_seconds, const FormulationOptions& functions)
       : functions_(functions), request_(std::move(request)), model_seconds_(model_seconds) {}
 
   [[nodiscard]] const Request& request();
-  /// The model over its motion without the functions of a kernel, which take most of the time.
-  /// Witnesses and reports go by it, so that they are the same however the kernel came about.
+  /// Returns the model over its motion without the functions of a kernel, which take most of the
+  /// time. Witnesses and reports use it, so they do not depend on the origin of the kernel.
   [[nodiscard]] const Formulation& natural_formulation();
-  /// The program of the matrix as the model writes it, scaled as that of the kernel is.
+  /// Returns the program of the matrix as the model writes it, scaled as in the kernel.
   [[nodiscard]] const Program& matrix();
-  /// With every function of the kernel.
+  /// Returns the formulation with every function of the kernel.
   [[nodiscard]] const Formulation& formulation();
   [[nodiscard]] const Module& module();
 
-  /// From now on `watch` may stop the stages that follow the reading of the model.
+  /// From now on `watch` may stop the stages after the reading of the model.
   void watch(FormingWatch watch) { watch_ = std::move(watch); }
   [[nodiscard]] const FormingWatch& watch() const noexcept { return watch_; }
-  /// From now on the forms are the variables and sizes alone, which takes no time; the kernel is
-  /// undefined everywhere, and no watch is looked at.
+  /// From now on the forms are only the variables and sizes, which takes no time; the kernel is
+  /// undefined everywhere, and no watch is checked.
   void give_up();
 
-  /// What has been spent so far.
+  /// The time spent so far.
   [[nodiscard]] double model_seconds() const noexcept { return model_seconds_; }
   [[nodiscard]] double symbolic_seconds() const noexcept { return symbolic_seconds_; }
   [[nodiscard]] double seconds() const noexcept { return model_seconds_ + symbolic_seconds_; }

@@ -15,11 +15,11 @@ namespace {
 
 using Json = nlohmann::json;
 
-/// To be raised when the text of a prepared problem means something else.
+/// Increase it if the meaning of the text of a prepared problem changes.
 constexpr int kFormat = 4;
 
-// In these three the names between the brackets are all members there are: one more does not
-// compile until it is in the key.
+// In these three functions the structured binding names all members: a new member does not compile
+// until it is in the key.
 
 void add(KeyParts& parts, const RewriteOptions& options) {
   const auto& [rewrite, horner, trigonometric, most_terms, nesting, weights] = options;
@@ -49,7 +49,7 @@ void add(KeyParts& parts, const FormulationOptions& options) {
   add(parts, rewriting);
 }
 
-/// Where the file lies does not matter: its text is in the key.
+/// The path of the file does not matter: its text is in the key.
 void add(KeyParts& parts, const ModelOptions& options) {
   const auto& [path, motion, ranges, tolerances, alpha, text] = options;
   static_cast<void>(path);
@@ -62,7 +62,7 @@ void add(KeyParts& parts, const ModelOptions& options) {
 
 std::string hexadecimal(double bound) { return fmt::format("{:a}", bound); }
 
-/// Throws std::invalid_argument unless all of the text is one number.
+/// Throws    std::invalid_argument unless the whole text is one number.
 double read_bound(const std::string& text) {
   std::string_view digits = text;
   const bool negative = digits.starts_with('-');
@@ -106,7 +106,7 @@ Json json_of(const ReportLabels& subject) {
           {"twist", twist}};
 }
 
-/// Throws std::invalid_argument for anything that no number of rows, variables or kinds is.
+/// Throws    std::invalid_argument unless the value is a valid number of rows, variables or kinds.
 int count_of(const Json& json) {
   constexpr Json::number_unsigned_t kMost = 1 << 20;
   const auto* number = json.get_ptr<const Json::number_unsigned_t*>();
@@ -114,7 +114,7 @@ int count_of(const Json& json) {
   return static_cast<int>(*number);
 }
 
-/// Throws std::invalid_argument for anything that no exponent of a determinant is.
+/// Throws    std::invalid_argument unless the value is a valid exponent of a determinant.
 int exponent_of(const Json& json) {
   constexpr Json::number_integer_t kMost = 10'000'000;
   if (!json.is_number_integer() || json > kMost || json < -kMost)
@@ -147,7 +147,7 @@ Json json_of(const VariableLabel& label, const Interval& outer,
           {"inner", inner ? json_of(*inner) : Json(nullptr)}};
 }
 
-/// Four numbers a node, all in one list.
+/// Writes four numbers for each node, all in one list.
 Json json_of(const BallProgram& program) {
   Json nodes = Json::array(), constants = Json::array();
   for (const Node& node : program.nodes)
@@ -176,7 +176,7 @@ BallProgram program_of(const Json& json) {
   return program;
 }
 
-/// The matrix of the problem, in its variables.
+/// True if the matrix is that of the problem, in its variables.
 bool fits(const BallProgram& matrix, const WarmStart& problem) {
   const ReportLabels& s = problem.labels;
   return s.rows == s.columns && matrix.inputs == s.variables.size() &&

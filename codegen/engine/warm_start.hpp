@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// A problem as the symbolic stage leaves it, kept in the cache beside the pack program and the
-// parts of its kernel: a later run of the same program on the same question then starts with the
+// The result of the symbolic stage for a problem. The cache keeps it beside the pack program and
+// the parts of its kernel, so a later run of the same program on the same question starts with the
 // search.
 #pragma once
 
@@ -26,24 +26,25 @@ struct WarmStart {
   std::string identity;               ///< of that program
 };
 
-/// The name of a prepared problem in the cache.
+/// Returns the name of a prepared problem in the cache.
 ///
 /// Shape     64 hexadecimal digits.
-/// Requires  `program` and `compiler` change whenever either may make something else of a question.
+/// Requires  `program` and `compiler` change whenever either may give another result for a
+///           question.
 /// Ensures   two questions that differ in a byte of the model file, in the motion or any change to
 ///           it, in a function that is formed or a way of forming it, in the instruction set, the
-///           program or the compiler have different keys, up to collisions of SHA-256; the key of
-///           no object is among them.
+///           program or the compiler have different keys, up to collisions of SHA-256. No key of an
+///           object is equal to one of them.
 [[nodiscard]] std::string warm_start_key(std::string_view model_text, const ModelOptions& model,
                                          const FormulationOptions& functions, Isa isa,
                                          std::string_view program, std::string_view compiler);
 
-/// Bounds are hexadecimal: they are read back as they were.
+/// Writes bounds as hexadecimal numbers, so they are read back exactly.
 [[nodiscard]] std::string to_text(const WarmStart& problem);
-/// nullopt unless the text is one that to_text wrote.
+/// Returns nullopt unless to_text wrote the text.
 [[nodiscard]] std::optional<WarmStart> read_warm_start(std::string_view text);
 
-/// True if a program has the problem's sizes, and is the one that its kernel was made from.
+/// True if a program has the problem's sizes and is the source of its kernel.
 [[nodiscard]] bool fits(const WarmStart& problem, const machine::PackKernel& program) noexcept;
 
 }  // namespace regulus::inline engine
