@@ -15,10 +15,10 @@
 namespace regulus::inline engine {
 namespace {
 
-/// Larger determinants have too many terms to be narrower than bounds from the entries.
+/// Larger determinants have too many terms to be narrower than what they are made of.
 constexpr int kMostRows = 4;
 constexpr std::uint64_t kMostTerms = 4000;
-/// An entry with more terms is an indeterminate.
+/// An entry of more terms is an indeterminate.
 constexpr std::size_t kMostTermsOfAnEntry = 64;
 
 /// Powers of sums that are kept in one piece.
@@ -135,8 +135,13 @@ std::vector<ClosedFormBounds::Form> reduced_forms(const Formulation& f) {
 
 }  // namespace
 
-// If this fails, the search continues without it. It catches everything, because OverBudget and
-// FormingStopped are not std::exception.
+ClosedFormBounds::Form::Form(Program made) : program(std::move(made)) {
+  known = enclose_constant_nodes(program);
+  program.constants.clear();
+}
+
+// Without it the search goes on as it did. Not all that is thrown is a std::exception: OverBudget
+// and FormingStopped are none.
 void ClosedFormBounds::make() noexcept try {
   const Formulation& f = stages_.natural_formulation();
   if (f.rows != f.columns || f.rows > kMostRows) return;

@@ -10,11 +10,23 @@
 
 namespace regulus::inline engine {
 
-/// The determinant of a small matrix, multiplied out and nested, in doubles. This single expression
-/// may show a margin of 1e-300 if the enclosure of the entries cannot.
+/// The determinant of a small matrix, multiplied out and nested, in doubles: where an enclosure of
+/// the entries cannot tell a margin of 1e-300 from 0, its one expression may. There are two of
+/// them: powers of sums are multiplied out in one and kept in the other, with some relations
+/// between functions (kept_powers.hpp). Both enclose the determinant, and so does what they have in
+/// common. Where a constraint h ≤ 0 shares terms with it, det + λh is a third: without those terms,
+/// a bound from below for λ > 0 and from above for λ < 0.
 class ClosedFormBounds : public ClosedForm {
  public:
-  /// Uses the matrix of `stages`, which must outlive this object.
+  /// Without the constants, which are CLN's and not for all threads: `known` has their enclosures.
+  struct Form {
+    explicit Form(Program made);
+    Program program;
+    KnownValues<Interval> known;
+    bool bounds_below = true, bounds_above = true;
+  };
+
+  /// The matrix is that of `stages`, which must outlive this object.
   explicit ClosedFormBounds(SymbolicStages& stages) noexcept : stages_(stages) {}
 
   void make() noexcept override;
@@ -26,10 +38,7 @@ class ClosedFormBounds : public ClosedForm {
                                                        std::span<const Interval> box);
 
   SymbolicStages& stages_;
-  /// Without the constants, because these are CLN numbers and only for one thread; `known_` has
-  /// their enclosures.
-  std::optional<Program> program_;
-  KnownValues<Interval> known_;
+  std::vector<Form> forms_;
 };
 
 }  // namespace regulus::inline engine

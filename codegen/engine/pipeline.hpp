@@ -38,6 +38,7 @@ struct StageSeconds {
 struct PreparedSearch {
   ReportLabels labels;
   Variety variety;
+  bool is_replanned = false;  ///< the ranges or the threshold are not those that `stages` has
   /// The program of a square matrix, with rows and columns scaled as in the kernel. The threads of
   /// a search evaluate it with more digits.
   std::optional<BallProgram> matrix;
