@@ -22,12 +22,12 @@ constexpr int kStarts = 16;
 constexpr int kSteps = 40;
 constexpr int kHalvings = 8;
 constexpr std::size_t kEvaluations = 4000;
-/// Operations with 256 bits that all evaluations may take, of the order of a second: a report must
-/// not take longer than the search was allowed to.
+/// The most operations with 256 bits for all evaluations, of the order of a second: a report must
+/// not take longer than the limit of the search.
 constexpr std::size_t kMostOperations = 10'000'000;
-/// Of the range of a variable, for a difference quotient.
+/// Part of the range of a variable, for a difference quotient.
 constexpr double kDifference = 1e-6;
-/// A step that gains less is the last.
+/// If a step gains less, it is the last.
 constexpr double kWorthAnotherStep = 0.999;
 
 class Descent {
@@ -49,7 +49,7 @@ class Descent {
     double singular_value;  ///< the least, of the scaled matrix
   };
 
-  /// Number 0 is the middle of the variety.
+  /// Returns the starting point of that number; number 0 is the middle of the variety.
   [[nodiscard]] std::vector<Interval> start(int number) {
     std::vector<Interval> point;
     for (const Interval& range : ranges_) {
@@ -85,7 +85,7 @@ class Descent {
     return Interval(std::clamp(x, range.lo, range.hi));
   }
 
-  /// nullopt outside the constraints and where J⁻¹ has no value.
+  /// Returns nullopt outside the constraints and if J⁻¹ has no value.
   std::optional<Place> look_at(const std::vector<Interval>& point) {
     ++evaluations_;
     const auto constraints = approx_values(constraints_, point);
@@ -98,8 +98,8 @@ class Descent {
     return Place{point, std::move(*matrix), sigma};
   }
 
-  /// The means of the entries' magnitudes over some of the variety: what is small by nature is told
-  /// from what vanishes somewhere.
+  /// Returns the means of the entries' magnitudes over a part of the variety. They distinguish
+  /// entries that are always small from entries that vanish somewhere.
   std::vector<double> typical_matrix() {
     std::vector<double> sum(jacobian_.rows() * jacobian_.columns());
     for (int number = 0; number < kStarts; ++number)
@@ -114,7 +114,7 @@ class Descent {
     return scales_.row_scale.asDiagonal() * A * scales_.column_scale.asDiagonal();
   }
 
-  /// Along the step, all of it or less.
+  /// Tries the step, and then shorter ones.
   std::optional<Place> improved(const Place& place) {
     const VectorXd step = newton_step(place);
     double part = 1;
@@ -148,7 +148,7 @@ class Descent {
 
   [[nodiscard]] double width(std::size_t k) const noexcept { return ranges_[k].hi - ranges_[k].lo; }
 
-  /// How A·v changes per width of variable k; zero where it cannot be told.
+  /// Returns the change of A·v per width of variable k; zero if it is not known.
   VectorXd slope(const Place& place, const MatrixXd& A, const VectorXd& v, std::size_t k) {
     const double x = place.point[k].lo;
     const double up = within(ranges_[k], x + kDifference * width(k)).lo;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What a robot loses at a singular pose: the twists that its actuators do not notice, and the rows
-// of the full inverse Jacobian that depend on each other.
+// The losses at a singular pose: the twists that the actuators do not control, and the rows of the
+// full inverse Jacobian that depend on each other.
 #pragma once
 
 #include <optional>
@@ -12,36 +12,38 @@
 
 namespace regulus::inline analysis {
 
-/// At one point; J⁻¹ is the full inverse Jacobian, row scales included. Approximate throughout.
+/// The losses at one point. J⁻¹ is the full inverse Jacobian, including row scales. All values are
+/// approximate.
 struct Degeneracy {
   std::vector<double> singular_values;  ///< as in NullVectors
-  /// v with J⁻¹·v ≈ 0. Where the model names the components of a twist: of angular velocity 1 rad,
-  /// or of velocity 1 for a translation; else of largest entry 1. The largest is positive.
+  /// v with J⁻¹·v ≈ 0. If the model names the components of a twist, with angular velocity 1 rad,
+  /// or with velocity 1 for a translation; else with largest entry 1. The largest entry is
+  /// positive.
   std::vector<std::vector<double>> twists;
-  /// w with wᵀ·J⁻¹ ≈ 0, of largest entry 1: forces along the legs of a platform that are in
-  /// equilibrium without a load.
+  /// w with wᵀ·J⁻¹ ≈ 0 and largest entry 1: forces along the legs that are in equilibrium without a
+  /// load.
   std::vector<std::vector<double>> rows;
 };
 
-/// A row whose weight is less takes no part.
+/// A row with a smaller weight takes no part.
 inline constexpr double kTakesPart = 1e-6;
 
-/// The numbers, from 1, of the rows that take part.
+/// Returns the numbers, from 1, of the rows that take part.
 [[nodiscard]] std::vector<std::size_t> rows_taking_part(const Degeneracy& degeneracy);
 
-/// J⁻¹ of a formulation, ready to be looked at in points.
+/// Evaluates J⁻¹ of a formulation at points.
 class InverseJacobian {
  public:
   explicit InverseJacobian(const PreparedSearch& preparation);
 
-  /// Row-major, at the middles of the ranges; nullopt where it is not defined.
+  /// Returns J⁻¹, row-major, at the middles of the ranges; nullopt if it is not defined there.
   [[nodiscard]] std::optional<std::vector<double>> approx_at(
       std::span<const Interval> variables) const;
   [[nodiscard]] std::optional<Degeneracy> approx_degeneracy(
       std::span<const Interval> variables) const;
   [[nodiscard]] std::size_t rows() const noexcept { return rows_; }
   [[nodiscard]] std::size_t columns() const noexcept { return columns_; }
-  /// Of one evaluation.
+  /// Returns the operations of one evaluation.
   [[nodiscard]] std::size_t operations() const noexcept { return entries_.nodes.size(); }
 
  private:

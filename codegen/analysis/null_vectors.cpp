@@ -9,7 +9,7 @@
 namespace regulus::inline analysis {
 namespace {
 
-/// The vector in the units of the matrix as given.
+/// Returns the vector in the units of the given matrix.
 std::vector<double> unbalanced(Eigen::VectorXd v, const Eigen::VectorXd& scale) {
   const double largest = v.cwiseAbs().maxCoeff();
   for (double& x : v)

@@ -7,17 +7,17 @@
 
 namespace regulus::inline analysis {
 
-/// What a nearly singular matrix maps to nearly nothing, by a singular value decomposition in plain
-/// doubles. Approximate: no verdict may rest on it.
+/// The null vectors of a nearly singular matrix, by a singular value decomposition in plain
+/// doubles. Approximate: no verdict may rest on them.
 struct NullVectors {
-  /// Of the balanced matrix (balanced_matrix.hpp), relative to the largest, falling; as many as
-  /// columns.
+  /// Singular values of the balanced matrix (balanced_matrix.hpp), relative to the largest, in
+  /// decreasing order, one for each column.
   std::vector<double> singular_values;
   /// v with A·v ≈ 0, one for each singular value below kNegligible; entries below it, compared with
   /// the largest in the balanced matrix, are 0.
   std::vector<std::vector<double>> right;
-  /// w with wᵀ·A ≈ 0, likewise; none of a matrix with more rows than columns, whose rows are
-  /// dependent anyway.
+  /// w with wᵀ·A ≈ 0, likewise; none for a matrix with more rows than columns, because its rows are
+  /// always dependent.
   std::vector<std::vector<double>> left;
 
   [[nodiscard]] std::size_t nullity() const noexcept { return right.size(); }

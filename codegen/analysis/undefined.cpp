@@ -11,10 +11,10 @@
 namespace regulus::inline analysis {
 namespace {
 
-/// As kernels have it: beyond this a root or a quotient counts as undefined.
+/// As in kernels: beyond this a root or a quotient counts as undefined.
 constexpr double kLargestValue = 0x1p128;
 
-/// The outputs over a box; nullopt unless certainly defined all over it.
+/// Returns the outputs over a box; nullopt unless they are certainly defined everywhere on it.
 std::optional<std::vector<Interval>> enclose_over(const Program& program,
                                                   std::span<const Interval> box) {
   IntervalArithmetic arithmetic(kLargestValue);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Which expressions of a model have no value at a pose: a leg of length 0, a negative root, a
-// denominator that vanishes.
+// Finds the expressions of a model without a value at a pose: a leg of length 0, the root of a
+// negative number, a denominator 0.
 #pragma once
 
 #include <span>
@@ -15,23 +15,23 @@ namespace regulus::inline analysis {
 /// An operation that is not certainly defined although its argument is.
 struct UndefinedExpression {
   std::string text;      ///< "sqrt(x^2 - 4)"
-  std::string argument;  ///< "x^2 - 4"; empty where there are two
+  std::string argument;  ///< "x^2 - 4"; empty if there are two
   Interval enclosure;    ///< of the argument
 };
 
-/// Where, and what.
+/// The undefined expressions, and their place.
 struct Undefined {
-  std::vector<Interval> variables;  ///< the middle of a box if undefined there, else all of it
-  std::vector<Interval> pose;       ///< its enclosure; empty where the pose has none
-  std::vector<UndefinedExpression> expressions;  ///< empty: a value is beyond the doubles
+  std::vector<Interval> variables;  ///< the middle of a box if undefined there, else the box
+  std::vector<Interval> pose;       ///< its enclosure; empty if the pose has none
+  std::vector<UndefinedExpression> expressions;  ///< empty: a value exceeds the doubles
 };
 
-/// Every root, denominator … of a model over one motion, ready to be looked at over boxes.
+/// Evaluates every root, denominator … of a model over boxes of one motion.
 class Definedness {
  public:
   explicit Definedness(const Formulation& formulation);
 
-  /// Encloses over a box: an expression that is found may still be defined in all of it.
+  /// Encloses them over a box: an expression in the result may still be defined everywhere on it.
   [[nodiscard]] Undefined look_at(std::span<const Interval> box) const;
 
  private:
