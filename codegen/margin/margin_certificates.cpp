@@ -14,7 +14,7 @@ namespace {
 constexpr const char* kSafe = ".safe";
 constexpr const char* kSingular = ".singular";
 
-/// What fails in a writer is the trouble of a file.
+/// Reports a failure of a writer as a FileError.
 template <class Action>
 void with_file(Action action) {
   try {
@@ -30,7 +30,7 @@ MarginCertificates::MarginCertificates(std::string path, const MarginRequest& re
                                        const ReportLabels& subject)
     : path_(std::move(path)), request_(request), uncertain_(uncertain_names(subject)) {
   if (!wanted()) return;
-  // Not after the first search, which may take long.
+  // Checked before the first search, which may take long.
   for (const char* ending : {kSafe, kSingular})
     with_file([&] { const CertificateWriter probe(path_ + ending, {}); });
 }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What --certificate asks `regulus margin` for: a proof of each end of the bracket.
+// The option --certificate of `regulus margin`: a proof of each end of the bracket.
 #pragma once
 
 #include <nlohmann/json_fwd.hpp>
@@ -14,26 +14,27 @@
 
 namespace regulus::inline bracketing {
 
-/// FILE.safe and FILE.singular. Each is put in its place, whole, when its end of the bracket moves:
-/// what is found there at any time is a proof of an end, if perhaps not of the last one.
+/// FILE.safe and FILE.singular. Each file is replaced as a whole if its end of the bracket moves.
+/// So it is always a proof of an end, though perhaps not of the last one.
 class MarginCertificates {
  public:
-  /// `path` empty: none are wanted. Throws FileError when a file cannot be made there.
+  /// `path` empty: none are wanted. Throws FileError if a file cannot be created there.
   MarginCertificates(std::string path, const MarginRequest& request, const ReportLabels& subject);
 
-  /// The files of `path`; none if it is empty.
+  /// Returns the files of `path`; none if it is empty.
   [[nodiscard]] static std::vector<OutputFile> files(const std::string& path);
 
   [[nodiscard]] bool wanted() const noexcept { return !path_.empty(); }
-  /// Watches a search at this value; nullptr if none is wanted. The one before is forgotten.
+  /// Returns the observer of a search at this value; nullptr if none is wanted. It replaces the
+  /// previous one.
   [[nodiscard]] Observer* watch(const MarginValue& value);
-  /// Of the search that was watched last, or of a witness that no search has found. Throws
-  /// FileError.
+  /// Writes the certificate of the last observed search, or of a witness that no search has found.
+  /// Throws FileError.
   void finish(const MarginValue& value, const Result& result);
 
-  /// A line of the report for each end; empty if none was wanted.
+  /// Returns a line of the report for each end; empty if none was wanted.
   [[nodiscard]] std::string lines() const;
-  /// The key `certificates` of a JSON report: the files, null for an end that is not known.
+  /// Adds the key `certificates` to a JSON report: the files, null for an unknown end.
   void add_to(nlohmann::ordered_json& report) const;
 
  private:
@@ -49,7 +50,7 @@ class MarginCertificates {
   std::set<std::string> uncertain_;
   std::optional<CertificateWriter> search_;
   std::optional<Proved> safe_, singular_;
-  std::string obstacle_;  ///< why there can be no certificate of this question
+  std::string obstacle_;  ///< why this question can have no certificate
 };
 
 }  // namespace regulus::inline bracketing

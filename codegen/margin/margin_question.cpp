@@ -37,13 +37,13 @@ void read_range(MarginQuestion& question, const std::string& text, const char* o
   question.low = read_value(text.substr(0, colon), option);
   if (colon + 1 == text.size()) return;
   question.high = read_value(text.substr(colon + 1), option);
-  // The bracket is kept in doubles, which must tell the ends apart, too.
+  // The bracket is stored in doubles, so the ends must differ as doubles, too.
   if (certain_sign(question.high->exact - question.low.exact) != CertainSign::kPositive ||
       !(question.low.approx < question.high->approx))
     throw UsageError(std::string(option) + ": found '" + text + "', expected LO below HI");
 }
 
-/// Only where a pose parameter is its own motion parameter a range has a size that means anything.
+/// The size of a range has a meaning only if a pose parameter is its own motion parameter.
 void require_box_variety(const Request& request) {
   const Motion& motion = request.motion;
   for (const MotionParameter& p : motion.parameters) {
@@ -62,7 +62,7 @@ void scale_ranges(Motion& motion, const ex& scale) {
   }
 }
 
-/// The range of a variable at the tolerances and ranges of a request.
+/// Returns the range of a variable at the tolerances and ranges of a request.
 Range range_at(const Request& request, const Variable& variable) {
   for (const MotionParameter& p : request.motion.parameters)
     if (variable.kind == VariableKind::kMotion && p.name == variable.name) return p.range;

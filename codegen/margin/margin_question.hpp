@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What grows in `regulus margin`: a tolerance, the threshold, or the size of a box variety.
+// The quantity that grows in `regulus margin`: a tolerance, the threshold, or the size of a box
+// variety.
 #pragma once
 
 #include <ginac/ginac.h>
@@ -14,7 +15,7 @@ namespace regulus::inline bracketing {
 
 enum class MarginQuantity { kTolerance, kAlpha, kScale };
 
-/// A value with the text that denotes it exactly, and which `check` would take.
+/// A value with the text that denotes it exactly and that `check` accepts.
 struct MarginValue {
   std::string text;
   GiNaC::ex exact;
@@ -22,10 +23,10 @@ struct MarginValue {
   std::vector<GiNaC::ex> must_be_defined{};
 };
 
-/// The decimal that reads back as `value`.
+/// Returns the decimal that reads back as `value`.
 [[nodiscard]] MarginValue decimal_value(double value);
 
-/// LO:HI, or LO: when HI is to be found.
+/// LO:HI, or LO: if HI must be found.
 struct MarginQuestion {
   MarginQuantity quantity = MarginQuantity::kTolerance;
   std::string groups;  ///< of a tolerance
@@ -33,22 +34,22 @@ struct MarginQuestion {
   std::optional<MarginValue> high;
 };
 
-/// Takes the one option with a range out of the others, which stay as they are: a tolerance or the
-/// alpha of `model`, or `scale`, which may be empty. Throws UsageError.
+/// Removes the one option with a range: a tolerance or the alpha of `model`, or `scale`, which may
+/// be empty. The others stay as they are. Throws UsageError.
 [[nodiscard]] MarginQuestion take_question(ModelOptions& model, const std::string& scale);
 
-/// The ranges of a request as they were read, which scales refer to.
+/// The ranges of a request as read; scales refer to them.
 class MarginRequest {
  public:
-  /// Throws UsageError when the motion or the model cannot grow in that way.
+  /// Throws    UsageError if the motion or the model cannot grow in that way.
   MarginRequest(Request nominal, const MarginQuestion& question);
 
   [[nodiscard]] Request at(const MarginValue& value) const;
-  /// Ranges and threshold at `value`, for variables that were formed at another.
+  /// Sets ranges and threshold at `value`, for variables that were formed at another value.
   ///
-  /// Ensures   the variety of `p` is that of `value`; its formulation, and so its kernel, are
-  ///           untouched: no expression in them depends on a tolerance, on the range of a motion
-  ///           parameter, or on α.
+  /// Ensures   the variety of `p` is that of `value`. Its formulation and its kernel do not change:
+  ///           no expression in them depends on a tolerance, on the range of a motion parameter, or
+  ///           on α.
   void replan(PreparedSearch& p, const MarginValue& value) const;
 
  private:
@@ -56,7 +57,7 @@ class MarginRequest {
   MarginQuestion question_;
 };
 
-/// "tolerance of base,platform"
+/// Returns "tolerance of base,platform", for example.
 [[nodiscard]] std::string describe_quantity(const MarginQuestion& question);
 
 }  // namespace regulus::inline bracketing

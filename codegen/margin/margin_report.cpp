@@ -15,7 +15,7 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-/// A decimal as it reads; what is none as the bound that claims less.
+/// Returns a decimal as written, another value as the bound that claims less.
 Json json_value(const std::optional<MarginStep>& step, bool round_up) {
   if (!step) return nullptr;
   const MarginValue& value = step->value;

@@ -9,17 +9,17 @@
 
 namespace regulus::inline bracketing {
 
-/// "SAFE UP TO 0.119, NOT AT 0.134"
+/// Returns "SAFE UP TO 0.119, NOT AT 0.134", for example.
 [[nodiscard]] std::string describe_bracket(const MarginQuestion& question, const Margin& margin);
 
-/// One line about one search or witness.
+/// Returns one line about one search or witness.
 [[nodiscard]] std::string format_step(const MarginStep& step);
 
 [[nodiscard]] std::string margin_report(const PreparedSearch& preparation,
                                         const SearchOptions& search, const MarginQuestion& question,
                                         const Margin& margin);
 
-/// `certified` is not above, `refuted` not below the value that its text denotes.
+/// Returns the JSON report. `certified` is not above, `refuted` not below the value of its text.
 [[nodiscard]] nlohmann::ordered_json json_margin(const PreparedSearch& preparation,
                                                  const SearchOptions& search,
                                                  const MarginQuestion& question,

@@ -12,16 +12,16 @@
 namespace regulus::inline bracketing {
 namespace {
 
-/// Of the time limit, for the witness before the first search, and once more when no search is
-/// worth making.
+/// Part of the time limit for the witness before the first search, and again when no search is
+/// useful.
 constexpr double kWitnessShare = 0.1;
 constexpr double kMostWitnessSeconds = 6;
 constexpr int kFirstStarts = 64;
 constexpr int kMoreStarts = 192;
-constexpr int kStartsEach = 8;  ///< while the upper end is sought
+constexpr int kStartsEach = 8;  ///< while the upper end is not known
 constexpr int kDoublings = 20;
 
-/// A witness is certified at a value a little above the one where the determinant vanishes.
+/// A witness is certified at a value slightly above the value where the determinant vanishes.
 constexpr std::array<double, 4> kAbove{0, 1e-5, 1e-4, 1e-3};
 
 double end_of(const MarginQuestion& question) {
@@ -53,7 +53,7 @@ Problem MarginRun::problem_at(const MarginValue& value) {
   return preparation_.problem();
 }
 
-/// Both ends first: what a witness excludes need not be searched.
+/// Looks at both ends first, because a witness makes some searches unnecessary.
 Margin MarginRun::run() {
   const double limit = settings_.time_limit;
   if (preparation_.labels.rows == preparation_.labels.columns) {
@@ -77,8 +77,8 @@ Margin MarginRun::run() {
   return std::move(margin_);
 }
 
-/// Looks for a witness in the set of `high`, or below any threshold without one, and the least
-/// value at which there is one.
+/// Looks for a witness in the set of `high` (without `high`, below any threshold), and for the
+/// least value that has one.
 void MarginRun::look_below(const std::optional<MarginValue>& high, double limit) {
   const bool threshold = question_.quantity == MarginQuantity::kAlpha;
   const Problem narrowest = problem_at(question_.low);
@@ -106,7 +106,7 @@ MarginValue MarginRun::value_of(double approx) const {
   return decimal_value(approx);
 }
 
-/// Certifies what the search for a witness found, at a decimal a little above.
+/// Certifies the result of the search for a witness, at a decimal slightly above it.
 bool MarginRun::refute_at_found() {
   if (!witness_->found()) return false;
   const double least = witness_->found()->value;
@@ -152,7 +152,7 @@ void MarginRun::attempt(const PlannedAttempt& planned) {
   if (!result.blocking_box.empty()) look_near(result.blocking_box);
 }
 
-/// Where a search failed, a witness is near.
+/// Looks for a witness near the box where a search failed.
 void MarginRun::look_near(std::span<const Interval> box) {
   Stopwatch watch;
   witness_->search_from(box);

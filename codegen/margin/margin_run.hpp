@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The bracket of the largest safe value: searches at one value after another, with one kernel.
+// Brackets the largest safe value: searches at one value after another, with one kernel.
 #pragma once
 
 #include <functional>
@@ -18,7 +18,7 @@
 
 namespace regulus::inline bracketing {
 
-/// What was shown, or not, at one value.
+/// The result at one value.
 struct MarginStep {
   MarginValue value;
   Result result;
@@ -32,7 +32,7 @@ struct Margin {
   std::optional<double> gap;            ///< relative
   bool closed = false;                  ///< see Bracket::closed
   bool interrupted = false;
-  std::vector<MarginStep> steps;  ///< in the order they were made
+  std::vector<MarginStep> steps;  ///< in order of time
   std::uint64_t boxes = 0;
   double seconds = 0;  ///< of search
 };

@@ -9,8 +9,8 @@
 namespace regulus::inline bracketing {
 namespace {
 
-/// The value at which the kernel is formed, which is the same at all: one that is not 0, where
-/// quantities would not be uncertain at all.
+/// Returns the value at which the kernel is formed. The kernel is the same at all values except 0,
+/// where quantities would not be uncertain, so the value is not 0.
 MarginValue forming_value(const MarginQuestion& question) {
   return question.high ? *question.high : decimal_value(1);
 }
@@ -44,7 +44,7 @@ PreparedMargin::PreparedMargin(const MarginQuestion& question, const ModelOption
   prepared =
       prepare(request.at(forming_value(question)), stopwatch.lap(), search, std::move(watch));
   settings = settings_of(prepared, search, nullptr);
-  if (prepared.stopped) settings.method = Method::kAuto;  // as run_search has it
+  if (prepared.stopped) settings.method = Method::kAuto;  // as in run_search
   require_searchable(prepared, settings);
 }
 

@@ -12,9 +12,9 @@ namespace regulus::inline bracketing {
 /// Throws UsageError unless the text is a number between 0 and 1.
 [[nodiscard]] double read_gap(const std::string& text);
 
-/// Everything a bracket needs: one kernel serves at every value.
+/// All data of a bracket: one kernel is used for every value.
 struct PreparedMargin {
-  /// Throws what prepare() throws, and UsageError for a search that cannot be made.
+  /// Throws    the exceptions of prepare(), and UsageError for a search that is not possible.
   PreparedMargin(const MarginQuestion& question, const ModelOptions& model,
                  const SearchOptions& options, FormingWatch watch);
 
