@@ -5,9 +5,9 @@
 
 namespace regulus::inline api {
 
-/// Held by whoever works with objects of GiNaC and CLN in this folder: they count references
-/// without locks, and some of them belong to the whole process. A thread may hold it more than
-/// once: a callback may ask another question.
+/// Hold it for any work with objects of GiNaC and CLN in this folder: they count references without
+/// locks, and some of them belong to the whole process. A thread may hold it more than once,
+/// because a callback may ask another question.
 class AlgebraLock {
  public:
   AlgebraLock();

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// `regulus check` for a program: the same search, the verdict as a value.
+// `regulus check` for a program: the same search, with the verdict as a value.
 #pragma once
 
 #include <atomic>
@@ -14,7 +14,7 @@ namespace regulus::inline api {
 
 struct Finding {
   Verdict verdict = Verdict::kPossibleProblem;
-  std::string claim;                   ///< what has been proved, in words
+  std::string claim;                   ///< the statement that has been proved
   std::string report;                  ///< the lines that precede the verdict on a terminal
   std::string json;                    ///< the report that --json prints
   std::vector<std::string> variables;  ///< motion parameters, then uncertain quantities
@@ -23,13 +23,13 @@ struct Finding {
 
 /// Proves that the motion has no singular pose, or shows one.
 ///
-/// The kernel is compiled before the search unless `options` ask for the interpreter; with
-/// Engine::kAuto it is interpreted only where there is no compiler. `interrupt`: the search ends
-/// soon after it becomes true.
+/// The kernel is compiled before the search unless `options` select the interpreter; with
+/// Engine::kAuto it is interpreted only if there is no compiler. The search ends soon after
+/// `interrupt` becomes true.
 ///
 /// Threads   Calls of check(), locate(), margin() and of the constructors of Question and Kernel
-///           wait for each other, so that several threads may make them, provided that no thread
-///           makes, changes or destroys robots or expressions of GiNaC meanwhile.
+///           wait for each other, so several threads may call them, if no thread makes, changes or
+///           destroys robots or expressions of GiNaC at the same time.
 /// Throws    InputError for the model, UsageError for the motion and the options, FileError,
 ///           CompileError and InternalError.
 [[nodiscard]] Finding check(const Question& question, const SearchOptions& options = {},

@@ -16,7 +16,7 @@ struct Kernel::Parts {
       variables.push_back(variable.name);
       motion_parameters += variable.kind == VariableKind::kMotion ? 1 : 0;
     }
-    // The expressions are not needed any more, and belong to the thread that made them.
+    // The expressions are not needed any more, and only the thread that made them may use them.
     prepared.stages.reset();
   }
 };

@@ -13,13 +13,13 @@
 namespace regulus::inline api {
 
 struct KernelOptions {
-  Engine engine = Engine::kJit;  ///< kAuto: compiled, and interpreted where there is no compiler
-  std::optional<Isa> isa;        ///< nullopt: the best this processor has
+  Engine engine = Engine::kJit;  ///< kAuto: compiled, or interpreted if there is no compiler
+  std::optional<Isa> isa;        ///< nullopt: the best of this processor
   bool use_cache = true;
 };
 
-/// The functions of a question, compiled and kept: for programs that check pieces of the motion
-/// over and over. It owns what it was compiled to and may be moved.
+/// The compiled functions of a question, for programs that check many pieces of the motion. It owns
+/// its machine code and may be moved.
 class Kernel {
  public:
   /// Threads and errors as check().
@@ -28,15 +28,15 @@ class Kernel {
   Kernel& operator=(Kernel&&) noexcept;
   ~Kernel();
 
-  /// The names of the motion parameters, then of the uncertain quantities.
+  /// Returns the names of the motion parameters, then of the uncertain quantities.
   [[nodiscard]] const std::vector<std::string>& variables() const noexcept;
-  /// A range for each variable, rounded outward.
+  /// Returns a range for each variable, rounded outward.
   [[nodiscard]] const std::vector<Interval>& ranges() const noexcept;
   [[nodiscard]] std::size_t motion_parameters() const noexcept;
 
-  /// Decides pieces of the motion: a range for each motion parameter, within `ranges`. A check
-  /// neither allocates nor locks; each thread needs a checker of its own. The threshold is that of
-  /// the question, rounded up.
+  /// Returns a checker, which decides pieces of the motion: a range for each motion parameter,
+  /// within `ranges`. A check does not allocate or lock; each thread needs its own checker. The
+  /// threshold is that of the question, rounded up.
   ///
   /// Requires  this kernel outlives the checker; 1 ≤ max_boxes ≤ Checker::kMaxBoxes.
   [[nodiscard]] Checker checker(unsigned max_boxes) const;

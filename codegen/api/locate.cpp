@@ -13,7 +13,8 @@
 namespace regulus::inline api {
 namespace {
 
-/// Hands on the boxes. What a callback throws ends the search and is thrown by locate().
+/// Passes the boxes to the callback. An exception from a callback ends the search, and locate()
+/// throws it again.
 class BoxListener final : public Observer {
  public:
   explicit BoxListener(const LocateOptions& options, const std::atomic<bool>* interrupt)

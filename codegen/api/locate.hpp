@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// `regulus locate` for a program: a paving of the motion, its boxes as they become known.
+// `regulus locate` for a program: a paving of the motion, with each box as soon as it is known.
 #pragma once
 
 #include <atomic>
@@ -25,7 +25,7 @@ struct LocateOptions {
 
 struct Paving {
   Verdict verdict = Verdict::kPossibleProblem;  ///< of the whole motion
-  /// Bounds of the part of the motion's box that the boxes of each claim take, in [0, 1].
+  /// Bounds of the fraction of the motion's box with each claim, in [0, 1].
   Interval free{0.0}, singular{0.0}, undecided{0.0}, outside{0.0};
   std::string report;                  ///< the lines that precede the verdict on a terminal
   std::string json;                    ///< the summary that --json prints
@@ -33,8 +33,8 @@ struct Paving {
   Result result;
 };
 
-/// Splits the motion into boxes that are certified free, certified singular, outside the
-/// constraints, or undecided at that resolution. Threads and errors as check().
+/// Splits the motion into boxes that are proved free, proved singular, outside the constraints, or
+/// undecided at that resolution. Threads and errors as check().
 [[nodiscard]] Paving locate(const Question& question, const LocateOptions& options = {},
                             const std::atomic<bool>* interrupt = nullptr);
 

@@ -11,8 +11,8 @@
 
 namespace regulus::inline api {
 
-/// One of `tolerance`, `alpha` and `scale` is a range "LO:HI", or "LO:" where the upper end is to
-/// be found; the others are empty.
+/// One of `tolerance`, `alpha` and `scale` is a range "LO:HI", or "LO:" if the upper end must be
+/// found; the others are empty.
 struct MarginOptions {
   SearchOptions search = for_a_minute();
   std::string tolerance;  ///< "base,platform=0:0.2"
@@ -31,7 +31,7 @@ struct MarginFinding {
   /// The exact values of the two ends, as `regulus check` takes them: no singularity at `safe` and
   /// below, a witness at `singular`.
   std::optional<std::string> safe, singular;
-  bool closed = false;  ///< as narrow as asked, or all of the range is safe
+  bool closed = false;  ///< as narrow as requested, or the whole range is safe
   std::string bracket;  ///< "SAFE UP TO 0.119, NOT AT 0.134"
   std::string report;   ///< the lines that precede the bracket on a terminal
   std::string json;     ///< the report that --json prints

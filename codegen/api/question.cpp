@@ -12,7 +12,7 @@ Question::Question() : options_(std::make_unique<ModelOptions>()) {}
 
 Question::Question(const Robot& robot, const std::string& motion) : Question() {
   const AlgebraLock lock;
-  // Complains in terms of the C++, and not of the file that it amounts to.
+  // Reports mistakes with the place in C++, not in the generated file.
   static_cast<void>(robot.model());
   options_->path = robot.name();
   options_->text = robot.model_file();

@@ -12,17 +12,17 @@ struct ModelOptions;
 
 namespace regulus::inline api {
 
-/// What is asked: a robot, one of its motions, and changes to them. Numbers are texts and exact:
-/// "0.1", "1/3", "15*deg".
+/// A question: a robot, one of its motions, and changes to them. Numbers are exact texts: "0.1",
+/// "1/3", "15*deg".
 ///
-/// A question holds no object of GiNaC: it may be copied, and asked, by any thread.
+/// A question contains no object of GiNaC: any thread may copy it and ask it.
 class Question {
  public:
   /// `motion`: empty if the robot has only one.
   ///
-  /// Throws    InputError with the place in C++ for what is wrong with the robot.
+  /// Throws    InputError with the place in C++ for a mistake in the robot.
   explicit Question(const Robot& robot, const std::string& motion = {});
-  /// The file is read when the question is asked, and its faults are named then.
+  /// The file is read when the question is asked, and mistakes in it are reported then.
   [[nodiscard]] static Question of_file(const std::string& path, const std::string& motion = {});
   Question(const Question& other);
   Question& operator=(const Question& other);
@@ -30,11 +30,11 @@ class Question {
   Question& operator=(Question&&) noexcept;
   ~Question();
 
-  /// In place of the motion's own range of a parameter.
+  /// Replaces the motion's range of a parameter.
   Question& range(const std::string& parameter, const std::string& lo, const std::string& hi);
-  /// Of every quantity of a group; several groups are separated by commas.
+  /// Sets the tolerance of every quantity of a group; several groups are separated by commas.
   Question& tolerance(const std::string& groups, const std::string& tolerance);
-  /// The threshold that |det J⁻¹| must exceed.
+  /// Sets the threshold that |det J⁻¹| must exceed.
   Question& alpha(const std::string& threshold);
 
   [[nodiscard]] const ModelOptions& options() const noexcept { return *options_; }
