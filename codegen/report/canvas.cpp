@@ -8,7 +8,7 @@
 namespace regulus::inline report {
 namespace {
 
-/// Tiles along a range: what a picture can show.
+/// The most tiles along a range that a picture can show.
 constexpr std::size_t kMostTiles = 512;
 
 std::size_t tile_count(double resolution) {
@@ -31,7 +31,7 @@ Canvas::Canvas(const PreparedSearch& preparation, const PavingOptions& options)
   for (const std::size_t k : drawn_) ranges_.push_back(preparation.variety.outer[k]);
 }
 
-/// Boxes come from halving, tiles from multiplying: their edges agree but for rounding.
+/// Boxes come from halving, tiles from multiplication: their edges agree except for rounding.
 Canvas::Span Canvas::tiles(std::size_t axis, std::size_t count, Interval x) const noexcept {
   constexpr double kRounding = 1e-6;
   const Interval& range = ranges_[axis];
@@ -80,7 +80,7 @@ Claim Canvas::claim(std::size_t column, std::size_t row) const noexcept {
   return seen != 0 ? Claim::kOutside : Claim::kUndecided;
 }
 
-/// Runs along each row, joined with an equal run below.
+/// Finds runs along each row, and joins a run with an equal run below.
 std::vector<TileRectangle> Canvas::rectangles(Claim wanted) const {
   std::vector<TileRectangle> done, growing;
   for (std::size_t row = 0; row < rows_; ++row) {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What a picture is drawn from: a raster over one or two ranges that boxes are painted on as they
-// come, so that memory does not grow with their number. Drawing only: nothing here is certified.
+// The source of a picture: a raster over one or two ranges. Each box is painted on it at once, so
+// memory does not grow with their number. For drawing only, without a claim.
 #pragma once
 
 #include <cstdint>
@@ -19,8 +19,8 @@ struct TileRectangle {
 /// The determinant over one tile of a single range.
 struct DeterminantTile {
   Interval enclosure;
-  bool known = false;    ///< some box reached it with an enclosure
-  bool unknown = false;  ///< some box did without
+  bool known = false;    ///< some box over it has an enclosure
+  bool unknown = false;  ///< some box over it has none
 };
 
 class Canvas final : public Observer {
@@ -34,12 +34,13 @@ class Canvas final : public Observer {
   [[nodiscard]] std::size_t columns() const noexcept { return columns_; }
   [[nodiscard]] std::size_t rows() const noexcept { return rows_; }
 
-  /// Of all boxes over a tile: singular if one is, else undecided if one is, else free if one is.
+  /// Returns the claim of all boxes over a tile: singular if one is, else undecided if one is, else
+  /// free if one is.
   [[nodiscard]] Claim claim(std::size_t column, std::size_t row) const noexcept;
   [[nodiscard]] const DeterminantTile& determinant(std::size_t column) const noexcept {
     return determinants_[column];
   }
-  /// Rectangles that cover the tiles of a kind, each tile once.
+  /// Returns rectangles that cover the tiles of a kind, each tile once.
   [[nodiscard]] std::vector<TileRectangle> rectangles(Claim claim) const;
 
  private:

@@ -10,8 +10,8 @@
 
 namespace regulus::inline report {
 
-/// {"nullity", "singular_values", "twist", "rows"}; the last two are null where nothing is lost,
-/// and all of them where J⁻¹ has no value.
+/// {"nullity", "singular_values", "twist", "rows"}; the last two are null if nothing is lost, and
+/// all of them if J⁻¹ has no value.
 [[nodiscard]] nlohmann::ordered_json json_degeneracy(const PreparedSearch& preparation,
                                                      const std::optional<Degeneracy>& degeneracy);
 

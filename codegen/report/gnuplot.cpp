@@ -44,7 +44,8 @@ class SpawnActions {
   posix_spawn_file_actions_t actions_{};
 };
 
-/// The mask of signals is inherited: an interrupt ends the search, and its picture is still drawn.
+/// The child inherits the mask of signals, so an interrupt ends the search, and the picture is
+/// still drawn.
 pid_t start(int input, int output, int errors) {
   SpawnActions actions;
   actions.redirect(STDIN_FILENO, input);
@@ -90,8 +91,7 @@ Gnuplot::~Gnuplot() {
   close_all();
 }
 
-/// A picture that was not drawn leaves no empty file, and the one that was there before it as it
-/// was.
+/// If no picture was drawn, no empty file remains, and an earlier picture is unchanged.
 void Gnuplot::close_all() noexcept {
   struct stat status {};
   if (leaves_nothing_ && fstat(file_, &status) == 0 && status.st_nlink > 0)

@@ -14,7 +14,7 @@
 namespace regulus::inline report {
 namespace {
 
-/// Parts of a range by the number of ranges, as powers of 2: at most some ten thousand boxes.
+/// Returns the resolution by the number of ranges, a power of 2: at most some ten thousand boxes.
 double default_resolution(std::size_t ranges) {
   constexpr int kHalvings[] = {0, 9, 7, 5, 4, 3, 2};
   return std::ldexp(1.0, -kHalvings[std::min<std::size_t>(ranges, 6)]);
@@ -87,7 +87,7 @@ PavingOptions resolve_paving(const PavingRequest& request, const SearchOptions& 
 }
 
 void require_paving(const PavingOptions& options, Settings& settings) {
-  // Halves are rounded: a little more, so that 1/64 takes six halvings and no seventh.
+  // Halves are rounded, so a small slack avoids a seventh halving for 1/64.
   constexpr double kSlack = 1 + 0x1p-30;
   settings.exhaustive = true;
   settings.min_relative_width = options.resolution * kSlack;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What a paving is asked for, once the model has told which ranges there are.
+// The options of a paving, resolved with the ranges of the model.
 #pragma once
 
 #include <cstddef>
@@ -13,14 +13,14 @@ namespace regulus::inline report {
 struct PavingOptions {
   double resolution = 1;          ///< part of each range
   std::vector<std::size_t> axes;  ///< the motion parameters that are not single values
-  /// Those to draw: two, or the only one; empty if there is none.
+  /// The axes to draw: two, or the only one; empty if there is none.
   std::vector<std::size_t> drawn;
 
   /// A paving of one range is drawn as the determinant over it, if the matrix has one.
   bool encloses_determinants = false;
 };
 
-/// What is asked for, as the command line has it.
+/// The options as on the command line.
 struct PavingRequest {
   std::string resolution{};  ///< part of each range, an expression; empty: by the number of ranges
   std::string axes{};        ///< "p,q"; empty: the first two that are not single values
@@ -33,7 +33,7 @@ struct PavingRequest {
                                            const SearchOptions& search,
                                            const PreparedSearch& preparation);
 
-/// Makes a search a paving.
+/// Changes the settings of a search for a paving.
 void require_paving(const PavingOptions& options, Settings& settings);
 
 }  // namespace regulus::inline report

@@ -19,7 +19,8 @@ constexpr int kFormatVersion = 1;
 constexpr std::array kEveryClaim{Claim::kFree, Claim::kSingular, Claim::kUndecided,
                                  Claim::kOutside};
 
-/// What a box of that kind states, for every value of the uncertain quantities or for some.
+/// Returns the claim of a box of that kind, for every value of the uncertain quantities or for
+/// some.
 std::string describe_claim(const PreparedSearch& p, Claim claim) {
   const bool threshold = p.variety.alpha.hi > 0;
   const std::string alpha = threshold_text(p.variety.alpha, claim == Claim::kFree);
@@ -45,7 +46,7 @@ std::string describe_claim(const PreparedSearch& p, Claim claim) {
   return "";
 }
 
-/// "cm^2*rad"; "1" when no range has a unit.
+/// Returns "cm^2*rad", for example; "1" if no range has a unit.
 std::string volume_unit(const PreparedSearch& p, const std::vector<std::size_t>& axes) {
   std::map<std::string, int> powers;
   for (const std::size_t k : axes) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What a paving found, for people and for programs.
+// Reports of a paving, for people and for programs.
 #pragma once
 
 #include <nlohmann/json_fwd.hpp>
@@ -10,11 +10,12 @@
 
 namespace regulus::inline report {
 
-/// The first JSON line: what was asked, and what each kind of box claims.
+/// Returns the first JSON line: the question, and the claim of each kind of box.
 [[nodiscard]] nlohmann::ordered_json json_paving_header(const PreparedSearch& preparation,
                                                         const PavingOptions& options);
 
-/// Number, volume and fraction of each kind of box; what was not finished, and why.
+/// Returns number, volume and fraction of each kind of box; if the paving is not complete, the
+/// reason.
 [[nodiscard]] nlohmann::ordered_json json_paving_summary(const PreparedSearch& preparation,
                                                          const SearchOptions& search,
                                                          const PavingOptions& options,
@@ -25,7 +26,8 @@ namespace regulus::inline report {
                                         const SearchOptions& search, const PavingOptions& options,
                                         const Volumes& volumes, const Result& result);
 
-/// "83.1 %", from certified bounds; "100 %" and "0 %" only for all and nothing.
+/// Returns "83.1 %", for example, from certified bounds; "100 %" and "0 %" only for all and
+/// nothing.
 [[nodiscard]] std::string percentage(const Volumes& volumes, const Share& share);
 
 }  // namespace regulus::inline report

@@ -29,7 +29,7 @@ void PavingWriter::write(const Json& line) {
   if (!out_) failed_ = true;
 }
 
-/// A line that cannot be written ends the search: nobody would see the rest.
+/// If a line cannot be written, the search ends, because its results would be lost.
 template <class Line>
 void PavingWriter::write_safely(Line line) noexcept {
   if (failed_) return;

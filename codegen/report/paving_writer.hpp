@@ -15,7 +15,7 @@ namespace regulus::inline report {
 
 class PavingWriter final : public Observer {
  public:
-  /// Writes the header. `ask_for_end` is called when a line cannot be written.
+  /// Writes the header. `ask_for_end` is called if a line cannot be written.
   PavingWriter(std::ostream& out, const PreparedSearch& preparation, const PavingOptions& options,
                std::function<void()> ask_for_end);
 

@@ -12,8 +12,8 @@
 namespace regulus::inline report {
 namespace {
 
-/// Later ones are drawn over earlier ones. Colours after Okabe and Ito: told apart without red and
-/// green.
+/// Later kinds are drawn over earlier ones. Colours after Okabe and Ito, for readers who cannot
+/// distinguish red and green.
 constexpr std::array kDrawingOrder{Claim::kFree, Claim::kOutside, Claim::kUndecided,
                                    Claim::kSingular};
 
@@ -45,7 +45,7 @@ std::string label_of(const VariableLabel& variable) {
   return unit.empty() ? variable.name : fmt::format("{} ({})", variable.name, unit.substr(1));
 }
 
-/// The motion parameters that are not drawn, at their values or over their ranges.
+/// Returns the motion parameters that are not drawn, with their values or ranges.
 std::vector<std::string> others(const PreparedSearch& p, const PavingOptions& options) {
   std::vector<std::string> words;
   bool projected = false;
@@ -61,7 +61,7 @@ std::vector<std::string> others(const PreparedSearch& p, const PavingOptions& op
   return words;
 }
 
-/// Joined with commas, in lines that fit over a picture.
+/// Joins words with commas, in lines that fit over a picture.
 std::vector<std::string> wrapped(const std::vector<std::string>& words) {
   constexpr std::size_t kLine = 70;
   std::vector<std::string> lines;
@@ -89,7 +89,7 @@ std::string range_of(const char* axis, Interval x) {
 
 std::string data_name(Claim claim) { return fmt::format("${}", name(claim)); }
 
-/// A block of data named after the kind of its rectangles: left, right, bottom, top on each line.
+/// Returns a block of data with the name of its kind: left, right, bottom, top on each line.
 std::string data_block(Claim claim, const std::string& lines) {
   return lines.empty() ? "" : fmt::format("{} << EOD\n{}EOD\n", data_name(claim), lines);
 }
@@ -109,7 +109,7 @@ std::string legend(const Volumes& volumes, Claim claim) {
       Gnuplot::quoted(fmt::format("{} {}", name(claim), percentage(volumes, share))));
 }
 
-/// Left, right, bottom, top in the units of the axes.
+/// Returns left, right, bottom, top in the units of the axes.
 std::string corners(Interval x, Interval y) {
   return fmt::format("{:.9g} {:.9g} {:.9g} {:.9g}\n", x.lo, x.hi, y.lo, y.hi);
 }
@@ -119,7 +119,7 @@ Interval part_of(Interval range, std::size_t begin, std::size_t end, std::size_t
   return {range.lo + double(begin) * width, range.lo + double(end) * width};
 }
 
-/// Reaches a little under its neighbour, or a hairline would show between the two.
+/// Extends the part slightly under its neighbour, to avoid a visible hairline between them.
 Interval overlapping(Interval part, Interval range, std::size_t count) {
   const double overlap = 0.1 * (range.hi - range.lo) / double(count);
   return {part.lo, std::min(part.hi + overlap, range.hi)};
@@ -135,7 +135,7 @@ std::string rectangles(const Canvas& canvas, Claim claim, Interval x, Interval y
   return lines;
 }
 
-/// The kind most tiles would need rectangles for is drawn as one, below the others.
+/// Returns the most frequent kind; it is drawn as one rectangle below the others.
 Claim background(const Canvas& canvas) {
   return canvas.rectangles(Claim::kOutside).size() > canvas.rectangles(Claim::kFree).size()
              ? Claim::kOutside
@@ -174,7 +174,7 @@ std::string areas(const PreparedSearch& p, const PavingOptions& options, const V
   return text + plot_command(parts);
 }
 
-/// The height of the picture: every enclosure and 0, with a margin.
+/// Returns the height of the picture: every enclosure and 0, with a margin.
 Interval height(const Canvas& canvas, double alpha) {
   Interval all(-alpha, alpha);
   for (std::size_t column = 0; column < canvas.columns(); ++column)
@@ -183,14 +183,14 @@ Interval height(const Canvas& canvas, double alpha) {
   return {all.lo - margin, all.hi + margin};
 }
 
-/// A band narrower than a line is drawn as wide as one.
+/// Widens a band that is narrower than a line to one line.
 Interval visible(Interval band, Interval y) {
   const double line = 0.004 * (y.hi - y.lo);
   const double missing = std::max(0.0, line - (band.hi - band.lo));
   return {band.lo - missing / 2, band.hi + missing / 2};
 }
 
-/// Over each tile the enclosure of the determinant; over a run of tiles that have none all of the
+/// Draws, over each tile, the enclosure of the determinant; over tiles without one, the full
 /// height.
 std::string bands(const Canvas& canvas, Claim claim, Interval x, Interval y) {
   const std::size_t count = canvas.columns();
@@ -210,7 +210,7 @@ std::string bands(const Canvas& canvas, Claim claim, Interval x, Interval y) {
   return lines;
 }
 
-/// A line at 0, broken ones at the threshold.
+/// Draws a line at 0, and broken lines at the threshold.
 void append_levels(std::vector<std::string>& parts, double alpha) {
   parts.emplace_back("0 with lines linecolor rgb '#000000' notitle");
   if (alpha == 0) return;

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// A paving as gnuplot commands: coloured rectangles over two ranges, or the determinant over one.
+// Draws a paving by gnuplot commands: coloured rectangles over two ranges, or the determinant over
+// one.
 #pragma once
 
 #include <string>

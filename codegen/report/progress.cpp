@@ -17,7 +17,7 @@ double seconds(std::chrono::steady_clock::duration d) {
   return std::chrono::duration<double>(d).count();
 }
 
-/// Names what a stage does and what it counts.
+/// Returns the names of a stage's work and of its count.
 std::pair<const char*, const char*> words_of(WorkStage stage) {
   switch (stage) {
     case WorkStage::kSubstitution:

@@ -13,8 +13,9 @@
 
 namespace regulus::inline report {
 
-/// Shows on a terminal how far a search is: boxes, volume decided, rate, time. One line, rewritten
-/// a few times a second, erased at the end. Construct it only when the stream is a terminal.
+/// Shows the progress of a search on a terminal: boxes, volume decided, rate, time. One line,
+/// rewritten a few times a second, erased at the end. Construct it only if the stream is a
+/// terminal.
 class ProgressDisplay : public Observer {
  public:
   explicit ProgressDisplay(std::FILE* terminal) : terminal_(terminal) {}
@@ -34,18 +35,19 @@ class ProgressDisplay : public Observer {
   bool shown_ = false;
 };
 
-/// Such a display if standard error is a terminal and nobody asked for quiet; nothing otherwise.
+/// A ProgressDisplay if standard error is a terminal and the output is not quiet; otherwise
+/// nothing.
 class SearchDisplay {
  public:
   explicit SearchDisplay(const OutputOptions& output);
-  /// nullptr: nothing is shown.
+  /// Returns nullptr if nothing is shown.
   [[nodiscard]] Observer* observer() noexcept { return display_ ? &*display_ : nullptr; }
 
  private:
   std::optional<ProgressDisplay> display_;
 };
 
-/// Shows on a terminal how far a stage before the search is.
+/// Shows the progress of a stage before the search on a terminal.
 class FormingDisplay {
  public:
   explicit FormingDisplay(std::FILE* terminal) : terminal_(terminal) {}
@@ -63,8 +65,8 @@ class FormingDisplay {
   bool shown_ = false;
 };
 
-/// Watches for an interrupt, and shows the progress of what it watches if standard error is a
-/// terminal and nobody asked for quiet.
+/// Returns a watch for interrupts, which also shows progress if standard error is a terminal and
+/// the output is not quiet.
 [[nodiscard]] FormingWatch forming_watch(const OutputOptions& output,
                                          const std::atomic<bool>* interrupt);
 

@@ -61,7 +61,7 @@ Json json_filters(const PreparedSearch& p, const Result& result) {
   return filters;
 }
 
-/// What a claim about the whole of a variety owes to tests that are not ours.
+/// Returns the part of a claim that rests on filters of the user.
 std::string reservations(const PreparedSearch& p, const Result& result) {
   const std::uint64_t certified = std::accumulate(result.statistics.leaves.begin(),
                                                   result.statistics.leaves.end(), std::uint64_t{0});
@@ -145,7 +145,7 @@ std::string text_report(const PreparedSearch& p, const SearchOptions& search, co
   text += format_filter(p, result);
   text += fmt::format("boxes      {} evaluated, at most {} waiting\n", result.statistics.boxes,
                       result.statistics.max_frontier);
-  // What these lines take to find out counts, too.
+  // The time for these lines counts, too.
   const std::string findings = format_witness(p, result) + format_blocking(p, result) +
                                format_nearest(p, nearest) + format_occupancy(result);
   text += format_time(p.seconds_spent()) + findings;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What was found, for people and for programs.
+// Reports of a check, for people and for programs.
 #pragma once
 
 #include <nlohmann/json_fwd.hpp>
@@ -12,19 +12,19 @@
 
 namespace regulus::inline report {
 
-/// The report as a JSON object. Bounds are [lo, hi]; an infinite bound is null. `nearest`: where to
-/// look, when nothing was proved.
+/// Returns the report as a JSON object. Bounds are [lo, hi]; an infinite bound is null. `nearest`:
+/// the pose to look at, if nothing was proved.
 [[nodiscard]] nlohmann::ordered_json json_report(
     const PreparedSearch& preparation, const SearchOptions& search, const Result& result,
     const std::optional<LeastSingular>& nearest = std::nullopt);
 
-/// The lines that precede the verdict on a terminal: what was asked, how it was decided, what is
-/// claimed, and where it fails.
+/// Returns the lines before the verdict on a terminal: the question, the method, the claim, and the
+/// place where it fails.
 [[nodiscard]] std::string text_report(const PreparedSearch& preparation,
                                       const SearchOptions& search, const Result& result,
                                       const std::optional<LeastSingular>& nearest = std::nullopt);
 
-/// What the verdict says about this model, in words.
+/// Returns the claim of the verdict about this model, in words.
 [[nodiscard]] std::string claim(const PreparedSearch& preparation, const Result& result);
 
 }  // namespace regulus::inline report

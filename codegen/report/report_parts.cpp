@@ -13,7 +13,8 @@ using Json = nlohmann::ordered_json;
 
 std::string shortest(double x) { return fmt::format("{}", x + 0.0); }  // −0 reads as 0
 
-/// The shortest decimal that is read as a double of the interval; the same for −x but for its sign.
+/// Returns the shortest decimal that reads as a double of the interval; for −x, the same with the
+/// other sign.
 std::string shortest_in(const Interval& x) {
   const bool negative = x.hi <= 0;
   for (int digits = 1; digits < 17; ++digits)
@@ -30,8 +31,8 @@ std::string joined(const std::string& lo, const std::string& hi) {
   return lo == hi ? lo : fmt::format("[{}, {}]", lo, hi);
 }
 
-/// Bounds of variable k. Those of its whole range are written as the model has them: rounded
-/// outward and inward, they enclose what it says.
+/// Returns bounds of variable k. The ends of its whole range are written as in the model, because
+/// the outward and inward roundings enclose them.
 std::string text_of(const PreparedSearch& p, std::size_t k, const Interval& x) {
   const Interval& outer = p.variety.outer[k];
   const std::optional<Interval>& inner = p.variety.inner[k];
@@ -45,7 +46,7 @@ std::string short_text_of(const PreparedSearch&, std::size_t, const Interval& x)
   return short_interval(x);
 }
 
-/// A value that is known to six digits or more: the shortest that it may be.
+/// Returns the shortest decimal of a value that is known to six digits or more.
 std::string value_text(const Interval& x) {
   const std::string brief = short_interval(x);
   return brief.front() == '[' ? joined(shortest(x.lo), shortest(x.hi)) : shortest_in(x);
@@ -114,7 +115,8 @@ std::string in_thousands(std::uint64_t count) {
   return fmt::format("{} {:03}", in_thousands(count / 1000), count % 1000);
 }
 
-/// Says nothing that depends on how fast the compiler is: `boxes` decide whether it was asked.
+/// The text does not depend on the speed of the compiler: `boxes` decides whether a compilation was
+/// requested.
 std::string describe_engine(const PreparedSearch& p, const SearchOptions& search,
                             std::uint64_t boxes) {
   if (search.engine == Engine::kInterpreted || p.stopped) return "interpreted";
@@ -255,7 +257,7 @@ const char* json_name(FormDetail detail) {
   return "";
 }
 
-/// Empty for forms of full detail.
+/// Returns an empty text for forms of full detail.
 std::string format_detail(const PreparedSearch& p) {
   if (p.stopped)
     return fmt::format("forms      none: {} before the search\n",

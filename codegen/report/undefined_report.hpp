@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What a report says of a pose at which an expression has no value.
+// Reports of a pose at which an expression has no value.
 #pragma once
 
 #include <nlohmann/json_fwd.hpp>

@@ -12,7 +12,7 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-/// Exhaustive searches stay away from the zero: there the first point stands for the proof.
+/// Exhaustive searches do not refine the witness; for them the first point is reported.
 const WitnessPoint& closest(const Witness& witness) {
   return witness.near ? *witness.near : witness.points.front();
 }
@@ -24,7 +24,7 @@ std::vector<Interval> hull_of_points(const Witness& witness) {
   return box;
 }
 
-/// The largest difference in any variable; nothing is claimed of it.
+/// Returns the largest difference in any variable, without a claim.
 double approx_distance(const Witness& witness) {
   double largest = 0;
   for (const Interval& range : hull_of_points(witness))
