@@ -18,7 +18,7 @@
 namespace regulus::inline command {
 namespace {
 
-/// Returns when the report and all files are written.
+/// Returns after the report and all files are written.
 Result search_and_report(const CheckCommand& command, PreparedSearch& preparation,
                          InterruptGuard& interrupt) {
   const Settings settings = settings_of(preparation, command.search, &interrupt.requested());
@@ -26,7 +26,7 @@ Result search_and_report(const CheckCommand& command, PreparedSearch& preparatio
   CheckpointFile checkpoint(command.checkpoint, preparation, settings);
   CertificateFile certificate(command.certificate, preparation,
                               checkpoint.partial(command.certificate));
-  // The certificate first: what it has is then safe before a checkpoint speaks of it.
+  // The certificate comes first, so that its bytes are safe before a checkpoint refers to them.
   std::vector<Observer*> watching;
   if (certificate.observer() != nullptr) watching.push_back(certificate.observer());
   if (Observer* saving = checkpoint.observer(certificate.writer())) watching.push_back(saving);

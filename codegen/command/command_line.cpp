@@ -10,7 +10,7 @@
 namespace regulus::inline command {
 namespace {
 
-/// "{a,b,c}" anywhere in what --help says of an option's value.
+/// Finds "{a,b,c}" in the text of --help about an option's value.
 std::vector<std::string> choices_in(const std::string& type) {
   const std::size_t open = type.find('{'), close = type.find('}');
   std::vector<std::string> choices;
@@ -23,7 +23,7 @@ std::vector<std::string> choices_in(const std::string& type) {
   return choices;
 }
 
-/// "S" of "S:POSITIVE", which is what CLI11 makes of a value that is checked.
+/// Returns "S" of "S:POSITIVE", the text of CLI11 for a checked value.
 std::string without_check(const std::string& type) {
   for (const char* check : {":POSITIVE", ":NONNEGATIVE", ":INT in", ":UINT in"})
     if (const std::size_t at = type.find(check); at != std::string::npos) return type.substr(0, at);
@@ -46,7 +46,7 @@ OptionEntry entry_of(const CLI::Option& option) {
 
 CommandEntry entry_of(const CLI::App& app, const std::string& name) {
   CommandEntry entry{name, app.get_description(), app.get_footer(), {}, {}};
-  // An option without a group is one that is refused in words: help does not show it.
+  // An option without a group is refused with a message of its own; help does not show it.
   for (const CLI::Option* option : app.get_options())
     if (option->get_positional() || !option->get_group().empty())
       (option->get_positional() ? entry.arguments : entry.options).push_back(entry_of(*option));

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The command line, as values. Names that the option texts spell are those of DESIGN's command
-// table.
+// The command line, as values.
 #pragma once
 
 #include <cstdint>
@@ -31,7 +30,7 @@ struct LocateCommand {
   std::string lines;       ///< file of the JSON lines, "-" = standard output; empty: see --json
   std::vector<std::string> pictures;
   std::string certificate;        ///< file; empty: none
-  bool boxes_unless_json = true;  ///< print the boxes where nothing says otherwise
+  bool boxes_unless_json = true;  ///< print the boxes by default
 };
 
 /// One of the model's tolerances, its alpha, or `scale` is a range LO:HI.
@@ -39,7 +38,7 @@ struct MarginCommand {
   ModelOptions model;
   SearchOptions search;
   OutputOptions output;
-  std::string scale;  ///< empty: not that
+  std::string scale;  ///< empty: not used
   std::string gap = "0.01";
   std::string certificate;  ///< files, without their endings; empty: none
 };
@@ -67,8 +66,8 @@ struct ShellCommand {
   bool json = false;
 };
 
-/// What was asked. Exactly one command is set; none when `exit_code` is (--help, --version, an
-/// error).
+/// The parsed command line. Exactly one command is set; none if `exit_code` is set (--help,
+/// --version, an error).
 struct CommandLine {
   std::optional<int> exit_code;
   std::optional<CheckCommand> check;
@@ -88,9 +87,9 @@ struct CommandLine {
 /// An option of a command, or an argument, as --help shows it.
 struct OptionEntry {
   std::string name;   ///< "--range"; of an argument "MODEL"
-  std::string value;  ///< what follows, "p=LO:HI"; empty: a flag
+  std::string value;  ///< its value, "p=LO:HI"; empty: a flag
   std::string description;
-  std::vector<std::string> choices;  ///< every value there is; empty if that is free
+  std::vector<std::string> choices;  ///< all values; empty if any text is allowed
   bool required = false;
 };
 
@@ -99,8 +98,8 @@ struct CommandEntry {
   std::vector<OptionEntry> arguments, options;
 };
 
-/// Every command, from the tables that parse_command_line goes by; the program itself first, under
-/// the name "". `shell_commands` is the first part of the footer of `shell`.
+/// Returns every command, from the tables of parse_command_line; the program itself first, with the
+/// name "". `shell_commands` is the first part of the footer of `shell`.
 [[nodiscard]] std::vector<CommandEntry> command_table(const std::string& shell_commands = {});
 
 }  // namespace regulus::inline command

@@ -57,8 +57,7 @@ constexpr const char* kShellFooter =
 
 constexpr double kMarginSeconds = 60;
 
-/// An option that takes one of a few words; a slip of the pen is answered with the word that was
-/// probably meant.
+/// Adds an option that takes one of a few words; the message about a mistyped word suggests one.
 template <class Value>
 CLI::Option* add_choice(CLI::App& app, const std::string& name, Value& value,
                         const std::string& description) {
@@ -174,7 +173,7 @@ void add_checkpoint_options(CLI::App& app, CheckpointOptions& options) {
       ->check(CLI::NonNegativeNumber);
 }
 
-/// `what` the proof is of.
+/// `what` names the subject of the proof.
 void add_certificate_option(CLI::App& app, std::string& path, const std::string& what) {
   app.add_option("--certificate", path,
                  what + "; `regulus verify` checks it. A file of an earlier run becomes FILE.old")
@@ -189,7 +188,7 @@ constexpr const char* kMarginCertificate =
     "Write a proof for each end of the bracket: FILE.safe, that there is no singularity at a, and "
     "FILE.singular, that there is one at b. An end that is not found has no file";
 
-/// An option of `check` that is to be refused in words, and not as one that nobody knows.
+/// Adds options of `check` that are refused with a reason, and not as unknown options.
 void refuse_checkpoint_options(CLI::App& app, const std::string& why) {
   for (const char* name : {"--checkpoint", "--checkpoint-every"})
     app.add_option_function<std::string>(

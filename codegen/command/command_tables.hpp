@@ -8,7 +8,7 @@
 
 namespace regulus::inline command {
 
-/// The tables of all commands, and where they put what they read.
+/// The tables of all commands, and the values that they fill.
 struct CommandTables {
   CLI::App app;
   CheckCommand check;

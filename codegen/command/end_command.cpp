@@ -9,7 +9,7 @@
 namespace regulus::inline command {
 namespace {
 
-/// The compiler's work is kept for a later run, and nobody asked for an end.
+/// True if the compiler's work is kept for a later run and no end was requested.
 bool is_worth_waiting(const PreparedSearch& preparation, const Result& result) {
   return preparation.cache != name(CacheUse::kOff) &&
          (!result.stopped_by || *result.stopped_by == Reason::kBoxBudget ||

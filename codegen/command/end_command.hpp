@@ -12,15 +12,14 @@ namespace regulus::inline command {
 
 [[nodiscard]] ExitCode exit_code_of(Verdict verdict);
 
-/// The end of a command that has written its report and closed its files, while the compiler of
-/// PreparedSearch::late may still be at work. Returns the exit code of the verdict.
+/// Ends a command that has written its report and closed its files, while the compiler of
+/// PreparedSearch::late may still be running. Returns the exit code of the verdict.
 ///
-/// After a search that came to its end this waits for the compiler, so that the next run has the
-/// kernel from the cache: the wait is no longer than the search was, as a rule; see
-/// kBoxesBeforeCompiling. It ends the process at once if the search was interrupted or out of time
-/// or memory, if nothing is kept (--no-cache), or once an interrupt comes during the wait.
-/// A compiler cannot be stopped within a process, and the cache has an entry whole or not at all,
-/// so that nothing is lost but the compiler's work.
+/// After a complete search it waits for the compiler, so that the next run has the kernel from the
+/// cache. The wait is usually shorter than the search; see kBoxesBeforeCompiling. It ends the
+/// process at once if the search was interrupted or out of time or memory, if the cache is off
+/// (--no-cache), or at an interrupt during the wait. A compiler cannot be stopped inside a process,
+/// and the cache has an entry whole or not at all, so only the compiler's work is lost.
 [[nodiscard]] ExitCode end_command(PreparedSearch& preparation, const OutputOptions& output,
                                    const Result& result, const std::atomic<bool>& interrupted);
 

@@ -11,7 +11,7 @@
 namespace regulus::inline command {
 namespace {
 
-/// Without a motion the forms are shown over the pose parameters themselves.
+/// Shows the forms; without a motion, over the pose parameters themselves.
 Explanation forms(const ExplainCommand& command) {
   ExplainOptions options;
   options.all_entries = command.all_entries;
@@ -32,7 +32,7 @@ std::string kernel_text(const ExplainCommand& command, const std::string& typed)
       .source;
 }
 
-/// Exponents of two; null where the matrix is as the model has it.
+/// Returns exponents of two; null if the matrix is not scaled.
 nlohmann::ordered_json json_scaling(const MatrixScaling& scaling) {
   if (scaling.empty()) return nullptr;
   return {{"rows", scaling.rows}, {"columns", scaling.columns}};

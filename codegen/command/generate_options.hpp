@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// `regulus generate`, and what a program says that generates the kernel of its own C++ model.
+// `regulus generate`, and the interface of programs that generate the kernel of their own C++
+// model.
 #pragma once
 
 #include <string>
@@ -25,16 +26,16 @@ struct GenerateCommand {
   int json_indent = 2;  ///< −1: all on one line
 };
 
-/// What changes a model or its motion: --range, --tolerance, --alpha.
+/// Adds the options that change a model or its motion: --range, --tolerance, --alpha.
 void add_model_changes(CLI::App& app, ModelOptions& options);
 
-/// All options of generate but the model and the motion.
+/// Adds all options of generate except the model and the motion.
 void add_generate_options(CLI::App& app, GenerateCommand& command);
 
-/// Writes the files and lists them on standard output, as JSON if asked for. `typed`: the command
+/// Writes the files and lists them on standard output, as JSON if requested. `typed`: the command
 /// line, for their heads.
 ///
-/// Throws    UsageError, InputError, FileError; no file has been touched then.
+/// Throws    UsageError, InputError, FileError; then no file has been changed.
 void generate_files(const GenerateCommand& command, const Request& request,
                     const std::string& typed);
 

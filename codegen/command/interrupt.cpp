@@ -13,8 +13,8 @@ bool is_ignored(int signal) {
   return sigaction(signal, nullptr, &action) == 0 && action.sa_handler == SIG_IGN;
 }
 
-// SIGUSR1 is how the destructor wakes the watcher. A signal that is ignored would be taken, too,
-// once it is blocked.
+// The destructor wakes the watcher by SIGUSR1. An ignored signal would be received, too, if it were
+// blocked.
 sigset_t watched_signals() {
   sigset_t set;
   sigemptyset(&set);
@@ -23,7 +23,7 @@ sigset_t watched_signals() {
   return set;
 }
 
-constexpr int kExitOnSignal = 128;  // as a shell has it
+constexpr int kExitOnSignal = 128;  // as in a shell
 
 constexpr int kPatience = 60;  // steps of 50 ms
 
@@ -46,7 +46,7 @@ InterruptGuard::~InterruptGuard() {
   pthread_sigmask(SIG_SETMASK, &previous_, nullptr);
 }
 
-/// Before long; not where another signal comes first.
+/// Waits a few seconds for a search to begin; false if another signal comes first.
 bool InterruptGuard::search_begins() const {
   const timespec step{0, 50'000'000};
   for (int steps = 0; steps < kPatience; ++steps) {

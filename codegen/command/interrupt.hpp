@@ -7,15 +7,16 @@
 
 namespace regulus::inline command {
 
-/// Turns SIGINT, SIGTERM and SIGHUP into a flag that the search reads, while it lives; not SIGHUP
-/// where it is ignored, as nohup has it.
+/// During its lifetime, turns SIGINT, SIGTERM and SIGHUP into a flag that the search reads; not
+/// SIGHUP if it is ignored, as after nohup.
 ///
-/// The signals are blocked and taken by a thread of our own, so nothing runs in a signal handler
-/// and no global is needed. Construct it before any other thread starts: threads inherit the mask.
-/// A second one ends the process at once, but for SIGHUP: a terminal that closes may send several,
-/// and what the first asked for, a checkpoint say, is still to be done. So does the first, after
-/// three seconds, where no search has begun by then and nobody else handles the signal, as the
-/// shell does: what comes before a search has nothing to report, and may take long.
+/// The signals are blocked, and a separate thread receives them, so nothing runs in a signal
+/// handler and no global is needed. Construct it before any other thread starts, because threads
+/// inherit the mask. A second signal ends the process at once, except SIGHUP: a closing terminal
+/// may send several, and the work after the first, such as a checkpoint, must still be done. A
+/// first signal ends the process after three seconds if no search has begun by then and no other
+/// code handles the signal, as the shell does: the stages before a search have nothing to report,
+/// and may take long.
 class InterruptGuard {
  public:
   InterruptGuard();
@@ -23,10 +24,10 @@ class InterruptGuard {
   InterruptGuard(const InterruptGuard&) = delete;
   InterruptGuard& operator=(const InterruptGuard&) = delete;
 
-  /// From now on a signal is a search's to take.
+  /// From now on the search handles signals.
   void begin_search() noexcept { searching_ = true; }
 
-  /// Asks for an end from within, as a signal does from outside.
+  /// Requests an end from inside the program, as a signal does from outside.
   void request() noexcept { requested_ = true; }
   [[nodiscard]] const std::atomic<bool>& requested() const noexcept { return requested_; }
 

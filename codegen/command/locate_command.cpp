@@ -27,7 +27,7 @@
 namespace regulus::inline command {
 namespace {
 
-/// Where the JSON lines go: a file, standard output, or nowhere.
+/// The output of the JSON lines: a file, standard output, or nothing.
 class LinesFile {
  public:
   explicit LinesFile(const LocateCommand& command) : name_(chosen(command)) {
@@ -44,7 +44,7 @@ class LinesFile {
   [[nodiscard]] std::string name() const {
     return is_standard_output() ? "standard output" : name_;
   }
-  /// Lines that nobody will find are not written. Throws FileError.
+  /// Throws    FileError if the file is no longer at its path.
   void require_in_place() const {
     const std::pair<dev_t, ino_t> none;
     if (wanted() && !is_standard_output() && (opened_ == none || identity() != opened_))
@@ -58,7 +58,7 @@ class LinesFile {
     return command.lines.empty() && print ? std::string("-") : command.lines;
   }
 
-  /// Of the file that has the name now.
+  /// Returns the identity of the file that has the name now.
   [[nodiscard]] std::pair<dev_t, ino_t> identity() const {
     struct stat status {};
     return ::stat(name_.c_str(), &status) == 0 ? std::pair(status.st_dev, status.st_ino)
@@ -70,8 +70,8 @@ class LinesFile {
   std::pair<dev_t, ino_t> opened_;
 };
 
-/// The pictures, their files opened and gnuplot started before the search: what cannot be had is
-/// said at once.
+/// The pictures. Their files are opened and gnuplot is started before the search, so that errors
+/// are reported at once.
 class Pictures {
  public:
   Pictures(const std::vector<std::string>& files, const PreparedSearch& preparation,
@@ -109,7 +109,7 @@ std::vector<Observer*> present(std::initializer_list<Observer*> observers) {
   return result;
 }
 
-/// Returns when the report and all files are written.
+/// Returns after the report and all files are written.
 Result pave_and_report(const LocateCommand& command, PreparedSearch& preparation,
                        InterruptGuard& interrupt) {
   const PavingOptions options = resolve_paving(

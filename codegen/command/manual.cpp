@@ -16,7 +16,7 @@ std::string page_name(const CommandEntry& command) {
   return command.name.empty() ? "regulus" : "regulus-" + command.name;
 }
 
-/// What roff would read as a command or an escape is made text.
+/// Escapes everything that roff would read as a command.
 std::string roff(const std::string& text) {
   std::string result;
   bool line_begins = true;
@@ -33,7 +33,7 @@ std::string roff(const std::string& text) {
   return result;
 }
 
-/// Lines as they are: they are laid out by hand.
+/// Keeps lines as they are, because they are laid out by hand.
 std::string laid_out(const std::string& text) { return fmt::format(".nf\n{}\n.fi\n", roff(text)); }
 
 std::string value_of(const OptionEntry& option) {
@@ -79,14 +79,14 @@ std::string long_names(const CommandEntry& command) {
   return names;
 }
 
-/// In single quotes for a shell.
+/// Returns the text in single quotes for a shell.
 std::string in_single_quotes(const std::string& text) {
   std::string result = "'";
   for (const char c : text) result += c == '\'' ? std::string("'\\''") : std::string(1, c);
   return result + "'";
 }
 
-/// What stands between brackets in a zsh specification.
+/// Returns the text between brackets in a zsh specification.
 std::string zsh_words(const std::string& text) {
   std::string result;
   for (const char c : text.substr(0, text.find('\n'))) {

@@ -8,12 +8,11 @@
 
 namespace regulus::inline command {
 
-/// Runs the command that was asked for, any but `shell`, and returns its exit code. `typed`: the
-/// words as typed.
+/// Runs the command, any except `shell`, and returns its exit code. `typed`: the words as typed.
 [[nodiscard]] int run_command_line(const CommandLine& line, const std::string& typed);
 
-/// What `run` returns; where it throws, the message on standard error and the exit code that goes
-/// with it. `where` stands before the message.
+/// Returns the result of `run`. If `run` throws, prints the message on standard error, after
+/// `where`, and returns the exit code of the error.
 [[nodiscard]] int report_errors(const std::function<int()>& run,
                                 const std::string& where = "regulus: ");
 

@@ -21,10 +21,10 @@ using verifier::Verification;
 
 struct Verified {
   Verification verification;
-  std::vector<std::string> differences;  ///< from the model file that was asked about
+  std::vector<std::string> differences;  ///< from the model file of --model
 };
 
-/// One line on a terminal, rewritten.
+/// Rewrites one line on a terminal.
 void show_progress(const Verification& v) {
   std::cerr << "\r\033[K" << v.leaves << " leaves, " << v.boxes << " boxes" << std::flush;
 }
@@ -38,7 +38,7 @@ verifier::Options options_of(const VerifyCommand& command) {
   return options;
 }
 
-/// Places that options have set, as the front end found: "range x", "tolerance base", "alpha".
+/// Returns the places that options have set: "range x", "tolerance base", "alpha".
 std::set<std::string> overridden(const std::vector<std::string>& differences) {
   std::set<std::string> result;
   for (const std::string& text : differences)
@@ -58,7 +58,7 @@ Verification verify_stream(std::istream& file, const std::string& path,
   }
 }
 
-/// A proof about something else than what was asked about is of no use: it is not even read.
+/// A proof of another question is rejected without reading it.
 Verification rejected(const CertificateHead& head, const std::string& reason) {
   Verification verification;
   verification.outcome = Outcome::kRejected;
@@ -83,7 +83,7 @@ Verified verify_file(const VerifyCommand& command) {
   const CertificateHead head(file);
   ContinuedText text(head.text(), file);
   std::istream certificate(&text);
-  // What has no head is for the verifier to say.
+  // The verifier reports a file without a head.
   ModelConfirmation confirmation;
   if (!head.lines().empty()) confirmation = confirm_model(head, command.model);
   if (!confirmation.refusal.empty()) return {rejected(head, confirmation.refusal), {}};
@@ -138,7 +138,7 @@ int run_verify(const VerifyCommand& command) {
   if (!command.output.quiet)
     std::cerr << verifier::describe(verification) << model_lines(command, verified);
   if (command.output.json)
-    // Labels are bytes of a foreign file.
+    // Labels are untrusted bytes.
     std::cout << json_report(command, verified)
                      .dump(command.output.json_indent, ' ', false,
                            nlohmann::ordered_json::error_handler_t::replace)
