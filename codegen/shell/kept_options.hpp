@@ -9,16 +9,16 @@
 
 namespace regulus::inline shell {
 
-/// An option of `check`, named without its dashes; nullptr if there is none.
+/// Returns an option of `check` by its name without dashes; nullptr if there is none.
 [[nodiscard]] const OptionEntry* option_of_check(const std::string& name);
-/// False for what a session keeps by itself, or a command is to be told each time.
+/// False for an option that the session keeps elsewhere, or that each command needs anew.
 [[nodiscard]] bool may_be_kept(const std::string& option);
-/// Of all that may be kept.
+/// Returns the names of all options that may be kept.
 [[nodiscard]] std::vector<std::string> names_of_options();
-/// Whether values begin with a name, and are set apart by it.
+/// True if values begin with a name that distinguishes them.
 [[nodiscard]] bool takes_names(const std::string& option);
 
-/// A command line was refused, and that has been said.
+/// A command line was refused; the message has been printed.
 struct CommandLineRefused {
   int code;
 };

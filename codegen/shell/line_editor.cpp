@@ -36,8 +36,8 @@ namespace {
 
 constexpr int kLinesKept = 1000;
 
-/// Makes the file, if there is none, for the owner alone: lines may name what is nobody else's
-/// business. Not by the umask, which other threads go by, too.
+/// Creates the file, if there is none, only for its owner, because lines may be private. It does
+/// not change the umask, because other threads use it, too.
 void make_private(const std::filesystem::path& file) {
   std::error_code error;
   if (std::filesystem::create_directories(file.parent_path(), error))
@@ -48,7 +48,7 @@ void make_private(const std::filesystem::path& file) {
   ::close(made);
 }
 
-/// SIGINT waits while it lives: one that comes between the prompt and the read would be lost.
+/// Blocks SIGINT during its lifetime: a signal between the prompt and the read would be lost.
 class InterruptsWait {
  public:
   InterruptsWait() {
@@ -67,7 +67,7 @@ class InterruptsWait {
   sigset_t before_{};
 };
 
-/// What is typed is UTF-8 unless the environment names another encoding.
+/// Input is UTF-8 unless the environment names another encoding.
 void choose_encoding() {
   std::setlocale(LC_CTYPE, "");
   if (MB_CUR_MAX == 1) std::setlocale(LC_CTYPE, "C.UTF-8");
@@ -92,7 +92,7 @@ struct LineEditor::Library {
 
   static const char* show_prompt(EditLine* line) { return of(line).prompt.c_str(); }
 
-  /// One character, as el_gets asks for it: 1, at the end of the input 0, otherwise −1.
+  /// Reads one character for el_gets. Returns 1, at the end of the input 0, otherwise −1.
   static int read_character(EditLine* line, wchar_t* character) {
     std::mbstate_t state{};
     for (;;) {
@@ -110,7 +110,7 @@ struct LineEditor::Library {
     }
   }
 
-  /// Adds what all completions have in common; lists them where that is nothing.
+  /// Adds the common beginning of all completions; if there is none, lists them.
   static unsigned char on_tab(EditLine* line, int) {
     Library& library = of(line);
     const LineInfo* info = el_line(line);

@@ -10,20 +10,21 @@
 
 namespace regulus::inline shell {
 
-/// Lines that a person types: edited, completed with Tab, remembered from session to session. Where
-/// libedit was not there when the program was built, as they come from the terminal.
+/// Reads typed lines, with editing, completion by Tab, and a history over sessions. If the program
+/// was built without libedit, it reads plain lines from the terminal.
 class LineEditor {
  public:
-  /// What the last word of the text before the cursor can become.
+  /// Returns the completions of the last word before the cursor.
   using Complete = std::function<std::vector<std::string>(const std::string& before)>;
 
-  /// `history`: a file; empty, or one that cannot be written: none is kept.
+  /// `history`: a file; if it is empty or cannot be written, no history is kept.
   LineEditor(const std::string& prompt, std::filesystem::path history, Complete complete);
   ~LineEditor();
   LineEditor(const LineEditor&) = delete;
   LineEditor& operator=(const LineEditor&) = delete;
 
-  /// The next line without its end. nullopt at the end of the input; empty after an interrupt.
+  /// Returns the next line without its end. nullopt at the end of the input; empty after an
+  /// interrupt.
   [[nodiscard]] std::optional<std::string> next();
 
  private:
@@ -31,7 +32,7 @@ class LineEditor {
   std::unique_ptr<Library> library_;
 };
 
-/// XDG_STATE_HOME/regulus/history, ~/.local/state otherwise; empty without a home.
+/// Returns XDG_STATE_HOME/regulus/history, or the same below ~/.local/state; empty without a home.
 [[nodiscard]] std::filesystem::path history_file();
 
 }  // namespace regulus::inline shell

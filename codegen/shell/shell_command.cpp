@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// At a terminal a prompt, otherwise a script.
+// Shows a prompt at a terminal; otherwise reads a script.
 #include "codegen/shell/shell_command.hpp"
 
 #include <unistd.h>
@@ -15,10 +15,10 @@
 namespace regulus::inline shell {
 namespace {
 
-/// Whether a code says that something is wrong, and not what a verdict is.
+/// True if a code is that of an error, and not of a verdict.
 bool is_error(int code) { return code >= kUsageError; }
 
-/// While it lives, SIGINT ends a read and nothing else; a search takes it for itself.
+/// During its lifetime, SIGINT only ends a read; a search handles it itself.
 class InterruptsReading {
  public:
   InterruptsReading() {
@@ -34,7 +34,7 @@ class InterruptsReading {
   struct sigaction previous_ {};
 };
 
-/// The code of the last line that had a verdict. Nothing ends it but quit and the end of the input.
+/// Returns the code of the last line with a verdict. Only quit and the end of the input end it.
 int at_prompt(ShellSession& session) {
   const InterruptsReading reading;
   LineEditor editor("regulus> ", history_file(), [&session](const std::string& before) {

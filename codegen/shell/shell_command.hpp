@@ -5,7 +5,7 @@
 
 namespace regulus::inline shell {
 
-/// `regulus shell`: prints what each line asks for and returns the exit code.
+/// `regulus shell`: runs each line, prints its results and returns the exit code.
 [[nodiscard]] int run_shell(const ShellCommand& command);
 
 }  // namespace regulus::inline shell

@@ -10,7 +10,7 @@ namespace {
 
 using Words = std::vector<std::string>;
 
-/// The words before the one that is being typed, and that one.
+/// The word at the cursor, and the words before it.
 struct TypedLine {
   Words before;
   std::string last;
@@ -50,7 +50,7 @@ Words of_set(const TypedLine& typed, const ShellNames& names) {
   return names.values_of ? names.values_of(what) : Words{};
 }
 
-/// And the folders they may be in.
+/// Returns model files, and folders that may contain them.
 Words models_among(Words files) {
   std::erase_if(files, [](const std::string& file) {
     return !file.ends_with(".toml") && !file.ends_with("/");

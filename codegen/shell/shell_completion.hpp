@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What Tab offers in the shell, as a function of the line.
+// The completions of Tab in the shell, as a function of the line.
 #pragma once
 
 #include <functional>
@@ -9,7 +9,7 @@
 
 namespace regulus::inline shell {
 
-/// The names that can be asked for at a moment.
+/// The names that can be completed at a moment.
 struct ShellNames {
   std::vector<std::string> commands;
   std::vector<std::string> motions;
@@ -17,19 +17,19 @@ struct ShellNames {
   std::vector<std::string> groups;      ///< of tolerances
   std::vector<std::string> options;     ///< of `check`, without the dashes
   std::vector<std::string> lets;
-  /// What an option's value may be; empty if that is free.
+  /// Returns the values of an option; empty if any text is allowed.
   std::function<std::vector<std::string>(const std::string& option)> values_of;
-  /// The files and folders (with a slash) whose path begins so.
+  /// Returns the files and folders (with a slash) whose path begins with `prefix`.
   std::function<std::vector<std::string>(const std::string& prefix)> files;
 };
 
-/// What the last word of the line before the cursor can become, in order.
+/// Returns the completions of the last word before the cursor, in order.
 [[nodiscard]] std::vector<std::string> completions(std::string_view line, const ShellNames& names);
 
-/// The longest text that all of them begin with.
+/// Returns the longest common beginning.
 [[nodiscard]] std::string common_beginning(const std::vector<std::string>& words);
 
-/// What the file system has for ShellNames::files; nothing where it cannot be read.
+/// Reads the file system for ShellNames::files; nothing if it cannot be read.
 [[nodiscard]] std::vector<std::string> files_beginning(const std::string& prefix);
 
 }  // namespace regulus::inline shell

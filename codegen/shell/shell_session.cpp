@@ -141,7 +141,7 @@ int ShellSession::motion(const Words& words) {
   if (words.size() != 2) refuse(rest_of(words, 0), "motion NAME");
   from_option("motion", [&] { static_cast<void>(find_motion(*asked_.model, words[1])); });
   asked_.motion = words[1];
-  // A range is of a motion's parameters.
+  // Ranges belong to the parameters of the motion.
   std::erase_if(asked_.settings, [](const Setting& s) { return s.option == "range"; });
   return 0;
 }
@@ -155,7 +155,8 @@ int ShellSession::save(const Words& words) {
   return 0;
 }
 
-/// What is no model, or not one for what is set, is refused, and the session keeps what it had.
+/// Refuses a text that is not a model, or that does not fit the settings; the session keeps the
+/// earlier model.
 void ShellSession::take(std::string text) {
   Asked changed = asked_;
   changed.model = parse_model(text, asked_.path);
@@ -177,7 +178,7 @@ int ShellSession::change_expression(const Words& words) {
   return asked_.motion.empty() ? 0 : prepare_again();
 }
 
-/// A text with a mistake is what the next edit begins with.
+/// The next edit begins with a text that had a mistake.
 int ShellSession::edit(const Words& words) {
   require_model();
   if (words.size() != 1) refuse(rest_of(words, 0), "edit");
@@ -194,9 +195,9 @@ int ShellSession::reload(const Words& words) {
   return asked_.motion.empty() ? 0 : prepare_again();
 }
 
-/// Every stage goes by its own input: where an edit leaves the text of the kernel as it was (after
-/// a change to a name), the cache has the whole of it, and otherwise the functions it leaves are
-/// known.
+/// Each stage is reused if its own input is the same. If an edit does not change the text of the
+/// kernel (after a change of a name), the cache has the whole kernel; otherwise it has the
+/// functions that did not change.
 int ShellSession::prepare_again() {
   CommandLine line = parsed(asked_, {"check"});
   adopt(line);

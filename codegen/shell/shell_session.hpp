@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What the shell remembers between two lines, and what a line does. Every result comes from the
-// command of that name: a session makes a command line of what it remembers and runs it.
+// The state of the shell between two lines, and the execution of a line. A session makes a command
+// line from its state and runs the command of that name.
 #pragma once
 
 #include <optional>
@@ -19,11 +19,11 @@ class ShellSession {
  public:
   explicit ShellSession(bool json) : json_(json) {}
 
-  /// Runs a line. Returns the exit code of the command it ran, 0 for what has none. Throws what
-  /// commands throw.
+  /// Runs a line. Returns the exit code of its command, 0 if it has none. Throws the exceptions of
+  /// commands.
   int execute(const std::string& line);
 
-  /// What a session understands, a line for each command.
+  /// Returns the commands of a session, a line for each.
   [[nodiscard]] static std::string commands();
 
   [[nodiscard]] bool ended() const noexcept { return ended_; }
@@ -32,11 +32,11 @@ class ShellSession {
 
  private:
   using Words = std::vector<std::string>;
-  /// An option that has been set; `key` tells those apart that may be repeated.
+  /// An option that has been set; `key` distinguishes options that may be repeated.
   struct Setting {
     std::string option, key, value;
   };
-  /// What a question is about.
+  /// The subject of a question.
   struct Asked {
     std::string path;
     std::string text;  ///< of the model, with its changes
@@ -75,7 +75,7 @@ class ShellSession {
   bool ended_ = false;
   bool keep_going_ = false;
   Asked asked_;
-  std::string draft_;  ///< an edited text that is no model yet; else empty
+  std::string draft_;  ///< an edited text with a mistake; else empty
   PartStore parts_;    ///< of the kernels of this session
   Words history_;
 

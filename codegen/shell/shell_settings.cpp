@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What is set in a session, and how it reaches a command.
+// The settings of a session, and their use in commands.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -86,8 +86,8 @@ int ShellSession::show_settings() {
   return 0;
 }
 
-/// The command line of these words, of what is set, and of the model; what a command does not know
-/// is left out.
+/// Returns the command line of these words, of the settings, and of the model; leaves out settings
+/// that the command does not know.
 CommandLine ShellSession::parsed(const Asked& asked, const Words& words) {
   static const std::vector<CommandEntry> kTable = command_table();
   const auto& options = std::ranges::find(kTable, words[0], &CommandEntry::name)->options;
@@ -112,8 +112,8 @@ CommandLine ShellSession::parsed(const Asked& asked, const Words& words) {
   return result;
 }
 
-/// The model is the one in memory. Its kernel is compiled before the search: what it has in common
-/// with earlier ones is compiled already, and the process keeps it.
+/// Uses the model in memory. Compiles its kernel before the search: the parts of earlier kernels
+/// are compiled already, and the process keeps them.
 void ShellSession::adopt(CommandLine& line) {
   const auto with = [&](ModelOptions& model, OutputOptions& output) {
     model.text = asked_.text;

@@ -7,11 +7,11 @@
 
 namespace regulus::inline shell {
 
-/// The words of a line: blanks separate, quotes of either kind hold together, # begins a comment.
-/// Throws UsageError for a quote that is not closed.
+/// Returns the words of a line. Blanks separate words, quotes of either kind enclose a word, #
+/// begins a comment. Throws UsageError for a quote that is not closed.
 [[nodiscard]] std::vector<std::string> split_words(std::string_view line);
 
-/// From the word of that number on, with single blanks: the expression that ends a line.
+/// Returns the words from that number on, with single blanks: the expression at the end of a line.
 [[nodiscard]] std::string rest_of(const std::vector<std::string>& words, std::size_t from);
 
 }  // namespace regulus::inline shell

@@ -16,7 +16,7 @@
 namespace regulus::inline shell {
 namespace {
 
-/// A file of its owner's alone, with the name that editors know model files by.
+/// A file only for its owner, with the extension that editors know for model files.
 class DraftFile {
  public:
   explicit DraftFile(const std::string& text) {
@@ -52,7 +52,7 @@ std::string editor() {
   return "vi";
 }
 
-/// What the variables say may have options: it is for the shell to take apart.
+/// The variables may contain options, so the shell splits them.
 int run_editor(std::string path) {
   std::string shell = "/bin/sh", option = "-c", name = "sh";
   std::string command = editor() + " \"$1\"";

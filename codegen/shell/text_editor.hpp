@@ -5,9 +5,11 @@
 
 namespace regulus::inline shell {
 
-/// The text after somebody has changed it in the editor that VISUAL or EDITOR names, or in vi.
+/// Opens the text in the editor that VISUAL or EDITOR names, or in vi, and returns the changed
+/// text.
 ///
-/// Throws    FileError when the text cannot be handed over, or the editor ends with an error.
+/// Throws    FileError if the text cannot be passed to the editor, or the editor ends with an
+///           error.
 [[nodiscard]] std::string edited(const std::string& text);
 
 }  // namespace regulus::inline shell
