@@ -1,10 +1,10 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-# Finds the newest Clang and LLVM libraries, 22 down to 19, and makes of their two shared
-# libraries the targets regulus_llvm and regulus_clang, which has both. Set LLVM_DIR to choose another
+# Finds the newest Clang and LLVM libraries, 22 down to 19, and makes two targets from their shared
+# libraries: regulus_llvm, and regulus_clang, which has both. Set LLVM_DIR to choose another
 # installation.
 #
-# Clang is found beside LLVM by file name: ClangConfig.cmake would import every static library and
-# tool of the installation, where one shared library is linked.
+# Clang is found beside LLVM by file name. ClangConfig.cmake would import every static library and
+# tool of the installation, but only one shared library is linked.
 find_package(LLVM CONFIG QUIET
              HINTS /usr/lib/llvm-22/lib/cmake/llvm /usr/lib/llvm-21/lib/cmake/llvm
                    /usr/lib/llvm-20/lib/cmake/llvm /usr/lib/llvm-19/lib/cmake/llvm)

@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: Apache-2.0
-# What programs need that link the front end: this build's own, and users of the package.
+# Dependencies of programs that link the front end: those of this build, and those of users of the
+# package.
 regulus_pkg(regulus_ginac ginac libginac-dev)
 regulus_pkg(regulus_cln cln libcln-dev)
 regulus_pkg(regulus_tomlplusplus tomlplusplus libtomlplusplus-dev)

@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: Apache-2.0
-# What this build does with the lists of FloatingPoint.cmake and InstructionSets.cmake: options for
-# all of its code, and headers for code that is compiled in process.
+# Applies the lists of FloatingPoint.cmake and InstructionSets.cmake: options for all code of this
+# build, and headers for code that is compiled in process.
 include(${CMAKE_CURRENT_LIST_DIR}/FloatingPoint.cmake)
 include(${CMAKE_CURRENT_LIST_DIR}/InstructionSets.cmake)
 
@@ -17,8 +17,8 @@ endforeach()
 configure_file(${CMAKE_CURRENT_LIST_DIR}/instruction_set_flags.hpp.in
                ${PROJECT_BINARY_DIR}/include/regulus/instruction_set_flags.hpp @ONLY)
 
-# regulus_compile_quickly(TARGET): -O1 in a release, for code that is not where the time is spent. What
-# rounds is compiled with the same flags otherwise; no result depends on it.
+# regulus_compile_quickly(TARGET): -O1 in a release, for code that takes little time. All other
+# flags, those of rounding included, stay the same; no result depends on it.
 function(regulus_compile_quickly target)
   target_compile_options(${target} PRIVATE "$<$<AND:$<COMPILE_LANGUAGE:CXX>,$<CONFIG:Release,RelWithDebInfo>>:-O1>")
 endfunction()

@@ -5,7 +5,7 @@
 #   Regulus::runtime   checks boxes with compiled kernels; the C++ library alone
 #   Regulus::search    runs whole searches, by several threads; oneTBB
 #   Regulus::codegen   model files, symbolic forms, C++ text; GiNaC, CLN, FLINT, toml++, fmt
-#   Regulus::jit       compiles and checks in process; LLVM is opened when something is compiled
+#   Regulus::jit       compiles and checks in process; LLVM is opened only for a compilation
 #   Regulus::regulus   the command
 
 # regulus_component(NAME LAYERS...): the library regulus-NAME of these layers.
@@ -22,7 +22,7 @@ endfunction()
 
 regulus_component(runtime interval kernel machine regularity problem evaluation witness decider embedded)
 target_compile_features(regulus_component_runtime INTERFACE cxx_std_20)
-# The headers hold interval arithmetic that is compiled where it is used.
+# The headers contain interval arithmetic that is compiled in the user's code.
 target_compile_options(regulus_component_runtime INTERFACE
   "$<$<COMPILE_LANGUAGE:CXX>:${REGULUS_FLOATING_POINT_FLAGS}>")
 

@@ -2,10 +2,10 @@
 # `make deb`, or `cpack` in the build folder: the packages
 #
 #   regulus         the commands, the compiler plugins, models and documentation
-#   libregulus-dev  what programs with a kernel are built from; needs the command to generate one
+#   libregulus-dev  files to build programs with a kernel; needs the command to generate one
 #
-# Whatever is installed under no component of cmake/Install.cmake (man pages, completions) goes with
-# the commands.
+# Files without a component of cmake/Install.cmake (man pages, completions) are packed with the
+# commands.
 set(CPACK_GENERATOR DEB)
 set(CPACK_PACKAGE_NAME regulus)
 set(CPACK_PACKAGE_VENDOR Regulus)
@@ -30,7 +30,7 @@ set(CPACK_COMPONENT_DEVELOPMENT_GROUP library)
 set(CPACK_DEBIAN_COMMAND_PACKAGE_NAME regulus)
 set(CPACK_DEBIAN_COMMAND_PACKAGE_SECTION science)
 set(CPACK_DEBIAN_COMMAND_PACKAGE_SHLIBDEPS ON)
-# dpkg-shlibdeps knows no package for libLLVM by the path in LLVM's own folder.
+# dpkg-shlibdeps finds no package for libLLVM by its path in LLVM's own folder.
 if("${LLVM_DIR}" MATCHES "llvm-([0-9]+)")
   set(CPACK_DEBIAN_COMMAND_PACKAGE_DEPENDS "libllvm${CMAKE_MATCH_1}")
 endif()

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-# Finds what the front end needs and names the Debian package of what is missing.
+# Finds the dependencies of the front end, and names the Debian package of a missing one.
 
 include(${CMAKE_CURRENT_LIST_DIR}/PkgConfigTarget.cmake)
 include(${CMAKE_CURRENT_LIST_DIR}/CodegenDependencies.cmake)

@@ -1,10 +1,10 @@
 # SPDX-License-Identifier: Apache-2.0
-# cmake --install. Nothing of what is installed knows its place, so that the folder can be moved.
+# cmake --install. No installed file depends on its place, so the folder can be moved.
 #
-#   --component runtime      what a program with a kernel is built from: library, headers, CMake
+#   --component runtime      files to build a program with a kernel: library, headers, CMake
 #                               package, pkg-config file; with search, its threaded part
 #   --component codegen      the commands, with models and documentation
-#   --component jit          what the commands open when something must be compiled
+#   --component jit          plugins that the commands open for a compilation
 #   --component development  libraries and headers of the front end and of the in-process compiler
 include(GNUInstallDirs)
 include(CMakePackageConfigHelpers)
@@ -12,8 +12,8 @@ include(${CMAKE_CURRENT_LIST_DIR}/ComponentLibraries.cmake)
 include(${CMAKE_CURRENT_LIST_DIR}/PublicHeaders.cmake)
 
 set(package_dir ${CMAKE_INSTALL_LIBDIR}/cmake/Regulus)
-# Beside bin, wherever libraries go (codegen/jit/clang_compiler.cpp), and deep enough that CPack does
-# not take plugins for libraries and have ldconfig told.
+# Next to bin, in the folder for libraries (codegen/jit/clang_compiler.cpp), and deep enough that
+# CPack does not treat plugins as libraries and call ldconfig.
 set(plugin_dir lib/regulus/plugins)
 
 # regulus_export(NAME COMPONENT): the library and the file that defines its imported target.
@@ -24,8 +24,8 @@ function(regulus_export name component)
           DESTINATION ${package_dir} COMPONENT ${component})
 endfunction()
 
-# regulus_install_headers(COMPONENT HEADERS...): with what they include, each below its path in the
-# repository.
+# regulus_install_headers(COMPONENT HEADERS...): installs them and the headers that they include,
+# each with its path in the repository.
 function(regulus_install_headers component)
   regulus_with_includes(headers ${PROJECT_SOURCE_DIR} ${ARGN})
   foreach(header IN LISTS headers)
@@ -36,7 +36,7 @@ function(regulus_install_headers component)
   set_property(DIRECTORY APPEND PROPERTY CMAKE_CONFIGURE_DEPENDS ${headers})
 endfunction()
 
-# regulus_install_licences(FOLDER COMPONENT): Debian's name for what says which licence is whose.
+# regulus_install_licences(FOLDER COMPONENT): installs the licences under Debian's file name.
 function(regulus_install_licences folder component)
   install(FILES ${PROJECT_SOURCE_DIR}/LICENSE DESTINATION ${folder} RENAME copyright COMPONENT ${component})
   install(FILES ${PROJECT_SOURCE_DIR}/LICENSE-APACHE-2.0 ${PROJECT_SOURCE_DIR}/LICENSE-GPL-3.0
@@ -81,7 +81,7 @@ install(FILES ${PROJECT_BINARY_DIR}/package/regulus-runtime.pc
         DESTINATION ${CMAKE_INSTALL_LIBDIR}/pkgconfig COMPONENT runtime)
 
 if(REGULUS_CODEGEN)
-  # The libraries of this machine that are in no standard folder, LLVM's above all.
+  # The libraries of this machine that are not in a standard folder, mainly LLVM's.
   set_target_properties(regulus regulus-verify regulus_pack_plugin regulus_clang_plugin
                         PROPERTIES INSTALL_RPATH_USE_LINK_PATH TRUE)
   install(TARGETS regulus EXPORT Regulus_command

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-# The one list of flags that choose an instruction set. Kernels compiled ahead of time get it from
+# The only list of flags that choose an instruction set. Kernels compiled ahead of time get it from
 # here; kernels compiled in process get it from the generated header instruction_set_flags.hpp.
 #
 #   -mprefer-vector-width=512  Clang up to 19 crashes on 8-wide strict arithmetic without it
@@ -9,16 +9,16 @@ set(REGULUS_ISA_FLAGS_avx512 -DREGULUS_ISA_AVX512 -mavx512f -mavx512dq -mprefer-
 set(REGULUS_ISA_FLAGS_avx2 -DREGULUS_ISA_AVX2 -mavx2 -mfma)
 set(REGULUS_ISA_FLAGS_portable -DREGULUS_ISA_PORTABLE -fno-math-errno)
 
-# Those the target processor family has at all.
+# The instruction sets of the target processor family.
 if(CMAKE_SYSTEM_PROCESSOR MATCHES "x86_64|amd64|AMD64")
   set(REGULUS_ISA_BUILT avx512 avx2 portable)
 else()
   set(REGULUS_ISA_BUILT portable)
 endif()
 
-# Compiles each file named …_ISA.cpp in a list for that instruction set, and takes out of the list
-# those that the processor family does not have. WITHOUT: flags that are left out. How the code
-# rounds is said by FloatingPoint.cmake alone.
+# Compiles each file named …_ISA.cpp in a list for that instruction set, and removes from the list
+# those that the processor family does not have. WITHOUT: flags that are left out. Only
+# FloatingPoint.cmake decides how the code rounds.
 function(regulus_compile_for_isas regulus_list)
   cmake_parse_arguments(PARSE_ARGV 1 regulus "" "" "WITHOUT")
   set(regulus_kept ${${regulus_list}})

@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: Apache-2.0
 # Headers are included by their paths in the repository: "runtime/interval/interval.hpp". They are
-# installed with the same paths below include/regulus. What is configured comes from the build folder:
+# installed with the same paths below include/regulus. Configured headers are in the build folder:
 # "regulus/version.hpp".
 set(REGULUS_CONFIGURED_HEADERS ${PROJECT_BINARY_DIR}/include)
 set(REGULUS_INCLUDE_DIRECTORIES ${PROJECT_SOURCE_DIR} ${REGULUS_CONFIGURED_HEADERS})

@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: Apache-2.0
-# regulus_pkg(TARGET MODULE PACKAGE): an imported target from a pkg-config module. What is missing is
-# for the caller's regulus_missing(WHAT PACKAGE) to say.
+# regulus_pkg(TARGET MODULE PACKAGE): an imported target from a pkg-config module. The caller's
+# regulus_missing(WHAT PACKAGE) reports a missing module.
 function(regulus_pkg target module package)
   if(TARGET ${target})
     return()

@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: Apache-2.0
-# The headers that are installed: those that a program names, and what they include in turn.
+# The installed headers: those that a program names, and all headers that they include.
 #
-#   runtime      what generated kernels and filters include, and searches with such kernels
+#   runtime      headers for generated kernels and filters, and for searches with such kernels
 #   development  the interface of codegen/api, by its one header regulus/regulus.hpp
 set(REGULUS_RUNTIME_HEADERS
   runtime/embedded/checker.h runtime/embedded/checker.hpp
@@ -11,8 +11,8 @@ set(REGULUS_RUNTIME_HEADERS
 set(REGULUS_SEARCH_HEADERS runtime/search/solver.hpp runtime/checkpoint/writer.hpp runtime/certificate/writer.hpp)
 set(REGULUS_DEVELOPMENT_HEADERS codegen/api/regulus.hpp codegen/jit/plugin_folder.h)
 
-# regulus_with_includes(RESULT ROOT HEADERS...): the headers and all of the repository at ROOT that
-# they include, sorted. What a build configures, below regulus/, is left out.
+# regulus_with_includes(RESULT ROOT HEADERS...): the headers and all headers of the repository at
+# ROOT that they include, sorted. Configured headers, below regulus/, are left out.
 function(regulus_with_includes result root)
   set(waiting ${ARGN})
   set(known "")

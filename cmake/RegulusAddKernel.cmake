@@ -3,30 +3,30 @@
 #                    [ISA avx512 avx2 portable] [NAMESPACE ns] [NAME name]
 #                    [RANGE p=LO:HI ...] [TOLERANCE group=E ...] [ALPHA a])
 #
-# A library TARGET that checks pieces of one motion of a robot: the kernel is generated when the
-# model or the generator has changed, and compiled for each instruction set with the flags it needs.
+# A library TARGET that checks pieces of one motion of a robot: the kernel is generated if the model
+# or the generator has changed, and compiled for each instruction set with the flags it needs.
 #
 #   MODEL      model file, relative to the current source folder
-#   SOURCE     in its place, the model in C++: a file that defines regulus_model()
-#              (codegen/robot/AUTHORS.md). Needs the component codegen, and is run on this machine
-#   MOTION     one of its motions; may be left out when it has one
-#   ISA        instruction sets; the program chooses among them when it runs, and portable is always
-#              there. Default: all that the target processor's family has
+#   SOURCE     instead, the model in C++: a file that defines regulus_model()
+#              (codegen/robot/AUTHORS.md). Needs the component codegen, and runs on this machine
+#   MOTION     one of its motions; may be left out if there is only one
+#   ISA        instruction sets; the program chooses one at run time, and portable is always
+#              included. Default: all of the target processor's family
 #   NAME       of the headers NAME.h (C) and NAME.hpp (C++) and of the symbols in them. Default: TARGET
 #   NAMESPACE  of the C++ header. Default: NAME
 #   RANGE, TOLERANCE, ALPHA   change the motion or the model, as the options of `regulus check`
 #
-# Defines   TARGET, a static library that links Regulus::runtime and has its headers' folder; in it
+# Defines   TARGET, a static library that links Regulus::runtime and has its headers' folder; it has
 #           the class NS::Checker and the functions NAME_checker_new, NAME_check.
-# Requires  find_package(Regulus COMPONENTS runtime), or Regulus's own tree; CXX enabled. The command
-#           regulus, to be run on this machine: the package's, unless REGULUS_HOST_TOOL names another,
-#           as when compiling for a processor or a root that is not this machine's.
-# Errors    fatal, in words, for a missing argument or file, a word that is no instruction set, or
-#           flags that break directed rounding (-ffast-math). What is wrong in a model stops the
-#           build with file and line.
+# Requires  find_package(Regulus COMPONENTS runtime), or Regulus's own tree; CXX enabled. The
+#           command regulus runs on this machine. It is the package's command, unless
+#           REGULUS_HOST_TOOL names another, for example to compile for another processor or root.
+# Errors    fatal, with a message, for a missing argument or file, an unknown instruction set, or
+#           flags that break directed rounding (-ffast-math). A mistake in a model stops the build
+#           with file and line.
 set(REGULUS_HOST_TOOL "" CACHE FILEPATH "The command regulus that generates kernels; empty: the package's own")
 
-# The command to run, and what a rebuilt kernel depends on.
+# The command to run, and the dependencies of a kernel.
 function(_regulus_host_tool tool)
   if(REGULUS_HOST_TOOL)
     if(NOT EXISTS ${REGULUS_HOST_TOOL})
@@ -41,7 +41,7 @@ function(_regulus_host_tool tool)
   endif()
 endfunction()
 
-# Instruction sets in the order of the list; portable is always there.
+# Instruction sets in the order of the list; portable is always included.
 function(_regulus_instruction_sets chosen)
   foreach(isa IN LISTS ARGN)
     if(NOT isa IN_LIST REGULUS_ISA_NAMES)
@@ -67,13 +67,13 @@ function(_regulus_refuse_unsound_surroundings)
   regulus_refuse_unsound_flags("${CMAKE_CXX_FLAGS}" "${CMAKE_CXX_FLAGS_${type}}" "${options}")
 endfunction()
 
-# The files, by one run of the generator, and the library of them.
+# Adds the files, by one run of the generator, and their library.
 function(_regulus_kernel_library target name isas)
   set(folder ${CMAKE_CURRENT_BINARY_DIR}/${target}.kernel)
   set(files ${folder}/${name}.h ${folder}/${name}.hpp ${folder}/${name}.cpp ${folder}/${name}_kernel.inc)
   foreach(isa IN LISTS isas)
     list(APPEND files ${folder}/${name}_${isa}.cpp)
-    # -fno-lto: the rounding that a kernel runs in is set by its caller, which must not inline it.
+    # -fno-lto: the caller of a kernel sets its rounding, so it must not inline the kernel.
     set_source_files_properties(${folder}/${name}_${isa}.cpp PROPERTIES
       COMPILE_OPTIONS "${REGULUS_ISA_FLAGS_${isa}};-fno-lto" OBJECT_DEPENDS ${folder}/${name}_kernel.inc)
   endforeach()
@@ -93,7 +93,7 @@ function(_regulus_kernel_library target name isas)
     CXX_STANDARD 20 CXX_STANDARD_REQUIRED ON POSITION_INDEPENDENT_CODE ON INTERPROCEDURAL_OPTIMIZATION OFF)
 endfunction()
 
-# The model file of a robot in C++: what a program of that source and our main writes.
+# The model file of a robot in C++: a program of that source and our main writes it.
 function(_regulus_model_of_source target source model)
   if(NOT TARGET Regulus::codegen)
     message(FATAL_ERROR "regulus_add_kernel(${target}): SOURCE needs find_package(Regulus COMPONENTS codegen)")
@@ -117,7 +117,7 @@ function(_regulus_model_of_source target source model)
 endfunction()
 
 function(regulus_add_kernel target)
-  # Here, since the caller's folder need not be one that the lists were read in.
+  # Here, because the lists may not have been read in the caller's folder.
   include(${CMAKE_CURRENT_FUNCTION_LIST_DIR}/FloatingPoint.cmake)
   include(${CMAKE_CURRENT_FUNCTION_LIST_DIR}/InstructionSets.cmake)
   cmake_parse_arguments(PARSE_ARGV 1 kernel "" "MODEL;SOURCE;MOTION;NAMESPACE;NAME;ALPHA" "ISA;RANGE;TOLERANCE")

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-# Finds what the runtime needs and names the Debian package of what is missing.
+# Finds the dependencies of the runtime, and names the Debian package of a missing one.
 macro(regulus_missing what package)
   message(FATAL_ERROR "${what} was not found. On Debian: apt-get install ${package}. "
                       "(`make dependencies` installs everything in cmake/packages-debian.txt.)")
