@@ -13,21 +13,22 @@ namespace {
 
 using namespace regulus;
 
-/// A file that may not grow is trouble to be reported, not a signal to die of.
+/// Ignores SIGXFSZ, so that a file size limit is reported as an error and does not end the process.
 void report_file_limits() { std::signal(SIGXFSZ, SIG_IGN); }
 
-/// A library that was loaded before may have changed the rounding, or have subnormals flushed:
-/// reading numbers and starting threads would inherit that.
+/// Sets the default arithmetic: a library that was loaded before may have changed the rounding, or
+/// flush subnormals. Reading numbers and new threads would inherit that.
 void start_with_the_usual_arithmetic() { std::fesetenv(FE_DFL_ENV); }
 
-/// The exit code says what was shown, unless nobody could read it.
+/// Returns the exit code of the command, unless its output could not be written.
 int with_output_written(int exit_code) {
   std::cout.flush();
   if (!std::cout) throw FileError("cannot write standard output");
   return exit_code;
 }
 
-/// The words that were typed, the program by its name alone: a path means nothing elsewhere.
+/// Returns the words that were typed, with only the name of the program: its path has no meaning
+/// elsewhere.
 std::string typed(int argc, char** argv) {
   std::string command = "regulus";
   for (int i = 1; i < argc; ++i) command += std::string(" ") + argv[i];

@@ -24,7 +24,7 @@ struct ApproxRange {
   LaneValues lo{}, hi{};
 };
 
-/// By number of the atom.
+/// Ranges by the number of the atom.
 using ApproxRanges = std::vector<ApproxRange>;
 using ApproxValues = std::vector<std::optional<double>>;
 

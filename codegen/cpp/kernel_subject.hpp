@@ -13,7 +13,7 @@ namespace regulus::inline cpp {
 
 /// A motion parameter or an uncertain quantity.
 struct Quantity {
-  std::string name;   ///< as the model has it: for comments alone
+  std::string name;   ///< as in the model; only for comments
   std::string field;  ///< the same as an identifier; empty for uncertain quantities
   std::string unit;   ///< empty: none
   Interval range;     ///< outward

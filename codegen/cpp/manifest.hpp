@@ -10,8 +10,8 @@
 
 namespace regulus::inline cpp {
 
-/// Describes a kernel as JSON for other programs: the model, the shapes of its functions and their
-/// cost. `selected` is in the order of module.functions.
+/// Returns the description of a kernel as JSON for other programs: the model, the shapes of its
+/// functions and their cost. `selected` is in the order of module.functions.
 [[nodiscard]] std::string write_manifest(const Module& module, const EmitOptions& options,
                                          const EmittedKernel& kernel,
                                          const std::vector<SelectedFunction>& selected);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What the program and its compiler plugins say to each other: plain C, so that neither side sees
-// the other's LLVM version, standard library or exceptions.
+// The interface between the program and its compiler plugins. Plain C, so that neither side depends
+// on the other's LLVM version, standard library or exceptions.
 #pragma once
 
 #include <stddef.h>
@@ -19,10 +19,10 @@ typedef struct regulus_named_text {
   regulus_bytes text;
 } regulus_named_text;
 
-/// Everything a compilation depends on. No file of the machine is read.
+/// All inputs of a compilation. No file of the machine is read.
 typedef struct regulus_clang_request {
-  regulus_named_text source;          ///< the name is what diagnostics say
-  const regulus_named_text* headers;  ///< found by `#include "name"`, and by nothing else
+  regulus_named_text source;          ///< the name appears in diagnostics
+  const regulus_named_text* headers;  ///< found only by `#include "name"`
   size_t header_count;
   const char* const* flags;  ///< of the clang++ command line
   size_t flag_count;
@@ -33,11 +33,11 @@ typedef struct regulus_clang_seconds {
   double front_end, optimiser, code_generation;
 } regulus_clang_seconds;
 
-/// Where the results go; called before regulus_clang_compile returns, on the same thread.
+/// Receives the results; called before regulus_clang_compile returns, on the same thread.
 typedef struct regulus_clang_sink {
   void* state;
   void (*object)(void* state,
-                 regulus_bytes object);  ///< on success, once or, of parts, once for each
+                 regulus_bytes object);  ///< on success, once; for parts, once for each
   void (*diagnostics)(void* state, regulus_bytes diagnostics);  ///< at most once, never empty
   void (*seconds)(void* state, regulus_clang_seconds seconds);  ///< once, on success
 } regulus_clang_sink;
@@ -52,7 +52,7 @@ typedef int (*regulus_clang_interface_function)(void);
 typedef int (*regulus_clang_compile_function)(const regulus_clang_request* request,
                                               const regulus_clang_sink* sink);
 
-/// Parts of pack programs (part.hpp), and the name of the instruction set that they are for.
+/// Parts of pack programs (part.hpp), and the name of their instruction set.
 typedef struct regulus_parts_request {
   const regulus_bytes* parts;
   size_t part_count;

@@ -7,8 +7,7 @@
 //   power   = primary [ ^ factor ]                 so -x^2 = -(x^2) and 2^3^2 = 2^9
 //   primary = number | name | name ( sum {, sum} ) | ( sum )
 //
-// Numbers are decimals with an optional exponent and mean exactly what they say. pi and deg =
-// pi/180 are known everywhere.
+// Numbers are exact decimals with an optional exponent. pi and deg = pi/180 are known everywhere.
 #pragma once
 
 #include <string>

@@ -38,7 +38,7 @@ class Formula {
 
   /// An expression of model files: "0.1", "1/3", "-10*deg", "x - h*cos(phi)".
   ///
-  /// Throws    InputError, with the place in C++, for what is not arithmetic.
+  /// Throws    InputError, with the place in C++, for a text that is not arithmetic.
   Formula(const char* text, Place place = Place::current());
   Formula(const std::string& text, Place place = Place::current());
 
@@ -77,7 +77,7 @@ class Formula {
   friend Formula abs(const Formula& x);
 
  private:
-  /// How tightly the outermost operation of the text binds; see expression_parser.hpp.
+  /// The precedence of the outermost operation of the text; see expression_parser.hpp.
   enum Binding { kSum, kProduct, kPower, kPrimary };
 
   Formula(std::string text, Binding binding) : text_(std::move(text)), binding_(binding) {}

@@ -23,7 +23,7 @@ std::string printed(const ex& e) {
 
 std::string in_brackets(const std::string& text) { return std::string("(").append(text) + ')'; }
 
-/// How tightly the outermost operation of a text binds.
+/// The precedence of the outermost operation of a text.
 enum class Bond { kSum, kProduct, kPower, kPrimary };
 
 /// A sign and a text that has none in front.

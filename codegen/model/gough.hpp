@@ -11,14 +11,14 @@
 
 namespace regulus::inline model {
 
-/// How the platform's orientation is described, with the names of its pose parameters.
+/// The description of the platform's orientation, with the names of its pose parameters.
 enum class Orientation {
   kEulerZxz,      ///< psi theta phi, R = Rz(psi)·Rx(theta)·Rz(phi)
   kRollPitchYaw,  ///< roll pitch yaw, R = Rz(yaw)·Ry(pitch)·Rx(roll)
   kQuaternion,    ///< q0 q1 q2 q3, R the rotation of q/|q|
 };
 
-/// What an anchor's tolerance means: ± on each coordinate, or the radius of a ball.
+/// The meaning of an anchor's tolerance: ± on each coordinate, or the radius of a ball.
 enum class ToleranceShape { kBox, kBall };
 
 using Point = std::array<GiNaC::ex, 3>;

@@ -43,7 +43,7 @@ void read_rows(ModelReading& reading, const TomlEntry& entry) {
   }
 }
 
-/// A scale that is 0 or changes sign would make J⁻¹ singular where the matrix is not.
+/// A scale that is 0 or changes sign would make J⁻¹ singular at points where the matrix is regular.
 void require_positive_scale(ModelReading& reading, const TomlEntry& entry,
                             const ParsedExpression& scale) try {
   ParsedExpression conditions;

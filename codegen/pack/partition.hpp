@@ -40,9 +40,9 @@ struct FunctionPlan {
   Magnitudes magnitudes;
   std::vector<bool> exact;  ///< nodes of K that are computed without rounding, as points
   std::vector<Form> forms;
-  std::vector<bool> leaves;            ///< written where they are used: inputs, points, constants
-  std::vector<std::uint32_t> uses;     ///< by nodes that are printed and by outputs
-  std::vector<std::uint32_t> part_of;  ///< the part that computes a node
+  std::vector<bool> leaves;                 ///< written at each use: inputs, points, constants
+  std::vector<std::uint32_t> uses;          ///< by nodes that are printed and by outputs
+  std::vector<std::uint32_t> part_of;       ///< the part that computes a node
   std::vector<std::uint32_t> last_part_of;  ///< the last part that uses it
   std::vector<int> slots;                   ///< of values for a later part, or kNoSlot
   int slot_count = 0;

@@ -21,7 +21,7 @@ std::optional<FlintRational> FlintRational::read(const std::string& text) {
   if (fmpz_set_str(fmpq_numref(result.value_), numerator.c_str(), 10) != 0 ||
       fmpz_set_str(fmpq_denref(result.value_), denominator.c_str(), 10) != 0 ||
       fmpz_is_zero(fmpq_denref(result.value_))) {
-    fmpz_one(fmpq_denref(result.value_));  // what is cleared must be a number
+    fmpz_one(fmpq_denref(result.value_));  // clear needs a valid number
     return std::nullopt;
   }
   fmpq_canonicalise(result.value_);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// From exact rationals to doubles and back, exactly or in a stated direction.
+// Converts exact rationals to doubles and back, exactly or in a stated direction.
 #pragma once
 
 #include <cln/rational.h>

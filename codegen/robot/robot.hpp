@@ -27,7 +27,7 @@ class Robot {
 
   [[nodiscard]] const std::string& name() const noexcept { return name_; }
 
-  /// Who published the numbers.
+  /// Names the source of the numbers.
   void source(const std::string& words, Place place = Place::current());
 
   /// Declares a pose parameter, in the order of the twist. The unit is a label, "1" for none.

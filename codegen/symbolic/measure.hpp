@@ -11,7 +11,8 @@
 
 namespace regulus::inline symbolic {
 
-/// How often each variable appears in the printed form. Saturates at the largest value.
+/// The number of times that each variable appears in the printed form. Saturates at the largest
+/// value.
 using Occurrences = std::map<std::string, std::uint64_t>;
 
 [[nodiscard]] Occurrences count_occurrences(const Expressions& expressions);
