@@ -46,7 +46,7 @@ InterruptGuard::~InterruptGuard() {
   pthread_sigmask(SIG_SETMASK, &previous_, nullptr);
 }
 
-/// Waits a few seconds for a search to begin; false if another signal comes first.
+/// True if a search begins within a few seconds and no other signal comes first.
 bool InterruptGuard::search_begins() const {
   const timespec step{0, 50'000'000};
   for (int steps = 0; steps < kPatience; ++steps) {

@@ -16,8 +16,7 @@ enum Segment : unsigned { kCode, kConstants, kVariables, kSegments };
 /// Offsets from the start of one mapping, so that 32 bits suffice for every distance.
 ///
 /// Code         executable sections, then a stub for each external function. The function may be
-/// too
-///              far for a call, so the stub jumps through its slot.
+///              too far for a call, so the stub jumps through its slot.
 /// Constants    read-only sections, then a slot for each address that code reads from memory.
 /// Variables    the rest.
 struct ObjectLayout {
