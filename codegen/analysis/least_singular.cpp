@@ -206,4 +206,4 @@ std::optional<LeastSingular> nearest_singular(const PreparedSearch& preparation,
   return approx_least_singular(preparation, result.blocking_box);
 }
 
-}  // namespace regulus::inline analysis
+}  // namespace regulus::analysis

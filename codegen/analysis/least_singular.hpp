@@ -31,4 +31,4 @@ struct LeastSingular {
 [[nodiscard]] std::optional<LeastSingular> nearest_singular(const PreparedSearch& preparation,
                                                             const Result& result);
 
-}  // namespace regulus::inline analysis
+}  // namespace regulus::analysis

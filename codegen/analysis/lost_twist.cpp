@@ -86,4 +86,4 @@ std::optional<Degeneracy> InverseJacobian::approx_degeneracy(
   return degeneracy;
 }
 
-}  // namespace regulus::inline analysis
+}  // namespace regulus::analysis

@@ -52,4 +52,4 @@ class InverseJacobian {
   Program entries_;  ///< of A, and then the row scales
 };
 
-}  // namespace regulus::inline analysis
+}  // namespace regulus::analysis

@@ -37,4 +37,4 @@ NullVectors approx_null_vectors(std::span<const double> A, std::size_t rows, std
   return result;
 }
 
-}  // namespace regulus::inline analysis
+}  // namespace regulus::analysis

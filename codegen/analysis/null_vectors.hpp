@@ -31,4 +31,4 @@ inline constexpr double kNegligible = 1e-8;
 [[nodiscard]] NullVectors approx_null_vectors(std::span<const double> A, std::size_t rows,
                                               std::size_t columns);
 
-}  // namespace regulus::inline analysis
+}  // namespace regulus::analysis

@@ -78,4 +78,4 @@ Undefined find_undefined(const PreparedSearch& p, std::span<const Interval> box)
   return Definedness(p.stages->natural_formulation()).look_at(box);
 }
 
-}  // namespace regulus::inline analysis
+}  // namespace regulus::analysis

@@ -50,4 +50,4 @@ class Definedness {
 [[nodiscard]] Undefined find_undefined(const PreparedSearch& preparation,
                                        std::span<const Interval> box);
 
-}  // namespace regulus::inline analysis
+}  // namespace regulus::analysis

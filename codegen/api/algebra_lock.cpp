@@ -13,4 +13,4 @@ std::recursive_mutex& mutex_of_the_process() {
 
 AlgebraLock::AlgebraLock() : lock_(mutex_of_the_process()) {}
 
-}  // namespace regulus::inline api
+}  // namespace regulus::api

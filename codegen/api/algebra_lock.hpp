@@ -16,4 +16,4 @@ class AlgebraLock {
   std::unique_lock<std::recursive_mutex> lock_;
 };
 
-}  // namespace regulus::inline api
+}  // namespace regulus::api

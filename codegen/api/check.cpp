@@ -29,4 +29,4 @@ Finding check(const Question& question, const SearchOptions& options,
   return finding;
 }
 
-}  // namespace regulus::inline api
+}  // namespace regulus::api

@@ -35,4 +35,4 @@ struct Finding {
 [[nodiscard]] Finding check(const Question& question, const SearchOptions& options = {},
                             const std::atomic<bool>* interrupt = nullptr);
 
-}  // namespace regulus::inline api
+}  // namespace regulus::api

@@ -48,4 +48,4 @@ Checker Kernel::checker(unsigned max_boxes) const {
   return Checker(parts_->prepared.kernel->functions(), variety.outer, max_boxes, variety.alpha.hi);
 }
 
-}  // namespace regulus::inline api
+}  // namespace regulus::api

@@ -46,4 +46,4 @@ class Kernel {
   std::unique_ptr<Parts> parts_;
 };
 
-}  // namespace regulus::inline api
+}  // namespace regulus::api

@@ -82,4 +82,4 @@ Paving locate(const Question& question, const LocateOptions& options,
   return found;
 }
 
-}  // namespace regulus::inline api
+}  // namespace regulus::api

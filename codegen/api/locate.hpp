@@ -38,4 +38,4 @@ struct Paving {
 [[nodiscard]] Paving locate(const Question& question, const LocateOptions& options = {},
                             const std::atomic<bool>* interrupt = nullptr);
 
-}  // namespace regulus::inline api
+}  // namespace regulus::api

@@ -36,4 +36,4 @@ MarginFinding margin(const Question& asked, const MarginOptions& options,
   return finding;
 }
 
-}  // namespace regulus::inline api
+}  // namespace regulus::api

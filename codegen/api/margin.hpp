@@ -41,4 +41,4 @@ struct MarginFinding {
 [[nodiscard]] MarginFinding margin(const Question& question, const MarginOptions& options,
                                    const std::atomic<bool>* interrupt = nullptr);
 
-}  // namespace regulus::inline api
+}  // namespace regulus::api

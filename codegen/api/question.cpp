@@ -52,4 +52,4 @@ Question& Question::alpha(const std::string& threshold) {
   return *this;
 }
 
-}  // namespace regulus::inline api
+}  // namespace regulus::api

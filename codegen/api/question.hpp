@@ -45,4 +45,4 @@ class Question {
   std::unique_ptr<ModelOptions> options_;
 };
 
-}  // namespace regulus::inline api
+}  // namespace regulus::api

@@ -158,4 +158,4 @@ CanonicalTerm CanonicalReader::read_call(const ex& e) {
   return {1, shared(std::move(node))};
 }
 
-}  // namespace regulus::inline certificate
+}  // namespace regulus::certificate

@@ -60,4 +60,4 @@ class CanonicalReader {
   std::map<GiNaC::ex, CanonicalTerm, GiNaC::ex_is_less> known_;
 };
 
-}  // namespace regulus::inline certificate
+}  // namespace regulus::certificate

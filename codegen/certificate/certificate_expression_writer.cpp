@@ -152,4 +152,4 @@ std::string expression_text(const ex& e) {
   return CertificateExpressionWriter({}).write(e, lets);
 }
 
-}  // namespace regulus::inline certificate
+}  // namespace regulus::certificate

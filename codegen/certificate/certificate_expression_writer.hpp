@@ -54,4 +54,4 @@ class CertificateExpressionWriter {
 /// An expression without `let` lines.
 [[nodiscard]] std::string expression_text(const GiNaC::ex& e);
 
-}  // namespace regulus::inline certificate
+}  // namespace regulus::certificate

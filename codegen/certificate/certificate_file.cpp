@@ -86,4 +86,4 @@ void CertificateFile::add_to(nlohmann::ordered_json& report) const {
   if (written_ && !note_.empty()) report["certificate_note"] = note_;
 }
 
-}  // namespace regulus::inline certificate
+}  // namespace regulus::certificate

@@ -44,4 +44,4 @@ class CertificateFile {
   std::string doubt_safe_, doubt_singular_, note_;
 };
 
-}  // namespace regulus::inline certificate
+}  // namespace regulus::certificate

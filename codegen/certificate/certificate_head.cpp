@@ -48,4 +48,4 @@ ContinuedText::int_type ContinuedText::underflow() {
   return count > 0 ? traits_type::to_int_type(buffer_.front()) : traits_type::eof();
 }
 
-}  // namespace regulus::inline certificate
+}  // namespace regulus::certificate

@@ -47,4 +47,4 @@ class ContinuedText : public std::streambuf {
   std::vector<char> buffer_;
 };
 
-}  // namespace regulus::inline certificate
+}  // namespace regulus::certificate

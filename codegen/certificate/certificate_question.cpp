@@ -203,4 +203,4 @@ CertifiedQuestion certified_question(const PreparedSearch& p) {
   return certified_question(p.stages->request(), uncertain_names(p.labels));
 }
 
-}  // namespace regulus::inline certificate
+}  // namespace regulus::certificate

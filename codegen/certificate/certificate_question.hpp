@@ -30,4 +30,4 @@ namespace regulus::inline certificate {
 /// What a preparation was made for.
 [[nodiscard]] CertifiedQuestion certified_question(const PreparedSearch& preparation);
 
-}  // namespace regulus::inline certificate
+}  // namespace regulus::certificate

@@ -220,7 +220,7 @@ ModelConfirmation confirm_model(const CertificateHead& certificate, const std::s
     return ModelConfirmation{"the certificate is not about " + path + ": " + why, {}};
   };
   if (certificate.value("sha256") != model.sha256)
-    return refused("the SHA-256 of that file is another");
+    return refused("the SHA-256 of that file differs");
   try {
     ModelOptions options;
     options.path = path;
@@ -236,4 +236,4 @@ ModelConfirmation confirm_model(const CertificateHead& certificate, const std::s
   }
 }
 
-}  // namespace regulus::inline certificate
+}  // namespace regulus::certificate

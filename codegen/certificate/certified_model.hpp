@@ -24,4 +24,4 @@ struct ModelConfirmation {
 [[nodiscard]] ModelConfirmation confirm_model(const CertificateHead& certificate,
                                               const std::string& model);
 
-}  // namespace regulus::inline certificate
+}  // namespace regulus::certificate

@@ -352,4 +352,4 @@ void ApproxBounds::split(SampleBoxes& boxes, const std::vector<double>& radii) c
   }
 }
 
-}  // namespace regulus::inline columns
+}  // namespace regulus::columns

@@ -96,4 +96,4 @@ class ApproxBounds {
   std::vector<LaneValues> K_rows_;  // n×m
 };
 
-}  // namespace regulus::inline columns
+}  // namespace regulus::columns

@@ -193,4 +193,4 @@ ApproxRange NestedRange::over(std::size_t form, const ApproxRanges& atoms,
   return sum;
 }
 
-}  // namespace regulus::inline columns
+}  // namespace regulus::columns

@@ -88,4 +88,4 @@ class NestedRange {
   std::vector<Form> forms_;
 };
 
-}  // namespace regulus::inline columns
+}  // namespace regulus::columns

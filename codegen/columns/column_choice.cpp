@@ -114,4 +114,4 @@ ColumnDecision choose_columns(const PolynomialMatrix& A, Rewriter& rewriter,
   return ColumnChoice(A, rewriter, setting).run();
 }
 
-}  // namespace regulus::inline columns
+}  // namespace regulus::columns

@@ -22,4 +22,4 @@ struct ColumnDecision {
 [[nodiscard]] ColumnDecision choose_columns(const PolynomialMatrix& A, Rewriter& rewriter,
                                             const BoundsSetting& setting);
 
-}  // namespace regulus::inline columns
+}  // namespace regulus::columns

@@ -147,4 +147,4 @@ std::vector<ColumnOperation> scaled(std::vector<ColumnOperation> operations,
   return operations;
 }
 
-}  // namespace regulus::inline columns
+}  // namespace regulus::columns

@@ -63,4 +63,4 @@ struct ShorteningOperations {
 [[nodiscard]] std::vector<ColumnOperation> scaled(std::vector<ColumnOperation> operations,
                                                   const cln::cl_RA& part);
 
-}  // namespace regulus::inline columns
+}  // namespace regulus::columns

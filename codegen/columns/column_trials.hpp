@@ -28,4 +28,4 @@ struct ColumnTrials {
   bool complete = true;       ///< false: A has too many terms to look at all operations
 };
 
-}  // namespace regulus::inline columns
+}  // namespace regulus::columns

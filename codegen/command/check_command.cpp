@@ -61,4 +61,4 @@ int run_check(const CheckCommand& command) {
   return end_command(preparation, command.output, result, interrupt.requested());
 }
 
-}  // namespace regulus::inline command
+}  // namespace regulus::command

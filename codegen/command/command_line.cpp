@@ -83,4 +83,4 @@ std::vector<CommandEntry> command_table(const std::string& shell_commands) {
   return table;
 }
 
-}  // namespace regulus::inline command
+}  // namespace regulus::command

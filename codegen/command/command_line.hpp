@@ -102,4 +102,4 @@ struct CommandEntry {
 /// name "". `shell_commands` is the first part of the footer of `shell`.
 [[nodiscard]] std::vector<CommandEntry> command_table(const std::string& shell_commands = {});
 
-}  // namespace regulus::inline command
+}  // namespace regulus::command

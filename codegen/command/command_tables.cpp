@@ -37,12 +37,9 @@ constexpr const char* kMarginFooter =
 
 constexpr const char* kVerifyFooter =
     "The last line on standard output is the answer:\n"
-    "  VERIFIED    the claim was proved anew, by none of the code that made the certificate (exit "
-    "0)\n"
-    "  REJECTED    not a certificate, incomplete, or false; standard error says why       (exit "
-    "1)\n"
-    "  UNFINISHED  neither could be shown                                                 (exit "
-    "2)\n"
+    "  VERIFIED    the claim was proved again, by separate code                     (exit 0)\n"
+    "  REJECTED    not a certificate, incomplete, or false; standard error says why (exit 1)\n"
+    "  UNFINISHED  neither could be shown                                          (exit 2)\n"
     "64 usage, 65 bad model, 70 internal fault, 74 file error. regulus-verify does the same "
     "alone.";
 
@@ -81,8 +78,7 @@ CLI::Option* add_choice(CLI::App& app, const std::string& name, Value& value,
 
 void add_model_arguments(CLI::App& app, ModelOptions& options) {
   app.add_option("MODEL", options.path, "Model file (TOML)")->required();
-  app.add_option("MOTION", options.motion,
-                 "Motion variety; may be left out when the model has one");
+  app.add_option("MOTION", options.motion, "Motion variety; optional if the model has only one");
 }
 
 void add_model_options(CLI::App& app, ModelOptions& options) {
@@ -91,20 +87,19 @@ void add_model_options(CLI::App& app, ModelOptions& options) {
 }
 
 void add_method_options(CLI::App& app, Method& method, std::uint64_t& budget) {
-  add_choice(app, "--method", method, "How a box is decided");
-  app.add_option("--symbolic-budget", budget,
-                 "Most terms that --method closed-form may multiply out; the default takes of the "
-                 "order of a second")
+  add_choice(app, "--method", method, "Method that decides a box");
+  app.add_option(
+         "--symbolic-budget", budget,
+         "Most terms of the polynomial of --method closed-form; the default takes about one second")
       ->check(CLI::PositiveNumber)
       ->type_name("TERMS")
       ->capture_default_str();
 }
 
 void add_filter_option(CLI::App& app, SearchOptions& options) {
-  app.add_option(
-         "--filter", options.filters,
-         "Shared object with a regularity test of your own, tried on what the method leaves "
-         "undecided; the report names it (regulus/filter.h)")
+  app.add_option("--filter", options.filters,
+                 "Shared object with your own regularity test, used on the boxes that the method "
+                 "leaves undecided; the report names it (regulus/filter.h)")
       ->take_all()
       ->expected(1)
       ->type_name("FILE.so");
@@ -114,17 +109,17 @@ void add_search_options(CLI::App& app, SearchOptions& options) {
   add_method_options(app, options.method, options.symbolic_budget);
   add_choice(app, "--determinant", options.determinant,
              "How the determinant of an interval matrix is enclosed: by expansion, by Gaussian "
-             "elimination, or by the latter where the former decides nothing (both)");
+             "elimination, or by expansion first and elimination if that decides nothing (both)");
   add_choice(app, "--entries", options.entries,
              "How a method of the paper encloses the entries of its matrix: as rewritten "
-             "(natural), or sharpened by their derivatives too; "
-             "auto: the latter for K·J^-1 and where uncertain quantities are split");
+             "(natural), or also narrowed by their derivatives; auto: with derivatives for K·J^-1 "
+             "and if uncertain quantities are split");
   add_choice(app, "--bisect", options.bisection, "Which range is split");
   add_choice(app, "--uncertainty", options.uncertainty,
              "Uncertain quantities: kept whole in the matrix elements, or split like variables");
   app.add_option("--without", options.without,
-                 "Leave out an ingredient, to see what it contributes; may be repeated; "
-                 "slower, never unsound:" +
+                 "Switch off a part of the method, to see its effect; may be repeated; the result "
+                 "stays sound but slower:" +
                      describe_ingredient())
       ->take_all()
       ->expected(1)
@@ -133,13 +128,12 @@ void add_search_options(CLI::App& app, SearchOptions& options) {
   add_choice(
       app, "--engine", options.engine,
       "How the model's functions run: compiled by LLVM (jit, margin's default), compiled from "
-      "their C++ text by Clang (clang), interpreted, or as the "
-      "cache has them, otherwise interpreted, and compiled beside a search that becomes long "
-      "(auto, the default of others)")
+      "their C++ text by Clang (clang), interpreted, or taken from the cache if it has them, else "
+      "interpreted and compiled during a long search (auto, the default of other commands)")
       ->default_str("");
   add_choice(app, "--isa", options.isa,
-             "Instruction set of the kernel; the best the CPU has by default");
-  app.add_option("--threads", options.threads, "Search by N threads; default: one a processor")
+             "Instruction set of the kernel; default: the best of this processor");
+  app.add_option("--threads", options.threads, "Use N threads; default: one for each processor")
       ->type_name("N")
       ->check(CLI::Range(1U, kMaxThreads));
   app.add_option(
@@ -150,25 +144,25 @@ void add_search_options(CLI::App& app, SearchOptions& options) {
       ->check(CLI::PositiveNumber)
       ->type_name("S");
   app.add_option("--precision", options.precision,
-                 "Most bits that are tried where doubles cannot decide")
+                 "Most bits of precision if doubles cannot decide")
       ->check(CLI::Range(53L, 1L << 20))
       ->type_name("BITS")
       ->capture_default_str();
   app.add_flag_callback(
-      "--no-cache", [&options] { options.use_cache = false; }, "Compile anew and keep nothing");
+      "--no-cache", [&options] { options.use_cache = false; }, "Do not read or write the cache");
 }
 
 void add_output_options(CLI::App& app, OutputOptions& options) {
   app.add_flag("--json", options.json, "The report on standard output, as one JSON object");
-  app.add_flag("--quiet", options.quiet, "Nothing but the verdict (or the JSON report)");
+  app.add_flag("--quiet", options.quiet, "Print only the verdict (or the JSON report)");
 }
 
 void add_checkpoint_options(CLI::App& app, CheckpointOptions& options) {
-  app.add_option("--checkpoint", options.path,
-                 "Save the search to FILE now and then and when it is stopped; if there is such a "
-                 "file, go on from it")
+  app.add_option(
+         "--checkpoint", options.path,
+         "Save the search to FILE regularly and when it stops; if FILE exists, continue from it")
       ->type_name("FILE");
-  app.add_option("--checkpoint-every", options.interval, "Seconds from one to the next; default 10")
+  app.add_option("--checkpoint-every", options.interval, "Seconds between two saves; default 10")
       ->type_name("S")
       ->check(CLI::NonNegativeNumber);
 }
@@ -200,7 +194,7 @@ void refuse_checkpoint_options(CLI::App& app, const std::string& why) {
 }
 
 void add_verify_options(CLI::App& app, VerifyCommand& command) {
-  app.add_option("CERTIFICATE", command.path, "What --certificate wrote")->required();
+  app.add_option("CERTIFICATE", command.path, "Certificate file")->required();
   app.add_option("--model", command.model,
                  "Also check that it is about this model file: the question is written anew from "
                  "the file and compared line by line. Ranges, tolerances and alpha that differ, as "
@@ -211,11 +205,11 @@ void add_verify_options(CLI::App& app, VerifyCommand& command) {
       ->check(CLI::PositiveNumber)
       ->type_name("S");
   app.add_option("--max-boxes", command.max_boxes,
-                 "Boxes that all leaves together may be cut into; default 4194304")
+                 "Most boxes for all leaves together; default 4194304")
       ->check(CLI::PositiveNumber)
       ->type_name("N");
   app.add_flag("--json", command.output.json, "The report on standard output, as one JSON object");
-  app.add_flag("--quiet", command.output.quiet, "Nothing but the answer (or the JSON report)");
+  app.add_flag("--quiet", command.output.quiet, "Print only the answer (or the JSON report)");
 }
 
 void add_paving_options(CLI::App& app, LocateCommand& command) {
@@ -223,9 +217,10 @@ void add_paving_options(CLI::App& app, LocateCommand& command) {
                  "Split boxes until every range is cut to this part, such as 1/64; by default from "
                  "1/512 for one range to 1/4 for six")
       ->type_name("R");
-  app.add_option("--output", command.lines,
-                 "Where the boxes go, one JSON object a line; - is standard output, the default "
-                 "unless --json")
+  app.add_option(
+         "--output", command.lines,
+         "File for the boxes, one JSON object on each line; - is standard output, the default "
+         "unless --json")
       ->type_name("FILE.jsonl");
   app.add_option("--picture", command.pictures, "Draw the paving; may be repeated")
       ->take_all()
@@ -247,7 +242,7 @@ void add_margin_options(CLI::App& app, MarginCommand& command) {
       ->description("Threshold of |det J^-1|; a range asks for the largest that is exceeded")
       ->type_name("A|LO:HI");
   app.add_option("--scale", command.scale,
-                 "How far the ranges of a box variety may grow about their middles: 1 is as "
+                 "Factor by which the ranges of a box variety grow about their middles: 1 is as "
                  "declared")
       ->type_name("LO:HI");
   app.add_option("--gap", command.gap, "Stop when (b - a)/b is at most this")
@@ -289,7 +284,7 @@ CommandTables::CommandTables(const std::string& shell_commands) : app(kDescripti
   add_model_options(*explain_command, explain.model);
   add_explain_options(*explain_command, explain);
   generate_command = app.add_subcommand(
-      "generate", "Write a kernel as C++ files, for programs that check without Regulus at hand");
+      "generate", "Write a kernel as C++ files, for programs that run without Regulus");
   add_model_arguments(*generate_command, generate.model);
   add_model_changes(*generate_command, generate.model);
   add_generate_options(*generate_command, generate);
@@ -345,4 +340,4 @@ void CommandTables::add_margin() {
   margin_command->footer(kMarginFooter);
 }
 
-}  // namespace regulus::inline command
+}  // namespace regulus::command

@@ -35,4 +35,4 @@ struct CommandTables {
   void add_margin();
 };
 
-}  // namespace regulus::inline command
+}  // namespace regulus::command

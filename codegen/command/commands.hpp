@@ -22,4 +22,4 @@ namespace regulus::inline command {
 /// `typed`: the same.
 [[nodiscard]] int run_generate(const GenerateCommand& command, const std::string& typed);
 
-}  // namespace regulus::inline command
+}  // namespace regulus::command

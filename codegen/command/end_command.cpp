@@ -29,7 +29,7 @@ ExitCode end_command(PreparedSearch& preparation, const OutputOptions& output, c
     ::_exit(code);
   }
   if (!late->failure().empty() && !output.quiet)
-    std::cerr << "compiler   none, and all was interpreted: " << late->failure() << '\n';
+    std::cerr << "compiler   none; the whole search was interpreted: " << late->failure() << '\n';
   return code;
 }
 
@@ -45,4 +45,4 @@ ExitCode exit_code_of(Verdict verdict) {
   return kInternalFault;
 }
 
-}  // namespace regulus::inline command
+}  // namespace regulus::command

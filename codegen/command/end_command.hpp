@@ -23,4 +23,4 @@ namespace regulus::inline command {
 [[nodiscard]] ExitCode end_command(PreparedSearch& preparation, const OutputOptions& output,
                                    const Result& result, const std::atomic<bool>& interrupted);
 
-}  // namespace regulus::inline command
+}  // namespace regulus::command

@@ -58,4 +58,4 @@ int run_explain(const ExplainCommand& command, const std::string& typed) {
   return 0;
 }
 
-}  // namespace regulus::inline command
+}  // namespace regulus::command

@@ -8,4 +8,4 @@ int run_generate(const GenerateCommand& command, const std::string& typed) {
   return 0;
 }
 
-}  // namespace regulus::inline command
+}  // namespace regulus::command

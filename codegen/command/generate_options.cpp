@@ -89,4 +89,4 @@ void generate_files(const GenerateCommand& command, const Request& request,
   if (!std::cout.flush()) throw FileError("standard output cannot be written");
 }
 
-}  // namespace regulus::inline command
+}  // namespace regulus::command

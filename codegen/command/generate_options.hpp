@@ -39,4 +39,4 @@ void add_generate_options(CLI::App& app, GenerateCommand& command);
 void generate_files(const GenerateCommand& command, const Request& request,
                     const std::string& typed);
 
-}  // namespace regulus::inline command
+}  // namespace regulus::command

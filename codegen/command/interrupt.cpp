@@ -67,4 +67,4 @@ void InterruptGuard::wait_for_signals() {
   }
 }
 
-}  // namespace regulus::inline command
+}  // namespace regulus::command

@@ -44,4 +44,4 @@ class InterruptGuard {
   std::thread watcher_;
 };
 
-}  // namespace regulus::inline command
+}  // namespace regulus::command

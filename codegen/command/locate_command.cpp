@@ -48,7 +48,7 @@ class LinesFile {
   void require_in_place() const {
     const std::pair<dev_t, ino_t> none;
     if (wanted() && !is_standard_output() && (opened_ == none || identity() != opened_))
-      throw FileError(name_ + " was removed while it was written");
+      throw FileError(name_ + " was removed during the run");
   }
   [[nodiscard]] std::ostream& stream() { return is_standard_output() ? std::cout : file_; }
 
@@ -162,4 +162,4 @@ int run_locate(const LocateCommand& command) {
   return end_command(preparation, command.output, result, interrupt.requested());
 }
 
-}  // namespace regulus::inline command
+}  // namespace regulus::command

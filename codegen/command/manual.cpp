@@ -197,4 +197,4 @@ _regulus "$@"
                      commands, cases);
 }
 
-}  // namespace regulus::inline command
+}  // namespace regulus::command

@@ -16,4 +16,4 @@ namespace regulus::inline command {
 [[nodiscard]] std::string bash_completion(const std::vector<CommandEntry>& table);
 [[nodiscard]] std::string zsh_completion(const std::vector<CommandEntry>& table);
 
-}  // namespace regulus::inline command
+}  // namespace regulus::command

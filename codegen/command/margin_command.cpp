@@ -54,4 +54,4 @@ int run_margin(const MarginCommand& given) {
   return exit_code_of(question, found);
 }
 
-}  // namespace regulus::inline command
+}  // namespace regulus::command

@@ -54,4 +54,4 @@ int report_errors(const std::function<int()>& run, const std::string& where) try
   return complain(where + "internal error: ", error, kInternalFault);
 }
 
-}  // namespace regulus::inline command
+}  // namespace regulus::command

@@ -16,4 +16,4 @@ namespace regulus::inline command {
 [[nodiscard]] int report_errors(const std::function<int()>& run,
                                 const std::string& where = "regulus: ");
 
-}  // namespace regulus::inline command
+}  // namespace regulus::command

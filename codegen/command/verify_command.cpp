@@ -149,4 +149,4 @@ int run_verify(const VerifyCommand& command) {
   return static_cast<int>(verification.outcome);
 }
 
-}  // namespace regulus::inline command
+}  // namespace regulus::command

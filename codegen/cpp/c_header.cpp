@@ -61,4 +61,4 @@ std::string c_header(const KernelSubject& subject) {
   return text + "#ifdef __cplusplus\n}\n#endif\n\n#endif\n";
 }
 
-}  // namespace regulus::inline cpp
+}  // namespace regulus::cpp

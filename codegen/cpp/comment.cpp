@@ -115,4 +115,4 @@ std::string labelled_comment(std::string_view label, std::string_view text) {
   return wrap(start, "//" + std::string(start.size() - 2, ' '), comment_text(text));
 }
 
-}  // namespace regulus::inline cpp
+}  // namespace regulus::cpp

@@ -19,4 +19,4 @@ namespace regulus::inline cpp {
 /// Returns a line "// Label text", wrapped under the text's first column.
 [[nodiscard]] std::string labelled_comment(std::string_view label, std::string_view text);
 
-}  // namespace regulus::inline cpp
+}  // namespace regulus::cpp

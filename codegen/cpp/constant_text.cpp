@@ -65,4 +65,4 @@ std::string constant_text(const Program& program, NodeId id) {
   return text.size() > kLongest ? std::string() : text;
 }
 
-}  // namespace regulus::inline cpp
+}  // namespace regulus::cpp

@@ -10,4 +10,4 @@ namespace regulus::inline cpp {
 /// Returns a constant expression for readers, "1/180*pi"; empty if it would be long.
 [[nodiscard]] std::string constant_text(const Program& program, NodeId id);
 
-}  // namespace regulus::inline cpp
+}  // namespace regulus::cpp

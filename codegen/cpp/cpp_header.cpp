@@ -8,7 +8,7 @@ namespace regulus::inline cpp {
 namespace {
 
 constexpr const char* kChecker =
-    R"(/// Decides pieces of the motion, over and over; one thread at a time may use it.
+    R"(/// Decides pieces of the motion; one thread at a time may use it.
 class Checker {{
  public:
   /// Memory is in proportion to max_boxes, the most boxes of one check: 1 to 1048576.
@@ -19,7 +19,7 @@ class Checker {{
     if (!checker_) throw std::runtime_error(fault);
   }}
 
-  /// The piece between two bounds of each motion parameter. Neither allocates, nor locks.
+  /// The piece between two bounds of each motion parameter. Does not allocate or lock.
   [[nodiscard]] regulus_check_report check(const Parameters& lower,
                                            const Parameters& upper) noexcept {{
     regulus_check_report report;
@@ -66,4 +66,4 @@ std::string cpp_header(const KernelSubject& subject) {
   return text + fmt::format("\n}}  // namespace {}\n", subject.name_space);
 }
 
-}  // namespace regulus::inline cpp
+}  // namespace regulus::cpp

@@ -148,4 +148,4 @@ EmittedKernel emit(const Module& module, const EmitOptions& options, const Formi
   return kernel;
 }
 
-}  // namespace regulus::inline cpp
+}  // namespace regulus::cpp

@@ -22,4 +22,4 @@ namespace regulus::inline cpp {
 [[nodiscard]] EmittedKernel emit(const Module& module, const EmitOptions& options = {},
                                  const FormingWatch* watch = nullptr);
 
-}  // namespace regulus::inline cpp
+}  // namespace regulus::cpp

@@ -21,4 +21,4 @@ struct EmittedKernel {
   std::string manifest;  ///< JSON: inputs and outputs of the kernel; empty unless requested
 };
 
-}  // namespace regulus::inline cpp
+}  // namespace regulus::cpp

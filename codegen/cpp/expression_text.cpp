@@ -51,4 +51,4 @@ ExpressionText product(const ExpressionText& a, const ExpressionText& b) {
   return binary(a, " * ", b, Precedence::kProduct);
 }
 
-}  // namespace regulus::inline cpp
+}  // namespace regulus::cpp

@@ -24,4 +24,4 @@ struct ExpressionText {
 [[nodiscard]] ExpressionText difference(const ExpressionText& a, const ExpressionText& b);
 [[nodiscard]] ExpressionText product(const ExpressionText& a, const ExpressionText& b);
 
-}  // namespace regulus::inline cpp
+}  // namespace regulus::cpp

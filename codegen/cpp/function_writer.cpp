@@ -68,4 +68,4 @@ std::string write_function(const Module& module, const Function& function,
   return text + caller(function, selected);
 }
 
-}  // namespace regulus::inline cpp
+}  // namespace regulus::cpp

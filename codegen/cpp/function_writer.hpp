@@ -15,4 +15,4 @@ namespace regulus::inline cpp {
 [[nodiscard]] std::string write_function(const Module& module, const Function& function,
                                          const SelectedFunction& selected, WorkMeter& meter);
 
-}  // namespace regulus::inline cpp
+}  // namespace regulus::cpp

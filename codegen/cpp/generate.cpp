@@ -38,4 +38,4 @@ std::vector<GeneratedFile> generate(const Request& request, const GenerateOption
   return files;
 }
 
-}  // namespace regulus::inline cpp
+}  // namespace regulus::cpp

@@ -36,4 +36,4 @@ struct GeneratedFile {
 [[nodiscard]] std::vector<GeneratedFile> generate(const Request& request,
                                                   const GenerateOptions& options);
 
-}  // namespace regulus::inline cpp
+}  // namespace regulus::cpp

@@ -21,4 +21,4 @@ namespace regulus::inline cpp {
 /// NAME_<isa>.cpp.
 [[nodiscard]] std::string isa_source(const KernelSubject& subject, Isa isa);
 
-}  // namespace regulus::inline cpp
+}  // namespace regulus::cpp

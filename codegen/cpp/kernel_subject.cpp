@@ -125,4 +125,4 @@ std::string bound_list(const std::vector<Quantity>& quantities, double Interval:
   return text;
 }
 
-}  // namespace regulus::inline cpp
+}  // namespace regulus::cpp

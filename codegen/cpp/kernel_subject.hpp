@@ -52,4 +52,4 @@ struct KernelSubject {
 [[nodiscard]] std::string bound_list(const std::vector<Quantity>& quantities,
                                      double Interval::*bound);
 
-}  // namespace regulus::inline cpp
+}  // namespace regulus::cpp

@@ -39,4 +39,4 @@ std::string constant_literal(const Interval& x) {
   return "constant(" + literal(x.lo) + ", " + literal(x.hi) + ")";
 }
 
-}  // namespace regulus::inline cpp
+}  // namespace regulus::cpp

@@ -16,4 +16,4 @@ namespace regulus::inline cpp {
 /// Returns "constant(lo, hi)".
 [[nodiscard]] std::string constant_literal(const Interval& x);
 
-}  // namespace regulus::inline cpp
+}  // namespace regulus::cpp

@@ -48,4 +48,4 @@ std::string write_manifest(const Module& module, const EmitOptions& options,
   return manifest.dump(kIndent, ' ', false, Json::error_handler_t::replace) + "\n";
 }
 
-}  // namespace regulus::inline cpp
+}  // namespace regulus::cpp

@@ -16,4 +16,4 @@ namespace regulus::inline cpp {
                                          const EmittedKernel& kernel,
                                          const std::vector<SelectedFunction>& selected);
 
-}  // namespace regulus::inline cpp
+}  // namespace regulus::cpp

@@ -36,4 +36,4 @@ std::string NameTable::take(const std::string& wanted) {
   return name;
 }
 
-}  // namespace regulus::inline cpp
+}  // namespace regulus::cpp

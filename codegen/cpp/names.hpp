@@ -28,4 +28,4 @@ class NameTable {
   std::set<std::string> taken_;
 };
 
-}  // namespace regulus::inline cpp
+}  // namespace regulus::cpp

@@ -108,4 +108,4 @@ bool is_sign_or_product(Pack operation) noexcept {
          operation == Pack::kNegate_P;
 }
 
-}  // namespace regulus::inline cpp
+}  // namespace regulus::cpp

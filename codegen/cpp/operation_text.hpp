@@ -30,4 +30,4 @@ using BinaryText = ExpressionText (*)(const ExpressionText&, const ExpressionTex
 /// expression.
 [[nodiscard]] bool is_sign_or_product(machine::PackOperation operation) noexcept;
 
-}  // namespace regulus::inline cpp
+}  // namespace regulus::cpp

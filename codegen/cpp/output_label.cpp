@@ -39,4 +39,4 @@ std::string output_label(const Module& module, const Function& function, std::si
   return function.name + "[" + std::to_string(output) + "]";
 }
 
-}  // namespace regulus::inline cpp
+}  // namespace regulus::cpp

@@ -13,4 +13,4 @@ namespace regulus::inline cpp {
 [[nodiscard]] std::string output_label(const Module& module, const Function& function,
                                        std::size_t output);
 
-}  // namespace regulus::inline cpp
+}  // namespace regulus::cpp

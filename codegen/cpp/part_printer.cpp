@@ -243,4 +243,4 @@ void PartPrinter::print_store(const Instruction& i) {
                    "; ++e) store(out, e, " + value + ");\n";
 }
 
-}  // namespace regulus::inline cpp
+}  // namespace regulus::cpp

@@ -75,4 +75,4 @@ class PartPrinter {
   Usage usage_;
 };
 
-}  // namespace regulus::inline cpp
+}  // namespace regulus::cpp

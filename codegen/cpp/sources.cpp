@@ -168,4 +168,4 @@ std::string isa_source(const KernelSubject& subject, Isa isa) {
              subject.name, name(isa));
 }
 
-}  // namespace regulus::inline cpp
+}  // namespace regulus::cpp

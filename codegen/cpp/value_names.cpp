@@ -55,4 +55,4 @@ const std::string& ValueNames::of(NodeId id) {
   return names_[id];
 }
 
-}  // namespace regulus::inline cpp
+}  // namespace regulus::cpp

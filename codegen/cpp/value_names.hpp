@@ -33,4 +33,4 @@ class ValueNames {
   int last_constant_ = 0;
 };
 
-}  // namespace regulus::inline cpp
+}  // namespace regulus::cpp

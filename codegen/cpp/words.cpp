@@ -158,4 +158,4 @@ std::string free_name(std::string_view text) {
   return is_taken(name) ? name + "_" : name;
 }
 
-}  // namespace regulus::inline cpp
+}  // namespace regulus::cpp

@@ -14,4 +14,4 @@ namespace regulus::inline cpp {
 /// Returns the text as such a name; not injective.
 [[nodiscard]] std::string free_name(std::string_view text);
 
-}  // namespace regulus::inline cpp
+}  // namespace regulus::cpp

@@ -97,4 +97,4 @@ std::string dependency_text(const fs::path& folder, const std::vector<GeneratedF
   return text + ": " + escaped(input) + "\n";
 }
 
-}  // namespace regulus::inline cpp
+}  // namespace regulus::cpp

@@ -24,4 +24,4 @@ void write_file(const std::filesystem::path& path, const std::string& text);
                                           const std::vector<GeneratedFile>& files,
                                           const std::string& input);
 
-}  // namespace regulus::inline cpp
+}  // namespace regulus::cpp

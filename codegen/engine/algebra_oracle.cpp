@@ -80,14 +80,15 @@ using Values = std::map<std::string, Expression>;
 
 /// nullopt for the end of an axis of a ball, which need not be in the ball.
 std::optional<Values> values_at(std::span<const Variable> variables,
-                                std::span<const Interval> point, std::span<const Place> places) {
+                                std::span<const Interval> point,
+                                std::span<const PlaceInRange> places) {
   const SymbolMeaning no_symbols;
   Values values;
   for (std::size_t k = 0; k < variables.size(); ++k) {
     const Variable& v = variables[k];
-    const bool at_end = places[k] != Place::kInside;
+    const bool at_end = places[k] != PlaceInRange::kInside;
     if (at_end ? v.ball >= 0 : point[k].lo != point[k].hi) return std::nullopt;
-    const GiNaC::ex& end = places[k] == Place::kUpperEnd ? v.range.hi : v.range.lo;
+    const GiNaC::ex& end = places[k] == PlaceInRange::kUpperEnd ? v.range.hi : v.range.lo;
     values.emplace(v.name, at_end ? GinacReader(no_symbols).read(end)
                                   : Expression(exact_rational(point[k].lo)));
   }
@@ -125,7 +126,7 @@ bool is_at_most_alpha(const Formulation& f, const Values& values, const GiNaC::e
 }  // namespace
 
 bool ExactAlgebra::is_singular_at(std::span<const Interval> point,
-                                  std::span<const Place> places) noexcept try {
+                                  std::span<const PlaceInRange> places) noexcept try {
   if (preparation_.is_replanned) return false;
   const Formulation& f = preparation_.stages->natural_formulation();
   if (f.rows != f.columns || f.rows > kMaxOrder) return false;
@@ -144,4 +145,4 @@ AlgebraOracle::Determinant ExactAlgebra::determinant(std::span<const Interval> p
   return Determinant::kUnknown;  // the result is not known
 }
 
-}  // namespace regulus::inline engine
+}  // namespace regulus::engine

@@ -28,10 +28,10 @@ class ExactAlgebra final : public AlgebraOracle {
   /// numbers that remain are taken as indeterminates. Says nothing about ranges that `margin` has
   /// changed: the stages do not have their ends.
   [[nodiscard]] bool is_singular_at(std::span<const Interval> point,
-                                    std::span<const Place> places) noexcept override;
+                                    std::span<const PlaceInRange> places) noexcept override;
 
  private:
   const PreparedSearch& preparation_;
 };
 
-}  // namespace regulus::inline engine
+}  // namespace regulus::engine

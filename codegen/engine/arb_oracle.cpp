@@ -67,4 +67,4 @@ std::optional<Interval> ArbOracle::enclose(std::span<const Interval> point) noex
   return std::nullopt;
 }
 
-}  // namespace regulus::inline engine
+}  // namespace regulus::engine

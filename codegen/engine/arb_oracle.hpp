@@ -35,4 +35,4 @@ class ArbOracle : public DeterminantOracle {
   std::atomic<long> bits_ = 53;
 };
 
-}  // namespace regulus::inline engine
+}  // namespace regulus::engine

@@ -28,4 +28,4 @@ BalancedMatrix balance(std::span<const double> A, std::size_t rows, std::size_t 
   return result;
 }
 
-}  // namespace regulus::inline engine
+}  // namespace regulus::engine

@@ -19,4 +19,4 @@ struct BalancedMatrix {
 [[nodiscard]] BalancedMatrix balance(std::span<const double> A, std::size_t rows,
                                      std::size_t columns);
 
-}  // namespace regulus::inline engine
+}  // namespace regulus::engine

@@ -86,4 +86,4 @@ std::string build_id() {
   return identity;
 }
 
-}  // namespace regulus::inline engine
+}  // namespace regulus::engine

@@ -12,4 +12,4 @@ namespace regulus::inline engine {
 ///           program uses the cached results of another one.
 [[nodiscard]] std::string build_id();
 
-}  // namespace regulus::inline engine
+}  // namespace regulus::engine

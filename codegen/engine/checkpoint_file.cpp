@@ -132,4 +132,4 @@ std::string CheckpointFile::line() const {
   return text;
 }
 
-}  // namespace regulus::inline engine
+}  // namespace regulus::engine

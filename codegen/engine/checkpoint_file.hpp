@@ -52,4 +52,4 @@ class CheckpointFile {
   bool kept_ = false;
 };
 
-}  // namespace regulus::inline engine
+}  // namespace regulus::engine

@@ -36,7 +36,7 @@ constexpr Choice<Engine> kEngines[] = {{"auto", Engine::kAuto},
 template <class Value>
 void require_known(const char* option, const Value& value) {
   if (word_of(value).empty())
-    throw UsageError(std::string(option) + ": the value is none of its enumeration; it can be " +
+    throw UsageError(std::string(option) + ": invalid value; valid values are " +
                      alternatives(words_of<Value>()));
 }
 
@@ -112,4 +112,4 @@ void require_valid(const SearchOptions& options) {
     if (std::ranges::find(known, name) == known.end()) refuse("--without", name, known);
 }
 
-}  // namespace regulus::inline engine
+}  // namespace regulus::engine

@@ -51,4 +51,4 @@ template <class Value>
 ///           if --help does not list the name of an ingredient.
 void require_valid(const SearchOptions& options);
 
-}  // namespace regulus::inline engine
+}  // namespace regulus::engine

@@ -175,4 +175,4 @@ std::optional<Interval> ClosedFormBounds::enclose(const Form& form, std::span<co
                   form.bounds_above ? result.hi : kInfinity);
 }
 
-}  // namespace regulus::inline engine
+}  // namespace regulus::engine

@@ -41,4 +41,4 @@ class ClosedFormBounds : public ClosedForm {
   std::vector<Form> forms_;
 };
 
-}  // namespace regulus::inline engine
+}  // namespace regulus::engine

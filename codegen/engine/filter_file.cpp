@@ -56,4 +56,4 @@ FilterFile::FilterFile(const std::string& path)
     throw InputError(path, 0, *fault, "an interface as regulus/filter.h declares it");
 }
 
-}  // namespace regulus::inline engine
+}  // namespace regulus::engine

@@ -33,4 +33,4 @@ class FilterFile {
   const regulus_filter_interface* filter_ = nullptr;
 };
 
-}  // namespace regulus::inline engine
+}  // namespace regulus::engine

@@ -49,7 +49,7 @@ constexpr Ingredient kIngredients[] = {
      [](Settings& s) { s.ingredients.midpoints = false; }, keep_functions},
     {"corners", "at corners", [](Settings& s) { s.ingredients.corners = false; }, keep_functions},
     {"descents", "downhill", [](Settings& s) { s.ingredients.descents = false; }, keep_functions},
-    {"stall", "giving up where uncertainty alone defeats the tests",
+    {"stall", "stopping if only uncertainty makes the tests fail",
      [](Settings& s) { s.ingredients.stall = false; }, keep_functions},
     {"batch", "eight boxes at a time", [](Settings& s) { s.batch = 1; }, keep_functions},
 };
@@ -84,4 +84,4 @@ void leave_out(const std::vector<std::string>& names, FormulationOptions& functi
   for_each_named(names, [&](const Ingredient& x) { x.leave_out_of_functions(functions); });
 }
 
-}  // namespace regulus::inline engine
+}  // namespace regulus::engine

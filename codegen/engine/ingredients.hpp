@@ -20,4 +20,4 @@ namespace regulus::inline engine {
 void leave_out(const std::vector<std::string>& names, Settings& settings);
 void leave_out(const std::vector<std::string>& names, FormulationOptions& functions);
 
-}  // namespace regulus::inline engine
+}  // namespace regulus::engine

@@ -23,4 +23,4 @@ void require_sound_rounding(const std::optional<std::string>& failure) {
   if (failure) throw InternalError("the rounding self-test failed: " + *failure);
 }
 
-}  // namespace regulus::inline engine
+}  // namespace regulus::engine

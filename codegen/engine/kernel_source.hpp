@@ -29,4 +29,4 @@ void require_sound_rounding(const CompileOptions& options);
 /// Throws InternalError if there is a failure.
 void require_sound_rounding(const std::optional<std::string>& failure);
 
-}  // namespace regulus::inline engine
+}  // namespace regulus::engine

@@ -74,4 +74,4 @@ bool LateCompilation::wait(const std::atomic<bool>& given_up) {
   return true;
 }
 
-}  // namespace regulus::inline engine
+}  // namespace regulus::engine

@@ -63,4 +63,4 @@ class LateCompilation : public Observer {
   std::thread thread_;
 };
 
-}  // namespace regulus::inline engine
+}  // namespace regulus::engine

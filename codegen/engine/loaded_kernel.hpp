@@ -15,4 +15,4 @@ class LoadedKernel {
   [[nodiscard]] virtual const regulus_kernel& functions() const noexcept = 0;
 };
 
-}  // namespace regulus::inline engine
+}  // namespace regulus::engine

@@ -58,4 +58,4 @@ struct CheckpointOptions {
   double interval = 10;  ///< seconds
 };
 
-}  // namespace regulus::inline engine
+}  // namespace regulus::engine

@@ -313,4 +313,4 @@ EmittedKernel emit_kernel(const Request& request, Method method, const std::stri
               options);
 }
 
-}  // namespace regulus::inline engine
+}  // namespace regulus::engine

@@ -83,4 +83,4 @@ struct PreparedSearch {
                                         const std::string& command,
                                         std::uint64_t symbolic_budget = kDeterminantBudget);
 
-}  // namespace regulus::inline engine
+}  // namespace regulus::engine

@@ -25,4 +25,4 @@ std::optional<std::vector<double>> approx_values(const Program& program,
   return values;
 }
 
-}  // namespace regulus::inline engine
+}  // namespace regulus::engine

@@ -16,4 +16,4 @@ namespace regulus::inline engine {
 [[nodiscard]] std::optional<std::vector<double>> approx_values(const Program& program,
                                                                std::span<const Interval> variables);
 
-}  // namespace regulus::inline engine
+}  // namespace regulus::engine

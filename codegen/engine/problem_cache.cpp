@@ -37,4 +37,4 @@ void ProblemCache::keep(WarmStart problem, const machine::PackKernel& program) c
   static_cast<void>(cache_.write({{problem.program_key, bytes}, {key_, to_text(problem)}}));
 }
 
-}  // namespace regulus::inline engine
+}  // namespace regulus::engine

@@ -38,4 +38,4 @@ class ProblemCache {
   std::string note_;
 };
 
-}  // namespace regulus::inline engine
+}  // namespace regulus::engine

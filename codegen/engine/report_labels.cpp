@@ -21,4 +21,4 @@ ReportLabels report_labels(const Request& request, const Formulation& formulatio
   return subject;
 }
 
-}  // namespace regulus::inline engine
+}  // namespace regulus::engine

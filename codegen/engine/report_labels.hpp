@@ -40,4 +40,4 @@ struct ReportLabels {
 
 [[nodiscard]] ReportLabels report_labels(const Request& request, const Formulation& formulation);
 
-}  // namespace regulus::inline engine
+}  // namespace regulus::engine

@@ -79,4 +79,4 @@ void close_in_on_witness(PreparedSearch& preparation, const SearchOptions& searc
   });
 }
 
-}  // namespace regulus::inline engine
+}  // namespace regulus::engine

@@ -30,4 +30,4 @@ namespace regulus::inline engine {
 void close_in_on_witness(PreparedSearch& preparation, const SearchOptions& search,
                          Settings settings, Result& result);
 
-}  // namespace regulus::inline engine
+}  // namespace regulus::engine

@@ -48,4 +48,4 @@ Settings settings_of(const PreparedSearch& prepared, const SearchOptions& option
   return settings;
 }
 
-}  // namespace regulus::inline engine
+}  // namespace regulus::engine

@@ -15,4 +15,4 @@ namespace regulus::inline engine {
 [[nodiscard]] Settings settings_of(const PreparedSearch& prepared, const SearchOptions& options,
                                    const std::atomic<bool>* interrupt);
 
-}  // namespace regulus::inline engine
+}  // namespace regulus::engine

@@ -64,4 +64,4 @@ void SymbolicStages::give_up() {
                              static_cast<int>(of.model.pose.size()));
 }
 
-}  // namespace regulus::inline engine
+}  // namespace regulus::engine

@@ -71,4 +71,4 @@ class SymbolicStages {
   double symbolic_seconds_ = 0;
 };
 
-}  // namespace regulus::inline engine
+}  // namespace regulus::engine

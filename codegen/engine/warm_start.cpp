@@ -251,4 +251,4 @@ bool fits(const WarmStart& problem, const machine::PackKernel& program) noexcept
          program.pose_parameters == s.pose.size();
 }
 
-}  // namespace regulus::inline engine
+}  // namespace regulus::engine

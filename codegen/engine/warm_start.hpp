@@ -47,4 +47,4 @@ struct WarmStart {
 /// True if a program has the problem's sizes and is the source of its kernel.
 [[nodiscard]] bool fits(const WarmStart& problem, const machine::PackKernel& program) noexcept;
 
-}  // namespace regulus::inline engine
+}  // namespace regulus::engine

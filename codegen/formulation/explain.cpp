@@ -264,4 +264,4 @@ Motion pose_as_motion(const Model& model) {
   return motion;
 }
 
-}  // namespace regulus::inline formulation
+}  // namespace regulus::formulation

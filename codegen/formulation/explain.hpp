@@ -35,4 +35,4 @@ struct Explanation {
 /// points: use it for forms, not for verdicts.
 [[nodiscard]] Motion pose_as_motion(const Model& model);
 
-}  // namespace regulus::inline formulation
+}  // namespace regulus::formulation

@@ -125,4 +125,4 @@ void Formulator::form_row_derivatives(int i, int j, std::vector<PolynomialDiffer
   }
 }
 
-}  // namespace regulus::inline formulation
+}  // namespace regulus::formulation

@@ -67,4 +67,4 @@ Expressions Formulator::outermost(const Expressions& all) {
   return result;
 }
 
-}  // namespace regulus::inline formulation
+}  // namespace regulus::formulation

@@ -128,4 +128,4 @@ void Formulator::form_right_product() {
   }
 }
 
-}  // namespace regulus::inline formulation
+}  // namespace regulus::formulation

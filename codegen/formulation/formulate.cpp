@@ -80,4 +80,4 @@ std::string point_name(int row, int column) {
   return "k_" + std::to_string(row) + "_" + std::to_string(column);
 }
 
-}  // namespace regulus::inline formulation
+}  // namespace regulus::formulation

@@ -169,4 +169,4 @@ struct Formulation {
 [[nodiscard]] Module undefined_kernel(const Formulation& shape, int constraints,
                                       int pose_parameters);
 
-}  // namespace regulus::inline formulation
+}  // namespace regulus::formulation

@@ -166,4 +166,4 @@ Expression Formulator::nested(const Polynomial& p, const std::string& function) 
   return form.expression;
 }
 
-}  // namespace regulus::inline formulation
+}  // namespace regulus::formulation

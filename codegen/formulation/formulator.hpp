@@ -107,4 +107,4 @@ class Formulator {
   Formulation result_;
 };
 
-}  // namespace regulus::inline formulation
+}  // namespace regulus::formulation

@@ -23,4 +23,4 @@ FormulationOptions functions_needed(Method method, const Settings& settings,
   return options;
 }
 
-}  // namespace regulus::inline formulation
+}  // namespace regulus::formulation

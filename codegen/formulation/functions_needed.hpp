@@ -13,4 +13,4 @@ namespace regulus::inline formulation {
     Method method, const Settings& settings = {},
     std::uint64_t symbolic_budget = kDeterminantBudget);
 
-}  // namespace regulus::inline formulation
+}  // namespace regulus::formulation

@@ -227,4 +227,4 @@ Module undefined_kernel(const Formulation& shape, int constraints, int pose_para
   return module;
 }
 
-}  // namespace regulus::inline formulation
+}  // namespace regulus::formulation

@@ -274,4 +274,4 @@ MatrixScaling find_scaling(const Expressions& entries, int columns,
   return result;
 }
 
-}  // namespace regulus::inline formulation
+}  // namespace regulus::formulation

@@ -46,4 +46,4 @@ struct MatrixScaling {
                                          const std::vector<Variable>& variables, bool moderate,
                                          WorkMeter* meter = nullptr);
 
-}  // namespace regulus::inline formulation
+}  // namespace regulus::formulation

@@ -159,4 +159,4 @@ Expressions Substitution::partial_operations(const GiNaC::ex& e) {
   return partial_nodes(GinacReader(written_, meter_).read(e));
 }
 
-}  // namespace regulus::inline formulation
+}  // namespace regulus::formulation

@@ -53,4 +53,4 @@ class Substitution {
 /// first.
 [[nodiscard]] Expressions partial_nodes(const Expression& e);
 
-}  // namespace regulus::inline formulation
+}  // namespace regulus::formulation

@@ -57,4 +57,4 @@ Variety enclose_variety(const Model& model, const Motion& motion,
   return variety;
 }
 
-}  // namespace regulus::inline formulation
+}  // namespace regulus::formulation

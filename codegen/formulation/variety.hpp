@@ -27,4 +27,4 @@ struct Variety {
 /// certain value.
 [[nodiscard]] Interval enclose_constant(const GiNaC::ex& value, const std::string& what);
 
-}  // namespace regulus::inline formulation
+}  // namespace regulus::formulation

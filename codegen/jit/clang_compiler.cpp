@@ -56,4 +56,4 @@ CompiledObject ClangCompiler::compile(const Compilation& compilation) const {
   return result;
 }
 
-}  // namespace regulus::inline jit
+}  // namespace regulus::jit

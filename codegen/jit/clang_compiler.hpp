@@ -37,4 +37,4 @@ class ClangCompiler {
   std::string identity_;
 };
 
-}  // namespace regulus::inline jit
+}  // namespace regulus::jit

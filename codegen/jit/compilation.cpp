@@ -31,4 +31,4 @@ std::string object_key(const Compilation& compilation, std::string_view compiler
   return parts.key();
 }
 
-}  // namespace regulus::inline jit
+}  // namespace regulus::jit

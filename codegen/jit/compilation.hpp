@@ -31,4 +31,4 @@ struct Compilation {
 ///           part is preceded by its length, so different lists of parts give different bytes.
 [[nodiscard]] std::string object_key(const Compilation& compilation, std::string_view compiler);
 
-}  // namespace regulus::inline jit
+}  // namespace regulus::jit

@@ -52,7 +52,7 @@ std::string find_in_cache(const ObjectCache& cache, const std::string& name, std
   ObjectCache::Entry entry = cache.read(name);
   if (!entry.object) return entry.note;
   if (entry.object->size() <= name.size() || !entry.object->starts_with(name))
-    return "cache entry is that of another part";
+    return "cache entry belongs to another part";
   code = std::move(*entry.object);
   code.erase(0, name.size());
   return {};
@@ -243,4 +243,4 @@ std::optional<CompiledKernel> find_cached_kernel(const machine::PackKernel& prog
   return make_kernel(program, options, Missing::kGiveUp);
 }
 
-}  // namespace regulus::inline jit
+}  // namespace regulus::jit

@@ -33,4 +33,4 @@ class Timer {
 /// Adds a note on the cache to the report, if `note` is not empty.
 void append_note(CompileReport& report, const std::string& note);
 
-}  // namespace regulus::inline jit
+}  // namespace regulus::jit

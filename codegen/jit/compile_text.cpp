@@ -116,4 +116,4 @@ CompiledKernel compile_kernel(const EmittedKernel& emitted, const CompileOptions
   return {code.object(), kernel, code.report()};
 }
 
-}  // namespace regulus::inline jit
+}  // namespace regulus::jit

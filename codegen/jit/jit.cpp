@@ -52,4 +52,4 @@ std::optional<std::string> text_rounding_self_test(const CompileOptions& options
   return check_self_test(function, options.isa);
 }
 
-}  // namespace regulus::inline jit
+}  // namespace regulus::jit

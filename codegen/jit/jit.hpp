@@ -97,4 +97,4 @@ class CompiledKernel {
 /// The same for the C++ text of the self-test, compiled by Clang.
 [[nodiscard]] std::optional<std::string> text_rounding_self_test(const CompileOptions& options);
 
-}  // namespace regulus::inline jit
+}  // namespace regulus::jit

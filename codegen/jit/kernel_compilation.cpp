@@ -59,4 +59,4 @@ std::vector<ExternalSymbol> kernel_externals() {
   return externals;
 }
 
-}  // namespace regulus::inline jit
+}  // namespace regulus::jit

@@ -17,4 +17,4 @@ namespace regulus::inline jit {
 /// Returns the functions that a kernel may call.
 [[nodiscard]] std::vector<ExternalSymbol> kernel_externals();
 
-}  // namespace regulus::inline jit
+}  // namespace regulus::jit

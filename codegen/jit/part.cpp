@@ -133,4 +133,4 @@ std::string part_name(std::string_view bytes, std::string_view isa, std::string_
   return key.key();
 }
 
-}  // namespace regulus::inline jit
+}  // namespace regulus::jit

@@ -35,4 +35,4 @@ struct PartProgram {
 [[nodiscard]] std::string part_name(std::string_view bytes, std::string_view isa,
                                     std::string_view compiler);
 
-}  // namespace regulus::inline jit
+}  // namespace regulus::jit

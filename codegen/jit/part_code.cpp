@@ -41,4 +41,4 @@ PartFunction LoadedParts::function(std::size_t part) const noexcept {
   return reinterpret_cast<PartFunction>(mapping_.data() + offsets_[part]);
 }
 
-}  // namespace regulus::inline jit
+}  // namespace regulus::jit

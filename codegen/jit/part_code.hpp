@@ -43,4 +43,4 @@ class LoadedParts {
   MemoryMapping mapping_;
 };
 
-}  // namespace regulus::inline jit
+}  // namespace regulus::jit

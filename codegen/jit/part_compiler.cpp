@@ -45,4 +45,4 @@ CompiledObjects PartCompiler::compile(const std::vector<std::string_view>& parts
   return result;
 }
 
-}  // namespace regulus::inline jit
+}  // namespace regulus::jit

@@ -41,4 +41,4 @@ class PartCompiler {
   std::string identity_;
 };
 
-}  // namespace regulus::inline jit
+}  // namespace regulus::jit

@@ -83,4 +83,4 @@ void* open_plugin(const std::filesystem::path& plugin, const char* symbol, doubl
   return function;
 }
 
-}  // namespace regulus::inline jit
+}  // namespace regulus::jit

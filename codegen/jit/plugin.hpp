@@ -46,4 +46,4 @@ class DefaultFloatingPoint {
   std::fenv_t saved_;
 };
 
-}  // namespace regulus::inline jit
+}  // namespace regulus::jit

@@ -93,4 +93,4 @@ void MarginCertificates::add_to(nlohmann::ordered_json& report) const {
   report["certificates"] = {{"safe", file(safe_)}, {"singular", file(singular_)}};
 }
 
-}  // namespace regulus::inline bracketing
+}  // namespace regulus::bracketing

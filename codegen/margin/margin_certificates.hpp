@@ -53,4 +53,4 @@ class MarginCertificates {
   std::string obstacle_;  ///< why this question can have no certificate
 };
 
-}  // namespace regulus::inline bracketing
+}  // namespace regulus::bracketing

@@ -164,4 +164,4 @@ std::string describe_quantity(const MarginQuestion& question) {
   return "";
 }
 
-}  // namespace regulus::inline bracketing
+}  // namespace regulus::bracketing

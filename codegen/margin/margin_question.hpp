@@ -60,4 +60,4 @@ class MarginRequest {
 /// Returns "tolerance of base,platform", for example.
 [[nodiscard]] std::string describe_quantity(const MarginQuestion& question);
 
-}  // namespace regulus::inline bracketing
+}  // namespace regulus::bracketing

@@ -150,4 +150,4 @@ Json json_margin(const PreparedSearch& p, const SearchOptions& search,
   return report;
 }
 
-}  // namespace regulus::inline bracketing
+}  // namespace regulus::bracketing

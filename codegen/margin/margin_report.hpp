@@ -25,4 +25,4 @@ namespace regulus::inline bracketing {
                                                  const MarginQuestion& question,
                                                  const Margin& margin, double gap_wanted);
 
-}  // namespace regulus::inline bracketing
+}  // namespace regulus::bracketing

@@ -180,4 +180,4 @@ void MarginRun::note(MarginStep step, bool is_search) {
   margin_.steps.push_back(std::move(step));
 }
 
-}  // namespace regulus::inline bracketing
+}  // namespace regulus::bracketing

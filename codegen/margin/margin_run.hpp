@@ -74,4 +74,4 @@ class MarginRun {
   Margin margin_;
 };
 
-}  // namespace regulus::inline bracketing
+}  // namespace regulus::bracketing

@@ -48,4 +48,4 @@ PreparedMargin::PreparedMargin(const MarginQuestion& question, const ModelOption
   require_searchable(prepared, settings);
 }
 
-}  // namespace regulus::inline bracketing
+}  // namespace regulus::bracketing

@@ -24,4 +24,4 @@ struct PreparedMargin {
   Settings settings;
 };
 
-}  // namespace regulus::inline bracketing
+}  // namespace regulus::bracketing

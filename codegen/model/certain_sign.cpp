@@ -151,4 +151,4 @@ CertainSign certain_sign(const ex& constant) {
   return CertainSign::kUnknown;
 }
 
-}  // namespace regulus::inline model
+}  // namespace regulus::model

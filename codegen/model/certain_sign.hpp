@@ -16,4 +16,4 @@ enum class CertainSign { kNegative, kZero, kPositive, kUnknown };
 ///           constant such as sqrt(2)*sqrt(3) - sqrt(6), or one that is not defined, is kUnknown.
 [[nodiscard]] CertainSign certain_sign(const GiNaC::ex& constant);
 
-}  // namespace regulus::inline model
+}  // namespace regulus::model

@@ -56,4 +56,4 @@ ParsedExpression combine_limits_of_power(const ParsedExpression& base,
   return result;
 }
 
-}  // namespace regulus::inline model
+}  // namespace regulus::model

@@ -20,4 +20,4 @@ namespace regulus::inline model {
                                                        const ParsedExpression& exponent,
                                                        const GiNaC::numeric& value);
 
-}  // namespace regulus::inline model
+}  // namespace regulus::model

@@ -76,4 +76,4 @@ std::vector<ex> distinct(const std::vector<ex>& all) {
   return result;
 }
 
-}  // namespace regulus::inline model
+}  // namespace regulus::model

@@ -25,4 +25,4 @@ void append(std::vector<GiNaC::ex>& all, const std::vector<GiNaC::ex>& more);
 /// Returns the expressions without repetitions, in the order of first occurrence.
 [[nodiscard]] std::vector<GiNaC::ex> distinct(const std::vector<GiNaC::ex>& all);
 
-}  // namespace regulus::inline model
+}  // namespace regulus::model

@@ -149,4 +149,4 @@ GiNaC::numeric exact_integer(std::int64_t value) {
   return GiNaC::numeric(cln::cl_I(static_cast<long long>(value)));
 }
 
-}  // namespace regulus::inline model
+}  // namespace regulus::model

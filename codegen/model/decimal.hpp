@@ -52,4 +52,4 @@ constexpr const char* kNumberLimits = "at most 1000 digits and an exponent withi
 /// Returns the integer itself. On some platforms GiNaC has no constructor for 64-bit integers.
 [[nodiscard]] GiNaC::numeric exact_integer(std::int64_t value);
 
-}  // namespace regulus::inline model
+}  // namespace regulus::model

@@ -71,4 +71,4 @@ void Declarations::refuse_cycle(const std::string& name) const {
                    "sub-expressions that do not use themselves", name);
 }
 
-}  // namespace regulus::inline model
+}  // namespace regulus::model

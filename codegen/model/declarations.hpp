@@ -42,4 +42,4 @@ class Declarations final : public Names {
 /// Throws InputError unless `name` is a name that the language of model files does not use itself.
 void require_free_name(const std::string& name, const Place& place);
 
-}  // namespace regulus::inline model
+}  // namespace regulus::model

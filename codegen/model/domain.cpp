@@ -85,4 +85,4 @@ void require_off_branch_cut(ParsedExpression& result, const ex& y, const ex& x) 
   record(result, GiNaC::atan2(y, x));
 }
 
-}  // namespace regulus::inline model
+}  // namespace regulus::model

@@ -22,4 +22,4 @@ void require_no_pole_of_tan(ParsedExpression& result, const GiNaC::ex& operand);
 void require_off_branch_cut(ParsedExpression& result, const GiNaC::ex& ordinate,
                             const GiNaC::ex& abscissa);
 
-}  // namespace regulus::inline model
+}  // namespace regulus::model

@@ -226,4 +226,4 @@ ParsedExpression parse_constant(std::string_view text, const Place& place) {
   return result;
 }
 
-}  // namespace regulus::inline model
+}  // namespace regulus::model

@@ -51,4 +51,4 @@ constexpr std::size_t kLongestExpression = 65536;
 /// The same for an expression with no names except pi and deg, and with a finite value.
 [[nodiscard]] ParsedExpression parse_constant(std::string_view text, const Place& place);
 
-}  // namespace regulus::inline model
+}  // namespace regulus::model

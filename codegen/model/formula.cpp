@@ -144,4 +144,4 @@ Formula exact_value_of(double value, SourcePlace place) {
   return Formula(GiNaC::ex(exact_value(value)), place);
 }
 
-}  // namespace regulus::inline model
+}  // namespace regulus::model

@@ -137,4 +137,4 @@ template <char... kText>
 }
 
 }  // namespace literals
-}  // namespace regulus::inline model
+}  // namespace regulus::model

@@ -93,4 +93,4 @@ void read_geometry(ModelReading& reading, const TomlEntry& geometry) {
   for (const TomlEntry& entry : reading.toml.entries(geometry)) reader.read(entry);
 }
 
-}  // namespace regulus::inline model
+}  // namespace regulus::model

@@ -139,4 +139,4 @@ std::vector<ex> symbols_of(const ex& expression) {
   return {found.begin(), found.end()};
 }
 
-}  // namespace regulus::inline model
+}  // namespace regulus::model

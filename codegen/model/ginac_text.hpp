@@ -21,4 +21,4 @@ namespace regulus::inline model {
 /// Returns each symbol once.
 [[nodiscard]] std::vector<GiNaC::ex> symbols_of(const GiNaC::ex& expression);
 
-}  // namespace regulus::inline model
+}  // namespace regulus::model

@@ -140,4 +140,4 @@ Model gough_model(const Gough& robot) {
   return model;
 }
 
-}  // namespace regulus::inline model
+}  // namespace regulus::model

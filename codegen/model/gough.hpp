@@ -55,4 +55,4 @@ struct Gough {
 /// Source    Merlet, T-RO 2007, Eqs. (5)–(7).
 [[nodiscard]] Model gough_model(const Gough& robot);
 
-}  // namespace regulus::inline model
+}  // namespace regulus::model

@@ -100,4 +100,4 @@ void read_gough(ModelReading& reading, const TomlEntry& gough) {
   declare_symbols(reading, gough);
 }
 
-}  // namespace regulus::inline model
+}  // namespace regulus::model

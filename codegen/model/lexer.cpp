@@ -51,4 +51,4 @@ Token Lexer::token(Token::Kind kind, std::size_t end) noexcept {
   return result;
 }
 
-}  // namespace regulus::inline model
+}  // namespace regulus::model

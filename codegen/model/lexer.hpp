@@ -36,4 +36,4 @@ class Lexer {
   std::size_t at_ = 0;
 };
 
-}  // namespace regulus::inline model
+}  // namespace regulus::model

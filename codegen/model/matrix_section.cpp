@@ -76,4 +76,4 @@ void read_matrix(ModelReading& reading, const TomlEntry& matrix) {
   if (scale.node) read_row_scale(reading, scale);
 }
 
-}  // namespace regulus::inline model
+}  // namespace regulus::model

@@ -89,4 +89,4 @@ struct Model {
   std::vector<Motion> motions;
 };
 
-}  // namespace regulus::inline model
+}  // namespace regulus::model

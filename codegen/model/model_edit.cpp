@@ -59,4 +59,4 @@ std::vector<std::string> let_names(const std::string& text) {
   return names;
 }
 
-}  // namespace regulus::inline model
+}  // namespace regulus::model

@@ -19,4 +19,4 @@ namespace regulus::inline model {
 /// Returns the names of its sub-expressions.
 [[nodiscard]] std::vector<std::string> let_names(const std::string& text);
 
-}  // namespace regulus::inline model
+}  // namespace regulus::model

@@ -125,4 +125,4 @@ Model load_model(const std::filesystem::path& path) {
   return model;
 }
 
-}  // namespace regulus::inline model
+}  // namespace regulus::model

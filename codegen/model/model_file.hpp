@@ -26,4 +26,4 @@ constexpr std::size_t kLargestModelFile = std::size_t{4} << 20;
 /// kLargestModelFile. Throws FileError if it cannot be read.
 [[nodiscard]] std::string read_model_text(const std::filesystem::path& path);
 
-}  // namespace regulus::inline model
+}  // namespace regulus::model

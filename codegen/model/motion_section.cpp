@@ -182,4 +182,4 @@ void read_motions(ModelReading& reading, const TomlEntry& motions) {
     reading.toml.refuse(motions, "no motion", "at least one table [motion.NAME]");
 }
 
-}  // namespace regulus::inline model
+}  // namespace regulus::model

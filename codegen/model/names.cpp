@@ -101,4 +101,4 @@ bool is_label(std::string_view text) noexcept {
          });
 }
 
-}  // namespace regulus::inline model
+}  // namespace regulus::model

@@ -35,4 +35,4 @@ namespace regulus::inline model {
 /// most 200 bytes of printable ASCII or UTF-8 beyond it, no control character, no backslash.
 [[nodiscard]] bool is_label(std::string_view text) noexcept;
 
-}  // namespace regulus::inline model
+}  // namespace regulus::model

@@ -125,4 +125,4 @@ std::vector<std::string> tolerance_groups(const Model& model) {
   return groups;
 }
 
-}  // namespace regulus::inline model
+}  // namespace regulus::model

@@ -34,4 +34,4 @@ void set_tolerance(Model& model, std::string_view groups, const GiNaC::ex& toler
 /// The groups of the model, each once, in the order of the geometry.
 [[nodiscard]] std::vector<std::string> tolerance_groups(const Model& model);
 
-}  // namespace regulus::inline model
+}  // namespace regulus::model

@@ -106,4 +106,4 @@ ParsedExpression power(const ParsedExpression& base, const ParsedExpression& exp
   return result;
 }
 
-}  // namespace regulus::inline model
+}  // namespace regulus::model

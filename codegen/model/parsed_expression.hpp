@@ -65,4 +65,4 @@ struct Operand {
 [[nodiscard]] ParsedExpression power(const ParsedExpression& base,
                                      const ParsedExpression& exponent);
 
-}  // namespace regulus::inline model
+}  // namespace regulus::model

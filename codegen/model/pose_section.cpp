@@ -36,4 +36,4 @@ void read_let(ModelReading& reading, const TomlEntry& let) {
   for (const TomlEntry& entry : entries) (void)reading.names.find(entry.key, 0);
 }
 
-}  // namespace regulus::inline model
+}  // namespace regulus::model

@@ -94,4 +94,4 @@ std::string read_start(const std::string& path, std::uint64_t most, Readable kin
   return file.start(most);
 }
 
-}  // namespace regulus::inline model
+}  // namespace regulus::model

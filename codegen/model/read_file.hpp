@@ -25,4 +25,4 @@ enum class Readable { kFile, kStream };
 /// Returns its first `most` bytes, or all if there are fewer. Throws FileError.
 [[nodiscard]] std::string read_start(const std::string& path, std::uint64_t most, Readable kind);
 
-}  // namespace regulus::inline model
+}  // namespace regulus::model

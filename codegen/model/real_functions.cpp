@@ -99,4 +99,4 @@ ParsedExpression call(std::string_view name, std::vector<ParsedExpression> argum
   return result;
 }
 
-}  // namespace regulus::inline model
+}  // namespace regulus::model

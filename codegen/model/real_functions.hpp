@@ -22,4 +22,4 @@ namespace regulus::inline model {
 /// Ensures   throws Refusal for a wrong number of arguments, or constants outside the domain.
 [[nodiscard]] ParsedExpression call(std::string_view name, std::vector<ParsedExpression> arguments);
 
-}  // namespace regulus::inline model
+}  // namespace regulus::model

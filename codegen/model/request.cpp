@@ -40,4 +40,4 @@ Request read_request(std::string_view text, const ModelOptions& options) {
   return request;
 }
 
-}  // namespace regulus::inline model
+}  // namespace regulus::model

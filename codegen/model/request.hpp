@@ -53,4 +53,4 @@ void from_option(const char* option, Change change) {
   }
 }
 
-}  // namespace regulus::inline model
+}  // namespace regulus::model

@@ -27,4 +27,4 @@ namespace regulus::inline model {
 [[nodiscard]] GiNaC::matrix scaled_rotation_quaternion(const GiNaC::ex& q0, const GiNaC::ex& q1,
                                                        const GiNaC::ex& q2, const GiNaC::ex& q3);
 
-}  // namespace regulus::inline model
+}  // namespace regulus::model

@@ -42,4 +42,4 @@ void read_gough(ModelReading& reading, const TomlEntry& gough);
 
 void read_motions(ModelReading& reading, const TomlEntry& motions);
 
-}  // namespace regulus::inline model
+}  // namespace regulus::model

@@ -116,4 +116,4 @@ std::optional<double> approx_value(const ex& constant) {
   return std::isfinite(value) ? std::optional(value) : std::nullopt;
 }
 
-}  // namespace regulus::inline model
+}  // namespace regulus::model

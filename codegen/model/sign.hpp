@@ -24,4 +24,4 @@ namespace regulus::inline model {
 /// used: beyond its exponent range it gives exp(exp(exp(9))) = 1.)
 [[nodiscard]] std::optional<double> approx_value(const GiNaC::ex& constant);
 
-}  // namespace regulus::inline model
+}  // namespace regulus::model

@@ -33,4 +33,4 @@ std::size_t SourceLines::offset(std::size_t line, std::size_t column) const noex
   return at;
 }
 
-}  // namespace regulus::inline model
+}  // namespace regulus::model

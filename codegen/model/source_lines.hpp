@@ -27,4 +27,4 @@ class SourceLines {
   std::vector<std::size_t> bytes_;          // where every kStride-th character begins
 };
 
-}  // namespace regulus::inline model
+}  // namespace regulus::model

@@ -26,4 +26,4 @@ class SourcePlace {
   unsigned line_ = 0;
 };
 
-}  // namespace regulus::inline model
+}  // namespace regulus::model

@@ -120,4 +120,4 @@ class Scan {
 
 void require_toml_limits(std::string_view text, const std::string& file) { Scan(text, file).run(); }
 
-}  // namespace regulus::inline model
+}  // namespace regulus::model

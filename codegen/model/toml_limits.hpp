@@ -18,4 +18,4 @@ constexpr std::size_t kMaxTomlTables = 20'000;  ///< parts of all dotted keys an
 /// text that is not TOML passes. Takes linear time and no recursion.
 void require_toml_limits(std::string_view text, const std::string& file);
 
-}  // namespace regulus::inline model
+}  // namespace regulus::model

@@ -192,4 +192,4 @@ const toml::table& TomlReader::table_of(const TomlEntry& entry) const {
   return *table;
 }
 
-}  // namespace regulus::inline model
+}  // namespace regulus::model

@@ -76,4 +76,4 @@ class TomlReader {
   SourceLines source_;
 };
 
-}  // namespace regulus::inline model
+}  // namespace regulus::model

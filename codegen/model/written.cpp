@@ -91,4 +91,4 @@ InputError input_error(const SourcePlace& place, const std::string& found,
   return {place.file_name(), static_cast<int>(place.line()), found, expected, symbol};
 }
 
-}  // namespace regulus::inline model
+}  // namespace regulus::model

@@ -54,4 +54,4 @@ class WrittenSymbols {
 [[nodiscard]] InputError input_error(const SourcePlace& place, const std::string& found,
                                      const std::string& expected, const std::string& symbol = {});
 
-}  // namespace regulus::inline model
+}  // namespace regulus::model

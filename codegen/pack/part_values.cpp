@@ -74,4 +74,4 @@ PartValues::ValueId PartValues::fetch(NodeId id) {
   return is_interval(id) ? kept : add(Pack::kPointOf_I, kept);
 }
 
-}  // namespace regulus::inline packing
+}  // namespace regulus::packing

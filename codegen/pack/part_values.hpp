@@ -69,4 +69,4 @@ class PartValues {
   std::map<std::pair<double, double>, std::uint32_t> constant_index_;
 };
 
-}  // namespace regulus::inline packing
+}  // namespace regulus::packing

@@ -165,4 +165,4 @@ FunctionPlan plan_function(const Program& program, std::size_t operations_per_pa
   return Planner(program, operations_per_part, row_length, meter).run();
 }
 
-}  // namespace regulus::inline packing
+}  // namespace regulus::packing

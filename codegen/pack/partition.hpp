@@ -56,4 +56,4 @@ struct FunctionPlan {
 [[nodiscard]] FunctionPlan plan_function(const Program& program, std::size_t operations_per_part,
                                          std::size_t row_length = 0, WorkMeter* meter = nullptr);
 
-}  // namespace regulus::inline packing
+}  // namespace regulus::packing

@@ -57,4 +57,4 @@ struct SelectedFunction {
                                          std::size_t operations_per_part = kOperationsPerPart,
                                          const FormingWatch* watch = nullptr);
 
-}  // namespace regulus::inline packing
+}  // namespace regulus::packing

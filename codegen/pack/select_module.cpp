@@ -53,4 +53,4 @@ machine::PackKernel select(const Module& module, std::size_t operations_per_part
   return kernel;
 }
 
-}  // namespace regulus::inline packing
+}  // namespace regulus::packing

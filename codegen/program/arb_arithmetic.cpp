@@ -138,4 +138,4 @@ Ball ArbArithmetic::call(Op function, const Ball& a) {
   return result;
 }
 
-}  // namespace regulus::inline program
+}  // namespace regulus::program

@@ -46,4 +46,4 @@ class ArbArithmetic {
   bool violated_ = false;
 };
 
-}  // namespace regulus::inline program
+}  // namespace regulus::program

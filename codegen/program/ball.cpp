@@ -55,4 +55,4 @@ Interval Ball::enclosure() const {
                   arf_get_d(hi.get(), ARF_RND_CEIL) + 0.0};
 }
 
-}  // namespace regulus::inline program
+}  // namespace regulus::program

@@ -43,4 +43,4 @@ class Ball {
   arb_t value_;
 };
 
-}  // namespace regulus::inline program
+}  // namespace regulus::program

@@ -63,4 +63,4 @@ std::optional<std::vector<Ball>> evaluate(const BallProgram& program, std::span<
   return outputs;
 }
 
-}  // namespace regulus::inline program
+}  // namespace regulus::program

@@ -40,4 +40,4 @@ struct BallProgram {
 [[nodiscard]] std::optional<std::vector<Ball>> evaluate(const BallProgram& program,
                                                         std::span<const Ball> inputs, long bits);
 
-}  // namespace regulus::inline program
+}  // namespace regulus::program

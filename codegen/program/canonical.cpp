@@ -93,4 +93,4 @@ class Renumbering {
 
 Program canonical(Program program) { return Renumbering(std::move(program)).run(); }
 
-}  // namespace regulus::inline program
+}  // namespace regulus::program

@@ -13,4 +13,4 @@ namespace regulus::inline program {
 /// Requires  operands come before their use; no two nodes are equal.
 [[nodiscard]] Program canonical(Program program);
 
-}  // namespace regulus::inline program
+}  // namespace regulus::program

@@ -139,4 +139,4 @@ std::optional<Interval> round_inward(const Program& lo, const Program& hi) {
   return Interval{lower->hi, upper->lo};
 }
 
-}  // namespace regulus::inline program
+}  // namespace regulus::program

@@ -35,4 +35,4 @@ namespace regulus::inline program {
 /// that is not certainly defined has no value here, so running it sets the undefined flag.
 [[nodiscard]] KnownValues<Interval> enclose_constant_nodes(const Program& program);
 
-}  // namespace regulus::inline program
+}  // namespace regulus::program

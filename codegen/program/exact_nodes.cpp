@@ -83,4 +83,4 @@ std::vector<bool> exact_nodes(const Program& program, const KnownValues<Interval
   return exact;
 }
 
-}  // namespace regulus::inline program
+}  // namespace regulus::program

@@ -25,4 +25,4 @@ namespace regulus::inline program {
                                             const KnownValues<Interval>& known,
                                             std::size_t row_length);
 
-}  // namespace regulus::inline program
+}  // namespace regulus::program

@@ -29,4 +29,4 @@ std::optional<FlintRational> FlintRational::read(const std::string& text) {
   return result;
 }
 
-}  // namespace regulus::inline program
+}  // namespace regulus::program

@@ -41,4 +41,4 @@ class FlintRational {
   fmpq_t value_;
 };
 
-}  // namespace regulus::inline program
+}  // namespace regulus::program

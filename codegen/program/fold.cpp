@@ -48,4 +48,4 @@ std::optional<cln::cl_RA> fold_call(Op function, const cln::cl_RA& value) {
   }
 }
 
-}  // namespace regulus::inline program
+}  // namespace regulus::program

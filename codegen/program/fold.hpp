@@ -17,4 +17,4 @@ namespace regulus::inline program {
 /// Returns function(value) if it is defined and a known rational, e.g. sqrt(9/4), cos(0), |−3|.
 [[nodiscard]] std::optional<cln::cl_RA> fold_call(Op function, const cln::cl_RA& value);
 
-}  // namespace regulus::inline program
+}  // namespace regulus::program

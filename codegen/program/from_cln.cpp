@@ -36,4 +36,4 @@ BallProgram::BallProgram(const Program& program)
   if (!program.points.empty()) throw std::invalid_argument("a program that reads entries of K");
 }
 
-}  // namespace regulus::inline program
+}  // namespace regulus::program

@@ -56,4 +56,4 @@ template <class Arithmetic, class Number = typename Arithmetic::Number>
   return outputs;
 }
 
-}  // namespace regulus::inline program
+}  // namespace regulus::program

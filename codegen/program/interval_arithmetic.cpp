@@ -53,4 +53,4 @@ Interval IntervalArithmetic::call(Op function, Interval a) {
   }
 }
 
-}  // namespace regulus::inline program
+}  // namespace regulus::program

@@ -41,4 +41,4 @@ class IntervalArithmetic {
   bool undefined_ = false;
 };
 
-}  // namespace regulus::inline program
+}  // namespace regulus::program

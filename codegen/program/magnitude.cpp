@@ -63,4 +63,4 @@ Magnitudes bound_magnitudes(const Program& program, const KnownValues<Interval>&
   return result;
 }
 
-}  // namespace regulus::inline program
+}  // namespace regulus::program

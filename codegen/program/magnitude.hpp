@@ -31,4 +31,4 @@ struct Magnitudes {
 [[nodiscard]] Magnitudes bound_magnitudes(const Program& program,
                                           const KnownValues<Interval>& known);
 
-}  // namespace regulus::inline program
+}  // namespace regulus::program

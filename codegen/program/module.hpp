@@ -62,4 +62,4 @@ struct Module {
   }
 };
 
-}  // namespace regulus::inline program
+}  // namespace regulus::program

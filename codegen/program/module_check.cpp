@@ -126,4 +126,4 @@ void check_module(const Module& module) {
   if (module.expansion) check_expansion(module);
 }
 
-}  // namespace regulus::inline program
+}  // namespace regulus::program

@@ -11,4 +11,4 @@ namespace regulus::inline program {
 /// (operands before their use, indices declared).
 void check_module(const Module& module);
 
-}  // namespace regulus::inline program
+}  // namespace regulus::program

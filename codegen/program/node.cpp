@@ -31,4 +31,4 @@ const char* op_name(Op op) noexcept {
   return kNames[static_cast<std::size_t>(op)];
 }
 
-}  // namespace regulus::inline program
+}  // namespace regulus::program

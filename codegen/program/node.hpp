@@ -45,4 +45,4 @@ struct Node {
   std::uint32_t index = 0;  ///< of the constant, input or point; the exponent of kPower
 };
 
-}  // namespace regulus::inline program
+}  // namespace regulus::program

@@ -92,4 +92,4 @@ std::string to_text(const Module& module) {
 
 std::string identity(const Module& module) { return hexadecimal(fnv1a(to_text(module))); }
 
-}  // namespace regulus::inline program
+}  // namespace regulus::program

@@ -22,4 +22,4 @@ namespace regulus::inline program {
 /// Source    FNV-1a, 128 bits (Fowler, Noll, Vo; IETF draft-eastlake-fnv).
 [[nodiscard]] std::string identity(const Module& module);
 
-}  // namespace regulus::inline program
+}  // namespace regulus::program

@@ -201,4 +201,4 @@ void ProgramBuilder::output(NodeId node) {
 
 Program ProgramBuilder::finish() && { return canonical(std::move(program_)); }
 
-}  // namespace regulus::inline program
+}  // namespace regulus::program

@@ -82,4 +82,4 @@ class ProgramBuilder {
   std::map<cln::cl_RA, std::uint32_t, ValueOrder> constant_index_;
 };
 
-}  // namespace regulus::inline program
+}  // namespace regulus::program

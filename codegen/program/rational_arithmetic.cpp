@@ -45,4 +45,4 @@ cln::cl_RA RationalArithmetic::call(Op function, const Number& a) const {
   throw NotRational(op_name(function));
 }
 
-}  // namespace regulus::inline program
+}  // namespace regulus::program

@@ -39,4 +39,4 @@ class RationalArithmetic {
   [[nodiscard]] Number call(Op function, const Number& a) const;
 };
 
-}  // namespace regulus::inline program
+}  // namespace regulus::program

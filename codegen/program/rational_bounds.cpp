@@ -74,4 +74,4 @@ long exponent_bound(const cln::cl_RA& value) {
   return floor_log2(cln::abs(value)) + 1;
 }
 
-}  // namespace regulus::inline program
+}  // namespace regulus::program

@@ -26,4 +26,4 @@ namespace regulus::inline program {
 /// Returns an e with |value| ≤ 2^e, at most one too large.
 [[nodiscard]] long exponent_bound(const cln::cl_RA& value);
 
-}  // namespace regulus::inline program
+}  // namespace regulus::program

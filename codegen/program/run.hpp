@@ -63,4 +63,4 @@ void run(std::span<const Node> nodes, const KnownValues<Number>& known,
   }
 }
 
-}  // namespace regulus::inline program
+}  // namespace regulus::program

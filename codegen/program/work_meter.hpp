@@ -77,4 +77,4 @@ inline void spend(WorkMeter* meter, std::uint64_t work) {
   if (meter != nullptr) meter->spend(work);
 }
 
-}  // namespace regulus::inline program
+}  // namespace regulus::program

@@ -107,4 +107,4 @@ std::vector<TileRectangle> Canvas::rectangles(Claim wanted) const {
   return done;
 }
 
-}  // namespace regulus::inline report
+}  // namespace regulus::report

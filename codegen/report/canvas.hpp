@@ -57,4 +57,4 @@ class Canvas final : public Observer {
   std::vector<DeterminantTile> determinants_;
 };
 
-}  // namespace regulus::inline report
+}  // namespace regulus::report

@@ -105,7 +105,7 @@ std::string format_degeneracy(const PreparedSearch& p,
   const std::size_t nullity = degeneracy->twists.size();
   if (nullity == 0)
     return fmt::format(
-        "twist      none is lost there: the least singular value is {:.2g} of the largest\n",
+        "twist      no twist is lost there: the least singular value is {:.2g} of the largest\n",
         degeneracy->singular_values.back());
   std::string lines =
       format_vector(fmt::format("twist      lost, approximately: {}", describe_space(nullity)),
@@ -116,4 +116,4 @@ std::string format_degeneracy(const PreparedSearch& p,
   return lines;
 }
 
-}  // namespace regulus::inline report
+}  // namespace regulus::report

@@ -18,4 +18,4 @@ namespace regulus::inline report {
 [[nodiscard]] std::string format_degeneracy(const PreparedSearch& preparation,
                                             const std::optional<Degeneracy>& degeneracy);
 
-}  // namespace regulus::inline report
+}  // namespace regulus::report

@@ -162,4 +162,4 @@ std::string Gnuplot::quoted(const std::string& text) {
   return result + "'";
 }
 
-}  // namespace regulus::inline report
+}  // namespace regulus::report

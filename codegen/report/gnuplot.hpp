@@ -41,4 +41,4 @@ class Gnuplot {
   pid_t process_ = -1;
 };
 
-}  // namespace regulus::inline report
+}  // namespace regulus::report

@@ -9,4 +9,4 @@ struct OutputOptions {
   int json_indent = 2;  ///< −1: all on one line
 };
 
-}  // namespace regulus::inline report
+}  // namespace regulus::report

@@ -94,4 +94,4 @@ void require_paving(const PavingOptions& options, Settings& settings) {
   settings.enclose_determinants = settings.split_certified = options.encloses_determinants;
 }
 
-}  // namespace regulus::inline report
+}  // namespace regulus::report

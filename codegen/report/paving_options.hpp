@@ -36,4 +36,4 @@ struct PavingRequest {
 /// Changes the settings of a search for a paving.
 void require_paving(const PavingOptions& options, Settings& settings);
 
-}  // namespace regulus::inline report
+}  // namespace regulus::report

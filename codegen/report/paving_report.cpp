@@ -99,9 +99,9 @@ std::string format_share(const PreparedSearch& p, const Volumes& volumes, const 
     if (claim != Claim::kOutside || p.labels.constraints != 0)
       lines += format_share(volumes, claim);
   if (result.stopped_by)
-    lines +=
-        fmt::format("stopped    {}: {}, {}, left undecided unseen\n", describe(*result.stopped_by),
-                    counted(volumes.unfinished()), percentage(volumes, volumes.unfinished()));
+    lines += fmt::format("stopped    {}: {}, {}, not searched, undecided\n",
+                         describe(*result.stopped_by), counted(volumes.unfinished()),
+                         percentage(volumes, volumes.unfinished()));
   return lines;
 }
 
@@ -183,4 +183,4 @@ std::string paving_report(const PreparedSearch& p, const SearchOptions& search,
                             "singular: " + describe_claim(p, Claim::kSingular));
 }
 
-}  // namespace regulus::inline report
+}  // namespace regulus::report

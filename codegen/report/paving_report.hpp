@@ -30,4 +30,4 @@ namespace regulus::inline report {
 /// nothing.
 [[nodiscard]] std::string percentage(const Volumes& volumes, const Share& share);
 
-}  // namespace regulus::inline report
+}  // namespace regulus::report

@@ -86,4 +86,4 @@ void PavingWriter::finish(const Json& summary, const std::string& file) {
   if (failed_ || !out_) throw FileError("cannot write " + file);
 }
 
-}  // namespace regulus::inline report
+}  // namespace regulus::report

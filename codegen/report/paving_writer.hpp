@@ -40,4 +40,4 @@ class PavingWriter final : public Observer {
   bool failed_ = false;
 };
 
-}  // namespace regulus::inline report
+}  // namespace regulus::report

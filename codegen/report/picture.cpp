@@ -259,4 +259,4 @@ std::string picture_commands(const std::string& file, const PreparedSearch& p,
                            : areas(p, options, volumes, canvas));
 }
 
-}  // namespace regulus::inline report
+}  // namespace regulus::report

@@ -17,4 +17,4 @@ void require_picture_format(const std::string& file);
                                            const PavingOptions& options, const Volumes& volumes,
                                            const Canvas& canvas);
 
-}  // namespace regulus::inline report
+}  // namespace regulus::report

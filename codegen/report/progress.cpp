@@ -92,4 +92,4 @@ FormingWatch forming_watch(const OutputOptions& output, const std::atomic<bool>*
   return watch;
 }
 
-}  // namespace regulus::inline report
+}  // namespace regulus::report

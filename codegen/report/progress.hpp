@@ -70,4 +70,4 @@ class FormingDisplay {
 [[nodiscard]] FormingWatch forming_watch(const OutputOptions& output,
                                          const std::atomic<bool>* interrupt);
 
-}  // namespace regulus::inline report
+}  // namespace regulus::report

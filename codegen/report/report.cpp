@@ -152,4 +152,4 @@ std::string text_report(const PreparedSearch& p, const SearchOptions& search, co
   return text + fmt::format("claim      {}\n", claim(p, result));
 }
 
-}  // namespace regulus::inline report
+}  // namespace regulus::report

@@ -27,4 +27,4 @@ namespace regulus::inline report {
 /// Returns the claim of the verdict about this model, in words.
 [[nodiscard]] std::string claim(const PreparedSearch& preparation, const Result& result);
 
-}  // namespace regulus::inline report
+}  // namespace regulus::report

@@ -120,7 +120,7 @@ std::string in_thousands(std::uint64_t count) {
 std::string describe_engine(const PreparedSearch& p, const SearchOptions& search,
                             std::uint64_t boxes) {
   if (search.engine == Engine::kInterpreted || p.stopped) return "interpreted";
-  if (!p.no_compiler.empty()) return "interpreted: there is no compiled kernel, " + p.no_compiler;
+  if (!p.no_compiler.empty()) return "interpreted, because there is no compiler: " + p.no_compiler;
   if (!p.late)
     return fmt::format("compiled {}for {}, cache {}",
                        search.engine == Engine::kClang ? "by Clang " : "", name(p.isa), p.cache);
@@ -300,4 +300,4 @@ std::string format_occupancy(const Result& result) {
          "none\n";
 }
 
-}  // namespace regulus::inline report
+}  // namespace regulus::report

@@ -75,4 +75,4 @@ namespace regulus::inline report {
 [[nodiscard]] nlohmann::ordered_json json_occupancy(const Result& result);
 [[nodiscard]] std::string format_occupancy(const Result& result);
 
-}  // namespace regulus::inline report
+}  // namespace regulus::report

@@ -38,4 +38,4 @@ std::string format_undefined(const PreparedSearch& p, const Undefined& undefined
          format_pose(p, undefined.pose);
 }
 
-}  // namespace regulus::inline report
+}  // namespace regulus::report

@@ -14,4 +14,4 @@ namespace regulus::inline report {
 [[nodiscard]] std::string format_undefined(const PreparedSearch& preparation,
                                            const Undefined& undefined);
 
-}  // namespace regulus::inline report
+}  // namespace regulus::report

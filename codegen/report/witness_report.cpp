@@ -112,4 +112,4 @@ std::string format_nearest(const PreparedSearch& p, const std::optional<LeastSin
                                             : lines + format_degeneracy(p, nearest->degeneracy);
 }
 
-}  // namespace regulus::inline report
+}  // namespace regulus::report

@@ -29,4 +29,4 @@ namespace regulus::inline report {
 [[nodiscard]] std::string format_nearest(const PreparedSearch& preparation,
                                          const std::optional<LeastSingular>& nearest);
 
-}  // namespace regulus::inline report
+}  // namespace regulus::report

@@ -153,4 +153,4 @@ Model Robot::model() const {
   }
 }
 
-}  // namespace regulus::inline robot
+}  // namespace regulus::robot

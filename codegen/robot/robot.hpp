@@ -105,7 +105,7 @@ class Robot {
   friend class RobotText;
 };
 
-}  // namespace regulus::inline robot
+}  // namespace regulus::robot
 
 /// Defined by the author of a robot; the program that generates its kernel calls it.
 regulus::Robot regulus_model();

@@ -60,4 +60,4 @@ RobotMotion& RobotMotion::alpha(const Formula& threshold, Place place) {
   return *this;
 }
 
-}  // namespace regulus::inline robot
+}  // namespace regulus::robot

@@ -56,4 +56,4 @@ class RobotMotion {
   friend class RobotText;
 };
 
-}  // namespace regulus::inline robot
+}  // namespace regulus::robot

@@ -58,4 +58,4 @@ void RobotText::motion(const RobotMotion& motion) {
   section(motion.alpha_);
 }
 
-}  // namespace regulus::inline robot
+}  // namespace regulus::robot

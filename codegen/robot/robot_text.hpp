@@ -30,4 +30,4 @@ class RobotText {
   SourcePlace robot_;
 };
 
-}  // namespace regulus::inline robot
+}  // namespace regulus::robot

@@ -41,4 +41,4 @@ void refuse(const std::string& found, const std::string& expected) {
   throw UsageError("found " + found + ", expected " + expected);
 }
 
-}  // namespace regulus::inline shell
+}  // namespace regulus::shell

@@ -26,4 +26,4 @@ struct CommandLineRefused {
 /// Throws UsageError.
 [[noreturn]] void refuse(const std::string& found, const std::string& expected);
 
-}  // namespace regulus::inline shell
+}  // namespace regulus::shell

@@ -207,4 +207,4 @@ std::optional<std::string> LineEditor::next() {
 
 LineEditor::~LineEditor() = default;
 
-}  // namespace regulus::inline shell
+}  // namespace regulus::shell

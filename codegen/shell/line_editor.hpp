@@ -35,4 +35,4 @@ class LineEditor {
 /// Returns XDG_STATE_HOME/regulus/history, or the same below ~/.local/state; empty without a home.
 [[nodiscard]] std::filesystem::path history_file();
 
-}  // namespace regulus::inline shell
+}  // namespace regulus::shell

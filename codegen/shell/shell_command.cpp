@@ -71,4 +71,4 @@ int run_shell(const ShellCommand& command) {
   return isatty(STDIN_FILENO) != 0 ? at_prompt(session) : as_script(session);
 }
 
-}  // namespace regulus::inline shell
+}  // namespace regulus::shell

@@ -8,4 +8,4 @@ namespace regulus::inline shell {
 /// `regulus shell`: runs each line, prints its results and returns the exit code.
 [[nodiscard]] int run_shell(const ShellCommand& command);
 
-}  // namespace regulus::inline shell
+}  // namespace regulus::shell

@@ -105,4 +105,4 @@ std::vector<std::string> files_beginning(const std::string& prefix) {
   return found;
 }
 
-}  // namespace regulus::inline shell
+}  // namespace regulus::shell

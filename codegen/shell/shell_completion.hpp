@@ -32,4 +32,4 @@ struct ShellNames {
 /// Reads the file system for ShellNames::files; nothing if it cannot be read.
 [[nodiscard]] std::vector<std::string> files_beginning(const std::string& prefix);
 
-}  // namespace regulus::inline shell
+}  // namespace regulus::shell

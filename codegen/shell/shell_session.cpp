@@ -56,24 +56,24 @@ struct ShellSession::Entry {
 const std::vector<ShellSession::Entry>& ShellSession::table() {
   using S = ShellSession;
   static const std::vector<Entry> kTable = {
-      {"load", "load MODEL", "read a model file; what was set is forgotten", &S::load},
+      {"load", "load MODEL", "read a model file; removes the settings", &S::load},
       {"motions", "motions", "list the motions of the model", &S::motions},
       {"motion", "motion NAME", "choose a motion", &S::motion},
       {"show", "show matrix|forms|occurrences|text|settings",
-       "show what explain shows, or what is set", &S::show},
+       "show the output of explain, or the settings", &S::show},
       {"set", "set OPTION [VALUE]",
        "set an option of check: range p=LO:HI, tolerance G=E, alpha A, method M …;\n"
        "set entry I J EXPR, set let NAME EXPR: change the matrix or a sub-expression;\n"
        "set keep-going on|off, set json on|off",
        &S::set},
       {"edit", "edit", "change the model's text in the editor that EDITOR names", &S::edit},
-      {"reload", "reload", "read the model file again; what was set stays", &S::reload},
-      {"unset", "unset OPTION [NAME]", "back to what the model or the default says", &S::unset},
+      {"reload", "reload", "read the model file again; keeps the settings", &S::reload},
+      {"unset", "unset OPTION [NAME]", "restore the value of the model or the default", &S::unset},
       {"check", "check [OPTIONS]", "prove that there is no singular pose, or show one", &S::run},
       {"locate", "locate [OPTIONS]", "pave the motion: free, singular, undecided", &S::run},
-      {"margin", "margin OPTIONS", "bracket what is safe, e.g. margin --tolerance base=0:1",
-       &S::run},
-      {"plot", "plot FILE.svg|FILE.png [OPTIONS]", "locate, drawn", &S::plot},
+      {"margin", "margin OPTIONS",
+       "bracket the largest safe value, e.g. margin --tolerance base=0:1", &S::run},
+      {"plot", "plot FILE.svg|FILE.png [OPTIONS]", "run locate and draw the result", &S::plot},
       {"verify", "verify FILE", "check a certificate, which check --certificate FILE writes",
        &S::run},
       {"history", "history", "list the lines of this session", &S::history},
@@ -297,4 +297,4 @@ ShellNames ShellSession::names() const {
   return names;
 }
 
-}  // namespace regulus::inline shell
+}  // namespace regulus::shell

@@ -83,4 +83,4 @@ class ShellSession {
   static const std::vector<Entry>& table();
 };
 
-}  // namespace regulus::inline shell
+}  // namespace regulus::shell

@@ -139,4 +139,4 @@ void ShellSession::adopt(CommandLine& line) {
   line.verify->output.json_indent = json_ ? -1 : line.verify->output.json_indent;
 }
 
-}  // namespace regulus::inline shell
+}  // namespace regulus::shell

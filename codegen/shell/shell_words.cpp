@@ -32,4 +32,4 @@ std::string rest_of(const std::vector<std::string>& words, std::size_t from) {
   return text;
 }
 
-}  // namespace regulus::inline shell
+}  // namespace regulus::shell

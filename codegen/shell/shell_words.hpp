@@ -14,4 +14,4 @@ namespace regulus::inline shell {
 /// Returns the words from that number on, with single blanks: the expression at the end of a line.
 [[nodiscard]] std::string rest_of(const std::vector<std::string>& words, std::size_t from);
 
-}  // namespace regulus::inline shell
+}  // namespace regulus::shell

@@ -71,8 +71,9 @@ int run_editor(std::string path) {
 std::string edited(const std::string& text) {
   const DraftFile draft(text);
   if (run_editor(draft.path()) != 0)
-    throw FileError("the editor failed, and the model is as it was (EDITOR names another editor)");
+    throw FileError(
+        "the editor failed, and the model is unchanged (set EDITOR to use another editor)");
   return draft.text();
 }
 
-}  // namespace regulus::inline shell
+}  // namespace regulus::shell

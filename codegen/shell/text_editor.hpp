@@ -12,4 +12,4 @@ namespace regulus::inline shell {
 ///           error.
 [[nodiscard]] std::string edited(const std::string& text);
 
-}  // namespace regulus::inline shell
+}  // namespace regulus::shell

@@ -43,4 +43,4 @@ void set_earlier_outputs_aside(const std::string& model, const std::vector<Outpu
     if (!output.path.empty()) set_aside(output);
 }
 
-}  // namespace regulus::inline support
+}  // namespace regulus::support

@@ -22,4 +22,4 @@ struct OutputFile {
 /// Throws    FileError when a file cannot be moved, UsageError when it is the model file.
 void set_earlier_outputs_aside(const std::string& model, const std::vector<OutputFile>& outputs);
 
-}  // namespace regulus::inline support
+}  // namespace regulus::support

@@ -81,4 +81,4 @@ class NoCompiler : public CompileError {
   explicit NoCompiler(const std::string& what) : CompileError(what, {}, {}) {}
 };
 
-}  // namespace regulus::inline support
+}  // namespace regulus::support

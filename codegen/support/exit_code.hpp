@@ -14,4 +14,4 @@ enum ExitCode : int {
   kFileError = 74,
 };
 
-}  // namespace regulus::inline support
+}  // namespace regulus::support

@@ -30,4 +30,4 @@ class FileDescriptor {
   int fd_ = -1;
 };
 
-}  // namespace regulus::inline support
+}  // namespace regulus::support

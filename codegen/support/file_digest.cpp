@@ -31,4 +31,4 @@ std::optional<std::string> FileDigest::of_first(std::uint64_t length) {
   return digest_.text();
 }
 
-}  // namespace regulus::inline support
+}  // namespace regulus::support

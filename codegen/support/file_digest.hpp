@@ -27,4 +27,4 @@ class FileDigest {
   std::uint64_t done_ = 0;
 };
 
-}  // namespace regulus::inline support
+}  // namespace regulus::support

@@ -105,4 +105,4 @@ std::string sha256(std::string_view bytes) {
   return digest.text();
 }
 
-}  // namespace regulus::inline support
+}  // namespace regulus::support

@@ -30,4 +30,4 @@ class Sha256 {
   std::uint64_t total_ = 0;
 };
 
-}  // namespace regulus::inline support
+}  // namespace regulus::support

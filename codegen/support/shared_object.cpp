@@ -55,4 +55,4 @@ std::optional<std::string> find_fault_in_shared_object(std::string_view bytes) {
   return std::nullopt;
 }
 
-}  // namespace regulus::inline support
+}  // namespace regulus::support

@@ -14,4 +14,4 @@ namespace regulus::inline support {
 ///           that is cut off, and reading it ends the process with SIGBUS.
 [[nodiscard]] std::optional<std::string> find_fault_in_shared_object(std::string_view bytes);
 
-}  // namespace regulus::inline support
+}  // namespace regulus::support

@@ -70,4 +70,4 @@ int exponent_of(const AtomProduct& p, Atom a) noexcept {
   return static_cast<int>(std::count(p.begin(), p.end(), a));
 }
 
-}  // namespace regulus::inline symbolic
+}  // namespace regulus::symbolic

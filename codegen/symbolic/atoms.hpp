@@ -73,4 +73,4 @@ class AtomTable {
 
 [[nodiscard]] int exponent_of(const AtomProduct& p, Atom a) noexcept;
 
-}  // namespace regulus::inline symbolic
+}  // namespace regulus::symbolic

@@ -65,4 +65,4 @@ Expression collect(const Polynomial& p, const AtomTable& atoms) {
   return sum(std::move(terms));
 }
 
-}  // namespace regulus::inline symbolic
+}  // namespace regulus::symbolic

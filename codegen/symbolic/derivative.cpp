@@ -117,4 +117,4 @@ const Polynomial& PolynomialDifferentiator::of_atom(Atom a) {
   return known_.emplace(a, p ? std::move(*p) : expander_->atom(derived)).first->second;
 }
 
-}  // namespace regulus::inline symbolic
+}  // namespace regulus::symbolic

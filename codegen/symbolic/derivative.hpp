@@ -48,4 +48,4 @@ class PolynomialDifferentiator {
   std::map<Atom, Polynomial> known_;
 };
 
-}  // namespace regulus::inline symbolic
+}  // namespace regulus::symbolic

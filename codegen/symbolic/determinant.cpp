@@ -166,4 +166,4 @@ Polynomial determinant(const std::vector<Polynomial>& entries, int n, AtomTable&
   return Minors(entries, n, atoms, budget).run();
 }
 
-}  // namespace regulus::inline symbolic
+}  // namespace regulus::symbolic

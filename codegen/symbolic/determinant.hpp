@@ -44,4 +44,4 @@ class TermBudget {
 [[nodiscard]] Polynomial determinant(const std::vector<Polynomial>& entries, int n,
                                      AtomTable& atoms, TermBudget& budget);
 
-}  // namespace regulus::inline symbolic
+}  // namespace regulus::symbolic

@@ -119,4 +119,4 @@ Expressions substitute(const Expressions& expressions, const ReplacementOf& repl
   return result;
 }
 
-}  // namespace regulus::inline symbolic
+}  // namespace regulus::symbolic

@@ -25,4 +25,4 @@ using ReplacementOf = std::function<std::optional<Expression>(const Expression&)
 [[nodiscard]] Expressions substitute(const Expressions& expressions,
                                      const ReplacementOf& replacement);
 
-}  // namespace regulus::inline symbolic
+}  // namespace regulus::symbolic

@@ -83,4 +83,4 @@ std::optional<Polynomial> Expander::expand_power(const Expression& e) {
   return result;
 }
 
-}  // namespace regulus::inline symbolic
+}  // namespace regulus::symbolic

@@ -228,4 +228,4 @@ Signed normalize_sign(const Expression& e) {
   return {-1, divide_by(e, -1)};
 }
 
-}  // namespace regulus::inline symbolic
+}  // namespace regulus::symbolic

@@ -122,4 +122,4 @@ struct Signed {
 };
 [[nodiscard]] Signed normalize_sign(const Expression& e);
 
-}  // namespace regulus::inline symbolic
+}  // namespace regulus::symbolic

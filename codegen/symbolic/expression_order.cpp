@@ -103,4 +103,4 @@ bool operator==(const Expression& a, const Expression& b) {
   return a.identity() == b.identity() || (a.hash() == b.hash() && compare(a, b) == 0);
 }
 
-}  // namespace regulus::inline symbolic
+}  // namespace regulus::symbolic

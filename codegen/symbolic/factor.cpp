@@ -43,4 +43,4 @@ std::optional<Factored> factor_split(const Polynomial& outer, const Polynomial& 
   return std::nullopt;
 }
 
-}  // namespace regulus::inline symbolic
+}  // namespace regulus::symbolic

@@ -148,4 +148,4 @@ Expression GinacReader::read_function(const GiNaC::ex& e) {
   refuse(e, "one of the functions sqrt sin cos tan asin acos atan atan2 exp log abs");
 }
 
-}  // namespace regulus::inline symbolic
+}  // namespace regulus::symbolic

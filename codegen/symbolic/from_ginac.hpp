@@ -36,4 +36,4 @@ class GinacReader {
   std::map<GiNaC::ex, Expression, GiNaC::ex_is_less> known_;
 };
 
-}  // namespace regulus::inline symbolic
+}  // namespace regulus::symbolic

@@ -126,4 +126,4 @@ Expression horner(const Polynomial& p, const AtomTable& atoms, const HornerOptio
   return Nesting(atoms, options).form(p);
 }
 
-}  // namespace regulus::inline symbolic
+}  // namespace regulus::symbolic

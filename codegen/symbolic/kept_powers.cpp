@@ -96,4 +96,4 @@ Expression KeptPowers::required(const Expression& e) {
   return e;
 }
 
-}  // namespace regulus::inline symbolic
+}  // namespace regulus::symbolic

@@ -43,4 +43,4 @@ class KeptPowers {
   Expressions must_be_defined_;
 };
 
-}  // namespace regulus::inline symbolic
+}  // namespace regulus::symbolic

@@ -140,4 +140,4 @@ NodeId Lowering::lower_sum(const Expressions& terms) {
   return *result;
 }
 
-}  // namespace regulus::inline symbolic
+}  // namespace regulus::symbolic

@@ -42,4 +42,4 @@ class Lowering {
   std::unordered_map<Expression, NodeId, ExpressionHash> known_;
 };
 
-}  // namespace regulus::inline symbolic
+}  // namespace regulus::symbolic

@@ -135,4 +135,4 @@ std::uint64_t width_cost(const Expression& expression, const Weights& weights) {
   return cost;
 }
 
-}  // namespace regulus::inline symbolic
+}  // namespace regulus::symbolic

@@ -34,4 +34,4 @@ using Weights = std::unordered_map<std::string, std::uint64_t>;
 /// variable.
 [[nodiscard]] std::uint64_t width_cost(const Expression& expression, const Weights& weights = {});
 
-}  // namespace regulus::inline symbolic
+}  // namespace regulus::symbolic

@@ -71,4 +71,4 @@ struct TrigonometricOptions {
                                       const std::function<Expression(const Expression&)>& simplify,
                                       const TrigonometricOptions& options);
 
-}  // namespace regulus::inline symbolic
+}  // namespace regulus::symbolic

@@ -125,4 +125,4 @@ std::vector<Group> groups(const Polynomial& p) {
   return result;
 }
 
-}  // namespace regulus::inline symbolic
+}  // namespace regulus::symbolic

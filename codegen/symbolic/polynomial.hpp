@@ -84,4 +84,4 @@ class Expander {
   std::unordered_map<Expression, std::optional<Polynomial>, ExpressionHash> known_;
 };
 
-}  // namespace regulus::inline symbolic
+}  // namespace regulus::symbolic

@@ -108,4 +108,4 @@ std::string print(const Expression& e, Binding context) {
 
 std::string to_string(const Expression& expression) { return print(expression, Binding::kSum); }
 
-}  // namespace regulus::inline symbolic
+}  // namespace regulus::symbolic

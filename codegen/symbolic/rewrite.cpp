@@ -169,4 +169,4 @@ Expression Rewriter::simplified_argument(const Expression& e) {
   return p ? horner(*p, atoms_) : e;
 }
 
-}  // namespace regulus::inline symbolic
+}  // namespace regulus::symbolic

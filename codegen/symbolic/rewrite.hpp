@@ -77,4 +77,4 @@ class Rewriter {
   std::unordered_map<Expression, Expression, ExpressionHash> prepared_;
 };
 
-}  // namespace regulus::inline symbolic
+}  // namespace regulus::symbolic

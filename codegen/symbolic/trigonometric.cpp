@@ -186,4 +186,4 @@ Polynomial merge_angles(const Polynomial& p, AtomTable& atoms, Expander& expande
   return AngleMerger(p, atoms, expander, simplify, options).run();
 }
 
-}  // namespace regulus::inline symbolic
+}  // namespace regulus::symbolic

@@ -22,4 +22,4 @@ struct Variable {
   int ball = -1;  ///< Model::balls index if its range is one axis of a ball
 };
 
-}  // namespace regulus::inline symbolic
+}  // namespace regulus::symbolic

@@ -56,8 +56,8 @@ const char* word_of(Reason reason) noexcept {
 }
 
 /// Requires  an end.
-std::string word_of(Place place) {
-  return place == Place::kUpperEnd ? format::kUpperEnd : format::kLowerEnd;
+std::string word_of(PlaceInRange place) {
+  return place == PlaceInRange::kUpperEnd ? format::kUpperEnd : format::kLowerEnd;
 }
 
 /// Of an enclosure of a number other than 0: the end next to 0 may have become 0 by rounding.
@@ -169,9 +169,9 @@ void CertificateWriter::write_point(const WitnessPoint& point, const char* sign)
   std::string line = std::string("point ") + sign;
   for (std::size_t k = 0; k < point.variables.size(); ++k) {
     const Interval& x = point.variables[k];
-    const Place place = point.places.empty() ? Place::kInside : point.places[k];
-    line += ' ' + (place == Place::kInside ? hexadecimal(x.lo) : word_of(place));
-    if (place == Place::kInside && x.hi != x.lo) line += ':' + hexadecimal(x.hi);
+    const PlaceInRange place = point.places.empty() ? PlaceInRange::kInside : point.places[k];
+    line += ' ' + (place == PlaceInRange::kInside ? hexadecimal(x.lo) : word_of(place));
+    if (place == PlaceInRange::kInside && x.hi != x.lo) line += ':' + hexadecimal(x.hi);
   }
   put(line + '\n');
 }

@@ -131,7 +131,7 @@ class ClosedForm {
 };
 
 /// Where a coordinate of a point lies in the range of its variable. An end need not be a double.
-enum class Place : std::uint8_t { kInside, kLowerEnd, kUpperEnd };
+enum class PlaceInRange : std::uint8_t { kInside, kLowerEnd, kUpperEnd };
 
 /// Knows the model's expressions as such, and not only their bounds. The thread that called the
 /// search asks it, of square matrices alone.
@@ -165,7 +165,7 @@ class AlgebraOracle {
   /// Requires  the matrix, the row scales and the pose are certainly defined all over `point`.
   /// Ensures   true only if |det J⁻¹| ≤ α at that point, if α > 0; det A = 0 there, if α = 0.
   [[nodiscard]] virtual bool is_singular_at(std::span<const Interval> point,
-                                            std::span<const Place> places) noexcept {
+                                            std::span<const PlaceInRange> places) noexcept {
     static_cast<void>(point), static_cast<void>(places);
     return false;
   }

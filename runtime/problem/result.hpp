@@ -63,7 +63,7 @@ struct WitnessPoint {
   std::vector<Interval> variables;  ///< thin wherever the range holds a double
   /// Empty, or for each variable: at an end of its range, which is not the double next to it. The
   /// interval in `variables` encloses that end.
-  std::vector<Place> places{};
+  std::vector<PlaceInRange> places{};
   Interval determinant;  ///< of A for opposite signs, of J⁻¹ for a small determinant
   std::vector<Interval> pose;
 };

@@ -16,13 +16,13 @@ constexpr std::size_t kMaxCornerVariables = 6;
 /// The coordinate of box_. A range that holds no double is left at its lower end.
 ///
 /// Ensures   box_[variable] encloses the end: it lies between the outer and the inner one.
-void WitnessSearch::place_at(std::size_t variable, Place place) noexcept {
+void WitnessSearch::place_at(std::size_t variable, PlaceInRange place) noexcept {
   const Interval& outer = problem_.outer[variable];
   const std::optional<Interval>& inner = inner_[variable];
-  places_[variable] = inner ? place : Place::kLowerEnd;
-  box_[variable] = !inner                      ? outer
-                   : place == Place::kUpperEnd ? Interval(inner->hi, outer.hi)
-                                               : Interval(outer.lo, inner->lo);
+  places_[variable] = inner ? place : PlaceInRange::kLowerEnd;
+  box_[variable] = !inner                             ? outer
+                   : place == PlaceInRange::kUpperEnd ? Interval(inner->hi, outer.hi)
+                                                      : Interval(outer.lo, inner->lo);
 }
 
 /// Asks about the point in box_, where the model is defined and the constraints are satisfied.
@@ -48,8 +48,8 @@ void WitnessSearch::look_at_exact_corners() noexcept {
   const std::size_t corners = std::size_t{1} << std::min(variables_, kMaxCornerVariables);
   for (std::size_t corner = 0; corner < corners && !found_; ++corner) {
     for (std::size_t k = 0; k < variables_; ++k)
-      place_at(
-          k, (corner >> (k % kMaxCornerVariables) & 1U) != 0 ? Place::kUpperEnd : Place::kLowerEnd);
+      place_at(k, (corner >> (k % kMaxCornerVariables) & 1U) != 0 ? PlaceInRange::kUpperEnd
+                                                                  : PlaceInRange::kLowerEnd);
     try_exactly();
   }
 }
@@ -61,9 +61,9 @@ void WitnessSearch::look_at_ends(std::span<const Interval> box) noexcept {
     const bool lower = box[k].lo == problem_.outer[k].lo, upper = box[k].hi == problem_.outer[k].hi;
     at_end = at_end || lower != upper;
     if (lower != upper || !inner_[k]) {
-      place_at(k, upper && !lower ? Place::kUpperEnd : Place::kLowerEnd);
+      place_at(k, upper && !lower ? PlaceInRange::kUpperEnd : PlaceInRange::kLowerEnd);
     } else {
-      places_[k] = Place::kInside;
+      places_[k] = PlaceInRange::kInside;
       box_[k] = within_inner(k, mid(box[k]));
     }
   }

@@ -92,7 +92,7 @@ class WitnessSearch {
   [[nodiscard]] Interval enclose_at(std::size_t lane, bool scaled) noexcept;
   [[nodiscard]] bool certain_segment(const std::vector<double>& from,
                                      const std::vector<double>& to) noexcept;
-  void place_at(std::size_t variable, Place place) noexcept;
+  void place_at(std::size_t variable, PlaceInRange place) noexcept;
   void try_exactly() noexcept;
 
   void load_piece(std::size_t lane, const std::vector<double>& from, const std::vector<double>& to,
@@ -126,8 +126,8 @@ class WitnessSearch {
   std::uint64_t probes_ = 0;
   bool small_known_ = false, small_fresh_ = false;
   unsigned small_tries_ = 0;
-  std::vector<Place> places_;      ///< of box_, where it was made for exact algebra
-  std::vector<Interval> at_ends_;  ///< the point that was found there
+  std::vector<PlaceInRange> places_;  ///< of box_, where it was made for exact algebra
+  std::vector<Interval> at_ends_;     ///< the point that was found there
   Interval determinant_at_ends_;
   bool found_ = false, found_at_ends_ = false;
   Reason reason_ = Reason::kOppositeSigns;

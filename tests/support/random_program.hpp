@@ -36,7 +36,6 @@ inline std::vector<std::string> numbered_names(const char* prefix, int count) {
 /// agree with.
 class RawBuilder {
  public:
-
   RawBuilder(std::vector<std::string> inputs, std::vector<std::string> points) {
     program_.inputs = std::move(inputs);
     program_.points = std::move(points);

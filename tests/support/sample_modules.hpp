@@ -10,7 +10,6 @@
 
 namespace regulus::test {
 
-
 inline std::vector<std::string> entries_of_k(int rows, int columns) {
   std::vector<std::string> names;
   for (int i = 1; i <= rows; ++i)

@@ -58,4 +58,4 @@ CacheDirectory open_cache_directory(const std::filesystem::path& directory) {
   return {std::move(descriptor), {}};
 }
 
-}  // namespace regulus::inline jit
+}  // namespace regulus::jit

@@ -26,4 +26,4 @@ struct CacheDirectory {
 ///           of the directory has no effect.
 [[nodiscard]] CacheDirectory open_cache_directory(const std::filesystem::path& directory);
 
-}  // namespace regulus::inline jit
+}  // namespace regulus::jit

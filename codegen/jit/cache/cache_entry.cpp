@@ -40,4 +40,4 @@ std::optional<std::string> open_cache_entry(std::string_view key, std::string_vi
   return std::string(object);
 }
 
-}  // namespace regulus::inline jit
+}  // namespace regulus::jit

@@ -29,4 +29,4 @@ static_assert(sizeof(CacheEntryHeader) == 16 + 8 + 64 + 8 + 64);
 [[nodiscard]] std::optional<std::string> open_cache_entry(std::string_view key,
                                                           std::string_view bytes);
 
-}  // namespace regulus::inline jit
+}  // namespace regulus::jit

@@ -31,4 +31,4 @@ class KeyParts {
   std::string bytes_;
 };
 
-}  // namespace regulus::inline jit
+}  // namespace regulus::jit

@@ -30,7 +30,7 @@ std::string entry_name(std::string_view key) { return std::string(key).append(kE
 
 /// Returns the reason not to trust the open file; empty if it is trusted.
 std::string reason_to_distrust(const struct stat& status) {
-  if (!S_ISREG(status.st_mode)) return "is no regular file";
+  if (!S_ISREG(status.st_mode)) return "is not a regular file";
   if (status.st_uid != ::geteuid()) return "belongs to another user";
   if (status.st_mode & (S_IWGRP | S_IWOTH)) return "is writable by other users";
   if (status.st_size > kMaximumEntrySize) return "is too large";
@@ -179,4 +179,4 @@ std::string ObjectCache::write_entry(const NamedObject& named) const {
   return {};
 }
 
-}  // namespace regulus::inline jit
+}  // namespace regulus::jit

@@ -56,4 +56,4 @@ class ObjectCache {
   std::uint64_t limit_;
 };
 
-}  // namespace regulus::inline jit
+}  // namespace regulus::jit

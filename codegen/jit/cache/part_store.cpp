@@ -23,4 +23,4 @@ void PartStore::add(const std::string& name, const std::string& code) {
   if (code_of_.emplace(name, code).second) size_ += code.size();
 }
 
-}  // namespace regulus::inline jit
+}  // namespace regulus::jit

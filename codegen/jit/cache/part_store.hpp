@@ -24,4 +24,4 @@ class PartStore {
   std::map<std::string, std::string> code_of_;
 };
 
-}  // namespace regulus::inline jit
+}  // namespace regulus::jit

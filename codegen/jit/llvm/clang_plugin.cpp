@@ -38,7 +38,7 @@ bool compile(const regulus_clang_request& request, Diagnostics& diagnostics,
 }
 
 }  // namespace
-}  // namespace regulus::inline jit::plugin
+}  // namespace regulus::jit::plugin
 
 extern "C" [[gnu::visibility("default")]] int regulus_clang_interface(void) {
   return REGULUS_CLANG_INTERFACE;

@@ -105,4 +105,4 @@ bool generate_code(llvm::Module& module, llvm::TargetMachine& machine,
   return true;
 }
 
-}  // namespace regulus::inline jit::plugin
+}  // namespace regulus::jit::plugin

@@ -38,4 +38,4 @@ enum class Repeated { kAsTheyAre, kJoined };
                                  llvm::SmallVectorImpl<char>& object, llvm::raw_ostream& errors,
                                  Repeated repeated = Repeated::kAsTheyAre);
 
-}  // namespace regulus::inline jit::plugin
+}  // namespace regulus::jit::plugin

@@ -84,4 +84,4 @@ std::string features_of(const clang::TargetOptions& target) {
   return features;
 }
 
-}  // namespace regulus::inline jit::plugin
+}  // namespace regulus::jit::plugin

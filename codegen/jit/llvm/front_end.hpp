@@ -77,4 +77,4 @@ class Diagnostics {
 /// Returns the features of the `-target-feature` options in the form for a target machine.
 [[nodiscard]] std::string features_of(const clang::TargetOptions& target);
 
-}  // namespace regulus::inline jit::plugin
+}  // namespace regulus::jit::plugin

@@ -186,4 +186,4 @@ void Operations::write_components(llvm::IRBuilder<>& code, const Object& object,
                             alignment_of(component.value->getType(), packs_.getDataLayout()));
 }
 
-}  // namespace regulus::inline jit::builder
+}  // namespace regulus::jit::builder

@@ -75,4 +75,4 @@ class Operations {
   llvm::SmallVector<Part, 4> layout_;  ///< of an interval
 };
 
-}  // namespace regulus::inline jit::builder
+}  // namespace regulus::jit::builder

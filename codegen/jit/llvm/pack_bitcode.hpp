@@ -16,4 +16,4 @@ struct PackBitcode {
 /// Written by write_pack_bitcode.cpp when the project is built.
 [[nodiscard]] std::span<const PackBitcode> pack_bitcode() noexcept;
 
-}  // namespace regulus::inline jit::plugin
+}  // namespace regulus::jit::plugin

@@ -132,7 +132,7 @@ Result compile_all(const regulus_parts_request& request) {
 }
 
 }  // namespace
-}  // namespace regulus::inline jit::plugin
+}  // namespace regulus::jit::plugin
 
 extern "C" [[gnu::visibility("default")]] int regulus_clang_interface(void) {
   return REGULUS_CLANG_INTERFACE;

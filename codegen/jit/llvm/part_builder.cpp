@@ -240,4 +240,4 @@ void build_part(const PartProgram& part, Operations& packs, llvm::Module& module
   PartBuilder(part, packs, module).run();
 }
 
-}  // namespace regulus::inline jit::builder
+}  // namespace regulus::jit::builder

@@ -16,4 +16,4 @@ namespace regulus::inline jit::builder {
 /// Throws    std::runtime_error.
 void build_part(const PartProgram& part, Operations& packs, llvm::Module& module);
 
-}  // namespace regulus::inline jit::builder
+}  // namespace regulus::jit::builder

@@ -85,7 +85,7 @@ int write(const std::string& operations, const std::string& output,
 }
 
 }  // namespace
-}  // namespace regulus::inline jit::plugin
+}  // namespace regulus::jit::plugin
 
 int main(int count, char** arguments) try {
   if (count < 4) throw std::runtime_error("usage: write_pack_bitcode HEADER OUTPUT ISA...");

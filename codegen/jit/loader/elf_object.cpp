@@ -157,4 +157,4 @@ ElfObject read_elf_object(std::span<const std::byte> file) {
   return object;
 }
 
-}  // namespace regulus::inline jit
+}  // namespace regulus::jit

@@ -59,4 +59,4 @@ struct ElfObject {
 /// Throws    LoadError for anything else, whatever the bytes are.
 [[nodiscard]] ElfObject read_elf_object(std::span<const std::byte> bytes);
 
-}  // namespace regulus::inline jit
+}  // namespace regulus::jit

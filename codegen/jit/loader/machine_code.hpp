@@ -62,4 +62,4 @@ class MachineCode {
   CompileReport report_;
 };
 
-}  // namespace regulus::inline jit
+}  // namespace regulus::jit

@@ -31,4 +31,4 @@ std::size_t MemoryMapping::page_size() noexcept {
   return static_cast<std::size_t>(::sysconf(_SC_PAGESIZE));
 }
 
-}  // namespace regulus::inline jit
+}  // namespace regulus::jit

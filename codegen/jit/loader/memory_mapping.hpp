@@ -30,4 +30,4 @@ class MemoryMapping {
   std::size_t size_;
 };
 
-}  // namespace regulus::inline jit
+}  // namespace regulus::jit

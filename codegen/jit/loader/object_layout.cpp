@@ -98,4 +98,4 @@ ObjectLayout lay_out(const ElfObject& object, std::uint64_t page_size) {
   return layout;
 }
 
-}  // namespace regulus::inline jit
+}  // namespace regulus::jit

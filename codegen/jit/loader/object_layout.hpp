@@ -35,4 +35,4 @@ struct ObjectLayout {
 /// Throws    LoadError for a section that cannot be loaded.
 [[nodiscard]] ObjectLayout lay_out(const ElfObject& object, std::uint64_t page_size);
 
-}  // namespace regulus::inline jit
+}  // namespace regulus::jit

@@ -199,4 +199,4 @@ void* LoadedObject::find(std::string_view name, std::size_t size) const noexcept
   return found != symbols_.end() && found->second.size >= size ? found->second.address : nullptr;
 }
 
-}  // namespace regulus::inline jit
+}  // namespace regulus::jit

@@ -68,4 +68,4 @@ class LoadedObject {
 [[nodiscard]] std::string flat_code(std::span<const std::byte> object, std::string_view entry,
                                     std::size_t alignment);
 
-}  // namespace regulus::inline jit
+}  // namespace regulus::jit

@@ -3,9 +3,8 @@
 // numbers of models/robot_1.toml. [gough] in a model file says the same in three lines; start from
 // this file for a robot that differs from it.
 #include <array>
-#include <string>
-
 #include <regulus/regulus.hpp>
+#include <string>
 
 using regulus::Formula;
 using regulus::Robot;

@@ -11,7 +11,6 @@
 namespace regulus::bench {
 namespace {
 
-
 bool is_exact_double(const Program& program, NodeId id) {
   const Op op = program.nodes[id].op;
   return op == Op::kPoint || op == Op::kConstant;

@@ -131,7 +131,7 @@ TEST_F(ObjectCacheErrorTest, IgnoresAnEntryThatIsAPipe) {
   std::filesystem::create_directory(path_);
   ASSERT_EQ(::chmod(path_.c_str(), 0700), 0);
   ASSERT_EQ(::mkfifo(entry_.c_str(), 0600), 0);
-  expect_distrust("is no regular file");
+  expect_distrust("is not a regular file");
 }
 
 TEST_F(ObjectCacheErrorTest, IgnoresAnEntryThatOthersMayWriteTo) {
@@ -151,7 +151,7 @@ TEST_F(ObjectCacheErrorTest, SaysWhenADirectoryIsInThePlaceOfAnEntry) {
   std::filesystem::create_directories(entry_ / "inside");
   ASSERT_EQ(::chmod(path_.c_str(), 0700), 0);
   const ObjectCache cache(path_);
-  EXPECT_THAT(cache.read(kKey).note, HasSubstr("is no regular file"));
+  EXPECT_THAT(cache.read(kKey).note, HasSubstr("is not a regular file"));
   EXPECT_THAT(cache.write(kKey, "object"), HasSubstr("cannot be written"));
 }
 

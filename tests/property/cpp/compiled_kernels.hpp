@@ -26,7 +26,6 @@
 
 namespace regulus::test {
 
-
 inline constexpr std::size_t kLanes = REGULUS_LANES;
 inline constexpr int kOrder = 2;  ///< of the matrix
 

@@ -26,7 +26,9 @@ using regulus::test::RandomSource;
 
 class OneName final : public Names {
  public:
-  const ParsedExpression* find(const std::string& name, int) override { return name == "x" ? &term_ : nullptr; }
+  const ParsedExpression* find(const std::string& name, int) override {
+    return name == "x" ? &term_ : nullptr;
+  }
   std::vector<std::string> all() const override { return {"x"}; }
   [[nodiscard]] const GiNaC::realsymbol& symbol() const { return symbol_; }
 

@@ -16,7 +16,6 @@
 namespace regulus::test {
 namespace {
 
-
 struct Box {
   std::vector<Interval> inputs;
   std::vector<double> points;

@@ -217,7 +217,7 @@ TEST(Witness, OfASmallDeterminantLosesNothing) {
   EXPECT_TRUE(checked.witness["twist"].is_null());
   EXPECT_TRUE(checked.witness["rows"].is_null());
   EXPECT_FALSE(checked.witness.contains("vanishes_within"));
-  EXPECT_THAT(checked.text, HasSubstr("twist      none is lost there"));
+  EXPECT_THAT(checked.text, HasSubstr("twist      no twist is lost there"));
 }
 
 }  // namespace

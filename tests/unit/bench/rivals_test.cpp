@@ -13,7 +13,6 @@
 namespace regulus::bench {
 namespace {
 
-
 class Rivals : public ::testing::Test {
  protected:
   /// K·M at the midpoint of a box, by narrow enclosures.

@@ -86,7 +86,7 @@ TEST(AnEndThatIsNoDouble, IsAWitness) {
   ASSERT_EQ(rational.verdict, Verdict::kSingularity);
   EXPECT_EQ(rational.reason, Reason::kSmallDeterminant);
   ASSERT_EQ(rational.witness->points.front().places.size(), 2U);
-  EXPECT_EQ(rational.witness->points.front().places.front(), Place::kLowerEnd);
+  EXPECT_EQ(rational.witness->points.front().places.front(), PlaceInRange::kLowerEnd);
   const Interval end = rational.witness->points.front().variables.front();
   EXPECT_LT(end.lo, end.hi);
   EXPECT_EQ(checked(around("(sqrt(5) - y)", "x = [0, 1]\ny = [1, \"sqrt(5)\"]\n")).verdict,
@@ -107,7 +107,7 @@ TEST(AnEndThatMarginHasMoved, IsNotTakenForTheOneThatIsWritten) {
   PreparedSearch p = prepared(around("(3*x - 1)", "x = [\"1/3\", 1]\ny = [0, 1]\n"));
   ExactAlgebra algebra(p);
   const std::vector<Interval> point = {{p.variety.outer[0].lo, p.variety.inner[0]->lo}, {0.5, 0.5}};
-  const std::vector<Place> places = {Place::kLowerEnd, Place::kInside};
+  const std::vector<PlaceInRange> places = {PlaceInRange::kLowerEnd, PlaceInRange::kInside};
   EXPECT_TRUE(algebra.is_singular_at(point, places));
   p.is_replanned = true;
   EXPECT_FALSE(algebra.is_singular_at(point, places));

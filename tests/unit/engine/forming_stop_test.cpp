@@ -8,6 +8,7 @@
 #include <nlohmann/json.hpp>
 
 #include "codegen/analysis/least_singular.hpp"
+#include "codegen/engine/choices.hpp"
 #include "codegen/engine/search_run.hpp"
 #include "codegen/engine/settings.hpp"
 #include "codegen/report/report.hpp"
@@ -57,7 +58,7 @@ class FormingStop : public testing::Test {
 
 TEST_F(FormingStop, AtTheTimeLimitProvesNothing) {
   for (const char* method : {"auto", "reg", "kj", "jk+rohn", "closed-form"}) {
-    search_.method = method;
+    search_.method = choice_of<Method>("--method", method);
     search_.time_limit = 1e-9;
     const Result result = searched({});
     EXPECT_TRUE(preparation_.stopped) << method;
