@@ -30,7 +30,7 @@ inline constexpr Parameters kUpper = {
     1.0,  // T
 };
 
-/// Decides pieces of the motion, over and over; one thread at a time may use it.
+/// Decides pieces of the motion; one thread at a time may use it.
 class Checker {
  public:
   /// Memory is in proportion to max_boxes, the most boxes of one check: 1 to 1048576.
@@ -41,7 +41,7 @@ class Checker {
     if (!checker_) throw std::runtime_error(fault);
   }
 
-  /// The piece between two bounds of each motion parameter. Neither allocates, nor locks.
+  /// The piece between two bounds of each motion parameter. Does not allocate or lock.
   [[nodiscard]] regulus_check_report check(const Parameters& lower,
                                            const Parameters& upper) noexcept {
     regulus_check_report report;

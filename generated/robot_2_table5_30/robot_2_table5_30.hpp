@@ -40,7 +40,7 @@ inline constexpr Parameters kUpper = {
     0x1.0c152382d7366p-1,  // phi
 };
 
-/// Decides pieces of the motion, over and over; one thread at a time may use it.
+/// Decides pieces of the motion; one thread at a time may use it.
 class Checker {
  public:
   /// Memory is in proportion to max_boxes, the most boxes of one check: 1 to 1048576.
@@ -51,7 +51,7 @@ class Checker {
     if (!checker_) throw std::runtime_error(fault);
   }
 
-  /// The piece between two bounds of each motion parameter. Neither allocates, nor locks.
+  /// The piece between two bounds of each motion parameter. Does not allocate or lock.
   [[nodiscard]] regulus_check_report check(const Parameters& lower,
                                            const Parameters& upper) noexcept {
     regulus_check_report report;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Up to eight boxes on their way from the frontier through the tests and back, with what is to
-// become of each. Everything in it follows from the boxes and the threshold of dear tests alone:
+// become of each. Everything in it follows from the boxes and the threshold of costly tests alone:
 // which thread decided them, and when, leaves no trace.
 #pragma once
 

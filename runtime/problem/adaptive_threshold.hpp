@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// A dear test is tried up to a threshold that it learns from its own results.
+// A costly test is tried up to a threshold that it learns from its own results.
 #pragma once
 
 #include <algorithm>

@@ -10,6 +10,7 @@
 #include <fstream>
 #include <sstream>
 
+#include "codegen/shell/shell_session.hpp"
 #include "tests/support/command.hpp"
 #include "tests/support/temporary_directory.hpp"
 
@@ -27,7 +28,7 @@ std::string without_escapes(std::string text) {
 }
 
 TEST(Manual, HasEveryOptionThatHelpShows) {
-  const std::vector<CommandEntry> table = command_table();
+  const std::vector<CommandEntry> table = command_table(ShellSession::commands());
   ASSERT_GE(table.size(), 7U);
   for (const CommandEntry& command : table) {
     std::vector<std::string> words = {kProgram, command.name, "--help"};
@@ -45,7 +46,7 @@ TEST(Manual, HasEveryOptionThatHelpShows) {
 }
 
 TEST(Manual, KeepsTheWholeOfAValueThatHasAColon) {
-  const std::vector<CommandEntry> table = command_table();
+  const std::vector<CommandEntry> table = command_table(ShellSession::commands());
   const auto check = std::ranges::find(table, "check", &CommandEntry::name);
   const std::string page = without_escapes(manual_page(*check, table));
   EXPECT_THAT(page, HasSubstr("fB--rangefR fIp=LO:HIfR"));
@@ -54,7 +55,7 @@ TEST(Manual, KeepsTheWholeOfAValueThatHasAColon) {
 }
 
 TEST(Manual, OfTheShellHasItsCommands) {
-  const std::vector<CommandEntry> table = command_table();
+  const std::vector<CommandEntry> table = command_table(ShellSession::commands());
   const auto shell = std::ranges::find(table, "shell", &CommandEntry::name);
   const std::string page = without_escapes(manual_page(*shell, table));
   for (const char* command : {"\nload MODEL ", "\nedit ", "\nplot FILE.svg|FILE.png"})
@@ -65,7 +66,7 @@ TEST(Manual, HasNoMistakesOfItsMacros) {
   if (run_command({"/bin/sh", "-c", "command -v mandoc"}).exit_code != 0)
     GTEST_SKIP() << "no mandoc";
   const regulus::test::TemporaryDirectory directory;
-  const std::vector<CommandEntry> table = command_table();
+  const std::vector<CommandEntry> table = command_table(ShellSession::commands());
   for (const CommandEntry& command : table) {
     const std::string file = (directory.path() / "page.1").string();
     std::ofstream(file) << manual_page(command, table);
@@ -75,7 +76,7 @@ TEST(Manual, HasNoMistakesOfItsMacros) {
 
 TEST(Completions, AreReadByTheirShells) {
   const regulus::test::TemporaryDirectory directory;
-  const std::vector<CommandEntry> table = command_table();
+  const std::vector<CommandEntry> table = command_table(ShellSession::commands());
   const std::string bash = (directory.path() / "bash").string();
   std::ofstream(bash) << bash_completion(table);
   EXPECT_EQ(run_command({"/bin/bash", "-n", bash}).errors, "");
@@ -108,7 +109,7 @@ TEST(ShellPage, ShowsASessionThatTakesPlaceLikeThat) {
 }
 
 TEST(JsonOption, IsTakenByEveryCommand) {
-  for (const CommandEntry& command : command_table()) {
+  for (const CommandEntry& command : command_table(ShellSession::commands())) {
     if (command.name.empty()) continue;
     EXPECT_EQ(std::ranges::count(command.options, "--json", &OptionEntry::name), 1) << command.name;
   }

@@ -37,7 +37,7 @@ std::string emit_sample(const Module& module) {
 
 void expect_golden(const std::string& name, const std::string& text) {
   const std::filesystem::path path =
-      std::filesystem::path(REGULUS_SOURCE_DIR) / "tests/golden/emit" / (name + ".txt");
+      std::filesystem::path(REGULUS_SOURCE_DIR) / "tests/golden/cpp" / (name + ".txt");
   if (std::getenv("REGULUS_UPDATE_GOLDEN") != nullptr)
     std::ofstream(path, std::ios::binary) << text;
   EXPECT_EQ(read(path), text) << "to accept: REGULUS_UPDATE_GOLDEN=1 bin/golden_emit";
