@@ -11,7 +11,7 @@
 
 namespace regulus::inline engine {
 
-/// The entry in the cache of one question's prepared problem and its kernel. The rules of trust are
+/// The entry in the cache of one question's warm start and its kernel. The rules of trust are
 /// those of ObjectCache; an entry that is damaged, or from another program, is treated as absent.
 class ProblemCache {
  public:

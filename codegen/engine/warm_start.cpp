@@ -15,7 +15,7 @@ namespace {
 
 using Json = nlohmann::json;
 
-/// Increase it if the meaning of the text of a prepared problem changes.
+/// Increase it if the meaning of the text of a warm start changes.
 constexpr int kFormat = 4;
 
 // In these three functions the structured binding names all members: a new member does not compile

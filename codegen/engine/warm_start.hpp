@@ -26,7 +26,7 @@ struct WarmStart {
   std::string identity;               ///< of that program
 };
 
-/// Returns the name of a prepared problem in the cache.
+/// Returns the name of a warm start in the cache.
 ///
 /// Shape     64 hexadecimal digits.
 /// Requires  `program` and `compiler` change whenever either may give another result for a

@@ -50,7 +50,7 @@ class CachedCommand {
     return nlohmann::json::parse(run(std::move(arguments)).output);
   }
 
-  /// The files that hold a prepared problem, a pack program, and machine code.
+  /// The files that hold a warm start, a pack program, and machine code.
   [[nodiscard]] std::vector<std::filesystem::path> problems() const { return entries('{'); }
   [[nodiscard]] std::vector<std::filesystem::path> programs() const { return entries('r'); }
   [[nodiscard]] std::vector<std::filesystem::path> objects() const { return entries('0'); }
