@@ -6,6 +6,7 @@
 #include <fstream>
 
 #include "codegen/engine/algebra_oracle.hpp"
+#include "codegen/engine/closed_form_bounds.hpp"
 #include "codegen/engine/search_run.hpp"
 #include "codegen/engine/settings.hpp"
 #include "tests/support/temporary_directory.hpp"
@@ -79,6 +80,21 @@ TEST(AConstraint, GivesNoMarginOnItsOtherSide) {
   EXPECT_NE(checked(beside_a_hole("(x^2 + y^2 - 1/4)")).verdict, Verdict::kNoSingularity);
   EXPECT_NE(checked(beside_a_hole("(x^2 + y^2 - 1/4 - 1e-14)")).verdict, Verdict::kNoSingularity);
   EXPECT_NE(checked(beside_a_hole("(1/4 - x^2 - y^2 + 1e-14)")).verdict, Verdict::kNoSingularity);
+}
+
+/// det at (0.6, 0), which is beside the hole, lies within the bounds of a box around it.
+TEST(AConstraint, LeavesTheDeterminantWithinItsBounds) {
+  for (const double sign : {1.0, -1.0}) {
+    const PreparedSearch search = prepared(
+        beside_a_hole(sign > 0 ? "(x^2 + y^2 - 1/4 - 1e-14)" : "(1/4 - x^2 - y^2 + 1e-14)"));
+    ClosedFormBounds bounds(*search.stages);
+    bounds.make();
+    const std::vector<Interval> box = {{0.5, 0.6}, {0.0, 0.1}};
+    const std::optional<Interval> determinant = bounds.enclose(box);
+    ASSERT_TRUE(determinant);
+    EXPECT_LE(determinant->lo, sign * 0.109);
+    EXPECT_GE(determinant->hi, sign * 0.109);
+  }
 }
 
 TEST(AnEndThatIsNoDouble, IsAWitness) {
