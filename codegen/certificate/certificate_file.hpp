@@ -40,7 +40,7 @@ class CertificateFile {
   std::optional<CertificateWriter> writer_;
   bool written_ = false;
   std::string obstacle_;  ///< why there can be no certificate of this question
-  /// What the verifier may not be able to follow in a proof of either verdict, and in this one.
+  /// The reason why the verifier may not finish, for either verdict, and for this one.
   std::string doubt_safe_, doubt_singular_, note_;
 };
 

@@ -95,7 +95,7 @@ std::optional<Values> values_at(std::span<const Variable> variables,
   return values;
 }
 
-/// Of a polynomial in indeterminates nothing is known but that it is 0 if it has no terms.
+/// A polynomial in indeterminates is known to be 0 only if it has no terms.
 bool is_at_most(const Polynomial& p, const Expression& alpha) {
   if (p.is_zero()) return true;
   const PolynomialTerm& first = p.terms().front();

@@ -71,7 +71,7 @@ PieceSearch::PieceSearch(const regulus_kernel& kernel, std::span<const Interval>
       loop_(*this, frontier_, decider_.bisector(), kernel.variables),
       half_(kernel.variables),
       places_(2 * std::size_t{kernel.variables}) {
-  // What is initialised on first use is used here.
+  // This check initialises everything that is initialised on first use.
   static_cast<void>(check({problem_.outer.data(), kernel.motion_variables}));
 }
 

@@ -13,7 +13,7 @@
 
 namespace regulus {
 
-/// What a Checker does; checker.hpp has the contracts.
+/// Implements Checker; checker.hpp has the contracts.
 class PieceSearch {
  public:
   PieceSearch(const regulus_kernel& kernel, std::span<const Interval> ranges, unsigned max_boxes,

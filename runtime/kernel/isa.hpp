@@ -16,7 +16,7 @@ namespace regulus {
 /// The inverse of name; nullopt for any other word.
 [[nodiscard]] std::optional<Isa> parse_isa(std::string_view word) noexcept;
 
-/// What a compiler is told to compile a kernel for `isa`, the macro for runtime/kernel/pack.hpp
+/// Returns the compiler options of a kernel for `isa`, with the macro for runtime/kernel/pack.hpp
 /// included; to be added to regulus/floating_point_flags.hpp.
 [[nodiscard]] std::span<const char* const> compile_flags(Isa isa) noexcept;
 

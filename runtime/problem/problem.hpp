@@ -130,7 +130,7 @@ class ClosedForm {
       std::span<const Interval> box) const noexcept = 0;
 };
 
-/// Where a coordinate of a point lies in the range of its variable. An end need not be a double.
+/// The place of a coordinate in the range of its variable. An end need not be a double.
 enum class PlaceInRange : std::uint8_t { kInside, kLowerEnd, kUpperEnd };
 
 /// Knows the model's expressions as such, and not only their bounds. The thread that called the

@@ -309,7 +309,8 @@ void Search::look_for_witness(Decisions& batch) noexcept {
   look_at_exact_ends(batch.open(lane).box);
 }
 
-/// What bounds in doubles cannot show: a determinant that is 0 at an end which is no double.
+/// Looks for a determinant that is 0 at an end which is not a double. Bounds in doubles cannot show
+/// it.
 void Search::look_at_exact_ends(std::span<const Interval> box) noexcept {
   if (!exact_corners_seen_) witness_.look_at_exact_corners();
   exact_corners_seen_ = true;

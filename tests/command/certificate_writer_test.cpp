@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What the writer puts into a file that a search alone seldom asks for.
+// The writer in cases that a search seldom meets.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 

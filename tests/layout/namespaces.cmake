@@ -7,8 +7,6 @@ cmake_minimum_required(VERSION 3.25)
 
 set(namespace_pack packing)       # regulus::pack is the arithmetic of kernels
 set(namespace_margin bracketing)  # regulus::margin is a function of the interface
-set(namespace_runtime_machine regulus::machine)
-set(namespace_runtime_verifier regulus::verifier)
 
 set(faults "")
 file(GLOB_RECURSE sources RELATIVE ${SOURCE_DIR} ${SOURCE_DIR}/codegen/*.[ch]pp ${SOURCE_DIR}/runtime/*.[ch]pp)

@@ -6,7 +6,7 @@
 namespace regulus::verifier {
 namespace {
 
-// What is announced in FORMAT.md, "Limits".
+// FORMAT.md, "Limits", announces these.
 constexpr std::uint64_t kProductsInFullForm = 1 << 21;
 constexpr std::uint64_t kProductsInPlainForm = 1 << 19;
 constexpr std::size_t kMostTermsOfForm = 2000;  ///< that are evaluated over boxes
@@ -92,7 +92,7 @@ void ExactDeterminant::reduce_by_constraints(Algebra& algebra, const Polynomial&
     reduced_.push_back({std::make_unique<Form>(q_, algebra.expression(*best)), from_below});
   }
 } catch (const TooLarge&) {
-  // What is reduced by now stays, and the other tests go on.
+  // The reduction keeps its present state, and the other tests continue.
 }
 
 bool ExactDeterminant::exceeds_within_constraints(const Box& box) {

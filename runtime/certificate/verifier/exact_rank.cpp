@@ -8,7 +8,7 @@
 namespace regulus::verifier {
 namespace {
 
-// What is announced in FORMAT.md, "Limits".
+// FORMAT.md, "Limits", announces these.
 constexpr std::size_t kMostMinors = 4;
 constexpr long kMostBits = 1024;  ///< to find the rows of a minor
 

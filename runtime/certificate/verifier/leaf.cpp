@@ -85,7 +85,7 @@ void LeafProver::prove(const Box& box) {
   }
 }
 
-/// Whether determinants, multiplied out, keep away from 0 all over a box.
+/// Shows that determinants, multiplied out, are not 0 anywhere in a box.
 bool LeafProver::is_regular_exactly(const Box& box, std::uint64_t boxes_of_leaf) {
   if (!test_.is_defined() || is_exact_too_large_) return false;
   if (!exact_ && !exact_rank_ && q_.columns > kSmallOrder && boxes_of_leaf < kBoxesBeforeAlgebra &&

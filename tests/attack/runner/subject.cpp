@@ -77,7 +77,7 @@ bool warns_of_no_pose(const Answer& answer) {
   return report.is_object() && report.contains("nonempty") && report["nonempty"].is_null();
 }
 
-/// Whether the report says why the verifier may not finish.
+/// Returns true if the report says why the verifier may not finish.
 bool warns_of_proof(const Answer& answer) {
   const auto report = nlohmann::json::parse(answer.output, nullptr, false);
   return report.is_object() && report.contains("certificate_note");
