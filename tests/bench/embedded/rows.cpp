@@ -36,7 +36,7 @@ constexpr Question kQuestions[] = {
 class Trajectory {
  public:
   explicit Trajectory(const Question& question)
-      : preparation_(prepare(question)),
+      : preparation_(prepared_search(question)),
         checker_(preparation_.kernel->functions(), preparation_.variety.outer, kMaxBoxes) {
     if (checker_.kernel().motion_variables != 1)
       throw std::logic_error("a trajectory has one motion parameter");
@@ -64,7 +64,7 @@ class Trajectory {
  private:
   static constexpr unsigned kMaxBoxes = 1000;
 
-  static PreparedSearch prepare(const Question& question) {
+  static PreparedSearch prepared_search(const Question& question) {
     ModelOptions options;
     options.path = REGULUS_SOURCE_DIR "/models/robot_1.toml";
     options.motion = question.motion;
