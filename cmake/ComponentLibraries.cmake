@@ -20,7 +20,7 @@ function(regulus_component name)
     "$<INSTALL_INTERFACE:${CMAKE_INSTALL_INCLUDEDIR};${CMAKE_INSTALL_INCLUDEDIR}/regulus>")
 endfunction()
 
-regulus_component(runtime interval kernel machine regularity problem evaluation witness decider embedded)
+regulus_component(runtime files interval kernel machine regularity problem evaluation witness decider embedded)
 target_compile_features(regulus_component_runtime INTERFACE cxx_std_20)
 # The headers contain interval arithmetic that is compiled in the user's code.
 target_compile_options(regulus_component_runtime INTERFACE

@@ -13,7 +13,7 @@ using Form = CanonicalNode::Form;
 using GiNaC::ex;
 using GiNaC::numeric;
 
-constexpr int kSum = 0, kProduct = 1, kPower = 2, kAtom = 3;
+using enum Precedence;
 
 std::string integer_text(const numeric& n) {
   std::ostringstream text;
@@ -24,8 +24,6 @@ std::string integer_text(const numeric& n) {
 std::string rational_text(const numeric& n) {
   return integer_text(n.numer()) + (n.is_integer() ? "" : '/' + integer_text(n.denom()));
 }
-
-std::string in_parentheses(const std::string& text) { return '(' + text + ')'; }
 
 }  // namespace
 
@@ -40,36 +38,34 @@ std::string CertificateExpressionWriter::write(const ex& e, std::string& lets) {
   return text_of(reader_.read(e), lets).text;
 }
 
-CertificateExpressionWriter::Text CertificateExpressionWriter::text_of(const CanonicalTerm& term,
-                                                                       std::string& lets) {
+InfixText CertificateExpressionWriter::text_of(const CanonicalTerm& term, std::string& lets) {
   if (term.factor == 1) return node_text(*term.node, lets);
   const bool negative = term.factor.is_negative();
   const numeric magnitude = GiNaC::abs(term.factor);
   // The factors of a product that has a name stay together.
   const bool open = term.node->form == Form::kProduct && count_[term.node] < 2;
-  const Text text = quotient(
+  const InfixText text = quotient(
       magnitude, open ? term.node->operands : std::vector<CanonicalTerm>{{1, term.node}}, lets);
-  return negative ? Text{'-' + text.text, kSum} : text;
+  return negative ? InfixText{'-' + text.text, kSum} : text;
 }
 
-CertificateExpressionWriter::Text CertificateExpressionWriter::node_text(const CanonicalNode& node,
-                                                                         std::string& lets) {
-  if (const auto known = named_.find(&node); known != named_.end()) return {known->second, kAtom};
-  const Text text = bare_text(node, lets);
+InfixText CertificateExpressionWriter::node_text(const CanonicalNode& node, std::string& lets) {
+  if (const auto known = named_.find(&node); known != named_.end())
+    return {known->second, kPrimary};
+  const InfixText text = bare_text(node, lets);
   if (!node.is_compound() || count_[&node] < 2) return text;
   const std::string name = unused_name();
   lets += "let " + name + " = " + text.text + '\n';
   named_.emplace(&node, name);
-  return {name, kAtom};
+  return {name, kPrimary};
 }
 
-CertificateExpressionWriter::Text CertificateExpressionWriter::bare_text(const CanonicalNode& node,
-                                                                         std::string& lets) {
+InfixText CertificateExpressionWriter::bare_text(const CanonicalNode& node, std::string& lets) {
   switch (node.form) {
     case Form::kOne:
-      return {"1", kAtom};
+      return {"1", kPrimary};
     case Form::kName:
-      return {node.name, kAtom};
+      return {node.name, kPrimary};
     case Form::kSum:
       return sum(node, lets);
     case Form::kProduct:
@@ -83,12 +79,11 @@ CertificateExpressionWriter::Text CertificateExpressionWriter::bare_text(const C
 }
 
 /// What is added comes before what is subtracted.
-CertificateExpressionWriter::Text CertificateExpressionWriter::sum(const CanonicalNode& node,
-                                                                   std::string& lets) {
+InfixText CertificateExpressionWriter::sum(const CanonicalNode& node, std::string& lets) {
   std::string plus, minus;
   for (const CanonicalTerm& term : node.operands) {
-    const Text text = text_of({GiNaC::abs(term.factor), term.node}, lets);
-    const std::string summand = text.strength > kSum ? text.text : in_parentheses(text.text);
+    const InfixText text = text_of({GiNaC::abs(term.factor), term.node}, lets);
+    const std::string summand = text.at_least(kProduct);
     if (term.factor.is_negative())
       minus += " - " + summand;
     else
@@ -99,44 +94,42 @@ CertificateExpressionWriter::Text CertificateExpressionWriter::sum(const Canonic
 }
 
 /// Negative powers go below the line, one after the other.
-CertificateExpressionWriter::Text CertificateExpressionWriter::quotient(
-    const numeric& factor, const std::vector<CanonicalTerm>& factors, std::string& lets) {
+InfixText CertificateExpressionWriter::quotient(const numeric& factor,
+                                                const std::vector<CanonicalTerm>& factors,
+                                                std::string& lets) {
   std::string above = factor == 1 ? "" : rational_text(factor);
   std::string below;
   for (const CanonicalTerm& operand : factors) {
     if (operand.node->form == Form::kOne) continue;
-    const Text text = text_of(operand, lets);
-    if (text.strength == kProduct && text.text.starts_with("1/"))
+    const InfixText text = text_of(operand, lets);
+    if (text.precedence == kProduct && text.text.starts_with("1/"))
       below += text.text.substr(1);
     else
-      above += (above.empty() ? "" : "*") +
-               (text.strength > kSum ? text.text : in_parentheses(text.text));
+      above += (above.empty() ? "" : "*") + (text.at_least(kProduct));
   }
   if (above.empty()) above += '1';
   const bool one_number = factors.size() == 1 && factors[0].node->form == Form::kOne;
-  return {above + below, one_number && factor.is_integer() ? kAtom : kProduct};
+  return {above + below, one_number && factor.is_integer() ? kPrimary : kProduct};
 }
 
 /// x^(n/2) is sqrt(x)^n.
-CertificateExpressionWriter::Text CertificateExpressionWriter::power(const CanonicalNode& node,
-                                                                     std::string& lets) {
+InfixText CertificateExpressionWriter::power(const CanonicalNode& node, std::string& lets) {
   const bool whole = node.exponent.is_integer();
   const numeric times = GiNaC::abs(whole ? node.exponent : node.exponent * 2);
-  const Text base = text_of(node.operands.front(), lets);
-  std::string text = !whole                   ? "sqrt" + in_parentheses(base.text)
-                     : base.strength == kAtom ? base.text
-                                              : in_parentheses(base.text);
+  const InfixText base = text_of(node.operands.front(), lets);
+  std::string text = !whole                        ? "sqrt" + in_parentheses(base.text)
+                     : base.precedence == kPrimary ? base.text
+                                                   : in_parentheses(base.text);
   if (times != 1) text += '^' + integer_text(times);
   if (node.exponent.is_negative()) return {"1/" + text, kProduct};
-  return {text, times != 1 ? kPower : kAtom};
+  return {text, times != 1 ? kPower : kPrimary};
 }
 
-CertificateExpressionWriter::Text CertificateExpressionWriter::call(const CanonicalNode& node,
-                                                                    std::string& lets) {
+InfixText CertificateExpressionWriter::call(const CanonicalNode& node, std::string& lets) {
   std::string arguments;
   for (const CanonicalTerm& argument : node.operands)
     arguments += (arguments.empty() ? "" : ", ") + text_of(argument, lets).text;
-  return {node.name + in_parentheses(arguments), kAtom};
+  return {node.name + in_parentheses(arguments), kPrimary};
 }
 
 std::string CertificateExpressionWriter::unused_name() {

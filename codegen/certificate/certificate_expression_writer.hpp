@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "codegen/certificate/canonical_term.hpp"
+#include "codegen/support/infix_text.hpp"
 
 namespace regulus::inline certificate {
 
@@ -27,22 +28,16 @@ class CertificateExpressionWriter {
   [[nodiscard]] std::string write(const GiNaC::ex& e, std::string& lets);
 
  private:
-  using Strength = int;  ///< of the operator that a text ends with
-  struct Text {
-    std::string text;
-    Strength strength;
-  };
-
   void count(const CanonicalNode& node);
-  [[nodiscard]] Text text_of(const CanonicalTerm& term, std::string& lets);
+  [[nodiscard]] InfixText text_of(const CanonicalTerm& term, std::string& lets);
   /// Of a node, or of the name that it has been given.
-  [[nodiscard]] Text node_text(const CanonicalNode& node, std::string& lets);
-  [[nodiscard]] Text bare_text(const CanonicalNode& node, std::string& lets);
-  [[nodiscard]] Text sum(const CanonicalNode& node, std::string& lets);
-  [[nodiscard]] Text power(const CanonicalNode& node, std::string& lets);
-  [[nodiscard]] Text call(const CanonicalNode& node, std::string& lets);
-  [[nodiscard]] Text quotient(const GiNaC::numeric& factor,
-                              const std::vector<CanonicalTerm>& factors, std::string& lets);
+  [[nodiscard]] InfixText node_text(const CanonicalNode& node, std::string& lets);
+  [[nodiscard]] InfixText bare_text(const CanonicalNode& node, std::string& lets);
+  [[nodiscard]] InfixText sum(const CanonicalNode& node, std::string& lets);
+  [[nodiscard]] InfixText power(const CanonicalNode& node, std::string& lets);
+  [[nodiscard]] InfixText call(const CanonicalNode& node, std::string& lets);
+  [[nodiscard]] InfixText quotient(const GiNaC::numeric& factor,
+                                   const std::vector<CanonicalTerm>& factors, std::string& lets);
   [[nodiscard]] std::string unused_name();
 
   CanonicalReader reader_;

@@ -8,7 +8,7 @@
 
 #include "codegen/engine/pipeline.hpp"
 #include "runtime/certificate/writer.hpp"
-#include "runtime/checkpoint/file_lock.hpp"
+#include "runtime/files/file_lock.hpp"
 
 namespace regulus::inline certificate {
 

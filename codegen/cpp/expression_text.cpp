@@ -6,23 +6,17 @@
 namespace regulus::inline cpp {
 namespace {
 
-std::string parenthesised(const std::string& text) { return concatenate({"(", text, ")"}); }
-
-std::string at_least(const ExpressionText& a, Precedence precedence) {
-  return a.precedence < precedence ? parenthesised(a.text) : a.text;
-}
-
 /// Returns the right operand of a binary operator. It puts a sign in parentheses for readability.
 /// It also puts an operator of the same precedence in parentheses, because C++ would group to the
 /// left.
 std::string right_of(const ExpressionText& b, Precedence precedence) {
   const bool plain = b.precedence > precedence && b.precedence != Precedence::kSign;
-  return plain ? b.text : parenthesised(b.text);
+  return plain ? b.text : in_parentheses(b.text);
 }
 
 ExpressionText binary(const ExpressionText& a, const char* sign, const ExpressionText& b,
                       Precedence precedence) {
-  return {concatenate({at_least(a, precedence), sign, right_of(b, precedence)}), precedence};
+  return {concatenate({a.at_least(precedence), sign, right_of(b, precedence)}), precedence};
 }
 
 }  // namespace
@@ -33,10 +27,10 @@ std::string concatenate(std::initializer_list<std::string_view> pieces) {
   return result;
 }
 
-ExpressionText atom(std::string text) { return {std::move(text), Precedence::kAtom}; }
+ExpressionText atom(std::string text) { return {std::move(text), Precedence::kPrimary}; }
 
 ExpressionText negation(const ExpressionText& a) {
-  return {concatenate({"-", at_least(a, Precedence::kAtom)}), Precedence::kSign};
+  return {concatenate({"-", a.at_least(Precedence::kPrimary)}), Precedence::kSign};
 }
 
 ExpressionText sum(const ExpressionText& a, const ExpressionText& b) {

@@ -6,14 +6,11 @@
 #include <string>
 #include <string_view>
 
+#include "codegen/support/infix_text.hpp"
+
 namespace regulus::inline cpp {
 
-enum class Precedence { kSum, kProduct, kSign, kAtom };
-
-struct ExpressionText {
-  std::string text;
-  Precedence precedence = Precedence::kAtom;
-};
+using ExpressionText = InfixText;
 
 /// Concatenates the pieces.
 [[nodiscard]] std::string concatenate(std::initializer_list<std::string_view> pieces);

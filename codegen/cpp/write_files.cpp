@@ -3,13 +3,10 @@
 
 #include <unistd.h>
 
-#include <cerrno>
-#include <cstring>
-#include <fstream>
 #include <system_error>
-#include <utility>
 
 #include "codegen/support/errors.hpp"
+#include "runtime/files/atomic_file.hpp"
 
 namespace regulus::inline cpp {
 namespace {
@@ -20,43 +17,23 @@ namespace fs = std::filesystem;
   throw FileError(path.string() + " cannot be written: " + reason);
 }
 
-/// A file under a temporary name until it is put in place; removed if it never is.
-class WaitingFile {
- public:
-  WaitingFile(fs::path path, const std::string& text)
-      : path_(std::move(path)), waiting_(path_.string() + ".part" + std::to_string(::getpid())) {
-    errno = 0;
-    std::ofstream out(waiting_, std::ios::binary);
-    out << text;
-    out.close();
-    if (out) return;
-    const int error = errno;
-    remove();
-    fail(path_, error != 0 ? std::strerror(error) : "the file system refuses it");
+/// Calls `write`, with the file's name in its errors.
+template <class Write>
+auto name_in_errors(const fs::path& path, Write write) {
+  try {
+    return write();
+  } catch (const std::system_error& error) {
+    fail(path, error.code().message());
   }
-  WaitingFile(WaitingFile&& other) noexcept
-      : path_(std::move(other.path_)), waiting_(std::exchange(other.waiting_, fs::path())) {}
-  WaitingFile(const WaitingFile&) = delete;
-  WaitingFile& operator=(const WaitingFile&) = delete;
-  WaitingFile& operator=(WaitingFile&&) = delete;
-  ~WaitingFile() { remove(); }
+}
 
-  void put_in_place() {
-    std::error_code error;
-    fs::rename(waiting_, path_, error);
-    if (error) fail(path_, error.message());
-    waiting_.clear();
-  }
-
- private:
-  void remove() noexcept {
-    std::error_code ignored;
-    if (!waiting_.empty()) fs::remove(waiting_, ignored);
-  }
-
-  fs::path path_;
-  fs::path waiting_;
-};
+AtomicFile written_beside(const fs::path& path, const std::string& text) {
+  return name_in_errors(path, [&] {
+    AtomicFile file(path, path.string() + ".part" + std::to_string(::getpid()));
+    file.write(text);
+    return file;
+  });
+}
 
 /// Escapes a path for a rule of a makefile.
 std::string escaped(const std::string& path) {
@@ -75,16 +52,18 @@ void write_files(const fs::path& folder, const std::vector<GeneratedFile>& files
   std::error_code error;
   fs::create_directories(folder, error);
   if (error) fail(folder, error.message());
-  std::vector<WaitingFile> waiting;
+  std::vector<AtomicFile> waiting;
   for (const GeneratedFile& file : files) {
     if (fs::is_directory(folder / file.name)) fail(folder / file.name, "there is a folder");
-    waiting.emplace_back(folder / file.name, file.text);
+    waiting.push_back(written_beside(folder / file.name, file.text));
   }
-  for (WaitingFile& file : waiting) file.put_in_place();
+  for (std::size_t i = 0; i < files.size(); ++i)
+    name_in_errors(folder / files[i].name, [&] { waiting[i].put_in_place(); });
 }
 
 void write_file(const fs::path& path, const std::string& text) {
-  WaitingFile(path, text).put_in_place();
+  AtomicFile file = written_beside(path, text);
+  name_in_errors(path, [&] { file.put_in_place(); });
 }
 
 std::string dependency_text(const fs::path& folder, const std::vector<GeneratedFile>& files,

@@ -39,7 +39,7 @@ bool is_whole_number(std::string_view text) {
   return !text.empty() && text.find_first_not_of("0123456789") == std::string_view::npos;
 }
 
-std::string in_parentheses(const std::string& text) { return std::string("(").append(text) + ')'; }
+using enum Precedence;
 
 /// Limits the length: the text of a C++ variable is repeated at each use of it.
 void require_short(const std::string& text) {
@@ -52,7 +52,7 @@ void require_short(const std::string& text) {
 }  // namespace
 
 Formula::Formula(const std::string& text, Place place)
-    : text_(text), binding_(is_name(text) || is_whole_number(text) ? kPrimary : kSum) {
+    : text_{text, is_name(text) || is_whole_number(text) ? kPrimary : kSum} {
   require_expression(text, place);
 }
 
@@ -67,62 +67,57 @@ Formula::Formula(const GiNaC::ex& value, Place place) try : Formula(formula_text
                    refusal.expected);
 }
 
-std::string Formula::at_least(Binding binding) const {
-  return binding_ >= binding ? text_ : in_parentheses(text_);
-}
-
 void Formula::add_symbols_of(const Formula& other) {
   for (const GiNaC::ex& symbol : other.symbols_)
     if (std::ranges::none_of(symbols_, [&](const auto& s) { return s.is_equal(symbol); }))
       symbols_.push_back(symbol);
 }
 
-Formula Formula::joined(const Formula& a, const char* between, const Formula& b, Binding binding,
-                        Binding left, Binding right) {
-  Formula result(a.at_least(left) + between + b.at_least(right), binding);
-  require_short(result.text_);
+Formula Formula::joined(const Formula& a, const char* between, const Formula& b,
+                        Precedence precedence, Precedence left, Precedence right) {
+  Formula result(a.text_.at_least(left) + between + b.text_.at_least(right), precedence);
+  require_short(result.text_.text);
   result.add_symbols_of(a);
   result.add_symbols_of(b);
   return result;
 }
 
 Formula Formula::called(const char* function, const Formula& x) {
-  Formula result(function + in_parentheses(x.text_), kPrimary);
-  require_short(result.text_);
+  Formula result(function + in_parentheses(x.text_.text), kPrimary);
+  require_short(result.text_.text);
   result.symbols_ = x.symbols_;
   return result;
 }
 
 Formula Formula::operator-() const {
-  Formula result(std::string("-").append(at_least(kProduct)), kSum);
+  Formula result(std::string("-").append(text_.at_least(kProduct)), kSum);
   result.symbols_ = symbols_;
   return result;
 }
 
 Formula operator+(const Formula& a, const Formula& b) {
-  return Formula::joined(a, " + ", b, Formula::kSum, Formula::kSum, Formula::kProduct);
+  return Formula::joined(a, " + ", b, kSum, kSum, kProduct);
 }
 
 Formula operator-(const Formula& a, const Formula& b) {
-  return Formula::joined(a, " - ", b, Formula::kSum, Formula::kSum, Formula::kProduct);
+  return Formula::joined(a, " - ", b, kSum, kSum, kProduct);
 }
 
 Formula operator*(const Formula& a, const Formula& b) {
-  return Formula::joined(a, "*", b, Formula::kProduct, Formula::kProduct, Formula::kPower);
+  return Formula::joined(a, "*", b, kProduct, kProduct, kPower);
 }
 
 Formula operator/(const Formula& a, const Formula& b) {
-  return Formula::joined(a, "/", b, Formula::kProduct, Formula::kProduct, Formula::kPower);
+  return Formula::joined(a, "/", b, kProduct, kProduct, kPower);
 }
 
 Formula pow(const Formula& base, const Formula& exponent) {
-  return Formula::joined(base, "^", exponent, Formula::kPower, Formula::kPrimary,
-                         Formula::kPrimary);
+  return Formula::joined(base, "^", exponent, kPower, kPrimary, kPrimary);
 }
 
 Formula atan2(const Formula& y, const Formula& x) {
-  Formula result = Formula::joined(y, ", ", x, Formula::kPrimary, Formula::kSum, Formula::kSum);
-  result.text_ = "atan2" + in_parentheses(result.text_);
+  Formula result = Formula::joined(y, ", ", x, kPrimary, kSum, kSum);
+  result.text_.text = "atan2" + in_parentheses(result.text_.text);
   return result;
 }
 

@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "codegen/model/source_place.hpp"
+#include "codegen/support/infix_text.hpp"
 
 namespace regulus::inline model {
 
@@ -27,7 +28,7 @@ class Formula {
 
   template <std::integral Whole>
   requires(!std::same_as<Whole, bool> && !std::same_as<Whole, char>) Formula(Whole value)
-      : Formula(std::to_string(value), value < 0 ? kSum : kPrimary) {}
+      : Formula(std::to_string(value), value < 0 ? Precedence::kSum : Precedence::kPrimary) {}
 
   /// Deleted, because a double is not the number that was typed: write 0.1_exact or "0.1". For the
   /// exact binary value of a double x, write exact_value_of(x).
@@ -48,7 +49,7 @@ class Formula {
   Formula(const GiNaC::ex& value, Place place = Place::current());
   Formula(const GiNaC::basic& value, Place place = Place::current());
 
-  [[nodiscard]] const std::string& text() const noexcept { return text_; }
+  [[nodiscard]] const std::string& text() const noexcept { return text_.text; }
   /// The symbols of GiNaC in it.
   [[nodiscard]] const std::vector<GiNaC::ex>& symbols() const noexcept { return symbols_; }
 
@@ -77,19 +78,13 @@ class Formula {
   friend Formula abs(const Formula& x);
 
  private:
-  /// The precedence of the outermost operation of the text; see expression_parser.hpp.
-  enum Binding { kSum, kProduct, kPower, kPrimary };
-
-  Formula(std::string text, Binding binding) : text_(std::move(text)), binding_(binding) {}
-  /// Returns the text, in parentheses if it binds less tightly than `binding`.
-  [[nodiscard]] std::string at_least(Binding binding) const;
+  Formula(std::string text, Precedence precedence) : text_{std::move(text), precedence} {}
   [[nodiscard]] static Formula joined(const Formula& a, const char* between, const Formula& b,
-                                      Binding binding, Binding left, Binding right);
+                                      Precedence precedence, Precedence left, Precedence right);
   [[nodiscard]] static Formula called(const char* function, const Formula& x);
   void add_symbols_of(const Formula& other);
 
-  std::string text_;
-  Binding binding_;
+  InfixText text_;
   std::vector<GiNaC::ex> symbols_;
 };
 

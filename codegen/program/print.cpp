@@ -3,30 +3,12 @@
 
 #include <cln/rational_io.h>
 
-#include <cstdint>
 #include <sstream>
+
+#include "codegen/support/sha256.hpp"
 
 namespace regulus::inline program {
 namespace {
-
-__extension__ typedef unsigned __int128 UInt128;
-
-UInt128 fnv1a(const std::string& bytes) {
-  constexpr UInt128 kPrime = (UInt128{1} << 88) + 0x13b;
-  UInt128 hash = (UInt128{0x6c62272e07bb0142} << 64) + 0x62b821756295c58d;
-  for (const char byte : bytes) {
-    hash ^= static_cast<unsigned char>(byte);
-    hash *= kPrime;
-  }
-  return hash;
-}
-
-std::string hexadecimal(UInt128 value) {
-  std::string digits(32, '0');
-  for (auto digit = digits.rbegin(); digit != digits.rend(); ++digit, value >>= 4)
-    *digit = "0123456789abcdef"[static_cast<unsigned>(value & 15U)];
-  return digits;
-}
 
 // The length in front separates two lists of names, whatever the names contain.
 void print_names(std::ostream& text, const char* what, const std::vector<std::string>& names) {
@@ -90,6 +72,6 @@ std::string to_text(const Module& module) {
   return text.str();
 }
 
-std::string identity(const Module& module) { return hexadecimal(fnv1a(to_text(module))); }
+std::string identity(const Module& module) { return sha256(to_text(module)); }
 
 }  // namespace regulus::program

@@ -16,10 +16,7 @@ namespace regulus::inline program {
 /// the names of model and motion are left out, because they do not change the results.
 [[nodiscard]] std::string to_text(const Module& module);
 
-/// Returns the name of a module's kernel: 32 hexadecimal digits, equal for equal texts. It does not
-/// protect against forgery.
-///
-/// Source    FNV-1a, 128 bits (Fowler, Noll, Vo; IETF draft-eastlake-fnv).
+/// Returns the name of a module's kernel: the SHA-256 of its text, as 64 hexadecimal digits.
 [[nodiscard]] std::string identity(const Module& module);
 
 }  // namespace regulus::program

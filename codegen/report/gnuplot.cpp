@@ -2,17 +2,16 @@
 #include "codegen/report/gnuplot.hpp"
 
 #include <fcntl.h>
-#include <spawn.h>
 #include <sys/mman.h>
 #include <sys/socket.h>
 #include <sys/stat.h>
-#include <sys/wait.h>
 #include <unistd.h>
 
 #include <array>
 #include <cerrno>
 #include <cstring>
 #include <string_view>
+#include <system_error>
 
 #include "codegen/support/errors.hpp"
 
@@ -23,41 +22,11 @@ FileError system_error(const std::string& what, int error) {
   return FileError(what + ": " + std::strerror(error));
 }
 
-FileError cannot_start(int error) {
-  if (error != ENOENT) return system_error("cannot start gnuplot", error);
+FileError cannot_start(const std::system_error& error) {
+  if (error.code() != std::errc::no_such_file_or_directory)
+    return FileError("cannot start gnuplot: " + error.code().message());
   return FileError(
       "gnuplot, which draws the pictures, was not found. On Debian: apt-get install gnuplot-nox");
-}
-
-/// Redirections of a child's standard streams.
-class SpawnActions {
- public:
-  SpawnActions() { posix_spawn_file_actions_init(&actions_); }
-  ~SpawnActions() { posix_spawn_file_actions_destroy(&actions_); }
-  SpawnActions(const SpawnActions&) = delete;
-  SpawnActions& operator=(const SpawnActions&) = delete;
-
-  void redirect(int stream, int to) { posix_spawn_file_actions_adddup2(&actions_, to, stream); }
-  [[nodiscard]] const posix_spawn_file_actions_t* get() const { return &actions_; }
-
- private:
-  posix_spawn_file_actions_t actions_{};
-};
-
-/// The child inherits the mask of signals, so an interrupt ends the search, and the picture is
-/// still drawn.
-pid_t start(int input, int output, int errors) {
-  SpawnActions actions;
-  actions.redirect(STDIN_FILENO, input);
-  actions.redirect(STDOUT_FILENO, output);
-  actions.redirect(STDERR_FILENO, errors);
-  std::string name = "gnuplot";
-  std::array<char*, 2> words{name.data(), nullptr};
-  pid_t process = -1;
-  const int error =
-      posix_spawnp(&process, name.c_str(), actions.get(), nullptr, words.data(), environ);
-  if (error != 0) throw cannot_start(error);
-  return process;
 }
 
 }  // namespace
@@ -76,18 +45,20 @@ Gnuplot::Gnuplot(const std::string& picture) : picture_(picture) {
   const int error = errno;
   input_ = ends[0];
   try {
-    if (!opened) throw system_error("cannot start gnuplot", error);
-    process_ = start(ends[1], drawing_, errors_);
-  } catch (const FileError&) {
+    if (!opened) throw std::system_error(error, std::generic_category());
+    process_.emplace(std::vector<std::string>{"gnuplot"},
+                     StandardStreams{ends[1], drawing_, errors_});
+  } catch (const std::system_error& failure) {
     if (ends[1] >= 0) close(ends[1]);
     close_all();
-    throw;
+    throw cannot_start(failure);
   }
   close(ends[1]);
 }
 
 Gnuplot::~Gnuplot() {
-  if (process_ > 0) static_cast<void>(wait_for_end());
+  shutdown(input_, SHUT_WR);
+  process_.reset();
   close_all();
 }
 
@@ -112,14 +83,6 @@ bool Gnuplot::send_all(const std::string& commands) const {
   return true;
 }
 
-int Gnuplot::wait_for_end() {
-  shutdown(input_, SHUT_WR);
-  int status = -1;
-  while (waitpid(process_, &status, 0) < 0 && errno == EINTR) continue;
-  process_ = -1;
-  return status;
-}
-
 std::string Gnuplot::complaint() const {
   std::array<char, 2048> text{};
   const ssize_t size = pread(errors_, text.data(), text.size(), 0);
@@ -128,8 +91,8 @@ std::string Gnuplot::complaint() const {
 
 void Gnuplot::draw(const std::string& commands) {
   const bool sent = send_all(commands);
-  const int status = wait_for_end();
-  if (!sent || !WIFEXITED(status) || WEXITSTATUS(status) != 0)
+  shutdown(input_, SHUT_WR);
+  if (process_->wait() != 0 || !sent)
     throw FileError("gnuplot could not draw " + picture_ + complaint());
   write_picture();
 }

@@ -3,9 +3,10 @@
 // picture to a file that we open.
 #pragma once
 
-#include <sys/types.h>
-
+#include <optional>
 #include <string>
+
+#include "codegen/support/subprocess.hpp"
 
 namespace regulus::inline report {
 
@@ -27,7 +28,6 @@ class Gnuplot {
 
  private:
   [[nodiscard]] bool send_all(const std::string& commands) const;
-  [[nodiscard]] int wait_for_end();
   [[nodiscard]] std::string complaint() const;
   void write_picture();
   void close_all() noexcept;
@@ -38,7 +38,7 @@ class Gnuplot {
   int input_ = -1;               ///< our end of its standard input
   int drawing_ = -1;             ///< a memory file for its standard output: it ignores a full disk
   int errors_ = -1;              ///< the same for its standard error
-  pid_t process_ = -1;
+  std::optional<Subprocess> process_;
 };
 
 }  // namespace regulus::report

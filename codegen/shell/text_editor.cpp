@@ -1,17 +1,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "codegen/shell/text_editor.hpp"
 
-#include <spawn.h>
-#include <sys/wait.h>
 #include <unistd.h>
 
-#include <cerrno>
 #include <cstdlib>
 #include <filesystem>
 #include <fstream>
 #include <iterator>
 
 #include "codegen/support/errors.hpp"
+#include "codegen/support/subprocess.hpp"
 
 namespace regulus::inline shell {
 namespace {
@@ -52,18 +50,9 @@ std::string editor() {
   return "vi";
 }
 
-/// The variables may contain options, so the shell splits them.
-int run_editor(std::string path) {
-  std::string shell = "/bin/sh", option = "-c", name = "sh";
-  std::string command = editor() + " \"$1\"";
-  char* const arguments[] = {shell.data(), option.data(), command.data(),
-                             name.data(),  path.data(),   nullptr};
-  pid_t child = 0;
-  if (posix_spawn(&child, shell.c_str(), nullptr, nullptr, arguments, environ) != 0) return -1;
-  int status = 0;
-  while (waitpid(child, &status, 0) < 0)
-    if (errno != EINTR) return -1;
-  return WIFEXITED(status) ? WEXITSTATUS(status) : -1;
+/// The variables may contain options, so a shell splits them.
+int run_editor(const std::string& path) {
+  return Subprocess({"/bin/sh", "-c", editor() + " \"$1\"", "sh", path}).wait();
 }
 
 }  // namespace

@@ -5,7 +5,7 @@
 // Motion           T1
 // Source           J.-P. Merlet, A formal-numerical approach for robust in-workspace singularity
 //                  detection, IEEE Transactions on Robotics 23(3), 2007, Table III
-// Identity         bd2ea858100370471e6520abecf815ee
+// Identity         58a478441814040435ff3bd6eeae807fb63e1717f38974d84b2d08c6ae339380
 // Flags            -std=c++20 -O2 -frounding-math -ffp-contract=off -DREGULUS_ISA_PORTABLE
 //                  -fno-math-errno
 #define regulus_self_test robot_1_T1_self_test_portable

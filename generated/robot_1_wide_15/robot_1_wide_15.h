@@ -5,7 +5,7 @@
 // Motion           wide_15
 // Source           J.-P. Merlet, A formal-numerical approach for robust in-workspace singularity
 //                  detection, IEEE Transactions on Robotics 23(3), 2007, Table III
-// Identity         79abd0d07feae8273627b7dde9b05c97
+// Identity         de081fe8ecfe9551ff46dc94799456056dbf955ce31217c440bb91dc08d8fce7
 //
 // REGULUS_CHECK_NO_SINGULARITY means: for every value of the motion parameters within the bounds,
 // the full 6×6 matrix of the model is defined and has full rank.

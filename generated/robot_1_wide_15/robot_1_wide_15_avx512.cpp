@@ -5,7 +5,7 @@
 // Motion           wide_15
 // Source           J.-P. Merlet, A formal-numerical approach for robust in-workspace singularity
 //                  detection, IEEE Transactions on Robotics 23(3), 2007, Table III
-// Identity         79abd0d07feae8273627b7dde9b05c97
+// Identity         de081fe8ecfe9551ff46dc94799456056dbf955ce31217c440bb91dc08d8fce7
 // Flags            -std=c++20 -O2 -frounding-math -ffp-contract=off -DREGULUS_ISA_AVX512 -mavx512f
 //                  -mavx512dq -mprefer-vector-width=512
 #define regulus_self_test robot_1_wide_15_self_test_avx512

@@ -5,7 +5,7 @@
 // Motion           table5_30
 // Source           J.-P. Merlet, A formal-numerical approach for robust in-workspace singularity
 //                  detection, IEEE Transactions on Robotics 23(3), 2007, Table III
-// Identity         48a1dd6ed302dc41953d158077918b0b
+// Identity         5913990e10fa4cdf9681a8d8ef88cecd6c637479ebced5bd8f12d592cc5dc50b
 //
 // REGULUS_CHECK_NO_SINGULARITY means: for every value of the motion parameters within the bounds,
 // the full 6×6 matrix of the model is defined and has full rank.

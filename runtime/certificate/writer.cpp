@@ -90,13 +90,13 @@ int make_beside(const std::string& path, std::string& made) {
 CertificateWriter::CertificateWriter(std::string path, CertifiedQuestion question)
     : path_(std::move(path)), question_(std::move(question)) {
   const int descriptor = make_beside(path_, temporary_);
-  check(descriptor >= 0, "be made");
+  check(descriptor >= 0, "be created");
   file_.reset(fdopen(descriptor, "w"));
   if (!file_) {
     ::close(descriptor);
     ::unlink(temporary_.c_str());
   }
-  check(file_ != nullptr, "be made");
+  check(file_ != nullptr, "be created");
 }
 
 CertificateWriter::CertificateWriter(std::string path, CertifiedQuestion question, Partial partial)
@@ -110,7 +110,7 @@ CertificateWriter::CertificateWriter(std::string path, CertifiedQuestion questio
   const int descriptor = ::open(temporary_.c_str(), mode, 0666);
   file_.reset(descriptor < 0 ? nullptr : fdopen(descriptor, "r+"));
   if (!file_ && descriptor >= 0) ::close(descriptor);
-  check(file_ != nullptr, continues_ ? "be continued" : "be made");
+  check(file_ != nullptr, continues_ ? "be continued" : "be created");
   if (!continues_) return;
   const auto length = static_cast<off_t>(*partial.length);
   struct stat status {};

@@ -1,65 +1,31 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "runtime/checkpoint/writer.hpp"
 
-#include <fcntl.h>
-#include <sys/stat.h>
 #include <unistd.h>
 
-#include <cerrno>
-#include <cstring>
 #include <new>
+#include <stdexcept>
+#include <system_error>
 #include <utility>
+
+#include "runtime/files/atomic_file.hpp"
 
 namespace regulus {
 namespace {
 
-/// A file beside `path`, always of the same name, so that a process that was killed leaves one at
-/// most; it is removed unless it was put in its place.
-class Replacement {
- public:
-  explicit Replacement(const std::string& path) : path_(path), temporary_(path + ".new") {
-    descriptor_ =
-        ::open(temporary_.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_NOFOLLOW | O_CLOEXEC, 0666);
-    if (descriptor_ < 0) fail("be made");
-  }
-  Replacement(const Replacement&) = delete;
-  Replacement& operator=(const Replacement&) = delete;
-  ~Replacement() {
-    if (descriptor_ >= 0) ::close(descriptor_);
-    if (descriptor_ >= 0 && !in_place_) ::unlink(temporary_.c_str());
-  }
+/// Opens the new checkpoint. Its temporary name is always the same, so that a process that was
+/// killed leaves at most one such file.
+AtomicFile open_beside(const std::string& path) { return {path, path + ".new"}; }
 
-  void write(std::string_view text) {
-    while (!text.empty()) {
-      const ssize_t count = ::write(descriptor_, text.data(), text.size());
-      if (count < 0 && errno == EINTR) continue;
-      if (count <= 0) fail("be written");
-      text.remove_prefix(static_cast<std::size_t>(count));
-    }
-    if (::fsync(descriptor_) != 0) fail("be written");
+/// Calls `write`, with the checkpoint's name in its errors.
+template <class Write>
+void name_in_errors(const std::string& path, Write write) {
+  try {
+    write();
+  } catch (const std::system_error& error) {
+    throw std::runtime_error("the checkpoint " + path + " cannot " + error.what());
   }
-  void put_in_place() {
-    if (::rename(temporary_.c_str(), path_.c_str()) != 0) fail("be put in its place");
-    in_place_ = true;
-    // Without this the rename may be lost with the power, and the old file be there again.
-    const std::string folder = path_.substr(0, path_.find_last_of('/') + 1);
-    const int directory = ::open(folder.empty() ? "." : folder.c_str(), O_RDONLY | O_CLOEXEC);
-    if (directory < 0) return;
-    ::fsync(directory);
-    ::close(directory);
-  }
-
- private:
-  [[noreturn]] void fail(const char* what) const {
-    throw std::runtime_error("the checkpoint " + path_ + " cannot " + what + ": " +
-                             std::strerror(errno));
-  }
-
-  const std::string& path_;
-  std::string temporary_;
-  int descriptor_ = -1;
-  bool in_place_ = false;
-};
+}
 
 }  // namespace
 
@@ -70,7 +36,9 @@ CheckpointWriter::CheckpointWriter(std::string path, CheckpointedQuestion questi
       interval_(interval),
       certificate_(std::move(certificate)) {}
 
-void CheckpointWriter::require_writable() const { const Replacement probe(path_); }
+void CheckpointWriter::require_writable() const {
+  name_in_errors(path_, [&] { open_beside(path_); });
+}
 
 bool CheckpointWriter::wants_pause() noexcept { return Clock::now() - last_ >= interval_; }
 
@@ -98,9 +66,12 @@ void CheckpointWriter::save(const SearchState& state, const OpenBoxes& open) {
     certificate = certificate_();
     if (!certificate) throw std::runtime_error("the certificate cannot be written");
   }
-  Replacement file(path_);
-  file.write(write_checkpoint(question_, state, open, certificate));
-  file.put_in_place();
+  const std::string text = write_checkpoint(question_, state, open, certificate);
+  name_in_errors(path_, [&] {
+    AtomicFile file = open_beside(path_);
+    file.write(text);
+    file.put_in_place_durably();
+  });
 }
 
 void CheckpointWriter::remove() noexcept { ::unlink(path_.c_str()); }

@@ -22,6 +22,7 @@ class List {
     function_.constants.push_back(Interval(value));
     return (*this)(operation, static_cast<std::uint32_t>(function_.constants.size() - 1));
   }
+
   void store(ValueId value) {
     (*this)(Op::kStore, function_.outputs, function_.outputs, value);
     ++function_.outputs;
@@ -36,67 +37,91 @@ class List {
 };
 
 /// The operations of self_test_program.hpp, in the same order.
-PackFunction bounds() {
+class Bounds {
+ public:
+  PackFunction list() {
+    quotients_and_products();
+    sums();
+    fused_operations();
+    functions();
+    constants();
+    small_numbers();
+    return f.take();
+  }
+
+ private:
+  void quotients_and_products() {
+    f.store(f(Op::kDiv_IIU, one, three));
+    f.store(f(Op::kDiv_IIU, minus(wide), minus(three)));
+    f.store(f(Op::kDiv_IIU, tenth, minus(three)));
+    f.store(f(Op::kSqrt_IU, three));
+
+    f.store(f(Op::kMultiply_II, tenth, three));
+    f.store(f(Op::kMultiply_PI, p_tenth, three));
+    f.store(f(Op::kMultiply_PP, p_tenth, p_three));
+    f.store(f(Op::kMultiply_II, minus(tenth), tenth));
+    f.store(f(Op::kMultiply_PI, p_minus(p_tenth), tenth));
+    f.store(f(Op::kMultiply_PP, p_minus(p_tenth), p_tenth));
+    f.store(f(Op::kMultiply_II, wide, wide));
+    f.store(f(Op::kMultiply_PI, p_minus(p_tenth), wide));
+  }
+
+  void sums() {
+    f.store(f(Op::kAdd_PP, p_one, p_small));
+    f.store(f(Op::kAdd_IP, one, p_small));
+    f.store(f(Op::kAdd_II, one, f(Op::kThin_P, p_small)));
+    f.store(f(Op::kSubtract_PP, p_one, p_small));
+    f.store(f(Op::kSubtract_PI, p_small, one));
+    f.store(f(Op::kSubtract_II, minus(one), f(Op::kThin_P, p_small)));
+  }
+
+  void fused_operations() {
+    f.store(f(Op::kMulAdd_PPI, p_tenth, p_three, one));
+    f.store(f(Op::kMulAdd_PII, p_tenth, three, one));
+    f.store(f(Op::kMulAdd_III, three, tenth, one));
+    f.store(f(Op::kMulAdd_PII, p_minus(p_tenth), three, one));
+    f.store(f(Op::kMulAdd_PPI, p_minus(p_three), p_tenth, one));
+  }
+
+  void functions() {
+    f.store(f(Op::kSqr_I, tenth));
+    f.store(f(Op::kSqr_I, wide));
+    f.store(f(Op::kPow_IN, tenth, 3));
+    f.store(f(Op::kPow_IN, minus(tenth), 3));
+    f.store(f(Op::kPow_IN, wide, 3));
+    f.store(f(Op::kPow_IN, minus(tenth), 4));
+    f.store(f(Op::kAbs_I, wide));
+    f.store(f(Op::kSin_I, one));
+  }
+
+  void constants() {
+    f.store(f(Op::kMultiply_PP, exact(0.1), exact(3.0)));
+    f.store(f(Op::kAdd_PP, exact(1.0), exact(0x1p-60)));
+    f.store(f(Op::kSubtract_PP, exact(1.0), exact(0x1p-60)));
+    f.store(f(Op::kMultiply_II, constant(0.1), constant(3.0)));
+    f.store(f(Op::kDiv_IIU, constant(1.0), constant(3.0)));
+    f.store(f(Op::kSqrt_IU, constant(3.0)));
+    f.store(f(Op::kMulAdd_PPI, exact(0.1), exact(3.0), constant(1.0)));
+  }
+
+  void small_numbers() {
+    f.store(f(Op::kMultiply_II, tiny, tiny));
+    f.store(f(Op::kMultiply_II, minus(tiny), tiny));
+    f.store(f(Op::kAdd_II, smallest, smallest));
+    f.store(f(Op::kMultiply_PI, p_three, smallest));
+  }
+
+  ValueId minus(ValueId x) { return f(Op::kNegate_I, x); }
+  ValueId p_minus(ValueId x) { return f(Op::kNegate_P, x); }
+  ValueId exact(double value) { return f.constant(Op::kExact, value); }
+  ValueId constant(double value) { return f.constant(Op::kConstant, value); }
+
   List f;
   const ValueId one = f(Op::kLoad, 0), three = f(Op::kLoad, 1), tenth = f(Op::kLoad, 2);
   const ValueId wide = f(Op::kLoad, 3), tiny = f(Op::kLoad, 4), smallest = f(Op::kLoad, 5);
   const ValueId p_one = f(Op::kPoint, 0), p_three = f(Op::kPoint, 1);
   const ValueId p_tenth = f(Op::kPoint, 2), p_small = f(Op::kPoint, 3);
-  const auto minus = [&f](ValueId x) { return f(Op::kNegate_I, x); };
-  const auto p_minus = [&f](ValueId x) { return f(Op::kNegate_P, x); };
-  const auto exact = [&f](double value) { return f.constant(Op::kExact, value); };
-  const auto constant = [&f](double value) { return f.constant(Op::kConstant, value); };
-
-  f.store(f(Op::kDiv_IIU, one, three));
-  f.store(f(Op::kDiv_IIU, minus(wide), minus(three)));
-  f.store(f(Op::kDiv_IIU, tenth, minus(three)));
-  f.store(f(Op::kSqrt_IU, three));
-
-  f.store(f(Op::kMultiply_II, tenth, three));
-  f.store(f(Op::kMultiply_PI, p_tenth, three));
-  f.store(f(Op::kMultiply_PP, p_tenth, p_three));
-  f.store(f(Op::kMultiply_II, minus(tenth), tenth));
-  f.store(f(Op::kMultiply_PI, p_minus(p_tenth), tenth));
-  f.store(f(Op::kMultiply_PP, p_minus(p_tenth), p_tenth));
-  f.store(f(Op::kMultiply_II, wide, wide));
-  f.store(f(Op::kMultiply_PI, p_minus(p_tenth), wide));
-
-  f.store(f(Op::kAdd_PP, p_one, p_small));
-  f.store(f(Op::kAdd_IP, one, p_small));
-  f.store(f(Op::kAdd_II, one, f(Op::kThin_P, p_small)));
-  f.store(f(Op::kSubtract_PP, p_one, p_small));
-  f.store(f(Op::kSubtract_PI, p_small, one));
-  f.store(f(Op::kSubtract_II, minus(one), f(Op::kThin_P, p_small)));
-
-  f.store(f(Op::kMulAdd_PPI, p_tenth, p_three, one));
-  f.store(f(Op::kMulAdd_PII, p_tenth, three, one));
-  f.store(f(Op::kMulAdd_III, three, tenth, one));
-  f.store(f(Op::kMulAdd_PII, p_minus(p_tenth), three, one));
-  f.store(f(Op::kMulAdd_PPI, p_minus(p_three), p_tenth, one));
-
-  f.store(f(Op::kSqr_I, tenth));
-  f.store(f(Op::kSqr_I, wide));
-  f.store(f(Op::kPow_IN, tenth, 3));
-  f.store(f(Op::kPow_IN, minus(tenth), 3));
-  f.store(f(Op::kPow_IN, wide, 3));
-  f.store(f(Op::kPow_IN, minus(tenth), 4));
-  f.store(f(Op::kAbs_I, wide));
-  f.store(f(Op::kSin_I, one));
-
-  f.store(f(Op::kMultiply_PP, exact(0.1), exact(3.0)));
-  f.store(f(Op::kAdd_PP, exact(1.0), exact(0x1p-60)));
-  f.store(f(Op::kSubtract_PP, exact(1.0), exact(0x1p-60)));
-  f.store(f(Op::kMultiply_II, constant(0.1), constant(3.0)));
-  f.store(f(Op::kDiv_IIU, constant(1.0), constant(3.0)));
-  f.store(f(Op::kSqrt_IU, constant(3.0)));
-  f.store(f(Op::kMulAdd_PPI, exact(0.1), exact(3.0), constant(1.0)));
-
-  f.store(f(Op::kMultiply_II, tiny, tiny));
-  f.store(f(Op::kMultiply_II, minus(tiny), tiny));
-  f.store(f(Op::kAdd_II, smallest, smallest));
-  f.store(f(Op::kMultiply_PI, p_three, smallest));
-  return f.take();
-}
+};
 
 PackFunction undefined_quotient() {
   List f;
@@ -135,7 +160,7 @@ PackKernel self_test_kernel() {
   PackKernel kernel;
   kernel.variables = kernel.motion_variables = 6;
   kernel.rows = kernel.columns = 2;  // four entries of K
-  function(kernel, KernelFunction::kMatrix) = bounds();
+  function(kernel, KernelFunction::kMatrix) = Bounds().list();
   function(kernel, KernelFunction::kRowScale) = undefined_quotient();
   function(kernel, KernelFunction::kConstraint) = undefined_root();
   kernel.identity = "self-test";

@@ -9,7 +9,6 @@
 #include <fstream>
 #include <nlohmann/json.hpp>
 #include <sstream>
-#include <thread>
 
 #include "tests/support/temporary_directory.hpp"
 
@@ -123,7 +122,7 @@ TEST(Command, EndsWithAReportWhenInterruptedLongBeforeASearch) {
                             REGULUS_SOURCE_DIR "/models/robot_2.toml", "table5_30", "--tolerance",
                             "base,platform=1", "--method", "closed-form", "--symbolic-budget",
                             "1000000000", "--no-cache"});
-    std::this_thread::sleep_for(std::chrono::milliseconds(300));
+    running.wait_for_handler(signal);
     kill(running.pid(), signal);
     const CommandResult result = running.wait();
     EXPECT_EQ(result.exit_code, 2);
@@ -134,7 +133,7 @@ TEST(Command, EndsWithAReportWhenInterruptedLongBeforeASearch) {
 TEST(Command, EndsWithAReportWhenInterrupted) {
   RunningCommand running({kCommand, "check", kRobot1, "wide_15", "--method", "reg", "--engine",
                           "interpreted", "--json", "--quiet"});
-  std::this_thread::sleep_for(std::chrono::seconds(2));
+  running.wait_for_handler(SIGINT);
   kill(running.pid(), SIGINT);
   const CommandResult result = running.wait();
   EXPECT_EQ(result.exit_code, 2);
@@ -291,7 +290,7 @@ TEST(Command, SaysWhyACertificateCannotBeWritten) {
   const CommandResult refused =
       regulus({"check", kPlanar, "regular", "--certificate", "/nowhere/at/all"});
   EXPECT_EQ(refused.exit_code, 74);
-  EXPECT_THAT(refused.errors, HasSubstr("cannot be made: No such file or directory"));
+  EXPECT_THAT(refused.errors, HasSubstr("cannot be created: No such file or directory"));
   EXPECT_EQ(regulus({"verify", "/nowhere/at/all"}).exit_code, 74);
 }
 

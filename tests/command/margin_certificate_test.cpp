@@ -120,7 +120,7 @@ TEST_F(MarginCertificate, ThatCannotBeMadeIsSaidBeforeTheFirstSearch) {
       run_command({REGULUS_BINARY_DIR "/bin/regulus", "margin", model_, "small", "--tolerance",
                    "a=0:0.9", "--certificate", file("no/such/folder")});
   EXPECT_EQ(result.exit_code, 74);
-  EXPECT_THAT(result.errors, HasSubstr("cannot be made"));
+  EXPECT_THAT(result.errors, HasSubstr("cannot be created"));
   EXPECT_THAT(result.errors, testing::Not(HasSubstr("boxes")));
 }
 

@@ -28,6 +28,44 @@ std::string object() {
 using namespace regulus::machine;
 using Op = PackOperation;
 
+/// Values 0 and 1 are x and y, 2 an entry of K, 3 and 4 constants.
+constexpr PackInstruction kToIntervals[] = {{Op::kThin_P, 2},
+                                            {Op::kNegate_I, 0},
+                                            {Op::kAdd_II, 0, 1},
+                                            {Op::kAdd_IP, 0, 2},
+                                            {Op::kAdd_PI, 2, 1},
+                                            {Op::kAdd_PP, 2, 4},
+                                            {Op::kSubtract_II, 0, 1},
+                                            {Op::kSubtract_IP, 0, 2},
+                                            {Op::kSubtract_PI, 2, 1},
+                                            {Op::kSubtract_PP, 2, 4},
+                                            {Op::kMultiply_II, 0, 1},
+                                            {Op::kMultiply_IP, 0, 2},
+                                            {Op::kMultiply_PI, 2, 1},
+                                            {Op::kMultiply_PP, 2, 4},
+                                            {Op::kMulAdd_III, 0, 1, 3},
+                                            {Op::kMulAdd_IPI, 0, 2, 3},
+                                            {Op::kMulAdd_PII, 2, 1, 3},
+                                            {Op::kMulAdd_PPI, 2, 4, 3},
+                                            {Op::kSqr_I, 0},
+                                            {Op::kPow_IN, 0, 3},
+                                            {Op::kAbs_I, 1},
+                                            {Op::kSin_I, 0},
+                                            {Op::kCos_I, 1},
+                                            {Op::kAtan_I, 0},
+                                            {Op::kChecked_IU, 0},
+                                            {Op::kDiv_IIU, 0, 1},
+                                            {Op::kSqrt_IU, 1},
+                                            {Op::kTan_IU, 0},
+                                            {Op::kAsin_IU, 0},
+                                            {Op::kAcos_IU, 0},
+                                            {Op::kAtan2_IIU, 0, 1},
+                                            {Op::kExp_IU, 0},
+                                            {Op::kLog_IU, 1}};
+constexpr PackInstruction kToPoints[] = {{Op::kPointOf_I, 3},      {Op::kNegate_P, 2},
+                                         {Op::kExactAdd_PP, 2, 4}, {Op::kExactSub_PP, 2, 4},
+                                         {Op::kExactMul_PP, 2, 4}, {Op::kExactMulAdd_PPP, 2, 4, 4}};
+
 /// Every operation of packs, on x, y and an entry of K: a column of as many entries as there are
 /// operations with an interval for a result.
 PackFunction every_operation() {
@@ -40,49 +78,11 @@ PackFunction every_operation() {
     add({Op::kStore, f.outputs, f.outputs, value}), ++f.outputs;
   };
   const auto last = [&f] { return static_cast<std::uint32_t>(f.code.size() - 1); };
-  for (const PackInstruction i : std::initializer_list<PackInstruction>{{Op::kThin_P, 2},
-                                                                        {Op::kNegate_I, 0},
-                                                                        {Op::kAdd_II, 0, 1},
-                                                                        {Op::kAdd_IP, 0, 2},
-                                                                        {Op::kAdd_PI, 2, 1},
-                                                                        {Op::kAdd_PP, 2, 4},
-                                                                        {Op::kSubtract_II, 0, 1},
-                                                                        {Op::kSubtract_IP, 0, 2},
-                                                                        {Op::kSubtract_PI, 2, 1},
-                                                                        {Op::kSubtract_PP, 2, 4},
-                                                                        {Op::kMultiply_II, 0, 1},
-                                                                        {Op::kMultiply_IP, 0, 2},
-                                                                        {Op::kMultiply_PI, 2, 1},
-                                                                        {Op::kMultiply_PP, 2, 4},
-                                                                        {Op::kMulAdd_III, 0, 1, 3},
-                                                                        {Op::kMulAdd_IPI, 0, 2, 3},
-                                                                        {Op::kMulAdd_PII, 2, 1, 3},
-                                                                        {Op::kMulAdd_PPI, 2, 4, 3},
-                                                                        {Op::kSqr_I, 0},
-                                                                        {Op::kPow_IN, 0, 3},
-                                                                        {Op::kAbs_I, 1},
-                                                                        {Op::kSin_I, 0},
-                                                                        {Op::kCos_I, 1},
-                                                                        {Op::kAtan_I, 0},
-                                                                        {Op::kChecked_IU, 0},
-                                                                        {Op::kDiv_IIU, 0, 1},
-                                                                        {Op::kSqrt_IU, 1},
-                                                                        {Op::kTan_IU, 0},
-                                                                        {Op::kAsin_IU, 0},
-                                                                        {Op::kAcos_IU, 0},
-                                                                        {Op::kAtan2_IIU, 0, 1},
-                                                                        {Op::kExp_IU, 0},
-                                                                        {Op::kLog_IU, 1}}) {
+  for (const PackInstruction i : kToIntervals) {
     add(i);
     store(last());
   }
-  for (const PackInstruction i :
-       std::initializer_list<PackInstruction>{{Op::kPointOf_I, 3},
-                                              {Op::kNegate_P, 2},
-                                              {Op::kExactAdd_PP, 2, 4},
-                                              {Op::kExactSub_PP, 2, 4},
-                                              {Op::kExactMul_PP, 2, 4},
-                                              {Op::kExactMulAdd_PPP, 2, 4, 4}}) {
+  for (const PackInstruction i : kToPoints) {
     add(i);
     add({Op::kThin_P, last()});
     store(last());

@@ -7,8 +7,12 @@
 #include <unistd.h>
 
 #include <array>
+#include <chrono>
+#include <csignal>
+#include <fstream>
 #include <stdexcept>
 #include <string>
+#include <thread>
 #include <vector>
 
 namespace regulus::test {
@@ -38,6 +42,14 @@ class RunningCommand {
 
   [[nodiscard]] pid_t pid() const noexcept { return pid_; }
 
+  /// Waits until the program handles the signal or waits for it, or has ended.
+  void wait_for_handler(int signal) const {
+    siginfo_t end{};
+    while (!catches(signal) &&
+           ::waitid(P_PID, id_t(pid_), &end, WEXITED | WNOHANG | WNOWAIT) == 0 && end.si_pid == 0)
+      std::this_thread::sleep_for(std::chrono::milliseconds(1));
+  }
+
   /// Reads to the end. Standard error is read first: it must hold what fits into a pipe.
   [[nodiscard]] CommandResult wait() {
     CommandResult result;
@@ -58,6 +70,16 @@ class RunningCommand {
     dup2(err, STDERR_FILENO);
     execv(arguments[0], arguments.data());
     _exit(127);
+  }
+
+  /// Reads the masks of blocked and of handled signals that the kernel shows.
+  [[nodiscard]] bool catches(int signal) const {
+    std::ifstream status("/proc/" + std::to_string(pid_) + "/status");
+    for (std::string line; std::getline(status, line);)
+      if ((line.starts_with("SigCgt:") || line.starts_with("SigBlk:")) &&
+          (std::stoull(line.substr(7), nullptr, 16) >> unsigned(signal - 1) & 1U) != 0)
+        return true;
+    return false;
   }
 
   static std::string drain(int descriptor) {

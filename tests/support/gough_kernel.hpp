@@ -110,42 +110,54 @@ class GoughKernel : public FixtureKernel {
   }
 
   static Terms derivative(const Values& x, std::size_t k) {
-    const Interval z(0.0);
-    Terms d{z, z, z, z, z, z, z, z, z, z, z, z, z};
-    if (k < 3) {
-      d[k] = Interval(1.0);
-      return d;
-    }
-    const Interval cp = cos(x[3]), sp = sin(x[3]), ct = cos(x[4]), st = sin(x[4]);
+    if (k == 3) return derivative_to_psi(x);
+    if (k == 4) return derivative_to_theta(x);
+    if (k == 5) return derivative_to_phi(x);
+    Terms d;
+    d.fill(Interval(0.0));
+    d[k] = Interval(1.0);
+    return d;
+  }
+
+  static Terms derivative_to_psi(const Values& x) {
+    const Interval z(0.0), cp = cos(x[3]), sp = sin(x[3]), ct = cos(x[4]), st = sin(x[4]);
     const Interval cf = cos(x[5]), sf = sin(x[5]);
-    if (k == 3)
-      return {z,
-              z,
-              z,
-              -(sp * cf) - cp * ct * sf,
-              sp * sf - cp * ct * cf,
-              cp * st,
-              cp * cf - sp * ct * sf,
-              -(sp * ct * cf) - cp * sf,
-              sp * st,
-              z,
-              z,
-              z,
-              z};
-    if (k == 4)
-      return {z,
-              z,
-              z,
-              sp * st * sf,
-              sp * st * cf,
-              sp * ct,
-              -(cp * st * sf),
-              -(cp * st * cf),
-              -(cp * ct),
-              ct * sf,
-              ct * cf,
-              -st,
-              z};
+    return {z,
+            z,
+            z,
+            -(sp * cf) - cp * ct * sf,
+            sp * sf - cp * ct * cf,
+            cp * st,
+            cp * cf - sp * ct * sf,
+            -(sp * ct * cf) - cp * sf,
+            sp * st,
+            z,
+            z,
+            z,
+            z};
+  }
+
+  static Terms derivative_to_theta(const Values& x) {
+    const Interval z(0.0), cp = cos(x[3]), sp = sin(x[3]), ct = cos(x[4]), st = sin(x[4]);
+    const Interval cf = cos(x[5]), sf = sin(x[5]);
+    return {z,
+            z,
+            z,
+            sp * st * sf,
+            sp * st * cf,
+            sp * ct,
+            -(cp * st * sf),
+            -(cp * st * cf),
+            -(cp * ct),
+            ct * sf,
+            ct * cf,
+            -st,
+            z};
+  }
+
+  static Terms derivative_to_phi(const Values& x) {
+    const Interval z(0.0), cp = cos(x[3]), sp = sin(x[3]), ct = cos(x[4]), st = sin(x[4]);
+    const Interval cf = cos(x[5]), sf = sin(x[5]);
     return {z,
             z,
             z,

@@ -4,18 +4,17 @@
 #pragma once
 
 #include <dlfcn.h>
-#include <spawn.h>
-#include <sys/wait.h>
-#include <unistd.h>
 
 #include <chrono>
 #include <filesystem>
 #include <fstream>
 #include <stdexcept>
 #include <string>
+#include <system_error>
 #include <utility>
 #include <vector>
 
+#include "codegen/support/subprocess.hpp"
 #include "regulus/floating_point_flags.hpp"
 #include "runtime/kernel/isa.hpp"
 
@@ -41,15 +40,11 @@ class SpawnedLibrary {
 
 /// Runs a command found in PATH; returns its exit status, or −1 when there is no such command.
 inline int run(const std::vector<std::string>& command) {
-  std::vector<char*> arguments;
-  for (const std::string& word : command) arguments.push_back(const_cast<char*>(word.c_str()));
-  arguments.push_back(nullptr);
-  pid_t child = 0;
-  if (::posix_spawnp(&child, arguments[0], nullptr, nullptr, arguments.data(), environ) != 0)
+  try {
+    return Subprocess(command).wait();
+  } catch (const std::system_error&) {
     return -1;
-  int status = 0;
-  ::waitpid(child, &status, 0);
-  return WIFEXITED(status) ? WEXITSTATUS(status) : -1;
+  }
 }
 
 inline bool is_installed(const std::string& compiler) {

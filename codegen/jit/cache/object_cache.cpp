@@ -14,9 +14,11 @@
 #include <random>
 #include <set>
 #include <span>
+#include <system_error>
 #include <vector>
 
 #include "codegen/jit/cache/cache_entry.hpp"
+#include "runtime/files/atomic_file.hpp"
 
 namespace regulus::inline jit {
 namespace {
@@ -49,16 +51,6 @@ std::string read_all(int descriptor, std::size_t size) {
   }
   bytes.resize(done);
   return bytes;
-}
-
-bool write_all(int descriptor, std::string_view bytes) {
-  while (!bytes.empty()) {
-    const ssize_t count = ::write(descriptor, bytes.data(), bytes.size());
-    if (count < 0 && errno == EINTR) continue;
-    if (count <= 0) return false;
-    bytes.remove_prefix(static_cast<std::size_t>(count));
-  }
-  return true;
 }
 
 std::string temporary_name() {
@@ -162,19 +154,13 @@ std::string ObjectCache::write_entry(const NamedObject& named) const {
   const int directory = directory_.descriptor.get();
   const CacheEntryHeader header = make_cache_entry_header(key, object);
   if (sizeof header + object.size() > limit_) return "the object is larger than the whole cache";
-  const std::string temporary = temporary_name();
-  const std::string name = entry_name(key);
-  const FileDescriptor file(::openat(directory, temporary.c_str(),
-                                     O_WRONLY | O_CREAT | O_EXCL | O_NOFOLLOW | O_CLOEXEC, 0600));
-  if (!file) return "cache entry cannot be created: " + std::string(std::strerror(errno));
-  const bool written =
-      write_all(file.get(), {reinterpret_cast<const char*>(&header), sizeof header}) &&
-      write_all(file.get(), object) &&
-      ::renameat(directory, temporary.c_str(), directory, name.c_str()) == 0;
-  if (!written) {
-    const std::string reason = std::strerror(errno);
-    ::unlinkat(directory, temporary.c_str(), 0);
-    return "cache entry cannot be written: " + reason;
+  try {
+    AtomicFile file(entry_name(key), temporary_name(), 0600, directory);
+    file.write({reinterpret_cast<const char*>(&header), sizeof header});
+    file.write(object);
+    file.put_in_place();
+  } catch (const std::system_error& error) {
+    return "cache entry cannot " + std::string(error.what());
   }
   return {};
 }

@@ -11,7 +11,6 @@ Robot regulus_model() {
   Robot robot("planar 3-RPR");
   robot.source(
       "Innocenti and Parenti-Castelli's robot, as in M. Zein, P. Wenger, D. Chablat, 2007");
-
   const Formula x = robot.pose("x"), y = robot.pose("y"), phi = robot.pose("phi", "rad");
 
   const auto a1 = robot.point("a1", {0, 0}, 0, "base");

@@ -71,21 +71,39 @@ Attack row_scale(std::uint64_t seed) {
   return b.finish();
 }
 
+/// Two pieces, with different signs.
+void two_pieces(Builder& b, const Rational& p, const Rational& q) {
+  const std::string dx = minus("x", b.text(p));
+  const Rational gap = b.coin() ? Rational(1, 10) : b.margin(20);
+  b.range("x", p - Rational(1), p + Rational(1));
+  b.range_around("y", q);
+  b.attack.model.constraints.push_back(b.text(gap * gap) + " - " + dx + "^2");
+  b.hide(dx);
+  b.regular(gap);
+}
+
+void disc_and_line(Builder& b, const Rational& p, const Rational& q, const Rational& excess) {
+  const std::string dx = minus("x", b.text(p)), dy = minus("y", b.text(q));
+  const Direction& n = kDirections[b.random.below(std::size(kDirections))];
+  const Rational a(n.a), c(n.c), length(n.length), radius(b.random.between(1, 9), 4);
+  b.range("x", p - Rational(3), p + Rational(3));
+  b.range("y", q - Rational(3), q + Rational(3));
+  b.attack.model.constraints.push_back(dx + "^2 + " + dy + "^2 - " + b.text(radius * radius));
+  b.hide(b.text(a) + "*" + dx + " + " + b.text(c) + "*" + dy + " - " +
+         b.text(radius * length + excess));
+  const Rational t = (radius * length + excess) / (length * length);
+  b.decide(excess, {{"x", b.text(p + t * a)}, {"y", b.text(q + t * c)}});
+}
+
 Attack constraint(std::uint64_t seed) {
   Builder b("constraint", seed);
   std::vector<std::string>& constraints = b.attack.model.constraints;
   const Rational p = b.number(), q = b.number(), excess = b.excess(40);
   const std::string dx = minus("x", b.text(p)), dy = minus("y", b.text(q));
   switch (b.random.below(5)) {
-    case 0: {  // two pieces, with different signs
-      const Rational gap = b.coin() ? Rational(1, 10) : b.margin(20);
-      b.range("x", p - Rational(1), p + Rational(1));
-      b.range_around("y", q);
-      constraints.push_back(b.text(gap * gap) + " - " + dx + "^2");
-      b.hide(dx);
-      b.regular(gap);
+    case 0:
+      two_pieces(b, p, q);
       break;
-    }
     case 1: {  // one point
       b.range("x", p - Rational(1), p + Rational(1));
       b.range("y", q - Rational(1), q + Rational(1));
@@ -103,18 +121,9 @@ Attack constraint(std::uint64_t seed) {
       b.hide("x - " + b.text(p + excess));
       b.decide(excess, {{"x", b.text(p + excess)}});
       break;
-    case 3: {  // a disc and a line
-      const Direction& n = kDirections[b.random.below(std::size(kDirections))];
-      const Rational a(n.a), c(n.c), length(n.length), radius(b.random.between(1, 9), 4);
-      b.range("x", p - Rational(3), p + Rational(3));
-      b.range("y", q - Rational(3), q + Rational(3));
-      constraints.push_back(dx + "^2 + " + dy + "^2 - " + b.text(radius * radius));
-      b.hide(b.text(a) + "*" + dx + " + " + b.text(c) + "*" + dy + " - " +
-             b.text(radius * length + excess));
-      const Rational t = (radius * length + excess) / (length * length);
-      b.decide(excess, {{"x", b.text(p + t * a)}, {"y", b.text(q + t * c)}});
+    case 3:
+      disc_and_line(b, p, q, excess);
       break;
-    }
     default:  // rings: the root is in the hole
       b.range("x", p - Rational(1), p + Rational(1));
       b.range("y", q - Rational(1), q + Rational(1));
@@ -162,19 +171,27 @@ Attack empty_variety(std::uint64_t seed) {
   return b.finish();
 }
 
+void pose_of(Builder& b, const std::string& x, const std::string& y) {
+  b.attack.model.pose = {{"x", '"' + x + '"', x}, {"y", '"' + y + '"', y}};
+  for (const char* name : {"x", "y"}) b.mention(name);
+}
+
+void surface(Builder& b, const Rational& excess) {
+  pose_of(b, "T*S", "T - S");
+  b.attack.model.parameters = "{ T = [0, 1], S = [\"1/3\", 2] }";
+  b.attack.axes = {{"T", 0, 1}, {"S", Rational(1, 3), 2}};
+  b.hide("2 + " + b.text(excess) + " - x");
+  b.decide(excess, {{"T", b.text(Rational(1) + excess * Rational(1, 2))}, {"S", "2"}});
+}
+
 Attack trajectory(std::uint64_t seed) {
   Builder b("trajectory", seed);
   ModelSource& model = b.attack.model;
   const Rational excess = b.excess(60);
-  Rational lo(0), hi(1);
-  const auto pose = [&](const std::string& x, const std::string& y) {
-    model.pose = {{"x", '"' + x + '"', x}, {"y", '"' + y + '"', y}};
-    for (const char* name : {"x", "y"}) b.mention(name);
-  };
   switch (b.random.below(6)) {
     case 0: {  // a line that ends beside the root
       const Rational a = b.number(), c = b.positive();
-      pose(b.text(a) + " + " + b.text(c) + "*T", "T^2");
+      pose_of(b, b.text(a) + " + " + b.text(c) + "*T", "T^2");
       b.hide("x - " + b.text(a + c + excess));
       b.decide(excess, {{"T", b.text(Rational(1) + excess / c)}});
       break;
@@ -182,42 +199,37 @@ Attack trajectory(std::uint64_t seed) {
     case 1: {  // the vertex of a parabola
       const Rational root = b.margin(60);
       const bool below = excess.sign() < 0;
-      pose("T^2 - T", "T");
+      pose_of(b, "T^2 - T", "T");
       b.hide("x + " + b.text(Rational(1, 4) + (below ? -root * root : excess)));
       b.decide(excess, {{"T", b.text(Rational(1, 2) + (below ? root : Rational(0)))}});
       break;
     }
     case 2:  // a circle and its tangent
-      pose("cos(2*pi*T)", "sin(2*pi*T)");
+      pose_of(b, "cos(2*pi*T)", "sin(2*pi*T)");
       b.hide("x - " + b.text(Rational(1) + excess));
       b.decide(excess, {{"T", "0"}});
       if (excess.sign() < 0) b.attack.other_sign = {{"T", "1/2"}};
       break;
     case 3:  // a line through the circle
-      pose("cos(2*pi*T)", "sin(2*pi*T)");
+      pose_of(b, "cos(2*pi*T)", "sin(2*pi*T)");
       b.hide("3*x + 4*y");
       b.singular({{"T", "0"}}, true);
       b.attack.other_sign = {{"T", "1/2"}};
       break;
     case 4: {  // the distance from the circle itself
       const Rational m = b.coin() ? Rational(0) : b.margin();
-      pose("cos(2*pi*T)", "sin(2*pi*T)");
+      pose_of(b, "cos(2*pi*T)", "sin(2*pi*T)");
       b.hide("x^2 + y^2 - " + b.text(Rational(1) - m));
       b.decide(m, {{"T", "1/3"}});
       break;
     }
-    default: {  // a surface
-      pose("T*S", "T - S");
-      model.parameters = "{ T = [0, 1], S = [\"1/3\", 2] }";
-      b.attack.axes = {{"T", 0, 1}, {"S", Rational(1, 3), 2}};
-      b.hide("2 + " + b.text(excess) + " - x");
-      b.decide(excess, {{"T", b.text(Rational(1) + excess * Rational(1, 2))}, {"S", "2"}});
-    }
+    default:
+      surface(b, excess);
   }
   if (model.parameters.empty()) {
-    model.parameters =
-        "{ T = [" + spell_toml(lo, b.random) + ", " + spell_toml(hi, b.random) + "] }";
-    b.attack.axes = {{"T", lo, hi}};
+    model.parameters = "{ T = [" + spell_toml(Rational(0), b.random) + ", " +
+                       spell_toml(Rational(1), b.random) + "] }";
+    b.attack.axes = {{"T", 0, 1}};
   }
   b.attack.argument = "the extremum along the motion";
   return b.finish();

@@ -152,7 +152,7 @@ TEST_F(ObjectCacheErrorTest, SaysWhenADirectoryIsInThePlaceOfAnEntry) {
   ASSERT_EQ(::chmod(path_.c_str(), 0700), 0);
   const ObjectCache cache(path_);
   EXPECT_THAT(cache.read(kKey).note, HasSubstr("is not a regular file"));
-  EXPECT_THAT(cache.write(kKey, "object"), HasSubstr("cannot be written"));
+  EXPECT_THAT(cache.write(kKey, "object"), HasSubstr("cannot be put in its place"));
 }
 
 TEST_F(ObjectCacheErrorTest, SaysWhenAnObjectIsLargerThanTheCache) {

@@ -24,7 +24,7 @@ TEST(Print, WritesOneNodePerLine) {
 
 TEST(Print, IdentifiesWhatIsComputed) {
   const Module module = small_module();
-  EXPECT_EQ(identity(module).size(), 32U);
+  EXPECT_EQ(identity(module).size(), 64U);
   Module other = module;
   other.model = "renamed";
   other.functions[0].title = "another title";
@@ -46,12 +46,12 @@ TEST(Print, TellsDifferentModulesApart) {
     EXPECT_NE(identity(other), identity(module));
 }
 
-TEST(Print, IsTheFowlerNollVoHashOfTheText) {
-  // The hash of the empty module's text, computed by an independent implementation.
+TEST(Print, IsTheSha256OfTheText) {
+  // The digest of the empty module's text, computed by an independent implementation.
   EXPECT_EQ(
       to_text(Module{}),
       "variables 0\nmotion_variables 0\nrows 0\ncolumns 0\nconstraints 0\npose_parameters 0\n");
-  EXPECT_EQ(identity(Module{}), "7cf36f01373775e5afe5428ab2fafbd6");
+  EXPECT_EQ(identity(Module{}), "d90ffa5e2f0af27898addc44134c81bc424d5d524d384723ea80522c5130039c");
 }
 
 }  // namespace

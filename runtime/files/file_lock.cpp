@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "runtime/checkpoint/file_lock.hpp"
+#include "runtime/files/file_lock.hpp"
 
 #include <fcntl.h>
 #include <sys/file.h>
@@ -15,7 +15,7 @@ namespace regulus {
 namespace {
 
 [[noreturn]] void fail(const std::string& path) {
-  throw std::runtime_error("the lock " + path + " cannot be made: " + std::strerror(errno));
+  throw std::runtime_error("the lock " + path + " cannot be created: " + std::strerror(errno));
 }
 
 /// The process that wrote its number there; empty if that cannot be read.
