@@ -151,8 +151,8 @@ class ModuleBuilder {
     lowering.output(value);
     const std::optional<Interval> enclosure = enclose(std::move(lowering).finish());
     if (!enclosure)
-      throw InputError("", 0, "an uncertain quantity without a certain value",
-                       "a constant expression that is defined");
+      throw InputError::statement("", 0, "the value of an uncertain quantity is not finite",
+                                  "write a constant expression that is defined and finite");
     return *enclosure;
   }
 

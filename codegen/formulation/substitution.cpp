@@ -80,8 +80,8 @@ Substitution::Substitution(const Model& model, const Motion& motion, WorkMeter* 
 void Substitution::add_variable(Variable new_variable, const GiNaC::ex& symbol) {
   for (const Variable& known : variables_)
     if (known.name == new_variable.name)
-      throw InputError("", 0, "two variables named '" + known.name + "'", "different names",
-                       known.name);
+      throw InputError::statement("", 0, "two variables have the name '" + known.name + "'",
+                                  "rename one of them", known.name);
   symbols_.emplace(symbol, variable(new_variable.name));
   variables_.push_back(std::move(new_variable));
 }
@@ -150,8 +150,9 @@ Expression Substitution::apply(const GiNaC::ex& e, const GiNaC::exmap& replaced)
   } catch (const GiNaC::pole_error& error) {
     std::ostringstream text;
     text << e;
-    throw InputError("", 0, std::string(error.what()) + " in '" + text.str() + "'",
-                     "an expression that is defined somewhere in the motion");
+    throw InputError::statement(
+        "", 0, "'" + text.str() + "' is undefined at every pose of the motion: " + error.what(),
+        "correct the expression or the motion");
   }
 }
 

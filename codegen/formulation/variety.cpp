@@ -17,7 +17,8 @@ Program constant_program(const GiNaC::ex& value) {
 }
 
 InputError no_value(const std::string& what) {
-  return {"", 0, what + " without a certain value", "a constant expression that is defined", what};
+  return InputError::statement("", 0, what + " has no finite value",
+                               "write a constant expression that is defined and finite", what);
 }
 
 /// Returns the range of a witness on one axis of a ball. The largest cube inside the ball has

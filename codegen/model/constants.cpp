@@ -24,16 +24,16 @@ std::string in(const Place& place) { return place.key.empty() ? "" : " in " + pl
 }  // namespace
 
 Range checked_range(const ParsedExpression& lo, const ParsedExpression& hi, const Place& place) {
-  const std::string ends = shown(lo.value) + " to " + shown(hi.value) + in(place);
+  const std::string range = "the range " + shown(lo.value) + " to " + shown(hi.value) + in(place);
   switch (lo.value.is_equal(hi.value) ? CertainSign::kZero : certain_sign(hi.value - lo.value)) {
     case CertainSign::kNegative:
-      throw InputError(place.file, place.line, "the empty range " + ends,
-                       "a lower end that is not above the upper end", place.key);
+      throw InputError::statement(place.file, place.line, range + " is empty",
+                                  "its lower end must not be above its upper end", place.key);
     case CertainSign::kUnknown:
-      throw InputError(place.file, place.line,
-                       "the range " + ends + ", of which 4096 bits do not tell the lower end",
-                       "two ends that are clearly in order, or twice the same expression",
-                       place.key);
+      throw InputError::statement(
+          place.file, place.line,
+          range + " may be empty: 4096 bits do not show which end is the lower one",
+          "write ends that differ clearly, or the same expression twice", place.key);
     default:
       return {lo.value, hi.value};
   }
@@ -46,9 +46,10 @@ ex checked_nonnegative(const ParsedExpression& value, const Place& place) {
                        "the negative number " + shown(value.value) + in(place), "a number ≥ 0",
                        place.key);
     case CertainSign::kUnknown:
-      throw InputError(place.file, place.line,
-                       "a number" + in(place) + " whose sign 4096 bits do not tell",
-                       "a number ≥ 0, or 0 itself", place.key);
+      throw InputError::statement(
+          place.file, place.line,
+          "the number" + in(place) + " may be negative: 4096 bits do not show its sign",
+          "write a number that is clearly above 0, or 0 itself", place.key);
     default:
       return value.value;
   }

@@ -15,8 +15,9 @@ void require_free_name(const std::string& name, const Place& place) {
     throw InputError(place.file, place.line, found,
                      "a letter, then letters, digits and underscores, at most 64 in all", name);
   if (is_reserved(name))
-    throw InputError(place.file, place.line, "the reserved name " + in_quotes(name), "another name",
-                     name);
+    throw InputError::statement(place.file, place.line,
+                                "the name " + in_quotes(name) + " is reserved",
+                                "choose another name", name);
 }
 
 void Declarations::declare(const std::string& name, ParsedExpression meaning, const Place& place) {
@@ -34,11 +35,12 @@ void Declarations::insert(const std::string& name, Declaration declaration) {
   const auto [at, inserted] = declarations_.emplace(name, std::move(declaration));
   if (inserted) return;
   const Place& first = at->second.place;
-  throw InputError(place.file, place.line,
-                   in_quotes(name) + " declared twice, as " + first.key +
-                       (first.line > 0 ? " (line " + std::to_string(first.line) + ")" : "") +
-                       " and as " + place.key,
-                   "a name that is not declared yet", name);
+  throw InputError::statement(
+      place.file, place.line,
+      in_quotes(name) + " is declared twice, as " + first.key +
+          (first.line > 0 ? " (line " + std::to_string(first.line) + ")" : "") + " and as " +
+          place.key,
+      "choose another name for one of them", name);
 }
 
 const ParsedExpression* Declarations::find(const std::string& name, int depth) {
@@ -67,8 +69,9 @@ void Declarations::refuse_cycle(const std::string& name) const {
   std::string cycle;
   for (auto it = begin; it != being_read_.end(); ++it) cycle += *it + " -> ";
   const Place& place = declarations_.at(name).place;
-  throw InputError(place.file, place.line, "the cycle " + cycle + name,
-                   "sub-expressions that do not use themselves", name);
+  throw InputError::statement(place.file, place.line,
+                              "these names are declared in a cycle: " + cycle + name,
+                              "a sub-expression must not use itself", name);
 }
 
 }  // namespace regulus::model

@@ -42,7 +42,7 @@ std::string value_text(const ex& constant) {
 void require_nonzero(ParsedExpression& result, const ex& x, bool constant) {
   if (x.is_zero()) throw Refusal{"a division by zero", "a divisor that is not zero"};
   if (constant && !is_number(x) && !approx_value(x))
-    throw Refusal{"a divisor that is not a finite real number", "a divisor that is one"};
+    throw Refusal{"a divisor that is not a finite real number", "a finite real divisor"};
   if (is_number(x) || certain_positive(x)) return;
   record(result, GiNaC::pow(x, -1));
 }
@@ -78,7 +78,7 @@ void require_no_pole_of_tan(ParsedExpression& result, const ex& x) {
 void require_off_branch_cut(ParsedExpression& result, const ex& y, const ex& x) {
   if (is_number(y) && is_number(x)) {
     if (y.is_zero() && !x.info(GiNaC::info_flags::positive))
-      throw Refusal{"atan2(0, x) with x ≤ 0", "a point off the branch cut"};
+      throw Refusal{"atan2(0, x) with x ≤ 0", "y ≠ 0 or x > 0"};
     return;
   }
   if (certain_positive(x) || certain_positive(y) || certain_positive(-y)) return;

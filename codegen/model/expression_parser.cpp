@@ -145,7 +145,7 @@ class Parser {
     ParsedExpression result = operation();
     if (result.constant && GiNaC::is_a<GiNaC::numeric>(result.value) &&
         !result.value.info(GiNaC::info_flags::rational))
-      throw Refusal{"a value that is not real", "real arithmetic"};
+      throw Refusal{"a value that is not real", "a real value"};
     return result;
   } catch (const Refusal& refusal) {
     fail(refusal.found + " at " + describe(at), refusal.expected);
@@ -153,7 +153,7 @@ class Parser {
     throw;
   } catch (const std::exception& error) {
     fail(std::string("an operation that has no value (") + error.what() + ") at " + describe(at),
-         "arithmetic that is defined");
+         "an operation that is defined");
   }
 
   void advance() { token_ = lexer_.next(); }
@@ -176,18 +176,22 @@ class Parser {
 
   [[noreturn]] void refuse_undeclared(const Token& name) const {
     const std::vector<std::string> known = names_.all();
-    const std::string meant = nearest(name.text, known);
-    const std::string expected = known.empty()    ? "a constant expression"
-                                 : !meant.empty() ? "a declared name, perhaps " + in_quotes(meant)
-                                                  : "a declared name: " + alternatives(known);
-    fail("undeclared name " + describe(name), expected, std::string(name.text));
+    throw InputError::statement(
+        place_.file, place_.line, with_key("undeclared name " + describe(name)),
+        known.empty()
+            ? "only a constant expression is allowed here"
+            : suggestion(name.text, known, "the declared names are: " + enumeration(known)),
+        std::string(name.text));
   }
 
   [[noreturn]] void fail(const std::string& found, const std::string& expected,
                          const std::string& symbol = {}) const {
-    throw InputError(place_.file, place_.line,
-                     found + (place_.key.empty() ? "" : " in " + place_.key), expected,
+    throw InputError(place_.file, place_.line, with_key(found), expected,
                      symbol.empty() ? place_.key : symbol);
+  }
+
+  [[nodiscard]] std::string with_key(const std::string& found) const {
+    return found + (place_.key.empty() ? "" : " in " + place_.key);
   }
 
   std::string_view text_;
@@ -212,7 +216,7 @@ ParsedExpression parse_expression(std::string_view text, Names& names, const Pla
     throw InputError(place.file, place.line,
                      "an expression of " + std::to_string(text.size()) + " bytes" +
                          (place.key.empty() ? "" : " in " + place.key),
-                     "at most " + std::to_string(kLongestExpression), place.key);
+                     "at most " + std::to_string(kLongestExpression) + " bytes", place.key);
   return Parser(text, names, place, depth).parse();
 }
 

@@ -56,7 +56,9 @@ toml::table parse_toml(std::string_view text, const std::string& file) try {
 }
 
 void check_version(const TomlReader& toml, const TomlEntry& root) {
-  const TomlEntry version = toml.required(root, "regulus");
+  const TomlEntry version = toml.optional(root, "regulus");
+  if (!version.node)
+    toml.reject(root, "there is no version of the format", "the file must begin with: regulus = 1");
   const auto* number = version.node->as_integer();
   if (!number || number->get() != 1) toml.refuse(version, "the format version 1");
 }
@@ -81,7 +83,8 @@ void read_robot(ModelReading& reading, const TomlEntry& root) {
   }
   for (const char* key : {"pose", "geometry", "let", "matrix"})
     if (const TomlEntry e = toml.optional(root, key); e.node)
-      toml.refuse(e, std::string("[") + key + "] together with [gough]", "one or the other");
+      toml.reject(e, std::string("[") + key + "] cannot be used together with [gough]",
+                  "remove one of them");
   read_gough(reading, gough);
 }
 
@@ -103,8 +106,9 @@ Model parse_model(std::string_view text, const std::string& name_for_errors) {
   static const std::array<std::string, 9> kKeys = {
       "regulus", "name", "source", "pose", "geometry", "let", "matrix", "gough", "motion"};
   if (text.size() > kLargestModelFile)
-    throw InputError(name_for_errors, 0,
-                     "more than " + std::to_string(kLargestModelFile) + " bytes", "a model file");
+    throw InputError::statement(
+        name_for_errors, 0, "the file is too large",
+        "a model file has at most " + std::to_string(kLargestModelFile) + " bytes");
   const UsualArithmetic scope;
   const toml::table document = parse_toml(text, name_for_errors);
   ModelReading reading{TomlReader(name_for_errors, text)};

@@ -74,9 +74,9 @@ class MotionReader {
     for (const TomlEntry& parameter : toml_.entries(parameters)) {
       require_free_name(parameter.key, toml_.place(parameter));
       if (reading_.names.find(parameter.key, 0))
-        toml_.refuse(parameter,
-                     in_quotes(parameter.key) + " declared twice, here as " + parameter.path,
-                     "a name that is not declared yet");
+        toml_.reject(parameter,
+                     in_quotes(parameter.key) + " is declared twice, here as " + parameter.path,
+                     "choose another name");
       motion_.parameters.push_back(
           {GiNaC::realsymbol(parameter.key), parameter.key, "1", range(parameter)});
     }

@@ -31,6 +31,16 @@ std::size_t edit_distance(std::string_view a, std::string_view b) {
   return row.back();
 }
 
+std::string joined(std::span<const std::string> words, std::string_view last) {
+  const std::size_t shown = std::min(words.size(), kMostAlternatives);
+  std::string text;
+  for (std::size_t i = 0; i < shown; ++i) {
+    if (i > 0) text += i + 1 == words.size() ? last : ", ";
+    text += words[i];
+  }
+  return shown < words.size() ? text + " …" : text;
+}
+
 /// True for k_ digits _ digits: the symbolic stage gives these names to the entries of K.
 bool is_preconditioner_entry(std::string_view name) {
   if (!name.starts_with("k_")) return false;
@@ -64,14 +74,14 @@ std::string nearest(std::string_view name, std::span<const std::string> candidat
   return best;
 }
 
-std::string alternatives(std::span<const std::string> words) {
-  const std::size_t shown = std::min(words.size(), kMostAlternatives);
-  std::string text;
-  for (std::size_t i = 0; i < shown; ++i) {
-    if (i > 0) text += i + 1 == words.size() ? " or " : ", ";
-    text += words[i];
-  }
-  return shown < words.size() ? text + " …" : text;
+std::string alternatives(std::span<const std::string> words) { return joined(words, " or "); }
+
+std::string enumeration(std::span<const std::string> words) { return joined(words, ", "); }
+
+std::string suggestion(std::string_view name, std::span<const std::string> candidates,
+                       const std::string& otherwise) {
+  const std::string meant = nearest(name, candidates);
+  return meant.empty() ? otherwise : "did you mean " + in_quotes(meant) + "?";
 }
 
 std::string printable(std::string_view text) {

@@ -24,6 +24,13 @@ namespace regulus::inline model {
 /// Returns "a", "a or b", "a, b or c"; for many words, the first ones and "…".
 [[nodiscard]] std::string alternatives(std::span<const std::string> words);
 
+/// Returns "a, b, c"; for many words, the first ones and "…".
+[[nodiscard]] std::string enumeration(std::span<const std::string> words);
+
+/// Returns "did you mean 'WORD'?" with the nearest candidate; if none is near, `otherwise`.
+[[nodiscard]] std::string suggestion(std::string_view name, std::span<const std::string> candidates,
+                                     const std::string& otherwise);
+
 /// Returns the text with every byte that is not printable ASCII written as \xNN, so that a message
 /// cannot contain an escape sequence.
 [[nodiscard]] std::string printable(std::string_view text);

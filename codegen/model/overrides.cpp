@@ -12,13 +12,15 @@ namespace {
 
 using GiNaC::ex;
 
-[[noreturn]] void refuse(const std::string& found, const std::string& expected,
+[[noreturn]] void refuse(const std::string& problem, const std::string& remedy,
                          const std::string& symbol) {
-  throw InputError("", 0, found, expected, symbol);
+  throw InputError::statement("", 0, problem, remedy, symbol);
 }
 
-std::string listed(const std::vector<std::string>& words, const std::string& none) {
-  return words.empty() ? none : alternatives(words);
+/// Returns the word that may be meant, or all words after `lead`.
+std::string remedy(std::string_view wrong, const std::vector<std::string>& words,
+                   const std::string& lead) {
+  return suggestion(wrong, words, lead + (words.empty() ? "none" : enumeration(words)));
 }
 
 bool is_constant(const ex& e) {
@@ -65,9 +67,8 @@ const Motion& find_motion(const Model& model, std::string_view name) {
     names.push_back(motion.name);
   }
   if (name.empty() && model.motions.size() == 1) return model.motions.front();
-  const std::string meant = nearest(name, names);
-  refuse(name.empty() ? "no motion" : "the motion " + in_quotes(name),
-         !meant.empty() ? in_quotes(meant) : listed(names, "a model that has motions"),
+  if (name.empty()) refuse("no motion is given", "this model has: " + enumeration(names), "");
+  refuse("no motion " + in_quotes(name), remedy(name, names, "this model has: "),
          std::string(name));
 }
 
@@ -78,8 +79,8 @@ void set_range(const Model& model, Motion& motion, const std::string& parameter,
   if (at != motion.parameters.end())
     at->range = range;
   else if (!free_constant(model, motion, parameter, range))
-    refuse("the range of " + in_quotes(parameter),
-           listed(changeable(model, motion), "a motion with parameters"), parameter);
+    refuse("this motion has no range or constant " + in_quotes(parameter),
+           remedy(parameter, changeable(model, motion), "it has: "), parameter);
 }
 
 void set_alpha(Motion& motion, std::string_view alpha) {
@@ -106,7 +107,7 @@ void set_tolerance(Model& model, std::string_view groups, const ex& tolerance) {
   const std::vector<std::string> wanted = split(groups);
   for (const std::string& group : wanted)
     if (std::ranges::find(known, group) == known.end())
-      refuse("the group " + in_quotes(group), listed(known, "a model with groups"), group);
+      refuse("no group " + in_quotes(group), remedy(group, known, "this model has: "), group);
 
   const auto is_wanted = [&wanted](const std::string& group) {
     return std::ranges::find(wanted, group) != wanted.end();

@@ -12,9 +12,9 @@ void read_pose(ModelReading& reading, const TomlEntry& pose) {
                                                          "error"};
   for (const TomlEntry& entry : reading.toml.entries(pose)) {
     if (std::ranges::find(kMotionKeys, entry.key) != kMotionKeys.end())
-      reading.toml.refuse(entry,
-                          "the pose parameter '" + entry.key + "', which is a key of motions",
-                          "another name");
+      reading.toml.reject(
+          entry, "a pose parameter cannot be named '" + entry.key + "', which is a key of motions",
+          "choose another name");
     const GiNaC::realsymbol symbol(entry.key);
     reading.names.declare(entry.key, variable(symbol), reading.toml.place(entry));
     reading.model.pose.push_back({symbol, entry.key, reading.toml.label(entry)});

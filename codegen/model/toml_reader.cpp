@@ -85,9 +85,9 @@ std::vector<TomlEntry> TomlReader::entries(const TomlEntry& table,
   std::vector<TomlEntry> result = entries(table);
   for (const TomlEntry& entry : result) {
     if (std::ranges::find(known, entry.key) != known.end()) continue;
-    const std::string meant = nearest(entry.key, known);
-    throw InputError(file_, entry.line, "the unknown key " + in_quotes(entry.path),
-                     meant.empty() ? alternatives(known) : in_quotes(meant), entry.key);
+    throw InputError::statement(
+        file_, entry.line, "unknown key " + in_quotes(entry.path),
+        suggestion(entry.key, known, "the keys here are: " + enumeration(known)), entry.key);
   }
   return result;
 }
@@ -100,9 +100,10 @@ TomlEntry TomlReader::optional(const TomlEntry& table, const std::string& key) c
 TomlEntry TomlReader::required(const TomlEntry& table, const std::string& key) const {
   TomlEntry entry = optional(table, key);
   if (entry.node) return entry;
-  throw InputError(file_, table.line,
-                   "no " + in_quotes(key) + (table.path.empty() ? "" : " in " + table.path),
-                   in_quotes(entry.path), key);
+  throw InputError::statement(
+      file_, table.line,
+      "there is no " + in_quotes(key) + (table.path.empty() ? "" : " in " + table.path),
+      "add " + in_quotes(entry.path), key);
 }
 
 std::vector<TomlEntry> TomlReader::elements(const TomlEntry& entry,
@@ -180,6 +181,11 @@ Place TomlReader::place(const TomlEntry& entry) const { return {file_, entry.lin
 void TomlReader::refuse(const TomlEntry& entry, const std::string& found,
                         const std::string& expected) const {
   throw InputError(file_, entry.line, found, expected, entry.path);
+}
+
+void TomlReader::reject(const TomlEntry& entry, const std::string& problem,
+                        const std::string& remedy) const {
+  throw InputError::statement(file_, entry.line, problem, remedy, entry.path);
 }
 
 void TomlReader::refuse(const TomlEntry& entry, const std::string& expected) const {

@@ -67,6 +67,10 @@ class TomlReader {
   /// The same, with the entry itself as the text that was found.
   [[noreturn]] void refuse(const TomlEntry& entry, const std::string& expected) const;
 
+  /// Throws an error that is not one of syntax: "PROBLEM; REMEDY".
+  [[noreturn]] void reject(const TomlEntry& entry, const std::string& problem,
+                           const std::string& remedy) const;
+
  private:
   [[nodiscard]] const toml::table& table_of(const TomlEntry& entry) const;
   [[nodiscard]] ParsedExpression number_of(const TomlEntry& entry) const;

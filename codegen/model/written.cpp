@@ -31,9 +31,9 @@ std::string escaped(char c) {
 void write_once(WrittenSection& section, const std::string& what, WrittenLine line) {
   const auto first = std::ranges::find(section, line.key, &WrittenLine::key);
   if (first != section.end())
-    throw input_error(line.place,
-                      what + " given twice, first at line " + std::to_string(first->place.line()),
-                      "it once", line.key);
+    throw mistake(line.place,
+                  what + " is given twice, first at line " + std::to_string(first->place.line()),
+                  "give it once", line.key);
   section.push_back(std::move(line));
 }
 
@@ -81,14 +81,16 @@ bool WrittenSymbols::declares(const GiNaC::ex& symbol) const {
 void WrittenSymbols::require_declared(const WrittenSymbols* outer) const {
   for (const auto& [symbol, place] : used_)
     if (!declares(symbol) && (outer == nullptr || !outer->declares(symbol)))
-      throw input_error(place, "the GiNaC symbol " + in_quotes(formula_text(symbol)),
-                        "a symbol that was itself given to the robot, not another of its name",
-                        formula_text(symbol));
+      throw mistake(
+          place,
+          "the GiNaC symbol " + in_quotes(formula_text(symbol)) + " was not given to the robot",
+          "declare it; another symbol of the same name does not count", formula_text(symbol));
 }
 
-InputError input_error(const SourcePlace& place, const std::string& found,
-                       const std::string& expected, const std::string& symbol) {
-  return {place.file_name(), static_cast<int>(place.line()), found, expected, symbol};
+InputError mistake(const SourcePlace& place, const std::string& problem, const std::string& remedy,
+                   const std::string& symbol) {
+  return InputError::statement(place.file_name(), static_cast<int>(place.line()), problem, remedy,
+                               symbol);
 }
 
 }  // namespace regulus::model

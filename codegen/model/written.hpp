@@ -51,7 +51,8 @@ class WrittenSymbols {
   std::vector<Use> used_;
 };
 
-[[nodiscard]] InputError input_error(const SourcePlace& place, const std::string& found,
-                                     const std::string& expected, const std::string& symbol = {});
+/// Returns an error that names a line of C++: "PROBLEM; REMEDY".
+[[nodiscard]] InputError mistake(const SourcePlace& place, const std::string& problem,
+                                 const std::string& remedy, const std::string& symbol = {});
 
 }  // namespace regulus::model

@@ -20,10 +20,10 @@ Formula Robot::declare(WrittenSection& section, const std::string& name, const s
                        const Place& place) {
   const auto [first, inserted] = declared_.emplace(name, place);
   if (!inserted)
-    throw input_error(
-        place,
-        in_quotes(name) + " declared twice, first at line " + std::to_string(first->second.line()),
-        "a name that is not declared yet", name);
+    throw mistake(place,
+                  in_quotes(name) + " is declared twice, first at line " +
+                      std::to_string(first->second.line()),
+                  "choose another name", name);
   section.push_back({name, value, place});
   // A text that is not a name is refused later, when the robot is read.
   return is_name(name) && !is_reserved(name) ? Formula(name, place) : Formula();
@@ -125,10 +125,10 @@ void Robot::row_scale(const std::vector<Formula>& factors, Place place) {
 RobotMotion& Robot::motion(const std::string& name, Place place) {
   for (const RobotMotion& motion : motions_)
     if (motion.name_ == name)
-      throw input_error(place,
-                        "the motion " + in_quotes(name) + " declared twice, first at line " +
-                            std::to_string(motion.place_.line()),
-                        "another name", name);
+      throw mistake(place,
+                    "the motion " + in_quotes(name) + " is declared twice, first at line " +
+                        std::to_string(motion.place_.line()),
+                    "choose another name", name);
   return motions_.emplace_back(name, place);
 }
 
@@ -148,8 +148,8 @@ Model Robot::model() const {
   try {
     return parse_model(written.text(), name_);
   } catch (const InputError& error) {
-    throw input_error(written.place_of(error.line()), error.found(), error.expected(),
-                      error.symbol());
+    const Place place = written.place_of(error.line());
+    throw error.at(place.file_name(), static_cast<int>(place.line()));
   }
 }
 

@@ -9,8 +9,9 @@ RobotMotion& RobotMotion::add(WrittenSection& section, const Formula& parameter,
                               const Place& place) {
   const std::string& name = parameter.text();
   if (!is_name(name))
-    throw input_error(place, "the expression " + in_quotes(name) + " in the motion " + name_,
-                      "the name of a parameter");
+    throw mistake(place,
+                  in_quotes(name) + " in the motion " + name_ + " is an expression, not a name",
+                  "give the name of a parameter");
   symbols_.use(parameter, place);
   write_once(section, in_quotes(name) + " of the motion " + name_, {name, std::move(value), place});
   return *this;

@@ -7,18 +7,26 @@
 
 namespace regulus::inline support {
 
-/// Bad input: a model file, an option, a C++ model. what() is "file:line: found, expected".
+/// Bad input: a model file, an option, a C++ model. what() is "file:line: found F, expected E" for
+/// a mistake of syntax, and "file:line: PROBLEM; REMEDY" for any other.
 class InputError : public std::runtime_error {
  public:
   /// line 0 = not known or not a file. `symbol` is the name at fault, empty if none.
   InputError(const std::string& file, int line, const std::string& found,
              const std::string& expected, const std::string& symbol = {})
-      : std::runtime_error(message(file, line, found, expected)),
-        file_(file),
-        line_(line),
-        found_(found),
-        expected_(expected),
-        symbol_(symbol) {}
+      : InputError(file, line, found, expected, symbol, Wording::kSyntax) {}
+
+  /// Returns a mistake that is not one of syntax. found() is the problem, expected() the remedy.
+  [[nodiscard]] static InputError statement(const std::string& file, int line,
+                                            const std::string& problem, const std::string& remedy,
+                                            const std::string& symbol = {}) {
+    return {file, line, problem, remedy, symbol, Wording::kStatement};
+  }
+
+  /// Returns the same mistake at another place.
+  [[nodiscard]] InputError at(const std::string& file, int line) const {
+    return {file, line, found_, expected_, symbol_, wording_};
+  }
 
   [[nodiscard]] const std::string& file() const noexcept { return file_; }
   [[nodiscard]] int line() const noexcept { return line_; }
@@ -27,11 +35,24 @@ class InputError : public std::runtime_error {
   [[nodiscard]] const std::string& symbol() const noexcept { return symbol_; }
 
  private:
+  enum class Wording { kSyntax, kStatement };
+
+  InputError(const std::string& file, int line, const std::string& found,
+             const std::string& expected, const std::string& symbol, Wording wording)
+      : std::runtime_error(message(file, line, found, expected, wording)),
+        file_(file),
+        line_(line),
+        found_(found),
+        expected_(expected),
+        symbol_(symbol),
+        wording_(wording) {}
+
   static std::string message(const std::string& file, int line, const std::string& found,
-                             const std::string& expected) {
+                             const std::string& expected, Wording wording) {
     std::string text = file;
     if (!file.empty() && line > 0) text.append(":").append(std::to_string(line));
     if (!file.empty()) text.append(": ");
+    if (wording == Wording::kStatement) return text.append(found).append("; ").append(expected);
     return text.append("found ").append(found).append(", expected ").append(expected);
   }
 
@@ -39,6 +60,7 @@ class InputError : public std::runtime_error {
   int line_;
   std::string found_, expected_;
   std::string symbol_;
+  Wording wording_;
 };
 
 /// A file that cannot be read or written (exit 74).

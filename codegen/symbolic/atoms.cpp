@@ -33,7 +33,8 @@ Atom AtomTable::number(const Expression& e, Series& series) {
   if (!added) return entry->second;
   constexpr std::size_t kMostAtoms = 0xffff;
   if (series.list.size() >= kMostAtoms)
-    throw InputError("", 0, "more than 65535 distinct sub-expressions", "a smaller model");
+    throw InputError::statement("", 0, "the model has more than 65535 distinct sub-expressions",
+                                "simplify its expressions");
   series.list.push_back(e);
   if (&series == &variables_) ranks_.push_back(first_variable(e));
   return entry->second;

@@ -9,13 +9,13 @@ using test::expect_refused_gough;
 using test::kExampleGough;
 
 TEST(GoughRefusal, TogetherWithMatrix) {
-  expect_refused(kExampleGough + "[matrix]\nrows = [[1]]\n", 19, "[matrix] together with [gough]",
-                 "one or the other");
+  expect_refused(kExampleGough + "[matrix]\nrows = [[1]]\n", 19, "[matrix] cannot be used together",
+                 "remove one of them");
 }
 
 TEST(GoughRefusal, TogetherWithPose) {
-  expect_refused(kExampleGough + "[pose]\nx = \"cm\"\n", 19, "[pose] together with [gough]",
-                 "one or the other");
+  expect_refused(kExampleGough + "[pose]\nx = \"cm\"\n", 19, "[pose] cannot be used together",
+                 "remove one of them");
 }
 
 TEST(GoughRefusal, UnknownOrientation) {

@@ -19,7 +19,9 @@ TEST(ModelRefusal, InvalidUtf8IsASyntaxError) {
   expect_refused_change("made up", "made \xff up", 3, "not TOML", "TOML");
 }
 
-TEST(ModelRefusal, EmptyFile) { expect_refused("", 1, "no 'regulus'", "'regulus'"); }
+TEST(ModelRefusal, EmptyFile) {
+  expect_refused("", 1, "no version", "must begin with: regulus = 1");
+}
 
 TEST(ModelRefusal, AnotherFormatVersion) {
   expect_refused_change("regulus = 1", "regulus = 2", 1, "the integer 2 for regulus", "version 1");
@@ -104,15 +106,18 @@ TEST(ModelRefusal, PoseParameterThatIsAKeyOfMotions) {
 }
 
 TEST(ModelRefusal, ReservedNamePi) {
-  expect_refused_change("x = \"cm\"", "pi = \"cm\"", 6, "reserved name 'pi'", "another name");
+  expect_refused_change("x = \"cm\"", "pi = \"cm\"", 6, "the name 'pi' is reserved",
+                        "another name");
 }
 
 TEST(ModelRefusal, ReservedNameOfAFunction) {
-  expect_refused_change("half = 0.5", "atan2 = 0.5", 21, "reserved name 'atan2'", "another name");
+  expect_refused_change("half = 0.5", "atan2 = 0.5", 21, "the name 'atan2' is reserved",
+                        "another name");
 }
 
 TEST(ModelRefusal, ReservedNameOfAPreconditionerEntry) {
-  expect_refused_change("half = 0.5", "k_1_12 = 0.5", 21, "reserved name 'k_1_12'", "another name");
+  expect_refused_change("half = 0.5", "k_1_12 = 0.5", 21, "the name 'k_1_12' is reserved",
+                        "another name");
 }
 
 TEST(ModelRefusal, KeyThatIsNotAName) {
@@ -136,32 +141,33 @@ TEST(ModelRefusal, KeyThatIsTooLong) {
 
 TEST(ModelRefusal, NameDeclaredInTwoSections) {
   expect_refused_change("half = 0.5", "a2 = 0.5", 21,
-                        "'a2' declared twice, as geometry.a2 (line 11) and as let.a2",
-                        "not declared yet");
+                        "'a2' is declared twice, as geometry.a2 (line 11) and as let.a2",
+                        "choose another name");
 }
 
 TEST(ModelRefusal, NameThatAPointAlreadyGives) {
-  expect_refused_change("a2 = 10", "p1_2 = 10", 14, "'p1_2' declared twice", "not declared yet");
+  expect_refused_change("a2 = 10", "p1_2 = 10", 14, "'p1_2' is declared twice",
+                        "choose another name");
 }
 
 TEST(ModelRefusal, UndeclaredNameSuggestsTheNearest) {
   expect_refused_change("\"x - a2\", \"y\", \"c\"", "\"x - a3\", \"y\", \"c\"", 26,
                         "undeclared name 'a3' (character 5 of 'x - a3') in matrix.rows[2][1]",
-                        "perhaps 'a2'");
+                        "did you mean 'a2'?");
 }
 
 TEST(ModelRefusal, PointUsedWithoutACoordinate) {
-  expect_refused_change("p1_1*x", "p1*x", 27, "undeclared name 'p1'", "perhaps 'p1_1'");
+  expect_refused_change("p1_1*x", "p1*x", 27, "undeclared name 'p1'", "did you mean 'p1_1'?");
 }
 
 TEST(ModelRefusal, CycleOfSubExpressionsIsNamed) {
   expect_refused_change("c = \"cos(phi)\"", "c = \"d + 1\"\nd = \"2*e1\"\ne1 = \"sin(c)\"", 19,
-                        "the cycle c -> d -> e1 -> c", "do not use themselves");
+                        "in a cycle: c -> d -> e1 -> c", "must not use itself");
 }
 
 TEST(ModelRefusal, SubExpressionThatUsesItself) {
-  expect_refused_change("half = 0.5", "half = \"half\"", 21, "the cycle half -> half",
-                        "do not use themselves");
+  expect_refused_change("half = 0.5", "half = \"half\"", 21, "in a cycle: half -> half",
+                        "must not use itself");
 }
 
 TEST(ModelRefusal, MistakeInAnUnusedSubExpression) {

@@ -32,18 +32,18 @@ TEST(MotionRefusal, MotionWhoseNameIsNotAName) {
 
 TEST(MotionRefusal, ReversedRange) {
   expect_refused_change("y = [4, 5]", "y = [5, 4]", 34,
-                        "the empty range 5.000000 to 4.000000 in motion.small.y",
-                        "a lower end that is not above");
+                        "the range 5.000000 to 4.000000 in motion.small.y is empty",
+                        "lower end must not be above");
 }
 
 TEST(MotionRefusal, ReversedRangeByLessThanDoublesCanTell) {
-  expect_refused_change("y = [4, 5]", "y = [\"1 + 1e-40\", 1]", 34, "the empty range",
-                        "a lower end that is not above");
+  expect_refused_change("y = [4, 5]", "y = [\"1 + 1e-40\", 1]", 34, "is empty",
+                        "lower end must not be above");
 }
 
 TEST(MotionRefusal, ReversedIrrationalRange) {
   expect_refused_change("phi = [\"-10*deg\", \"10*deg\"]", "phi = [\"10*deg\", \"-10*deg\"]", 35,
-                        "the empty range", "a lower end that is not above");
+                        "is empty", "lower end must not be above");
 }
 
 TEST(MotionRefusal, RangeWithNaN) {
@@ -77,22 +77,22 @@ TEST(MotionRefusal, RangeThatUsesAName) {
 
 TEST(MotionRefusal, PoseThatUsesItself) {
   expect_refused_change("phi = 0", "phi = \"2*phi\"", 43, "undeclared name 'phi'",
-                        "a declared name");
+                        "the declared names are: T");
 }
 
 TEST(MotionRefusal, PoseThatUsesAnUndeclaredParameter) {
   expect_refused_change("x = \"cos(2*pi*T)\"", "x = \"cos(2*pi*S)\"", 41, "undeclared name 'S'",
-                        "a declared name: T");
+                        "the declared names are: T");
 }
 
 TEST(MotionRefusal, ParameterThatShadowsADeclaredName) {
   expect_refused_change("{ T = [0, 1] }", "{ h = [0, 1] }", 40,
-                        "'h' declared twice, here as motion.circle.parameters.h",
-                        "not declared yet");
+                        "'h' is declared twice, here as motion.circle.parameters.h",
+                        "choose another name");
 }
 
 TEST(MotionRefusal, ParameterThatIsReserved) {
-  expect_refused_change("{ T = [0, 1] }", "{ deg = [0, 1] }", 40, "reserved name 'deg'",
+  expect_refused_change("{ T = [0, 1] }", "{ deg = [0, 1] }", 40, "the name 'deg' is reserved",
                         "another name");
 }
 
@@ -127,7 +127,7 @@ TEST(MotionRefusal, NegativeError) {
 
 TEST(MotionRefusal, ErrorOfAnUnknownPoseParameter) {
   expect_refused_change("error = { x = 0.01", "error = { T = 0.01", 44,
-                        "unknown key 'motion.circle.error.T'", "x, y or phi");
+                        "unknown key 'motion.circle.error.T'", "x, y, phi");
 }
 
 TEST(MotionRefusal, ConstraintsThatAreNotAList) {
@@ -137,7 +137,7 @@ TEST(MotionRefusal, ConstraintsThatAreNotAList) {
 
 TEST(MotionRefusal, ConstraintOnAnUndeclaredName) {
   expect_refused_change("\"rho_2 - 20\"", "\"rho_4 - 20\"", 36, "undeclared name 'rho_4'",
-                        "perhaps 'rho_");
+                        "did you mean 'rho_");
 }
 
 }  // namespace

@@ -73,8 +73,8 @@ TEST(RobotErrors, AMatrixOfAnotherShapeIsRefusedWhereItIsGiven) {
 }
 
 TEST(RobotErrors, AnEmptyRangeIsRefused) {
-  expect_refused({[](Robot& r) { r.motion("m").pose("y", 0).range("x", 1, 0); }, "the empty range",
-                  "a lower end", __LINE__ - 1});
+  expect_refused({[](Robot& r) { r.motion("m").pose("y", 0).range("x", 1, 0); }, "is empty",
+                  "lower end", __LINE__ - 1});
 }
 
 TEST(RobotErrors, APoseParameterWithoutARangeIsRefused) {
@@ -92,12 +92,12 @@ TEST(RobotErrors, ANegativeToleranceIsRefused) {
 
 TEST(RobotErrors, ANameThatIsDeclaredTwiceIsRefusedByTheSecondCall) {
   expect_refused(
-      {[](Robot& r) { r.let("x", 1); }, "'x' declared twice", "not declared yet", __LINE__});
+      {[](Robot& r) { r.let("x", 1); }, "'x' is declared twice", "another name", __LINE__});
   expect_refused({[](Robot& r) {
                     box(r);
                     box(r);
                   },
-                  "'box' declared twice", "another name", 44});
+                  "'box' is declared twice", "another name", 44});
   expect_refused({[](Robot& r) { r.motion("m").range("x", 0, 1).pose("x", 0); }, "given twice",
                   "once", __LINE__ - 1});
 }
@@ -123,7 +123,7 @@ TEST(RobotErrors, ASymbolOfGiNaCThatIsAnotherOfTheSameNameIsRefused) {
                     r.let("u", another * another);
                     box(r);
                   },
-                  "the GiNaC symbol 'x'", "itself given to the robot", __LINE__ - 3});
+                  "the GiNaC symbol 'x'", "another symbol of the same name", __LINE__ - 3});
 }
 
 TEST(RobotErrors, AnExpressionThatDoublesWithEachStepIsRefused) {
