@@ -25,7 +25,8 @@ toml::table document(const std::string& text) try {
 std::string replaced(const std::string& text, const toml::node* node, const std::string& what,
                      const std::string& expression) {
   if (node == nullptr || !(node->is_string() || node->is_number()))
-    throw InputError("", 0, what, "an expression of the model file", what);
+    throw InputError::statement("", 0, "the model file has no expression for " + what,
+                                "edit changes the whole text", what);
   const auto [begin, end, path] = node->source();
   const SourceLines lines(text);
   return text.substr(0, lines.offset(begin.line, begin.column)) +

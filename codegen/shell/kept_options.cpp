@@ -41,4 +41,8 @@ void refuse(const std::string& found, const std::string& expected) {
   throw UsageError("found " + found + ", expected " + expected);
 }
 
+void reject(const std::string& problem, const std::string& remedy) {
+  throw UsageError(problem + "; " + remedy);
+}
+
 }  // namespace regulus::shell

@@ -23,7 +23,9 @@ struct CommandLineRefused {
   int code;
 };
 
-/// Throws UsageError.
+/// Throws UsageError for words in the wrong form: "found FOUND, expected EXPECTED".
 [[noreturn]] void refuse(const std::string& found, const std::string& expected);
+/// Throws UsageError for any other mistake: "PROBLEM; REMEDY".
+[[noreturn]] void reject(const std::string& problem, const std::string& remedy);
 
 }  // namespace regulus::shell

@@ -34,6 +34,8 @@ int position(const std::string& word) {
   return value;
 }
 
+constexpr const char* kListCommands = "help lists the commands";
+
 std::vector<std::string> motion_names(const Model& model) {
   std::vector<std::string> names;
   for (const Motion& motion : model.motions) names.push_back(motion.name);
@@ -56,7 +58,7 @@ struct ShellSession::Entry {
 const std::vector<ShellSession::Entry>& ShellSession::table() {
   using S = ShellSession;
   static const std::vector<Entry> kTable = {
-      {"load", "load MODEL", "read a model file; removes the settings", &S::load},
+      {"load", "load MODEL", "read a model file and discard the settings", &S::load},
       {"motions", "motions", "list the motions of the model", &S::motions},
       {"motion", "motion NAME", "choose a motion", &S::motion},
       {"show", "show matrix|forms|occurrences|text|settings",
@@ -67,18 +69,17 @@ const std::vector<ShellSession::Entry>& ShellSession::table() {
        "set keep-going on|off, set json on|off",
        &S::set},
       {"edit", "edit", "change the model's text in the editor that EDITOR names", &S::edit},
-      {"reload", "reload", "read the model file again; keeps the settings", &S::reload},
+      {"reload", "reload", "read the model file again and keep the settings", &S::reload},
       {"unset", "unset OPTION [NAME]", "restore the value of the model or the default", &S::unset},
       {"check", "check [OPTIONS]", "prove that there is no singular pose, or show one", &S::run},
       {"locate", "locate [OPTIONS]", "pave the motion: free, singular, undecided", &S::run},
       {"margin", "margin OPTIONS",
        "bracket the largest safe value, e.g. margin --tolerance base=0:1", &S::run},
       {"plot", "plot FILE.svg|FILE.png [OPTIONS]", "run locate and draw the result", &S::plot},
-      {"verify", "verify FILE", "check a certificate, which check --certificate FILE writes",
-       &S::run},
+      {"verify", "verify FILE", "check a certificate that check --certificate FILE wrote", &S::run},
       {"history", "history", "list the lines of this session", &S::history},
       {"help", "help [COMMAND]", "list the commands, or say more about one", &S::help},
-      {"save", "save FILE", "write the model with the changes made to its expressions", &S::save},
+      {"save", "save FILE", "write the model with its changed expressions", &S::save},
       {"quit", "quit", "end the session", &S::quit},
   };
   return kTable;
@@ -97,9 +98,7 @@ int ShellSession::execute(const std::string& line) {
       }
     known.emplace_back(entry.name);
   }
-  const std::string meant = nearest(words[0], known);
-  refuse("the command " + in_quotes(words[0]),
-         meant.empty() ? "one that help lists" : in_quotes(meant));
+  reject("unknown command " + in_quotes(words[0]), suggestion(words[0], known, kListCommands));
 }
 
 void ShellSession::say(const std::string& text, const std::string& json) const {
@@ -107,7 +106,7 @@ void ShellSession::say(const std::string& text, const std::string& json) const {
 }
 
 void ShellSession::require_model() const {
-  if (!asked_.model) refuse("no model", "load MODEL first");
+  if (!asked_.model) reject("no model is loaded", "first load one: load MODEL");
 }
 
 // ---- the model ----
@@ -236,7 +235,8 @@ int ShellSession::show(const Words& words) {
   static const Words kParts = {"matrix", "forms", "occurrences", "text"};
   if (words.size() != 2 || std::ranges::find(kParts, words[1]) == kParts.end())
     refuse(rest_of(words, 0), "show matrix|forms|occurrences|text|settings");
-  if (words[1] == "text" && asked_.motion.empty()) refuse("no motion", "motion NAME first");
+  if (words[1] == "text" && asked_.motion.empty())
+    reject("no motion is chosen", "first choose one: motion NAME");
   CommandLine line = parsed(asked_, {"explain", "--stage", words[1]});
   adopt(line);
   return run_command_line(line, rest_of(words, 0));
@@ -265,7 +265,7 @@ int ShellSession::help(const Words& words) {
   for (const Entry& entry : table())
     if (words.size() > 1 && words[1] == entry.name)
       text = fmt::format("{}\n{}", entry.usage, entry.summary);
-  if (text.empty()) refuse("no command " + in_quotes(words[1]), "one that help lists");
+  if (text.empty()) reject("unknown command " + in_quotes(words[1]), kListCommands);
   if (words.size() > 1 && words[1] == "set") text += "\noptions: " + listed(names_of_options());
   if (words.size() > 1 && words[1] == "quit")
     text += "\nA script ends with the exit code of its first error, otherwise of its last check.";

@@ -49,9 +49,10 @@ int ShellSession::set(const Words& words) {
   if (what == "json") return json_ = switched_on(words), 0;
   const OptionEntry* option = option_of_check(what);
   if (option == nullptr || !may_be_kept(what)) {
-    const std::string meant = nearest(what, names_of_options());
-    refuse("the option " + in_quotes(what),
-           meant.empty() ? "an option of check (see: help set)" : in_quotes(meant));
+    if (option != nullptr)
+      reject("set cannot keep the option " + in_quotes(what), "give it to the command itself");
+    reject("unknown option " + in_quotes(what),
+           suggestion(what, names_of_options(), "help set lists the options"));
   }
   const std::string value = rest_of(words, 2);
   if (option->value.empty() != value.empty())
@@ -69,7 +70,7 @@ int ShellSession::unset(const Words& words) {
     return s.option == words[1] && (words.size() == 2 || s.key == words[2]);
   };
   if (std::ranges::none_of(asked_.settings, is_meant))
-    refuse(rest_of(words, 1), "what has been set");
+    reject(in_quotes(rest_of(words, 1)) + " is not set", "show settings lists what is set");
   change({words[1], words.size() == 3 ? words[2] : "", ""}, false);
   return 0;
 }

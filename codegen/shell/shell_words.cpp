@@ -21,8 +21,7 @@ std::vector<std::string> split_words(std::string_view line) {
     else if (!blank)
       words.back() += c;
   }
-  if (quote != 0)
-    throw UsageError("found a quote that is not closed, expected another " + std::string(1, quote));
+  if (quote != 0) throw UsageError("a quote is not closed; add another " + std::string(1, quote));
   return words;
 }
 

@@ -61,7 +61,7 @@ std::string edited(const std::string& text) {
   const DraftFile draft(text);
   if (run_editor(draft.path()) != 0)
     throw FileError(
-        "the editor failed, and the model is unchanged (set EDITOR to use another editor)");
+        "the editor failed, so the model is unchanged; set EDITOR to use another editor");
   return draft.text();
 }
 

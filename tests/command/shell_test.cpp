@@ -79,7 +79,7 @@ TEST(ShellScript, KeepsWhatIsSet) {
 TEST(ShellScript, StopsAtTheFirstErrorAndNamesItsLine) {
   const CommandResult result = shell(loaded("motion regular\n\n# a remark\nmotoin x\ncheck\n"));
   EXPECT_EQ(result.exit_code, kUsageError);
-  EXPECT_EQ(result.errors, "regulus: line 5: found the command 'motoin', expected 'motion'\n");
+  EXPECT_EQ(result.errors, "regulus: line 5: unknown command 'motoin'; did you mean 'motion'?\n");
   EXPECT_THAT(result.output, testing::Not(HasSubstr("NO SINGULARITY")));
 }
 
@@ -104,7 +104,7 @@ TEST(ShellScript, RefusesASettingAndKeepsTheOldOne) {
   const CommandResult result = shell(loaded(script));
   for (const char* line : {"line 4", "line 5", "line 7", "line 8", "line 9"})
     EXPECT_THAT(result.errors, HasSubstr(line));
-  EXPECT_THAT(result.errors, HasSubstr("'mehtod', expected 'method'"));
+  EXPECT_THAT(result.errors, HasSubstr("unknown option 'mehtod'; did you mean 'method'?"));
   EXPECT_THAT(result.output, EndsWith("motion regular\n"));
 }
 
@@ -131,9 +131,11 @@ TEST(ShellScript, RefusesAnEditAndKeepsTheModel) {
       shell(loaded("set keep-going on\nset entry 9 1 x\nset entry 1 1 x+nobody\nset let none 1\n"
                    "motion regular\ncheck\n"));
   EXPECT_EQ(result.exit_code, kNoSingularity);
-  EXPECT_THAT(result.errors, HasSubstr("line 3: found the entry 9 1"));
+  EXPECT_THAT(result.errors,
+              HasSubstr("line 3: the model file has no expression for the entry 9 1"));
   EXPECT_THAT(result.errors, HasSubstr("undeclared name 'nobody'"));
-  EXPECT_THAT(result.errors, HasSubstr("line 5: found the sub-expression 'none'"));
+  EXPECT_THAT(result.errors,
+              HasSubstr("line 5: the model file has no expression for the sub-expression 'none'"));
 }
 
 TEST(ShellScript, CompilesWhatAnEditChanges) {
