@@ -21,14 +21,13 @@ std::string doubt_of(const Statistics& statistics) {
       std::accumulate(statistics.leaves.begin(), statistics.leaves.end(), std::uint64_t{0});
   const std::uint64_t most_boxes = verifier::Options().max_boxes;
   if (filtered > 0)
-    return std::to_string(filtered) +
-           " boxes rest on a filter of yours, which the verifier does not follow";
+    return std::to_string(filtered) + " boxes rest on a filter, which the verifier does not use";
   if (leaves > most_boxes)
-    return "it has " + std::to_string(leaves) + " leaves, and the verifier looks at " +
-           std::to_string(most_boxes) + " boxes unless --max-boxes says otherwise";
+    return "it has " + std::to_string(leaves) + " leaves, but the verifier evaluates at most " +
+           std::to_string(most_boxes) + " boxes; use regulus verify --max-boxes to allow more";
   if (statistics.max_frontier > format::kMostOpen)
-    return "more boxes are open at one time than the " + std::to_string(format::kMostOpen) +
-           " that the verifier keeps";
+    return "more boxes are open at one time than the verifier allows, " +
+           std::to_string(format::kMostOpen);
   return "";
 }
 

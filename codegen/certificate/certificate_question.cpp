@@ -112,8 +112,8 @@ void require_distinct_names(const Request& request) {
   const auto note = [&known](const std::string& name, const GiNaC::realsymbol& symbol) {
     const auto [place, is_new] = known.emplace(name, symbol);
     if (!is_new && !place->second.is_equal(symbol))
-      throw UsageError("--certificate: found two things named '" + name +
-                       "', expected different names");
+      throw UsageError("--certificate: two quantities have the name '" + name +
+                       "'; rename one of them");
   };
   for (const PoseParameter& q : request.model.pose) note(q.name, q.symbol);
   for (const GeometryParameter& g : request.model.geometry) note(g.name, g.symbol);
@@ -193,7 +193,7 @@ std::string certificate_doubt(const CertifiedQuestion& question, bool singular) 
       singular ? std::numeric_limits<double>::max_exponent - 1 : std::ilogb(verifier::kLargest);
   if (largest_exponent(read) > most)
     return "the question has numbers beyond 2^" + std::to_string(most) +
-           ", which the verifier's bounds do not reach";
+           ", which are too large for the verifier's bounds";
   // A head without a proof is rejected, if the verifier gets as far as that.
   const verifier::Verification tried = verifier::verify(again);
   return tried.outcome == verifier::Outcome::kUnfinished ? tried.reason : "";

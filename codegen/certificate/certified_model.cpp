@@ -206,7 +206,7 @@ std::string first_difference(const std::vector<std::string>& certificate,
     if (!given.contains(condition)) return "there is no line '" + shortened(condition) + '\'';
   for (const NumberedLine& line : found.conditions)
     if (!needed.contains(line.text) && !names_nothing(line.text))
-      return fmt::format("line {}, '{}', is none of the model file's", line.number,
+      return fmt::format("line {}, '{}', is not in the model file", line.number,
                          shortened(line.text));
   return "";
 }

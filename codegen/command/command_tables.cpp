@@ -1,8 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "codegen/command/command_tables.hpp"
 
+#include <fmt/format.h>
+
+#include <algorithm>
+
 #include "codegen/engine/choices.hpp"
 #include "codegen/engine/ingredients.hpp"
+#include "codegen/model/names.hpp"
 #include "codegen/support/errors.hpp"
 #include "regulus/version.hpp"
 
@@ -28,11 +33,11 @@ constexpr const char* kLocateExitCodes =
     "64 usage, 65 bad model, 70 internal fault, 74 file error.";
 
 constexpr const char* kMarginFooter =
-    "One of the options --tolerance, --alpha and --scale takes a range LO:HI; with LO: alone the\n"
-    "upper end is found. The last line on standard output is the bracket:\n"
+    "Give exactly one of --tolerance, --alpha and --scale a range LO:HI. With LO: alone, margin\n"
+    "looks for the upper end itself. The last line on standard output is the bracket:\n"
     "  SAFE UP TO a, NOT AT b   proved at a, and so below; a witness shows a singularity at b\n"
     "Exit: 0 the bracket is as narrow as --gap asks, or all of LO:HI is safe; 1 LO is not safe;\n"
-    "2 a limit, an interrupt or the strength of the tests ended it earlier;\n"
+    "2 a limit or an interrupt stopped it earlier, or the tests could not decide;\n"
     "64 usage, 65 bad model, 70 internal fault, 74 file error.";
 
 constexpr const char* kVerifyFooter =
@@ -48,8 +53,9 @@ constexpr const char* kGenerateFooter =
     "Exit: 0 written; 64 usage, 65 bad model, 70 internal fault, 74 file error.";
 
 constexpr const char* kShellFooter =
-    "A script on standard input stops at its first error, named by its line, unless it says: set\n"
-    "keep-going on.\n"
+    "A script on standard input stops at its first error; the message names the line. With the "
+    "line\n"
+    "set keep-going on, it continues.\n"
     "Exit: the code of that error, otherwise of the last check, locate, margin or verify.";
 
 constexpr double kMarginSeconds = 60;
@@ -76,6 +82,17 @@ CLI::Option* add_choice(CLI::App& app, const std::string& name, Value& value,
   return option->check(known)->check(CLI::IsMember(words_of<Value>()))->default_str(word_of(value));
 }
 
+/// Checks the name of an ingredient; the message about a mistyped one suggests a name.
+CLI::Validator known_ingredient() {
+  return {[](const std::string& word) -> std::string {
+            const std::vector<std::string> known = ingredient_names();
+            if (std::ranges::find(known, word) != known.end()) return "";
+            return "there is no " + in_quotes(word) + "; " +
+                   suggestion(word, known, fmt::format("it can be {}", fmt::join(known, ", ")));
+          },
+          ""};
+}
+
 void add_model_arguments(CLI::App& app, ModelOptions& options) {
   app.add_option("MODEL", options.path, "Model file (TOML)")->required();
   app.add_option("MOTION", options.motion, "Motion variety; optional if the model has only one");
@@ -88,9 +105,10 @@ void add_model_options(CLI::App& app, ModelOptions& options) {
 
 void add_method_options(CLI::App& app, Method& method, std::uint64_t& budget) {
   add_choice(app, "--method", method, "Method that decides a box");
-  app.add_option(
-         "--symbolic-budget", budget,
-         "Most terms of the polynomial of --method closed-form; the default takes about one second")
+  app.add_option("--symbolic-budget", budget,
+                 "Limit on the terms of the polynomial of --method closed-form; the default takes "
+                 "about one "
+                 "second")
       ->check(CLI::PositiveNumber)
       ->type_name("TERMS")
       ->capture_default_str();
@@ -123,7 +141,7 @@ void add_search_options(CLI::App& app, SearchOptions& options) {
                      describe_ingredient())
       ->take_all()
       ->expected(1)
-      ->check(CLI::IsMember(ingredient_names()).description(""))
+      ->check(known_ingredient())
       ->type_name("NAME");
   add_choice(
       app, "--engine", options.engine,
@@ -138,13 +156,14 @@ void add_search_options(CLI::App& app, SearchOptions& options) {
       ->check(CLI::Range(1U, kMaxThreads));
   app.add_option(
          "--max-boxes", options.max_boxes,
-         "Stop before more than N boxes; up to an eighth fewer, since boxes are taken in rounds")
+         "Evaluate at most N boxes; the search may stop up to an eighth earlier, because it "
+         "evaluates boxes in rounds")
       ->type_name("N");
   app.add_option("--time-limit", options.time_limit, "Stop after S seconds")
       ->check(CLI::PositiveNumber)
       ->type_name("S");
   app.add_option("--precision", options.precision,
-                 "Most bits of precision if doubles cannot decide")
+                 "Limit on the bits of precision that are used if doubles cannot decide")
       ->check(CLI::Range(53L, 1L << 20))
       ->type_name("BITS")
       ->capture_default_str();
@@ -153,7 +172,7 @@ void add_search_options(CLI::App& app, SearchOptions& options) {
 }
 
 void add_output_options(CLI::App& app, OutputOptions& options) {
-  app.add_flag("--json", options.json, "The report on standard output, as one JSON object");
+  app.add_flag("--json", options.json, "Print the report on standard output, as one JSON object");
   app.add_flag("--quiet", options.quiet, "Print only the verdict (or the JSON report)");
 }
 
@@ -170,17 +189,19 @@ void add_checkpoint_options(CLI::App& app, CheckpointOptions& options) {
 /// `what` names the subject of the proof.
 void add_certificate_option(CLI::App& app, std::string& path, const std::string& what) {
   app.add_option("--certificate", path,
-                 what + "; `regulus verify` checks it. A file of an earlier run becomes FILE.old")
+                 what + "; `regulus verify` checks it. An earlier FILE is renamed to FILE.old")
       ->type_name("FILE");
 }
 
 constexpr const char* kCheckCertificate = "Write a proof of the verdict";
 constexpr const char* kLocateCertificate =
-    "Write a proof of the verdict, not of each box: that all of the variety is free, or that it "
-    "holds the singular pose of the report";
+    "Write a proof of the verdict, not of each box: the proof shows that the whole variety is "
+    "free, "
+    "or that it contains the singular pose of the report";
 constexpr const char* kMarginCertificate =
-    "Write a proof for each end of the bracket: FILE.safe, that there is no singularity at a, and "
-    "FILE.singular, that there is one at b. An end that is not found has no file";
+    "Write a proof for each end of the bracket: FILE.safe proves that there is no singularity at "
+    "a, "
+    "FILE.singular that there is one at b. No file is written for an end that is not found";
 
 /// Adds options of `check` that are refused with a reason, and not as unknown options.
 void refuse_checkpoint_options(CLI::App& app, const std::string& why) {
@@ -195,27 +216,30 @@ void refuse_checkpoint_options(CLI::App& app, const std::string& why) {
 
 void add_verify_options(CLI::App& app, VerifyCommand& command) {
   app.add_option("CERTIFICATE", command.path, "Certificate file")->required();
-  app.add_option("--model", command.model,
-                 "Also check that it is about this model file: the question is written anew from "
-                 "the file and compared line by line. Ranges, tolerances and alpha that differ, as "
-                 "options may ask for, are reported. Every number and expression of the file is "
-                 "also read and compared by the verifier's own reader")
+  app.add_option(
+         "--model", command.model,
+         "Also check that the certificate is about this model file: write the question again "
+         "from the file and compare it line by line. Ranges, tolerances and alpha may "
+         "differ, because options change them; differences are reported. The verifier's own "
+         "reader also reads and compares every number and expression of the file")
       ->type_name("MODEL");
-  app.add_option("--time-limit", command.time_limit, "Stop after S seconds: UNFINISHED")
+  app.add_option("--time-limit", command.time_limit,
+                 "Stop after S seconds; the answer is then UNFINISHED")
       ->check(CLI::PositiveNumber)
       ->type_name("S");
   app.add_option("--max-boxes", command.max_boxes,
-                 "Most boxes for all leaves together; default 4194304")
+                 "Evaluate at most N boxes for all leaves together; default 4194304")
       ->check(CLI::PositiveNumber)
       ->type_name("N");
-  app.add_flag("--json", command.output.json, "The report on standard output, as one JSON object");
+  app.add_flag("--json", command.output.json,
+               "Print the report on standard output, as one JSON object");
   app.add_flag("--quiet", command.output.quiet, "Print only the answer (or the JSON report)");
 }
 
 void add_paving_options(CLI::App& app, LocateCommand& command) {
   app.add_option("--resolution", command.resolution,
-                 "Split boxes until every range is cut to this part, such as 1/64; by default from "
-                 "1/512 for one range to 1/4 for six")
+                 "Split boxes until each side is at most this part of its range, such as 1/64; the "
+                 "default is between 1/512 for one range and 1/4 for six ranges")
       ->type_name("R");
   app.add_option(
          "--output", command.lines,
@@ -226,48 +250,52 @@ void add_paving_options(CLI::App& app, LocateCommand& command) {
       ->take_all()
       ->expected(1)
       ->type_name("FILE.svg|FILE.png");
-  app.add_option("--axes", command.axes,
-                 "The two motion parameters to draw; a range of one value, --range p=V, cuts a "
-                 "slice")
+  app.add_option(
+         "--axes", command.axes,
+         "The two motion parameters to draw; --range p=V sets another parameter to one value "
+         "and so draws a slice")
       ->type_name("p,q");
 }
 
 void add_margin_options(CLI::App& app, MarginCommand& command) {
   app.get_option("--tolerance")
       ->description(
-          "Tolerance of a group of constants; a range, base,platform=0:0.2, asks for the "
-          "largest that is safe")
+          "Tolerance of a group of constants; with a range, base,platform=0:0.2, margin looks for "
+          "the largest safe tolerance")
       ->type_name("GROUP=E|GROUP=LO:HI");
   app.get_option("--alpha")
-      ->description("Threshold of |det J^-1|; a range asks for the largest that is exceeded")
+      ->description(
+          "Threshold of |det J^-1|; with a range, margin looks for the largest safe threshold")
       ->type_name("A|LO:HI");
-  app.add_option("--scale", command.scale,
-                 "Factor by which the ranges of a box variety grow about their middles: 1 is as "
-                 "declared")
+  app.add_option(
+         "--scale", command.scale,
+         "Factor that scales the ranges of a box variety about their midpoints; 1 leaves them as "
+         "declared")
       ->type_name("LO:HI");
   app.add_option("--gap", command.gap, "Stop when (b - a)/b is at most this")
       ->type_name("G")
       ->capture_default_str();
   command.search.time_limit = kMarginSeconds;
   app.get_option("--time-limit")->description("Stop after S seconds")->default_str("60");
-  app.get_option("--max-boxes")->description("Most boxes of each search");
+  app.get_option("--max-boxes")->description("Evaluate at most N boxes in each search");
 }
 
 void add_explain_options(CLI::App& app, ExplainCommand& command) {
-  app.add_flag("--all", command.all_entries, "Every entry, not only the first of each kind");
-  app.add_option("--stage", command.stage,
-                 "What to show: the forms, of them the matrix or the occurrences alone, or the C++ "
-                 "text of the kernel")
+  app.add_flag("--all", command.all_entries, "Show every entry, not only the first of each kind");
+  app.add_option(
+         "--stage", command.stage,
+         "What to show: all forms, only the matrix, only the occurrences, or the C++ text of the "
+         "kernel")
       ->check(CLI::IsMember({"forms", "matrix", "occurrences", "text"}))
       ->capture_default_str();
   add_method_options(app, command.method, command.symbolic_budget);
   app.add_flag("--json", command.output.json,
-               "On standard output as one JSON object: model, motion, stage, text");
+               "Print one JSON object on standard output: model, motion, stage, text");
 }
 
 void add_shell_options(CLI::App& app, ShellCommand& command) {
-  app.add_option("MODEL", command.path, "Model file to begin with");
-  app.add_flag("--json", command.json, "Each result as one JSON object on a line");
+  app.add_option("MODEL", command.path, "Model file to load first");
+  app.add_flag("--json", command.json, "Print each result as one JSON object on a line");
 }
 
 }  // namespace
@@ -289,8 +317,8 @@ CommandTables::CommandTables(const std::string& shell_commands) : app(kDescripti
   add_model_changes(*generate_command, generate.model);
   add_generate_options(*generate_command, generate);
   generate_command->footer(kGenerateFooter);
-  verify_command =
-      app.add_subcommand("verify", "Check a certificate, independently of what made it");
+  verify_command = app.add_subcommand(
+      "verify", "Check a certificate, independently of the program that wrote it");
   add_verify_options(*verify_command, verify);
   verify_command->footer(kVerifyFooter);
   shell_command = app.add_subcommand(
@@ -321,7 +349,7 @@ void CommandTables::add_locate() {
   add_search_options(*locate_command, locate.search);
   add_certificate_option(*locate_command, locate.certificate, kLocateCertificate);
   refuse_checkpoint_options(
-      *locate_command, "the lines of a paving that was stopped say which boxes it did not come to");
+      *locate_command, "the output of a paving that was stopped lists the boxes it did not reach");
   add_output_options(*locate_command, locate.output);
   locate_command->footer(kLocateExitCodes);
 }
@@ -335,7 +363,7 @@ void CommandTables::add_margin() {
   add_margin_options(*margin_command, margin);
   add_certificate_option(*margin_command, margin.certificate, kMarginCertificate);
   refuse_checkpoint_options(*margin_command,
-                            "a bracket that was stopped can be narrowed from its two ends, LO:HI");
+                            "start margin again with the two ends of the bracket as LO:HI");
   add_output_options(*margin_command, margin.output);
   margin_command->footer(kMarginFooter);
 }

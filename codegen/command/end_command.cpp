@@ -29,7 +29,8 @@ ExitCode end_command(PreparedSearch& preparation, const OutputOptions& output, c
     ::_exit(code);
   }
   if (!late->failure().empty() && !output.quiet)
-    std::cerr << "compiler   none; the whole search was interpreted: " << late->failure() << '\n';
+    std::cerr << "compiler   not available, so the whole search was interpreted: "
+              << late->failure() << '\n';
   return code;
 }
 

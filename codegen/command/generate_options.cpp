@@ -47,27 +47,29 @@ void add_model_changes(CLI::App& app, ModelOptions& options) {
 }
 
 void add_generate_options(CLI::App& app, GenerateCommand& command) {
-  app.add_option("-o,--output", command.folder, "Folder for the files; made if there is none")
+  app.add_option("-o,--output", command.folder,
+                 "Folder for the files; it is created if it does not exist")
       ->required()
       ->type_name("DIR");
   app.add_option("--isa", command.isas,
-                 "Instruction sets to generate for; the program that is built chooses among them "
-                 "when it runs, portable is always there")
+                 "Instruction sets to generate code for; your program chooses among them when it "
+                 "runs. portable is always included")
       ->delimiter(',')
       ->check(CLI::IsMember({"avx512", "avx2", "portable"}))
       ->expected(1)
       ->take_all()
       ->type_name("ISA,...")
       ->default_str("avx512,avx2,portable");
-  app.add_option("--name", command.name,
-                 "Name of the files and symbols; by default of the model file and the motion")
+  app.add_option(
+         "--name", command.name,
+         "Name of the files and symbols; the default is made of the model file and the motion")
       ->type_name("NAME");
   app.add_option("--namespace", command.name_space, "Namespace of the C++ header; default NAME")
       ->type_name("NS");
   app.add_option("--depfile", command.dependencies,
-                 "Also write which file these depend on, as make and Ninja read it")
+                 "Also write a dependency file for make and Ninja")
       ->type_name("FILE");
-  app.add_flag("--json", command.json, "The list on standard output, as one JSON object");
+  app.add_flag("--json", command.json, "Print the list on standard output, as one JSON object");
   app.add_flag("--quiet", command.quiet, "Do not list the files (unless as JSON)");
 }
 

@@ -32,7 +32,7 @@ class LinesFile {
  public:
   explicit LinesFile(const LocateCommand& command) : name_(chosen(command)) {
     if (name_ == "-" && command.output.json)
-      throw UsageError("--json: found --output -, expected one of them on standard output");
+      throw UsageError("--json and --output - both write to standard output; use one of them");
     if (name_.empty() || name_ == "-") return;
     file_.open(name_);
     if (!file_) throw FileError("cannot write " + name_);

@@ -42,9 +42,8 @@ int report_errors(const std::function<int()>& run, const std::string& where) try
 } catch (const FileError& error) {
   return complain(where, error, kFileError);
 } catch (const NoCompiler& error) {
-  return complain(
-      where + "there is no compiler for --engine jit; --engine interpreted needs none: ", error,
-      kInternalFault);
+  return complain(where + "no compiler is available; use --engine interpreted, which needs none: ",
+                  error, kInternalFault);
 } catch (const CompileError& error) {
   std::cerr << where << "internal error: the generated kernel did not compile\n"
             << error.what() << '\n';

@@ -90,7 +90,7 @@ KernelSubject kernel_subject(const Request& request, const Formulation& formulat
   }
   if (subject.parameters.empty())
     throw UsageError("the motion " + subject.motion +
-                     " has no range: there is no piece of it to check");
+                     " has no range, so it has no pieces to check; give one with --range");
   return subject;
 }
 

@@ -65,7 +65,9 @@ CheckpointFile::CheckpointFile(const CheckpointOptions& options, const PreparedS
   try {
     found_ = read_checkpoint(*text, question_);
   } catch (const CheckpointError& error) {
-    throw InputError(path_, 0, error.what(), "the checkpoint of this search, or no file");
+    throw InputError::statement(
+        path_, 0, std::string("the search cannot continue from this file: ") + error.what(),
+        "name another file, or delete this one to start again");
   }
 }
 
@@ -73,8 +75,8 @@ std::optional<CertificateWriter::Partial> CheckpointFile::partial(const std::str
   if (!wanted()) return std::nullopt;
   if (!found_ || certificate.empty()) return CertificateWriter::Partial{};
   if (!found_->certificate)
-    throw InputError(path_, 0, "a checkpoint of a search without --certificate",
-                     "the same options as before, or no file");
+    throw InputError::statement(path_, 0, "the checkpoint is of a search without --certificate",
+                                "leave out --certificate, or delete the checkpoint to start again");
   require_undamaged(certificate);
   return CertificateWriter::Partial{found_->certificate->length, leaves_of(*found_)};
 }
@@ -86,8 +88,9 @@ void CheckpointFile::require_undamaged(const std::string& certificate) {
   digest_.emplace(file);
   const auto found = digest_->of_first(expected.length);
   if (!found || expected.sha256.empty() || *found == expected.sha256) return;
-  throw InputError(file, 0, "other bytes than the checkpoint " + path_ + " speaks of",
-                   "the proof so far as it was written; without both files the search starts anew");
+  throw InputError::statement(
+      file, 0, "the unfinished proof has changed since the checkpoint " + path_ + " was saved",
+      "delete both files to start again");
 }
 
 Observer* CheckpointFile::observer(CertificateWriter* certificate) {
@@ -126,7 +129,7 @@ std::string CheckpointFile::line() const {
   std::string text;
   if (found_)
     text = fmt::format("           continued from {} boxes\n", found_->state.statistics.boxes);
-  if (kept_) text += "checkpoint " + path_ + ": the same command goes on from here\n";
+  if (kept_) text += "checkpoint " + path_ + ": repeat the command to continue from here\n";
   if (writer_ && !kept_ && !writer_->failure().empty())
     text += "checkpoint " + writer_->failure() + '\n';
   return text;

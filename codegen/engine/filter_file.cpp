@@ -16,15 +16,18 @@ namespace regulus::inline engine {
 namespace {
 
 constexpr const char* kSymbol = "regulus_filter";
+constexpr const char* kRemedy = "build it as a shared object with regulus/filter.h";
+
+InputError not_loaded(const std::string& path, const std::string& why) {
+  return InputError::statement(path, 0, "the filter cannot be loaded: " + why, kRemedy);
+}
 
 constexpr std::uint64_t kLargestFilter = std::uint64_t{256} << 20;
 
 /// Throws InputError unless the file may be loaded: dlopen itself would crash on a truncated file.
 std::string contents(const std::string& path) {
   std::string bytes = read_file(path, kLargestFilter, Readable::kFile);
-  if (const auto fault = find_fault_in_shared_object(bytes))
-    throw InputError(path, 0, "no shared object that loads (" + *fault + ")",
-                     "a shared object with " + std::string(kSymbol));
+  if (const auto fault = find_fault_in_shared_object(bytes)) throw not_loaded(path, *fault);
   return bytes;
 }
 
@@ -45,15 +48,13 @@ void FilterFile::Close::operator()(void* library) const noexcept { dlclose(libra
 
 FilterFile::FilterFile(const std::string& path)
     : path_(path), sha256_(support::sha256(contents(path))), library_(load(path)) {
-  if (!library_)
-    throw InputError(path, 0, std::string("no shared object that loads (") + dlerror() + ")",
-                     "a shared object with " + std::string(kSymbol));
+  if (!library_) throw not_loaded(path, dlerror());
   filter_ = static_cast<const regulus_filter_interface*>(dlsym(library_.get(), kSymbol));
   if (filter_ == nullptr)
-    throw InputError(path, 0, "no symbol " + std::string(kSymbol),
-                     "a regulus_filter_interface of that name, see regulus/filter.h");
+    throw InputError::statement(path, 0, "the shared object has no symbol " + std::string(kSymbol),
+                                "define it as regulus/filter.h declares it");
   if (const auto fault = find_fault(*filter_))
-    throw InputError(path, 0, *fault, "an interface as regulus/filter.h declares it");
+    throw InputError::statement(path, 0, *fault, "regulus/filter.h describes the interface");
 }
 
 }  // namespace regulus::engine

@@ -79,10 +79,10 @@ std::string MarginCertificates::lines() const {
     return fmt::format("{}: {} {}\n", end.file, words, end.value);
   };
   return "certificate " +
-         (safe_ ? proved(*safe_, "safe at") : "none of a value that is safe: none was found\n") +
+         (safe_ ? proved(*safe_, "safe at") : "none for the safe end: no safe value was found\n") +
          "           " +
          (singular_ ? proved(*singular_, "singular at")
-                    : "none of a singularity: none was found\n");
+                    : "none for the singular end: no singularity was found\n");
 }
 
 void MarginCertificates::add_to(nlohmann::ordered_json& report) const {

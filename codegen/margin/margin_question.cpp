@@ -49,8 +49,9 @@ void require_box_variety(const Request& request) {
   for (const MotionParameter& p : motion.parameters) {
     const auto same = [&p](const PoseParameter& pose) { return pose.symbol.is_equal(p.symbol); };
     if (std::none_of(request.model.pose.begin(), request.model.pose.end(), same))
-      throw UsageError("--scale: found the motion '" + motion.name + "' with the parameter '" +
-                       p.name + "', expected a box variety: its ranges are those of the pose");
+      throw UsageError("--scale: the motion '" + motion.name + "' is not a box, because '" +
+                       p.name +
+                       "' is not a pose parameter; choose a motion with ranges of the pose only");
   }
 }
 
@@ -110,8 +111,8 @@ MarginQuestion take_question(ModelOptions& model, const std::string& scale) {
   }
   if (ranges != 1)
     throw UsageError(
-        fmt::format("margin: found {} ranges, expected one of --tolerance "
-                    "GROUP=LO:HI, --alpha LO:HI, --scale LO:HI",
+        fmt::format("margin: {} options have a range LO:HI; give exactly one: --tolerance "
+                    "GROUP=LO:HI, --alpha LO:HI or --scale LO:HI",
                     ranges));
   return question;
 }
@@ -124,7 +125,8 @@ MarginRequest::MarginRequest(Request nominal, const MarginQuestion& question)
   if (question.quantity == MarginQuantity::kScale) require_box_variety(nominal_);
   if (question.quantity == MarginQuantity::kAlpha &&
       nominal_.model.matrix.rows() != nominal_.model.matrix.cols())
-    throw UsageError("--alpha: found a matrix that is not square, expected one with a determinant");
+    throw UsageError(
+        "--alpha: the matrix is not square, so it has no determinant; use --tolerance or --scale");
 }
 
 Request MarginRequest::at(const MarginValue& value) const {

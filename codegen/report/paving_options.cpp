@@ -30,7 +30,7 @@ double parse_resolution(const std::string& text) {
   }
   if (!(value > 0 && value <= 1))
     throw UsageError("--resolution: found " + text +
-                     ", expected a part of each range, such as 1/64");
+                     ", expected a number above 0 and at most 1, such as 1/64");
   return value;
 }
 
@@ -48,7 +48,7 @@ std::size_t parse_axis(const std::string& wanted, const PreparedSearch& p,
                        const std::vector<std::size_t>& axes) {
   for (const std::size_t k : axes)
     if (name_of_variable(p, k) == wanted) return k;
-  throw UsageError(fmt::format("--axes: found '{}', expected two of the parameters that range: {}",
+  throw UsageError(fmt::format("--axes: '{}' is not a parameter with a range; choose two of: {}",
                                wanted, listed(p, axes)));
 }
 
@@ -60,7 +60,7 @@ std::vector<std::size_t> parse_axes(const std::string& text, const PreparedSearc
   const std::size_t first = parse_axis(text.substr(0, comma), p, axes);
   const std::size_t second = parse_axis(text.substr(comma + 1), p, axes);
   if (first == second)
-    throw UsageError("--axes: found '" + text + "', expected two different ones");
+    throw UsageError("--axes: found '" + text + "', expected two different parameters");
   return {first, second};
 }
 
@@ -70,8 +70,8 @@ PavingOptions resolve_paving(const PavingRequest& request, const SearchOptions& 
                              const PreparedSearch& preparation) {
   if (search.uncertainty == Uncertainty::kVariables)
     throw UsageError(
-        "--uncertainty: found variables, expected elements: a paving splits motion parameters "
-        "only");
+        "--uncertainty variables: locate splits motion parameters only; use --uncertainty "
+        "elements");
   PavingOptions options;
   options.axes = Volumes(preparation.problem()).axes();
   options.encloses_determinants =
@@ -82,7 +82,8 @@ PavingOptions resolve_paving(const PavingRequest& request, const SearchOptions& 
   if (options.drawn.size() > 2) options.drawn.resize(2);
   if (!request.axes.empty()) options.drawn = parse_axes(request.axes, preparation, options.axes);
   if (request.draws && options.drawn.empty())
-    throw UsageError("--picture: every motion parameter is a single value, nothing to draw");
+    throw UsageError(
+        "--picture: there is nothing to draw, because no motion parameter has a range");
   return options;
 }
 

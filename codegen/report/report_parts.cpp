@@ -297,7 +297,7 @@ std::string format_occupancy(const Result& result) {
   if (result.verdict != Verdict::kNoSingularity || result.occupancy != Occupancy::kUnknown)
     return "";
   return "warning    no pose was found that satisfies the constraints: the claim may be about "
-         "none\n";
+         "no pose\n";
 }
 
 }  // namespace regulus::report

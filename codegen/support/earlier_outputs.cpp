@@ -24,14 +24,14 @@ void set_aside(const OutputFile& output) {
   if (!fs::exists(status)) return;
   if (!fs::is_regular_file(status)) {
     if (output.must_be_file)
-      throw FileError(output.option + ": " + output.path + " is no file that can be replaced");
+      throw FileError(output.option + ": " + output.path +
+                      " is not a regular file; name another file to write");
     return;
   }
   fs::rename(output.path, output.path + ".old", error);
   if (error)
-    throw FileError(output.option + ": " + output.path +
-                    " is of an earlier run and cannot be renamed to " + output.path +
-                    ".old: " + error.message());
+    throw FileError(output.option + ": the earlier file " + output.path + " cannot be renamed to " +
+                    output.path + ".old: " + error.message());
 }
 
 }  // namespace

@@ -35,8 +35,8 @@ bool is_in_file(const Elf64_Phdr& segment, std::string_view bytes) {
 }  // namespace
 
 std::optional<std::string> find_fault_in_shared_object(std::string_view bytes) {
-  constexpr const char* kNoElf = "it is no ELF file of that kind";
-  constexpr const char* kCut = "it is cut off";
+  constexpr const char* kNoElf = "it is not a shared object";
+  constexpr const char* kCut = "it is incomplete";
   if (!bytes.starts_with(std::string_view(ELFMAG, SELFMAG))) return kNoElf;
   const auto header = header_at<Elf64_Ehdr>(bytes, 0);
   if (!header) return kCut;

@@ -89,12 +89,12 @@ class Reader {
 };
 
 std::string_view without_checksum(std::string_view text) {
-  if (text.size() < kEndLine) throw CheckpointError("it is cut off");
+  if (text.size() < kEndLine) throw CheckpointError("it is incomplete");
   const std::string_view body = text.substr(0, text.size() - kEndLine);
   char end[32];
   std::snprintf(end, sizeof end, "end %016" PRIx64 "\n", checksum(body));
   if (text.substr(body.size()) != end)
-    throw CheckpointError("it is damaged: its checksum does not fit");
+    throw CheckpointError("it is damaged: its checksum is wrong");
   return body;
 }
 
@@ -154,10 +154,10 @@ CertificateSoFar read_certificate(Reader& reader, int format) {
 
 /// Which of the formats that there have been.
 int format_of(std::string_view text) {
-  if (!text.starts_with("regulus checkpoint ")) throw CheckpointError("it is no checkpoint");
+  if (!text.starts_with("regulus checkpoint ")) throw CheckpointError("it is not a checkpoint");
   for (const int format : {1, 2})
     if (text.starts_with("regulus checkpoint " + std::to_string(format) + '\n')) return format;
-  throw CheckpointError("it has a format of another version");
+  throw CheckpointError("its format is of another version");
 }
 
 void read_counts(Reader& reader, SearchState& state) {
@@ -212,7 +212,7 @@ Checkpoint read_checkpoint(std::string_view text, const CheckpointedQuestion& qu
   std::vector<BoxId> ids = result.ids;
   std::sort(ids.begin(), ids.end());
   if (std::adjacent_find(ids.begin(), ids.end()) != ids.end())
-    throw CheckpointError("a box comes twice");
+    throw CheckpointError("it contains a box twice");
   return result;
 }
 

@@ -25,13 +25,13 @@ bool is_printable(char c) { return c >= ' ' && c <= '~'; }
 
 std::optional<std::string> find_fault(const regulus_filter_interface& filter) {
   if (filter.abi != REGULUS_FILTER_ABI)
-    return "a filter of ABI " + std::to_string(filter.abi) + ", this runtime has filter ABI " +
+    return "the filter has ABI " + std::to_string(filter.abi) + ", but this Regulus has ABI " +
            std::to_string(static_cast<int>(REGULUS_FILTER_ABI));
-  if (filter.certify == nullptr) return "a filter without a function certify";
+  if (filter.certify == nullptr) return "the filter has no function certify";
   const std::size_t length = filter.name == nullptr ? 0 : ::strnlen(filter.name, kLongestName + 1);
   if (length == 0 || length > kLongestName ||
       !std::all_of(filter.name, filter.name + length, is_printable))
-    return "a filter whose name is not of 1 to 64 printable ASCII characters";
+    return "the name of the filter does not have 1 to 64 printable ASCII characters";
   return std::nullopt;
 }
 

@@ -36,7 +36,7 @@ class CheckpointOption : public testing::Test {
 TEST_F(CheckpointOption, ASearchOutOfBoxesGoesOnLater) {
   const CommandResult first = check({"--max-boxes", "200"});
   EXPECT_EQ(first.exit_code, 2);
-  EXPECT_THAT(first.errors, HasSubstr("the same command goes on from here"));
+  EXPECT_THAT(first.errors, HasSubstr("repeat the command to continue from here"));
   ASSERT_TRUE(exists("checkpoint"));
   // Nothing ties it to the machine code, the number of threads, or what the bounds were made with.
   const CommandResult second = check({"--threads", "2", "--isa", "portable"});
@@ -72,7 +72,7 @@ TEST_F(CheckpointOption, ACertificateThatWasDamagedIsNotContinued) {
     flip(at);
     const CommandResult damaged = check(words);
     EXPECT_EQ(damaged.exit_code, 65) << at;
-    EXPECT_THAT(damaged.errors, HasSubstr("proof.partial: found other bytes than the checkpoint"));
+    EXPECT_THAT(damaged.errors, HasSubstr("proof.partial: the unfinished proof has changed"));
     flip(at);
   }
   EXPECT_EQ(check({"--certificate", file("proof")}).exit_code, 0);
@@ -102,7 +102,7 @@ TEST_F(CheckpointOption, ACertificateThatIsNotThereIsNotInvented) {
   ASSERT_EQ(check({"--max-boxes", "300"}).exit_code, 2);
   const CommandResult late = check({"--certificate", file("late")});
   EXPECT_EQ(late.exit_code, 65);
-  EXPECT_THAT(late.errors, HasSubstr("a checkpoint of a search without --certificate"));
+  EXPECT_THAT(late.errors, HasSubstr("of a search without --certificate"));
   std::filesystem::remove(file("checkpoint"));
 
   ASSERT_EQ(check({"--max-boxes", "300", "--certificate", file("lost")}).exit_code, 2);
@@ -127,7 +127,7 @@ TEST_F(CheckpointOption, AnotherSearchOrAnotherFileIsRefused) {
   std::ofstream(file("checkpoint")) << "[pose]\n";
   const CommandResult strange = check({});
   EXPECT_EQ(strange.exit_code, 65);
-  EXPECT_THAT(strange.errors, HasSubstr("it is no checkpoint"));
+  EXPECT_THAT(strange.errors, HasSubstr("it is not a checkpoint"));
 }
 
 /// Boxes that rest on a filter are nobody's proof: the report of the end must name it.
@@ -159,7 +159,7 @@ TEST_F(CheckpointOption, SighupSavesWhatIsDone) {
   ::kill(run.pid(), SIGHUP);
   const CommandResult result = run.wait();
   EXPECT_EQ(result.exit_code, 2) << result.errors;
-  EXPECT_THAT(result.errors, HasSubstr("the same command goes on from here"));
+  EXPECT_THAT(result.errors, HasSubstr("repeat the command to continue from here"));
   EXPECT_TRUE(exists("checkpoint"));
 }
 
@@ -184,7 +184,7 @@ TEST_F(CheckpointOption, SigtermSavesWhatIsDone) {
   ::kill(run.pid(), SIGTERM);
   const CommandResult result = run.wait();
   EXPECT_EQ(result.exit_code, 2) << result.errors;
-  EXPECT_THAT(result.errors, HasSubstr("the same command goes on from here"));
+  EXPECT_THAT(result.errors, HasSubstr("repeat the command to continue from here"));
   EXPECT_TRUE(exists("checkpoint"));
   EXPECT_FALSE(exists("checkpoint.new"));
 }

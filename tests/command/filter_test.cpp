@@ -124,15 +124,16 @@ TEST(Filter, IsRefusedWhenItCannotBeUsed) {
   EXPECT_THAT(missing.errors, HasSubstr("no_such_filter.so cannot be read: there is no such file"));
   EXPECT_EQ(refusal("newer").exit_code, 65);
   EXPECT_THAT(refusal("newer").errors,
-              HasSubstr("a filter of ABI 2, this runtime has filter ABI 1"));
+              HasSubstr("the filter has ABI 2, but this Regulus has ABI 1"));
   EXPECT_EQ(refusal("empty").exit_code, 65);
   EXPECT_THAT(refusal("empty").errors, HasSubstr("no symbol regulus_filter"));
   EXPECT_EQ(refusal("nameless").exit_code, 65);
-  EXPECT_THAT(refusal("nameless").errors, HasSubstr("whose name is not"));
+  EXPECT_THAT(refusal("nameless").errors,
+              HasSubstr("the name of the filter does not have 1 to 64"));
   const CommandResult text = run_command(
       {REGULUS_BINARY_DIR "/bin/regulus", "check", kPlanar, "regular", "--filter", kPlanar});
   EXPECT_EQ(text.exit_code, 65);
-  EXPECT_THAT(text.errors, HasSubstr("no shared object that loads"));
+  EXPECT_THAT(text.errors, HasSubstr("the filter cannot be loaded: it is not a shared object"));
 }
 
 TEST(Filter, InTheManualIsTheOneTestedHere) {

@@ -110,7 +110,7 @@ TEST_F(MarginCertificate, IsNotWrittenForAnEndThatIsNotKnown) {
   std::filesystem::remove(file("ends.safe"));
   const CommandResult singular = margin({"small", "--tolerance", "a=0.6:0.9"});
   EXPECT_EQ(singular.exit_code, 1);
-  EXPECT_THAT(singular.errors, HasSubstr("none of a value that is safe"));
+  EXPECT_THAT(singular.errors, HasSubstr("none for the safe end"));
   EXPECT_FALSE(std::filesystem::exists(file("ends.safe")));
   EXPECT_EQ(verified("singular")["outcome"], "verified");
 }

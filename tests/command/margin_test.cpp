@@ -177,15 +177,15 @@ TEST_F(Margin, ExitsWith2WhenALimitEndsItEarly) {
 
 TEST_F(Margin, RefusesWrongUseWith64AndSaysWhy) {
   const std::vector<std::pair<std::vector<std::string>, std::string>> cases{
-      {{"small"}, "found 0 ranges"},
-      {{"small", "--tolerance", "a=0.1"}, "found 0 ranges"},
-      {{"small", "--tolerance", "a=0:1", "--alpha", "0:1"}, "found 2 ranges"},
+      {{"small"}, "margin: 0 options have a range"},
+      {{"small", "--tolerance", "a=0.1"}, "margin: 0 options have a range"},
+      {{"small", "--tolerance", "a=0:1", "--alpha", "0:1"}, "margin: 2 options have a range"},
       {{"small", "--tolerance", "a=1:0"}, "expected LO below HI"},
       {{"small", "--tolerance", "a=-1:0"}, "a number ≥ 0"},
       {{"small", "--tolerance", "a=0:x"}, "--tolerance"},
       {{"small", "--tolerance", "nothing=0:1"}, "nothing"},
       {{"small", "--scale", "2"}, "expected LO:HI"},
-      {{"path", "--scale", "0:2"}, "expected a box variety"},
+      {{"path", "--scale", "0:2"}, "the motion 'path' is not a box"},
       {{"small", "--alpha", "0:1", "--gap", "0"}, "--gap"},
       {{"nowhere", "--alpha", "0:1"}, "nowhere"},
   };

@@ -168,7 +168,7 @@ TEST(Checkpoint, WhatCannotBeIsRefusedWithTheLine) {
     }
   };
   expect_refusal(replaced("b 17 ", "b 19 "), "line 17: expected a number up to 18");
-  expect_refusal(replaced("b 17 ", "b 16 "), "a box comes twice");
+  expect_refusal(replaced("b 17 ", "b 16 "), "a box twice");
   expect_refusal(replaced("b 17 3 0x0p+0:", "b 17 3 -0x1p+0:"), "a box of the variety");
   expect_refusal(replaced("0x1p-3:0x1p-2", "0x1p-2:0x1p-3"), "bounds in order");
   expect_refusal(replaced("0x1p-3:0x1p-2", "nan:0x1p-2"), "a hexadecimal number");
@@ -182,8 +182,8 @@ TEST(Checkpoint, WhatCannotBeIsRefusedWithTheLine) {
   expect_refusal(replaced(" -0x1p+0 0x1p-3\n", " -0x1p+0\n"), "a number for each variable");
   expect_refusal(replaced("certificate 4242 cc", "certificate 4242 xc"), "64 hexadecimal digits");
   expect_refusal(replaced("small 1 0 9", "small 2 0 9"), "a number up to 1");
-  expect_refusal("[pose]\n", "no checkpoint");
-  expect_refusal("", "no checkpoint");
+  expect_refusal("[pose]\n", "not a checkpoint");
+  expect_refusal("", "not a checkpoint");
 }
 
 /// Whatever is made of it, a checkpoint is read or refused.
