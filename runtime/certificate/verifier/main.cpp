@@ -24,16 +24,17 @@ constexpr const char* kHelp =
     "  VERIFIED    the claim is true                                     (exit 0)\n"
     "  REJECTED    not a certificate, incomplete, or false               (exit 1)\n"
     "  UNFINISHED  neither could be shown within the bounds below        (exit 2)\n"
-    "Standard error says about what and why. 64 usage, 74 a file cannot be read or written.\n"
+    "Standard error says what was checked, and why the claim is not verified.\n"
+    "Other exit codes: 64 usage, 74 a file cannot be read or written.\n"
     "\n"
     "  --model FILE     also compare every number and expression of this model file with the\n"
-    "                   certificate, by a reader that shares nothing with regulus\n"
-    "  --allow-options  ranges, tolerances and alpha may differ from that file, as options of\n"
-    "                   regulus set them; they are listed\n"
-    "  --time-limit S   stop after S seconds: UNFINISHED\n"
-    "  --max-boxes N    boxes that all leaves together may be cut into (default 4194304)\n"
-    "  --quiet          nothing but the answer\n"
-    "  --help           this text\n";
+    "                   certificate; the reader shares no code with regulus\n"
+    "  --allow-options  allow ranges, tolerances and alpha to differ from that file, because\n"
+    "                   options of regulus change them; list the differences\n"
+    "  --time-limit S   stop after S seconds; the answer is then UNFINISHED\n"
+    "  --max-boxes N    evaluate at most N boxes for all leaves together (default 4194304)\n"
+    "  --quiet          print only the answer\n"
+    "  --help           print this text\n";
 
 struct Usage {
   std::string certificate, model;

@@ -25,7 +25,7 @@ class QuestionReader {
   void read() {
     advance();
     if (lines_.text() != format::kMagic)
-      throw Rejection("found another first line, expected '" + std::string(format::kMagic) + "'");
+      throw Rejection("the first line is not '" + std::string(format::kMagic) + "'");
     advance();
     read_verdict();
     const std::string claim(take("claim"));
@@ -44,7 +44,8 @@ class QuestionReader {
  private:
   void advance() {
     if (!lines_.next()) throw Rejection("the file ends before the proof");
-    if (lines_.number() > format::kMostLines) throw Rejection("a header that is too long");
+    if (lines_.number() > format::kMostLines)
+      throw Rejection("there are too many lines before 'proof'");
   }
 
   /// Whether the line is `key` alone, or begins with it and a space.
@@ -160,12 +161,13 @@ class QuestionReader {
       if (node.op != Op::kVariable || !in_ball_.insert(node.a).second)
         throw Rejection("'" + std::string(name) + "' cannot be a coordinate of this ball");
       const NodeId spread = spreads_[std::size_t(node.a)];
-      if (!ball.members.empty() && spread != ball.radius) throw Rejection("a ball with two radii");
+      if (!ball.members.empty() && spread != ball.radius)
+        throw Rejection("the coordinates of a ball have different radii");
       ball.radius = spread;
       ball.members.push_back(std::size_t(node.a));
       ball.middles.push_back(middles_[std::size_t(node.a)]);
     }
-    if (ball.members.empty()) throw Rejection("a ball without coordinates");
+    if (ball.members.empty()) throw Rejection("a ball has no coordinates");
     q_.balls.push_back(std::move(ball));
   }
 
@@ -218,7 +220,7 @@ class QuestionReader {
     if (!cut(shape, " ", name, value)) throw Rejection("expected 'matrix ROWS COLUMNS'");
     q_.rows = read_count(name, format::kMostRows);
     q_.columns = read_count(value, q_.rows);
-    if (q_.columns < 1) throw Rejection("a matrix without columns");
+    if (q_.columns < 1) throw Rejection("the matrix has no columns");
     for (std::size_t e = 0; e < q_.rows * q_.columns; ++e) {
       if (!is("entry")) throw Rejection("expected a line 'entry …'");
       const std::string_view text = rest_of("entry");
@@ -227,15 +229,14 @@ class QuestionReader {
     }
     read_list("scale", actual_, q_.scale);
     if (!q_.scale.empty() && q_.scale.size() != q_.rows)
-      throw Rejection("another number of scales than of rows");
+      throw Rejection("the number of scales differs from the number of rows");
     read_list("defined", actual_, q_.defined);
   }
 
   void read_motion() {
     read_list("motion-defined", commanded_, q_.motion_defined);
     read_list("constraint", commanded_, q_.constraints);
-    if (q_.has_threshold && q_.rows != q_.columns)
-      throw Rejection("a threshold for the determinant of a matrix that is not square");
+    if (q_.has_threshold && q_.rows != q_.columns) throw Rejection("alpha needs a square matrix");
   }
 
   void read_list(std::string_view key, const Scope& scope, std::vector<NodeId>& list) {
@@ -260,12 +261,12 @@ bool Lines::next() {
   for (int c; (c = in_.get()) != std::istream::traits_type::eof();) {
     if (left_-- == 0) throw Rejection("the file is too large");
     if (c == '\n') return true;
-    if (c < ' ' || c == 127) throw Rejection("a control character");
-    if (text_.size() == format::kLongestLine) throw Rejection("a line that is too long");
+    if (c < ' ' || c == 127) throw Rejection("the line contains a control character");
+    if (text_.size() == format::kLongestLine) throw Rejection("the line is too long");
     text_.push_back(char(c));
   }
   if (in_.bad()) throw std::runtime_error("the file cannot be read");
-  if (!text_.empty()) throw Rejection("the last line is not ended");
+  if (!text_.empty()) throw Rejection("the last line has no newline");
   return false;
 }
 

@@ -29,7 +29,7 @@ class TreeChecker {
   void check() {
     for (;;) {
       clock_.tick();
-      if (!lines_.next()) throw Rejection("the file ends before its tree does");
+      if (!lines_.next()) throw Rejection("the file ends before the line 'end' of the tree");
       const auto words = words_of(lines_.text());
       if (words.size() == 4 && words[0] == "s")
         split(words);
@@ -47,8 +47,7 @@ class TreeChecker {
 
   Open::iterator find(std::string_view text) {
     const auto box = open_.find(read_count(text, std::size_t(-1)));
-    if (box == open_.end())
-      throw Rejection("box " + std::string(text) + " is not one that is open");
+    if (box == open_.end()) throw Rejection("box " + std::string(text) + " is not open");
     return box;
   }
 
@@ -85,15 +84,15 @@ class TreeChecker {
 
   void end(const std::vector<std::string_view>& words) {
     if (!open_.empty())
-      throw Rejection(std::to_string(open_.size()) + " boxes are without a leaf, box " +
-                      std::to_string(open_.begin()->first) + " among them");
+      throw Rejection(std::to_string(open_.size()) + " boxes have no leaf, for example box " +
+                      std::to_string(open_.begin()->first));
     if (read_count(words[1], std::size_t(-1)) != counts_.leaves)
-      throw Rejection("another number of leaves than there are");
-    if (lines_.next()) throw Rejection("something after the end");
+      throw Rejection("the line 'end' gives a wrong number of leaves");
+    if (lines_.next()) throw Rejection("there is text after the line 'end'");
     if (!prover_.has_met_variety())
       throw Unfinished("no pose remains: the constraints exclude every pose of the motion");
     if (has_constraints_ && !prover_.has_met_point())
-      counts_.note = "no pose was shown to satisfy the constraints: the claim may speak of none";
+      counts_.note = "no pose was shown to satisfy the constraints: the claim may be about no pose";
   }
 
   Lines& lines_;

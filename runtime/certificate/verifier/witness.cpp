@@ -33,7 +33,7 @@ class WitnessChecker {
 
  private:
   const std::string& next_line() {
-    if (!lines_.next()) throw Rejection("the file ends before the witness does");
+    if (!lines_.next()) throw Rejection("the file ends before the line 'end' of the witness");
     return lines_.text();
   }
 
@@ -88,7 +88,7 @@ class WitnessChecker {
 
   void read_end() {
     if (next_line() != "end") throw Rejection("expected 'end'");
-    if (lines_.next()) throw Rejection("something after the end");
+    if (lines_.next()) throw Rejection("there is text after the line 'end'");
   }
 
   void check_signs() {

@@ -31,14 +31,14 @@ std::string nested(const std::string& before, const std::string& after) {
 
 TEST(AFile, MustBeginWithItsFormat) {
   expect_rejected("", "ends before");
-  expect_rejected("regulus-certificate 2\n", "another first line");
-  expect_rejected("regulus = 1\n", "another first line");
+  expect_rejected("regulus-certificate 2\n", "the first line is not");
+  expect_rejected("regulus = 1\n", "the first line is not");
 }
 
 TEST(AFile, MustEndInAWholeLine) {
-  expect_rejected(scalar_question("x") + "proof\nl 0 mean-value\nend 1", "not ended");
+  expect_rejected(scalar_question("x") + "proof\nl 0 mean-value\nend 1", "no newline");
   expect_rejected(scalar_question("x") + "proof\nl 0 mean-value\n", "ends before");
-  expect_rejected(scalar_question("x") + kOneLeaf + "\n", "after the end");
+  expect_rejected(scalar_question("x") + kOneLeaf + "\n", "text after the line 'end'");
 }
 
 TEST(AFile, HoldsTextOnly) {
@@ -87,20 +87,21 @@ TEST(ABall, IsMadeOfUncertainQuantitiesOfOneSpread) {
   };
   expect_rejected(with("ball x\n"), "cannot be a coordinate");
   expect_rejected(with("uncertain a = 1 +- 1\nball a a\n"), "cannot be a coordinate");
-  expect_rejected(with("uncertain a = 1 +- 1\nuncertain b = 1 +- 2\nball a b\n"), "two radii");
+  expect_rejected(with("uncertain a = 1 +- 1\nuncertain b = 1 +- 2\nball a b\n"),
+                  "different radii");
   expect_rejected(with("constant a = 1\nball a\n"), "cannot be a coordinate");
 }
 
 TEST(ATree, NamesOpenBoxesAndVariablesThatExist) {
   const std::string question = scalar_question("x") + "proof\n";
-  expect_rejected(question + "l 1 mean-value\nend 1\n", "not one that is open");
+  expect_rejected(question + "l 1 mean-value\nend 1\n", "box 1 is not open");
   expect_rejected(question + "s 0 1 0x1.8p+0\n", "no variable");
   expect_rejected(question + "s 0 0 0x1p+1\n", "not inside");
   expect_rejected(question + "s 0 0 nan\n", "not a number");
   expect_rejected(question + "s 0 0 inf\n", "not a number");
   expect_rejected(question + "s 0 0 0x1.8p+0x\n", "not a number");
   expect_rejected(question + "l 0 luck\n", "no rule");
-  expect_rejected(question + "l 0 mean-value\nend 2\n", "another number of leaves");
+  expect_rejected(question + "l 0 mean-value\nend 2\n", "a wrong number of leaves");
   expect_rejected(question + "l -1 mean-value\n", "");
   expect_rejected(question + "l 99999999999999999999999 mean-value\n", "");
   expect_rejected(question + "nonsense\n", "expected 's BOX");

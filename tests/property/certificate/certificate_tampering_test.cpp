@@ -48,7 +48,7 @@ TEST(ALeaf, CannotBeLeftOut) {
   for (const std::size_t at : lines_with(lines, "l ")) {
     auto changed = lines;
     changed.erase(changed.begin() + std::ptrdiff_t(at));
-    expect_rejected(joined(changed), "without a leaf");
+    expect_rejected(joined(changed), "no leaf");
   }
 }
 
@@ -57,7 +57,7 @@ TEST(ALeaf, CannotBeThereTwice) {
   for (const std::size_t at : lines_with(lines, "l ")) {
     auto changed = lines;
     changed.insert(changed.begin() + std::ptrdiff_t(at), lines[at]);
-    expect_rejected(joined(changed), "is not one that is open");
+    expect_rejected(joined(changed), "is not open");
   }
 }
 
@@ -67,7 +67,7 @@ TEST(ALeaf, CannotComeBeforeTheSplitThatMakesIt) {
     auto changed = lines;
     changed.erase(changed.begin() + std::ptrdiff_t(at));
     changed.insert(changed.begin() + std::ptrdiff_t(lines_with(lines, "s ").front()), lines[at]);
-    expect_rejected(joined(changed), "is not one that is open");
+    expect_rejected(joined(changed), "is not open");
   }
 }
 
