@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The oracle itself: what each family says of its models is confirmed by evaluating their text.
+// Tests the oracle: evaluating the text of each model must confirm what its family states.
 #include <gtest/gtest.h>
 
 #include <set>
@@ -47,7 +47,7 @@ TEST_P(EveryFamily, IsTheSameForTheSameSeed) {
   EXPECT_NE(GetParam().make(1).model.text(), GetParam().make(2).model.text());
 }
 
-/// A command that always says the same is found out.
+/// The judge must detect a command that always gives the same answer.
 TEST_P(EveryFamily, ContradictsALiar) {
   std::set<int> found_out;
   for (std::uint64_t seed = 0; seed < kSeeds; ++seed)
@@ -59,7 +59,7 @@ TEST_P(EveryFamily, ContradictsALiar) {
   EXPECT_TRUE(found_out.contains(0)) << "NO SINGULARITY is never wrong";
 }
 
-/// Moves what makes the model singular a little; the oracle must no longer confirm it.
+/// Moves the planted point a little; the oracle must no longer confirm the singularity.
 TEST_P(EveryFamily, IsNotConfirmedAtAnotherPoint) {
   if (std::string_view(GetParam().name) == "identity") GTEST_SKIP() << "singular everywhere";
   int doubts = 0, tried = 0;
@@ -74,7 +74,7 @@ TEST_P(EveryFamily, IsNotConfirmedAtAnotherPoint) {
     ++tried;
     doubts += refute_truth(attack, 1) ? 1 : 0;
   }
-  // Some are singular everywhere.
+  // Some models are singular everywhere.
   EXPECT_GE(4 * doubts, tried > 0 ? 1 : 0);
 }
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The runner: a crash, a hang or a leak is one model's, and the summary says so.
+// Tests that a crash, a hang or a leak is assigned to one model, and that the summary shows it.
 #include <gtest/gtest.h>
 #include <unistd.h>
 

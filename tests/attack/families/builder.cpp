@@ -64,7 +64,7 @@ void Builder::range(const std::string& name, const Rational& lo, const Rational&
   names_.push_back(name);
   attack.axes.push_back({name, lo, hi});
   if (random.one_in(8)) {
-    // The file has another range, and the option the one that counts.
+    // The file has another range; the range of the option counts.
     attack.model.pose.push_back({name, "[0, 1]", ""});
     attack.options.insert(attack.options.end(), {"--range", name + "=" + spell_option(lo, random) +
                                                                 ":" + spell_option(hi, random)});

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The families of hostile models. Each makes a model of a seed, and says what is true of it.
+// The families of hostile models. Each makes a model from a seed and states the truth about it.
 #pragma once
 
 #include <span>
@@ -17,7 +17,7 @@ struct Family {
 
 [[nodiscard]] std::span<const Family> families();
 
-/// nullptr if there is none.
+/// Returns nullptr if there is no family of that name.
 [[nodiscard]] const Family* find_family(std::string_view name);
 
 // Roots: roots.cpp
@@ -29,13 +29,13 @@ Attack regular_by_a_margin(std::uint64_t seed);
 Attack linear_margin(std::uint64_t seed);
 Attack expanded_polynomial(std::uint64_t seed);
 Attack identity(std::uint64_t seed);
-// Places without a value: undefined.cpp
+// Poses without a value: undefined.cpp
 Attack pole(std::uint64_t seed);
 Attack removable(std::uint64_t seed);
 Attack branch_cut(std::uint64_t seed);
 Attack sign_jump(std::uint64_t seed);
 Attack rational_exponent(std::uint64_t seed);
-// What is asked: questions.cpp
+// The question of the model: questions.cpp
 Attack threshold(std::uint64_t seed);
 Attack row_scale(std::uint64_t seed);
 Attack constraint(std::uint64_t seed);

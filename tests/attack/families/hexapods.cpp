@@ -31,7 +31,7 @@ Rational small(Random& random, long most, unsigned long denominator = 4) {
   return Rational(random.between(-most, most), denominator);
 }
 
-/// An orientation with a rational rotation, and how a motion writes it.
+/// An orientation with a rational rotation, and its values as a motion states them.
 struct Orientation {
   std::string name;
   std::vector<std::pair<std::string, Rational>> parameters;
@@ -65,7 +65,7 @@ Orientation rational_orientation(Random& random) {
                  {two * (b * d - a * c), two * (c * d + a * b), a * a - b * b - c * c + d * d}}};
   for (Vector& row : o.rotation)
     for (Rational& x : row) x = x / n;
-  // Not only those of norm 1 are rotations.
+  // A quaternion of any other norm is a rotation, too.
   const Rational length = random.one_in(3) ? Rational(random.between(1, 40), 4) : Rational(1);
   for (std::size_t i = 0; i < 4; ++i)
     o.parameters.push_back({"q" + std::to_string(i), length * q[i]});
@@ -76,7 +76,7 @@ struct Legs {
   std::array<Vector, 6> base, platform;  ///< both in the reference frame, at the pose
 };
 
-/// A vector that five rows of six are orthogonal to.
+/// Returns a vector that is orthogonal to five rows of six.
 std::optional<std::array<Rational, 6>> null_vector(std::vector<std::array<Rational, 6>> rows) {
   std::vector<std::size_t> pivots;
   std::size_t free_column = 6;
@@ -106,7 +106,7 @@ std::optional<std::array<Rational, 6>> null_vector(std::vector<std::array<Ration
   return k;
 }
 
-/// The sixth leg in the linear complex of the other five: B·(v + w × A) = A·v.
+/// Moves the sixth leg into the linear complex of the other five: B·(v + w × A) = A·v.
 bool make_dependent(Legs& legs, Random& random) {
   std::vector<std::array<Rational, 6>> rows;
   for (std::size_t i = 0; i < 5; ++i) {
@@ -140,7 +140,7 @@ Legs dependent_legs(Random& random) {
   return legs;
 }
 
-/// A value, or a range around it.
+/// Adds a pose parameter with this value, or with a range around it.
 void pose_of(Builder& b, const std::string& name, const Rational& at, const Rational& width) {
   if (b.random.one_in(3)) {
     b.value(name, at);
@@ -151,7 +151,7 @@ void pose_of(Builder& b, const std::string& name, const Rational& at, const Rati
   b.attack.planted[name] = b.text(at);
 }
 
-/// The motion around a pose, and the anchors in the frame of the platform.
+/// Sets the motion around a pose, and the anchors in the frame of the platform.
 void place(Builder& b, Hexapod& hexapod, const Orientation& o, const Legs& legs) {
   const Vector X{small(b.random, 8), small(b.random, 8), Rational(10) + small(b.random, 8)};
   hexapod.orientation = o.name;
@@ -161,11 +161,11 @@ void place(Builder& b, Hexapod& hexapod, const Orientation& o, const Legs& legs)
   const Rational width = b.random.one_in(3) ? Rational(1, 1000) : Rational(1, 10);
   for (std::size_t i = 0; i < 3; ++i) pose_of(b, std::string(1, "xyz"[i]), X[i], width);
   for (const auto& [name, value] : o.parameters) pose_of(b, name, value, width);
-  b.attack.may_be_refused = o.name == "quaternion";  // a norm that a reader may not want
+  b.attack.may_be_refused = o.name == "quaternion";  // a reader may refuse its norm
 }
 
-/// Base anchors on a circle, a platform that is similar: each row is linear in the six monomials of
-/// degree at most 2 of an anchor's coordinates, which six points of a conic make dependent.
+/// Puts base anchors on a circle, with a similar platform. Each row is linear in the six monomials
+/// of degree at most 2 of an anchor's coordinates; six points of a conic make these dependent.
 void similar_hexagons(Builder& b) {
   Hexapod hexapod;
   const Orientation o = rational_orientation(b.random);
@@ -187,8 +187,8 @@ void similar_hexagons(Builder& b) {
   b.attack.argument = "base and platform are similar hexagons in circles";
 }
 
-/// Three legs in one point, two in another, one in a third: the determinant is the product of three
-/// functions, affine in the position, at a constant orientation.
+/// Three legs end in one point, two in another, one in a third. At a constant orientation the
+/// determinant is the product of three functions that are affine in the position.
 struct ThreeTwoOne {
   Legs legs;  ///< platform: relative to the position
   [[nodiscard]] std::array<Rational, 3> factors(const Vector& X) const {
@@ -208,7 +208,7 @@ ThreeTwoOne three_two_one(Random& random) {
   return robot;
 }
 
-/// The slope of a factor: what it changes by at most, per unit of each coordinate.
+/// Returns the slope of a factor: its largest change per unit of each coordinate.
 Rational slope(const ThreeTwoOne& robot, std::size_t factor, const Vector& X, Vector& signs) {
   Rational sum;
   for (std::size_t i = 0; i < 3; ++i) {
@@ -234,7 +234,7 @@ Attack hexapod_singular(std::uint64_t seed) {
   const Legs legs = dependent_legs(b.random);
   place(b, hexapod, o, legs);
   if (b.random.one_in(4)) {
-    // More is singular with tolerances than without.
+    // Tolerances only add singular poses.
     const Rational t = Rational(1, 1000);
     hexapod.toml.push_back({"platform_tolerance", spell_toml(t, b.random)});
     hexapod.toml.push_back({"tolerance_shape", b.coin() ? "\"box\"" : "\"ball\""});
@@ -250,7 +250,7 @@ Attack hexapod_regular(std::uint64_t seed) {
   const Orientation o = rational_orientation(b.random);
   ThreeTwoOne robot;
   Vector X, signs;
-  Rational reach(0);  // of the position, until some factor vanishes
+  Rational reach(0);  // how far the position moves until a factor vanishes
   Vector corner;
   do {
     robot = three_two_one(b.random);
@@ -292,7 +292,7 @@ Attack hexapod_tolerance(std::uint64_t seed) {
   const Legs legs = dependent_legs(b.random);
   const bool ball = b.coin();
   place(b, hexapod, o, legs);
-  // The anchors that are declared are off by as much as the tolerance allows.
+  // The declared anchors differ from dependent ones by the tolerance, or by a little less.
   const Rational t(b.random.between(1, 50), 1000), beyond = b.coin() ? Rational(0) : b.margin(30);
   const std::array<long, 3> unit = {2, 3, 6};
   const bool on_platform = b.coin();

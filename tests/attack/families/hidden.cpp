@@ -10,7 +10,7 @@ std::string small_number(Random& random) {
   return random.pick({"1", "2", "(-1)", "(1/2)", "(-2/3)", "0.1", "3", "(-0.7)"});
 }
 
-/// Has a value everywhere, and is of moderate size where x is.
+/// Returns a function that has a value everywhere, of moderate size if x is.
 std::string bounded_function(const std::string& x, Random& random) {
   switch (random.below(5)) {
     case 0:
@@ -26,7 +26,7 @@ std::string bounded_function(const std::string& x, Random& random) {
   }
 }
 
-/// What is below the diagonal of L or above that of U.
+/// Returns an entry below the diagonal of L or above the diagonal of U.
 std::string entry(const std::vector<std::string>& names, Random& random) {
   if (random.one_in(4)) return "0";
   if (names.empty() || random.one_in(2)) return small_number(random);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Numbers of which the last digit decides; ranges of extreme size.
+// Numbers whose last digit decides; ranges of extreme size.
 #include <cstdio>
 
 #include "tests/attack/families/builder.hpp"
@@ -8,8 +8,8 @@
 namespace regulus::attack {
 namespace {
 
-/// Two decimals of up to 60 digits: `changed` is the same, or differs in its last digit or beyond
-/// it.
+/// Two decimals of up to 60 digits: `changed` is equal to `given`, or differs in its last digit or
+/// a later one.
 struct Pair {
   Rational given, changed;
 };
@@ -33,7 +33,7 @@ Rational printed_with_17_digits(double value) {
 
 Pair pair_of_numbers(Builder& b) {
   Random& random = b.random;
-  if (random.one_in(5)) {  // a short decimal, and what a program prints for the nearest double
+  if (random.one_in(5)) {  // a short decimal, and the nearest double as a program prints it
     const long hundredths = random.between(1, 99999);
     return {Rational(hundredths, 1000),
             printed_with_17_digits(static_cast<double>(hundredths) / 1000)};
@@ -50,7 +50,7 @@ void option(Builder& b, const char* name, const std::string& value) {
   b.attack.options.insert(b.attack.options.end(), {name, value});
 }
 
-/// The difference is the factor; 0 means singular at every pose.
+/// Uses the difference as the factor; 0 means singular at every pose.
 void decide_by(Builder& b, const Rational& difference) {
   Planted at;
   for (const Axis& axis : b.attack.axes)
@@ -154,7 +154,7 @@ void literal_in_a_let(Builder& b, const Pair& n) {
   decide_by(b, n.given - n.changed);
 }
 
-/// Integers of 53 to 63 bits, one apart.
+/// Adds integers of 53 to 63 bits that differ by 1 or are equal.
 void large_integer(Builder& b) {
   const Rational given =
       Rational::two_to(b.random.between(53, 62)) + Rational(b.random.between(-1000, 1000));
@@ -164,7 +164,7 @@ void large_integer(Builder& b) {
   decide_by(b, given - changed);
 }
 
-/// A double, or a number between two that are next to each other.
+/// Returns a double, or a number between two adjacent doubles.
 Rational near_a_double(Builder& b, double at) {
   const Rational d = Rational::of(at);
   return b.coin() ? d : d + d.magnitude() * Rational::ten_to(-b.random.between(17, 40));
@@ -199,20 +199,20 @@ Attack thin(std::uint64_t seed) {
       b.hide("x*y - " + b.text(p * q) + " + " + b.text(excess));
       b.decide(excess.magnitude(), {});
       break;
-    case 1: {  // a range of two ends that are the same
+    case 1: {  // a range with two equal ends
       b.range("x", p, p);
       b.hide("x^2 - " + b.text(p * p) + " + " + b.text(excess));
       b.decide(excess.magnitude(), {{"x", b.text(p)}});
       break;
     }
-    case 2: {  // one step of doubles
+    case 2: {  // a range as wide as one step of doubles
       const Rational step = p * Rational::two_to(-52), root = p + step * Rational(1, 3);
       b.range("x", p, p + step);
       b.hide("x - " + b.text(root));
       b.singular({{"x", b.text(root)}});
       break;
     }
-    default: {  // beside it
+    default: {  // a root beside the range
       const Rational step = p * Rational::two_to(-60), gap = b.margin();
       b.range("x", p, p + step);
       b.hide("x - " + b.text(p - gap));
@@ -233,7 +233,7 @@ Attack huge_or_subnormal(std::uint64_t seed) {
   const Rational lo = b.coin() ? Rational(0) : unit * Rational(1, 16);
   const Rational excess =
       Rational(b.random.between(-1, 1)) * unit * Rational::ten_to(-b.random.between(6, 40));
-  // Numbers with fewer digits than the fractions of 2 have.
+  // Writes numbers with fewer digits than fractions of powers of 2 have.
   const auto scaled = [&](const Rational& v) {
     return b.text(v / unit) + "*" + power_of_two(exponent);
   };

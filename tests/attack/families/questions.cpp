@@ -16,7 +16,7 @@ void set_alpha(Builder& b, const Rational& alpha) {
     b.attack.model.alpha = spell_toml(alpha, b.random);
 }
 
-/// A direction of rational length.
+/// A direction with a rational length.
 struct Direction {
   long a, c, length;
 };
@@ -26,7 +26,7 @@ constexpr Direction kDirections[] = {{3, 4, 5}, {5, 12, 13}, {-8, 15, 17}, {20, 
 
 Attack threshold(std::uint64_t seed) {
   Builder b("threshold", seed);
-  const Rational least = b.positive(), excess = least * b.excess(40);  // of the least |det|
+  const Rational least = b.positive(), excess = least * b.excess(40);  // excess of the least |det|
   const Rational p = b.number();
   Rational scale(1);
   std::string factor;
@@ -115,7 +115,7 @@ Attack constraint(std::uint64_t seed) {
       b.attack.sampled = false;
       break;
     }
-    case 2:  // cut at the root, or beside it
+    case 2:  // cut at the root or beside it
       b.range("x", p - Rational(1), p + Rational(1));
       constraints.push_back(dx);
       b.hide("x - " + b.text(p + excess));
@@ -130,7 +130,7 @@ Attack constraint(std::uint64_t seed) {
       constraints.push_back("1/4 - " + dx + "^2 - " + dy + "^2");
       b.hide(dx + "^2 + " + dy + "^2 - " + b.text(Rational(1, 4) - excess));
       b.decide(excess, {{"x", b.text(p + Rational(1, 2))}, {"y", b.text(q)}});
-      if (excess.sign() < 0) {  // a root with rational coordinates: none; the sign changes
+      if (excess.sign() < 0) {  // no root has rational coordinates; the sign changes
         b.attack.planted = {{"x", b.text(p + Rational(1, 2))}, {"y", b.text(q)}};
         b.attack.other_sign = {{"x", b.text(p + Rational(1))}, {"y", b.text(q)}};
       }

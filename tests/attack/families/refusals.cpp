@@ -6,7 +6,7 @@
 namespace regulus::attack {
 namespace {
 
-/// A model of one range and one entry, in which something is replaced.
+/// A model of one range and one entry; a test replaces one of these parts.
 struct Parts {
   std::string version = "1", pose = "x = \"m\"", geometry = "u = 1", let = "c = \"u + 1\"",
               rows = "[[\"x + c\"]]", scale, x = "[0, 1]", rest;
@@ -18,7 +18,7 @@ struct Parts {
   }
 };
 
-/// lo > hi by the last of many digits.
+/// Returns a range with lo > hi, where only the last of many digits differs.
 std::string inverted_range(Builder& b) {
   const Rational lo = b.number();
   const Rational hi = lo - Rational::ten_to(-b.random.between(1, 60));

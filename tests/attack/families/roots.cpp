@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Determinants with a root that is known.
+// Determinants with a known root.
 #include "tests/attack/families/builder.hpp"
 #include "tests/attack/families/families.hpp"
 
@@ -8,13 +8,13 @@ namespace {
 
 std::string minus(const std::string& x, const std::string& p) { return "(" + x + " - " + p + ")"; }
 
-/// x² − 2px + p² + rest
+/// Returns x² − 2px + p² + rest.
 std::string expanded_square(Builder& b, const std::string& x, const Rational& p,
                             const Rational& rest) {
   return x + "^2 - " + b.text(Rational(2) * p) + "*" + x + " + " + b.text(p * p + rest);
 }
 
-/// Vanishes where d does, and nowhere else if |d| is moderate.
+/// Returns a function that vanishes with d, and nowhere else if |d| is moderate.
 std::string odd(Builder& b, const std::string& d) {
   switch (b.random.below(7)) {
     case 0:
@@ -157,7 +157,7 @@ Attack linear_margin(std::uint64_t seed) {
   const Rational width = Rational(b.random.between(1, 30), 10);
   const bool lower = b.coin();
   b.range("x", lower ? p : p - width, lower ? p + width : p);
-  // Away from the end by −excess the distance is 0.
+  // The distance is 0 at −excess from the end.
   const std::string constant = b.text(lower ? excess - p : excess + p);
   const std::string factor = lower ? "x + " + constant : constant + " - x";
   b.hide(b.coin() ? factor : "(" + factor + ")*(x^2 + 1)");
@@ -185,7 +185,7 @@ Attack expanded_polynomial(std::uint64_t seed) {
     if (coefficients[i].is_zero()) continue;
     sum += (sum.empty() ? "" : " + ") + b.text(coefficients[i]) + "*x^" + std::to_string(i);
   }
-  // To the right of a root, up to the next one.
+  // The range begins to the right of a root and ends before the next one.
   const Rational root = b.random.pick(roots), gap = b.excess(100);
   Rational next = root + Rational(2);
   for (const Rational& r : roots)

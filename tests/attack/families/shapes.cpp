@@ -8,7 +8,7 @@ namespace {
 
 std::string minus(const std::string& x, const std::string& p) { return "(" + x + " - " + p + ")"; }
 
-/// A combination of two rows.
+/// Returns a combination of two rows.
 std::vector<Cell> combined(Builder& b, const std::vector<Cell>& u, const std::vector<Cell>& v) {
   const std::string r = b.text(b.number()), s = b.text(b.number());
   std::vector<Cell> row;
@@ -17,7 +17,7 @@ std::vector<Cell> combined(Builder& b, const std::vector<Cell>& u, const std::ve
   return row;
 }
 
-/// f1 and f2 are not 0 at the same time: Σ minors² ≥ f1² + f2² up to a factor.
+/// Makes a matrix from f1 and f2, never both 0: Σ minors² ≥ f1² + f2² up to a factor.
 void two_factors(Builder& b, const std::string& f1, const std::string& f2) {
   auto& rows = b.attack.model.rows;
   if (b.coin()) {
@@ -75,7 +75,7 @@ Attack composition(std::uint64_t seed) {
     b.range(name, centre - Rational(1, 20), centre + Rational(1, 20));
     at[name] = b.text(centre);
   }
-  // Vanishes at the point; small on the box, since p and q are at most 20.
+  // h vanishes at the point and is small on the box, since p and q are at most 20.
   const std::string h = b.random.pick({"(x*y - #)", "(x^2 + y - #)", "(x - y - #)", "(x*y^2 - #)"});
   const Rational value = h == "(x*y - #)"       ? p * q
                          : h == "(x^2 + y - #)" ? p * p + q
@@ -97,7 +97,7 @@ Attack composition(std::uint64_t seed) {
     b.hide(factor);
     b.decide(excess, at);
   }
-  // A determinant of more factors.
+  // The determinant has more factors.
   b.attack.argument = "a composition that vanishes with its innermost part";
   return b.finish();
 }

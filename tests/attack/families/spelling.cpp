@@ -9,7 +9,7 @@ namespace {
 constexpr std::size_t kMaxBareDigits = 60;
 constexpr long kMaxDecimals = 300;
 
-/// The power of `base` in n; n is divided by it.
+/// Returns the power of `base` in n, and divides n by it.
 long divide_out(fmpz_t n, long base) {
   fmpz_t b;
   fmpz_init_set_si(b, base);
@@ -27,7 +27,7 @@ std::string in_base(const Rational& integer, int base) {
 
 std::string sign_of(const Decimal& d) { return d.negative ? "-" : ""; }
 
-/// "12.5"; zeros are added where the point is beyond the digits.
+/// Returns, for example, "12.5"; adds zeros if the point lies outside the digits.
 std::string positional(const Decimal& d) {
   std::string digits = d.digits;
   if (d.exponent >= 0) return digits + std::string(static_cast<std::size_t>(d.exponent), '0');
@@ -42,7 +42,7 @@ std::string exponent_text(long exponent, Random& random) {
   return text + std::to_string(exponent);
 }
 
-/// "1.25e-3", "125e-5", "0.00125e0": the point moved at will.
+/// Returns, for example, "1.25e-3", "125e-5" or "0.00125e0": the point may be anywhere.
 std::string scientific(const Decimal& d, Random& random) {
   const auto count = static_cast<long>(d.digits.size());
   const long after = random.between(0, count);  // digits after the point
@@ -60,7 +60,7 @@ std::string unsigned_text(const Decimal& d, Random& random) {
   return text;
 }
 
-/// Between two digits TOML allows an underscore.
+/// Adds underscores between two digits, as TOML allows.
 std::string with_underscores(const std::string& text, Random& random) {
   std::string result;
   for (std::size_t i = 0; i < text.size(); ++i) {
@@ -124,7 +124,7 @@ std::optional<std::string> spell_bare(const Rational& value, Random& random) {
   const std::optional<Decimal> d = decimal_of(value);
   if (!d || d->digits.size() > kMaxBareDigits) return std::nullopt;
   std::string text = unsigned_text(*d, random);
-  // A number without point and exponent would be an integer, which has 64 bits.
+  // Without a point or exponent it would be an integer, which has 64 bits.
   if (text.find_first_of(".eE") == std::string::npos) text += ".0";
   if (random.one_in(3)) text = with_underscores(text, random);
   return (d->negative ? "-" : random.one_in(8) ? "+" : "") + text;

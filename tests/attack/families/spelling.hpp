@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// A number in one of the many ways in which a model file may write it.
+// Writes a number in one of the many ways that a model file allows.
 #pragma once
 
 #include <optional>
@@ -17,22 +17,22 @@ struct Decimal {
   bool negative = false;
 };
 
-/// Nothing where the decimals do not end, or there are more than 300.
+/// Returns nullopt if the decimals do not end, or if there are more than 300.
 [[nodiscard]] std::optional<Decimal> decimal_of(const Rational& value);
 
-/// An expression without spaces, in brackets where it is negative or a fraction.
+/// Returns an expression without spaces, in brackets if it is negative or a fraction.
 [[nodiscard]] std::string spell_expression(const Rational& value, Random& random);
 
-/// A TOML value: a number in any spelling, or an expression in a string.
+/// Returns a TOML value: a number in any spelling, or an expression in a string.
 [[nodiscard]] std::string spell_toml(const Rational& value, Random& random);
 
-/// A TOML number, if the value is one of at most 60 digits: never a string.
+/// Returns a TOML number, never a string, if the value has at most 60 digits.
 [[nodiscard]] std::optional<std::string> spell_bare(const Rational& value, Random& random);
 
-/// 2^exponent as an expression, by exponents of at most 100.
+/// Returns 2^exponent as an expression that uses exponents of at most 100.
 [[nodiscard]] std::string power_of_two(long exponent);
 
-/// As an option of the command has it: no string, no fractions in brackets.
+/// Returns the value as an option of the command: no string, no fractions in brackets.
 [[nodiscard]] std::string spell_option(const Rational& value, Random& random);
 
 }  // namespace regulus::attack

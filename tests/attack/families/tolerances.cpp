@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Uncertain quantities at the value that decides.
+// Uncertain quantities whose range ends at the value that decides.
 #include <array>
 
 #include "tests/attack/families/builder.hpp"
@@ -10,7 +10,7 @@ namespace {
 
 std::string minus(const std::string& x, const std::string& p) { return "(" + x + " - " + p + ")"; }
 
-/// A tolerance, small against 1.
+/// Returns a tolerance that is small against 1.
 Rational width(Builder& b) {
   return Rational(b.random.between(1, 99)) * Rational::ten_to(-b.random.between(2, 3));
 }
@@ -26,11 +26,11 @@ Attack tolerance_box(std::uint64_t seed) {
   const std::string dx = minus("x", b.text(p));
   Planted at{{"x", b.text(p)}};
   switch (b.random.below(4)) {
-    case 0:  // one constant, its upper end
+    case 0:  // one constant at its upper end
       b.hide(b.text(u + s + excess) + " - u");
       at["u"] = b.text(u + s + excess);
       break;
-    case 1:  // and a square that vanishes with it
+    case 1:  // a constant, and a square that vanishes with it
       b.hide("u - " + b.text(u - s - excess) + " + " + dx + "^2");
       at["u"] = b.text(u - s - excess);
       break;
@@ -80,7 +80,7 @@ Attack tolerance_ball(std::uint64_t seed) {
   }
   b.attack.model.geometry.push_back(
       {"c", "{ value = " + value + "], radius = " + spell_toml(radius, b.random) + " }"});
-  // The plane's distance from the centre is radius + excess/length.
+  // The distance of the plane from the centre is radius + excess/length.
   const Rational reach = (radius * length + excess) / (length * length);
   std::string factor = plane + " - " + b.text(offset + radius * length + excess);
   if (b.coin()) factor += " - " + minus("x", b.text(p)) + "^2";

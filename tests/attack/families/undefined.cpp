@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Poses at which an expression has no value, or nearly has none.
+// Poses at which an expression has no value, or is close to having none.
 #include "tests/attack/families/builder.hpp"
 #include "tests/attack/families/families.hpp"
 
@@ -8,14 +8,14 @@ namespace {
 
 std::string minus(const std::string& x, const std::string& p) { return "(" + x + " - " + p + ")"; }
 
-/// Replaces each # of a pattern.
+/// Replaces each # of a pattern by the text.
 std::string with(const std::string& pattern, const std::string& text) {
   std::string result;
   for (const char c : pattern) c == '#' ? result += text : result += c;
   return result;
 }
 
-/// x from lo, or up to it where not `lower`, over `width`.
+/// Adds x over `width`: from `end` if `lower`, else up to `end`.
 void range_from(Builder& b, const Rational& end, const Rational& width, bool lower) {
   b.range("x", lower ? end : end - width, lower ? end + width : end);
 }

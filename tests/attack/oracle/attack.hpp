@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// A hostile model, what is asked about it, and what is true of it. No code of the solver, the
-// front end or the runtime is used here.
+// A hostile model, the question about it, and the truth. This file uses no code of the solver, the
+// front end or the runtime.
 #pragma once
 
 #include <array>
@@ -16,11 +16,11 @@ namespace regulus::attack {
 
 enum class Truth {
   kSingular,   ///< some pose and uncertain value of the variety has |det| ≤ alpha, or less rank
-  kRegular,    ///< none has
+  kRegular,    ///< no pose and value has
   kUndefined,  ///< an expression has no value at some pose; elsewhere the matrix is regular
   kUndefinedOrSingular,  ///< the same, and it may be singular elsewhere
   kEmpty,                ///< no pose satisfies the constraints
-  kRefused,              ///< not a model: it must be refused
+  kRefused,              ///< the text is not a model: it must be refused
 };
 
 [[nodiscard]] const char* name(Truth truth);
@@ -39,7 +39,7 @@ struct BallOfAxes {
   Rational radius;
 };
 
-/// A pose parameter: TOML for the motion, and an expression of the axes if it is not one itself.
+/// A pose parameter: its TOML in the motion, and an expression of the axes unless it is an axis.
 struct PoseEntry {
   std::string name, toml, expression;
 };
@@ -48,13 +48,13 @@ struct NamedText {
   std::string name, text;
 };
 
-/// An entry of the matrix: an expression, or a TOML number that stands without quotation marks.
+/// An entry of the matrix: an expression, or a TOML number without quotation marks.
 struct Cell {
   std::string text;
   bool bare = false;
 };
 
-/// A [gough] table, in exact numbers; the TOML may spell them in any way.
+/// A [gough] table with exact numbers; the TOML may spell them in any way.
 struct Hexapod {
   std::string orientation;
   std::array<std::array<Rational, 3>, 6> base, platform;
@@ -67,12 +67,12 @@ struct ModelSource {
   std::vector<NamedText> let;       ///< expressions
   std::vector<std::vector<Cell>> rows;
   std::vector<Cell> row_scale;
-  std::optional<Hexapod> hexapod;  ///< takes the place of pose names, geometry, let and rows
+  std::optional<Hexapod> hexapod;  ///< replaces pose names, geometry, let and rows
   std::string parameters;          ///< TOML of the inline table; empty: none
   std::vector<NamedText> error;    ///< TOML
   std::vector<std::string> constraints;
   std::string alpha;         ///< TOML; empty: none
-  std::string instead;       ///< the whole text, of what is not a model
+  std::string instead;       ///< the whole text, if it is not a model
   std::string extra_motion;  ///< TOML lines
 
   [[nodiscard]] std::string text() const;
@@ -88,17 +88,17 @@ struct Attack {
   std::vector<std::string> options;
 
   Truth truth = Truth::kRegular;
-  bool may_be_refused = false;  ///< what is asked is beyond what a reader must accept
-  bool decidable = false;       ///< the verdict that is true is expected, not only allowed
-  std::string argument;         ///< why that is the truth, in a few words
+  bool may_be_refused = false;  ///< a reader need not accept this question
+  bool decidable = false;       ///< the true verdict is expected, not only allowed
+  std::string argument;         ///< the reason for this truth, in a few words
 
-  // By which the truth can be checked.
+  // These values serve to check the truth.
   std::vector<Axis> axes;
   std::vector<BallOfAxes> balls;
-  Planted planted;      ///< singular or undefined: the point; regular: one near the worst
-  Planted other_sign;   ///< if not empty: the determinants there and at `planted` have other signs
-  Rational margin;      ///< of kRegular: |det| − alpha is at least that
-  Rational alpha;       ///< that the options and the motion come to
+  Planted planted;      ///< singular or undefined: the point; regular: a point near the worst
+  Planted other_sign;   ///< if not empty: a point where the determinant has the other sign
+  Rational margin;      ///< if kRegular: |det| − alpha is at least that
+  Rational alpha;       ///< the result of the options and the motion
   bool sampled = true;  ///< a random point of the axes is a point of the variety
 };
 

@@ -15,7 +15,7 @@ const Axis* find_axis(const Attack& attack, const std::string& name) {
   return nullptr;
 }
 
-/// The planted values, and for other axes their lower ends.
+/// Returns the planted values; the other axes have their lower ends.
 Point point_of(const Attack& attack, const Planted& at) {
   Point point = planted(at);
   for (const Axis& axis : attack.axes) point.try_emplace(axis.name, Value(axis.lo));
@@ -31,7 +31,7 @@ Point clamped(const Attack& attack, Point point) {
   return point;
 }
 
-/// Whether the point is in each ball; `rim`: or possibly is, by rounding.
+/// Returns true if the point is certainly in each ball.
 bool is_in_balls(const Attack& attack, const Point& point) {
   for (const BallOfAxes& ball : attack.balls) {
     Value sum = Rational(0);
@@ -44,7 +44,7 @@ bool is_in_balls(const Attack& attack, const Point& point) {
   return true;
 }
 
-/// A rational point must be in the variety; pi/2, say, is the end of its range.
+/// Checks that a rational point is in the variety; pi/2, say, is the end of its range.
 Doubt refute_place(const Attack& attack, const Point& point, const Sample& at) {
   for (const Axis& axis : attack.axes) {
     const Value& value = point.at(axis.name);
@@ -56,7 +56,7 @@ Doubt refute_place(const Attack& attack, const Point& point, const Sample& at) {
   return std::nullopt;
 }
 
-/// The largest entry's magnitude sets the scale for what counts as 0.
+/// Returns the scale for zero tests: a bound of the largest entry's magnitude.
 Rational scale_of(const Sample& at) {
   Rational scale(1);
   for (const auto& row : at.matrix)
@@ -102,7 +102,7 @@ Doubt refute_regular_at(const Attack& attack, const Point& point) {
   if (!here.defined) return "undefined at a point";
   const Value det = here.determinant();
   if (det.sign().value_or(0) == 0) return "the determinant at a point is " + det.describe();
-  // Balls are not exact where the margin is met exactly.
+  // Balls are not exact: they need slack where the point meets the margin exactly.
   const Rational least = attack.alpha + attack.margin * Rational(999, 1000);
   if (magnitude(det).certain_at_least(least)) return std::nullopt;
   return "the determinant at a point is too small: " + det.describe();
@@ -113,7 +113,7 @@ Doubt refute_empty_at(const Attack& attack, const Point& point) {
   return "a point satisfies every constraint";
 }
 
-/// Corners, points near an end, points anywhere.
+/// Returns a corner, a point near an end, or any point.
 Point random_point(const Attack& attack, Random& random) {
   Point point;
   const bool corner = random.one_in(4);
@@ -127,7 +127,7 @@ Point random_point(const Attack& attack, Random& random) {
   return point;
 }
 
-/// The text of a TOML value: a number, or an expression in quotation marks.
+/// Evaluates a TOML value: a number, or an expression in quotation marks.
 Value toml_value(const std::string& text) {
   if (text.starts_with('"')) return evaluate(text.substr(1, text.size() - 2), {});
   return toml_number(text);
@@ -137,7 +137,7 @@ bool equals(const Value& value, const Rational& exact) {
   return value.exact() && *value.exact() == exact;
 }
 
-/// lo and hi of "[lo, hi]" or of an option "lo:hi".
+/// Checks lo and hi of "[lo, hi]" or of an option "lo:hi".
 Doubt refute_ends(const Axis& axis, const Value& lo, const Value& hi) {
   const bool exact = lo.exact() && hi.exact();
   if (exact && equals(lo, axis.lo) && equals(hi, axis.hi)) return std::nullopt;
@@ -161,7 +161,7 @@ Doubt refute_range(const Attack& attack, const Axis& axis, const std::string& to
                      toml_value(toml.substr(comma + 2, toml.size() - comma - 3)));
 }
 
-/// What follows "key = ", to the comma or the bracket.
+/// Returns the text after "key = ", up to the comma or the bracket.
 std::string field(const std::string& table, const std::string& key) {
   const std::size_t begin = table.find(key + " = ");
   if (begin == std::string::npos) return "";

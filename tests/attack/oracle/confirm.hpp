@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Confirms what a family says of a model, by evaluating the model's own text at points.
+// Confirms the truth that a family states, by evaluating the text of the model at points.
 #pragma once
 
 #include <optional>
@@ -9,11 +9,11 @@
 
 namespace regulus::attack {
 
-/// What speaks against the truth of the attack; nothing if nothing does. `samples`: how many points
-/// of the variety are tried where it is regular or empty, corners first.
+/// Returns a reason against the truth of the attack, or nullopt. `samples`: the number of points of
+/// the variety to try, corners first, if the truth is regular or empty.
 [[nodiscard]] std::optional<std::string> refute_truth(const Attack& attack, int samples);
 
-/// Whether the ranges and tolerances that the text and the options spell are those of the axes.
+/// Checks that the ranges and tolerances in the text and the options are those of the axes.
 [[nodiscard]] std::optional<std::string> refute_axes(const Attack& attack);
 
 }  // namespace regulus::attack

@@ -139,7 +139,7 @@ void eliminate(Matrix& m, std::size_t k) {
   }
 }
 
-/// The row from k on whose entry in column k is certainly not 0 and largest.
+/// Returns the row from k on with the largest entry in column k that is certainly not 0.
 std::optional<std::size_t> pivot(const Matrix& m, std::size_t k) {
   std::optional<std::size_t> best;
   for (std::size_t i = k; i < m.size(); ++i) {
@@ -149,7 +149,7 @@ std::optional<std::size_t> pivot(const Matrix& m, std::size_t k) {
   return best;
 }
 
-/// By expansion along the first row: where no pivot is certain.
+/// Expands along the first row. Used if no pivot is certain.
 Value expanded(const Matrix& m) {
   if (m.empty()) return Rational(1);
   Value sum = Rational(0);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The value of what a model file says, at one point: a reader and an evaluator of their own.
+// Evaluates the text of a model file at one point, with a reader and an evaluator of its own.
 #pragma once
 
 #include <map>
@@ -15,33 +15,33 @@ namespace regulus::attack {
 
 using Point = std::map<std::string, Value>;
 
-/// The value of an expression of the model language; `lets` are names for expressions. Throws
-/// std::invalid_argument where the text is none.
+/// Returns the value of an expression of the model language; `lets` are names for expressions.
+/// Throws std::invalid_argument if the text is not an expression.
 [[nodiscard]] Value evaluate(std::string_view text, const Point& at,
                              const std::map<std::string, std::string>& lets = {});
 
-/// The exact number that a TOML integer or float stands for, in any of its spellings. Throws
+/// Returns the exact number that a TOML integer or float means, in any of its spellings. Throws
 /// std::invalid_argument.
 [[nodiscard]] Rational toml_number(std::string_view text);
 
 using Matrix = std::vector<std::vector<Value>>;
 
-/// Everything that is asked about, at one point of the axes.
+/// The values of all expressions in the question, at one point of the axes.
 struct Sample {
   Matrix matrix;
   std::vector<Value> scale;
   std::vector<Value> constraints;
   bool defined = true;  ///< every expression has a value there, and every scale is positive
 
-  /// Of J⁻¹ if there are scales; of a matrix that has more rows, the sum of squares of its minors.
+  /// Returns that of J⁻¹ if there are scales; Σ minors² if there are more rows than columns.
   [[nodiscard]] Value determinant() const;
   [[nodiscard]] bool certain_inside() const;   ///< every constraint holds
-  [[nodiscard]] bool certain_outside() const;  ///< some constraint does not
+  [[nodiscard]] bool certain_outside() const;  ///< some constraint does not hold
 };
 
 [[nodiscard]] Sample sample(const Attack& attack, const Point& axes);
 
-/// The point that an attack has planted.
+/// Returns the point that an attack has planted.
 [[nodiscard]] Point planted(const Planted& at);
 
 [[nodiscard]] Value determinant(Matrix matrix);

@@ -17,7 +17,7 @@ Matrix product(const Matrix& a, const Matrix& b) {
   return c;
 }
 
-/// About axis 0, 1 or 2.
+/// Returns the rotation about axis 0, 1 or 2.
 Matrix rotation_about(std::size_t axis, const Value& angle) {
   const Value c = call("cos", angle, {}), s = call("sin", angle, {});
   const std::size_t u = (axis + 1) % 3, v = (axis + 2) % 3;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Reproducible choices: a seed is a model.
+// Reproducible random choices: one seed gives one model.
 #pragma once
 
 #include <cstdint>
@@ -9,19 +9,19 @@
 
 namespace regulus::attack {
 
-/// SplitMix64.
+/// Generates numbers by SplitMix64.
 class Random {
  public:
-  /// `stream` keeps families of one seed apart.
+  /// `stream` makes the families of one seed independent.
   Random(std::string_view stream, std::uint64_t seed) : state_(seed) {
     for (const char c : stream) state_ = mix(state_ ^ static_cast<unsigned char>(c)) + kStep;
   }
 
   std::uint64_t bits() { return mix(state_ += kStep); }
 
-  /// From 0 to count − 1.
+  /// Returns a number from 0 to count − 1.
   std::size_t below(std::size_t count) { return static_cast<std::size_t>(bits() % count); }
-  /// Both ends are included.
+  /// Returns a number from lo to hi, both included.
   long between(long lo, long hi) {
     return lo + static_cast<long>(below(static_cast<std::size_t>(hi - lo + 1)));
   }

@@ -34,9 +34,9 @@ class Rational {
   }
   ~Rational() { fmpq_clear(q_); }
 
-  /// digits · 10^exponent; the digits may begin with a sign.
+  /// Returns digits · 10^exponent; the digits may begin with a sign.
   static Rational decimal(std::string_view digits, long exponent);
-  /// digits in that base, 2 to 36.
+  /// Reads digits in that base, 2 to 36.
   static Rational integer(std::string_view digits, int base);
   static Rational of(double value);
   static Rational ten_to(long exponent) { return Rational(10).to_the(exponent); }
@@ -49,9 +49,9 @@ class Rational {
   [[nodiscard]] bool is_zero() const { return fmpq_is_zero(q_) != 0; }
   [[nodiscard]] bool is_integer() const { return fmpz_is_one(fmpq_denref(q_)) != 0; }
   [[nodiscard]] Rational magnitude() const { return sign() < 0 ? -*this : *this; }
-  /// Requires  not 0 to a negative power.
+  /// Requires  the number is not 0 if the exponent is negative.
   [[nodiscard]] Rational to_the(long exponent) const;
-  /// "-22/7"
+  /// Returns, for example, "-22/7".
   [[nodiscard]] std::string fraction() const;
 
   friend Rational operator+(const Rational& a, const Rational& b) {

@@ -6,7 +6,7 @@
 namespace regulus::attack {
 namespace {
 
-/// Whatever Arb makes of one or two balls.
+/// Returns the result of an operation of Arb on one or two balls.
 template <class Operation>
 Value ball_of(Operation operation) {
   arb_t result;

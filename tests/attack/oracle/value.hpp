@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// A value of an expression: an exact rational where there is one, else a ball of Arb, or none.
+// The value of an expression: an exact rational if there is one, else a ball of Arb, or no value.
 #pragma once
 
 #include <arb.h>
@@ -16,7 +16,7 @@ inline constexpr long kBits = 2200;
 
 class Value {
  public:
-  /// No value: the expression is not certain to be defined.
+  /// Makes a value that is not defined: the expression may be undefined.
   Value() { arb_init(ball_); }
   Value(const Rational& exact) : defined_(true), exact_(exact) {  // NOLINT: rationals are values
     arb_init(ball_);
@@ -42,9 +42,9 @@ class Value {
   [[nodiscard]] const std::optional<Rational>& exact() const { return exact_; }
   [[nodiscard]] const arb_struct* ball() const { return ball_; }
 
-  /// −1, 0 or 1; nothing where that is not known. 0 of a rational only.
+  /// Returns −1, 0 or 1; nullopt if the sign is not known. Only a rational gives 0.
   [[nodiscard]] std::optional<int> sign() const;
-  /// Whether the value may be 0, and is known to at least 600 bits below `unit`.
+  /// Returns true if the value may be 0 and is known to at least 600 bits below `unit`.
   [[nodiscard]] bool is_zero_to(const Rational& unit) const;
   [[nodiscard]] bool certain_at_most(const Rational& bound) const;
   [[nodiscard]] bool certain_at_least(const Rational& bound) const;
@@ -61,12 +61,12 @@ class Value {
   arb_t ball_;
 };
 
-/// Undefined unless base > 0, or the exponent is an integer and that is defined.
+/// Returns no value unless base > 0, or the exponent is an integer and the power is defined.
 [[nodiscard]] Value power(const Value& base, const Value& exponent);
 [[nodiscard]] Value magnitude(const Value& x);
 [[nodiscard]] Value pi();
-/// A function of the model language by its name; `y` is the second argument of atan2. On its branch
-/// cut atan2 has no value.
+/// Calls a function of the model language by its name; `y` is the second argument of atan2. atan2
+/// has no value on its branch cut.
 [[nodiscard]] Value call(const std::string& function, const Value& x, const Value& y);
 
 }  // namespace regulus::attack

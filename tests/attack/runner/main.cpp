@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Hostile models against the whole command, judged by what is known of them (README.md).
+// Runs the whole command on hostile models and judges it by the known truth (README.md).
 #include <unistd.h>
 
 #include <CLI/CLI.hpp>
@@ -45,7 +45,7 @@ Attack named(const std::string& text) {
   return chosen({text.substr(0, colon)}).front()->make(std::stoull(text.substr(colon + 1)));
 }
 
-/// The model, the command and the truth, as a script that runs it.
+/// Prints the model, the command and the truth as a script that runs the command.
 void show(const Attack& attack) {
   std::cout << "# " << attack.family << ":" << attack.seed << ", " << name(attack.truth) << ": "
             << attack.argument << '\n';
@@ -65,7 +65,7 @@ Mutant mutant_named(const std::string& text) {
                              : Mutant::kNone;
 }
 
-/// The seeds of a run begin at a number of its own.
+/// Returns a seed; the seeds of different runs do not overlap.
 std::uint64_t seed_of(const Options& options, std::uint64_t round) {
   return options.seed * 1'000'000'000 + round;
 }
@@ -93,7 +93,7 @@ Summary run(const Options& options, const std::vector<const Family*>& from) {
   return summary;
 }
 
-/// A falsified verdict must be noticed in every family; falsified numbers, where they decide.
+/// Checks that each family notices a falsified verdict, or some family falsified numbers.
 bool noticed(const Options& options, const Summary& summary) {
   bool all = true, any = false;
   for (const auto& [name, count] : summary.families()) {
@@ -117,7 +117,7 @@ int report(const Options& options, const Summary& summary) {
   return summary.failed() || slow || unverified ? 1 : 0;
 }
 
-/// One model, with everything that is known of the outcome.
+/// Runs one model and prints everything known about the outcome.
 int run_one(const Options& options) {
   const Attack attack = named(options.show);
   Summary summary;
@@ -138,12 +138,12 @@ int run_one(const Options& options) {
   return !run_all(job) || summary.failed() ? 1 : 0;
 }
 
-/// How the one model of a summary fails; empty if it does not.
+/// Returns how the one model of a summary fails; empty if it does not fail.
 std::string kind_of_failure(const Summary& summary) {
   return summary.failures().empty() ? "" : summary.failures().front().what;
 }
 
-/// Of models of the same family that fail in the same way, shows the shortest.
+/// Shows the shortest model of the same family that fails in the same way.
 int shrink(const Options& options) {
   constexpr std::uint64_t kTried = 500;
   const Attack given = named(options.show);

@@ -9,7 +9,7 @@ constexpr int kUsage = 64, kBadModel = 65;
 
 bool is_refusal(int exit_code) { return exit_code == kUsage || exit_code == kBadModel; }
 
-/// Which verdict is true; −1 if neither may be claimed.
+/// Returns the true verdict; −1 if neither may be claimed.
 int true_verdict(Truth truth) {
   switch (truth) {
     case Truth::kRegular:
@@ -36,7 +36,7 @@ Judgement judge(const Attack& attack, const Outcome& outcome) {
   if (is_refusal(code)) return attack.may_be_refused ? Judgement::kOpen : Judgement::kCrash;
   if (code == kPossibleProblem) return attack.decidable ? Judgement::kMissed : Judgement::kOpen;
   if (code != kNoSingularity && code != kSingularity) return Judgement::kCrash;
-  // A claim about no pose is true; what it must not do is pass for a claim about some.
+  // A claim about no pose is true, but it must not look like a claim about some pose.
   if (attack.truth == Truth::kEmpty && code == kNoSingularity && outcome.may_be_vacuous)
     return attack.decidable ? Judgement::kMissed : Judgement::kOpen;
   return code == true_verdict(attack.truth) ? Judgement::kTrue : Judgement::kContradiction;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// How far a run is, for the person at a terminal.
+// Shows the progress of a run to the person at a terminal.
 #pragma once
 
 #include <chrono>
@@ -11,11 +11,11 @@
 
 namespace regulus::attack {
 
-/// "120 of 1000 models, 14.2 a second, 0 contradictions".
+/// Returns, for example, "120 of 1000 models, 14.2 a second, 0 contradictions".
 [[nodiscard]] std::string progress_text(const Summary& summary, std::uint64_t total,
                                         double seconds);
 
-/// One line that is written over again and again, and removed at the end.
+/// A line that is overwritten again and again, and removed at the end.
 class Progress {
  public:
   /// Writes nothing unless `shown`.
@@ -25,7 +25,7 @@ class Progress {
   Progress& operator=(const Progress&) = delete;
   ~Progress();
 
-  /// To be called after each model; most calls write nothing.
+  /// Call this after each model; most calls write nothing.
   void update(const Summary& summary);
 
  private:

@@ -28,7 +28,7 @@ double processor_seconds() {
   return static_cast<double>(now.tv_sec) + 1e-9 * static_cast<double>(now.tv_nsec);
 }
 
-/// Puts a stream's text elsewhere while it lives.
+/// Redirects the text of a stream to a string during the lifetime of this object.
 class Captured {
  public:
   explicit Captured(std::ostream& stream) : stream_(stream), before_(stream.rdbuf(text_.rdbuf())) {}
@@ -63,7 +63,7 @@ Answer run_command(const std::vector<std::string>& words) {
   return answer;
 }
 
-/// A text of a report's JSON; the messages where there is none.
+/// Returns the reason in the JSON report, or the messages if there is no reason.
 std::string reason_of(const Answer& answer) {
   const auto report = nlohmann::json::parse(answer.output, nullptr, false);
   if (report.is_object() && report.contains("reason") && report["reason"].is_string())
@@ -71,7 +71,7 @@ std::string reason_of(const Answer& answer) {
   return answer.errors.substr(0, 300);
 }
 
-/// Whether the report says that no pose was shown to satisfy the constraints.
+/// Returns true if the report says that no pose was shown to satisfy the constraints.
 bool warns_of_no_pose(const Answer& answer) {
   const auto report = nlohmann::json::parse(answer.output, nullptr, false);
   return report.is_object() && report.contains("nonempty") && report["nonempty"].is_null();
@@ -104,7 +104,7 @@ void add_search_options(Random& random, std::vector<std::string>& words) {
 
 bool is_digit(char c) { return '0' <= c && c <= '9'; }
 
-/// The end of the decimal that begins there; its exponent belongs to it.
+/// Returns the end of the decimal that begins there, with its exponent.
 std::size_t end_of_decimal(const std::string& text, std::size_t begin) {
   std::size_t end = begin;
   while (end < text.size() && (is_digit(text[end]) || text[end] == '.')) ++end;
@@ -116,7 +116,7 @@ std::size_t end_of_decimal(const std::string& text, std::size_t begin) {
   return exponent > digits ? exponent : end;
 }
 
-/// Every decimal of 17 characters and more becomes the double that is nearest to it.
+/// Replaces every decimal of 17 characters and more by the double nearest to it.
 std::string rounded(const std::string& text) {
   std::string result;
   for (std::size_t i = 0; i < text.size();) {
@@ -134,7 +134,7 @@ std::string rounded(const std::string& text) {
   return result;
 }
 
-/// What has been refused is accepted.
+/// Turns a rejection into an acceptance, and everything else into a rejection.
 int falsified(int exit_code) { return exit_code == 0 ? 1 : 0; }
 
 Proof proof_of(const Answer& answer) {
@@ -153,7 +153,7 @@ Proof proof_of(const Answer& answer) {
 void verify(const Attack& attack, const std::string& model, const std::string& certificate,
             Outcome& outcome) {
   std::vector<std::string> words{"regulus", "verify", certificate, "--json", "--quiet"};
-  // The question is written anew from the file: as long as the first time.
+  // Reading the question from the file again takes as long as the first time.
   if (Random("verify" + attack.family, attack.seed).one_in(4))
     words.insert(words.end(), {"--model", model});
   const Answer answer = run_command(words);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The command, in this process: the one file here that knows the project.
+// Calls the command in this process. Only subject.cpp includes the project's code.
 #pragma once
 
 #include <functional>
@@ -11,15 +11,15 @@
 
 namespace regulus::attack {
 
-/// A verdict or a text that is falsified on purpose, to see that it is noticed.
+/// A deliberately falsified verdict or text: a test that the judge notices it.
 enum class Mutant {
   kNone,
-  kFlipped,  ///< NO SINGULARITY for SINGULARITY and the reverse; NO SINGULARITY where it is open
+  kFlipped,  ///< NO SINGULARITY and SINGULARITY exchanged; NO SINGULARITY if it is open
   kRounded,  ///< numbers of the model rounded to doubles
 };
 
-/// The words of the command line that checks the model: options of the attack, and others by
-/// chance.
+/// Returns the words of the command line that checks the model: options of the attack, and others
+/// at random.
 [[nodiscard]] std::vector<std::string> check_words(const Attack& attack,
                                                    const std::string& model_path,
                                                    const std::string& certificate_path);
@@ -28,7 +28,7 @@ struct Run {
   std::string folder;  ///< for the model and its certificate
   Mutant mutant = Mutant::kNone;
   bool verify = true;
-  /// Is called at the beginning of each stage, with the exit code of the check if there is one yet.
+  /// Callback at the beginning of each stage; receives the exit code of the check, if there is one.
   std::function<void(Stage, int)> entering;
 };
 

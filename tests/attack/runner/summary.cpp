@@ -16,7 +16,7 @@ std::uint64_t of(const std::map<Key, std::uint64_t>& counts, Key key) {
 
 std::uint64_t refusals(const FamilyCount& c) { return of(c.exits, 64) + of(c.exits, 65); }
 
-/// Reasons that differ in their numbers only are one.
+/// Removes numbers: reasons that differ only in their numbers count as one.
 std::string without_numbers(const std::string& text) {
   std::string result;
   for (const char c : text) {

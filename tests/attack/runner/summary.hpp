@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Counts by family, and what failed.
+// Counts the outcomes by family, and lists the failures.
 #pragma once
 
 #include <cstdint>
@@ -16,13 +16,13 @@ struct FamilyCount {
   std::map<int, std::uint64_t> exits;  ///< of models that returned
   std::map<Judgement, std::uint64_t> judgements;
   std::map<Proof, std::uint64_t> proofs;
-  std::uint64_t announced = 0;  ///< of the proofs that are unfinished
+  std::uint64_t announced = 0;  ///< unfinished proofs that the report announced
   std::uint64_t slow_proofs = 0;
   double seconds = 0, slowest = 0;
   std::uint64_t slowest_seed = 0;
 };
 
-/// A model that is worth a look.
+/// A model that deserves a closer look.
 struct Failure {
   std::string what;  ///< "CONTRADICTION", "REJECTED", "UNFINISHED, announced"
   std::string family;
@@ -35,22 +35,22 @@ class Summary {
   void add(const Attack& attack, const Outcome& outcome);
 
   [[nodiscard]] const std::map<std::string, FamilyCount>& families() const { return families_; }
-  /// Also what is slow and what is unfinished, which failed() leaves out.
+  /// Returns the failures, and also slow runs and unfinished proofs, which failed() ignores.
   [[nodiscard]] const std::vector<Failure>& failures() const { return failures_; }
   [[nodiscard]] std::uint64_t count(Judgement judgement) const;
   [[nodiscard]] std::uint64_t count(Proof proof) const;
   [[nodiscard]] std::uint64_t models() const;
-  /// Checks and proofs that were stopped at the limit of time.
+  /// Returns the number of checks and proofs that were stopped at the time limit.
   [[nodiscard]] std::uint64_t slow() const;
-  /// Proofs that are unfinished although the report did not warn of it.
+  /// Returns the number of unfinished proofs of which the report did not warn.
   [[nodiscard]] std::uint64_t unannounced() const;
-  /// Of all proofs, from 0 to 100; 100 where there is none.
+  /// Returns the part of all proofs that are verified, 0 to 100; 100 if there are no proofs.
   [[nodiscard]] double verified_percent() const;
-  /// Contradictions, crashes, rejected proofs and verifiers that broke, but not what was slow.
+  /// Returns true for a contradiction, crash, rejected proof or broken verifier, not for slowness.
   [[nodiscard]] bool failed() const;
 
   [[nodiscard]] std::string table() const;
-  /// One line each, with the command that shows the model; at most `most` of each kind and family.
+  /// Returns a line for each, with the command that shows it; up to `most` of each kind and family.
   [[nodiscard]] std::string failure_lines(const std::string& program, std::size_t most) const;
   [[nodiscard]] std::string json() const;
 

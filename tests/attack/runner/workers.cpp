@@ -26,7 +26,7 @@ namespace regulus::attack {
 namespace {
 
 constexpr int kPollMilliseconds = 50;
-constexpr int kModelsPerProcess = 400;  ///< memory that a model leaves behind does not add up
+constexpr int kModelsPerProcess = 400;  ///< limits the memory that leaking models take
 constexpr double kWallFactor = 8;       ///< a model that waits for ever uses no processor time
 constexpr std::uint64_t kNone = ~std::uint64_t{0};
 
@@ -36,7 +36,7 @@ double seconds_of(clockid_t clock) {
   return static_cast<double>(now.tv_sec) + 1e-9 * static_cast<double>(now.tv_nsec);
 }
 
-/// What a worker is at, in memory that it shares with its parent.
+/// The present work of a worker, in memory that it shares with its parent.
 struct Slot {
   std::atomic<std::uint64_t> model{kNone};
   std::atomic<Stage> stage{Stage::kCheck};
@@ -108,7 +108,7 @@ void write_all(int descriptor, const std::string& text) {
 
 std::string messages_path(const std::string& folder) { return folder + "/messages"; }
 
-/// What a worker writes past its streams, a failed assertion say, is for its parent to quote.
+/// Sends output that bypasses the streams (a failed assertion, say) to a file for the parent.
 void send_messages_to_a_file(const std::string& folder) {
   const int file =
       open(messages_path(folder).c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_APPEND, 0600);
@@ -129,7 +129,7 @@ void limit_memory(std::uint64_t bytes) {
 
 volatile std::sig_atomic_t g_stop = 0;
 
-/// Ctrl-C ends the run after the line that is being read, with its folder removed.
+/// Ends the run on Ctrl-C after the present line, and removes its folder.
 void stop_at_signals() {
   struct sigaction action {};
   action.sa_handler = [](int) { g_stop = 1; };
@@ -180,7 +180,7 @@ class Worker {
 
   [[nodiscard]] int descriptor() const { return out_; }
 
-  /// Reads what has come; false when the worker has ended.
+  /// Reads the available lines; returns false when the worker has ended.
   bool read_lines() {
     char buffer[65536];
     const ssize_t n = read(out_, buffer, sizeof buffer);
@@ -206,7 +206,7 @@ class Worker {
     kill(pid_, SIGKILL);
   }
 
-  /// After its end: whatever it was at is done, too. Returns whether there is more to do.
+  /// Call it after the worker ended: reports its model as done. Returns whether work remains.
   bool restart() {
     int status = 0;
     waitpid(pid_, &status, 0);
@@ -271,7 +271,7 @@ class Worker {
   std::uint64_t reported_ = kNone;
 };
 
-/// A folder in memory if there is one, removed at the end.
+/// A folder, in memory if possible, that is removed at the end.
 class Folder {
  public:
   Folder() {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Processes that attack one model after the other, so that a crash or a hang is that model's alone.
+// Processes that attack one model after the other, so a crash or a hang affects one model only.
 #pragma once
 
 #include <cstdint>
@@ -16,8 +16,8 @@ struct Limits {
 };
 
 struct Job {
-  std::uint64_t count = 0;                    ///< of models
-  std::function<Attack(std::uint64_t)> make;  ///< by number
+  std::uint64_t count = 0;                    ///< number of models
+  std::function<Attack(std::uint64_t)> make;  ///< makes a model from its number
   std::function<void(std::uint64_t, const Outcome&)> done;
   unsigned processes = 2;
   Limits limits;
@@ -25,8 +25,8 @@ struct Job {
   bool verify = true;
 };
 
-/// Every model once; false where a signal stopped it before. Throws std::runtime_error where
-/// processes cannot be made.
+/// Attacks every model once; returns false if a signal stopped it. Throws std::runtime_error if it
+/// cannot make processes.
 [[nodiscard]] bool run_all(const Job& job);
 
 }  // namespace regulus::attack
