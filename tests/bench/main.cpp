@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Runs the benchmarks, prints their tables as they come, and writes the report.
+// Runs the benchmarks, prints each table when it is ready, and writes the report.
 //
 //     bench [--only SECTION,…] [--json FILE] [--markdown FILE]
 //     bench one MODEL MOTION [--tolerance E]
@@ -25,7 +25,7 @@ struct NamedSection {
   Section (*run)();
 };
 
-/// In the order of the report.
+/// The sections in the order of the report.
 constexpr NamedSection kSections[] = {
     {"kernel", kernel_rows},     {"limit", limit_rows},     {"search", search_rows},
     {"product", product_rows},   {"engines", engine_rows},  {"threads", thread_rows},

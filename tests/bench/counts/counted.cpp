@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What callgrind counts: it collects inside bench_counted_region alone.
+// The program that callgrind runs; callgrind counts inside bench_counted_region only.
 //
 //     bench_counted kernel ISA     K·M of the sample, by the kernel compiled ahead of time
-//     bench_counted rival KEY      the same by someone else
+//     bench_counted rival KEY      the same by a rival
 //     bench_counted search         one whole search with a portable kernel; prints its boxes
 #include <functional>
 #include <iostream>

@@ -12,7 +12,7 @@
 namespace regulus::bench {
 namespace {
 
-/// The number behind `label` in a text.
+/// Returns the number that follows `label` in a text.
 std::optional<double> number_after(const std::string& text, const std::string& label) {
   const std::size_t at = text.find(label);
   if (at == std::string::npos) return std::nullopt;
@@ -24,7 +24,7 @@ struct Counted {
   std::string output;
 };
 
-/// Throws std::runtime_error, with what the program said.
+/// Throws std::runtime_error with the output of the program.
 Counted count(const std::vector<std::string>& arguments) {
   std::vector<std::string> command = {"valgrind", "--tool=callgrind",
                                       "--toggle-collect=bench_counted_region",

@@ -5,7 +5,7 @@
 
 namespace regulus::bench {
 
-/// Instructions, counted by callgrind: figures that do not wobble.
+/// Instructions, counted by callgrind: these figures do not vary from run to run.
 [[nodiscard]] Section count_rows();
 
 }  // namespace regulus::bench

@@ -13,7 +13,7 @@
 namespace regulus::bench {
 namespace {
 
-/// A trajectory of robot 1 and how much of it a check is asked about.
+/// A trajectory of robot 1, and the pieces into which the checks divide it.
 struct Question {
   const char* name;
   const char* motion;
@@ -32,7 +32,7 @@ constexpr Question kQuestions[] = {
     {"T2, all uncertainties, a hundredth", "T2_errors", "0.05", 100, "the same", 20},
 };
 
-/// The checks of a trajectory, piece after piece.
+/// Checks a trajectory, piece after piece.
 class Trajectory {
  public:
   explicit Trajectory(const Question& question)

@@ -5,7 +5,7 @@
 
 namespace regulus::bench {
 
-/// A check inside a control loop: runtime/embedded, the kernel in memory.
+/// Times a check inside a control loop: runtime/embedded, with the kernel in memory.
 [[nodiscard]] Section embedded_rows();
 
 }  // namespace regulus::bench

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The subject as the build compiled it: emitted text, the suite's own compiler, -O2.
+// The subject as the build compiled it: emitted text, compiled by the suite's compiler with -O2.
 #pragma once
 
 #include "runtime/kernel/abi.hpp"
@@ -7,7 +7,7 @@
 
 namespace regulus::bench {
 
-/// Null where the processor family has no such instruction set.
+/// Returns nullptr if the processor family has no such instruction set.
 [[nodiscard]] const regulus_kernel* ahead_of_time(Isa isa) noexcept;
 
 }  // namespace regulus::bench

@@ -9,7 +9,7 @@
 
 namespace regulus::bench {
 
-/// K·M of the sample by a kernel, eight boxes at a time, called as the search calls it.
+/// Computes K·M of the sample by a kernel, eight boxes at a time, as the search calls it.
 class BatchedProduct {
  public:
   /// Requires  `kernel` outlives this object; the processor can run it.
@@ -17,7 +17,7 @@ class BatchedProduct {
 
   void pass() noexcept;
 
-  /// Throws std::domain_error where an entry is undefined.
+  /// Throws std::domain_error if an entry is undefined.
   [[nodiscard]] std::vector<Interval> entries(std::size_t box);
 
  private:

@@ -6,9 +6,9 @@
 
 namespace regulus::bench {
 
-/// The arithmetic of a number type with operators, for straight-line code. The functions sin
-/// and cos of a Number are found beside it. Two exact doubles are taken as Numbers: their sum
-/// need not be a double. A Tag keeps apart what is compiled with other flags.
+/// The arithmetic of a number type with operators, for straight-line code. sin and cos of a Number
+/// are found by argument-dependent lookup. Two exact doubles become Numbers, since their sum need
+/// not be a double. A Tag separates code that is compiled with other flags.
 template <class N, class Tag = void>
 struct OperatorArithmetic {
   using Number = N;

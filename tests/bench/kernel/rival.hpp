@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// K·M of the sample, one box after the other, by arithmetic that is not the kernels'.
+// Computes K·M of the sample, one box after the other, by another arithmetic than the kernels use.
 #pragma once
 
 #include <memory>
@@ -18,15 +18,15 @@ class Rival {
   Rival& operator=(const Rival&) = delete;
   virtual ~Rival() = default;
 
-  /// K·M of every box of the sample, into the same place.
+  /// Computes K·M of every box of the sample, always into the same place.
   virtual void pass() = 0;
 
-  /// K·M of one box. Of plain doubles: the values at its midpoint.
+  /// Returns K·M of one box; with plain doubles, the values at its midpoint.
   [[nodiscard]] virtual std::vector<Interval> entries(std::size_t box) = 0;
 };
 
 struct NamedRival {
-  std::string key;  ///< in the JSON
+  std::string key;  ///< its name in the JSON
   std::string name;
   std::string explanation;
   bool encloses = true;
@@ -34,10 +34,10 @@ struct NamedRival {
   std::string absent;  ///< why there is no rival; empty if there is one
 };
 
-/// Everyone the suite knows, also those whose library was not there when it was built.
+/// Returns all rivals, also those whose library was missing at build time.
 [[nodiscard]] std::vector<NamedRival> make_rivals(const Sample& sample);
 
-// One file each.
+// Each of these has its own file.
 [[nodiscard]] std::unique_ptr<Rival> make_boost_default(const Sample& sample);
 [[nodiscard]] std::unique_ptr<Rival> make_boost_unprotected(const Sample& sample);
 [[nodiscard]] std::unique_ptr<Rival> make_mpfi(const Sample& sample);

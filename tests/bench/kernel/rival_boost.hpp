@@ -8,11 +8,11 @@
 
 namespace regulus::bench {
 
-/// The rounding of Boost's default, rounded_math<double>, with the sine and cosine that it lacks.
+/// The rounding of Boost's default, rounded_math<double>, plus the sine and cosine it lacks.
 using BoostRounding = boost::numeric::interval_lib::rounded_transc_opp<double>;
 
-/// Boost.Interval of some policies. `ScopeType` is what sets and
-/// restores the rounding mode around all operations where they do not do so themselves.
+/// Boost.Interval with some policies. If the operations do not set and restore the rounding mode
+/// themselves, `ScopeType` does so around all of them.
 template <class BoostInterval, class ScopeType>
 struct BoostArithmetic : OperatorArithmetic<BoostInterval> {
   using Scope = ScopeType;

@@ -25,8 +25,8 @@ class Value {
   mpfi_t value_;
 };
 
-/// Every operation writes into the next of a row of values made beforehand: nothing is allocated
-/// while the clock runs.
+/// Every operation writes into the next element of a preallocated row of values, so nothing is
+/// allocated while the clock runs.
 class MpfiArithmetic {
  public:
   using Number = Value;

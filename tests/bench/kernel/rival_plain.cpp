@@ -7,7 +7,7 @@ namespace {
 
 using Function = void (*)(const double* v, const double* k, double* out) noexcept;
 
-/// At the midpoints of the boxes.
+/// Computes with plain doubles at the midpoints of the boxes.
 class PlainRival final : public Rival {
  public:
   PlainRival(Function function, const Sample& sample)

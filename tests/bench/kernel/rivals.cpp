@@ -6,7 +6,7 @@ namespace {
 
 using Maker = std::unique_ptr<Rival> (*)(const Sample&);
 
-// CMakeLists.txt says which libraries there are; their files are compiled only then.
+// CMakeLists.txt finds the libraries; a rival is compiled only if its library exists.
 #if defined(REGULUS_BENCH_BOOST)
 constexpr Maker kBoostUnprotected = make_boost_unprotected, kBoostDefault = make_boost_default;
 #else

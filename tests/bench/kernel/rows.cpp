@@ -16,7 +16,7 @@
 namespace regulus::bench {
 namespace {
 
-/// A contender and what its row says besides the times.
+/// A contender, and the contents of its row besides the times.
 struct Entry {
   Row row;
   Contender contender;

@@ -5,7 +5,7 @@
 
 namespace regulus::bench {
 
-/// K·M of robot 1 by our kernels, compiled in process and ahead of time, and by everyone else.
+/// Times K·M of robot 1 by our kernels, compiled in process and ahead of time, and by all rivals.
 [[nodiscard]] Section kernel_rows();
 
 }  // namespace regulus::bench

@@ -12,7 +12,7 @@
 namespace regulus::bench {
 namespace {
 
-/// What one node's value is called, or how a leaf is written.
+/// Returns the name of the value of a node, or the text of a leaf.
 std::string operand(const Program& program, NodeId id) {
   const Node& node = program.nodes[id];
   if (node.op == Op::kInput) return fmt::format("v[{}]", node.index);

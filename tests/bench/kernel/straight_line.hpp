@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// A program as C++ for anyone's arithmetic: what other interval libraries are timed on.
+// Prints a program as C++ for any arithmetic; the benchmarks time other libraries on this text.
 #pragma once
 
 #include <string>
@@ -8,12 +8,12 @@
 
 namespace regulus::bench {
 
-/// The text of a function template `name(A& a, const A::Number* v, const double* k, A::Number*
-/// out)`: every operation of the program once, in its order. Exact doubles, entries of K among
-/// them, are passed as `double`, so that a library can use what it has for mixed operands.
+/// Returns the text of a function template `name(A& a, const A::Number* v, const double* k,
+/// A::Number* out)`. It performs every operation of the program once, in order. Exact doubles, and
+/// entries of K, are passed as `double`, so that a library can use its own mixed operations.
 ///
 /// Throws    std::invalid_argument for an operation that an arithmetic need not have:
-///           straight_arithmetic.hpp has what there is.
+///           operator_arithmetic.hpp has those that it must have.
 [[nodiscard]] std::string straight_line_text(const Program& program, const std::string& name);
 
 }  // namespace regulus::bench

@@ -10,11 +10,11 @@
 
 namespace regulus::bench {
 
-/// Straight-line code over an arithmetic A. Besides the operations it has
+/// Runs straight-line code over an arithmetic A. Besides the operations, A has
 ///
 ///   begin()                          called before the operations of a box
 ///   static void from(Interval, Number&), static Interval to(const Number&)
-///   Scope                            lives around all operations, to set what they need set
+///   Scope                            lives around all operations and sets their rounding
 template <class A>
 class StraightRival final : public Rival {
  public:
@@ -45,7 +45,7 @@ class StraightRival final : public Rival {
   }
 
  private:
-  // Not to be inlined: no operation may be moved out of the scope that sets its rounding.
+  // Not inlined: no operation may be moved out of the scope that sets its rounding.
   [[gnu::noinline]] void evaluate(std::size_t b) {
     arithmetic_.begin();
     left_product(arithmetic_, &boxes_[b * variables_], &K_[b * points_], out_.data());
@@ -58,7 +58,7 @@ class StraightRival final : public Rival {
   std::vector<Number> out_;
 };
 
-/// Of arithmetics that need nothing set.
+/// The scope of an arithmetic that needs no setting.
 struct NoScope {
   NoScope() {}
 };

@@ -33,7 +33,7 @@ Interval part_of(Interval whole, std::mt19937& random) {
   return whole;
 }
 
-/// A at the midpoints of eight boxes, in the layout of points.
+/// Returns A at the midpoints of eight boxes, in the layout of points.
 PointRows matrix_at_midpoints(const regulus_kernel& kernel, const Interval* boxes) {
   BoxBatch midpoints(kernel.variables);
   for (std::size_t lane = 0; lane < REGULUS_LANES; ++lane)

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What the kernel benchmarks compute: K·M of robot 1 over wide_15, 36 entries from a box and a K.
+// The subject of the kernel benchmarks: K·M of robot 1 over wide_15, 36 entries from a box and a K.
 #pragma once
 
 #include <vector>
@@ -11,21 +11,21 @@
 
 namespace regulus::bench {
 
-/// A and K·A, formed and rewritten as `regulus check --method kj` has them, and nothing else.
+/// Returns only A and K·A, formed and rewritten as for `regulus check --method kj`.
 [[nodiscard]] Module kernel_subject();
 
-/// K·A of a module. Everyone's code is made from this one program.
+/// Returns K·A of a module. All contenders are made from this one program.
 [[nodiscard]] const Program& left_product_of(const Module& module);
 
-/// A whole search, as `regulus check models/robot_1.toml wide_15` makes it.
+/// The problem of a whole search, as in `regulus check models/robot_1.toml wide_15`.
 struct SearchSubject {
   Module module;
   Variety variety;
 };
 [[nodiscard]] SearchSubject search_subject();
 
-/// Boxes as a search comes by them, each with its K ≈ A(mid)⁻¹. Few enough to stay in the first
-/// level cache with the outputs: a search uses the same buffers again and again, too.
+/// Boxes like those of a search, each with its K ≈ A(mid)⁻¹. They are few enough to stay in the
+/// first level cache with the outputs, since a search reuses its buffers, too.
 struct Sample {
   static constexpr std::size_t kBoxes = 32;
   static_assert(kBoxes % REGULUS_LANES == 0);
@@ -37,7 +37,7 @@ struct Sample {
   std::vector<double> K;        ///< kBoxes·points, row-major each
 };
 
-/// Parts of wide_15: each range whole, a half or a quarter, chosen at random from a fixed seed.
+/// Returns parts of wide_15: a random whole, half or quarter of each range, from a fixed seed.
 [[nodiscard]] Sample make_sample(const Module& module);
 
 }  // namespace regulus::bench

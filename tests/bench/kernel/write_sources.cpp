@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Writes what the build compiles from the subject: left_product.hpp for the rivals' arithmetic,
-// kernel_ISA.cpp for ours, and search.cpp, the kernel of a whole search.
+// Writes the sources that the build compiles from the subject: left_product.hpp for the rivals,
+// kernel_ISA.cpp for our kernels, and search.cpp, the kernel of a whole search.
 //
 //     bench_write_sources DIRECTORY
 #include <filesystem>
@@ -16,7 +16,7 @@
 namespace regulus::bench {
 namespace {
 
-/// Leaves a file alone that says this already: nothing is compiled again for it.
+/// Does not touch a file that already has this text, so that it is not compiled again.
 void write(const std::filesystem::path& path, const std::string& text) {
   std::ostringstream old;
   old << std::ifstream(path).rdbuf();

@@ -16,8 +16,8 @@
 namespace regulus::bench {
 namespace {
 
-/// A kernel, and how much sooner it should be machine code in process than its text by a spawned
-/// compiler.
+/// A kernel, and the target of the ratio: compiling in process against spawning a compiler for its
+/// text.
 struct Subject {
   const char* name;
   const char* explanation;
@@ -84,7 +84,7 @@ Section compile_rows() {
     section.rows = {skipped_row("in process against `g++`", "g++ was not found", "")};
     return section;
   }
-  // What the first compilation of a process takes more is in the rows of whole processes.
+  // The rows of whole processes include the extra cost of the first compilation.
   CompileOptions options;
   options.isa = best_isa();
   options.use_cache = false;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Runs a command and prints the most memory that it had at once, in kB. A program of its own: a
-// process starts with the peak of the one that started it (Linux carries ru_maxrss over exec).
+// Runs a command and prints its peak memory in kB. This is a program of its own, because a process
+// starts with the peak of the one that started it (Linux keeps ru_maxrss over exec).
 //
 //     bench_peak_memory COMMAND ARGUMENT…
 #include <sys/resource.h>
@@ -14,7 +14,7 @@ int main(int argc, char** argv) {
   std::fflush(nullptr);
   const pid_t child = fork();
   if (child == 0) {
-    // What the command prints is not asked for.
+    // The output of the command is not needed.
     if (!std::freopen("/dev/null", "w", stdout) || !std::freopen("/dev/null", "w", stderr))
       _exit(127);
     execv(argv[1], argv + 1);

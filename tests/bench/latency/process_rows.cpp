@@ -10,7 +10,7 @@
 namespace regulus::bench {
 namespace {
 
-/// The command with a cache of its own.
+/// Runs the command with a cache of its own.
 class Command {
  public:
   Command(std::vector<std::string> arguments, const test::TemporaryDirectory& cache)
@@ -20,7 +20,7 @@ class Command {
 
   void run() const { static_cast<void>(run(words_)); }
 
-  /// The median of a few runs.
+  /// Returns the median of a few runs.
   [[nodiscard]] double peak_megabytes() const {
     constexpr int kRuns = 3;
     constexpr double kKilobytes = 1024;

@@ -5,10 +5,10 @@
 
 namespace regulus::bench {
 
-/// The command as a process: with an empty cache, with a filled one, and doing nothing.
+/// Times the command as a process: with an empty cache, with a filled cache, and doing nothing.
 [[nodiscard]] Section process_rows();
 
-/// Compiling a kernel's text in process, and by a compiler that is spawned.
+/// Times compiling a kernel's text in process against a spawned compiler.
 [[nodiscard]] Section compile_rows();
 
 }  // namespace regulus::bench

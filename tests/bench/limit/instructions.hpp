@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What a function computes and what it became.
+// Counts the operations that a function asks for, and the instructions that it became.
 #pragma once
 
 #include <map>
@@ -11,15 +11,15 @@
 
 namespace regulus::bench {
 
-/// Operations on bounds that a program asks for: two for a sum, two for a product with an exact
-/// double; for a product of two intervals four products, of which two are selected by a minimum and
-/// a maximum. Elementary functions are not counted: they are calls.
+/// Returns the number of operations on bounds: two for a sum, two for a product with an exact
+/// double; for a product of two intervals four products, from which a minimum and a maximum select
+/// two. Elementary functions are not counted, because they are calls.
 [[nodiscard]] std::size_t bound_operations(const Program& program);
 
-/// How many different angles a program takes the sine or the cosine of: one call each.
+/// Returns the number of angles whose sine or cosine a program takes: one call for each.
 [[nodiscard]] std::size_t sines_and_cosines(const Program& program);
 
-/// Instructions on 512-bit registers, by what they do.
+/// Counts of instructions on 512-bit registers, by kind.
 struct VectorInstructions {
   std::size_t arithmetic = 0;  ///< sums, products, fused ones, minima, maxima: operations on bounds
   std::size_t selection =
@@ -28,12 +28,12 @@ struct VectorInstructions {
   std::size_t bytes = 0;  ///< of all code, up to the last instruction of each symbol
 };
 
-/// Counts what a listing of `objdump -d --no-show-raw-insn` has between the heads of symbols that
-/// contain `symbol`. Code without loops runs as often as it is written.
+/// Counts the instructions in a listing of `objdump -d --no-show-raw-insn` below the symbols that
+/// contain `symbol`. In code without loops every instruction runs once.
 [[nodiscard]] VectorInstructions count_instructions(std::string_view listing,
                                                     std::string_view symbol);
 
-/// The listing of an object in memory; nullopt where there is no objdump.
+/// Returns the listing of an object in memory; nullopt if there is no objdump.
 [[nodiscard]] std::optional<std::string> disassemble(const std::string& object);
 
 }  // namespace regulus::bench

@@ -15,7 +15,7 @@ namespace {
 
 using simd::V8;
 
-// Twice as many chains as two ports with a latency of four cycles can be kept busy with.
+// Twice the chains that keep two ports with a latency of four cycles busy.
 constexpr std::size_t kChains = 16;
 constexpr int kSteps = 4096;
 static_assert(kPeakOperations == kChains * double{kSteps});

@@ -1,19 +1,19 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// How many 512-bit operations a second this processor does at best: independent chains in
-// registers, nothing loaded or stored.
+// Measures the most 512-bit operations a second of this processor: independent chains in registers,
+// without loads or stores.
 #pragma once
 
 namespace regulus::bench {
 
-/// Operations of one call: the same for all three.
+/// The number of operations in one call, the same for each function.
 inline constexpr double kPeakOperations = 16.0 * 4096;
 
 // Requires  a processor with AVX-512.
 
-/// Fused multiply-adds.
+/// Executes fused multiply-adds.
 void peak_fused() noexcept;
-/// Additions and multiplications in turn, half of them rounded up and half down by embedded
-/// rounding: the mix that bounds are made of.
+/// Executes additions and multiplications in turn, half of them rounded up and half down by
+/// embedded rounding. Bounds consist of this mix.
 void peak_bounds() noexcept;
 
 }  // namespace regulus::bench

@@ -39,7 +39,7 @@ Row counted(std::string name, std::size_t value, std::string unit, std::string e
   return row;
 }
 
-/// The part of the peak: the time that so many operations take at best, by the time they took.
+/// Returns the part of the peak: the least time for so many operations, divided by the time taken.
 Row fraction(std::string name, std::size_t operations, const Spread& peak_by_time,
              const std::string& explanation) {
   const double percent = 100.0 * static_cast<double>(operations);
@@ -50,13 +50,13 @@ Row fraction(std::string name, std::size_t operations, const Spread& peak_by_tim
   return row;
 }
 
-/// The same ratio to what is left of the reference without a part of it.
+/// Returns the ratio to the rest of the reference, without this part of it.
 Spread without(const Spread& ratio, const Spread& part) {
   const double left = 1 - part.median;
   return {ratio.median / left, ratio.low / left, ratio.high / left};
 }
 
-/// As many sines and cosines of eight intervals as a batch takes.
+/// Computes as many sines and cosines of eight intervals as a batch needs.
 class SinesAndCosines {
  public:
   SinesAndCosines(const Module& module, const Sample& sample)
@@ -74,7 +74,7 @@ class SinesAndCosines {
   IntervalRows angles_, values_;
 };
 
-/// In the order in which they are timed.
+/// The contenders in the order of the timings.
 enum : std::size_t { kBatch, kBound, kFused, kSines };
 
 std::vector<Timing> time_all(BatchedProduct& product, SinesAndCosines& sines) {
@@ -98,7 +98,7 @@ void add_times(const std::vector<Timing>& timings, std::vector<Row>& rows) {
   Row fused = timed_row("a fused multiply-add at best", timings[kFused], 1e9, "ns",
                         "vfmadd on zmm registers, {rd-sae}, 16 independent chains");
   for (Row* row : {&bound, &fused}) {
-    row->ratio.reset();  // one instruction and a batch: the fractions below say it better
+    row->ratio.reset();  // the fractions below tell more than this ratio
     rows.push_back(std::move(*row));
   }
 }
@@ -131,7 +131,7 @@ void add_fractions(const VectorInstructions& counts, const std::vector<Timing>& 
                           "what no order of instructions could make faster is 100 %"));
 }
 
-/// The listing of the machine code that `check` would run; nullopt where there is no objdump.
+/// Returns the listing of the machine code that `check` would run; nullopt without objdump.
 std::optional<std::string> listing_of(const machine::PackKernel& program) {
   std::vector<std::string> bytes;
   for (const machine::PackFunction& function : program.functions)

@@ -5,7 +5,7 @@
 
 namespace regulus::bench {
 
-/// How near the AVX-512 kernel for K·M comes to what the processor can do.
+/// Compares the AVX-512 kernel for K·M with the limits of the processor.
 [[nodiscard]] Section limit_rows();
 
 }  // namespace regulus::bench

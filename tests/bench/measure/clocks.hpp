@@ -11,14 +11,14 @@ inline double seconds_on(clockid_t clock) {
   return static_cast<double>(t.tv_sec) + 1e-9 * static_cast<double>(t.tv_nsec);
 }
 
-/// Processor time of this thread: what others do on the machine does not count, as far as they do
-/// not take caches and clock rate.
+/// Returns the processor time of this thread. Other work on the machine does not count, except by
+/// its effect on caches and clock rate.
 inline double thread_seconds() { return seconds_on(CLOCK_THREAD_CPUTIME_ID); }
 
-/// Processor time of all threads together.
+/// Returns the processor time of all threads together.
 inline double process_seconds() { return seconds_on(CLOCK_PROCESS_CPUTIME_ID); }
 
-/// Time on the wall: for several threads, and for processes.
+/// Returns the time on the wall: for several threads, and for processes.
 inline double wall_seconds() { return seconds_on(CLOCK_MONOTONIC); }
 
 }  // namespace regulus::bench

@@ -10,7 +10,7 @@
 namespace regulus::bench {
 namespace {
 
-/// As the kernel names it; "unknown" where it names none.
+/// Returns the processor's name as the kernel reports it; "unknown" if it reports none.
 std::string processor_model() {
   std::ifstream file("/proc/cpuinfo");
   for (std::string line; std::getline(file, line);)

@@ -5,11 +5,11 @@
 
 namespace regulus::bench {
 
-/// What the figures depend on besides the code.
+/// The machine and the compilers, on which the figures depend besides the code.
 struct Machine {
   std::string processor;
   unsigned processors = 0;
-  double load = 0;         ///< how many programs wanted a processor in the last minute
+  double load = 0;         ///< programs that wanted a processor in the last minute
   std::string compiler;    ///< of the suite and of everything compiled ahead of time
   std::string in_process;  ///< of everything compiled in process
 };

@@ -21,7 +21,7 @@ std::vector<char*> pointers(std::vector<std::string>& words) {
   return result;
 }
 
-/// Later assignments first: the C library takes the first of a name.
+/// Puts later assignments first, since the C library takes the first one of a name.
 std::vector<std::string> merged(const std::vector<std::string>& environment) {
   std::vector<std::string> result(environment.rbegin(), environment.rend());
   for (char** own = environ; *own; ++own) {

@@ -20,7 +20,7 @@ double seconds_of(const Contender& contender, std::size_t passes, double (*clock
   return (clock() - start) / static_cast<double>(passes);
 }
 
-/// How many passes fill a slice. The passes that find out warm the caches, too.
+/// Returns how many passes fill a slice. The trial passes warm the caches, too.
 std::size_t passes_for(const Contender& contender, const RoundOptions& options) {
   constexpr std::size_t kMost = 1u << 24;
   std::size_t passes = 1;

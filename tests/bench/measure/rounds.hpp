@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Times things against each other on a machine that others use, too.
+// Compares the times of contenders on a machine that others use, too.
 //
-// A time by itself says little there: the clock rate and the neighbours change from second to
-// second. So everything is timed in rounds, one after the other, each beside the reference, and
-// what is reported is the median over the rounds of a ratio within a round.
+// A single time says little there, because the clock rate and the other programs change from second
+// to second. So all contenders run in rounds, each beside the reference. The report has the median
+// over the rounds of a ratio within one round.
 #pragma once
 
 #include <functional>
@@ -15,7 +15,7 @@
 
 namespace regulus::bench {
 
-/// The median, and the quartiles as a measure of how much the values wobble.
+/// The median, and the quartiles as a measure of how much the values vary.
 struct Spread {
   double median = 0;
   double low = 0;
@@ -25,7 +25,7 @@ struct Spread {
 /// Requires  at least one value.
 [[nodiscard]] Spread spread_of(std::vector<double> values);
 
-/// Something to be timed: `pass` does `units` units of work, the same work each time.
+/// A piece of code to time: `pass` does `units` units of work, the same work each time.
 struct Contender {
   std::string name;
   double units = 1;
@@ -39,15 +39,15 @@ struct Timing {
 
 struct RoundOptions {
   std::size_t rounds = 15;
-  double slice = 2e-3;  ///< seconds of each timing at least, by as many passes as that takes
+  double slice = 2e-3;  ///< least time of a timing in seconds; it has as many passes as needed
   double (*clock)() = thread_seconds;
 };
 
-/// Times all contenders. In each round every contender runs between two runs of the reference, the
-/// first of them, and is compared with the mean of the two.
+/// Times all contenders. The first one is the reference. In each round every contender runs between
+/// two runs of the reference and is compared with their mean.
 ///
 /// Requires  at least one contender and one round.
-/// Ensures   the timings in the contenders' order; that of the reference has ratio 1 by definition.
+/// Ensures   the timings in the contenders' order; the reference has ratio 1 by definition.
 [[nodiscard]] std::vector<Timing> compare(std::span<const Contender> contenders,
                                           const RoundOptions& options = {});
 

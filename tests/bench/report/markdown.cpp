@@ -8,8 +8,8 @@
 namespace regulus::bench {
 namespace {
 
-/// Three digits, without an exponent: 0.0123, 1.23, 123, 12300. Counts of five digits are given
-/// whole.
+/// Prints three digits without an exponent: 0.0123, 1.23, 123, 12300. Counts of up to five digits
+/// are printed in full.
 std::string digits(double x) {
   if (x == 0) return "0";
   constexpr int kDigits = 3;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What the suite found out, before it is written down anywhere.
+// The results of the suite, before any report is written.
 #pragma once
 
 #include <optional>
@@ -11,7 +11,7 @@
 
 namespace regulus::bench {
 
-/// What a row should show, of its value or of its ratio.
+/// The target of a row, for its value or for its ratio.
 struct Target {
   enum class Of { kValue, kRatio } of;
   enum class Sense { kAtLeast, kAtMost } sense;
@@ -38,16 +38,16 @@ struct Row {
   std::optional<Spread> ratio;  ///< to the section's reference
   std::optional<Target> target;
   std::string explanation;  ///< one line
-  std::string skipped;      ///< why there is no value; empty if there is one
+  std::string skipped;      ///< why there is no value; empty if there is a value
 };
 
-/// nullopt without a target, or without the figure it is about.
+/// Returns nullopt if there is no target, or no figure for it.
 [[nodiscard]] std::optional<bool> met(const Row& row);
 
 struct Section {
-  std::string name;  ///< of the option --only, and in the JSON
+  std::string name;  ///< for the option --only, and in the JSON
   std::string title;
-  std::string note;  ///< what the rows have in common, and what the ratio is to
+  std::string note;  ///< facts common to the rows, and the reference of the ratio
   std::vector<Row> rows;
 };
 
@@ -56,11 +56,11 @@ struct Report {
   std::vector<Section> sections;
 };
 
-/// The median time of a unit in `unit`, `scale` of which are a second, and its ratio.
+/// Returns a row with the median time of a unit in `unit`, 1/`scale` seconds each, and its ratio.
 [[nodiscard]] Row timed_row(std::string name, const Timing& timing, double scale, std::string unit,
                             std::string explanation);
 
-/// A row that could not be measured.
+/// Returns a row that could not be measured.
 [[nodiscard]] Row skipped_row(std::string name, std::string reason, std::string explanation);
 
 }  // namespace regulus::bench

@@ -7,15 +7,15 @@
 
 namespace regulus::bench {
 
-/// {"machine": {…}, "rows": [{"section", "name", "value", "unit", "ratio", "ratio_quartiles",
-/// "target", "met", "explanation", "skipped"}, …]}; what a row lacks is null.
+/// Returns {"machine": {…}, "rows": [{"section", "name", "value", "unit", "ratio",
+/// "ratio_quartiles", "target", "met", "explanation", "skipped"}, …]}; absent values are null.
 [[nodiscard]] std::string to_json(const Report& report);
 
-/// The same as tables, one for each section.
+/// Returns the same as tables, one for each section.
 [[nodiscard]] std::string to_markdown(const Report& report);
 [[nodiscard]] std::string to_markdown(const Section& section);
 
-/// "7 of 9 targets met".
+/// Returns, for example, "7 of 9 targets met".
 [[nodiscard]] std::string summary(const Report& report);
 
 }  // namespace regulus::bench

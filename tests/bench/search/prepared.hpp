@@ -11,16 +11,16 @@
 
 namespace regulus::bench {
 
-/// What to certify, in words of the command line.
+/// A question, in words of the command line.
 struct SearchCase {
   const char* title;
-  const char* model;  ///< a path, or below models/ without .toml
+  const char* model;  ///< a path, or a name below models/ without .toml
   const char* motion;
   const char* tolerance = "";    ///< of base and platform
-  double most_microseconds = 0;  ///< the target for a box on the best instruction set; 0: none
+  double most_microseconds = 0;  ///< target for a box on the best instruction set; 0: none
 };
 
-/// A search that only has to be started: the kernel is compiled.
+/// A search that is ready to start: its kernel is compiled.
 class TimedSearch {
  public:
   TimedSearch(const SearchCase& which, const SearchOptions& options);
@@ -28,8 +28,8 @@ class TimedSearch {
   Settings& settings() noexcept { return settings_; }
   void run();
 
-  /// Of the last run. Throws std::logic_error unless that proved NO SINGULARITY: a time without a
-  /// verdict compares with nothing.
+  /// Returns those of the last run. Throws std::logic_error unless that run proved NO SINGULARITY,
+  /// because a time without a verdict cannot be compared.
   [[nodiscard]] const Statistics& statistics() const;
 
  private:

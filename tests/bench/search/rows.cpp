@@ -21,7 +21,7 @@ std::string count_of(std::uint64_t boxes) {
   return boxes == 1 ? "1 box" : fmt::format("{} boxes", boxes);
 }
 
-/// Searches of one problem, the first of which is the reference.
+/// Compares searches of one problem; the first one is the reference.
 class SearchComparison {
  public:
   void add(std::string name, std::string explanation, const SearchCase& which,
@@ -40,7 +40,7 @@ class SearchComparison {
 
   void skip(Row row) { skipped_.push_back(std::move(row)); }
 
-  /// Rows of microseconds a box, with boxes and total in the explanation.
+  /// Adds rows of microseconds a box, with boxes and total in the explanation.
   void append_to(Section& section) {
     RoundOptions options;
     options.rounds = 9;
@@ -65,7 +65,7 @@ class SearchComparison {
   std::vector<Contender> contenders_;
 };
 
-/// One thread, whose processor time is what is measured.
+/// Returns options for one thread, since processor time is measured.
 SearchOptions alone() {
   SearchOptions options;
   options.threads = 1;
@@ -78,14 +78,14 @@ SearchOptions on(Isa isa) {
   return options;
 }
 
-/// Models with divisions and roots among them.
+/// Problems that include models with divisions and roots.
 constexpr SearchCase kEngineCases[] = {{"wide_15, ±0.1", "robot_1", "wide_15", "0.1"},
                                        {"table5_30", "robot_2", "table5_30"},
                                        {"hexapod_6rus", "hexapod_6rus", "work"},
                                        {"delta", "delta", "work"},
                                        {"puma_560", "puma_560", "dexterous"}};
 
-/// A time, not a ratio: it depends on the machine and the hour.
+/// Returns a target on the time, not on a ratio: it depends on the machine and its load.
 std::optional<Target> target_of(const SearchCase& which) {
   if (which.most_microseconds > 0) return value_at_most(which.most_microseconds);
   return std::nullopt;

@@ -5,20 +5,20 @@
 
 namespace regulus::bench {
 
-/// Whole searches, on every instruction set and one box at a time.
+/// Times whole searches, on every instruction set and one box at a time.
 [[nodiscard]] Section search_rows();
 
-/// The same of one problem that is not the paper's.
+/// Times the same for one problem that is not from the paper.
 struct SearchCase;
 [[nodiscard]] Section rows_of(const SearchCase& which);
 
-/// The product K·J⁻¹ formed symbolically, and from numbers.
+/// Compares the product K·J⁻¹ formed symbolically with the product formed from numbers.
 [[nodiscard]] Section product_rows();
 
-/// Compiled code and the vector machine.
+/// Compares compiled code with the vector machine.
 [[nodiscard]] Section engine_rows();
 
-/// One thread and two.
+/// Compares one thread with two.
 [[nodiscard]] Section thread_rows();
 
 }  // namespace regulus::bench
