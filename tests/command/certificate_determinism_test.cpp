@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// A certificate is a function of the model file and the options: addresses differ from process to
-// process, and so does the time that things take.
+// A certificate depends only on the model file and the options. Addresses and times differ from
+// process to process and must not matter.
 #include <gtest/gtest.h>
 
 #include "tests/support/cached_command.hpp"
@@ -16,7 +16,7 @@ struct Asked {
 
 class ACertificateFile : public testing::TestWithParam<Asked> {
  protected:
-  /// The bytes that a new process writes.
+  /// Returns the bytes that a new process writes.
   [[nodiscard]] std::string written(const std::vector<std::string>& more = {}) const {
     const std::string path = (directory_.path() / "certificate").string();
     std::filesystem::remove(path);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// A certificate of each kind of question that a model file can ask: written, and verified.
+// Writes and verifies a certificate of each kind of question that a model file can ask.
 #include <gtest/gtest.h>
 
 #include "tests/support/cached_command.hpp"
@@ -8,7 +8,7 @@
 namespace regulus::test {
 namespace {
 
-/// A planar robot with four legs, one more than it needs; MOTIONS follow.
+/// A planar robot with four legs, one more than it needs, and its motions.
 const std::string kRedundant = R"toml(regulus = 1
 name = "planar 4-RPR"
 [pose]

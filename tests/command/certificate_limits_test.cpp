@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// A question that no verifier could read leaves no certificate, and the report says why.
+// A question beyond the verifier's limits leaves no certificate, and the report says why.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -15,7 +15,7 @@ using testing::HasSubstr;
 
 const std::string kCommand = REGULUS_BINARY_DIR "/bin/regulus";
 
-/// x + u0 + u1 + …, every u known to 1/1000.
+/// Returns x + u0 + u1 + …, where every u is known to 1/1000.
 std::string sum_of_quantities(int count) {
   std::string text = "regulus = 1\nname = \"sum\"\n[pose]\nx = \"m\"\n[geometry]\n", entry = "x";
   for (int i = 0; i < count; ++i) {

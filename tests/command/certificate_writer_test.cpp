@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The writer in cases that a search seldom meets.
+// Tests the certificate writer in cases that a search rarely meets.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -20,7 +20,7 @@ using testing::Not;
 
 constexpr double kLeast = std::numeric_limits<double>::denorm_min();
 
-/// x − 1/2 with a witness whose determinants have these enclosures, first the positive one.
+/// Writes x − 1/2 with a witness; its determinants have these enclosures, the positive one first.
 std::string witness_of(const Interval& positive, const Interval& negative) {
   const TemporaryDirectory directory;
   const std::string path = (directory.path() / "proof").string();
@@ -51,7 +51,7 @@ TEST(ASignOfADeterminantThatUnderflows, IsThatOfTheOtherEnd) {
   EXPECT_EQ(witness_of({0.5, 0.5}, {-0.5, -0.5}), witness_of({0, kLeast}, {-kLeast, 0}));
 }
 
-/// A file of a search that is continued, with a hole as long as the limit: it takes no room.
+/// The file of a continued search has a hole as long as the limit, which takes no disk space.
 TEST(ACertificateBeyondTheLimitOfTheFormat, IsAnnouncedAsSuch) {
   const TemporaryDirectory directory;
   const std::string model = (directory.path() / "model.toml").string(),

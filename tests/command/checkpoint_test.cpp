@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// --checkpoint, as its users meet it.
+// Tests --checkpoint as its users meet it.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -38,7 +38,7 @@ TEST_F(CheckpointOption, ASearchOutOfBoxesGoesOnLater) {
   EXPECT_EQ(first.exit_code, 2);
   EXPECT_THAT(first.errors, HasSubstr("repeat the command to continue from here"));
   ASSERT_TRUE(exists("checkpoint"));
-  // Nothing ties it to the machine code, the number of threads, or what the bounds were made with.
+  // The checkpoint is not tied to the machine code, the number of threads or the instruction set.
   const CommandResult second = check({"--threads", "2", "--isa", "portable"});
   EXPECT_EQ(second.exit_code, 0) << second.errors;
   EXPECT_THAT(second.errors, testing::ContainsRegex("continued from (1[789][0-9]|200) boxes"));
@@ -56,7 +56,7 @@ TEST_F(CheckpointOption, ACertificateGoesOnWithIt) {
   EXPECT_FALSE(exists("pieces.partial"));
 }
 
-/// One byte of the proof so far changes between two runs: it is noticed before the search.
+/// One byte of the unfinished proof changes between two runs. This is found before the search.
 TEST_F(CheckpointOption, ACertificateThatWasDamagedIsNotContinued) {
   const std::vector<std::string> words = {"--max-boxes", "300", "--certificate", file("proof")};
   ASSERT_EQ(check(words).exit_code, 2);
@@ -79,7 +79,7 @@ TEST_F(CheckpointOption, ACertificateThatWasDamagedIsNotContinued) {
   EXPECT_TRUE(exists("proof"));
 }
 
-/// With one engine nothing tells a certificate in pieces from one without a stop.
+/// With one engine, a certificate written in pieces is the same as one written without a stop.
 TEST_F(CheckpointOption, ABudgetLeavesTheCertificateAsItIs) {
   const auto certified = [this](std::vector<std::string> more) {
     more.insert(more.end(), {"--engine", "jit", "--threads", "2", "--certificate", file("proof")});
@@ -130,7 +130,7 @@ TEST_F(CheckpointOption, AnotherSearchOrAnotherFileIsRefused) {
   EXPECT_THAT(strange.errors, HasSubstr("it is not a checkpoint"));
 }
 
-/// Boxes that rest on a filter are nobody's proof: the report of the end must name it.
+/// Boxes that rest on a filter are not proved: the final report must name the filter.
 TEST_F(CheckpointOption, BoxesThatAFilterVouchedForAreNotTakenOverWithoutIt) {
   const std::string filter = REGULUS_BINARY_DIR "/filters/gershgorin.so";
   ASSERT_EQ(check({"--method", "reg", "--filter", filter, "--max-boxes", "100"}).exit_code, 2);
@@ -147,7 +147,7 @@ TEST_F(CheckpointOption, AFolderThatIsNotThereIsSaidBeforeTheSearch) {
   EXPECT_THAT(result.errors, HasSubstr("cannot be created"));
 }
 
-/// A terminal that closes sends SIGHUP, perhaps twice; nohup asks that it be ignored.
+/// A closing terminal sends SIGHUP, perhaps twice; nohup asks programs to ignore it.
 TEST_F(CheckpointOption, SighupSavesWhatIsDone) {
   RunningCommand run({REGULUS_BINARY_DIR "/bin/regulus", "check",
                       REGULUS_SOURCE_DIR "/models/robot_1.toml", "table6_15_15", "--tolerance",

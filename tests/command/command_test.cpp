@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The command as its users see it: exit codes, what is on which stream, the JSON report.
+// Tests the command as its users see it: exit codes, both output streams, the JSON report.
 #include "tests/support/command.hpp"
 
 #include <gmock/gmock.h>
@@ -115,7 +115,7 @@ TEST(Command, StopsAtABudgetWithAReason) {
   EXPECT_FALSE(report["blocking_box"].is_null());
 }
 
-/// Some minutes of multiplying out: nothing is certain yet, and nobody should have to wait.
+/// Expanding this takes minutes; nothing is certain yet, and an interrupt must not wait for it.
 TEST(Command, EndsWithAReportWhenInterruptedLongBeforeASearch) {
   for (const int signal : {SIGINT, SIGTERM}) {
     RunningCommand running({REGULUS_BINARY_DIR "/bin/regulus", "check",
@@ -238,7 +238,7 @@ TEST(Command, HasHelpForEveryCommand) {
   EXPECT_THAT(regulus({"--version"}).output, testing::StartsWith("regulus "));
 }
 
-/// Address randomisation changes the order in which GiNaC keeps terms; nothing may come of it.
+/// Address randomisation changes the order of GiNaC's terms; the output must not depend on it.
 TEST(Command, EmitsTheSameBytesInTwentyProcesses) {
   for (const auto& [model, motion, method] : {std::tuple{"robot_2", "table5_30", "auto"},
                                               {"robot_1", "T2_errors", "auto"},

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// A verdict is about the numbers that are written, in the file and on the command line.
+// A verdict is about the numbers as written, in the file and on the command line.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -17,7 +17,7 @@ const std::string kCommand = REGULUS_BINARY_DIR "/bin/regulus";
 
 class ExactNumbers : public testing::Test {
  protected:
-  /// The verdict on the 1×1 matrix of that entry.
+  /// Returns the verdict on the 1×1 matrix of that entry.
   std::string verdict(const std::string& entry, const std::string& range,
                       std::vector<std::string> options = {}) {
     write_file(model_, "regulus = 1\nname = \"one\"\n[pose]\nx = \"1\"\n[matrix]\nrows = [[" +
@@ -55,7 +55,7 @@ TEST_F(ExactNumbers, OfTheCommandLine) {
   const std::string entry = "\"x - 0.12345678901234567890123\"";
   EXPECT_NE(verdict(entry, "1", {"--range", "x=0.12345678901234567890123"}), kNone);
   EXPECT_NE(verdict("\"x - 0.1\"", "1", {"--range", "x=0.10000000000000001"}), kSome);
-  // |det| = 1 is above the one threshold and not above the other.
+  // |det| = 1 is above the first threshold and not above the second.
   EXPECT_NE(verdict("\"x\"", "1", {"--alpha", "0.99999999999999999999"}), kSome);
   EXPECT_NE(verdict("\"x\"", "1", {"--alpha", "1.00000000000000000001"}), kNone);
   EXPECT_EQ(verdict("\"x\"", "1", {"--range", "x=sqrt(2):sqrt(2)*(1 - 1e-14)"}), "");

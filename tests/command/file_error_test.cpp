@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Disks that are full, files that vanish, folders where nothing can be made, two runs on one file:
-// each is said, with exit code 74, and what was there before stays.
+// Tests full disks, files that vanish, folders without write permission, and two runs on one file.
+// Each gives a message and exit code 74, and earlier files stay.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 #include <sys/file.h>
@@ -26,7 +26,7 @@ class FileTrouble : public testing::Test {
     words.insert(words.begin(), kCommand);
     return run_command(words);
   }
-  /// No file may grow beyond so many blocks of 512 bytes: what a full disk does, for every user.
+  /// Limits files to so many blocks of 512 bytes. This acts like a full disk for every user.
   [[nodiscard]] static CommandResult with_small_files(int blocks, std::vector<std::string> words) {
     words.insert(words.begin(),
                  {"/bin/sh", "-c", "ulimit -f " + std::to_string(blocks) + "; exec \"$0\" \"$@\"",
@@ -37,7 +37,7 @@ class FileTrouble : public testing::Test {
   [[nodiscard]] bool exists(const std::string& name) const {
     return std::filesystem::exists(file(name));
   }
-  /// A search of some thousand boxes.
+  /// Returns the words for a search of some thousand boxes.
   [[nodiscard]] std::vector<std::string> long_check(std::vector<std::string> more) const {
     more.insert(more.begin(), {"check", kRobot1, "table6_15_15", "--tolerance",
                                "base,platform=0.12", "--checkpoint", file("checkpoint")});
@@ -99,7 +99,7 @@ TEST_F(FileTrouble, LinesAndPicturesThatDoNotFitAreSaid) {
   expect_trouble(regulus(picture), "picture.svg: No space left on device");
 }
 
-/// However a run ends: nothing that an earlier one wrote stands under the name that it was given.
+/// However a run ends, its output names no longer hold the files of an earlier run.
 TEST_F(FileTrouble, NoOutputOfAnEarlierRunStaysUnderItsName) {
   const auto expect_aside = [this](const std::vector<std::string>& words, int exit_code,
                                    const std::vector<std::string>& names) {
@@ -161,7 +161,7 @@ TEST_F(FileTrouble, GeneratedFilesAreReplacedByAWholeKernelOrNotAtAll) {
   EXPECT_TRUE(exists("outside.cpp"));
 }
 
-/// Devices without an end, pipes that nobody writes, folders, and files larger than can be meant.
+/// Tests endless devices, pipes without a writer, folders, and files of impossible size.
 TEST_F(FileTrouble, WhatIsNoFileIsNotRead) {
   const std::string pipe = file("pipe"), sparse = file("sparse");
   ASSERT_EQ(mkfifo(pipe.c_str(), 0600), 0);
@@ -187,7 +187,7 @@ TEST_F(FileTrouble, AFilterThatIsCutIsRefused) {
   }
 }
 
-/// The plugins cannot be opened, as where the address space is too small for LLVM.
+/// The plugins cannot be opened, as if the address space were too small for LLVM.
 TEST_F(FileTrouble, WithoutACompilerTheInterpreterAnswers) {
   const auto without_compiler = [this](const std::string& engine) {
     return run_command({"/bin/sh", "-c",
@@ -233,7 +233,7 @@ TEST_F(FileTrouble, ACheckpointThatDoesNotFitLeavesTheOneThatWasThere) {
   EXPECT_FALSE(exists("checkpoint.lock"));
 }
 
-/// The certificate runs out of room first; when there is room again, nothing of it is missing.
+/// The certificate runs out of disk space first. With space again, nothing of it is missing.
 TEST_F(FileTrouble, ASearchWhoseCertificateDoesNotFitGoesOnWhenThereIsRoom) {
   const auto certified = [this](std::vector<std::string> more) {
     more.insert(more.end(), {"--certificate", file("certificate")});

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// --filter: a user's own regularity test takes part, and the report names it.
+// Tests --filter: a user's own regularity test takes part, and the report names it.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -31,7 +31,7 @@ std::string read(const std::string& path) {
   return {std::istreambuf_iterator<char>(file), {}};
 }
 
-/// `reg` alone decides little, which leaves much to a filter.
+/// Method `reg` alone decides few boxes, so that most remain for a filter.
 CommandResult check(const std::string& model, const std::string& motion,
                     const std::vector<std::string>& filters, std::vector<std::string> more = {}) {
   std::vector<std::string> words{
@@ -83,7 +83,7 @@ TEST(Filter, IsDescribedInJson) {
   EXPECT_EQ(report("T1", {}, "auto")["filters"], json::array());
 }
 
-/// What it vouches for is wrong, and the only defence is that this is said.
+/// The filter certifies what is false; the only protection is that the report names it.
 TEST(Filter, ThatLiesIsNamedByTheReport) {
   const CommandResult result = check(kRobot1, "wide_40", {"lying"}, {"--method", "reg"});
   EXPECT_EQ(result.output, "NO SINGULARITY\n");
@@ -102,7 +102,7 @@ TEST(Filter, CannotVouchForWhatIsUndefined) {
 
 TEST(Filter, ThatChangesTheRoundingOrThrowsIsNotBelieved) {
   for (const char* name : {"upward", "throwing"}) {
-    // Filters look at the model's own matrix, whose columns are as they are written.
+    // Filters see the model's own matrix, whose columns are as they are written.
     const json with = report("wide_15", {name}, "auto");
     const json without = report("wide_15", {}, "auto", "columns");
     EXPECT_EQ(with["filters"][0]["boxes"], 0) << name;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// `regulus generate` as its users see it.
+// Tests `regulus generate` as its users see it.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -55,7 +55,7 @@ TEST(GenerateCommand, ListsTheFilesAsJson) {
   for (const std::string file : list["files"]) EXPECT_TRUE(fs::exists(file)) << file;
 }
 
-/// But for the command in its head, and the name.
+/// The texts differ only in the name and in the command in the first lines.
 TEST(GenerateCommand, WritesTheTextThatExplainShows) {
   const TemporaryDirectory folder;
   ASSERT_EQ(
@@ -67,7 +67,7 @@ TEST(GenerateCommand, WritesTheTextThatExplainShows) {
   EXPECT_EQ(body(read(folder.path() / "generated_kernel.inc")), body(shown.output));
 }
 
-/// Addresses differ from process to process, and with them the order of a library's terms.
+/// Addresses differ from process to process, and the order of GiNaC's terms depends on them.
 TEST(GenerateCommand, WritesTheSameTextInEveryProcess) {
   const std::string hexapod = REGULUS_SOURCE_DIR "/models/hexapod_6rus.toml";
   const auto text = [&hexapod] {

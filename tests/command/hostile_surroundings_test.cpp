@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What a caller, a library, another process or a signal may do to the command or to the library:
-// it makes no difference, or it is refused in words.
+// Callers, libraries, other processes and signals may disturb the command or the library: this
+// makes no difference, or it is refused with a message.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -28,13 +28,13 @@ const std::string kVerifier = REGULUS_BINARY_DIR "/bin/regulus-verify";
 const std::string kRobot1 = REGULUS_SOURCE_DIR "/models/robot_1.toml";
 const std::string kPlanar = REGULUS_SOURCE_DIR "/models/planar_3rpr.toml";
 
-// ---- The arithmetic that a caller of the library has set.
+// ---- The caller of the library has set another arithmetic.
 
 #if defined(__x86_64__)
 
 constexpr unsigned kUsual = 0x1f80;
 
-/// Four roundings, with and without flush-to-zero and denormals-are-zero.
+/// Returns four roundings, with and without flush-to-zero and denormals-are-zero.
 std::vector<unsigned> every_arithmetic() {
   std::vector<unsigned> all;
   for (const unsigned rounding : {0x0000U, 0x2000U, 0x4000U, 0x6000U})
@@ -43,7 +43,7 @@ std::vector<unsigned> every_arithmetic() {
   return all;
 }
 
-/// Not inlined: what is called must not be moved out of the arithmetic it is called in.
+/// Not inlined: the call must not be moved out of the arithmetic that is set around it.
 template <class Function>
 [[gnu::noinline]] auto with_arithmetic(unsigned mxcsr, const Function& function) {
   const unsigned before = read_mxcsr();
@@ -90,7 +90,7 @@ INSTANTIATE_TEST_SUITE_P(
                     Asked{"MoreDigits", robot("rump", "point"), engine(Engine::kJit)}),
     [](const auto& asked) { return asked.param.name; });
 
-/// Refused, where the verifier cannot trust its own arithmetic; never another answer.
+/// The verifier may refuse an arithmetic that it cannot trust; it never gives another answer.
 TEST(TheVerifier, RefusesAnArithmeticOfTheCallerOrIsNotMovedByIt) {
   const std::string proof = certify(robot("robot_2", "table5_20", "20")).text;
   const std::string witness = certify(robot("planar_3rpr", "crossing")).text;
@@ -113,7 +113,7 @@ TEST(TheVerifier, RefusesAnArithmeticOfTheCallerOrIsNotMovedByIt) {
     }
 }
 
-// ---- The arithmetic that a library leaves behind, before the command or in its middle.
+// ---- A library changes the arithmetic, before the command starts or while it runs.
 
 CommandResult run_after(const std::string& library, std::vector<std::string> words) {
   words.insert(words.begin(),
@@ -217,7 +217,7 @@ TEST(ASearch, ThatIsInterruptedClaimsNothingAndLeavesNothingBehind) {
   }
 }
 
-// ---- A cache that others use, or have been at.
+// ---- Other processes use the cache, or have changed it.
 
 TEST(ACache, ServesManyProcessesAtOnce) {
   const CachedCommand command;
@@ -234,7 +234,7 @@ TEST(ACache, ServesManyProcessesAtOnce) {
   EXPECT_EQ(command.report({"check", kPlanar, "regular"})["cache"], "hit");
 }
 
-/// Sealed as the cache seals what it writes, under the keys of the entries that they replace.
+/// The foreign parts are sealed like real entries, under the keys of the entries they replace.
 TEST(ACache, IsOfNoUseWithThePartsOfAnotherModelUnderTheRightKeys) {
   const TemporaryDirectory directory;
   const auto model = [&](const char* name, const char* entry) {
@@ -272,7 +272,7 @@ TEST(ACache, IsOfNoUseWithThePartsOfAnotherModelUnderTheRightKeys) {
   EXPECT_EQ(command.run({"check", singular, "--engine", "auto"}).output, "SINGULARITY\n");
 }
 
-/// Every entry at once, by bytes that are no entry, by a part of itself, and by its neighbour.
+/// Replaces all entries at once: by other bytes, by a part of the entry, by the next entry.
 TEST(ACache, IsMadeAnewWhereverItIsSpoilt) {
   const CachedCommand command;
   const std::vector<std::string> check = {"check", kPlanar, "crossing"};

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// `--engine auto`: a search that goes over from the interpreter to the compiled kernel says what it
-// would have said, and the report does not depend on when that was.
+// `--engine auto`: a search that switches from the interpreter to the compiled kernel gives the
+// same answer, and the report does not depend on the moment of the switch.
 #include "codegen/engine/late_compilation.hpp"
 
 #include <gmock/gmock.h>
@@ -52,7 +52,7 @@ PreparedSearch prepared(const Question& question, const SearchOptions& search) {
   return prepare(model, search);
 }
 
-/// Holds a search until the compiler that it has started is done.
+/// Blocks a search until the compiler that it has started has finished.
 class WaitsForCompiler : public Observer {
  public:
   explicit WaitsForCompiler(LateCompilation* late) : late_(late) {}
@@ -66,14 +66,14 @@ class WaitsForCompiler : public Observer {
   LateCompilation* late_;
 };
 
-/// What a run leaves behind.
+/// The results of a run.
 struct Outcome {
   Result result;
   std::string report, certificate;
   nlohmann::json json;
 };
 
-/// `waits`: the compiled kernel takes over at the round after the one that asked for it.
+/// `waits`: the compiled kernel takes over in the round after the request for it.
 Outcome run(const Question& question, const SearchOptions& search, bool waits = false) {
   const test::TemporaryDirectory directory;
   const std::string file = directory.path() / "certificate";
@@ -93,7 +93,7 @@ Outcome run(const Question& question, const SearchOptions& search, bool waits = 
   return outcome;
 }
 
-/// Everything but how the functions ran.
+/// Compares everything except how the functions ran.
 void expect_same_finding(const Outcome& found, const Outcome& expected) {
   EXPECT_EQ(found.certificate, expected.certificate);
   EXPECT_FALSE(found.certificate.empty());
@@ -229,7 +229,7 @@ TEST(EngineAuto, CompilesBeforeTheSearchWhereTheProcessIsKept) {
   EXPECT_FALSE(cache.objects().empty());
 }
 
-/// More than 50 000 boxes in a second.
+/// A search of more than 50 000 boxes in a second.
 const std::vector<std::string> kLong = {"check", kModels + "hexapod_6rus.toml",
                                         "work",  "--method",
                                         "reg",   "--max-boxes",

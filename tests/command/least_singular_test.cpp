@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Where to look when nothing was proved: of models whose singular poses are known.
+// Tests the hint after an unproved check, on models whose singular poses are known.
 #include "codegen/analysis/least_singular.hpp"
 
 #include <gmock/gmock.h>
@@ -18,7 +18,7 @@ using nlohmann::json;
 using testing::AllOf;
 using testing::HasSubstr;
 
-/// Two columns and three legs: they are parallel to one line at x = 1/3, y = -2/3 alone.
+/// A matrix of two columns and three legs; the legs are parallel at x = 1/3, y = -2/3 only.
 constexpr const char* kRedundant = R"toml(regulus = 1
 name = "redundant"
 [pose]

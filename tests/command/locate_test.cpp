@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Pavings as users see them: streams, exit codes, and boxes compared with a curve that is known.
+// Tests pavings as users see them: streams, exit codes, and boxes against a known curve.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -55,8 +55,8 @@ bool holds(const json& range, double x, double margin = 0) {
   return range[0].get<double>() + margin <= x && x <= range[1].get<double>() - margin;
 }
 
-/// The planar 3-RPR by its three lines of force: they meet, or are parallel, where this vanishes.
-/// For a fixed orientation a polynomial of degree 2 in x and in y.
+/// The planar 3-RPR by its three lines of force: this vanishes if they meet or are parallel. For a
+/// fixed orientation it is a polynomial of degree 2 in x and in y.
 class LinesOfForce {
  public:
   explicit LinesOfForce(double phi) : c_(std::cos(phi)), s_(std::sin(phi)) {}
@@ -77,7 +77,7 @@ class LinesOfForce {
            m[0][2] * (m[1][0] * m[2][1] - m[1][1] * m[2][0]);
   }
 
-  /// The y of its zeros over x, from its values at three places.
+  /// Returns the y of its zeros over x, from its values at three places.
   [[nodiscard]] std::vector<double> zeros_over(double x) const {
     const double below = at(x, -1), middle = at(x, 0), above = at(x, 1);
     const double a = (above + below) / 2 - middle, b = (above - below) / 2;

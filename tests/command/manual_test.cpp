@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Manual pages, completions and the page about the shell say what the program does.
+// Manual pages, completions and the page about the shell must describe the program as it is.
 #include "codegen/command/manual.hpp"
 
 #include <gmock/gmock.h>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// `regulus margin --certificate FILE`: a proof of each end of the bracket, and of nothing else.
+// Tests `regulus margin --certificate FILE`: it proves each end of the bracket, and nothing else.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -48,7 +48,7 @@ class MarginCertificate : public testing::Test {
                                     file("ends." + end), "--model", model_, "--json", "--quiet"})
                            .output);
   }
-  /// Both ends are proved, and say `what` with the value of the report instead of the model's own.
+  /// Expects proofs of both ends, with one difference to the model: `what` has the reported value.
   void expect_both_ends(const std::vector<std::string>& words, const std::string& what) const {
     const json found = report(words);
     for (const auto& [end, claim] : {std::pair("safe", "certified"), {"singular", "refuted"}}) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Brackets as users see them, of models whose critical values are known.
+// Tests brackets as users see them, on models whose critical values are known.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -21,7 +21,7 @@ using testing::HasSubstr;
 
 const std::string kRobot1 = REGULUS_SOURCE_DIR "/models/robot_1.toml";
 
-/// det = a − x²/2, a = 1 ± the tolerance of a, |x| ≤ 1: singular from tolerance 1/2 on; at
+/// det = a − x²/2, with a = 1 ± its tolerance and |x| ≤ 1. It is singular from tolerance 1/2 on; at
 /// tolerance 0 from |x| = √2 on, and |det| ≥ 1/2.
 constexpr const char* kBowl = R"(regulus = 1
 name = "bowl"
@@ -58,7 +58,7 @@ class Margin : public testing::Test {
     EXPECT_EQ(result.errors, "");
     return json::parse(result.output);
   }
-  /// certified < critical ≤ refuted, within the gap.
+  /// Expects certified < critical ≤ refuted, within the gap.
   static void expect_brackets(const json& report, double critical, double gap) {
     EXPECT_LT(report["certified"], critical);
     EXPECT_GE(report["refuted"], critical);

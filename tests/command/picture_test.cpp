@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Pictures of pavings: drawn by gnuplot, from texts that mean nothing to it.
+// Tests pictures of pavings: gnuplot draws them, and no text is a command for it.
 #include "codegen/report/picture.hpp"
 
 #include <gmock/gmock.h>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Robots in C++: a check in process, and the examples against the model files of the same robots.
+// Tests robots in C++: a check in process, and the examples against the same robots' model files.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -18,7 +18,7 @@
 namespace regulus {
 namespace {
 
-/// det = x² + y² − h²: singular on a circle.
+/// Returns a robot with det = x² + y² − h², singular on a circle.
 Robot circle() {
   Robot robot("circle");
   const Formula x = robot.pose("x", "cm"), y = robot.pose("y", "cm");
@@ -59,7 +59,7 @@ TEST(CheckOfARobot, RefusesWhatTheRobotOrTheQuestionHasNot) {
   EXPECT_THROW(static_cast<void>(Question(Robot("empty"))), InputError);
 }
 
-/// The first program of the page for authors.
+/// Returns the first program of the page for authors.
 std::string program_of_the_page() {
   std::ifstream page(REGULUS_SOURCE_DIR "/codegen/robot/AUTHORS.md");
   std::string line, program;
@@ -83,7 +83,7 @@ std::string shipped(const std::string& name) {
   return read_model_text(std::string(REGULUS_SOURCE_DIR "/models/") + name + ".toml");
 }
 
-/// Without what heads the text: where the numbers come from, and a digest of the module.
+/// Returns the kernel's text without the origin of the numbers and the module's digest.
 std::string kernel_of(const Model& model, const std::string& motion) {
   Module module =
       lower(formulate(model, find_motion(model, motion), functions_needed(Method::kAuto)));
@@ -96,7 +96,7 @@ struct Verdicts {
   std::vector<std::string> options;
 };
 
-/// Verdict and number of boxes, per motion.
+/// Returns the verdict and the number of boxes for each motion.
 std::string verdicts(const std::string& text, const Verdicts& of) {
   const regulus::test::TemporaryDirectory directory;
   const std::string file = (directory.path() / "model.toml").string();
@@ -135,8 +135,8 @@ TEST(ExampleRobots, ThePlanar3RprHasTheVerdictsOfItsModelFile) {
   EXPECT_EQ(verdicts(example("planar_3rpr"), all), verdicts(shipped("planar_3rpr"), all));
 }
 
-/// [gough] knows that a row scale is defined wherever the matrix is regular; a matrix that is
-/// written out does not, so that its kernel asks.
+/// Removes the row scale. The [gough] form knows that it is defined wherever the matrix is regular;
+/// a matrix written out does not know this, so its kernel tests it.
 Model without_row_scale(Model model) {
   model.row_scale.clear();
   model.must_be_defined.clear();

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The shell as a person at a terminal has it.
+// Tests the shell as a person at a terminal uses it.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 #include <poll.h>
@@ -25,7 +25,7 @@ using testing::HasSubstr;
 const std::string kProgram = REGULUS_BINARY_DIR "/bin/regulus";
 const std::string kPlanar = REGULUS_SOURCE_DIR "/models/planar_3rpr.toml";
 
-/// A person at a terminal.
+/// Plays a person at a terminal.
 class Terminal {
  public:
   explicit Terminal(const std::string& home) {
@@ -45,7 +45,7 @@ class Terminal {
   void type(const std::string& text) {
     ASSERT_EQ(write(end_, text.data(), text.size()), ssize_t(text.size()));
   }
-  /// Whether the text appears after what has been waited for; gives up after a minute of silence.
+  /// Returns true if the text appears after the last one found; gives up after a minute of silence.
   bool shows(const std::string& text) {
     for (;;) {
       if (const std::size_t at = seen_.find(text); at != std::string::npos) {
@@ -60,10 +60,10 @@ class Terminal {
       seen_.append(part, std::size_t(n));
     }
   }
-  /// Of the shell, which is at its end; -1 when it is not, after a minute.
+  /// Returns the exit code of a shell that is ending; -1 if it has not ended after a minute.
   int exit_code() { return exit_code_after(""); }
-  /// The same for one that has been typed the end of the input. Once would do, but for the moment
-  /// between the prompt and the terminal's going raw.
+  /// Types the end of the input and returns the exit code. It types more than once, because the
+  /// terminal is not yet raw just after the prompt.
   int exit_code_at_end_of_file() { return exit_code_after("\x04"); }
   [[nodiscard]] std::string seen() const { return seen_; }
 
@@ -103,7 +103,7 @@ TEST(ShellAtATerminal, AnInterruptEndsTheSearchAndNotTheSession) {
   ASSERT_TRUE(terminal.shows("regulus> "));
   terminal.type("load " REGULUS_SOURCE_DIR "/models/robot_2.toml\n");
   ASSERT_TRUE(terminal.shows("motions")) << terminal.seen();
-  // Without its strongest tests this takes far longer than anybody waits.
+  // Without its strongest tests this takes far longer than the test.
   terminal.type("motion table5_30\nset method reg\nset engine interpreted\ncheck\n");
   ASSERT_TRUE(terminal.shows("boxes,")) << terminal.seen();
   terminal.type("\x03");

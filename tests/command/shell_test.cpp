@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The shell: scripts through a pipe, and what Tab offers.
+// Tests the shell: scripts through a pipe, and the completions that Tab offers.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 #include <sys/stat.h>
@@ -29,7 +29,7 @@ using testing::IsEmpty;
 const std::string kProgram = REGULUS_BINARY_DIR "/bin/regulus";
 const std::string kPlanar = REGULUS_SOURCE_DIR "/models/planar_3rpr.toml";
 
-/// `regulus shell` with the script on its standard input, and variables set before it.
+/// Runs `regulus shell` with the script as its standard input, after setting variables.
 CommandResult shell(const std::string& script, const std::string& option = "",
                     const std::string& variables = "") {
   const TemporaryDirectory directory;
@@ -170,7 +170,7 @@ TEST(ShellScript, EditsTheTextInTheEditorOfItsUser) {
   EXPECT_EQ(shell(loaded("edit\n"), "", "VISUAL=false").exit_code, kFileError);
 }
 
-/// The editor's first change is a mistake, and its second takes that back.
+/// The first change by the editor is a mistake, and the second one undoes it.
 TEST(ShellScript, KeepsATextWithAMistakeForTheNextEdit) {
   const CommandResult result =
       shell(loaded("set keep-going on\nedit\nmotion regular\ncheck\nedit\nedit\n"), "",
@@ -186,7 +186,7 @@ TEST(ShellScript, ReadsTheFileAgainAndKeepsWhatIsSet) {
   const TemporaryDirectory directory;
   const std::string model = (directory.path() / "robot.toml").string();
   std::filesystem::copy_file(kPlanar, model);
-  // An editor that changes the file, and not the text it is given.
+  // This editor changes the model file itself, not the text that it receives.
   const std::string meddler = (directory.path() / "meddler").string();
   std::ofstream(meddler) << "sed -i -e 's/x - a1_1/x - a1_1 + 7/' " << model << '\n';
   const CommandResult result = shell("load " + model +

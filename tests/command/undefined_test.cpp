@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// An undefined pose is reported with the expression that has no value there.
+// The report of an undefined pose names the expression that has no value there.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// `regulus verify --model`: what it confirms, what it reports, what it refuses.
+// Tests what `regulus verify --model` confirms, reports and refuses.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -35,7 +35,7 @@ class VerifyModel : public testing::Test {
   [[nodiscard]] json report(const std::string& model) const {
     return json::parse(verify(model, {"--json", "--quiet"}).output);
   }
-  /// Replaces some text, which must be there.
+  /// Replaces some text, which must exist.
   void tamper(const std::string& from, const std::string& to) const {
     std::string text = file_contents(certificate_);
     const std::size_t at = text.find(from);
@@ -67,7 +67,7 @@ TEST_F(VerifyModel, ConfirmsWhatTheFileSays) {
   }
 }
 
-/// Of the whole variety: that it is free, or that it holds a singular pose.
+/// The proof is about the whole variety: it is free, or it contains a singular pose.
 TEST_F(VerifyModel, ConfirmsTheProofOfAPaving) {
   for (const auto& [motion, claim] :
        {std::pair("regular", "is defined and has full rank at every pose"),
@@ -101,7 +101,7 @@ TEST_F(VerifyModel, ConfirmsAParameterThatAnOptionSetFree) {
               ElementsAre("range phi -1/45*pi : -1/60*pi instead of -1/36*pi"));
 }
 
-/// Each change leaves a certificate that is consistent, true and verified by itself.
+/// After each change the certificate is consistent, true, and verified by itself.
 TEST_F(VerifyModel, RefusesAnotherRobotUnderTheSameHash) {
   const std::pair<const char*, const char*> changes[] = {
       {"constant a2_1 = 1591/100", "constant a2_1 = 1590/100"},
@@ -140,7 +140,7 @@ TEST_F(VerifyModel, RefusesAToleranceThatOneOfAGroupDoesNotHave) {
   expect_refused(kPlanar, "reads 'constant a3_2 = 10'");
 }
 
-/// As `margin` writes it at the lower end of a tolerance.
+/// The form that `margin` writes at the lower end of a tolerance.
 TEST_F(VerifyModel, TakesAQuantityOfNoSpreadForAConstant) {
   certify(kPlanar, {"regular"});
   tamper("constant a1_1 = 0", "uncertain a1_1 = 0 +- 0");

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What is kept between runs: its key names every part of the question, its text loses nothing.
+// Tests the data kept between runs: the key covers the whole question; the text loses nothing.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -179,7 +179,7 @@ TEST(WarmStart, IsNotReadFromAnythingElse) {
   EXPECT_FALSE(read_warm_start(with("0x1.8p-900", "0x1.8p-900 ")));
 }
 
-/// x + 1/3, the only entry of a matrix in three variables.
+/// Returns a warm start for x + 1/3, the only entry of a matrix in three variables.
 WarmStart square_example() {
   WarmStart p = example();
   p.labels.rows = p.labels.columns = 1;
@@ -221,7 +221,7 @@ TEST(WarmStart, IsNotReadWithAMatrixThatCannotBeEvaluated) {
   expect_refusal([](auto& p) { p.labels.rows = 2; });
 }
 
-/// A format that has changed leaves seeds behind from which a fuzzer finds nothing.
+/// After a change of format, a fuzzer finds nothing from the old seeds.
 TEST(WarmStart, IsWhatTheFuzzerStartsFrom) {
   int seeds = 0;
   for (const auto& file :

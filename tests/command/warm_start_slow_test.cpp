@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// For every motion of every model: the report of a warm run is that of the cold one.
+// For every motion of every model, the report of a warm run is that of the cold run.
 #include <gtest/gtest.h>
 
 #include "codegen/model/model_file.hpp"

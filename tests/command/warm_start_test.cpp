@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// A run that finds its problem in the cache says what the run that put it there said; whatever the
-// cache holds, no run says anything else.
+// A run that finds its problem in the cache gives the same answer as the run that stored it. No
+// contents of the cache can change an answer.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -16,7 +16,7 @@ const std::string kPlanar = REGULUS_SOURCE_DIR "/models/planar_3rpr.toml";
 const std::vector<std::string> kRegular = {"check", kPlanar, "regular"};
 const std::vector<std::string> kCrossing = {"check", kPlanar, "crossing"};
 
-/// The stages that a start from the cache does without.
+/// Returns true if the run performed the stages that a start from the cache skips.
 bool was_prepared_anew(const json& report) { return report["seconds"]["emit"] != 0.0; }
 
 class WarmCommand : public testing::Test {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Bytes are the entry of a key only if they are what was written for it.
+// Bytes are the entry of a key only if they were written for that key.
 #include "codegen/jit/cache/cache_entry.hpp"
 
 #include <cstddef>

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Any bytes are verified, rejected or too much work. Little work is allowed: what is read matters
-// here, not what is proved.
+// Any bytes are verified, rejected or too much work. The work is limited to little, because this
+// tests the reading and not the proving.
 #include <cstddef>
 #include <cstdint>
 #include <sstream>

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Any bytes are a checkpoint of the question or a CheckpointError. They are given a checksum that
-// fits, since nothing would pass it otherwise.
+// Any bytes are a checkpoint of the question or a CheckpointError. They get a valid checksum, since
+// otherwise nothing would pass it.
 #include "runtime/checkpoint/checkpoint.hpp"
 
 #include <cinttypes>

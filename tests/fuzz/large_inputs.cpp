@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Inputs of about a megabyte for a fuzzer to start from: large_inputs NAME FOLDER SEED... writes
-// each seed many times over, and for models what a large one consists of. A fuzzer that starts from
-// small files does not reach large ones in a minute.
+// Inputs of about a megabyte, as seeds of a fuzzer: large_inputs NAME FOLDER SEED... repeats each
+// seed many times, and for models writes parts that a large model consists of. A fuzzer that starts
+// from small files does not reach large ones in a minute.
 #include <filesystem>
 #include <fstream>
 #include <iterator>
@@ -22,7 +22,7 @@ std::string read(const fs::path& path) {
   return {std::istreambuf_iterator<char>(file), {}};
 }
 
-/// The seed, then its second half again and again: what heads a file stands once.
+/// Repeats the second half of the seed; the beginning of the file occurs once.
 std::string many_times(const std::string& seed) {
   std::string bytes = seed;
   const std::string half = seed.substr(seed.size() / 2);
@@ -30,8 +30,8 @@ std::string many_times(const std::string& seed) {
   return bytes;
 }
 
-/// `head`, then `part` with a number for each %, until it is large or there are `most`, then
-/// `tail`.
+/// Returns `head`, then `part` with a number for each % until the text is large or has `most`
+/// parts, then `tail`.
 std::string filled(std::string head, const std::string& part, const std::string& tail,
                    int most = 1'000'000) {
   for (int i = 1; i <= most && head.size() + tail.size() + 2 * part.size() < kLarge; ++i)
@@ -44,7 +44,7 @@ std::string filled(std::string head, const std::string& part, const std::string&
   return head + tail;
 }
 
-/// 64 rows of as many entries.
+/// Returns 64 rows of 64 entries.
 std::string matrix_of(const std::string& entry) {
   const std::string row = filled("[", "\"" + entry + "\",", "],\n", 64);
   std::string rows = "[matrix]\nrows = [\n";

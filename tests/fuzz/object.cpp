@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Any bytes are an object that is mapped, or the flat code of a part, or a LoadError. What is
-// mapped is not run.
+// Any bytes are an object that is mapped, or the flat code of a part, or a LoadError. Mapped code
+// is not run.
 #include <cstddef>
 #include <cstdint>
 #include <cstring>

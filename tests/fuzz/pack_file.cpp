@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Any bytes are a pack program, to the last byte, or none. A program that is read can be run.
+// Any bytes, read to the end, are a pack program or are refused. A program that is read can run.
 #include "runtime/machine/pack_file.hpp"
 
 #include <algorithm>
@@ -15,7 +15,7 @@ namespace {
 
 using namespace regulus;
 
-/// Larger ones are read but not run: their outputs alone would take gigabytes.
+/// Larger programs are read but not run: their outputs alone would take gigabytes.
 constexpr std::uint32_t kMaxOutputsToRun = 1U << 14;
 
 std::uint32_t most_outputs(const machine::PackKernel& program) {
@@ -25,7 +25,7 @@ std::uint32_t most_outputs(const machine::PackKernel& program) {
   return most;
 }
 
-/// Every function that the kernel names, on boxes with 0 in some of them.
+/// Runs every function that the kernel names, on boxes, some of which contain 0.
 void run(const machine::PackKernel& program, Isa isa) {
   const machine::MachineKernel machine(program, isa);
   const Kernel kernel(*machine.get());

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Any bytes are the text of a warm start, to the last byte, or none.
+// Any bytes, read to the end, are the text of a warm start or are refused.
 #include "codegen/engine/warm_start.hpp"
 
 #include <cstddef>

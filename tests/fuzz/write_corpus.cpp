@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What the fuzzers of binary formats start from: write_corpus FOLDER.
+// Writes the seeds of the fuzzers of binary formats: write_corpus FOLDER.
 #include <cstring>
 #include <fstream>
 #include <initializer_list>
@@ -98,7 +98,7 @@ PackFunction every_operation() {
   return f;
 }
 
-/// x to as many outputs.
+/// Stores x in so many outputs.
 PackFunction values(std::uint32_t outputs) {
   PackFunction f;
   f.code = {{Op::kLoad, 0}, {Op::kStore, 0, outputs - 1, 0}};

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Does what the pages of the manual say, and compares what is printed. With REGULUS_UPDATE_MANUAL=1
-// the pages are rewritten instead.
+// Runs the commands of the manual's pages and compares their output. With REGULUS_UPDATE_MANUAL=1
+// it rewrites the pages instead.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -20,7 +20,7 @@ namespace fs = std::filesystem;
 
 const fs::path kSource = REGULUS_SOURCE_DIR;
 
-/// Every Markdown file of the project that has something to be done in it.
+/// Returns every Markdown file of the project with something to run or to compare.
 std::vector<std::string> pages() {
   std::vector<std::string> result;
   const auto consider = [&](const fs::path& path) {
@@ -38,7 +38,7 @@ std::vector<std::string> pages() {
   return result;
 }
 
-/// The project as a reader has it before them, to write into.
+/// Makes a folder like the project, in which commands may write.
 void prepare(const fs::path& folder) {
   for (const auto& entry : fs::directory_iterator(kSource)) {
     const std::string name = entry.path().filename();
@@ -48,7 +48,7 @@ void prepare(const fs::path& folder) {
   fs::create_symlink(REGULUS_BINARY_DIR, folder / "build");
 }
 
-/// What a command prints on both channels.
+/// Returns the output of a command on both streams.
 std::vector<std::string> run(const std::string& command, const fs::path& folder) {
   const std::string line =
       "cd '" + folder.string() + "' && exec 2>&1 </dev/null\n" + command + "\n";

@@ -18,7 +18,7 @@ std::vector<std::string> words_of(const std::string& line) {
   return words;
 }
 
-/// A number and what encloses it, as in "[-1.5," or "2.3e-5)".
+/// A number and the text around it, as in "[-1.5," or "2.3e-5)".
 struct Number {
   std::string before, after;
   double value = 0;
@@ -34,7 +34,7 @@ bool read_number(const std::string& word, Number& number) {
   return error == std::errc();
 }
 
-/// "…" is any word, and "0.21…," one that begins and ends so.
+/// Returns true for abridged words: "…" matches any word, "0.21…," one with this start and end.
 bool is_abridged(const std::string& shown, const std::string& printed) {
   static const std::string kEllipsis = "…";
   const std::size_t at = shown.find(kEllipsis);
@@ -44,7 +44,7 @@ bool is_abridged(const std::string& shown, const std::string& printed) {
          printed.ends_with(after);
 }
 
-/// Pages show the names of one processor's instructions.
+/// Returns true for instruction sets: pages show those of one processor.
 bool is_isa(const std::string& word) {
   return word == "avx512," || word == "avx2," || word == "portable,";
 }

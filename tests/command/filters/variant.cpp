@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Filters that must be seen through, refused, or contained; which one is set by the build.
+// Filters that must be detected, refused, or contained; the build selects one.
 #include <regulus/filter.h>
 
 #include <cfenv>

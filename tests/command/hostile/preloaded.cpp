@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// A library that changes the arithmetic of the process that loads it, as one built with
-// -ffast-math does when it starts (crtfastmath.o), and of each thread that is started.
+// A library that changes the arithmetic of the process that loads it, and of each new thread, as a
+// library built with -ffast-math does when it starts (crtfastmath.o).
 #include <dlfcn.h>
 #include <pthread.h>
 #include <signal.h>
@@ -23,7 +23,7 @@ void* run_with_changed_arithmetic(void* given) {
 
 void on_alarm(int) {}
 
-/// Without SA_RESTART: whatever waits in the system is interrupted, a thousand times a second.
+/// Without SA_RESTART: interrupts every waiting system call a thousand times a second.
 void send_alarms() {
   struct sigaction action {};
   action.sa_handler = on_alarm;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Two kernels side by side: what each header promises holds, and neither is the other.
+// Uses two kernels side by side: each fulfils its own header, and neither replaces the other.
 #include <cmath>
 #include <cstdio>
 

@@ -18,7 +18,7 @@ using testing::HasSubstr;
 const CompileOptions kNoCache{Isa::kPortable, false, {}};
 const char* const kSound = "extern \"C\" int answer() { return 42; }";
 
-/// The error of a text that must not compile.
+/// Returns the error of a text that must not compile.
 CompileError refusal_of(const std::string& text) {
   try {
     (void)compile_text(text, kNoCache);
@@ -108,7 +108,7 @@ class BadCacheTest : public testing::Test {
     return std::filesystem::directory_iterator(path_)->path();
   }
 
-  /// The text is compiled again, for the reason given, and the entry is sound afterwards.
+  /// Expects that the text is compiled again for that reason, and the entry is sound afterwards.
   void expect_recompiled(const char* reason) const {
     const MachineCode again = compile_text(kSound, options_);
     EXPECT_EQ(again.report().cache, CacheUse::kMiss);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What is not a sound cache is as good as none, and says why.
+// A cache that is not sound counts as no cache, and the reason is given.
 #include <fcntl.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -33,7 +33,7 @@ class ObjectCacheErrorTest : public testing::Test {
     EXPECT_FALSE(std::filesystem::exists(entry_));
   }
 
-  /// A bad entry is not used, and replaced by the next write.
+  /// Expects that a bad entry is not used, and that the next write replaces it.
   void expect_distrust(const char* reason) const {
     const ObjectCache cache(path_);
     const auto found = cache.read(kKey);

@@ -21,7 +21,7 @@ std::string refusal_of_bytes(const std::string& bytes) {
 }
 std::string refusal_of(const ElfBuilder& object) { return refusal_of_bytes(object.build()); }
 
-/// A small object that loads, to be spoilt.
+/// A small object that loads; the tests damage it.
 struct Sound : ElfBuilder {
   std::uint16_t text = code(std::string(16, '\x90'));
   std::uint32_t start = symbol("start", text, 0, 16);

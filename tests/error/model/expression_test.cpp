@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What must be refused in an expression, wherever it stands.
+// Expressions that must be refused, wherever they stand.
 #include <chrono>
 
 #include "codegen/model/expression_parser.hpp"
@@ -236,7 +236,7 @@ TEST(ExpressionRefusal, MegabyteIsRefusedAtOnce) {
 
 std::string link(int index) { return std::string(1, 'v').append(std::to_string(index)); }
 
-/// A chain of sub-expressions in which each uses the one before as given.
+/// Returns a chain of sub-expressions; each uses the one before it in the given way.
 std::string chain(int links, const std::string& first, const std::string& before,
                   const std::string& after) {
   std::string text =

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Numbers are exact or refused, and so is TOML that would exhaust the stack of its parser.
+// Numbers are exact or refused. TOML that would exhaust its parser's stack is refused, too.
 #include "codegen/model/toml_limits.hpp"
 #include "tests/error/model/refusal.hpp"
 
@@ -11,7 +11,7 @@ using test::expect_refused;
 using test::expect_refused_change;
 using test::kExample;
 
-/// `before`, so many times `text`, `after`.
+/// Returns `before`, then `text` so many times, then `after`.
 std::string repeated(const char* before, const std::string& text, std::size_t count,
                      const std::string& after = {}) {
   std::string result(before);
@@ -64,7 +64,7 @@ TEST(RangeRefusal, NegativeByLessThanDoublesCanTell) {
                         37, "4096 bits do not show its sign", "clearly above 0");
 }
 
-// Deep nesting by every route there is.
+// Deep nesting, in every way that TOML offers.
 
 TEST(TomlLimits, DottedKeys) {
   expect_refused_change("half = 0.5", repeated("", "a.", 40000, "a = 1"), 21,
@@ -114,7 +114,7 @@ TEST(ModelLimits, ManyUsesOfALargeExpression) {
 
 TEST(TomlLimits, CountNothingInStringsCommentsAndNumbers) {
   const std::string marks = repeated("", ".[{", 50);
-  // The backslash is refused as a label, by the reader of models and not by the limits.
+  // The model reader refuses the backslash as part of a label; the limits do not refuse it.
   const std::string source = "source = \"\"\"" + marks + "\\\\\"\"\"\"\"  # \" '" + marks;
   expect_refused_change("source = \"made up\"", source, 3, "for source", "control characters");
   const std::string comment = "a2 = 10 # \"\"\"" + marks;

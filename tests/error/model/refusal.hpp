@@ -32,7 +32,7 @@ inline void expect_refused(const std::string& text, int line, const std::string&
   }
 }
 
-/// The same for the example with one change.
+/// Expects the same for the example with one change.
 inline void expect_refused_change(const std::string& from, const std::string& to, int line,
                                   const std::string& found, const std::string& expected) {
   expect_refused(changed(kExample, from, to), line, found, expected);

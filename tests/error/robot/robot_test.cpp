@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What a robot in C++ is refused for, and that the message names the line of C++.
+// Mistakes for which a robot in C++ is refused; the message names the line of C++.
 #include "codegen/robot/robot.hpp"
 
 #include <gmock/gmock.h>
@@ -12,7 +12,7 @@
 namespace regulus {
 namespace {
 
-/// A change to a valid robot, and the line it stands on.
+/// A change to a valid robot, and the line of that change.
 struct Mistake {
   std::function<void(Robot&)> make;
   std::string found, expected;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Pipes that nobody writes, folders, and files without an end.
+// Tests pipes without a writer, folders, and endless files.
 #include "runtime/certificate/verifier/input_file.hpp"
 
 #include <fcntl.h>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What is not a certificate is rejected with its line and a reason.
+// A text that is not a certificate is rejected; the message has its line and a reason.
 #include <gtest/gtest.h>
 
 #include "runtime/certificate/format.hpp"
@@ -21,7 +21,7 @@ std::string repeated(const std::string& text, std::size_t times) {
   return result;
 }
 
-/// x with a great many things before and after it.
+/// Returns x with very many repetitions before and after it.
 std::string nested(const std::string& before, const std::string& after) {
   std::string text = repeated(before, 100000);
   text += 'x';
