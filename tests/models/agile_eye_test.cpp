@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The Agile Eye: six curves of self-motions, and regular everywhere else.
+// The Agile Eye has six curves of self-motions and is regular everywhere else.
 #include "tests/models/jacobian.hpp"
 #include "tests/models/paving.hpp"
 
@@ -13,7 +13,7 @@ const ShippedModel& robot() {
 
 const Vector<double> kAxes[] = {{1, 0, 0}, {0, 1, 0}, {0, 0, 1}};
 
-/// Of leg i: w ⟂ u, at the motor's angle, and w ⟂ v, which turns with the platform.
+/// The axes of leg i: w ⟂ u, at the motor's angle, and w ⟂ v; v turns with the platform.
 struct Leg {
   Vector<double> u, v, w;
 };
@@ -24,7 +24,7 @@ Leg leg(std::size_t i, const Point& pose) {
   return {u, v, (1 / norm(w)) * w};
 }
 
-/// From w·v = 0: (u × w)·v θ' + w·(ω × v) = 0.
+/// The rates follow from w·v = 0: (u × w)·v θ' + w·(ω × v) = 0.
 TEST(AgileEye, HasTheMotorsRates) {
   Poses poses;
   for (int trial = 0; trial < 20; ++trial) {
@@ -47,7 +47,7 @@ TEST(AgileEye, HasTheMotorsRates) {
   }
 }
 
-/// The determinant in closed form, a sum of two squares times cos²θ: 0 on the six curves alone.
+/// The determinant in closed form: a sum of two squares times cos²θ, 0 on the six curves only.
 TEST(AgileEye, HasADeterminantThatIsNeverNegative) {
   Poses poses;
   for (int trial = 0; trial < 50; ++trial) {
@@ -62,7 +62,7 @@ TEST(AgileEye, HasADeterminantThatIsNeverNegative) {
   }
 }
 
-/// Across the curves, at θ = 0.3: four points of the slice are singular, and nothing else.
+/// The slice θ = 0.3 crosses the curves at four points; only there it is singular.
 TEST(AgileEye, IsCertifiedFreeAllButAroundItsCurves) {
   const Paving paving(robot(),
                       {"wide", "--range", "phi=-100*deg:105*deg", "--range", "psi=-105*deg:100*deg",

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Platforms whose legs are dependent at every pose, and what a hair's breadth makes of them.
+// Platforms whose legs are dependent at every pose, and the effect of a tiny change.
 #include <fstream>
 
 #include "tests/models/jacobian.hpp"
@@ -17,7 +17,7 @@ std::string text_of(const ShippedModel& model) {
   return {std::istreambuf_iterator<char>(file), {}};
 }
 
-/// The verdict on a changed copy of the model.
+/// Returns the verdict on a changed copy of the model.
 std::string verdict_of(const std::string& text, std::vector<std::string> words) {
   const TemporaryDirectory folder;
   const std::string path = folder.path() / "model.toml";
@@ -34,7 +34,7 @@ TEST(SimilarHexagons, AreSingularAtEveryPose) {
             "singularity");
 }
 
-/// Ten micrometres at one of twelve anchors.
+/// One of twelve anchors moves by ten micrometres.
 TEST(SimilarHexagons, AreRegularOnATurnOnceOneAnchorIsMoved) {
   const std::string moved =
       test::changed(text_of(ShippedModel("similar_hexagons")), "[0, -25, 0]", "[0, -25.001, 0]");

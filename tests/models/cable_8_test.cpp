@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Eight cables for six freedoms: more rows than columns.
+// Eight cables for six degrees of freedom: the matrix has more rows than columns.
 #include "tests/models/jacobian.hpp"
 #include "tests/models/paving.hpp"
 
@@ -11,8 +11,8 @@ const ShippedModel& robot() {
   return model;
 }
 
-/// Two cables from each corner of the hall; one crosses the box in x, at its lower edge, one in y,
-/// at its upper edge.
+/// Two cables start at each corner of the hall. One crosses the box in x to its lower edge, the
+/// other in y to its upper edge.
 struct Cable {
   Vector<double> pulley, eye;
 };
@@ -38,7 +38,7 @@ TEST(Cable8, HasTheDerivativesOfTheCablesLengths) {
   }
 }
 
-/// det MᵀM, the sum of the squares of all 6×6 determinants.
+/// Returns det MᵀM, the sum of the squares of all 6×6 minors.
 double gram(double x, double z) {
   const Rows rows =
       robot().matrix({{"x", x}, {"y", 0.7}, {"z", z}, {"roll", 0}, {"pitch", 0}, {"yaw", 0}});

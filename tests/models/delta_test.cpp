@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The Delta robot by its six rods: two of equal length to each arm.
+// The Delta robot by its six rods; each arm has two rods of equal length.
 #include "tests/models/jacobian.hpp"
 #include "tests/models/paving.hpp"
 
@@ -17,12 +17,12 @@ const ShippedModel& robot() {
 Vector<double> outward(std::size_t i) { return direction(-90 + 120 * double(i)); }
 Vector<double> sideways(std::size_t i) { return direction(120 * double(i)); }
 
-/// The arm's angle below the horizontal, knee outward: by the law of cosines in the arm's plane.
+/// Returns the arm's angle below the horizontal, knee outward, by the law of cosines.
 double arm_angle(std::size_t i, const Vector<double>& platform) {
   const double radial = dot(platform, outward(i)) + kPlatform - kBase;
   const double lateral = dot(platform, sideways(i)), height = platform[2];
   const double reach = std::hypot(radial, height);
-  const double seen = kLower * kLower - lateral * lateral;  // of the rod's length, in that plane
+  const double seen = kLower * kLower - lateral * lateral;  // squared rod length in that plane
   const double inner = std::acos((reach * reach + kUpper * kUpper - seen) / (2 * reach * kUpper));
   return -(std::atan2(height, radial) + inner);
 }
@@ -33,7 +33,7 @@ Vector<double> knee(std::size_t i, const Vector<double>& platform) {
          Vector<double>{0, 0, -kUpper * std::sin(angle)};
 }
 
-/// The worked examples of the source.
+/// Compares with the worked examples of the source.
 TEST(Delta, HasTheArmAnglesOfItsSource) {
   for (std::size_t i = 0; i < 3; ++i)
     EXPECT_NEAR(arm_angle(i, {0, 0, -900.32}) / kDegree, -20.5, 0.01);
@@ -42,7 +42,7 @@ TEST(Delta, HasTheArmAnglesOfItsSource) {
     EXPECT_NEAR(arm_angle(i, {300.46, 499.94, -1099.83}) / kDegree, expected[i], 0.01);
 }
 
-/// How the rod on one side of parallelogram i changes its length with the pose, the arms at rest.
+/// Returns the derivative of a rod's length by the pose, for parallelogram i with the arms at rest.
 Row rod(std::size_t i, int side, const Point& pose) {
   const Vector<double> offset = (side * kWidth / 2) * sideways(i);
   const Vector<double> C = knee(i, position_of(pose)) + offset;
@@ -57,7 +57,7 @@ Row combination(double a, const Row& x, double b, const Row& y) {
   return sum;
 }
 
-/// Half the sum of a pair of rods is what the motor acts on, their difference what keeps level.
+/// The motor acts on half the sum of a pair's rods; their difference keeps the platform level.
 TEST(Delta, HasTheRowsOfItsSixRods) {
   Poses poses;
   for (int trial = 0; trial < 20; ++trial) {
@@ -78,7 +78,7 @@ TEST(Delta, HasTheRowsOfItsSixRods) {
   }
 }
 
-/// Coplanar rods, or coplanar normals of the parallelograms.
+/// Vanishes if the rods are coplanar, or the normals of the parallelograms are.
 double volumes(double x, double y, double z) {
   Rows along, normal;
   for (std::size_t i = 0; i < 3; ++i) {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Numbers with a derivative: value + slope·ε, ε² = 0. A function of such numbers is differentiated
-// to the last digit, by no formula of ours.
+// Numbers with a derivative: value + slope·ε, ε² = 0. They differentiate a function to the last
+// digit, without any formula for its derivative.
 #pragma once
 
 #include <cmath>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The 6-RUS hexapod: cranks in vertical planes, rods of constant length.
+// The 6-RUS hexapod has cranks in vertical planes and rods of constant length.
 #include "tests/models/jacobian.hpp"
 #include "tests/models/paving.hpp"
 
@@ -18,11 +18,11 @@ const ShippedModel& robot() {
 
 Vector<double> base(std::size_t i) { return 65.43 * direction(kBaseAngles[i]); }
 Vector<double> platform(std::size_t i) { return 76.35 * direction(kPlatformAngles[i]); }
-/// Away from the other motor of the pair.
+/// Returns the direction away from the other motor of the pair.
 Vector<double> swing(std::size_t i) { return direction(kSwingAngles[i]); }
 
-/// The tip of the crank: of the two angles that the rod's length leaves, the one that leans out
-/// more.
+/// Returns the tip of the crank. The rod's length allows two angles; this takes the one that leans
+/// out more.
 Vector<double> tip(std::size_t i, const Vector<double>& joint) {
   const Vector<double> AB = joint - base(i), f = swing(i), up = {0, 0, 1};
   const double along = dot(AB, f), height = AB[2];
@@ -32,7 +32,7 @@ Vector<double> tip(std::size_t i, const Vector<double>& joint) {
   return base(i) + kCrank * std::cos(angle) * f + kCrank * std::sin(angle) * up;
 }
 
-/// ∂|CB|/∂(pose) over ∂|CB|/∂(motor), the rod's length being kept.
+/// Returns ∂|CB|/∂(pose) over ∂|CB|/∂(motor), for a constant length of the rod.
 Row motor_rate(std::size_t i, const Point& pose) {
   const MovingBody still(position_of(pose), pose.at("roll"), pose.at("pitch"), pose.at("yaw"), 0);
   const Vector<double> joint = values(still.at(platform(i))), C = tip(i, joint);
@@ -56,8 +56,8 @@ TEST(Hexapod6Rus, HasTheMotorsRates) {
   }
 }
 
-/// Six lines are dependent where the determinant of their Plücker coordinates is 0, here with
-/// moments about the base.
+/// Returns the determinant of the rods' Plücker coordinates, with moments about the base: it is 0
+/// where the six lines are dependent.
 double dependent_rods(double z, double yaw) {
   const MovingBody body({0, 0, z}, 0, 0, yaw, 0);
   Rows lines;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Compares the matrix of a model with rows that were found in another way.
+// Compares the matrix of a model with rows computed in another way.
 #pragma once
 
 #include <gtest/gtest.h>
@@ -17,7 +17,7 @@ inline Vector<double> position_of(const Point& pose) {
   return {pose.at("x"), pose.at("y"), pose.at("z")};
 }
 
-/// A row of derivatives: of `quantity` by the six twists of a body at a pose.
+/// Returns a row of derivatives of `quantity` by the six twists of a body at a pose.
 template <typename Quantity>
 Row derivatives(const Point& pose, Quantity quantity) {
   const auto angle = [&](const char* name) { return pose.count(name) ? pose.at(name) : 0; };
@@ -39,7 +39,7 @@ inline void expect_equal(const Row& got, const Row& expected, double factor = 1)
     EXPECT_NEAR(got[j], factor * expected[j], 1e-11 * size) << "column " << j + 1;
 }
 
-/// Equal up to a factor: the same wrench.
+/// Expects rows that are equal up to a factor: they mean the same wrench.
 inline void expect_parallel(const Row& got, const Row& expected) {
   ASSERT_EQ(got.size(), expected.size());
   const auto largest =
@@ -49,7 +49,7 @@ inline void expect_parallel(const Row& got, const Row& expected) {
   expect_equal(got, expected, got[std::size_t(largest)] / expected[std::size_t(largest)]);
 }
 
-/// Poses drawn from ranges, the same in every run.
+/// Draws poses from ranges, the same in every run.
 class Poses {
  public:
   double between(double lo, double hi) {
@@ -60,7 +60,7 @@ class Poses {
   std::mt19937 source_{7};
 };
 
-/// By elimination; for oracles only.
+/// Returns the determinant by elimination; for oracles only.
 inline double approx_determinant(Rows m) {
   double result = 1;
   for (std::size_t k = 0; k < m.size(); ++k) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The octahedral platform: legs along the edges of an octahedron between two of its faces.
+// The octahedral platform: its legs are edges of an octahedron between two of its faces.
 #include "tests/models/jacobian.hpp"
 #include "tests/models/paving.hpp"
 
@@ -11,7 +11,7 @@ const ShippedModel& octahedral() {
   return model;
 }
 
-/// Corners of a triangle with a corner at this angle.
+/// Returns a corner of a triangle, at this angle.
 Vector<double> corner(double radius, double degrees) { return radius * direction(degrees); }
 Vector<double> base(int i) { return corner(10, 90 + 120 * i); }
 Vector<double> platform(int i) { return corner(6, 30 + 120 * i); }
@@ -31,14 +31,14 @@ TEST(Octahedral, HasTheDerivativesOfTheLegLengths) {
   }
 }
 
-/// The plane through three points: normal and offset.
+/// Returns the plane through three points: normal and offset.
 Row plane(const Vector<double>& a, const Vector<double>& b, const Vector<double>& c) {
   const Vector<double> n = cross(b - a, c - a);
   return {n[0], n[1], n[2], dot(n, a)};
 }
 
-/// Blaschke and Liebmann: 0 where four alternate faces meet in a point, here the base and the three
-/// faces with one corner on it.
+/// Returns 0 where four alternate faces meet in a point (Blaschke and Liebmann): here the base and
+/// the three faces with one corner on it.
 double meeting_faces(double y, double pitch, double yaw) {
   const MovingBody body({1, y, 10}, 0, pitch, yaw, 0);
   const auto b = [&body](int i) { return values(body.at(platform(i % 3))); };
@@ -56,7 +56,7 @@ TEST(Octahedral, IsSingularExactlyWhereAlternateFacesMeet) {
   EXPECT_GT(paving.fraction("free"), 0.9);
 }
 
-/// Fichter's singularity, wherever the platform is: level, and turned by a right angle.
+/// Fichter's singularity is at any position of a platform that is level and turned by 90°.
 TEST(Octahedral, IsSingularAfterAQuarterTurn) {
   const auto report = octahedral().check({"level_91"});
   EXPECT_EQ(report["verdict"], "singularity");

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// A slice of two parameters, paved by `regulus locate`, against a function that vanishes exactly
-// where the robot is singular.
+// A slice of two parameters, paved by `regulus locate`, is compared with a function that vanishes
+// exactly at the singular poses of the robot.
 #pragma once
 
 #include <gtest/gtest.h>
@@ -23,14 +23,14 @@ struct Rectangle {
   [[nodiscard]] bool holds(double p, double q) const {
     return left <= p && p <= right && bottom <= q && q <= top;
   }
-  /// By so much of its own size on each side; inward if negative.
+  /// Returns a rectangle grown by this part of its size on each side; smaller if negative.
   [[nodiscard]] Rectangle grown(double part) const {
     const double dp = part * (right - left), dq = part * (top - bottom);
     return {left - dp, right + dp, bottom - dq, top + dq};
   }
 };
 
-/// The least and the largest value of f on an 8 × 8 grid.
+/// Returns the least and the largest value of f on an 8 × 8 grid.
 inline std::pair<double, double> sampled_range(const Function& f, const Rectangle& r) {
   double least = INFINITY, largest = -INFINITY;
   for (int i = 0; i < 8; ++i)
@@ -45,7 +45,7 @@ inline std::pair<double, double> sampled_range(const Function& f, const Rectangl
 
 class Paving {
  public:
-  /// `words` name the motion and fix all but the parameters p and q.
+  /// `words` name the motion and fix all parameters except p and q.
   Paving(const ShippedModel& model, std::vector<std::string> words, std::string p, std::string q)
       : p_(std::move(p)), q_(std::move(q)) {
     words.insert(words.begin(), {REGULUS_BINARY_DIR "/bin/regulus", "locate", model.path()});
@@ -67,8 +67,8 @@ class Paving {
     });
   }
 
-  /// Free boxes: one sign of f. Singular boxes: f differs in sign at the two points of the proof.
-  /// Undecided boxes: f changes its sign there or no farther away than the box is large.
+  /// Free boxes: f has one sign. Singular boxes: f differs in sign at the two points of the proof.
+  /// Undecided boxes: f changes its sign there, or at most one box size away.
   void expect_to_agree_with(const Function& f) const {
     ASSERT_FALSE(boxes_.empty());
     for (const Box& b : boxes_) {
@@ -110,7 +110,7 @@ class Paving {
     ASSERT_EQ(b.points.size(), 2U);
     const auto& [from, to] = std::pair(b.points[0], b.points[1]);
     EXPECT_TRUE(b.range.holds(from[0], from[1]) && b.range.holds(to[0], to[1]));
-    // Where the points are neighbours f itself is rounded: then its size has to say it.
+    // If the points are neighbours, f itself is rounded; then its size is tested instead.
     const double here = f(from[0], from[1]), there = f(to[0], to[1]);
     if (std::hypot(from[0] - to[0], from[1] - to[1]) > 1e-6)
       EXPECT_LE(here * there, 0);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The planar 3-RRR robot: singular where the lines of its three links meet or are parallel.
+// The planar 3-RRR robot is singular if the lines of its three links meet or are parallel.
 #include "codegen/formulation/formulation.hpp"
 #include "codegen/model/overrides.hpp"
 #include "tests/models/jacobian.hpp"
@@ -17,7 +17,7 @@ constexpr double kCrank = 25, kLink = 25;
 const Vector<double> kBase[] = {{0, 0, 0}, {60, 0, 0}, {30, 52, 0}};
 const Vector<double> kPlatform[] = {{-9, -5, 0}, {9, -5, 0}, {0, 10, 0}};
 
-/// The motor's angle by the law of cosines, the crank to the left of A_iB_i as seen from A_i.
+/// Returns the motor's angle by the law of cosines; the crank is left of A_iB_i, seen from A_i.
 double motor_angle(const Vector<double>& AB) {
   const double length = norm(AB);
   const double inner =
@@ -35,8 +35,8 @@ Link link(std::size_t i, double x, double y, double phi) {
   return {kBase[i] + kCrank * direction(angle / kDegree), tip};
 }
 
-/// The link keeps its length: the motor makes up for what the pose changes. Clockwise, so that the
-/// rate grows with |CB|.
+/// The link keeps its length, so the motor compensates the change of the pose. It turns clockwise,
+/// so that the rate grows with |CB|.
 TEST(Planar3Rrr, HasTheMotorsRates) {
   Poses poses;
   for (int trial = 0; trial < 20; ++trial) {
@@ -61,8 +61,8 @@ TEST(Planar3Rrr, HasTheMotorsRates) {
   }
 }
 
-/// The third line's moment about the point where the first two meet, times the sine of their angle:
-/// 0 where three lines of a plane meet in a point or are parallel.
+/// Returns the third line's moment about the point where the first two meet, times the sine of
+/// their angle: 0 where three lines of a plane meet in a point or are parallel.
 double meeting_links(double x, double y, double phi) {
   Row lines[3];
   for (std::size_t i = 0; i < 3; ++i) {
@@ -92,8 +92,8 @@ TEST(Planar3Rrr, ShowsAPoseWhereTheLinksMeet) {
       1e-9);
 }
 
-/// Multiplied out and differentiated, a leg's root and quotient made hundreds of thousands of
-/// operations.
+/// When they were multiplied out and differentiated, a leg's root and quotient gave hundreds of
+/// thousands of operations.
 TEST(Planar3Rrr, HasFunctionsOfModerateLength) {
   const Model& model = robot().model();
   FormulationOptions options;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The PUMA 560: a serial arm, whose forward Jacobian has its determinant in closed form.
+// The PUMA 560 is a serial arm; the determinant of its forward Jacobian has a closed form.
 #include "tests/models/jacobian.hpp"
 #include "tests/models/paving.hpp"
 
@@ -11,7 +11,7 @@ const ShippedModel& robot() {
   return model;
 }
 
-/// Modified Denavit-Hartenberg, a row for each joint: α and a before it, d along it.
+/// Modified Denavit-Hartenberg parameters, a row for each joint: α and a before it, d along it.
 struct Joint {
   double alpha, a, d;
 };
@@ -19,7 +19,7 @@ constexpr Joint kArm[] = {
     {0, 0, 0},   {-90, 0, 0.2435}, {0, 0.4318, -0.0934}, {90, -0.0203, 0.4331},
     {-90, 0, 0}, {90, 0, 0}};
 
-/// The axes of the joints and where they are, from the hand backward, as seen from the base.
+/// The axis of a joint and a point on it, in the frame of the base.
 struct Axis {
   Vector<double> direction, point;
 };
@@ -42,7 +42,7 @@ Point named(const std::array<double, 6>& q) {
   return {{"q1", q[0]}, {"q2", q[1]}, {"q3", q[2]}, {"q4", q[3]}, {"q5", q[4]}, {"q6", q[5]}};
 }
 
-/// Column k: the velocity of the wrist's centre, and the axis itself, turned back about joint 1.
+/// Column k has the velocity of the wrist's centre and the axis itself, turned back about joint 1.
 TEST(Puma560, HasTheColumnsOfItsJointAxes) {
   Poses poses;
   for (int trial = 0; trial < 20; ++trial) {
@@ -77,7 +77,7 @@ TEST(Puma560, HasTheDeterminantInClosedForm) {
   }
 }
 
-/// Not with the arm folded back, where both come within two millimetres of each other.
+/// The ranges omit the folded arm, where both singularities are within two millimetres.
 TEST(Puma560, IsSingularExactlyAtElbowAndShoulder) {
   const Paving paving(robot(),
                       {"elbow", "--range", "q2=-170*deg:150*deg", "--range", "q3=-50*deg:130*deg",

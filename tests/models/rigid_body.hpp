@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Points and directions of a body that moves: its pose now, and how that changes with a twist.
+// Points and directions of a moving body: its pose now, and the change of these with a twist.
 #pragma once
 
 #include <array>
@@ -45,7 +45,7 @@ inline Vector<Dual> constant(const Vector<double>& v) {
 }
 inline Vector<double> values(const Vector<Dual>& v) { return {v[0].value, v[1].value, v[2].value}; }
 
-/// The direction at an angle in the plane z = 0.
+/// Returns the direction at an angle in the plane z = 0.
 inline Vector<double> direction(double degrees) {
   return {std::cos(degrees * kDegree), std::sin(degrees * kDegree), 0};
 }
@@ -56,7 +56,7 @@ inline Vector<double> operator*(const Rotation& R, const Vector<double>& v) {
   return {dot(R[0], v), dot(R[1], v), dot(R[2], v)};
 }
 
-/// About the axis 0, 1 or 2, by an angle in rad.
+/// Turns v about axis 0, 1 or 2, by an angle in rad.
 inline Vector<double> turned(int axis, double angle, const Vector<double>& v) {
   const auto j = std::size_t(axis + 1) % 3, k = std::size_t(axis + 2) % 3;
   Vector<double> result = v;
@@ -65,7 +65,7 @@ inline Vector<double> turned(int axis, double angle, const Vector<double>& v) {
   return result;
 }
 
-/// A body at a pose, moving with one of the six unit twists: along x y z, about x y z.
+/// A body at a pose that moves with one of the six unit twists: along x y z, about x y z.
 class MovingBody {
  public:
   MovingBody(Vector<double> position, double roll, double pitch, double yaw, std::size_t twist)
@@ -73,14 +73,14 @@ class MovingBody {
     (twist < 3 ? velocity_ : spin_)[twist % 3] = 1;
   }
 
-  /// A direction of the body, in the frame of the base.
+  /// Returns a direction of the body, in the frame of the base.
   [[nodiscard]] Vector<Dual> along(const Vector<double>& v) const {
     const Vector<double> here =
         turned(2, angles_[2], turned(1, angles_[1], turned(0, angles_[0], v)));
     return with_slope(here, cross(spin_, here));
   }
 
-  /// A point of the body.
+  /// Returns a point of the body, in the frame of the base.
   [[nodiscard]] Vector<Dual> at(const Vector<double>& point) const {
     return with_slope(position_, velocity_) + along(point);
   }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// A model of models/: its matrix in numbers, and what the command says of it.
+// A model of models/: its matrix in numbers, and the answers of the command.
 #pragma once
 
 #include <nlohmann/json.hpp>
@@ -21,7 +21,7 @@ class ShippedModel {
   explicit ShippedModel(const std::string& name)
       : path_(REGULUS_SOURCE_DIR "/models/" + name + ".toml"), model_(load_model(path_)) {}
 
-  /// J⁻¹ at a pose, row scales included, with the geometry as it is given.
+  /// Returns J⁻¹ at a pose, with row scales and with the nominal geometry.
   [[nodiscard]] Rows matrix(Point pose) const {
     for (const GeometryParameter& g : model_.geometry) pose[g.name] = test::evaluate(g.value, {});
     Rows rows;
@@ -34,7 +34,7 @@ class ShippedModel {
     return rows;
   }
 
-  /// What `regulus COMMAND MODEL WORDS… --json` reports.
+  /// Returns the report of `regulus COMMAND MODEL WORDS… --json`.
   [[nodiscard]] nlohmann::json report(const std::string& command,
                                       std::vector<std::string> words) const {
     words.insert(words.begin(), {REGULUS_BINARY_DIR "/bin/regulus", command, path_, "--json"});
@@ -55,7 +55,7 @@ class ShippedModel {
   Model model_;
 };
 
-/// The pose of a report's witness, by parameter.
+/// Returns the pose of a report's witness, by parameter.
 inline Point witness_of(const nlohmann::json& report) {
   Point pose;
   for (const auto& [name, range] : report["witness"]["near"]["pose"].items())

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Tsai's 3-UPU robot: why the full matrix is needed.
+// Tsai's 3-UPU robot shows why the full matrix is needed.
 #include "tests/models/jacobian.hpp"
 #include "tests/models/paving.hpp"
 
@@ -23,8 +23,8 @@ Dual length(std::size_t i, const MovingBody& body) {
   return norm(body.at(kPlatform * outward(i)) - constant(kBase * outward(i)));
 }
 
-/// Both inner axes of a leg are one direction, across the leg and both outer axes: these three are
-/// coplanar.
+/// Returns a triple product that stays 0. Both inner axes of a leg are one direction, at right
+/// angles to the leg and both outer axes, so these three are coplanar.
 Dual twisted(std::size_t i, const MovingBody& body) {
   const Vector<Dual> leg = body.at(kPlatform * outward(i)) - constant(kBase * outward(i));
   return dot(cross(constant(tangent(i)), leg), body.along(tangent(i)));
@@ -59,7 +59,7 @@ TEST(Tsai3Upu, HasAReducedMatrixThatLeavesTheConstraintsOut) {
   }
 }
 
-/// A cylinder of twice the radius by which base and platform differ.
+/// Returns 0 on a cylinder whose radius is twice the difference of base and platform.
 double cylinder(double x, double y) {
   return x * x + y * y - 4 * (kBase - kPlatform) * (kBase - kPlatform);
 }

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Each motion of models/*.toml has its verdict beside its name, [motion.work] # NO SINGULARITY, and
-// in models/README.md: both must be what the command says.
+// in models/README.md: both must be the verdict of the command.
 #include <gtest/gtest.h>
 
 #include <filesystem>
@@ -15,15 +15,15 @@
 namespace regulus::test {
 namespace {
 
-/// Enough for every motion here; where a determinant vanishes everywhere, more would change
-/// nothing.
+/// Enough for every motion here; more would change nothing for a determinant that vanishes
+/// everywhere.
 constexpr const char* kMostBoxes = "5000";
 
 struct Stated {
   std::string file, motion, verdict;
 };
 
-/// Models whose motions are those of a paper, and are tested with its tables.
+/// Models with the motions of a paper; the tests of its tables cover them.
 const std::set<std::string> kElsewhere = {"robot_1", "robot_2", "rump", "planar_3rpr"};
 
 std::vector<Stated> stated_in_models() {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// How many boxes the method `auto` takes where the paper's tables have uncertain geometry, and
-// without it. The second figure of each case is what an H-matrix test on mean-value bounds with
-// uncertain rows taken whole needs; the first is what is reached here.
+// Bounds the number of boxes of method `auto` in the paper's tables, with and without uncertain
+// geometry. Each case has two figures: the first is reached here; the second is needed by an
+// H-matrix test on mean-value bounds with uncertain rows taken whole.
 #include <gtest/gtest.h>
 
 #include <fstream>
@@ -67,7 +67,7 @@ TEST_P(Boxes, AreAtMostThoseOfMeanValueBounds) {
   const BoxCase& c = GetParam();
   const Result result = solved(path_of(c), c);
   EXPECT_EQ(result.verdict, Verdict::kNoSingularity);
-  // Another instruction set rounds differently, and may split a box more or less.
+  // Another instruction set rounds differently, and may split a few boxes more or fewer.
   EXPECT_LE(result.statistics.boxes, std::min(c.mean_value, c.reached + c.reached / 16 + 2));
 }
 

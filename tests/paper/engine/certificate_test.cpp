@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Every cell of the paper's tables that is decided in a few boxes: its certificate is verified.
+// Verifies the certificate of every cell of the paper's tables that takes few boxes.
 #include "tests/paper/engine/certificate_cells.hpp"
 
 namespace regulus::test {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // §V-B2: "for T1, the determinant is constant, and for T2 it is a polynomial in sin(2πT),
-// cos(2πT)"; and the verdicts that the closed form reaches. Numbers of boxes are budgets.
+// cos(2πT)"; and the verdicts by the closed form. Numbers of boxes are budgets.
 #include <gtest/gtest.h>
 
 #include "codegen/engine/pipeline.hpp"
@@ -27,7 +27,7 @@ TEST(Section5B2, TheDeterminantOnT1IsConstant) {
   EXPECT_FALSE(zerop(determinant.value()));
 }
 
-/// Whether T occurs nowhere but in sin(2πT) and cos(2πT), and these in no denominator or function.
+/// Returns true if T is only in sin(2πT) and cos(2πT), and these in no denominator or function.
 bool is_polynomial_in_turns(const Expression& e) {
   if (!e.has_variables()) return true;
   if (e.kind() == Kind::kCall) {

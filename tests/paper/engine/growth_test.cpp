@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// How fast the boxes grow with what is to be tolerated; tests/paper/GROWTH.md has the tables.
+// The growth of the boxes with the tolerance and the angles; tests/paper/GROWTH.md has the tables.
 #include "tests/paper/tables/growth.hpp"
 
 #include <gtest/gtest.h>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// How near both ends of the bracket come on robot 1.
+// Tests the distance between both ends of the bracket on robot 1.
 #include <gtest/gtest.h>
 
 #include <nlohmann/json.hpp>
@@ -14,7 +14,7 @@ using nlohmann::json;
 const char* const kRobot1 = "models/robot_1.toml";
 const char* const kUnscaled = "tests/paper/models/robot_1_unscaled.toml";
 
-/// The bracket ends of itself, in half a minute if the machine does nothing else.
+/// The search for the bracket ends by itself, in half a minute on a machine without other load.
 json margin(const std::string& model, const std::string& motion,
             const std::vector<std::string>& question) {
   std::vector<std::string> words{REGULUS_BINARY_DIR "/bin/regulus", "margin",

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The cells of the paper's tables as tests: verdict and boxes, never seconds.
+// The cells of the paper's tables as tests of the verdict and the boxes, never of the seconds.
 #pragma once
 
 #include <gtest/gtest.h>
@@ -16,7 +16,7 @@ struct TableCell {
   const PaperCell* cell;
 };
 
-/// Cells that are decided in `least` to `most` boxes.
+/// Returns the cells that are decided in `least` to `most` boxes.
 inline std::vector<TableCell> cells_of(std::uint64_t least, std::uint64_t most) {
   std::vector<TableCell> cells;
   for (const PaperTable& table : kPaperTables)
@@ -35,7 +35,7 @@ inline std::string cell_name(const testing::TestParamInfo<TableCell>& info) {
   return std::to_string(info.index) + "_" + text;
 }
 
-/// Instruction sets differ by a rounding here and there, so by a few boxes.
+/// Instruction sets sometimes round differently, so their boxes differ by a few.
 inline void expect_as_recorded(const TableCell& of) {
   const PaperCell& cell = *of.cell;
   const Result result = run(*of.table, cell, 0);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The cells of Tables IV–VII and of the series in the text that take a moment.
+// The cells of Tables IV–VII and of the series in the text that take a short time.
 #include "tests/paper/engine/table_rows.hpp"
 
 namespace regulus::test {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The proofs that compiled kernels give do not tell how many threads made them. (The expressions
-// at the head of a certificate may be arranged differently each time a model is read.)
+// The proofs by compiled kernels do not depend on the number of threads. (The expressions at the
+// head of a certificate may be in another order each time a model is read.)
 #include <gtest/gtest.h>
 
 #include "tests/support/certificates.hpp"

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// §IV: what anchor tolerances do to the determinant of robot 1 at single poses. The paper's 25–40 %
-// under "±0.1" is met by ranges of width 0.1; with ±0.1 itself the determinant varies by 47–73 %.
+// §IV: the effect of anchor tolerances on the determinant of robot 1 at single poses. The paper has
+// 25–40 % under "±0.1": ranges of width 0.1 give this; with ±0.1 it varies by 47–73 %.
 //
-// det M is affine in each anchor coordinate alone, so that its extremes over the anchors' boxes are
-// at vertices. Going from vertex to vertex, one coordinate at a time, finds values that are taken;
-// each is certified by interval elimination at a point.
+// det M is affine in each anchor coordinate alone, so its extremes over the anchors' boxes are at
+// vertices. A walk from vertex to vertex, one coordinate at a time, finds values of det M; interval
+// elimination at a point certifies each.
 #include <gtest/gtest.h>
 
 #include <array>
@@ -44,7 +44,7 @@ class ToleranceEffect : public testing::Test {
         nominal_.push_back(GiNaC::ex_to<GiNaC::numeric>((v.range.lo + v.range.hi) / 2).to_double());
   }
 
-  /// det M over the whole of ±tolerance, or at the vertex that the signs name.
+  /// Encloses det M over the whole of ±tolerance, or at the vertex that the signs name.
   [[nodiscard]] Interval determinant(const Pose& pose, double tolerance,
                                      const Signs* vertex) const {
     const regulus_kernel& kernel = *kernel_->get();
@@ -61,7 +61,7 @@ class ToleranceEffect : public testing::Test {
     return vertex != nullptr ? enclose_determinant_by_elimination(M) : enclose_determinant(M);
   }
 
-  /// A value that |det M| takes: the largest (sense = 1) or least (−1) that single steps lead to.
+  /// Returns a value of |det M|: the largest (sense = 1) or least (−1) that single steps reach.
   [[nodiscard]] double extreme(const Pose& pose, double tolerance, int sense) const {
     Signs vertex{};
     double best = std::fabs(mid(determinant(pose, tolerance, &vertex)));
@@ -113,7 +113,7 @@ TEST_F(ToleranceEffect, IntervalEvaluationIsFarWiderThanTheExtremes) {
     const double sign = mid(determinant(pose, 0, &nominal)) > 0 ? 1 : -1;
     EXPECT_LE(enclosure.lo, std::min(sign * most, sign * least));
     EXPECT_GE(enclosure.hi, std::max(sign * most, sign * least));
-    EXPECT_LT(enclosure.lo * enclosure.hi, 0);  // its sign is lost, as in the paper
+    EXPECT_LT(enclosure.lo * enclosure.hi, 0);  // the enclosure loses the sign, as in the paper
     EXPECT_GE(enclosure.hi - enclosure.lo, 7 * (most - least));
   }
 }

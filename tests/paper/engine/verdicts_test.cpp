@@ -48,7 +48,7 @@ bool available(const std::string& engine) {
   return engine == "interpreted" || supported(parse_isa(engine).value());
 }
 
-/// The sign of det A at a witness point with 200 bits and none of the search's code.
+/// Returns the sign of det A at a witness point by Arb, without the code of the search.
 int arb_sign(const PreparedSearch& preparation, const WitnessPoint& point) {
   ArbOracle oracle(preparation.stages->matrix(), preparation.stages->module().rows, 424);
   const auto determinant = oracle.enclose(point.variables);
@@ -87,7 +87,7 @@ INSTANTIATE_TEST_SUITE_P(Tables, PaperVerdicts,
                          testing::Combine(testing::ValuesIn(kCases), testing::ValuesIn(kEngines)),
                          case_name);
 
-/// §II-A: −0.827…, where doubles give −10²³ and intervals of doubles a width of 10²³.
+/// §II-A: the value is −0.827…; doubles give −10²³, and intervals of doubles a width of 10²³.
 class Rump : public testing::TestWithParam<const char*> {
  protected:
   PreparedSearch preparation = [] {

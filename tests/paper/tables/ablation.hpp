@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What is left out, and of which problems.
+// The ingredients that are left out, and the problems that are solved without them.
 #pragma once
 
 #include "codegen/engine/choices.hpp"
@@ -32,7 +32,7 @@ inline const AblationProblem kAblationProblems[] = {
       {"base,platform=0.01"}}},
 };
 
-/// Words of the command line, and what they are among the options.
+/// Words of the command line, and the options that they mean.
 struct Ablation {
   std::vector<std::string> without = {};
   std::string bisect = "impact";

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What each ingredient of method auto contributes: leaves them out in turn. Prints Markdown.
-// Usage: ablation_tables [SECONDS PER CELL].
+// Shows what each ingredient of method auto contributes: omits one after the other. Prints
+// Markdown. Usage: ablation_tables [SECONDS PER CELL].
 #include <cstdlib>
 #include <iostream>
 
@@ -37,7 +37,7 @@ std::string first_cell(const Result& whole) {
                      1e3 * whole.statistics.seconds, letter(whole.verdict));
 }
 
-/// A problem after the other, so that times that are compared are taken together.
+/// Runs problem after problem, so that times to be compared are measured close together.
 std::vector<std::vector<std::string>> cells(const std::vector<Ablation>& rows, double limit) {
   std::vector<std::vector<std::string>> text(rows.size());
   for (const AblationProblem& problem : kAblationProblems) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Series of problems that become harder by one number, and how the boxes grow with it.
+// Series of problems that one number makes harder, and the growth of the boxes with it.
 #pragma once
 
 #include <fmt/format.h>
@@ -12,7 +12,7 @@
 
 namespace regulus::test {
 
-/// What grows: the tolerance of the anchors, or the range of the three angles in degrees.
+/// The number that grows: the tolerance of the anchors, or the range of the angles in degrees.
 enum class Abscissa { kTolerance, kAngle };
 
 struct Series {
@@ -21,7 +21,7 @@ struct Series {
   const char* model;
   const char* motion;
   Abscissa abscissa;
-  const char* tolerance;  ///< of the anchors where the angles grow
+  const char* tolerance;  ///< of the anchors, if the angles grow
   const char* tics;       ///< of the picture
   std::span<const double> steps;
 };
@@ -64,13 +64,13 @@ inline constexpr Series kGrowth[] = {
      "table5_20", Abscissa::kAngle, "0", "10, 15, 20, 25, 30, 35", growth::kAngles2},
 };
 
-/// Boxes of a row; nullopt where the search was stopped.
+/// The boxes of a row of the table, at the value x.
 struct GrowthPoint {
   double x;
   double boxes;
 };
 
-/// p of boxes ≈ c·xᵖ by least squares on the logarithms; nullopt of fewer than three points.
+/// Returns p of boxes ≈ c·xᵖ by least squares of logarithms; nullopt for fewer than three points.
 inline std::optional<double> exponent(std::span<const GrowthPoint> points) {
   const auto n = static_cast<double>(points.size());
   if (points.size() < 3) return std::nullopt;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// How the boxes grow with the tolerance and with the range of the angles, as Markdown and as a
-// picture. Usage: growth_tables PICTURE.svg [SECONDS PER CELL].
+// Prints the growth of the boxes with the tolerance and with the range of the angles, as Markdown
+// and as a picture. Usage: growth_tables PICTURE.svg [SECONDS PER CELL].
 #include <algorithm>
 #include <array>
 #include <cstdlib>
@@ -25,7 +25,7 @@ const std::array kColumns = {
     Column{"auto", {}},
 };
 
-using Cell = std::optional<Result>;  ///< nullopt after one that was stopped: not tried
+using Cell = std::optional<Result>;  ///< nullopt: not tried, after one that was stopped
 using Row = std::array<Cell, kColumns.size()>;
 
 bool finished(const Cell& cell) { return cell && cell->reason == Reason::kAllBoxesCertified; }
@@ -52,7 +52,7 @@ std::vector<GrowthPoint> points(const Series& series, const std::vector<Row>& ro
   return result;
 }
 
-/// How many of the leading points every column has.
+/// Returns how many leading points all columns have in common.
 std::size_t common(const Series& series, const std::vector<Row>& rows) {
   std::size_t least = rows.size();
   for (std::size_t c = 0; c < kColumns.size(); ++c)
@@ -104,7 +104,7 @@ void print(const Series& series, const std::vector<Row>& rows, double limit) {
 constexpr const char* kStyles[] = {"lc rgb '#d55e00' pt 5", "lc rgb '#e69f00' pt 9",
                                    "lc rgb '#0072b2' pt 7"};
 
-/// One panel of the picture; points at 0 have no logarithm.
+/// Draws one panel of the picture; points at 0 have no logarithm.
 std::string panel(const Series& series, const std::vector<Row>& rows, std::size_t number) {
   std::string data, curves;
   for (std::size_t c = 0; c < kColumns.size(); ++c) {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Tables IV–VII of the paper and the series of its text: what was checked, how, how many seconds it
-// took its author; and the boxes it takes here, as a budget for the tests.
+// Tables IV–VII of the paper and the series of its text: the question, the method, the seconds in
+// the paper; and the boxes needed here, as a budget for the tests.
 #pragma once
 
 #include <cstdint>
@@ -20,10 +20,10 @@ struct PaperCell {
   const char* tolerance;    ///< of base and platform; "" = exact geometry
   const char* uncertainty;  ///< elements (D) or variables (V)
   const char* method;
-  const char* seconds;  ///< as printed; "" where the paper has no such figure
-  Verdict verdict;      ///< the paper's, or the true one where it has none
-  Verdict found;        ///< here
-  std::uint64_t boxes;  ///< here; 0 where none is reached in a few seconds
+  const char* seconds;  ///< as printed; "" if the paper has no such figure
+  Verdict verdict;      ///< the paper's, or the true one if the paper has none
+  Verdict found;        ///< the verdict here
+  std::uint64_t boxes;  ///< the boxes here; 0 if a few seconds give no verdict
 };
 
 struct PaperRow {

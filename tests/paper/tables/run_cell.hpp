@@ -26,7 +26,7 @@ struct Question {
   }
 };
 
-/// A search in processor time, which depends less on what else the machine does.
+/// Runs a search and measures processor time, which depends less on other load of the machine.
 inline Result timed(const PreparedSearch& preparation, const Settings& settings) {
   const std::clock_t start = std::clock();
   Result result = solve(preparation.problem(), settings);
@@ -34,7 +34,7 @@ inline Result timed(const PreparedSearch& preparation, const Settings& settings)
   return result;
 }
 
-/// The quickest of several: three, and more while they take little together.
+/// Returns the quickest of three runs, or of more while they take little time together.
 inline Result quickest(const PreparedSearch& preparation, const Settings& settings) {
   constexpr double kLittle = 0.05, kMuch = 0.2;
   Result best = timed(preparation, settings);
@@ -48,12 +48,12 @@ inline Result quickest(const PreparedSearch& preparation, const Settings& settin
   return best;
 }
 
-/// search.time_limit is that of a search.
+/// Each search has the time limit search.time_limit.
 inline Result run(const Question& question, const SearchOptions& search) {
   return quickest(prepare(question.options(), search), settings_from(search));
 }
 
-/// At most `seconds` of search, 0: no limit.
+/// Searches for at most `seconds`; 0: no limit.
 inline Result run(const PaperTable& table, const PaperCell& cell, double seconds) {
   Question question{std::string("models/") + table.model + ".toml", cell.motion};
   if (*cell.tolerance != '\0')

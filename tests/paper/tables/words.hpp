@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// How the tables write numbers and verdicts.
+// The notation of numbers and verdicts in the tables.
 #pragma once
 
 #include <fmt/format.h>
@@ -23,7 +23,7 @@ inline const char* letter(Verdict verdict) {
   return "";
 }
 
-/// Five digits are still read at a glance; more are rounded to thousands.
+/// Prints up to five digits in full; rounds larger numbers to thousands.
 inline std::string count(std::uint64_t boxes) {
   constexpr std::uint64_t kThousand = 1000;
   return boxes < 100 * kThousand ? fmt::format("{}", boxes)
