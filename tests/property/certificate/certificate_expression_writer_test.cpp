@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What a certificate writes for an expression means that expression: the verifier's own reader
-// gives it the value that GiNaC gives the original.
+// The text that a certificate writes for an expression means this expression: the verifier's own
+// reader gives it the value that GiNaC gives the original.
 #include "codegen/certificate/certificate_expression_writer.hpp"
 
 #include <gtest/gtest.h>
@@ -49,7 +49,7 @@ class RandomExpressions {
 
  private:
   int pick(int n) { return int(random_() % unsigned(n)); }
-  /// Roots of roots, thirds, and a root of more levels than a power of it may have.
+  /// Returns exponents for roots of roots, thirds, and roots of more levels than powers may have.
   GiNaC::numeric exponent() {
     static const std::vector<int> kDenominators{3, 4, 5, 6, 8, 12, 16, 64, 1 << 20};
     const int denominator = kDenominators[std::size_t(pick(int(kDenominators.size())))];

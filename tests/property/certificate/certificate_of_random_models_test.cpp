@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Certificates of models that nobody has looked at: constraints, balls, control errors, thresholds,
-// matrices that are not square, poles and roots.
+// Certificates of random models: constraints, balls, control errors, thresholds, matrices that are
+// not square, poles and roots.
 #include "tests/property/engine/random_models.hpp"
 #include "tests/support/certificates.hpp"
 

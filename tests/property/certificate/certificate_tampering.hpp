@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Certificates that somebody has changed. Where one is verified all the same, what it then claims
-// must be true: either the question is the one that was proved, or sampling finds nothing against
-// the new one.
+// Certificates that somebody has changed. If such a certificate is verified, its claim must be
+// true: either the question is still the one that was proved, or sampling finds nothing against the
+// new one.
 #pragma once
 
 #include <gtest/gtest.h>
@@ -19,7 +19,7 @@ inline verifier::Options little_effort() {
   return options;
 }
 
-/// Returns whether it was verified.
+/// Returns whether the changed certificate was verified.
 inline bool judge(const std::string& original, const std::string& changed, RandomSource& random) {
   const verifier::Verification v = verify_text(changed, little_effort());
   if (v.outcome != verifier::Outcome::kVerified) {
@@ -35,7 +35,7 @@ inline bool judge(const std::string& original, const std::string& changed, Rando
   return true;
 }
 
-/// One byte is replaced by another, left out or doubled.
+/// Replaces, leaves out or doubles one byte.
 inline std::string with_one_byte_changed(std::string text, RandomSource& random) {
   static const std::string kBytes = "0123456789.-+*/^() abcdefpxyz_:=\nsl\x01";
   const std::size_t at = random.below(text.size());

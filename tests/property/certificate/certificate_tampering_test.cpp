@@ -9,7 +9,7 @@ namespace {
 
 using verifier::Outcome;
 
-/// Robot 2, seven boxes or more; its exact question is true.
+/// Returns a proof for robot 2 with seven boxes or more; the question is true as asked.
 const std::string& proof() {
   static const std::string text = certify(robot("robot_2", "table5_20", "20")).text;
   return text;
@@ -83,8 +83,8 @@ TEST(ASplit, CannotBeLeftOutOrLieOutsideItsBox) {
   }
 }
 
-/// The claim does not depend on where boxes are cut: a cut within its box tiles the variety as
-/// well, and whatever is verified then is the claim that was proved.
+/// The claim does not depend on the cuts: any cut within its box tiles the variety as well, so a
+/// verified certificate has the claim that was proved.
 TEST(ACut, ThatIsMovedByADigitLeavesTheClaimOrTheProofAsItIs) {
   const auto lines = lines_of(proof());
   const std::string claim = verify_text(proof()).claim;
@@ -118,12 +118,12 @@ TEST(ALargerQuestion, IsNotProvedByASmallerOne) {
 
 TEST(AnotherExpression, IsNotProvedByTheTreeOfTheFirst) {
   const auto lines = lines_of(proof());
-  // A zero row is singular everywhere.
+  // A matrix with a zero row is singular everywhere.
   const auto entries = lines_with(lines, "entry ");
   auto changed = lines;
   for (std::size_t j = 0; j < 6; ++j) changed[entries[j]] = "entry 0";
   EXPECT_NE(verify_text(joined(changed), little_effort()).outcome, Outcome::kVerified);
-  // Two equal rows are, too.
+  // A matrix with two equal rows is singular, too.
   changed = lines;
   for (std::size_t j = 0; j < 6; ++j) changed[entries[j]] = lines[entries[6 + j]];
   EXPECT_NE(verify_text(joined(changed), little_effort()).outcome, Outcome::kVerified);

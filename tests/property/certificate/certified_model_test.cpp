@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The head of a certificate that somebody has changed, against the model file that it names: the
-// change is refused, or it is one that an option may ask for and is named.
+// The head of a certificate that somebody has changed is compared with its model file: the change
+// is refused, or it is a named change that an option may make.
 #include "codegen/certificate/certified_model.hpp"
 
 #include <gtest/gtest.h>
@@ -47,7 +47,7 @@ class ACertifiedModel : public testing::TestWithParam<Asked> {
         << changed[line];
   }
 
-  /// Verdict and claim, which come before, are checked against the rest by the verifier.
+  /// The verifier checks verdict and claim, in the lines before this one, against the rest.
   static constexpr std::size_t kBegin = 3;
   std::vector<std::string> lines_;
   std::size_t end_ = 0;  ///< the line `proof`
@@ -64,7 +64,7 @@ TEST_P(ACertifiedModel, IsNotConfirmedWithALineLeftOutOrTwice) {
     auto without = lines_;
     without.erase(without.begin() + std::ptrdiff_t(line));
     expect_noticed(without, line);
-    // A condition that is there twice is the same condition.
+    // Repeating a condition does not change the question.
     if (is_condition(lines_[line])) continue;
     auto twice = lines_;
     twice.insert(twice.begin() + std::ptrdiff_t(line), lines_[line]);
@@ -79,7 +79,7 @@ TEST_P(ACertifiedModel, IsNotConfirmedWithLinesInAnotherOrder) {
     const std::size_t one = kBegin + random.below(end_ - kBegin),
                       other = kBegin + random.below(end_ - kBegin);
     std::swap(changed[one], changed[other]);
-    // The order of conditions means nothing.
+    // The order of conditions does not matter.
     if (changed == lines_ || (is_condition(lines_[one]) && is_condition(lines_[other]))) continue;
     EXPECT_NE(confirm(changed).refusal, "") << lines_[one] << '\n' << lines_[other];
   }

@@ -34,7 +34,7 @@ cl_RA exact_determinant(Rationals a, std::size_t n) {
   return result;
 }
 
-/// det AᵀA: the sum of the squares of all minors of full size (Cauchy and Binet).
+/// Returns det AᵀA: the sum of the squares of all minors of full size (Cauchy and Binet).
 cl_RA gram_determinant(const Rationals& a, std::size_t m, std::size_t n) {
   Rationals gram(n * n);
   for (std::size_t i = 0; i < n; ++i)
@@ -94,7 +94,7 @@ TEST(ColumnOperations, FoundInRandomMatricesSaveTermsAndNoDeterminant) {
     AtomTable atoms(variable_names(), point_names());
     Expander expander(atoms);
     PolynomialMatrix A = random_matrix(3, 3, random, expander);
-    // Undone by the search, or not: what matters is that nothing else changes.
+    // The search may undo this operation; the test is that nothing else changes.
     apply(random_operation(3, random), A);
     ExactValues values(random);
     const cl_RA before = exact_determinant(values_of(A, atoms, values), 3);
@@ -111,7 +111,7 @@ TEST(ColumnOperations, FoundInRandomMatricesSaveTermsAndNoDeterminant) {
   EXPECT_GE(found, 6);
 }
 
-/// Of a formulation whose columns were changed: its matrix, and K times that.
+/// Checks a formulation with changed columns: the determinant, and the product K times the matrix.
 void expect_determinant_of_model(const Formulation& f, std::mt19937_64& random) {
   ExactValues values(random);
   Rationals natural, kernel;
@@ -148,8 +148,8 @@ TEST(ColumnOperations, OfAFormulationKeepTheModelsDeterminant) {
   }
 }
 
-/// Uncertain quantities of one row are replaced by nominal values in some functions only: all of
-/// them have to be of the same A·V.
+/// Some functions only replace uncertain quantities of one row by nominal values. All functions
+/// must belong to the same A·V.
 TEST(ColumnOperations, AreTheSameInTheMatrixAndInItsExpansionAtNominalValues) {
   std::mt19937_64 random(24);
   const Model model = robot_1({GiNaC::numeric(1, 1000), false, false});

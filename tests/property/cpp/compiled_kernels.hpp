@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Emitted text, compiled by every compiler at hand for every instruction set of this processor, and
-// the machine that runs the same list, against Arb at points of random boxes and to the bit against
-// each other.
+// Runs emitted text, compiled by every installed compiler for every instruction set of this
+// processor, and the machine on the same list. Arb checks them at points of random boxes, and they
+// must agree with each other to the bit.
 #pragma once
 
 #include <gtest/gtest.h>
@@ -38,7 +38,7 @@ inline constexpr NamedField kFields[] = {{"left_product", &regulus_kernel::left_
                                          {"constraint", &regulus_kernel::constraint},
                                          {"pose", &regulus_kernel::pose}};
 
-/// Random expressions as the functions of a kernel of a 2×2 matrix.
+/// Makes a kernel of a 2×2 matrix whose functions are random expressions.
 inline Module random_module(std::uint64_t seed) {
   RandomSource random(seed);
   Module m;
@@ -60,7 +60,7 @@ inline Module random_module(std::uint64_t seed) {
         {name, "random", random_program<ProgramBuilder>(random, shape), outputs, 1, {}});
     m.functions.back().program.inputs = m.variables;
   };
-  // Sums of one row of K, which kernels may compute as points, in a third of the modules.
+  // A third of the modules have sums of one row of K, which kernels may compute as points.
   shape.row_length = random.one_in(3) ? kOrder : 0;
   add("left_product", 4, 8);
   add("row_scale", 1, 7);
@@ -70,7 +70,7 @@ inline Module random_module(std::uint64_t seed) {
   return m;
 }
 
-/// Many emitted texts in one translation unit: the headers once, each text in a namespace.
+/// Joins many emitted texts in one translation unit: the headers once, each text in a namespace.
 inline std::string in_one_text(const std::vector<EmittedKernel>& kernels) {
   const std::string includes =
       "#include \"runtime/kernel/abi.hpp\"\n#include \"runtime/kernel/pack.hpp\"\n";
@@ -83,7 +83,7 @@ inline std::string in_one_text(const std::vector<EmittedKernel>& kernels) {
   return text;
 }
 
-/// Points of one box and what Arb says there.
+/// Points of one box, and the values by Arb there.
 struct Sample {
   bool certainly_undefined;
   bool defined;
@@ -140,7 +140,7 @@ struct Counts {
   long defined_lanes = 0;
 };
 
-/// What one call gives: the outputs and the lanes that are undefined.
+/// The answer of one call: the outputs and the lanes that are undefined.
 struct Answer {
   OutputBatch out;
   unsigned undefined;
@@ -154,7 +154,7 @@ inline Answer ask(const regulus_kernel& table, regulus_function function, std::s
   return answer;
 }
 
-/// The two zeros are one bound.
+/// The two zeros are the same bound.
 inline bool same_bits(double x, double y) {
   return std::memcmp(&x, &y, sizeof x) == 0 || (x == 0.0 && y == 0.0);
 }
@@ -249,7 +249,7 @@ class CompiledKernels : public testing::Test {
     }
   }
 
-  /// Every candidate on `cases` times eight random boxes for each function of each module.
+  /// Compares all candidates on `cases` times eight random boxes for each function of each module.
   void compare(int cases) {
     for (std::size_t m = 0; m < modules_.size(); ++m) {
       RandomSource random(1000 + m);
@@ -279,7 +279,7 @@ class CompiledKernels : public testing::Test {
     for (const auto& [who, count] : counts_) {
       EXPECT_GT(count.contained, contained) << who;
       EXPECT_GT(count.undefined, undefined) << who;
-      // No candidate may be sound by giving up.
+      // No candidate may become sound by giving up.
       EXPECT_GT(count.defined_lanes * 10, defined_lanes * 9) << who;
     }
   }

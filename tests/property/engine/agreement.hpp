@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// All methods, with uncertain quantities kept whole and split, on the same problem.
+// Compares all methods, with uncertain quantities kept whole and split, on the same problem.
 #pragma once
 
 #include <gtest/gtest.h>
@@ -13,7 +13,7 @@
 
 namespace regulus::test {
 
-/// A motion of one of the models shipped, or, where `model` is empty, a random model of that seed.
+/// A motion of a shipped model; if `model` is empty, a random model from that seed.
 struct AgreementCase {
   const char* model;
   const char* motion;
@@ -24,7 +24,7 @@ struct AgreementCase {
 
 struct Effort {
   std::uint64_t max_boxes;
-  double time_limit;  ///< seconds, of one search; 0: no bound
+  double time_limit;  ///< seconds, for one search; 0: no limit
   std::uint64_t closed_form_terms;
 };
 
@@ -43,7 +43,7 @@ class Agreement {
     std::ofstream(options_.path) << text_;
   }
 
-  /// Ensures   no two verdicts contradict each other, nor what is known of the problem.
+  /// Ensures   no two verdicts contradict each other or the known facts about the problem.
   void expect_of_all(const Effort& effort) {
     for (const char* method : kMethods)
       for (const char* uncertainty : {"elements", "variables"}) {
@@ -60,7 +60,7 @@ class Agreement {
   }
 
   int decided = 0;
-  int empty = 0;  ///< searches that found the variety without a pose
+  int empty = 0;  ///< searches that found no pose in the variety
 
  private:
   std::optional<Verdict> verdict_of(const char* method, const char* uncertainty,

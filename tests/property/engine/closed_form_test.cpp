@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The closed form of the determinant against determinants by Arb of the matrix itself, at random
-// poses and over random boxes around them.
+// Compares the closed form of the determinant with determinants by Arb of the matrix itself, at
+// random poses and over random boxes around them.
 #include <gtest/gtest.h>
 
 #include <random>
@@ -82,7 +82,7 @@ TEST_P(ClosedFormOf, HoldsArbsDeterminantOverEveryBox) {
     for (int sample = 0; sample < 5; ++sample) {
       const auto exact = oracle.enclose(random_point(box));
       ASSERT_TRUE(exact);
-      // Arb's has some 10^-25 of width: that they meet is containment but for that.
+      // Arb's ball is about 10^-25 wide. If both meet, the bound contains the value up to that.
       EXPECT_TRUE(intersect(*exact, by_slope))
           << exact->lo << " outside " << by_slope.lo << ", " << by_slope.hi;
     }

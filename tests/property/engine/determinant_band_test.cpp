@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The determinant over each piece of a trajectory encloses what Arb finds at points of it, from the
-// matrix as the model writes it, for random values of the uncertain quantities.
+// The determinant over each piece of a trajectory encloses Arb's values at points of it. Arb uses
+// the matrix as the model writes it, with random values of the uncertain quantities.
 #include <arb_mat.h>
 #include <gtest/gtest.h>
 
@@ -48,7 +48,7 @@ class Samples : public Observer {
   double smallest = kInfinity, largest = -kInfinity;
 
  private:
-  /// Both ends, then anywhere: uncertain quantities at their ends or anywhere.
+  /// Returns both ends first, then any point; uncertain quantities are at their ends or anywhere.
   std::vector<Ball> point_of(std::span<const Interval> box, int sample) {
     std::uniform_real_distribution<double> part(0, 1);
     std::vector<Ball> point;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The kernel's expansion obeys the mean value theorem: where one variable moves by h, an entry
-// changes by h times a value of the derivative listed for it; by nothing if none is listed.
+// The kernel's expansion obeys the mean value theorem: if one variable moves by h, an entry changes
+// by h times a value of the listed derivative, or not at all if none is listed.
 #include <gtest/gtest.h>
 
 #include <array>
@@ -73,7 +73,7 @@ class ExpansionOf {
     return result;
   }
 
-  /// Zero where nothing is listed.
+  /// Returns zero if nothing is listed.
   static Interval at(const Places& places, std::array<int, 4> place) {
     const auto found = places.find(place);
     return found == places.end() ? Interval(0.0) : found->second;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Model files that nobody has looked at, through every stage, against Arb.
+// Runs random model files through every stage and compares the results with Arb.
 #pragma once
 
 #include <fmt/format.h>
@@ -37,11 +37,11 @@ inline constexpr const char* kMethods[] = {"auto",       "reg",        "reg+rohn
                                            "kj+rohn",    "jk",         "jk+rohn",  "kj-numeric",
                                            "jk-numeric", "closed-form"};
 
-/// How often each outcome occurred, by method and by rule.
+/// Counts each outcome by method and by rule.
 struct Tally {
   std::map<std::string, std::array<int, 3>> verdicts;  ///< in the order of Verdict
   std::array<std::uint64_t, kRules> leaves{};
-  std::uint64_t leaves_by_rows = 0;  ///< kSecondOrder where some quantity touches one row only
+  std::uint64_t leaves_by_rows = 0;  ///< kSecondOrder, where some quantity touches one row only
   int refused = 0;                   ///< models that InputError or ClosedFormError refuses
   int refutable = 0, shown = 0;      ///< Arb refutes NO SINGULARITY; the search says SINGULARITY
   int segments = 0, certain_segments = 0;  ///< of witnesses; those that Arb certifies
@@ -71,7 +71,7 @@ struct Tally {
       EXPECT_GE(leaves[static_cast<std::size_t>(rule)], least) << name(rule) << '\n' << describe();
   }
 
-  /// Sampling has teeth, and the search finds most of what it finds.
+  /// Expects that sampling refutes enough models, and that the search finds most of these.
   void expect_teeth(int least_refutable) const {
     EXPECT_GE(refutable, least_refutable) << describe();
     EXPECT_GE(3 * shown, 2 * refutable) << describe();
@@ -79,7 +79,7 @@ struct Tally {
   }
 };
 
-/// Settings that the command line offers, and what only the API does.
+/// Settings that the command line offers, and those that only the API offers.
 struct SearchVariant {
   SearchOptions search;
   unsigned batch = 8;
@@ -125,7 +125,7 @@ inline SearchVariant random_variant(RandomSource& random, const std::string& met
   return variant;
 }
 
-/// A third of the ingredients left out; every other time the symbolic stage is not told.
+/// Omits a third of the ingredients; in half of the cases the symbolic stage does not know this.
 inline SearchVariant random_variant_without(RandomSource& random, const std::string& method) {
   SearchVariant variant = random_variant(random, method);
   std::vector<std::string>& without = random.one_in(2) ? variant.search.without : variant.without;
@@ -138,7 +138,7 @@ class Judge {
  public:
   explicit Judge(RandomSource& random) : random_(random) {}
 
-  /// Runs the search; any claim that Arb or the model's own truth contradicts is a failure.
+  /// Runs the search; fails if Arb or the known truth of the model contradicts a claim.
   void run(const ModelText& text, const SearchVariant& variant) {
     SCOPED_TRACE(variant.describe() + '\n' + text.file());
     const std::filesystem::path path = directory_.path() / "model.toml";

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// x^(p/q) as it is written, through the parser and the lowering to a program: Arb's balls and
-// double intervals hold MPFR's value, and so do their derivatives.
+// Takes x^(p/q) as it is written through the parser and the lowering to a program: Arb's balls and
+// double intervals contain MPFR's value, and so do their derivatives.
 #include <gtest/gtest.h>
 #include <mpfr.h>
 
@@ -48,7 +48,7 @@ Program program_of(const Expression& e) {
   return std::move(lowering).finish();
 }
 
-/// x^(p/q) to 300 bits as the root of x^p, which needs neither log nor exp.
+/// Computes x^(p/q) to 300 bits as the root of x^p, which needs neither log nor exp.
 class Value {
  public:
   Value(double x, int p, int q) {
@@ -62,13 +62,13 @@ class Value {
   ~Value() {
     for (auto* v : {&value_, &bound_, &slack_}) mpfr_clear(*v);
   }
-  /// p/q · x^(p/q − 1).
+  /// Replaces the value by p/q · x^(p/q − 1).
   void derive(double x, int p, int q) {
     mpfr_mul_si(value_, value_, p, MPFR_RNDN);
     mpfr_div_si(value_, value_, q, MPFR_RNDN);
     mpfr_div_d(value_, value_, x, MPFR_RNDN);
   }
-  /// With room for the few roundings of 300 bits.
+  /// Allows for the few roundings of 300 bits.
   [[nodiscard]] bool is_in(const Interval& x) {
     mpfr_abs(slack_, value_, MPFR_RNDU);
     mpfr_mul_2si(slack_, slack_, -280, MPFR_RNDU);

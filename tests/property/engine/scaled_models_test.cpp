@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Units are a matter of taste: rows and columns multiplied by powers of two, exchanged, variables
-// renamed and moved give the same verdict, and for powers of two with the same boxes. Margins far
-// below the rounding errors of the entries are decided, or given up, after bounded work.
+// The units of a model do not matter. After scaling rows and columns by powers of two, exchanging
+// them, renaming or moving variables, the verdict is the same; after scaling, the boxes are, too.
+// Margins far below rounding errors are decided, or given up, after bounded work.
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
@@ -65,7 +65,7 @@ Outcome judge(const Model& model, SearchOptions search = {}) {
   return {result.verdict, result.reason, result.statistics.boxes, std::move(result)};
 }
 
-/// 2^exponent in the exponents that a model may have.
+/// Returns 2^exponent, with exponents that a model may have.
 std::string power_of_two_text(int exponent) {
   std::string text;
   for (; std::abs(exponent) > 100; exponent -= exponent > 0 ? 100 : -100)
@@ -115,7 +115,7 @@ TEST(ScaledModels, HaveTheSameVerdictAfterTheSameBoxes) {
       const Model other = scaled(model, rows, columns);
       const Outcome outcome = judge(other);
       EXPECT_EQ(outcome.verdict, expected.verdict) << other.text();
-      // A left inverse weighs rows by their lengths, and so by their scales.
+      // A left inverse weighs rows by their lengths, so by their scales, too.
       if (rows.size() != columns.size()) continue;
       EXPECT_EQ(outcome.boxes, expected.boxes) << other.text();
     }
@@ -134,7 +134,7 @@ TEST(ScaledModels, HaveTheSameVerdictWithRowsAndColumnsExchanged) {
   }
 }
 
-/// No function of the models has an x or a y in its name.
+/// Replaces a variable. No function in the models has an x or a y in its name.
 std::string replaced(const std::string& text, char name, const std::string& by) {
   std::string result;
   for (const char c : text) result += c == name ? by : std::string(1, c);
@@ -198,7 +198,7 @@ TEST(ScaledModels, ReportTheDeterminantAsWritten) {
   }
 }
 
-/// A double root with a margin: no enclosure of the entries sees it, their determinant does.
+/// A double root with a margin: bounds of the entries do not show it, their determinant does.
 TEST(Margins, AreSeenByTheDeterminantWhereKIsOfNoUse) {
   for (const char* margin : {"1e-300", "1e-18"}) {
     Model model;
@@ -225,8 +225,8 @@ TEST(Margins, AreSeenByTheClosedFormWhereEntriesHideThem) {
   EXPECT_LE(outcome.boxes, 20'000U);
 }
 
-/// The determinant touches 0. With K alone every certified box was a matter of luck, and the search
-/// went on for ever.
+/// The determinant touches 0. With K alone, only luck certified a box, and the search went on for
+/// ever.
 TEST(Margins, ThatCannotBeSeenEndInAPossibleProblem) {
   Model model;
   model.x_range = "[\"2.5 + 1/7\", \"3.5 + 1/7\"]";
@@ -236,7 +236,7 @@ TEST(Margins, ThatCannotBeSeenEndInAPossibleProblem) {
   EXPECT_LE(outcome.boxes, 20'000U);
 }
 
-/// Where an expression is undefined engines leave different numbers, and no heuristic may read
+/// Where an expression is undefined, engines leave different numbers, so no heuristic may read
 /// them.
 TEST(UndefinedLanes, AreTheSameForEveryEngine) {
   Model model;

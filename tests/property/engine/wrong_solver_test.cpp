@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// A solver that is wrong, on purpose: what it claims is not verified.
+// Tests that false claims of a deliberately wrong solver are not verified.
 #include <gtest/gtest.h>
 
 #include "runtime/kernel/call.hpp"
@@ -18,7 +18,7 @@ std::string finished(CertificateWriter& writer) {
   return contents(writer.path());
 }
 
-/// The certificate of a search that never tests anything: it claims the root, or its halves.
+/// Returns the certificate of a search that tests nothing: it claims the root, or its halves.
 std::string unproved(const ModelOptions& model, bool split) {
   const PreparedSearch preparation = prepare(model, {});
   const TemporaryDirectory directory;
@@ -56,7 +56,7 @@ TEST(AThresholdThatWasNeverProved, IsRejectedWhereAPointIsBelowIt) {
   EXPECT_NE(v.reason.find("at most alpha"), std::string::npos) << v.reason;
 }
 
-/// A kernel that looks at the middle of each box only: no bound it returns holds.
+/// A kernel that evaluates only the middle of each box, so that its bounds are wrong.
 struct BlindKernel {
   regulus_kernel honest{}, blind{};
 } g_blind;
@@ -67,7 +67,7 @@ const double* middles(const double* boxes) {
   for (std::size_t v = 0; v < count; ++v)
     for (std::size_t lane = 0; lane < REGULUS_LANES; ++lane) {
       const std::size_t lo = 2 * v * REGULUS_LANES + lane, hi = lo + REGULUS_LANES;
-      // A kernel that rounds upward stores its bounds as they are; both become the middle.
+      // A kernel that rounds upward stores its bounds unchanged; both become the middle.
       thin[lo] = thin[hi] = 0.5 * (boxes[lo] + boxes[hi]);
     }
   return thin;
@@ -91,8 +91,8 @@ TEST(ABrokenBound, LeadsToACertificateThatIsRejected) {
 
   const TemporaryDirectory directory;
   CertificateWriter writer((directory.path() / "c").string(), certified_question(preparation));
-  // The corners have both signs; a solver that bounds boxes by their middles does not see it where
-  // it does not look for witnesses.
+  // The corners have both signs. A solver that bounds boxes by their middles does not see this
+  // unless it looks for witnesses.
   problem.inner.assign(problem.outer.size(), std::nullopt);
   const Result result = solve(problem, settings_from(search), &writer);
   ASSERT_EQ(result.verdict, Verdict::kNoSingularity) << "the bound was to be wrong";

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// + − · / sqr √ against MPFR, on a million pairs each: the bounds are not only outside but tight.
+// Compares + − · / sqr √ with MPFR on a million pairs each: the bounds contain it and are tight.
 #include "runtime/interval/arithmetic.hpp"
 
 #include <gtest/gtest.h>
@@ -16,7 +16,7 @@ constexpr int kCases = 1'000'000;
 
 using Binary = int (*)(mpfr_t, const mpfr_t, const mpfr_t, mpfr_rnd_t);
 
-/// The tight interval around f(a, b), for doubles.
+/// Computes the tight interval around f(a, b), for doubles.
 class TightBinary {
  public:
   explicit TightBinary(Binary f) : f_(f) {}
@@ -29,8 +29,8 @@ class TightBinary {
     return {z.lo, z.hi};
   }
 
-  /// The tight interval around f on all four pairs of ends: that of the whole box where f is
-  /// monotone in each argument.
+  /// Returns the tight interval around f on all four pairs of ends. If f is monotone in each
+  /// argument, this is that of the whole box.
   Interval operator()(Interval x, Interval y) {
     return hull(hull((*this)(x.lo, y.lo), (*this)(x.lo, y.hi)),
                 hull((*this)(x.hi, y.lo), (*this)(x.hi, y.hi)));
@@ -41,7 +41,7 @@ class TightBinary {
   MpfrNumber a_, b_, result_;
 };
 
-/// Points of doubles, of which both bounds are then tight roundings of one number.
+/// Expects tight bounds at points: both bounds are then tight roundings of one number.
 void expect_tight_on_points(Interval (*f)(Interval, Interval), Binary exact,
                             bool (*defined)(double), std::uint64_t seed) {
   CornerInputs inputs(seed);
@@ -122,7 +122,7 @@ TEST(Arithmetic, SquaresAreTight) {
   }
 }
 
-/// xⁿ is monotone on each side of 0, so the ends and 0 give its range.
+/// Uses that xⁿ is monotone on each side of 0, so the ends and 0 give its range.
 Interval exact_power(Interval x, int n) {
   MpfrNumber base;
   MpfrNumber result;
@@ -149,7 +149,7 @@ TEST(Arithmetic, PowersContainTheExactRangeAndStayNearIt) {
   }
 }
 
-/// No factor of a power overflows or underflows on the way to a result that does not.
+/// A factor of a power may overflow or underflow only if the result does.
 TEST(Arithmetic, PowersOfTheLargestAndTheSmallestDoublesAreNeighboursOfTheExactOnes) {
   const double ends[] = {kMaxDouble, 0x1p1023, 0x1p537,    0x1p512,   0x1.8p511,   0x1p358,
                          1.5,        0x1p-511, 0x1.8p-537, 0x1p-1022, 0x1.8p-1030, kMinSubnormal};
@@ -199,7 +199,7 @@ TEST(Arithmetic, MidpointAndRadiusCoverTheInterval) {
     const double m = mid(x);
     const double r = rad_ru(x);
     ASSERT_TRUE(std::isfinite(m) && contains(x, m)) << ::testing::PrintToString(x);
-    // m ± r is exact enough to be compared: the radius was rounded up from either difference.
+    // m ± r is exact enough here: the radius was rounded up from both differences.
     ASSERT_LE(sub_rd(x.hi, m), r) << ::testing::PrintToString(x);
     ASSERT_LE(sub_rd(m, x.lo), r) << ::testing::PrintToString(x);
     ASSERT_TRUE(certain_subset(x, Interval(m) + Interval(-r, r))) << ::testing::PrintToString(x);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// atan2 on doubles and on rectangles, against Arb; eight at a time against one at a time.
+// Compares atan2 on doubles and on rectangles with Arb, and eight at a time with one at a time.
 #include <gtest/gtest.h>
 
 #include "runtime/interval/elementary.hpp"
@@ -15,7 +15,7 @@ constexpr std::uint64_t kBudget = 4;
 
 bool touches_cut(Interval y, Interval x) { return contains_zero(y) && x.lo <= 0; }
 
-/// The extremes of the angle over a rectangle off the cut are at its corners.
+/// Uses that over a rectangle off the cut, the extremes of the angle are at its corners.
 Interval true_angle(ArbOracle& arb, Interval y, Interval x) {
   if (is_thin(x) && is_thin(y)) return arb.tight_atan2(y.lo, x.lo);
   return hull(hull(arb.tight_atan2(y.lo, x.lo), arb.tight_atan2(y.lo, x.hi)),

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Runs an eight-lane function on every instruction set of this processor and compares it with what
-// one interval at a time gave.
+// Runs an eight-lane function on every instruction set of this processor and compares it with the
+// results for one interval at a time.
 #pragma once
 
 #include <gtest/gtest.h>
@@ -13,7 +13,7 @@
 
 namespace regulus::test {
 
-/// What one lane of an eight-lane function must do.
+/// The expected result of one lane of an eight-lane function.
 struct LaneResult {
   Interval value;
   bool undefined = false;
@@ -36,13 +36,13 @@ struct LaneBlock {
   }
 };
 
-/// Kernels hold no magnitudes above 2^128: a larger result counts as undefined, and reads 0.
+/// Kernels hold no magnitudes above 2^128: a larger result counts as undefined and reads as 0.
 inline LaneResult as_lane(Interval value, bool undefined) {
   if (undefined || !(mag(value) <= 0x1p128)) return {0.0, true};
   return {value, false};
 }
 
-/// The same bits, except that the sign of a zero does not matter.
+/// Compares bits, but ignores the sign of a zero.
 template <int kIntervals>
 void expect_lanes(X8Backend::Function X8Backend::*function, const LaneBlock<kIntervals>& in,
                   const std::array<LaneResult, 8>& expected) {

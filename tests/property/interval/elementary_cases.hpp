@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The unary elementary functions with their inputs, their truth by Arb and their budgets.
+// The unary elementary functions: their inputs, their true values by Arb, and their budgets.
 #pragma once
 
 #include <ostream>
@@ -13,7 +13,7 @@
 
 namespace regulus::test {
 
-/// The tight enclosure of a function over an interval, or that it is undefined somewhere there.
+/// The tight enclosure of a function over an interval, unless it is undefined somewhere there.
 struct Truth {
   Interval range;
   bool undefined = false;
@@ -25,12 +25,12 @@ struct ElementaryCase {
   X8Backend::Function X8Backend::*eight_lanes;
   Truth (*truth)(ArbOracle&, Interval);
   CornerInputs inputs;
-  std::uint64_t budget;  ///< ulp that a bound may lie outside the tight one
+  std::uint64_t budget;  ///< how many ulp a bound may lie outside the tight one
 };
 
 inline void PrintTo(const ElementaryCase& function, std::ostream* out) { *out << function.name; }
 
-/// The tight enclosures at both ends; a point is asked for once.
+/// Computes the tight enclosures at both ends; for a point, only once.
 struct Ends {
   Interval at_lo, at_hi;
 };
@@ -46,7 +46,7 @@ inline Truth increasing(ArbOracle& arb, ArbOracle::Unary f, Interval x) {
 
 inline bool beyond_limit(Interval x) { return mag(x) > kTrigonometricLimit; }
 
-/// A wave with maxima at (maximum + 4n)·π/2 and minima two quarter turns later.
+/// Encloses a wave with maxima at (maximum + 4n)·π/2 and minima two quarter turns later.
 inline Truth wave(ArbOracle& arb, ArbOracle::Unary f, Interval x, int maximum) {
   if (beyond_limit(x)) return {{-1, 1}};
   const Ends y = ends(arb, f, x);
@@ -66,8 +66,8 @@ inline Truth true_tan(ArbOracle& arb, Interval x) {
   if (!is_thin(x) && arb.turns(x.lo, 1, 2) < arb.turns(x.hi, 1, 2)) return {{}, true};
   return increasing(arb, arb_tan, x);
 }
-/// Arb needs thousands of bits to tell asin x from x when x is tiny. For 0 < x < 2^-27, asin x is
-/// above x by less than x³ < x·2^-54, so that it lies between x and the next double.
+/// Avoids Arb for tiny x, where it needs thousands of bits to tell asin x from x. For 0 < x <
+/// 2^-27, asin x exceeds x by less than x³ < x·2^-54, so it is between x and the next double.
 inline Interval tight_asin(ArbOracle& arb, double x) {
   if (x == 0 || std::fabs(x) >= 0x1p-27) return arb.tight(arb_asin, x);
   return x > 0 ? Interval{x, next_up(x)} : Interval{next_down(x), x};
@@ -84,7 +84,7 @@ inline Truth true_acos(ArbOracle& arb, Interval x) {
 }
 inline Truth true_atan(ArbOracle& arb, Interval x) { return increasing(arb, arb_atan, x); }
 inline Truth true_exp(ArbOracle& arb, Interval x) {
-  // Arb's exponents are unbounded: far outside the range of doubles it would only lose time.
+  // Arb's exponents are unbounded; far outside the range of doubles it would only take time.
   const auto near = [](double t) { return std::clamp(t, -800.0, 800.0); };
   return increasing(arb, arb_exp, {near(x.lo), near(x.hi)});
 }

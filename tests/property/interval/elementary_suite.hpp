@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What every elementary function is held to: one interval at a time against Arb, and eight at a
-// time, on each instruction set, against one at a time.
+// Tests for every elementary function: one interval at a time against Arb, and eight at a time, on
+// each instruction set, against one at a time.
 #pragma once
 
 #include <gtest/gtest.h>
@@ -13,7 +13,7 @@ namespace regulus::test {
 
 class ElementarySuite : public ::testing::TestWithParam<ElementaryCase> {
  protected:
-  /// Checks one interval against the truth; the result is what a lane must give.
+  /// Checks one interval against the truth; returns the expected result of a lane.
   LaneResult check(Interval x) {
     const ElementaryCase& f = GetParam();
     const Truth truth = f.truth(arb_, x);

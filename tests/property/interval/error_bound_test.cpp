@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Proves the error bounds claimed beside the evaluators of runtime/interval/elementary/, by running
-// their own code on pieces that together hold every reduced argument.
+// Proves the error bounds stated beside the evaluators of runtime/interval/elementary/: it runs
+// their own code on pieces that together contain every reduced argument.
 //
-// A result is known before its last rounding up to `carried` (what rounding did, tracked.hpp) plus
-// what the method leaves out (computed here: the polynomial's error by Arb, dropped terms by their
-// formula). One step outward of the rounded result is a bound if that is at most half the distance
-// to the next double, two steps if it is at most 1.5 distances.
+// Before its last rounding, a result is known up to `carried` (the rounding errors, tracked.hpp)
+// plus the error of the method (computed here: the polynomial's by Arb, dropped terms by their
+// formula). One step outward from the rounded result is a bound if that is at most half the
+// distance to the next double; two steps are one if it is at most 1.5 distances.
 #include <arb.h>
 #include <gtest/gtest.h>
 
@@ -24,10 +24,10 @@ namespace {
 
 namespace el = elementary;
 
-// Every formula below is evaluated with a relative slack that swallows its own roundings.
+// Every formula below has a relative slack that is larger than its own rounding errors.
 constexpr double kSlack = 1 + 0x1p-40;
 
-/// How much of what `steps` steps outward allow is used up: a bound if at most 1.
+/// Returns the part of the allowance of `steps` steps outward that is used: a bound if at most 1.
 double used(const Tracked& result, double method_error, int steps) {
   const double least = mig(result.range);
   const double distance = least - next_down(least);
@@ -51,7 +51,7 @@ double worst_over(double lo, double hi, std::vector<double> starts,
   return worst;
 }
 
-/// Below this u·(z·P(z)) underflows to 0, so that t itself is returned: off by less than t³.
+/// Below this, u·(z·P(z)) underflows to 0 and the result is t, with an error of less than t³.
 constexpr double kTiny = 0x1p-400;
 
 double series_error(std::span<const double> c, const SeriesTerm& term, int weight,
@@ -73,8 +73,8 @@ void ratio(arb_t x, slong num, slong den, slong precision) {
 
 constexpr double kMostAngle = 0.7854;  // π/4 + 2^-20 at least
 
-/// What reduce can leave as the low part for an r of this size: half an ulp of each high part, or
-/// k·C₄.
+/// Returns the low part that reduce may leave for an r of this size: half an ulp of each high part,
+/// or k·C₄.
 Tracked low_part(double r) {
   const double bound = r < 0x1p-63 ? 0 : std::max(std::ldexp(1.0, std::ilogb(r) - 52), 0x1p-83);
   return {{-bound, bound}, 0, Tracked::kLeastGrid};
@@ -85,7 +85,7 @@ struct SinCosErrors {
   double sin, cos;
 };
 
-/// Both parts over a piece of r > 0, and what the method leaves out.
+/// Returns both parts over a piece of r > 0, and the error of the method.
 SinCosErrors sin_cos_errors(Interval r) {
   static const double kSin = series_error(el::kSinCoefficients,
                                           [](arb_t x, slong i, slong p) {
@@ -102,7 +102,7 @@ SinCosErrors sin_cos_errors(Interval r) {
   const double h = r.hi;
   const Tracked low = low_part(h);
   const double l = low.range.hi;
-  // r.low·head for r.low·cos r: head is 1 − z/2 but for half an ulp, cos r but for z²/24.
+  // r.low·head replaces r.low·cos r: head is 1 − z/2 up to half an ulp, cos r up to z²/24.
   const double sin_dropped = l * (h * h * h * h / 24 + 0x1p-53) + l * l;
   const double cos_dropped = l * (h * h * h / 6) + l * l;
   const double reduction = h * 0x1p-69;
@@ -128,7 +128,7 @@ TEST(ErrorBound, CosineIsOneStepFromABound) {
             1);
 }
 
-/// The quotient of the parts errs by the sum of their relative errors, and by 2^-100 itself.
+/// Sums the relative errors of both parts, and the error 2^-100 of the quotient itself.
 double tangent_use(const TrackedParts& num, double num_method, const TrackedParts& den,
                    double den_method) {
   const Tracked n = num.high + num.low;
@@ -159,7 +159,7 @@ double atan_polynomial_error() {
                       1, {0, 0.4375 * 0.4375});
 }
 
-/// The constants atan c, π/2 and π are known to 2^-107.
+/// Uses that the constants atan c, π/2 and π are known to 2^-107.
 double atan_method_error(Interval t, double polynomial) {
   return std::min(t.hi, 0.4375) * polynomial + (t.lo < 0.4375 ? 0 : 0x1p-107);
 }
@@ -178,7 +178,7 @@ TEST(ErrorBound, ArctangentIsOneStepFromABound) {
 
 TEST(ErrorBound, AngleIsTwoStepsFromABound) {
   const double polynomial = atan_polynomial_error();
-  // 3 stands for the larger coordinate of any size: dividing by it rounds.
+  // 3 stands for a larger coordinate of any size: the division by it rounds.
   const Tracked larger(3);
   const auto use = [&](Interval y) {
     const Tracked smaller = Tracked::input(y);
@@ -207,16 +207,16 @@ double asin_polynomial_error() {
                       1, {0, 0.25});
 }
 
-/// For asin and acos of |x| = t: the polynomial; where halved, twice, and with s_low·z·R(z) and the
-/// second order of s_low dropped.
+/// Returns the error for asin and acos of |x| = t: the polynomial's; after halving, twice that, and
+/// the dropped s_low·z·R(z) and second order of s_low.
 double arcsine_method_error(double t, double polynomial) {
   if (t <= 0.5) return t * polynomial;
   const double s = std::sqrt((1 - t) / 2) * (1 + 0x1p-40);
   return 2 * s * (polynomial + 0x1p-53 * 0.0473 + 0x1p-105);
 }
 
-/// Pieces for functions of |x| ≤ 1: towards 1 they are small against 1 − |x|, which is a double
-/// there.
+/// Chooses pieces for functions of |x| ≤ 1: near 1 they are small compared with 1 − |x|, which is a
+/// double there.
 double worst_over_unit(const std::function<double(Interval)>& f) {
   const auto of_complement = [&](Interval d) {
     const double lo = sub_ru(1, d.hi);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Intervals in the messages of failed tests, exactly.
+// Prints intervals exactly in the messages of failed tests.
 #pragma once
 
 #include <ostream>

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What reduce and quotient of runtime/interval/elementary/trigonometric.hpp promise the evaluators,
-// measured against Arb.
+// Measures against Arb what reduce and quotient of runtime/interval/elementary/trigonometric.hpp
+// guarantee to the evaluators.
 #include <arb.h>
 #include <gtest/gtest.h>
 
@@ -29,7 +29,7 @@ class Ball {
   arb_t value_;
 };
 
-/// |difference| < bound·2^exponent, certainly.
+/// Returns true if |difference| < bound·2^exponent is certain.
 bool certain_within(Ball& difference, double bound, slong exponent) {
   Ball limit(bound);
   arb_mul_2exp_si(limit, limit, exponent);
@@ -75,7 +75,7 @@ TEST(Reduction, RefusesWhatIsBeyondItsLimit) {
   EXPECT_TRUE(elementary::reduce(elementary::kReductionLimit).valid);
 }
 
-/// Its last rounding is allowed for; what precedes it must be below 2^-100.
+/// The last rounding is allowed; the error before it must be below 2^-100.
 TEST(Quotient, OfUnevaluatedSumsIsNearest) {
   CornerInputs inputs(42);
   for (int i = 0; i < kCases; ++i) {

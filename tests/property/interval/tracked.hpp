@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// A number type that runs an evaluator of runtime/interval/elementary/ on all the doubles of an
-// interval at once and bounds what rounding can do, as the tool Gappa does.
+// A number type that runs an evaluator of runtime/interval/elementary/ on all doubles of an
+// interval at once and bounds its rounding errors, like the tool Gappa.
 #pragma once
 
 #include <cmath>
@@ -14,9 +14,9 @@ namespace regulus::test {
 
 /// Every value that a variable of the evaluator may have.
 ///
-/// Its ideal value is what the same expression gives without rounding, with two conventions: the
+/// The ideal value is the result of the same expression without rounding, with two conventions: the
 /// low part of an error-free transform is its own ideal, and so is a square root (evaluators
-/// correct it by its exact residual). Then high + low of a transform has the ideal of the sum or
+/// correct it by its exact residual). So high + low of a transform has the ideal of the sum or
 /// product.
 struct Tracked {
   Interval range;      ///< contains the computed double
@@ -27,7 +27,7 @@ struct Tracked {
   explicit Tracked(double constant) : range(constant), grid(grid_of(constant)) {}
   Tracked(Interval r, double e, int g) : range(r), error(e), carried(e), grid(g) {}
 
-  /// An input: any double of x.
+  /// Returns an input: any double of x.
   static Tracked input(Interval x) { return {x, 0, grid_of_range(x)}; }
 
   static constexpr int kLeastGrid = -1074;
@@ -45,7 +45,7 @@ struct Tracked {
   }
 };
 
-/// Half the distance of doubles of this size.
+/// Returns half the distance of doubles of this size.
 inline double half_ulp(double magnitude) {
   if (magnitude < 0x1p-1020) return kMinSubnormal;
   return std::ldexp(1.0, std::ilogb(magnitude) - 53);
@@ -55,7 +55,7 @@ inline bool is_exact(Interval result, int grid) {
   return grid >= Tracked::kLeastGrid && mag(result) <= std::ldexp(1.0, std::min(grid + 53, 1023));
 }
 
-/// One rounding of a result that is a multiple of 2^grid and carries an error already.
+/// Rounds a result that is a multiple of 2^grid and already has an error.
 inline Tracked rounded(Interval result, double carried, int grid) {
   Tracked z(result, carried, std::max(grid, Tracked::grid_of_range(result)));
   if (!is_exact(result, grid)) z.error = add_ru(carried, half_ulp(mag(result)));
@@ -78,7 +78,7 @@ inline Tracked operator+(const Tracked& a, const Tracked& b) {
   return rounded(a.range + b.range, add_ru(a.error, b.error), std::min(a.grid, b.grid));
 }
 inline Tracked operator-(const Tracked& a, const Tracked& b) { return a + (-b); }
-/// Does multiplying by x only change exponents?
+/// Returns true if multiplying by x only changes exponents.
 inline bool is_power_of_two(const Tracked& x) {
   int exponent;
   return is_thin(x.range) && x.error == 0 && std::fabs(std::frexp(x.range.lo, &exponent)) == 0.5;
@@ -89,7 +89,7 @@ inline Tracked operator*(const Tracked& a, const Tracked& b) {
     return {a.range * b.range, mul_ru(a.error, mag(b.range)), a.grid + b.grid};
   return rounded(a.range * b.range, product_error(a, b), a.grid + b.grid);
 }
-/// a/b − a*/b* = (a − a*)/b + a*·(b* − b)/(b·b*).
+/// Uses a/b − a*/b* = (a − a*)/b + a*·(b* − b)/(b·b*).
 inline Tracked operator/(const Tracked& a, const Tracked& b) {
   if (b.range == Interval(1.0) && b.error == 0) return a;
   const double least = mig(b.range);
@@ -99,7 +99,7 @@ inline Tracked operator/(const Tracked& a, const Tracked& b) {
   return rounded(a.range / b.range, add_ru(from_a, from_b), Tracked::kLeastGrid - 1);
 }
 
-/// Comparisons must have one answer on the whole range: the pieces are chosen so.
+/// Requires one answer on the whole range: the pieces are chosen so.
 inline std::int64_t less(const Tracked& a, const Tracked& b) {
   if (certain_less(a.range, b.range)) return -1;
   if (certain_less_equal(b.range, a.range)) return 0;
@@ -114,7 +114,7 @@ inline Tracked select(std::int64_t mask, const Tracked& yes, const Tracked& no) 
   return mask ? yes : no;
 }
 inline Tracked magnitude(const Tracked& x) { return less(x, Tracked(0)) ? -x : x; }
-/// The sign has no part in an error bound.
+/// Ignores the sign, which does not matter for an error bound.
 inline Tracked with_sign_of(const Tracked& x, const Tracked&) { return x; }
 inline Tracked square_root(const Tracked& x) {
   const Interval root = sqrt(x.range);
@@ -123,7 +123,7 @@ inline Tracked square_root(const Tracked& x) {
 
 using TrackedParts = elementary::Parts<Tracked>;
 
-/// What an error-free transform leaves of a result.
+/// Returns both parts of a result after an error-free transform.
 inline TrackedParts exact_parts(Interval result, double error, int grid) {
   const double remainder = is_exact(result, grid) ? 0 : half_ulp(mag(result));
   return {Tracked(result, error, std::max(grid, Tracked::grid_of_range(result))),

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// A text means the same whichever way it becomes code: every operation of a pack is a fixed
-// sequence of correctly rounded ones, so that enclosures agree bit for bit, and a compiler that
-// folds, merges or reorders them shows. How long each way takes is printed, not judged.
+// All ways from a text to code give the same results. Every operation of a pack is a fixed sequence
+// of correctly rounded ones, so enclosures agree bit for bit, and a compiler that folds, merges or
+// reorders them is detected. The test prints the times but does not judge them.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -23,7 +23,7 @@ namespace {
 
 constexpr int kRounds = 200;
 
-/// The portable packs write a hundred instructions where the others write one.
+/// The portable packs need a hundred instructions for one instruction of the others.
 int operations_for(Isa isa) { return isa == Isa::kPortable ? 40 : 300; }
 
 struct Inputs {

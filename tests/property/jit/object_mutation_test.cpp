@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Whatever the bytes of an object are, loading them ends in an object or in a LoadError. Run with
-// -DREGULUS_SANITIZE=address,undefined this also checks every access. What loads is not executed.
+// Loading an object with any bytes gives an object or a LoadError. With
+// -DREGULUS_SANITIZE=address,undefined this also checks every access. Loaded objects are not run.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -44,7 +44,7 @@ struct Tally {
 
 void load(const std::string& bytes, Tally& tally) {
   static const std::vector<ExternalSymbol> externals = kernel_externals();
-  // An exact copy on the heap, so that an address sanitizer sees the end of the bytes.
+  // An exact copy on the heap, so that the address sanitizer detects reads beyond the end.
   const std::vector<char> copy(bytes.begin(), bytes.end());
   try {
     (void)load_object(std::as_bytes(std::span(copy)), externals);
@@ -54,7 +54,7 @@ void load(const std::string& bytes, Tally& tally) {
   }
 }
 
-/// Values at which sizes, offsets and indices go wrong.
+/// Returns a value for which sizes, offsets and indices may go wrong.
 std::uint64_t extreme(std::mt19937_64& random) {
   static constexpr std::uint64_t kValues[] = {0,
                                               1,
@@ -113,7 +113,7 @@ TEST(ObjectMutation, AnyByteOfACompiledObjectMayChange) {
   Tally tally;
   for (int round = 0; round < 3000; ++round) {
     std::string bytes = sound;
-    // Half of the changes go into the tables, which take little of the file.
+    // Half of the changes are in the tables, although these are a small part of the file.
     const std::size_t range =
         random() % 2 ? bytes.size() : std::min<std::size_t>(bytes.size(), 4096);
     for (std::uint64_t changes = 1 + random() % 4; changes > 0; --changes)

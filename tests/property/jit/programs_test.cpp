@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // A pack program gives the same bounds, bit for bit, as machine code of its parts, on the vector
-// machine, and as C++ text compiled by Clang in process.
+// machine, and as C++ text that Clang compiles in process.
 #include "codegen/jit/jit.hpp"
 #include "runtime/machine/self_test_kernel.hpp"
 #include "tests/property/cpp/compiled_kernels.hpp"
@@ -23,7 +23,7 @@ class Programs : public testing::TestWithParam<Isa> {
     return kPartLengths[seed % 4];
   }
 
-  /// Both kernels of a module on random boxes. Counts the lanes that are defined.
+  /// Compares both kernels of a module on random boxes. Counts the lanes that are defined.
   void compare(const Module& module, const regulus_kernel& a, const regulus_kernel& b, int cases) {
     test::RandomSource random(77);
     for (const test::NamedField& field : test::kFields) {

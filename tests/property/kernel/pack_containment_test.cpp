@@ -9,10 +9,10 @@
 namespace regulus::test {
 namespace {
 
-/// Groups of eight lanes that are made, and evaluated by the oracle, at a time.
+/// Groups of eight lanes that are made and evaluated by the oracle at a time.
 constexpr std::size_t kGroups = 512;
 
-/// An exact result for each lane, at some point of its arguments.
+/// Returns an exact result for each lane, at some point of its arguments.
 std::vector<std::optional<Tightest>> exact_results(const Workload& work, PackOperation operation,
                                                    CornerInputs& inputs) {
   PackOracle oracle;
@@ -32,7 +32,7 @@ bool is_total(PackOperation operation) {
 #undef REGULUS_IS
 }
 
-/// What the vocabulary promises about one lane; empty if it is kept.
+/// Returns which rule of the pack operations one lane breaks; empty if none.
 std::string broken_promise(PackOperation operation, bool undefined, Tightest computed,
                            const std::optional<Tightest>& exact) {
   if (undefined) {
@@ -63,8 +63,8 @@ std::string broken_promise(PackOperation operation, bool undefined, Tightest com
   return ::testing::AssertionSuccess();
 }
 
-/// Bounds are any doubles: sums, products and powers may overflow. The primary variants see every
-/// sample, the others the first chunks.
+/// Bounds are any doubles: sums, products and powers may overflow. The primary variants get every
+/// sample, the others only the first chunks.
 void check_containment(PackOperation operation, std::size_t samples, std::size_t chunks_for_all) {
   CornerInputs inputs(20070601 + static_cast<unsigned>(operation));
   const std::vector<Variant> all = variants();
@@ -84,7 +84,7 @@ class PackFunctionTest : public ::testing::TestWithParam<PackOperation> {};
 TEST_P(PackOperationTest, EnclosesTheExactResult) {
   check_containment(GetParam(), std::size_t{1} << 20, 8);
 }
-// Their accuracy is the interval library's; here it matters that packs hand them the right bounds.
+// The interval library ensures the accuracy; this tests that packs pass it the right bounds.
 TEST_P(PackFunctionTest, EnclosesTheExactResult) {
   check_containment(GetParam(), std::size_t{1} << 14, 1);
 }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What the partial operations say of lanes at the edge of their domain and of bounds no interval
+// Tests partial operations on lanes at the edge of their domain, and on bounds that no interval
 // has.
 #include <gtest/gtest.h>
 
@@ -14,7 +14,7 @@ namespace {
 
 constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
 
-/// x and y of one lane, bounds as they are.
+/// The bounds x and y of one lane, without changes.
 struct Case {
   Tightest x, y;
   bool undefined;
@@ -22,7 +22,7 @@ struct Case {
 
 class PackDomainTest : public ::testing::Test {
  protected:
-  /// Puts the case into every lane in turn, defined neighbours around it.
+  /// Puts the case into every lane in turn, with defined neighbours around it.
   static void check(PackOperation operation, const Case& one) {
     for (const Variant& variant : variants())
       for (std::size_t lane = 0; lane < REGULUS_LANES; ++lane) check(variant, operation, one, lane);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The operations of packs under test: a name, and the expression in intervals x y z, points p q and
+// The operations of packs under test: a name, and an expression in intervals x y z, points p q and
 // the mask of undefined lanes.
 #pragma once
 

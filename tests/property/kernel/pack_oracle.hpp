@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What the operations of packs are on real numbers, by MPFR, and on sets where the operation is
-// simple enough to say what its extremes are.
+// The operations of packs on real numbers, by MPFR, and on sets if the extremes of the operation
+// are easy to find.
 #pragma once
 
 #include <optional>
@@ -24,12 +24,12 @@ struct Arguments {
 
 class PackOracle {
  public:
-  /// The tightest bounds of the operation at a point; nullopt where it is undefined.
+  /// Returns the tightest bounds of the operation at a point; nullopt if it is undefined there.
   [[nodiscard]] std::optional<Tightest> at(PackOperation operation, const Point& point);
 
-  /// The tightest bounds of the operation on the sets, nullopt if undefined somewhere. For
-  /// arithmetic and partial operations; each takes its extremes where its arguments do, or where x
-  /// = 0.
+  /// Returns the tightest bounds of the operation on the sets; nullopt if it is undefined
+  /// somewhere. For arithmetic and partial operations: each has its extremes at those of its
+  /// arguments, or at x = 0.
   [[nodiscard]] std::optional<Tightest> on(PackOperation operation, const Arguments& arguments);
 
  private:

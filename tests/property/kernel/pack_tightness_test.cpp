@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// How close the bounds are to the tightest ones, and that lanes are called undefined only when they
-// are. Containment is not the subject here, except where both bounds must be the tightest.
+// Tests how close the bounds are to the tightest ones, and that only undefined lanes are reported
+// as undefined. Containment is tested only where both bounds must be the tightest.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -13,7 +13,7 @@ namespace {
 
 using Op = PackOperation;
 
-/// Roundings between the arguments and a bound.
+/// Returns the number of roundings between the arguments and a bound.
 int roundings(Op operation) {
   switch (operation) {
     case Op::power_3:
@@ -49,10 +49,10 @@ bool is_never_negative(Op operation) {
          operation == Op::power_6 || operation == Op::absolute || operation == Op::square_root;
 }
 
-/// Doubles that a bound may lie outside the tightest one; nullopt for no budget. With directed
-/// rounding one operation is tightest, and a power of k roundings loses what its first k − 1 lose,
-/// multiplied by the exponents that follow. The portable step is one double, two near 2^-1021, and
-/// there a mul_add rounds its product first: after cancellation that is any number of doubles.
+/// Returns how many doubles a bound may lie outside the tightest one; nullopt for no limit. With
+/// directed rounding one operation is tightest; a power of k roundings loses what its first k − 1
+/// lose, times the exponents that follow. A portable step is one double, or two near 2^-1021. A
+/// portable mul_add rounds its product first, so cancellation may cost any number of doubles.
 std::optional<std::int64_t> budget(const Variant& variant, Op operation) {
   const int count = roundings(operation);
   if (variant.isa != Isa::kPortable) return count == 1 ? 0 : 4 * (count - 1) + count * count;
@@ -62,12 +62,12 @@ std::optional<std::int64_t> budget(const Variant& variant, Op operation) {
   return count == 1 ? 2 : 8 * count + 2 * count * count;
 }
 
-/// The magnitude of the arguments. The error of a sum, by which portable sums avoid steps, is not
-/// known close to overflow.
+/// Returns the largest magnitude of the arguments. Portable sums use the error of a sum to avoid
+/// steps, and close to overflow it is not known.
 double limit(Op operation) { return is_sum(operation) ? 0x1p1000 : kMaxDouble; }
 
-/// Whether the packs should call the operation undefined: true and false when the tightest bounds
-/// say so, nullopt when the outward rounding of 2^128 may decide.
+/// Returns whether packs must report undefined lanes: true or false if the tightest bounds decide
+/// it, nullopt if the outward rounding of 2^128 may decide.
 std::optional<bool> undefined_on(Op operation, const std::optional<Tightest>& tightest) {
   if (!tightest) return true;
   if (operation != Op::divide && operation != Op::square_root) return false;
@@ -100,8 +100,8 @@ class PackTightnessTest : public ::testing::TestWithParam<Op> {
   }
 };
 
-/// This also makes the packs agree: AVX-512 and AVX2 compute the same bounds, inside the portable
-/// ones.
+/// This also makes the packs agree: AVX-512 and AVX2 compute the same bounds, and these lie inside
+/// the portable ones.
 TEST_P(PackTightnessTest, IsWithinItsBudget) {
   const double most = limit(GetParam());
   CornerInputs inputs(7 + static_cast<unsigned>(GetParam()), -most, most);

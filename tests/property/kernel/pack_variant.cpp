@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The packs as one compiler makes them at one level of optimisation for one instruction set.
-// Compiled many times; REGULUS_VARIANT is the name of the function.
+// The packs by one compiler at one level of optimisation for one instruction set. The build
+// compiles this file many times; REGULUS_VARIANT is the name of the function.
 #include "runtime/kernel/pack.hpp"
 #include "tests/property/kernel/pack_operations.hpp"
 

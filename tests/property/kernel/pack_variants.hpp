@@ -11,15 +11,15 @@
 
 namespace regulus::test {
 
-/// The packs as one compiler made them.
+/// The packs as one compiler compiled them.
 struct Variant {
   std::string_view name;  ///< "g++ -O2 avx512"
   Isa isa;
-  bool primary;  ///< by the compiler of this build, at -O2
+  bool primary;  ///< made by the compiler of this build, at -O2
   EvaluatePack evaluate;
 };
 
-/// Those that this processor can run.
+/// Returns those that this processor can run.
 [[nodiscard]] std::vector<Variant> variants();
 
 /// The self-test for AVX2, compiled with optimisation and without the project's rounding flags.

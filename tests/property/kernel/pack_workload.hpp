@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Many arguments for one operation, in the layout of the variants.
+// Many arguments for one operation, in the layout that the variants use.
 #pragma once
 
 #include <cstddef>
@@ -13,12 +13,12 @@
 
 namespace regulus::test {
 
-/// What a variant made of all arguments.
+/// The results of a variant for all arguments.
 struct Results {
   explicit Results(std::size_t groups) : intervals(groups), undefined(groups) {}
 
   [[nodiscard]] bool is_undefined(std::size_t i) const { return undefined[i / 8] >> (i % 8) & 1; }
-  /// The bounds as they are: no Interval, whose constructor would mend what is wrong.
+  /// Returns the bounds unchanged: not as an Interval, whose constructor would repair wrong ones.
   [[nodiscard]] Tightest bounds(std::size_t i) const {
     const double* const rows = intervals.data() + 16 * (i / 8);
     return {rows[i % 8], rows[8 + i % 8]};
@@ -42,10 +42,10 @@ class Workload {
   PointRows points_;
 };
 
-/// A point of x, often a bound or 0.
+/// Returns a point of x, often a bound or 0.
 [[nodiscard]] double point_of(Interval x, CornerInputs& inputs);
 
-/// For messages: every number in hexadecimal.
+/// Formats every number in hexadecimal, for messages.
 [[nodiscard]] std::string describe(const Arguments& arguments);
 [[nodiscard]] std::string describe(Tightest bounds);
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Written expressions against what they are read as: same values, and defined at the same points.
+// Compares written expressions with their parsed form: same values, defined at the same points.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -20,7 +20,7 @@ using test::kUndefined;
 using test::Point;
 
 /// An expression as it is written, evaluated step by step without simplification. Points where an
-/// operand is within rounding of the end of its domain are marked as ambiguous, by infinity.
+/// operand is within rounding of the end of its domain are ambiguous; infinity marks them.
 struct Written {
   std::string text;
   std::function<double(const Point&)> evaluate;
@@ -214,7 +214,7 @@ TEST(WrittenExpression, IsDefinedWhereItsReadingIsAndHasItsValue) {
     try {
       compare(written, parse_expression(written.text, names, {}), counts);
     } catch (const InputError&) {
-      ++counts.refused;  // a constant part is undefined: then so is the whole at every point
+      ++counts.refused;  // a constant part is undefined, so the whole is undefined at every point
       for (const double x : {-2.0, -0.5, 0.25, 3.0}) {
         const double value = written.evaluate({{"x", x}, {"y", 0.7}});
         EXPECT_TRUE(std::isnan(value) || value == kAmbiguous) << written.text << " is " << value;

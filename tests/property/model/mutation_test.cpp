@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Damaged model files: a model or an InputError, never anything else.
+// A damaged model file gives a model or an InputError, and nothing else.
 #include <gtest/gtest.h>
 
 #include <fstream>
@@ -61,7 +61,7 @@ class Mutator {
   std::mt19937_64 random_;
 };
 
-/// Whether the text was accepted; what the contract does not allow escapes and fails the test.
+/// Returns whether the text was accepted; any other exception escapes and fails the test.
 bool accepted(const std::string& text) try {
   const Model model = parse_model(text, "mutant");
   EXPECT_GE(model.matrix.rows(), model.matrix.cols());

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// A number of a model is the number that is written: random spellings at random places of random
-// files, against a value that was known before it was spelt.
+// The model reader must keep each number as it is written: random spellings at random places of
+// random files are compared with values known before the spelling.
 #include <flint/fmpq.h>
 #include <gtest/gtest.h>
 
@@ -19,7 +19,7 @@ namespace {
 
 using test::RandomSource;
 
-/// digits·base^exponent in FLINT's arithmetic, as "p/q" in lowest terms.
+/// Returns digits·base^exponent in FLINT's arithmetic, as "p/q" in lowest terms.
 std::string fraction(const std::string& digits, int base, long exponent, bool negative) {
   fmpq_t value;
   fmpz_t scale;
@@ -92,7 +92,7 @@ class Speller {
     return result;
   }
 
-  /// Without a 0 in front of another digit.
+  /// Returns digits without a leading 0, except for the number 0 itself.
   std::string whole(std::size_t count) {
     std::string text = digits(count, "0123456789");
     if (count > 1 && text[0] == '0') text[0] = '7';
@@ -122,7 +122,7 @@ class Speller {
     return {text, fraction(head + tail, 10, exponent - static_cast<long>(tail.size()), negative)};
   }
 
-  /// What is next to a short decimal, or to half of two doubles: 1.00000000000000000001.
+  /// Makes a number close to a short decimal or to the middle of two doubles: 1.000000000000000001.
   void near_a_double(std::string& head, std::string& tail) {
     head = whole(1 + random_.below(3));
     tail = digits(random_.below(3), "0123456789") +
@@ -143,7 +143,7 @@ class Speller {
   RandomSource random_;
 };
 
-/// A model with many numbers, and what they are.
+/// A model with many numbers, and their values.
 class Document {
  public:
   explicit Document(std::uint64_t seed) : speller_(seed) {
@@ -189,7 +189,7 @@ class Document {
     return kSpaces[speller_.random().below(kSpaces.size())];
   }
 
-  /// Room between the elements of an array: lines and comments, too.
+  /// Returns space between the elements of an array, perhaps with lines and comments.
   std::string room() {
     if (!one_in(4)) return space();
     return space() + (one_in(2) ? "# \u00fc 0.5, \"[" : "") + newline_ + space();
@@ -253,7 +253,7 @@ class Document {
     line("[matrix]");
     line("rows = [" + room() + list({a, b}) + "," + room() + list({b, a}) + room() + "]");
     for (const Number& n : {a, b, b, a}) expected_.push_back(n.value);
-    // A factor of 0 is refused: its last digit is made to be none.
+    // A factor of 0 is refused, so another number replaces it.
     const auto positive = [this](Number n) {
       while (n.value == "0") n = number();
       expected_.push_back(n.value);
@@ -296,7 +296,7 @@ TEST(Numbers, OfRandomSpellingsAreExact) {
   }
 }
 
-/// One digit changed, added or left out makes another number or none, never the same by rounding.
+/// A number with one digit changed, added or left out is another number or none.
 TEST(Numbers, ThatDifferInOneDigitDiffer) {
   Speller speller(5);
   for (int i = 0; i < 5000; ++i) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Folding against the same expressions written down without folding, at exact points.
+// Compares folding with the same expressions built without folding, at exact points.
 #include <gtest/gtest.h>
 
 #include <optional>
@@ -31,7 +31,7 @@ Evaluation evaluate_at(const Program& program, const Values& inputs, const Value
   }
 }
 
-/// Perfect squares, signs and zeros: where roots are rational and domains end.
+/// Returns perfect squares, signs and zeros: roots of these are rational, or domains end there.
 Values corner_values(RandomSource& random, int count) {
   Values values;
   for (int i = 0; i < count; ++i) {
@@ -78,7 +78,7 @@ TEST(Folding, NeverMakesAProgramLonger) {
     RandomSource second(seed);
     const Program raw = random_program<RawBuilder>(first, {});
     const Program folded = random_program<ProgramBuilder>(second, {});
-    // A sign moved outwards may need a node for each use that had shared one.
+    // If a sign moves outwards, each use that had shared a node may need a node of its own.
     ASSERT_LE(folded.nodes.size(), raw.nodes.size() + 4) << "seed " << seed;
   }
 }

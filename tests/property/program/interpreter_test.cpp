@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Intervals against exact rationals and against Arb, on random programs over random boxes.
+// Compares intervals with exact rationals and with Arb, on random programs over random boxes.
 #include "codegen/program/interpreter.hpp"
 
 #include <gtest/gtest.h>

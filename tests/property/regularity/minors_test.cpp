@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Determinants of eight matrices at once, against exact arithmetic and on every instruction set.
+// Compares determinants of eight matrices at once with exact arithmetic, on every instruction set.
 #include "runtime/regularity/minors.hpp"
 
 #include <gtest/gtest.h>
@@ -17,7 +17,7 @@ namespace {
 using test::Exact;
 using test::Random;
 
-/// Some lanes are well scaled, some have zeros, subnormals and huge entries.
+/// Returns matrices: some lanes are well scaled, some have zeros, subnormals and huge entries.
 std::vector<double> random_matrices(Random& random, std::size_t n) {
   std::vector<double> x(2 * n * n * kLanes);
   for (std::size_t l = 0; l < kLanes; ++l) {
@@ -126,7 +126,7 @@ TEST(Minors, IsTheSameOnEveryInstructionSet) {
   }
 }
 
-/// Rohn's test as it is written down: every A^{uv}, in exact arithmetic.
+/// Performs Rohn's test as it is published: every A^{uv}, in exact arithmetic.
 bool exact_vertices_share_sign(const std::vector<Interval>& matrix, std::size_t n) {
   int shared = 0;
   for (std::size_t u = 0; u < 1U << n; ++u)
@@ -143,7 +143,7 @@ bool exact_vertices_share_sign(const std::vector<Interval>& matrix, std::size_t 
   return true;
 }
 
-/// By elimination to nearest; far from 0 in the matrices below.
+/// Eliminates with rounding to nearest; the result is far from 0 for the matrices below.
 double approx_determinant(std::vector<double> a, std::size_t n) {
   double product = 1;
   for (std::size_t k = 0; k < n; ++k) {
@@ -163,7 +163,7 @@ double approx_determinant(std::vector<double> a, std::size_t n) {
 }
 
 TEST(Rohn, LooksAtEveryVertexOfLargeMatrices) {
-  // Around the identity, with radii on both sides of what keeps it regular.
+  // Matrices around the identity; their radii are below and above the limit of regularity.
   Random random(36);
   for (const std::size_t n : {5U, 6U, 7U, 8U})
     for (int round = 0; round < 12; ++round) {
@@ -193,7 +193,7 @@ TEST(Rohn, LooksAtEveryVertexOfLargeMatrices) {
     }
 }
 
-/// The identity but for rows and columns i and k: [1, 2] on the diagonal, [0, widest] off it.
+/// Returns the identity, except rows and columns i, k: [1, 2] on the diagonal, [0, widest] off it.
 std::vector<double> one_block(std::size_t n, std::size_t i, std::size_t k, double widest) {
   std::vector<double> x(2 * n * n * kLanes);
   for (std::size_t e = 0; e < n * n; ++e) {
@@ -208,7 +208,7 @@ std::vector<double> one_block(std::size_t n, std::size_t i, std::size_t k, doubl
 }
 
 TEST(Rohn, FindsTheOnlyBadVertexOfAnyTwoRows) {
-  // det = ad − bc is least where a, d are low and b, c high: one vertex up to the symmetry.
+  // det = ad − bc is least for low a, d and high b, c: one vertex up to the symmetry.
   for (std::size_t n = 2; n <= kMaxRohn; ++n)
     for (std::size_t i = 0; i < n; ++i)
       for (std::size_t k = i + 1; k < n; ++k) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// det K·A(t, u) in exact arithmetic against what the orthants claim about it.
+// Compares det K·A(t, u) in exact arithmetic with the claims of the orthants about it.
 #include "runtime/regularity/orthants.hpp"
 
 #include <gtest/gtest.h>
@@ -15,7 +15,7 @@ namespace {
 
 using namespace test;  // the families, and exact arithmetic
 
-/// Uncertain quantities at the ends of their ranges, t anywhere.
+/// Returns a member with uncertain quantities at the ends of their ranges and any t.
 std::vector<Exact> extreme_member(const Family& f, Random& random) {
   std::vector<Exact> x = f.member(random);
   for (std::size_t k = kWide; k < f.variables && !f.in_balls; ++k)
@@ -28,7 +28,7 @@ TEST(Orthants, ClaimsHoldForExactMembers) {
   int gained = 0, refused = 0;
   for (int round = 0; round < 4000; ++round) {
     Family f(random, 1 + random.below(4), random.below(2));
-    // Where the uncertainty is what matters the tests differ most.
+    // The tests differ most if the uncertainty dominates.
     const double pose = std::ldexp(1.0, -static_cast<int>(random.below(5)));
     const double curvature = std::ldexp(1.0, -static_cast<int>(random.below(6)));
     for (std::size_t p = 0; p < kWide; ++p) f.radius[p] *= pose;
@@ -62,8 +62,8 @@ TEST(Orthants, ClaimsHoldForExactMembers) {
   EXPECT_GT(refused, 100);
 }
 
-/// Row l of A = I + diag(δ)·W: singular for some |δ_l| ≤ Δ where the vertex determinants differ in
-/// sign, since the determinant is linear in each δ_l.
+/// Uses row l of A = I + diag(δ)·W. A is singular for some |δ_l| ≤ Δ if the vertex determinants
+/// differ in sign, since the determinant is linear in each δ_l.
 bool some_vertex_is_singular(const std::vector<double>& W, std::size_t n, double range) {
   for (unsigned signs = 0; signs < 1U << n; ++signs) {
     std::vector<Exact> A;
@@ -75,7 +75,7 @@ bool some_vertex_is_singular(const std::vector<double>& W, std::size_t n, double
   return false;
 }
 
-/// One form to a row: c_l is row l of W.
+/// Makes a problem with one form for each row: c_l is row l of W.
 OrthantProblem one_form_to_a_row(const std::vector<double>& W, unsigned n, double range) {
   OrthantProblem problem;
   problem.rows = problem.terms = n;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Everything a regularity test claims, checked on members of the set in exact arithmetic.
+// Checks every claim of a regularity test on members of the set, in exact arithmetic.
 #include <gtest/gtest.h>
 
 #include <vector>
@@ -57,7 +57,7 @@ TEST(Regularity, HMatrixClaimsHoldForExactMembers) {
         const Exact det = determinant(random_member(random, product, l), n);
         ASSERT_LE(Exact(lower[l]), det.abs());
         if (!regular) continue;
-        ASSERT_EQ(det.sign(), 1);  // joined to I by regular matrices
+        ASSERT_EQ(det.sign(), 1);  // regular matrices join it to I
         ASSERT_LE(det.abs(), Exact(upper[l]));
         ASSERT_GT(lower[l], 0.0);
       }
@@ -75,7 +75,7 @@ TEST(Regularity, ContractionMeansExactlyPvBelowV) {
     std::vector<double> P(n * n * kLanes), v(n * kLanes);
     for (double& x : P) x = std::fabs(test::awkward(random)) * 0.5;
     for (double& x : v) x = test::uniform(random, 0.5, 2);
-    // Rows brought to the edge: (Pv)ᵢ ≈ vᵢ up to a few ulps.
+    // Rows at the limit: (Pv)ᵢ ≈ vᵢ up to a few ulps.
     for (std::size_t i = 0; i < n; ++i)
       for (std::size_t l = 0; l < kLanes; ++l) {
         double sum = 0;
@@ -118,7 +118,7 @@ TEST(Regularity, RaisedSumsAreUpperBounds) {
 }
 
 TEST(Regularity, MeanValueBoundsHoldAlongTheBox) {
-  // B(t) = B₀ + Σ tₖ Dₖ with thin Dₖ: the bound must hold at every t, and the ends attain it.
+  // B(t) = B₀ + Σ tₖ Dₖ with thin Dₖ: the bound must hold at every t, and the ends reach it.
   Random random(14);
   for (int round = 0; round < 500; ++round) {
     const std::size_t n = 1 + random.next() % 4, variables = 1 + random.next() % 5;
@@ -192,7 +192,7 @@ TEST(Regularity, RohnClaimsHoldForExactMembers) {
 }
 
 TEST(Regularity, RohnNeverCertifiesANearlySingularVertexFalsely) {
-  // Thin matrices of rank n − 1 up to the last bit: the sign must be refused or right.
+  // Thin matrices of rank n − 1 up to the last bit: no sign is given, or the right one.
   Random random(17);
   for (int round = 0; round < 4000; ++round) {
     const std::size_t n = 2 + random.next() % 3;

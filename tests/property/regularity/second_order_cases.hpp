@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Random families of matrices whose determinants are known exactly, for the tests of second order.
+// Random families of matrices with exactly known determinants, for the tests of second order.
 #pragma once
 
 #include <algorithm>
@@ -16,7 +16,7 @@ inline constexpr std::size_t kWide = 2;
 
 /// A(t, u) = A₀ + t₀A₁ + t₁A₂ + t₀²A₃ + t₀t₁A₄ + t₁³A₅
 ///           + Σ_k u_k e_l(k) (w_k + t₀w'_k + t₁²w''_k + u_k w‴_k + u_{k−1} w⁗_k)ᵀ,
-/// the last only if u_{k−1} touches the same row. Midpoints are 0, nominal values too.
+/// The last term exists only if u_{k−1} touches the same row. Midpoints and nominal values are 0.
 struct Family {
   std::size_t m, n, variables;
   std::vector<std::vector<double>> A;               // six, m×n
@@ -90,7 +90,7 @@ struct Family {
     for (std::size_t k = 1; k < row.size(); k += 2) radius[kWide + k] = radius[kWide + k - 1];
   }
 
-  /// Values of t and u, within their discs.
+  /// Returns values of t and u, within their discs.
   [[nodiscard]] std::vector<Exact> member(Random& random) const {
     std::vector<Exact> x;
     for (const double r : radius) x.emplace_back(test::member(random, -r, r));
@@ -98,7 +98,7 @@ struct Family {
       const double r = radius[kWide + k];
       if (random.one_in(3)) {
         x[kWide + k + random.below(2)] = Exact(0.0);
-      } else {  // 0.6² + 0.8² = 1, and less
+      } else {  // 0.6² + 0.8² = 1, or less
         x[kWide + k] = Exact(0.59 * (random.one_in(2) ? r : -r));
         x[kWide + k + 1] = Exact(0.79 * (random.one_in(2) ? r : -r));
       }
@@ -109,7 +109,7 @@ struct Family {
   [[nodiscard]] Interval range(std::size_t k) const { return {-radius[k], radius[k]}; }
 };
 
-/// Everything bound_ru wants, in lane 0 and copied to the others.
+/// All inputs of bound_ru, in lane 0 and copied to the others.
 class Inputs {
  public:
   Inputs(Random& random, const Family& family, double noise_of_K = 0.1)
@@ -151,14 +151,14 @@ class Inputs {
       for (std::size_t l = 0; l < kLanes; ++l) A[point_at(e, l)] = f.A[0][e];
     static_cast<void>(
         approx_inverse(ConstPointMatrix(A.data(), f.m, f.n), PointMatrix(K.data(), f.n, f.m), det));
-    // A poor inverse is as legitimate as a good one, and leaves more to bound.
+    // A poor inverse is as valid as a good one, and leaves more to bound.
     for (std::size_t p = 0; p < f.m * f.n; ++p) {
       const double noise = 1.0 + test::uniform(random, -noise_of_K_, noise_of_K_);
       for (std::size_t l = 0; l < kLanes; ++l) K[point_at(p, l)] *= noise;
     }
   }
 
-  /// (K·A_a)[i][j].
+  /// Returns (K·A_a)[i][j].
   [[nodiscard]] Interval times_K(std::size_t a, std::size_t i, std::size_t j) const {
     Interval sum(0.0);
     for (std::size_t p = 0; p < f.m; ++p)

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// det K·A(t, u) in exact arithmetic against what T claims about it.
+// Compares det K·A(t, u) in exact arithmetic with the claims of T about it.
 #include "runtime/regularity/second_order.hpp"
 
 #include <gtest/gtest.h>
@@ -76,8 +76,8 @@ TEST(SecondOrder, WithoutMovingKeepsThePreconditionerWhereItIs) {
 }
 
 TEST(SecondOrder, LosesNothingOfFirstOrderInThePose) {
-  // Of the bound of E only what is quadratic in the radius remains: a tenth of the radius, about a
-  // hundredth of P.
+  // The bound of E keeps only terms that are quadratic in the radius: for a tenth of the radius,
+  // about a hundredth of P.
   Random random(22);
   for (int round = 0; round < 50; ++round) {
     Family f(random, 4, 0);
@@ -89,7 +89,7 @@ TEST(SecondOrder, LosesNothingOfFirstOrderInThePose) {
       f.radius.assign(kWide, radius);
       Random same(23);
       Inputs in(same, f);
-      // With the inverse itself, so that nothing else is left.
+      // K is the inverse itself, so that no other error is left.
       std::vector<double> A(16 * kLanes);
       LaneNumbers det;
       for (std::size_t e = 0; e < 16; ++e)

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Enclosures of the entries that a method looks at, against exact values at points of the box.
+// Compares enclosures of the entries that a method uses with exact values at points of the box.
 #include <gtest/gtest.h>
 
 #include "runtime/evaluation/batch.hpp"
@@ -37,7 +37,7 @@ struct Widths {
   double sharpened = 0;
 };
 
-/// Both enclosures of every entry of eight random boxes, checked at random points.
+/// Checks both enclosures of every entry of eight random boxes, at random points.
 void check(Random& random, const RandomMatrix& kernel, Method method, Widths& widths) {
   const std::size_t n = kernel.get()->columns, variables = kernel.get()->variables;
   const Problem problem = test::problem_over(kernel, Values(variables, Interval(-1, 1)));
@@ -98,7 +98,7 @@ TEST(Entries, SharpenedByDerivativesEncloseEveryValueAndNothingMoreThanBefore) {
   }
 }
 
-/// §II-A: x² − 2x over [3, 5], written as it stands there, is not enclosed tightly.
+/// §II-A: x² − 2x over [3, 5]; in this form its natural enclosure is not tight.
 TEST(Entries, OfAMonotoneParabolaAreExact) {
   test::FunctionKernel kernel(
       1, 1, 1, [](const Values& x) -> Values { return {x[0] * x[0] - Interval(2.0) * x[0]}; });

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Verdicts on random matrix functions against their exact determinants on a grid of points.
+// Compares verdicts on random matrix functions with exact determinants on a grid of points.
 #include <gtest/gtest.h>
 
 #include "tests/support/function_kernel.hpp"
@@ -18,7 +18,7 @@ struct Grid {
   Exact least;  // |det|
 };
 
-/// Exact determinants at the points of a grid that satisfy the constraint.
+/// Computes exact determinants at the points of a grid that satisfy the constraint.
 Grid look(const RandomMatrix& kernel, const std::vector<Interval>& ranges, int steps) {
   Grid grid;
   const std::size_t n = ranges.size();
@@ -119,7 +119,7 @@ TEST(Verdict, NeverContradictsExactDeterminants) {
   }
   EXPECT_GT(tally.free, 60);
   EXPECT_GT(tally.singular, 60);
-  // What a coarse grid sees, the search should nearly always find.
+  // The search should nearly always find the singularities that a coarse grid shows.
   EXPECT_LT(20 * missed, found);
 }
 
@@ -153,7 +153,7 @@ TEST(Verdict, ConstraintsNeverContradictExactDeterminants) {
     const unsigned n = 2 + static_cast<unsigned>(random.below(3));
     RandomMatrix kernel(random, 2, n, n, random.one_in(2) ? 3.0 : 1.0);
     if (random.one_in(2)) kernel.use_derivatives();
-    // Outside a ball the variety may have several components, with a sign each.
+    // Outside a ball the variety may have several components, each with its own sign.
     const bool inside = random.one_in(2);
     kernel.constrain({random.between(-0.5, 0.5), random.between(-0.5, 0.5)},
                      random.between(0.25, 1.25), inside);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Derivatives against dual numbers (forward differentiation on exact values), which share nothing
-// with the symbolic chain rule.
+// Compares derivatives with dual numbers (forward differentiation on exact values), which share
+// nothing with the symbolic chain rule.
 #include "codegen/symbolic/derivative.hpp"
 
 #include <gtest/gtest.h>
@@ -108,7 +108,7 @@ TEST(Derivative, OfPolynomialsOverAtomsAgreesWithDualNumbers) {
   }
 }
 
-// The functions without rational values: through identities whose derivative is known.
+// Tests functions without rational values, by identities whose derivative is known.
 class InverseFunction : public ::testing::Test {
  protected:
   static cl_RA slope(const Expression& e, const std::string& name, const ValueOf& known) {

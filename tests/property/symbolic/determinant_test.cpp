@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The closed form against exact elimination, and its derivatives against the chain rule, at points
-// where every sine and cosine is rational.
+// Compares the closed form with exact elimination, and its derivatives with the chain rule, at
+// points where every sine and cosine is rational.
 #include "codegen/symbolic/determinant.hpp"
 
 #include <gtest/gtest.h>
@@ -17,7 +17,7 @@
 namespace regulus::test {
 namespace {
 
-/// By exact elimination.
+/// Returns the determinant by exact elimination.
 cl_RA eliminated(std::vector<cl_RA> a, std::size_t n) {
   cl_RA result = 1;
   for (std::size_t c = 0; c < n; ++c) {
@@ -54,7 +54,7 @@ TEST(Determinant, OfRandomMatricesIsThatOfElimination) {
       Expressions entries;
       std::vector<Polynomial> polynomials;
       for (int e = 0; e < n * n; ++e) {
-        // Zeros make columns of different lengths, so that these are permuted.
+        // Zeros give columns of different lengths, so that the algorithm permutes them.
         entries.push_back(random() % 3 == 0 ? Expression(0) : expressions.polynomial(1));
         polynomials.push_back(expander.expand(entries.back()).value());
       }

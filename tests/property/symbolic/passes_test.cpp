@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Each pass gives the same function: values at random rational points are equal, exactly.
+// Each pass keeps the function: values at random rational points are exactly equal.
 #include "codegen/symbolic/passes.hpp"
 
 #include <gtest/gtest.h>
@@ -82,8 +82,8 @@ TEST_F(Passes, MergingAnglesIsExact) {
   EXPECT_GT(merged_some, 50);
 }
 
-/// ±m·(cos u cos v ± sin u sin v) and ±m·(sin u cos v ± cos u sin v), with signs and factors drawn
-/// anew, so that some pairs match a formula and some only look alike.
+/// Returns ±m·(cos u cos v ± sin u sin v) or ±m·(sin u cos v ± cos u sin v) with random signs and
+/// factors. Some match a formula, and some only look like one.
 Expression nearly_an_addition_formula(RandomExpressions& expressions) {
   const Expression u = expressions.angle(), v = expressions.angle();
   const auto circular = [&](const Expression& angle) {
@@ -130,7 +130,7 @@ TEST_F(Passes, FactoredSplitsMultiplyBackToTheOriginal) {
     };
     const Polynomial outer = polynomial(0), common = polynomial(1), s = polynomial(1);
     if (outer.is_zero() || common.is_zero() || s.is_zero()) continue;
-    // r a multiple of q, then q a multiple of r.
+    // First r is a multiple of q, then q is a multiple of r.
     if (const auto f = factor_split(outer, common, common * s)) {
       ++by_first;
       EXPECT_TRUE(f->first * f->second == outer * common + common * s);
@@ -175,7 +175,7 @@ TEST_F(Passes, RewritingIsExactAndNeverCostsMore) {
     try {
       expected = values(e);
     } catch (const std::domain_error&) {
-      continue;  // undefined at this point: nothing is claimed there
+      continue;  // undefined at this point, so nothing is claimed there
     }
     ++evaluated;
     EXPECT_EQ(*expected, values(result.expression))
@@ -192,8 +192,8 @@ TEST_F(Passes, FormsDoNotDependOnTheOrderOfOperands) {
     std::mt19937_64 one(seed);
     const Expression e = RandomExpressions(one).polynomial(3);
     Rewriter first(variable_names(), point_names()), second(variable_names(), point_names());
-    // The second rewriter has met other expressions before, so that its atoms are numbered
-    // differently.
+    // The second rewriter has seen other expressions before, so that its atoms have other
+    // numbers.
     static_cast<void>(
         second.rewrite(call(Call::kCos, {variable("c")}) * call(Call::kSin, {variable("b")}) +
                        call(Call::kCos, {variable("a")})));

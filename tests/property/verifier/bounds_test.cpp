@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What the test of regularity bounds is computed at points of the box with 200 bits, and lies
-// within.
+// Computes the quantities that the test of regularity bounds at points of the box, with 200 bits;
+// they must lie within the bounds.
 #include <arb_mat.h>
 #include <gtest/gtest.h>
 
@@ -33,7 +33,7 @@ class BallMatrix {
   arb_mat_t value_;
 };
 
-/// Three questions: entries with products of what moves; quantities of one row; both and a
+/// Three questions: entries with products of moving quantities; quantities of one row; both and a
 /// rectangular matrix. {claim, the lines after alpha}
 const std::vector<std::pair<std::string, std::string>> kQuestions = {
     {"the full 2x2 matrix of the model is defined and has full rank at every pose of the variety",
@@ -66,7 +66,7 @@ class Bounds : public ::testing::TestWithParam<std::size_t> {
         moving_.push_back(k);
   }
 
-  /// A part of the variety, and its middle and radius.
+  /// Chooses a part of the variety, and sets its middle and radius.
   void choose_box() {
     box_ = middle_ = variety_.outer;
     r_.assign(box_.size(), 0.0);
@@ -81,7 +81,7 @@ class Bounds : public ::testing::TestWithParam<std::size_t> {
     for (const std::size_t p : moving_) thin_[p] = box_[p];
   }
 
-  /// Ends of ranges more often than not.
+  /// Chooses ends of ranges more often than other values.
   Box choose_point(const Box& box) {
     Box result = box;
     for (Interval& x : result) {
@@ -91,7 +91,7 @@ class Bounds : public ::testing::TestWithParam<std::size_t> {
     return result;
   }
 
-  /// A at a point.
+  /// Computes A at a point.
   void evaluate_matrix(const Box& at, BallMatrix& A) {
     std::vector<Ball> variables;
     for (const Interval x : at) variables.emplace_back(x, kBits);
@@ -101,7 +101,7 @@ class Bounds : public ::testing::TestWithParam<std::size_t> {
       arb_set(A.at(e / q_.columns, e % q_.columns), (*values)[e].get());
   }
 
-  /// K(t) = (I − Σ τ_pD_p)K.
+  /// Computes K(t) = (I − Σ τ_pD_p)K.
   void moving_K(const MovingInverse& inverse, const Box& at, BallMatrix& K) {
     const std::size_t n = q_.columns;
     BallMatrix follow(n, n), fixed(n, q_.rows);
@@ -119,7 +119,7 @@ class Bounds : public ::testing::TestWithParam<std::size_t> {
     arb_mat_mul(K.get(), follow.get(), fixed.get(), kBits);
   }
 
-  /// |x| / bound, and a failure where that certainly exceeds 1.
+  /// Returns |x| / bound; fails if it certainly exceeds 1.
   static double compare(arb_srcptr x, double bound) {
     Ball size, most(point(bound), kBits);
     arb_abs(size.get(), x);
@@ -137,7 +137,7 @@ class Bounds : public ::testing::TestWithParam<std::size_t> {
   std::mt19937_64 random_{20071};
 };
 
-/// Of a bound, what is reached at least, at the best of the points: it is not only safe.
+/// The least part of a bound that the best point must reach, so that bounds are not too wide.
 constexpr double kReached = 0.4;
 
 TEST_P(Bounds, OfKATimesAMinusOneHoldAtEveryPoint) {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Operations at the very end of their domain, where the end of a range is a rational number that is
-// no double: defined there, or beyond it by 1e-30.
+// Tests operations at the very end of their domain. The end of a range is a rational number that is
+// not a double: the operation is defined there, or 1e-30 beyond.
 #include <gtest/gtest.h>
 
 #include <array>
@@ -13,7 +13,7 @@ namespace {
 
 using verifier::Outcome;
 
-/// A range of x, and an expression u in it with values in [0, 1] that is 0 at one of its ends only.
+/// A range of x, and an expression u of x with values in [0, 1] that is 0 at one end only.
 struct End {
   std::string range, u;
 };
@@ -31,7 +31,7 @@ class RandomEnds {
   int pick(int lo, int hi) { return std::uniform_int_distribution(lo, hi)(random_); }
 
   End end() {
-    // x between p/q and p/q + w, or p/q − w, for w = 1/m or 0; u = m·|x − p/q|.
+    // The range of x is p/q to p/q + w, or p/q − w to p/q, with w = 1/m or 0; u = m·|x − p/q|.
     const int q = std::array{3, 7, 10, 11, 13, 49}[std::size_t(pick(0, 5))];
     const int p = pick(-60, 60), m = pick(1, 9), w = pick(0, 3) == 0 ? 0 : 1;
     const std::string end = fraction(p, q);
@@ -47,7 +47,7 @@ class RandomEnds {
     return text += std::to_string(q);
   }
 
-  /// m·(x − p/q) in one of a few spellings.
+  /// Returns m·(x − p/q) in one of a few spellings.
   std::string difference(int p, int q, int m) {
     const char* const spelling =
         std::array{"(M*x - M*(P/Q))", "(M*(x - (P/Q)))", "((Q*x - (P))*M/Q)",
@@ -60,7 +60,7 @@ class RandomEnds {
   std::mt19937_64 random_;
 };
 
-// What becomes of U in [0, 1].
+// The expressions of U, for U in [0, 1].
 const std::vector<const char*> kDefined = {
     "1 + sqrt(U)",           "1 + sqrt(U)^5",           "1 + sqrt(abs(U))",
     "1 + sqrt(U^3 + 1e-40)", "1 + sqrt(U/(1 + U))",     "90 + log(U + 1e-30)",
@@ -105,7 +105,7 @@ TEST(AnOperationBeyondTheEndOfItsDomain, IsNotVerified) {
   }
 }
 
-/// The least value of u + margin is 0, though no double is that close.
+/// The least value of u + margin is 0, but no double is that close.
 TEST(ATouchedZero, IsNotVerified) {
   RandomEnds random(20261124);
   for (int trial = 0; trial < 100; ++trial) {
