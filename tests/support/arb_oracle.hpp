@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The narrowest intervals of doubles around elementary functions of doubles and intervals, by Arb.
+// Computes the tightest doubles around elementary functions of doubles and intervals, by Arb.
 #pragma once
 
 #include <arb.h>
@@ -28,8 +28,8 @@ class ArbOracle {
   ArbOracle(const ArbOracle&) = delete;
   ArbOracle& operator=(const ArbOracle&) = delete;
 
-  /// Ensures   [RD f(x), RU f(x)]. Where no precision decides, f(x) is taken to be a double: no
-  ///           other value of an elementary function at a double agrees with one to 3072 bits.
+  /// Ensures   [RD f(x), RU f(x)]. If no precision decides, f(x) counts as a double: no other
+  ///           value of an elementary function at a double agrees with one to 3072 bits.
   Interval tight(Unary f, double x) {
     arb_set_d(x_, x);
     return settle([&](slong precision) { f(value_, x_, precision); });
@@ -41,7 +41,7 @@ class ArbOracle {
     return settle([&](slong precision) { arb_atan2(value_, y_, x_, precision); });
   }
 
-  /// ⌊(x − offset·π/2)/(period·π/2)⌋: how often a wave has started anew.
+  /// Returns ⌊(x − offset·π/2)/(period·π/2)⌋: the number of periods up to x.
   double turns(double x, int offset, int period) {
     arb_set_d(x_, x);
     return settle([&](slong precision) {

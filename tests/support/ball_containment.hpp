@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Exact questions about intervals of doubles: no tolerance takes part.
+// Answers exact questions about intervals of doubles, without any tolerance.
 #pragma once
 
 #include <arb.h>
@@ -13,15 +13,15 @@
 
 namespace regulus::test {
 
-/// Whether value ∈ x.
+/// Returns true if value ∈ x.
 inline bool contains_exactly(const Interval& x, const cln::cl_RA& value) {
   const bool above = x.lo == -kInfinity || exact_rational(x.lo) <= value;
   const bool below = x.hi == kInfinity || value <= exact_rational(x.hi);
   return above && below;
 }
 
-/// False iff the number that the ball encloses is certainly outside x. The ball is narrower than
-/// any double by hundreds of bits, so that "possibly" only covers values on a bound.
+/// Returns false iff the number in the ball is certainly outside x. The ball is narrower than any
+/// double by hundreds of bits, so "possibly" only concerns values on a bound.
 inline bool possibly_contains(const Interval& x, const Ball& ball) {
   const Ball lo(std::isfinite(x.lo) ? x.lo : 0.0);
   const Ball hi(std::isfinite(x.hi) ? x.hi : 0.0);

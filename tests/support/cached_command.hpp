@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The command with a cache of its own, and a look into that.
+// Runs the command with a cache of its own, and looks at the entries of this cache.
 #pragma once
 
 #include <algorithm>
@@ -26,7 +26,7 @@ inline void write_file(const std::filesystem::path& path, const std::string& con
   std::ofstream(path, std::ios::binary) << contents;
 }
 
-/// While it lives, commands keep what they make in an empty directory.
+/// During its lifetime, commands keep their data in a directory that was empty at first.
 class CachedCommand {
  public:
   CachedCommand() { setenv("XDG_CACHE_HOME", directory_.path().c_str(), 1); }
@@ -34,8 +34,8 @@ class CachedCommand {
   CachedCommand(const CachedCommand&) = delete;
   CachedCommand& operator=(const CachedCommand&) = delete;
 
-  /// With the engine that waits for the compiler, unless another is asked for: what a run keeps is
-  /// then there when it ends.
+  /// Adds the engine that waits for the compiler, unless the words name another. Then the cache has
+  /// all entries of a run when it ends.
   [[nodiscard]] static std::vector<std::string> words(std::vector<std::string> arguments) {
     if (arguments[0] != "verify" && std::ranges::count(arguments, "--engine") == 0)
       arguments.insert(arguments.end(), {"--engine", "jit"});
@@ -50,7 +50,7 @@ class CachedCommand {
     return nlohmann::json::parse(run(std::move(arguments)).output);
   }
 
-  /// The files that hold a warm start, a pack program, and machine code.
+  /// Return the files that hold a warm start, a pack program, or machine code.
   [[nodiscard]] std::vector<std::filesystem::path> problems() const { return entries('{'); }
   [[nodiscard]] std::vector<std::filesystem::path> programs() const { return entries('r'); }
   [[nodiscard]] std::vector<std::filesystem::path> objects() const { return entries('0'); }
@@ -71,14 +71,14 @@ class CachedCommand {
   TemporaryDirectory directory_;
 };
 
-/// A report without what may differ from run to run.
+/// Returns a report without the parts that may differ from run to run.
 inline nlohmann::json timeless(nlohmann::json report) {
   report.erase("seconds");
   report.erase("cache");
   return report;
 }
 
-/// The same for the lines that people read.
+/// Does the same for the text report.
 inline std::string timeless(const std::string& lines) {
   std::string kept;
   for (std::size_t begin = 0; begin < lines.size();) {

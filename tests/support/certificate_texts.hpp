@@ -17,7 +17,7 @@ inline const char* const kSingular1 =
     "verdict SINGULARITY\nclaim the full 1x1 matrix of the model is singular at some pose of the "
     "variety\n";
 
-/// A matrix of one entry over x in `range`.
+/// Returns a question about a matrix of one entry, over x in `range`.
 inline std::string scalar_question(const std::string& entry, const std::string& range = "1 : 2",
                                    const std::string& claim = kFullRank1) {
   return "regulus-certificate 1\n" + claim +

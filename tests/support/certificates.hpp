@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Certificates made as the command makes them, and looked at as texts.
+// Makes certificates as the command makes them, and examines their text.
 #pragma once
 
 #include <filesystem>
@@ -20,7 +20,7 @@ namespace regulus::test {
 
 struct Certified {
   Result result;
-  std::string text;  ///< empty where the verdict claims nothing
+  std::string text;  ///< empty if the verdict claims nothing
 };
 
 inline std::string contents(const std::filesystem::path& path) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Looks for a reason why the claim NO SINGULARITY of a certificate is false, by sampling in Arb.
+// Looks for a proof that the claim NO SINGULARITY of a certificate is false, by sampling in Arb.
 #pragma once
 
 #include <sstream>
@@ -11,9 +11,9 @@
 
 namespace regulus::test {
 
-/// Corners, the middle and random points of the variety: signs of the determinant that differ (in a
-/// variety without constraints, which is convex), a determinant of at most alpha, a point where
-/// something is undefined. A matrix that is not square is not looked at.
+/// Evaluates corners, the middle and random points of the variety. It looks for determinants of
+/// different signs (in a variety without constraints, which is convex), for one of at most alpha,
+/// and for undefined points. It skips matrices that are not square.
 class ClaimRefutation {
  public:
   ClaimRefutation(const std::string& certificate, RandomSource& random) : random_(random) {
@@ -24,7 +24,7 @@ class ClaimRefutation {
     for (int sample = 0; sample < kSamples && found_.empty(); ++sample) look(sample);
   }
 
-  /// Empty if none was found.
+  /// Returns a reason; empty if none was found.
   [[nodiscard]] const std::string& found() const { return found_; }
 
  private:

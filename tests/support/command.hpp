@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Runs a program as a person would: with arguments, without a terminal.
+// Runs a program as a person does, with arguments, but without a terminal.
 #pragma once
 
 #include <fcntl.h>
@@ -18,7 +18,7 @@
 namespace regulus::test {
 
 struct CommandResult {
-  int exit_code = -1;  ///< −1: ended by a signal
+  int exit_code = -1;  ///< −1: a signal ended it
   std::string output;  ///< standard output
   std::string errors;  ///< standard error
 };

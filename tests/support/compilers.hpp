@@ -11,7 +11,7 @@
 
 namespace regulus::test {
 
-/// g++ and the newest Clang, as far as they are installed.
+/// Returns those of g++ and the newest Clang that are installed.
 inline std::vector<std::string> installed_compilers() {
   std::vector<std::string> found;
   if (is_installed("g++")) found.push_back("g++");
@@ -23,7 +23,7 @@ inline std::vector<std::string> installed_compilers() {
   return found;
 }
 
-/// Whether the compiler accepts the text without a warning. Makes no code.
+/// Returns true if the compiler accepts the text without a warning. Makes no code.
 inline bool compiles_without_warnings(const std::string& compiler, const std::string& text, Isa isa,
                                       const std::filesystem::path& directory) {
   const auto source = directory / "text.cpp";

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Seeded doubles and intervals that favour the places where interval arithmetic goes wrong.
+// Seeded doubles and intervals with many cases in which interval arithmetic may fail.
 #pragma once
 
 #include <algorithm>
@@ -14,7 +14,7 @@
 
 namespace regulus::test {
 
-/// The double `steps` after x in the order of doubles (before it if negative); x finite.
+/// Returns the double `steps` after x in the order of doubles (before it if negative); x finite.
 inline double step(double x, int steps) {
   for (; steps > 0; --steps) x = next_up(x);
   for (; steps < 0; ++steps) x = next_down(x);
@@ -28,13 +28,13 @@ class CornerInputs {
   explicit CornerInputs(std::uint64_t seed, double least = -kMaxDouble, double most = kMaxDouble)
       : random_(seed), least_(least), most_(most) {}
 
-  /// Corners besides the general ones: edges of a domain, ends of the pieces of an evaluator.
+  /// Adds corners to the general ones: edges of a domain, ends of the pieces of an evaluator.
   CornerInputs& with(std::initializer_list<double> corners) {
     corners_.insert(corners_.end(), corners);
     return *this;
   }
 
-  /// Also the doubles near multiples of π/2 below 2^20, where an argument reduction cancels most.
+  /// Adds doubles near multiples of π/2 below 2^20, where argument reduction cancels most.
   CornerInputs& with_quarter_turns() {
     quarter_turns_ = true;
     return *this;
@@ -47,7 +47,7 @@ class CornerInputs {
     }
   }
 
-  /// Thin, neighbours, straddling zero, close together, or any two numbers.
+  /// Returns a thin, narrow or wide interval: neighbours, across zero, or any two numbers.
   [[nodiscard]] Interval interval() {
     const double a = number();
     switch (below(5)) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Relocatable objects made by hand: right ones to be loaded, wrong ones to be refused.
+// Builds relocatable objects: valid ones to load, invalid ones to refuse.
 #pragma once
 
 #include <elf.h>
@@ -19,7 +19,7 @@ class ElfBuilder {
     symbols_.push_back({});
   }
 
-  /// Returns the index of the section. `size` counts for SHT_NOBITS only.
+  /// Returns the index of the section. `size` matters only for SHT_NOBITS.
   std::uint16_t section(const std::string& name, std::uint64_t flags, const std::string& contents,
                         std::uint32_t type = SHT_PROGBITS, std::uint64_t size = 0,
                         std::uint64_t alignment = 16) {

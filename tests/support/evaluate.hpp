@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// An oracle for expressions at points: doubles, with the domains spelled out. For tests only.
+// Evaluates expressions at points, in doubles and with explicit domains. For tests only.
 #pragma once
 
 #include <ginac/ginac.h>
@@ -29,7 +29,7 @@ inline double evaluate_call(const std::string& name, double x, double y) {
   return name == "abs" ? std::fabs(x) : kUndefined;
 }
 
-/// The value at the point by names; NaN where some part is undefined.
+/// Returns the value at the named coordinates; NaN if some part is undefined.
 inline double evaluate(const GiNaC::ex& e, const Point& point) {
   if (GiNaC::is_a<GiNaC::numeric>(e))
     return e.info(GiNaC::info_flags::real) ? GiNaC::ex_to<GiNaC::numeric>(e).to_double()

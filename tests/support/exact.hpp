@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Exact arithmetic on doubles: the oracle of tests about determinants.
+// Exact arithmetic on doubles, for tests about determinants.
 #pragma once
 
 #include <flint/fmpq.h>
@@ -61,13 +61,13 @@ class Exact {
   fmpq_t value_;
 };
 
-/// Whether x ∈ enclosure; an infinite bound bounds nothing.
+/// Returns true if x ∈ enclosure; an infinite bound is no restriction.
 inline bool holds(const Interval& enclosure, const Exact& x) {
   return (std::isinf(enclosure.lo) || Exact(enclosure.lo) <= x) &&
          (std::isinf(enclosure.hi) || x <= Exact(enclosure.hi));
 }
 
-/// det of an n×n matrix, row-major.
+/// Returns the determinant of an n×n matrix, row-major.
 inline Exact determinant(std::span<const Exact> entries, std::size_t n) {
   fmpq_mat_t M;
   const slong order = static_cast<slong>(n);

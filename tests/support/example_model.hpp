@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// A valid model file that uses every feature of the format, to be changed in one place.
+// A valid model file that uses every feature of the format; tests change one place of it.
 #pragma once
 
 #include <gtest/gtest.h>
@@ -8,7 +8,7 @@
 
 namespace regulus::test {
 
-/// Line 1 is the format version; tests count lines from there.
+/// Line 1 has the format version; tests count lines from there.
 inline const std::string kExample = R"toml(regulus = 1
 name = "example"
 source = "made up"
@@ -75,7 +75,7 @@ theta = ["-5*deg", "5*deg"]
 phi = 0
 )toml";
 
-/// The text with the one occurrence of `from` replaced.
+/// Returns the text after replacing the only occurrence of `from`.
 inline std::string changed(std::string text, const std::string& from, const std::string& to) {
   const std::size_t at = text.find(from);
   EXPECT_NE(at, std::string::npos) << "not in the example: " << from;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Kernels written by hand over scalar intervals, to test what calls kernels.
+// Hand-written kernels over scalar intervals, for tests of the code that calls kernels.
 #pragma once
 
 #include <array>
@@ -14,9 +14,9 @@ namespace regulus::test {
 
 using Values = std::vector<Interval>;
 
-/// A regulus_kernel whose functions are the virtual functions of this class, lane by lane. A lane
-/// in which some output is unbounded is undefined. Products with K are computed from the matrix
-/// unless overridden.
+/// A regulus_kernel that calls the virtual functions of this class, lane by lane. A lane is
+/// undefined if some output is unbounded. Products with K are computed from the matrix unless
+/// overridden.
 class FixtureKernel {
  public:
   FixtureKernel(unsigned variables, unsigned motion_variables, unsigned rows, unsigned columns);
@@ -25,13 +25,13 @@ class FixtureKernel {
   virtual ~FixtureKernel() = default;
 
   [[nodiscard]] const regulus_kernel* get() const { return &kernel_; }
-  /// For taking functions away.
+  /// Allows a test to remove functions.
   [[nodiscard]] regulus_kernel& functions() { return kernel_; }
 
   [[nodiscard]] virtual Values matrix(const Values& x) const = 0;
   [[nodiscard]] virtual Values left_product(const Values& x, std::span<const double> K) const;
   [[nodiscard]] virtual Values right_product(const Values& x, std::span<const double> K) const;
-  /// ∂_kA for each variable k, one after the other; what enable_derivatives needs.
+  /// Returns ∂_kA for each variable k, one after the other; enable_derivatives needs it.
   [[nodiscard]] virtual Values matrix_derivatives(const Values&) const { return {}; }
   [[nodiscard]] virtual Values left_derivatives(const Values& x, std::span<const double> K) const;
   [[nodiscard]] virtual Values row_scale(const Values&) const { return {}; }

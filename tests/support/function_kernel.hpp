@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Kernels from lambdas, and the problems they are searched in.
+// Kernels made from lambdas, and search problems with them.
 #pragma once
 
 #include <functional>
@@ -17,13 +17,13 @@ class FunctionKernel : public FixtureKernel {
   FunctionKernel(unsigned variables, unsigned rows, unsigned columns, Function matrix)
       : FixtureKernel(variables, variables, rows, columns), matrix_(std::move(matrix)) {}
 
-  /// The last `count` variables are uncertain quantities.
+  /// Makes the last `count` variables uncertain quantities.
   FunctionKernel& with_uncertain(unsigned count) {
     functions().motion_variables = functions().variables - count;
     functions().pose_parameters = functions().motion_variables;
     return *this;
   }
-  /// ∂_kA for each variable k, one after the other.
+  /// Sets ∂_kA for each variable k, one after the other.
   FunctionKernel& with_derivatives(Function derivatives) {
     derivatives_ = std::move(derivatives);
     enable_derivatives();
@@ -70,7 +70,7 @@ class FunctionKernel : public FixtureKernel {
       determinant_derivatives_;
 };
 
-/// A problem whose ranges end in doubles.
+/// Returns a problem whose ranges end in doubles.
 inline Problem problem_over(const FixtureKernel& kernel, const std::vector<Interval>& ranges,
                             Interval alpha = Interval(0.0)) {
   Problem problem;

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// A Gough platform by hand. With the moments about the origin, row i of the matrix is
-// (d, a × (X + Rb)), d = X + Rb − a: a unimodular column operation away from Eq. (6) of Merlet,
-// T-RO 2007, and affine in x, y, z and the entries of R. So each entry of K·A is one affine form in
-// these twelve, and each of its derivatives too.
+// A hand-written kernel of a Gough platform. With moments about the origin, row i of the matrix is
+// (d, a × (X + Rb)), d = X + Rb − a. A unimodular column operation turns it into Eq. (6) of Merlet,
+// T-RO 2007. It is affine in x, y, z and the entries of R, so each entry of K·A and each of its
+// derivatives is one affine form in these twelve.
 #pragma once
 
 #include "tests/support/fixture_kernel.hpp"
@@ -16,7 +16,7 @@ struct Gough {
   Anchors platform;
 };
 
-/// Table III.
+/// Robot 1 of Table III.
 inline constexpr Gough kRobot1{
     {{{-9, 9, 0}, {9, 9, 0}, {12, -3, 0}, {3, -13, 0}, {-3, -13, 0}, {-12, -3, 0}}},
     {{{-3, 7, 0}, {3, 7, 0}, {7, -1, 0}, {4, -6, 0}, {-4, -6, 0}, {-7, -1, 0}}}};
@@ -71,7 +71,7 @@ class GoughKernel : public FixtureKernel {
     return out;
   }
 
-  /// ∏ 1/ρᵢ.
+  /// Returns ∏ 1/ρᵢ.
   Values row_scale(const Values& x) const override {
     const Values A = matrix(x);
     Interval product(1.0);
@@ -173,7 +173,7 @@ class GoughKernel : public FixtureKernel {
             z};
   }
 
-  /// Entry j of row p as a form: 0…2 are d, 3…5 are a × (X + Rb).
+  /// Returns entry j of row p as a form: 0…2 are d, 3…5 are a × (X + Rb).
   [[nodiscard]] Form row_entry(std::size_t p, std::size_t j) const {
     Form form;
     form.fill(Interval(0.0));
@@ -214,7 +214,7 @@ class GoughKernel : public FixtureKernel {
   Gough robot_;
 };
 
-/// ±degrees as an enclosure of ±degrees·π/180 and as a range inside it.
+/// The range ±degrees in rad: an interval that contains it and an interval inside it.
 struct Angle {
   Interval outer;
   Interval inner;

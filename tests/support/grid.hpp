@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Rows of K as the ABI wants them: on a grid.
+// Makes rows of K in the form that the ABI demands: on a grid.
 #pragma once
 
 #include <cmath>
@@ -10,8 +10,8 @@
 
 namespace regulus::test {
 
-/// A row whose entries are multiples of one power of two, near the limits of the grid as often as
-/// not, and at most 2^largest_exponent.
+/// Returns a row of multiples of one power of two, at most 2^largest_exponent. Half of the rows
+/// have entries near the limits of the grid.
 inline std::vector<double> corner_row(RandomSource& random, std::size_t length,
                                       int largest_exponent) {
   constexpr std::uint64_t kEnd = std::uint64_t{1} << REGULUS_POINT_BITS;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// One search by the command, killed again and again, until it comes to its end.
+// Runs one search by the command and kills it again and again, until it ends by itself.
 #pragma once
 
 #include <gtest/gtest.h>
@@ -24,7 +24,7 @@ inline std::string text_of(const std::filesystem::path& file) {
 struct Interrupted {
   CommandResult last;
   std::string certificate;
-  int continued = 0;  ///< runs that went on from a checkpoint
+  int continued = 0;  ///< runs that continued from a checkpoint
 };
 
 /// Runs the words with a checkpoint and a certificate, and kills each of the first `kills` runs
@@ -42,14 +42,14 @@ inline Interrupted run_with_kills(const std::vector<std::string>& words, int kil
   for (int kill = 0; kill < kills; ++kill) {
     result.continued += std::filesystem::exists(file("checkpoint")) ? 1 : 0;
     RunningCommand run(all);
-    // Until the search has begun there is nothing to lose; and then some moments.
+    // A kill before the search begins tests nothing; so it waits for the search, and a little more.
     for (int i = 0; i < 4000 && !std::filesystem::exists(file("certificate.partial")); ++i)
       std::this_thread::sleep_for(std::chrono::milliseconds(1));
     std::this_thread::sleep_for(std::chrono::microseconds(random() % 60000));
     ::kill(run.pid(), SIGKILL);
     const CommandResult ended = run.wait();
     if (ended.exit_code < 0) continue;
-    // It came to its end before: the next one starts anew.
+    // The search had already ended; the next run starts from the beginning.
     EXPECT_EQ(ended.exit_code, 0) << ended.errors;
   }
   result.continued += std::filesystem::exists(file("checkpoint")) ? 1 : 0;
@@ -60,7 +60,7 @@ inline Interrupted run_with_kills(const std::vector<std::string>& words, int kil
   return result;
 }
 
-/// Every continuation ends in the verdict and the certificate of a run that nothing disturbed.
+/// Expects from every continued run the verdict and certificate of a run without kills.
 inline void expect_kills_change_nothing(int rounds, int kills_a_round) {
   const std::vector<std::string> words = {REGULUS_BINARY_DIR "/bin/regulus",
                                           "check",

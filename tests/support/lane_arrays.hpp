@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Matrices in the layouts of runtime/interval/lanes.hpp, and matrices within their bounds.
+// Matrices in the layouts of runtime/interval/lanes.hpp, and members between their bounds.
 #pragma once
 
 #include <algorithm>
@@ -16,7 +16,7 @@ using Random = RandomSource;
 
 inline double uniform(Random& random, double lo, double hi) { return random.between(lo, hi); }
 
-/// A double of [lo, hi]; an end in two cases of three, since extremes sit there.
+/// Returns a double of [lo, hi]; an end in two of three cases, since extremes are there.
 inline double member(Random& random, double lo, double hi) {
   const auto kind = random.next() % 3;
   if (kind == 0) return lo;
@@ -24,7 +24,7 @@ inline double member(Random& random, double lo, double hi) {
   return std::clamp(uniform(random, 0, 1) * (hi - lo) + lo, lo, hi);
 }
 
-/// A number that is often awkward: 0, ±1, tiny, huge, or anything in between.
+/// Returns a number that is often a difficult case: 0, ±1, tiny, huge, or anything in between.
 inline double awkward(Random& random) {
   switch (random.next() % 8) {
     case 0:
@@ -42,7 +42,7 @@ inline double awkward(Random& random) {
   }
 }
 
-// Square matrices of order n, and vectors, in arrays of numbers.
+// These present arrays of numbers as square matrices of order n, or as vectors.
 inline PointMatrix points(std::vector<double>& x, std::size_t n) {
   return PointMatrix(x.data(), n, n);
 }
@@ -62,7 +62,7 @@ inline ConstIntervalVector intervals(const std::vector<double>& x) {
   return ConstIntervalVector(x.data(), x.size() / (2 * kLanes));
 }
 
-/// One lane of an array of intervals, as intervals.
+/// Returns one lane of an array of intervals.
 inline std::vector<Interval> interval_lane_of(const std::vector<double>& x, std::size_t lane) {
   std::vector<Interval> result;
   for (std::size_t e = 0; lower_at(e, lane) < x.size(); ++e)

@@ -8,8 +8,8 @@
 
 namespace regulus::test {
 
-/// Everything that a model says, but for the digest of its file: models of the same text here are
-/// the same to every stage that follows.
+/// Returns all contents of a model except the digest of its file: later stages cannot distinguish
+/// models with equal texts.
 inline std::string everything_of(const Model& model) {
   std::string text = model.name + " | " + model.source + '\n';
   const auto list = [&text](const char* what, const std::vector<GiNaC::ex>& all) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Exact results of operations on doubles, as the two doubles next to them, from MPFR.
+// Encloses exact results of operations on doubles between two adjacent doubles, by MPFR.
 #pragma once
 
 #include <mpfr.h>
@@ -11,7 +11,7 @@ struct Tightest {
   double lo, hi;
 };
 
-/// An MPFR number. Its exponents are unbounded for our purposes, so nothing over- or underflows
+/// An MPFR number. Its exponents are practically unbounded, so nothing overflows or underflows
 /// before the conversion to double, which rounds in the same direction.
 class MpfrNumber {
  public:
@@ -21,7 +21,7 @@ class MpfrNumber {
   MpfrNumber& operator=(const MpfrNumber&) = delete;
 
   operator mpfr_ptr() { return value_; }
-  /// Exact: 53 bits hold a double.
+  /// Assigns exactly: 53 bits hold a double.
   MpfrNumber& operator=(double x) {
     mpfr_set_d(value_, x, MPFR_RNDN);
     return *this;
@@ -31,10 +31,10 @@ class MpfrNumber {
   mpfr_t value_;
 };
 
-/// Ensures   the tightest doubles around what `compute(result, rounding)` rounds to `result`;
-/// compute
-///           must round correctly, as MPFR's functions do. A precision of 53 bits is enough:
-///           rounding down to 53 bits and then down to a subnormal is rounding down.
+/// Ensures   the tightest doubles around the exact value that `compute(result, rounding)` rounds.
+/// Requires  `compute` rounds correctly, as MPFR's functions do. A precision of 53 bits is enough:
+///           rounding down to 53 bits and then down to a subnormal is the same as rounding down
+///           in one step.
 template <class Compute>
 Tightest tightest(MpfrNumber& result, Compute compute) {
   compute(static_cast<mpfr_ptr>(result), MPFR_RNDD);

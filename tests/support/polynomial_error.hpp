@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// A rigorous bound of how far a polynomial with double coefficients is from a power series.
+// Computes a rigorous bound of the error of a polynomial with double coefficients, for a series.
 #pragma once
 
 #include <arb.h>
@@ -18,9 +18,9 @@ using SeriesTerm = std::function<void(arb_t coefficient, slong i, slong precisio
 /// Ensures   |x^weight·(Σ c[i]·x^i − series(x))| ≤ result for every x in the domain.
 /// Requires  |x| ≤ 0.62 there.
 ///
-/// The difference is itself a series: 128 terms of it, and the rest below 0.62^128/(1 − 0.62) <
-/// 2^-86. On each of 256 pieces it is expanded about the middle and bounded by the magnitudes of
-/// the coefficients.
+/// The difference is itself a series: 128 terms, and a rest below 0.62^128/(1 − 0.62) < 2^-86. On
+/// each of 256 pieces it is expanded about the middle and bounded by the magnitudes of the
+/// coefficients.
 class PolynomialError {
  public:
   PolynomialError(std::span<const double> c, const SeriesTerm& term, int weight) {

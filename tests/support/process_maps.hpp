@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What is mapped in this process, as the kernel sees it.
+// Reads from the kernel what is mapped in this process.
 #pragma once
 
 #include <cstdint>
@@ -13,7 +13,7 @@ namespace regulus::test {
 
 struct MappedRange {
   std::uintptr_t begin, end;
-  std::string rights;  ///< such as "r-xp"
+  std::string rights;  ///< for example "r-xp"
   std::string file;
 };
 
@@ -39,7 +39,7 @@ inline std::optional<MappedRange> range_of(const void* address) {
   return std::nullopt;
 }
 
-/// Whatever the folder is called.
+/// Compares file names only, not their folders.
 inline bool is_mapped(const std::string& part_of_file_name) {
   for (const MappedRange& range : mapped_ranges())
     if (range.file.find(part_of_file_name, range.file.rfind('/') + 1) != std::string::npos)

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Kernels of a given size with random operations, in the shape that emitted kernels have.
+// Makes kernels of a given size with random operations, in the form of emitted kernels.
 #pragma once
 
 #include <algorithm>
@@ -26,7 +26,7 @@ class RandomKernelText {
   [[nodiscard]] const std::string& text() const noexcept { return text_; }
 
  private:
-  /// An interval known so far: a variable, or an earlier value of the part.
+  /// Returns an interval that is already known: a variable, or an earlier value of the part.
   std::string value(int values) {
     const int pick = number(kRandomVariables + values);
     return pick < kRandomVariables ? "v_" + std::to_string(pick)
@@ -66,7 +66,7 @@ class RandomKernelText {
     }
   }
 
-  /// Functions, operators next to each other, and signs.
+  /// Returns a function, two adjacent operators, or a sign.
   std::string rarer_operation(const std::string& x, const std::string& y) {
     switch (number(14)) {
       case 0:

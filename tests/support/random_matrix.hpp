@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Random matrix functions whose values are cheap in exact arithmetic.
+// Random matrix functions whose exact values are cheap to compute.
 #pragma once
 
 #include <utility>
@@ -9,8 +9,8 @@
 
 namespace regulus::test {
 
-/// Entries c₀ + Σ cₖxₖ + Σ dₖxₖ² + e·x₀x₁ with coefficients of a few bits, so that exact arithmetic
-/// on doubles is cheap.
+/// Entries are c₀ + Σ cₖxₖ + Σ dₖxₖ² + e·x₀x₁ with coefficients of a few bits, so that exact
+/// arithmetic on doubles is cheap.
 class RandomMatrix : public FixtureKernel {
  public:
   RandomMatrix(Random& random, unsigned variables, unsigned rows, unsigned columns, double diagonal)
@@ -25,7 +25,7 @@ class RandomMatrix : public FixtureKernel {
   }
 
   void use_derivatives() { enable_derivatives(); }
-  /// The variable appears in one row only.
+  /// Lets the variable appear in one row only.
   void confine(unsigned variable, unsigned row) {
     const unsigned n = get()->variables;
     for (unsigned e = 0; e < coefficients_.size(); ++e) {
@@ -50,7 +50,7 @@ class RandomMatrix : public FixtureKernel {
     return D;
   }
 
-  /// Inside, or outside, a ball.
+  /// Returns the constraint of a ball: the inside or the outside of it.
   Values constraint(const Values& x) const override { return {constraint_at(x)}; }
   template <typename Number>
   [[nodiscard]] Number constraint_at(const std::vector<Number>& x) const {

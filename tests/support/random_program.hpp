@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Random expressions, built through anything that has the functions of ProgramBuilder.
+// Makes random expressions, with any builder that has the functions of ProgramBuilder.
 #pragma once
 
 #include <cln/rational.h>
@@ -23,7 +23,7 @@ struct ProgramShape {
   bool functions = true;   ///< false: + − × ÷ and small powers only
   bool tree_like = false;  ///< most nodes are used once, as in rewritten formulas
   int largest_power = 4;
-  int row_length = 0;  ///< of K: then sums of its rows are among the first nodes
+  int row_length = 0;  ///< of K; if not 0, sums of its rows are early nodes
 };
 
 inline std::vector<std::string> numbered_names(const char* prefix, int count) {
@@ -32,8 +32,8 @@ inline std::vector<std::string> numbered_names(const char* prefix, int count) {
   return names;
 }
 
-/// Writes every operation down as it is called: no folding, no sharing. What ProgramBuilder must
-/// agree with.
+/// Stores every operation as it is called: no folding, no sharing. ProgramBuilder must agree with
+/// this.
 class RawBuilder {
  public:
   RawBuilder(std::vector<std::string> inputs, std::vector<std::string> points) {
@@ -101,7 +101,7 @@ NodeId random_coefficient(RandomSource& random, Builder& builder, const ProgramS
       static_cast<unsigned>(random.below(static_cast<std::uint64_t>(shape.points))));
 }
 
-/// One more node from those in `pool`.
+/// Returns one more node, made from those in `pool`.
 template <class Builder>
 NodeId random_node(RandomSource& random, Builder& builder, const ProgramShape& shape,
                    NodePool& pool) {
@@ -141,8 +141,8 @@ NodeId random_node(RandomSource& random, Builder& builder, const ProgramShape& s
   }
 }
 
-/// Entries of a row of K with coefficients of a few bits, or of so many that the sum just fits a
-/// double or does not.
+/// Returns a sum of entries of a row of K. The coefficients have few bits, or so many that the sum
+/// only just fits a double, or does not fit.
 template <class Builder>
 NodeId random_row_sum(RandomSource& random, Builder& builder, int first, int length) {
   std::optional<NodeId> sum;
@@ -161,7 +161,7 @@ NodeId random_row_sum(RandomSource& random, Builder& builder, int first, int len
   return *sum;
 }
 
-/// The same source and shape give the same expressions with every builder.
+/// Makes the same expressions from the same source and shape with every builder.
 template <class Builder>
 Program random_program(RandomSource& random, const ProgramShape& shape) {
   Builder builder(numbered_names("x", shape.inputs), numbered_names("k_1_", shape.points));

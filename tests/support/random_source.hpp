@@ -22,7 +22,7 @@ class RandomSource {
   }
   std::uint64_t below(std::uint64_t count) { return next() % count; }
   bool one_in(std::uint64_t count) { return below(count) == 0; }
-  /// In [0, 1), a multiple of 2^-53.
+  /// Returns a number in [0, 1) that is a multiple of 2^-53.
   double unit() { return static_cast<double>(next() >> 11) * 0x1p-53; }
   double between(double lo, double hi) { return lo + (hi - lo) * unit(); }
 
@@ -30,8 +30,8 @@ class RandomSource {
   std::uint64_t state_;
 };
 
-/// A double as kernels may get it, with a bias to what breaks bounds: 0, small integers, tiny and
-/// huge values of either sign.
+/// Returns a double as kernels may receive it. Values that often break bounds are more likely: 0,
+/// small integers, tiny and huge values of either sign.
 inline double corner_double(RandomSource& random, int largest_exponent) {
   const double sign = random.one_in(2) ? -1.0 : 1.0;
   switch (random.below(9)) {
@@ -52,7 +52,7 @@ inline double corner_double(RandomSource& random, int largest_exponent) {
   }
 }
 
-/// Thin, of one step, narrow, or wide.
+/// Returns a thin interval, one of a single step, a narrow or a wide one.
 inline Interval corner_interval(RandomSource& random, int largest_exponent) {
   const double a = corner_double(random, largest_exponent);
   switch (random.below(4)) {
@@ -73,7 +73,7 @@ inline Interval corner_interval(RandomSource& random, int largest_exponent) {
   }
 }
 
-/// A point of x, often one of its ends.
+/// Returns a point of x, often one of its ends.
 inline double point_of(RandomSource& random, const Interval& x) {
   switch (random.below(4)) {
     case 0:

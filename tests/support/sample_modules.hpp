@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Small modules that between them use everything the emitter can print.
+// Small modules that together use everything that the emitter can print.
 #pragma once
 
 #include <string>
@@ -18,7 +18,7 @@ inline std::vector<std::string> entries_of_k(int rows, int columns) {
   return names;
 }
 
-/// A planar arm: A = [[cos ψ, −sin ψ], [x, y]] and K·A with the coefficients of K collected.
+/// Makes a planar arm: A = [[cos ψ, −sin ψ], [x, y]], and K·A as a sum over entries of K.
 inline Module planar_module() {
   Module m;
   m.model = "planar";
@@ -57,7 +57,7 @@ inline Module planar_module() {
   return m;
 }
 
-/// Every operation, constants of every kind, values that can overflow, and zero derivatives.
+/// Uses every operation, constants of every kind, values that can overflow, and zero derivatives.
 inline Module everything_module() {
   Module m;
   m.model = "everything";
@@ -100,7 +100,7 @@ inline Module everything_module() {
   return m;
 }
 
-/// One long polynomial and its reuse, more than a part holds.
+/// Makes one long polynomial and reuses it; it is longer than a part.
 inline Module long_module(int terms) {
   Module m;
   m.model = "long";
@@ -125,7 +125,7 @@ inline Module long_module(int terms) {
   return m;
 }
 
-/// Names and comments that try to get out of the generated code.
+/// Uses names and comments that try to break out of comments in the generated code.
 inline Module hostile_module() {
   const std::string attack =
       "x\"); system(\"true\"); /* */ \\\n#include \"/etc/passwd\"\n//\r\xE2\x80\xAE";

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The other variant from a text to code: an installed compiler in a process of its own, a shared
-// library, the system's loader. For comparison only.
+// The other way from a text to code, for comparison only: an installed compiler in a process of its
+// own, a shared library, and the system's loader.
 #pragma once
 
 #include <dlfcn.h>
@@ -38,7 +38,7 @@ class SpawnedLibrary {
   double seconds_;
 };
 
-/// Runs a command found in PATH; returns its exit status, or −1 when there is no such command.
+/// Runs a command found in PATH; returns its exit status, or −1 if there is no such command.
 inline int run(const std::vector<std::string>& command) {
   try {
     return Subprocess(command).wait();

@@ -7,7 +7,7 @@
 
 namespace regulus::test {
 
-/// A new empty directory of mode 0700, removed with its contents by the destructor.
+/// A new empty directory of mode 0700; the destructor removes it with its contents.
 class TemporaryDirectory {
  public:
   TemporaryDirectory() {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// How far a bound lies outside the tight one, counted in doubles.
+// Measures how far a bound lies outside the tight one, in doubles.
 #pragma once
 
 #include <algorithm>
@@ -10,13 +10,13 @@
 
 namespace regulus::test {
 
-/// The position of x in the order of doubles; ±0 share one.
+/// Returns the position of x in the order of doubles; −0 and +0 have the same position.
 inline std::int64_t ordinal(double x) {
   const auto bits = std::bit_cast<std::int64_t>(x);
   return bits < 0 ? std::numeric_limits<std::int64_t>::min() - bits : bits;
 }
 
-/// Ensures   the number of doubles from the tight bound to the given one, the worse of both ends.
+/// Ensures   the number of doubles from the tight bound to the given one, at the worse end.
 /// Requires  tight ⊆ wide.
 inline std::uint64_t excess_ulps(Interval wide, Interval tight) {
   const auto below =

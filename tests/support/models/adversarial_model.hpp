@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Models whose determinant is known: one factor that is chosen to be hard, times positive ones, in
-// a triangular matrix that integer row and column operations of determinant 1 hide.
+// Models with a known determinant: one deliberately hard factor times positive factors. Integer row
+// and column operations of determinant 1 hide the triangular matrix that has them.
 #pragma once
 
 #include <string>
@@ -27,7 +27,7 @@ class AdversarialModel {
   [[nodiscard]] const ModelText& text() const { return text_; }
 
  private:
-  /// Of x or y, and how it lies to 1/3.
+  /// A range of x or y, and its position relative to 1/3.
   struct KnownRange {
     const char* text;
     bool holds_third, is_third;
@@ -37,7 +37,7 @@ class AdversarialModel {
                                            {"[-0.7, \"1/3\"]", true, false},
                                            {"\"1/3\"", true, true},
                                            {"[\"1/3\", \"1/3\"]", true, true},
-                                           // a little less than 1/3, as the double nearest to it is
+                                           // a little less than 1/3, like the nearest double
                                            {"[0, \"0.33333333333333331\"]", false, false},
                                            {"[\"1/3 + 1e-12\", 1]", false, false},
                                            {"[\"1/3 + 1e-30\", 1]", false, false},
@@ -134,7 +134,7 @@ class AdversarialModel {
     factor_ = "2 + (x - 1/3)^2";
     constexpr const char* kAlphas[] = {"2", "2 - 1e-12", "2 + 1e-12"};
     alpha_ = kAlphas[which];
-    // 2 + 1e-12 is reached within 1e-6 of 1/3.
+    // 2 + (x − 1/3)² reaches 2 + 1e-12 within 1e-6 of 1/3.
     const bool near =
         x_.holds_third || std::string_view(x_.text).find("1e-") != std::string_view::npos;
     singular(which == 0 ? x_.holds_third : which == 2 && (near || is_just_below()));
@@ -175,7 +175,7 @@ class AdversarialModel {
   void ball() {
     text_.kind = "ball";
     const std::size_t which = random_.below(3);
-    // The ball of radius 1/10 holds (0.06, 0.08), where p1 + 2p2 = 0.22, but no p1 + p2 = 0.15.
+    // The ball of radius 1/10 contains (0.06, 0.08) with p1 + 2p2 = 0.22, but no p1 + p2 = 0.15.
     constexpr const char* kFactors[] = {"0.22 - p_1 - 2*p_2", "0.15 - p_1 - p_2",
                                         "p_1^2 + p_2^2 - 0.01 - 1e-9"};
     factor_ = kFactors[which];
@@ -186,13 +186,13 @@ class AdversarialModel {
     text_.kind = "root";
     factor_ = pick({"1 + sqrt(x - 1/3)", "2 + asin(x + 2/3)", "1 + log(x - 1/3 + 1)"});
     if (factor_[4] == 's' && factor_[5] == 'q') {
-      // Defined for x ≥ 1/3 only.
+      // The expression is defined for x ≥ 1/3 only.
       const std::string_view range(x_.text);
       const bool above = range.starts_with("[\"1/3\"") || range.starts_with("\"1/3") ||
                          range.starts_with("[\"1/3 +") || range.starts_with("[\"pi");
       above ? safe() : neither();
     } else if (factor_[0] == '2') {
-      // Defined for x ≤ 1/3, and from −5/3 on; 2 + asin ≥ 2 − π/2.
+      // The expression is defined for −5/3 ≤ x ≤ 1/3; 2 + asin ≥ 2 − π/2.
       const bool below =
           x_.is_third || std::string_view(x_.text).ends_with("\"1/3\"]") || is_just_below();
       below ? safe() : neither();
@@ -215,7 +215,7 @@ class AdversarialModel {
     singular(which != 1);
   }
 
-  /// Rank drops only where x = y = 1/3.
+  /// Makes a model whose rank drops only at x = y = 1/3.
   void tall() {
     text_.kind = "tall";
     factor_ = "x - 1/3";
@@ -235,7 +235,7 @@ class AdversarialModel {
     const std::size_t at = random_.below(order_);
     rows[at][at] = factor_;
     if (!extra_.empty()) {
-      // The row of the factor and the extra one are alike but for their last entries.
+      // The row of the factor and the extra row differ only in their last entries.
       rows[at].assign(order_, "0");
       rows[at][at] = factor_;
       for (std::size_t i = at + 1; i < order_; ++i) rows[i][at] = "0";

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// A model's own expressions in Arb, straight from GiNaC: an oracle that shares no rewriting,
-// lowering or interpreting with what it judges.
+// Evaluates a model's own expressions in Arb, directly from GiNaC. It shares no rewriting, lowering
+// or interpreting with the code under test.
 #pragma once
 
 #include <ginac/ginac.h>
@@ -16,21 +16,21 @@ namespace regulus::test {
 
 inline constexpr slong kTapeBits = 320;
 
-/// Whether every operation that a value rests on has one there.
+/// Whether all operations that a value needs are defined at that point.
 enum class Defined { kYes, kUnknown, kNo };
 
 class ArbTape {
  public:
   using Node = std::size_t;
 
-  /// From now on the symbol means that node.
+  /// From this call on, the symbol means that node.
   void bind(const GiNaC::ex& symbol, Node node) { known_.insert_or_assign(symbol, node); }
 
   Node input(std::size_t index) { return push({Kind::kInput, {}, index, {}}); }
 
   Node sum(Node a, Node b) { return push({Kind::kSum, {a, b}, 0, {}}); }
 
-  /// Expressions read earlier keep what their symbols meant then.
+  /// Returns the node of e. Expressions read earlier keep the former meaning of their symbols.
   Node read(const GiNaC::ex& e) {
     if (const auto found = known_.find(e); found != known_.end()) return found->second;
     const Node node = read_new(e);
@@ -38,7 +38,7 @@ class ArbTape {
     return node;
   }
 
-  /// Forgets what expressions were read as; the nodes stay.
+  /// Forgets the meaning of expressions; the nodes stay.
   void forget_symbols() { known_.clear(); }
 
   struct Values {

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What is true of a model at chosen points of its variety, by Arb.
+// Finds the truth about a model at chosen points of its variety, by Arb.
 //
 // A point is given by its parts: variable k has the value lo + part·(hi − lo) of its true range,
-// ends that are no doubles included. Of a point in a ball, the parts are drawn towards its centre
-// until they lie in the ball.
+// including ends that are not doubles. For a point in a ball, the parts are moved towards its
+// centre until they are in the ball.
 #pragma once
 
 #include <arb_mat.h>
@@ -20,13 +20,13 @@ namespace regulus::test {
 
 using Parts = std::vector<double>;
 
-/// What a point, or each point of a piece of a segment, is known to be.
+/// The known facts about a point, or about each point of a piece of a segment.
 struct Fact {
   Defined pose = Defined::kUnknown;    ///< of constraints and motion
-  Defined matrix = Defined::kUnknown;  ///< of the matrix and its row scales, too
+  Defined matrix = Defined::kUnknown;  ///< of the matrix and its row scales, as well
   bool inside = false;                 ///< certainly: every constraint ≤ 0
   bool outside = false;                ///< certainly: some constraint > 0
-  Ball determinant;  ///< of J⁻¹; for more rows than columns, of Gram's matrix of A
+  Ball determinant;  ///< of J⁻¹; for more rows than columns, of A's Gram matrix
   double approx = 0;
 
   [[nodiscard]] int sign() const {
@@ -55,7 +55,7 @@ class ModelOracle {
   [[nodiscard]] const Ball& alpha() const { return alpha_; }
   [[nodiscard]] bool has_threshold() const { return arb_is_zero(alpha_.get()) == 0; }
 
-  /// Moves the parts of balls into them.
+  /// Moves parts that belong to balls into these balls.
   void confine(Parts& parts) const {
     for (std::size_t b = 0; b < model_.balls.size(); ++b) {
       double norm = 0;
@@ -73,7 +73,7 @@ class ModelOracle {
     return look(inputs);
   }
 
-  /// Values of the variables themselves; nullopt: all that the range allows.
+  /// Returns values of the variables; the middle of the true range for one that is not a double.
   [[nodiscard]] std::vector<Ball> values(const std::vector<Interval>& point) const {
     std::vector<Ball> result;
     for (std::size_t k = 0; k < point.size(); ++k)
@@ -81,7 +81,7 @@ class ModelOracle {
     return result;
   }
 
-  /// Whether those values lie in the variety's ranges and balls: not certainly outside.
+  /// Returns true unless those values are certainly outside the variety's ranges and balls.
   [[nodiscard]] bool possibly_in_range(const std::vector<Ball>& x) const {
     for (std::size_t k = 0; k < x.size(); ++k)
       if (arb_lt(x[k].get(), lo_[k].get()) != 0 || arb_gt(x[k].get(), hi_[k].get()) != 0)
@@ -107,7 +107,7 @@ class ModelOracle {
     return fact;
   }
 
-  /// Whether the segment certainly stays in the variety; `everywhere`: and J⁻¹ is defined on it.
+  /// Returns true if the segment certainly stays in the variety; `everywhere`: and has J⁻¹ defined.
   [[nodiscard]] bool joined(const std::vector<Ball>& from, const std::vector<Ball>& to,
                             bool everywhere) const {
     std::vector<std::pair<double, double>> waiting{{0.0, 1.0}};
@@ -124,7 +124,7 @@ class ModelOracle {
     return true;
   }
 
-  /// Whether some point of the segment is certainly outside the variety, or J⁻¹ undefined there.
+  /// Returns true if some point of the segment is certainly outside, or J⁻¹ is undefined there.
   [[nodiscard]] bool leaves(const std::vector<Ball>& from, const std::vector<Ball>& to) const {
     for (int i = 0; i <= 64; ++i) {
       const Fact fact = look(between(from, to, i / 64.0, i / 64.0));

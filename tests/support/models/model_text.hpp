@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Parts of a model file, and the file they make.
+// The parts of a model file, and the text of the file made from them.
 #pragma once
 
 #include <string>
@@ -7,7 +7,7 @@
 
 namespace regulus::test {
 
-/// A model and what is known about it beforehand.
+/// A model and the facts known about it beforehand.
 struct ModelText {
   std::string kind;                              ///< for messages and tallies
   std::string geometry, let, motion;             ///< lines of these sections

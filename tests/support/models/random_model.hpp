@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Small models with nothing special about them: entries around a diagonal, shared let expressions,
-// tolerances of every shape, constraints, trajectories and thresholds.
+// Small ordinary models: entries around a diagonal, shared let expressions, tolerances of every
+// shape, constraints, trajectories and thresholds.
 #pragma once
 
 #include <string>
@@ -45,7 +45,7 @@ class RandomModel {
     text_.let = "s = \"sin(phi)\"\nd = \"x*cos(phi) - y*s\"\nr = \"sqrt((x - p_1)^2 + y^2 + 2)\"\n";
   }
 
-  /// A quantity that this row may use: some of the geometry appears in one row only.
+  /// Returns a quantity that this row may use: some of the geometry is only in one row.
   std::string atom(std::size_t row) {
     if (random_.one_in(5) && row == own_row_a_) return "b";
     if (random_.one_in(4) && row == own_row_q_) return pick({"q_1", "q_2", "q_3"});

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Looks for a proof that a claim about a model is wrong: samples, then downhill from the best.
+// Looks for a proof that a claim about a model is wrong: it samples, then descends from the best.
 #pragma once
 
 #include <optional>
@@ -22,9 +22,9 @@ class Refutation {
     if (!found_) bisect_signs();
   }
 
-  /// Why NO SINGULARITY is wrong; nullopt if no reason was found.
+  /// Returns why NO SINGULARITY is wrong; nullopt if no reason was found.
   [[nodiscard]] const std::optional<std::string>& found() const { return found_; }
-  /// How many sampled points lie in the variety.
+  /// Returns how many sampled points lie in the variety.
   [[nodiscard]] int inside() const { return inside_; }
 
  private:
@@ -76,8 +76,8 @@ class Refutation {
 
   void refute_by_signs(const Sample& a, const Sample& b) {
     if (found_ || !oracle_.square() || ++sign_checks_ > 8) return;
-    // Without constraints the variety is convex; that the matrix is defined all over it is what the
-    // claim says itself.
+    // Without constraints the variety is convex. The claim itself states that the matrix is defined
+    // everywhere in it.
     if (!oracle_.constrained() ||
         oracle_.joined(oracle_.values_of_parts(a.parts), oracle_.values_of_parts(b.parts), false))
       found_ = "opposite signs";
@@ -95,7 +95,7 @@ class Refutation {
     }
   }
 
-  /// Between points of opposite signs that constraints may separate, the least determinant.
+  /// Looks for small determinants between points of opposite signs, which constraints may separate.
   void bisect_signs() {
     if (!best_ || !best_of_other_sign_) return;
     Parts a = best_->parts, b = best_of_other_sign_->parts;
@@ -117,8 +117,8 @@ class Refutation {
   int inside_ = 0, sign_checks_ = 0;
 };
 
-/// Why the witness of a SINGULARITY is wrong; nullopt if no reason was found. Of the segment that
-/// joins two points, 65 points are looked at: one that ends on a constraint is beyond Arb's balls.
+/// Returns why the witness of a SINGULARITY is wrong; nullopt if no reason was found. On a segment,
+/// only 65 points are tested: Arb's balls cannot decide the end of one on a constraint.
 inline std::optional<std::string> fault_of_witness(const ModelOracle& oracle,
                                                    const Result& result) {
   if (!result.witness) return "there is none";
@@ -146,7 +146,7 @@ inline std::optional<std::string> fault_of_witness(const ModelOracle& oracle,
   return std::nullopt;
 }
 
-/// Whether Arb certifies all of the segment between a witness's two points.
+/// Returns true if Arb certifies the whole segment between a witness's two points.
 inline bool certain_segment(const ModelOracle& oracle, const Witness& witness) {
   return oracle.joined(oracle.values(witness.points[0].variables),
                        oracle.values(witness.points[1].variables), true);

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Exact values of expressions, with which a rewritten form is compared. Sines and cosines come from
-// a rational point of the unit circle for each angle, so that the addition formulas and sin² + cos²
-// = 1 hold exactly; the other functions are arbitrary functions with the right symmetry.
+// Exact values of expressions, to compare a rewritten form with the original. Each angle gets a
+// rational point of the unit circle as cosine and sine, so the addition formulas and sin² + cos² =
+// 1 hold exactly. Other functions are arbitrary functions with the right symmetry.
 #pragma once
 
 #include <cln/integer.h>
@@ -46,8 +46,8 @@ inline CirclePoint times(int n, CirclePoint p) {
   return result;
 }
 
-/// Values for symbols, drawn when they are first asked for. A variable inside a sine or cosine has
-/// a point of the circle, independent of its value as a number.
+/// Values of symbols, chosen at the first request. A variable inside a sine or cosine has a point
+/// of the circle, which is independent of its value as a number.
 class ExactValues {
  public:
   explicit ExactValues(std::mt19937_64& random) : random_(&random) {}
@@ -71,7 +71,7 @@ class ExactValues {
     return points_.emplace(angle, CirclePoint{2 * t / d, (1 - t * t) / d}).first->second;
   }
 
-  /// The point of an integer combination of angles.
+  /// Returns the point of an integer combination of angles.
   CirclePoint circle(const Expression& argument) {
     switch (argument.kind()) {
       case Kind::kConstant:
@@ -123,7 +123,7 @@ class ExactValues {
   std::map<std::string, CirclePoint> points_;
 };
 
-/// Random expressions in variables x y z, angles a b c and entries of K.
+/// Makes random expressions in variables x y z, angles a b c and entries of K.
 class RandomExpressions {
  public:
   explicit RandomExpressions(std::mt19937_64& random) : random_(&random) {}
@@ -142,7 +142,7 @@ class RandomExpressions {
     }
   }
 
-  /// Also with functions and divisions.
+  /// Returns an expression that may also contain functions and divisions.
   Expression general(int depth) {
     if (depth == 0) return leaf();
     const Expression inner = general(depth - 1);

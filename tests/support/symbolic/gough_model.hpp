@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// A six-legged platform built in C++ as the paper writes it: rows (AB, CB × AB), ZXZ angles.
+// A six-legged platform in C++, written as in the paper: rows (AB, CB × AB), ZXZ angles.
 #pragma once
 
 #include <array>
@@ -12,7 +12,7 @@ namespace regulus::test {
 
 using Anchors = std::array<std::array<int, 3>, 6>;
 
-/// Table III, robot 1.
+/// Robot 1 of Table III.
 inline constexpr Anchors kRobot1Base = {
     {{-9, 9, 0}, {9, 9, 0}, {12, -3, 0}, {3, -13, 0}, {-3, -13, 0}, {-12, -3, 0}}};
 inline constexpr Anchors kRobot1Platform = {
@@ -34,7 +34,7 @@ inline constexpr Anchors kRobot2Platform = {{{-657, -239, -100},
 struct GoughOptions {
   GiNaC::ex tolerance = 0;  ///< of every anchor coordinate
   bool with_row_scale = false;
-  bool shuffled_symbols = false;  ///< create the symbols in another order
+  bool shuffled_symbols = false;  ///< creates the symbols in another order
 };
 
 inline GiNaC::ex add_coordinate(Model& model, const std::string& name, int value,
@@ -91,7 +91,7 @@ inline Model gough_model(const Anchors& base, const Anchors& platform,
   return model;
 }
 
-/// The box variety: every pose parameter a motion parameter.
+/// Returns the box variety: every pose parameter is a motion parameter.
 inline Motion box_motion(const Model& model) {
   Motion motion;
   motion.name = "box";
