@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What is lost at a singular pose, of robots where geometry tells.
+// Tests the motion that is lost at a singular pose, for robots where geometry gives it.
 #include "codegen/analysis/lost_twist.hpp"
 
 #include <gmock/gmock.h>
@@ -21,7 +21,7 @@ using nlohmann::ordered_json;
 using testing::ElementsAre;
 using testing::HasSubstr;
 
-/// A planar platform on three legs, as models/planar_3rpr.toml with simpler numbers; B1 does not
+/// A planar platform on three legs, like models/planar_3rpr.toml with simpler numbers; B1 does not
 /// move.
 constexpr const char* kPlanar = R"toml(regulus = 1
 name = "three legs"
@@ -43,7 +43,7 @@ y = 1
 phi = [-3, 3]
 )toml";
 
-/// (x − a)·(x − a)²: two rows vanish together where x = a.
+/// det = (x − a)·(x − a)²: two rows vanish together at x = a.
 constexpr const char* kTwoAtOnce = R"toml(regulus = 1
 name = "two at once"
 [pose]
@@ -101,7 +101,7 @@ double norm(std::span<const double> v) {
   return std::sqrt(squares);
 }
 
-/// The residuals of the reported vectors in J⁻¹ at the reported point, relative to |J⁻¹|·|v|.
+/// Checks the residuals of the reported vectors in J⁻¹ at the point, relative to |J⁻¹|·|v|.
 void expect_null_vectors(const Checked& checked) {
   ASSERT_TRUE(checked.result.witness && checked.result.witness->near);
   const auto J =
@@ -126,7 +126,7 @@ double middle(const ordered_json& interval) {
   return (interval[0].get<double>() + interval[1].get<double>()) / 2;
 }
 
-/// Where the lines through the legs 1 and 2 of kPlanar meet at an angle.
+/// Returns the point where the lines through the legs 1 and 2 of kPlanar meet, for an angle.
 std::pair<double, double> meeting_point(double phi) {
   const double x = 2, y = 1;  // B1; A1 = (1, 2), A2 = (3, 0)
   const double u1 = x - 1, v1 = y - 2;
@@ -142,7 +142,7 @@ TEST(LostTwist, OfConcurrentLegsIsTheRotationAboutTheirCommonPoint) {
   EXPECT_EQ(checked.witness["nullity"], 1);
   const std::vector<double> v = checked.witness["twist"]["vectors"][0];
   const auto [x, y] = meeting_point(middle(checked.witness["near"]["pose"]["phi"]));
-  // The velocity of B1 = (2, 1) when the platform turns about (x, y) at rate v[2].
+  // The velocity of B1 = (2, 1) if the platform turns about (x, y) at rate v[2].
   ASSERT_NE(v[2], 0);
   EXPECT_NEAR(v[0] / v[2], -(1 - y), 1e-9);
   EXPECT_NEAR(v[1] / v[2], 2 - x, 1e-9);
@@ -160,13 +160,13 @@ TEST(LostTwist, OfAPlatformHasAngularVelocityOne) {
   EXPECT_THAT(checked.text, HasSubstr("twist      lost, approximately: velocity ("));
 }
 
-/// det is enclosed where the report says that it nearly vanishes, and changes sign around there.
+/// The report encloses det at the point where it nearly vanishes; it changes sign near there.
 TEST(LostTwist, IsReportedWhereTheDeterminantIsNearlyZero) {
   const Checked checked = checked_file(model("robot_1"), "wide_40");
   const Interval at_near = checked.result.witness->near->determinant;
   for (const WitnessPoint& point : checked.result.witness->points)
     EXPECT_LE(mag(at_near), mag(point.determinant));
-  EXPECT_LE(mag(at_near), 1e-3);  // cm⁹, where wide_15 has 10⁵ and more
+  EXPECT_LE(mag(at_near), 1e-3);  // cm⁹; wide_15 has 10⁵ and more
   const ordered_json near = checked.witness["near"];
   for (const auto& [name, range] : checked.witness["vanishes_within"]["parameters"].items()) {
     EXPECT_LE(range[0], near["parameters"][name][0]);

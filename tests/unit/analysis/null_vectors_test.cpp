@@ -17,7 +17,7 @@ TEST(NullVectors, OfARegularMatrixAreNone) {
 }
 
 TEST(NullVectors, OfBothSidesAreFound) {
-  // Rows 1 and 2 cancel; (2, -1, 0) is mapped to zero.
+  // Rows 1 and 2 cancel; the matrix maps (2, -1, 0) to zero.
   const NullVectors null = approx_null_vectors(Values{1, 2, 3, -1, -2, -3, 0, 0, 5}, 3, 3);
   ASSERT_EQ(null.nullity(), 1U);
   EXPECT_NEAR(null.right[0][0] / null.right[0][1], -2, 1e-12);
@@ -27,7 +27,7 @@ TEST(NullVectors, OfBothSidesAreFound) {
 }
 
 TEST(NullVectors, DoNotDependOnUnits) {
-  // The matrix before, its second column times 100, its third by 100, its second row times 100.
+  // The same matrix, with its second column, third column and second row multiplied by 100.
   const NullVectors null =
       approx_null_vectors(Values{1, 200, 0.03, -100, -20000, -3, 0, 0, 0.05}, 3, 3);
   ASSERT_EQ(null.nullity(), 1U);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The interface for C++ programs, by its one header alone.
+// Tests the interface for C++ programs, using its single header only.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -15,7 +15,7 @@ using regulus::Interval;
 using regulus::Question;
 using regulus::Verdict;
 
-/// det = x² + y² − h²: singular on a circle of radius h.
+/// Returns a robot with det = x² + y² − h², singular on a circle of radius h.
 regulus::Robot circle() {
   regulus::Robot robot("circle");
   const regulus::Formula x = robot.pose("x", "cm"), y = robot.pose("y", "cm");
@@ -83,7 +83,7 @@ TEST(PublicFace, WhatABoxCallbackThrowsEndsThePaving) {
   EXPECT_EQ(calls, 1);
 }
 
-/// On [2, 3]² the circle of radius h is met from h = √8 on.
+/// The circle of radius h meets [2, 3]² from h = √8 on.
 TEST(PublicFace, MarginBracketsTheToleranceThatIsSafe) {
   regulus::MarginOptions options;
   options.search.engine = regulus::Engine::kInterpreted;
@@ -118,7 +118,7 @@ TEST(PublicFace, AKernelDecidesPiecesOfTheMotion) {
   EXPECT_EQ(verdict({2.0, 4.0}, {0.0, 1.0}), Verdict::kPossibleProblem) << "outside of the motion";
 }
 
-/// The threshold of the question holds in the checks: |det| > 2 where x² + y² > 3.
+/// The checks use the threshold of the question: |det| > 2 where x² + y² > 3.
 TEST(PublicFace, AKernelHasTheThresholdOfTheQuestion) {
   regulus::KernelOptions options;
   options.engine = regulus::Engine::kInterpreted;

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What several threads do at once, from the oracle to whole searches; `make tsan` runs it under
-// ThreadSanitizer.
+// Tests work of several threads at once, from the oracle to whole searches; `make tsan` runs it
+// under ThreadSanitizer.
 #include "codegen/engine/arb_oracle.hpp"
 
-// The threads of a search ask the oracle: nothing in it is to be CLN's or GiNaC's.
+// The threads of a search use the oracle, so nothing in it may belong to CLN or GiNaC.
 #if defined(_CL_OBJECT_H) || defined(_CL_NUMBER_H) || defined(_CL_RATIONAL_H) || \
     defined(GINAC_EX_H) || defined(GINAC_BASIC_H)
 #error "codegen/engine/arb_oracle.hpp includes CLN or GiNaC"
@@ -26,8 +26,8 @@ namespace {
 static_assert(std::is_same_v<decltype(BallProgram::constants), std::vector<FlintRational>>);
 static_assert(std::is_same_v<decltype(PreparedSearch::matrix), std::optional<BallProgram>>);
 
-/// Doubles cannot tell the sign of the determinant, which is 1 beside products of 10^76: each box
-/// asks the oracle. The constants are long, so that CLN would count references to them.
+/// Doubles cannot find the sign of the determinant, which is 1 beside products of 10^76, so each
+/// box needs the oracle. The constants are long, so that CLN would count references to them.
 constexpr const char* kUndecided = R"(
 regulus = 1
 name = "undecided"
@@ -76,7 +76,7 @@ TEST(SeveralThreads, MayAskTheOracleAtOnce) {
   EXPECT_GE(oracle.bits(), 106);
 }
 
-/// The oracle's program is there before the search: no thread of it makes one from GiNaC's objects.
+/// The oracle's program exists before the search: no thread makes one from GiNaC's objects.
 TEST(SeveralThreads, SearchWhereOnlyTheOracleDecides) {
   for (const unsigned threads : {1U, 4U}) {
     const SearchOptions search = interpreted(threads);
@@ -97,7 +97,7 @@ Robot circle(const std::string& name) {
   return robot;
 }
 
-/// Robots of one thread, checked by others: the calls wait for each other.
+/// One thread makes the robots, others check them: the calls wait for each other.
 TEST(SeveralThreads, MayCallCheckForRobotsThatAreMade) {
   std::vector<Robot> robots;
   for (int i = 0; i < 4; ++i) robots.push_back(circle("circle " + std::to_string(i)));

@@ -18,12 +18,12 @@ TEST(Spread, OfAnEvenNumberOfValuesInterpolates) {
   EXPECT_EQ(spread.high, 3.25);
 }
 
-/// A clock that the contenders move themselves.
+/// A clock that only the contenders advance.
 thread_local double now = 0;
 double told() { return now; }
 
 TEST(Rounds, CompareWithTheReferenceOfTheSameRound) {
-  // The machine slows down by half from run to run; a ratio within a round hardly sees it.
+  // The machine becomes slower from run to run; a ratio within a round hardly changes.
   double pace = 1;
   const auto takes = [&pace](double seconds) {
     return [&pace, seconds] { now += seconds * (pace *= 1.01); };

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// A comparison says nothing unless everyone computes the same. The values at the midpoints, by Arb,
-// are the judge.
+// A comparison is only valid if all contenders compute the same. Values by Arb at the midpoints
+// decide.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -15,7 +15,7 @@ namespace {
 
 class Rivals : public ::testing::Test {
  protected:
-  /// K·M at the midpoint of a box, by narrow enclosures.
+  /// Returns narrow enclosures of K·M at the midpoint of a box.
   [[nodiscard]] std::vector<Interval> values_at_midpoint(std::size_t box) const {
     constexpr long kPrecision = 200;
     std::vector<Ball> inputs, points;
@@ -71,7 +71,7 @@ TEST_F(Rivals, EncloseOverTheSameBoxesAsTheKernels) {
     for (std::size_t box = 0; box < Sample::kBoxes; ++box) {
       const std::vector<Interval> ours = product.entries(box), theirs = rival.rival->entries(box);
       for (std::size_t e = 0; e < ours.size(); ++e) {
-        // The same operations in the same order: what differs is how bounds are rounded.
+        // The operations and their order are the same: only the rounding of bounds differs.
         const double slack = 1e-9 * (mag(ours[e]) + 1);
         EXPECT_NEAR(theirs[e].lo, ours[e].lo, slack) << rival.name;
         EXPECT_NEAR(theirs[e].hi, ours[e].hi, slack) << rival.name;

@@ -58,7 +58,7 @@ std::string text_of(const SearchState& s,
   return write_checkpoint(question(), s, Boxes(), certificate);
 }
 
-/// The same with a checksum that fits.
+/// Returns the text with a valid checksum.
 std::string signed_again(std::string text) {
   text.resize(text.rfind("end "));
   char end[32];
@@ -120,7 +120,7 @@ TEST(Checkpoint, ABlockedBoxIsKept) {
   EXPECT_FALSE(read.certificate);
 }
 
-/// As it was written before there were hashes and candidates.
+/// The format before checkpoints had hashes and candidates.
 TEST(Checkpoint, OfTheFirstFormatIsReadWithoutAHash) {
   std::string zeros;
   for (std::size_t i = 0; i < kRules; ++i) zeros += " 0";
@@ -186,7 +186,7 @@ TEST(Checkpoint, WhatCannotBeIsRefusedWithTheLine) {
   expect_refusal("", "not a checkpoint");
 }
 
-/// Whatever is made of it, a checkpoint is read or refused.
+/// A changed checkpoint is either read or refused.
 TEST(Checkpoint, RandomChangesAreReadOrRefused) {
   std::mt19937 random(7);
   const std::string text = text_of(state());
@@ -258,7 +258,7 @@ TEST_F(Saving, AFailureLeavesTheLastOneIntact) {
   writer.on_pause(state(), Boxes());
   EXPECT_NE(writer.failure(), "");
   EXPECT_EQ(contents(), saved);
-  if (geteuid() == 0) return;  // may write anywhere
+  if (geteuid() == 0) return;  // the superuser may write anywhere
   length = CertificateSoFar{11, std::string(64, '2')};
   chmod(directory_.path().c_str(), 0500);
   writer.on_pause(state(), Boxes());
@@ -268,7 +268,7 @@ TEST_F(Saving, AFailureLeavesTheLastOneIntact) {
   EXPECT_EQ(contents(), saved);
 }
 
-/// A limit on the size of files stands for a full disk: the file can be made, and not be filled.
+/// A limit on file sizes acts like a full disk: the file can be created but not filled.
 TEST_F(Saving, AFullDiskLeavesTheLastOneIntact) {
   CheckpointWriter writer(path(), question(), std::chrono::hours(1));
   writer.on_pause(state(), Boxes());

@@ -16,7 +16,7 @@ using ::testing::ElementsAre;
 using ::testing::HasSubstr;
 using ::testing::Not;
 
-/// ±15 cm around a height of 47.5 cm, and as many degrees.
+/// Returns ±15 cm around a height of 47.5 cm, and as many degrees.
 Motion wide_motion(const Model& model, const GiNaC::ex& degrees = 15) {
   Motion motion = box_motion(model);
   motion.parameters[0].range = motion.parameters[1].range = {-15, 15};

@@ -22,7 +22,7 @@ std::vector<std::string> lines_of(const std::string& text) {
   return lines;
 }
 
-/// The text without what stands behind "//".
+/// Returns the text without comments: it removes everything after "//".
 std::string code_of(const std::string& text) {
   std::string code;
   for (const std::string& line : lines_of(text)) code += line.substr(0, line.find("//")) + "\n";
@@ -69,7 +69,7 @@ TEST(Emit, FusesAProductWithASum) {
               HasSubstr("mul_add(k_1_1, v_x, thin(k_1_1))"));
 }
 
-/// The text of H over a 2×2 matrix, K's rows in the order of the ABI.
+/// Returns the text of H over a 2×2 matrix, with K's rows in the order of the ABI.
 std::string text_over_two_rows(const std::function<NodeId(ProgramBuilder&)>& expression,
                                unsigned operations_per_part) {
   Module m;

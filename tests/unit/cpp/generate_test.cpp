@@ -19,7 +19,7 @@ using testing::Not;
 using testing::StartsWith;
 using testing::ThrowsMessage;
 
-/// A = [x + u] over one pose parameter, whose name is for the test to choose.
+/// Makes A = [x + u] over one pose parameter; the test chooses its name.
 std::string slider(const std::string& parameter, const std::string& motion,
                    const std::string& name = "slider") {
   return "regulus = 1\nname = " + name + "\n[pose]\n" + parameter +
@@ -72,7 +72,7 @@ TEST(Generate, AlwaysMakesThePortableKernel) {
 }
 
 TEST(Generate, BoundsHoldTheExactRange) {
-  // 1/10 is above the double 0.1 minus an ulp and below it; 15·π/180 is no double either.
+  // 1/10 lies between the double 0.1 and the double below it; 15·π/180 is not a double either.
   const std::string text =
       text_of(files_of(slider("x", "[0.1, \"15*deg\"]", "\"s\"")), "slider.hpp");
   double lo = 0, hi = 0;

@@ -127,7 +127,7 @@ TEST_F(Embedded, PiecesThatDoNotFitAreRefused) {
 TEST_F(Embedded, APieceThatTheConstraintsExcludeIsNoClaim) {
   regulus_kernel kernel = point_;
   kernel.constraints = 1;
-  // The first motion parameter is to be at most -1/2.
+  // The first motion parameter must be at most -1/2.
   kernel.constraint = [](const double* boxes, const double*, double* out, const void*) {
     for (unsigned lane = 0; lane < REGULUS_LANES; ++lane) {
       out[lane] = boxes[lane] + 0.5;
@@ -144,7 +144,7 @@ TEST_F(Embedded, APieceThatTheConstraintsExcludeIsNoClaim) {
   EXPECT_EQ(checker.check(Piece{{-0.25, 0.25}, {0, 1}}).reason, Reason::kEmptyVariety);
 }
 
-/// The determinant vanishes at one double of a short trajectory, somewhere: it must be seen.
+/// The determinant vanishes at one double of a short trajectory; the check must detect it.
 TEST_F(Embedded, NoPartOfATrajectoryIsLeftOut) {
   const Piece exact = {{-1, 1}, {-1, 1}, {0, 0}};
   for (const unsigned most : {1U, 2U, 3U, 5U, 7U, 8U, 100U}) {
@@ -181,7 +181,7 @@ TEST_F(Embedded, AMillionChecksNeitherAllocateNorLock) {
   std::uint64_t verdicts[3] = {};
   regulus_check_report report;
   for (int i = 0; i < 1'000'000; ++i) {
-    // Most pieces are decided at once; some take many boxes, and some more than there may be.
+    // Most pieces are decided at once; some take many boxes, and some exceed the limit.
     const double y = 0.25 + 0.0000005 * i;
     const double from[] = {-1.0, i % 1013 == 0 ? -y : y},
                  to[] = {i % 97 == 0 || i % 1013 == 0 ? 1.0 : -0.25, y + 0.25};
@@ -211,7 +211,7 @@ TEST_F(Embedded, TheCallersFloatingPointEnvironmentIsKept) {
     expect_same(check);
   }
 #if defined(__x86_64__)
-  // A controller may flush subnormals, for speed.
+  // A controller may flush subnormals to save time.
   const unsigned usual = read_mxcsr();
   for (const unsigned flushing : {0x8000U, 0x40U, 0x8040U}) {
     write_mxcsr(usual | flushing);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// How often this program asked for memory or took a lock. Sanitizers have their own allocator:
-// there, nothing is counted.
+// Counts how often this program asks for memory or takes a lock. Sanitizers have their own
+// allocator, so nothing is counted with them.
 #pragma once
 
 #include <cstdint>

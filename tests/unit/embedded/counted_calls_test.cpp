@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Our malloc and pthread_mutex_lock stand before those of the C library, count, and call them.
+// This malloc and pthread_mutex_lock replace those of the C library; they count and call them.
 #include "counted_calls.hpp"
 
 #include <dlfcn.h>
@@ -67,7 +67,7 @@ TEST(CountedCalls, SeeWhatIsAllocatedAndLocked) {
   const std::uint64_t allocations = test::allocations(), locks = test::locks();
   std::mutex mutex;
   const std::lock_guard guard(mutex);
-  // A compiler may leave out what a new-expression allocates, and not these calls.
+  // A compiler may remove the allocation of a new-expression, but not these calls.
   constexpr std::align_val_t kWide{64};
   ::operator delete(::operator new(64, kWide), kWide);
   ::operator delete(::operator new(4));

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Kernels as plain functions, without a heap: A = [[x + u − r, y], [−y, x + u − r]] over motion
-// parameters x, y and one uncertain quantity u, det A = (x + u − r)² + y²; and det A = x + u alone.
+// Kernels as plain functions, without a heap, of motion parameters x, y and one uncertain u: A =
+// [[x + u − r, y], [−y, x + u − r]], det A = (x + u − r)² + y²; and det A = x + u.
 #pragma once
 
 #include <cstddef>
@@ -19,7 +19,7 @@ inline void put(double* out, std::size_t entry, std::size_t lane, Interval x) {
   out[(2 * entry + 1) * REGULUS_LANES + lane] = x.hi;
 }
 
-/// Singular where x + u = r and y = 0 alone: the determinant does not change its sign there.
+/// It is singular only at x + u = r and y = 0; the determinant does not change its sign there.
 inline unsigned point_matrix(const double* boxes, const double*, double* out, const void* context) {
   const double r = *static_cast<const double*>(context);
   for (std::size_t lane = 0; lane < REGULUS_LANES; ++lane) {

@@ -11,7 +11,7 @@
 namespace regulus {
 namespace {
 
-/// A platform whose hexagon is half that of the base, but for one coordinate.
+/// Makes a platform whose hexagon is half that of the base, except for one coordinate.
 std::string hexagons(const std::string& last) {
   return R"(regulus = 1
 name = "hexagons"
@@ -90,7 +90,7 @@ TEST(AlwaysSingular, IsWhatAPavingFindsToo) {
   EXPECT_EQ(result.reason, Reason::kAlwaysSingular);
 }
 
-/// atan2(y, x) = atan(y/x) where x > 0: true, but no identity of polynomials in these functions.
+/// atan2(y, x) = atan(y/x) for x > 0: true, but not a polynomial identity in these functions.
 TEST(AlwaysSingular, IsSaidToSeemSoWhereItIsNotProved) {
   const Result result = checked(two_by_two(R"~([["atan2(y, x)", "atan(y/x)"], ["x", "x"]])~", ""));
   EXPECT_EQ(result.verdict, Verdict::kPossibleProblem);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What the commands say where the constraints leave no pose, or perhaps none; and quaternions,
-// whose norm is no constraint.
+// Tests the answers of the commands if the constraints leave no pose, or perhaps none; and
+// quaternions, whose norm is not a constraint.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -74,7 +74,7 @@ TEST(EmptyVariety, IsWarnedOfWhereItIsNotKnown) {
   EXPECT_THAT(report.text, HasSubstr("warning"));
 }
 
-/// A hexapod whose orientation is a quaternion, in a small box around a multiple of 1.
+/// Returns a hexapod with a quaternion as orientation, in a small box around a multiple of 1.
 std::string hexapod(const std::string& norm) {
   return R"(regulus = 1
 name = "hexapod"

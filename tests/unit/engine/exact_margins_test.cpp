@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Margins and singularities that bounds of the entries cannot see: by other forms of the
-// determinant, by a constraint that has terms of it, at ends of ranges that are no doubles.
+// Tests margins and singularities that bounds of the entries cannot show: other forms of the
+// determinant, constraints that share its terms, and ends of ranges that are not doubles show them.
 #include <gtest/gtest.h>
 
 #include <fstream>
@@ -14,7 +14,7 @@
 namespace regulus {
 namespace {
 
-/// [[1, y], [x, x·y + e]] has the determinant e.
+/// Makes the matrix [[1, y], [x, x·y + e]], whose determinant is e.
 std::string around(const std::string& e, const std::string& ranges, const std::string& rest = "") {
   return "regulus = 1\nname = \"two\"\nsource = \"a test\"\n[pose]\nx = \"1\"\ny = \"1\"\n" + rest +
          "[matrix]\nrows = [[\"1\", \"y\"], [\"x\", \"x*y + " + e + "\"]]\n[motion.box]\n" + ranges;
@@ -82,7 +82,7 @@ TEST(AConstraint, GivesNoMarginOnItsOtherSide) {
   EXPECT_NE(checked(beside_a_hole("(1/4 - x^2 - y^2 + 1e-14)")).verdict, Verdict::kNoSingularity);
 }
 
-/// det at (0.6, 0), which is beside the hole, lies within the bounds of a box around it.
+/// det at (0.6, 0), a point beside the hole, lies within the bounds of a box that contains it.
 TEST(AConstraint, LeavesTheDeterminantWithinItsBounds) {
   for (const double sign : {1.0, -1.0}) {
     const PreparedSearch search = prepared(

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// A time limit and an interrupt hold in every stage before the compiler, and leave no trace.
+// A time limit and an interrupt work in every stage before the compiler and leave no trace.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -106,7 +106,7 @@ TEST_F(FormingStop, HappensInEachStage) {
     }
 }
 
-/// Even if a search did begin, it could prove nothing with the kernel that is left.
+/// A search with the remaining kernel could prove nothing, even if one began.
 TEST_F(FormingStop, LeavesAKernelThatIsUndefinedEverywhere) {
   search_.time_limit = 1e-9;
   static_cast<void>(searched({}));

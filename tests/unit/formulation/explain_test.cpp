@@ -46,7 +46,7 @@ TEST(Explain, NamesConditionsAndUncertainties) {
   EXPECT_THAT(text, HasSubstr("defined only where 1/x is"));
 }
 
-/// Rows of which one is 2^-60 times the other.
+/// Makes rows, of which one is 2^-60 times the other.
 Model two_scales() {
   Model model;
   model.name = "two scales";

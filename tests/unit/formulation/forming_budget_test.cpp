@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Forming expressions within a budget of counted work, and stopping it.
+// Forms expressions within a budget of counted work, and stops the work early.
 #include <gtest/gtest.h>
 
 #include "codegen/formulation/formulation.hpp"
@@ -11,7 +11,7 @@
 namespace regulus::test {
 namespace {
 
-/// Dense: each entry is a product of sums of all variables.
+/// Makes a dense model: each entry is a product of sums of all variables.
 Model dense(int order, int variables, int factors) {
   Model model;
   Motion motion;
@@ -52,7 +52,7 @@ std::string printed(const std::vector<Expression>& forms) {
   return text;
 }
 
-/// K·A, as it is formed, has the value that the model's own entries give.
+/// Expects that K·A, as formed, has the value that the model's own entries give.
 void expect_exact_product(const Formulation& f) {
   std::mt19937_64 random(11);
   ExactValues values(random);
@@ -101,7 +101,7 @@ TEST(FormingBudget, CountsTheSameEachTime) {
   EXPECT_EQ(printed(first.left_derivatives), printed(second.left_derivatives));
 }
 
-/// Multiplied out, the parts of this one have some ten thousand terms each.
+/// If multiplied out, the parts of this model have some ten thousand terms each.
 TEST(FormingBudget, HoldsForAModelThatWouldTakeForLong) {
   const Formulation f = formed(dense(6, 8, 5), {});
   EXPECT_NE(f.detail, FormDetail::kFull);
@@ -128,7 +128,7 @@ TEST(FormingBudget, IsStoppedFromOutside) {
   EXPECT_TRUE(left.matrix.empty());
 }
 
-/// Of the stages that no budget counts.
+/// No budget counts these stages.
 TEST(FormingBudget, IsStoppedInTheMiddleOfSubstitutionAndLowering) {
   const Model model = dense(6, 8, 5);
   const Formulation f = formed(model, with_budget(1));
@@ -160,7 +160,7 @@ TEST(FormingBudget, DoesNotStopWithoutAReason) {
   EXPECT_EQ(identity(lower(f, &watch)), identity(lower(f)));
 }
 
-/// In the middle of it, at a count that does not depend on the time.
+/// The stop is in the middle of the work, at a count that does not depend on the time.
 TEST(FormingBudget, TellsHowFarItIsAndStopsThere) {
   const Model model = dense(4, 6, 4);
   std::atomic<bool> interrupted = false;

@@ -35,7 +35,7 @@ std::size_t at(int row, int column, int columns) {
   return static_cast<std::size_t>(row * columns + column);
 }
 
-/// K·A, A·K and ∂(K·A) are what they are called: compared with the matrix as written, exactly.
+/// Compares K·A, A·K and ∂(K·A) exactly with the matrix as written.
 void expect_exact_products(const Formulation& f, int points = 2) {
   std::mt19937_64 random(7);
   for (int repetition = 0; repetition < points; ++repetition) {
@@ -159,7 +159,7 @@ TEST(Formulation, FixedPoseParametersDisappear) {
   motion.pose[5] = 0;
   const Formulation f = formulate(model, motion);
   EXPECT_EQ(f.variables.size(), 3u);
-  // sin(pi/2) and cos(0) have been evaluated exactly.
+  // sin(pi/2) and cos(0) are already evaluated exactly.
   for (const Expression& e : f.left_product) EXPECT_EQ(to_string(e).find("sin"), std::string::npos);
   expect_exact_products(f);
 }
@@ -187,7 +187,7 @@ TEST(Formulation, TrajectoriesAndControlErrorsAreSubstituted) {
   EXPECT_EQ(f.variables[2].name, "psi_error");
   EXPECT_EQ(to_string(f.pose[0]), "x_error + 10*cos(2*pi*T)");
   EXPECT_EQ(to_string(f.pose[3]), "T + psi_error");
-  // The constraint is on the commanded pose.
+  // The constraint concerns the commanded pose.
   EXPECT_EQ(to_string(f.constraints[0]), "T + 10*cos(2*pi*T) - 5");
   check_module(lower(f));
 }
@@ -199,7 +199,7 @@ TEST(Formulation, NamesOfControlErrorsAvoidTheModelsNames) {
   EXPECT_EQ(f.variables[1].name, "x_error_");
 }
 
-/// Two columns, three rows.
+/// Makes a model with two columns and three rows.
 Model redundant_model() {
   Model model;
   model.name = "redundant";
@@ -238,7 +238,7 @@ TEST(Formulation, IsTheSameWhateverTheOrderOfSymbolCreation) {
     const Model model = robot_1(options);
     return to_text(lower(formulate(model, box_motion(model))));
   };
-  // The symbols of the first are older, and GiNaC has given away other serial numbers since.
+  // The symbols of the first model are older, and GiNaC has used other serial numbers since.
   const std::string straight = text({0, true, false});
   EXPECT_EQ(straight, text({0, true, true}));
   EXPECT_EQ(text({GiNaC::numeric(1, 20), true, false}), text({GiNaC::numeric(1, 20), true, true}));

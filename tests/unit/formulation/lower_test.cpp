@@ -17,7 +17,7 @@ namespace {
 TEST(Lowering, ProgramsComputeTheirExpressions) {
   std::mt19937_64 random(5);
   for (int i = 0; i < 300; ++i) {
-    // Without angles: their sines are not rational numbers to the interpreter.
+    // This uses no angles: to the interpreter, their sines are not rational numbers.
     RandomExpressions expressions(random);
     const Expression raw = expressions.polynomial(3) * power(expressions.polynomial(2), -2) -
                            power(expressions.polynomial(2), -1);
@@ -46,7 +46,7 @@ TEST(Lowering, ProgramsComputeTheirExpressions) {
   }
 }
 
-/// A matrix that is regular for all x > 0 but is written with an operation undefined somewhere.
+/// Makes a matrix that is regular for all x > 0, written with an operation undefined elsewhere.
 Model model_with(const GiNaC::realsymbol& x, const GiNaC::ex& entry) {
   Model model;
   model.name = "partial";
@@ -55,7 +55,7 @@ Model model_with(const GiNaC::realsymbol& x, const GiNaC::ex& entry) {
   return model;
 }
 
-/// Whether a function of the module is undefined somewhere in x ∈ [lo, hi], with K = 1.
+/// Returns true if the function is undefined somewhere in x ∈ [lo, hi], with K = 1.
 bool undefined(const Module& module, const std::string& function, double lo, double hi) {
   const Program& program = module.find(function)->program;
   const std::vector<Interval> inputs = {{lo, hi}};
@@ -70,7 +70,7 @@ constexpr const char* kMatrixFunctions[] = {
     "matrix",        "matrix_derivatives", "left_product",           "left_derivatives",
     "right_product", "determinant",        "determinant_derivatives"};
 
-/// Everything there is.
+/// Lowers all functions of the formulation.
 Module lowered(const Model& model, const Motion& motion) {
   FormulationOptions options;
   options.determinant = true;
@@ -97,7 +97,7 @@ TEST(Lower, TheCutOfAtan2IsUndefinedInDerivatives) {
 }
 
 TEST(Lower, WhatCancelsInRewritingStillHasToBeDefined) {
-  // (x - 1)/x - 1 + 1/x is 0 wherever it is defined.
+  // (x - 1)/x - 1 + 1/x is 0 at every x where it is defined.
   const GiNaC::realsymbol x("x");
   const Model model = model_with(x, 3 + (x - 1) / x * (x - 1) - 1 / x * (x * (x - 2) + 1));
   const Module module = lowered(model, box_motion(model));

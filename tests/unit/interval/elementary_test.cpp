@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Exact values, domains and unbounded arguments of the elementary functions.
+// Tests exact values, domains and unbounded arguments of the elementary functions.
 #include "runtime/interval/elementary.hpp"
 
 #include <gtest/gtest.h>

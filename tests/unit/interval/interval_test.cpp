@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What the interval type promises at its edges.
+// Tests the guarantees of the interval type in edge cases.
 #include "runtime/interval/interval.hpp"
 
 #include <gtest/gtest.h>

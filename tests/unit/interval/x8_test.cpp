@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The eight-lane functions as generated code calls them: by name, in any rounding mode.
+// Tests the eight-lane functions as generated code calls them: by name, in any rounding mode.
 #include "runtime/interval/x8.hpp"
 
 #include <gtest/gtest.h>
@@ -20,7 +20,7 @@ struct alignas(64) Block {
   double bounds[32] = {};
 };
 
-/// Lane i holds [i/8, i/8 + 0.01] as ordinate, [1, 2] as abscissa.
+/// Makes lanes i with [i/8, i/8 + 0.01] as ordinate and [1, 2] as abscissa.
 Block ordinary_input() {
   Block in;
   for (int lane = 0; lane < 8; ++lane) {
@@ -69,7 +69,7 @@ TEST(X8, GivesTheSameBitsInEveryFloatingPointEnvironment) {
 TEST(X8, DoesNotTrapWhenTheCallerUnmasksExceptions) {
   constexpr unsigned kInvalidUnmasked = 0x1f80 & ~0x0080u;
   Block in = ordinary_input();
-  in.bounds[0] = in.bounds[8] = 0x1p400;  // its reduction is meaningless arithmetic
+  in.bounds[0] = in.bounds[8] = 0x1p400;  // this bound has no meaningful reduction
   Block out;
   EXPECT_EQ(call_with_mxcsr(kInvalidUnmasked, regulus_x8_sin, in, out), 0u);
   EXPECT_EQ(out.bounds[0], -1);
@@ -87,7 +87,7 @@ TEST(X8, NamesEveryFunctionOnce) {
   EXPECT_EQ(names.size(), table.count);
 }
 
-/// What each function does on the input above, one lane at a time.
+/// Computes the result of each function on the input above, one lane at a time.
 TEST(X8, AgreesWithTheFunctionsOfOneInterval) {
   const Block in = ordinary_input();
   const auto same = [&](Function f, auto scalar, int result = 0) {

@@ -15,7 +15,7 @@
 namespace regulus {
 namespace {
 
-/// Two variables x, y and one entry k of K: k·x + y·y, sin(x), x/y.
+/// Makes a kernel of two variables x, y and one entry k of K: k·x + y·y, sin(x), x/y.
 EmittedKernel small_kernel() {
   EmittedKernel kernel;
   kernel.symbol = "small_kernel";

@@ -94,7 +94,7 @@ TEST_F(ObjectCacheTest, RemovesWhatInterruptedWritersLeft) {
   EXPECT_TRUE(std::filesystem::exists(in_use));
 }
 
-/// A value is one character repeated, so that a mixture of two writers would show.
+/// Each value repeats one character, so that a mixture of two writers is visible.
 bool writes_and_reads_whole_entries(const std::filesystem::path& path, int process) {
   const ObjectCache cache(path);
   for (int round = 0; round < 100; ++round) {
@@ -127,7 +127,7 @@ TEST_F(ObjectCacheTest, ServesProcessesThatWriteTheSameEntriesAtOnce) {
   EXPECT_EQ(files(), 3u);
 }
 
-/// Sets a variable for one test.
+/// Sets an environment variable for one test.
 class Variable {
  public:
   Variable(const char* name, const char* value) : name_(name) {

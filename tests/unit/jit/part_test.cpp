@@ -11,8 +11,8 @@ namespace {
 using machine::PackFunction;
 using Op = machine::PackOperation;
 
-/// Two parts that both compute 2·x + 3 and one that computes 3·x + 2, each with other numbers for
-/// its values, and constants of the whole list.
+/// Makes two parts that both compute 2·x + 3 and one that computes 3·x + 2. Each has other numbers
+/// for its values, and all use constants of the whole list.
 PackFunction example() {
   PackFunction f;
   f.constants = {Interval(3), Interval(7), Interval(2)};

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Pack programs as kernels in memory: what is compiled, what is found, and what it costs when the
-// cache is damaged.
+// Pack programs as kernels in memory: tests what is compiled, what is found in the cache, and what
+// a damaged cache costs.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -87,7 +87,7 @@ TEST_F(ProgramTest, TakesThePartsOfAnotherOneFromMemory) {
 
 TEST_F(ProgramTest, CompilesAgainThePartsWhoseEntriesAreDamaged) {
   (void)compile_kernel(program(), options_);
-  const auto files = entries();  // one of all parts together, and one of each
+  const auto files = entries();  // one for all parts together, and one for each part
   const auto largest = std::ranges::max_element(
       files, {}, [](const auto& file) { return std::filesystem::file_size(file); });
   std::ofstream(*largest, std::ios::trunc) << "damaged";

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What a process has to load depends on what it did before, so each of these runs in a new process
-// that has done nothing else. They share a directory through the environment.
+// A process loads only what it has not loaded before. So each of these tests runs in a new process
+// that has done nothing else. The environment names their common directory.
 #include <gtest/gtest.h>
 #include <sys/wait.h>
 #include <unistd.h>
@@ -26,13 +26,13 @@ extern "C" int answer() { return 42; }
 
 CompileOptions options() { return {best_isa(), true, std::getenv(kDirectoryVariable)}; }
 
-/// Whether the code of the text works, and code compiled in process rounds outward.
+/// Returns true if the code of the text works and code compiled in process rounds outward.
 bool works(const MachineCode& code) {
   const auto answer = reinterpret_cast<int (*)()>(code.symbol("answer"));
   return answer && answer() == 42 && !rounding_self_test(options());
 }
 
-/// Says on stderr what was used; exit status 0 when the code works.
+/// Prints on stderr what was used; the exit status is 0 if the code works.
 [[noreturn]] void compile_and_exit() {
   const MachineCode code = compile_text(kText, options());
   const bool sound = works(code);
@@ -43,7 +43,7 @@ bool works(const MachineCode& code) {
   std::_Exit(sound ? 0 : 1);
 }
 
-/// Compiles in three processes at once; the exit status is the number of those that failed.
+/// Compiles in three processes at once; the exit status is the number of failed processes.
 [[noreturn]] void compile_at_once_and_exit() {
   std::vector<pid_t> children;
   for (int i = 0; i < 3; ++i) {

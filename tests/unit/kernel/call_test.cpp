@@ -18,7 +18,7 @@ namespace {
 
 using ::testing::HasSubstr;
 
-/// Returns MXCSR as it is inside, and reports what `context` points to.
+/// Returns the MXCSR during the call, and as undefined lanes the value that `context` points to.
 unsigned spy(const double*, const double*, double* out, const void* context) {
   out[0] = read_mxcsr() & ~0x3fu;
   return context == nullptr ? 0 : *static_cast<const unsigned*>(context);

@@ -21,7 +21,7 @@ std::string file_text(const std::string& path) {
   return text.str();
 }
 
-/// runtime/kernel/pack.hpp of runtime/kernel/pack.hpp.
+/// Returns the path of a header in the source tree, for example of runtime/kernel/pack.hpp.
 std::string source_path(std::string_view header) {
   return REGULUS_SOURCE_DIR "/runtime" + std::string(header.substr(header.find('/')));
 }

@@ -21,7 +21,7 @@ constexpr unsigned kMaskedNearest = 0x1f80;
 constexpr unsigned kDownward = 0x2000, kUpward = 0x4000, kTowardZero = 0x6000;
 constexpr unsigned kFlushToZero = 0x8000, kDenormalsAreZero = 0x0040;
 
-/// The outcome under an MXCSR of the caller's choice.
+/// Returns the outcome under an MXCSR that the caller sets.
 std::optional<std::string> under(unsigned mxcsr, regulus_function function) {
   const unsigned saved = read_mxcsr();
   write_mxcsr(mxcsr);
@@ -74,7 +74,7 @@ TEST(SelfTest, FailsWhenSubnormalsAreFlushed) {
   }
 }
 
-// Programs that differ from the portable one in one respect.
+// Each of these programs differs from the portable one in one respect.
 
 constexpr int kOutputs = 44;
 

@@ -14,7 +14,7 @@ namespace {
 
 using Op = PackOperation;
 
-/// x + 1, x + 2 … x + count, and then their sum: all of them are alive at once.
+/// Computes x + 1, x + 2 … x + count, and then their sum: all are alive at once.
 PackKernel sum_of(std::uint32_t count) {
   PackKernel k;
   k.variables = k.motion_variables = k.rows = k.columns = 1;

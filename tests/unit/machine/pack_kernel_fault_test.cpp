@@ -16,7 +16,7 @@ PackFunction& function(PackKernel& k, KernelFunction f) {
   return k.functions[static_cast<std::size_t>(f)];
 }
 
-/// x and y to as many outputs; the first is x plus a constant.
+/// Stores x and y in so many outputs; the first output is x plus a constant.
 PackFunction values(std::uint32_t outputs) {
   PackFunction f;
   f.code = {{Op::kLoad, 0}, {Op::kConstant, 0}, {Op::kAdd_II, 0, 1}, {Op::kStore, 0, 0, 2}};
@@ -27,7 +27,7 @@ PackFunction values(std::uint32_t outputs) {
   return f;
 }
 
-/// A 2×2 matrix of x, and y, which touches row 1 alone.
+/// Makes a 2×2 matrix of x and y, where y touches row 1 only.
 PackKernel sample() {
   PackKernel k;
   k.variables = 2;
@@ -80,7 +80,7 @@ TEST(PackFileOfAKernel, IsNotReadFromAnythingElse) {
   EXPECT_FALSE(read_pack_kernel(' ' + text));
 }
 
-/// 256 more than a function's number is no other way to write it.
+/// Adding 256 to the number of a function does not give another spelling of it.
 TEST(PackFileOfAKernel, HasOneWayToWriteAFunction) {
   PackKernel k = sample();
   k.identity.clear();
@@ -88,7 +88,7 @@ TEST(PackFileOfAKernel, HasOneWayToWriteAFunction) {
   k.expansion = {};
   k.expansion.derivatives.fill({KernelFunction::kNominalFirst, {}});
   const std::string text = to_bytes(k);
-  // At the end: the product, four functions with empty lists, three empty lists, no identity.
+  // The end has the product, four functions with empty lists, three empty lists, no identity.
   const std::size_t product = text.size() - 13;
   ASSERT_EQ(text[product], static_cast<char>(k.expansion.product));
   ASSERT_TRUE(read_pack_kernel(text));
@@ -101,7 +101,7 @@ TEST(PackFileOfAKernel, HasOneWayToWriteAFunction) {
   EXPECT_FALSE(read_pack_kernel(longer));
 }
 
-/// Every byte changed: the result is another program without fault, or none.
+/// Changes every byte: the result is another program without a fault, or it is refused.
 TEST(PackFileOfAKernel, GivesNoProgramWithAFault) {
   const std::string text = to_bytes(sample());
   int read = 0;

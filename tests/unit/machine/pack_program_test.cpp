@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// A list of operations that someone else made: what is wrong with it is said before it is run.
+// Faults of a foreign list of operations are reported before it runs.
 #include "runtime/machine/pack_program.hpp"
 
 #include <gmock/gmock.h>
@@ -18,7 +18,7 @@ namespace {
 using Op = PackOperation;
 using testing::HasSubstr;
 
-/// Two parts: out[0] = x·y + 3 by way of a kept product, out[1] and out[2] = sin x.
+/// Makes two parts: out[0] = x·y + 3, using a kept product; out[1] and out[2] = sin x.
 PackFunction sample() {
   PackFunction f;
   f.code = {{Op::kLoad, 0},     {Op::kLoad, 1},      {Op::kMultiply_II, 0, 1}, {Op::kKeep, 0, 2},

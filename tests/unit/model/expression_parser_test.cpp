@@ -40,7 +40,7 @@ ParsedExpression parse(const std::string& text) {
 
 ex half_power(const ex& e) { return GiNaC::pow(e, numeric(1, 2)); }
 
-/// Whether the expressions that must be defined are these, in this order.
+/// Checks that exactly these expressions must be defined, in this order.
 void expect_conditions(const std::string& text, const std::vector<ex>& expected) {
   const ParsedExpression term = parse(text);
   ASSERT_EQ(term.must_be_defined.size(), expected.size()) << text;

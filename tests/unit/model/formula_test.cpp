@@ -83,7 +83,7 @@ TEST(Formula, IsNotMadeFromADoubleThatHasBeenRounded) {
   EXPECT_EQ(Formula(INT64_MIN).text(), "-9223372036854775808");
 }
 
-/// The same random expression by both variants.
+/// The same random expression in both representations.
 struct Pair {
   Formula formula;
   ex value;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The Gough family against a plain implementation in doubles that shares nothing with it.
+// Compares the Gough family with a simple implementation in doubles that shares no code with it.
 #include "codegen/model/gough.hpp"
 
 #include <gtest/gtest.h>
@@ -40,7 +40,7 @@ Vector cross(const Vector& u, const Vector& v) {
 
 double norm(const Vector& v) { return std::sqrt(v[0] * v[0] + v[1] * v[1] + v[2] * v[2]); }
 
-/// Rotation about an axis by Rodrigues' formula.
+/// Returns the rotation about an axis, by Rodrigues' formula.
 Matrix about(const Vector& axis, double angle) {
   const double n = norm(axis);
   Matrix R{};
@@ -93,7 +93,7 @@ class Robot {
     return pose;
   }
 
-  /// The row (u, CB × u) of J⁻¹, u the unit vector of the leg; and the length of the leg.
+  /// Returns the row (u, CB × u) of J⁻¹, u the unit vector of the leg, and the leg's length.
   std::pair<std::array<double, 6>, double> inverse_jacobian_row(std::size_t leg,
                                                                 const test::Point& pose) const {
     const auto coordinates = [&](char side) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The models that come with Regulus.
+// Tests the models that come with Regulus.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -26,7 +26,7 @@ std::vector<std::string> motion_names(const Model& model) {
   return names;
 }
 
-/// Table III, rows of x_A y_A z_A x_B y_B z_B.
+/// Table III: rows of x_A y_A z_A x_B y_B z_B.
 using TableIII = std::array<std::array<int, 6>, 6>;
 constexpr TableIII kRobot1 = {{{-9, 9, 0, -3, 7, 0},
                                {9, 9, 0, 3, 7, 0},
@@ -127,7 +127,7 @@ TEST(Rump, HasItsExactValue) {
 
 class Planar : public testing::Test {
  protected:
-  /// det J⁻¹, the row scales included.
+  /// Returns det J⁻¹, including the row scales.
   double determinant(double x, double y, double phi) const {
     test::Point point = {{"x", x}, {"y", y}, {"phi", phi}};
     for (const GeometryParameter& g : model_.geometry) point[g.name] = test::evaluate(g.value, {});
@@ -141,7 +141,7 @@ class Planar : public testing::Test {
            a[0][2] * (a[1][0] * a[2][1] - a[1][1] * a[2][0]);
   }
 
-  /// The least and the greatest determinant on a grid over the motion's box.
+  /// Returns the least and the greatest determinant on a grid over the motion's box.
   std::pair<double, double> extremes(const std::string& name) const {
     const Motion& motion = find_motion(model_, name);
     const auto at = [&motion](std::size_t i, int step) {
@@ -163,7 +163,7 @@ class Planar : public testing::Test {
 };
 
 TEST_F(Planar, TriangleHasThePublishedSides) {
-  // Coordinates of B2 and B3 in the mobile frame follow from the law of cosines.
+  // The law of cosines gives the coordinates of B2 and B3 in the mobile frame.
   const double u3 = (17.04 * 17.04 + 20.84 * 20.84 - 16.54 * 16.54) / (2 * 17.04);
   const double v3 = std::sqrt(20.84 * 20.84 - u3 * u3);
   EXPECT_NEAR(std::hypot(17.04 - u3, v3), 16.54, 1e-12);

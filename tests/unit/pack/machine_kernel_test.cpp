@@ -17,7 +17,7 @@ namespace {
 
 using machine::MachineKernel;
 
-/// A = [sqrt(x)·y], K·A = [k·sqrt(x)·y], one constraint x^40.
+/// Makes A = [sqrt(x)·y], K·A = [k·sqrt(x)·y], and one constraint x^40.
 Module example() {
   Module module;
   module.model = "example";

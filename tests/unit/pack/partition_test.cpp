@@ -35,7 +35,7 @@ TEST(FunctionPlan, CutsFunctionsIntoPartsThatHoldTogether) {
   }
 }
 
-/// Replays the plan: whoever reads a slot must find what was put there.
+/// Replays the plan: each read of a slot must find the value that was stored there.
 TEST(FunctionPlan, NeverReusesASlotThatIsStillNeeded) {
   int read = 0;
   for (std::uint64_t seed = 0; seed < 200; ++seed) {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "codegen/program/ball_program.hpp"
 
-// What a search hands to its threads is to hold no number of CLN: none is so much as declared here.
+// The threads of a search must hold no number of CLN: this header may not even declare one.
 #if defined(_CL_OBJECT_H) || defined(_CL_NUMBER_H) || defined(_CL_RATIONAL_H) || \
     defined(GINAC_EX_H) || defined(GINAC_BASIC_H)
 #error "codegen/program/ball_program.hpp includes CLN or GiNaC"
@@ -23,7 +23,7 @@ using cln::cl_RA;
 
 const char* const kLong = "340282366920938463463374607431768211456/98765432109876543210987654321";
 
-/// Constants of every size, π, every kind of operation; undefined where x ≤ 0.
+/// Uses constants of every size, π, every kind of operation; undefined for x ≤ 0.
 Program example() {
   ProgramBuilder b({"x", "y"}, {});
   const NodeId x = b.input(0), y = b.input(1);
@@ -57,7 +57,7 @@ TEST(BallProgram, ComputesWhatTheProgramDoes) {
                std::invalid_argument);
 }
 
-/// Under ThreadSanitizer (`make tsan`), too: numbers of CLN, read by several threads, are a race.
+/// `make tsan` runs this, too: several threads that read the same numbers of CLN make a race.
 TEST(BallProgram, MayBeEvaluatedByManyThreadsAtOnce) {
   const BallProgram balls(example());
   const auto expected = evaluate(balls, point(0.3, -2), 424);

@@ -49,7 +49,7 @@ TEST(Enclose, IsThinForDoublesOnly) {
 }
 
 TEST(Enclose, RaisesThePrecisionThroughCancellation) {
-  // (10^60 + π) − 10^60 = π, lost at 128 bits and below.
+  // (10^60 + π) − 10^60 = π; 128 bits and fewer lose it.
   const cln::cl_RA huge("1000000000000000000000000000000000000000000000000000000000000");
   const auto pi = enclose(constant(
       [&](auto& b) { return b.subtract(b.add(b.constant(huge), b.pi()), b.constant(huge)); }));

@@ -12,7 +12,7 @@ namespace {
 
 using Expression = std::function<NodeId(ProgramBuilder&)>;
 
-/// K is 2×2: points 0 and 1 are one row, 2 and 3 the other.
+/// Returns whether the expression is exact. K is 2×2: points 0, 1 are one row, 2, 3 the other.
 bool is_exact(const Expression& expression, std::size_t row_length = 2) {
   ProgramBuilder builder({"x"}, {"k_1_1", "k_1_2", "k_2_1", "k_2_2"});
   builder.output(expression(builder));
@@ -50,12 +50,12 @@ TEST(ExactNodes, HaveNoVariableConstantTermOrSquare) {
 
 TEST(ExactNodes, EndWhereFiftyThreeBitsDo) {
   const auto power = [](int n) { return cln::expt(cln::cl_RA(2), n); };
-  // 29 bits and 24 are 53.
+  // 29 bits plus 24 bits give 53.
   EXPECT_TRUE(is_exact([&](auto& b) { return times(b, power(24) - 1, 0); }));
   EXPECT_TRUE(is_exact([&](auto& b) { return times(b, power(24), 0); }));
   EXPECT_FALSE(is_exact([&](auto& b) { return times(b, power(24) + 1, 0); }));
   EXPECT_FALSE(is_exact([&](auto& b) { return b.add(times(b, power(24), 0), b.point(1)); }));
-  // A common factor of two brings an entry of its own out of step with the others.
+  // With a common factor, one entry has other powers of two than the rest.
   EXPECT_FALSE(is_exact([&](auto& b) { return b.add(times(b, power(-25), 0), b.point(1)); }));
   EXPECT_TRUE(is_exact([&](auto& b) { return b.add(times(b, power(-23), 0), b.point(1)); }));
   EXPECT_FALSE(is_exact([&](auto& b) { return times(b, power(-200), 0); }));

@@ -13,7 +13,7 @@ namespace {
 
 using Expression = std::function<NodeId(ProgramBuilder&)>;
 
-/// The nodes of a program with one output, without its declarations.
+/// Returns the nodes of a program with one output, without its declarations.
 std::string nodes_of(const Expression& expression) {
   ProgramBuilder builder({"x", "y"}, {"k"});
   builder.output(expression(builder));

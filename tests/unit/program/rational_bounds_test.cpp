@@ -21,7 +21,7 @@ cln::cl_RA power_of_two(int exponent) {
   return exponent < 0 ? cln::cl_RA(1) / power : cln::cl_RA(power);
 }
 
-/// Any double but NaN and infinities, all exponents alike.
+/// Returns any double except NaN and infinities; all exponents are equally likely.
 double any_double(test::RandomSource& random) {
   for (;;) {
     const std::uint64_t bits = random.next();
@@ -47,7 +47,7 @@ TEST(RationalBounds, ReturnsEveryDoubleToItself) {
   }
 }
 
-/// A rational strictly between neighbours: lo + (hi − lo)·f, 0 < f < 1.
+/// Tests rationals strictly between neighbours: lo + (hi − lo)·f, 0 < f < 1.
 TEST(RationalBounds, RoundsToTheNeighboursOfEveryRational) {
   test::RandomSource random(2);
   const std::vector<cln::cl_RA> fractions = {cln::cl_RA("1/2"), cln::cl_RA("1/3"),

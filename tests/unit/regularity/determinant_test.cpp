@@ -36,7 +36,7 @@ TEST(Determinant, EliminationExchangesRowsAndKeepsTheSign) {
 }
 
 TEST(Determinant, EliminationExpandsWhatHasNoPivot) {
-  // Every entry contains 0: only expansion bounds it.
+  // Every entry contains 0: only expansion gives a bound.
   const Interval x(-1, 1);
   const Interval determinant = enclose_determinant_by_elimination(matrix(2, {x, x, x, x}));
   EXPECT_EQ(determinant, Interval(-2, 2));
@@ -50,7 +50,7 @@ TEST(Determinant, EliminationOfManyRowsWithoutPivotIsTheWholeLine) {
 }
 
 TEST(Determinant, ExpansionFollowsTheNarrowestLine) {
-  // Along the thin first column: [1, 1]·d − 0·b = [2, 3]; along the second row 0 and d as well.
+  // Along the thin first column: [1, 1]·d − 0·b = [2, 3]; the second row 0, d gives the same.
   EXPECT_EQ(enclose_determinant(matrix(2, {1.0, {-9, 9}, 0.0, {2, 3}})), Interval(2, 3));
   // 3×3: the thin row (1, 0, 0) leaves the minor alone.
   EXPECT_EQ(enclose_determinant(matrix(3, {{-5, 5}, 2.0, 1.0, 1.0, 0.0, 0.0, {-7, 7}, 1.0, 1.0})),

@@ -28,7 +28,7 @@ LaneMask certify(const std::vector<double>& entries, std::size_t n) {
   return certain_h_matrix(points(P, n), points(v));
 }
 
-/// Whether a call of certain_contraction with arguments of these types compiles.
+/// Tests whether a call of certain_contraction with arguments of these types compiles.
 template <typename First, typename Second>
 constexpr bool kIsContractionOf = std::is_invocable_v<decltype(certain_contraction), First, Second>;
 
@@ -47,10 +47,10 @@ TEST(HMatrix, ArgumentsInTheWrongPlaceDoNotCompile) {
 TEST(HMatrix, CertifiesUpToSpectralRadiusOne) {
   EXPECT_EQ(certify({0.999999}, 1), kAllLanes);
   EXPECT_EQ(certify({1.0}, 1), 0U);
-  // ρ = √(ab): cyclic, and badly scaled.
+  // ρ = √(ab): cyclic and badly scaled.
   EXPECT_EQ(certify({0, 1e6, 0.99e-6, 0}, 2), kAllLanes);
   EXPECT_EQ(certify({0, 1e6, 1.01e-6, 0}, 2), 0U);
-  // Reducible: only the diagonal counts.
+  // The matrix is reducible: only the diagonal matters.
   EXPECT_EQ(certify({0.5, 1e9, 0, 0.5}, 2), kAllLanes);
 }
 

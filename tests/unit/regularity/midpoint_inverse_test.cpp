@@ -20,7 +20,7 @@ LaneMask invert(const std::vector<double>& A, std::size_t m, std::size_t n, std:
   return approx_inverse(ConstPointMatrix(A.data(), m, n), PointMatrix(K.data(), n, m), determinant);
 }
 
-/// Largest |(KA − I)[i][j]| of a lane.
+/// Returns the largest |(KA − I)[i][j]| of a lane.
 double residual(const std::vector<double>& K, const std::vector<double>& A, std::size_t m,
                 std::size_t n, std::size_t lane) {
   double largest = 0;
@@ -75,7 +75,7 @@ TEST(MidpointInverse, FlagsExactlyTheSingularLanes) {
   EXPECT_EQ(invert(A, 2, 2, K, det), 1U << 3);
 }
 
-/// Whether the row is integers of at most 2^28 times a power of two.
+/// Returns true if the row consists of integers of at most 2^28 times a power of two.
 bool is_on_grid(const std::vector<double>& row) {
   double greatest = 0;
   for (const double x : row) greatest = std::max(greatest, std::fabs(x));
@@ -133,7 +133,7 @@ TEST(MidpointInverse, InvertsTallMatricesFromTheLeftInMixedUnits) {
     for (std::size_t l = 0; l < kLanes; ++l)
       A[point_at(e, l)] = test::uniform(random, -1, 1) * (e % n < 3 ? 1.0 : 1e7);
   EXPECT_EQ(invert(A, m, n, K, det), 0U);
-  // In the units of the columns: (KA)[i][j] carries unit j over unit i.
+  // With the units of the columns: (KA)[i][j] has unit j over unit i.
   for (std::size_t l = 0; l < kLanes; ++l) {
     std::vector<double> scaled_A = A, scaled_K = K;
     for (std::size_t p = 0; p < m; ++p)

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The numbers of a text report are those of the model file, and determine a witness.
+// The numbers of a text report are those of the model file, and they determine a witness.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 

@@ -10,7 +10,7 @@
 namespace regulus {
 namespace {
 
-/// The example of the model files, every feature of the format, in C++.
+/// The example of the model files in C++, with every feature of the format.
 Robot example() {
   Robot robot("example");
   robot.source("made up");

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Which values are tried, with searches whose outcome and price are a formula.
+// Tests the choice of values, with searches whose outcome and cost are given by a formula.
 #include "runtime/search/bracket.hpp"
 
 #include <gtest/gtest.h>
@@ -22,7 +22,7 @@ Attempt refuted(double value) {
   return {value, Verdict::kSingularity, Reason::kOppositeSigns, 1, 0.01};
 }
 
-/// Carries the plan out until there is none; the price is that of an honest search near a ceiling.
+/// Runs the plan to its end; a search near a ceiling costs as much as a real one.
 struct Pursuit {
   std::vector<Attempt> attempts;
   double seconds = 0;
@@ -115,7 +115,7 @@ TEST(Bracket, SpendsItsTimeOnValuesItCanAfford) {
   bracket.note_refuted(0.5);
   Pursuit run;
   run.of(bracket, ceiling(0.5, 10));
-  // 60 s pay for 60 000 boxes, and so for 0.4935 at once.
+  // 60 s allow 60 000 boxes, so 0.4935 is certified at once.
   EXPECT_GT(*bracket.certified(), 0.486);
   double wasted = 0;
   for (const Attempt& attempt : run.attempts)

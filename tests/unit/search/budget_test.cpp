@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Budgets, events, faults, and the floating-point environment.
+// Tests budgets, events, faults, and the floating-point environment.
 #include <gtest/gtest.h>
 #include <xmmintrin.h>
 
@@ -17,7 +17,7 @@ using test::FunctionKernel;
 using test::problem_over;
 using test::Values;
 
-/// Regular everywhere, but intervals need some hundred boxes to see it.
+/// Is regular everywhere, but intervals need some hundred boxes to show it.
 class Laborious : public FunctionKernel {
  public:
   Laborious()
@@ -34,8 +34,8 @@ TEST(Budget, TheLaboriousMatrixIsRegular) {
   EXPECT_GT(result.statistics.boxes, 100U);
 }
 
-/// Before the round of boxes that would go beyond it: a round is an eighth of those before at most,
-/// and eight.
+/// The search stops before a round that would exceed the limit. A round has at most an eighth of
+/// the boxes before it, plus eight.
 TEST(Budget, StopsAtTheNumberOfBoxes) {
   const Laborious kernel;
   for (const std::uint64_t limit : {0U, 1U, 5U, 20U, 100U}) {
@@ -60,7 +60,7 @@ TEST(Budget, IsMetToTheBoxInTheOrderOfThePaper) {
   }
 }
 
-/// Regular everywhere, but only boxes as small as 2^-24 each way show it: 2^48 of them.
+/// The matrix is regular everywhere, but only 2^48 boxes, as small as 2^-24 each way, show it.
 TEST(Budget, StopsWhereTheSearchMakesNoHeadway) {
   const FunctionKernel kernel(2, 1, 1, [](const Values& x) {
     const double spread = (x[0].hi - x[0].lo + x[1].hi - x[1].lo) * 0x1p23;
@@ -91,7 +91,7 @@ TEST(Budget, StopsWhenInterrupted) {
   EXPECT_EQ(result.reason, Reason::kInterrupted);
 }
 
-/// A state that knows no more than which number the next box has.
+/// Returns a state that has only the number of the next box.
 SearchState from_box(BoxId next_id) {
   SearchState state;
   state.next_id = next_id;

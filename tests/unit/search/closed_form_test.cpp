@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The test on a determinant in closed form, on kernels whose determinant is known.
+// Tests the test on a determinant in closed form, on kernels with a known determinant.
 #include <gtest/gtest.h>
 
 #include <random>
@@ -69,7 +69,7 @@ TEST(ClosedForm, TakesItsValuesAtTheEndsWhereItIsMonotone) {
   EXPECT_LT(falling.hi - 35 + 15 - falling.lo, 1e-12);
 }
 
-/// det = xy − z³ + xz: rising, falling or neither, as the box has it.
+/// det = xy − z³ + xz: the box decides whether it rises, falls or does neither.
 TEST(ClosedForm, EnclosesTheDeterminantOnRandomBoxes) {
   const auto value = [](const Values& x) {
     return Values{x[0] * x[1] - x[2] * x[2] * x[2] + x[2] * x[0]};

@@ -73,7 +73,7 @@ TEST(Frontier, KeepsEveryBoxWhenItGrows) {
 }
 
 /// Splits every box of m ranges of width 1 down to width 2^-depth, `at_once` boxes at a time, and
-/// checks what Algorithm 1 promises about the list.
+/// checks the guarantee of Algorithm 1 about the list.
 std::size_t largest_list(std::size_t m, int depth, std::size_t at_once, std::uint64_t seed) {
   Frontier frontier(m);
   test::RandomSource random(seed);

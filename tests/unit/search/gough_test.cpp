@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The six-legged platforms of Table III. Verdicts, and budgets for the numbers of boxes.
+// Tests verdicts and budgets of boxes for the six-legged platforms of Table III.
 #include <gtest/gtest.h>
 
 #include "runtime/search/solver.hpp"
@@ -115,7 +115,7 @@ TEST(Gough, EveryMethodOfThePaperFindsTheSingularity) {
   }
 }
 
-/// det J⁻¹ over the workspace lies well above this; its row scales are 1/ρᵢ ≈ 1/50.
+/// det J⁻¹ over the workspace is far above this; its row scales are 1/ρᵢ ≈ 1/50.
 TEST(Gough, ThresholdsAreOnTheDeterminantOfTheScaledMatrix) {
   const GoughKernel kernel(kRobot1);
   Problem problem = robot_1(kernel, 5, 5);

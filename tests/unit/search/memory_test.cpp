@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// A search that runs out of memory says so. The kernel is a plain function, so that only the search
-// asks for memory.
+// A search that runs out of memory reports this. The kernel is a plain function, so that only the
+// search asks for memory.
 #include <gtest/gtest.h>
 
 #include <atomic>
@@ -12,10 +12,10 @@
 
 namespace {
 
-/// How many more allocations succeed; negative: all.
+/// The number of allocations that will succeed; negative: all.
 std::atomic<long> allocations_left = -1;
 std::atomic<bool> refused = false;
-/// Only one is refused.
+/// If true, only one allocation is refused.
 std::atomic<bool> once = false;
 
 }  // namespace
@@ -37,7 +37,7 @@ std::atomic<bool> once = false;
 namespace regulus {
 namespace {
 
-/// Refuses one allocation, or that and all that follow.
+/// Refuses one allocation, or that one and all later ones.
 enum class Shortage { kOnce, kForGood };
 
 class ShortOfMemory final : public Observer {
@@ -63,7 +63,7 @@ class ShortOfMemory final : public Observer {
   std::size_t open_ = 0;
 };
 
-/// det A = x + u vanishes in the middle of the ranges.
+/// Makes a problem with det A = x + u, which vanishes in the middle of the ranges.
 Problem format_singular(const regulus_kernel& kernel) {
   Problem problem;
   problem.kernel = &kernel;
@@ -96,7 +96,7 @@ TEST(Memory, ASearchThatRunsOutOfItEndsWithThatReason) {
           ++reported;
           EXPECT_GT(memory.open(), 0U);
         }
-      } catch (const std::bad_alloc&) {  // by what comes before or after the search
+      } catch (const std::bad_alloc&) {  // from code before or after the search
       }
       if (!refused) break;
     }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// A search that stops and goes on, however often, tells what one without a stop does.
+// A search that stops and continues, however often, gives the same answer as one without a stop.
 #include <gtest/gtest.h>
 
 #include <atomic>
@@ -14,7 +14,7 @@ using test::FunctionKernel;
 using test::problem_over;
 using test::Values;
 
-/// Keeps what it is told at a pause, and interrupts the search then.
+/// Keeps the state that it receives at a pause, and then interrupts the search.
 class Pausing : public Observer {
  public:
   Pausing(std::string& log, std::uint64_t every) : log_(log), every_(every) {}
@@ -56,7 +56,7 @@ struct Told {
   int stops = 0;
 };
 
-/// Stops after every so many rounds. The last told state is what the next search starts from.
+/// Stops after every so many rounds. The next search starts from the last state received.
 Told search(const Problem& problem, Settings settings, std::uint64_t every) {
   Told told;
   SearchState state;
@@ -101,7 +101,7 @@ TEST(Pause, AProofIsTheSameInPieces) {
   expect_the_same(problem_over(kernel, {{-2, 2}, {-2, 2}}), {}, Verdict::kNoSingularity, 8);
 }
 
-/// What could not be decided before a stop is not forgotten: the rest alone would be free.
+/// A box that was undecided before a stop is not forgotten: without it the rest would be free.
 TEST(Pause, ABlockedBoxStaysBlocked) {
   const FunctionKernel kernel(2, 2, 2, [](const Values& x) {
     return Values{x[0] - Interval(0.3), x[1], -x[1], x[0] - Interval(0.3)};
@@ -119,7 +119,7 @@ TEST(Pause, APavingIsTheSameInPieces) {
   expect_the_same(problem_over(kernel, {{-2, 2}, {-2, 2}}), settings, Verdict::kSingularity, 8);
 }
 
-/// Stops at each of these budgets, and goes on to the end.
+/// Stops at each of these budgets, and continues to the end.
 Told search_with_budgets(const Problem& problem, Settings settings,
                          const std::vector<std::uint64_t>& budgets) {
   Told told;
@@ -183,8 +183,8 @@ TEST(ABudget, LeavesABlockedSearchAsItIs) {
                                Verdict::kPossibleProblem);
 }
 
-/// The sign of 2·x·y − 1.9999 changes near two corners alone. A sign that was seen before a stop is
-/// not forgotten.
+/// The sign of 2·x·y − 1.9999 changes near two corners only. The search remembers a sign that it
+/// saw before a stop.
 TEST(ABudget, LeavesTheWitnessAsItIs) {
   const FunctionKernel kernel(2, 2, 2, [](const Values& x) {
     return Values{x[0] * x[0] + x[1] * x[1] - Interval(1.9999), x[0] - x[1], x[0] - x[1],

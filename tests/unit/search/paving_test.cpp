@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What an exhaustive search says of each box, and how the volumes add up.
+// Tests the claim of an exhaustive search about each box, and the sums of the volumes.
 #include "runtime/search/paving.hpp"
 
 #include <gtest/gtest.h>
@@ -57,7 +57,7 @@ Interval sum_of_claims(const Volumes& volumes) {
   return sum;
 }
 
-/// det = x² + y² − 1, as a 2×2 matrix.
+/// Makes det = x² + y² − 1 as a 2×2 matrix.
 FunctionKernel circle() {
   return FunctionKernel(2, 2, 2, [](const Values& x) {
     return Values{x[0], x[1] + 1.0, 1.0 - x[1], x[0]};
@@ -131,7 +131,7 @@ TEST(Paving, LeavesABoxWholeWhoseDeterminantIsAtMostAlphaThroughout) {
   ASSERT_EQ(paving.volumes.of(Claim::kSingular).boxes, 2U);
   for (const Leaf& leaf : paving.leaves) {
     if (leaf.claim != Claim::kSingular) continue;
-    // All of [0, 1], and the box just above 1 for its lower end.
+    // These are all of [0, 1], and the box just above 1 because of its lower end.
     const bool whole = leaf.box[0] == Interval(0, 1);
     EXPECT_TRUE(whole || leaf.box[0] == Interval(1, 1 + 0x1p-8)) << leaf.box[0].hi;
     EXPECT_EQ(leaf.points[0].variables[0], whole ? leaf.box[0] : Interval(1.0));
@@ -220,7 +220,7 @@ TEST(Paving, DividesTheDeterminantOfKAByThatOfK) {
 
 TEST(Paving, ClaimsNoSingularityWhereTheVarietyMayBeEmpty) {
   FunctionKernel kernel(1, 1, 1, [](const Values& x) { return Values{x[0] * Interval(0.125)}; });
-  // Positive everywhere, but intervals of this width do not see it.
+  // The constraint is positive everywhere, but intervals of this width do not show it.
   kernel.with_constraints(1,
                           [](const Values& x) { return Values{x[0] * x[0] - x[0] * x[0] + 0.1}; });
   for (const double alpha : {0.0, 1.0}) {

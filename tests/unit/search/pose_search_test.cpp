@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Whether the constraints leave any pose, and what a search then says.
+// Tests whether the constraints leave any pose, and the answer of the search then.
 #include "runtime/witness/pose_search.hpp"
 
 #include <gtest/gtest.h>
@@ -14,7 +14,7 @@ using test::FunctionKernel;
 using test::problem_over;
 using test::Values;
 
-/// Regular everywhere.
+/// Is regular everywhere.
 Values two(const Values&) { return Values{Interval(2.0)}; }
 
 Interval square_of_radius(const Values& x) { return sqr(x[0]) + sqr(x[1]); }
@@ -52,7 +52,7 @@ TEST(PoseSearch, NothingIsClaimedOfAVarietyThatTheConstraintsExclude) {
   expect_empty(positive.searched(exhaustive));
 }
 
-/// No box of the search needs to be split to be certified, so none is found to be outside.
+/// No box needs a split to be certified, so the search finds no box outside.
 TEST(PoseSearch, SeesThatTwoConstraintsExcludeEachOther) {
   const Constrained apart(2, [](const Values& x) {
     return Values{x[0] - 1.0, 1.0 + 0x1p-40 - x[0]};
@@ -77,8 +77,8 @@ TEST(PoseSearch, FindsTheOnePoseThatConstraintsLeave) {
   EXPECT_EQ(corner.searched().occupancy, Occupancy::kInhabited);
 }
 
-/// A circle of radius √2 about a point holds no pair of doubles, but it is not empty: the claim is
-/// true, and it is not known whether it is about anything.
+/// A circle of radius √2 about this point contains no pair of doubles, but it is not empty. The
+/// claim is true, but the search does not know whether any pose is left.
 TEST(PoseSearch, KeepsAClaimOfWhichItIsNotKnownWhetherItSpeaksOfAnyPose) {
   const Interval third = Interval(1.0) / Interval(3.0);
   const Constrained circle(2, [third](const Values& x) {
@@ -98,7 +98,7 @@ TEST(PoseSearch, AConstraintThatIsUndefinedExcludesNothing) {
   EXPECT_NE(result.reason, Reason::kEmptyVariety);
 }
 
-/// Where only part of the ranges is undefined, the rest is looked at.
+/// If only part of the ranges is undefined, the search uses the rest.
 TEST(PoseSearch, LooksWhereAConstraintIsDefined) {
   const Constrained partly(1, [](const Values& x) {
     return Values{x[0].lo > 0.0 ? Interval(1.0) / x[0] - 1.0 : kEntire};
@@ -111,7 +111,7 @@ TEST(PoseSearch, WithoutConstraintsThereIsAlwaysAPose) {
   EXPECT_EQ(solve(problem_over(kernel, {{0, 1}}), {}).occupancy, Occupancy::kInhabited);
 }
 
-/// The true range is one value that no double is: the point is all of what holds it.
+/// The true range is one value that is not a double: the point is its whole enclosure.
 TEST(PoseSearch, APointInARangeWithoutDoublesIsTheWholeRange) {
   Constrained inside(1, [](const Values& x) { return Values{x[0] - 1.0}; });
   inside.problem.outer[0] = {0.25, 0.25 + 0x1p-54};
@@ -146,7 +146,7 @@ class SaysItVanishes final : public AlgebraOracle {
   Determinant answer_;
 };
 
-/// det = x·y − y·x, enclosed without knowing that both products are the same.
+/// Returns rows with det = x·y − y·x; the enclosure does not know that both products are equal.
 Values dependent_rows(const Values& x) { return {x[0], x[1], x[0], x[1]}; }
 
 struct Dependent {

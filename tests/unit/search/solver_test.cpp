@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What each verdict means, on matrices whose singularities are known.
+// Tests the meaning of each verdict, on matrices whose singularities are known.
 #include "runtime/search/solver.hpp"
 
 #include <gtest/gtest.h>
@@ -128,7 +128,7 @@ TEST(Solver, AnUndefinedPoseIsNeverSafe) {
 TEST(Solver, ConstraintsRemoveTheSingularPart) {
   FunctionKernel kernel(1, 1, 1, [](const Values& x) { return Values{x[0]}; });
   kernel.with_constraints(1, [](const Values& x) { return Values{0.5 - sqr(x[0])}; });
-  // Opposite signs at the two ends, in different components: no singularity.
+  // Opposite signs at the two ends, in different components, are not a singularity.
   const Result result = solve(problem_over(kernel, {{-1, 1}}), {});
   EXPECT_EQ(result.verdict, Verdict::kNoSingularity);
   EXPECT_GT(result.statistics.leaves[static_cast<std::size_t>(Rule::kOutside)], 0U);
@@ -153,7 +153,7 @@ TEST(Solver, FindsASingularityInsideConstraints) {
 }
 
 TEST(Solver, FindsASingularityInOneArmOfABentVariety) {
-  // An L: the straight way between the corners leaves it, but det vanishes within one arm.
+  // An L: the straight line between the corners leaves it, but det vanishes within one arm.
   FunctionKernel kernel(2, 1, 1, [](const Values& x) { return Values{x[1] - 0.7}; });
   const auto inside = [](const Values& x) {
     return Values{(x[0] - 0.25) * (x[1] - 0.25) - abs(x[0] - 0.25) * abs(x[1] - 0.25) * 0.5 -
@@ -167,7 +167,7 @@ TEST(Solver, FindsASingularityInOneArmOfABentVariety) {
 }
 
 TEST(Solver, NeverClaimsASingularityOutsideTheConstraints) {
-  // det = x vanishes on x = 0 only, which the constraint 2^-20 − x² ≤ 0 excludes by a hair.
+  // det = x vanishes on x = 0 only, which the constraint 2^-20 − x² ≤ 0 just excludes.
   FunctionKernel kernel(2, 1, 1, [](const Values& x) { return Values{x[0]}; });
   kernel.with_constraints(1, [](const Values& x) { return Values{0x1p-20 - sqr(x[0])}; });
   EXPECT_EQ(solve(problem_over(kernel, {{-1, 1}, {-1, 1}}), {}).verdict, Verdict::kNoSingularity);
@@ -184,7 +184,7 @@ TEST(Solver, AnUndefinedConstraintExcludesNothing) {
 TEST(Solver, ThresholdsAreStrict) {
   const FunctionKernel kernel(1, 1, 1, [](const Values& x) { return Values{x[0]}; });
   EXPECT_EQ(solve(problem_over(kernel, {{2, 3}}, 1.5), {}).verdict, Verdict::kNoSingularity);
-  // |det| > 2 fails at x = 2 itself; a lower bound that equals α must not loop.
+  // |det| > 2 fails at x = 2 itself; a lower bound that equals α must not cause a loop.
   const Result at = solve(problem_over(kernel, {{2, 3}}, 2.0), {});
   ASSERT_EQ(at.verdict, Verdict::kSingularity);
   EXPECT_EQ(at.reason, Reason::kSmallDeterminant);
@@ -240,7 +240,7 @@ TEST(Solver, EveryMethodHonoursThresholds) {
 }
 
 TEST(Solver, APointOfSmallDeterminantMustLieInTheVariety) {
-  // Only x ≤ 0.6 belongs to it, and witnesses only to x ≥ 0.75: every midpoint is moved out.
+  // Only x ≤ 0.6 is in the variety, and witnesses need x ≥ 0.75: every midpoint is moved outside.
   FunctionKernel kernel(1, 1, 1, [](const Values& x) { return Values{x[0]}; });
   kernel.with_constraints(1, [](const Values& x) { return Values{x[0] - 0.6}; });
   Problem problem = problem_over(kernel, {{0, 1}}, 10.0);
@@ -313,7 +313,7 @@ TEST(Solver, NeverClaimsASingularityOfATallMatrix) {
 }
 
 TEST(Solver, CertifiesARedundantMatrixWhoseSquarePartsAreSingular) {
-  // Any two rows become dependent somewhere, all three nowhere.
+  // Any two rows become dependent somewhere; all three never do.
   const FunctionKernel kernel(
       1, 3, 2, [](const Values& x) { return Values{cos(x[0]), sin(x[0]), 1.0, 0.0, 0.0, 1.0}; });
   EXPECT_EQ(solve(problem_over(kernel, {{-4, 4}}), {}).verdict, Verdict::kNoSingularity);
@@ -336,7 +336,7 @@ TEST(Solver, AsksTheOracleWhereDoublesCannotTell) {
     }
     int calls = 0;
   };
-  // An enclosure too wide to have a sign: only the oracle knows it.
+  // This enclosure is too wide to have a sign: only the oracle knows it.
   const FunctionKernel kernel(
       1, 1, 1, [](const Values& x) { return Values{x[0] - kThird + Interval(-4, 4)}; });
   EXPECT_EQ(solve(problem_over(kernel, {{-1, 1}}), {}).verdict, Verdict::kPossibleProblem);

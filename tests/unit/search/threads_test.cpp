@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Whatever the number of threads, a search tells its observer the same, to the last bit.
+// With any number of threads, a search tells its observer the same, to the last bit.
 #include <gtest/gtest.h>
 
 #include <atomic>
@@ -17,7 +17,7 @@ using test::FunctionKernel;
 using test::problem_over;
 using test::Values;
 
-/// Everything an observer is told, in words.
+/// Records all events of a search as text.
 class EventLog : public Observer {
  public:
   explicit EventLog(const Problem& problem) : kernel_(*problem.kernel) {}
@@ -90,7 +90,7 @@ Logged search_by(unsigned threads, const Problem& problem, Settings settings) {
   return logged;
 }
 
-/// `least` boxes are enough for rounds of many batches.
+/// `least`: a number of boxes that is enough for rounds of many batches.
 void expect_the_same(const Problem& problem, const Settings& settings, std::uint64_t least,
                      Verdict verdict) {
   const Logged one = search_by(1, problem, settings);
@@ -100,14 +100,14 @@ void expect_the_same(const Problem& problem, const Settings& settings, std::uint
     EXPECT_TRUE(search_by(threads, problem, settings).events == one.events) << threads;
 }
 
-/// A = [[x, y], [−y, x]] − r·[[1, 0], [0, 1]]: singular where x = r and y = 0 alone.
+/// Makes A = [[x, y], [−y, x]] − r·[[1, 0], [0, 1]]: singular only at x = r and y = 0.
 FunctionKernel point_of_singularity(double r) {
   return {2, 2, 2, [r](const Values& x) {
             return Values{x[0] - Interval(r), x[1], -x[1], x[0] - Interval(r)};
           }};
 }
 
-/// det A = x² + y² − 1.
+/// Makes det A = x² + y² − 1.
 FunctionKernel circle() {
   return {2, 2, 2, [](const Values& x) { return Values{x[0] + 1.0, x[1], -x[1], x[0] - 1.0}; }};
 }
@@ -164,13 +164,13 @@ TEST(Threads, AreStoppedByABudget) {
                   Verdict::kPossibleProblem);
 }
 
-/// Interrupts the search after so many evaluations: in the middle of a batch, and of a round.
+/// Interrupts the search after so many evaluations: in the middle of a batch and of a round.
 class Interrupted : public test::FixtureKernel {
  public:
   explicit Interrupted(std::uint64_t after) : FixtureKernel(2, 2, 2, 2), left_(after) {}
   Values matrix(const Values& x) const override {
     if (left_.fetch_sub(1) == 1) interrupt.store(true);
-    // Singular at one point, towards which boxes become narrow.
+    // The matrix is singular at one point; boxes near it become narrow.
     return {x[0] - Interval(0.3), x[1], -x[1], x[0] - Interval(0.3)};
   }
   mutable std::atomic<bool> interrupt{false};
@@ -179,7 +179,7 @@ class Interrupted : public test::FixtureKernel {
   mutable std::atomic<std::uint64_t> left_;
 };
 
-/// The area of leaves and open boxes.
+/// Sums the area of leaves and open boxes.
 class Cover : public Observer {
  public:
   void on_leaf(const OpenBox& box, Rule, const Proof&) noexcept override { add(box); }
@@ -211,7 +211,7 @@ TEST(Threads, AnInterruptLosesNoBox) {
   }
 }
 
-/// Offers a search another kernel after so many boxes.
+/// Offers another kernel to a search after so many boxes.
 class OffersKernel : public Observer {
  public:
   OffersKernel(const regulus_kernel* kernel, std::uint64_t after)

@@ -17,7 +17,7 @@ TEST(Sha256, GivesThePublishedDigests) {
             "cdc76e5c9914fb9281a1c7e284d73e67f1809a48a497200e046d39ccc7112cd0");
 }
 
-// Digests by coreutils sha256sum; 55, 56, 63, 64 and 65 bytes are where the padding changes shape.
+// Digests by coreutils sha256sum; at 55, 56, 63, 64 and 65 bytes the padding changes its form.
 TEST(Sha256, PadsCorrectlyAroundTheEndOfABlock) {
   EXPECT_EQ(sha256(std::string(55, 'x')),
             "d5e285683cd4efc02d021a5c62014694958901005d6f71e89e0989fac77e4072");

@@ -46,7 +46,7 @@ TEST_F(FromGinac, DyadicPowersAreRootsOfRoots) {
 TEST_F(FromGinac, OtherPowersAreExponentials) {
   EXPECT_EQ(text(pow(x, numeric(1, 3))), "exp(1/3*log(x))");
   EXPECT_EQ(text(pow(x + y, numeric(-5, 6))), "exp(-5/6*log(x + y))");
-  // A numerator that no integer power has.
+  // No integer power has this numerator.
   const numeric huge = numeric(1) + numeric(1) / numeric(2).power(numeric(20));
   EXPECT_EQ(text(pow(x, huge)), "exp(1048577/1048576*log(x))");
 }

@@ -93,7 +93,7 @@ TEST(Rewrite, EntriesOfKAreAddedBeforeTheyMeetVariables) {
 }
 
 TEST(Rewrite, TheWeightsDecideBetweenForms) {
-  // Two legs with uncertain anchors: as written each anchor occurs once and x twice.
+  // Two legs with uncertain anchors: in this form each anchor occurs once and x twice.
   const Expression e = point("k_1_1") * a * (y - x) + point("k_1_2") * b * (z - x);
   const auto occurrences = [&](const Weights& weights) {
     RewriteOptions options;

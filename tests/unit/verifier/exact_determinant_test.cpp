@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What only exact algebra can tell: margins next to double roots, exact substitution, identities.
+// Tests cases that need exact algebra: margins near double roots, exact substitution, identities.
 #include <gtest/gtest.h>
 
 #include "tests/support/certificate_texts.hpp"
@@ -20,7 +20,7 @@ std::string claim(const std::string& size, bool singular, int uncertain = 0) {
   return text + values + " of the variety\n";
 }
 
-/// A matrix over `variables`, lines from parameter to pose.
+/// Returns a question about a matrix; `variables`: the lines from parameter to pose.
 std::string question(const std::string& variables, const std::vector<std::string>& entries,
                      bool singular = false, int uncertain = 0) {
   const std::string order = entries.size() == 1 ? "1" : entries.size() == 4 ? "2" : "3";
@@ -33,7 +33,7 @@ std::string question(const std::string& variables, const std::vector<std::string
 
 Outcome of(const std::string& text) { return verify_text(text).outcome; }
 
-/// [[1, y], [x, x·y + e]] has the determinant e.
+/// Returns the matrix [[1, y], [x, x·y + e]], whose determinant is e.
 std::vector<std::string> around(const std::string& e) {
   std::string last = "x*y + ";
   last += e;
@@ -57,8 +57,8 @@ TEST(AMarginNextToADoubleRoot, IsSeenHoweverSmall) {
   }
 }
 
-/// Every box across the line x = y + c is undecided in doubles, which round the smallest value
-/// down.
+/// Doubles leave every box across the line x = y + c undecided, because they round the smallest
+/// value down.
 TEST(AMarginAlongALine, IsSeenHoweverSmall) {
   const std::string line = "(x - y - 1/3)^2", plain = range("1 : 2");
   for (const char* margin : {"1e-16", "4e-22", "1e-100"})
@@ -96,7 +96,7 @@ TEST(AnInverseFunctionAtASimpleValue, IsAPartOfPi) {
     EXPECT_NE(at("0.5", entry), Outcome::kVerified) << entry;
 }
 
-/// 10^400 and 10^700 are no doubles; their quotient is one, and so is the sum.
+/// 10^400 and 10^700 are not doubles; their quotient is one, and so is the sum.
 TEST(AQuotientOfIntegersBeyondDoubles, KeepsItsValue) {
   const std::string huge = '1' + std::string(400, '0'), larger = '1' + std::string(700, '0');
   const std::string tiny = huge + '/' + larger;
@@ -230,7 +230,7 @@ TEST(AVarietyWithoutPoses, IsSaidToBeEmpty) {
   const auto v = verify_text(scalar_question("x") + "constraint 1 + x^2\n" + kOneLeaf);
   EXPECT_EQ(v.outcome, Outcome::kUnfinished);
   EXPECT_NE(v.reason.find("no pose remains"), std::string::npos) << v.reason;
-  // An old certificate of a variety that may have poses: true, and the doubt is said.
+  // An old certificate of a variety that may have poses is verified; the note states the doubt.
   const auto open = verify_text(scalar_question("x") + "constraint (x - 4/3)^2\n" + kOneLeaf);
   EXPECT_EQ(open.outcome, Outcome::kVerified);
   EXPECT_NE(open.note.find("no pose was shown"), std::string::npos) << open.note;
@@ -256,7 +256,7 @@ TEST(ATimeLimit, LeavesAProofUnfinished) {
   EXPECT_NE(v.reason.find("time limit"), std::string::npos);
 }
 
-/// Algebra with more terms, digits or powers than it may take stops, and other means go on.
+/// Algebra beyond its limit of terms, digits or powers stops, and other methods continue.
 TEST(AlgebraBeyondItsBudget, StopsWithoutAProof) {
   for (const char* e : {"((x + y + 1)^60*(x - y + 2)^60)", "(x + y)^1000000", "(x^1000000)",
                         "(1e-4000*x)^64", "exp(x*1e4000)", "sqrt(x + y + 1)^99999"}) {
@@ -299,7 +299,7 @@ TEST(ARootOrLogarithmOfAProduct, IsThatOfItsFactorsWhereTheyHaveOne) {
   }
 }
 
-/// A ring whose inner circle the constraint cuts out.
+/// The constraint cuts the inner circle out of a ring.
 Outcome beside_a_hole(const std::string& e) {
   const std::string square =
       "parameter x in -1 : 1\nparameter y in -1 : 1\npose x = x\npose y = y\n";

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Matrices with more rows than columns: full column rank by exact algebra and by elimination.
+// Tests the proof of full column rank, by exact algebra and by elimination.
 #include <gtest/gtest.h>
 
 #include <random>
@@ -13,7 +13,7 @@ namespace {
 using verifier::Ball;
 using verifier::Outcome;
 
-/// The claim that a matrix of `size`, "3x2", has full rank over x in `range` and y in [1, 3/2].
+/// Verifies that a matrix of `size`, "3x2", has full rank over x in `range` and y in [1, 3/2].
 Outcome of(const std::string& size, const std::vector<std::string>& entries,
            const std::string& range = "-1 : 1") {
   std::string text =
@@ -51,7 +51,7 @@ TEST(RowsThatVanishAtDifferentPoses, AreVerifiedHoweverClose) {
   EXPECT_NE(of("3x2", {"x", "2*x", "5*x", "10*x", "3", "7"}), Outcome::kVerified);
 }
 
-/// The last two rows are combinations of the first two, whose determinant is x² + margin.
+/// Returns rows: the last two combine the first two, whose determinant is x² + margin.
 std::vector<std::string> combinations(const std::string& margin) {
   std::vector<std::string> entries{"1", "y", "x", with("x*y + x^2 + #", margin)};
   for (const char* factor : {"3", "-2"}) {
@@ -77,7 +77,7 @@ TEST(ColumnsThatDepend, AreNeverVerified) {
   EXPECT_NE(of("3x2", {"1", "sin(x)^2 + cos(x)^2", "y", "y", "x", "x"}), Outcome::kVerified);
 }
 
-/// atan(1/2) + atan(1/3) = π/4 is no relation of exact algebra.
+/// Exact algebra does not know the relation atan(1/2) + atan(1/3) = π/4.
 TEST(AMatrixThatDoesNotMove, IsVerifiedByElimination) {
   const char* const kZero = "atan(1/2) + atan(1/3) - pi/4";
   const std::string small = kZero + std::string(" + 1e-60");
@@ -87,7 +87,7 @@ TEST(AMatrixThatDoesNotMove, IsVerifiedByElimination) {
 }
 
 TEST(ALeftInverse, IsAsGoodAsTheConditionAllows) {
-  // The condition is 1e9: that of the product of the transposed matrix with it would be 1e18.
+  // The condition is 1e9; AᵀA would have 1e18.
   const std::vector<double> A{1, 1, 1, 1 + 1e-9, 1, 1 - 1e-9};
   verifier::Matrix K;
   ASSERT_TRUE(verifier::approx_left_inverse(A, 3, 2, K));
@@ -100,7 +100,7 @@ TEST(ALeftInverse, IsAsGoodAsTheConditionAllows) {
   EXPECT_FALSE(verifier::approx_left_inverse({0, 1, 0, 2, 0, 3}, 3, 2, K));
 }
 
-/// A product of random matrices of whole numbers has the rank of the smaller one, at most.
+/// A product of random integer matrices has at most the rank of the smaller one.
 TEST(IndependentRows, AreNeverMoreThanTheRank) {
   std::mt19937 random(7);
   std::uniform_int_distribution<int> number(-3, 3), order(1, 5);

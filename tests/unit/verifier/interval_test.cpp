@@ -42,7 +42,7 @@ double inside(RandomSource& random, Interval x) {
   return std::clamp(x.lo + random.unit() * (x.hi - x.lo), x.lo, x.hi);
 }
 
-/// What Arb gives for points lies in what the intervals give for ranges around them.
+/// Checks that Arb's values at points lie within the intervals for ranges around them.
 template <class Exact, class Bound>
 void expect_containment(Exact exact, Bound bound, int seed) {
   RandomSource random(std::uint64_t(seed) + 0);

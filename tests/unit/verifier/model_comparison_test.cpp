@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The verifier's own reader of model files: a number that the certificate does not have is refused,
-// whoever wrote the certificate.
+// Tests the verifier's own reader of model files. It refuses a number that differs from the number
+// in the certificate, whoever wrote the certificate.
 #include <gtest/gtest.h>
 
 #include "runtime/certificate/verifier/model_file.hpp"
@@ -12,7 +12,7 @@ namespace {
 using verifier::Outcome;
 using verifier::Verification;
 
-/// What may stand in a model file, and in a certificate about it.
+/// A model file, and the text about it in a certificate.
 struct Pair {
   std::string entry = "x + 3 + u", x = "[0, 1]", u = "{ value = 0.1, tolerance = 0.05 }", more;
   std::string stated_entry = "x + 3 + u", stated_x = "0 : 1", stated_u = "1/10 +- 1/20",
@@ -55,7 +55,7 @@ TEST(AModelFile, IsComparedValueByValue) {
   EXPECT_TRUE(v.uncompared.empty());
 }
 
-/// Each certificate has the number that the shortest decimal of the nearest double gives.
+/// Each certificate has the shortest decimal of the double nearest to the number in the model.
 TEST(AMisreadNumber, IsRefusedWithBothNumbers) {
   Pair p;
   p.entry = "x + 0.12345678901234567890123", p.stated_entry = "x + 0.12345678901234568";

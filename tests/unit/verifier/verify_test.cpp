@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Small certificates, each for one thing that the verifier must tell apart.
+// Small certificates; each tests one thing that the verifier must distinguish.
 #include <gtest/gtest.h>
 
 #include <cfenv>
@@ -65,13 +65,13 @@ TEST(PosesOutsideAConstraint, AreNotClaimed) {
   const std::string constraint = "constraint 3/2 - x\n";  // x ≥ 3/2
   EXPECT_EQ(outcome_of(scalar_question("x - 5/4") + constraint + kOneLeaf), Outcome::kVerified);
   EXPECT_NE(outcome_of(scalar_question("x - 7/4") + constraint + kOneLeaf), Outcome::kVerified);
-  // Where a constraint is not defined nothing is outside it.
+  // No pose is outside a constraint that is undefined there.
   EXPECT_NE(
       outcome_of(scalar_question("x - 5/4") + "constraint 1/(5/4 - x) + 9 + 3/2 - x\n" + kOneLeaf),
       Outcome::kVerified);
 }
 
-/// Four rows: no form of the determinant is looked at before a leaf has been cut many times.
+/// Makes four rows: the verifier tries forms of the determinant only after many cuts of a leaf.
 std::string four_by_four(const std::string& alpha, const std::string& corner,
                          const std::string& claim) {
   std::string text = "regulus-certificate 1\nverdict NO SINGULARITY\nclaim " + claim +
@@ -83,7 +83,7 @@ std::string four_by_four(const std::string& alpha, const std::string& corner,
   return text + "proof\nl 0 h-matrix\nend 1\n";
 }
 
-/// Neither √ at 0 nor asin at 1 has a derivative.
+/// √ has no derivative at 0, and asin none at 1.
 TEST(AMatrixWithoutDerivatives, IsVerifiedByItsEnclosure) {
   const std::string full =
       "the full 4x4 matrix of the model is defined and has full rank at every pose of the variety";
@@ -115,8 +115,8 @@ constexpr const char* kAbove =
     "uncertain quantities of the variety";
 
 TEST(AThreshold, IsExceededWithUncertainQuantitiesInABallAndAControlError) {
-  // det = a·b − x², |x| ≤ 9/8, (a, b) within 1/4 of (2, 2): at least (2 − √2/8)² − (9/8)² = 2.058;
-  // without the ball (7/4)² − (9/8)² = 1.797.
+  // det = a·b − x², |x| ≤ 9/8, (a, b) within 1/4 of (2, 2): at least (2 − √2/8)² − (9/8)² = 2.058,
+  // and without the ball (7/4)² − (9/8)² = 1.797.
   const std::string entries = "entry a\nentry x\nentry x\nentry b\n";
   EXPECT_EQ(outcome_of(two_by_two("19/10", entries, kAbove)), Outcome::kVerified);
   EXPECT_NE(outcome_of(two_by_two("21/10", entries, kAbove)), Outcome::kVerified);
@@ -141,8 +141,8 @@ TEST(AMatrixWithMoreRowsThanColumns, IsVerifiedForFullColumnRank) {
   EXPECT_NE(outcome_of(text("2*x")), Outcome::kVerified);
 }
 
-/// (1 1; 1 -1) plus `factor` times entries known up to `spread`, x in [-1/2, 1/2]. With the factor
-/// 1 singular first at spread 1, while its norm, scaled in whichever way, decides up to 1/2 only.
+/// Makes (1 1; 1 -1) plus `factor` times entries known up to `spread`, x in [-1/2, 1/2]. With
+/// factor 1 it is singular from spread 1 on; its norm, however scaled, decides only up to 1/2.
 Outcome of_spread(const std::string& spread, const std::string& factor = "1") {
   std::string text =
       "regulus-certificate 1\nverdict NO SINGULARITY\nclaim the full 2x2 matrix of the model is "
@@ -229,7 +229,7 @@ TEST(ARoundingMode, IsToNearestForTheTimeOfTheCheckAndThenAsBefore) {
 #ifdef __SSE2__
 TEST(AnArithmeticThatFlushesToZero, IsNotThatOfTheCheck) {
   const unsigned usual = _mm_getcsr();
-  for (const unsigned mode : {0x8000U, 0x0040U}) {  // of results, of operands
+  for (const unsigned mode : {0x8000U, 0x0040U}) {  // these flush results, or operands
     _mm_setcsr(usual | mode);
     const Outcome outcome = outcome_of(scalar_question("x") + kOneLeaf);
     EXPECT_EQ(_mm_getcsr() & mode, mode);
@@ -238,7 +238,7 @@ TEST(AnArithmeticThatFlushesToZero, IsNotThatOfTheCheck) {
   }
 }
 
-/// An overflow, a division by 0 and an inexact result would each stop the process otherwise.
+/// Otherwise an overflow, a division by 0 and an inexact result would each stop the process.
 TEST(ExceptionsThatStopTheProcess, AreMaskedForTheTimeOfTheCheck) {
   const unsigned usual = _mm_getcsr();
   _mm_setcsr(usual & ~0x1f80U & ~0x3fU);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Sets that grow, with a least singular value that is known.
+// Tests growing sets whose least singular value is known.
 #include "runtime/witness/least_witness.hpp"
 
 #include <gtest/gtest.h>
@@ -24,7 +24,7 @@ class Bowl : public FixtureKernel {
   bool negative_;
 };
 
-/// x in ±1, a in 1 ± tolerance.
+/// Returns the problem with x in ±1 and a in 1 ± tolerance.
 Problem tolerant(const FixtureKernel& kernel, double tolerance) {
   Problem problem;
   problem.kernel = kernel.get();
