@@ -34,7 +34,7 @@ TEST(AQuestionBeyondTheLimitsOfTheFormat, LeavesNoCertificate) {
     return run_command(
         {kCommand, "check", model, "--certificate", file, "--engine", "interpreted"});
   };
-  const CommandResult largest = check(127);  // and x
+  const CommandResult largest = check(127);  // 127 quantities and x
   EXPECT_EQ(largest.output, "NO SINGULARITY\n");
   EXPECT_THAT(largest.errors, HasSubstr("certificate " + file));
   EXPECT_EQ(run_command({kCommand, "verify", file}).output, "VERIFIED\n");

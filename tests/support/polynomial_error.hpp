@@ -45,7 +45,7 @@ class PolynomialError {
 
   double bound(Interval domain) {
     constexpr int kPieces = 256;
-    const double radius = (domain.hi - domain.lo) / kPieces;  // twice what is needed: roundings
+    const double radius = (domain.hi - domain.lo) / kPieces;  // twice the radius, for roundings
     double worst = 0;
     for (int i = 0; i < kPieces; ++i)
       worst = std::max(worst, bound_near(domain.lo + (i + 0.5) * radius, radius));

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Tests the test on a determinant in closed form, on kernels with a known determinant.
+// Tests what the search decides by a determinant in closed form, on kernels with a known one.
 #include <gtest/gtest.h>
 
 #include <random>
