@@ -18,7 +18,7 @@ using Form = CanonicalNode::Form;
 using GiNaC::ex;
 using GiNaC::numeric;
 
-/// Shared parts are written out in a key again and again; a long key is replaced by its digest.
+/// The key of a node repeats the text of shared parts. A long key is replaced by its digest.
 constexpr std::size_t kLongestKey = 160;
 
 /// The largest exponent of a certificate.
@@ -40,7 +40,7 @@ std::string key_of(const CanonicalTerm& term) {
   return term.node->key + (term.factor == 1 ? "" : '*' + key_of(term.factor));
 }
 
-/// Names come before what is made of them, and a rational number last.
+/// Returns a key. Names sort before operations on them, and a rational number sorts last.
 std::string key_of(const CanonicalNode& node) {
   if (node.form == Form::kOne) return "~";
   if (node.form == Form::kName) return node.name;
@@ -50,7 +50,7 @@ std::string key_of(const CanonicalNode& node) {
   return key.size() > kLongestKey ? '|' + sha256(key) : '{' + key + '}';
 }
 
-/// By content, and by the factor last: terms keep their places when all signs change.
+/// Compares by content, then by the factor. So terms keep their places when all signs change.
 bool comes_before(const CanonicalTerm& a, const CanonicalTerm& b) {
   if (a.node != b.node) return a.node->key < b.node->key;
   return a.factor < b.factor;
@@ -58,7 +58,7 @@ bool comes_before(const CanonicalTerm& a, const CanonicalTerm& b) {
 
 bool is_whole(const numeric& exponent) { return exponent.is_integer(); }
 
-/// The denominator a power of two, and neither part beyond what a certificate may have.
+/// The denominator is a power of two, and both parts are within the limits of a certificate.
 bool is_root(const numeric& exponent) {
   return cln::logcount(cln::the<cln::cl_I>(exponent.denom().to_cl_N())) == 1 &&
          exponent.denom() <= kMostPower && GiNaC::abs(exponent.numer()) <= kMostPower;
@@ -103,7 +103,7 @@ CanonicalTerm CanonicalReader::read_sum(const ex& e) {
   return {1, shared(std::move(node))};
 }
 
-/// A sum as c·s: the factors of s are whole, have no common divisor, and the first is positive.
+/// Returns a sum as c·s: the factors of s are whole, without common divisor, the first positive.
 CanonicalTerm CanonicalReader::without_content(const CanonicalTerm& sum) {
   if (sum.node->form != Form::kSum) return sum;
   CanonicalNode node = *sum.node;
@@ -130,7 +130,7 @@ CanonicalTerm CanonicalReader::read_product(const ex& e) {
   return {factor, shared(std::move(node))};
 }
 
-/// The factor of the base leaves a whole power; it stays below a root.
+/// Takes the factor of the base out of a whole power. A root keeps it below the root sign.
 CanonicalTerm CanonicalReader::read_power(const ex& e) {
   if (!e.op(1).info(GiNaC::info_flags::rational)) refuse(e);
   const numeric exponent = GiNaC::ex_to<numeric>(e.op(1));
@@ -141,7 +141,7 @@ CanonicalTerm CanonicalReader::read_power(const ex& e) {
   return {factor, shared({Form::kPower, "", exponent, {{1, base.node}}, ""})};
 }
 
-/// Roots of roots as long as their number is whole; a third, say, by exp and log.
+/// Nests square roots if the denominator is a power of two; others, such as 1/3, use exp and log.
 CanonicalTerm CanonicalReader::fractional_power(CanonicalTerm base, numeric exponent) {
   if (!is_root(exponent)) {
     const CanonicalTerm log{1, shared({Form::kCall, "log", 0, {base}, ""})};

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// GiNaC expressions in a form that is the same in every process: GiNaC orders terms and factors,
-// and chooses the sign of a factor such as x - y, by addresses and hashes.
+// GiNaC expressions in a form that is the same in every process. GiNaC itself uses addresses and
+// hashes to order terms and factors, and to choose the sign of a factor such as x - y.
 #pragma once
 
 #include <ginac/ginac.h>
@@ -13,13 +13,13 @@ namespace regulus::inline certificate {
 
 struct CanonicalNode;
 
-/// factor · node.
+/// The value is factor · node.
 struct CanonicalTerm {
   GiNaC::numeric factor;
   const CanonicalNode* node = nullptr;
 };
 
-/// Without a rational factor of its own, so that x, -x and 2*x share one node.
+/// Has no rational factor of its own, so that x, -x and 2*x share one node.
 struct CanonicalNode {
   enum class Form {
     kOne,
@@ -33,7 +33,7 @@ struct CanonicalNode {
   std::string name;  ///< of a kName, of the function of a kCall
   GiNaC::numeric exponent;
   std::vector<CanonicalTerm> operands;
-  std::string key;  ///< says what the node is; sums and products have their operands in its order
+  std::string key;  ///< identifies the node; sums and products have their operands in its order
 
   [[nodiscard]] bool is_compound() const noexcept { return !operands.empty(); }
 };
@@ -42,8 +42,8 @@ struct CanonicalNode {
 /// uses: a certificate is then about what the model says, even if that pipeline misreads it.
 class CanonicalReader {
  public:
-  /// The node lives as long as the reader; equal expressions have one node. Throws InputError for
-  /// what is no exact expression of real functions.
+  /// Returns a term whose node lives as long as the reader. Equal expressions have one node. Throws
+  /// InputError if this is not an exact expression of real functions.
   [[nodiscard]] CanonicalTerm read(const GiNaC::ex& e);
 
  private:

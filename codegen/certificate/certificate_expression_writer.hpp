@@ -14,17 +14,17 @@
 
 namespace regulus::inline certificate {
 
-/// Writes expressions; what occurs several times in them becomes a `let` of its own.
+/// Writes expressions; a part that occurs several times in them becomes a `let` of its own.
 class CertificateExpressionWriter {
  public:
-  /// Names that a `let` must not take.
+  /// `taken`: names that a `let` must not use.
   explicit CertificateExpressionWriter(std::set<std::string> taken) : taken_(std::move(taken)) {}
 
-  /// Announces an expression that will be written: its repeated parts are counted.
+  /// Announces an expression that will be written, and counts its repeated parts.
   void announce(const GiNaC::ex& e);
 
-  /// The text of an expression; the `let` lines that it needs and that have not been written yet
-  /// are added to `lets`.
+  /// Returns the text of an expression. Appends to `lets` the `let` lines that it needs and that
+  /// have not been written yet.
   [[nodiscard]] std::string write(const GiNaC::ex& e, std::string& lets);
 
  private:
@@ -46,7 +46,7 @@ class CertificateExpressionWriter {
   std::map<const CanonicalNode*, std::string> named_;
 };
 
-/// An expression without `let` lines.
+/// Returns the text of an expression, without `let` lines.
 [[nodiscard]] std::string expression_text(const GiNaC::ex& e);
 
 }  // namespace regulus::certificate

@@ -14,7 +14,7 @@ namespace regulus::inline certificate {
 
 namespace {
 
-/// The verifier proves each leaf by its own means, in one box at least.
+/// Returns why the verifier may not finish. It proves each leaf itself, in one box at least.
 std::string doubt_of(const Statistics& statistics) {
   const auto filtered = statistics.leaves[static_cast<std::size_t>(Rule::kFilter)];
   const auto leaves =

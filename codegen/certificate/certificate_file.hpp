@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What --certificate asks for.
+// The option --certificate.
 #pragma once
 
 #include <nlohmann/json_fwd.hpp>
@@ -14,25 +14,25 @@ namespace regulus::inline certificate {
 
 class CertificateFile {
  public:
-  /// `path` empty: none is wanted. Throws FileError when it cannot be made, before the search.
-  /// `partial`: of a search that may be continued, or continues one.
+  /// An empty `path` means no certificate. Throws FileError, before the search, if the file cannot
+  /// be made. `partial`: for a search that may be continued, or that continues an earlier one.
   CertificateFile(const std::string& path, const PreparedSearch& preparation,
                   const std::optional<CertificateWriter::Partial>& partial = std::nullopt);
 
-  /// Watches the search; nullptr if none is wanted, or none can be.
+  /// Returns the observer of the search; nullptr if no certificate is wanted, or none can be made.
   [[nodiscard]] Observer* observer() noexcept { return writer_ ? &*writer_ : nullptr; }
 
-  /// Puts the file in its place if the verdict claims something. Throws FileError.
+  /// Moves the file to its final name if the verdict claims something. Throws FileError.
   void finish(const Result& result);
 
-  /// nullptr if none is wanted.
+  /// Returns nullptr if no certificate is wanted.
   [[nodiscard]] CertificateWriter* writer() noexcept { return writer_ ? &*writer_ : nullptr; }
   [[nodiscard]] bool written() const noexcept { return written_; }
-  /// Lines of the report; empty if none was wanted.
+  /// Returns lines of the report; empty if no certificate was wanted.
   [[nodiscard]] std::string line() const;
-  /// The key `certificate` of a JSON report: the file, null if none could be written. With
-  /// `certificate_obstacle`: why there is none, and `certificate_note`: why the verifier may not
-  /// finish.
+  /// Adds the key `certificate` to a JSON report: the file, or null if none could be written. Also
+  /// adds `certificate_obstacle`, the reason why there is none, and `certificate_note`, the reason
+  /// why the verifier may not finish.
   void add_to(nlohmann::ordered_json& report) const;
 
  private:
@@ -40,7 +40,7 @@ class CertificateFile {
   std::optional<CertificateWriter> writer_;
   bool written_ = false;
   std::string obstacle_;  ///< why there can be no certificate of this question
-  /// The reason why the verifier may not finish, for either verdict, and for this one.
+  /// The reasons why the verifier may not finish: for each verdict, and for the one reached.
   std::string doubt_safe_, doubt_singular_, note_;
 };
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The first part of a certificate, as lines, and the whole of it all the same.
+// The first part of a certificate as lines, and access to the complete text.
 #pragma once
 
 #include <istream>
@@ -10,21 +10,21 @@
 
 namespace regulus::inline certificate {
 
-/// A certificate whose head, up to the line `proof`, has been read from a stream that need not go
-/// back: a pipe will do.
+/// A certificate whose head, up to the line `proof`, has been read from a stream. The stream need
+/// not be seekable, so it may be a pipe.
 class CertificateHead {
  public:
-  /// Reads no further than the head. One of more than kLongestHead bytes, or with control
-  /// characters, which would end up in messages, has no lines here.
+  /// Reads no further than the head. lines() is empty if the head is longer than kLongestHead
+  /// bytes, or has control characters, which would appear in messages.
   explicit CertificateHead(std::istream& file);
 
   static constexpr std::size_t kLongestHead = std::size_t{1} << 26;
 
-  /// From the first one to the one before `proof`; empty if there is no such line.
+  /// The lines before `proof`; empty if there is no such line.
   [[nodiscard]] const std::vector<std::string>& lines() const noexcept { return lines_; }
-  /// What follows `key` and a space in the first line that begins with them; empty if none does.
+  /// Returns the text after `key` and a space in the first such line; empty if there is none.
   [[nodiscard]] std::string_view value(std::string_view key) const;
-  /// Everything that was read, to be followed by what is left of the stream.
+  /// Returns all text that was read; the rest of the stream follows it.
   [[nodiscard]] const std::string& text() const noexcept { return text_; }
 
  private:
@@ -32,10 +32,10 @@ class CertificateHead {
   std::vector<std::string> lines_;
 };
 
-/// What a line says after `key` and a space; empty if it begins with something else.
+/// Returns the text after `key` and a space; empty if the line does not begin with them.
 [[nodiscard]] std::string_view value_of(std::string_view line, std::string_view key);
 
-/// Some text, and then what is left of another stream. Both must outlive it.
+/// Some text, followed by the rest of another stream. Both must outlive it.
 class ContinuedText : public std::streambuf {
  public:
   ContinuedText(const std::string& text, std::istream& rest);

@@ -84,7 +84,7 @@ class QuestionText {
     }
   }
 
-  /// The lines of matrix, scale and defined, after the `let` lines that they use.
+  /// Writes the lines of matrix, scale and defined, after the `let` lines that they use.
   void write_matrix() {
     std::vector<std::pair<std::string, ex>> lines;
     for (unsigned i = 0; i < model_.matrix.rows(); ++i)
@@ -106,7 +106,7 @@ class QuestionText {
   std::string text_;
 };
 
-/// A certificate tells symbols apart by their names alone.
+/// Throws if two symbols have one name: a certificate distinguishes symbols by name alone.
 void require_distinct_names(const Request& request) {
   std::map<std::string, ex> known;
   const auto note = [&known](const std::string& name, const GiNaC::realsymbol& symbol) {
@@ -125,7 +125,7 @@ std::size_t control_errors(const Motion& motion) {
       std::ranges::count_if(motion.error, [](const ex& error) { return !error.is_zero(); }));
 }
 
-/// A certificate up to its proof.
+/// Returns a certificate up to its proof.
 std::string head_of(const CertifiedQuestion& question, bool singular) {
   return std::string(format::kMagic) + "\nverdict " +
          (singular ? format::kSingularity : format::kNoSingularity) + "\nclaim " +
@@ -133,8 +133,8 @@ std::string head_of(const CertifiedQuestion& question, bool singular) {
          "proof\n";
 }
 
-/// e: every number of the question is below 2^(e + 1) in magnitude. A number that only an operation
-/// between numbers used is gone.
+/// Returns e such that every number of the question is below 2^(e + 1) in magnitude. Numbers that
+/// were used only in operations between numbers are not there any more.
 int largest_exponent(const verifier::Question& q) {
   std::vector<verifier::NodeId> roots{q.alpha};
   for (const verifier::Variable& v : q.variables) roots.insert(roots.end(), {v.lo, v.hi});

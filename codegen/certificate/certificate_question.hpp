@@ -10,24 +10,24 @@
 
 namespace regulus::inline certificate {
 
-/// The constants of a robot that are variables of a search.
+/// Returns the constants of a robot that are variables of a search.
 [[nodiscard]] std::set<std::string> uncertain_names(const ReportLabels& subject);
 
-/// `uncertain`: the constants of the robot that vary; one of no spread may be among them.
+/// `uncertain`: the constants of the robot that vary; some of them may have a spread of 0.
 ///
-/// Ensures   the same bytes for the same model file and options, in every process. Throws
-/// UsageError
-///           when the model's names do not fit into a certificate: two things of one name.
+/// Ensures   the same bytes for the same model file and options, in every process.
+/// Throws UsageError if the model's names do not fit into a certificate because two things have
+/// the same name.
 [[nodiscard]] CertifiedQuestion certified_question(const Request& request,
                                                    const std::set<std::string>& uncertain);
-/// Why the verifier could not read a certificate of this question, whatever its proof: it is beyond
-/// the limits of the format. Empty if it can.
+/// Returns why the verifier could not read a certificate of this question, whatever its proof: the
+/// question is beyond the limits of the format. Empty if it can.
 [[nodiscard]] std::string certificate_obstacle(const CertifiedQuestion& question);
-/// Why the verifier may not finish a proof of this question, for the reader of a report: its own
-/// objection, or numbers that its bounds do not reach. Empty if nothing is known; nothing is
-/// claimed.
+/// Returns, for a report, why the verifier may not finish a proof of this question: its own
+/// objection, or numbers that its bounds do not reach. Empty if no reason is known; this claims
+/// nothing.
 [[nodiscard]] std::string certificate_doubt(const CertifiedQuestion& question, bool singular);
-/// What a preparation was made for.
+/// Returns the question that a preparation was made for.
 [[nodiscard]] CertifiedQuestion certified_question(const PreparedSearch& preparation);
 
 }  // namespace regulus::certificate

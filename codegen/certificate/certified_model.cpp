@@ -21,7 +21,7 @@ namespace {
 
 using GiNaC::ex;
 
-/// "a = b" in two; empty where there is no such mark.
+/// Returns the texts before and after `mark`, as in "a = b"; both empty if there is no `mark`.
 std::pair<std::string, std::string> parted(std::string_view text, std::string_view mark) {
   const std::size_t at = text.find(mark);
   if (at == std::string_view::npos) return {};
@@ -32,7 +32,7 @@ struct StatedRange {
   std::string parameter, lo, hi;
 };
 
-/// What a command line could have changed, as a question states it.
+/// The values that a command line could have changed, as the question states them.
 struct Stated {
   std::string alpha;
   std::vector<StatedRange> ranges;            ///< in their order, which is that of the variables
@@ -59,7 +59,7 @@ ex spread_of(const Model& model, const GeometryParameter& g) {
   return g.ball >= 0 ? model.balls.at(std::size_t(g.ball)).radius : g.tolerance;
 }
 
-/// A request of a model file, changed into what a question states.
+/// The request of a model file, changed to the values that a question states.
 class CertificateOverrides {
  public:
   CertificateOverrides(Request request, const Stated& stated)
@@ -70,7 +70,7 @@ class CertificateOverrides {
   }
 
   [[nodiscard]] const std::vector<std::string>& differences() const { return differences_; }
-  /// The question's lines from `model` on.
+  /// Returns the question's lines from `model` on.
   [[nodiscard]] std::string question() const {
     std::set<std::string> uncertain;
     for (const GeometryParameter& g : request_.model.geometry)
@@ -84,7 +84,7 @@ class CertificateOverrides {
     differences_.push_back(fmt::format("{} {} instead of {}", what, now, before));
   }
 
-  /// The range or the value of a parameter.
+  /// Returns the range or the value of a parameter.
   [[nodiscard]] std::string range_before(const std::string& name) const {
     const Motion& motion = request_.motion;
     for (const MotionParameter& p : motion.parameters)
@@ -104,7 +104,7 @@ class CertificateOverrides {
     }
   }
 
-  /// An option changes all of a group. Where the members of one are stated to differ, the lines do.
+  /// Changes whole groups, as an option does. If the members of a group differ, the lines do too.
   void change_tolerances() {
     std::set<std::string> changed;
     for (const GeometryParameter& g : std::vector(request_.model.geometry)) {
@@ -133,8 +133,8 @@ bool is_condition(const std::string& line) {
   return !value_of(line, "defined").empty() || !value_of(line, "motion-defined").empty();
 }
 
-/// Whether a condition is about constants alone. What a range was computed with, such as the root
-/// in sqrt(pi - 3)^2, may have left one behind that the range itself no longer shows.
+/// Returns true if a condition is about constants alone. The computation of a range, such as the
+/// root in sqrt(pi - 3)^2, may have produced a condition that the range itself no longer shows.
 bool names_nothing(const std::string& condition) {
   static const std::set<std::string, std::less<>> kKnown{
       "pi", "sqrt", "sin", "cos", "tan", "asin", "acos", "atan", "atan2", "exp", "log", "abs"};
@@ -156,7 +156,7 @@ struct NumberedLine {
   std::string text;
 };
 
-/// A question in two: lines whose order means something, and conditions.
+/// The lines of a question in two lists: those whose order has a meaning, and conditions.
 struct Sorted {
   std::vector<NumberedLine> ordered, conditions;
 
@@ -178,7 +178,7 @@ std::vector<std::string> lines_in(const std::string& text) {
   return lines;
 }
 
-/// The first lines hold verdict and claim, which follow from the others.
+/// The first lines are the verdict and the claim, which follow from the other lines.
 constexpr std::size_t kFirstOfQuestion = 3;
 
 std::string shortened(const std::string& line) {
@@ -191,7 +191,7 @@ std::string line_difference(const NumberedLine& found, const std::string& expect
                      shortened(found.text), shortened(expected));
 }
 
-/// Empty if there is none.
+/// Describes the first difference; empty if there is none.
 std::string first_difference(const std::vector<std::string>& certificate,
                              const std::string& question) {
   const Sorted found(certificate, kFirstOfQuestion), expected(lines_in(question), 0);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Whether a certificate is about a model file: its question is written anew from the file, and
+// Decides if a certificate is about a model file: the question is written anew from the file, and
 // compared.
 #pragma once
 
@@ -11,15 +11,15 @@
 namespace regulus::inline certificate {
 
 struct ModelConfirmation {
-  /// Why the question is not that of the file, whatever ranges, tolerances and threshold it has.
+  /// Why the question is not that of the file, for any ranges, tolerances and threshold.
   std::string refusal;
-  /// What it has instead of what the file says, as options of a command line may ask for.
+  /// The values that differ from those of the file, as options of a command line may set them.
   std::vector<std::string> differences;
 };
 
-/// Ensures   without a refusal every line of the question is the one that `--certificate` writes
-///           for this file, the motion that the question names and the ranges, tolerances and
-///           threshold that it states; but for conditions without names, of which it may have more.
+/// Ensures   without a refusal, every line of the question is the one that `--certificate` writes
+///           for this file, with the motion that the question names and the ranges, tolerances and
+///           threshold that it states. It may only have more conditions without names.
 ///           Throws InputError and FileError for the model file.
 [[nodiscard]] ModelConfirmation confirm_model(const CertificateHead& certificate,
                                               const std::string& model);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What writer and verifier of certificates agree on; FORMAT.md explains it.
+// Definitions that the writer and the verifier of certificates share; FORMAT.md explains them.
 #pragma once
 
 #include <cstddef>
@@ -17,13 +17,13 @@ inline constexpr const char* kAlwaysSingular = "always-singular";
 inline constexpr const char* kLowerEnd = "lower";  ///< a coordinate that is the end of its range
 inline constexpr const char* kUpperEnd = "upper";
 
-// Limits: a file beyond them is no certificate, so that reading one takes bounded memory and stack.
+// Limits: a file beyond them is not a certificate. So reading takes bounded memory and stack.
 inline constexpr std::uint64_t kMaxBytes = std::uint64_t{1} << 32;  ///< of a file
 inline constexpr std::size_t kLongestLine = 1 << 20;
 inline constexpr std::size_t kLongestName = 80;
 inline constexpr std::size_t kMostNodes = 1 << 20;
 inline constexpr int kMostNesting = 300;
-inline constexpr int kDeepestNode = 4000;  ///< operations upon operations
+inline constexpr int kDeepestNode = 4000;  ///< nesting depth of operations
 inline constexpr int kMostPower = 1 << 20;
 inline constexpr std::size_t kMostDigits = 4096;
 inline constexpr std::size_t kMostRows = 32;
@@ -31,14 +31,14 @@ inline constexpr std::size_t kMostVariables = 128;
 inline constexpr std::size_t kMostLines = 20000;   ///< of the header
 inline constexpr std::size_t kMostOpen = 1 << 22;  ///< boxes that wait at one time
 
-/// What a claim is about.
+/// The set that a claim is about.
 struct ClaimedSet {
   std::size_t rows = 0, columns = 0;
   std::size_t uncertain = 0;  ///< quantities, control errors among them
   bool has_threshold = false;
 };
 
-/// The one wording of a claim.
+/// Returns a claim in words. Nothing else words a claim.
 [[nodiscard]] inline std::string describe_claim(const ClaimedSet& set, bool singular) {
   const std::string matrix = "the full " + std::to_string(set.rows) + "x" +
                              std::to_string(set.columns) + " matrix of the model";

@@ -14,7 +14,7 @@ constexpr std::size_t kMostOrder = 8;
 
 bool is_single(const Polynomial& p) { return p.terms().size() == 1; }
 
-/// |factor of the first term|.
+/// Returns |factor of the first term|.
 Rational content(const Polynomial& p) {
   Rational result;
   fmpq_abs(result.get(), p.terms().begin()->second.get());
@@ -33,7 +33,7 @@ Rational inverted(const Rational& x) { return Rational(1) / x; }
 
 const Polynomial& Algebra::of(NodeId id) {
   if (const auto known = known_.find(id); known != known_.end()) return known->second;
-  // Operands come first: no recursion as deep as the expression.
+  // Operands come first, so the recursion is not as deep as the expression.
   for (const NodeId part : ingredients(graph_, {id})) {
     if (known_.contains(part)) continue;
     const Node node = graph_.nodes()[std::size_t(part)];
@@ -105,7 +105,7 @@ Polynomial Algebra::power(const Polynomial& x, int exponent) {
   return result;
 }
 
-/// 1/(c·∏ atoms) term by term; other divisors become atoms, without their content.
+/// Inverts c·∏ atoms directly; other divisors, without their content, become atoms.
 Polynomial Algebra::inverse(const Polynomial& x) {
   if (x.is_zero()) throw TooLarge("exact algebra meets a division by 0");
   if (is_single(x)) {
@@ -135,7 +135,7 @@ int Algebra::atom_of(Op op, const Polynomial& argument, const Polynomial& second
                    key_of({"f", std::to_string(int(op)), "(", argument.key(), ",", second.key()}));
 }
 
-/// A power of an atom that a relation makes a polynomial of smaller atoms.
+/// Returns true if a relation replaces this power of an atom by a polynomial of smaller atoms.
 bool Algebra::reducible(const std::pair<int, int>& factor) const {
   const Atom& atom = atoms_[std::size_t(factor.first)];
   if (atom.kind == Atom::Kind::kDivisor) return factor.second > 0;
@@ -148,7 +148,7 @@ Polynomial Algebra::replacement(const std::pair<int, int>& factor) {
   const auto [number, exponent] = factor;
   const Atom atom = atoms_[std::size_t(number)];
   if (atom.kind == Atom::Kind::kDivisor) return power(atom.argument, exponent);
-  // atom² = square; an odd power leaves one of them.
+  // Replace atom² by `square`; an odd power keeps one factor `atom`.
   const bool odd = exponent % 2 != 0;
   const int pairs = (exponent - (odd ? 1 : 0)) / 2;
   Polynomial square = atom.argument;
@@ -185,8 +185,8 @@ Polynomial Algebra::reduced(const Polynomial& p) {
   return result;
 }
 
-/// Multiplied by each divisor as often as it occurs, the last one first: its own divisors are
-/// earlier atoms.
+/// Multiplies by each divisor as often as it occurs. The last divisor comes first, because the
+/// divisors in a divisor are earlier atoms.
 bool Algebra::vanishes(Polynomial p) {
   for (int number = int(atoms_.size()); !p.is_zero() && number-- > 0;) {
     int most = 0;
@@ -205,7 +205,7 @@ bool Algebra::vanishes(Polynomial p) {
   return p.is_zero();
 }
 
-/// The minors of the first rows, by the set of their columns.
+/// Computes the minors of the first rows, by the set of their columns.
 Polynomial Algebra::determinant(const std::vector<NodeId>& matrix, std::size_t order) {
   if (order > kMostOrder) throw TooLarge("exact algebra takes too large a matrix");
   std::map<unsigned, Polynomial> minors;

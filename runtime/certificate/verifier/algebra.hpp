@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Expressions as polynomials over the rationals in atoms: exact, so that what cancels is gone.
-// PROOF.md, "Exact algebra", has the relations.
+// Expressions as polynomials over the rationals in atoms. They are exact, so terms that cancel
+// disappear. PROOF.md, "Exact algebra", has the relations.
 #pragma once
 
 #include <map>
@@ -13,7 +13,7 @@
 
 namespace regulus::verifier {
 
-/// An atom: a variable, pi, a function of polynomials, or a polynomial that is divided by.
+/// An atom: a variable, pi, a function of polynomials, or a polynomial that is used as a divisor.
 struct Atom {
   enum class Kind {
     kVariable,  ///< number
@@ -25,48 +25,48 @@ struct Atom {
   Op op = Op::kPi;
   int number = 0;
   Polynomial argument, second;
-  int sine = -1;  ///< of a cosine: the atom that is the sine of the same angle
+  int sine = -1;  ///< for a cosine: the atom that is the sine of the same angle
 };
 
 class Algebra {
  public:
   enum class Form {
-    kPlain,  ///< functions and even powers are atoms by their arguments
+    kPlain,  ///< functions and even powers are atoms, identified by their arguments
     kFull,   ///< every relation of PROOF.md is applied
   };
 
-  /// `values`: for a variable of one value its expression, kNoNode for others; empty: none.
-  /// All must outlive this object.
+  /// `values`: for a variable of one value the expression of it, for others kNoNode. An empty list:
+  /// no variable has one value. All must outlive this object.
   Algebra(Graph& graph, const std::vector<NodeId>& values, Form form, AlgebraBudget& budget)
       : graph_(graph), values_(values), form_(form), budget_(budget) {}
 
   [[nodiscard]] Form form() const noexcept { return form_; }
 
-  /// Ensures   has the value of the expression wherever all its operations are defined. Throws
-  ///           TooLarge, also for a division by what is 0 identically.
+  /// Ensures   the result has the value of the expression wherever all its operations are defined.
+  ///           Throws TooLarge, also for a division by an expression that is 0 identically.
   [[nodiscard]] const Polynomial& of(NodeId id);
 
   [[nodiscard]] Polynomial product(const Polynomial& x, const Polynomial& y);
 
-  /// Ensures   true only if it is 0 wherever its atoms have values and its divisors are not 0.
+  /// Ensures   true only if p is 0 wherever its atoms have values and its divisors are not 0.
   [[nodiscard]] bool vanishes(Polynomial p);
 
-  /// p with √f·√g in place of √h and log f + log g in place of log h where h = f·g and all three
-  /// have been met.
+  /// Returns p with √f·√g in place of √h, and log f + log g in place of log h, if h = f·g and all
+  /// three have been met.
   ///
-  /// Ensures   has the value of p wherever all functions that have been met are defined.
+  /// Ensures   the result has the value of p wherever all functions that have been met are defined.
   [[nodiscard]] Polynomial split_functions(const Polynomial& p);
 
-  /// The determinant of a matrix of expressions, by minors.
+  /// Returns the determinant of a matrix of expressions, by minors.
   [[nodiscard]] Polynomial determinant(const std::vector<NodeId>& matrix, std::size_t order);
 
-  /// An expression of the graph with the value of a polynomial.
+  /// Returns an expression of the graph with the value of a polynomial.
   [[nodiscard]] NodeId expression(const Polynomial& p);
 
   [[nodiscard]] const Atom& atom(int number) const { return atoms_[std::size_t(number)]; }
 
-  /// Angles are sums of whole multiples of units: for each product of atoms, one unit for all the
-  /// expressions that have been asked about. To be called before `of`, or not at all.
+  /// Finds units of angles: each angle is a sum of whole multiples of units. Each product of atoms
+  /// has one unit for all of `roots`. Call it before `of`, or not at all.
   void find_units(const std::vector<NodeId>& roots);
 
  private:
@@ -108,11 +108,11 @@ class Algebra {
   std::vector<Atom> atoms_;
   std::map<std::string, int> numbers_;
   std::map<NodeId, Polynomial> known_;
-  std::map<PowerProduct, Rational> units_;  ///< of angles: the denominator
+  std::map<PowerProduct, Rational> units_;  ///< the denominators of the units of angles
   bool finding_ = false;
 };
 
-/// The value of an expression without variables if it is found to be rational.
+/// Returns the value of an expression without variables if it is found to be rational.
 [[nodiscard]] std::optional<Rational> exact_value(Graph& graph, NodeId expression);
 
 }  // namespace regulus::verifier

@@ -9,8 +9,8 @@
 namespace regulus::verifier {
 namespace {
 
-constexpr int kMostAtomsOfPairs = 64;          ///< among which a product of arguments is looked for
-constexpr unsigned long kLargestPrime = 1000;  ///< that is looked for below a root
+constexpr int kMostAtomsOfPairs = 64;          ///< that are searched for a product of arguments
+constexpr unsigned long kLargestPrime = 1000;  ///< that is searched for below a root
 constexpr long kMostTurns = 16;                ///< of a unit angle, multiplied out
 constexpr long kMostTimes = 64;                ///< of a unit exponent
 
@@ -34,13 +34,13 @@ Rational rational(const fmpz_t numerator) {
   return result;
 }
 
-/// ±1 and a polynomial whose first factor is positive.
+/// Returns ±1 and a polynomial whose first factor is positive.
 std::pair<long, Polynomial> with_sign(const Polynomial& p) {
   const bool negative = !p.is_zero() && p.terms().begin()->second.sign() < 0;
   return {negative ? -1 : 1, negative ? p.scaled(Rational(-1)) : p};
 }
 
-/// What asin, acos or atan of x is of π, for the x that are as simple.
+/// Returns asin, acos or atan of x, divided by π, if x is 0, ±1 or (not for atan) ±1/2.
 std::optional<Rational> part_of_pi(Op op, const Polynomial& x) {
   if (!x.is_constant()) return std::nullopt;
   const Rational twice = x.constant() * Rational(2), size = twice * Rational(twice.sign());
@@ -54,7 +54,7 @@ std::optional<Rational> part_of_pi(Op op, const Polynomial& x) {
 
 }  // namespace
 
-/// √p = √c·√(p/c) for c > 0.
+/// Returns √p = √c·√(p/c) for c > 0.
 Polynomial Algebra::root(const Polynomial& x) {
   if (x.is_zero()) return x;
   if (x.is_constant()) {
@@ -68,14 +68,14 @@ Polynomial Algebra::root(const Polynomial& x) {
   return product(root_of_rational(size), rest);
 }
 
-/// √(p/q) = √(p·q)/q.
+/// Returns √(p/q) = √(p·q)/q.
 Polynomial Algebra::root_of_rational(const Rational& x) {
   Integer both(fmpq_numref(x.get()));
   fmpz_mul(both.get(), both.get(), fmpq_denref(x.get()));
   return root_of_integer(both.get()).scaled(Rational(1) / rational(fmpq_denref(x.get())));
 }
 
-/// The roots of small primes, and of what is left, are atoms; what is squared comes out.
+/// Makes atoms of the roots of small primes, and of the rest; takes squares out of the root.
 Polynomial Algebra::root_of_integer(const fmpz_t x) {
   budget_.spend(kLargestPrime * (1 + fmpz_bits(x) / 1024));
   Integer rest(x), outside, prime_part, remainder;
@@ -100,7 +100,7 @@ Polynomial Algebra::root_of_integer(const fmpz_t x) {
   return result.scaled(rational(outside.get()));
 }
 
-/// Two atoms of the same function whose arguments have the product that is the atom's argument.
+/// Finds two atoms of the same function whose arguments multiply to the argument of the atom.
 std::optional<std::pair<int, int>> Algebra::parts_of(int number) {
   const Atom whole = atoms_[std::size_t(number)];
   if (whole.kind != Atom::Kind::kFunction || (whole.op != Op::kSqrt && whole.op != Op::kLog))
@@ -150,7 +150,7 @@ Polynomial Algebra::magnitude(const Polynomial& x) {
   return Polynomial::atom(atom_of(Op::kAbs, one)).scaled(size);
 }
 
-/// exp Σ c_μμ = ∏ exp(μ/d_μ)^(c_μd_μ), where that is a whole number and not too large.
+/// Uses exp Σ c_μμ = ∏ exp(μ/d_μ)^(c_μd_μ), if the exponent is a whole number and not too large.
 Polynomial Algebra::exponential(const Polynomial& x) {
   Polynomial result(1);
   for (const auto& [powers, factor] : x.terms()) {
@@ -224,7 +224,7 @@ bool Algebra::is_pi(const PowerProduct& product) const {
          atoms_[std::size_t(product[0].first)].kind == Atom::Kind::kPi;
 }
 
-/// sin and cos of Σ c_μμ from those of each c_μμ by the addition theorem.
+/// Computes sin and cos of Σ c_μμ from those of each c_μμ by the addition theorem.
 Algebra::Turn Algebra::turn(const Polynomial& angle) {
   Turn result{Polynomial(), Polynomial(1)};
   for (const auto& [powers, factor] : angle.terms()) {
@@ -247,7 +247,7 @@ Algebra::Turn Algebra::turn(const Polynomial& angle) {
   return result;
 }
 
-/// Sine and cosine of asin, acos and atan are algebraic; otherwise two atoms.
+/// Sine and cosine of asin, acos and atan are algebraic; otherwise they are two atoms.
 Algebra::Turn Algebra::turn_of_unit(const Polynomial& unit) {
   const auto& [powers, factor] = *unit.terms().begin();
   const auto [sign, positive] = with_sign(unit);

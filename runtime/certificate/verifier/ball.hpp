@@ -37,7 +37,7 @@ class Ball {
   [[nodiscard]] arb_ptr get() noexcept { return value_; }
   [[nodiscard]] arb_srcptr get() const noexcept { return value_; }
 
-  /// Not bounded where the ball is not finite.
+  /// Returns an interval that is not bounded if the ball is not finite.
   [[nodiscard]] Interval enclosure() const noexcept {
     if (!arb_is_finite(value_)) return everything();
     arf_t bound;

@@ -56,7 +56,7 @@ NodeId Differentiator::differentiate(const Node node, NodeId id) {
   }
 }
 
-/// f′(a), given the node of f(a).
+/// Returns f′(a), given the node of f(a).
 NodeId Differentiator::slope(const Node& node, NodeId id) {
   const NodeId a = node.a;
   switch (node.op) {
@@ -82,7 +82,7 @@ NodeId Differentiator::slope(const Node& node, NodeId id) {
     case Op::kAbs:
       return graph_.add(Op::kSign, a);
     default:
-      // Of a sign: 0, but undefined where the sign jumps.
+      // The derivative of a sign is 0, but it is undefined where the sign jumps.
       return product(graph_.number("0"), quotient(one_, a));
   }
 }

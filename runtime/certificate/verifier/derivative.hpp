@@ -9,15 +9,15 @@ namespace regulus::verifier {
 
 /// Adds derivatives by one variable to a graph.
 ///
-/// Ensures   where the derivative's operations are all defined over a box, so are those of the
-///           expression over its interior, and its differences are bounded by the mean value
-///           theorem; the derivative of |a| is sign(a), any value of [−1, 1] where a may be 0.
+/// Ensures   if all operations of the derivative are defined over a box, so are those of the
+///           expression over its interior, and the mean value theorem bounds its differences. The
+///           derivative of |a| is sign(a), which is any value of [−1, 1] where a may be 0.
 class Differentiator {
  public:
   Differentiator(Graph& graph, std::size_t variable)
       : graph_(graph), variable_(int(variable)), one_(graph.number("1")) {}
 
-  /// kNoNode for a derivative that is 0 everywhere.
+  /// Returns kNoNode for a derivative that is 0 everywhere.
   [[nodiscard]] NodeId of(NodeId id);
 
  private:

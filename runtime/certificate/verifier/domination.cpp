@@ -12,7 +12,7 @@ constexpr int kSeriesTerms = 6;
 
 }  // namespace
 
-/// False where any bound is NaN or infinite.
+/// Returns false if any bound is NaN or infinite.
 bool Domination::holds() const noexcept {
   for (std::size_t i = 0; i < n_; ++i)
     if (!(Tv_[i] < v_[i]) || !(v_[i] < kLargest)) return false;
@@ -26,7 +26,7 @@ void Domination::multiply() {
   for (double& x : Tv_) x = inflate(x);
 }
 
-/// The sum of old and new vector keeps the power iteration from going round in circles.
+/// The sum of the old and the new vector prevents cycles of the power iteration.
 bool Domination::find(const Matrix& T) {
   T_ = &T;
   std::fill(v_.begin(), v_.end(), 1.0);

@@ -13,16 +13,16 @@ class Domination {
  public:
   explicit Domination(std::size_t order) : n_(order), v_(order, 1.0), Tv_(order) {}
 
-  /// Looks for v; T ≥ 0 must stay as it is. True if one was found, and `holds` from then on.
+  /// Searches for v; T ≥ 0 must stay unchanged. Returns true if it was found; `holds` is then true.
   [[nodiscard]] bool find(const Matrix& T);
   [[nodiscard]] bool holds() const noexcept;
 
-  /// Roughly the Perron vector of T, where find has failed.
+  /// Returns roughly the Perron vector of T, if find has failed.
   [[nodiscard]] const std::vector<double>& v() const noexcept { return v_; }
 
-  /// Of Tv < v: x ≥ (I − T)⁻¹c for a column c ≥ 0.
+  /// Computes x ≥ (I − T)⁻¹c for a column c ≥ 0, if Tv < v.
   void bound_solution(const double* c, double* x) const;
-  /// Of Tv < v: encloses det(I − T). |det(I + E)| is at least that.
+  /// Encloses det(I − T), if Tv < v. |det(I + E)| is at least that.
   [[nodiscard]] Interval determinant() const;
 
  private:

@@ -18,14 +18,14 @@ Interval at(ArbFunction f, double x) {
 
 Interval at_ends(ArbFunction f, Interval x) { return hull(at(f, x.lo), at(f, x.hi)); }
 
-/// Whether an integer may lie in (x − offset·π)/(2π), with offset in quarters of a turn: 0 or ±1/2.
+/// Returns true if (x − offset·π)/(2π) may contain an integer; offset is 0 or ±1/2.
 bool may_reach(Interval x, double offset) {
   const Interval turns = (x - offset * enclose_pi()) / (2.0 * enclose_pi());
   return std::floor(turns.hi) >= std::ceil(turns.lo);
 }
 
-/// A function of values in [−1, 1] with maxima at `top`·π + 2kπ and minima at `bottom`·π + 2kπ,
-/// monotone between them.
+/// Encloses a function with values in [−1, 1], maxima at `top`·π + 2kπ and minima at `bottom`·π +
+/// 2kπ. Between them it is monotone.
 Interval wave(ArbFunction f, Interval x, double top, double bottom) {
   Interval value = at_ends(f, x);
   if (may_reach(x, top)) value.hi = 1.0;
@@ -33,7 +33,7 @@ Interval wave(ArbFunction f, Interval x, double top, double bottom) {
   return {std::max(value.lo, -1.0), std::min(value.hi, 1.0)};
 }
 
-/// Between two poles the tangent increases; cos ≠ 0 all over x shows that none is in it.
+/// The tangent increases between two poles. If cos ≠ 0 all over x, there is no pole in x.
 Interval tangent(Interval x) {
   return contains(apply(Op::kCos, x), 0.0) ? everything() : at_ends(arb_tan, x);
 }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The elementary functions over intervals of doubles, from Arb's values at their ends.
+// Encloses the elementary functions over intervals of doubles, by Arb's values at their ends.
 #pragma once
 
 #include <arb.h>
@@ -11,7 +11,7 @@ namespace regulus::verifier {
 
 using ArbFunction = void (*)(arb_t, const arb_t, slong);
 
-/// Arb's for a function of one argument other than kAbs.
+/// Returns Arb's function for a function of one argument other than kAbs.
 [[nodiscard]] ArbFunction function_in_arb(Op function);
 
 /// Encloses f over x for the functions of one argument, kSqrt … kAbs.
@@ -20,7 +20,7 @@ using ArbFunction = void (*)(arb_t, const arb_t, slong);
 /// Ensures   contains f(t) for every t in x; not bounded unless f is defined at every t in x.
 [[nodiscard]] Interval apply(Op function, Interval x);
 
-/// The same for atan2(y, x), which is undefined where y = 0, x ≤ 0.
+/// Does the same for atan2(y, x), which is undefined where y = 0, x ≤ 0.
 [[nodiscard]] Interval apply_atan2(Interval y, Interval x);
 
 [[nodiscard]] Interval enclose_pi();

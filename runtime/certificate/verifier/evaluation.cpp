@@ -32,7 +32,7 @@ Interval compute(const Node& node, const std::vector<Interval>& values) {
   }
 }
 
-/// |a| ≤ 1 for certain.
+/// Returns true only if certainly |a| ≤ 1.
 bool is_sine(const Ball& a, long bits) {
   Ball beyond;
   arb_abs(beyond.get(), a.get());
@@ -132,7 +132,7 @@ Evaluation::Evaluation(const Question& question, const std::vector<NodeId>& root
   }
 }
 
-/// The value of an operation that rounding alone may have taken out of its domain.
+/// Computes an operation for which rounding alone may have put an operand outside the domain.
 Interval Evaluation::with_exact_operands(const Node& node, const Box& box) {
   if (operands(node.op) == 0) return everything();
   ExactRanges exact(q_.graph, q_.ends, box, values_);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Values of expressions over a box, in intervals of doubles or in Arb.
+// Computes the values of expressions over a box, in intervals of doubles or in Arb.
 #pragma once
 
 #include <optional>
@@ -14,7 +14,7 @@ namespace regulus::verifier {
 
 using Box = std::vector<Interval>;
 
-/// Which variables each node depends on.
+/// Tells which variables each node depends on.
 class Dependence {
  public:
   Dependence(const Graph& graph, std::size_t variables);
@@ -27,22 +27,22 @@ class Dependence {
   std::vector<bool> depends_;
 };
 
-/// The roots and everything they are made of, operands first.
+/// Returns the roots and all nodes that they are made of, operands first.
 [[nodiscard]] std::vector<NodeId> ingredients(const Graph& graph, const std::vector<NodeId>& roots);
 
-/// Evaluates what some roots are made of. Memory is taken after construction only where an
-/// operation does not seem to be defined.
+/// Evaluates some roots and the nodes that they are made of. After construction it allocates memory
+/// only if an operation seems to be undefined.
 class Evaluation {
  public:
   /// The question must outlive this object.
   Evaluation(const Question& question, const std::vector<NodeId>& roots);
 
-  /// Ensures   true only if every operation that the roots are made of is defined at every point
-  ///           of the box that is within the ranges; value(n) then encloses node n at these points,
-  ///           and is bounded.
+  /// Ensures   true only if every operation that the roots are made of is defined at every point of
+  ///           the box that is within the ranges. Then value(n) encloses node n at these points and
+  ///           is bounded.
   [[nodiscard]] bool run(const Box& box);
 
-  /// Of a root or what it is made of; 0 for kNoNode.
+  /// Returns the value of a root or of a node that it is made of; 0 for kNoNode.
   [[nodiscard]] Interval value(NodeId node) const {
     return node == kNoNode ? Interval{} : values_[std::size_t(node)];
   }
@@ -65,14 +65,14 @@ class Evaluation {
   std::vector<Interval> values_;  ///< by node
 };
 
-/// Whether one operation is defined at every point of the values of its operands, which stand in
-/// `values` by their numbers.
+/// Returns true only if one operation is defined at every point of the values of its operands.
+/// `values` has these values, by the numbers of the operands.
 [[nodiscard]] bool certain_defined(const Node& node, const std::vector<Ball>& values, long bits);
 /// Encloses the operation, which is not a constant or a variable, over these values.
 void compute(const Node& node, const std::vector<Ball>& values, arb_ptr result, long bits);
 
-/// The same in Arb: the values of the roots in their order; nullopt unless every operation is
-/// defined at every point.
+/// Evaluates the roots in Arb, and returns their values in their order. Returns nullopt unless
+/// every operation is defined at every point.
 [[nodiscard]] std::optional<std::vector<Ball>> evaluate(const Graph& graph,
                                                         const std::vector<NodeId>& roots,
                                                         std::span<const Ball> variables, long bits);

@@ -6,13 +6,13 @@
 namespace regulus::verifier {
 namespace {
 
-// FORMAT.md, "Limits", announces these.
+// FORMAT.md, "Limits", documents these.
 constexpr std::uint64_t kProductsInFullForm = 1 << 21;
 constexpr std::uint64_t kProductsInPlainForm = 1 << 19;
 constexpr std::size_t kMostTermsOfForm = 2000;  ///< that are evaluated over boxes
 constexpr std::size_t kMostTermsOfExtremum = 200;
 
-/// The one variable that a polynomial has.
+/// Returns the variable of a polynomial that has only one.
 std::optional<std::size_t> only_variable(const Algebra& algebra, const Polynomial& p, int& number) {
   number = -1;
   for (const auto& [powers, factor] : p.terms())
@@ -71,7 +71,7 @@ std::unique_ptr<ExactDeterminant::Form> ExactDeterminant::form_of(
   return std::make_unique<Form>(q_, algebra.expression(p));
 }
 
-/// For each constraint with the λ that leaves the fewest terms.
+/// Finds, for each constraint, the λ that leaves the fewest terms.
 void ExactDeterminant::reduce_by_constraints(Algebra& algebra, const Polynomial& determinant) try {
   const Polynomial::Terms& terms = determinant.terms();
   for (const NodeId constraint : q_.constraints) {
@@ -118,7 +118,7 @@ bool ExactDeterminant::exceeds_naturally(Form& form, const Box& box) {
          mig(form.natural.narrowed(form.root, box)) > variety_.alpha.hi;
 }
 
-/// Neither p − α nor p + α has a root between the ends, which are exact.
+/// Shows that neither p − α nor p + α has a root between the ends, which are exact.
 bool ExactDeterminant::exceeds_in_one_variable(const Box& box) const {
   const std::size_t k = *only_;
   if (!alpha_) return false;
@@ -128,7 +128,7 @@ bool ExactDeterminant::exceeds_in_one_variable(const Box& box) const {
   };
   const Rational lo = end(box[k].lo, variety_.outer[k].lo, q_.ends[k].lo);
   const Rational hi = end(box[k].hi, variety_.outer[k].hi, q_.ends[k].hi);
-  if ((hi - lo).sign() < 0) return true;  // beyond the range, though within its enclosure
+  if ((hi - lo).sign() < 0) return true;  // outside the range, inside its enclosure
   Univariate below = polynomial_, above = polynomial_;
   below.subtract(*alpha_);
   above.subtract(*alpha_ * Rational(-1));

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The determinant multiplied out exactly, and what it says about a box that the intervals of
-// doubles cannot decide. PROOF.md, "The exact determinant", derives the bounds.
+// The determinant, multiplied out exactly. It can decide boxes that intervals of doubles cannot
+// decide. PROOF.md, "The exact determinant", derives the bounds.
 #pragma once
 
 #include <memory>
@@ -17,17 +17,17 @@ namespace regulus::verifier {
 
 class ExactDeterminant {
  public:
-  /// det A; times all scales if there is a threshold. Adds to the question's graph. Requires a
-  /// square matrix.
+  /// Multiplies out det A; times all scales if there is a threshold. Adds to the question's graph.
+  /// Requires a square matrix.
   ExactDeterminant(Question& question, const Variety& variety, long max_bits)
       : ExactDeterminant(question, variety, question.matrix, max_bits) {}
-  /// The determinant of another square matrix with as many columns as A.
+  /// Multiplies out the determinant of another square matrix with as many columns as A.
   ExactDeterminant(Question& question, const Variety& variety, const std::vector<NodeId>& matrix,
                    long max_bits);
 
-  /// It is 0 wherever the matrix is defined.
+  /// Returns true only if the determinant is 0 wherever the matrix is defined.
   [[nodiscard]] bool vanishes() const noexcept { return vanishes_; }
-  /// Why it could not be multiplied out; empty if it could.
+  /// Returns why it could not be multiplied out; empty if it could.
   [[nodiscard]] const std::string& obstacle() const noexcept { return obstacle_; }
 
   /// Ensures   true only if its magnitude exceeds alpha at every point of the set in the box.
@@ -39,7 +39,7 @@ class ExactDeterminant {
   [[nodiscard]] bool exceeds_naturally(Form& form, const Box& box);
   [[nodiscard]] bool exceeds_in_one_variable(const Box& box) const;
   [[nodiscard]] bool exceeds_at_extremum(const Box& box);
-  /// By forms from which what a constraint has in common with the determinant has been taken.
+  /// Uses forms g (see Reduced) in which terms that a constraint shares with det are gone.
   [[nodiscard]] bool exceeds_within_constraints(const Box& box);
   void reduce_by_constraints(Algebra& algebra, const Polynomial& determinant);
 
@@ -53,7 +53,7 @@ class ExactDeterminant {
   std::string obstacle_;
   ExactBounds bounds_;
   std::unique_ptr<Form> plain_, full_;
-  /// g = f + λh for a constraint h ≤ 0, so that f ≥ g where it holds, if λ > 0, and f ≤ g if not.
+  /// g = f + λh for a constraint h ≤ 0. Where h ≤ 0, f ≥ g if λ > 0, and f ≤ g if λ < 0.
   struct Reduced {
     std::unique_ptr<Form> form;
     bool from_below;

@@ -51,10 +51,10 @@ bool ExactPoint::is_nonpositive(NodeId expression) {
   }
 }
 
-/// Along the segment a polynomial in one variable t of [0, 1].
+/// Along the segment, the expression must become a polynomial in one variable t of [0, 1].
 bool is_nonpositive_between(Question& q, const Box& from, const Box& to, NodeId expression) {
   std::vector<NodeId> values(from.size(), kNoNode);
-  const int number = int(from.size());  // behind the variables of the question
+  const int number = int(from.size());  // after the variables of the question
   const NodeId t = q.graph.add(Op::kVariable, number);
   for (std::size_t k = 0; k < from.size(); ++k) {
     if (!is_thin(from[k]) || !is_thin(to[k])) continue;

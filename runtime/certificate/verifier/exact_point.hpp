@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// A point of a witness, or the segment between two, by exact algebra.
+// Exact algebra at a point of a witness, or along the segment between two points.
 #pragma once
 
 #include "runtime/certificate/verifier/algebra.hpp"
@@ -7,8 +7,8 @@
 
 namespace regulus::verifier {
 
-/// A point of a witness. A coordinate that is the end of its range is that expression, which the
-/// box encloses; the others have kNoNode.
+/// A point of a witness. If a coordinate is the end of its range, `ends` has that expression and
+/// the box encloses it. The other coordinates have kNoNode there.
 struct ClaimedPoint {
   Box box;
   std::vector<NodeId> ends;
@@ -16,8 +16,8 @@ struct ClaimedPoint {
 
 class ExactPoint {
  public:
-  /// A coordinate that is an interval and no end is a variable: nothing depends on those of one
-  /// value.
+  /// A coordinate that is an interval, and not an end, stays a variable. Nothing depends on a
+  /// variable of one value.
   ExactPoint(Question& question, const ClaimedPoint& point);
 
   /// Ensures   true only if |det A·∏ scale| ≤ alpha at the point, where these are defined there.
