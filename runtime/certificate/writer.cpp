@@ -18,7 +18,7 @@
 namespace regulus {
 namespace {
 
-/// The word of FORMAT.md for a rule; a certificate is of no use where it has none.
+/// Returns the word of FORMAT.md for a rule. For a rule without one, no certificate is valid.
 const char* word_of(Rule rule) noexcept {
   switch (rule) {
     case Rule::kOutside:
@@ -55,12 +55,12 @@ const char* word_of(Reason reason) noexcept {
   return reason == Reason::kAlwaysSingular ? format::kAlwaysSingular : format::kOppositeSigns;
 }
 
-/// Requires  an end.
+/// Requires  `place` is an end.
 std::string word_of(PlaceInRange place) {
   return place == PlaceInRange::kUpperEnd ? format::kUpperEnd : format::kLowerEnd;
 }
 
-/// Of an enclosure of a number other than 0: the end next to 0 may have become 0 by rounding.
+/// For an enclosure of a number other than 0: the end next to 0 may have been rounded to 0.
 bool is_positive(const Interval& x) noexcept { return x.lo >= 0.0 && x.hi > 0.0; }
 
 std::string hexadecimal(double x) {
@@ -69,8 +69,8 @@ std::string hexadecimal(double x) {
   return text;
 }
 
-/// A new file beside `path`, of a name that no other has, with the permissions that files of this
-/// user usually get: mkstemp would make one that only its owner may read. The name is in `made`.
+/// Makes a new file beside `path`, with a name that no other file has. It has the usual permissions
+/// of this user's files; mkstemp would let only the owner read it. The name is in `made`.
 int make_beside(const std::string& path, std::string& made) {
   constexpr int kTries = 100;
   std::random_device random;
@@ -132,7 +132,7 @@ void CertificateWriter::check(bool done, const char* what) const {
                            std::strerror(errno));
 }
 
-/// A failure to write stays with the file: finish() asks for it.
+/// A failure to write stays recorded in the file; finish() checks it.
 void CertificateWriter::put(const std::string& text) noexcept {
   std::fputs(text.c_str(), file_.get());
 }
@@ -142,15 +142,15 @@ void CertificateWriter::write_head(const char* verdict, const std::string& claim
       question_.text + "proof\n");
 }
 
-/// Splits and leaves are a proof of NO SINGULARITY if they are all that comes.
-/// Without memory for them, finish() and sync() say so.
+/// Splits and leaves are a proof of NO SINGULARITY if nothing else follows.
+/// If there is no memory for them, finish() and sync() report it.
 void CertificateWriter::on_start(const Problem&, const Settings&) noexcept try {
   if (!continues_) write_head(format::kNoSingularity, question_.no_singularity);
 } catch (const std::bad_alloc&) {
   failed_ = true;
 }
 
-/// Formatting may want memory, too: a line that is missing for that reason leaves no error behind.
+/// Formatting may also need memory. If a line is missing for that reason, the file has no error.
 void CertificateWriter::note_written(int count) noexcept {
   if (count < 0 && std::ferror(file_.get()) == 0) failed_ = true;
 }

@@ -12,31 +12,31 @@
 
 namespace regulus {
 
-/// What a certificate says about the question, as text.
+/// The texts of a certificate about the question.
 struct CertifiedQuestion {
   std::string text;            ///< FORMAT.md, "The question": lines from `model` to `constraint`
   std::string no_singularity;  ///< the claim, for either verdict
   std::string singularity;
 };
 
-/// Splits and leaves go to a file next to the one that is wanted, as they come; finish() puts it in
-/// its place. Nothing is left behind otherwise, unless the search is to go on later.
+/// Writes splits and leaves to a file beside the requested one, as they come; finish() renames it.
+/// Otherwise no file remains, unless the search is to continue later.
 class CertificateWriter final : public Observer {
  public:
-  /// Throws std::runtime_error when no file can be made there.
+  /// Throws std::runtime_error if no file can be made there.
   CertificateWriter(std::string path, CertifiedQuestion question);
 
-  /// For a search that may be continued: what is written goes to partial_file(path) and stays there
-  /// until finish() or discard().
+  /// For a search that may be continued: writes to partial_file(path), which stays there until
+  /// finish() or discard().
   [[nodiscard]] static std::string partial_file(const std::string& path) {
     return path + ".partial";
   }
   struct Partial {
-    /// Go on behind this many bytes of it, with so many leaves; absent: from the beginning.
+    /// Continue after this many bytes of it, with so many leaves; absent: from the beginning.
     std::optional<std::uint64_t> length;
     std::uint64_t leaves = 0;
   };
-  /// Throws std::runtime_error also when there is less than that to go on from.
+  /// Throws std::runtime_error also if the file is shorter than that.
   CertificateWriter(std::string path, CertifiedQuestion question, Partial partial);
   ~CertificateWriter() override;
 
@@ -44,15 +44,15 @@ class CertificateWriter final : public Observer {
   void on_split(const OpenBox& box, const Split& split) noexcept override;
   void on_leaf(const OpenBox& box, Rule rule, const Proof& proof) noexcept override;
 
-  /// Throws std::runtime_error when something could not be written; the file at `path` is then as
-  /// it was before.
+  /// Throws std::runtime_error if something could not be written; the file at `path` is then
+  /// unchanged.
   ///
   /// Ensures   false for POSSIBLE PROBLEM, which claims nothing: no file is written.
   [[nodiscard]] bool finish(const Result& result);
 
-  /// Makes what was written so far safe on the disk and says how long it is; nullopt: it cannot.
+  /// Makes the text so far safe on the disk and returns its length; nullopt if that fails.
   [[nodiscard]] std::optional<std::uint64_t> sync() noexcept;
-  /// Nothing is to be continued: the file goes with this object.
+  /// The search will not be continued: the destructor removes the file.
   void discard() noexcept { stays_ = false; }
 
   [[nodiscard]] const std::string& path() const noexcept { return path_; }
@@ -74,9 +74,9 @@ class CertificateWriter final : public Observer {
   std::unique_ptr<std::FILE, Close> file_;
   std::uint64_t leaves_ = 0;
   bool in_place_ = false;
-  bool stays_ = false;      ///< when this object is gone
-  bool continues_ = false;  ///< a file that has its head
-  bool failed_ = false;     ///< something is missing in the file
+  bool stays_ = false;      ///< after the destructor
+  bool continues_ = false;  ///< a file that already has its head
+  bool failed_ = false;     ///< a part of the file is missing
 };
 
 }  // namespace regulus

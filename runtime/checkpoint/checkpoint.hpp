@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// A search on its way, as text: what FORMAT.md describes.
+// The state of a search, as text; FORMAT.md describes it.
 #pragma once
 
 #include <optional>
@@ -12,7 +12,7 @@
 
 namespace regulus {
 
-/// What a checkpoint is about. Both must agree for a search to go on from it.
+/// The question of a checkpoint. Both must agree before a search can continue from it.
 struct CheckpointedQuestion {
   std::string identity;  ///< 64 hexadecimal digits: of the model, the variety, the uncertainty, α
   std::size_t splittable = 0;    ///< variables 0 … splittable − 1 differ from box to box
@@ -33,25 +33,25 @@ struct Checkpoint {
   std::vector<std::uint32_t> depths;
   std::vector<Interval> boxes;  ///< one after the other, all variables of each
 
-  /// Refers to this object.
+  /// The result refers to this object.
   [[nodiscard]] std::vector<OpenBox> open() const;
 };
 
-/// Not a checkpoint, a damaged one, or one of another question: `what` says which and where.
+/// The text is not a checkpoint, is damaged, or has another question; the message says which.
 class CheckpointError : public std::runtime_error {
  public:
   using std::runtime_error::runtime_error;
 };
 
-/// The text of a checkpoint. An exhaustive search's witness is not kept: those have none yet.
+/// Writes a checkpoint. Without the witness of an exhaustive search, which has none yet.
 [[nodiscard]] std::string write_checkpoint(const CheckpointedQuestion& question,
                                            const SearchState& state, const OpenBoxes& open,
                                            const std::optional<CertificateSoFar>& certificate);
 
-/// Any bytes may be given. Throws CheckpointError.
+/// Accepts any bytes. Throws CheckpointError.
 ///
 /// Ensures   every box lies in the ranges of the question, its ends are in order, its number is
-///           below next_id; no number comes twice.
+///           below next_id; no number occurs twice.
 [[nodiscard]] Checkpoint read_checkpoint(std::string_view text,
                                          const CheckpointedQuestion& question);
 

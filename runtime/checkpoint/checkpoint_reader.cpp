@@ -13,7 +13,7 @@ namespace {
 
 constexpr std::size_t kEndLine = sizeof "end 0123456789abcdef\n" - 1;
 
-/// Takes a text apart, line by line and word by word.
+/// Splits a text into lines and words.
 class Reader {
  public:
   explicit Reader(std::string_view text) noexcept : rest_(text) {}
@@ -69,7 +69,7 @@ class Reader {
     words_.remove_prefix(word.size());
     return word;
   }
-  /// As %a writes it. from_chars wants neither sign nor 0x, and knows words that are no numbers.
+  /// Reads what %a writes. from_chars accepts no sign or 0x, but words that are not numbers.
   double real_of(std::string_view word) const {
     const bool negative = word.starts_with('-');
     word.remove_prefix(negative ? 1 : 0);
@@ -119,7 +119,7 @@ void read_box(Reader& reader, const CheckpointedQuestion& question, Checkpoint& 
   }
 }
 
-/// Without a point where the search had none.
+/// The point is absent if the search had none.
 void read_candidate(Reader& reader, const std::string& name, std::size_t variables,
                     WitnessCandidates::Candidate& into) {
   reader.next_line("candidate " + name);
@@ -140,7 +140,7 @@ void read_candidates(Reader& reader, std::size_t variables, WitnessCandidates& i
   into.small_tries = reader.number<std::uint32_t>();
 }
 
-/// Its hash is of this format, not of the first.
+/// Only this format has the hash; the first format has none.
 CertificateSoFar read_certificate(Reader& reader, int format) {
   CertificateSoFar certificate;
   certificate.length = reader.number();
@@ -152,7 +152,7 @@ CertificateSoFar read_certificate(Reader& reader, int format) {
   return certificate;
 }
 
-/// Which of the formats that there have been.
+/// Returns the format of the text.
 int format_of(std::string_view text) {
   if (!text.starts_with("regulus checkpoint ")) throw CheckpointError("it is not a checkpoint");
   for (const int format : {1, 2})

@@ -18,14 +18,14 @@ namespace {
   throw std::runtime_error("the lock " + path + " cannot be created: " + std::strerror(errno));
 }
 
-/// The process that wrote its number there; empty if that cannot be read.
+/// Returns the process that wrote its number there; empty if it cannot be read.
 std::string owner_in(int descriptor) {
   char text[24] = {};
   const ssize_t size = ::pread(descriptor, text, sizeof text - 1, 0);
   return size > 0 ? " (process " + std::string(text, static_cast<std::size_t>(size)) + ")" : "";
 }
 
-/// Whether a descriptor and a path are the same file still.
+/// Returns true if a descriptor and a path are still the same file.
 bool is_file_at(int descriptor, const std::string& path) noexcept {
   struct stat open {
   }, named{};
@@ -36,15 +36,15 @@ bool is_file_at(int descriptor, const std::string& path) noexcept {
 void write_owner(int descriptor) noexcept {
   char text[24];
   const int size = std::snprintf(text, sizeof text, "%ld", static_cast<long>(::getpid()));
-  // For people only: who cannot write it holds the lock all the same.
+  // For people only: a process that cannot write it still holds the lock.
   if (::ftruncate(descriptor, 0) != 0 || ::pwrite(descriptor, text, std::size_t(size), 0) < 0)
     errno = 0;
 }
 
 }  // namespace
 
-/// The one that held the lock may remove the file between our opening it and our locking it; then
-/// it locks nothing, and there is another to be made.
+/// The previous holder may remove the file between our opening it and our locking it. Then our lock
+/// protects nothing, and we must make another file.
 FileLock::FileLock(const std::string& path) : path_(path + ".lock") {
   for (;;) {
     descriptor_ = ::open(path_.c_str(), O_RDWR | O_CREAT | O_NOFOLLOW | O_CLOEXEC, 0666);
@@ -63,7 +63,7 @@ FileLock::FileLock(const std::string& path) : path_(path + ".lock") {
   write_owner(descriptor_);
 }
 
-/// Removed first: nobody else can hold the lock of this file until it is closed.
+/// Removes it first: no other process can hold the lock of this file until it is closed.
 FileLock::~FileLock() {
   ::unlink(path_.c_str());
   ::close(descriptor_);

@@ -1,16 +1,16 @@
 // SPDX-License-Identifier: Apache-2.0
-// One run at a time: whoever writes a file over and over holds the lock beside it.
+// Allows one run at a time: a run that rewrites a file holds the lock beside it.
 #pragma once
 
 #include <string>
 
 namespace regulus {
 
-/// Holds `path`.lock. The kernel gives it back when the process ends, however it does: what a
-/// process that was killed leaves behind locks nobody out.
+/// Holds `path`.lock. The kernel releases the lock when the process ends in any way. So the file
+/// that a killed process leaves behind locks nothing.
 class FileLock {
  public:
-  /// Throws std::runtime_error when another process holds it, and when no lock can be had there.
+  /// Throws std::runtime_error if another process holds it, or if no lock can be made there.
   explicit FileLock(const std::string& path);
   FileLock(const FileLock&) = delete;
   FileLock& operator=(const FileLock&) = delete;

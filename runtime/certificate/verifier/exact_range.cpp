@@ -9,7 +9,7 @@
 namespace regulus::verifier {
 namespace {
 
-// Beyond these bounds the enclosure in doubles is taken.
+// Beyond these bounds, the enclosure in doubles is used.
 constexpr std::size_t kMostNodesOfRange = 1 << 10;
 constexpr std::size_t kMostBitsOfEnd = 1 << 12;
 constexpr int kMostPowerOfRange = 64;
@@ -39,14 +39,14 @@ RationalRange magnitude(const RationalRange& x) {
   return {Rational(), greatest(x.hi, turned.hi)};
 }
 
-/// nullopt where y may be 0.
+/// Returns nullopt if y may be 0.
 std::optional<RationalRange> quotient(const RationalRange& x, const RationalRange& y) {
   if (y.lo.sign() <= 0 && y.hi.sign() >= 0) return std::nullopt;
   const Rational one(1);
   return product(x, {one / y.hi, one / y.lo});
 }
 
-/// Even powers are those of magnitudes, odd ones grow.
+/// Takes even powers of magnitudes; odd powers are monotone.
 std::optional<RationalRange> power(const RationalRange& x, int exponent) {
   if (exponent > kMostPowerOfRange) return std::nullopt;
   const RationalRange base = exponent % 2 == 0 ? magnitude(x) : x;
@@ -60,7 +60,7 @@ std::optional<RationalRange> power(const RationalRange& x, int exponent) {
 
 Interval outward(const RationalRange& x) { return {enclose(x.lo).lo, enclose(x.hi).hi}; }
 
-/// Arb's value is exact where the root is a double; that of the intervals is not.
+/// Uses Arb, whose value is exact if the root is a double. The root of intervals is not exact.
 Interval root(Interval x) {
   constexpr long kBits = 64;
   if (!(x.lo >= 0.0)) return everything();
@@ -77,7 +77,7 @@ Interval ExactRanges::of(NodeId node) {
   return is_empty_ ? everything() : outward(x);
 }
 
-/// Recursion is as deep as the graph, format::kDeepestNode at most.
+/// The recursion is as deep as the graph, at most format::kDeepestNode.
 RationalRange ExactRanges::range(NodeId id) {
   if (const auto known = known_.find(id); known != known_.end()) return known->second;
   std::optional<RationalRange> result;
@@ -119,7 +119,7 @@ std::optional<RationalRange> ExactRanges::exact(const Node& node) {
   }
 }
 
-/// log of exactly [1, 2] is at least 0, where that of [1 − 2⁻⁵³, 2] may be below.
+/// log of exactly [1, 2] is at least 0, but log of [1 − 2⁻⁵³, 2] may be below 0.
 std::optional<RationalRange> ExactRanges::function(const Node& node) {
   const Interval argument = outward(range(node.a));
   if (!is_bounded(argument)) return std::nullopt;
@@ -128,7 +128,7 @@ std::optional<RationalRange> ExactRanges::function(const Node& node) {
   return RationalRange{rational_of(value.lo), rational_of(value.hi)};
 }
 
-/// The part of the box that is within the range.
+/// Returns the part of the box that is within the range.
 RationalRange ExactRanges::variable(std::size_t k) {
   RationalRange x{rational_of(box_[k].lo), rational_of(box_[k].hi)};
   if (k < ends_.size() && ends_[k].lo) x.lo = greatest(x.lo, *ends_[k].lo);

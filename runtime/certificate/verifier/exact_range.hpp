@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Ranges of expressions in rational numbers, where doubles round a bound past the end of a domain:
-// √(x − 1/3) for x ≥ 1/3, asin(3x) for x ≤ 1/3, √(1 − cos x).
+// Ranges of expressions in rational numbers, for bounds that doubles would round past the end of a
+// domain: √(x − 1/3) for x ≥ 1/3, asin(3x) for x ≤ 1/3, √(1 − cos x).
 #pragma once
 
 #include <map>
@@ -12,7 +12,7 @@
 
 namespace regulus::verifier {
 
-/// The ends of the range of a variable that are known to be rational numbers.
+/// The ends of the range of a variable; an end has a value if it is known to be rational.
 struct RationalEnds {
   std::optional<Rational> lo, hi;
 };
@@ -21,18 +21,18 @@ struct RationalRange {
   Rational lo, hi;
 };
 
-/// Sums, products, quotients, powers and magnitudes are exact; functions of one argument are
-/// enclosed in doubles over the exact range of it, other operations taken as doubles enclose them.
+/// Sums, products, quotients, powers and magnitudes are exact. Functions of one argument are
+/// enclosed in doubles over its exact range. Other operations use their enclosures in doubles.
 class ExactRanges {
  public:
-  /// `ends`: by variable; empty: none is known. `values`: enclosures of what the nodes that are
-  /// asked about are made of, by node. All must outlive this object.
+  /// `ends`: by variable; an empty list means that no end is known. `values`: by node, enclosures
+  /// of the nodes that the requested nodes are made of. All must outlive this object.
   ExactRanges(const Graph& graph, const std::vector<RationalEnds>& ends,
               const std::vector<Interval>& box, const std::vector<Interval>& values)
       : graph_(graph), ends_(ends), box_(box), values_(values) {}
 
-  /// Encloses a node at the points of the box that are within the ranges of the variables; not
-  /// bounded where there is no such point.
+  /// Encloses a node at the points of the box that are within the ranges of the variables. The
+  /// result is not bounded if there is no such point.
   [[nodiscard]] Interval of(NodeId node);
 
  private:

@@ -8,7 +8,7 @@
 namespace regulus::verifier {
 namespace {
 
-// FORMAT.md, "Limits", announces these.
+// FORMAT.md, "Limits", documents these.
 constexpr std::size_t kMostMinors = 4;
 constexpr long kMostBits = 1024;  ///< to find the rows of a minor
 
@@ -21,7 +21,7 @@ std::vector<NodeId> rows_of(const Question& q, const std::vector<std::size_t>& r
   return result;
 }
 
-/// AᵀA.
+/// Returns AᵀA.
 std::vector<NodeId> gram_matrix(Question& q) {
   std::vector<NodeId> result;
   for (std::size_t i = 0; i < q.columns; ++i)
@@ -45,7 +45,7 @@ bool ExactRank::is_full(const Box& box, const Box& middle) {
   return gram().exceeds_threshold(box);
 }
 
-/// The minor that elimination finds at a point; nullptr if it finds none, or one too many.
+/// Returns the minor that elimination finds at a point; nullptr if it finds none, or one too many.
 ExactDeterminant* ExactRank::minor_at(const Box& middle) {
   Rows rows;
   for (long bits = 64; bits <= kMostBits && rows.size() < q_.columns; bits *= 2) {
@@ -62,7 +62,7 @@ ExactDeterminant* ExactRank::minor_at(const Box& middle) {
   return &minors_.try_emplace(rows, q_, variety_, rows_of(q_, rows), max_bits_).first->second;
 }
 
-/// det AᵀA is the sum of the squares of all minors.
+/// Returns det AᵀA, which is the sum of the squares of all minors.
 ExactDeterminant& ExactRank::gram() {
   if (!gram_) gram_.emplace(q_, variety_, gram_matrix(q_), max_bits_);
   return *gram_;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Full column rank of a matrix with more rows than columns, by determinants that are multiplied out
-// exactly. PROOF.md, "The exact determinant".
+// Shows full column rank of a matrix with more rows than columns, by determinants that are
+// multiplied out exactly. See PROOF.md, "The exact determinant".
 #pragma once
 
 #include <map>
@@ -17,7 +17,7 @@ class ExactRank {
   ExactRank(Question& question, const Variety& variety, long max_bits)
       : q_(question), variety_(variety), max_bits_(max_bits) {}
 
-  /// `middle`: any point; it tells which rows to look at.
+  /// `middle`: any point; it determines which rows are used.
   ///
   /// Ensures   true only if A has full column rank at every point of the set in the box.
   /// Requires  the matrix is defined all over the box.

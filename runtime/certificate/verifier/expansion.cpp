@@ -6,11 +6,11 @@
 namespace regulus::verifier {
 namespace {
 
-/// Of one expression, and of a power that is multiplied out; what would be larger stays as it is.
+/// Most terms of one expression, and of a power. Larger ones are not multiplied out.
 constexpr std::size_t kMostTermsOfAnEntry = 64;
 constexpr int kMostFactors = 8;
 
-/// Factors in the order of their nodes, repeated ones side by side.
+/// The factors, in the order of their nodes; repeated factors are adjacent.
 using Monomial = std::vector<NodeId>;
 using Polynomial = std::map<Monomial, NodeId>;
 
@@ -103,7 +103,7 @@ class Expander {
   }
 
   Graph& graph_;
-  std::vector<bool> varies_;  ///< nodes from before the expansion only are asked about
+  std::vector<bool> varies_;  ///< only asked about nodes from before the expansion
   std::map<NodeId, Polynomial> known_;
 };
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The matrix as a sum of monomials: A = Σ_μ C_μ·μ. A product K·A then adds up, for each monomial,
-// what the rows of A contribute to it, so that what cancels between rows does cancel in intervals.
+// The matrix as a sum of monomials: A = Σ_μ C_μ·μ. For each monomial, a product K·A then adds the
+// contributions of all rows of A, so terms that cancel between rows cancel in intervals too.
 #pragma once
 
 #include <map>
@@ -12,7 +12,7 @@
 
 namespace regulus::verifier {
 
-/// One entry of C_μ: the node of a coefficient.
+/// The node of a coefficient that belongs to one entry of C_μ.
 struct Coefficient {
   std::size_t entry;  ///< of the matrix, row-major
   NodeId node;
@@ -23,9 +23,9 @@ struct Term {
   std::vector<Coefficient> coefficients;
 };
 
-/// Multiplies out the products in `matrix`. Coefficients are what does not depend on `variables`;
-/// monomials are products of those variables, and of operations that are not multiplied out. New
-/// nodes are added to the graph; their values are those of the expressions they come from.
+/// Multiplies out the products in `matrix`. Coefficients do not depend on `variables`. Monomials
+/// are products of those variables and of operations that are not multiplied out. Adds nodes to the
+/// graph; their values are those of the expressions from which they are made.
 [[nodiscard]] std::vector<Term> expand(Graph& graph, const std::vector<NodeId>& matrix,
                                        const std::vector<std::size_t>& variables,
                                        std::size_t variable_count);

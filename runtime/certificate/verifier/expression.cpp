@@ -23,7 +23,7 @@ constexpr std::array<std::pair<std::string_view, Op>, 11> kFunctions = {{{"sqrt"
                                                                          {"abs", Op::kAbs},
                                                                          {"atan2", Op::kAtan2}}};
 
-/// Recursive descent, at most format::kMostNesting deep.
+/// A parser by recursive descent, at most format::kMostNesting deep.
 class Parser final : InfixReader {
  public:
   Parser(std::string_view text, const Scope& scope, Graph& graph)
@@ -116,7 +116,7 @@ class Parser final : InfixReader {
   int depth_ = 0;
 };
 
-/// A decimal as digits·10^exponent. Throws Rejection.
+/// Returns a decimal as digits·10^exponent. Throws Rejection.
 std::pair<std::string, long> decimal_parts(std::string_view text) {
   const std::size_t e = std::min(text.find('e'), text.size());
   std::string digits(text.substr(0, e));
@@ -140,10 +140,10 @@ std::pair<std::string, long> decimal_parts(std::string_view text) {
 
 }  // namespace
 
-/// Bits of all results of folding together: beyond, operations on constants stay operations.
+/// Most bits of all folded results together. Beyond it, operations on constants are kept.
 constexpr std::size_t kMostFoldedBits = std::size_t{1} << 24;
 
-/// Exact, so that a quotient of integers beyond the range of doubles keeps its value there.
+/// Computes exactly, so a quotient of integers beyond the range of doubles keeps its value.
 std::optional<Rational> Graph::folded(Op op, int a, int b) const {
   const auto constant = [this](int node) -> const Rational* {
     const Node& n = nodes_[std::size_t(node)];

@@ -15,13 +15,13 @@
 
 namespace regulus::verifier {
 
-/// The file is not a certificate, or proves nothing: what is wrong with it, in words.
+/// The file is not a certificate, or proves nothing; the text says what is wrong.
 class Rejection : public std::runtime_error {
  public:
   using std::runtime_error::runtime_error;
 };
 
-/// Neither a proof nor a refutation was found: what stood in the way.
+/// Neither a proof nor a refutation was found; the text gives the reason.
 class Unfinished : public std::runtime_error {
  public:
   using std::runtime_error::runtime_error;
@@ -48,10 +48,10 @@ enum class Op {
   kLog,
   kAbs,
   kAtan2,
-  kSign,  ///< of derivatives only: 1 for a > 0, −1 for a < 0, all of [−1, 1] for 0
+  kSign,  ///< in derivatives only: 1 for a > 0, −1 for a < 0, all of [−1, 1] for 0
 };
 
-/// How many nodes an operation is made of: `a`, or `a` and `b`.
+/// Returns the number of operands of an operation: `a`, or `a` and `b`.
 [[nodiscard]] constexpr int operands(Op op) noexcept {
   switch (op) {
     case Op::kConstant:
@@ -80,23 +80,23 @@ struct Node {
 /// Operands come before the nodes that use them.
 class Graph {
  public:
-  /// An operation on rational constants alone is done exactly.
+  /// Adds a node. An operation on rational constants alone is computed exactly.
   [[nodiscard]] NodeId add(Op op, int a = 0, int b = 0);
-  /// A decimal such as 12, 0.5 or 1e-3, exactly.
+  /// Adds a decimal such as 12, 0.5 or 1e-3, exactly.
   [[nodiscard]] NodeId number(std::string_view digits);
   [[nodiscard]] NodeId number(const Rational& value);
-  /// The file has been read: from now on too many operations are Unfinished.
+  /// Call it after reading the file: from now on too many operations throw Unfinished.
   void end_of_file() noexcept { is_read_ = true; }
 
   [[nodiscard]] const std::vector<Node>& nodes() const noexcept { return nodes_; }
   [[nodiscard]] const Rational& rational(int index) const { return rationals_[std::size_t(index)]; }
 
  private:
-  /// The value of an operation on rational constants; nullopt for all others, and for x/0.
+  /// Returns the value of an operation on rational constants; nullopt for all others, and for x/0.
   [[nodiscard]] std::optional<Rational> folded(Op op, int a, int b) const;
 
   std::vector<Node> nodes_;
-  std::vector<int> depth_;  ///< bounded, so that recursion is
+  std::vector<int> depth_;  ///< bounded, so the depth of recursion is bounded
   std::map<std::tuple<Op, int, int>, NodeId> known_;
   std::map<std::string, NodeId, std::less<>> numbers_;
   std::deque<Rational> rationals_;
@@ -106,15 +106,15 @@ class Graph {
 
 using Scope = std::map<std::string, NodeId, std::less<>>;
 
-/// The node of an expression of FORMAT.md whose names are those of `scope`. Throws Rejection.
+/// Returns the node of an expression of FORMAT.md with the names of `scope`. Throws Rejection.
 [[nodiscard]] NodeId parse(std::string_view text, const Scope& scope, Graph& graph);
 
-/// Whether the text can be a name.
+/// Returns true if the text can be a name.
 [[nodiscard]] bool is_name(std::string_view text) noexcept;
 
-/// Whether the text is a name that expressions use themselves: pi and the functions.
+/// Returns true if the text is a name that expressions use themselves: pi and the functions.
 [[nodiscard]] bool is_reserved(std::string_view text) noexcept;
-/// The function of a name that is reserved and not pi.
+/// Returns the function of a name that is reserved and not pi.
 [[nodiscard]] Op function_named(std::string_view text) noexcept;
 
 }  // namespace regulus::verifier

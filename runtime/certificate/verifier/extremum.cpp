@@ -11,9 +11,9 @@ namespace regulus::verifier {
 namespace {
 
 constexpr long kBits = 128;
-constexpr std::size_t kMostFree = 8;  ///< variables that a convex bound takes
+constexpr std::size_t kMostFree = 8;  ///< most variables of a convex bound
 constexpr int kFirstSteps = 8;        ///< of Newton's method
-constexpr long kWithin = 1 << 24;     ///< parts of a radius, of one more, that a point may be away
+constexpr long kWithin = 1 << 24;     ///< a point stays inside by this fraction of the radius
 
 /// An owned arb_mat_t.
 class BallMatrix {
@@ -95,7 +95,7 @@ bool Extremum::exceeds() {
   return free_.empty() ? exceeds_at_ends() : exceeds_where_convex();
 }
 
-/// The end of a range is an expression; that of a part is a double.
+/// Returns the end: that of a range is an expression, that of a part is a double.
 Ball Extremum::end_of(std::size_t k, bool upper, long bits) const {
   const double x = upper ? box_[k].hi : box_[k].lo;
   const double outer = upper ? variety_.outer[k].hi : variety_.outer[k].lo;
@@ -126,7 +126,7 @@ std::vector<Ball> Extremum::ranges(long bits, bool widened) const {
   return result;
 }
 
-/// Any point will do to guess which sign is to be proved.
+/// Guesses the sign to be proved. Any point is good enough.
 int Extremum::sign_in_the_middle() {
   for (long bits = 64; bits <= max_bits_; bits *= 4) {
     std::vector<Ball> middle(box_.size());
@@ -152,7 +152,7 @@ bool Extremum::move_to_ends() {
       if (place_[k] != Place::kFree) continue;
       const Ball* slope = form_.first(k).run(x, kBits);
       if (slope == nullptr) return false;
-      // sign·f is least at the lower end where it grows.
+      // Where sign·f grows, it is least at the lower end.
       if (arb_is_nonnegative(slope->get()) != 0)
         place_[k] = sign_ > 0 ? Place::kLower : Place::kUpper;
       else if (arb_is_nonpositive(slope->get()) != 0)
@@ -165,7 +165,7 @@ bool Extremum::move_to_ends() {
   return true;
 }
 
-/// sign·f(point) − loss > alpha.
+/// Shows that sign·f(point) − loss > alpha.
 bool Extremum::exceeds_at_point(const std::vector<Ball>& point, const Ball& loss, long bits) {
   const Ball* value = form_.value.run(point, bits);
   const Ball* alpha = bounds_.alpha.run({}, bits);
@@ -182,7 +182,7 @@ bool Extremum::exceeds_at_ends() {
   return false;
 }
 
-/// The Hessian less a positive diagonal is positive definite over the ranges.
+/// Shows that the Hessian less a positive diagonal is positive definite over the ranges.
 bool Extremum::find_curvature(bool widened) {
   const std::size_t n = free_.size();
   const std::vector<Ball> x = ranges(kBits, widened);
@@ -215,7 +215,7 @@ bool Extremum::find_curvature(bool widened) {
   return false;
 }
 
-/// One step of Newton's method, kept within the ranges. False where there is none.
+/// Makes one step of Newton's method, within the ranges. Returns false if no step is possible.
 bool Extremum::improve(std::vector<Ball>& point, long bits) {
   const std::size_t n = free_.size();
   BallMatrix H(n, n), slope(n, 1), step(n, 1);
@@ -240,7 +240,7 @@ bool Extremum::improve(std::vector<Ball>& point, long bits) {
     const bool is_above = arf_cmp(arb_midref(x.get()), arb_midref(range.get())) > 0;
     Ball reach;
     arf_set_mag(arb_midref(reach.get()), arb_radref(range.get()));
-    // A little within the end, so that rounding does not take it out again.
+    // Stay slightly inside the end, so that rounding does not move the point out again.
     arb_mul_si(reach.get(), reach.get(), is_above ? kWithin : -kWithin, bits);
     arb_div_si(reach.get(), reach.get(), kWithin + 1, bits);
     arb_get_mid_arb(x.get(), range.get());
@@ -251,7 +251,7 @@ bool Extremum::improve(std::vector<Ball>& point, long bits) {
   return true;
 }
 
-/// Σ g²/(2·curvature): how much below f(point) a convex f can be.
+/// Bounds how far below f(point) a convex f can be: Σ g²/(2·curvature).
 std::optional<Ball> Extremum::loss_at(const std::vector<Ball>& point, long bits) {
   Ball loss, part;
   for (std::size_t i = 0; i < free_.size(); ++i) {
@@ -274,7 +274,7 @@ bool Extremum::exceeds_where_convex() {
   }
   std::vector<Ball> point;
   for (long bits = kBits; bits <= max_bits_; bits *= 2) {
-    // Variables at their ends are known to more bits each time.
+    // Each round knows the variables at their ends to more bits.
     const std::vector<Ball> x = ranges(bits, false);
     if (point.empty()) {
       point = x;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// A bound of |f| over a box from the point where it is least: exact ends of ranges where f is
-// monotone, a point to thousands of bits where it is convex. PROOF.md, "The exact determinant".
+// A bound of |f| over a box from the point where it is least: exact ends of ranges if f is
+// monotone, a point to thousands of bits if it is convex. PROOF.md, "The exact determinant".
 #pragma once
 
 #include <map>
@@ -13,11 +13,11 @@
 
 namespace regulus::verifier {
 
-/// One expression in Arb, without the rest of its graph.
+/// One expression in Arb, separated from the rest of its graph.
 class BallExpression {
  public:
   BallExpression(const Graph& graph, NodeId root);
-  /// nullptr unless every operation is defined at every point of `variables`.
+  /// Returns nullptr unless every operation is defined at every point of `variables`.
   [[nodiscard]] const Ball* run(const std::vector<Ball>& variables, long bits);
   [[nodiscard]] const std::vector<std::size_t>& variables() const noexcept { return variables_; }
 
@@ -28,7 +28,7 @@ class BallExpression {
   std::vector<std::size_t> variables_;
 };
 
-/// An expression with the derivatives that have been asked for.
+/// An expression with the derivatives that have been requested.
 struct DeterminantForm {
   DeterminantForm(Question& question, NodeId expression)
       : graph(question.graph),
@@ -71,7 +71,7 @@ class Extremum {
   [[nodiscard]] Ball range_of(std::size_t k, long bits, bool widened) const;
   [[nodiscard]] std::vector<Ball> ranges(long bits, bool widened) const;
   [[nodiscard]] int sign_in_the_middle();
-  /// Moves to their ends the variables in which f is monotone. False: nothing can be said.
+  /// Moves variables in which f is monotone to their ends. Returns false if nothing can be said.
   [[nodiscard]] bool move_to_ends();
   [[nodiscard]] bool exceeds_at_point(const std::vector<Ball>& point, const Ball& loss, long bits);
   [[nodiscard]] bool exceeds_at_ends();

@@ -1,29 +1,29 @@
 // SPDX-License-Identifier: Apache-2.0
-// What the expressions of certificates and of model files have in common: sums of products of
-// factors, calls of functions, marks between white space.
+// The grammar that expressions of certificates and of model files share: sums of products of
+// factors, calls of functions, and single characters between white space.
 #pragma once
 
 #include "runtime/certificate/verifier/expression.hpp"
 
 namespace regulus::verifier {
 
-// The classifications of <cctype> depend on the locale.
+// These do not depend on the locale, as the classifications of <cctype> do.
 inline bool is_digit(char c) noexcept { return '0' <= c && c <= '9'; }
 inline bool is_letter(char c) noexcept { return ('a' <= c && c <= 'z') || ('A' <= c && c <= 'Z'); }
 
-/// Recursive descent. A factor is what a language says.
+/// A parser by recursive descent. The derived class defines what a factor is.
 class InfixReader {
  protected:
   InfixReader(std::string_view text, Graph& graph) : text_(text), graph_(graph) {}
   ~InfixReader() = default;
 
-  /// All of the text, which does not begin with white space.
+  /// Reads all of the text, which must not begin with white space.
   [[nodiscard]] NodeId all();
   [[nodiscard]] NodeId sum();
-  /// The function is called with what comes up to the closing parenthesis.
+  /// Reads the arguments of a function, up to the closing parenthesis, and adds the call.
   [[nodiscard]] NodeId call(Op function);
 
-  /// Takes a mark, and the white space after it, if it is next.
+  /// If the next character is `c`, takes it and the white space after it.
   [[nodiscard]] bool take(char c);
   void expect(char c);
   void skip_space();

@@ -24,7 +24,7 @@ ssize_t read_some(int descriptor, std::vector<char>& buffer) {
 
 }  // namespace
 
-/// With O_NONBLOCK a pipe opens at once, and its end is there at once if it has no writer.
+/// With O_NONBLOCK a pipe opens at once. If it has no writer, its end is visible at once.
 InputFile::InputFile(const std::string& path)
     : path_(path),
       descriptor_(::open(path.c_str(), O_RDONLY | O_NONBLOCK | O_CLOEXEC)),
@@ -34,7 +34,7 @@ InputFile::InputFile(const std::string& path)
   struct stat status {};
   if (::fstat(descriptor_, &status) != 0) fail(std::strerror(errno));
   if (S_ISDIR(status.st_mode)) fail("it is a directory");
-  // What a writer is still going to send is waited for.
+  // From here on, reading waits for the bytes that a writer still sends.
   if (::fcntl(descriptor_, F_SETFL, 0) != 0) fail(std::strerror(errno));
   if (S_ISFIFO(status.st_mode) && underflow() == traits_type::eof())
     fail("it is a pipe, and nobody writes to it");

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Files that a user names, without waiting for a pipe that nobody writes.
+// Files that a user names. Reading does not wait for a pipe that nobody writes.
 #pragma once
 
 #include <streambuf>
@@ -8,12 +8,12 @@
 
 namespace regulus::verifier {
 
-/// The bytes of a file, of a pipe that has a writer or has been written, or of a device such as
-/// /dev/stdin; for an istream. A failure to read makes that stream bad.
+/// A stream buffer over the bytes of a file, of a pipe that has a writer or has been written, or of
+/// a device such as /dev/stdin. A failure to read sets the bad state of the stream.
 class InputFile final : public std::streambuf {
  public:
-  /// Throws std::runtime_error for what cannot be opened, a directory, and a pipe that nobody
-  /// writes.
+  /// Throws std::runtime_error for a file that cannot be opened, a directory, and a pipe that
+  /// nobody writes.
   explicit InputFile(const std::string& path);
   InputFile(const InputFile&) = delete;
   InputFile& operator=(const InputFile&) = delete;
@@ -28,7 +28,7 @@ class InputFile final : public std::streambuf {
   std::vector<char> buffer_;
 };
 
-/// The whole of it. Throws std::runtime_error, also where it is longer than `most` bytes.
+/// Returns the whole file. Throws std::runtime_error, also if it is longer than `most` bytes.
 [[nodiscard]] std::string read_text(const std::string& path, std::size_t most);
 
 }  // namespace regulus::verifier

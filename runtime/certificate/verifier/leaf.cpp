@@ -9,8 +9,8 @@ namespace regulus::verifier {
 namespace {
 
 constexpr long kFirstBits = 64;
-/// Exact algebra begins behind this many boxes of a leaf; for a small matrix it costs next to
-/// nothing.
+/// Exact algebra begins after this many boxes of a leaf. For a small matrix its cost is
+/// negligible.
 constexpr std::uint64_t kBoxesBeforeAlgebra = 64;
 constexpr std::size_t kSmallOrder = 3;
 constexpr int kMostPointsTried = 64;
@@ -99,13 +99,13 @@ bool LeafProver::is_regular_exactly(const Box& box, std::uint64_t boxes_of_leaf)
     if (!exact_rank_) exact_rank_.emplace(q_, variety_, options_.max_bits);
     return exact_rank_->is_full(box, test_.middle());
   } catch (const Unfinished&) {
-    // Too many operations in the forms or their derivatives: the other tests go on.
+    // Too many operations in the forms or their derivatives; the other tests continue.
     is_exact_too_large_ = true;
     return false;
   }
 }
 
-/// The middles of the first boxes are a good guess; a claim about no point at all is worth nothing.
+/// Tries the middles of the first boxes as points. A claim about no point at all has no value.
 void LeafProver::look_for_point() {
   if (points_tried_++ >= kMostPointsTried || !certain_inside(q_, variety_, test_.middle())) return;
   std::vector<Ball> x;
@@ -116,8 +116,8 @@ void LeafProver::look_for_point() {
                    });
 }
 
-/// Looks at some more points of the leaf first: next to a singularity on one side of it only the
-/// sign of that side is met.
+/// First looks at some more points of the leaf. Next to a singularity, all points on one side of it
+/// have the same sign.
 void LeafProver::give_up(const Box& box, const std::string& why) {
   for (std::size_t probe = 0; probe < kProbes; ++probe) {
     Box corner = box;
@@ -132,8 +132,8 @@ void LeafProver::give_up(const Box& box, const std::string& why) {
   throw Unfinished(why);
 }
 
-/// Two points of opposite signs refute the claim, since a variety without constraints is convex:
-/// on the segment between them the matrix is singular or not defined.
+/// Two points of opposite signs refute the claim, since a variety without constraints is convex: on
+/// the segment between them, the matrix is singular or undefined somewhere.
 void LeafProver::look_for_contradiction() {
   if (q_.has_threshold && q_.rows == q_.columns && certain_at_middle())
     throw Rejection("|det| is at most alpha at the middle of a part of it");
@@ -146,7 +146,7 @@ void LeafProver::look_for_contradiction() {
   sign_ = sign;
 }
 
-/// |det J⁻¹| ≤ α at the middle of a box, a point of the variety.
+/// Shows that |det J⁻¹| ≤ α at the middle of a box, and that it is a point of the variety.
 bool LeafProver::certain_at_middle() const {
   const auto values = values_over(q_, test_.middle(), kFirstBits);
   if (!values || !(mag(values->determinant.enclosure()) <= variety_.alpha.lo)) return false;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Proves the claim NO SINGULARITY over one leaf of the tree, in smaller boxes where need be.
+// Proves the claim NO SINGULARITY over one leaf of the tree, in smaller boxes if necessary.
 #pragma once
 
 #include <cstdint>
@@ -14,17 +14,17 @@ namespace regulus::verifier {
 
 class LeafProver {
  public:
-  /// Counts in `boxes` what the leaves are cut into.
+  /// Adds to `boxes` the number of boxes into which the leaves are cut.
   LeafProver(Question& question, const Variety& variety, const Options& options, WorkClock& clock,
              std::uint64_t& boxes);
 
-  /// Returns when the claim holds at every point of the box. Throws Rejection when it has been
-  /// shown not to hold somewhere in the variety, Unfinished when neither has been shown.
+  /// Returns if the claim holds at every point of the box. Throws Rejection if it is shown to be
+  /// false somewhere in the variety, Unfinished if neither is shown.
   void prove(const Box& box);
 
-  /// Whether some part of a leaf was not outside the variety.
+  /// Returns true if some part of a leaf was not outside the variety.
   [[nodiscard]] bool has_met_variety() const noexcept { return has_met_variety_; }
-  /// Whether a point of the variety was shown to exist.
+  /// Returns true if a point of the variety was shown to exist.
   [[nodiscard]] bool has_met_point() const noexcept { return has_met_point_; }
 
  private:
@@ -40,7 +40,7 @@ class LeafProver {
   const Options& options_;
   WorkClock& clock_;
   RegularityTest test_;
-  std::optional<ExactDeterminant> exact_;  ///< once it has been needed
+  std::optional<ExactDeterminant> exact_;  ///< made when it is first needed
   std::optional<ExactRank> exact_rank_;    ///< the same for more rows than columns
   std::vector<Box> waiting_;
   std::uint64_t& boxes_;
@@ -50,13 +50,13 @@ class LeafProver {
   int sign_ = 0;  ///< of det A at some point of a variety without constraints
 };
 
-/// The nodes that a point's determinant and its definedness need, evaluated over a box in Arb.
+/// The values that a point's determinant and its definedness need, over a box in Arb.
 struct PointValues {
   std::vector<Ball> matrix;
   Ball determinant;  ///< of A; of J⁻¹ if there is a threshold; 0 if A is not square
   std::vector<Ball> constraints;
 };
-/// nullopt where something is not certainly defined.
+/// Returns nullopt if any of them is not certainly defined.
 [[nodiscard]] std::optional<PointValues> values_over(const Question& question, const Box& box,
                                                      long bits);
 

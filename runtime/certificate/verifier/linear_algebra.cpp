@@ -50,7 +50,7 @@ double length(const std::vector<double>& x) {
   return largest * std::sqrt(sum);
 }
 
-/// A = QR by Gram and Schmidt. Twice for each column: the first time may lose what is orthogonal.
+/// A = QR by Gram and Schmidt, twice for each column: after one pass it may not be orthogonal.
 bool orthogonalise(std::vector<std::vector<double>>& Q, std::vector<double>& R) {
   const std::size_t n = Q.size();
   for (std::size_t j = 0; j < n; ++j) {
@@ -67,7 +67,7 @@ bool orthogonalise(std::vector<std::vector<double>>& Q, std::vector<double>& R) 
   return true;
 }
 
-/// K = R⁻¹Qᵀ, of the condition of A; that of (AᵀA)⁻¹Aᵀ is its square.
+/// Uses K = R⁻¹Qᵀ: its condition is that of A. The condition of (AᵀA)⁻¹Aᵀ is the square of it.
 bool invert_tall(const std::vector<double>& A, std::size_t rows, std::size_t n, Matrix& K) {
   std::vector<std::vector<double>> Q(n, std::vector<double>(rows));
   std::vector<double> R(n * n);
@@ -83,8 +83,8 @@ bool invert_tall(const std::vector<double>& A, std::size_t rows, std::size_t n, 
   return true;
 }
 
-/// The element whose magnitude is certain to be greatest, outside of the rows and columns that are
-/// used up; nullopt if each may be 0.
+/// Returns the element with the greatest certain magnitude, outside of the used rows and columns;
+/// nullopt if each of them may be 0.
 std::optional<std::size_t> pivot_of(const std::vector<Ball>& A, std::size_t columns,
                                     const std::vector<bool>& used_row,
                                     const std::vector<bool>& used_column) {
@@ -112,7 +112,7 @@ bool approx_left_inverse(const std::vector<double>& A, std::size_t rows, std::si
   return true;
 }
 
-/// Gaussian elimination: whatever the member of A, each step keeps its rank.
+/// Gaussian elimination: for every member of A, each step keeps its rank.
 std::vector<std::size_t> independent_rows(std::vector<Ball> A, std::size_t rows,
                                           std::size_t columns, long bits) {
   std::vector<bool> used_row(rows), used_column(columns);

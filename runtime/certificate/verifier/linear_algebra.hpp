@@ -7,18 +7,18 @@
 
 namespace regulus::verifier {
 
-/// Column by column.
+/// Stored column by column.
 using Matrix = std::vector<double>;
 
-/// K, columns × rows, with K·A ≈ I, where A is given row by row and its columns are independent;
-/// false if elimination breaks down. Nothing is claimed about it.
+/// Computes K, columns × rows, with K·A ≈ I. A is given row by row and has independent columns.
+/// Returns false if elimination breaks down. Nothing is claimed about K.
 [[nodiscard]] bool approx_left_inverse(const std::vector<double>& A, std::size_t rows,
                                        std::size_t columns, Matrix& K);
 
-/// Rows of A, given row by row, that elimination uses.
+/// Returns the rows of A, which is given row by row, that elimination uses.
 ///
-/// Ensures   they are linearly independent for every member of A: as many as there are columns
-///           show that every member has full column rank.
+/// Ensures   they are linearly independent for every member of A. If they are as many as the
+///           columns, every member has full column rank.
 [[nodiscard]] std::vector<std::size_t> independent_rows(std::vector<Ball> A, std::size_t rows,
                                                         std::size_t columns, long bits);
 

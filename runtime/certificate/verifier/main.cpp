@@ -49,7 +49,7 @@ bool read_number(const std::string& text, Number& value) {
   return error == std::errc() && end == last && value > 0;
 }
 
-/// False for what is not understood.
+/// Returns false if the words are not understood.
 bool read_usage(const std::vector<std::string>& words, Usage& usage) {
   for (std::size_t i = 0; i < words.size(); ++i) {
     const std::string& word = words[i];
@@ -75,7 +75,7 @@ bool read_usage(const std::vector<std::string>& words, Usage& usage) {
   return usage.help || !usage.certificate.empty();
 }
 
-/// One line, rewritten, on a terminal only.
+/// Writes one line over the previous one, on a terminal only.
 void show_progress(const Verification& v) {
   std::cerr << "\r\033[K" << v.leaves << " leaves, " << v.boxes << " boxes" << std::flush;
 }

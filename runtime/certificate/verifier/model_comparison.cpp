@@ -12,7 +12,7 @@ namespace regulus::verifier {
 namespace {
 
 constexpr std::uint64_t kProducts = 1 << 16;  ///< for one expression
-constexpr long kBits = 2048;                  ///< of values at points, where algebra does not tell
+constexpr long kBits = 2048;                  ///< of values at points, if algebra does not decide
 constexpr int kPoints = 4;
 constexpr std::size_t kLongestText = 120;
 
@@ -32,7 +32,7 @@ class Comparison {
   }
 
  private:
-  /// The expression of a value of the file, whose names are those of `scope` and of [let].
+  /// Returns the expression of a value in the file, whose names are those of `scope` and of [let].
   NodeId node_of(const WrittenValue& written, const Scope& scope) {
     if (!written.is_string) return number_of_toml(written.text, q_.graph);
     const NameMeaning meaning = [&](std::string_view name) -> NodeId {
@@ -56,7 +56,7 @@ class Comparison {
     return result;
   }
 
-  /// `option`: what may have changed it; "" for nothing.
+  /// `option`: the name of the option that may have changed the value; "" for none.
   void compare(const std::string& place, const std::string& stated, const Scope& scope,
                const std::string& option = "") {
     const auto written = values_.find(place);
@@ -127,7 +127,7 @@ class Comparison {
     return at_points(difference);
   }
 
-  /// Different where they are at some point; otherwise alike to many digits at a few points.
+  /// Returns kDifferent if they differ at some point; otherwise they agree to many digits at a few.
   Equality at_points(NodeId difference) {
     Equality result = Equality::kUnknown;
     for (int number = 0; number < kPoints; ++number) {
@@ -140,7 +140,7 @@ class Comparison {
     return result;
   }
 
-  /// Some point of the ranges.
+  /// Returns some point of the ranges.
   std::vector<Ball> point(int number) {
     std::vector<Ball> result(q_.variables.size());
     for (std::size_t k = 0; k < result.size(); ++k) {
@@ -157,7 +157,7 @@ class Comparison {
     return result;
   }
 
-  /// The value and the spread of a constant, or of the coordinates of a point.
+  /// Compares the value and the spread of a constant, or of the coordinates of a point.
   void compare_constant(const std::string& place, const std::string& name) {
     const Scope none;
     compare(place, "value " + name, none);
@@ -265,7 +265,7 @@ class Comparison {
                        [](const std::string& option) { return option.starts_with("tolerance "); });
   }
 
-  /// What the certificate says and no value of the file says: by kinds, with their numbers.
+  /// Lists, with counts for each kind, the values of the certificate that the file does not state.
   void list_uncompared() {
     std::map<std::string, std::size_t> kinds;
     for (const auto& [key, stated] : q_.stated) {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Whether a question is that of a model file: every value and every expression of the file, read by
-// a reader of the verifier's own, against what the certificate says in its place.
+// Decides if a question is that of a model file. The verifier's own reader reads every value and
+// every expression of the file; each is compared with the value that the certificate states for it.
 #pragma once
 
 #include "runtime/certificate/verifier/question.hpp"
@@ -14,9 +14,9 @@ class OtherModel : public Rejection {
   using Rejection::Rejection;
 };
 
-/// Counts in `result` what was compared, and lists what options may have changed and what could not
-/// be compared. Throws OtherModel for what differs otherwise, with both texts and their lines;
-/// Unfinished where the file cannot be read.
+/// Counts in `result` the compared values; lists the values that options may have changed, and
+/// those that could not be compared. Throws OtherModel for any other difference, with both texts
+/// and their lines; Unfinished if the file cannot be read.
 void compare_with_model(Question& question, const Options& options, Verification& result);
 
 }  // namespace regulus::verifier

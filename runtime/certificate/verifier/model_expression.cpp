@@ -39,7 +39,7 @@ class ModelParser final : InfixReader {
     return take('^') ? raised(base, factor()) : base;
   }
 
-  /// Whole and half exponents by multiplication and roots, others by exponential and logarithm.
+  /// Uses multiplication and roots for whole and half exponents, exp and log for others.
   NodeId raised(NodeId base, NodeId exponent) {
     const auto value = exact_value(graph_, exponent);
     const Rational twice = value ? *value * Rational(2) : Rational();
@@ -76,7 +76,7 @@ class ModelParser final : InfixReader {
       if (at_ < text_.size() && (text_[at_] == '-' || text_[at_] == '+')) ++at_;
       const std::size_t first = at_;
       skip_digits();
-      // "2e" is 2 and a name that is refused.
+      // "2e" is the number 2 and a name, which is refused.
       if (at_ == first)
         at_ = end;
       else

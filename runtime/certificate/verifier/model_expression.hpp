@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Expressions of model files, which are a little more than those of certificates: `deg`, any power,
-// names of [let] in any order.
+// Expressions of model files. They allow slightly more than those of certificates: `deg`, any
+// power, names of [let] in any order.
 #pragma once
 
 #include <functional>
@@ -10,11 +10,11 @@
 
 namespace regulus::verifier {
 
-/// The node that a name stands for. Throws Unfinished for one that is not known.
+/// Returns the node of a name. Throws Unfinished for an unknown name.
 using NameMeaning = std::function<NodeId(std::string_view)>;
 
-/// Throws Unfinished for a text that it does not understand. `depth`: of the expressions that this
-/// one is a part of.
+/// Throws Unfinished for a text that it does not understand. `depth`: how many expressions contain
+/// this one.
 [[nodiscard]] NodeId parse_model_expression(std::string_view text, const NameMeaning& meaning,
                                             Graph& graph, int& depth);
 

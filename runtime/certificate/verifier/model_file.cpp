@@ -53,7 +53,7 @@ class TomlScanner {
     value(place);
   }
 
-  /// Names with dots in between.
+  /// Reads names with dots between them.
   std::string key() {
     std::string result;
     do {
@@ -140,7 +140,7 @@ class TomlScanner {
         result += c;
     }
     at_ += is_long ? 3 : 1;
-    // Up to two quotes may stand before the last three.
+    // Up to two quotes may come before the last three.
     while (is_long && at_ < text_.size() && text_[at_] == quote) result += quote, ++at_;
     return result;
   }
@@ -160,7 +160,7 @@ class TomlScanner {
     }
   }
 
-  /// Spaces and comments; with `lines` the ends of lines, too.
+  /// Skips spaces and comments; if `lines` is true, also the ends of lines.
   void skip(bool lines) {
     while (at_ < text_.size()) {
       const char c = text_[at_];

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The values of a model file, as they stand in it: a reader of TOML that shares nothing with the
-// front end. It knows no defaults and changes no number.
+// The values of a model file, exactly as they are written: a reader of TOML that shares nothing
+// with the front end. It knows no defaults and changes no number.
 #pragma once
 
 #include <map>
@@ -12,19 +12,19 @@
 namespace regulus::verifier {
 
 struct WrittenValue {
-  std::string text;      ///< of a number as written; of a string what is between its quotes
+  std::string text;      ///< a number as it is written; for a string, the text between its quotes
   std::size_t line = 0;  ///< from 1
   bool is_string = false;
 };
 
-/// By their places: "motion.work.x[0]" is the first element of x in [motion.work].
+/// The values by their keys: "motion.work.x[0]" is the first element of x in [motion.work].
 using WrittenValues = std::map<std::string, WrittenValue, std::less<>>;
 
-/// Throws Unfinished for what it does not understand, with the line.
+/// Throws Unfinished, with the line, for a text that it does not understand.
 [[nodiscard]] WrittenValues read_model_values(std::string_view text);
 
-/// The number that a TOML number denotes; underscores, signs and 0x, 0o, 0b allowed. Throws
-/// Unfinished for another text.
+/// Returns the number that a TOML number denotes; underscores, signs and 0x, 0o, 0b are allowed.
+/// Throws Unfinished for another text.
 [[nodiscard]] NodeId number_of_toml(std::string_view text, Graph& graph);
 
 }  // namespace regulus::verifier

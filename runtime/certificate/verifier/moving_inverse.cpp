@@ -9,7 +9,7 @@
 
 namespace regulus::verifier {
 
-constexpr std::size_t kMostWork = 1 << 22;  ///< numbers that a box may take
+constexpr std::size_t kMostWork = 1 << 22;  ///< most numbers for one box
 
 MovingInverse::MovingInverse(Question& question, std::vector<std::size_t> moving)
     : q_(question), n_(question.columns), moving_(std::move(moving)), A_(question.matrix.size()) {
@@ -67,7 +67,7 @@ bool MovingInverse::find_inverse() {
   return approx_left_inverse(A_, q_.rows, n_, K_) && is_moderate(K_);
 }
 
-/// K·C_μ.
+/// Computes K·C_μ.
 bool MovingInverse::multiply(MovingTerm& t) {
   for (const std::size_t j : t.columns) {
     std::fill_n(&t.KC[j * n_], n_, 0.0);
@@ -87,7 +87,7 @@ bool MovingInverse::multiply(MovingTerm& t) {
   return true;
 }
 
-/// Adds K·C_μ·value to a sum, and to `unsure` what is not known of it.
+/// Adds K·C_μ·value to a sum, and a bound of its uncertainty to `unsure`.
 bool MovingInverse::add(const MovingTerm& t, Interval value, Matrix& sum, Matrix& unsure) const {
   if (is_zero(value)) return true;
   const double x = mid(value), spread = radius_ru(value, x) + kRounding * std::fabs(x);
@@ -99,7 +99,7 @@ bool MovingInverse::add(const MovingTerm& t, Interval value, Matrix& sum, Matrix
   return mag(value) <= kLargest;
 }
 
-/// e, and what does not change within the box.
+/// Bounds e and all quantities that do not change within the box.
 bool MovingInverse::bound_middle() {
   for (Matrix* matrix : {&C_, &unsure_}) std::fill(matrix->begin(), matrix->end(), 0.0);
   for (std::size_t i = 0; i < n_; ++i) C_[i * n_ + i] = -1.0, unsure_[i * n_ + i] = kRounding;
@@ -109,7 +109,7 @@ bool MovingInverse::bound_middle() {
   return true;
 }
 
-/// B_p at the middle, D_p in it, and r_p|B_p − D_p|.
+/// Bounds B_p at the middle, takes D_p in it, and bounds r_p|B_p − D_p|.
 bool MovingInverse::bound_slope(std::size_t p, double r) {
   for (Matrix* matrix : {&D_[p], &s_[p], &share_[p]})
     std::fill(matrix->begin(), matrix->end(), 0.0);
@@ -123,7 +123,7 @@ bool MovingInverse::bound_slope(std::size_t p, double r) {
   return true;
 }
 
-/// r_pr_q|∂_p∂_qKA − D_pB_q − D_qB_p|, but for what is not known of ∂_p∂_qKA and of the B.
+/// Bounds r_pr_q|∂_p∂_qKA − D_pB_q − D_qB_p|, without the uncertainty of ∂_p∂_qKA and of the B.
 bool MovingInverse::bound_pair(std::size_t p, std::size_t q, double weight) {
   const std::size_t pair = p * (p + 1) / 2 + q;
   std::fill(C_.begin(), C_.end(), 0.0);
@@ -153,8 +153,8 @@ void MovingInverse::subtract_product(const Matrix& D, const Matrix& B) {
       for (std::size_t i = 0; i < n_; ++i) C_[j * n_ + i] -= D[k * n_ + i] * B[j * n_ + k];
 }
 
-/// What the pairs have left out, Σ r_p|B_p − D_p|, and X(e + Σ r_p|B_p − D_p| + Z). Roundings of
-/// the products D_pB_q are among X·kRounding·X.
+/// Adds the terms that the pairs leave out: Σ r_p|B_p − D_p|, and X(e + Σ r_p|B_p − D_p| + Z). The
+/// roundings of the products D_pB_q are covered by X·kRounding·X.
 void MovingInverse::add_remainders() {
   std::fill(unsure_.begin(), unsure_.end(), 0.0);
   for (const MovingTerm& t : terms_)

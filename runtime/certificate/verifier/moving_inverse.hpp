@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // K(t)·A(t) = I + E(t), where K(t) follows the inverse of A(t) over a box of the variables t that
-// move it: those of the motion, and those that touch several rows. All other variables stay at the
+// move K: those of the motion, and those that touch several rows. All other variables stay at the
 // middles of their ranges here. PROOF.md, "The test", 1, derives the bounds.
 #pragma once
 
@@ -14,15 +14,15 @@
 
 namespace regulus::verifier {
 
-/// Matrices are n×n unless another shape is said.
+/// Matrices are n×n unless another shape is given.
 class MovingInverse {
  public:
-  /// Adds derivatives to the question's graph. Throws Unfinished when they are too many.
+  /// Adds derivatives to the question's graph. Throws Unfinished if there are too many.
   MovingInverse(Question& question, std::vector<std::size_t> moving);
 
-  /// Returns false when nothing could be bounded: an operation is undefined, or A nearly singular
-  /// at the middle. `box` is thin but in the moving variables; r, rounded upward, is its radius
-  /// about `middle`, or 0 where the middle is an interval itself.
+  /// Returns false if nothing could be bounded: an operation is undefined, or A is nearly singular
+  /// at the middle. `box` is thin except in the moving variables. r, rounded upward, is its radius
+  /// about `middle`, or 0 for a coordinate of `middle` that is itself an interval.
   [[nodiscard]] bool run(const Box& box, const Box& middle, const std::vector<double>& r);
 
   [[nodiscard]] const std::vector<std::size_t>& moving() const noexcept { return moving_; }
@@ -36,13 +36,13 @@ class MovingInverse {
   [[nodiscard]] const Matrix& share(std::size_t p) const { return share_[p]; }  ///< in P; roughly
 
  private:
-  /// C_μ·μ with the derivatives of μ; KC = K·C_μ, up to `unsure`, in the columns that are not 0.
+  /// C_μ·μ with the derivatives of μ. KC = K·C_μ up to `unsure`; `columns`: those that are not 0.
   struct MovingTerm {
     Term term;
     std::vector<NodeId> first, second;  ///< by variable, by pair
     std::vector<std::size_t> columns;
     Matrix KC, unsure;
-    double spread = 0;  ///< Σ r_pr_q of what is not known of ∂_p∂_qμ
+    double spread = 0;  ///< Σ r_pr_q times the uncertainty of ∂_p∂_qμ
     double size = 0;    ///< Σ r_pr_q|∂_p∂_qμ|
   };
 
@@ -69,7 +69,7 @@ class MovingInverse {
   Matrix Z_;                   ///< ½ Σ r_pr_q|∂_p∂_q KA|
   std::vector<Matrix> D_, s_;  ///< B_p = ∂_pKA at the middle = D_p ± s_p
   std::vector<Matrix> share_;
-  Matrix C_, unsure_;  ///< of the pair at hand
+  Matrix C_, unsure_;  ///< of the current pair
 };
 
 }  // namespace regulus::verifier

@@ -1,20 +1,20 @@
 // SPDX-License-Identifier: Apache-2.0
-// The search for y ≠ 0 with y_s = Σ_k δ_k(b_k + c_k)·y: branch and prune over directions. Where b
-// rules, this comes as near to the critical spread of the quantities as one likes: the δ_k of each
-// row are free of those of the others, so that for one y the bound is attained.
+// The search for y ≠ 0 with y_s = Σ_k δ_k(b_k + c_k)·y: branch and prune over directions. If b
+// dominates, this comes arbitrarily close to the critical spread of the quantities: the δ_k of one
+// row are independent of those of the others, so the bound is attained for a single y.
 #include "runtime/certificate/verifier/rounding.hpp"
 #include "runtime/certificate/verifier/touched_rows.hpp"
 
 namespace regulus::verifier {
 namespace {
 
-constexpr std::size_t kMostDirections = 400;  ///< boxes of them that one box may take
+constexpr std::size_t kMostDirections = 400;  ///< most boxes of directions for one box
 constexpr double kNarrowest = 0x1p-20;        ///< relative to v
 constexpr double kOutward = 1 + 0x1p-20;      ///< covers roundings of middles: radii are no smaller
 
 }  // namespace
 
-/// Of y and −y one is enough: each is, scaled, on a face where some y_s = v_s.
+/// Only one of y and −y is needed: it is, after scaling, on a face where some y_s = v_s.
 bool TouchedRows::has_no_null_vector(const std::vector<double>& v) const {
   std::vector<Directions> waiting;
   for (std::size_t s = 0; s < order(); ++s) {
@@ -53,7 +53,7 @@ bool TouchedRows::has_no_null_vector(Directions& y) const {
   for (std::size_t s = 0; s < order(); ++s) {
     const double middle = y.middle[s], radius = y.radius[s], bound = inflate(most[s]);
     if (down(std::fabs(middle)) - radius > bound) return true;
-    // No more of y_s than [−bound, bound] can belong to a null vector.
+    // A null vector can have y_s only in [−bound, bound].
     const double lo = std::max(down(middle - radius), -bound);
     const double hi = std::min(up(middle + radius), bound);
     const double rest = 0.5 * kOutward * up(hi - lo) + 0x1p-50 * (std::fabs(lo) + std::fabs(hi));

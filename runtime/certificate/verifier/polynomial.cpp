@@ -6,7 +6,7 @@
 namespace regulus::verifier {
 namespace {
 
-/// A product of longer numbers counts as several.
+/// A product of numbers with more bits counts as several products.
 constexpr std::size_t kBitsOfOneProduct = 64;
 
 }  // namespace

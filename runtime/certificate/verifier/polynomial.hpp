@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Sums of products of atoms with rational factors. An atom is a number from outside: what it stands
-// for, and which relations hold, is for `algebra.hpp`.
+// Sums of products of atoms with rational factors. An atom is just a number here; `algebra.hpp`
+// defines what it stands for, and which relations hold.
 #pragma once
 
 #include <cstdint>
@@ -14,13 +14,13 @@
 
 namespace regulus::verifier {
 
-/// Exact algebra takes more terms, digits or time than it may. Says nothing about the claim.
+/// Exact algebra would need more terms, digits or time than allowed. Says nothing of the claim.
 class TooLarge : public std::runtime_error {
  public:
   using std::runtime_error::runtime_error;
 };
 
-/// The work that exact algebra may do. Every product of two terms counts; throws TooLarge.
+/// The work that exact algebra may do. Each product of two terms counts. Throws TooLarge.
 class AlgebraBudget {
  public:
   explicit AlgebraBudget(std::uint64_t products) : left_(products) {}
@@ -57,11 +57,11 @@ class Polynomial {
 
   [[nodiscard]] const Terms& terms() const noexcept { return terms_; }
   [[nodiscard]] bool is_zero() const noexcept { return terms_.empty(); }
-  /// Has no atoms.
+  /// Returns true if there are no atoms.
   [[nodiscard]] bool is_constant() const noexcept {
     return terms_.empty() || (terms_.size() == 1 && terms_.begin()->first.empty());
   }
-  /// Of a constant.
+  /// Requires  is_constant().
   [[nodiscard]] Rational constant() const {
     return terms_.empty() ? Rational() : terms_.begin()->second;
   }
@@ -71,7 +71,7 @@ class Polynomial {
   void add(const Polynomial& other);
   [[nodiscard]] Polynomial scaled(const Rational& factor) const;
 
-  /// A text that equal polynomials, and no others, have in common.
+  /// Returns a text; two polynomials have the same text only if they are equal.
   [[nodiscard]] std::string key() const;
 
   friend bool operator==(const Polynomial& x, const Polynomial& y) { return x.terms_ == y.terms_; }
@@ -80,7 +80,7 @@ class Polynomial {
   Terms terms_;
 };
 
-/// The product by the distributive law; relations between atoms are not applied. Throws TooLarge.
+/// Multiplies by the distributive law; relations between atoms are not applied. Throws TooLarge.
 [[nodiscard]] Polynomial multiply(const Polynomial& x, const Polynomial& y, AlgebraBudget& budget);
 
 }  // namespace regulus::verifier

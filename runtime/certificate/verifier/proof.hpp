@@ -6,20 +6,20 @@
 
 namespace regulus::verifier {
 
-/// Reads splits and leaves up to the end of the file, and proves each leaf as it comes. Returns
-/// when the claim NO SINGULARITY is proved; throws Rejection or Unfinished.
+/// Reads splits and leaves up to the end of the file, and proves each leaf as it is read. Returns
+/// if the claim NO SINGULARITY is proved; throws Rejection or Unfinished.
 void check_tree(Lines& lines, Question& question, const Variety& variety, const Options& options,
                 Verification& counts);
 
-/// The same for the claim SINGULARITY and its witness.
+/// Does the same for the claim SINGULARITY and its witness.
 void check_witness(Lines& lines, Question& question, const Variety& variety, const Options& options,
                    const Verification& counts);
 
-/// The double that a C99 hexadecimal or a decimal text denotes. Throws Rejection for another text,
-/// and for what is not finite.
+/// Returns the double that a C99 hexadecimal or a decimal text denotes. Throws Rejection for
+/// another text, and for a number that is not finite.
 [[nodiscard]] double read_double(std::string_view text);
 
-/// The words of a line.
+/// Returns the words of a line.
 [[nodiscard]] std::vector<std::string_view> words_of(std::string_view line);
 
 }  // namespace regulus::verifier

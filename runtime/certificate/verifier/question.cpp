@@ -8,7 +8,7 @@
 namespace regulus::verifier {
 namespace {
 
-/// Cuts `text` at the first `mark`; false if there is none.
+/// Cuts `text` at the first `mark`; returns false if there is none.
 bool cut(std::string_view text, std::string_view mark, std::string_view& before,
          std::string_view& after) {
   const std::size_t at = text.find(mark);
@@ -48,18 +48,18 @@ class QuestionReader {
       throw Rejection("there are too many lines before 'proof'");
   }
 
-  /// Whether the line is `key` alone, or begins with it and a space.
+  /// Returns true if the line is `key` alone, or begins with it and a space.
   bool is(std::string_view key) const {
     const std::string& line = lines_.text();
     return line.starts_with(key) && (line.size() == key.size() || line[key.size()] == ' ');
   }
-  /// What follows a key that the line begins with.
+  /// Returns the text after a key with which the line begins.
   std::string_view rest_of(std::string_view key) const {
     const std::string_view line = lines_.text();
     return line.substr(std::min(key.size() + 1, line.size()));
   }
 
-  /// The rest of a line that must begin with `key`, which is left.
+  /// Returns the rest of a line that must begin with `key`, and goes to the next line.
   std::string take(std::string_view key) {
     if (!is(key)) throw Rejection("expected a line '" + std::string(key) + " …'");
     std::string rest(rest_of(key));
@@ -86,7 +86,7 @@ class QuestionReader {
 
   NodeId constant(std::string_view text) { return parse(text, {}, q_.graph); }
 
-  /// Remembers what a line says about something.
+  /// Records the value that a line states.
   NodeId note(std::string_view kind, std::string_view name, NodeId node, std::string_view text) {
     std::string key(kind);
     key += ' ';
@@ -109,7 +109,7 @@ class QuestionReader {
     return node;
   }
 
-  /// parameter, constant, uncertain and ball lines.
+  /// Reads the lines parameter, constant, uncertain and ball.
   void read_variables() {
     std::string_view name, value, lo, hi;
     while (is("parameter")) {
@@ -146,7 +146,7 @@ class QuestionReader {
                      q_.graph.add(Op::kAdd, middle, spread)));
   }
 
-  /// The names of earlier uncertain quantities with one spread, none of them in two balls.
+  /// Reads names of earlier uncertain quantities with one spread, none of them in two balls.
   void read_ball(std::string_view names) {
     BallOfVariables ball;
     while (!names.empty()) {
@@ -171,7 +171,7 @@ class QuestionReader {
     q_.balls.push_back(std::move(ball));
   }
 
-  /// pose NAME = EXPRESSION [+- ERROR]: as commanded in constraints, with its error in the matrix.
+  /// Reads pose NAME = EXPRESSION [+- ERROR]: commanded in constraints, with error in the matrix.
   void read_poses() {
     Scope scope = parameters_;
     for (const auto& [name, node] : geometry_) declare(scope, name, node);
@@ -197,14 +197,14 @@ class QuestionReader {
                             add_variable(name + " error", VariableKind::kError,
                                          q_.graph.add(Op::kNegate, error), error));
     declare(actual_, name, actual);
-    // A parameter of the same name must be the same thing: constraints may use both.
+    // A parameter of the same name must be the same quantity: constraints may use both.
     const auto known = commanded_.find(name);
     if (known != commanded_.end() && known->second != commanded)
       throw Rejection("'" + name + "' is a parameter, and another pose parameter");
     commanded_.emplace(name, commanded);
   }
 
-  /// Before a `let` of the file could take the name of one of the model's.
+  /// Saves the names of the model, before a `let` of the file can use one of them.
   void keep_names() {
     q_.actual = actual_;
     q_.commanded = commanded_;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The first part of a certificate: what is claimed about which matrix over which set.
+// The first part of a certificate: the claim, the matrix and the set.
 #pragma once
 
 #include <cstdint>
@@ -14,14 +14,14 @@
 
 namespace regulus::verifier {
 
-/// Reads lines of bounded length and remembers which one it is at, for whoever catches a Rejection.
+/// Reads lines of bounded length. Knows the number of the current line, for a caught Rejection.
 class Lines {
  public:
-  /// `most`: bytes that are read.
+  /// `most`: the most bytes to read.
   explicit Lines(std::istream& in, std::uint64_t most = format::kMaxBytes) : in_(in), left_(most) {}
 
-  /// The next line, without its end; false at the end of the file. Throws Rejection for one that is
-  /// too long, not ended, beyond `most`, or holds bytes that are not text.
+  /// Reads the next line, without its end; returns false at the end of the file. Throws Rejection
+  /// if the line is too long, is not ended, is beyond `most`, or has bytes that are not text.
   [[nodiscard]] bool next();
   [[nodiscard]] const std::string& text() const noexcept { return text_; }
   [[nodiscard]] std::size_t number() const noexcept { return number_; }
@@ -35,22 +35,22 @@ class Lines {
 
 enum class VariableKind { kParameter, kUncertain, kError };
 
-/// Lies between the values of two constant expressions.
+/// A variable: its value lies between the values of two constant expressions.
 struct Variable {
   std::string name;
   VariableKind kind;
   NodeId lo, hi;
 };
 
-/// Uncertain quantities, the coordinates of a point in a ball: the distance from the middles of
-/// their ranges is at most `radius`, a constant expression.
+/// Uncertain quantities that are the coordinates of a point in a ball: the distance from the
+/// middles of their ranges is at most `radius`, a constant expression.
 struct BallOfVariables {
   std::vector<std::size_t> members;
   std::vector<NodeId> middles;
   NodeId radius = -1;
 };
 
-/// An expression as its line has it.
+/// An expression with its line.
 struct StatedValue {
   NodeId node = kNoNode;
   std::size_t line = 0;
@@ -73,9 +73,9 @@ struct Question {
   std::vector<NodeId> constraints;     ///< each ≤ 0 in the variety
   bool has_threshold = false;          ///< alpha is not written as 0
 
-  // For a comparison with a model file.
-  /// By what they are: "alpha ", "lower x", "upper x", "value a", "spread a", "pose x", "error x",
-  /// "entry 0", "scale 0", "constraint 0".
+  // For the comparison with a model file.
+  /// The stated values, by kind and name: "alpha ", "lower x", "upper x", "value a", "spread a",
+  /// "pose x", "error x", "entry 0", "scale 0", "constraint 0".
   std::map<std::string, StatedValue, std::less<>> stated;
   Scope actual;     ///< names of constants and of poses with their errors
   Scope commanded;  ///< names of parameters, constants and commanded poses
@@ -86,7 +86,7 @@ struct Question {
 /// Reads up to and including the line `proof`. Throws Rejection.
 void read_question(Lines& lines, Question& question);
 
-/// A decimal number without sign, at most `most`. Throws std::runtime_error.
+/// Reads a decimal number without sign, at most `most`. Throws std::runtime_error.
 [[nodiscard]] std::size_t read_count(std::string_view text, std::size_t most);
 
 }  // namespace regulus::verifier

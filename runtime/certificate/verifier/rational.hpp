@@ -31,7 +31,7 @@ class Rational {
   [[nodiscard]] bool is_zero() const noexcept { return fmpq_is_zero(value_) != 0; }
   [[nodiscard]] int sign() const noexcept { return fmpq_sgn(value_); }
   [[nodiscard]] bool is_integer() const noexcept { return fmpz_is_one(fmpq_denref(value_)) != 0; }
-  /// Bits of the numerator and the denominator together.
+  /// Returns the bits of the numerator and the denominator together.
   [[nodiscard]] std::size_t bits() const noexcept {
     return fmpz_bits(fmpq_numref(value_)) + fmpz_bits(fmpq_denref(value_));
   }
@@ -71,7 +71,7 @@ inline bool operator==(const Rational& x, const Rational& y) noexcept {
   return fmpq_equal(x.get(), y.get()) != 0;
 }
 
-/// The number that a finite double is.
+/// Returns the exact value of a finite double.
 inline Rational rational_of(double x) noexcept {
   Rational result;
   arf_t value;

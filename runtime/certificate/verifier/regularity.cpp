@@ -12,7 +12,7 @@ namespace {
 
 constexpr long kBits = 64;
 
-/// Below this part of 1 the ranges of moving variables are not what keeps a box open.
+/// If their part is below this, the ranges of moving variables do not keep the box open.
 constexpr double kNoImpact = 0.02;
 
 constexpr double kNarrowest = 0x1p-44;  ///< of a range, relative to the variety's
@@ -23,8 +23,8 @@ std::vector<NodeId> join(std::initializer_list<const std::vector<NodeId>*> lists
   return result;
 }
 
-/// Motion parameters, even where they touch one row: they are what is split; and what touches
-/// several rows.
+/// Returns the motion parameters, even if they touch only one row, because they are split; and all
+/// other variables that touch several rows.
 std::vector<std::size_t> moving_variables(Question& q) {
   std::vector<std::size_t> result;
   for (std::size_t k = 0; k < q.variables.size(); ++k) {
@@ -41,7 +41,7 @@ std::vector<std::size_t> moving_variables(Question& q) {
   return result;
 }
 
-/// S that makes the entries of S⁻¹XS alike: √(right/left Perron vector of X), roughly.
+/// Returns S that makes the entries of S⁻¹XS similar: √(right/left Perron vector of X), roughly.
 std::vector<double> balance(const Matrix& X, std::size_t n) {
   std::vector<double> right(n, 1.0), left(n, 1.0), result;
   for (int step = 0; step < 10; ++step) {
@@ -93,7 +93,7 @@ bool RegularityTest::is_regular() {
   return !q_.has_threshold && rows_.has_no_null_vector(of_rows_.v());
 }
 
-/// PROOF.md, "The test", 7: at a kink or the end of a domain there may be no derivatives.
+/// PROOF.md, "The test", 7: at a kink or at the end of a domain there may be no derivatives.
 bool RegularityTest::is_regular_without_derivatives() {
   const std::size_t n = q_.columns;
   std::vector<double> A;
@@ -124,7 +124,7 @@ bool RegularityTest::is_outside(const Box& box) {
                      [this](NodeId h) { return motion_.value(h).lo > 0.0; });
 }
 
-/// Every point of the box is farther than `reach` from the middle of the ball.
+/// Returns true if every point of the box is farther than `reach` from the middle of the ball.
 bool RegularityTest::is_beyond(const BallOfVariables& ball, double reach, const Box& box) const {
   Interval distance;
   for (const std::size_t k : ball.members)
@@ -132,7 +132,7 @@ bool RegularityTest::is_beyond(const BallOfVariables& ball, double reach, const 
   return sqrt(distance).lo > reach;
 }
 
-/// A double of each range within the box; all of a part of a range that no double is certainly in.
+/// Takes a double of each range within the box. If there is none, takes the box's whole interval.
 void RegularityTest::place_middle(const Box& box) {
   middle_ = box;
   std::fill(r_.begin(), r_.end(), 0.0);
@@ -148,14 +148,14 @@ void RegularityTest::place_middle(const Box& box) {
   for (const std::size_t p : inverse_.moving()) thin_[p] = box[p];
 }
 
-/// |det J⁻¹| ≥ det(I − P)·det(I − T)·∏|scale|/|det K(t)| > α.
+/// Shows that |det J⁻¹| ≥ det(I − P)·det(I − T)·∏|scale|/|det K(t)| > α.
 bool RegularityTest::exceeds_threshold() const {
   Interval bound = of_motion_.determinant();
   if (rows_.order() > 0) bound = bound * of_rows_.determinant();
   return bound.lo > 0.0 && exceeds_threshold(bound, determinant_of_K());
 }
 
-/// `bound`: of |det KA|.
+/// `bound`: a bound of |det KA|.
 bool RegularityTest::exceeds_threshold(Interval bound, Interval determinant_of_K) const {
   if (!(bound.lo > 0.0)) return false;
   for (const NodeId scale : q_.scale) bound = bound * point(mig(over_box_.value(scale)));
@@ -163,8 +163,8 @@ bool RegularityTest::exceeds_threshold(Interval bound, Interval determinant_of_K
   return is_bounded(bound) && bound.lo > variety_.alpha.hi;
 }
 
-/// |det K(t)| ≤ |det K|·exp(Σ r_p|tr D_p| + f²/(2 − 2f)), if the Frobenius norm f of S⁻¹XS is less
-/// than 1, for any positive diagonal S.
+/// Uses |det K(t)| ≤ |det K|·exp(Σ r_p|tr D_p| + f²/(2 − 2f)), if the Frobenius norm f of S⁻¹XS is
+/// less than 1, for any positive diagonal S.
 Interval RegularityTest::determinant_of_K() const {
   const std::size_t n = q_.columns;
   const std::vector<double> S = balance(inverse_.X(), n);
@@ -183,8 +183,8 @@ Interval RegularityTest::determinant_of_K() const {
   return determinant(inverse_.K(), n, kBits).enclosure() * apply(Op::kExp, exponent);
 }
 
-/// Roughly what each variable adds to keep P, or T, from being dominated. Where only the threshold
-/// is missing, what moves the determinant counts.
+/// Returns, roughly, how much each variable prevents that P, or T, is dominated. If only the
+/// threshold is not reached yet, it is the influence on the determinant.
 std::vector<double> RegularityTest::impacts() const {
   std::vector<double> impact(q_.variables.size(), 0.0);
   if (stage_ == Stage::kNothing) return impact;
@@ -225,7 +225,7 @@ std::optional<std::size_t> RegularityTest::variable_to_split(const Box& box) con
 
 int RegularityTest::sign_at_middle() const {
   if (stage_ == Stage::kNothing || q_.rows != q_.columns) return 0;
-  // |K·A − I| < 1 in the column-sum norm joins K·A to I by regular matrices: det K·A > 0.
+  // If |K·A − I| < 1 in the column-sum norm, regular matrices join K·A to I: det K·A > 0.
   const std::size_t n = q_.columns;
   for (std::size_t j = 0; j < n; ++j) {
     double sum = 0.0;

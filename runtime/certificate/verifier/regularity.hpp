@@ -12,18 +12,18 @@ class RegularityTest {
   RegularityTest(Question& question, const Variety& variety);
 
   enum class Answer {
-    kOutside,  ///< no point of the box is in the variety: beyond a constraint, or beyond a ball
+    kOutside,  ///< no point of the box is in the variety, because of a constraint or a ball
     kRegular,  ///< at every point the model is defined, and the claim NO SINGULARITY holds
     kOpen,     ///< neither has been shown
   };
   [[nodiscard]] Answer decide(const Box& box);
 
-  /// After kOpen: everything that must have a value has one all over the box.
+  /// After kOpen: true if every expression that must have a value has one all over the box.
   [[nodiscard]] bool is_defined() const noexcept { return is_defined_; }
-  /// After kOpen: the variable whose range is best split; nullopt if none can be.
+  /// After kOpen: returns the variable that is best to split; nullopt if none can be split.
   [[nodiscard]] std::optional<std::size_t> variable_to_split(const Box& box) const;
 
-  /// After kOpen: the sign of det A at the middle of the box, 0 where it is not known.
+  /// After kOpen: returns the sign of det A at the middle of the box, 0 if it is not known.
   [[nodiscard]] int sign_at_middle() const;
   [[nodiscard]] const Box& middle() const noexcept { return middle_; }
 
@@ -51,8 +51,8 @@ class RegularityTest {
     kNothing,
     kMotion,
     kRows
-  } stage_ = Stage::kNothing;  ///< that has been bounded
-  Box middle_, thin_;          ///< thin_: at the middle but in the moving variables
+  } stage_ = Stage::kNothing;  ///< the last that has been bounded
+  Box middle_, thin_;          ///< thin_: at the middle except in the moving variables
   std::vector<double> r_;      ///< of the box about its middle
   Matrix K_, P_;               ///< without derivatives: |K·A − I| ≤ P
 };

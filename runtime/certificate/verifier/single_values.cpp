@@ -8,10 +8,10 @@ namespace regulus::verifier {
 namespace {
 
 constexpr std::uint64_t kProductsOfEnds = 1 << 16;
-constexpr long kBits = 256;  ///< of constants that are to have a value
+constexpr long kBits = 256;  ///< of constants that must have a value
 constexpr int kMostSimplified = 1 << 10;
 
-/// For each variable that has one value only, the expression of it; kNoNode for the others.
+/// Returns the expression of each variable that has one value only; kNoNode for the others.
 std::vector<NodeId> single_values(Question& question) {
   std::vector<NodeId> result(question.variables.size(), kNoNode);
   const std::vector<NodeId> none;
@@ -29,7 +29,7 @@ std::vector<NodeId> single_values(Question& question) {
   return result;
 }
 
-/// Whether the operation has no value for some values of its operands.
+/// Returns true if the operation has no value for some values of its operands.
 bool is_partial(Op op) {
   switch (op) {
     case Op::kDivide:
@@ -45,7 +45,7 @@ bool is_partial(Op op) {
   }
 }
 
-/// Writes expressions anew, each part once.
+/// Rewrites expressions, each part once.
 class Rewriting {
  public:
   explicit Rewriting(Question& q) : graph_(q.graph), values_(single_values(q)) {}
@@ -73,8 +73,8 @@ class Rewriting {
     return graph_.add(node.op, a, b);
   }
 
-  /// Of an expression without variables; others stay. What has no value is not to get one by its
-  /// undefined part being multiplied by 0.
+  /// Simplifies an expression without variables; others stay. An expression without a value must
+  /// not get one because its undefined part is multiplied by 0.
   NodeId simplified(NodeId id) {
     if (const auto found = simplified_.find(id); found != simplified_.end()) return found->second;
     if (graph_.nodes()[std::size_t(id)].op == Op::kConstant || varies(id)) return id;
@@ -86,7 +86,7 @@ class Rewriting {
     return result;
   }
 
-  /// Whether the expression has a variable.
+  /// Returns true if the expression has a variable.
   bool varies(NodeId id) {
     for (std::size_t i = varies_.size(); i < graph_.nodes().size(); ++i) {
       const Node& node = graph_.nodes()[i];

@@ -5,10 +5,10 @@
 
 namespace regulus::verifier {
 
-/// Writes the expressions of a question anew: a variable of one value only is replaced by that
-/// value, and a constant that decides whether an operation is defined by its exact value where that
-/// is rational: √(x − π/4) for x = π/4 becomes √0. The variables stay, though nothing depends on
-/// those of one value any more; so does what a comparison with a model file reads.
+/// Rewrites the expressions of a question. Replaces each variable of one value only by that value.
+/// If a constant decides whether an operation is defined, replaces it by its exact value if that is
+/// rational: √(x − π/4) for x = π/4 becomes √0. The variables stay, though nothing depends on those
+/// of one value any more. The values for a comparison with a model file also stay.
 ///
 /// Requires  the ends of all ranges have values (enclose_variety).
 /// Ensures   every expression has the same value as before, and is defined at the same points of

@@ -107,7 +107,7 @@ bool TouchedRows::run(const Box& box, const Box& middle, const std::vector<doubl
   return true;
 }
 
-/// K(t) = K − Σ τ_pD_pK on the columns here, and what (I + E)x = K(t)y makes of |y|.
+/// Bounds K(t) = K − Σ τ_pD_pK on these columns; finds G with |x| ≤ G|y| if (I + E)x = K(t)y.
 void TouchedRows::bound_K(const MovingInverse& inverse, const Domination& domination) {
   std::fill(moved_.begin(), moved_.end(), 0.0);
   std::fill(unsure_.begin(), unsure_.end(), 0.0);
@@ -134,8 +134,8 @@ void TouchedRows::bound_K(const MovingInverse& inverse, const Domination& domina
   }
 }
 
-/// b = w̄ᵀK, and S for all else in w(t)ᵀK(t) + (w(t)ᵀE + (w − w(t))ᵀ)(I + E)⁻¹K(t), where w(t) = w̄ +
-/// Σ τ_pg_p follows w; drift is Σ r_p|g_p|, and Y bounds what is before (I + E)⁻¹.
+/// Computes b = w̄ᵀK, and S for the rest of w(t)ᵀK(t) + (w(t)ᵀE + (w − w(t))ᵀ)(I + E)⁻¹K(t). Here
+/// w(t) = w̄ + Σ τ_pg_p follows w, drift is Σ r_p|g_p|, and Y bounds the factor before (I + E)⁻¹.
 bool TouchedRows::bound_quantity(Quantity& k, const MovingInverse& inverse) {
   std::fill(k.S.begin(), k.S.end(), 0.0);
   for (std::size_t j = 0; j < n_; ++j) {

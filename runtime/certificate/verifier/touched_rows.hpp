@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
-// The rows of A that quantities of one row each touch: what is regular with these quantities at the
-// middles of their ranges stays so if no y ≠ 0 has y_s = Σ_k δ_k(b_k + c_k)·y for all s, summed
-// over the quantities k of the s-th row touched, with |c_k| ≤ S_k. PROOF.md, "The test", 2, derives
-// it.
+// The rows of A that are touched by quantities of one row each. Let A be regular with these
+// quantities at the middles of their ranges. It stays regular if no y ≠ 0 has y_s = Σ_k δ_k(b_k +
+// c_k)·y for all s, summed over the quantities k of the s-th row touched, with |c_k| ≤ S_k.
+// PROOF.md, "The test", 2, derives this.
 #pragma once
 
 #include <optional>
@@ -20,18 +20,18 @@ class TouchedRows {
 
   [[nodiscard]] std::size_t order() const noexcept { return rows_.size(); }
 
-  /// `inverse` has been run with the same middle and r and is dominated. Returns false when nothing
+  /// `inverse` has been run with the same middle and r, and is dominated. Returns false if nothing
   /// could be bounded.
   [[nodiscard]] bool run(const Box& box, const Box& middle, const std::vector<double>& r,
                          const MovingInverse& inverse, const Domination& domination);
 
   /// After run: |Σ δ_k(b_k + c_k)| ≤ T, row by row.
   [[nodiscard]] const Matrix& T() const noexcept { return T_; }
-  /// Whether there is no such y. Goes through the surface of the box |y| ≤ v, v > 0; false also
-  /// when that takes too long.
+  /// Returns true only if there is no such y. Searches the surface of the box |y| ≤ v, v > 0;
+  /// returns false also if that takes too long.
   [[nodiscard]] bool has_no_null_vector(const std::vector<double>& v) const;
 
-  /// What each variable adds to Tv, relative to v; roughly.
+  /// Adds the contribution of each variable to Tv, relative to v; roughly.
   void add_impacts(const std::vector<double>& v, std::vector<double>& impact) const;
 
  private:
@@ -41,9 +41,9 @@ class TouchedRows {
     std::vector<std::vector<NodeId>> by_moving;
     std::vector<std::pair<std::size_t, std::vector<NodeId>>> by_quantity;
     std::vector<double> b, S;                   ///< by slot
-    std::vector<std::vector<double>> followed;  ///< of S, by moving variable
+    std::vector<std::vector<double>> followed;  ///< parts of S, by moving variable
   };
-  /// Quantities of one row: one, or those of one ball.
+  /// Quantities of one row: a single one, or those of one ball.
   struct Group {
     std::size_t slot;
     std::optional<std::size_t> ball;
@@ -72,19 +72,19 @@ class TouchedRows {
   std::vector<Group> groups_;
   std::optional<Evaluation> at_middle_, over_box_;
 
-  // For one box; matrices n×slots but for T.
+  // For one box; matrices are n×slots, except T.
   std::vector<double> r_;
   std::vector<bool> whole_;  ///< by ball: no range of its coordinates has been cut
   Matrix K_;                 ///< the columns of K for these rows
   std::vector<Matrix> DK_;   ///< D_p·K
-  Matrix moved_, unsure_;    ///< |K(t) − K| at most; of it, what DK does not tell
+  Matrix moved_, unsure_;    ///< bounds of |K(t) − K|, and of the part that DK does not cover
   Matrix G_;                 ///< at least (I − P)⁻¹|K(t)|
   Matrix T_;                 ///< slots×slots
   std::vector<double> w_, g_, drift_, Y_;
 };
 
-/// |Σ δ_kx_k| over the values of the group, where |x_k| ≤ value(k). A ball that a split has cut is
-/// bounded by the box around what is left of it.
+/// Bounds |Σ δ_kx_k| over the values of the group, where |x_k| ≤ value(k). If a split has cut a
+/// ball, the box around the rest of the ball is used.
 template <class Value>
 double TouchedRows::bound_group(const Group& group, Value value) const {
   double sum = 0.0;

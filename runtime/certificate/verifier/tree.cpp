@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Each box is split or is a leaf, once; a split lies strictly inside; none is left at the end. So
-// the leaves tile the box that the variety is in.
+// Each box is split or is a leaf, exactly once. A split lies strictly inside its box. At the end no
+// box is open. So the leaves tile the box that contains the variety.
 #include <array>
 #include <charconv>
 #include <unordered_map>

@@ -6,13 +6,13 @@
 namespace regulus::verifier {
 namespace {
 
-constexpr std::size_t kMostBits = 1 << 18;  ///< degree times digits: Sturm's sequence grows by it
+constexpr std::size_t kMostBits = 1 << 18;  ///< degree times digits; Sturm's sequence grows with it
 
-/// Roots strictly between 0 and 1. `p` is squarefree, and not 0 at either of them.
+/// Counts roots strictly between 0 and 1. `p` is squarefree, and not 0 at 0 or 1.
 long roots_inside_unit(const fmpz_poly_t p) {
   fmpz_poly_t turned;
   fmpz_poly_init(turned);
-  // t = 1/(1 + s) takes the positive s to the t of (0, 1).
+  // t = 1/(1 + s) maps the positive s to the t of (0, 1).
   fmpz_poly_reverse(turned, p, fmpz_poly_length(p));
   fmpz_t one;
   fmpz_init_set_ui(one, 1);
@@ -25,7 +25,7 @@ long roots_inside_unit(const fmpz_poly_t p) {
   return positive;
 }
 
-/// The same for any p that is not 0 at 0 and 1; p is not kept.
+/// Does the same for any p that is not 0 at 0 and 1; changes p.
 long distinct_roots_inside_unit(fmpq_poly_t p) {
   fmpz_poly_t whole, derivative;
   fmpz_poly_init(whole), fmpz_poly_init(derivative);
@@ -83,7 +83,7 @@ bool Univariate::has_no_root(const Rational& lo, const Rational& hi) const {
   return roots == 0;
 }
 
-/// p = t^a·(1 − t)^b·r, where r is negative on all of [0, 1].
+/// Shows that p = t^a·(1 − t)^b·r, where r is negative on all of [0, 1].
 bool Univariate::is_nonpositive_on_unit() const {
   if (fmpq_poly_is_zero(value_) != 0) return true;
   Univariate rest(*this);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Polynomials in one variable over a range with rational ends: exact answers.
+// Exact answers about polynomials in one variable, over a range with rational ends.
 #pragma once
 
 #include <fmpq_poly.h>
@@ -20,7 +20,7 @@ class Univariate {
   }
   ~Univariate() { fmpq_poly_clear(value_); }
 
-  /// False if p has another atom, a negative exponent, or more than this class takes: it is then 0.
+  /// Returns false if p has another atom, a negative exponent, or is too large; value is then 0.
   [[nodiscard]] bool set(const Polynomial& p, int atom);
   void subtract(const Rational& constant);
 

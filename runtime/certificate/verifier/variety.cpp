@@ -23,7 +23,7 @@ Ball constant(const Question& q, NodeId node, const std::string& what) {
 
 bool is_at_most(double x, const Rational& y) { return (rational_of(x) - y).sign() <= 0; }
 
-/// The doubles of a range with rational ends.
+/// Returns the doubles of a range with rational ends.
 std::optional<Interval> exactly_between(const Rational& lo, const Rational& hi) {
   const Rational minus(-1);
   Interval inner{enclose(lo).lo, enclose(hi).hi};
@@ -36,14 +36,14 @@ std::optional<Interval> exactly_between(const Rational& lo, const Rational& hi) 
   return inner;
 }
 
-/// The doubles certainly between two values.
+/// Returns the doubles that are certainly between two values.
 std::optional<Interval> between(const Ball& lo, const Ball& hi) {
   const Interval inner{lo.enclosure().hi, hi.enclosure().lo};
   if (!(inner.lo <= inner.hi)) return std::nullopt;
   return inner;
 }
 
-/// The middle of a ball is a double nearby at most: by that much more its points are away from it.
+/// Returns the radius of a ball plus the distance of its middle from the doubles used for it.
 double reach_ru(const Question& q, const BallOfVariables& ball, const Box& outer) {
   double sum = mag(constant(q, ball.radius, "the radius of a ball").enclosure());
   for (std::size_t i = 0; i < ball.members.size(); ++i) {
@@ -53,7 +53,7 @@ double reach_ru(const Question& q, const BallOfVariables& ball, const Box& outer
   return sum;
 }
 
-/// Squares of the distance of a point from the middle of a ball, and of the ball's radius.
+/// The squares of the distance of a point from the middle of a ball, and of the ball's radius.
 struct Distances {
   Ball of_point, most;
 };
@@ -100,7 +100,7 @@ bool certain_inside(const Question& q, const Variety& variety, const Box& point)
   for (std::size_t k = 0; k < point.size(); ++k) {
     const auto& inner = variety.inner[k];
     const Interval x = point[k], outer = variety.outer[k];
-    // The one value of such a range is somewhere in `outer`, which x must then hold.
+    // The one value of such a range is somewhere in `outer`, so x must contain `outer`.
     if (inner ? !(inner->lo <= x.lo && x.hi <= inner->hi) : !(x.lo <= outer.lo && outer.hi <= x.hi))
       return false;
   }

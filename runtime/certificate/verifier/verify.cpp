@@ -26,7 +26,7 @@ void check(Lines& lines, Question& question, const Options& options, Verificatio
     check_tree(lines, question, variety, options, result);
 }
 
-/// The usual environment, without exceptions that stop the process, while this object lives.
+/// Sets the usual environment, without exceptions that stop the process, for its own lifetime.
 class UsualEnvironment {
  public:
   UsualEnvironment() noexcept { std::feholdexcept(&before_), std::fesetenv(FE_DFL_ENV); }
@@ -38,7 +38,7 @@ class UsualEnvironment {
   std::fenv_t before_;
 };
 
-/// What the bounds rest on: rounding to nearest, and numbers below 2^-1022 as they are.
+/// Throws unless rounding is to nearest and numbers below 2^-1022 are kept: bounds need both.
 void require_usual_arithmetic() {
   volatile double least = 0x1p-1074, normal = 0x1p-1022;
   const bool keeps = least * 1.0 > 0.0, reaches = normal * 0.5 > 0.0;

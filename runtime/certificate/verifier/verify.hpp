@@ -22,18 +22,18 @@ enum class Outcome {
 struct Verification;
 
 struct Options {
-  std::uint64_t max_boxes = 1 << 22;  ///< that all leaves together may be cut into
+  std::uint64_t max_boxes = 1 << 22;  ///< into which all leaves together may be cut
   std::uint64_t max_boxes_per_leaf = 1 << 16;
-  long max_bits = 4096;   ///< where doubles do not tell the sign of a determinant
+  long max_bits = 4096;   ///< if doubles do not decide the sign of a determinant
   double time_limit = 0;  ///< in seconds; 0: none
   std::uint64_t max_bytes = format::kMaxBytes;  ///< of the file
   /// The text and name of the model file that the question must be about; empty: any.
   std::string model_text, model_name;
-  /// Of a comparison with the model file, what may differ because an option of the command line
-  /// has set it: "alpha", "range x", "tolerance base".
+  /// For a comparison with the model file: values that may differ because an option of the command
+  /// line has set them: "alpha", "range x", "tolerance base".
   std::set<std::string> overridden;
-  bool all_overridden = false;  ///< every such thing may differ
-  /// Called a few times a second with what has been counted so far; empty: nothing is.
+  bool all_overridden = false;  ///< every such value may differ
+  /// Called a few times a second with the counts so far; not called if empty.
   std::function<void(const Verification&)> progress;
 };
 
@@ -43,20 +43,20 @@ struct Verification {
   std::string claim;   ///< empty if it could not be read
   std::string model, sha256, motion;
   std::uint64_t leaves = 0;
-  std::uint64_t boxes = 0;               ///< that the leaves were cut into
+  std::uint64_t boxes = 0;               ///< into which the leaves were cut
   std::size_t numbers = 0;               ///< values of the model file that were compared
-  std::vector<std::string> differences;  ///< of them, those that options have set otherwise
-  std::vector<std::string> uncompared;  ///< values, and lines of the certificate, that could not be
-  std::string note;                     ///< what else is to be known of a claim that was verified
+  std::vector<std::string> differences;  ///< those that options have set to other values
+  std::vector<std::string> uncompared;  ///< values and lines that could not be compared
+  std::string note;                     ///< more information about a claim that was verified
 };
 
-/// Ensures   kVerified only if the claim of the file is true (PROOF.md). The floating-point
-///           environment is the usual one meanwhile, and afterwards as it was before. Throws
-///           nothing but std::bad_alloc, and std::runtime_error when the file cannot be read, or
-///           when the processor does not round to nearest or flushes small numbers to zero.
+/// Ensures   kVerified only if the claim of the file is true (PROOF.md). Uses the usual
+///           floating-point environment, and restores the caller's. Throws nothing but
+///           std::bad_alloc, and std::runtime_error if the file cannot be read, or if the processor
+///           does not round to nearest or flushes small numbers to zero.
 [[nodiscard]] Verification verify(std::istream& file, const Options& options = {});
 
-/// What a certificate says, as one text for a person: outcome, claim, counts.
+/// Returns the result as one text for a person: outcome, claim, counts.
 [[nodiscard]] std::string describe(const Verification& verification);
 
 [[nodiscard]] const char* name(Outcome outcome) noexcept;

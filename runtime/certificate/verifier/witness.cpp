@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// A point whose determinant is at most alpha, or two points of opposite signs and the segment that
-// joins them, on which the model is defined and no constraint is violated.
+// A witness: a point with determinant at most alpha, or two points of opposite signs and the
+// segment between them, on which the model is defined and no constraint is violated.
 #include <algorithm>
 
 #include "runtime/certificate/verifier/exact_determinant.hpp"
@@ -37,14 +37,14 @@ class WitnessChecker {
     return lines_.text();
   }
 
-  /// `point SIGN X …`, where X is a number or LO:HI; at a singular point also the end of a range.
+  /// Reads `point SIGN X …`: X is a number or LO:HI; at a singular point also the end of a range.
   ClaimedPoint read_point(std::string_view sign) {
     const auto words = words_of(next_line());
     if (words.size() != q_.variables.size() + 2 || words[0] != "point" || words[1] != sign)
       throw Rejection("expected 'point " + std::string(sign) + "' and " +
                       std::to_string(q_.variables.size()) + " numbers");
     ClaimedPoint result;
-    Box in_ranges;  // a value of the range in place of each end
+    Box in_ranges;  // has a value of the range in place of each end
     for (std::size_t k = 0; k < q_.variables.size(); ++k) {
       const std::string_view word = words[k + 2];
       const NodeId end = sign == "0" ? end_of_range(k, word) : kNoNode;
@@ -67,7 +67,7 @@ class WitnessChecker {
     return {lo, hi};
   }
 
-  /// kNoNode for a word that names none. The ends of the axes of a ball are not all in the ball.
+  /// Returns kNoNode for another word. A ball does not contain all ends of its axes.
   NodeId end_of_range(std::size_t k, std::string_view word) const {
     if (word != format::kLowerEnd && word != format::kUpperEnd) return kNoNode;
     for (const BallOfVariables& ball : q_.balls)
@@ -140,7 +140,7 @@ class WitnessChecker {
             : obstacle_);
   }
 
-  /// Exact algebra at the point comes first: there is less to multiply out.
+  /// Exact algebra at the point comes first, because it has less to multiply out.
   bool is_singular_exactly(const ClaimedPoint& point) {
     if (!is_defined_within_constraints(point)) {
       obstacle_ = "the matrix is not certainly defined at the point, within the constraints";
@@ -171,7 +171,7 @@ class WitnessChecker {
     return true;
   }
 
-  /// Piece by piece, each in the box around it.
+  /// Proves the segment piece by piece, each in the box around it.
   void check_segment(const Box& from, const Box& to) {
     std::vector<NodeId> roots = q_.matrix;
     for (const auto* list : {&q_.constraints, &q_.defined, &q_.motion_defined})
@@ -212,7 +212,7 @@ class WitnessChecker {
   const Variety& variety_;
   const Options& options_;
   WorkClock clock_;
-  std::string obstacle_;  ///< that exact algebra met
+  std::string obstacle_;  ///< why exact algebra failed
 };
 
 }  // namespace

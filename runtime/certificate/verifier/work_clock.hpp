@@ -8,13 +8,13 @@
 
 namespace regulus::verifier {
 
-/// Holds the time limit and reports progress.
+/// Checks the time limit and reports progress.
 class WorkClock {
  public:
   WorkClock(const Options& options, const Verification& counts)
       : options_(options), counts_(counts), start_(Clock::now()), reported_(start_) {}
 
-  /// To be called before each piece of work. Throws Unfinished once the time is over.
+  /// Call it before each piece of work. Throws Unfinished if the time is over.
   void tick() {
     if (options_.time_limit <= 0 && !options_.progress) return;
     const auto now = Clock::now();
