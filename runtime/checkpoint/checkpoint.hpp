@@ -43,7 +43,7 @@ class CheckpointError : public std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
-/// Writes a checkpoint. Without the witness of an exhaustive search, which has none yet.
+/// Returns a checkpoint as text. It does not contain the witness of an exhaustive search.
 [[nodiscard]] std::string write_checkpoint(const CheckpointedQuestion& question,
                                            const SearchState& state, const OpenBoxes& open,
                                            const std::optional<CertificateSoFar>& certificate);

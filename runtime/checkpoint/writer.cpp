@@ -53,7 +53,7 @@ void CheckpointWriter::on_pause(const SearchState& state, const OpenBoxes& open)
   last_ = Clock::now();
 }
 
-/// Also without memory for the reason: a few characters need none.
+/// Also works if there is no memory for the reason: a few characters need none.
 void CheckpointWriter::note_failure(const char* why) noexcept try {
   failure_ = why;
 } catch (const std::bad_alloc&) {

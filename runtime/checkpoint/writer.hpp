@@ -10,12 +10,12 @@
 
 namespace regulus {
 
-/// An observer that saves at intervals and when the search is stopped. What the file held before is
-/// there until what replaces it is safe on the disk.
+/// An observer that saves at intervals and when the search is stopped. The old contents of the file
+/// stay until the new ones are safe on the disk.
 class CheckpointWriter final : public Observer {
  public:
   using Clock = std::chrono::steady_clock;
-  /// Makes the certificate so far safe on the disk and says what it is; nullopt: it cannot be.
+  /// Makes the certificate so far safe on the disk and describes it; nullopt if that fails.
   using Certificate = std::function<std::optional<CertificateSoFar>()>;
 
   CheckpointWriter(std::string path, CheckpointedQuestion question, Clock::duration interval,
@@ -27,10 +27,10 @@ class CheckpointWriter final : public Observer {
   [[nodiscard]] bool wants_pause() noexcept override;
   void on_pause(const SearchState& state, const OpenBoxes& open) noexcept override;
 
-  /// Why the last attempt to save failed; empty when it did not.
+  /// Returns why the last attempt to save failed; empty if it did not.
   [[nodiscard]] const std::string& failure() const noexcept { return failure_; }
   [[nodiscard]] bool saved() const noexcept { return saved_; }
-  /// The search is over: removes the file.
+  /// Call it when the search is over: it removes the file.
   void remove() noexcept;
 
  private:

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: Apache-2.0 */
-/* Checking a piece of a trajectory, or of a workspace, from a control loop. Valid C99 and C++.
+/* Checks a piece of a trajectory, or of a workspace, from a control loop. Valid C99 and C++.
  *
  *     regulus_checker* checker = regulus_checker_new(&my_kernel, lower, upper, 0.0, 256,
  *                                                   fault, sizeof fault);
@@ -9,8 +9,8 @@
  *     }
  *
  * `my_kernel` is a regulus_kernel (runtime/kernel/abi.hpp) that was compiled ahead of time.
- * Everything is allocated by regulus_checker_new: regulus_check neither allocates, nor throws, nor
- * locks, and evaluates at most the number of boxes it was given. */
+ * regulus_checker_new allocates everything. regulus_check does not allocate, throw or lock, and
+ * evaluates at most `max_boxes` boxes. */
 #ifndef REGULUS_EMBEDDED_CHECKER_H
 #define REGULUS_EMBEDDED_CHECKER_H
 
@@ -25,7 +25,7 @@ extern "C" {
 typedef enum regulus_check_verdict {
   REGULUS_CHECK_NO_SINGULARITY = 0,  /* proved for every pose of the piece */
   REGULUS_CHECK_SINGULARITY = 1,     /* the contrary is proved */
-  REGULUS_CHECK_POSSIBLE_PROBLEM = 2 /* neither; nothing is claimed */
+  REGULUS_CHECK_POSSIBLE_PROBLEM = 2 /* neither is proved; nothing is claimed */
 } regulus_check_verdict;
 
 typedef enum regulus_check_reason {
@@ -44,7 +44,7 @@ typedef struct regulus_check_report {
   regulus_check_verdict verdict;
   regulus_check_reason reason;
   unsigned boxes; /* evaluated */
-  /* Where: `places` boxes, bound s (0 lower, 1 upper) of variable v of box p at
+  /* The places: `places` boxes, bound s (0 lower, 1 upper) of variable v of box p at
    * place[2*(p*variables + v) + s]. SINGULARITY: the points of the proof, 1 or 2. POSSIBLE PROBLEM:
    * the box that could not be decided, if there is one. Valid until the next call with the same
    * checker. */
@@ -57,11 +57,11 @@ typedef struct regulus_checker regulus_checker;
 /* Prepares for checks of a kernel.
  *
  * Shape     lower, upper: a bound for each variable of the kernel, motion parameters first. The
- *           pieces to be checked lie in the ranges of the motion parameters; uncertain quantities
+ *           pieces to be checked lie in the ranges of the motion parameters. Uncertain quantities
  *           have all of their range in every check.
- * Requires  `kernel`, and what it points to, stays as it is for the life of the checker. alpha >=
- * 0. 1 <= max_boxes <= 2^20: the most boxes of one check; memory is in proportion.
- * Errors    null, and if `fault` is not null the reason in words there, cut to `fault_size`
+ * Requires  `kernel`, and all that it points to, stay unchanged for the life of the checker.
+ *           alpha >= 0. 1 <= max_boxes <= 2^20: the most boxes of one check; memory grows with it.
+ * Errors    returns null; if `fault` is not null, writes the reason there, cut to `fault_size`
  *           bytes. */
 regulus_checker* regulus_checker_new(const regulus_kernel* kernel, const double* lower,
                                      const double* upper, double alpha, unsigned max_boxes,

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// checker.h by checker.hpp.
+// Implements checker.h by checker.hpp.
 #include <cstdio>
 #include <exception>
 #include <memory>
@@ -56,7 +56,7 @@ regulus_check_reason word_of(Reason reason) noexcept {
       return REGULUS_CHECK_BOX_BUDGET;
     case Reason::kEmptyVariety:
       return REGULUS_CHECK_NO_POSE;
-    case Reason::kAlwaysSingular:  // those that a check does not come to
+    case Reason::kAlwaysSingular:  // a check never returns these
     case Reason::kTimeBudget:
     case Reason::kInterrupted:
     case Reason::kMemory:
@@ -68,7 +68,7 @@ regulus_check_reason word_of(Reason reason) noexcept {
   return REGULUS_CHECK_BAD_RANGES;
 }
 
-/// As they are: bounds in the wrong order are for the checker to refuse.
+/// Copies bounds unchanged: the checker refuses bounds in the wrong order.
 void load(std::span<regulus::Interval> into, const double* lower, const double* upper) noexcept {
   for (std::size_t k = 0; k < into.size(); ++k) into[k].lo = lower[k], into[k].hi = upper[k];
 }

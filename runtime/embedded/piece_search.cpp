@@ -9,8 +9,8 @@
 namespace regulus {
 namespace {
 
-/// Witnesses may lie anywhere in the ranges, which are exact here. Not so for a coordinate of a
-/// point in a ball, whose range is a side of the box around it: a witness speaks of all of that.
+/// Witnesses may lie anywhere in the ranges, which are exact here. The coordinates of a point in a
+/// ball are an exception: the range is a side of the box around it, so a witness covers the range.
 std::vector<std::optional<Interval>> witness_ranges(const regulus_kernel& kernel,
                                                     std::span<const Interval> ranges) {
   std::vector<std::optional<Interval>> inner(ranges.begin(), ranges.end());
@@ -43,12 +43,12 @@ bool within(Interval part, Interval whole) noexcept {
 
 bool has_width(Interval x) noexcept { return x.lo < x.hi; }
 
-/// A range in up to `most` ≤ kLanes parts, which cover it.
+/// Cuts a range into up to `most` ≤ kLanes parts, which cover it.
 std::size_t cut(Interval range, std::size_t most, Interval* parts) noexcept {
   std::size_t count = 1;
   parts[0] = range;
   while (count < most) {
-    const std::optional<Halves> halves = bisect(parts[0]);  // the oldest: none is wider
+    const std::optional<Halves> halves = bisect(parts[0]);  // the oldest part: no other is wider
     if (!halves) break;
     std::rotate(parts, parts + 1, parts + count);
     parts[count - 1] = halves->left;
@@ -71,11 +71,11 @@ PieceSearch::PieceSearch(const regulus_kernel& kernel, std::span<const Interval>
       loop_(*this, frontier_, decider_.bisector(), kernel.variables),
       half_(kernel.variables),
       places_(2 * std::size_t{kernel.variables}) {
-  // This check initialises everything that is initialised on first use.
+  // This check makes everything that is initialised on first use.
   static_cast<void>(check({problem_.outer.data(), kernel.motion_variables}));
 }
 
-/// Kept out of line, so that no floating-point work moves out of the rounding scope of its caller.
+/// Not inlined, so that no floating-point work moves out of the rounding scope of its caller.
 [[gnu::noinline]] Check PieceSearch::search(std::span<const Interval> piece) noexcept {
   boxes_ = 0;
   certified_ = stopped_ = false;
@@ -99,8 +99,8 @@ Check PieceSearch::check(std::span<const Interval> piece) noexcept {
   return search(piece);
 }
 
-/// A batch costs the same however many boxes it has: what can only be split in one variable, such
-/// as a trajectory, starts as eight.
+/// The cost of a batch does not depend on its number of boxes. So a piece that can be split in one
+/// variable only, such as a trajectory, starts as eight boxes.
 void PieceSearch::load_frontier(std::span<const Interval> piece) noexcept {
   std::copy(problem_.outer.begin(), problem_.outer.end(), half_.begin());
   std::copy(piece.begin(), piece.end(), half_.begin());
@@ -159,8 +159,8 @@ void PieceSearch::settle(Decisions& batch, std::size_t lane) noexcept {
     certified_ = true;
 }
 
-/// There is room, in truth: each box evaluated adds one at most to the eight there may be at the
-/// start. Were there none, a box would be left out, and nothing may be claimed.
+/// In fact there is always room: each evaluated box adds at most one to the eight boxes at the
+/// start. Without room a box would be lost, and then nothing may be claimed.
 void PieceSearch::lose(const OpenBox& first, const OpenBox&) noexcept {
   stop_at(Reason::kBoxBudget, first.box);
 }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// A search of a piece of a variety in memory that it owns from the start.
+// A search of a piece of a variety; it owns all its memory from the start.
 #pragma once
 
 #include <span>
@@ -53,10 +53,10 @@ class PieceSearch {
   BranchAndPrune<PieceSearch> loop_;
   AdaptiveThreshold threshold_;
   std::vector<Interval> half_, places_;
-  Check check_;  ///< the one under way
+  Check check_;  ///< the current one
   unsigned boxes_ = 0;
   bool stopped_ = false;    ///< check_ is the answer
-  bool certified_ = false;  ///< a test vouches for some box that the constraints do not exclude
+  bool certified_ = false;  ///< some box that the constraints do not exclude passed a test
 };
 
 }  // namespace regulus

@@ -6,10 +6,10 @@
 namespace regulus {
 namespace {
 
-/// Two enclosures of the same numbers share them, so that both hold at once.
+/// Returns the common part of two enclosures of the same numbers.
 Interval both(Interval x, Interval y) noexcept { return intersect(x, y).value_or(x); }
 
-/// Expansion, far more work, adds little where elimination finds its pivots.
+/// Expansion takes far more work, and adds little if elimination finds its pivots.
 Interval enclose_both_ways(const LaneMatrix& M) noexcept {
   const Interval eliminated = enclose_determinant_by_elimination(M);
   const bool expand = M.n <= kMaxExpansion && certain_sign(eliminated) == 0;
@@ -55,7 +55,7 @@ LaneMask Batch::certain_by_orthants(LaneMask lanes) noexcept {
   return expansion_->certain_by_orthants(impact_.approx_right_vector(), lanes);
 }
 
-/// det A directly, and as det(K·A)/det K: near the identity the entries depend on each other less.
+/// Bounds det A directly, and as det(K·A)/det K: near I, entries depend less on each other.
 std::optional<Interval> Batch::determinant(std::size_t lane, bool scaled) noexcept {
   LaneMask defined = certain_posed() & 1U << lane;
   const ConstIntervalMatrix A = product({}, defined);

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
-// Up to eight boxes and everything that is known about them: the boxes themselves (BoxLanes) and an
-// evaluator for each kind of quantity, which owns its numbers. Each quantity is computed for all
-// lanes when it is first asked for, so that a test pays only for what it needs. No allocation after
-// construction.
+// Up to eight boxes and everything that is known about them: the boxes themselves (BoxLanes), and
+// for each kind of quantity an evaluator that owns its numbers. A quantity is computed for all
+// lanes at its first use, so that a test pays only for quantities that it needs. After construction
+// nothing is allocated.
 #pragma once
 
 #include <optional>
@@ -25,12 +25,12 @@ class Batch {
   /// 1…8 lanes from 0, without gaps, and seal.
   void clear() noexcept;
   void load(std::size_t lane, std::span<const Interval> box) noexcept { lanes_.load(lane, box); }
-  /// Loads copies of lane 0 into the lanes before `count`, of which single ranges may then change.
+  /// Loads copies of lane 0 into the lanes before `count`; single ranges may then be changed.
   void spread(std::size_t count) noexcept { lanes_.spread(count); }
   void change(std::size_t lane, std::size_t variable, Interval x) noexcept {
     lanes_.change(lane, variable, x);
   }
-  /// Fills the lanes from `count` on with copies of lane 0: kernels want eight proper boxes.
+  /// Fills the lanes from `count` on with copies of lane 0: kernels need eight proper boxes.
   void seal(std::size_t count) noexcept { lanes_.seal(count); }
 
   [[nodiscard]] LaneMask loaded() const noexcept { return lanes_.loaded(); }
@@ -79,7 +79,7 @@ class Batch {
   }
   [[nodiscard]] ConstPointMatrix natural_bounds() noexcept { return first_order_.natural(); }
   [[nodiscard]] ConstPointMatrix mean_value_bounds() noexcept { return first_order_.mean_value(); }
-  /// Requires  the structure is known; so for the next two.
+  /// Requires  the structure is known. The same holds for the next two.
   [[nodiscard]] ConstPointMatrix second_order_bounds() noexcept { return expansion_->bounds(); }
   [[nodiscard]] LaneNumbers moving_determinant_ru() noexcept {
     return expansion_->moving_determinant_ru();
@@ -96,32 +96,32 @@ class Batch {
   }
   [[nodiscard]] ConstPointVector approx_impact() noexcept { return impact_.approx_impact(); }
 
-  // From several of them.
+  // Several evaluators together.
 
   /// Encloses det A (`scaled`: det J⁻¹) over a box of a square kernel; nullopt if it is not
   /// certainly defined there.
   [[nodiscard]] std::optional<Interval> determinant(std::size_t lane, bool scaled) noexcept;
-  /// Whether |det J⁻¹| > α follows from |det A| ≥ lower.
+  /// Returns true only if |det A| ≥ lower implies |det J⁻¹| > α.
   [[nodiscard]] bool certain_above_threshold(std::size_t lane, double lower) noexcept;
 
   // Vectors that prove regularity.
 
-  /// Of T; with P the first columns entries count.
+  /// Returns the order of T; for P, only the first `columns` entries are used.
   [[nodiscard]] std::size_t order() const noexcept { return order_; }
-  /// Where a test computes its v of `entries` ≤ order(); keep_vector then saves those that proved
-  /// something.
+  /// Returns the vector in which a test computes its v of `entries` ≤ order(). keep_vector then
+  /// saves the vectors that proved something.
   [[nodiscard]] PointVector candidate_vector(std::size_t entries) noexcept {
     return PointVector(candidate_vector_.get(), entries);
   }
   void keep_vector(LaneMask lanes, std::size_t entries) noexcept;
-  /// v of the test that certified a lane.
+  /// Returns v of the test that certified a lane.
   [[nodiscard]] ConstPointVector vector() const noexcept {
     return ConstPointVector(vector_.get(), order_);
   }
 
-  /// Declares that the box of this batch contains all boxes to come, and agrees with them in the
-  /// variables that may not be split: what holds on all of it need not be asked again, and those
-  /// variables need not be loaded again.
+  /// Declares that the box of this batch contains all boxes to come, and has the same ranges in the
+  /// variables that may not be split. So properties that hold on all of it are not checked again,
+  /// and those variables are not loaded again.
   ///
   /// Requires  that box is in every lane.
   void learn_from_root() noexcept;

@@ -45,7 +45,7 @@ std::optional<std::size_t> Bisector::choose(Batch& batch, std::size_t lane) cons
     const double score = approx_score(batch, k, lane);
     if (score > best_score) best = k, best_score = score;
   }
-  // No score, or none that is a number: the relatively widest still makes progress everywhere.
+  // No variable has a score, or the scores are NaN: the relatively widest one makes progress.
   return best ? best : widest;
 }
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Which variable to split.
+// Chooses the variable to split.
 #pragma once
 
 #include <optional>
@@ -15,14 +15,14 @@ class Bisector {
  public:
   Bisector(const Problem& problem, const Settings& settings);
 
-  /// The variable in which to halve lane `lane` of the batch; nullopt if the box is not to be split
-  /// any more.
+  /// Returns the variable in which to halve lane `lane` of the batch; nullopt if the box must not
+  /// be split any more.
   [[nodiscard]] std::optional<std::size_t> choose(Batch& batch, std::size_t lane) const noexcept;
 
-  /// How many variables have a range that can be split at all.
+  /// Returns how many variables have a range that can be split at all.
   [[nodiscard]] std::size_t variables_to_split() const noexcept;
-  /// The largest width of a box relative to the ranges it was cut from: the w(B) of Algorithm 1,
-  /// whose parameters all range over [0, 1]. Orders the frontier, decides nothing.
+  /// Returns the largest width of a box relative to the original ranges: the w(B) of Algorithm 1,
+  /// whose parameters all range over [0, 1]. It orders the frontier and decides nothing.
   [[nodiscard]] double approx_relative_width(std::span<const Interval> box) const noexcept;
 
  private:

@@ -16,7 +16,7 @@ BoxLanes::BoxLanes(const Problem& problem)
       midpoint_(variables_ * kLanes),
       radius_(variables_ * kLanes) {}
 
-/// The table, with this object's own copy of the expansion.
+/// Returns the table, with this object's own copy of the expansion.
 regulus_kernel BoxLanes::copied(const regulus_kernel& kernel) noexcept {
   regulus_kernel copy = kernel;
   if (kernel.expansion == nullptr) return copy;
@@ -48,7 +48,7 @@ void BoxLanes::change(std::size_t lane, std::size_t k, Interval x) noexcept {
   radius_[point_at(k, lane)] = radius;
 }
 
-/// To the lanes from `from` on.
+/// Copies the first lane to the lanes from `from` on.
 void BoxLanes::copy_first_lane(std::size_t from) noexcept {
   const auto copy = [from](double* row) { std::fill(row + from, row + kLanes, row[0]); };
   for (std::size_t k = 0; k < changing_; ++k) {
@@ -66,7 +66,7 @@ void BoxLanes::spread(std::size_t count) noexcept {
 
 void BoxLanes::seal(std::size_t count) noexcept {
   copy_first_lane(count);
-  // A midpoint, or any other part of a box that is within the contract, is within it too.
+  // A midpoint, or any other part of a box within the contract, is also within the contract.
   const LaneMask changed = lanes_outside_contract(boxes_.get(), static_cast<unsigned>(changing_));
   outside_contract_ = changing_ < variables_ ? fixed_outside_contract_ | changed : changed;
 }

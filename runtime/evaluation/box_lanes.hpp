@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Up to eight boxes side by side, and calls of a kernel's functions on them: the data that the
-// evaluators of a Batch read.
+// Up to eight boxes side by side, and calls of a kernel's functions on them. The evaluators of a
+// Batch read this data.
 #pragma once
 
 #include <atomic>
@@ -15,10 +15,10 @@
 
 namespace regulus {
 
-/// A computation that is made once for each batch, when its result is first asked for.
+/// A computation that is done once for each batch, when its result is first needed.
 class Once {
  public:
-  /// Whether it is still to be made; it counts as made from then on.
+  /// Returns true if it must be done now; from then on it counts as done.
   [[nodiscard]] bool begin() noexcept { return !std::exchange(made_, true); }
   void forget() noexcept { made_ = false; }
 
@@ -28,7 +28,7 @@ class Once {
 
 class BoxLanes {
  public:
-  /// The kernels of the problem, and what they point to, must outlive this object.
+  /// The kernels of the problem, and all that they point to, must outlive this object.
   explicit BoxLanes(const Problem& problem);
   BoxLanes(const BoxLanes&) = delete;
   BoxLanes& operator=(const BoxLanes&) = delete;
@@ -37,14 +37,14 @@ class BoxLanes {
   /// gaps, and seal.
   void clear() noexcept;
   void load(std::size_t lane, std::span<const Interval> box) noexcept;
-  /// Loads copies of lane 0 into the lanes before `count`, of which single ranges may then change.
+  /// Loads copies of lane 0 into the lanes before `count`; single ranges may then be changed.
   void spread(std::size_t count) noexcept;
   void change(std::size_t lane, std::size_t variable, Interval x) noexcept;
-  /// Fills the lanes from `count` on with copies of lane 0: kernels want eight proper boxes.
+  /// Fills the lanes from `count` on with copies of lane 0: kernels need eight proper boxes.
   void seal(std::size_t count) noexcept;
-  /// The variables from `first` on have the same ranges, those of now, in all boxes to come.
+  /// In all boxes to come, the variables from `first` on have the same ranges as now.
   ///
-  /// Requires  the box of now is in every lane.
+  /// Requires  the present box is in every lane.
   void fix_from(std::size_t first) noexcept;
 
   [[nodiscard]] LaneMask loaded() const noexcept { return loaded_; }
@@ -59,22 +59,22 @@ class BoxLanes {
   [[nodiscard]] ConstIntervalVector boxes() const noexcept {
     return ConstIntervalVector(boxes_.get(), variables_);
   }
-  /// The midpoints as thin boxes.
+  /// Returns the midpoints as thin boxes.
   [[nodiscard]] ConstIntervalVector thin() const noexcept {
     return ConstIntervalVector(thin_.get(), variables_);
   }
   [[nodiscard]] ConstPointVector midpoints() const noexcept {
     return ConstPointVector(midpoint_.get(), variables_);
   }
-  /// Upper bounds of the distances from the midpoints.
+  /// Returns upper bounds of the distances from the midpoints.
   [[nodiscard]] ConstPointVector radii() const noexcept {
     return ConstPointVector(radius_.get(), variables_);
   }
 
-  /// Calls a function of the kernel on `boxes`, which lie within those loaded, with the entries K;
-  /// null: the function does without.
+  /// Calls a function of the kernel on `boxes`, which lie within the loaded boxes, with the entries
+  /// K; null: the function needs no K.
   ///
-  /// Ensures   the lanes in which the outputs are enclosures; none when `function` is null.
+  /// Ensures   returns the lanes whose outputs are enclosures; none if `function` is null.
   LaneMask call(regulus_function function, ConstIntervalVector boxes, const double* K,
                 double* out) const noexcept;
 
@@ -82,7 +82,7 @@ class BoxLanes {
   [[nodiscard]] regulus_kernel copied(const regulus_kernel& kernel) noexcept;
   void copy_first_lane(std::size_t from) noexcept;
 
-  // Copies, so that a kernel is exchanged as a whole: functions go with their context.
+  // Copies, so that a kernel is exchanged as a whole: its functions need its own context.
   regulus_expansion expansion_{};
   regulus_kernel kernel_;
   const Kernel caller_;  ///< calls kernel_

@@ -23,7 +23,7 @@ void store(AlignedBuffer& x, std::size_t e, std::size_t lane, Interval value) no
   x[upper_at(e, lane)] = value.hi;
 }
 
-/// Where the two losses of a variable are equal, roughly; any centre is sound.
+/// The centre at which the two losses of a variable are roughly equal; any centre is sound.
 /// Source    Baumann, Optimal centered forms, BIT 28, 1988.
 double approx_best_center(Interval x, Interval slope) noexcept {
   if (slope.lo >= 0.0) return x.lo;
@@ -33,7 +33,7 @@ double approx_best_center(Interval x, Interval slope) noexcept {
   return x.lo <= center && center <= x.hi ? center : mid(x);
 }
 
-/// What the mean value form loses to one variable.
+/// Returns how much one variable takes from the bound of the mean value form.
 double loss_ru(Interval x, Interval slope, double center) noexcept {
   const double above = mul_ru(std::max(-slope.lo, 0.0), sub_ru(x.hi, center));
   const double below = mul_ru(std::max(slope.hi, 0.0), sub_ru(center, x.lo));
@@ -90,7 +90,7 @@ ConstIntervalVector ClosedFormEvaluator::monotone() noexcept {
   return result;
 }
 
-/// The centres that suit lower bounds of det, or of −det, and the faces they lie on.
+/// Loads the centres for lower bounds of det, or of −det, and the faces on which they lie.
 void ClosedFormEvaluator::load_face(bool least) noexcept {
   for (std::size_t k = 0; k < variables_; ++k)
     for (std::size_t lane = 0; lane < kLanes; ++lane) {

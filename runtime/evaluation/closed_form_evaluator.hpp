@@ -6,20 +6,20 @@
 
 namespace regulus {
 
-/// Encloses the determinant in closed form: one entry, [−∞, ∞] in lanes without.
+/// Encloses the determinant in closed form: one entry, [−∞, ∞] in lanes without an enclosure.
 class ClosedFormEvaluator {
  public:
   ClosedFormEvaluator(const BoxLanes& lanes, const EvaluationPlan& plan);
 
   void forget() noexcept;
 
-  /// From the kernel's `determinant` over the boxes.
+  /// Uses the kernel's `determinant` over the boxes.
   [[nodiscard]] ConstIntervalVector natural() noexcept;
-  /// The same, narrowed by the signs and the magnitudes of the derivatives.
+  /// The same, made narrower by the signs and the magnitudes of the derivatives.
   ///
-  /// Requires  the kernel has them, and the plan sees the determinant.
+  /// Requires  the kernel has the derivatives, and the plan sees the determinant.
   [[nodiscard]] ConstIntervalVector monotone() noexcept;
-  /// What each variable that may be split adds to the width, roughly; 0 where that is not known.
+  /// Computes what each variable that may be split adds to the width, roughly; 0 if unknown.
   void approx_impact(PointVector impact) noexcept;
 
  private:

@@ -8,7 +8,7 @@ MidpointDeterminants approx_midpoint_determinants(Batch& batch, LaneMask lanes,
   MidpointDeterminants midpoint_determinants;
   midpoint_determinants.lanes = lanes & batch.midpoint_defined() & batch.midpoint_inside();
   for_each_lane(midpoint_determinants.lanes, [&](std::size_t lane) {
-    // A matrix that elimination breaks down on has no inverse: as small as it gets.
+    // If elimination breaks down on a matrix, it has no inverse; its determinant counts as 0.
     double approx = 0.0;
     if (has_lane(batch.preconditioned(), lane)) {
       approx = batch.approx_determinant(lane);

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// Up to eight boxes on their way from the frontier through the tests and back, with what is to
-// become of each. Everything in it follows from the boxes and the threshold of costly tests alone:
-// which thread decided them, and when, leaves no trace.
+// Up to eight boxes on their way from the frontier through the tests and back, and the decision
+// about each. All of it depends only on the boxes and on the threshold of costly tests. It does not
+// depend on which thread decided them, or when.
 #pragma once
 
 #include <algorithm>
@@ -15,33 +15,33 @@
 
 namespace regulus {
 
-/// What is to become of one box.
+/// The decision about one box.
 struct Decision {
   enum class Kind : std::uint8_t { kLeaf, kSplit };
   Kind kind = Kind::kLeaf;
-  Rule rule = Rule::kBlocked;           ///< of a leaf
-  Reason reason = Reason::kWidth;       ///< kWitness: which proof; kBlocked: what blocks
-  std::uint32_t variable = 0;           ///< to split in
+  Rule rule = Rule::kBlocked;           ///< if it is a leaf
+  Reason reason = Reason::kWidth;       ///< kWitness: which proof; kBlocked: the reason
+  std::uint32_t variable = 0;           ///< to split
   std::size_t order = 0;                ///< entries of v
   std::size_t filter = 0;               ///< kFilter: which of Settings::filters
   std::optional<Interval> determinant;  ///< if the settings ask for it
   std::optional<Witness> witness;       ///< kWitness
 };
 
-/// det A, with α > 0 det J⁻¹, at the middle of each box, to nearest. Lanes without are those whose
-/// middle is outside a constraint, or where A is not defined.
+/// det A, or det J⁻¹ if α > 0, at the middle of each box, to nearest. A lane has none if its middle
+/// is outside a constraint, or if A is not defined there.
 struct MidpointDeterminants {
   LaneMask lanes = 0;
   double approx[kLanes];
 };
 
-/// Requires  Batch::approx_row_scale where `scaled`.
+/// Requires  Batch::approx_row_scale, if `scaled` is true.
 [[nodiscard]] MidpointDeterminants approx_midpoint_determinants(Batch& batch, LaneMask lanes,
                                                                 bool scaled) noexcept;
 
 class Decisions {
  public:
-  /// Room for a problem of that size, v of that order.
+  /// Makes room for a problem of that size, and for v of that order.
   Decisions(const regulus_kernel& kernel, std::size_t order)
       : variables_(kernel.variables),
         points_(std::size_t{kernel.rows} * kernel.columns * kLanes),
@@ -55,7 +55,7 @@ class Decisions {
     budget = {};
     forget_attempt();
   }
-  /// The boxes stay, and the threshold of their budget.
+  /// Keeps the boxes and the threshold of their budget.
   void forget_attempt() noexcept {
     decided = false;
     budget.anyway = 0;
@@ -75,7 +75,7 @@ class Decisions {
     return {boxes_.data() + lane * variables_, variables_};
   }
 
-  /// Copies the proofs of a batch that is about to be used again.
+  /// Copies the proofs of a batch that will be used again.
   void keep_proofs(Batch& batch) noexcept {
     std::copy_n(batch.preconditioner().data(), points_, preconditioner_.get());
     std::copy_n(batch.vector().data(), order_, vector_.get());

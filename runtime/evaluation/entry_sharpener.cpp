@@ -93,7 +93,7 @@ bool EntrySharpener::seen_before(std::size_t e, std::size_t lane) const noexcept
                      [&](const Trend& earlier) { return earlier == trend || earlier == opposite; });
 }
 
-/// The face on which entries of this trend are least.
+/// Adds the face on which entries of this trend are least.
 void EntrySharpener::add_face(IntervalMatrix entries, std::size_t lane, Trend trend) noexcept {
   for (std::size_t k = 0; k < lanes_.variables(); ++k) {
     const double lo = lanes_.boxes().lower(k, lane);
@@ -130,7 +130,7 @@ void EntrySharpener::evaluate_faces(IntervalMatrix entries) noexcept {
   faces_ = 0;
 }
 
-/// Kernels want eight proper boxes.
+/// Fills the other lanes: kernels need eight proper boxes.
 void EntrySharpener::fill_up() noexcept {
   const std::size_t points = midpoint_.preconditioner().size();
   for (std::size_t f = faces_; f < kLanes; ++f) {

@@ -10,8 +10,8 @@ namespace regulus {
 
 /// Narrows the entries of the method's matrix by their derivatives over the box: by the mean value
 /// theorem, and by evaluating them on the faces where they are least and greatest. Faces are
-/// collected and evaluated eight at a time: entries of one trend share them, and the lower face of
-/// one trend is the upper face of its opposite.
+/// collected and evaluated eight at a time. Entries of one trend share faces, and the lower face of
+/// one trend is the upper face of the opposite trend.
 class EntrySharpener {
  public:
   /// All must outlive this object.
@@ -23,10 +23,10 @@ class EntrySharpener {
   void sharpen(IntervalMatrix entries, LaneMask lanes) noexcept;
 
  private:
-  /// Variables beyond these are taken as not monotone.
+  /// Variables from this number on count as not monotone.
   static constexpr std::size_t kMaxMonotone = 64;
 
-  /// The variables an entry rises and falls with, as bits; none where it does not depend on one.
+  /// The variables with which an entry rises and falls, as bits; none if it is independent of one.
   struct Trend {
     std::uint64_t rising = 0;
     std::uint64_t falling = 0;

@@ -4,7 +4,7 @@
 namespace regulus {
 namespace {
 
-/// Left products have their own derivatives; the others get theirs from those of A.
+/// Left products have their own derivatives; those of the others follow from those of A.
 bool knows_derivatives(const regulus_kernel& kernel, ProductForm form) noexcept {
   if (form == ProductForm{ProductForm::Side::kLeft, false} && kernel.left_product != nullptr)
     return kernel.left_derivatives != nullptr;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What the evaluators of a Batch need to know about the problem and the method.
+// The properties of the problem and the method that the evaluators of a Batch need.
 #pragma once
 
 #include "runtime/problem/problem.hpp"
@@ -7,8 +7,8 @@
 namespace regulus {
 
 struct EvaluationPlan {
-  ProductForm form;           ///< of the matrix that the method looks at
-  bool sharpens;              ///< its entries, by their derivatives
+  ProductForm form;           ///< of the matrix that the method uses
+  bool sharpens;              ///< narrows its entries by their derivatives
   bool sees_mean_values;      ///< the method uses them and the kernel has derivatives
   bool sees_determinant;      ///< the method uses its closed form
   std::size_t splittable;     ///< the variables 0 … splittable − 1 may be split

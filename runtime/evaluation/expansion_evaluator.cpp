@@ -49,7 +49,7 @@ ExpansionEvaluator::ExpansionEvaluator(const BoxLanes& lanes, MidpointEvaluator&
       row_second_(room_for(expansion_.row_second)),
       bounds_(order() * order() * kLanes) {}
 
-/// The point to expand at, and how far from it the box reaches.
+/// Loads the point of expansion, and the distances from it to the ends of the box.
 void ExpansionEvaluator::load_expansion_point() noexcept {
   const std::size_t count = point_known_ ? lanes_.changing() : lanes_.variables();
   point_known_ = true;
@@ -97,7 +97,7 @@ void ExpansionEvaluator::compute() noexcept {
   defined &= call_listed(expansion_.row_first, point, row_first_);
   defined &= call_listed(expansion_.second, lanes_.boxes(), second_);
   defined &= call_listed(expansion_.row_second, lanes_.boxes(), row_second_);
-  // Any of the kernel's functions says where A is not defined.
+  // Any function of the kernel reports where A is not defined.
   if (expansion_.second.function == nullptr && expansion_.row_second.function == nullptr)
     static_cast<void>(product_.product({}, defined));
   const PointMatrix T(bounds_.get(), order(), order());
@@ -128,9 +128,9 @@ LaneMask ExpansionEvaluator::certain_by_orthants(ConstPointVector guess, LaneMas
   return second_order_.certain_by_orthants(input(), T, guess, lanes, orthant_hint_);
 }
 
-/// Where the bounds over a box are not defined, the first derivatives at its middle say what moves
-/// K·A most. Where these are not defined either they are [−∞, ∞], and no variable is better than
-/// another.
+/// If the bounds over a box are not defined, uses the first derivatives at its middle: they show
+/// which variables move K·A most. If these are not defined either, they are [−∞, ∞], and no
+/// variable is better than another.
 void ExpansionEvaluator::add_impact_at_center(LaneMask lanes, PointVector impact) const noexcept {
   for_each_lane(lanes, [&](std::size_t lane) {
     for (unsigned d = 0; d < expansion_.first.count; ++d) {

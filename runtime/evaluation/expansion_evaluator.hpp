@@ -18,16 +18,16 @@ class ExpansionEvaluator {
   void forget() noexcept { computed_.forget(); }
 
   [[nodiscard]] std::size_t order() const noexcept { return second_order_.order(); }
-  /// T, of order order(); +∞ in lanes without.
+  /// Returns T, of order order(); +∞ in lanes without T.
   [[nodiscard]] ConstPointMatrix bounds() noexcept;
-  /// The lanes that have one.
+  /// Returns the lanes that have T.
   [[nodiscard]] LaneMask defined() noexcept;
-  /// Upper bounds of |det K(t)|/|det K| for the preconditioner that belongs to T.
+  /// Returns upper bounds of |det K(t)|/|det K| for the preconditioner that belongs to T.
   [[nodiscard]] LaneNumbers moving_determinant_ru() noexcept;
-  /// SecondOrderBounds::certain_by_orthants on T; guess: its right Perron vector.
+  /// Calls SecondOrderBounds::certain_by_orthants on T; guess: its right Perron vector.
   [[nodiscard]] LaneMask certain_by_orthants(ConstPointVector guess, LaneMask lanes) noexcept;
-  /// What each variable adds to the spectral radius of T, roughly; in lanes without T how far it
-  /// moves K·A to first order.
+  /// Computes what each variable adds to the spectral radius of T, roughly. In lanes without T: how
+  /// far it moves K·A to first order.
   void approx_impact(PerronVectors vectors, PointVector impact) noexcept;
 
  private:

@@ -14,9 +14,9 @@ class FirstOrderBounds {
 
   void forget() noexcept;
 
-  /// P from natural entries; +∞ in lanes without.
+  /// Returns P from natural entries; +∞ in lanes without P.
   [[nodiscard]] ConstPointMatrix natural() noexcept;
-  /// The same P, lowered to the mean-value bound where that is smaller.
+  /// Returns the same P, lowered to the mean-value bound if that is smaller.
   [[nodiscard]] ConstPointMatrix mean_value() noexcept;
 
  private:

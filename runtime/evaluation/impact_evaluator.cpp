@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// Let M be the matrix that the method looks at, N an inverse of its middle. NM is regular where the
-// spectral radius of |NM − I| is below 1; with the Perron vectors v and y of that matrix, a change
-// by E of M's radii moves it by about yᵀ|N|E v.
+// Let M be the matrix that the method uses, and N an inverse of its middle. NM is regular if the
+// spectral radius of |NM − I| is below 1. Let v and y be the Perron vectors of that matrix. Then a
+// change by E of M's radii moves the spectral radius by about yᵀ|N|E v.
 #include "runtime/evaluation/impact_evaluator.hpp"
 
 #include <algorithm>
@@ -36,7 +36,7 @@ PerronVectors ImpactEvaluator::vectors() noexcept {
 
 PointVector ImpactEvaluator::impact() noexcept { return PointVector(impact_.get(), variables_); }
 
-/// |NM − I| for the method's M; with a neutral 1 where nothing is known.
+/// Computes |NM − I| for the method's M; uses a neutral 1 if nothing is known.
 void ImpactEvaluator::approx_distances(PointMatrix P) noexcept {
   const std::size_t n = columns_;
   LaneMask known = from_.midpoint.preconditioned();
@@ -60,7 +60,7 @@ void ImpactEvaluator::approx_distances(PointMatrix P) noexcept {
   });
 }
 
-/// Of a copy, with a neutral 1 where nothing is known: the bounds themselves stay bounds.
+/// Works on a copy, with a neutral 1 if nothing is known: the bounds themselves must not change.
 LaneNumbers ImpactEvaluator::perron_of(ConstPointMatrix bounds) noexcept {
   double P[kMaxOrder * kMaxOrder * kLanes];
   for (std::size_t i = 0; i < bounds.size() * kLanes; ++i)
@@ -92,7 +92,7 @@ ConstPointVector ImpactEvaluator::approx_right_vector() noexcept {
   return vectors().right;
 }
 
-/// Of entry row·n + column of M.
+/// Weighs entry row·n + column of M.
 void ImpactEvaluator::weigh(std::size_t variable, std::size_t entry,
                             const double* magnitude) noexcept {
   const double* v = right_.get() + point_at(entry % columns_, 0);
@@ -101,7 +101,7 @@ void ImpactEvaluator::weigh(std::size_t variable, std::size_t entry,
     impact_[point_at(variable, lane)] += y[lane] * magnitude[lane] * v[lane];
 }
 
-/// y ← |N|ᵀy, so that rows of M are weighed instead of rows of NM.
+/// Replaces y by |N|ᵀy, so that rows of M are weighed instead of rows of NM.
 void ImpactEvaluator::weigh_rows() noexcept {
   const std::size_t n = columns_;
   const ConstPointMatrix K = from_.midpoint.preconditioner();
@@ -125,14 +125,14 @@ void ImpactEvaluator::from_derivatives() noexcept {
                           from_.lanes.radii().at(k, lane);
       weigh(k, e, magnitude);
     }
-  // No variable is better than another: the relatively widest is split.
+  // No variable is better than another, so the relatively widest one is split.
   for_each_lane(kAllLanes & ~from_.derivatives.defined(), [this](std::size_t lane) {
     for (std::size_t k = 0; k < variables_; ++k) impact_[point_at(k, lane)] = 0.0;
   });
 }
 
-/// By how much the entries shrink when one variable is fixed at its midpoint: what a test on
-/// enclosures stands to gain, true influence and overestimation alike.
+/// Computes how much the entries shrink if one variable is fixed at its midpoint. A test on
+/// enclosures could gain this much; it includes both true influence and overestimation.
 void ImpactEvaluator::from_fixing() noexcept {
   const BoxLanes& lanes = from_.lanes;
   LaneMask known = lanes.loaded();

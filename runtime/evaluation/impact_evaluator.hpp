@@ -9,11 +9,11 @@
 
 namespace regulus {
 
-/// Estimates what each variable contributes to the obstacle before a method's test. Heuristics
-/// throughout: they choose where to split and decide nothing.
+/// Estimates how much each variable contributes to the failure of a method's test. These are
+/// heuristics: they choose where to split and decide nothing.
 class ImpactEvaluator {
  public:
-  /// All that it reads; each must outlive this object.
+  /// All objects that it reads; each must outlive this object.
   struct Sources {
     const BoxLanes& lanes;
     MidpointEvaluator& midpoint;
@@ -28,13 +28,13 @@ class ImpactEvaluator {
 
   void forget() noexcept;
 
-  /// Spectral radius of T, or of P where there is no T.
+  /// Returns the spectral radius of T, or of P if there is no T.
   [[nodiscard]] double approx_spectral_radius(std::size_t lane) noexcept;
-  /// The right Perron vector of that matrix.
+  /// Returns the right Perron vector of that matrix.
   [[nodiscard]] ConstPointVector approx_right_vector() noexcept;
-  /// What each variable adds to the spectral radius of T or, without it, of |NM − I|, where M is
-  /// the matrix the method looks at and N inverts its middle: K for A itself, I for a product with
-  /// K; for the method closed-form what it adds to the width of the determinant.
+  /// Returns what each variable adds to the spectral radius of T or, if there is no T, of |NM − I|.
+  /// M is the matrix that the method uses, and N inverts its middle: K for A itself, I for a
+  /// product with K. For the method closed-form: what it adds to the width of the determinant.
   [[nodiscard]] ConstPointVector approx_impact() noexcept;
 
  private:

@@ -10,7 +10,7 @@ namespace {
 
 using Side = ProductForm::Side;
 
-/// Σ kₚ·mₚ for eight lanes of points kₚ and intervals mₚ, bounded outward at the end.
+/// Sums kₚ·mₚ for eight lanes of points kₚ and intervals mₚ; rounds outward at the end.
 ///
 /// Rounding  The bound of a product is one of k·lo and k·hi, rounded; with t terms and u = 2^-52
 ///           (any mode) the sums are off by at most ((1+u)^(t+1) − 1)·Σ|k|·mag m + t·2^-1074, and

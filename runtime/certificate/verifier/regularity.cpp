@@ -183,8 +183,8 @@ Interval RegularityTest::determinant_of_K() const {
   return determinant(inverse_.K(), n, kBits).enclosure() * apply(Op::kExp, exponent);
 }
 
-/// Returns, roughly, how much each variable prevents that P, or T, is dominated. If only the
-/// threshold is not reached yet, it is the influence on the determinant.
+/// Returns, roughly, how much each variable keeps P, or T, from being dominated. If only the
+/// threshold is not reached, the influence on the determinant counts.
 std::vector<double> RegularityTest::impacts() const {
   std::vector<double> impact(q_.variables.size(), 0.0);
   if (stage_ == Stage::kNothing) return impact;
