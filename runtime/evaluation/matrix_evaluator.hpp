@@ -6,29 +6,29 @@
 
 namespace regulus {
 
-/// The kernel's function for a product with K; null for A, for numeric products and where the
+/// Returns the kernel's function for a product with K; null for A, for numeric products, and if the
 /// kernel has none.
 [[nodiscard]] regulus_function symbolic_product(const regulus_kernel& kernel,
                                                 ProductForm form) noexcept;
 
-/// K·A, A·K of eight matrices A.
+/// Computes K·A, A·K of eight matrices A.
 ///
 /// Shape     A m×n, K n×m, product n×n, m×m.
 /// Rounding  outward.
 void multiply_left(ConstIntervalMatrix A, ConstPointMatrix K, IntervalMatrix product) noexcept;
 void multiply_right(ConstIntervalMatrix A, ConstPointMatrix K, IntervalMatrix product) noexcept;
 
-/// Evaluates the matrix that the method looks at on any eight boxes and with any K.
+/// Evaluates the matrix that the method uses on any eight boxes and with any K.
 class MatrixEvaluator {
  public:
   MatrixEvaluator(const BoxLanes& lanes, ProductForm form);
 
-  /// The lanes in which `matrix` is an enclosure. The boxes lie within those loaded; K is within
-  /// the contract of kernels.
+  /// Returns the lanes in which `matrix` is an enclosure. The boxes lie within the loaded boxes,
+  /// and K is within the contract of kernels.
   LaneMask evaluate(ConstIntervalVector boxes, ConstPointMatrix K, IntervalMatrix matrix) noexcept;
 
   [[nodiscard]] ProductForm form() const noexcept { return form_; }
-  /// Rows and columns of a product, those of A for no product.
+  /// The rows and columns of a product; if there is no product, those of A.
   [[nodiscard]] std::size_t rows(ProductForm form) const noexcept;
   [[nodiscard]] std::size_t columns(ProductForm form) const noexcept;
 
@@ -48,11 +48,11 @@ class DerivativeEvaluator {
 
   void forget() noexcept { computed_.forget(); }
 
-  /// The lanes in which they are enclosed.
+  /// Returns the lanes in which they are enclosed.
   [[nodiscard]] LaneMask defined() noexcept;
-  /// A row for each variable: the entries of its derivative.
+  /// Returns a row for each variable: the entries of its derivative.
   [[nodiscard]] ConstIntervalMatrix derivatives() noexcept;
-  /// Leaves fewer lanes defined.
+  /// Removes all other lanes from the defined ones.
   void keep(LaneMask lanes) noexcept { defined_ &= lanes; }
 
  private:

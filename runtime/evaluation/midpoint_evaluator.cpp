@@ -57,7 +57,7 @@ ConstPointMatrix MidpointEvaluator::preconditioner() noexcept {
   return ConstPointMatrix(preconditioner_.get(), columns_, rows_);
 }
 
-/// Heuristic: in plain doubles, of the midpoint alone.
+/// A heuristic: it uses plain doubles and the midpoint alone.
 LaneMask MidpointEvaluator::poorly_preconditioned() noexcept {
   constexpr double kPoor = 0.25;
   LaneMask good = preconditioned();

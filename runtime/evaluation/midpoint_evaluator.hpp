@@ -5,24 +5,24 @@
 
 namespace regulus {
 
-/// Evaluates A at the midpoints of the boxes and inverts it to the preconditioner K.
+/// Evaluates A at the midpoints of the boxes and inverts it: this is the preconditioner K.
 class MidpointEvaluator {
  public:
   explicit MidpointEvaluator(const BoxLanes& lanes);
 
   void forget() noexcept { computed_.forget(); }
 
-  /// A is defined at the midpoint.
+  /// Lanes in which A is defined at the midpoint.
   [[nodiscard]] LaneMask defined() noexcept;
-  /// A is defined at the midpoint and K was found.
+  /// Lanes in which A is defined at the midpoint and K was found.
   [[nodiscard]] LaneMask preconditioned() noexcept;
-  /// K, n×m; 0 in lanes without.
+  /// Returns K, n×m; 0 in lanes without K.
   [[nodiscard]] ConstPointMatrix preconditioner() noexcept;
-  /// There is no K, or K·A is so far from the identity even at the midpoint that tests on K·A fail
-  /// for boxes of any size: A is too close to a singular matrix for the digits that K has.
+  /// Lanes without K, or in which K·A is far from the identity even at the midpoint, so that tests
+  /// on K·A fail for boxes of any size: A is too close to singular for K's digits.
   [[nodiscard]] LaneMask poorly_preconditioned() noexcept;
   [[nodiscard]] Interval preconditioner_determinant(std::size_t lane) noexcept;
-  /// det A to nearest.
+  /// Returns det A, to nearest.
   [[nodiscard]] double approx_determinant(std::size_t lane) noexcept;
 
  private:

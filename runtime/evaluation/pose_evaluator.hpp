@@ -5,7 +5,7 @@
 
 namespace regulus {
 
-/// Tells which boxes and midpoints the constraints leave, where the pose is defined, and how the
+/// Finds which boxes and midpoints satisfy the constraints, where the pose is defined, and how the
 /// rows are scaled there.
 class PoseEvaluator {
  public:
@@ -13,7 +13,7 @@ class PoseEvaluator {
 
   void forget() noexcept;
 
-  // Over the boxes. Masks speak of all points of a box.
+  // Over the boxes. A lane is in a mask if the statement holds at all points of its box.
 
   /// Some constraint is certainly positive.
   [[nodiscard]] LaneMask certain_outside() noexcept;
@@ -30,7 +30,7 @@ class PoseEvaluator {
   [[nodiscard]] LaneMask midpoint_outside() noexcept;
   [[nodiscard]] double approx_row_scale(std::size_t lane) noexcept;
 
-  /// What holds for the box of lane 0 holds for all boxes to come.
+  /// Declares that what holds for the box of lane 0 holds for all boxes to come.
   void learn_from_root() noexcept { posed_everywhere_ = has_lane(certain_posed(), 0); }
 
  private:

@@ -28,7 +28,7 @@ void ProductEvaluator::forget() noexcept {
     enclosure->computed.forget();
 }
 
-/// Where the kernel has no function for a product it is made of A.
+/// If the kernel has no function for a product, the product is computed from A.
 ProductEvaluator::Enclosure& ProductEvaluator::enclosure_of(ProductForm form) noexcept {
   if (form.side == Side::kNone) return plain_;
   const bool symbolic = symbolic_product(kernel_, form) != nullptr;

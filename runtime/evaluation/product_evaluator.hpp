@@ -17,8 +17,8 @@ class ProductEvaluator {
 
   void forget() noexcept;
 
-  /// K·A, A·K or A; lanes that are not defined are taken out of `lanes`. The matrix of the method
-  /// is sharpened in the lanes of the first call, if the plan says so.
+  /// Returns K·A, A·K or A; removes lanes that are not defined from `lanes`. The matrix of the
+  /// method is sharpened in the lanes of the first call, if the plan says so.
   [[nodiscard]] ConstIntervalMatrix product(ProductForm form, LaneMask& lanes) noexcept;
 
  private:

@@ -11,10 +11,10 @@ namespace {
 
 using Side = ProductForm::Side;
 
-/// Larger determinants are not worth their expansion where K is of no use.
+/// Larger determinants are not expanded where K does not help: this would cost too much.
 constexpr std::size_t kMaxFallback = 8;
 
-/// Lower bounds of |det A| decide against the threshold; α = 0 needs only their sign.
+/// Compares lower bounds of |det A| with the threshold; α = 0 needs only their sign.
 template <typename LowerBound>
 LaneMask above_threshold(Batch& batch, LaneMask lanes, LowerBound&& lower_rd) noexcept {
   LaneMask certain = 0;
@@ -24,7 +24,7 @@ LaneMask above_threshold(Batch& batch, LaneMask lanes, LowerBound&& lower_rd) no
   return certain;
 }
 
-/// Pv < v for P ≥ |KA − I|, or Tv < v for T ≥ |B − I| with det B = det KA.
+/// Tests Pv < v for P ≥ |KA − I|, or Tv < v for T ≥ |B − I| with det B = det KA.
 class HMatrixTest final : public RegularityTest {
  public:
   HMatrixTest(Rule rule, double alpha) noexcept : RegularityTest(rule), alpha_(alpha) {}
@@ -62,8 +62,8 @@ class HMatrixTest final : public RegularityTest {
   double alpha_;
 };
 
-/// The same T, direction by direction, where its spectral radius exceeds 1 by little enough. It
-/// shows regularity, not a distance from it: α = 0 only.
+/// Tests the same T, direction by direction, if its spectral radius exceeds 1 only slightly. It
+/// shows regularity, but no distance from singularity: α = 0 only.
 class OrthantTest final : public RegularityTest {
  public:
   OrthantTest() noexcept : RegularityTest(Rule::kOrthants) {}
@@ -81,7 +81,7 @@ class OrthantTest final : public RegularityTest {
   }
 };
 
-/// An interval determinant of A, or of its product with K divided by that of K.
+/// Bounds the determinant of A, or that of its product with K divided by that of K.
 class DeterminantTest final : public RegularityTest {
  public:
   DeterminantTest(Rule rule, ProductForm form, double alpha) noexcept
@@ -114,8 +114,8 @@ class DeterminantTest final : public RegularityTest {
   double alpha_;
 };
 
-/// A DeterminantTest of A where K is of no use: A is nearly singular there, or its scales are too
-/// far apart, and K·A cannot show that it is regular.
+/// A DeterminantTest of A where K does not help: A is nearly singular there, or its scales are too
+/// different, so K·A cannot show that A is regular.
 class FallbackTest final : public RegularityTest {
  public:
   FallbackTest(Rule rule, double alpha) noexcept : RegularityTest(rule), test_(rule, {}, alpha) {}
@@ -130,7 +130,7 @@ class FallbackTest final : public RegularityTest {
   DeterminantTest test_;
 };
 
-/// The determinant as one expression of the variables: no dependency between entries is lost.
+/// Uses the determinant as one expression of the variables: it keeps dependencies of entries.
 class ClosedFormTest final : public RegularityTest {
  public:
   ClosedFormTest() noexcept : RegularityTest(Rule::kClosedForm) {}
@@ -143,7 +143,7 @@ class ClosedFormTest final : public RegularityTest {
   }
 
  private:
-  /// A lane that is not defined is enclosed by all numbers.
+  /// In a lane that is not defined, the enclosure is all numbers.
   static LaneMask certify(Batch& batch, LaneMask lanes, ConstIntervalVector determinant) noexcept {
     return above_threshold(batch, lanes, [&](std::size_t lane) {
       return mig(Interval{determinant.lower(0, lane), determinant.upper(0, lane)});
@@ -151,7 +151,7 @@ class ClosedFormTest final : public RegularityTest {
   }
 };
 
-/// Rohn's vertex determinants. They show regularity, not a distance from it: α = 0 only.
+/// Rohn's vertex determinants. They show regularity, but no distance to singular: α = 0 only.
 class RohnTest final : public RegularityTest {
  public:
   explicit RohnTest(ProductForm form) noexcept : RegularityTest(Rule::kRohn), form_(form) {}
@@ -166,7 +166,7 @@ class RohnTest final : public RegularityTest {
   ProductForm form_;
 };
 
-/// A test that is not ours. That J⁻¹ and the pose are defined is shown by us all the same.
+/// A user's test. This class itself shows that J⁻¹ and the pose are defined.
 class FilterTest final : public RegularityTest {
  public:
   FilterTest(const regulus_filter_interface& filter, double alpha) noexcept
@@ -193,7 +193,7 @@ bool with_rohn(Method method) noexcept {
   return method == Method::kRegRohn || method == Method::kKjRohn || method == Method::kJkRohn;
 }
 
-/// Ours, in the order of the method's name.
+/// Returns the built-in tests, in the order of the method's name.
 TestSequence tests_of_method(const Problem& problem, const Settings& settings,
                              const RowStructure& structure) {
   const double alpha = problem.alpha.hi;
@@ -201,7 +201,7 @@ TestSequence tests_of_method(const Problem& problem, const Settings& settings,
   const Ingredients& use = settings.ingredients;
   TestSequence tests;
   if (settings.method == Method::kAuto) {
-    // Where quantities touch one row only, bounds that are blind to it are far wider.
+    // If quantities touch one row only, bounds that do not use this are far wider.
     if (structure.empty() && use.natural)
       tests.push_back(std::make_unique<HMatrixTest>(Rule::kHMatrix, alpha));
     if (structure.empty() && use.mean_value && kernel.left_derivatives != nullptr &&
@@ -224,7 +224,7 @@ TestSequence tests_of_method(const Problem& problem, const Settings& settings,
   const bool rohn = with_rohn(settings.method) && alpha == 0.0;
   if (settings.determinant != Determinant::kElimination)
     tests.push_back(std::make_unique<DeterminantTest>(Rule::kDeterminant, form, alpha));
-  // What elimination shows regular, Rohn's test does too.
+  // If elimination shows that a matrix is regular, Rohn's test does too.
   if (settings.determinant == Determinant::kElimination ||
       (settings.determinant == Determinant::kBoth && !rohn))
     tests.push_back(std::make_unique<DeterminantTest>(Rule::kElimination, form, alpha));

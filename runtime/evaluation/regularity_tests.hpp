@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The regularity tests a method is made of, each on eight boxes at a time.
+// The regularity tests of a method, each on eight boxes at a time.
 #pragma once
 
 #include <memory>
@@ -23,7 +23,7 @@ class RegularityTest {
   /// Ensures   in each returned lane, a subset of `lanes`: at every point of the box J⁻¹ is defined
   ///           and has full column rank, and |det J⁻¹| > α if α > 0.
   ///
-  /// A test that costs much more than others is tried where `budget` says, once in a lane.
+  /// A test that costs much more than others runs once in a lane, if `budget` allows it.
   [[nodiscard]] virtual LaneMask certify(Batch& batch, LaneMask lanes,
                                          TestBudget& budget) noexcept = 0;
 
@@ -33,7 +33,7 @@ class RegularityTest {
 
 using TestSequence = std::vector<std::unique_ptr<RegularityTest>>;
 
-/// The tests of settings.method in the order in which they are to be tried, then settings.filters.
+/// Returns the tests of settings.method in the order of their use, then settings.filters.
 [[nodiscard]] TestSequence make_tests(const Problem& problem, const Settings& settings,
                                       const RowStructure& structure);
 

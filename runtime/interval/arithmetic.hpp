@@ -7,7 +7,7 @@
 //
 // An operation that is not defined everywhere has two forms. f(x, undefined) sets `undefined` when
 // some point of the argument is outside the domain, and then returns [−∞, ∞]; it never clears it.
-// f(x) returns [−∞, ∞] there without telling.
+// f(x) returns [−∞, ∞] there without a report.
 #pragma once
 
 #include "runtime/interval/type.hpp"
@@ -79,13 +79,13 @@ inline Interval& operator/=(Interval& x, Interval y) noexcept { return x = x / y
   return sqrt(x, undefined);
 }
 
-/// 2^e·x for any e: exact but for overflow and underflow, where a bound moves outward to the next
-/// double.
+/// Returns 2^e·x for any e. It is exact except for overflow and underflow, where a bound moves
+/// outward to the next double.
 [[nodiscard]] Interval times_power_of_two(Interval x, int e) noexcept;
 
-/// xⁿ for any n; x⁰ = 1. Undefined where x = 0 when n < 0. Tight for |n| ≤ 1 and n = 2. Otherwise
-/// each multiplication of binary powering rounds outward, and the quotient of a negative power
-/// does. None of these overflows or underflows: only the result may.
+/// Returns xⁿ for any n; x⁰ = 1. Undefined where x = 0 if n < 0. Tight for |n| ≤ 1 and n = 2.
+/// Otherwise each multiplication of binary powering rounds outward, and so does the quotient of a
+/// negative power. None of these overflows or underflows: only the result may.
 [[nodiscard]] Interval pow(Interval x, int n, bool& undefined) noexcept;
 [[nodiscard]] Interval pow(Interval x, int n) noexcept;
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Elementary functions on intervals. No library function takes part in a bound: the evaluators and
-// the arguments for their error bounds are in runtime/interval/elementary/.
+// Elementary functions on intervals. No bound uses a library function: the evaluators and the
+// arguments for their error bounds are in runtime/interval/elementary/.
 //
 // Requires  MXCSR at nearest (runtime/interval/rounding.hpp).
 // Ensures   f(t) ∈ result for every t ∈ x, and no bound lies further out than stated, in units in
@@ -17,7 +17,7 @@ namespace regulus {
 /// Beyond this magnitude the argument of sin, cos and tan is not reduced.
 inline constexpr double kTrigonometricLimit = 0x1p20;
 
-/// 2 ulp; [−1, 1] when a bound of x exceeds kTrigonometricLimit.
+/// 2 ulp; [−1, 1] if a bound of x exceeds kTrigonometricLimit.
 [[nodiscard]] Interval sin(Interval x) noexcept;
 [[nodiscard]] Interval cos(Interval x) noexcept;
 
@@ -25,10 +25,10 @@ struct SinCos {
   Interval sin;
   Interval cos;
 };
-/// Both for little more than the price of one; bit for bit sin(x) and cos(x).
+/// Computes both for little more than the cost of one; bit for bit sin(x) and cos(x).
 [[nodiscard]] SinCos sincos(Interval x) noexcept;
 
-/// 4 ulp. Undefined where cos x = 0, and when a bound exceeds kTrigonometricLimit.
+/// 4 ulp. Undefined where cos x = 0, and if a bound exceeds kTrigonometricLimit.
 [[nodiscard]] Interval tan(Interval x, bool& undefined) noexcept;
 [[nodiscard]] Interval tan(Interval x) noexcept;
 
@@ -41,8 +41,8 @@ struct SinCos {
 /// 2 ulp.
 [[nodiscard]] Interval atan(Interval x) noexcept;
 
-/// The angle of the points (x, y), in (−π, π). 4 ulp. Undefined where y = 0 and x ≤ 0: on the cut
-/// the angle jumps, at the origin there is none.
+/// Returns the angle of the points (x, y), in (−π, π). 4 ulp. Undefined where y = 0 and x ≤ 0: on
+/// the cut the angle jumps, and at the origin there is none.
 [[nodiscard]] Interval atan2(Interval y, Interval x, bool& undefined) noexcept;
 [[nodiscard]] Interval atan2(Interval y, Interval x) noexcept;
 

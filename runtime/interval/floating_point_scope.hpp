@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
-// Sets the floating-point environment for a scope and puts the caller's back at its end.
+// Sets the floating-point environment for a scope, and restores the caller's at its end.
 //
-// The hazard: a compiler knows nothing of the rounding mode. It may move an addition from inside
-// the scope to before it or past its end, because to the compiler nothing connects the two. The
-// rule: the scope's own function does no floating-point work; it calls a function that cannot be
-// inlined (in another file, through a pointer, or [[gnu::noinline]]) and that takes its operands
+// The danger: a compiler does not know the rounding mode. It may move an addition from inside the
+// scope to a place before it or after it, because nothing it sees connects the two. The rule: the
+// function with the scope does no floating-point work itself. It calls a function that cannot be
+// inlined (in another file, through a pointer, or [[gnu::noinline]]) and that reads its operands
 // from memory.
 #pragma once
 
@@ -28,8 +28,8 @@ inline void write_mxcsr(unsigned value) noexcept {
   asm volatile("ldmxcsr %0" : : "m"(value) : "memory");
 }
 
-/// Ensures   until it is destroyed: the given rounding, FTZ and DAZ off, every exception masked.
-///           Then these are as before. Writes MXCSR only where that changes anything: it is slow.
+/// Ensures   during its life: the given rounding, FTZ and DAZ off, every exception masked. Then
+///           these are as before. It writes MXCSR only if that changes anything: it is slow.
 class FloatingPointScope {
  public:
   explicit FloatingPointScope(FloatingPointRounding rounding) noexcept : saved_(read_mxcsr()) {
@@ -55,7 +55,7 @@ class FloatingPointScope {
 
 #else
 
-/// As above, by the C library.
+/// The same, by the C library.
 class FloatingPointScope {
  public:
   explicit FloatingPointScope(FloatingPointRounding rounding) noexcept {

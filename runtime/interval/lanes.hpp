@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Eight boxes side by side: a lane each.
+// Eight boxes side by side; each has one lane.
 //
 // Arrays of exact doubles: entry e of a lane is x[e * kLanes + lane] ("point layout"). Arrays of
 // intervals: bound s (0 lower, 1 upper) of entry e is x[(2 * e + s) * kLanes + lane] ("interval
@@ -8,15 +8,15 @@
 
 #include <cstddef>
 
-/// For functions that files compiled for different instruction sets share: the linker must not
-/// replace the code of one by that of another.
+/// For functions that are shared by files compiled for different instruction sets: the linker must
+/// not replace the code of one by that of another.
 #define REGULUS_LANE_INLINE inline __attribute__((always_inline))
 
 namespace regulus {
 
 inline constexpr std::size_t kLanes = 8;
 
-/// Bit l speaks of lane l.
+/// Bit l belongs to lane l.
 using LaneMask = unsigned;
 inline constexpr LaneMask kAllLanes = (1U << kLanes) - 1;
 

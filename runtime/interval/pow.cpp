@@ -8,8 +8,8 @@
 namespace regulus {
 namespace {
 
-/// mantissa·2^exponent ≥ 0, the mantissa in [1, 2) or 0: a power has no overflow and no underflow
-/// before it is rounded to a double.
+/// The number mantissa·2^exponent ≥ 0, the mantissa in [1, 2) or 0. So a power cannot overflow or
+/// underflow before it is rounded to a double.
 struct Scaled {
   double mantissa;
   std::int64_t exponent;
@@ -25,7 +25,7 @@ double power_of_two(std::int64_t e) noexcept {
   return std::bit_cast<double>(static_cast<std::uint64_t>(e + kBias) << 52);
 }
 
-/// Exact. Requires x ≥ 0 and finite.
+/// Returns x exactly. Requires x ≥ 0 and finite.
 Scaled scaled(double x) noexcept {
   if (x == 0.0) return {0.0, 0};
   const std::int64_t shift = x < 0x1p-1022 ? 64 : 0;
@@ -35,7 +35,7 @@ Scaled scaled(double x) noexcept {
           exponent - shift};
 }
 
-/// The product of mantissas is in [1, 4]: rounded as it would be between 2^-1022 and 2^1024.
+/// The product of mantissas is in [1, 4]; it is rounded as between 2^-1022 and 2^1024.
 Scaled multiply(Scaled a, Scaled b, DirectedProduct product) noexcept {
   if (a.mantissa == 0.0 || b.mantissa == 0.0) return {0.0, 0};
   Scaled result = scaled(product(a.mantissa, b.mantissa));
@@ -43,8 +43,8 @@ Scaled multiply(Scaled a, Scaled b, DirectedProduct product) noexcept {
   return result;
 }
 
-/// The bound of mantissa·2^exponent on the side that `product` rounds to. A magnitude beyond 2^1100
-/// or below 2^-1200 is as good as any other.
+/// Returns the bound of mantissa·2^exponent on the side that `product` rounds to. All magnitudes
+/// beyond 2^1100 give the same bound, and so do all below 2^-1200.
 double rounded(Scaled x, DirectedProduct product) noexcept {
   if (x.exponent >= 1100) return product(kMaxDouble, 2.0);
   if (x.exponent < -1200) return x.mantissa == 0.0 ? 0.0 : product(kMinSubnormal, 0.5);
@@ -73,8 +73,8 @@ double power_ru(double x, unsigned n) noexcept {
   return x == kInfinity ? x : rounded(directed_power(x, n, mul_ru), mul_ru);
 }
 
-/// Bounds of x⁻ⁿ for x ≥ 0: 1 by the other bound of xⁿ. The mantissa of a power is in [1, 2), and
-/// so a quotient in (1/2, 1] that is not exact loses nothing to underflow. 1/0 is ∞, 1/∞ is 0.
+/// Bounds x⁻ⁿ for x ≥ 0: 1 divided by the other bound of xⁿ. The mantissa of a power is in [1, 2),
+/// so an inexact quotient is in (1/2, 1] and loses nothing to underflow. 1/0 is ∞, 1/∞ is 0.
 double reciprocal_power_rd(double x, unsigned n) noexcept {
   if (x == kInfinity) return 0.0;
   if (x == 0.0) return kInfinity;
@@ -98,7 +98,7 @@ Interval positive_power(Interval x, unsigned n) noexcept {
           x.hi >= 0 ? power_ru(x.hi, n) : -power_rd(-x.hi, n)};
 }
 
-/// x⁻ⁿ falls with |x| on either side of 0, which x does not contain.
+/// x⁻ⁿ decreases as |x| grows, on either side of 0. x does not contain 0.
 Interval negative_power(Interval x, unsigned n) noexcept {
   const Interval size{reciprocal_power_rd(mag(x), n), reciprocal_power_ru(mig(x), n)};
   return n % 2 == 1 && x.hi < 0 ? -size : size;
@@ -107,7 +107,7 @@ Interval negative_power(Interval x, unsigned n) noexcept {
 }  // namespace
 
 Interval times_power_of_two(Interval x, int e) noexcept {
-  // All steps go the same way: what one of them loses is lost in any order.
+  // All steps go in the same direction, so the order of the losses does not matter.
   while (e != 0 && x != Interval(0.0)) {
     const int step = std::clamp(e, -1000, 1000);
     x = x * Interval(power_of_two(step));

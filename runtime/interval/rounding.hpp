@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Directed bounds of one operation, computed with rounding to nearest: the sign of the exact error
-// of the nearest result tells whether it already is the bound or its neighbour is.
+// Directed bounds of one operation, computed with rounding to nearest. The sign of the exact error
+// of the nearest result shows if this result is the bound, or if its neighbour is.
 //
 // Requires  MXCSR at nearest, FTZ and DAZ off (runtime/interval/floating_point_scope.hpp), for
 //           everything in this header.
@@ -30,8 +30,8 @@ inline constexpr double kMinSubnormal = std::numeric_limits<double>::denorm_min(
 /// The greatest double < x; −∞ for −∞ and NaN for NaN.
 [[nodiscard]] inline double next_down(double x) noexcept { return -next_up(-x); }
 
-/// Doubles with the sign of (exact result − nearest result); NaN, or of either sign, where the
-/// nearest result or an operand is infinite.
+/// Doubles with the sign of (exact result − nearest result). If the nearest result or an operand is
+/// infinite, they are NaN or have either sign.
 namespace residual {
 
 inline constexpr double kTwo300 = 0x1p300;
@@ -95,8 +95,8 @@ inline constexpr double kTwo600 = 0x1p600;
 
 }  // namespace residual
 
-// An infinite operand stands for the limit of finite ones. An infinite result of finite operands is
-// an overflow: its inner bound is ±kMaxDouble.
+// An infinite operand means the limit of finite ones. An infinite result of finite operands is an
+// overflow: its inner bound is ±kMaxDouble.
 
 [[nodiscard]] inline double add_rd(double a, double b) noexcept {
   const double s = a + b;

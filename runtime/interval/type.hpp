@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The interval type, the questions one can ask it and the set operations that need no rounding.
+// The interval type, tests of it, and the set operations that need no rounding.
 #pragma once
 
 #include <algorithm>
@@ -12,8 +12,8 @@ namespace regulus {
 
 /// The closed set of the reals x with lo ≤ x ≤ hi.
 ///
-/// Ensures   lo ≤ hi, lo < +∞, hi > −∞, no NaN. Whatever else it is built from (a NaN, bounds in
-///           the wrong order, an infinite point) widens to [−∞, ∞]: it never shrinks a set.
+/// Ensures   lo ≤ hi, lo < +∞, hi > −∞, no NaN. Any other arguments (a NaN, bounds in the wrong
+///           order, an infinite point) give [−∞, ∞]: construction never shrinks a set.
 struct Interval {
   double lo = 0;
   double hi = 0;
@@ -33,7 +33,7 @@ struct Interval {
 inline constexpr Interval kEntire{-kInfinity, kInfinity};
 inline constexpr Interval kPi{0x1.921fb54442d18p+1, 0x1.921fb54442d19p+1};
 
-// Questions. certain_: for all points; possibly_: for some.
+// Tests. certain_: true for all points; possibly_: true for some.
 
 [[nodiscard]] constexpr bool is_thin(Interval x) noexcept { return x.lo == x.hi; }
 [[nodiscard]] constexpr bool is_bounded(Interval x) noexcept {
@@ -87,7 +87,7 @@ inline constexpr Interval kPi{0x1.921fb54442d18p+1, 0x1.921fb54442d19p+1};
   return contains_zero(x) ? 0 : std::max(x.lo, -x.hi);
 }
 
-/// Ensures   a finite point of x. Rounding: near the middle, no better is promised.
+/// Ensures   a finite point of x. Rounding: near the middle; nothing better is promised.
 [[nodiscard]] inline double mid(Interval x) noexcept {
   if (x == kEntire) return 0;
   if (x.lo == -kInfinity) return -kMaxDouble;

@@ -17,7 +17,7 @@ const X8Backend& x8_backend(Isa isa) noexcept {
 
 namespace {
 
-/// The evaluators are in other files and reached through a pointer, as the scope demands.
+/// The evaluators are in other files and called through a pointer, as the scope requires.
 unsigned call(X8Backend::Function X8Backend::*function, const double* in, double* out) noexcept {
   const FloatingPointScope nearest(FloatingPointRounding::kNearest);
   return (x8_backend(best_isa()).*function)(in, out);

@@ -8,7 +8,7 @@
 //           domain, or a bound of the result exceeds 2^128 in magnitude, or the argument has a NaN
 //           or its bounds in the wrong order. Their outputs are 0. In the other lanes the output is
 //           bit for bit that of the function of the same name in runtime/interval/elementary.hpp.
-// Rounding  any MXCSR: it is set to nearest inside and restored. No state is kept.
+// Rounding  any MXCSR: the function sets it to nearest and restores it. No state is kept.
 #pragma once
 
 extern "C" {
@@ -32,6 +32,6 @@ struct regulus_x8_function_table {
   unsigned count;
 };
 
-/// Every function above by its name, for a loader that resolves symbols itself.
+/// Returns every function above with its name, for a loader that resolves symbols itself.
 regulus_x8_function_table regulus_x8_functions();
 }

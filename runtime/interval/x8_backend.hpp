@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
-// The eight-lane functions compiled once per instruction set. What x8.hpp calls; tests call each.
+// The eight-lane functions, compiled once per instruction set. x8.hpp calls one; tests call each.
 #pragma once
 
 #include "runtime/interval/isa.hpp"
 
 namespace regulus {
 
-/// Each expects MXCSR at nearest and is otherwise as in runtime/interval/x8.hpp.
+/// Each requires MXCSR at nearest; everything else is as in runtime/interval/x8.hpp.
 struct X8Backend {
   using Function = unsigned (*)(const double* in, double* out) noexcept;
   Function sin, cos, sincos, tan, asin, acos, atan, atan2, exp, log;

@@ -30,7 +30,7 @@ inline void store(double* block, const Bounds<Vector>& value) noexcept {
 
 inline VectorMask malformed(const Bounds<Vector>& x) noexcept { return ~(x.lo <= x.hi); }
 
-/// Stores 0 in the undefined lanes, also where a bound exceeds what kernels may hold.
+/// Stores 0 in the undefined lanes, and in lanes where a bound exceeds the limit for kernels.
 inline unsigned store_defined(double* block, const Partial<Vector>& result) noexcept {
   const Vector limit = splat<Vector>(0x1p128);
   const VectorMask inside = (result.value.lo >= -limit) & (result.value.hi <= limit);

@@ -1,15 +1,15 @@
 // SPDX-License-Identifier: Apache-2.0
-// The contract between a generated kernel and everything that calls one. Valid C99 and C++, needs
-// no other header, so that code compiled in process can include it.
+// The contract between a generated kernel and its callers. It is valid C99 and C++, and needs no
+// other header, so that code compiled in process can include it.
 #pragma once
 
 enum { REGULUS_KERNEL_ABI = 3, REGULUS_LANES = 8 };
 
-/// How MXCSR must be set while a function of the kernel runs. The caller sets it and restores it.
+/// The MXCSR setting that a kernel's functions need. The caller sets it and restores it.
 enum { REGULUS_ROUND_NEAREST = 0, REGULUS_ROUND_UPWARD = 1 };
 
-/// How many bits the grid of a row of K has, see regulus_function, and the least exponent of the
-/// greatest entry of a row that is not zero.
+/// The number of bits of the grid of a row of K, see regulus_function, and the least exponent of
+/// the greatest entry of a row that is not zero.
 enum { REGULUS_POINT_BITS = 29, REGULUS_LEAST_POINT_EXPONENT = -800 };
 
 /// Evaluates one function of a model on 8 boxes at once.
@@ -22,18 +22,18 @@ enum { REGULUS_POINT_BITS = 29, REGULUS_LEAST_POINT_EXPONENT = -800 };
 ///           Each row of K on a grid: its entries are multiples of one power of two, smaller than
 ///           2^REGULUS_POINT_BITS times that, and the greatest of them is 0 or at least
 ///           2^REGULUS_LEAST_POINT_EXPONENT in magnitude. Then sums of them with short coefficients
-///           are doubles, and a kernel may compute these without a second bound. Any K is as good
-///           as another, so that a grid costs its maker nothing.
+///           are doubles, and a kernel may compute these without a second bound. Any K is sound, so
+///           the caller can choose one on a grid.
 /// Ensures   for each lane whose bit in the result is 0: every expression is defined at every
 ///           point of the box, and each output encloses its expression over the box, with finite
-///           bounds. For a lane whose bit is 1 nothing is known ("undefined"): what the function
-///           leaves there is meaningless and differs between engines. regulus::Kernel sets it to
-///           [−∞, ∞], so that whoever calls through that class sees the same from all of them.
+///           bounds. For a lane whose bit is 1 nothing is known ("undefined"): its outputs are
+///           meaningless and differ between engines. regulus::Kernel sets them to [−∞, ∞], so that
+///           callers of that class see the same outputs with every engine.
 typedef unsigned (*regulus_function)(const double* boxes, const double* points, double* out,
                                      const void* context);
 
-/// Which derivative an output is: of entry (row, column) by variable `first`, and by `second` ≥
-/// first too unless that is REGULUS_FIRST_ORDER.
+/// The derivative in an output: of entry (row, column) by variable `first` and, unless it is
+/// REGULUS_FIRST_ORDER, also by `second` ≥ first.
 typedef struct regulus_derivative {
   unsigned row, column;
   unsigned first, second;
@@ -41,16 +41,16 @@ typedef struct regulus_derivative {
 
 enum { REGULUS_FIRST_ORDER = 0x7fffffff };
 
-/// A function whose outputs are derivatives, one for each place listed. Derivatives of that order
-/// that are not listed are zero wherever A is defined. `function` is null when the list is empty.
+/// A function whose outputs are derivatives, one for each listed place. Derivatives of that order
+/// that are not listed are zero wherever A is defined. `function` is null if the list is empty.
 typedef struct regulus_derivatives {
   regulus_function function;
   const regulus_derivative* list;
   unsigned count;
 } regulus_derivatives;
 
-/// Taylor's expansion of K·A to second order. Uncertain quantities that touch one row of A only
-/// are kept apart: A is expanded at their nominal values ū.
+/// Taylor's expansion of K·A to second order. Uncertain quantities that touch one row of A only are
+/// treated separately: A is expanded at their nominal values ū.
 typedef struct regulus_expansion {
   const int* row_of_variable;  ///< the only row that an uncertain quantity touches, or −1
   /// For each variable the number of the ball it is a coordinate of, or −1. Null: there are none.

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Memory for the arguments of a kernel, aligned and laid out as regulus_function says.
+// Memory for the arguments of a kernel, with the alignment and layout of regulus_function.
 #pragma once
 
 #include <cstddef>

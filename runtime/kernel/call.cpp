@@ -11,7 +11,7 @@
 namespace regulus {
 namespace {
 
-// Pairs of lanes: what every 64-bit processor compares in one instruction.
+// Pairs of lanes: every 64-bit processor compares two doubles in one instruction.
 using Pair = double __attribute__((vector_size(16), may_alias));
 using PairMask = long long __attribute__((vector_size(16)));
 constexpr std::size_t kPairs = kLanes / 2;
@@ -20,7 +20,7 @@ const Pair* row(const double* rows, std::size_t index) {
   return reinterpret_cast<const Pair*>(rows + kLanes * index);
 }
 
-/// The lanes in which some `good` mask had a 0.
+/// Collects the lanes in which some `good` mask had a 0.
 class LaneCheck {
  public:
   void require(std::size_t pair, PairMask good) noexcept { good_[pair] &= good; }
@@ -35,7 +35,7 @@ class LaneCheck {
   PairMask good_[kPairs] = {{-1, -1}, {-1, -1}, {-1, -1}, {-1, -1}};
 };
 
-/// The power of two at or below each x ≥ 0; 0 for 0.
+/// Returns the power of two at or below each x ≥ 0; 0 for 0.
 Pair power_of_two_below(Pair x) {
   constexpr long long kExponent = 0x7ff0000000000000;
   return reinterpret_cast<Pair>(reinterpret_cast<PairMask>(x) & kExponent);
@@ -46,9 +46,9 @@ Pair magnitude(Pair x) {
   return reinterpret_cast<Pair>(reinterpret_cast<PairMask>(x) & kWithoutSign);
 }
 
-/// With 2^L the power of two below the greatest entry, the finest grid that the contract allows is
-/// 2^(L+1−REGULUS_POINT_BITS). 1.5·2^52 times that, added and taken away, leaves a multiple of it
-/// as it is and changes anything else, in any rounding mode.
+/// Let 2^L be the power of two below the greatest entry. The finest grid that the contract allows
+/// is 2^(L+1−REGULUS_POINT_BITS). Adding and subtracting 1.5·2^52 times that keeps a multiple of it
+/// and changes any other number, in any rounding mode.
 void require_grid(LaneCheck& check, const double* entries, unsigned length, std::size_t pair) {
   constexpr double kAnchor = 1.5 * static_cast<double>(1ULL << (53 - REGULUS_POINT_BITS));
   constexpr Pair least = {0x1p-800, 0x1p-800};

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// How kernels are compiled for an instruction set.
+// The compiler options and the rounding of kernels for an instruction set.
 #pragma once
 
 #include <optional>
@@ -16,11 +16,11 @@ namespace regulus {
 /// The inverse of name; nullopt for any other word.
 [[nodiscard]] std::optional<Isa> parse_isa(std::string_view word) noexcept;
 
-/// Returns the compiler options of a kernel for `isa`, with the macro for runtime/kernel/pack.hpp
-/// included; to be added to regulus/floating_point_flags.hpp.
+/// Returns the compiler options of a kernel for `isa`, including the macro for
+/// runtime/kernel/pack.hpp. They are added to regulus/floating_point_flags.hpp.
 [[nodiscard]] std::span<const char* const> compile_flags(Isa isa) noexcept;
 
-/// The REGULUS_ROUND_… that kernels for `isa` need.
+/// Returns the REGULUS_ROUND_… that kernels for `isa` need.
 [[nodiscard]] unsigned required_rounding(Isa isa) noexcept;
 
 }  // namespace regulus

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The functions that a kernel can have: the one table that everything else goes through.
+// The functions that a kernel can have. This is the only table of them.
 #pragma once
 
 #include <array>
@@ -32,7 +32,7 @@ enum class KernelFunction : unsigned char {
 
 struct KernelFunctionRow {
   std::string_view name;
-  /// The function's field of regulus_kernel; null for those that only regulus_expansion names.
+  /// The function's field of regulus_kernel; null for functions that only regulus_expansion names.
   regulus_function regulus_kernel::*field;
 };
 
@@ -58,7 +58,7 @@ inline constexpr std::array<KernelFunctionRow, 15> kKernelFunctions = {{
   return kKernelFunctions[static_cast<std::size_t>(function)].name;
 }
 
-/// The function of that name; nullopt for any other word.
+/// Returns the function of that name; nullopt for any other word.
 [[nodiscard]] constexpr std::optional<KernelFunction> parse_kernel_function(
     std::string_view word) noexcept {
   for (std::size_t i = 0; i < kKernelFunctions.size(); ++i)

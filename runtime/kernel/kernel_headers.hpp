@@ -8,7 +8,7 @@
 namespace regulus {
 
 struct KernelHeader {
-  std::string_view path;  ///< as it is included: "runtime/kernel/pack.hpp"
+  std::string_view path;  ///< as in an include: "runtime/kernel/pack.hpp"
   std::string_view text;
 };
 

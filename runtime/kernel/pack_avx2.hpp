@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
-// Packs for AVX2: two vectors of four lanes per bound, intervals kept as (−lo, hi), so that one
+// Packs for AVX2: two vectors of four lanes per bound. Intervals are kept as (−lo, hi), so that one
 // rounding mode, upward, serves both bounds.
 //
 // Requires  MXCSR upward, no flush to zero; -frounding-math -ffp-contract=off.
 // Rounding  no bound is the negation of a rounded result: −(a·b) is written as a product with one
-//           factor negated *before* it, or with |a| and the other bound. A compiler that still took
-//           −((−a)·b) for a·b would be caught by the self-test.
+//           factor negated *before* it, or with |a| and the other bound. If a compiler still
+//           replaced −((−a)·b) by a·b, the self-test would detect it.
 #pragma once
 
 #include "runtime/kernel/pack_avx2_half.hpp"
@@ -88,7 +88,7 @@ REGULUS_INLINE I abs(I x) { return {abs(x.a), abs(x.b)}; }
 REGULUS_INLINE I sqr(I x) { return {sqr(x.a), sqr(x.b)}; }
 REGULUS_INLINE I pow(I x, unsigned n) { return {pow(x.a, n), pow(x.b, n)}; }
 
-/// The result of an operation on both halves; lanes that are not good get their bit.
+/// Returns the result of an operation on both halves; sets the bits of lanes that are not good.
 REGULUS_INLINE I joined(Partial a, Partial b, unsigned& undefined) {
   undefined |= bits(~a.good) | bits(~b.good) << 4;
   return {zero_unless(a.good, a.value), zero_unless(b.good, b.value)};

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // Four intervals as (−lo, hi) and four exact doubles: the arithmetic of one half of an AVX2 pack.
 //
-// All operands must be finite. min and max drop a NaN, so 0·∞ could hide an unbounded factor;
-// `checked` after whatever can overflow is what guarantees that no infinity comes this far.
+// All operands must be finite. min and max drop a NaN, so 0·∞ could hide an unbounded factor.
+// Results that can overflow go through `checked`, which guarantees that no infinity comes here.
 // Rounding  every + − * / and fma on vectors here is upward, by MXCSR.
 #pragma once
 
@@ -19,7 +19,7 @@ struct Half {
   V nlo, hi;
 };
 
-/// A value, and the lanes where it is one; elsewhere it is anything.
+/// A value, and the lanes in which it is valid; the other lanes may contain anything.
 struct Partial {
   M good;
   Half value;
@@ -32,7 +32,7 @@ REGULUS_INLINE Half add(V p, V q) { return {-p - q, p + q}; }
 REGULUS_INLINE Half mul(V p, V q) { return {-p * q, p * q}; }
 
 /// The bound of |a|·y that is −min(a·y), and the one that is max(a·y). For a < 0 they are
-/// exchanged: −(a·y.hi) = |a|·y.hi and a·y.lo = |a|·(−y.lo). For a = ±0 either will do.
+/// exchanged: −(a·y.hi) = |a|·y.hi and a·y.lo = |a|·(−y.lo). For a = ±0 either is correct.
 REGULUS_INLINE V negated_least_factor(V a, Half y) { return sign_select(a, y.hi, y.nlo); }
 REGULUS_INLINE V greatest_factor(V a, Half y) { return sign_select(a, y.nlo, y.hi); }
 
@@ -41,7 +41,7 @@ REGULUS_INLINE Half mul(V p, Half x) {
   return {size * negated_least_factor(p, x), size * greatest_factor(p, x)};
 }
 
-/// Both extremes of x·y are at a bound of x, with the bound of y that suits its sign. x.nlo has the
+/// Both extremes of x·y are at a bound of x, with the bound of y that fits its sign. x.nlo has the
 /// opposite sign of the lower bound, which exchanges the two choices.
 REGULUS_INLINE Half mul(Half x, Half y) {
   const V lo = magnitude(x.nlo), hi = magnitude(x.hi);
@@ -105,7 +105,7 @@ REGULUS_INLINE Half pow(Half x, unsigned n) {
   return {negated_power(a.nlo, n), power(a.hi, n)};
 }
 
-/// Whether −limit ≤ x ≤ limit; false for a NaN in either bound.
+/// Returns true if −limit ≤ x ≤ limit; false for a NaN in either bound.
 REGULUS_INLINE M within(Half x, double limit) {
   return (x.nlo <= splat(limit)) & (x.hi <= splat(limit));
 }
@@ -117,8 +117,8 @@ REGULUS_INLINE Partial checked(Half x) {
   return {within(x, simd::kMaxDouble) & (-x.nlo <= x.hi), x};
 }
 
-/// A negative divisor is made positive by changing both signs; then lo/hi of the divisor follow
-/// from the sign of the numerator. An unusable divisor is replaced by 1, so that nothing is NaN.
+/// A negative divisor is made positive by changing both signs. Then the sign of the numerator
+/// selects lo or hi of the divisor. An unusable divisor is replaced by 1, so that nothing is NaN.
 REGULUS_INLINE Partial div(Half x, Half y) {
   const M flip = y.hi < splat(0.0);
   const M usable = flip | (y.nlo < splat(0.0));
@@ -130,15 +130,15 @@ REGULUS_INLINE Partial div(Half x, Half y) {
   return {usable & within(quotient, simd::kMaxMagnitude), quotient};
 }
 
-/// √a rounded downward, a ≥ 0: the root rounded upward, or the double before it when its square is
-/// more than a. The fma is exact in sign: rounding upward makes no positive number 0.
+/// Returns √a rounded downward, a ≥ 0: the root rounded upward, or the double before it if its
+/// square is more than a. The fma is exact in sign: rounding upward makes no positive number 0.
 REGULUS_INLINE V sqrt_rd(V a) {
   const V root = simd::sqrt(a);
   const M above = simd::fma(root, root, -a) > splat(0.0);
   return reinterpret_cast<V>(reinterpret_cast<M>(root) + above);
 }
 
-// max gives its second operand when one is a NaN: it stays one, and the lane is reported.
+// max returns its second operand if one is a NaN: it stays a NaN, and the lane is reported.
 REGULUS_INLINE Partial sqrt(Half x) {
   const V lo = max(splat(0.0), -x.nlo), hi = max(splat(0.0), x.hi);
   const Half root = {-sqrt_rd(lo), simd::sqrt(hi)};

@@ -28,9 +28,9 @@ struct HalfAngle {
 
 /// Requires  0 ≤ x ≤ 1.
 ///
-/// z, either x² rounded or (1 − x)/2 exact, carries an error only where it serves s·z·R(z) alone.
-/// In the second case √z = s + s_low, s_low = (z − s²)/2s with the exact s²; dropped are s_low²/2s
-/// and s_low·z·R(z) < 2^-59. The tail is ≤ 0.024 with four roundings below 0.1·2^-53.
+/// z is either x² rounded or (1 − x)/2 exact; its error matters only in s·z·R(z). In the second
+/// case √z = s + s_low, s_low = (z − s²)/2s with the exact s²; s_low²/2s and s_low·z·R(z) < 2^-59
+/// are dropped. The tail is ≤ 0.024 with four roundings below 0.1·2^-53.
 template <class T>
 inline HalfAngle<T> arcsine_of_magnitude(T x) noexcept {
   const Mask<T> halved = less(splat<T>(0.5), x);
@@ -44,7 +44,7 @@ inline HalfAngle<T> arcsine_of_magnitude(T x) noexcept {
   return {{s, s * (z * polynomial(z, kAsinCoefficients)) + s_low}, halved};
 }
 
-/// base + factor·angle, rounded once at the end.
+/// Returns base + factor·angle, rounded once at the end.
 ///
 /// Requires  |factor| = 1 or 2; base = 0 or ≥ |factor·angle|.
 template <class T>

@@ -87,7 +87,7 @@ inline Bounds<T> atan_bounds(Bounds<T> x) noexcept {
   return {step_down_unless_zero(nearly(x.lo)), step_up_unless_zero(nearly(x.hi))};
 }
 
-/// How far the nearly nearest angle of a point may be from a bound.
+/// The greatest distance, in steps, of the nearly nearest angle of a point from a bound.
 inline constexpr int kAngleSteps = 2;
 
 /// The angle of (x, y), x given by its magnitude and its sign, y ≥ 0: in [0, π].

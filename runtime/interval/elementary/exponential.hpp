@@ -65,9 +65,9 @@ struct ExpPoint {
 
 /// Requires  kExpLeast ≤ x ≤ kExpMost.
 ///
-/// |k| ≤ 1077, so k·high is exact, and so is x − k·high: for k ≠ 0 both are multiples of 2^-54,
-/// their difference is below 1/2. k·low errs by 2^-34-53, k·δ by 2^-91, which is nothing beside
-/// 2^-54.
+/// |k| ≤ 1077, so k·high is exact, and so is x − k·high: for k ≠ 0 both are multiples of 2^-54, and
+/// their difference is below 1/2. k·low errs by 2^-34-53, and k·δ by 2^-91, which is negligible
+/// against 2^-54.
 template <class T>
 inline ExpPoint<T> exp_point(T x) noexcept {
   const T shifted = x * splat<T>(kLog2E) + splat<T>(kExpToInteger);

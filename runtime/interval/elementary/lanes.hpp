@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
-// One vocabulary for one double and for a vector of doubles, so that an evaluator is written once,
+// The same operations for one double and for a vector of doubles. So an evaluator is written once,
 // without branches, and gives the same bits in every lane on every instruction set.
 //
-// A mask is an integer per lane, all ones or all zeros. Only operations that IEEE 754 rounds
-// correctly are offered (no fused multiply-add): that is why the bits agree.
+// A mask is an integer per lane, all ones or all zeros. All operations are ones that IEEE 754
+// rounds correctly (there is no fused multiply-add): therefore the bits agree.
 //
-// Everything built on this header lives in a namespace named after the instruction set: the linker
+// Everything that uses this header is in a namespace named after the instruction set: the linker
 // must not replace a function compiled for a plain CPU by its namesake compiled for AVX-512.
 #pragma once
 
@@ -51,7 +51,7 @@ using Bits = typename Lanes<T>::Bits;
 template <class T>
 using Mask = typename Lanes<T>::Mask;
 
-/// The same number in every lane. T(c) for any other arithmetic type.
+/// Returns the same number in every lane; T(c) for any other arithmetic type.
 template <class T>
 inline T splat(double c) noexcept {
   return T(c);
@@ -89,7 +89,7 @@ inline Vector square_root(Vector x) noexcept {
 #endif
 }
 
-/// One bit per lane, lane 0 the least significant.
+/// Returns one bit per lane; lane 0 is the least significant.
 inline unsigned lane_bits(VectorMask mask) noexcept {
 #if REGULUS_VECTOR_BYTES == 64
   return _mm512_movepi64_mask(reinterpret_cast<__m512i>(mask));

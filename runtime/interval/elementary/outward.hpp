@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// From a nearly nearest value to its bounds, in any number of lanes.
+// Computes bounds from a nearly nearest value, in any number of lanes.
 #pragma once
 
 #include "runtime/interval/elementary/lanes.hpp"
@@ -13,7 +13,7 @@ struct Bounds {
   T hi;
 };
 
-/// `undefined` marks the lanes where some point is outside the domain; their bounds are
+/// `undefined` marks the lanes in which some point is outside the domain; their bounds are
 /// meaningless.
 template <class T>
 struct Partial {
@@ -21,7 +21,7 @@ struct Partial {
   Mask<T> undefined;
 };
 
-/// 1 for x with a clear sign bit, −1 for the others: in units of the last place, away from −∞.
+/// Returns 1 for a clear sign bit, else −1: one unit in the last place, away from −∞.
 template <class T>
 inline Bits<T> upward_unit(T x) noexcept {
   return (Bits<T>)(((Mask<T>)to_bits(x) >> 63) | 1);
@@ -57,7 +57,7 @@ inline T steps_down(T x) noexcept {
   return -steps_up<kSteps>(-x);
 }
 
-// For functions whose computed value is 0 exactly where their value is 0.
+// For functions whose computed value is 0 exactly where the function is 0.
 template <class T>
 inline T step_up_unless_zero(T x) noexcept {
   return select(equal(x, splat<T>(0)), x, step_up_nonzero(x));

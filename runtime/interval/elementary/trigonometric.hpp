@@ -26,7 +26,7 @@ inline constexpr double kHalfPi3 = 0x1.3198a2ep-69;
 inline constexpr double kHalfPi4 = 0x1.b839a252049c1p-104;
 inline constexpr double kTwoOverPi = 0x1.45f306dc9c883p-1;
 
-/// 1.5·2^52: adding it rounds to an integer, which then sits in the low bits of the sum.
+/// 1.5·2^52: adding it rounds to an integer, which is then in the low bits of the sum.
 inline constexpr double kToInteger = 0x1.8p52;
 
 /// (sin r / r − 1)/r² and (cos r − 1 + r²/2)/r⁴ as polynomials in r², for |r| ≤ 0.7854. Relative to
@@ -99,7 +99,7 @@ inline SinCosParts<T> sin_cos_parts(Parts<T> r) noexcept {
   return {{r.high, sin_tail}, {cos_head.high, cos_head.low + cos_tail}};
 }
 
-/// What the endpoints of an interval know.
+/// The values at the ends of an interval.
 template <class T>
 struct SinCosPoint {
   T sin;            ///< nearly nearest; 0 iff x is 0
@@ -127,14 +127,14 @@ inline SinCosPoint<T> sin_cos_point(T x) noexcept {
           turns.valid};
 }
 
-/// Is there an n ≡ −shift (mod 4) with a < n·π/2 ≤ b? The extrema at a itself need no care: there
-/// the value at a is one.
+/// Is there an n ≡ −shift (mod 4) with a < n·π/2 ≤ b? Extrema at a itself need no treatment: the
+/// value at a is one of them.
 template <class T>
 inline Mask<T> passes(const SinCosPoint<T>& a, const SinCosPoint<T>& b, unsigned shift) noexcept {
   return differ((a.quarter + shift) >> 2, (b.quarter + shift) >> 2);
 }
 
-/// Bounds from the values at the ends and from whether an extremum lies between.
+/// Returns bounds from the values at the ends, and from the extrema that lie between them.
 template <class T>
 inline Bounds<T> wave_bounds(T at_lo, T at_hi, Mask<T> has_minimum, Mask<T> has_maximum) noexcept {
   const T one = splat<T>(1);
@@ -180,7 +180,7 @@ inline T quotient(Parts<T> num, Parts<T> den) noexcept {
   return q + remainder / d.high;
 }
 
-/// How far the nearly nearest tangent may be from a bound.
+/// The greatest distance, in steps, of the nearly nearest tangent from a bound.
 inline constexpr int kTanSteps = 2;
 
 /// tan(r) if k is even, −1/tan(r) if it is odd: tan(k·π/2 + r).
