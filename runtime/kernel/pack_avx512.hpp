@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// Packs for AVX-512: one vector per bound, the rounding embedded in each instruction, so any
-// rounding mode in MXCSR will do. The builtins are opaque to the optimisers: no bound is ever
-// folded at compile time or merged with the other one.
+// Packs for AVX-512: one vector per bound. Each instruction contains its rounding, so MXCSR may
+// have any rounding mode. The builtins are opaque to the optimisers: no bound is ever folded at
+// compile time or merged with the other one.
 #pragma once
 
 #include "runtime/kernel/simd.hpp"
@@ -27,12 +27,12 @@ REGULUS_INLINE void store_row(double* rows, int index, V x) {
   *reinterpret_cast<simd::V8InMemory*>(rows + simd::kLanes * index) = x;
 }
 
-// Of doubles whose result is a double, so that any rounding gives it.
+// For doubles whose result is a double: any rounding gives it.
 REGULUS_INLINE V add_exact(V a, V b) { return add_ru(a, b); }
 REGULUS_INLINE V mul_exact(V a, V b) { return mul_ru(a, b); }
 REGULUS_INLINE V fma_exact(V a, V b, V c) { return fma_ru(a, b, c); }
 
-/// mul_rd for factors that are not negative: neither is the result.
+/// mul_rd for factors that are not negative: the result is not negative either.
 REGULUS_INLINE V mul_rd_nonnegative(V a, V b) { return mul_rd(a, b); }
 
 }  // namespace avx512

@@ -3,7 +3,7 @@
 // any rounding mode. Included by each pack after its arithmetic.
 #pragma once
 
-// Declared again here rather than included: this header must compile without any other.
+// Declared again here, not included: this header must compile without any other.
 extern "C" {
 unsigned regulus_x8_sin(const double* in, double* out);
 unsigned regulus_x8_cos(const double* in, double* out);
@@ -20,8 +20,8 @@ unsigned regulus_x8_atan2(const double* in, double* out);
 namespace regulus::pack {
 inline namespace REGULUS_PACK_ISA {
 
-/// A function of the library: one interval in, one out, the mask of undefined lanes. The outputs
-/// are 0 in those, and at most 2^128 in magnitude in the others (runtime/interval/x8.hpp).
+/// A function of the library: one interval in, one out; returns the mask of undefined lanes. The
+/// outputs are 0 in those, and at most 2^128 in magnitude in the others (runtime/interval/x8.hpp).
 using LibraryFunction = unsigned (*)(const double* in, double* out);
 
 REGULUS_INLINE I call_library(LibraryFunction f, I x, unsigned& undefined) {
@@ -30,7 +30,7 @@ REGULUS_INLINE I call_library(LibraryFunction f, I x, unsigned& undefined) {
   undefined |= f(in, out);
   return load(out, 0);
 }
-/// Of a function that is defined and bounded everywhere.
+/// Calls a function that is defined and bounded everywhere.
 REGULUS_INLINE I call_library(LibraryFunction f, I x) {
   unsigned none = 0;
   return call_library(f, x, none);
@@ -63,7 +63,7 @@ REGULUS_INLINE I atan2(I y, I x, unsigned& undefined) {
   return load(out, 0);
 }
 
-/// Both at the cost of little more than one.
+/// Computes both at the cost of little more than one.
 REGULUS_INLINE void sincos(I x, I& sine, I& cosine) {
   alignas(64) double in[2 * simd::kLanes], out[4 * simd::kLanes];
   store(in, 0, x);

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
-// The operations of packs that keep their bounds as (lo, hi), from the rounded operations on
+// The operations of packs that keep their bounds as (lo, hi). They use the rounded operations on
 // vectors (…_rd downward, …_ru upward) that the including header defines for its instruction set.
 //
-// All operands must be finite. min and max drop a NaN, so 0·∞ could hide an unbounded factor;
-// `checked` after whatever can overflow is what guarantees that no infinity comes this far.
+// All operands must be finite. min and max drop a NaN, so 0·∞ could hide an unbounded factor.
+// Results that can overflow go through `checked`, which guarantees that no infinity comes here.
 //
-// REGULUS_PACK_OPERATION, also from the including header, says whether rounded operations are
-// inlined into the kernel (a few instructions each) or called (a hundred).
+// The including header also defines REGULUS_PACK_OPERATION. It decides whether rounded operations
+// are inlined into the kernel (a few instructions each) or called (a hundred instructions).
 #pragma once
 
 namespace regulus::pack {
@@ -55,8 +55,8 @@ REGULUS_INLINE I operator+(P p, I x) { return x + p; }
 REGULUS_PACK_OPERATION I operator-(I x, P p) { return {sub_rd(x.lo, p.v), sub_ru(x.hi, p.v)}; }
 REGULUS_PACK_OPERATION I operator-(P p, I x) { return {sub_rd(p.v, x.hi), sub_ru(p.v, x.lo)}; }
 
-/// The bound of y that makes a·y least, and the one that makes it greatest. For a = ±0 either will
-/// do.
+/// Returns the bound of y that makes a·y least, and the one that makes it greatest. For a = ±0
+/// either is correct.
 REGULUS_INLINE V least_factor(V a, I y) { return select(negative(a), y.hi, y.lo); }
 REGULUS_INLINE V greatest_factor(V a, I y) { return select(negative(a), y.lo, y.hi); }
 
@@ -65,9 +65,9 @@ REGULUS_PACK_OPERATION I operator*(P p, I x) {
 }
 REGULUS_INLINE I operator*(I x, P p) { return p * x; }
 
-/// min over y of x·y is concave in x and max is convex, so both extremes are at x.lo or x.hi. Two
-/// products per bound instead of four; when the sign of x is known to the compiler, the choice of y
-/// costs nothing.
+/// min over y of x·y is concave in x and max is convex, so both extremes are at x.lo or x.hi. This
+/// takes two products per bound instead of four. If the compiler knows the sign of x, the choice of
+/// y costs nothing.
 REGULUS_PACK_OPERATION I operator*(I x, I y) {
   return {min(mul_rd(x.lo, least_factor(x.lo, y)), mul_rd(x.hi, least_factor(x.hi, y))),
           max(mul_ru(x.lo, greatest_factor(x.lo, y)), mul_ru(x.hi, greatest_factor(x.hi, y)))};
@@ -86,7 +86,7 @@ REGULUS_PACK_OPERATION I mul_add(I x, I y, I z) {
               fma_ru(x.hi, greatest_factor(x.hi, y), z.hi))};
 }
 
-/// Least and greatest absolute value.
+/// Returns the least absolute value, or the greatest.
 REGULUS_INLINE V mignitude(I x) { return max(max(x.lo, -x.hi), splat(0.0)); }
 REGULUS_INLINE V magnitude(I x) { return max(-x.lo, x.hi); }
 
@@ -96,8 +96,8 @@ REGULUS_PACK_OPERATION I sqr(I x) {
   return {mul_rd_nonnegative(a.lo, a.lo), mul_ru(a.hi, a.hi)};
 }
 
-/// aⁿ, a ≥ 0, n ≥ 1. Every factor is a bound of the same side and not negative, so the product is
-/// one.
+/// Returns aⁿ, a ≥ 0, n ≥ 1. Every factor is a bound of the same side and not negative, so the
+/// product is a bound of that side.
 REGULUS_INLINE V power_rd(V a, unsigned n) {
   V r = a;
   for (int bit = 30 - __builtin_clz(n); bit >= 0; --bit) {
@@ -126,12 +126,12 @@ REGULUS_PACK_OPERATION I pow(I x, unsigned n) {
   return {mul_rd(x.lo, low), mul_ru(x.hi, high)};
 }
 
-/// x where `good`; otherwise 0, and the lane's bit is set.
+/// Returns x where `good`; otherwise 0, and sets the lane's bit.
 REGULUS_INLINE I defined_where(M good, I x, unsigned& undefined) {
   undefined |= bits(~good);
   return {select(good, x.lo, splat(0.0)), select(good, x.hi, splat(0.0))};
 }
-/// Whether −limit ≤ x ≤ limit; false for a NaN in either bound.
+/// Returns true if −limit ≤ x ≤ limit; false for a NaN in either bound.
 REGULUS_INLINE M within(I x, double limit) {
   return (splat(-limit) <= x.lo) & (x.hi <= splat(limit));
 }
@@ -140,8 +140,8 @@ REGULUS_PACK_OPERATION I checked(I x, unsigned& undefined) {
   return defined_where(within(x, simd::kMaxDouble) & (x.lo <= x.hi), x, undefined);
 }
 
-/// A negative divisor is made positive by changing both signs; then lo/hi of the divisor follow
-/// from the sign of the numerator. An unusable divisor is replaced by 1, so that nothing traps or
+/// A negative divisor is made positive by changing both signs. Then the sign of the numerator
+/// selects lo or hi of the divisor. An unusable divisor is replaced by 1, so that nothing traps or
 /// is NaN.
 REGULUS_PACK_OPERATION I div(I x, I y, unsigned& undefined) {
   const M flip = y.hi < splat(0.0);
@@ -154,7 +154,7 @@ REGULUS_PACK_OPERATION I div(I x, I y, unsigned& undefined) {
   return defined_where(usable & within(quotient, simd::kMaxMagnitude), quotient, undefined);
 }
 
-// max gives its second operand when one is a NaN: it stays one, and the lane is reported.
+// max returns its second operand if one is a NaN: it stays a NaN, and the lane is reported.
 REGULUS_PACK_OPERATION I sqrt(I x, unsigned& undefined) {
   const M usable = splat(0.0) <= x.lo;
   const I root = {sqrt_rd(max(splat(0.0), x.lo)), sqrt_ru(max(splat(0.0), x.hi))};

@@ -2,8 +2,8 @@
 // Packs for any processor: operations to nearest, then outward, on four pairs of lanes.
 //
 // Rounding  to nearest (MXCSR or its like), no flush to zero. Sound with any optimisation that
-// keeps
-//           IEEE arithmetic, since no bound depends on a rounding mode the compiler may not know.
+//           keeps IEEE arithmetic, since no bound depends on a rounding mode that the compiler may
+//           not know.
 #pragma once
 
 #include "runtime/kernel/pack_portable_pair.hpp"
@@ -42,11 +42,11 @@ REGULUS_ON_PAIRS_2(V, add_rd, V, pair::add_rd)
 REGULUS_ON_PAIRS_2(V, add_ru, V, pair::add_ru)
 REGULUS_ON_PAIRS_2(V, mul_rd, V, pair::mul_rd)
 REGULUS_ON_PAIRS_2(V, mul_ru, V, pair::mul_ru)
-/// mul_rd for factors that are not negative: neither is the result.
+/// mul_rd for factors that are not negative: the result is not negative either.
 REGULUS_ON_PAIRS_2(V, mul_rd_nonnegative, V, pair::mul_rd_nonnegative)
 REGULUS_ON_PAIRS_2(V, div_rd, V, pair::div_rd)
 REGULUS_ON_PAIRS_2(V, div_ru, V, pair::div_ru)
-// Of doubles whose result is a double.
+// For doubles whose result is a double.
 REGULUS_ON_PAIRS_2(V, add_exact, V, pair::add_exact)
 REGULUS_ON_PAIRS_2(V, mul_exact, V, pair::mul_exact)
 REGULUS_ON_PAIRS_1(V, sqrt_rd, V, pair::sqrt_rd)
@@ -96,8 +96,8 @@ REGULUS_INLINE void store_row(double* rows, int index, V x) {
 }  // namespace portable
 }  // namespace regulus::pack
 
-// An operation is some hundred instructions: inlined, a kernel of 1500 operations takes a compiler
-// half a minute, and gains little.
+// An operation has some hundred instructions. If they were inlined, a compiler would need half a
+// minute for a kernel of 1500 operations, and the kernel would gain little.
 #define REGULUS_PACK_OPERATION static inline __attribute__((noinline))
 #define REGULUS_PACK_ISA portable
 #include "runtime/kernel/pack_lo_hi.hpp"

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Rounded operations on two lanes, with no rounding mode but to nearest: the result, or the double
-// beyond it. Two doubles are what every 64-bit processor has a register for.
+// Rounded operations on two lanes. The only rounding mode is to nearest: each returns the result,
+// or the double beyond it. Every 64-bit processor has a register for two doubles.
 //
 // Source  the step: Rump, Zimmermann, Boldo, Melquiond, "Computing predecessor and successor in
 //         rounding to nearest", BIT 49 (2009), Algorithm 1; the error of a sum: Knuth, TAOCP 2,
@@ -17,7 +17,7 @@ using simd::M2;
 using simd::V2;
 
 REGULUS_INLINE V2 splat(double c) { return V2{c, c}; }
-// As the processors' instructions: the second operand where either is a NaN.
+// Like the processors' instructions, they return the second operand if either is a NaN.
 REGULUS_INLINE V2 min(V2 a, V2 b) { return a < b ? a : b; }
 REGULUS_INLINE V2 max(V2 a, V2 b) { return a > b ? a : b; }
 REGULUS_INLINE V2 magnitude(V2 x) {
@@ -27,20 +27,20 @@ REGULUS_INLINE V2 negate(V2 x) { return -x; }
 REGULUS_INLINE V2 select(M2 m, V2 a, V2 b) { return m ? a : b; }
 REGULUS_INLINE M2 negative(V2 x) { return x < splat(0.0); }
 
-/// At least the distance from x to its neighbours: fl(fl(φ|x|) + η), φ = 2⁻⁵³(1 + 2⁻⁵²),
-/// η = 2⁻¹⁰⁷⁴.
+/// Returns at least the distance from x to its neighbours: fl(fl(φ|x|) + η), φ = 2⁻⁵³(1 + 2⁻⁵²), η
+/// = 2⁻¹⁰⁷⁴.
 REGULUS_INLINE V2 step(V2 x) {
   return magnitude(x) * splat(0x1.0000000000001p-53) + splat(simd::kMinSubnormal);
 }
 
-/// At most the double before x; with x = fl(v), at most v. Overflow of v to +∞ gives a finite
-/// bound.
+/// Returns at most the double before x; with x = fl(v), at most v. If v overflows to +∞, the bound
+/// is finite.
 REGULUS_INLINE V2 below(V2 x) {
   const V2 finite_above = min(splat(simd::kMaxDouble), x);
   return finite_above - step(finite_above);
 }
 
-/// At least the double after x; with x = fl(v), at least v.
+/// Returns at least the double after x; with x = fl(v), at least v.
 REGULUS_INLINE V2 above(V2 x) {
   const V2 finite_below = max(splat(-simd::kMaxDouble), x);
   return finite_below + step(finite_below);
@@ -66,7 +66,7 @@ REGULUS_INLINE V2 add_ru(V2 a, V2 b) {
   return ((error <= splat(0.0)) & (error > splat(-simd::kInfinity))) ? sum : above(sum);
 }
 
-// A product with a zero factor is exact; keeping it spreads no noise through sparse matrices.
+// A product with a zero factor is exact. Keeping it exact keeps sparse matrices sparse.
 REGULUS_INLINE M2 zero_factor(V2 a, V2 b) { return (a == splat(0.0)) | (b == splat(0.0)); }
 REGULUS_INLINE V2 mul_rd(V2 a, V2 b) {
   const V2 product = a * b;

@@ -6,9 +6,9 @@
 
 namespace regulus {
 
-/// While it lives, the floating-point environment is what a kernel of the given REGULUS_ROUND_…
-/// needs; then it is the caller's again. The rule of FloatingPointScope holds: call a function that
-/// cannot be inlined, such as one of a kernel.
+/// During its life, the floating-point environment is the one that a kernel of the given
+/// REGULUS_ROUND_… needs; then it is the caller's again. The rule of FloatingPointScope holds: call
+/// a function that cannot be inlined, such as a function of a kernel.
 class RoundingScope {
  public:
   explicit RoundingScope(unsigned rounding) noexcept

@@ -20,7 +20,7 @@ unsigned regulus_self_test_avx2(const double*, const double*, double*, const voi
 namespace regulus {
 namespace {
 
-/// The double next to the exact result, or the result, on each side. `0.1` below is the double.
+/// The exact result, or the doubles next to it, on each side. `0.1` below is the double.
 struct Expected {
   const char* operation;
   double lo, hi;
@@ -82,11 +82,11 @@ constexpr Expected kExpected[] = {
 };
 constexpr std::size_t kOutputs = std::size(kExpected);
 
-/// How many doubles a bound may be outside the tightest one: sin is not correctly rounded, and the
-/// portable cube takes two outward steps.
+/// The number of doubles by which a bound may be outside the tightest one: sin is not correctly
+/// rounded, and the portable cube takes two outward steps.
 constexpr std::int64_t kSlack = 8;
 
-/// Position of x among all doubles, counted from 0; −0 and +0 are one.
+/// Returns the position of x among all doubles, counted from 0; −0 and +0 have one position.
 std::int64_t ordinal(double x) {
   const auto bits = std::bit_cast<std::int64_t>(x);
   return bits < 0 ? std::int64_t{-1} * (bits & INT64_MAX) : bits;

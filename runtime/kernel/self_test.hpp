@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
-// Whether the bounds that compiled code computes are rounded outward, found out by running it.
+// Tests whether compiled code rounds its bounds outward, by running it.
 //
-// A compiler that merges the two roundings of 1/3, folds 0.1·3 to nearest, negates a product after
-// rounding it, or a library that left the processor flushing subnormals to zero, makes enclosures
-// that miss the true value and look like any other. Each is caught here before a verdict depends on
+// A compiler may merge the two roundings of 1/3, fold 0.1·3 to nearest, or negate a product after
+// rounding it. A library may make the processor flush subnormals to zero. Then enclosures miss the
+// true value, and look like any others. The test detects each of these before a verdict depends on
 // it.
 #pragma once
 
@@ -15,8 +15,8 @@
 
 namespace regulus {
 
-/// The text of a program that defines `kSelfTestSymbol`, a regulus_function; it needs the headers
-/// of runtime/kernel/kernel_headers.hpp and the compile flags of the instruction set under test.
+/// The text of a program that defines `kSelfTestSymbol`, a regulus_function. It needs the headers
+/// of runtime/kernel/kernel_headers.hpp and the compile flags of the tested instruction set.
 extern const char* const kSelfTestSource;
 inline constexpr const char* kSelfTestSymbol = "regulus_self_test";
 
@@ -24,15 +24,15 @@ inline constexpr const char* kSelfTestSymbol = "regulus_self_test";
 ///
 /// Requires  `function` was compiled for `isa`, and supported(isa). It is called with `context`.
 /// Ensures   nullopt if every true result is enclosed, by bounds within a few doubles of it;
-///           otherwise what was computed and what is true.
+///           otherwise a text with the computed and the true result.
 /// Rounding  as `function` needs; the caller's environment is restored.
 [[nodiscard]] std::optional<std::string> check_self_test(regulus_function function, Isa isa,
                                                          const void* context = nullptr);
 
-/// The same for the packs as they were compiled ahead of time into this library.
+/// Does the same for the packs that were compiled ahead of time into this library.
 [[nodiscard]] std::optional<std::string> self_test(Isa isa);
 
-/// The outputs of the self-test, for a caller who chooses the rounding mode.
+/// Checks the outputs of the self-test, for a caller who chooses the rounding mode.
 ///
 /// Ensures   nullopt or a failure, as check_self_test. The floating-point environment of the caller
 ///           is used as it is.

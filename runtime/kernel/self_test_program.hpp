@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// Operations whose true results are known, written as kernels are written: compiled with the packs
-// ahead of time, and in process as its own program, it shows what the compiler made of directed
-// rounding. The expected results, in the same order, are in self_test.cpp. Who includes it may
+// Operations whose true results are known, written like a kernel. The program is compiled with the
+// packs ahead of time, and also in process. It shows how the compiler treats directed rounding. The
+// expected results, in the same order, are in self_test.cpp. A file that includes this one may
 // define regulus_self_test as another name.
 #include "runtime/kernel/pack.hpp"
 
@@ -61,7 +61,7 @@ extern "C" unsigned regulus_self_test(const double* boxes, const double* points,
   store(out, 29, abs(wide));
   store(out, 30, sin(one));
 
-  // What a compiler might compute by itself.
+  // Results that a compiler might compute by itself.
   store(out, 31, P(0.1) * P(3.0));
   store(out, 32, P(1.0) + P(0x1p-60));
   store(out, 33, P(1.0) - P(0x1p-60));
@@ -70,13 +70,13 @@ extern "C" unsigned regulus_self_test(const double* boxes, const double* points,
   store(out, 36, sqrt(constant(3.0, 3.0), undefined));
   store(out, 37, mul_add(P(0.1), P(3.0), constant(1.0, 1.0)));
 
-  // What flushing subnormal numbers to zero would change.
+  // Results that change if subnormal numbers are flushed to zero.
   store(out, 38, tiny * tiny);
   store(out, 39, -tiny * tiny);
   store(out, 40, smallest + smallest);
   store(out, 41, p_three * smallest);
 
-  // Outside the domain.
+  // Arguments outside the domain.
   (void)div(one, wide, unusable);
   store(out, 42, thin(P(static_cast<double>(unusable))));
   unusable = 0;

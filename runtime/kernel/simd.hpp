@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
-// The vector types and the few instructions that packs are made of.
+// The vector types and the few instructions that packs use.
 //
-// Compiler builtins only: <immintrin.h> costs 210 ms of front end, and code compiled in process has
-// no system header. Where g++ and Clang name a builtin differently there are two sections. Whatever
-// has an operator in the language is written with it: a + b under -frounding-math.
+// Only compiler builtins are used: <immintrin.h> costs 210 ms of front end, and code compiled in
+// process has no system header. If g++ and Clang name a builtin differently, there are two
+// sections. Operations with an operator in the language use it: a + b under -frounding-math.
 #pragma once
 
 #include "runtime/kernel/abi.hpp"
@@ -12,8 +12,8 @@
 #error "fast-math breaks directed rounding: every bound would be unproved"
 #endif
 
-// Inlined even at -O0, with internal linkage: two translation units of one program may be compiled
-// for different instruction sets, and the linker must never choose one's code for the other.
+// Inlined even at -O0, with internal linkage. Two translation units of one program may be compiled
+// for different instruction sets, and the linker must never replace the code of one by the other's.
 #define REGULUS_INLINE static inline __attribute__((always_inline))
 
 namespace regulus::simd {
@@ -57,7 +57,7 @@ REGULUS_INLINE V8 sqrt_ru(V8 a) { return __builtin_ia32_sqrtpd512(a, kUp); }
 REGULUS_INLINE V8 min(V8 a, V8 b) { return __builtin_ia32_minpd512(a, b, kNoRounding); }
 REGULUS_INLINE V8 max(V8 a, V8 b) { return __builtin_ia32_maxpd512(a, b, kNoRounding); }
 #else
-// The operand after the last argument would fill the lanes that the mask excludes: none.
+// The operand after the last argument fills the lanes that the mask excludes; here none.
 enum { kAll = -1 };
 REGULUS_INLINE V8 add_rd(V8 a, V8 b) { return __builtin_ia32_addpd512_mask(a, b, a, kAll, kDown); }
 REGULUS_INLINE V8 add_ru(V8 a, V8 b) { return __builtin_ia32_addpd512_mask(a, b, a, kAll, kUp); }
@@ -85,8 +85,8 @@ REGULUS_INLINE V8 fma_ru(V8 a, V8 b, V8 c) {
 }
 REGULUS_INLINE unsigned bits(M8 m) { return __builtin_ia32_cvtq2mask512(m); }
 
-/// Where the sign bit is set. An integer comparison, so that it folds when x is a constant; it says
-/// "negative" of −0, which its users must allow for.
+/// Returns where the sign bit is set. It is an integer comparison, so that it folds if x is
+/// constant. It says "negative" for −0; its callers must allow for that.
 REGULUS_INLINE M8 negative(V8 x) { return reinterpret_cast<M8>(x) < 0; }
 
 #elif defined(REGULUS_ISA_AVX2)
@@ -101,7 +101,7 @@ REGULUS_INLINE V4 max(V4 a, V4 b) { return __builtin_ia32_maxpd256(a, b); }
 REGULUS_INLINE unsigned bits(M4 m) {
   return static_cast<unsigned>(__builtin_ia32_movmskpd256(reinterpret_cast<V4>(m)));
 }
-/// `if_set` where the sign bit of x is set.
+/// Returns `if_set` where the sign bit of x is set.
 REGULUS_INLINE V4 sign_select(V4 x, V4 if_set, V4 otherwise) {
   return __builtin_ia32_blendvpd256(otherwise, if_set, x);
 }

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Room for the values of a function that runs: on the stack of its thread, unless they are very
-// many.
+// Memory for the values of a function that runs: on the stack of its thread, unless there are very
+// many values.
 #pragma once
 
 #include <cstddef>
@@ -12,7 +12,7 @@
 
 namespace regulus::machine {
 
-/// The most slots that a frame has on the stack: 1 MiB of them.
+/// The most slots of a frame on the stack: 1 MiB.
 inline constexpr std::size_t kMaxStackSlots = 8192;
 
 template <std::size_t slots, class Run>
@@ -21,7 +21,7 @@ template <std::size_t slots, class Run>
   return run(&values[0]);
 }
 
-/// Functions of so many values are those of large matrices, which take longer than an allocation.
+/// Functions with so many values belong to large matrices; they take longer than an allocation.
 template <class Run>
 [[gnu::noinline]] unsigned run_on_heap(std::size_t count, const Run& run) noexcept {
   constexpr unsigned kNothingIsDefined = (1U << REGULUS_LANES) - 1;
@@ -30,8 +30,8 @@ template <class Run>
   return memory == nullptr ? kNothingIsDefined : run(static_cast<Slot*>(memory.get()));
 }
 
-/// What run(Slot*) returns, which has `count` slots while it runs. Where memory is exhausted: that
-/// no lane is defined, from which nothing follows.
+/// Returns the result of run(Slot*), which has `count` slots while it runs. If memory is exhausted,
+/// returns that no lane is defined; nothing follows from that.
 template <class Run>
 unsigned with_slots(std::size_t count, const Run& run) noexcept {
   if (count <= 64) return run_with<64>(run);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// A regulus_kernel for a pack program, whatever runs the program's functions.
+// A regulus_kernel for a pack program; any engine may run the program's functions.
 #pragma once
 
 #include <array>
@@ -17,20 +17,20 @@ namespace regulus::machine {
 /// A function of the kernel's table for each row of kKernelFunctions.
 using Callers = std::array<regulus_function, kKernelFunctions.size()>;
 
-/// Throws    std::invalid_argument for a program that find_fault objects to.
+/// Throws    std::invalid_argument for a program with a fault that find_fault reports.
 void require_no_fault(const PackKernel& program);
 
-/// The table of a kernel and what it points to.
+/// The table of a kernel and all that it points to.
 ///
 /// Requires  find_fault finds none in the program's functions.
 class KernelTable {
  public:
-  /// The functions that the program has are `callers`, called with `context`.
+  /// `callers` are the functions that the program has; they are called with `context`.
   KernelTable(const PackKernel& program, Isa isa, const Callers& callers, const void* context);
   KernelTable(const KernelTable&) = delete;
   KernelTable& operator=(const KernelTable&) = delete;
 
-  /// Valid as long as this object.
+  /// Valid for the life of this object.
   [[nodiscard]] const regulus_kernel* get() const noexcept { return &kernel_; }
 
  private:
@@ -59,7 +59,7 @@ class KernelOf {
   [[nodiscard]] const regulus_kernel* get() const noexcept { return table_.get(); }
 
  private:
-  /// As the ABI calls it: the context is the array of all functions.
+  /// The function that the ABI calls: its context is the array of all functions.
   template <std::size_t row>
   static unsigned call(const double* boxes, const double* points, double* out,
                        const void* context) noexcept {

@@ -14,7 +14,7 @@ using Op = PackOperation;
 
 constexpr std::uint32_t kNoSlot = static_cast<std::uint32_t>(-1);
 
-/// Values that are the same in all parts have one slot in all of them.
+/// Values that are the same in all parts have the same slot in all parts.
 class Layout {
  public:
   Layout(const PackFunction& function, const StepTable& table)
@@ -106,7 +106,7 @@ class Layout {
       case Op::kPoint:
       case Op::kConstant:
       case Op::kExact:
-      case Op::kCosine:  // its slot is taken with the sine's
+      case Op::kCosine:  // its slot is taken together with the sine's
         return;
       case Op::kFetch:
         slot_of_[value] = kept_ + i.a;
@@ -150,7 +150,7 @@ class Layout {
   void release(ValueId operand, ValueId reader) {
     if (last_reader_[operand] != reader || !has_own_slot(operand)) return;
     free_.push_back(slot_of_[operand]);
-    last_reader_[operand] = kNoSlot;  // once, if an instruction reads it twice
+    last_reader_[operand] = kNoSlot;  // only once, even if an instruction reads it twice
   }
 
   const PackFunction& function_;

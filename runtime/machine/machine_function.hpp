@@ -10,9 +10,9 @@
 
 namespace regulus::machine {
 
-/// The steps of a function, and the slots that its values have in a frame: constants first, then
-/// variables and entries of K, kept values, and at last the values of the part that runs, which
-/// take a slot again once its last reader has run.
+/// The steps of a function, and the slots of its values in a frame: constants first, then variables
+/// and entries of K, then kept values, then the values of the part that runs. A value of the part
+/// can take a slot again as soon as the last reader of the old value has run.
 ///
 /// Requires  find_fault finds none.
 class MachineFunction {
@@ -20,7 +20,7 @@ class MachineFunction {
   MachineFunction() = default;
   MachineFunction(const PackFunction& function, const StepTable& table);
 
-  /// The function as regulus_function has it, in the rounding that the instruction set needs.
+  /// Runs the function as regulus_function says, in the rounding that the instruction set needs.
   [[nodiscard]] unsigned run(const double* boxes, const double* points, double* out) const noexcept;
 
   [[nodiscard]] std::size_t slots() const noexcept { return slots_; }

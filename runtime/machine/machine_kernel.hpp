@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Runs a kernel that is data: no compiler is needed.
+// Runs a kernel that is data; this needs no compiler.
 #pragma once
 
 #include <memory>
@@ -10,15 +10,15 @@
 
 namespace regulus::machine {
 
-/// A pack program as a kernel: each of its instructions is one call of the operation's code for an
+/// A pack program as a kernel. Each of its instructions is one call of the operation's code for an
 /// instruction set.
 ///
 /// Requires  the instruction set is supported by this processor.
 /// Ensures   the contract of runtime/kernel/abi.hpp; bounds and undefined lanes equal to the bit to
 ///           those of the program's C++ text compiled for the same instruction set. Calls share
-///           nothing that they change, and take no memory but their stack's unless a function has
-///           more than kMaxStackSlots values; where such memory is exhausted no lane is defined.
-/// Throws    std::invalid_argument for a program that find_fault objects to.
+///           nothing that they change. They use only the memory of their stack, unless a function
+///           has more than kMaxStackSlots values; if that memory is exhausted, no lane is defined.
+/// Throws    std::invalid_argument for a program with a fault that find_fault reports.
 /// Rounding  as required_rounding(isa) says.
 class MachineKernel {
  public:
@@ -27,7 +27,7 @@ class MachineKernel {
   MachineKernel& operator=(MachineKernel&&) noexcept;
   ~MachineKernel();
 
-  /// Valid as long as this object or the one it was moved to.
+  /// Valid for the life of this object, or of the object to which it was moved.
   [[nodiscard]] const regulus_kernel* get() const noexcept;
 
  private:

@@ -22,7 +22,7 @@ static_assert(sizeof(I) <= sizeof(Slot) && alignof(I) <= alignof(Slot));
 static_assert(sizeof(P) <= sizeof(Slot) && alignof(P) <= alignof(Slot));
 static_assert(std::is_trivially_copyable_v<I> && std::is_trivially_copyable_v<P>);
 
-// A slot's bytes are read as the type that was written there.
+// The bytes of a slot are read as the type that was written there.
 template <class Value>
 struct [[gnu::may_alias]] InSlot {
   Value value;
@@ -109,8 +109,8 @@ REGULUS_PARTIAL_STEP(log)
 #undef REGULUS_PARTIAL_STEP
 #undef REGULUS_SIGN_STEPS
 
-/// In the order of PackOperation. Constants are in the frame before the first step, and a fetched
-/// value is read where it is kept.
+/// In the order of PackOperation. Constants are in the frame before the first step; a fetched value
+/// is read from the slot that keeps it.
 constexpr StepTable kTable = {
     {load,         point,
      nullptr,      nullptr,

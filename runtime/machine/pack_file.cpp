@@ -8,7 +8,7 @@ namespace {
 
 constexpr std::string_view kMagic = "regulus pack program 1\n";
 
-/// Numbers by 7 bits, the low ones first; all but the last byte have the high bit set.
+/// Writes numbers by 7 bits, the low ones first; all but the last byte have the high bit set.
 class Writer {
  public:
   void add(std::uint32_t number) {
@@ -43,7 +43,7 @@ class Writer {
   std::string bytes_{kMagic};
 };
 
-/// Reads what the writer writes. After bytes that it does not, every value is 0.
+/// Reads the output of Writer. After bytes that Writer does not produce, every value is 0.
 class Reader {
  public:
   explicit Reader(std::string_view bytes) : rest_(bytes) {
@@ -59,7 +59,7 @@ class Reader {
       const auto byte = static_cast<unsigned char>(this->byte());
       value |= std::uint64_t{byte & 0x7fu} << shift;
       if (byte >= 0x80) continue;
-      // One way of writing each number: no zero byte at the end, and nothing past 32 bits.
+      // Each number has only one form: no zero byte at the end, and nothing beyond 32 bits.
       if (value > UINT32_MAX || (byte == 0 && shift > 0)) break;
       return static_cast<std::uint32_t>(value);
     }
@@ -77,7 +77,7 @@ class Reader {
     i.operation = static_cast<PackOperation>(byte());
     for (std::uint32_t* operand : {&i.a, &i.b, &i.c}) read(*operand);
   }
-  /// The number of a function in kKernelFunctions.
+  /// Reads the number of a function in kKernelFunctions.
   void read(KernelFunction& function) {
     const std::uint32_t number = this->number();
     sound_ = sound_ && number < kKernelFunctions.size();
@@ -86,7 +86,7 @@ class Reader {
   void read(regulus_derivative& d) {
     for (unsigned* number : {&d.row, &d.column, &d.first, &d.second}) read(*number);
   }
-  /// Each item takes a byte at least, so that the bytes bound what is allocated.
+  /// Each item takes at least one byte, so the number of bytes bounds the allocation.
   template <class Item>
   void read(std::vector<Item>& list) {
     const std::uint32_t size = number();

@@ -10,10 +10,10 @@
 
 namespace regulus::machine {
 
-/// Ensures   equal programs give equal bytes, and others do not.
+/// Ensures   equal programs give equal bytes; different programs give different bytes.
 [[nodiscard]] std::string to_bytes(const PackKernel& program);
 
-/// The program; nullopt unless the bytes are those of one that find_fault has no objection to.
+/// Returns the program; nullopt unless the bytes are those of a program without a fault.
 [[nodiscard]] std::optional<PackKernel> read_pack_kernel(std::string_view bytes);
 
 }  // namespace regulus::machine

@@ -6,7 +6,7 @@
 namespace regulus::machine {
 namespace {
 
-/// More than any robot has; products of three such numbers fit in 64 bits.
+/// More than any robot has. Products of three such numbers fit in 64 bits.
 constexpr std::uint32_t kMaxCount = 1U << 12;
 
 bool has_possible_sizes(const PackKernel& k) {
@@ -15,8 +15,8 @@ bool has_possible_sizes(const PackKernel& k) {
          std::ranges::all_of(counts, [](std::uint32_t count) { return count <= kMaxCount; });
 }
 
-/// How many outputs a function of the kernel must have. Those that only the expansion names have
-/// one for each element of their list.
+/// Returns how many outputs a function of the kernel must have. Functions that only the expansion
+/// names have one output for each element of their list.
 std::uint64_t outputs_stated(const PackKernel& k, KernelFunction function) {
   const std::uint64_t m = k.rows, n = k.columns, v = k.variables;
   switch (function) {
@@ -62,14 +62,14 @@ std::string fault_of_function(const PackKernel& kernel, std::size_t row) {
     return "has another number of outputs";
   if (needs_square_matrix(static_cast<KernelFunction>(row)) && kernel.rows != kernel.columns)
     return "needs a square matrix";
-  // Before find_fault takes memory for them.
+  // This check comes before find_fault allocates memory for them.
   if (function.slots > function.code.size() || function.outputs > kMaxCount * function.code.size())
     return "has more slots or outputs than instructions could write";
   return find_fault(function, kernel.variables, kernel.rows * kernel.columns);
 }
 
-/// List `number` of the expansion: the first two are of K·A, the others of A; the odd ones are of
-/// second order.
+/// Checks list `number` of the expansion: the first two are of K·A, the others of A; the odd ones
+/// are of second order.
 bool fits(const PackKernel& k, std::size_t number) {
   const PackDerivatives& derivatives = k.expansion.derivatives[number];
   const PackFunction& function = k.functions[static_cast<std::size_t>(derivatives.function)];
@@ -83,7 +83,7 @@ bool fits(const PackKernel& k, std::size_t number) {
                                       std::ranges::all_of(derivatives.list, is_derivative));
 }
 
-/// One number for each variable, from −1 up to below `end`.
+/// Checks that there is one number for each variable, from −1 up to below `end`.
 bool numbers_variables(const PackKernel& k, const std::vector<int>& list, std::int64_t end) {
   return list.size() == k.variables &&
          std::ranges::all_of(list, [&](int number) { return -1 <= number && number < end; });

@@ -8,7 +8,7 @@ namespace {
 
 using Op = PackOperation;
 
-/// The kinds of an operation's operands and of its result, as letters: I, P, or - for none.
+/// The types of an operation's operands and of its result, as letters: I, P, or - for none.
 struct Signature {
   std::string_view operands;
   char result;
@@ -143,7 +143,7 @@ class FaultFinder {
 
   const PackFunction& function_;
   std::uint32_t variables_, points_;
-  std::vector<bool> fetched_;  ///< by the part that is looked at
+  std::vector<bool> fetched_;  ///< by the present part
   std::vector<bool> kept_ = std::vector<bool>(function_.slots);
   std::vector<bool> stored_ = std::vector<bool>(function_.outputs);
 };

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// A kernel as data: for each of its functions a straight list of the operations that packs have
+// A kernel as data: each of its functions is a straight list of the operations of packs
 // (runtime/kernel/pack.hpp). C++ text, machine code and the vector machine are made from this list
-// and decide nothing, so that they give the same bounds to the bit.
+// and decide nothing, so they give the same bounds to the bit.
 #pragma once
 
 #include <array>
@@ -15,25 +15,25 @@
 
 namespace regulus::machine {
 
-/// One operation of packs. The letters say of what: I an interval, P exact doubles, N a count, U
-/// the mask of undefined lanes, which every list has one of.
+/// One operation of packs. The letters name the operands: I an interval, P exact doubles, N a
+/// count, U the mask of undefined lanes; every list has one mask.
 enum class PackOperation : std::uint8_t {
-  // What an instruction reads besides values: a is a number of its own.
+  // These read more than values: a is a number with its own meaning.
   kLoad,         ///< I: variable a of the boxes
   kPoint,        ///< P: entry a of K
   kConstant,     ///< I: constant a
   kExact,        ///< P: constant a, whose bounds are equal
-  kFetch,        ///< I: what an earlier part keeps in slot a
+  kFetch,        ///< I: the interval that an earlier part keeps in slot a
   kKeep,         ///< keeps the interval b in slot a; no value
   kStore,        ///< stores the interval c as the outputs a to b; no value
   kThin_P,       ///< I
-  kPointOf_I,    ///< P: of an interval that is a point
+  kPointOf_I,    ///< P: for an interval that is a point
   kNegate_P,     ///< P
-  kExactAdd_PP,  ///< P, as all that say exact
+  kExactAdd_PP,  ///< P; so are all others named exact
   kExactSub_PP,
   kExactMul_PP,
   kExactMulAdd_PPP,  ///< a·b + c
-  kNegate_I,         ///< I, as all that follow
+  kNegate_I,         ///< I; so are all that follow
   kAdd_II,
   kAdd_IP,
   kAdd_PI,
@@ -51,13 +51,13 @@ enum class PackOperation : std::uint8_t {
   kMulAdd_PII,
   kMulAdd_PPI,
   kSqr_I,
-  kPow_IN,  ///< a^b, b ≥ 2 the number itself
+  kPow_IN,  ///< a^b; b ≥ 2 is the exponent itself
   kAbs_I,
   kSin_I,
   kCos_I,
   kAtan_I,
   kSinCos_I,  ///< the sine; the next instruction is kCosine, the cosine of the same argument
-  kCosine,    ///< a: the instruction before
+  kCosine,    ///< a: the preceding instruction
   kChecked_IU,
   kDiv_IIU,
   kSqrt_IU,
@@ -71,7 +71,7 @@ enum class PackOperation : std::uint8_t {
 
 inline constexpr std::size_t kPackOperations = static_cast<std::size_t>(PackOperation::kLog_IU) + 1;
 
-/// How many of a, b and c are values, counted from a. kKeep and kStore read one value elsewhere.
+/// Returns how many of a, b and c are values, from a on. kKeep and kStore read one value elsewhere.
 [[nodiscard]] int operand_count(PackOperation operation) noexcept;
 
 /// The number of an instruction in its function; its result is the value of that number.
@@ -84,8 +84,8 @@ struct PackInstruction {
   friend bool operator==(const PackInstruction&, const PackInstruction&) = default;
 };
 
-/// A straight list of instructions, cut into parts. A value is read by its own part alone, after
-/// its instruction; what a later part needs is kept in a slot.
+/// A straight list of instructions, cut into parts. Only its own part reads a value, after its
+/// instruction. A value that a later part needs is kept in a slot.
 struct PackFunction {
   std::vector<PackInstruction> code;
   std::vector<std::uint32_t> part_ends;  ///< one past the last instruction of each part
@@ -94,10 +94,10 @@ struct PackFunction {
   std::uint32_t outputs = 0;
 };
 
-/// What is wrong with a list, in words; empty for one that can be run: operands of the right kind
-/// from the same part and from before, numbers within `variables`, `points` and the list's own
-/// sizes, a slot written before it is read and not again by a part that reads it, constants with
-/// bounds in order, every output stored once.
+/// Describes the fault of a list; empty if it can be run. It can be run if operands have the right
+/// type and come from the same part and from before; numbers are within `variables`, `points` and
+/// the list's own sizes; a slot is written before it is read, and not again by a part that reads
+/// it; constants have bounds in order; every output is stored once.
 [[nodiscard]] std::string find_fault(const PackFunction& function, std::uint32_t variables,
                                      std::uint32_t points);
 
@@ -116,7 +116,7 @@ struct PackExpansion {
   std::vector<Interval> nominal;      ///< or empty
 };
 
-/// All of a kernel but for its machine code; see regulus_kernel.
+/// All data of a kernel except its machine code; see regulus_kernel.
 struct PackKernel {
   std::uint32_t variables = 0, motion_variables = 0;
   std::uint32_t rows = 0, columns = 0;
@@ -127,9 +127,9 @@ struct PackKernel {
   std::string identity;
 };
 
-/// What is wrong with a kernel, in words; empty for one that a search can be given: find_fault has
-/// nothing to say about its functions, each has the outputs that regulus_kernel states for the
-/// kernel's sizes, and the lists of the expansion name variables and entries that exist.
+/// Describes the fault of a kernel; empty if a search can use it. Then find_fault reports nothing
+/// about its functions, each has the outputs that regulus_kernel states for the kernel's sizes, and
+/// the lists of the expansion name variables and entries that exist.
 [[nodiscard]] std::string find_fault(const PackKernel& kernel);
 
 }  // namespace regulus::machine

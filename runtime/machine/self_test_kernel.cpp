@@ -140,8 +140,8 @@ PackFunction& function(PackKernel& kernel, KernelFunction which) {
   return kernel.functions[static_cast<std::size_t>(which)];
 }
 
-/// The self-test's function, whose context is the kernel: the last two outputs are the lanes that
-/// the two undefined operations leave out.
+/// The self-test's function, whose context is the kernel. The last two outputs are masks: the lanes
+/// in which the two last operations are undefined.
 unsigned run(const double* boxes, const double* points, double* out, const void* context) {
   const auto& kernel = *static_cast<const regulus_kernel*>(context);
   const unsigned undefined = kernel.matrix(boxes, points, out, kernel.context);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The rounding self-test of runtime/kernel/self_test.hpp as a pack program, for what makes kernels
-// from lists.
+// The rounding self-test of runtime/kernel/self_test.hpp as a pack program, for engines that make
+// kernels from lists.
 #pragma once
 
 #include <optional>
@@ -12,10 +12,10 @@
 
 namespace regulus::machine {
 
-/// Ensures   find_fault finds none in its functions.
+/// Ensures   find_fault reports nothing about its functions.
 [[nodiscard]] PackKernel self_test_kernel();
 
-/// Runs what was made of self_test_kernel() and compares every lane with the known results.
+/// Runs a kernel made of self_test_kernel() and compares every lane with the known results.
 ///
 /// Requires  `kernel` was made of self_test_kernel() for `isa`, and supported(isa).
 /// Ensures   as regulus::check_self_test.

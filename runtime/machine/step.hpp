@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What the vector machine runs: a pointer to an operation's code, and where its operands are.
+// The steps of the vector machine: a pointer to an operation's code, and places of operands.
 #pragma once
 
 #include <array>
@@ -12,13 +12,13 @@
 
 namespace regulus::machine {
 
-/// Room for one value of eight lanes, an interval or exact doubles, as the packs of one instruction
-/// set keep it. All of them need 128 bytes for an interval.
+/// Memory for one value of eight lanes, an interval or exact doubles, in the form that the packs of
+/// one instruction set use. All of them need 128 bytes for an interval.
 struct alignas(64) Slot {
   double lanes[2 * kLanes];
 };
 
-/// One call of a function: its arguments, its values, and the lanes that are undefined so far.
+/// One call of a function: its arguments, its values, and the lanes found undefined so far.
 struct Frame {
   const double* boxes;
   const double* points;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// A costly test is tried up to a threshold that it learns from its own results.
+// The limit up to which a costly test is tried; it is learned from the results of the test.
 #pragma once
 
 #include <algorithm>
@@ -9,15 +9,15 @@
 
 namespace regulus {
 
-/// What came of trying a test at some distance from where it surely succeeds.
+/// The outcome of trying a test at some distance from a case in which it surely succeeds.
 struct TrialOutcome {
   double distance;
   bool certified;
 };
 
-/// Up to where a test has been paying. Its own result is the measure: where it certified, a little
-/// further is worth a try; where it failed, the threshold comes closer. Boxes below it are about as
-/// likely to be certified as not, or more.
+/// The distance up to which a test has been useful. Its own results are the measure: where it
+/// certified, a slightly larger distance is tried; where it failed, the threshold decreases. Boxes
+/// below it are certified at least about as often as not.
 class AdaptiveThreshold {
  public:
   AdaptiveThreshold() = default;
@@ -37,11 +37,11 @@ class AdaptiveThreshold {
   double value_ = 1.1;
 };
 
-/// How much to try on the boxes of one batch, and what came of it. The threshold stays as it is
-/// while boxes are decided and learns afterwards, in the order of the boxes: so that what is tried
-/// does not depend on which batch a thread came to first.
+/// How much to try on the boxes of one batch, and the outcomes. While boxes are decided, the
+/// threshold does not change. It learns afterwards, in the order of the boxes. So the tests that
+/// are tried do not depend on the order in which threads reach the batches.
 struct TestBudget {
-  LaneMask anyway = 0;  ///< lanes in which every test is to be tried
+  LaneMask anyway = 0;  ///< lanes in which every test must be tried
   AdaptiveThreshold threshold;
   std::size_t trials = 0;
   TrialOutcome trial[kLanes];

@@ -12,7 +12,7 @@ constexpr std::size_t kLongestName = 64;
 
 bool is_printable(char c) { return c >= ' ' && c <= '~'; }
 
-/// Kept out of line: a function that touches the floating-point environment must not be moved.
+/// Not inlined: a function that uses the floating-point environment must not be moved.
 [[gnu::noinline]] unsigned answer(const regulus_filter_interface& filter,
                                   const regulus_filter_boxes& boxes) noexcept try {
   const unsigned lanes = filter.certify(&boxes, filter.context);
@@ -35,7 +35,7 @@ std::optional<std::string> find_fault(const regulus_filter_interface& filter) {
   return std::nullopt;
 }
 
-// The whole environment is saved, x87's too: what a foreign function leaves in it is unknown.
+// The whole environment is saved, also that of x87: a foreign function may leave anything in it.
 unsigned call_filter(const regulus_filter_interface& filter,
                      const regulus_filter_boxes& boxes) noexcept {
   std::fenv_t kept;

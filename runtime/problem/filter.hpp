@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Calling a regularity test that is not ours.
+// Calls a user's regularity test.
 #pragma once
 
 #include <optional>
@@ -9,12 +9,12 @@
 
 namespace regulus {
 
-/// What is wrong with an interface, in words; nullopt when it can be called.
+/// Returns the fault of an interface, in words; nullopt if it can be called.
 [[nodiscard]] std::optional<std::string> find_fault(const regulus_filter_interface& filter);
 
-/// The lanes that a filter vouches for.
+/// Returns the lanes that a filter certifies.
 ///
-/// Ensures   a subset of boxes.lanes; none if the filter throws or leaves another rounding behind.
+/// Ensures   a subset of boxes.lanes; none if the filter throws or changes the rounding.
 ///           The caller's floating-point environment is kept.
 [[nodiscard]] unsigned call_filter(const regulus_filter_interface& filter,
                                    const regulus_filter_boxes& boxes) noexcept;

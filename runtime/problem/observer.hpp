@@ -14,8 +14,8 @@
 
 namespace regulus {
 
-/// The root is 0; the lower half of a split gets the next free number, the upper half the one
-/// after.
+/// The root is 0. The lower half of a split gets the next free number; the upper half gets the
+/// number after it.
 using BoxId = std::uint64_t;
 
 struct OpenBox {
@@ -31,20 +31,20 @@ struct Split {
   BoxId lower;  ///< lower + 1 is the upper half
 };
 
-/// What stands behind a leaf. For the test that certified it: entry p of K is preconditioner[p·8],
-/// entry i of v is vector[i·8], i < order (0 if the rule has no v; for kSecondOrder more than the
+/// The proof of a leaf. For the test that certified it: entry p of K is preconditioner[p·8], entry
+/// i of v is vector[i·8], i < order (0 if the rule has no v; for kSecondOrder more than the
 /// columns).
 struct Proof {
   const double* preconditioner = nullptr;
   const double* vector = nullptr;
   std::size_t order = 0;
   const Witness* witness = nullptr;            ///< kWitness: valid during the call
-  Reason reason = Reason::kAllBoxesCertified;  ///< kWitness: which proof; kBlocked: what blocks
-  /// Encloses det over the box, if Settings::enclose_determinants asks for it and it is defined.
+  Reason reason = Reason::kAllBoxesCertified;  ///< kWitness: which proof; kBlocked: the reason
+  /// Encloses det over the box, if Settings::enclose_determinants is set and det is defined.
   std::optional<Interval> determinant{};
 };
 
-/// The boxes a search has still to decide.
+/// The boxes that a search has not decided yet.
 class OpenBoxes {
  public:
   OpenBoxes() = default;
@@ -57,8 +57,8 @@ class OpenBoxes {
   [[nodiscard]] virtual OpenBox at(std::size_t index) const noexcept = 0;
 };
 
-/// Where a search for a singularity goes on: the points of the largest determinants of either sign
-/// that it saw, and of the least one below α. Heuristics: no proof depends on them.
+/// The points from which a search for a singularity continues: those of the largest determinants of
+/// either sign that it saw, and of the smallest one below α. Heuristics: no proof depends on them.
 struct WitnessCandidates {
   struct Candidate {
     std::vector<double> point;  ///< an entry for each variable
@@ -70,15 +70,15 @@ struct WitnessCandidates {
   unsigned small_tries = 0;
 };
 
-/// What a search knows besides its open boxes. With both it can go on as though it had not stopped.
+/// What a search knows besides its open boxes. With both it can continue as if it had not stopped.
 struct SearchState {
-  BoxId next_id = 1;  ///< of the next box to be made
+  BoxId next_id = 1;  ///< of the next box
   Statistics statistics;
   std::vector<std::uint64_t> filter_boxes;  ///< how many rest on each of Settings::filters
-  std::uint64_t next_descent = 1;           ///< boxes at which to look for a singularity again
+  std::uint64_t next_descent = 1;           ///< boxes at which to search for a singularity again
   AdaptiveThreshold threshold;
   WitnessCandidates candidates;
-  /// A box could not be decided: NO SINGULARITY is out of reach.
+  /// A box could not be decided: NO SINGULARITY is not possible any more.
   bool blocked = false;
   Reason blocked_reason = Reason::kAllBoxesCertified;
   std::uint64_t boxes_when_blocked = 0;
@@ -97,14 +97,14 @@ class Observer {
   virtual void on_start(const Problem&, const Settings&) noexcept {}
   virtual void on_split(const OpenBox&, const Split&) noexcept {}
   virtual void on_leaf(const OpenBox&, Rule, const Proof&) noexcept {}
-  /// When a budget, an interrupt or memory ends the search: each box that was not decided.
+  /// Called for each undecided box if a budget, an interrupt or memory ends the search.
   virtual void on_open(const OpenBox&) noexcept {}
-  /// After each batch of boxes.
+  /// Called after each batch of boxes.
   virtual void on_progress(const Statistics&, std::uint64_t /*frontier*/) noexcept {}
-  /// Asked after each round of batches whether on_pause is to follow.
+  /// Called after each round of batches. If it returns true, on_pause follows.
   [[nodiscard]] virtual bool wants_pause() noexcept { return false; }
-  /// What has been told so far and what is left: all of it, nothing is being decided. Also when a
-  /// budget or an interrupt ends the search, before on_open.
+  /// Receives everything reported so far and everything left; no box is being decided. Also called
+  /// if a budget or an interrupt ends the search, before on_open.
   virtual void on_pause(const SearchState&, const OpenBoxes&) noexcept {}
   virtual void on_finish(const Result&) noexcept {}
 };

@@ -8,7 +8,7 @@
 
 namespace regulus {
 
-/// Tells several observers, in their order. It does not own them.
+/// Calls several observers, in their order. It does not own them.
 class Observers final : public Observer {
  public:
   explicit Observers(std::vector<Observer*> observers) : observers_(std::move(observers)) {}

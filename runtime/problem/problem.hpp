@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What is to be certified, and how to go about it.
+// The problem of a search, and its settings.
 #pragma once
 
 #include <atomic>
@@ -18,33 +18,33 @@
 
 namespace regulus {
 
-/// A set of values for every variable of a kernel (motion parameters, then uncertain quantities)
-/// over which it is to be certified.
+/// A set of values for every variable of a kernel (motion parameters, then uncertain quantities).
+/// The problem is to certify it.
 ///
-/// A range such as ±15·π/180 does not end in doubles, so each variable has two: `outer` holds the
-/// true range and is what is proved free; `inner` lies within the true range and is where witnesses
-/// may lie. nullopt where no double is within the true range (a single irrational value): a witness
-/// then speaks of all of `outer`, which includes the true value. For a ball, `outer` is a box
-/// around it and `inner` a box inside it.
+/// A range such as ±15·π/180 does not end in doubles, so each variable has two. `outer` contains
+/// the true range; claims of freedom are about it. `inner` lies within the true range; witnesses
+/// may lie in it. It is nullopt if no double is within the true range (a single irrational value):
+/// a witness then covers all of `outer`, which includes the true value. For a ball, `outer` is a
+/// box around it and `inner` a box inside it.
 struct Problem {
   const regulus_kernel* kernel = nullptr;
   std::vector<Interval> outer;
   std::vector<std::optional<Interval>> inner;
   Interval alpha{0.0};  ///< encloses the threshold α ≥ 0
   /// The kernel's A is the user's matrix with rows and columns multiplied by powers of two, and its
-  /// determinant 2^e times the user's. Determinants that are reported are the user's. The kernel's
-  /// row scale has the factor 2^-e wherever α > 0, so that det J⁻¹ is the user's throughout.
+  /// determinant is 2^e times the user's. Reported determinants are the user's. The kernel's row
+  /// scale has the factor 2^-e if α > 0, so that det J⁻¹ is the user's throughout.
   int determinant_exponent = 0;
-  /// Where another thread may put a kernel that computes what `kernel` does, equal to the bit, in
-  /// less time. It is looked at before each batch of boxes, and the batch that is being decided
-  /// goes on with the kernel that it has. Null: there will be none.
+  /// Another thread may store here a kernel that computes the same as `kernel`, equal to the bit,
+  /// in less time. It is read before each batch of boxes; the batch that is being decided keeps the
+  /// kernel that it has. Null: there will be none.
   ///
   /// Requires  regulus::Kernel accepts it, and it has the sizes and lists of `kernel`; both live as
   ///           long as the search.
   const std::atomic<const regulus_kernel*>* faster_kernel = nullptr;
 };
 
-/// The regularity tests tried on each box, in the order of the name; kAuto is the H-matrix test on
+/// The regularity tests for each box, in the order of the name; kAuto is the H-matrix test on
 /// natural, then on mean-value bounds of K·A.
 enum class Method : std::uint8_t {
   kAuto,
@@ -59,8 +59,8 @@ enum class Method : std::uint8_t {
   kClosedForm,  ///< the kernel's closed form of the determinant
 };
 
-/// The matrix whose regularity a method looks at: A, or its product with K, and whether that is
-/// multiplied out symbolically or from the entries of A.
+/// The matrix whose regularity a method tests: A, or its product with K, and how that is computed:
+/// symbolically, or from the entries of A.
 struct ProductForm {
   enum class Side : std::uint8_t { kNone, kLeft, kRight };
   Side side = Side::kNone;
@@ -71,32 +71,32 @@ struct ProductForm {
 
 [[nodiscard]] ProductForm form_of(Method method) noexcept;
 
-/// How the determinant of an interval matrix is bounded. kBoth: by expansion, and by elimination
-/// where that decides nothing and no stronger test follows.
+/// How the determinant of an interval matrix is bounded. kBoth: by expansion, and also by
+/// elimination if expansion decides nothing and no stronger test follows.
 enum class Determinant : std::uint8_t { kExpansion, kElimination, kBoth };
 
 inline constexpr unsigned kMaxThreads = 1024;
 
-/// Whether uncertain quantities are kept whole in the matrix elements (the paper's D) or bisected
-/// like motion parameters (V).
+/// kElements: uncertain quantities are kept whole in the matrix elements (the paper's D).
+/// kVariables: they are bisected like motion parameters (V).
 enum class Uncertainty : std::uint8_t { kElements, kVariables };
 
-/// How the entries of the matrix that a method of the paper looks at are enclosed. kNatural: by the
+/// How the entries of the matrix that a method of the paper uses are enclosed. kNatural: by the
 /// rewritten expressions. kDerivatives: by these, by the mean-value form, and by the values at the
-/// ends of the ranges of the variables in which an entry is monotone. kAuto bounds them in its own
+/// ends of the ranges of the variables in which an entry is monotone. kAuto bounds them in another
 /// way.
 enum class Entries : std::uint8_t { kNatural, kDerivatives };
 
-/// What costs the least time on the paper's tables: derivatives for K·A, and for every method where
+/// Returns the fastest choice on the paper's tables: derivatives for K·A, and for every method if
 /// uncertain quantities are split.
 [[nodiscard]] Entries fitting_entries(Method method, Uncertainty uncertainty) noexcept;
 
 /// kWidest: largest width. kWeighted: largest width relative to the range of the variable. kImpact:
-/// largest contribution to what keeps the matrix of the method from being certified, roughly.
+/// largest contribution, roughly, to the failure of the test on the method's matrix.
 enum class Bisection : std::uint8_t { kWidest, kWeighted, kImpact };
 
-/// Asks for the determinant with more digits than doubles have, at a point or over a box that is
-/// too narrow to split. Several threads may ask at once.
+/// Encloses the determinant with more digits than doubles have, at a point or over a box that is
+/// too narrow to split. Several threads may call it at once.
 class DeterminantOracle {
  public:
   DeterminantOracle() = default;
@@ -118,11 +118,11 @@ class ClosedForm {
   ClosedForm& operator=(const ClosedForm&) = delete;
   virtual ~ClosedForm() = default;
 
-  /// Forms it, or finds that it would take too much. Called once by the thread that called the
-  /// search, when that has become long, while no box is being decided.
+  /// Forms it, or finds that this would take too much. The thread that called the search calls this
+  /// once, if the search has become long, while no box is being decided.
   virtual void make() noexcept = 0;
 
-  /// Several threads may ask at once.
+  /// Several threads may call it at once.
   ///
   /// Ensures   det A(p) ∈ result for all p in `box` within the constraints, A of the kernel;
   ///           nullopt if that is not certainly defined all over it, or there is no closed form.
@@ -133,19 +133,19 @@ class ClosedForm {
 /// The place of a coordinate in the range of its variable. An end need not be a double.
 enum class PlaceInRange : std::uint8_t { kInside, kLowerEnd, kUpperEnd };
 
-/// Knows the model's expressions as such, and not only their bounds. The thread that called the
-/// search asks it, of square matrices alone.
+/// Knows the model's expressions themselves, not only their bounds. Only the thread that called the
+/// search uses it, for square matrices only.
 ///
-/// A search asks about the determinant once, in its conclusion, if nothing was proved, or of one
-/// point alone that its determinant is at most the threshold; if no box was certified; and if
-/// memory, the time limit or an interrupt have not ended the search. It asks about points at ends
-/// of ranges where bounds in doubles leave open whether the determinant there is 0.
+/// A search asks about the determinant once, in its conclusion, if three conditions hold: nothing
+/// was proved except, perhaps, that at one point the determinant is at most the threshold; no box
+/// was certified; memory, the time limit or an interrupt did not end the search. It asks about
+/// points at ends of ranges if bounds in doubles do not decide whether the determinant is 0 there.
 class AlgebraOracle {
  public:
   enum class Determinant : std::uint8_t {
     kUnknown,
     kVanishes,       ///< proved: det A = 0 wherever A is defined
-    kSeemsToVanish,  ///< approximately, at every point that was looked at
+    kSeemsToVanish,  ///< approximately, at every tested point
   };
 
   AlgebraOracle() = default;
@@ -153,14 +153,14 @@ class AlgebraOracle {
   AlgebraOracle& operator=(const AlgebraOracle&) = delete;
   virtual ~AlgebraOracle() = default;
 
-  /// `point`: one of the variety, inside the constraints, where A is certainly defined.
+  /// `point`: a point of the variety, inside the constraints, where A is certainly defined.
   ///
   /// Ensures   kVanishes only if det A is the zero function of the kernel's variables, by an exact
   ///           identity between the expressions that are its entries.
   [[nodiscard]] virtual Determinant determinant(std::span<const Interval> point) noexcept = 0;
 
-  /// `point` encloses one point: the end of a range itself where `places` says so, the double
-  /// elsewhere.
+  /// `point` encloses one point: its coordinate is the end of a range itself if `places` says so,
+  /// otherwise the double.
   ///
   /// Requires  the matrix, the row scales and the pose are certainly defined all over `point`.
   /// Ensures   true only if |det J⁻¹| ≤ α at that point, if α > 0; det A = 0 there, if α = 0.
@@ -180,33 +180,33 @@ struct Settings {
   std::uint64_t max_boxes = std::numeric_limits<std::uint64_t>::max();
   double time_limit = std::numeric_limits<double>::infinity();  ///< seconds
   const std::atomic<bool>* interrupt = nullptr;                 ///< true: stop soon
-  /// Boxes are not split in a variable narrower than this part of its range; a box that can no
-  /// longer be split is reported as blocking. 0: until no double lies strictly inside.
+  /// Boxes are not split in a variable narrower than this part of its range; a box that cannot be
+  /// split any more is reported as blocking. 0: until no double lies strictly inside.
   double min_relative_width = 0x1p-40;
-  /// How long to look for a singularity once it is known that NO SINGULARITY cannot be shown.
+  /// The number of boxes for the search of a singularity after NO SINGULARITY became impossible.
   std::uint64_t boxes_after_problem = 4096;
   /// Evaluate at most this many boxes at once, 1…8. With 1 the order is the paper's.
   unsigned batch = 8;
-  /// Decide batches by this many threads, 1…kMaxThreads; the observer is told by the caller's. With
-  /// filters by one. Nothing that comes of the search depends on it but the time.
+  /// The number of threads that decide batches, 1…kMaxThreads; with filters only one. The caller's
+  /// thread calls the observer. Only the time of the search depends on this number.
   unsigned threads = 1;
-  /// Give every box of the variety its verdict: one that is not certified is split down to the
-  /// minimum width, and there searched for a singularity inside it.
+  /// Gives every box of the variety its verdict: a box that is not certified is split down to the
+  /// minimum width, and then searched for a singularity inside it.
   bool exhaustive = false;
-  /// Exhaustive searches: split a box down to the minimum width even where it could be certified.
+  /// Exhaustive searches: boxes are split to the minimum width even if they could be certified.
   bool split_certified = false;
-  /// Hand the observer an enclosure of the determinant over each leaf: of A, or of J⁻¹ if α > 0.
+  /// Gives the observer an enclosure of the determinant over each leaf: of A, or of J⁻¹ if α > 0.
   bool enclose_determinants = false;
   DeterminantOracle* oracle = nullptr;
-  /// Method auto asks it about boxes that stay undecided split after split.
+  /// Method auto uses it for boxes that stay undecided after several splits.
   ClosedForm* closed_form = nullptr;
   AlgebraOracle* algebra = nullptr;
   Ingredients ingredients;
-  /// Tests that are not ours, asked in this order about what ours leave undecided (filter.h).
+  /// Users' tests; used in this order on boxes that our tests leave undecided (filter.h).
   std::vector<const regulus_filter_interface*> filters;
 };
 
-/// What is wrong with the problem or the settings, in words; nullopt when a search can be made.
+/// Returns the fault of the problem or the settings, in words; nullopt if a search is possible.
 [[nodiscard]] std::optional<std::string> find_fault(const Problem& problem,
                                                     const Settings& settings);
 

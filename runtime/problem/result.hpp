@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What the search claims, and why.
+// The claim of a search, and its reason.
 #pragma once
 
 #include <array>
@@ -14,7 +14,7 @@ namespace regulus {
 
 enum class Verdict : std::uint8_t { kNoSingularity, kSingularity, kPossibleProblem };
 
-/// Why a verdict, or what stood in the way of one.
+/// The reason for a verdict, or for the lack of one.
 enum class Reason : std::uint8_t {
   kAllBoxesCertified,
   kOppositeSigns,     ///< two points, det of opposite signs, joined within the variety
@@ -28,31 +28,31 @@ enum class Reason : std::uint8_t {
   kInterrupted,
   kMemory,
   kBadProblem,
-  // Checkpoints know the reasons above by their numbers: new ones come here.
+  // Checkpoints store the reasons above by number, so new reasons must come here.
   kEmptyVariety,   ///< the constraints exclude every pose: there is nothing to claim
-  kSeemsSingular,  ///< the determinant seems to vanish at every pose, which nothing proves
+  kSeemsSingular,  ///< the determinant seems to vanish at every pose, but nothing proves this
   kStalled,        ///< boxes are certified so slowly that the search would not end
 };
 
-/// Whether the constraints leave any pose of the variety.
+/// Tells if the constraints leave any pose of the variety.
 enum class Occupancy : std::uint8_t {
   kUnknown,
   kEmpty,      ///< proved: none
   kInhabited,  ///< proved: at least one
 };
 
-/// What was decided about a box, and by which test.
+/// The decision about a box, and the test that made it.
 enum class Rule : std::uint8_t {
   kOutside,         ///< a constraint is positive throughout
   kHMatrix,         ///< Pv < v, natural entries
   kMeanValue,       ///< Pv < v, smaller of natural and mean-value bounds
-  kSecondOrder,     ///< Tv < v, second order, uncertain quantities by the row they touch
-  kOrthants,        ///< the same bounds, direction by direction of the uncertain rows
+  kSecondOrder,     ///< Tv < v, second order, uncertain quantities by the row that they touch
+  kOrthants,        ///< the same bounds, direction by direction for the uncertain rows
   kDeterminant,     ///< interval determinant, by expansion
   kElimination,     ///< interval determinant, by elimination
   kRohn,            ///< vertex determinants
   kClosedForm,      ///< the determinant in closed form, or its values on faces of the box
-  kFilter,          ///< a filter vouches for it; Regulus has not checked that
+  kFilter,          ///< a filter certifies it; Regulus has not checked that
   kMultiprecision,  ///< the determinant, with more bits than doubles have
   kWitness,         ///< a singularity inside the box is certified; exhaustive searches only
   kBlocked,         ///< not decided and not split any more
@@ -61,8 +61,8 @@ inline constexpr std::size_t kRules = static_cast<std::size_t>(Rule::kBlocked) +
 
 struct WitnessPoint {
   std::vector<Interval> variables;  ///< thin wherever the range holds a double
-  /// Empty, or for each variable: at an end of its range, which is not the double next to it. The
-  /// interval in `variables` encloses that end.
+  /// Empty, or for each variable: if the point is at an end of its range, which is not the double
+  /// next to it. The interval in `variables` encloses that end.
   std::vector<PlaceInRange> places{};
   Interval determinant;  ///< of A for opposite signs, of J⁻¹ for a small determinant
   std::vector<Interval> pose;
@@ -71,15 +71,15 @@ struct WitnessPoint {
 /// Two points of opposite signs, or one of small determinant.
 struct Witness {
   std::vector<WitnessPoint> points;
-  /// Where the determinant is smallest of all points that were looked at on the way to the zero.
-  /// Exhaustive searches do not close in: absent.
+  /// The point with the smallest determinant of all tested on the way to the zero. Exhaustive
+  /// searches do not approach the zero, so they have none.
   std::optional<WitnessPoint> near{};
 };
 
 struct Statistics {
   std::uint64_t boxes = 0;  ///< evaluated
   std::uint64_t max_frontier = 0;
-  std::uint64_t probes = 0;  ///< points at which a determinant was computed in search of a witness
+  std::uint64_t probes = 0;  ///< points at which a determinant was computed to find a witness
   std::array<std::uint64_t, kRules> leaves{};
   double seconds = 0;
 };
@@ -89,15 +89,15 @@ struct Result {
   Reason reason = Reason::kBadProblem;
   Method method = Method::kAuto;
   Statistics statistics;
-  /// The budget, interrupt or lack of memory that left boxes open.
+  /// The budget, interrupt or lack of memory because of which boxes are left open.
   std::optional<Reason> stopped_by;
   std::vector<std::uint64_t> filter_boxes;  ///< how many rest on each of Settings::filters
   std::optional<Witness> witness;
-  std::vector<Interval> blocking_box;  ///< POSSIBLE PROBLEM: the box that stands in the way
-  /// NO SINGULARITY with kUnknown may be a claim about no pose at all; with kEmpty it is not made.
+  std::vector<Interval> blocking_box;  ///< POSSIBLE PROBLEM: the box that could not be decided
+  /// NO SINGULARITY with kUnknown may be about no pose at all; with kEmpty it is not claimed.
   Occupancy occupancy = Occupancy::kUnknown;
-  /// A pose that is certainly inside the constraints, where one was looked for and found: a value,
-  /// or an interval that holds the true one, for each variable.
+  /// A pose certainly inside the constraints, if a search for one succeeded: for each variable a
+  /// value, or an interval that contains the true one.
   std::vector<Interval> inhabitant;
 };
 

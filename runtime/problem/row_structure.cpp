@@ -23,7 +23,7 @@ bool has_row_variable(const regulus_kernel& kernel) noexcept {
 bool uses_expansion(const regulus_kernel& kernel, const Settings& settings) noexcept {
   if (settings.method != Method::kAuto || kernel.expansion == nullptr) return false;
   if (!settings.ingredients.second_order) return false;
-  // One that takes quantities by their row has no derivatives by which to take them otherwise.
+  // An expansion that treats quantities by their row has no other derivatives by them.
   if (!settings.ingredients.rows && has_row_variable(kernel)) return false;
   return kernel.expansion->nominal == nullptr || settings.uncertainty == Uncertainty::kElements;
 }
@@ -36,7 +36,7 @@ RowStructure find_row_structure(const Problem& problem, const Settings& settings
   for (std::size_t k = kernel.motion_variables; k < kernel.variables; ++k)
     if (const int row = kernel.expansion->row_of_variable[k]; row >= 0)
       structure.slot[k] = static_cast<int>(slot_of(structure.rows, static_cast<std::size_t>(row)));
-  // A box that may be split in them holds only part of a ball, and more than that part.
+  // A box that may be split in them has only part of a ball, and more than that part.
   if (settings.ingredients.balls && kernel.expansion->nominal != nullptr &&
       kernel.expansion->ball_of_variable != nullptr)
     structure.ball.assign(kernel.expansion->ball_of_variable,

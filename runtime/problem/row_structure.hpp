@@ -6,12 +6,12 @@
 
 namespace regulus {
 
-/// Whether the search uses the kernel's expansion. One at nominal values is of no use where
-/// uncertain quantities are bisected.
+/// Returns true if the search uses the kernel's expansion. An expansion at nominal values cannot be
+/// used if uncertain quantities are bisected.
 [[nodiscard]] bool uses_expansion(const regulus_kernel& kernel, const Settings& settings) noexcept;
 
-/// The uncertain quantities that touch one row of the matrix only, as the kernel's expansion says.
-/// Empty when the search does not use it.
+/// Returns the uncertain quantities that touch one row of the matrix only, as the kernel's
+/// expansion says. Empty if the search does not use the expansion.
 [[nodiscard]] RowStructure find_row_structure(const Problem& problem, const Settings& settings);
 
 }  // namespace regulus

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// The loops of the regularity tests, compiled once per instruction set. Any rounding mode; no state
-// is kept. What the functions claim is said where they are
-// used.
+// The loops of the regularity tests, compiled once per instruction set. They work in any
+// rounding mode and keep no state. The files that use these functions say what the results
+// prove.
 #pragma once
 
 #include "runtime/interval/isa.hpp"
@@ -16,7 +16,7 @@ struct SecondOrderWork;
 struct OrthantProblem;
 struct OrthantCell;
 
-/// The largest order whose vertex matrices are gone through.
+/// The largest order for which all vertex matrices are tested.
 inline constexpr std::size_t kMaxVertexOrder = 8;
 
 /// The bounds of an interval matrix n×n in one lane.
@@ -33,8 +33,8 @@ struct RegularityBackend {
   void (*expand)(ConstIntervalMatrix matrix, IntervalVector determinant) noexcept;
   /// The same sum for magnitudes without signs, each level times `factor` plus 2^-1000.
   void (*permanent)(ConstPointMatrix magnitude, double factor, LaneNumbers& result) noexcept;
-  /// Whether the vertex determinants of one matrix, as computed, all exceed `error` or all stay
-  /// below −error.
+  /// Returns true if the vertex determinants of one matrix, as computed, all exceed `error`, or all
+  /// are below −error.
   bool (*vertices_share_sign)(const BoundsOfOneLane& matrix, double error) noexcept;
 
   // h_matrix_lanes.hpp
@@ -43,12 +43,12 @@ struct RegularityBackend {
   void (*solve_for_ones)(ConstPointMatrix P, PointVector v) noexcept;
   /// Pv, to nearest.
   void (*multiply)(ConstPointMatrix P, ConstPointVector v, PointVector product) noexcept;
-  /// Perron vectors, right and left, and the spectral radius, roughly.
+  /// Perron vectors, right and left, and the spectral radius; all approximate.
   void (*perron)(ConstPointMatrix P, PerronVectors vectors, LaneNumbers& radius) noexcept;
 
   // inverse_lanes.hpp
 
-  /// In place, roughly; not finite where there is none. The determinants, to nearest.
+  /// Inverts in place, approximately; not finite if there is no inverse. Determinants to nearest.
   void (*invert)(PointMatrix matrix, LaneNumbers& determinant) noexcept;
 
   // second_order_lanes.hpp, second_order_impact_lanes.hpp
@@ -61,16 +61,16 @@ struct RegularityBackend {
 
   // orthants_lanes.hpp
 
-  /// For each row, in which of eight orthants its |ρ_l| may be ζ_l.
+  /// Finds, for each row, in which of eight orthants its |ρ_l| may be ζ_l.
   void (*possible_rows)(const OrthantProblem& problem, unsigned first, unsigned* lanes) noexcept;
-  /// Which of eight cells may hold a ρ.
+  /// Returns which of eight cells may contain a ρ.
   unsigned (*remaining_cells)(const OrthantProblem& problem, const OrthantCell* cells) noexcept;
 };
 
 /// Requires  supported(isa) before a function of it is called.
 [[nodiscard]] const RegularityBackend& regularity_backend(Isa isa) noexcept;
 
-/// That of the widest vectors this processor has.
+/// Returns the backend of the widest vectors that this processor has.
 [[nodiscard]] const RegularityBackend& regularity_backend() noexcept;
 
 extern const RegularityBackend kRegularityPortable;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// All that backend_*.cpp compile for one instruction set each.
+// Everything that backend_*.cpp compile, each for one instruction set.
 #pragma once
 
 #include "runtime/regularity/backend.hpp"

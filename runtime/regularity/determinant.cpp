@@ -9,7 +9,7 @@ namespace {
 
 using Indices = std::array<unsigned char, kMaxColumns>;
 
-/// The rows and columns of M that are left.
+/// The remaining rows and columns of M.
 struct Minor {
   std::size_t order;
   Indices rows;
@@ -33,7 +33,7 @@ struct Line {
   std::size_t index;
 };
 
-/// The line of least total width; all have the same number of entries. A choice, not a bound.
+/// Returns the line of least total width; all have equally many entries. A choice, not a bound.
 Line format_narrowest(const LaneMatrix& M, const Minor& minor) noexcept {
   double row_width[kMaxColumns] = {};
   double column_width[kMaxColumns] = {};
@@ -62,7 +62,7 @@ Interval expand(const LaneMatrix& M, const Minor& minor) noexcept {
   for (std::size_t k = 0; k < minor.order; ++k) {
     const std::size_t i = line.is_row ? line.index : k;
     const std::size_t j = line.is_row ? k : line.index;
-    // 0 times a bounded minor is 0: worth the test, full Jacobians of simple robots are sparse.
+    // 0 times a bounded minor is 0. The test is useful: full Jacobians of simple robots are sparse.
     if (is_zero(at(i, j))) continue;
     const Interval term = at(i, j) * expand(M, without(minor, i, j));
     sum = (i + j) % 2 == 0 ? sum + term : sum - term;

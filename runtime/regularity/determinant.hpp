@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Determinants of interval matrices. The entries are taken as independent: not tight.
+// Determinants of interval matrices. The entries count as independent, so this is not tight.
 #pragma once
 
 #include <array>
@@ -21,10 +21,10 @@ struct LaneMatrix {
   }
 };
 
-/// One lane of a square matrix.
+/// Returns one lane of a square matrix.
 [[nodiscard]] LaneMatrix matrix_of_lane(ConstIntervalMatrix x, std::size_t lane) noexcept;
 
-/// The same, as thin intervals.
+/// Returns the same as thin intervals.
 [[nodiscard]] LaneMatrix matrix_of_lane(ConstPointMatrix x, std::size_t lane) noexcept;
 
 /// The largest order that is expanded; the work grows with its factorial.
@@ -39,14 +39,14 @@ inline constexpr std::size_t kMaxExpansion = 7;
 /// Source    Merlet, T-RO 2007, §III-A.
 [[nodiscard]] Interval enclose_determinant(const LaneMatrix& M) noexcept;
 
-/// Encloses det(M) by Gaussian elimination, pivots of largest mignitude; when every candidate for a
-/// pivot contains 0 the rest is expanded.
+/// Encloses det(M) by Gaussian elimination, with pivots of largest mignitude. If every candidate
+/// for a pivot contains 0, the rest is expanded.
 ///
 /// Requires, Ensures, Rounding  as enclose_determinant; [−∞, ∞] if more than kMaxExpansion rows
-///           are left without a pivot.
+/// remain without a pivot.
 [[nodiscard]] Interval enclose_determinant_by_elimination(const LaneMatrix& M) noexcept;
 
-/// Whether all determinants are of one sign: +1, −1, or 0 if that was not shown.
+/// Returns the sign of all determinants: +1, −1, or 0 if a common sign was not shown.
 [[nodiscard]] constexpr int certain_sign(const Interval& x) noexcept {
   return x.lo > 0.0 ? 1 : x.hi < 0.0 ? -1 : 0;
 }

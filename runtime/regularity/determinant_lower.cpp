@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
-// det(I − P) from below. Elimination on a Z-matrix (off-diagonal entries ≤ 0) with positive pivots
-// has terms of one sign only, so it can be bounded as it goes: diagonal entries downward,
+// Bounds det(I − P) from below. Elimination on a Z-matrix (off-diagonal entries ≤ 0) with positive
+// pivots has terms of one sign only, so each step can be bounded: diagonal entries downward,
 // magnitudes of the others upward. Each step replaces the Schur complement S by a Z-matrix S' ≤ S;
-// if S' is a nonsingular M-matrix so is S, and det S ≥ det S'.
+// if S' is a nonsingular M-matrix, so is S, and det S ≥ det S'.
 #include <cstring>
 
 #include "runtime/regularity/h_matrix.hpp"
@@ -13,8 +13,8 @@ namespace {
 constexpr double kOneTerm = raise_factor(1);
 constexpr double kTwoTerms = raise_factor(2);
 
-/// Below the exact value of one operation whose floating-point value is x, if the result is
-/// positive: 4 units of 2^-52 for the three roundings, 2^-1000 for the underflow of the product.
+/// A bound below the exact value of one operation whose floating-point value is x, if the result is
+/// positive: 4 units of 2^-52 for three roundings, 2^-1000 for underflow of the product.
 double one_operation_rd(double x) noexcept { return x * (1.0 - 0x1p-50) - 0x1p-1000; }
 
 struct ComparisonMatrix {

@@ -10,9 +10,9 @@
 namespace regulus {
 namespace {
 
-/// x·(1 + 2^-51): above the exact value of one sum whose floating-point value is x ≥ 0. A sum of
-/// doubles that is not zero is a multiple of 2^-1074, and here (l − 1) at least 2^-53: the product
-/// cannot underflow.
+/// Returns x·(1 + 2^-51), which is above the exact value of one sum whose floating-point value is x
+/// ≥ 0. A sum of doubles that is not zero is a multiple of 2^-1074, and here (l − 1) at least
+/// 2^-53: the product cannot underflow.
 double one_sum_ru(double x) noexcept { return x * (1.0 + 0x1p-51); }
 
 }  // namespace
@@ -63,7 +63,7 @@ LaneMask certain_contraction(ConstPointMatrix P, ConstPointVector v) noexcept {
   for (std::size_t i = 0; i < n; ++i) {
     for (std::size_t lane = 0; lane < kLanes; ++lane) {
       const double vi = v.at(i, lane);
-      // Written so that NaN fails; an infinite v fails because Pv < v then has no meaning.
+      // The condition is false for NaN. It is false for infinite v: Pv < v then has no meaning.
       const bool holds = vi > 0.0 && vi < std::numeric_limits<double>::infinity() &&
                          raise_ru(sum[point_at(i, lane)], factor) < vi;
       certain &= ~(static_cast<LaneMask>(!holds) << lane);
