@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The loops of h_matrix.hpp, with the vectors of the instruction set that the including file is
-// compiled for. Nothing here is a bound by itself: h_matrix.cpp says what follows from it.
+// The loops of h_matrix.hpp, with the vectors of the instruction set for which the including file
+// is compiled. Nothing here is a bound by itself: h_matrix.cpp derives the bounds.
 #pragma once
 
 #include "runtime/regularity/lanes.hpp"
@@ -11,8 +11,8 @@ inline namespace REGULUS_LANES_ISA {
 
 using namespace lanes::REGULUS_LANES_ISA;
 
-/// Solves (I − P)v = 1 without pivoting, which is stable exactly where it matters: I − P is then an
-/// M-matrix, all pivots are positive and every sum in the elimination has terms of one sign.
+/// Solves (I − P)v = 1 without pivoting. It is stable in the important case: I − P is an M-matrix,
+/// all pivots are positive and every sum in the elimination has terms of one sign.
 inline void solve_for_ones(ConstPointMatrix matrix, PointVector result) noexcept {
   const unsigned n = matrix.rows();
   alignas(64) double numbers[kMaxOrder * kMaxOrder * kLanes];
@@ -38,7 +38,7 @@ inline void solve_for_ones(ConstPointMatrix matrix, PointVector result) noexcept
   }
 }
 
-/// Pv; for P, v ≥ 0 as raise_ru of lanes.hpp wants its sums.
+/// Computes Pv; for P, v ≥ 0, raise_ru of lanes.hpp bounds its sums.
 inline void multiply(ConstPointMatrix matrix, ConstPointVector vector,
                      PointVector product) noexcept {
   const unsigned n = matrix.rows();
@@ -50,7 +50,7 @@ inline void multiply(ConstPointMatrix matrix, ConstPointVector vector,
   }
 }
 
-/// Pᵀy.
+/// Computes Pᵀy.
 inline void multiply_transposed(ConstPointMatrix P, ConstPointVector y,
                                 PointVector product) noexcept {
   const unsigned n = P.rows();
@@ -58,8 +58,8 @@ inline void multiply_transposed(ConstPointMatrix P, ConstPointVector y,
   add_row_product(packs_of(y), {nullptr, n, packs_of(P), n}, n, packs_of(product));
 }
 
-/// v ← w/‖w‖ + v/2, largest entry 1; the second term damps the swinging of cyclic matrices. Returns
-/// ‖w‖. Where w is zero v stays.
+/// v ← w/‖w‖ + v/2, largest entry 1; the second term damps the oscillation of cyclic matrices.
+/// Returns ‖w‖. If w is zero, v does not change.
 inline Pack power_step(PackArray w, PackArray v, unsigned n) noexcept {
   const Pack zero = Pack::of(0.0), half = Pack::of(0.5);
   Pack norm = zero;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Gauss–Jordan in place with row pivoting, eight matrices at a time. Lanes differ in their pivots:
-// a row that has a larger one changes places with the pivot row in those lanes only.
+// a row with a larger one is exchanged with the pivot row in those lanes only.
 #pragma once
 
 #include "runtime/regularity/lanes.hpp"
@@ -24,7 +24,7 @@ inline void invert(PointMatrix matrix, LaneNumbers& determinant) noexcept {
   const PackArray a = packs_of(matrix);
   const Pack one = Pack::of(1.0), zero = Pack::of(0.0);
   Pack product = one;
-  // Of each comparison: the magnitudes that were compared.
+  // The magnitudes of each comparison.
   Pack small[kMaxColumns * kMaxColumns], large[kMaxColumns * kMaxColumns];
   for (unsigned k = 0; k < n; ++k) {
     for (unsigned i = k + 1; i < n; ++i) {

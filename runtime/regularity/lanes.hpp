@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
-// How large the matrices of the regularity tests may be, and sums of non-negative terms bounded
-// from above.
+// The largest matrices of the regularity tests, and upper bounds of sums of non-negative
+// terms.
 #pragma once
 
 #include "runtime/interval/lanes.hpp"
 
 namespace regulus {
 
-/// Matrices beyond these orders are refused at the door, so that workspaces fit on the stack.
+/// Larger matrices are refused before a search, so that workspaces fit on the stack.
 inline constexpr std::size_t kMaxColumns = 12;
 inline constexpr std::size_t kMaxRows = 24;
 
@@ -15,15 +15,15 @@ inline constexpr std::size_t kMaxRows = 24;
 /// (runtime/regularity/second_order.hpp).
 inline constexpr std::size_t kMaxOrder = kMaxColumns + kMaxRows;
 
-/// The most coordinates of one ball that are taken together.
+/// The most coordinates of one ball that are treated together.
 inline constexpr std::size_t kMaxBall = 16;
 
-/// What raise_ru multiplies by, for sums of at most `terms` products.
+/// Returns the factor of raise_ru, for sums of at most `terms` products.
 [[nodiscard]] constexpr double raise_factor(std::size_t terms) noexcept {
   return 1.0 + static_cast<double>(terms + 4) * 0x1p-51;
 }
 
-/// An upper bound of s = Σ aᵢbᵢ from its floating-point value f.
+/// Returns an upper bound of s = Σ aᵢbᵢ from its floating-point value f.
 ///
 /// Requires  at most `terms` < 2^40 products, factor = raise_factor(terms), aᵢ, bᵢ ≥ 0; f computed
 ///           by one multiplication a term and any order of additions, in any rounding mode; some

@@ -13,9 +13,9 @@ namespace {
 
 constexpr double kLeastRow = 0x1p-800;
 
-/// 1.5·2^52 times the grid, added and taken away, leaves the nearest multiple of the grid, or the
-/// next in another rounding mode. With 2^L the power of two below the greatest entry the grid is
-/// 2^(L−27). Returns whether the row has one.
+/// Adding and subtracting 1.5·2^52 times the grid leaves the nearest multiple of the grid, or the
+/// next one in another rounding mode. With 2^L the power of two below the greatest entry, the grid
+/// is 2^(L−27). Returns true if the row has a grid.
 bool round_to_grid(double* row, std::size_t length, std::size_t lane) noexcept {
   double greatest = 0;
   for (std::size_t i = 0; i < length; ++i)
@@ -30,7 +30,7 @@ bool round_to_grid(double* row, std::size_t length, std::size_t lane) noexcept {
   return greatest == 0.0 || greatest >= kLeastRow;
 }
 
-/// The lanes in which some row is too small for a grid.
+/// Returns the lanes in which some row is too small for a grid.
 LaneMask round_rows_to_grid(double* inverse, std::size_t rows, std::size_t length) noexcept {
   LaneMask without = 0;
   for (std::size_t i = 0; i < rows; ++i)
@@ -49,8 +49,8 @@ LaneMask lanes_not_finite(const double* x, std::size_t entries) noexcept {
   return mask;
 }
 
-/// Columns may carry different units (cm, cm²): brought to length one first, or AᵀA would square
-/// their ratio into its condition number.
+/// Columns may have different units (cm, cm²). They are scaled to length one first; otherwise AᵀA
+/// would square their ratio in its condition number.
 void scale_columns(const double* a, std::size_t m, std::size_t n, double* scaled,
                    double* scale) noexcept {
   for (std::size_t j = 0; j < n; ++j)

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The preconditioner K ≈ A(t₀)⁻¹, in plain doubles: any K is legitimate, a bad one only fails to
-// decide.
+// The preconditioner K ≈ A(t₀)⁻¹, in plain doubles. Any K is sound; a bad one only decides
+// nothing.
 #pragma once
 
 #include "runtime/regularity/lanes.hpp"
@@ -15,8 +15,8 @@ namespace regulus {
 ///           Each row of the inverse is rounded to a grid of 28 bits: entries are multiples of one
 ///           power of two, at most 2^28 times that, so that short sums of them are exact.
 /// Requires  kMaxRows ≥ m ≥ n ≥ 1, kMaxColumns ≥ n. Not in place.
-/// Ensures   returns the lanes where no finite inverse was found, or one with a row so small that
-///           it has no grid (below 2^-800); their entries are meaningless.
+/// Ensures   returns the lanes for which no finite inverse was found, or one with a row so small
+///           that it has no grid (below 2^-800); their entries are meaningless.
 /// Rounding  none: no result here is a bound.
 [[nodiscard]] LaneMask approx_inverse(ConstPointMatrix matrix, PointMatrix inverse,
                                       LaneNumbers& approx_determinant) noexcept;

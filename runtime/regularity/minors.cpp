@@ -30,7 +30,7 @@ struct alignas(64) Workspace {
 
 using Order = std::array<unsigned char, kMaxEightMinors>;
 
-/// Rows, or columns, from the widest to the narrowest. A choice, not a bound.
+/// Orders rows, or columns, from the widest to the narrowest. A choice, not a bound.
 Order by_width(ConstIntervalMatrix matrix, std::size_t lane, bool rows) noexcept {
   const std::size_t n = matrix.rows();
   double width[kMaxEightMinors] = {};
@@ -52,7 +52,7 @@ bool is_odd(const Order& order, std::size_t n) noexcept {
   return odd;
 }
 
-/// Copies a lane with its rows in the order of their widths, or its columns as rows.
+/// Copies a lane with its rows in the order of their widths, or with its columns as rows.
 bool arrange(ConstIntervalMatrix matrix, std::size_t lane, bool rows, Workspace& work) noexcept {
   const std::size_t n = matrix.rows();
   const Order order = by_width(matrix, lane, rows);
@@ -76,7 +76,7 @@ void expand(ConstIntervalMatrix matrix, bool rows, const LaneNumbers& error, Wor
     if (!(error[lane] < kInfinity)) continue;
     const Interval value(sub_rd(work.bounds[lane], error[lane]),
                          add_ru(work.bounds[kLanes + lane], error[lane]));
-    // Both enclose all determinants, so they meet.
+    // Both enclose all determinants, so their intersection is not empty.
     determinants[lane] =
         intersect(determinants[lane], odd[lane] ? -value : value).value_or(kEntire);
   }

@@ -20,10 +20,10 @@ struct LaneIntervals {
 };
 
 /// Encloses eight determinants by expansion along the rows in the order of their mean widths, the
-/// narrowest outermost, and along the columns likewise; the result is in both enclosures.
+/// narrowest outermost, and also along the columns. The result is the intersection.
 ///
-/// A minor is a set of columns of the rows so far and is computed once: n·2^(n−1) products where
-/// the paper's recursion, which looks for the narrowest line of each minor anew, takes n!.
+/// A minor is a set of columns of the first rows and is computed once: n·2^(n−1) products. The
+/// paper's recursion, which searches for the narrowest line of each minor again, takes n!.
 ///
 /// Shape     matrix n×n, 1 ≤ n.
 /// Ensures   det(A) ∈ result[lane] for every real A between the bounds of a lane; [−∞, ∞] where

@@ -10,13 +10,13 @@
 
 namespace regulus {
 
-/// mag of an interval, ∞ where a bound is NaN.
+/// Returns mag of an interval; ∞ if a bound is NaN.
 [[nodiscard]] inline double magnitude_of(double lo, double hi) noexcept {
   if (!(lo <= hi)) return std::numeric_limits<double>::infinity();
   return std::max(-lo, hi);
 }
 
-/// What all roundings of a determinant together may cost.
+/// Returns a bound of the error from all roundings of a determinant together.
 ///
 /// Requires  n ≤ 8; magnitude, n×n, bounds the entries; `permanent` ≥ that of the
 ///           magnitudes; a product of n entries is rounded at most `roundings` < 2^40 times; at

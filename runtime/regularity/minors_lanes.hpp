@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The loops over minors, with the vectors of the instruction set that the including file is
-// compiled for. Included by backend_portable.cpp, backend_avx2.cpp, backend_avx512.cpp only.
+// The loops over minors, with the vectors of the instruction set for which the including file is
+// compiled. Included by backend_portable.cpp, backend_avx2.cpp, backend_avx512.cpp only.
 //
 // Only always-inlined or ISA-namespaced functions may be used here; see elementary/lanes.hpp.
 #pragma once
@@ -27,7 +27,7 @@ inline void store(double* x, Vector value) noexcept {
   *reinterpret_cast<VectorOfMatrix*>(x) = value;
 }
 
-/// Plain processors have no instruction that counts bits.
+/// Plain processors have no instruction that counts bits, so the sizes are in a table.
 struct SizeOfSets {
   unsigned char of[kMaxSets] = {};
   constexpr SizeOfSets() noexcept {
@@ -38,8 +38,8 @@ struct SizeOfSets {
 inline constexpr SizeOfSets kSize;
 
 inline unsigned size_of(unsigned set) noexcept { return kSize.of[set]; }
-/// Whether the term of column j has sign + in the expansion of `set` along its last row: an even
-/// number of columns of the set lies to the right of j.
+/// Returns true if the term of column j has sign + in the expansion of `set` along its last row: an
+/// even number of columns of the set lies to the right of j.
 inline bool is_positive(unsigned set, unsigned j) noexcept { return size_of(set >> j) % 2 == 1; }
 
 inline Range multiply(Range a, Range b) noexcept {
@@ -115,7 +115,7 @@ class SignedRows {
       }
   }
 
-  /// Minors of the first k rows and each set of k columns; bit j of v set means vⱼ = −1.
+  /// Computes minors of the first k rows and each set of k columns; bit j of v set means vⱼ = −1.
   void minors_for(unsigned v, Pack* minors) const noexcept {
     Pack row[kMaxOfMinors * kMaxOfMinors];
     for (unsigned e = 0; e < count_ * n_; ++e) row[e] = form_[v >> (e % n_) & 1U][e];
@@ -143,7 +143,7 @@ class SignedRows {
   Pack form_[2][kMaxOfMinors * kMaxOfMinors];  ///< vⱼ = 1, vⱼ = −1
 };
 
-/// Laplace's expansion along the upper rows: which minors are multiplied, and with which sign.
+/// Laplace's expansion along the upper rows: the minors that are multiplied, and their signs.
 class Laplace {
  public:
   struct Term {
@@ -160,7 +160,7 @@ class Laplace {
   [[nodiscard]] const Term* end() const noexcept { return terms_ + count_; }
 
  private:
-  /// Minus for an odd number of pairs of a column outside the set and one in it to its right.
+  /// Returns −1 for an odd number of pairs of a column outside the set and one in it to its right.
   static double sign_of(unsigned set) noexcept {
     unsigned pairs = 0;
     for (unsigned left = set; left != 0; left &= left - 1) {
@@ -174,7 +174,7 @@ class Laplace {
   unsigned count_ = 0;
 };
 
-/// Whether every lane is beyond the error on the same side as all before.
+/// Tests if every lane is beyond the error on the same side as all earlier lanes.
 class SharedSign {
  public:
   explicit SharedSign(double error) noexcept : error_(error) {}
@@ -195,8 +195,8 @@ class SharedSign {
   bool negative_ = true;
 };
 
-/// The determinants for one v: every choice of the signs of the upper rows, and for each of these
-/// the eight of the lower three rows in the lanes.
+/// Tests the determinants for one v: every choice of the signs of the upper rows, and for each of
+/// these the eight choices of the lower three rows in the lanes.
 inline bool shares_sign(const SignedRows& upper, const SignedRows& lower, const Laplace& laplace,
                         unsigned v, SharedSign& sign) noexcept {
   Pack of_upper[kMaxSets], of_lower[kMaxSets];
@@ -212,7 +212,7 @@ inline bool shares_sign(const SignedRows& upper, const SignedRows& lower, const 
   return true;
 }
 
-/// A^{uv} = A^{−u,−v}: v₀ = 1 will do.
+/// A^{uv} = A^{−u,−v}, so v₀ = 1 is enough.
 inline bool vertices_share_sign(const BoundsOfOneLane& matrix, double error) noexcept {
   const unsigned n = matrix.n;
   constexpr unsigned kLowerRows = 3;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// From the bounds of a box to the cells of orthants.hpp.
+// Makes the cells of orthants.hpp from the bounds of a box.
 #include "runtime/regularity/orthants.hpp"
 
 #include <algorithm>
@@ -36,7 +36,7 @@ class Coupling {
     return T_.at(i * (n_ + s_) + j, lane_);
   }
 
-  /// (I − P)V = V₀ without pivoting, then a little more than that.
+  /// Solves (I − P)V = V₀ without pivoting, then increases the result slightly.
   void solve() noexcept {
     double a[kMaxColumns * kMaxColumns];
     for (std::size_t i = 0; i < n_; ++i) {
@@ -58,7 +58,7 @@ class Coupling {
     for (std::size_t e = 0; e < n_ * s_; ++e) V_[e] = V_[e] * (1.0 + 0x1p-30) + 0x1p-900;
   }
 
-  /// PV + V₀ ≤ V, and Pw < w for w = V·1: then ρ(P) < 1, (I − P)⁻¹ ≥ 0 and V ≥ (I − P)⁻¹V₀.
+  /// Tests PV + V₀ ≤ V, and Pw < w for w = V·1: then ρ(P) < 1, (I − P)⁻¹ ≥ 0 and V ≥ (I − P)⁻¹V₀.
   [[nodiscard]] bool is_bound() const noexcept {
     double w[kMaxColumns] = {};
     for (std::size_t i = 0; i < n_; ++i)
@@ -82,7 +82,7 @@ class Coupling {
   bool known_ = false;
 };
 
-/// The forms and terms of a lane, row by row.
+/// Loads the forms and terms of a lane, row by row.
 void load_terms(const SecondOrderPlan& plan, const SecondOrderInput& input,
                 const SecondOrderWork& work, std::size_t lane, OrthantProblem& problem) noexcept {
   const unsigned s = plan.slots;
@@ -114,7 +114,7 @@ double norm_ru(const OrthantProblem& problem, const OrthantProblem::Term& term,
   return sum_ru(std::sqrt(sum_ru(squares)));
 }
 
-/// G_lj: of each term the weight times the norm of its forms' j-th coefficients.
+/// Computes G_lj: for each term, the weight times the norm of its forms' j-th coefficients.
 void bound_reach(OrthantProblem& problem) noexcept {
   const unsigned s = problem.rows;
   for (unsigned row = 0; row < s; ++row)
@@ -171,7 +171,7 @@ bool certain_orthants_empty(const OrthantProblem& problem, OrthantCell& hint) no
   };
   if (count == 0) return true;
   std::iter_swap(cells, std::find_if(cells, cells + count - 1, is_hint));
-  // The last eight are filled with copies.
+  // The last group of eight is completed with copies.
   for (unsigned end = count; end % kLanes != 0; ++end) cells[end] = cells[0];
   for (unsigned first = 0; first < count; first += kLanes) {
     const unsigned remaining = backend.remaining_cells(problem, cells + first);

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // The cells of orthants.hpp, eight at a time.
 //
-// Rounding. c_kᵀm to nearest errs by at most γ|c_k|ᵀb, which `slack` has; sums of magnitudes are
-// raised. m = ±(a + b)/2 is within an ulp of b, for which r is enlarged.
+// Rounding. c_kᵀm to nearest errs by at most γ|c_k|ᵀb, which is in `slack`; sums of magnitudes are
+// raised. m = ±(a + b)/2 is within an ulp of b; r is increased by that.
 #pragma once
 
 #include "runtime/regularity/orthants.hpp"
@@ -19,7 +19,7 @@ inline constexpr unsigned kMaxSteps = 16;
 
 class Cells {
  public:
-  /// Eight orthants; |ρ| is anything up to ζ.
+  /// Eight orthants; |ρ| is any vector up to ζ.
   REGULUS_LANE_INLINE Cells(const OrthantProblem& problem, unsigned first) noexcept
       : p_(problem), n_(problem.rows) {
     for (unsigned j = 0; j < n_; ++j) {
@@ -28,7 +28,7 @@ class Cells {
       for (unsigned l = 0; l < kLanes; ++l) sign_[j].lane(l) = sign_in(first + l, j);
     }
   }
-  /// Of these, the cells listed: |ρ_l| = ζ_l for the row that is fixed.
+  /// The listed cells of these orthants: |ρ_l| = ζ_l for the fixed row.
   REGULUS_LANE_INLINE Cells(const OrthantProblem& problem, const OrthantCell* cells) noexcept
       : p_(problem), n_(problem.rows) {
     for (unsigned j = 0; j < n_; ++j) {
@@ -40,13 +40,13 @@ class Cells {
     }
   }
 
-  /// For each row, in which of eight orthants its |ρ_l| may be ζ_l.
+  /// Finds, for each row, in which of eight orthants its |ρ_l| may be ζ_l.
   REGULUS_LANE_INLINE void possible(unsigned* lanes) noexcept {
     take_middle();
     for (unsigned l = 0; l < n_; ++l) lanes[l] = (kAllLanes) & ~less_lanes(bound(l), high_[l]);
   }
 
-  /// The cells that may hold a ρ, one bit each.
+  /// Returns the cells that may contain a ρ, one bit each.
   REGULUS_LANE_INLINE unsigned remaining() noexcept {
     unsigned alive = kAllLanes;
     for (unsigned step = 0; step < kMaxSteps; ++step) {
@@ -70,7 +70,7 @@ class Cells {
  private:
   static constexpr double kWorthwhile = 0x1p-8;  ///< of ζ
 
-  /// That of ρ_j; ρ₀ ≥ 0.
+  /// Returns the sign of ρ_j; ρ₀ ≥ 0.
   REGULUS_LANE_INLINE static double sign_in(unsigned orthant, unsigned j) noexcept {
     return (orthant << 1 >> j & 1U) != 0 ? -1.0 : 1.0;
   }
@@ -102,7 +102,7 @@ class Cells {
       }
   }
 
-  /// Δ|x| or ρ‖x‖ of one term, from above; x: the forms at the middle, moved by −c_kj·change.
+  /// Bounds Δ|x| or ρ‖x‖ of one term from above; x: the forms at the middle, plus −c_kj·change.
   REGULUS_LANE_INLINE Pack of_term(const OrthantProblem::Term& term, unsigned j,
                                    const Pack& change) const noexcept {
     const auto moved = [&](unsigned k) __attribute__((always_inline)) {
@@ -119,7 +119,7 @@ class Cells {
     return raised(square_root(raised(squares, kFewTerms)), kFewTerms) * Pack::of(term.weight);
   }
 
-  /// f_l over the cell from above.
+  /// Bounds f_l over the cell from above.
   REGULUS_LANE_INLINE Pack bound(unsigned l) const noexcept {
     Pack sum = Pack::of(0.0);
     for (unsigned t = first(l); t < first(l + 1); ++t)
@@ -131,7 +131,7 @@ class Cells {
     return raised(sum, kManyTerms);
   }
 
-  /// The same where |ρ_j| = from_[j].
+  /// Returns the same bound for |ρ_j| = from_[j].
   REGULUS_LANE_INLINE Pack bound_at_low(unsigned l, unsigned j) const noexcept {
     Pack sum = Pack::of(0.0);
     const Pack change = sign_[j] * (Pack::of(0.5) * (high_[j] - from_[j]));
@@ -150,8 +150,8 @@ class Cells {
       if (j == l) continue;
       const Pack at_low = bound_at_low(l, j);
       if ((less_lanes(at_low, low_[l]) & alive) == 0) continue;
-      // A part θ of the way from there to high is excluded: the chord is below low_l. Rounding: θ
-      // and the sum are lowered by more than their few roundings can have raised them.
+      // A part θ of the interval from there to high is excluded: the chord is below low_l.
+      // Rounding: θ and the sum are lowered by more than their few roundings can have raised them.
       const Pack part = (low_[l] - at_low) / (f_[l] - at_low);
       const Pack usable =
           smaller_of(select_less(at_low, low_[l], part, Pack::of(0.0)), Pack::of(1.0));

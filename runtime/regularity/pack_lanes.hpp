@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Eight doubles in as few vectors as they fill, and arrays of them in point layout. For files that
-// are compiled once per instruction set; see elementary/lanes.hpp for what these may use.
+// Eight doubles in as few vectors as possible, and arrays of them in point layout. For files that
+// are compiled once per instruction set; elementary/lanes.hpp says what these may use.
 #pragma once
 
 #include "runtime/interval/elementary/lanes.hpp"
@@ -12,11 +12,11 @@ inline namespace REGULUS_LANES_ISA {
 
 using namespace elementary::REGULUS_LANES_ISA;
 
-/// Whatever arrays of doubles there are, at any address that doubles may have.
+/// An array of doubles, at any address that is valid for doubles.
 typedef double VectorInArray
     __attribute__((vector_size(REGULUS_VECTOR_BYTES), may_alias, aligned(8)));
 
-/// a·b + c, rounded once where the processor can: never further from the truth than twice.
+/// Returns a·b + c, rounded once if the processor can, else twice; once has the smaller bound.
 REGULUS_LANE_INLINE Vector fused(Vector a, Vector b, Vector c) noexcept {
 #if REGULUS_VECTOR_BYTES == 64
   return _mm512_fmadd_pd(a, b, c);
@@ -95,7 +95,7 @@ REGULUS_LANE_INLINE Pack magnitude(const Pack& a) noexcept {
   for (unsigned p = 0; p < Pack::kParts; ++p) c.part[p] = elementary::magnitude(a.part[p]);
   return c;
 }
-/// b where one of them is NaN.
+/// Returns b if one of them is NaN.
 REGULUS_LANE_INLINE Pack larger(const Pack& a, const Pack& b) noexcept {
   Pack c;
   for (unsigned p = 0; p < Pack::kParts; ++p) c.part[p] = elementary::larger(b.part[p], a.part[p]);
@@ -106,7 +106,7 @@ REGULUS_LANE_INLINE Pack square_root(const Pack& a) noexcept {
   for (unsigned p = 0; p < Pack::kParts; ++p) c.part[p] = elementary::square_root(a.part[p]);
   return c;
 }
-/// One bit per lane.
+/// Returns one bit per lane.
 REGULUS_LANE_INLINE LaneMask less_lanes(const Pack& a, const Pack& b) noexcept {
   LaneMask lanes = 0;
   for (unsigned p = 0; p < Pack::kParts; ++p)
@@ -120,7 +120,7 @@ REGULUS_LANE_INLINE Pack select_less(const Pack& a, const Pack& b, const Pack& y
     c.part[p] = elementary::select(elementary::less(a.part[p], b.part[p]), yes.part[p], no.part[p]);
   return c;
 }
-/// raise_ru of lanes.hpp, lane by lane.
+/// Applies raise_ru of lanes.hpp to each lane.
 REGULUS_LANE_INLINE Pack raised(const Pack& x, double factor) noexcept {
   return x * Pack::of(factor) + Pack::of(0x1p-1000);
 }
@@ -146,13 +146,13 @@ struct PackArray {
   REGULUS_LANE_INLINE PackArray operator+(unsigned at) const noexcept { return {x + at * kLanes}; }
 };
 
-/// The numbers of a view; those of a constant one are not to be changed.
+/// Returns the numbers of a view; those of a constant view must not be changed.
 template <typename Double, LaneLayout kLayout, LaneShape kShape>
 REGULUS_LANE_INLINE PackArray packs_of(LaneView<Double, kLayout, kShape> view) noexcept {
   return {const_cast<double*>(view.data())};
 }
 
-/// Some rows of a matrix: `terms` of them, which `rows` lists; null for the first ones.
+/// Some rows of a matrix: `terms` of them, listed in `rows`; null: the first ones.
 struct Rows {
   const unsigned* rows;
   unsigned terms;
@@ -164,7 +164,7 @@ struct Rows {
   }
 };
 
-/// aᵀB for the columns j … j + kAtOnce − 1, added to sums that stay in registers.
+/// Adds aᵀB, for the columns j … j + kAtOnce − 1, to sums that stay in registers.
 template <unsigned kAtOnce>
 REGULUS_LANE_INLINE void add_products(PackArray a, const Rows& b, unsigned j, Pack* sum) noexcept {
   for (unsigned k = 0; k < b.terms; ++k) {
@@ -183,7 +183,7 @@ REGULUS_LANE_INLINE void subtract_products(PackArray a, const Rows& b, unsigned 
   }
 }
 
-/// Calls visit.template operator()<kAtOnce>(j) for blocks of columns that registers hold.
+/// Calls visit.template operator()<kAtOnce>(j) for blocks of columns that fit in registers.
 template <typename Visit>
 REGULUS_LANE_INLINE void for_each_block(unsigned count, Visit&& visit) noexcept {
   unsigned j = 0;
@@ -192,7 +192,7 @@ REGULUS_LANE_INLINE void for_each_block(unsigned count, Visit&& visit) noexcept 
   for (; j < count; ++j) visit.template operator()<1>(j);
 }
 
-/// sums[j] += (aᵀB)_j for `count` columns; sums[to[j]] if there is a `to`.
+/// sums[j] += (aᵀB)_j for `count` columns; sums[to[j]] if `to` is not null.
 REGULUS_LANE_INLINE void add_row_product(PackArray a, const Rows& b, unsigned count, PackArray sums,
                                          const unsigned* to = nullptr) noexcept {
   for_each_block(

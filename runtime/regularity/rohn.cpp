@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // A vertex determinant is Laplace's sum over sets of columns of a minor of the upper rows times one
-// of the lower three. For fixed v a row has two forms, uᵢ = ±1, so that the minors of all choices
-// of u are few; see minors_lanes.hpp.
+// of the lower three. For fixed v a row has two forms, uᵢ = ±1, so there are only a few minors for
+// all choices of u; see minors_lanes.hpp.
 //
 // Error: each of the n! products is rounded at most h(h+1)/2 times in the minor of the h upper
 // rows, b(b+1)/2 times in that of the b lower ones, and C(n, h) times in the product and the sum of

@@ -10,8 +10,8 @@ namespace regulus {
 /// The largest order tested: 2^(2n−1) determinants are computed.
 inline constexpr std::size_t kMaxRohn = kMaxVertexOrder;
 
-/// The lanes whose interval matrix is regular because the 2^(2n−1) vertex matrices A^{uv} (lower
-/// bound where uᵢvⱼ = 1, upper where −1) all have determinants of one certified sign.
+/// Returns the lanes whose interval matrix is regular because the 2^(2n−1) vertex matrices A^{uv}
+/// (lower bound where uᵢvⱼ = 1, upper where −1) all have determinants of one certified sign.
 ///
 /// Shape     matrix n×n.
 /// Requires  finite bounds in `lanes`.

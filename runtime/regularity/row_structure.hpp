@@ -6,7 +6,7 @@
 
 namespace regulus {
 
-/// Which variables touch one row only.
+/// The variables that touch one row only.
 struct RowStructure {
   static constexpr int kWide = -1;
   std::vector<int> slot;          ///< for each variable: an index into rows, or kWide; or empty
@@ -16,7 +16,7 @@ struct RowStructure {
   std::vector<int> ball = {};
   static constexpr int kNoBall = -1;
 
-  /// Whether anything was found out about the variables.
+  /// Returns true if the variables have been analysed.
   [[nodiscard]] bool is_known() const noexcept { return !slot.empty(); }
   [[nodiscard]] bool empty() const noexcept { return rows.empty(); }
   [[nodiscard]] bool touches_one_row(std::size_t variable) const noexcept {

@@ -8,7 +8,7 @@
 //     K(t) = (I − Σ_p τ_pD_p)K₀,      E(t) = K(t)A(t, ū) − I = (I − Σ_p τ_pD_p)B(t) − I.
 //
 // Taylor's theorem, B(t) = B + Σ_p τ_pB_p + ½ Σ_pq τ_pτ_qB_pq with B_pq enclosed by ∂_p∂_qB over
-// the box, leaves nothing of first order in E but rounding. With B = I + e, B_p = D_p + d_p:
+// the box, leaves no first-order term in E except rounding. With B = I + e, B_p = D_p + d_p:
 //
 //     E = e + Σ_p τ_p(d_p − D_pe) + Σ_pq τ_pτ_q(½B_pq − D_pD_q − D_pd_q)
 //         − ½ Σ_s τ_sD_s Σ_pq τ_pτ_qB_pq.
@@ -19,8 +19,8 @@
 //     B = [ I + E             K(t) ]     one column and one row more for each row touched.
 //         [ −Σ_k δ_k w_kᵀ     I    ]
 //
-// Adding δ_k w_k(t)ᵀ times the upper rows to the lower ones, for any vectors w_k(t), leaves the
-// determinant as it is and turns the lower rows into
+// Adding δ_k w_k(t)ᵀ times the upper rows to the lower ones, for any vectors w_k(t), does not
+// change the determinant, and changes the lower rows to
 //
 //     [ Σ_k δ_k(w_k(t)ᵀE − (w_k − w_k(t))ᵀ)     I + Σ_k δ_k w_k(t)ᵀK(t) ].
 //
@@ -48,10 +48,10 @@
 namespace regulus {
 
 struct SecondOrderOptions {
-  /// If not, D_p = 0 and g_kp = 0, which the derivation allows like any others: K and w_k then stay
-  /// as they are at t₀, and P is of first order.
+  /// If false, D_p = 0 and g_kp = 0; the derivation allows any values. K and w_k then keep their
+  /// values at t₀, and P is of first order.
   bool moves = true;
-  /// Whether approx_impact is to speak of variables with a row, too.
+  /// True if approx_impact must also estimate variables with a row.
   bool weighs_row_variables = false;
 };
 
@@ -64,7 +64,7 @@ class SecondOrderBounds {
   SecondOrderBounds(const SecondOrderBounds&) = delete;
   SecondOrderBounds& operator=(const SecondOrderBounds&) = delete;
 
-  /// n, and one more for each row touched.
+  /// Returns n plus one for each touched row.
   [[nodiscard]] std::size_t order() const noexcept { return plan_.columns_of_A + plan_.slots; }
 
   /// Ensures   T, of order order(), bounds |B − I| all over each box; an entry that cannot be
@@ -72,25 +72,25 @@ class SecondOrderBounds {
   /// Rounding  upward.
   void bound_ru(const SecondOrderInput& input, PointMatrix T) noexcept;
 
-  /// An upper bound of |det K(t)|/|det K₀| over each box, after bound_ru. To first order it grows
-  /// with the traces of the D_p only.
+  /// Returns an upper bound of |det K(t)|/|det K₀| over each box, after bound_ru. To first order it
+  /// grows with the traces of the D_p only.
   ///
   /// Ensures   |det K(t)| ≤ |det K₀|·result[lane] for every t of the box; +∞ where none was found.
   /// Rounding  upward.
   /// Source    |ln|det(I + X)| − tr X| ≤ f²/(2 − 2f) for ‖X‖_F ≤ f < 1, as |tr Xʲ| ≤ ‖X‖_Fʲ.
   [[nodiscard]] LaneNumbers moving_determinant_ru(const SecondOrderInput& input) const noexcept;
 
-  /// Whether A is regular because no direction of the uncertain rows can make it singular, after
-  /// bound_ru with this T; runtime/regularity/orthants.hpp.
+  /// Returns the lanes in which A is regular because no direction of the uncertain rows can make it
+  /// singular, after bound_ru with this T; runtime/regularity/orthants.hpp.
   ///
-  /// Shape     guess: order() entries, positive, of which the lower part is used: how large
-  ///           the |ρ_l| are likely to be. hint: a cell that remained before.
+  /// Shape     guess: order() entries, positive; its lower part is used, the likely magnitudes of
+  ///           the |ρ_l|. hint: a cell that remained before.
   /// Ensures   in each returned lane, a subset of `lanes`: A is regular all over the box.
   [[nodiscard]] LaneMask certain_by_orthants(const SecondOrderInput& input, ConstPointMatrix T,
                                              ConstPointVector guess, LaneMask lanes,
                                              OrthantCell& hint) const noexcept;
 
-  /// Roughly what each variable adds to yᵀTv, after bound_ru.
+  /// Computes roughly what each variable adds to yᵀTv, after bound_ru.
   void approx_impact(const SecondOrderInput& input, PerronVectors vectors,
                      PointVector impact) const noexcept;
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What each variable adds to the bounds of second_order_lanes.hpp, once these have been made.
+// Computes what each variable adds to the bounds of second_order_lanes.hpp, after these.
 #pragma once
 
 #include "runtime/regularity/pack_lanes.hpp"
@@ -11,7 +11,7 @@ inline namespace REGULUS_LANES_ISA {
 
 using namespace lanes::REGULUS_LANES_ISA;
 
-/// yᵀMv of a `rows`×`columns` matrix.
+/// Returns yᵀMv of a `rows`×`columns` matrix.
 inline Pack form(PackArray y, PackArray M, PackArray v, unsigned rows, unsigned columns) noexcept {
   Pack sum = Pack::of(0.0);
   for (unsigned i = 0; i < rows; ++i) {
@@ -22,7 +22,7 @@ inline Pack form(PackArray y, PackArray M, PackArray v, unsigned rows, unsigned 
   return sum;
 }
 
-/// Where K stays as it is, the first derivatives are what P consists of.
+/// If K does not move, P consists of the first derivatives.
 inline void add_first_order(const SecondOrderPlan& plan, const SecondOrderInput& input, PackArray y,
                             PackArray v, PackArray result) noexcept {
   for (unsigned p = 0; p < plan.wides; ++p) {
@@ -38,7 +38,7 @@ inline void add_first_order(const SecondOrderPlan& plan, const SecondOrderInput&
   }
 }
 
-/// yᵀTv falls into the parts of single variables, once Q = weight·P + rest is put through P.
+/// yᵀTv is a sum of parts of single variables, after Q = weight·P + rest is expressed through P.
 inline void impact(const SecondOrderPlan& plan, const SecondOrderInput& input,
                    const SecondOrderWork& work, PerronVectors vectors,
                    PointVector impacts) noexcept {
@@ -64,7 +64,7 @@ inline void impact(const SecondOrderPlan& plan, const SecondOrderInput& input,
     sum.add_fused(upper, Pack::load(input.radius.data() + plan.wide[p].variable * kLanes));
     of_variable(p).put(0, sum);
   }
-  // A pair is half on account of either.
+  // Half of a pair counts for each of its variables.
   const Pack half = Pack::of(0.5);
   for (unsigned i = 0; i < n; ++i)
     for (unsigned k = 0; k < plan.pairs; ++k) {

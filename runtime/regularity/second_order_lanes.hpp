@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The sums of second_order.hpp, with the vectors of the instruction set that the including file is
-// compiled for. Included by backend_*.cpp only; see elementary/lanes.hpp for what may be used here.
+// The sums of second_order.hpp, with the vectors of the instruction set of the including file.
+// Included by backend_*.cpp only; elementary/lanes.hpp says what may be used here.
 //
 // Rounding. Signed sums are computed to nearest; each errs by at most γ times the sum of its terms'
 // magnitudes (Higham, Accuracy and Stability of Numerical Algorithms, §3.1), where γ = 68·2^-50
@@ -49,14 +49,14 @@ class Bounding {
     return Pack::load(in_.radius.data() + variable * kLanes);
   }
 
-  /// What K(t) or w_k(t) moves by, and what is left of the derivative.
+  /// Returns the coefficient by which K(t) or w_k(t) moves, and the rest of the derivative.
   [[nodiscard]] REGULUS_LANE_INLINE Middle moved(ConstIntervalVector intervals,
                                                  unsigned at) const noexcept {
     if (plan_.moves) return middle_of(intervals, at);
     return {Pack::of(0.0), largest_of(intervals, at)};
   }
 
-  /// K₀ at the rows touched and e; all sums to zero.
+  /// Reads K₀ at the touched rows, and e; sets all sums to zero.
   REGULUS_LANE_INLINE void read_center() noexcept {
     for (unsigned i = 0; i < n_; ++i)
       for (unsigned j = 0; j < s_; ++j) {
@@ -79,7 +79,7 @@ class Bounding {
     clear({w_.R_of_wide.x}, (1 + wides_) * s_ * s_);
   }
 
-  /// D_p, Σ_p r_p|d_p|, and D_pK₀ to nearest.
+  /// Reads D_p, adds Σ_p r_p|d_p|, and computes D_pK₀ to nearest.
   REGULUS_LANE_INLINE void read_wide(const SecondOrderPlan::Wide& wide, unsigned index) noexcept {
     const unsigned* columns = plan_.columns + wide.columns.begin;
     const unsigned count = wide.columns.size();
@@ -103,7 +103,7 @@ class Bounding {
     }
   }
 
-  /// Σ_pq of r_pr_q·|B_pq − D_pD_q − D_qD_p|, or r_p²·|½B_pp − D_pD_p|, in row i of P.
+  /// Adds Σ_pq of r_pr_q·|B_pq − D_pD_q − D_qD_p|, or r_p²·|½B_pp − D_pD_p|, to row i of P.
   REGULUS_LANE_INLINE void add_pairs_of_row(unsigned i) noexcept {
     const PackArray P = PackArray{w_.P.x} + i * n_, sum{w_.pair_row.x};
     for (unsigned k = 0; k < plan_.pairs; ++k) {
@@ -148,7 +148,7 @@ class Bounding {
                     count == n_ ? nullptr : plan_.columns + q.columns.begin);
   }
 
-  /// P ≥ |E|: what add_pairs_of_row found (the radii of B_pq among it), plus
+  /// P ≥ |E|: the result of add_pairs_of_row (with the radii of B_pq), plus
   ///
   ///     e + Σr|d| + Σr|D|·(e + Σr|d| + ½Σrr|B|) + γ(Σr|D|·Σr|D| + ½Σrr|B|).
   REGULUS_LANE_INLINE void bound_defect() noexcept {
@@ -169,7 +169,7 @@ class Bounding {
                       kManyTerms));
   }
 
-  /// w̄_k and g_kp, entry by entry; what is left of the row goes into the rest.
+  /// Reads w̄_k and g_kp, entry by entry; adds the remainder of the row to `rest`.
   REGULUS_LANE_INLINE void read_row_variable(const SecondOrderPlan::RowVariable& u,
                                              const Pack& range) noexcept {
     const PackArray rest = PackArray{w_.rest.x} + u.slot * n_;
@@ -199,7 +199,7 @@ class Bounding {
     }
   }
 
-  /// w̄_kᵀK₀ or, for each p, (g_kpᵀ − w̄_kᵀD_p)K₀, at the rows touched: value(p or 1 + p, slot).
+  /// w̄_kᵀK₀ or, for each p, (g_kpᵀ − w̄_kᵀD_p)K₀, at the touched rows: value(0 or 1 + p, slot).
   template <typename Value>
   REGULUS_LANE_INLINE void multiply_row_variable(const SecondOrderPlan::RowVariable& u,
                                                  Value&& value) noexcept {
@@ -233,7 +233,7 @@ class Bounding {
       columns[k - range.begin] = plan_.entries[k].column;
   }
 
-  /// Δ, then r_pΔ for each p.
+  /// Stores Δ, then r_pΔ for each p.
   REGULUS_LANE_INLINE void weigh(const Pack& range) noexcept {
     const PackArray weight{w_.weight_of_value.x};
     weight.put(0, range);
@@ -241,7 +241,7 @@ class Bounding {
       weight.put(1 + p, product_ru(radius(plan_.wide[p].variable), range));
   }
 
-  /// One uncertain quantity that is no coordinate of a ball.
+  /// Bounds one uncertain quantity that is not a coordinate of a ball.
   REGULUS_LANE_INLINE void bound_single(unsigned index) noexcept {
     const SecondOrderPlan::RowVariable& u = plan_.row_variables[index];
     const Pack range = radius(u.variable);
@@ -271,8 +271,8 @@ class Bounding {
         });
   }
 
-  /// The coordinates of a point in a ball: ρ·(Σx²)^½ instead of Δ·Σ|x|, by Cauchy and Schwarz. It
-  /// holds for the weights and for what rounding adds, too, by Minkowski's inequality.
+  /// The coordinates of a point in a ball: ρ·(Σx²)^½ instead of Δ·Σ|x|, by Cauchy and Schwarz. By
+  /// Minkowski's inequality, it also holds for the weights and for the additions for rounding.
   REGULUS_LANE_INLINE void bound_ball(const SecondOrderPlan::Group& group) noexcept {
     const PackArray R{w_.group_R.x}, lower{w_.group_lower.x};
     clear(R, (1 + wides_) * s_);
@@ -315,7 +315,7 @@ class Bounding {
     }
   }
 
-  /// The second order and the rounding of R and of D_pK₀: |fl(D_pK₀) − D_pK₀| ≤ γ|D_p||K₀|.
+  /// Adds second order, and the rounding of R and of D_pK₀: |fl(D_pK₀) − D_pK₀| ≤ γ|D_p||K₀|.
   REGULUS_LANE_INLINE void bound_rows() noexcept {
     for (double* sum : {w_.weight.x, w_.weight_of_g.x, w_.rest.x})
       raise({sum}, s_ * n_, kManyTerms);
@@ -334,7 +334,7 @@ class Bounding {
     for (unsigned i = 0; i < s_; ++i) bound_row(i);
   }
 
-  /// Row i of R: the parts of u, of each wide variable, and what is left.
+  /// Bounds row i of R: the parts of u, of each wide variable, and the remainder.
   REGULUS_LANE_INLINE void bound_row(unsigned i) noexcept {
     const PackArray row = PackArray{w_.moving.x} + i * s_, slack{w_.K.x},
                     rounding{w_.weight_of_row.x};
@@ -382,8 +382,8 @@ class Bounding {
 
   static constexpr unsigned kMaxTerms = 16;
 
-  // Copies: what is stored through a pointer might otherwise be one of these, for all that the
-  // compiler knows. For the same reason everything is inlined into bound().
+  // Copies: otherwise the compiler must assume that a store through a pointer may change one of
+  // these. For the same reason everything is inlined into bound().
   const SecondOrderPlan plan_;
   const SecondOrderInput in_;
   const SecondOrderWork w_;

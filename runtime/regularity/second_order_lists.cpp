@@ -31,7 +31,7 @@ std::size_t SecondOrderLists::wide_index(std::size_t variable) const {
   return static_cast<std::size_t>(known - wide_.begin());
 }
 
-/// A quantity with a row of its own is none that B is moved along.
+/// B does not move along a quantity with a row of its own.
 void SecondOrderLists::list_wide(const DerivativeLists& lists, const RowStructure& structure) {
   std::map<std::size_t, std::set<std::size_t>> columns_of;
   for (const DerivativePlace& d : lists.first)
@@ -105,7 +105,7 @@ void SecondOrderLists::list_rows(const DerivativeLists& lists, const RowStructur
       u.mixed[wide_index(first_is_wide ? d.first : d.second)].push_back(entry);
     } else {
       // ∂A/∂u_k is taken after the variables before u_k have moved, at a value of u_k between its
-      // nominal one and where it moves to.
+      // nominal value and its final value.
       if (u.other.empty() || u.other.back().first != d.first) u.other.push_back({d.first, {}});
       u.other.back().second.push_back(entry);
     }
@@ -170,7 +170,7 @@ SecondOrderPlan SecondOrderLists::plan() const noexcept {
 
 namespace {
 
-/// Deals out a buffer, or counts what it must hold.
+/// Gives out parts of a buffer, or counts how much it must hold.
 class Dealer {
  public:
   explicit Dealer(double* begin) noexcept : next_(begin) {}

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Makes a SecondOrderPlan from a kernel's lists of derivatives and owns what it points to.
+// Makes a SecondOrderPlan from a kernel's lists of derivatives, and owns the plan's data.
 #pragma once
 
 #include <map>
@@ -16,7 +16,7 @@ struct DerivativePlace {
   std::size_t row, column, first, second;
 };
 
-/// What is not listed is zero.
+/// Derivatives that are not listed are zero.
 struct DerivativeLists {
   std::size_t rows = 0, columns = 0, variables = 0;
   std::vector<DerivativePlace> first, second;          ///< of B, by wide variables
@@ -28,9 +28,9 @@ class SecondOrderLists {
   /// Requires  a variable that `structure` gives a row is listed with it.
   SecondOrderLists(const DerivativeLists& lists, const RowStructure& structure);
 
-  /// Valid as long as this is.
+  /// Valid for the life of this object.
   [[nodiscard]] SecondOrderPlan plan() const noexcept;
-  /// Numbers for plan() in a buffer that work() gets again.
+  /// Returns the size of the buffer of numbers for plan(); work() must get the same buffer.
   [[nodiscard]] std::size_t packs() const noexcept;
   [[nodiscard]] SecondOrderWork work(AlignedBuffer& numbers) const noexcept;
 

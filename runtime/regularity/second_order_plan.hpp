@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// What second_order.hpp has to sum over, and where its numbers are kept: plain arrays, so that code
-// compiled for any instruction set may read them.
+// The terms that second_order.hpp sums, and the places of its numbers: plain arrays, so that code
+// compiled for any instruction set can read them.
 #pragma once
 
 #include "runtime/regularity/lanes.hpp"
@@ -47,8 +47,8 @@ struct SecondOrderPlan {
   };
 
   unsigned rows, columns_of_A, slots, wides, pairs, groups;
-  bool moves;                 ///< whether K(t) and w_k(t) do
-  bool weighs_row_variables;  ///< whether their impact is asked for
+  bool moves;                 ///< true if K(t) and w_k(t) move
+  bool weighs_row_variables;  ///< true if their impact is needed
   const unsigned* touched;    ///< rows, by slot
   const unsigned* columns;
   const Entry* entries;
@@ -61,8 +61,8 @@ struct SecondOrderPlan {
   const Group* group;
 };
 
-/// For one batch, in point layout. n columns of A, s slots, w wide variables. A sum over p has the
-/// weights r_p, over p, q the weights r_pr_q.
+/// The numbers for one batch, in point layout. n columns of A, s slots, w wide variables. A sum
+/// over p has the weights r_p, over p, q the weights r_pr_q.
 struct SecondOrderWork {
   PointArray K, abs_K;               // n×s: at the rows touched
   PointArray D, DK, sum_DK;          // as planned; w·n×s; n×s
@@ -72,7 +72,7 @@ struct SecondOrderWork {
   PointArray pair_row, pair_radius;  // n
   PointArray pairs;                  // for each row: what each pair adds to that of P
   PointArray weight, weight_of_g;    // s×n: Σ_k Δ_k of |w̄_k|, of Σ_p r_p|g_kp|
-  PointArray rest;                   // s×n: what is left of |w_k − w_k(t)|
+  PointArray rest;                   // s×n: the remainder of |w_k − w_k(t)|
   PointArray R, R_of_wide, R_of_row;  // s×s; (1 + w)·s×s: fixed, by each p; s for each row variable
   PointArray forms, moving;  // s for each row variable: w̄_kᵀK₀; s×s: R without these
   PointArray center, slope;  // n: w̄_k by entry; w·n: g_kp by entry
@@ -80,7 +80,7 @@ struct SecondOrderWork {
   PointArray group_R, group_lower;            // (1 + w)·s, (1 + w)·n
 };
 
-/// Values for eight boxes.
+/// The values for eight boxes.
 struct SecondOrderInput {
   ConstPointMatrix K;              ///< n×m
   ConstIntervalMatrix product;     ///< B(t₀), n×n

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The terms that the sums of second_order_lanes.hpp are made of: middles and distances of
-// enclosures, and factors that make upper bounds of sums of magnitudes.
+// The terms of the sums of second_order_lanes.hpp: middles and distances of enclosures, and factors
+// that give upper bounds of sums of magnitudes.
 #pragma once
 
 #include "runtime/regularity/lanes.hpp"
@@ -11,7 +11,7 @@ inline namespace REGULUS_LANES_ISA {
 
 using namespace lanes::REGULUS_LANES_ISA;
 
-/// For one term, a few, and any sum of magnitudes here, which costs 2^-35 of it.
+/// For one term, a few, or any sum of magnitudes here; it costs at most 2^-35 of the sum.
 inline constexpr double kOneTerm = raise_factor(1);
 inline constexpr double kFewTerms = raise_factor(16);
 inline constexpr double kManyTerms = raise_factor(std::size_t{1} << 16);
@@ -32,7 +32,7 @@ REGULUS_LANE_INLINE Middle middle_of(ConstIntervalVector intervals, unsigned at)
   return {middle, larger(hi - middle, middle - lo)};
 }
 
-/// |x| of the farthest x.
+/// Returns the largest |x|.
 REGULUS_LANE_INLINE Pack largest_of(ConstIntervalVector intervals, unsigned at) noexcept {
   return larger(magnitude(Pack::load(intervals.data() + 2 * at * kLanes)),
                 magnitude(Pack::load(intervals.data() + (2 * at + 1) * kLanes)));
@@ -44,7 +44,7 @@ REGULUS_LANE_INLINE void clear(PackArray array, unsigned count) noexcept {
 REGULUS_LANE_INLINE void raise(PackArray array, unsigned count, double factor) noexcept {
   for (unsigned e = 0; e < count; ++e) array.put(e, raised(array[e], factor));
 }
-/// The square roots of sums of squares, from above.
+/// Computes upper bounds of the square roots of sums of squares.
 REGULUS_LANE_INLINE void take_roots(PackArray x, unsigned count) noexcept {
   for (unsigned e = 0; e < count; ++e)
     x.put(e, raised(square_root(raised(x[e], kFewTerms)), kOneTerm));

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
-// Arrays of eight lanes seen as matrices and vectors, of exact doubles or of intervals, in the
-// layouts of runtime/interval/lanes.hpp. Each is a type of its own, so that a matrix given for a
-// vector, bounds given for points, or a constant given for a result does not compile. A view does
-// not own its numbers; it is passed in two registers.
+// Views of arrays of eight lanes as matrices and vectors, of exact doubles or of intervals, in the
+// layouts of runtime/interval/lanes.hpp. Each is a separate type: a matrix instead of a vector,
+// bounds instead of points, or a constant instead of a result does not compile. A view does not own
+// its numbers; it is passed in two registers.
 #pragma once
 
 #include <cstddef>
@@ -31,7 +31,7 @@ class LaneView {
       : numbers_(numbers),
         rows_(static_cast<unsigned>(rows)),
         columns_(static_cast<unsigned>(columns)) {}
-  /// What may be written may be read.
+  /// Numbers that may be written may be read.
   REGULUS_LANE_INLINE constexpr operator LaneView<const Double, kLayout, kShape>() const noexcept
       requires(!std::is_const_v<Double>) {
     if constexpr (kIsMatrix)
@@ -47,7 +47,7 @@ class LaneView {
     return std::size_t{rows_} * columns_;
   }
 
-  /// Entry e, row-major, of one lane.
+  /// Returns entry e, row-major, of one lane.
   [[nodiscard]] REGULUS_LANE_INLINE constexpr Double& at(std::size_t e,
                                                          std::size_t lane) const noexcept
       requires(!kHasIntervals) {
@@ -84,12 +84,12 @@ struct alignas(64) LaneNumbers {
   REGULUS_LANE_INLINE double operator[](std::size_t lane) const noexcept { return of[lane]; }
 };
 
-/// Where eigenvectors of a matrix are: Pv = ρv, yᵀP = ρyᵀ.
+/// The eigenvectors of a matrix: Pv = ρv, yᵀP = ρyᵀ.
 struct PerronVectors {
   PointVector right, left;
 };
 
-/// An array in point layout whose size only its maker knows: a part of a workspace.
+/// An array in point layout; only its maker knows its size. It is a part of a workspace.
 struct PointArray {
   double* x = nullptr;
 };

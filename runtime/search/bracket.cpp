@@ -8,25 +8,25 @@
 namespace regulus {
 namespace {
 
-/// Parts of the time left that one attempt may take. Half-way to a ceiling takes four times as long
-/// as the value before; what takes kPatience times as long has met a ceiling on the way.
+/// The part of the remaining time that one attempt may take. The value half-way to a ceiling takes
+/// four times as long as the value before. If it takes kPatience times as long, it met a ceiling.
 constexpr double kMostShare = 0.5;
-/// With less time left than this many of the last attempt, one more gets nearly all of it.
+/// If less time remains than this many times the last attempt, one more gets nearly all of it.
 constexpr double kLastAttempt = 3;
 constexpr double kLastShare = 0.95;
 constexpr double kLeastShare = 0.05;
 constexpr double kPatience = 20;
-/// Part of an attempt's time that its value should take: the prediction is rough.
+/// The part of an attempt's time that its value should need; the prediction is rough.
 constexpr double kPlannedPart = 0.6;
-/// No attempt is planned between a certified value and an obstacle nearer than this part of the
-/// wanted gap.
+/// No attempt is planned between a certified value and an obstacle if they are nearer than this
+/// part of the wanted gap.
 constexpr double kResolution = 0.125;
-/// Fewer boxes say nothing about how their number grows.
+/// A smaller number of boxes does not show how the number grows.
 constexpr std::uint64_t kTellingBoxes = 32;
-/// A failure for want of time is tried again with this many times as much.
+/// If a failure was for lack of time, it is repeated with this many times as much.
 constexpr double kWorthMoreTime = 2.0;
 constexpr double kLeastStep = 0.125;
-/// Where no pose remains up to here, none is looked for further up without an upper end.
+/// If there is no upper end and no pose remains up to this value, larger values are not searched.
 constexpr double kMostEmpty = 0x1p20;
 
 bool for_want_of_time(Reason reason) noexcept {
@@ -34,7 +34,7 @@ bool for_want_of_time(Reason reason) noexcept {
          reason == Reason::kInterrupted;
 }
 
-/// The double nearest to `value` written with so many significant digits.
+/// Returns the double nearest to `value` written with so many significant digits.
 double to_digits(double value, int digits) noexcept {
   char text[64];
   const auto end =
@@ -106,7 +106,7 @@ std::optional<PlannedAttempt> Bracket::next() const {
   return PlannedAttempt{value, seconds};
 }
 
-/// The least value that is not worth an attempt of that many seconds; above high_ if there is none.
+/// Returns the least value not worth an attempt of so many seconds; a value above high_ if none.
 double Bracket::lowest_obstacle(double seconds) const noexcept {
   double top = kInfinity;
   if (refuted_) top = *refuted_;
@@ -117,7 +117,7 @@ double Bracket::lowest_obstacle(double seconds) const noexcept {
   return top == kInfinity && high_ < kInfinity ? std::nextafter(high_, kInfinity) : top;
 }
 
-/// Half-way up, or less if that would take too long.
+/// Returns the value half-way up, or a smaller one if that would take too long.
 double Bracket::aim(double top, double seconds) const noexcept {
   const double width = top - *certified_;
   const double half = *certified_ + 0.5 * width;
@@ -126,7 +126,7 @@ double Bracket::aim(double top, double seconds) const noexcept {
   return std::clamp(*most, *certified_ + kLeastStep * width, half);
 }
 
-/// The value that should take that long: √time is a/(c − value), and two values give a and c.
+/// Predicts the value that takes so long: √time is a/(c − value), and two values give a and c.
 std::optional<double> Bracket::affordable(double seconds) const noexcept {
   if (successes_.size() < 2) return std::nullopt;
   const Attempt& first = successes_[successes_.size() - 2];

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Which value to try next when the largest safe one is sought. Only where to look is decided here:
-// what is safe and what is not are claims of the searches made at the values tried.
+// Chooses the next value to try in a search for the largest safe value. It only decides where to
+// search: the searches at the tried values claim what is safe and what is not.
 #pragma once
 
 #include <cstdint>
@@ -21,18 +21,18 @@ struct Attempt {
   double seconds = 0;
 };
 
-/// A search to make: at which value, and for how long at most.
+/// A planned search: its value, and its longest time.
 struct PlannedAttempt {
   double value = 0;
   double seconds = 0;
 };
 
-/// Closes in on the largest safe value between `low` and `high`; the larger the value, the larger
-/// the set, or the threshold, so that safe at one value is safe below it.
+/// Approaches the largest safe value between `low` and `high`. A larger value means a larger set,
+/// or a larger threshold, so a value below a safe value is safe.
 ///
-/// The time a value takes grows about as 1/(c − value)² towards a ceiling c, which is the least
-/// value that is not safe, or the end of what the tests can show. Two certified values give c
-/// roughly; no value is tried that would then take more than half of the time left.
+/// The time for a value grows about as 1/(c − value)² towards a ceiling c, which is the least value
+/// that is not safe, or the limit of the tests. Two certified values give c roughly. No value is
+/// tried that would then take more than half of the remaining time.
 class Bracket {
  public:
   struct Limits {
@@ -46,19 +46,19 @@ class Bracket {
   void note(const Attempt& attempt);
   /// A witness shows that this value is not safe.
   void note_refuted(double value) noexcept;
-  /// Time that went elsewhere.
+  /// Adds time that was used for other work.
   void spend(double seconds) noexcept { spent_ += seconds; }
 
-  /// nullopt: the bracket is closed, time is up, or nothing in between is likely to be certified.
+  /// Returns nullopt if the bracket is closed, time is over, or no value in between is promising.
   [[nodiscard]] std::optional<PlannedAttempt> next() const;
 
   [[nodiscard]] std::optional<double> certified() const noexcept { return certified_; }
   [[nodiscard]] std::optional<double> refuted() const noexcept { return refuted_; }
-  /// (refuted − certified)/refuted; nullopt unless there are both.
+  /// Returns (refuted − certified)/refuted; nullopt unless there are both.
   [[nodiscard]] std::optional<double> gap() const noexcept;
-  /// Of those, the largest at which no pose remains: there is nothing that could be singular.
+  /// Returns the largest certified value at which no pose remains: nothing there can be singular.
   [[nodiscard]] std::optional<double> empty() const noexcept { return empty_; }
-  /// The gap is as small as wanted, or all values up to `high` are safe, or `low` is not.
+  /// True if the gap is as small as wanted, or all values up to `high` are safe, or `low` is not.
   [[nodiscard]] bool closed() const noexcept;
   [[nodiscard]] double seconds_left() const noexcept { return limits_.seconds - spent_; }
 
@@ -67,7 +67,7 @@ class Bracket {
   struct Failure {
     double value;
     double seconds;
-    bool for_want_of_time;  ///< more of it might have helped
+    bool for_want_of_time;  ///< more time might have helped
   };
 
   [[nodiscard]] bool failed_at(double value) const noexcept;
@@ -79,17 +79,17 @@ class Bracket {
   Limits limits_;
   double spent_ = 0;
   std::optional<double> certified_, refuted_, empty_;
-  std::vector<Attempt> successes_;  ///< rising
+  std::vector<Attempt> successes_;  ///< increasing
   std::vector<Failure> failures_;
 };
 
-/// A decimal of few digits strictly between lo and hi, near `value`: within a 32nd of hi − lo.
+/// Returns a decimal of few digits strictly between lo and hi, within (hi − lo)/32 of `value`.
 ///
 /// Requires  lo < value < hi.
 /// Ensures   lo < result < hi; the double nearest to a decimal, or `value` itself.
 [[nodiscard]] double short_decimal_near(double value, double lo, double hi) noexcept;
 
-/// A decimal of five digits that is not below `value`, by less than 10⁻⁴ of it.
+/// Returns a decimal of five digits that is not below `value`, by less than 10⁻⁴ of it.
 ///
 /// Requires  value ≥ 0, finite.
 [[nodiscard]] double short_decimal_above(double value) noexcept;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The loop of Algorithm 1, lines 3–28, for searches by several threads and for checks in a control
-// loop alike.
+// The loop of Algorithm 1, lines 3–28, both for searches by several threads and for checks in a
+// control loop.
 #pragma once
 
 #include <algorithm>
@@ -12,26 +12,26 @@
 
 namespace regulus {
 
-/// Takes boxes from a frontier, round by round, and puts the halves of those that are to be split
+/// Takes boxes from a frontier, round by round, and puts the halves of boxes that must be split
 /// back on it.
 ///
-/// What follows from the batches of a round is drawn in two passes, so that a singularity met in
-/// any of them ends the search before boxes are split; undecided boxes are split last to first, so
-/// that the first ends on top again.
+/// The conclusions from the batches of a round are drawn in two passes, so that a singularity found
+/// in any of them ends the search before boxes are split. Undecided boxes are split last to first,
+/// so that the first is on top again.
 ///
-/// `Steps` says what is particular to a search:
+/// `Steps` defines the parts that differ between searches:
 ///   bool begin_round()             before each round: false ends the search
-///   std::size_t decide_round()     takes boxes from the frontier and decides them; batches made
+///   std::size_t decide_round()     takes boxes from the frontier, decides them; number of batches
 ///   Decisions& batch(i)
-///   bool conclude(Decisions&)      what follows from the leaves of a batch; false ends this pass
+///   bool conclude(Decisions&)      conclusions from the leaves of a batch; false ends this pass
 ///   bool goes_on()                 false ends the second pass: nothing is split any more
 ///   void give_back(Decisions&)     the batch was not decided
 ///   void settle(Decisions&, lane)  a box that is a leaf; in the second pass
-///   bool splits(const OpenBox&)    false: the search is to stop, the box stays open
+///   bool splits(const OpenBox&)    false: the search must stop, the box stays open
 ///   BoxId number(parent, variable, at)  announces a split; the number of the first half
 ///   void lose(first, second)       memory is exhausted: the halves are not on the frontier
 ///   void end_round()
-/// It allocates nothing after construction but what the frontier needs to grow.
+/// After construction it allocates nothing, except for the growth of the frontier.
 template <typename Steps>
 class BranchAndPrune {
  public:

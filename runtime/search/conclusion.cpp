@@ -17,7 +17,7 @@ std::uint64_t all_leaves(const Statistics& statistics) noexcept {
   return std::accumulate(statistics.leaves.begin(), statistics.leaves.end(), std::uint64_t{0});
 }
 
-/// Ended from outside: there is no time, or no memory, for anything else.
+/// Returns true if the search was ended from outside: no time or memory is left for more work.
 bool was_cut_short(const Result& result) noexcept {
   return result.stopped_by == Reason::kInterrupted || result.stopped_by == Reason::kTimeBudget ||
          result.stopped_by == Reason::kMemory || result.reason == Reason::kBadProblem;
@@ -51,7 +51,7 @@ void note_that_all_is_singular(Result& result, WitnessPoint point) {
   result.witness = Witness{{point}, point};
 }
 
-/// Nothing was proved, or of one point alone that it is singular.
+/// Returns true if nothing was proved, except perhaps that one point alone is singular.
 bool may_be_singular_everywhere(const Result& result) noexcept {
   return result.verdict == Verdict::kPossibleProblem ||
          (result.verdict == Verdict::kSingularity && result.reason == Reason::kSmallDeterminant);

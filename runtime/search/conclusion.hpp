@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// What follows from a whole search besides its leaves: whether the claim is about any pose at all,
-// and whether algebra knows that every pose is singular.
+// The conclusions of a whole search, besides those of its leaves: is the claim about any pose at
+// all, and does algebra show that every pose is singular.
 #pragma once
 
 #include "runtime/problem/problem.hpp"
@@ -8,17 +8,17 @@
 
 namespace regulus {
 
-/// Some box was certified, by a test or by a filter.
+/// Returns true if some box was certified, by a test or by a filter.
 [[nodiscard]] bool certified_somewhere(const Statistics& statistics) noexcept;
 
-/// There are leaves, and a constraint excludes each of them.
+/// Returns true if there are leaves, and a constraint excludes each of them.
 [[nodiscard]] bool excluded_everywhere(const Statistics& statistics) noexcept;
 
-/// Fills in `occupancy` and `inhabitant`, and turns the verdict
-/// - into POSSIBLE PROBLEM, kEmptyVariety, if the constraints exclude every pose;
-/// - into SINGULARITY, kAlwaysSingular, if Settings::algebra says that det A is the zero function
-///   and a point of the variety is certainly inside the constraints and defined: the witness. What
-///   a search was asked under is at AlgebraOracle.
+/// Fills in `occupancy` and `inhabitant`, and changes the verdict
+/// - to POSSIBLE PROBLEM, kEmptyVariety, if the constraints exclude every pose;
+/// - to SINGULARITY, kAlwaysSingular, if Settings::algebra says that det A is the zero function
+///   and a point of the variety is certainly inside the constraints and defined: the witness.
+///   AlgebraOracle has the conditions under which a search asks it.
 ///
 /// Requires  verdict, reason, statistics and stopped_by are those of a search of the problem;
 ///           rounding to nearest.

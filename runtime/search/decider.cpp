@@ -6,14 +6,14 @@
 namespace regulus {
 namespace {
 
-/// How many splits lie between two checks that the uncertainty leaves the box a chance.
+/// The splits between two checks that the uncertainty still lets the box be certified.
 constexpr std::uint32_t kStallCheck = 12;
 
-/// How many splits lie between two boxes on which every test is tried: one that stopped paying
-/// elsewhere may be the only one that can certify a box, however small.
+/// The splits between two boxes on which every test is tried. A test that stopped being useful
+/// elsewhere may be the only one that can certify a box, of any size.
 constexpr std::uint32_t kEveryTest = 4;
 
-/// A box that took so many splits and is still undecided is worth its determinant in closed form.
+/// After so many splits, an undecided box justifies the cost of its determinant in closed form.
 constexpr std::uint32_t kClosedFormDepth = 11;
 
 bool is_point(std::span<const Interval> box) noexcept {
@@ -100,7 +100,7 @@ void Decider::leave_with_witness(std::size_t lane) {
   out_->decision[lane].reason = box_witness_->reason();
 }
 
-/// Lanes that bisection is done with.
+/// Returns the lanes that bisection does not split any more.
 LaneMask Decider::at_minimum_width(LaneMask lanes) noexcept {
   LaneMask result = 0;
   for_each_lane(lanes, [&](std::size_t lane) {
@@ -125,7 +125,7 @@ LaneMask Decider::leave_outside(LaneMask lanes) noexcept {
   return lanes & ~outside;
 }
 
-/// Filters are the last of the tests.
+/// Filters are the last tests.
 LaneMask Decider::leave_certified(LaneMask lanes) noexcept {
   const std::size_t ours = tests_.size() - settings_.filters.size();
   for (std::size_t t = 0; t < tests_.size() && lanes != 0; ++t) {
@@ -141,7 +141,7 @@ LaneMask Decider::leave_certified(LaneMask lanes) noexcept {
   return leave_by_closed_form(lanes);
 }
 
-/// What the entries of K·A lose to each other, an expression of the determinant may not.
+/// Entries of K·A lose dependencies between each other; an expression of det may keep them.
 LaneMask Decider::leave_by_closed_form(LaneMask lanes) noexcept {
   if (settings_.closed_form == nullptr || settings_.method != Method::kAuto) return lanes;
   LaneMask rest = lanes;
@@ -162,7 +162,7 @@ std::size_t Decider::vector_order(Rule rule) const noexcept {
 }
 
 void Decider::split_or_block(std::size_t lane, bool hopeless) noexcept {
-  // No box that holds such a point will ever be certified in doubles.
+  // No box that contains such a point will ever be certified in doubles.
   if (undefined_at_middle(lane)) {
     if (is_point(out_->box_of(lane)) && certified_by_oracle(lane))
       return leave(lane, Rule::kMultiprecision);
@@ -179,7 +179,7 @@ void Decider::split_or_look_inside(std::size_t lane) {
   const std::optional<std::size_t> variable = bisector_.choose(batch_, lane);
   if (variable) return split(lane, *variable);
   if (certified_by_determinant(lane)) return leave(lane, Rule::kDeterminant);
-  // More digits do not help a box that is wide: they cost much and decide nothing.
+  // More digits do not help for a wide box: they cost much and decide nothing.
   if (cannot_be_halved(out_->box_of(lane)) && certified_by_oracle(lane))
     return leave(lane, Rule::kMultiprecision);
   const std::uint64_t before = box_witness_->probes();
@@ -207,7 +207,7 @@ Reason Decider::reason_at_minimum_width(std::size_t lane) noexcept {
   return defined != 0 ? Reason::kWidth : Reason::kUndefined;
 }
 
-/// The box of a lane with its first variables fixed at their midpoints, to a lane of center_.
+/// Loads a lane's box, with its first variables fixed at their midpoints, to a lane of center_.
 void Decider::load_center(std::size_t lane, std::size_t thin_variables,
                           std::size_t center) noexcept {
   const std::span<const Interval> box = out_->box_of(lane);
@@ -217,7 +217,7 @@ void Decider::load_center(std::size_t lane, std::size_t thin_variables,
   center_.load(center, middle_);
 }
 
-/// J⁻¹ or the pose is not defined at the middle of the box, which may lie in the variety.
+/// Returns true if J⁻¹ or the pose is undefined at the middle, which may lie in the variety.
 bool Decider::undefined_at_middle(std::size_t lane) noexcept {
   if (has_lane(batch_.midpoint_outside(), lane)) return false;
   if (!has_lane(batch_.midpoint_defined(), lane)) return true;
@@ -227,14 +227,14 @@ bool Decider::undefined_at_middle(std::size_t lane) noexcept {
   return center_.certain_posed() == 0;
 }
 
-/// Both ways of enclosing the determinant together: the tests look at K·A or at A alone.
+/// Uses both enclosures of the determinant together: the tests use K·A or A alone.
 bool Decider::certified_by_determinant(std::size_t lane) noexcept {
   if (problem_.kernel->rows != problem_.kernel->columns) return false;
   const std::optional<Interval> determinant = batch_.determinant(lane, false);
   return determinant && batch_.certain_above_threshold(lane, mig(*determinant));
 }
 
-/// The last resort for a box that cannot be split: more digits than doubles have.
+/// The last attempt for a box that cannot be split: more digits than doubles have.
 bool Decider::certified_by_oracle(std::size_t lane) noexcept {
   const regulus_kernel& kernel = *problem_.kernel;
   if (settings_.oracle == nullptr || kernel.rows != kernel.columns) return false;
@@ -243,8 +243,8 @@ bool Decider::certified_by_oracle(std::size_t lane) noexcept {
   return determinant && batch_.certain_above_threshold(lane, mig(*determinant));
 }
 
-/// At the middle of the box, as a single pose, the tests fail for the whole of the uncertainty: no
-/// box around that pose can do better, except by the rounding of K. Asked now and then.
+/// The tests fail at the middle of the box, as a single pose, for the whole of the uncertainty. No
+/// box around that pose can do better, except by the rounding of K. Tested at intervals only.
 LaneMask Decider::hopeless_under_uncertainty(LaneMask lanes) noexcept {
   if (!keeps_uncertainty_whole_ || !settings_.ingredients.stall) return 0;
   std::size_t asked[kLanes], count = 0;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// Everything about a batch of boxes that can be told without the others: which are outside, which
-// a test certifies, where the rest are to be split or what is to be said about them. Each thread
-// has one of its own.
+// Makes all decisions about a batch of boxes that do not depend on other batches: which boxes are
+// outside, which ones a test certifies, where the others are split or why they are blocked. Each
+// thread has its own decider.
 #pragma once
 
 #include "runtime/evaluation/batch.hpp"
@@ -15,11 +15,11 @@ namespace regulus {
 
 class Decider {
  public:
-  /// All three must outlive it.
+  /// All three must outlive this object.
   Decider(const Problem& problem, const Settings& settings, const RowStructure& structure);
 
-  /// Decides the boxes of `decisions`, 1…8. Their proofs refer to this object until its next call
-  /// unless `keep_proofs`.
+  /// Decides the boxes of `decisions`, 1…8. Their proofs refer to this object until its next call,
+  /// unless `keep_proofs` is true.
   ///
   /// Rounding  to nearest.
   /// Errors    std::bad_alloc, in an exhaustive search only, which copies witnesses: the batch is
@@ -27,7 +27,7 @@ class Decider {
   void decide(Decisions& decisions, bool keep_proofs);
 
   [[nodiscard]] const Bisector& bisector() const noexcept { return bisector_; }
-  /// Entries of v.
+  /// Returns the entries of v.
   [[nodiscard]] std::size_t order() const noexcept { return batch_.order(); }
 
  private:
@@ -58,7 +58,7 @@ class Decider {
   Batch center_;  ///< asked for regularity only if uncertain quantities are kept whole
   TestSequence tests_;
   Bisector bisector_;
-  std::optional<BoxWitness> box_witness_;  ///< of an exhaustive search
+  std::optional<BoxWitness> box_witness_;  ///< for an exhaustive search
   std::vector<Interval> middle_;
   Decisions* out_ = nullptr;
 };

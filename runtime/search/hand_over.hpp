@@ -5,10 +5,10 @@
 
 namespace regulus {
 
-/// Orders the work of several threads as the standard's memory model has it: what happens before
-/// give() in one thread happens before what follows take() in another, if give() came first.
-/// oneTBB promises that order for a parallel loop; this says so in terms that a tool can check
-/// which does not see into the library. It costs a few atomic operations a batch of boxes.
+/// Orders the work of several threads in the terms of the standard's memory model: what happens
+/// before give() in one thread happens before what follows take() in another, if give() came first.
+/// oneTBB promises that order for a parallel loop. Here a tool that does not see into the library
+/// can check it. It costs a few atomic operations per batch of boxes.
 class HandOver {
  public:
   void give() noexcept { count_.fetch_add(1, std::memory_order_release); }

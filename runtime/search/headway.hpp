@@ -10,13 +10,13 @@
 
 namespace regulus {
 
-/// Tells that a search makes no headway: a long run of boxes closed so little of the variety that
-/// all of it would take 2^40 boxes.
+/// Reports that a search makes no progress: a long run of boxes closed so little of the variety
+/// that all of it would take 2^40 boxes.
 ///
-/// Boxes of many variables are small parts of the variety however fast they are certified. Nothing
-/// is said of those, unless most of them had to be certified with more digits than doubles have, or
-/// they are as small as boxes with sides of 2^-24 of the ranges. A box that takes more digits takes
-/// the time of many others and counts as so many, so that a run of them is no longer than a run of
+/// Boxes of many variables are small parts of the variety, even if they are certified quickly. They
+/// are not reported unless most of them needed more digits than doubles have, or they are as small
+/// as boxes with sides of 2^-24 of the ranges. A box that needs more digits takes the time of many
+/// others and counts as so many. So a run of them is no longer than a run of the others.
 /// the others.
 class Headway {
  public:
@@ -26,14 +26,14 @@ class Headway {
     begin_ = boxes;
   }
 
-  /// A leaf after that number of splits.
+  /// Counts a leaf after that number of splits.
   void close(std::uint32_t depth, Rule rule) noexcept {
     part_ += std::ldexp(1.0, -static_cast<int>(std::min(depth, 1000U)));
     ++leaves_;
     if (rule == Rule::kMultiprecision) ++multiprecision_;
   }
 
-  /// True if a run ended with these boxes and closed next to nothing. The next run begins then.
+  /// Returns true if a run ended at this number of boxes and closed next to nothing. Begins a run.
   [[nodiscard]] bool stalls(std::uint64_t boxes, std::size_t variables_to_split) noexcept {
     if (boxes - begin_ + kMultiprecisionBoxes * multiprecision_ < kBoxesOfRun) return false;
     const bool few = variables_to_split <= kFewVariables || 2 * multiprecision_ > leaves_;
@@ -43,7 +43,7 @@ class Headway {
   }
 
  private:
-  /// A run of boxes of that size.
+  /// Returns the least part of a run of boxes of that size.
   static double least_part_of_many(std::size_t variables) noexcept {
     const std::size_t halvings = std::min<std::size_t>(kHalvingsOfSide * variables, 1000);
     return std::ldexp(static_cast<double>(kBoxesOfRun), -static_cast<int>(halvings));

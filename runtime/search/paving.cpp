@@ -7,8 +7,8 @@ namespace {
 /// A range between neighbouring doubles is a single value: it is never split.
 bool is_single_value(Interval x) noexcept { return !bisect(x).has_value(); }
 
-/// The boxes overlap in their faces alone, so their true volumes add up to at most the total; sums
-/// of rounded bounds may say more.
+/// The boxes overlap only in their faces, so their true volumes add up to at most the total. Sums
+/// of rounded bounds may exceed it.
 Interval at_most_one(Interval x) noexcept {
   return intersect(x, Interval(0.0, 1.0)).value_or(Interval(0.0, 1.0));
 }
@@ -22,7 +22,7 @@ Claim claim_of(Rule rule) noexcept {
     case Rule::kWitness:
       return Claim::kSingular;
     case Rule::kBlocked:
-    case Rule::kFilter:  // what nobody has checked is no claim of ours
+    case Rule::kFilter:  // a filter is not checked, so it gives no claim
       return Claim::kUndecided;
     case Rule::kHMatrix:
     case Rule::kMeanValue:

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// How much of a variety an exhaustive search left free, singular, undecided and outside.
+// Computes which parts of a variety an exhaustive search found free, singular, undecided, outside.
 #pragma once
 
 #include <array>
@@ -10,7 +10,7 @@
 
 namespace regulus {
 
-/// What a paving says of a box.
+/// The claim of a paving about a box.
 enum class Claim : std::uint8_t {
   kFree,       ///< certified: the box holds no singularity
   kSingular,   ///< certified: the box holds one
@@ -46,12 +46,12 @@ class Volumes final : public Observer {
   [[nodiscard]] const Share& of(Claim claim) const noexcept {
     return shares_[static_cast<std::size_t>(claim)];
   }
-  /// Those of the undecided boxes that the search had not come to when it was stopped.
+  /// The undecided boxes that the search had not reached when it was stopped.
   [[nodiscard]] const Share& unfinished() const noexcept { return unfinished_; }
   [[nodiscard]] Interval total() const noexcept { return total_; }
-  /// Part of all of the motion parameters' box, in [0, 1].
+  /// Returns the part of the motion parameters' whole box, in [0, 1].
   [[nodiscard]] Interval fraction(const Share& share) const noexcept;
-  /// The motion parameters that are not single values.
+  /// Returns the motion parameters that are not single values.
   [[nodiscard]] const std::vector<std::size_t>& axes() const noexcept { return axes_; }
 
  private:

@@ -17,11 +17,11 @@
 
 namespace regulus {
 
-/// Where the threads live; the caller is the first of them.
+/// Owns the threads; the caller is the first of them.
 class Round::Threads {
  public:
   explicit Threads(unsigned count) : of_place_(count), arena_(static_cast<int>(count)) {
-    // For all of the process: left alone unless more are wanted than it would give.
+    // It is for the whole process: changed only if more threads are wanted than it would give.
     if (static_cast<int>(count) > tbb::info::default_concurrency())
       allowed_.emplace(tbb::global_control::max_allowed_parallelism, count);
   }
@@ -42,7 +42,7 @@ class Round::Threads {
   }
 
  private:
-  /// All that a thread reads before it knows what the caller has written: an atomic pointer.
+  /// A thread reads only an atomic pointer before it knows what the caller has written.
   class Entrance {
    public:
     void lead_to(const std::function<void(std::size_t)>& call) noexcept {
@@ -55,7 +55,7 @@ class Round::Threads {
   };
 
   Entrance entrance_;
-  std::vector<HandOver> of_place_;  ///< the threads that take turns at one place of the arena
+  std::vector<HandOver> of_place_;  ///< for the threads that use one place of the arena in turn
   std::optional<tbb::global_control> allowed_;
   tbb::task_arena arena_;
 };
@@ -66,7 +66,7 @@ Round::Round(const Problem& problem, const Settings& settings, const RowStructur
       settings_(settings),
       structure_(structure),
       deadline_(deadline),
-      // Code that is not ours may count on being called by one thread at a time.
+      // Users' code may require that only one thread at a time calls it.
       thread_count_(settings.filters.empty() ? settings.threads : 1) {
   deciders_.push_back(std::make_unique<Decider>(problem, settings, structure));
 }
@@ -88,7 +88,7 @@ bool Round::must_stop() const noexcept {
          Clock::now() >= deadline_;
 }
 
-/// Without memory the batch stays undecided, in whichever thread that happens.
+/// If memory is exhausted in any thread, the batch stays undecided.
 void Round::decide(Decider& decider, std::size_t index) noexcept try {
   const RoundingScope scope(REGULUS_ROUND_NEAREST);
   if (index == 0 || !must_stop()) decider.decide(batch(index), size_ > 1);
@@ -108,12 +108,12 @@ void Round::decide_in_parallel() {
 
 bool Round::decide(const AdaptiveThreshold& threshold) noexcept {
   for (std::size_t i = 0; i < size_; ++i) batch(i).budget.threshold = threshold;
-  // Without the means for more threads one does the work.
+  // If more threads cannot be made, one thread does the work.
   if (thread_count_ > 1 && size_ > 1) try {
       decide_in_parallel();
     } catch (const std::exception&) {
     }
-  // One thread alone may find the memory that several together did not.
+  // One thread alone may get the memory that several together did not get.
   memory_exhausted_ = false;
   for (std::size_t i = 0; i < size_; ++i)
     if (!batch(i).decided) decide(*deciders_.front(), i);

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
-// Batches of boxes that are decided together, by one thread or several.
+// Batches of boxes that are decided together, by one or several threads.
 //
-// How many there are is for the search to say and does not depend on the threads; each batch is
-// decided by itself; what follows from it is drawn afterwards, batch by batch, by one thread. So
-// everything a search does is the same for any number of threads.
+// The search chooses the number of batches, independently of the threads. Each batch is decided by
+// itself. One thread draws the conclusions afterwards, batch by batch. So the results of a search
+// are the same for any number of threads.
 #pragma once
 
 #include <atomic>
@@ -19,21 +19,21 @@ class Round {
  public:
   using Clock = std::chrono::steady_clock;
 
-  /// All three must outlive it. Past `deadline`, or when interrupted, batches after the first are
-  /// left as they are.
+  /// All three must outlive this object. After `deadline`, or after an interrupt, batches after the
+  /// first are not decided.
   Round(const Problem& problem, const Settings& settings, const RowStructure& structure,
         Clock::time_point deadline);
   ~Round();
 
   void clear() noexcept { size_ = 0; }
   [[nodiscard]] std::size_t size() const noexcept { return size_; }
-  /// One more batch, without boxes; null when memory is exhausted.
+  /// Adds a batch without boxes; returns null if memory is exhausted.
   [[nodiscard]] Decisions* append() noexcept;
   [[nodiscard]] Decisions& batch(std::size_t index) noexcept { return *batches_[index]; }
 
   /// Decides every batch that has boxes.
   ///
-  /// Ensures   false: memory was exhausted, and some batches are left as they are.
+  /// Ensures   false: memory was exhausted, and some batches are undecided.
   [[nodiscard]] bool decide(const AdaptiveThreshold& threshold) noexcept;
 
   [[nodiscard]] const Bisector& bisector() const noexcept { return deciders_.front()->bisector(); }
@@ -49,7 +49,7 @@ class Round {
   const RowStructure& structure_;
   const Clock::time_point deadline_;
   const unsigned thread_count_;
-  std::vector<std::unique_ptr<Decider>> deciders_;  ///< one a thread; the first is the caller's
+  std::vector<std::unique_ptr<Decider>> deciders_;  ///< one per thread; the first is the caller's
   std::vector<std::unique_ptr<Decisions>> batches_;
   std::size_t size_ = 0;
   std::atomic<bool> memory_exhausted_ = false;

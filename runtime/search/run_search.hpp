@@ -7,7 +7,7 @@
 
 namespace regulus {
 
-/// What resume() does once the problem is known to be free of faults.
+/// Does the work of resume() after the problem is known to have no fault.
 ///
 /// Requires  find_fault finds none; every open box is one of the problem's; rounding to nearest.
 /// Errors    std::bad_alloc before the first box and after the last; in between memory that is
