@@ -11,7 +11,7 @@ inline namespace REGULUS_LANES_ISA {
 
 using namespace lanes::REGULUS_LANES_ISA;
 
-/// For one term, a few, or any sum of magnitudes here; it costs at most 2^-35 of the sum.
+/// For one term, a few, or any sum of magnitudes here; the last factor costs 2^-35 of the sum.
 inline constexpr double kOneTerm = raise_factor(1);
 inline constexpr double kFewTerms = raise_factor(16);
 inline constexpr double kManyTerms = raise_factor(std::size_t{1} << 16);

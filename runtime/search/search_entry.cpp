@@ -16,7 +16,7 @@ Result faulty(const Settings& settings) {
   return result;
 }
 
-/// Uncertain quantities that are kept whole have their whole range in every box.
+/// Returns true if uncertain quantities that are kept whole have their whole range in the box.
 bool keeps_ranges(const Problem& problem, const Settings& settings, const OpenBox& open) noexcept {
   if (open.box.size() != problem.outer.size()) return false;
   if (settings.uncertainty == Uncertainty::kVariables) return true;

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 // Algorithm 1 on up to eight boxes at a time, with the constraints of Table II.
 //
-// A box is left for one of three reasons: a constraint excludes it, a test certifies it, or it
-// cannot be decided and is not to be split any more. The last kind rules out NO SINGULARITY; the
-// search then goes on for a while, widest boxes first, since SINGULARITY may still be shown.
-// An exhaustive search goes through all boxes, and looks for a singularity inside each that
-// remains.
+// A box leaves the search for one of three reasons: a constraint excludes it, a test certifies
+// it, or it cannot be decided and must not be split any more. The last kind rules out NO
+// SINGULARITY; the search then continues for a while, widest boxes first, since SINGULARITY may
+// still be shown. An exhaustive search decides all boxes, and searches for a singularity inside
+// each that remains.
 #include <algorithm>
 #include <chrono>
 #include <utility>
@@ -23,15 +23,15 @@ namespace {
 
 using Clock = std::chrono::steady_clock;
 
-/// Witness searches that start from boxes that could not be decided.
+/// The number of witness searches that start from boxes that could not be decided.
 constexpr std::uint64_t kMaxDescentsFromBlocked = 16;
 
-/// A round has one batch more for each so many boxes that were evaluated before: a search that
-/// ends early does not look much further than it must, a long one keeps its threads busy.
+/// A round has one more batch for each so many boxes that were evaluated before. So a search that
+/// ends early does little extra work, and a long one keeps its threads busy.
 constexpr std::uint64_t kBoxesABatch = 64;
 constexpr std::uint64_t kMaxBatches = 64;
 
-/// From so many boxes on the determinant in closed form is worth the time that forming it takes.
+/// After so many boxes, the determinant in closed form is worth the time that forming it takes.
 constexpr std::uint64_t kBoxesBeforeClosedForm = 256;
 
 class Search {
@@ -111,7 +111,7 @@ double seconds_since(Clock::time_point start) noexcept {
   return std::chrono::duration<double>(Clock::now() - start).count();
 }
 
-/// A limit that no clock will reach is none.
+/// Returns the time limit; a limit that no clock will reach means none.
 Clock::time_point Search::deadline() const noexcept {
   const std::chrono::duration<double> limit(settings_.time_limit);
   if (!(limit < std::chrono::hours(24 * 365 * 100))) return Clock::time_point::max();
@@ -150,7 +150,7 @@ std::size_t Search::decide_round() noexcept {
   return round_.size();
 }
 
-/// Memory is exhausted. What the other batches led to counts; these boxes are given back.
+/// Memory is exhausted. The results of the other batches count; these boxes are given back.
 void Search::stop_at_undecided_batch() noexcept {
   stop_at_open_box(Reason::kMemory);
   for (std::size_t i = round_.size(); i-- > 0;) {
@@ -170,7 +170,7 @@ void Search::pause() noexcept {
   observer_.on_pause(state_, frontier_);
 }
 
-/// What is only added up now and then.
+/// Updates the counts that are only needed at intervals.
 void Search::count_up() noexcept {
   Statistics& statistics = state_.statistics;
   statistics.max_frontier = std::max<std::uint64_t>(statistics.max_frontier, frontier_.max_size());
@@ -194,7 +194,7 @@ bool Search::must_stop() noexcept {
   return stopped_;
 }
 
-/// What was closed before a checkpoint is forgotten: the count begins anew.
+/// Leaves from before a checkpoint do not count: the count begins again.
 bool Search::stalls() noexcept {
   return !settings_.exhaustive && !state_.blocked &&
          headway_.stalls(state_.statistics.boxes, round_.bisector().variables_to_split());
@@ -215,14 +215,14 @@ void Search::stop_at_open_box(Reason reason) noexcept {
   std::copy(top.box.begin(), top.box.end(), top_when_stopped_.begin());
 }
 
-/// The order of the paper asks for one box at a time.
+/// The order of the paper needs one box at a time.
 std::uint64_t Search::batches_of_round() const noexcept {
   if (settings_.batch == 1) return 1;
   return std::min(1 + state_.statistics.boxes / kBoxesABatch, kMaxBatches);
 }
 
-/// A budget ends a search between two rounds, never within one: the boxes that a round takes
-/// decide which come next, so that a search that goes on later takes those of one without a stop.
+/// A budget ends a search between two rounds, never within one. The boxes of a round decide which
+/// come next. So a continued search takes the same boxes as a search without a stop.
 bool Search::has_budget_for_round() const noexcept {
   const std::uint64_t boxes = state_.statistics.boxes, size = frontier_.size();
   const std::uint64_t next = std::min(batches_of_round() * settings_.batch, size);
@@ -241,7 +241,7 @@ void Search::load_round() noexcept {
 }
 
 void Search::load(Decisions& batch) noexcept {
-  // Once NO SINGULARITY is out of reach, the widest boxes show most of what is left.
+  // If NO SINGULARITY is not possible any more, the widest boxes show most of the rest.
   const bool from_end = state_.blocked && !settings_.exhaustive;
   while (batch.count() < settings_.batch && !frontier_.empty()) {
     batch.add(from_end ? frontier_.end() : frontier_.top());
@@ -250,7 +250,7 @@ void Search::load(Decisions& batch) noexcept {
   }
 }
 
-/// A batch that was not decided because the search is to stop.
+/// Gives back a batch that was not decided because the search must stop.
 void Search::give_back(Decisions& batch) noexcept {
   for (std::size_t lane = batch.count(); lane-- > 0; --state_.statistics.boxes) {
     const OpenBox& box = batch.open(lane);
@@ -270,7 +270,7 @@ bool Search::conclude(Decisions& batch) noexcept {
     if (decision.kind != Decision::Kind::kLeaf || decision.rule == Rule::kBlocked) continue;
     if (decision.rule == Rule::kFilter) ++state_.filter_boxes[decision.filter];
     leave(batch, lane);
-    // Moved, which needs no memory: nobody asks the batch for it any more.
+    // Moved, which needs no memory: the batch does not need it any more.
     if (decision.witness && !state_.witness)
       state_.witness_reason = decision.reason, state_.witness = std::move(decision.witness);
   }
@@ -288,9 +288,9 @@ void Search::leave(const Decisions& batch, std::size_t lane) noexcept {
   observer_.on_leaf(batch.open(lane), rule, batch.proof(lane));
 }
 
-/// Corners first, then downhill: from all of the variety when the number of boxes reaches a power
-/// of four, so that the effort stays in proportion; with constraints from boxes inside them, since
-/// only there a segment can be certified.
+/// Corners first, then downhill. Without constraints: from the whole variety, if the number of
+/// boxes reaches a power of four, so that the effort stays in proportion. With constraints: from
+/// boxes inside them, since a segment can be certified only there.
 void Search::look_for_witness(Decisions& batch) noexcept {
   LaneMask undecided = batch.uncertified;
   if (undecided == 0 || !looking_for_witness()) return;
@@ -309,8 +309,8 @@ void Search::look_for_witness(Decisions& batch) noexcept {
   look_at_exact_ends(batch.open(lane).box);
 }
 
-/// Looks for a determinant that is 0 at an end which is not a double. Bounds in doubles cannot show
-/// it.
+/// Looks for a determinant that is 0 at an end that is not a double. Bounds in doubles cannot show
+/// this.
 void Search::look_at_exact_ends(std::span<const Interval> box) noexcept {
   if (!exact_corners_seen_) witness_.look_at_exact_corners();
   exact_corners_seen_ = true;
@@ -344,7 +344,7 @@ void Search::block(Decisions& batch, std::size_t lane) noexcept {
   const Reason reason = batch.decision[lane].reason;
   const std::span<const Interval> box = batch.box_of(lane);
   if (!state_.blocked) state_.boxes_when_blocked = state_.statistics.boxes;
-  // Near a pole many boxes are too narrow to split; the one that is undefined says why.
+  // Near a pole many boxes are too narrow to split; the undefined one shows the reason.
   if (!state_.blocked ||
       (reason == Reason::kUndefined && state_.blocked_reason == Reason::kWidth)) {
     state_.blocked = true;

@@ -20,9 +20,9 @@ namespace regulus {
 [[nodiscard]] Result solve(const Problem& problem, const Settings& settings,
                            Observer* observer = nullptr);
 
-/// The same, going on with what an earlier search of the same problem told its observer at a pause.
-/// The state is believed: that it is true is for the caller to know. Boxes that have not the whole
-/// range of an uncertain quantity that is kept whole are none of that search: kBadProblem.
+/// The same, but continues from the state that an earlier search of the same problem gave its
+/// observer at a pause. The caller must make sure that the state is true: it is not checked. A box
+/// without the whole range of an uncertain quantity that is kept whole gives kBadProblem.
 [[nodiscard]] Result resume(const Problem& problem, const Settings& settings,
                             std::span<const OpenBox> open, const SearchState& state,
                             Observer* observer = nullptr);

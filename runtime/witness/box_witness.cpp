@@ -8,7 +8,7 @@ BoxWitness::BoxWitness(const Problem& problem, const Settings& settings)
   whole_.points[0].variables.resize(problem.kernel->variables);
 }
 
-/// A box whose ends stick out of the true range still holds points of it, and they are all small.
+/// A box that extends beyond the true range still has points of it; all their values are small.
 bool BoxWitness::small_throughout(Batch& batch, std::size_t lane) noexcept {
   const regulus_kernel& kernel = *problem_.kernel;
   if (!(problem_.alpha.lo > 0.0) || kernel.rows != kernel.columns) return false;

@@ -10,15 +10,15 @@ class BoxWitness {
  public:
   BoxWitness(const Problem& problem, const Settings& settings);
 
-  /// |det J⁻¹| ≤ α at every point of the lane's box.
+  /// Returns true only if |det J⁻¹| ≤ α at every point of the lane's box.
   [[nodiscard]] bool small_throughout(Batch& batch, std::size_t lane) noexcept;
 
-  /// The box holds two points of opposite signs that are joined within it, or a point with
-  /// |det J⁻¹| ≤ α.
-  /// Errors    std::bad_alloc: nothing is claimed then.
+  /// Returns true only if the box has two points of opposite signs that are joined within it, or a
+  /// point with |det J⁻¹| ≤ α.
+  /// Errors    std::bad_alloc: then nothing is claimed.
   [[nodiscard]] bool somewhere_in(std::span<const Interval> box);
 
-  /// The last proof, valid until the next call: of small_throughout, one point that is the box.
+  /// The last proof, valid until the next call. For small_throughout: one point, which is the box.
   [[nodiscard]] const Witness& witness() const noexcept { return *witness_; }
   [[nodiscard]] Reason reason() const noexcept { return reason_; }
   [[nodiscard]] std::uint64_t probes() const noexcept { return search_.probes(); }

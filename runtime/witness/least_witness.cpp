@@ -7,15 +7,15 @@
 namespace regulus {
 namespace {
 
-/// Steps of the pattern search, as parts of a range. The uncertain quantities are at their ends
-/// after the first: the determinant is mostly linear in each.
+/// Steps of the pattern search, as parts of a range. After the first step the uncertain quantities
+/// are at their ends: the determinant is mostly linear in each.
 constexpr double kFirstStep = 1.0;
 constexpr double kLastStep = 0x1p-14;
 constexpr double kNextStep = 0.25;
 constexpr int kMaxSweeps = 24;
 constexpr int kMaxRounds = 12;
 constexpr int kHalvings = 48;
-/// A value that falls by less than this part of itself is taken as the least from that start.
+/// If a value falls by less than this part of itself, it is taken as the least from that start.
 constexpr double kWorthAnotherRound = 1e-7;
 
 Interval range_of(const Problem& problem, std::size_t k) {
@@ -83,8 +83,8 @@ bool LeastWitness::search_from(std::span<const Interval> box) {
   return found_.has_value();
 }
 
-/// Of the motion; uncertain quantities start in the middle. First the middle, then corners and
-/// places inside in turn, the same in every run.
+/// Chooses motion parameters; uncertain quantities start in the middle. First the middle, then
+/// alternately corners and places inside; the same in every run.
 LeastWitness::Parts LeastWitness::start(int number) {
   Parts parts(growth_.variables(), 0.5);
   if (number == 0) return parts;
@@ -95,8 +95,8 @@ LeastWitness::Parts LeastWitness::start(int number) {
   return parts;
 }
 
-/// Each round goes downhill at the least value known, and then to the value where the determinant
-/// vanishes: the next round starts there.
+/// Each round minimises the determinant at the least known value, and then finds the value at which
+/// the determinant vanishes. The next round starts there.
 void LeastWitness::improve_from(Parts parts) {
   if (!set_out_from(parts)) return;
   for (int round = 0; round < kMaxRounds && !out_of_time(); ++round) {
@@ -111,8 +111,8 @@ void LeastWitness::improve_from(Parts parts) {
   }
 }
 
-/// All starts look for the other sign than the first had: they are joined with it. Constraints may
-/// keep them apart, and then each looks for the other sign than its own.
+/// All starts search for the sign opposite to that of the first start; they are joined with it.
+/// Constraints may separate them; then each searches for the sign opposite to its own.
 bool LeastWitness::set_out_from(const Parts& parts) {
   const bool known = sign_ != 0 && problem_.kernel->constraints == 0;
   if (!known) sign_ = 1;
@@ -140,7 +140,7 @@ std::vector<std::vector<double>> LeastWitness::points_at(double value) const {
   return {growth_.point(at, found_->parts), growth_.point(growth_.low(), found_->from)};
 }
 
-/// The value between low and `value` from which on the objective is not positive at these parts.
+/// Returns the value between low and `value` from which the objective is ≤ 0 at these parts.
 double LeastWitness::root(double value, const Parts& parts) {
   double below = growth_.low(), above = value;
   if (objective_at(below, parts) <= 0) return below;
@@ -163,8 +163,8 @@ double LeastWitness::minimise(double value, Parts& parts) {
   return best;
 }
 
-/// A variable that is not at an end goes a step both ways; an uncertain quantity at one end may
-/// change to the other.
+/// Lists moves. A variable that is not at an end moves one step in both directions; an uncertain
+/// quantity at one end may change to the other.
 void LeastWitness::list_moves(const Parts& parts, double step) {
   moves_.clear();
   for (std::size_t k = 0; k < parts.size(); ++k) {
@@ -176,7 +176,7 @@ void LeastWitness::list_moves(const Parts& parts, double step) {
   }
 }
 
-/// Tries the moves eight at a time and makes the best of each eight, if it is good.
+/// Tries the moves eight at a time. Makes the best of each eight if it lowers the objective.
 bool LeastWitness::sweep(double value, Parts& parts, double step, double& best) {
   list_moves(parts, step);
   bool moved = false;
@@ -199,7 +199,7 @@ bool LeastWitness::sweep(double value, Parts& parts, double step, double& best) 
   return moved;
 }
 
-/// Once more the way that the last sweep went: along a valley that is aslant to the axes.
+/// Repeats the total move of the last sweep: good along a valley that is oblique to the axes.
 bool LeastWitness::leap(double value, Parts& parts, const Parts& before, double& best) {
   Parts further = parts;
   for (std::size_t k = 0; k < parts.size(); ++k)
@@ -225,8 +225,8 @@ void LeastWitness::load(std::size_t lane, double value, const Parts& parts) {
   batch_.load(lane, box_);
 }
 
-/// What is to be made small: ±det J⁻¹, positive where the search started, above a fixed threshold;
-/// +∞ where it is not defined or not in the variety.
+/// Returns the value to minimise: ±det J⁻¹, positive where the search started, less a fixed
+/// threshold; +∞ if it is not defined or not in the variety.
 double LeastWitness::objective(std::size_t lane) {
   if (!has_lane(batch_.midpoint_defined() & batch_.midpoint_inside(), lane)) return kInfinity;
   if (!has_lane(batch_.preconditioned(), lane)) return threshold_grows_ ? 0 : -problem_.alpha.lo;

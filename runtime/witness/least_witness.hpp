@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Looking for the least value at which a set that grows holds a singularity, in plain doubles. What
-// is found is a place to look at, never a claim: point_witness.hpp certifies.
+// Searches, in plain doubles, for the least value at which a growing set contains a singularity.
+// The result is a place to look at, never a claim: point_witness.hpp certifies.
 #pragma once
 
 #include <atomic>
@@ -14,20 +14,20 @@
 
 namespace regulus {
 
-/// Where the variables may lie at a value, for points that lie at the same part of every range:
-/// the ends of the ranges are linear in the value.
+/// The ranges of the variables at a value, for points that lie at the same part of every range. The
+/// ends of the ranges are linear in the value.
 class Growth {
  public:
-  /// The ranges at two values, `low` < `high`; within those of `low` ones from which to start.
+  /// `at_low`, `at_high`: the ranges at `low` < `high`; starts lie within those at `low`.
   Growth(double low, std::vector<Interval> at_low, double high, std::vector<Interval> at_high);
 
-  /// The true ranges of two problems, as well as doubles know them.
+  /// Uses the true ranges of two problems, to the precision of doubles.
   static Growth between(double low, const Problem& at_low, double high, const Problem& at_high);
 
   [[nodiscard]] double low() const noexcept { return low_; }
   [[nodiscard]] double high() const noexcept { return high_; }
   [[nodiscard]] std::size_t variables() const noexcept { return at_low_.size(); }
-  /// Of variable k, at part t of its range, 0 ≤ t ≤ 1.
+  /// Returns variable k at part t of its range, 0 ≤ t ≤ 1.
   [[nodiscard]] double at(double value, std::size_t k, double t) const noexcept;
   [[nodiscard]] std::vector<double> point(double value, std::span<const double> parts) const;
 
@@ -36,15 +36,15 @@ class Growth {
   std::vector<Interval> at_low_, at_high_;
 };
 
-/// A pattern search downhill from many places: over the parts of the ranges at one value, then
-/// down to the value at which the determinant vanishes at those parts, and so on. For a threshold
-/// that grows the ranges stay, and it is the determinant that is made small.
+/// A pattern search downhill from many places: first over the parts of the ranges at one value,
+/// then down to the value at which the determinant vanishes at those parts, and so on. If the
+/// threshold grows, the ranges are fixed and the search minimises the determinant.
 class LeastWitness {
  public:
   using Parts = std::vector<double>;
 
-  /// Parts of the ranges at which the determinant is nearly 0 (or α) at a value; `from`: others at
-  /// which it is not at `low`.
+  /// Parts of the ranges at which the determinant is nearly 0 (or α) at a value; `from`: other
+  /// parts, at which it is not nearly 0 at `low`.
   struct Place {
     double value;
     Parts parts, from;
@@ -52,22 +52,22 @@ class LeastWitness {
 
   /// `threshold_grows`: the values are those of α and the ranges do not grow.
   ///
-  /// Requires  a square kernel; `problem` is that of growth.high() and outlives this; where the
-  ///           threshold grows that may be infinite, and `problem` that of any value > 0.
+  /// Requires  a square kernel; `problem` is that of growth.high() and outlives this. If the
+  ///           threshold grows, high may be infinite, and `problem` is that of any value > 0.
   LeastWitness(const Problem& problem, const Settings& settings, Growth growth,
                bool threshold_grows);
 
-  /// From the middle, from corners and from other places, as long as the time lasts; repeated calls
-  /// go on with new places. Returns found().
+  /// Starts from the middle, corners and other places, until the time is over; repeated calls
+  /// continue with new places. Returns found().
   bool search(double seconds, int starts, const std::atomic<bool>* interrupt);
-  /// From the middle of a box.
+  /// Starts from the middle of a box.
   bool search_from(std::span<const Interval> box);
 
-  /// The best so far; its value is at most growth.high().
+  /// Returns the best result so far; its value is at most growth.high().
   [[nodiscard]] const std::optional<Place>& found() const noexcept { return found_; }
 
-  /// At a value a little above the one found: the singularity is left behind, and the two points
-  /// are on both sides of it. Empty if nothing was found.
+  /// Returns two points at a value slightly above the found one: the singularity is then between
+  /// the two points. Empty if nothing was found.
   [[nodiscard]] std::vector<std::vector<double>> points_at(double value) const;
 
  private:
@@ -77,7 +77,7 @@ class LeastWitness {
   };
   using Clock = std::chrono::steady_clock;
 
-  /// The value at which the ranges are widest.
+  /// Returns the value at which the ranges are widest.
   [[nodiscard]] double widest() const noexcept {
     return threshold_grows_ ? growth_.low() : growth_.high();
   }

@@ -9,7 +9,7 @@
 namespace regulus {
 namespace {
 
-/// Kept out of line, so that no floating-point work moves out of the rounding scope of its caller.
+/// Not inlined, so that no floating-point work moves out of the rounding scope of its caller.
 [[gnu::noinline]] Result prove(const Problem& problem, const Settings& settings,
                                std::span<const std::vector<double>> points) {
   WitnessSearch search(problem, settings);

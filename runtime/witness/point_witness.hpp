@@ -18,10 +18,10 @@ namespace regulus {
 [[nodiscard]] Result prove_singularity(const Problem& problem, const Settings& settings,
                                        std::span<const std::vector<double>> points);
 
-/// Closes in on the singularity that a result proves by points far apart, as the witness of an
-/// exhaustive search does; where that does not succeed the result stays as it is.
+/// Refines the singularity that a result proves by points far apart, as in the witness of an
+/// exhaustive search. If that fails, the result does not change.
 ///
-/// Requires  as prove_singularity; the result is one of a search of the problem.
+/// Requires  as prove_singularity; the result is of a search of the problem.
 void close_in(const Problem& problem, const Settings& settings, Result& result);
 
 }  // namespace regulus

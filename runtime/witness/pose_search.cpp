@@ -12,24 +12,24 @@
 namespace regulus {
 namespace {
 
-/// Boxes that are split before the search gives up.
+/// The number of boxes that are split before the search gives up.
 constexpr std::size_t kMaxBoxes = 2048;
 
-/// A box and how far its middle is from satisfying the constraints, roughly.
+/// A box, and roughly the distance of its middle from satisfying the constraints.
 struct Candidate {
   std::vector<Interval> box;
   double violation = 0.0;
-  std::uint64_t number = 0;  ///< the order in which they came
+  std::uint64_t number = 0;  ///< the order in which they were added
 };
 
-/// The most promising is on top of the queue, then the oldest.
+/// Orders the queue: the most promising box is on top, then the oldest.
 struct LessPromising {
   bool operator()(const Candidate& a, const Candidate& b) const noexcept {
     return a.violation != b.violation ? a.violation > b.violation : a.number > b.number;
   }
 };
 
-/// Of the numbers between 0 < lo and hi one with few binary digits.
+/// Returns a number with few binary digits between 0 < lo and hi.
 double simplest_positive(double lo, double hi) noexcept {
   for (int exponent = std::ilogb(hi); exponent > -1000; --exponent) {
     const double step = std::ldexp(1.0, exponent);
@@ -39,7 +39,7 @@ double simplest_positive(double lo, double hi) noexcept {
   return mid({lo, hi});
 }
 
-/// Where people put the edges of what they allow: 0, 1, 1/2.
+/// People often put the limits of constraints at simple numbers: 0, 1, 1/2.
 double simplest_in(const Interval& x) noexcept {
   if (x.lo <= 0.0 && 0.0 <= x.hi) return 0.0;
   return x.lo > 0.0 ? simplest_positive(x.lo, x.hi) : -simplest_positive(-x.hi, -x.lo);
@@ -87,7 +87,7 @@ class PoseSearch {
       for (std::size_t k = 0; k < variables_; ++k) load(lane, k, box[k]);
   }
 
-  /// The lanes in which the function is defined.
+  /// Returns the lanes in which the function is defined.
   LaneMask call(regulus_function function) noexcept {
     return kAllLanes & ~kernel_.call(function, boxes_.get(), nullptr, out_.get());
   }
@@ -100,22 +100,22 @@ class PoseSearch {
     return functions_.constraints == 0 ? kAllLanes : call(functions_.constraint);
   }
 
-  /// After call_constraints: every constraint is ≤ 0 all over the lane's box.
+  /// After call_constraints: true if every constraint is ≤ 0 all over the lane's box.
   bool all_satisfied(std::size_t lane) const noexcept {
     for (std::size_t h = 0; h < functions_.constraints; ++h)
       if (!(output(h, lane).hi <= 0.0)) return false;
     return true;
   }
 
-  /// After call_constraints: some constraint is > 0 all over the lane's box.
+  /// After call_constraints: true if some constraint is > 0 all over the lane's box.
   bool some_violated(std::size_t lane) const noexcept {
     for (std::size_t h = 0; h < functions_.constraints; ++h)
       if (output(h, lane).lo > 0.0) return true;
     return false;
   }
 
-  /// The values of a variable that count; a range without an inner one stands for a single value
-  /// that no double is, or for all of its values at once.
+  /// Returns the values of a variable to test. A range without an inner one means a single value
+  /// that is not a double, or all of its values at once.
   Interval within_inner(std::size_t k, double x) const noexcept {
     const auto& inner = problem_.inner[k];
     return inner ? Interval(std::clamp(x, inner->lo, inner->hi)) : problem_.outer[k];
@@ -125,7 +125,7 @@ class PoseSearch {
     return problem_.inner[k].has_value() && bisect(x).has_value();
   }
 
-  /// The middle, a place with few digits, and corners: others for each box.
+  /// Returns the middle, a place with few digits, or corners; they differ from box to box.
   double coordinate(std::size_t lane, std::size_t k, const Interval& x) const noexcept {
     if (lane == 0) return x.lo == x.hi ? x.lo : mid(x);
     if (lane == 1) return simplest_in(x);
@@ -148,7 +148,7 @@ class PoseSearch {
     return point_of(lane);
   }
 
-  /// The matrix, the row scales and the pose are defined, the scales positive.
+  /// Returns the lanes in which the matrix, row scales and pose are defined, the scales positive.
   LaneMask defined_lanes() noexcept {
     LaneMask good = call(functions_.matrix);
     if (functions_.row_scale != nullptr) {
@@ -182,7 +182,7 @@ class PoseSearch {
     }
   }
 
-  /// A box that the constraints do not exclude is kept.
+  /// Keeps a box if the constraints do not exclude it.
   void push(const std::vector<Interval>& box) {
     load_everywhere(box);
     for (std::size_t k = 0; k < variables_; ++k)
@@ -195,7 +195,7 @@ class PoseSearch {
     waiting_.push({box, violation, pushed_++});
   }
 
-  /// The one that makes the constraints widest; where none does, the relatively widest parameter.
+  /// Returns the variable with most effect on the constraints' widths; else the relatively widest.
   std::optional<std::size_t> variable_to_split(const std::vector<Interval>& box) {
     std::optional<std::size_t> best, widest;
     double most = 0.0, width = 0.0;
@@ -216,7 +216,7 @@ class PoseSearch {
     return best ? best : widest;
   }
 
-  /// The widths of all constraints together; an undefined one is as wide as can be.
+  /// Returns the sum of the widths of all constraints; an undefined one has the greatest width.
   double approx_width(LaneMask known, std::size_t lane) const noexcept {
     if ((known >> lane & 1U) == 0) return std::numeric_limits<double>::max();
     double sum = 0.0;

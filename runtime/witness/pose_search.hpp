@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// Whether the constraints leave any pose: branch and prune over the constraints alone. It counts
-// its boxes and looks at no clock, so that a search that was interrupted and resumed comes to the
-// same end.
+// Decides if the constraints leave any pose: branch and prune over the constraints alone. The
+// search counts its boxes and uses no clock, so that a search that was interrupted and resumed has
+// the same result.
 #pragma once
 
 #include <optional>
@@ -14,7 +14,7 @@ namespace regulus {
 /// What is known about the poses that the constraints leave.
 struct Inhabitants {
   Occupancy occupancy = Occupancy::kUnknown;
-  /// kInhabited: one of them, as in Witness; `determinant` has no meaning.
+  /// kInhabited: one pose, as in Witness; `determinant` has no meaning.
   std::optional<WitnessPoint> point;
 };
 
@@ -23,8 +23,8 @@ struct Inhabitants {
 ///           kInhabited: at `point`, of the inner ranges, every constraint is certainly ≤ 0.
 [[nodiscard]] Inhabitants find_pose(const Problem& problem, const Settings& settings);
 
-/// The same, for a point at which the matrix, the row scales and the pose are certainly defined,
-/// too; kUnknown when none was found.
+/// The same for a point at which the matrix, the row scales and the pose are also certainly
+/// defined; kUnknown if none was found.
 [[nodiscard]] Inhabitants find_defined_pose(const Problem& problem, const Settings& settings);
 
 }  // namespace regulus

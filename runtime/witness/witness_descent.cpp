@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Where to look for a singularity: at the corners, and downhill.
+// Searches for a singularity at the corners, and downhill.
 #include <algorithm>
 #include <cmath>
 
@@ -14,8 +14,8 @@ constexpr std::size_t kVariablesAtOnce = kLanes / 2;
 
 }  // namespace
 
-/// Corner number c: bit k of c says which end variable k takes, repeating from the sixth variable
-/// on, shifted so that variables six apart do not always agree.
+/// Corner number c: bit k of c selects the end of variable k. From the sixth variable on the bits
+/// repeat, shifted so that variables six apart do not always agree.
 void WitnessSearch::look_at_corners() noexcept {
   if (!square_ || !uses_corners_) return;
   const std::size_t ends = std::min<std::size_t>(variables_, 6);

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// Points at the ends of ranges themselves. An end that is no double lies between two of them: at
-// these the determinant may have one sign only, and be 0 at the end. Bounds in doubles say whether
-// that may be; exact algebra says whether it is.
+// Points at the ends of ranges themselves. If an end is not a double, it lies between two doubles.
+// At both the determinant may have one sign, and be 0 at the end. Bounds in doubles show if that is
+// possible; exact algebra shows if it is so.
 #include <algorithm>
 
 #include "runtime/witness/witness_search.hpp"
@@ -13,7 +13,7 @@ constexpr std::size_t kMaxCornerVariables = 6;
 
 }  // namespace
 
-/// The coordinate of box_. A range that holds no double is left at its lower end.
+/// Sets a coordinate of box_. If a range has no double, uses its lower end.
 ///
 /// Ensures   box_[variable] encloses the end: it lies between the outer and the inner one.
 void WitnessSearch::place_at(std::size_t variable, PlaceInRange place) noexcept {
@@ -25,7 +25,7 @@ void WitnessSearch::place_at(std::size_t variable, PlaceInRange place) noexcept 
                                                       : Interval(outer.lo, inner->lo);
 }
 
-/// Asks about the point in box_, where the model is defined and the constraints are satisfied.
+/// Tests the point in box_ exactly, if the model is defined and the constraints hold there.
 void WitnessSearch::try_exactly() noexcept {
   points_.clear();
   points_.load(0, box_);

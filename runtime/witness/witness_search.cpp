@@ -9,10 +9,10 @@
 namespace regulus {
 namespace {
 
-/// A failed proof of opposite signs is tried again when a candidate is better by this factor.
+/// A failed proof of opposite signs is repeated if a candidate is better by this factor.
 constexpr double kWorthAnotherTry = 2.0;
 
-/// Points of small determinant that are tried although earlier ones were not better by far.
+/// The largest number of proofs that are tried at points of small determinant.
 constexpr unsigned kMaxSmallTries = 64;
 
 }  // namespace
@@ -119,7 +119,7 @@ void WitnessSearch::copy_middle(Middle middle, Candidate& candidate) noexcept {
     candidate.point[k] = std::clamp(middle(k), inner_lo(k), inner_hi(k));
 }
 
-/// The determinant at a point, roughly, and the point's coordinate k as middle(k).
+/// Takes the approximate determinant at a point, and the point's coordinate k as middle(k).
 template <typename Middle>
 void WitnessSearch::offer(double approx, Middle middle) noexcept {
   Candidate& side = approx > 0.0 ? positive_ : negative_;
@@ -147,7 +147,7 @@ void WitnessSearch::look_at_midpoints(Decisions& batch) noexcept {
   try_opposite_signs();
 }
 
-/// The same for the points that are loaded.
+/// Does the same for the loaded points.
 void WitnessSearch::look_at_points(LaneMask lanes) noexcept {
   if (!square_ || found_) return;
   const MidpointDeterminants seen = approx_midpoint_determinants(points_, lanes, scaled_);

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
-// Looking for a proof of SINGULARITY. Determinants in plain doubles say where to look; a claim
+// Searches for a proof of SINGULARITY. Determinants in plain doubles show where to search. A claim
 // needs certified enclosures at the points and, for two points of opposite signs, a segment between
-// them that is certified to stay in the variety and where the matrix is defined throughout: then A
-// is continuous along it and det A vanishes on it.
+// them that is certified to stay in the variety, with the matrix defined throughout: then A is
+// continuous along it and det A vanishes on it.
 #pragma once
 
 #include <optional>
@@ -18,29 +18,29 @@ namespace regulus {
 
 class WitnessSearch {
  public:
-  /// `closes_in`: a proof by two points is brought as close to the zero between them as can be.
+  /// `closes_in`: a proof by two points is refined to the zero between them as far as possible.
   WitnessSearch(const Problem& problem, const Settings& settings, bool closes_in = true);
 
-  /// As though nothing had been looked at yet.
+  /// Returns to the initial state.
   void forget() noexcept;
 
-  /// What a later search needs to look on as this one would; and back. Points of another length
-  /// than the variables are none. Does not allocate when `into` has held such candidates before.
+  /// Copies the data from which a later search continues; and back. A point of another length than
+  /// the variables counts as none. Does not allocate if `into` had such candidates before.
   void copy_candidates(WitnessCandidates& into) const;
   void look_on_from(const WitnessCandidates& candidates);
 
-  /// A proof was found.
+  /// Returns true if a proof was found.
   [[nodiscard]] bool found() const noexcept { return found_; }
   [[nodiscard]] Reason reason() const noexcept { return reason_; }
   [[nodiscard]] std::uint64_t probes() const noexcept { return probes_; }
 
-  /// Looks at the middles of boxes that were decided, by what was seen there.
+  /// Looks at the middles of decided boxes, by the determinants that were computed there.
   void look_at_midpoints(Decisions& batch) noexcept;
 
   /// Looks at these points, each moved into the inner ranges: the first with each of the others.
   void look_at(std::span<const std::vector<double>> points) noexcept;
 
-  /// Looks at the corners of the variety; at 64 of them when there are more.
+  /// Looks at the corners of the variety; if there are more than 64, at 64 of them.
   void look_at_corners() noexcept;
 
   /// Descends from the middle of `box`, one variable at a time, towards the other sign or towards
@@ -50,18 +50,18 @@ class WitnessSearch {
   /// Looks at the corners of the variety itself, whose coordinates need not be doubles.
   void look_at_exact_corners() noexcept;
 
-  /// Looks at the point with the ends of ranges that `box` reaches, in its middle otherwise.
+  /// Looks at the point with the ends of ranges that `box` reaches; elsewhere at its middle.
   void look_at_ends(std::span<const Interval> box) noexcept;
 
-  /// Forgets what was found and looks inside `box` alone: in its middle, downhill, at its corners.
+  /// Forgets all results and searches inside `box` alone: in its middle, downhill, at its corners.
   /// Returns found().
   bool look_inside(std::span<const Interval> box) noexcept;
 
-  /// The proof, complete with poses, valid until the next search. Requires found().
-  /// Errors    std::bad_alloc: the proof may be asked for again.
+  /// Returns the proof, complete with poses, valid until the next search. Requires found().
+  /// Errors    std::bad_alloc: the proof may be requested again.
   [[nodiscard]] const Witness& witness();
 
-  /// How many points the proof has, and where one of them lies. Requires found(); n entries.
+  /// Returns how many points the proof has, and where one of them is. Requires found(); n entries.
   [[nodiscard]] std::size_t points() const noexcept {
     return reason_ == Reason::kSmallDeterminant ? 1 : 2;
   }
@@ -120,13 +120,13 @@ class WitnessSearch {
   AlignedBuffer pose_;
   std::vector<Interval> box_;
   Candidate positive_, negative_, small_;
-  Candidate nearest_;                      ///< between the two, where the sign could not be told
-  Candidate far_positive_, far_negative_;  ///< the two before closing in
+  Candidate nearest_;                      ///< between the two, where the sign is not known
+  Candidate far_positive_, far_negative_;  ///< the two before refinement
   std::vector<double> current_, middle_;
   std::uint64_t probes_ = 0;
   bool small_known_ = false, small_fresh_ = false;
   unsigned small_tries_ = 0;
-  std::vector<PlaceInRange> places_;  ///< of box_, where it was made for exact algebra
+  std::vector<PlaceInRange> places_;  ///< of box_, if it was made for exact algebra
   std::vector<Interval> at_ends_;     ///< the point that was found there
   Interval determinant_at_ends_;
   bool found_ = false, found_at_ends_ = false;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The segment between two points of opposite signs, and closing in on it.
+// The segment between two points of opposite signs, and its refinement.
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -10,17 +10,17 @@
 namespace regulus {
 namespace {
 
-/// Pieces of the segment that are looked at before giving up; the narrowest is 2^-kMaxHalvings.
+/// The number of tested pieces before giving up; the narrowest piece is 2^-kMaxHalvings.
 constexpr std::size_t kMaxPieces = 4096;
 constexpr std::size_t kMaxHalvings = 30;
 
-/// Steps of closing in: after 60 halvings a segment is at the resolution of doubles.
+/// Steps of refinement: after 60 halvings a segment is at the resolution of doubles.
 constexpr int kMaxCloseIn = 60;
 
 }  // namespace
 
 /// Encloses from + (to − from)·part. Both ends lie in the inner box, which is convex, so the exact
-/// segment does; that the rounding may lead a little out of it only makes the check stricter.
+/// segment does. Rounding may extend slightly beyond it, which only makes the check stricter.
 void WitnessSearch::load_piece(std::size_t lane, const std::vector<double>& from,
                                const std::vector<double>& to, Interval part) noexcept {
   for (std::size_t k = 0; k < variables_; ++k) {
@@ -54,16 +54,16 @@ bool WitnessSearch::certain_segment(const std::vector<double>& from,
   return true;
 }
 
-/// The middle of two points, into middle_; false when it is one of them.
+/// Computes the middle of two points in middle_; returns false if it is one of them.
 bool WitnessSearch::find_middle(const Candidate& a, const Candidate& b) noexcept {
   for (std::size_t k = 0; k < variables_; ++k)
     middle_[k] = std::clamp(0.5 * a.point[k] + 0.5 * b.point[k], inner_lo(k), inner_hi(k));
   return middle_ != a.point && middle_ != b.point;
 }
 
-/// Shortens the segment while the sign of its middle can be told, and then from both sides towards
-/// a middle whose sign cannot. Each shorter pair is a proof of its own: its signs are certified,
-/// and so is its segment.
+/// Shortens the segment while the sign of its middle is known, and then from both sides towards a
+/// middle with an unknown sign. Each shorter pair is a separate proof: its signs are certified, and
+/// so is its segment.
 void WitnessSearch::close_in() noexcept {
   // Points of the same length: no memory is needed.
   far_positive_ = positive_;
@@ -86,7 +86,7 @@ void WitnessSearch::close_in() noexcept {
   negative_ = far_negative_;
 }
 
-/// Halves the way to nearest_ as long as the sign is certainly the same.
+/// Halves the distance to nearest_ as long as the sign is certainly the same.
 void WitnessSearch::approach_nearest(Candidate& side) noexcept {
   for (int step = 0; step < kMaxCloseIn && find_middle(side, nearest_); ++step) {
     const std::optional<Interval> determinant = certify_point(middle_, false);
@@ -119,7 +119,7 @@ void WitnessSearch::report(WitnessPoint& into, const Candidate& candidate) {
   into.places.clear();
   for (std::size_t k = 0; k < variables_; ++k)
     into.variables.push_back(within_inner(k, candidate.point[k]));
-  // With α > 0 that of one point is of J⁻¹, which the row scale has made the user's.
+  // With α > 0, the determinant of one point is of J⁻¹: the row scale has made it the user's.
   const bool of_kernel = reason_ == Reason::kOppositeSigns || !scaled_;
   into.determinant = of_kernel
                          ? times_power_of_two(candidate.determinant, -problem_.determinant_exponent)
@@ -132,7 +132,7 @@ void WitnessSearch::copy_point(std::size_t index, std::span<Interval> variables)
   for (std::size_t k = 0; k < variables_; ++k) variables[k] = within_inner(k, candidate.point[k]);
 }
 
-/// Fills the same vectors each time: they grow once.
+/// Uses the same vectors each time, so they grow only once.
 const Witness& WitnessSearch::witness() {
   if (found_at_ends_) {
     witness_.points.resize(1);
