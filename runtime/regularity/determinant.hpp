@@ -43,7 +43,7 @@ inline constexpr std::size_t kMaxExpansion = 7;
 /// for a pivot contains 0, the rest is expanded.
 ///
 /// Requires, Ensures, Rounding  as enclose_determinant; [−∞, ∞] if more than kMaxExpansion rows
-/// remain without a pivot.
+///           remain without a pivot.
 [[nodiscard]] Interval enclose_determinant_by_elimination(const LaneMatrix& M) noexcept;
 
 /// Returns the sign of all determinants: +1, −1, or 0 if a common sign was not shown.
