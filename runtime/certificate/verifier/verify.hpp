@@ -46,8 +46,8 @@ struct Verification {
   std::uint64_t boxes = 0;               ///< into which the leaves were cut
   std::size_t numbers = 0;               ///< values of the model file that were compared
   std::vector<std::string> differences;  ///< those that options have set to other values
-  std::vector<std::string> uncompared;  ///< values and lines that could not be compared
-  std::string note;                     ///< more information about a claim that was verified
+  std::vector<std::string> uncompared;   ///< values and lines that could not be compared
+  std::string note;                      ///< more information about a claim that was verified
 };
 
 /// Ensures   kVerified only if the claim of the file is true (PROOF.md). Uses the usual
