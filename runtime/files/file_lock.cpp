@@ -15,7 +15,7 @@ namespace regulus {
 namespace {
 
 [[noreturn]] void fail(const std::string& path) {
-  throw std::runtime_error("the lock " + path + " cannot be created: " + std::strerror(errno));
+  throw std::runtime_error(path + " cannot be locked: " + std::strerror(errno));
 }
 
 /// Returns the process that wrote its number there; empty if it cannot be read.
@@ -48,13 +48,13 @@ void write_owner(int descriptor) noexcept {
 FileLock::FileLock(const std::string& path) : path_(path + ".lock") {
   for (;;) {
     descriptor_ = ::open(path_.c_str(), O_RDWR | O_CREAT | O_NOFOLLOW | O_CLOEXEC, 0666);
-    if (descriptor_ < 0) fail(path_);
+    if (descriptor_ < 0) fail(path);
     if (::flock(descriptor_, LOCK_EX | LOCK_NB) != 0) {
       const int error = errno;
       const std::string owner = owner_in(descriptor_);
       ::close(descriptor_);
       errno = error;
-      if (error != EWOULDBLOCK) fail(path_);
+      if (error != EWOULDBLOCK) fail(path);
       throw std::runtime_error(path + " is in use by another run" + owner);
     }
     if (is_file_at(descriptor_, path_)) break;

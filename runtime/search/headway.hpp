@@ -16,7 +16,7 @@ namespace regulus {
 /// Boxes of many variables are small parts of the variety, even if they are certified quickly. They
 /// are not reported unless most of them needed more digits than doubles have, or they are as small
 /// as boxes with sides of 2^-24 of the ranges. A box that needs more digits takes the time of many
-/// others and counts as so many. So a run of them is no longer than a run of the others.
+/// others and counts as so many. So a run of them is no longer than a run of
 /// the others.
 class Headway {
  public:

@@ -144,7 +144,7 @@ TEST_F(CheckpointOption, AFolderThatIsNotThereIsSaidBeforeTheSearch) {
                                             REGULUS_SOURCE_DIR "/models/robot_1.toml", "wide_15",
                                             "--checkpoint", file("no/such/folder")});
   EXPECT_EQ(result.exit_code, 74);
-  EXPECT_THAT(result.errors, HasSubstr("cannot be created"));
+  EXPECT_THAT(result.errors, HasSubstr("folder cannot be locked"));
 }
 
 /// A closing terminal sends SIGHUP, perhaps twice; nohup asks programs to ignore it.
