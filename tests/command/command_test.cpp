@@ -212,7 +212,7 @@ TEST(Command, RefusesABadModelWith65AndAMissingOneWith74) {
   const CommandResult bad = regulus({"check", path});
   EXPECT_EQ(bad.exit_code, 65);
   EXPECT_THAT(bad.errors, AllOf(HasSubstr("bad.toml:3: unknown key"), HasSubstr("wheels"),
-                                HasSubstr("expected")));
+                                HasSubstr("the keys here are: regulus, name")));
   EXPECT_EQ(regulus({"check", "/no/such/model.toml"}).exit_code, 74);
 }
 
