@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: Apache-2.0
 # regulus_precompile(TARGET GROUP HEADER...): reads large headers of other projects once for all targets
-# of a group, which must have the same options. A compiler cache would compile them again, so with one
+# of a group. They must have the same options, and the definitions of the first one. A compiler cache would compile them again, so with one
 # there is no group. Every source still includes what it needs: builds with a cache show it.
 function(regulus_precompile target group)
   if(CMAKE_CXX_COMPILER_LAUNCHER)
