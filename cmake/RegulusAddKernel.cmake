@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: Apache-2.0
 # regulus_add_kernel(TARGET MODEL robot.toml | SOURCE robot.cpp MOTION name
 #                    [ISA avx512 avx2 portable] [NAMESPACE ns] [NAME name]
-#                    [RANGE p=LO:HI ...] [TOLERANCE group=E ...] [ALPHA a])
+#                    [RANGE p=LO:HI ...] [TOLERANCE group=E ...] [ALPHA a] [FROM_TEXT])
 #
 # A library TARGET that checks pieces of one motion of a robot: the kernel is generated if the model
 # or the generator has changed, and compiled for each instruction set with the flags it needs.
@@ -15,6 +15,9 @@
 #   NAME       of the headers NAME.h (C) and NAME.hpp (C++) and of the symbols in them. Default: TARGET
 #   NAMESPACE  of the C++ header. Default: NAME
 #   RANGE, TOLERANCE, ALPHA   change the motion or the model, as the options of `regulus check`
+#   FROM_TEXT  compile the kernel's C++ text by this project's compiler. Otherwise the command compiles
+#              it in process, which takes a twentieth of the time, if the program is for x86-64 Linux as
+#              this machine is, without sanitizers, and the command finds its compiler
 #
 # Defines   TARGET, a static library that links Regulus::runtime and has its headers' folder; it has
 #           the class NS::Checker and the functions NAME_checker_new, NAME_check.
@@ -67,26 +70,64 @@ function(_regulus_refuse_unsound_surroundings)
   regulus_refuse_unsound_flags("${CMAKE_CXX_FLAGS}" "${CMAKE_CXX_FLAGS_${type}}" "${options}")
 endfunction()
 
-# Adds the files, by one run of the generator, and their library.
-function(_regulus_kernel_library target name isas)
+# True if the command can compile kernels for this project.
+function(_regulus_compiles_objects result tool)
+  set(${result} FALSE PARENT_SCOPE)
+  get_directory_property(options COMPILE_OPTIONS)
+  string(TOUPPER "${CMAKE_BUILD_TYPE}" type)
+  if(REGULUS_HOST_TOOL OR CMAKE_CROSSCOMPILING OR NOT CMAKE_SYSTEM_NAME STREQUAL "Linux"
+     OR NOT CMAKE_SYSTEM_PROCESSOR MATCHES "^(x86_64|AMD64)$"
+     OR "${CMAKE_CXX_FLAGS} ${CMAKE_CXX_FLAGS_${type}} ${options}" MATCHES "-fsanitize|-m32|-mx32")
+    return()
+  endif()
+  if(NOT TARGET regulus_clang_plugin AND NOT DEFINED CACHE{REGULUS_COMPILES_OBJECTS}) # not Regulus's own tree
+    set(trial ${CMAKE_BINARY_DIR}/CMakeFiles/regulus_trial)
+    file(WRITE ${trial}/trial.toml "regulus = 1\nname = \"trial\"\n[pose]\nx = \"1\"\n"
+                                   "[matrix]\nrows = [[\"x\"]]\n[motion.trial]\nx = [1, 2]\n")
+    get_target_property(command ${tool} LOCATION)
+    execute_process(COMMAND ${command} generate ${trial}/trial.toml -o ${trial} --isa portable --object --quiet
+                    RESULT_VARIABLE fault OUTPUT_QUIET ERROR_QUIET)
+    if(fault STREQUAL "0")
+      set(REGULUS_COMPILES_OBJECTS TRUE CACHE INTERNAL "The command regulus compiles kernels")
+    else()
+      set(REGULUS_COMPILES_OBJECTS FALSE CACHE INTERNAL "The command regulus compiles kernels")
+    endif()
+  endif()
+  if(TARGET regulus_clang_plugin OR REGULUS_COMPILES_OBJECTS)
+    set(${result} TRUE PARENT_SCOPE)
+  endif()
+endfunction()
+
+# Adds the files, by one run of the generator, and their library. `compiled`: the command compiles the
+# kernel.
+function(_regulus_kernel_library target name isas compiled)
   set(folder ${CMAKE_CURRENT_BINARY_DIR}/${target}.kernel)
   set(files ${folder}/${name}.h ${folder}/${name}.hpp ${folder}/${name}.cpp ${folder}/${name}_kernel.inc)
+  set(kernels "")
+  set(object_option "")
   foreach(isa IN LISTS isas)
     list(APPEND files ${folder}/${name}_${isa}.cpp)
+    if(compiled)
+      list(APPEND kernels ${folder}/${name}_${isa}.o)
+      set(object_option --object)
+      set_source_files_properties(${folder}/${name}_${isa}.o PROPERTIES EXTERNAL_OBJECT TRUE GENERATED TRUE)
+      set_source_files_properties(${folder}/${name}_${isa}.cpp PROPERTIES HEADER_FILE_ONLY TRUE)
+      continue()
+    endif()
     # -fno-lto: the caller of a kernel sets its rounding, so it must not inline the kernel.
     set_source_files_properties(${folder}/${name}_${isa}.cpp PROPERTIES
       COMPILE_OPTIONS "${REGULUS_ISA_FLAGS_${isa}};-fno-lto" OBJECT_DEPENDS ${folder}/${name}_kernel.inc)
   endforeach()
-  cmake_parse_arguments(PARSE_ARGV 3 run "" "" "COMMAND;DEPENDS")
+  cmake_parse_arguments(PARSE_ARGV 4 run "" "" "COMMAND;DEPENDS")
   list(JOIN isas "," isa_list)
   add_custom_command(
-    OUTPUT ${files}
-    COMMAND ${run_COMMAND} --name ${name} --isa ${isa_list} -o ${folder} --quiet
+    OUTPUT ${files} ${kernels}
+    COMMAND ${run_COMMAND} --name ${name} --isa ${isa_list} -o ${folder} ${object_option} --quiet
     DEPENDS ${run_DEPENDS}
     WORKING_DIRECTORY ${CMAKE_CURRENT_SOURCE_DIR}
     COMMENT "Generating the kernel ${name}"
     VERBATIM)
-  add_library(${target} STATIC ${files})
+  add_library(${target} STATIC ${files} ${kernels})
   target_include_directories(${target} PUBLIC $<BUILD_INTERFACE:${folder}>)
   target_link_libraries(${target} PUBLIC Regulus::runtime)
   set_target_properties(${target} PROPERTIES
@@ -120,11 +161,11 @@ function(regulus_add_kernel target)
   # Here, because the lists may not have been read in the caller's folder.
   include(${CMAKE_CURRENT_FUNCTION_LIST_DIR}/FloatingPoint.cmake)
   include(${CMAKE_CURRENT_FUNCTION_LIST_DIR}/InstructionSets.cmake)
-  cmake_parse_arguments(PARSE_ARGV 1 kernel "" "MODEL;SOURCE;MOTION;NAMESPACE;NAME;ALPHA" "ISA;RANGE;TOLERANCE")
+  cmake_parse_arguments(PARSE_ARGV 1 kernel "FROM_TEXT" "MODEL;SOURCE;MOTION;NAMESPACE;NAME;ALPHA" "ISA;RANGE;TOLERANCE")
   if(kernel_UNPARSED_ARGUMENTS OR kernel_KEYWORDS_MISSING_VALUES)
     message(FATAL_ERROR "regulus_add_kernel(${target}): found '${kernel_UNPARSED_ARGUMENTS}'"
                         "${kernel_KEYWORDS_MISSING_VALUES}, expected MODEL file | SOURCE file [MOTION name] [ISA ...] "
-                        "[NAMESPACE ns] [NAME name] [RANGE ...] [TOLERANCE ...] [ALPHA a]")
+                        "[NAMESPACE ns] [NAME name] [RANGE ...] [TOLERANCE ...] [ALPHA a] [FROM_TEXT]")
   endif()
   if(kernel_MODEL AND kernel_SOURCE)
     message(FATAL_ERROR "regulus_add_kernel(${target}): found MODEL and SOURCE, expected one of them")
@@ -159,7 +200,15 @@ function(regulus_add_kernel target)
   if(kernel_NAMESPACE)
     list(APPEND changes --namespace ${kernel_NAMESPACE})
   endif()
-  _regulus_kernel_library(${target} ${kernel_NAME} "${isas}"
+  set(compiled FALSE)
+  set(compiler "")
+  if(NOT kernel_FROM_TEXT)
+    _regulus_compiles_objects(compiled ${tool})
+  endif()
+  if(compiled AND TARGET regulus_clang_plugin)
+    set(compiler regulus_clang_plugin)
+  endif()
+  _regulus_kernel_library(${target} ${kernel_NAME} "${isas}" ${compiled}
     COMMAND ${tool} generate ${kernel_MODEL} ${kernel_MOTION} ${changes}
-    DEPENDS ${model} ${tool})
+    DEPENDS ${model} ${tool} ${compiler})
 endfunction()

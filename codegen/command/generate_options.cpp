@@ -2,10 +2,14 @@
 #include "codegen/command/generate_options.hpp"
 
 #include <CLI/CLI.hpp>
+#include <algorithm>
+#include <future>
 #include <iostream>
+#include <iterator>
 #include <nlohmann/json.hpp>
 
 #include "codegen/cpp/write_files.hpp"
+#include "codegen/jit/object_file.hpp"
 #include "codegen/support/errors.hpp"
 
 namespace regulus::inline command {
@@ -19,6 +23,24 @@ GenerateOptions generate_options(const GenerateCommand& command, const Request& 
   for (const std::string& isa : command.isas) options.isas.push_back(parse_isa(isa).value());
   options.command = typed;
   return options;
+}
+
+/// Adds NAME_<isa>.o for each NAME_<isa>.cpp.
+void add_objects(std::vector<GeneratedFile>& files, const GenerateOptions& options) {
+  const auto kernel = std::ranges::find(files, options.name + "_kernel.inc", &GeneratedFile::name);
+  const std::vector<NamedText> headers = {{kernel->name, kernel->text}};
+  std::vector<std::pair<std::string, std::future<std::string>>> objects;
+  for (const Isa isa : {Isa::kAvx512, Isa::kAvx2, Isa::kPortable}) {
+    const std::string name = options.name + "_" + std::string(regulus::name(isa));
+    const auto source = std::ranges::find(files, name + ".cpp", &GeneratedFile::name);
+    if (source == files.end()) continue;
+    objects.emplace_back(name + ".o", std::async(std::launch::async, [source, &headers, isa] {
+                           return compile_object_file({source->name, source->text}, headers, isa);
+                         }));
+  }
+  std::vector<GeneratedFile> compiled;
+  for (auto& [name, object] : objects) compiled.push_back({name, object.get()});
+  std::ranges::move(compiled, std::back_inserter(files));
 }
 
 nlohmann::ordered_json json_list(const std::string& name, const std::filesystem::path& folder,
@@ -69,6 +91,8 @@ void add_generate_options(CLI::App& app, GenerateCommand& command) {
   app.add_option("--depfile", command.dependencies,
                  "Also write a dependency file for make and Ninja")
       ->type_name("FILE");
+  app.add_flag("--object", command.object,
+               "Also compile the kernel for each instruction set, in process: NAME_ISA.o");
   app.add_flag("--json", command.json, "Print the list on standard output, as one JSON object");
   app.add_flag("--quiet", command.quiet, "Do not list the files (unless as JSON)");
 }
@@ -76,7 +100,8 @@ void add_generate_options(CLI::App& app, GenerateCommand& command) {
 void generate_files(const GenerateCommand& command, const Request& request,
                     const std::string& typed) {
   const GenerateOptions options = generate_options(command, request, typed);
-  const std::vector<GeneratedFile> files = generate(request, options);
+  std::vector<GeneratedFile> files = generate(request, options);
+  if (command.object) add_objects(files, options);
   const std::filesystem::path folder = command.folder;
   write_files(folder, files);
   if (!command.dependencies.empty())

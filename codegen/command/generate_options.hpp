@@ -21,6 +21,7 @@ struct GenerateCommand {
   std::string name_space;
   std::vector<std::string> isas = {"avx512", "avx2", "portable"};
   std::string dependencies;  ///< file; empty: none
+  bool object = false;       ///< also compiles the kernel
   bool json = false;
   bool quiet = false;
   int json_indent = 2;  ///< −1: all on one line

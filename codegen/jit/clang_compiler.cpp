@@ -48,9 +48,13 @@ CompiledObject ClangCompiler::compile(const Compilation& compilation) const {
   for (const NamedText& header : compilation.headers) headers.push_back(named(header));
   std::vector<const char*> flags;
   for (const std::string& flag : compilation.flags) flags.push_back(flag.c_str());
-  const regulus_clang_request request{
-      named(compilation.source), headers.data(), headers.size(), flags.data(), flags.size(),
-      compilation.passes.c_str()};
+  const regulus_clang_request request{named(compilation.source),
+                                      headers.data(),
+                                      headers.size(),
+                                      flags.data(),
+                                      flags.size(),
+                                      compilation.passes.c_str(),
+                                      compilation.optimises_code ? 1 : 0};
   const regulus_clang_sink sink = sink_into(result);
   if (compile_text(&request, &sink) != 0) result.object.clear();
   return result;

@@ -6,7 +6,7 @@
 #include <stddef.h>
 
 /// Changes with every incompatible change of this file; the loader refuses another number.
-enum { REGULUS_CLANG_INTERFACE = 5 };
+enum { REGULUS_CLANG_INTERFACE = 6 };
 
 /// Bytes with a length; `data` is also followed by a zero.
 typedef struct regulus_bytes {
@@ -27,6 +27,7 @@ typedef struct regulus_clang_request {
   const char* const* flags;  ///< of the clang++ command line
   size_t flag_count;
   const char* passes;  ///< optimiser pipeline, in the syntax of `opt -passes=`
+  int optimises_code;  ///< not 0: code generation is optimised
 } regulus_clang_request;
 
 typedef struct regulus_clang_seconds {

@@ -20,6 +20,7 @@ struct Compilation {
   std::vector<std::string> flags;  ///< of the clang++ command line
   std::string passes;              ///< optimiser pipeline, in the syntax of `opt -passes=`
   std::string_view isa = {};       ///< the name of the instruction set
+  bool optimises_code = false;     ///< registers and order of instructions; not in the cache's key
 };
 
 /// Returns the name of the compilation's object in the cache.

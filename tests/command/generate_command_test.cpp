@@ -91,6 +91,22 @@ TEST(GenerateCommand, WritesADependencyFile) {
   EXPECT_THAT(read(dependencies), HasSubstr(": " + kPlanar + "\n"));
 }
 
+TEST(GenerateCommand, CompilesTheKernelForEachInstructionSet) {
+  const TemporaryDirectory folder;
+  EXPECT_EQ(generate({kPlanar, "regular", "-o", folder.path().string(), "--name", "arm", "--isa",
+                      "avx2", "--object"})
+                .exit_code,
+            0);
+  for (const char* object : {"arm_avx2.o", "arm_portable.o"}) {
+    const std::string bytes = read(folder.path() / object);
+    EXPECT_THAT(bytes, StartsWith("\x7f"
+                                  "ELF"));
+    EXPECT_THAT(
+        bytes, HasSubstr(std::string("arm_self_test_") + (object[4] == 'a' ? "avx2" : "portable")));
+  }
+  EXPECT_FALSE(fs::exists(folder.path() / "arm_avx512.o"));
+}
+
 TEST(GenerateCommand, HasAnExitCodeForEachKindOfTrouble) {
   const TemporaryDirectory folder;
   const std::string out = (folder.path() / "out").string();

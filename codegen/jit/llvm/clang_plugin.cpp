@@ -23,9 +23,9 @@ bool compile(const regulus_clang_request& request, Diagnostics& diagnostics,
   const auto lap = [&start] { return seconds_since(std::exchange(start, Clock::now())); };
   auto invocation = make_invocation(request, files, diagnostics);
   if (!invocation) return false;
-  const auto machine =
-      make_target_machine(invocation->getTargetOpts().Triple, invocation->getTargetOpts().CPU,
-                          features_of(invocation->getTargetOpts()), diagnostics.stream());
+  const auto machine = make_target_machine(
+      invocation->getTargetOpts().Triple, invocation->getTargetOpts().CPU,
+      features_of(invocation->getTargetOpts()), diagnostics.stream(), request.optimises_code != 0);
   if (!machine) return false;
   llvm::LLVMContext context;
   const auto module = run_front_end(std::move(invocation), files, diagnostics, context);

@@ -43,7 +43,8 @@ void initialise_llvm() {
 std::unique_ptr<llvm::TargetMachine> make_target_machine(const std::string& name,
                                                          const std::string& cpu,
                                                          const std::string& features,
-                                                         llvm::raw_ostream& errors) {
+                                                         llvm::raw_ostream& errors,
+                                                         bool optimises_code) {
   const llvm::Triple triple(name);
   std::string error;
 #if LLVM_VERSION_MAJOR >= 22
@@ -64,7 +65,7 @@ std::unique_ptr<llvm::TargetMachine> make_target_machine(const std::string& name
       name,
 #endif
       cpu, features, options, llvm::Reloc::PIC_, llvm::CodeModel::Small,
-      llvm::CodeGenOptLevel::None));
+      optimises_code ? llvm::CodeGenOptLevel::Default : llvm::CodeGenOptLevel::None));
 }
 
 bool optimise(llvm::Module& module, llvm::TargetMachine& machine, const char* passes,

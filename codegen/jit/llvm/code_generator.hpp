@@ -16,11 +16,12 @@ namespace regulus::inline jit::plugin {
 void initialise_llvm();
 
 /// Makes a target without a processor's name: the oldest processor of the triple, plus the
-/// features.
+/// features. `optimises_code`: takes longer to choose registers and the order of instructions.
 [[nodiscard]] std::unique_ptr<llvm::TargetMachine> make_target_machine(const std::string& triple,
                                                                        const std::string& cpu,
                                                                        const std::string& features,
-                                                                       llvm::raw_ostream& errors);
+                                                                       llvm::raw_ostream& errors,
+                                                                       bool optimises_code = false);
 
 /// Runs the passes, in the syntax of `opt -passes=`, and no others.
 [[nodiscard]] bool optimise(llvm::Module& module, llvm::TargetMachine& machine, const char* passes,
@@ -32,8 +33,8 @@ void initialise_llvm();
 /// not changed.
 enum class Repeated { kAsTheyAre, kJoined };
 
-/// Code generation runs without optimisation: a kernel is straight-line code without common
-/// sub-expressions, in which the default pipeline would find nothing and take most of the time.
+/// For a search, code generation runs without optimisation: a kernel is straight-line code without
+/// common sub-expressions, in which the default pipeline finds little and takes most of the time.
 [[nodiscard]] bool generate_code(llvm::Module& module, llvm::TargetMachine& machine,
                                  llvm::SmallVectorImpl<char>& object, llvm::raw_ostream& errors,
                                  Repeated repeated = Repeated::kAsTheyAre);

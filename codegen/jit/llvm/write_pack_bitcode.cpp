@@ -29,9 +29,13 @@ std::string compile_to_bitcode(const std::string& text, Isa isa) {
   for (const NamedText& header : compilation.headers) headers.push_back(named(header));
   std::vector<const char*> flags;
   for (const std::string& flag : compilation.flags) flags.push_back(flag.c_str());
-  const regulus_clang_request request{
-      named(compilation.source), headers.data(), headers.size(), flags.data(), flags.size(),
-      compilation.passes.c_str()};
+  const regulus_clang_request request{named(compilation.source),
+                                      headers.data(),
+                                      headers.size(),
+                                      flags.data(),
+                                      flags.size(),
+                                      compilation.passes.c_str(),
+                                      0};
 
   const FileSystem files = make_file_system(request);
   Diagnostics diagnostics(*files);
