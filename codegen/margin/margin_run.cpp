@@ -70,6 +70,7 @@ Margin MarginRun::run() {
   if (witness_ && !bracket_.closed() && !interrupted()) {
     look_for_witness(kWitnessShare * std::max(bracket_.seconds_left(), 0.0), kMoreStarts);
     close_in();
+    close_in_from_above();
   }
   if (margin_.certified) margin_.gap = bracket_.gap();
   margin_.closed = bracket_.closed();
@@ -129,6 +130,16 @@ bool MarginRun::refute_at_found() {
 void MarginRun::close_in() {
   while (!interrupted()) {
     const std::optional<PlannedAttempt> planned = bracket_.next();
+    if (!planned) return;
+    attempt(*planned);
+  }
+}
+
+/// A search looks for a witness by descents from many places, which may find one below that of the
+/// witness search.
+void MarginRun::close_in_from_above() {
+  while (!interrupted()) {
+    const std::optional<PlannedAttempt> planned = bracket_.next_to_refute();
     if (!planned) return;
     attempt(*planned);
   }

@@ -55,6 +55,7 @@ class MarginRun {
   void look_for_witness(double seconds, int starts);
   bool refute_at_found();
   void close_in();
+  void close_in_from_above();
   void attempt(const PlannedAttempt& planned);
   void look_near(std::span<const Interval> box);
   void note(MarginStep step, bool is_search);

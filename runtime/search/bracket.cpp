@@ -106,6 +106,17 @@ std::optional<PlannedAttempt> Bracket::next() const {
   return PlannedAttempt{value, seconds};
 }
 
+std::optional<PlannedAttempt> Bracket::next_to_refute() const {
+  if (closed() || !(seconds_left() > 0) || !certified_ || !refuted_) return std::nullopt;
+  double low = *certified_;
+  for (const Failure& failure : failures_)
+    if (failure.value < *refuted_) low = std::max(low, failure.value);
+  if (*refuted_ - low <= kResolution * limits_.gap * *refuted_) return std::nullopt;
+  const double value = short_decimal_near(0.5 * (low + *refuted_), low, *refuted_);
+  if (!(low < value && value < *refuted_)) return std::nullopt;
+  return PlannedAttempt{value, kLeastShare * seconds_left()};
+}
+
 /// Returns the least value not worth an attempt of so many seconds; a value above high_ if none.
 double Bracket::lowest_obstacle(double seconds) const noexcept {
   double top = kInfinity;

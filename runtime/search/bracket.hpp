@@ -52,6 +52,10 @@ class Bracket {
   /// Returns nullopt if the bracket is closed, time is over, or no value in between is promising.
   [[nodiscard]] std::optional<PlannedAttempt> next() const;
 
+  /// Plans a search that may lower the refuted value, after next() has returned nullopt: half-way to
+  /// the highest value that was not decided.
+  [[nodiscard]] std::optional<PlannedAttempt> next_to_refute() const;
+
   [[nodiscard]] std::optional<double> certified() const noexcept { return certified_; }
   [[nodiscard]] std::optional<double> refuted() const noexcept { return refuted_; }
   /// Returns (refuted − certified)/refuted; nullopt unless there are both.

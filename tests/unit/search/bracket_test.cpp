@@ -132,6 +132,21 @@ TEST(Bracket, TriesAgainWhatFailedForWantOfTimeOnlyWithMuchMore) {
   EXPECT_LT(bracket.next()->value, 1);
 }
 
+/// No value from 10 on is certified, and from 13 on a search finds a witness.
+TEST(Bracket, LowersTheRefutedValueAboveOnesThatAreNotDecided) {
+  Bracket bracket(0, 100, {.gap = 0.01, .seconds = 1e3});
+  bracket.note_refuted(20);
+  Pursuit().of(bracket, ceiling(10, 0.01));
+  int searches = 0;
+  for (; const auto planned = bracket.next_to_refute(); ++searches)
+    bracket.note(planned->value >= 13 ? refuted(planned->value)
+                                      : failed(planned->value, Reason::kUncertainty));
+  EXPECT_NEAR(*bracket.refuted(), 13, 0.05);
+  EXPECT_GE(*bracket.refuted(), 13);
+  EXPECT_LT(*bracket.certified(), 10);
+  EXPECT_LT(searches, 16);
+}
+
 TEST(Bracket, EndsWhenTimeIsUp) {
   Bracket bracket(0, 1, {.gap = 0.01, .seconds = 10});
   bracket.note(certified(0, 4));
