@@ -2,6 +2,7 @@
 #include "runtime/embedded/piece_search.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <stdexcept>
 
 #include "runtime/kernel/rounding_scope.hpp"
@@ -41,6 +42,14 @@ bool within(Interval part, Interval whole) noexcept {
   return whole.lo <= part.lo && part.lo <= part.hi && part.hi <= whole.hi;
 }
 
+/// The first kLanes boxes, and kLanes boxes at once on the way to the minimum width (Frontier). Each
+/// evaluated box adds at most one.
+std::size_t most_open_boxes(std::size_t parameters, const Settings& settings, unsigned max_boxes) {
+  const double halvings = 1.0 - std::log2(settings.min_relative_width);
+  const std::size_t on_the_way = kLanes * (parameters * std::size_t(std::ceil(halvings)) + 1);
+  return kLanes + std::min<std::size_t>(on_the_way, std::size_t{max_boxes} + 1);
+}
+
 bool has_width(Interval x) noexcept { return x.lo < x.hi; }
 
 /// Cuts a range into up to `most` ≤ kLanes parts, which cover it.
@@ -67,7 +76,7 @@ PieceSearch::PieceSearch(const regulus_kernel& kernel, std::span<const Interval>
       decider_(problem_, settings_, structure_),
       batch_(kernel, decider_.order()),
       witness_(problem_, settings_, false),
-      frontier_(kernel.variables, std::size_t{max_boxes} + kLanes + 1),
+      frontier_(kernel.variables, most_open_boxes(kernel.motion_variables, settings_, max_boxes)),
       loop_(*this, frontier_, decider_.bisector(), kernel.variables),
       half_(kernel.variables),
       places_(2 * std::size_t{kernel.variables}) {

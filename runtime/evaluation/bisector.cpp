@@ -20,6 +20,12 @@ bool Bisector::can_split(Interval x, std::size_t variable) const noexcept {
   return x.hi - x.lo > least_width_[variable] && bisect(x).has_value();
 }
 
+bool Bisector::splits(std::span<const Interval> box) const noexcept {
+  for (std::size_t k = 0; k < splittable_; ++k)
+    if (can_split(box[k], k)) return true;
+  return false;
+}
+
 double Bisector::approx_score(Batch& batch, std::size_t variable, std::size_t lane) const noexcept {
   const Interval x = batch.box(variable, lane);
   switch (bisection_) {

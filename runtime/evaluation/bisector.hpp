@@ -19,6 +19,9 @@ class Bisector {
   /// be split any more.
   [[nodiscard]] std::optional<std::size_t> choose(Batch& batch, std::size_t lane) const noexcept;
 
+  /// Returns false if a box must not be split any more.
+  [[nodiscard]] bool splits(std::span<const Interval> box) const noexcept;
+
   /// Returns how many variables have a range that can be split at all.
   [[nodiscard]] std::size_t variables_to_split() const noexcept;
   /// Returns the largest width of a box relative to the original ranges: the w(B) of Algorithm 1,

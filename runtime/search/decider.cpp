@@ -62,10 +62,10 @@ void Decider::decide(Decisions& decisions, bool keep_proofs) {
   LaneMask undecided = 0;
   if (settings_.exhaustive) {
     const LaneMask leavable = settings_.split_certified ? at_minimum_width(lanes) : lanes;
-    undecided = (lanes & ~leavable) | leave_small(leave_certified(leavable));
+    undecided = (lanes & ~leavable) | leave_small(leave_by_every_test(leave_certified(leavable)));
     for_each_lane(undecided, [this](std::size_t lane) { split_or_look_inside(lane); });
   } else {
-    undecided = leave_certified(lanes);
+    undecided = leave_by_every_test(leave_certified(lanes));
     const LaneMask hopeless = hopeless_under_uncertainty(undecided);
     for_each_lane(undecided, [this, hopeless](std::size_t lane) {
       split_or_block(lane, has_lane(hopeless, lane));
@@ -104,7 +104,7 @@ void Decider::leave_with_witness(std::size_t lane) {
 LaneMask Decider::at_minimum_width(LaneMask lanes) noexcept {
   LaneMask result = 0;
   for_each_lane(lanes, [&](std::size_t lane) {
-    if (!bisector_.choose(batch_, lane)) result |= 1U << lane;
+    if (!bisector_.splits(out_->box_of(lane))) result |= 1U << lane;
   });
   return result;
 }
@@ -139,6 +139,15 @@ LaneMask Decider::leave_certified(LaneMask lanes) noexcept {
     lanes &= ~certified;
   }
   return leave_by_closed_form(lanes);
+}
+
+/// A test that stopped being useful elsewhere may be the only one for a box that is not split any
+/// more, such as a single pose.
+LaneMask Decider::leave_by_every_test(LaneMask lanes) noexcept {
+  const LaneMask last = at_minimum_width(lanes & ~out_->budget.anyway);
+  if (last == 0) return lanes;
+  out_->budget.anyway |= last;
+  return (lanes & ~last) | leave_certified(last);
 }
 
 /// Entries of K·A lose dependencies between each other; an expression of det may keep them.
@@ -204,7 +213,9 @@ void Decider::block(std::size_t lane, Reason reason) noexcept {
 Reason Decider::reason_at_minimum_width(std::size_t lane) noexcept {
   LaneMask defined = batch_.certain_posed() & 1U << lane;
   static_cast<void>(batch_.product({}, defined));
-  return defined != 0 ? Reason::kWidth : Reason::kUndefined;
+  if (defined == 0) return Reason::kUndefined;
+  const auto pose = out_->box_of(lane).first(problem_.kernel->motion_variables);
+  return keeps_uncertainty_whole_ && is_point(pose) ? Reason::kUncertainty : Reason::kWidth;
 }
 
 /// Loads a lane's box, with its first variables fixed at their midpoints, to a lane of center_.

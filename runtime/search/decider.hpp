@@ -35,6 +35,7 @@ class Decider {
   void leave_with_witness(std::size_t lane);
   [[nodiscard]] LaneMask leave_outside(LaneMask lanes) noexcept;
   [[nodiscard]] LaneMask leave_certified(LaneMask lanes) noexcept;
+  [[nodiscard]] LaneMask leave_by_every_test(LaneMask lanes) noexcept;
   [[nodiscard]] LaneMask leave_by_closed_form(LaneMask lanes) noexcept;
   [[nodiscard]] LaneMask leave_small(LaneMask lanes);
   [[nodiscard]] LaneMask at_minimum_width(LaneMask lanes) noexcept;

@@ -26,6 +26,9 @@ using Clock = std::chrono::steady_clock;
 /// The number of witness searches that start from boxes that could not be decided.
 constexpr std::uint64_t kMaxDescentsFromBlocked = 16;
 
+/// The first of them starts from so many places of the uncertain quantities.
+constexpr std::size_t kStartsFromBlocked = 9;
+
 /// A round has one more batch for each so many boxes that were evaluated before. So a search that
 /// ends early does little extra work, and a long one keeps its threads busy.
 constexpr std::uint64_t kBoxesABatch = 64;
@@ -353,7 +356,7 @@ void Search::block(Decisions& batch, std::size_t lane) noexcept {
   }
   const std::uint64_t blocked = state_.statistics.leaves[static_cast<std::size_t>(Rule::kBlocked)];
   if (!looking_for_witness() || blocked > kMaxDescentsFromBlocked) return;
-  witness_.descend(box);
+  witness_.descend(box, blocked == 1 ? kStartsFromBlocked : 1);
   look_at_exact_ends(box);
   stopped_ = stopped_ || witness_.found();
 }

@@ -15,6 +15,13 @@ constexpr double kWorthAnotherTry = 2.0;
 /// The largest number of proofs that are tried at points of small determinant.
 constexpr unsigned kMaxSmallTries = 64;
 
+std::vector<std::optional<Interval>> reach_of(const Problem& problem, const ToleranceBalls& balls) {
+  std::vector<std::optional<Interval>> reach = problem.inner;
+  for (std::size_t k = 0; k < reach.size(); ++k)
+    if (const std::optional<Interval> axis = balls.axis(k)) reach[k] = axis;
+  return reach;
+}
+
 }  // namespace
 
 WitnessSearch::WitnessSearch(const Problem& problem, const Settings& settings, bool closes_in)
@@ -27,17 +34,24 @@ WitnessSearch::WitnessSearch(const Problem& problem, const Settings& settings, b
       uses_corners_(settings.ingredients.corners),
       uses_descents_(settings.ingredients.descents),
       closes_in_(closes_in),
-      inner_(problem.inner),
+      balls_(problem),
+      reach_(reach_of(problem, balls_)),
+      inner_(reach_),
       points_(problem, settings, no_structure_),
       pose_(2 * std::size_t{problem.kernel->pose_parameters} * kLanes),
       box_(variables_),
+      in_ball_(variables_),
       current_(variables_),
       middle_(variables_),
+      moved_(variables_),
+      downhill_(variables_),
       places_(variables_),
       at_ends_(variables_) {
   for (Candidate* candidate :
        {&positive_, &negative_, &small_, &nearest_, &far_positive_, &far_negative_})
     candidate->point.resize(variables_);
+  for (Start& start : starts_) start.point.resize(variables_);
+  for (std::size_t k = 0; k < variables_; ++k) in_ball_[k] = balls_.axis(k).has_value();
   witness_.points.reserve(2);
 }
 
@@ -74,7 +88,7 @@ void WitnessSearch::look_on_from(const WitnessCandidates& candidates) {
 bool WitnessSearch::look_inside(std::span<const Interval> box) noexcept {
   forget();
   for (std::size_t k = 0; k < variables_; ++k) {
-    const auto& inner = problem_.inner[k];
+    const auto& inner = reach_[k];
     inner_[k] = inner ? intersect(*inner, box[k]) : std::nullopt;
     if (inner && !inner_[k]) return false;
   }
@@ -98,8 +112,12 @@ Interval WitnessSearch::within_inner(std::size_t variable, double x) const noexc
   return inner ? Interval(std::clamp(x, inner->lo, inner->hi)) : problem_.outer[variable];
 }
 
+/// Moves the point into the ranges and the balls.
 void WitnessSearch::load_point(std::size_t lane, const double* point) noexcept {
-  for (std::size_t k = 0; k < variables_; ++k) box_[k] = within_inner(k, point[k]);
+  for (std::size_t k = 0; k < variables_; ++k)
+    moved_[k] = std::clamp(point[k], inner_lo(k), inner_hi(k));
+  balls_.pull_in(moved_);
+  for (std::size_t k = 0; k < variables_; ++k) box_[k] = within_inner(k, moved_[k]);
   points_.load(lane, box_);
 }
 
@@ -117,6 +135,7 @@ template <typename Middle>
 void WitnessSearch::copy_middle(Middle middle, Candidate& candidate) noexcept {
   for (std::size_t k = 0; k < variables_; ++k)
     candidate.point[k] = std::clamp(middle(k), inner_lo(k), inner_hi(k));
+  balls_.pull_in(candidate.point);
 }
 
 /// Takes the approximate determinant at a point, and the point's coordinate k as middle(k).
@@ -213,6 +232,7 @@ Interval WitnessSearch::enclose_at(std::size_t lane, bool scaled) noexcept {
 /// the variety or J⁻¹ not certainly defined there.
 std::optional<Interval> WitnessSearch::certify_point(const std::vector<double>& point,
                                                      bool scaled) noexcept {
+  if (!balls_.certain_inside(point)) return std::nullopt;
   points_.clear();
   load_point(0, point.data());
   evaluate_points(1);

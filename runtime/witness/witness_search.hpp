@@ -5,6 +5,7 @@
 // continuous along it and det A vanishes on it.
 #pragma once
 
+#include <array>
 #include <optional>
 #include <span>
 #include <vector>
@@ -13,6 +14,7 @@
 #include "runtime/evaluation/decisions.hpp"
 #include "runtime/problem/observer.hpp"
 #include "runtime/problem/result.hpp"
+#include "runtime/witness/tolerance_balls.hpp"
 
 namespace regulus {
 
@@ -45,7 +47,8 @@ class WitnessSearch {
 
   /// Descends from the middle of `box`, one variable at a time, towards the other sign or towards
   /// determinant 0, moving the uncertain quantities too.
-  void descend(std::span<const Interval> box) noexcept;
+  /// `most_starts`: places of the uncertain quantities from which to start, up to nine.
+  void descend(std::span<const Interval> box, std::size_t most_starts = 1) noexcept;
 
   /// Looks at the corners of the variety itself, whose coordinates need not be doubles.
   void look_at_exact_corners() noexcept;
@@ -101,7 +104,13 @@ class WitnessSearch {
   [[nodiscard]] bool find_middle(const Candidate& a, const Candidate& b) noexcept;
   void approach_nearest(Candidate& side) noexcept;
 
+  void add_start(std::size_t lane, double sign) noexcept;
+  void find_starts(std::span<const Interval> box, double sign) noexcept;
+  void go_downhill(std::span<const Interval> box, double sign, double best) noexcept;
+  [[nodiscard]] double target(std::size_t variable, double end, Interval range) const noexcept;
   bool step(std::span<const Interval> box, std::size_t first, double sign, double& best) noexcept;
+  bool step_ball(std::span<const Interval> box, const ToleranceBalls::Ball& ball, double sign,
+                 double& best) noexcept;
   void report(WitnessPoint& into, const Candidate& candidate);
   void report_ends(WitnessPoint& into);
   [[nodiscard]] const Candidate& closest_to_zero() const noexcept;
@@ -114,7 +123,10 @@ class WitnessSearch {
   bool square_, scaled_;
   const bool uses_corners_, uses_descents_;
   bool closes_in_;
-  std::vector<std::optional<Interval>> inner_;  ///< where points may lie: all of it, or one box's
+  const ToleranceBalls balls_;
+  const std::vector<std::optional<Interval>>
+      reach_;                                   ///< where points may lie, with the balls' axes
+  std::vector<std::optional<Interval>> inner_;  ///< the same, or the part of one box
   RowStructure no_structure_;
   Batch points_;
   AlignedBuffer pose_;
@@ -122,7 +134,14 @@ class WitnessSearch {
   Candidate positive_, negative_, small_;
   Candidate nearest_;                      ///< between the two, where the sign is not known
   Candidate far_positive_, far_negative_;  ///< the two before refinement
-  std::vector<double> current_, middle_;
+  struct Start {
+    double value = 0;  ///< |det| with the sign of the middle, approximately
+    std::vector<double> point;
+  };
+  std::array<Start, kLanes + 1> starts_;
+  std::size_t start_count_ = 0;
+  std::vector<bool> in_ball_;  ///< the variables that move with their balls
+  std::vector<double> current_, middle_, moved_, downhill_;
   std::uint64_t probes_ = 0;
   bool small_known_ = false, small_fresh_ = false;
   unsigned small_tries_ = 0;

@@ -19,8 +19,8 @@ constexpr int kMaxCloseIn = 60;
 
 }  // namespace
 
-/// Encloses from + (to − from)·part. Both ends lie in the inner box, which is convex, so the exact
-/// segment does. Rounding may extend slightly beyond it, which only makes the check stricter.
+/// Encloses from + (to − from)·part. Both ends lie in the ranges and balls, which are convex, so the
+/// exact segment does. Rounding may extend slightly beyond it, which only makes the check stricter.
 void WitnessSearch::load_piece(std::size_t lane, const std::vector<double>& from,
                                const std::vector<double>& to, Interval part) noexcept {
   for (std::size_t k = 0; k < variables_; ++k) {
@@ -58,6 +58,7 @@ bool WitnessSearch::certain_segment(const std::vector<double>& from,
 bool WitnessSearch::find_middle(const Candidate& a, const Candidate& b) noexcept {
   for (std::size_t k = 0; k < variables_; ++k)
     middle_[k] = std::clamp(0.5 * a.point[k] + 0.5 * b.point[k], inner_lo(k), inner_hi(k));
+  balls_.pull_in(middle_);
   return middle_ != a.point && middle_ != b.point;
 }
 

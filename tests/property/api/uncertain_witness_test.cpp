@@ -1,0 +1,49 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Singularities that need certain values of the uncertain quantities, all of which are found.
+#include <gtest/gtest.h>
+
+#include <fstream>
+
+#include "codegen/api/regulus.hpp"
+#include "tests/support/temporary_directory.hpp"
+
+namespace regulus::test {
+namespace {
+
+Verdict verdict_of(const std::string& body) {
+  const TemporaryDirectory folder;
+  const std::string path = folder.path() / "model.toml";
+  std::ofstream(path) << "regulus = 1\nname = \"planted\"\n[pose]\nx = \"1\"\n" << body;
+  SearchOptions options;
+  options.engine = Engine::kInterpreted;
+  return check(Question::of_file(path), options).verdict;
+}
+
+/// No single quantity makes the determinant smaller: two of them must move together.
+TEST(UncertainWitness, IsFoundWhereTwoQuantitiesMoveTogether) {
+  const auto saddle = [](const char* tolerance) {
+    return verdict_of(std::string("[geometry]\nu = { value = 0, tolerance = ") + tolerance +
+                      " }\nv = { value = 0, tolerance = " + tolerance +
+                      " }\n[matrix]\nrows = [[\"1 + x^2\", \"u\"], [\"v\", \"1\"]]\n"
+                      "[motion.m]\nx = [-1, 1]\n");
+  };
+  EXPECT_EQ(saddle("1.1"), Verdict::kSingularity);
+  EXPECT_EQ(saddle("1.01"), Verdict::kSingularity);
+  EXPECT_EQ(saddle("0.9"), Verdict::kNoSingularity);
+}
+
+/// The cube in the ball ends at 1/√3 of the radius.
+TEST(UncertainWitness, IsFoundAtTheSurfaceOfABall) {
+  const auto on_axis = [](const char* distance) {
+    return verdict_of(std::string("[geometry]\np = { value = [0, 0, 0], radius = 1 }\n"
+                                  "[matrix]\nrows = [[\"") +
+                      distance + " + x + p_1 + (p_2^2 + p_3^2)/100\"]]\n[motion.m]\nx = [0, 1]\n");
+  };
+  EXPECT_EQ(on_axis("0.6"), Verdict::kSingularity);
+  EXPECT_EQ(on_axis("0.99"), Verdict::kSingularity);
+  EXPECT_EQ(on_axis("0.999999"), Verdict::kSingularity);
+  EXPECT_NE(on_axis("1.000001"), Verdict::kSingularity);
+}
+
+}  // namespace
+}  // namespace regulus::test
