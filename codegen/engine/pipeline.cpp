@@ -151,6 +151,7 @@ FormulationOptions functions_for(const SearchOptions& search) {
     functions.scaling = false;
   }
   functions.threshold = search.threshold;
+  functions.counts_occurrences = false;
   return functions;
 }
 

@@ -37,10 +37,10 @@ void add(KeyParts& parts, const RewriteOptions& options) {
 
 void add(KeyParts& parts, const FormulationOptions& options) {
   const auto& [matrix, matrix_derivatives, left_product, derivatives, right_product, determinant,
-               determinant_budget, expansion, rows, columns, scaling, threshold, rewriting,
+               determinant_budget, expansion, rows, columns, scaling, threshold, counts, rewriting,
                forming_budget] = options;
   for (const bool flag : {matrix, matrix_derivatives, left_product, derivatives, right_product,
-                          determinant, rows, scaling, threshold})
+                          determinant, rows, scaling, threshold, counts})
     parts.add(flag);
   parts.add(std::to_string(determinant_budget));
   parts.add(std::to_string(forming_budget));

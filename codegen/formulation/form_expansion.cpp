@@ -14,23 +14,28 @@ std::size_t index(int i) { return static_cast<std::size_t>(i); }
 
 }  // namespace
 
-int Formulator::row_of(const Variable& v) const {
-  if (v.kind == VariableKind::kMotion || !options_.rows) return Expansion::kNoRow;
-  std::set<int> rows;
-  for (std::size_t e = 0; e < forms_.rewritten.size(); ++e)
-    if (count_occurrences(forms_.rewritten[e]).count(v.name) != 0)
-      rows.insert(static_cast<int>(e) / result_.columns);
-  return rows.size() == 1 ? *rows.begin() : Expansion::kNoRow;
+std::vector<int> Formulator::rows_of_variables() const {
+  std::map<std::string, std::set<int>> rows;
+  if (options_.rows)
+    for (std::size_t e = 0; e < forms_.rewritten.size(); ++e)
+      for (const auto& [name, count] : count_occurrences(forms_.rewritten[e]))
+        rows[name].insert(static_cast<int>(e) / result_.columns);
+  std::vector<int> result;
+  for (const Variable& v : result_.variables) {
+    const std::set<int>& of_variable = rows[v.name];
+    const bool one = v.kind != VariableKind::kMotion && of_variable.size() == 1;
+    result.push_back(one ? *of_variable.begin() : Expansion::kNoRow);
+  }
+  return result;
 }
 
 bool Formulator::has_row_quantity() const {
-  return std::any_of(result_.variables.begin(), result_.variables.end(),
-                     [this](const Variable& v) { return row_of(v) != Expansion::kNoRow; });
+  return std::ranges::any_of(rows_of_variables(), [](int row) { return row != Expansion::kNoRow; });
 }
 
 void Formulator::form_expansion(bool at_nominal) {
   ExpansionForms& x = result_.expansion.emplace();
-  for (const Variable& v : result_.variables) x.row_of_variable.push_back(row_of(v));
+  x.row_of_variable = rows_of_variables();
   if (!at_nominal) return form_expansion_of(first_row(forms_));
   const auto in_ball = [](const Variable& v) { return v.ball >= 0; };
   if (std::any_of(result_.variables.begin(), result_.variables.end(), in_ball))
@@ -94,7 +99,7 @@ void Formulator::append_column(DerivativeIndex place, const Polynomial& p,
                                const std::string& function, DerivativeForms& to) {
   if (p.is_zero()) return;
   const Rewritten form = rewriter_.nested_form(p);
-  append_rows({form.expression}, {{{}, count_occurrences(form.expression), form.passes}}, to.forms,
+  append_rows({form.expression}, {{{}, counted(form.expression), form.passes}}, to.forms,
               result_.statistics[function]);
   for (place.row = 0; place.row < result_.columns; ++place.row) to.places.push_back(place);
 }
@@ -108,7 +113,7 @@ void Formulator::form_row_derivatives(int i, int j, std::vector<PolynomialDiffer
     const Rewritten form = rewriter_.quick_form(p);
     to.places.push_back(place);
     to.forms.push_back(form.expression);
-    result_.statistics[function].push_back({{}, count_occurrences(form.expression), form.passes});
+    result_.statistics[function].push_back({{}, counted(form.expression), form.passes});
   };
   for (std::size_t k = 0; k < by.size(); ++k) {
     if (x.row_of_variable[k] != i) continue;

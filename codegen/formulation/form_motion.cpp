@@ -10,8 +10,7 @@ namespace regulus::inline formulation {
 
 Expression Formulator::rewritten(const Expression& natural, const std::string& function) {
   Rewritten form = rewriter_.rewrite(natural);
-  result_.statistics[function].push_back(
-      {count_occurrences(natural), count_occurrences(form.expression), form.passes});
+  result_.statistics[function].push_back({counted(natural), counted(form.expression), form.passes});
   return form.expression;
 }
 

@@ -49,8 +49,7 @@ void Formulator::append_best_forms(const std::vector<Entry>& row, const std::str
   for (const Entry& entry : row) {
     const Rewritten form = rewriter_.best_form(entry.polynomial, &entry.rewritten);
     forms.push_back(form.expression);
-    statistics.push_back(
-        {count_occurrences(entry.natural), count_occurrences(form.expression), form.passes});
+    statistics.push_back({counted(entry.natural), counted(form.expression), form.passes});
   }
   append_rows(forms, statistics, to, result_.statistics[function]);
 }
@@ -69,7 +68,7 @@ void Formulator::form_left_derivatives(const std::vector<Entry>& row) {
     for (const Entry& entry : row) {
       const Rewritten form = rewriter_.best_form(by.derivative(entry.polynomial));
       forms.push_back(form.expression);
-      statistics.push_back({{}, count_occurrences(form.expression), form.passes});
+      statistics.push_back({{}, counted(form.expression), form.passes});
     }
     append_rows(forms, statistics, result_.left_derivatives,
                 result_.statistics["left_derivatives"]);
@@ -80,11 +79,17 @@ void Formulator::append_rows(const Expressions& first,
                              const std::vector<EntryStatistics>& statistics, Expressions& to,
                              std::vector<EntryStatistics>& statistics_to) {
   for (int i = 1; i <= result_.columns; ++i) {
-    const Expressions row = i == 1 ? first : substitute(first, renaming_rows(i));
+    Expressions row = first;
+    if (i > 1)
+      for (Expression& e : row) e = row_replacer(i).apply(e);
     uncounted_.spend(count_operations(row));
     to.insert(to.end(), row.begin(), row.end());
     statistics_to.insert(statistics_to.end(), statistics.begin(), statistics.end());
   }
+}
+
+Replacer& Formulator::row_replacer(int i) {
+  return row_replacers_.try_emplace(i, renaming_rows(i)).first->second;
 }
 
 ReplacementOf Formulator::renaming_rows(int i) const {
@@ -109,6 +114,8 @@ ReplacementOf Formulator::renaming(std::map<std::string, Expression> names) {
 
 void Formulator::form_right_product() {
   std::vector<EntryStatistics>& statistics = result_.statistics["right_product"];
+  std::vector<Replacer> renamed;
+  for (int c = 2; c <= result_.rows; ++c) renamed.emplace_back(renaming_columns(c));
   for (int r = 0; r < result_.rows; ++r) {
     std::vector<std::string> points;
     std::vector<std::size_t> entries;
@@ -118,11 +125,11 @@ void Formulator::form_right_product() {
     }
     const Entry entry = combine(forms_, points, entries);
     const Rewritten form = rewriter_.best_form(entry.polynomial, &entry.rewritten);
-    const EntryStatistics of_entry = {count_occurrences(entry.natural),
-                                      count_occurrences(form.expression), form.passes};
+    const EntryStatistics of_entry = {counted(entry.natural), counted(form.expression),
+                                      form.passes};
     for (int c = 1; c <= result_.rows; ++c) {
       result_.right_product.push_back(c == 1 ? form.expression
-                                             : substitute(form.expression, renaming_columns(c)));
+                                             : renamed[index(c - 2)].apply(form.expression));
       statistics.push_back(of_entry);
     }
   }

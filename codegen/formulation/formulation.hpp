@@ -63,6 +63,7 @@ struct FormulationOptions {
   /// True if the kernel may be searched with a threshold although the motion has none. The row
   /// scale then compensates the scaling of the determinant.
   bool threshold = true;
+  bool counts_occurrences = true;  ///< false: no EntryStatistics, which are for people
   RewriteOptions rewriting;
   std::uint64_t forming_budget = kFormingBudget;  ///< not of a determinant, which has its own
 };

@@ -66,6 +66,7 @@ Formulation Formulator::run() {
   collect_must_be_defined();
   if (!options_.matrix) result_.matrix.clear();
   if (!options_.left_product) result_.left_product.clear();
+  if (!options_.counts_occurrences) result_.statistics.clear();
   return std::move(result_);
 }
 
@@ -100,15 +101,16 @@ void Formulator::form_matrix() {
       forms_.formed.push_back(natural);
       forms_.rewritten.push_back(form.expression);
       result_.statistics["matrix"].push_back(
-          {count_occurrences(natural), count_occurrences(form.expression), form.passes});
+          {counted(natural), counted(form.expression), form.passes});
     }
 }
 
 void Formulator::change_columns() {
   const bool second_order = options_.columns == ColumnSearch::kSecondOrder;
   BoundsSetting setting{result_.variables, {}, second_order};
-  for (const Variable& v : result_.variables)
-    setting.row_of_variable.push_back(second_order ? row_of(v) : Expansion::kNoRow);
+  setting.row_of_variable = second_order
+                                ? rows_of_variables()
+                                : std::vector<int>(result_.variables.size(), Expansion::kNoRow);
   PolynomialMatrix A{result_.columns, forms_.expanded};
   ColumnDecision decision = choose_columns(A, rewriter_, setting);
   for (const ColumnOperation& operation : decision.kept) apply(operation, A);
@@ -126,7 +128,7 @@ void Formulator::change_column(const AppliedOperation& operation) {
     const Rewritten form = rewriter_.best_form(forms_.expanded[target]);
     forms_.rewritten[target] = result_.matrix[target] = form.expression;
     EntryStatistics& statistics = result_.statistics["matrix"][target];
-    statistics.rewritten = count_occurrences(form.expression);
+    statistics.rewritten = counted(form.expression);
     statistics.passes = form.passes;
   }
 }
@@ -138,7 +140,7 @@ void Formulator::form_matrix_derivatives() {
       const Rewritten form = rewriter_.best_form(by.derivative(entry));
       result_.matrix_derivatives.push_back(form.expression);
       result_.statistics["matrix_derivatives"].push_back(
-          {{}, count_occurrences(form.expression), form.passes});
+          {{}, counted(form.expression), form.passes});
     }
   }
 }
@@ -160,9 +162,13 @@ void Formulator::form_determinant() {
   result_.determinant_terms = budget.spent();
 }
 
+Occurrences Formulator::counted(const Expression& e) const {
+  return options_.counts_occurrences ? count_occurrences(e) : Occurrences();
+}
+
 Expression Formulator::nested(const Polynomial& p, const std::string& function) {
   Rewritten form = rewriter_.nested_form(p);
-  result_.statistics[function].push_back({{}, count_occurrences(form.expression), form.passes});
+  result_.statistics[function].push_back({{}, counted(form.expression), form.passes});
   return form.expression;
 }
 

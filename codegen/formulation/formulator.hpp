@@ -57,6 +57,7 @@ class Formulator {
   /// Forms det A over the motion. The entries of a rotation are expanded in sines and cosines. This
   /// gives fewer terms than entries as indeterminates, since it uses the relations between them.
   void form_determinant();
+  [[nodiscard]] Occurrences counted(const Expression& e) const;
   Expression nested(const Polynomial& p, const std::string& function);
   /// Σ_j points[j]·A[entries[j]].
   Entry combine(const MatrixForms& A, const std::vector<std::string>& points,
@@ -70,13 +71,15 @@ class Formulator {
   void append_rows(const Expressions& first, const std::vector<EntryStatistics>& statistics,
                    Expressions& to, std::vector<EntryStatistics>& statistics_to);
   /// k_1_j → k_i_j.
+  [[nodiscard]] Replacer& row_replacer(int i);
   [[nodiscard]] ReplacementOf renaming_rows(int i) const;
   /// k_j_1 → k_j_i.
   [[nodiscard]] ReplacementOf renaming_columns(int i) const;
   [[nodiscard]] static ReplacementOf renaming(std::map<std::string, Expression> names);
   void form_right_product();
-  /// Returns the only row in which an uncertain quantity occurs, or Expansion::kNoRow.
-  [[nodiscard]] int row_of(const Variable& v) const;
+  /// Returns for each variable the only row in which it occurs, if it is an uncertain quantity, or
+  /// Expansion::kNoRow.
+  [[nodiscard]] std::vector<int> rows_of_variables() const;
   [[nodiscard]] bool has_row_quantity() const;
   void form_expansion(bool at_nominal);
   /// Returns A with uncertain quantities at the given values.
@@ -103,6 +106,7 @@ class Formulator {
   WorkMeter uncounted_;  // for what no budget counts
   Substitution substitution_;
   Rewriter rewriter_;
+  std::map<int, Replacer> row_replacers_;
   MatrixForms forms_;  // of A
   Formulation result_;
 };

@@ -66,9 +66,9 @@ std::string title(const Shape& shape, const std::vector<EntryStatistics>& entrie
     for (const auto& [name, count] : entry.natural) natural[name] += count;
     for (const auto& [name, count] : entry.rewritten) rewritten[name] += count;
   }
-  std::string text = std::string(shape.symbol) +
-                     ", rewritten (T-RO 2007, §III-B1): " + std::to_string(total(rewritten)) +
-                     " occurrences of variables";
+  std::string text = std::string(shape.symbol) + ", rewritten (T-RO 2007, §III-B1)";
+  if (entries.empty()) return text;
+  text += ": " + std::to_string(total(rewritten)) + " occurrences of variables";
   if (!natural.empty()) text += ", " + std::to_string(total(natural)) + " as written";
   return text;
 }

@@ -63,59 +63,50 @@ class Evaluator {
   std::unordered_map<const void*, cln::cl_RA> memo_;
 };
 
-class Substitution {
- public:
-  explicit Substitution(const ReplacementOf& replacement) : replacement_(replacement) {}
-
-  Expression apply(const Expression& e) {
-    if (const auto found = memo_.find(e.identity()); found != memo_.end()) return found->second;
-    const std::optional<Expression> given = replacement_(e);
-    Expression result = given ? *given : rebuilt(e);
-    memo_.emplace(e.identity(), result);
-    return result;
-  }
-
- private:
-  Expression rebuilt(const Expression& e) {
-    if (e.operands().empty()) return e;
-    Expressions operands;
-    bool changed = false;
-    for (const Expression& operand : e.operands()) {
-      operands.push_back(apply(operand));
-      changed = changed || operands.back().identity() != operand.identity();
-    }
-    if (!changed) return e;
-    switch (e.kind()) {
-      case Kind::kPower:
-        return power(operands[0], e.exponent());
-      case Kind::kCall:
-        return call(e.function(), std::move(operands));
-      case Kind::kProduct:
-        return product(std::move(operands));
-      default:
-        return sum(std::move(operands));
-    }
-  }
-
-  const ReplacementOf& replacement_;
-  std::unordered_map<const void*, Expression> memo_;
-};
-
 }  // namespace
 
 cln::cl_RA evaluate(const Expression& expression, const ValueOf& known) {
   return Evaluator(known).value(expression);
 }
 
+const Expression& Replacer::apply(const Expression& e) {
+  if (const auto found = known_.find(e.identity()); found != known_.end())
+    return found->second.result;
+  const std::optional<Expression> given = replacement_(e);
+  Expression result = given ? *given : rebuilt(e);
+  return known_.emplace(e.identity(), Known{e, std::move(result)}).first->second.result;
+}
+
+Expression Replacer::rebuilt(const Expression& e) {
+  if (e.operands().empty()) return e;
+  Expressions operands;
+  bool changed = false;
+  for (const Expression& operand : e.operands()) {
+    operands.push_back(apply(operand));
+    changed = changed || operands.back().identity() != operand.identity();
+  }
+  if (!changed) return e;
+  switch (e.kind()) {
+    case Kind::kPower:
+      return power(operands[0], e.exponent());
+    case Kind::kCall:
+      return call(e.function(), std::move(operands));
+    case Kind::kProduct:
+      return product(std::move(operands));
+    default:
+      return sum(std::move(operands));
+  }
+}
+
 Expression substitute(const Expression& expression, const ReplacementOf& replacement) {
-  return Substitution(replacement).apply(expression);
+  return Replacer(replacement).apply(expression);
 }
 
 Expressions substitute(const Expressions& expressions, const ReplacementOf& replacement) {
-  Substitution substitution(replacement);
+  Replacer replacer(replacement);
   Expressions result;
   result.reserve(expressions.size());
-  for (const Expression& e : expressions) result.push_back(substitution.apply(e));
+  for (const Expression& e : expressions) result.push_back(replacer.apply(e));
   return result;
 }
 

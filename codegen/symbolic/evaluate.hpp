@@ -3,6 +3,8 @@
 
 #include <functional>
 #include <optional>
+#include <unordered_map>
+#include <utility>
 
 #include "codegen/symbolic/expression.hpp"
 
@@ -21,6 +23,26 @@ using ValueOf = std::function<std::optional<cln::cl_RA>(const Expression&)>;
 
 /// Returns the replacement of a sub-expression, if any. Called once for each distinct one.
 using ReplacementOf = std::function<std::optional<Expression>(const Expression&)>;
+
+/// Makes the same replacement in many expressions: parts that they share are replaced once.
+class Replacer {
+ public:
+  explicit Replacer(ReplacementOf replacement) : replacement_(std::move(replacement)) {}
+
+  /// The result is valid as long as this object.
+  [[nodiscard]] const Expression& apply(const Expression& e);
+
+ private:
+  [[nodiscard]] Expression rebuilt(const Expression& e);
+
+  struct Known {
+    Expression source;  ///< kept, so that its identity is not given to another expression
+    Expression result;
+  };
+  ReplacementOf replacement_;
+  std::unordered_map<const void*, Known> known_;
+};
+
 [[nodiscard]] Expression substitute(const Expression& expression, const ReplacementOf& replacement);
 [[nodiscard]] Expressions substitute(const Expressions& expressions,
                                      const ReplacementOf& replacement);
