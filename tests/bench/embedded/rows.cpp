@@ -24,12 +24,12 @@ struct Question {
 };
 
 constexpr Question kQuestions[] = {
-    {"T1, exact, whole", "T1", "0", 1, "one parameter, exact geometry", 5},
+    {"T1, exact, whole", "T1", "0", 1, "one parameter, exact geometry", 3},
     {"T2, exact, whole", "T2", "0", 1, "one parameter, exact geometry", 5},
     {"T2, exact, a hundredth", "T2", "0", 100, "what a control loop asks ahead of time", 5},
     {"T2, all uncertainties, whole", "T2_errors", "0.05", 1,
-     "anchors ±0.05 cm, control errors 0.01 cm and 0.001 rad", 20},
-    {"T2, all uncertainties, a hundredth", "T2_errors", "0.05", 100, "the same", 20},
+     "anchors ±0.05 cm, control errors 0.01 cm and 0.001 rad", 25},
+    {"T2, all uncertainties, a hundredth", "T2_errors", "0.05", 100, "the same", 25},
 };
 
 /// Checks a trajectory, piece after piece.

@@ -8,6 +8,7 @@
 
 #include "codegen/jit/jit.hpp"
 #include "codegen/jit/part.hpp"
+#include "codegen/jit/part_code.hpp"
 #include "codegen/jit/part_compiler.hpp"
 #include "codegen/pack/select.hpp"
 #include "runtime/interval/x8.hpp"
@@ -131,12 +132,13 @@ void add_fractions(const VectorInstructions& counts, const std::vector<Timing>& 
                           "what no order of instructions could make faster is 100 %"));
 }
 
-/// Returns the listing of the machine code that `check` would run; nullopt without objdump.
+/// Returns the listing of the machine code that `check` would run for K·M; nullopt without objdump.
 std::optional<std::string> listing_of(const machine::PackKernel& program) {
+  const auto product = static_cast<std::size_t>(KernelFunction::kLeftProduct);
+  const machine::PackFunction& function = program.functions[product];
   std::vector<std::string> bytes;
-  for (const machine::PackFunction& function : program.functions)
-    for (std::size_t part = 0; part < function.part_ends.size(); ++part)
-      bytes.push_back(part_bytes(function, part));
+  for (std::size_t part = 0; part < function.part_ends.size(); ++part)
+    bytes.push_back(part_bytes(function, part));
   const std::vector<std::string_view> parts(bytes.begin(), bytes.end());
   std::string listing;
   for (const std::string& object : PartCompiler().compile(parts, Isa::kAvx512).objects) {
@@ -172,7 +174,7 @@ Section limit_rows() {
       "for a product of intervals"));
 
   if (const std::optional<std::string> listing = listing_of(select(module))) {
-    const VectorInstructions counts = count_instructions(*listing, "left_product");
+    const VectorInstructions counts = count_instructions(*listing, kPartSymbol);
     add_counts(counts, rows);
     add_fractions(counts, timings, rows);
   } else {

@@ -17,7 +17,7 @@ struct SearchCase {
   const char* model;  ///< a path, or a name below models/ without .toml
   const char* motion;
   const char* tolerance = "";    ///< of base and platform
-  double most_microseconds = 0;  ///< target for a box on the best instruction set; 0: none
+  double most_microseconds = 0;  ///< target for the search on the best instruction set
 };
 
 /// A search that is ready to start: its kernel is compiled.
