@@ -31,7 +31,7 @@ TimedSearch::TimedSearch(const SearchCase& which, const SearchOptions& options)
 void TimedSearch::run() { result_ = solve(preparation_.problem(), settings_); }
 
 const Statistics& TimedSearch::statistics() const {
-  if (result_.verdict != Verdict::kNoSingularity)
+  if (result_.verdict == Verdict::kPossibleProblem)
     throw std::logic_error(fmt::format("no proof: {}", describe(result_.reason)));
   return result_.statistics;
 }

@@ -28,8 +28,8 @@ class TimedSearch {
   Settings& settings() noexcept { return settings_; }
   void run();
 
-  /// Returns those of the last run. Throws std::logic_error unless that run proved NO SINGULARITY,
-  /// because a time without a verdict cannot be compared.
+  /// Returns those of the last run. Throws std::logic_error if that run proved nothing, because a
+  /// time without a verdict cannot be compared.
   [[nodiscard]] const Statistics& statistics() const;
 
  private:
