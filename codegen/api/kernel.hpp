@@ -14,7 +14,7 @@ namespace regulus::inline api {
 
 struct KernelOptions {
   Engine engine = Engine::kJit;  ///< kAuto: compiled, or interpreted if there is no compiler
-  std::optional<Isa> isa;        ///< nullopt: the best of this processor
+  std::optional<Isa> isa{};      ///< nullopt: the best of this processor
   bool use_cache = true;
 };
 

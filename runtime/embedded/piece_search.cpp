@@ -10,6 +10,9 @@
 namespace regulus {
 namespace {
 
+/// The number of boxes after which a piece is searched for a witness by other means than midpoints.
+constexpr unsigned kFirstDescent = 4;
+
 /// Witnesses may lie anywhere in the ranges, which are exact here. The coordinates of a point in a
 /// ball are an exception: the range is a side of the box around it, so a witness covers the range.
 std::vector<std::optional<Interval>> witness_ranges(const regulus_kernel& kernel,
@@ -79,6 +82,7 @@ PieceSearch::PieceSearch(const regulus_kernel& kernel, std::span<const Interval>
       frontier_(kernel.variables, most_open_boxes(kernel.motion_variables, settings_, max_boxes)),
       loop_(*this, frontier_, decider_.bisector(), kernel.variables),
       half_(kernel.variables),
+      piece_(kernel.variables),
       places_(2 * std::size_t{kernel.variables}) {
   // This check makes everything that is initialised on first use.
   static_cast<void>(check({problem_.outer.data(), kernel.motion_variables}));
@@ -87,7 +91,7 @@ PieceSearch::PieceSearch(const regulus_kernel& kernel, std::span<const Interval>
 /// Not inlined, so that no floating-point work moves out of the rounding scope of its caller.
 [[gnu::noinline]] Check PieceSearch::search(std::span<const Interval> piece) noexcept {
   boxes_ = 0;
-  certified_ = stopped_ = false;
+  certified_ = stopped_ = looked_inside_ = false;
   check_ = {};
   threshold_ = {};
   witness_.forget();
@@ -113,6 +117,7 @@ Check PieceSearch::check(std::span<const Interval> piece) noexcept {
 void PieceSearch::load_frontier(std::span<const Interval> piece) noexcept {
   std::copy(problem_.outer.begin(), problem_.outer.end(), half_.begin());
   std::copy(piece.begin(), piece.end(), half_.begin());
+  std::copy(half_.begin(), half_.end(), piece_.begin());
   frontier_.clear();
   const auto push = [this] {
     static_cast<void>(
@@ -145,9 +150,19 @@ std::size_t PieceSearch::decide_round() noexcept {
   return 1;
 }
 
+/// Looks downhill and at corners of the piece once, if the first boxes are not enough: that takes
+/// longer than some boxes.
+void PieceSearch::look_for_witness(Decisions& batch) noexcept {
+  witness_.look_at_midpoints(batch);
+  if (witness_.found() || looked_inside_ || batch.uncertified == 0 || boxes_ < kFirstDescent)
+    return;
+  looked_inside_ = true;
+  static_cast<void>(witness_.look_inside(piece_));
+}
+
 bool PieceSearch::conclude(Decisions& batch) noexcept {
   for (std::size_t t = 0; t < batch.budget.trials; ++t) threshold_.learn(batch.budget.trial[t]);
-  witness_.look_at_midpoints(batch);
+  look_for_witness(batch);
   if (!witness_.found()) return true;
   const std::size_t variables = kernel().variables;
   for (std::size_t p = 0; p < witness_.points(); ++p)

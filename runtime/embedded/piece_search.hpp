@@ -35,6 +35,7 @@ class PieceSearch {
   [[nodiscard]] bool conclude(Decisions& batch) noexcept;
   [[nodiscard]] bool goes_on() const noexcept { return !stopped_; }
   void give_back(Decisions&) noexcept {}  // every batch is decided
+  void look_for_witness(Decisions& batch) noexcept;
   void settle(Decisions& batch, std::size_t lane) noexcept;
   [[nodiscard]] bool splits(const OpenBox&) const noexcept { return true; }
   [[nodiscard]] BoxId number(const OpenBox&, std::uint32_t, double) const noexcept { return 0; }
@@ -52,10 +53,11 @@ class PieceSearch {
   Frontier frontier_;
   BranchAndPrune<PieceSearch> loop_;
   AdaptiveThreshold threshold_;
-  std::vector<Interval> half_, places_;
+  std::vector<Interval> half_, piece_, places_;
   Check check_;  ///< the current one
   unsigned boxes_ = 0;
   bool stopped_ = false;    ///< check_ is the answer
+  bool looked_inside_ = false;
   bool certified_ = false;  ///< some box that the constraints do not exclude passed a test
 };
 

@@ -23,6 +23,11 @@ namespace {
 
 using Clock = std::chrono::steady_clock;
 
+/// The number of boxes at which to go downhill for the first time, if there are more than a few
+/// variables: the cost grows with their number.
+constexpr std::uint64_t kFirstDescent = 4;
+constexpr unsigned kFewVariables = 4;
+
 /// The number of witness searches that start from boxes that could not be decided.
 constexpr std::uint64_t kMaxDescentsFromBlocked = 16;
 
@@ -78,6 +83,7 @@ class Search {
   void load(Decisions& batch) noexcept;
   void leave(const Decisions& batch, std::size_t lane) noexcept;
   void look_for_witness(Decisions& batch) noexcept;
+  void look_at_all_corners() noexcept;
   void look_at_exact_ends(std::span<const Interval> box) noexcept;
   void block(Decisions& batch, std::size_t lane) noexcept;
   void pause() noexcept;
@@ -291,9 +297,10 @@ void Search::leave(const Decisions& batch, std::size_t lane) noexcept {
   observer_.on_leaf(batch.open(lane), rule, batch.proof(lane));
 }
 
-/// Corners first, then downhill. Without constraints: from the whole variety, if the number of
-/// boxes reaches a power of four, so that the effort stays in proportion. With constraints: from
-/// boxes inside them, since a segment can be certified only there.
+/// Without constraints: looks at some corners after the first box, which costs no more than a box
+/// does. Looks at all corners of the variety, then downhill, if the number of boxes reaches four or
+/// four times the number of the last time, so that the effort stays in proportion. With constraints:
+/// downhill from boxes inside them, since a segment can be certified only there.
 void Search::look_for_witness(Decisions& batch) noexcept {
   LaneMask undecided = batch.uncertified;
   if (undecided == 0 || !looking_for_witness()) return;
@@ -303,13 +310,22 @@ void Search::look_for_witness(Decisions& batch) noexcept {
     if (undecided == 0) return;
     state_.next_descent = state_.statistics.boxes + 1 + state_.statistics.boxes / 8;
   } else {
-    if (state_.next_descent == 1) witness_.look_at_corners();
-    state_.next_descent = 4 * state_.statistics.boxes;
+    if (state_.statistics.boxes < kFirstDescent && problem_.kernel->variables > kFewVariables) {
+      state_.next_descent = kFirstDescent;
+      return witness_.look_at_some_corners();
+    }
+    look_at_all_corners();
   }
   std::size_t lane = 0;
   while (!has_lane(undecided, lane)) ++lane;
   witness_.descend(batch.open(lane).box);
   look_at_exact_ends(batch.open(lane).box);
+}
+
+/// Looks at them once, and sets the next time to go downhill.
+void Search::look_at_all_corners() noexcept {
+  if (state_.next_descent <= kFirstDescent) witness_.look_at_corners();
+  state_.next_descent = 4 * std::max(state_.statistics.boxes, kFirstDescent);
 }
 
 /// Looks for a determinant that is 0 at an end that is not a double. Bounds in doubles cannot show
@@ -356,6 +372,8 @@ void Search::block(Decisions& batch, std::size_t lane) noexcept {
   }
   const std::uint64_t blocked = state_.statistics.leaves[static_cast<std::size_t>(Rule::kBlocked)];
   if (!looking_for_witness() || blocked > kMaxDescentsFromBlocked) return;
+  if (problem_.kernel->constraints == 0 && state_.next_descent <= kFirstDescent)
+    look_at_all_corners();
   witness_.descend(box, blocked == 1 ? kStartsFromBlocked : 1);
   look_at_exact_ends(box);
   stopped_ = stopped_ || witness_.found();

@@ -8,24 +8,31 @@
 namespace regulus {
 namespace {
 
-constexpr std::size_t kMaxCorners = 64;
+/// The corners of a box in six dimensions, in eight groups of eight: within a group any two differ in
+/// at least three variables. A group is a coset of the code of the first one.
+constexpr unsigned kCode[] = {0b000000, 0b100011, 0b010101, 0b110110,
+                              0b001110, 0b101101, 0b011011, 0b111000};
+constexpr unsigned kLeader[] = {0, 1, 2, 4, 8, 16, 32, 0b001001};
+
 constexpr int kMaxSweeps = 8;
 constexpr std::size_t kVariablesAtOnce = kLanes / 2;
 
 }  // namespace
 
-/// Corner number c: bit k of c selects the end of variable k. From the sixth variable on the bits
+/// Bit k of a corner selects the end of variable k. From the sixth variable on the bits
 /// repeat, shifted so that variables six apart do not always agree.
-void WitnessSearch::look_at_corners() noexcept {
+void WitnessSearch::look_at_corners(std::size_t most) noexcept {
   if (!square_ || !uses_corners_) return;
   const std::size_t ends = std::min<std::size_t>(variables_, 6);
-  const std::size_t corners = std::min(kMaxCorners, std::size_t{1} << ends);
+  const std::size_t all = std::size_t{1} << ends, corners = std::min(most, all);
   for (std::size_t first = 0; first < corners && !found_; first += kLanes) {
     const std::size_t count = std::min(kLanes, corners - first);
     points_.clear();
     for (std::size_t lane = 0; lane < count; ++lane) {
       for (std::size_t k = 0; k < variables_; ++k) {
-        const bool upper = ((first + lane) >> (k % 6) ^ k / 6) & 1U;
+        const std::size_t corner =
+            all == kMaxCorners ? kCode[lane] ^ kLeader[first / kLanes] : first + lane;
+        const bool upper = (corner >> (k % 6) ^ k / 6) & 1U;
         current_[k] = upper ? inner_hi(k) : inner_lo(k);
       }
       load_point(lane, current_.data());

@@ -60,6 +60,7 @@ void WitnessSearch::forget() noexcept {
     candidate->approx = candidate->tried = 0.0;
   small_known_ = small_fresh_ = found_ = found_at_ends_ = false;
   small_tries_ = 0;
+  inner_ = reach_;  // of the same size: no memory is needed
 }
 
 void WitnessSearch::copy_candidates(WitnessCandidates& into) const {
@@ -223,7 +224,8 @@ Interval WitnessSearch::enclose_at(std::size_t lane, bool scaled) noexcept {
   if (defined == 0) return kEntire;
   const LaneMatrix M = matrix_of_lane(matrix, lane);
   Interval determinant = enclose_determinant_by_elimination(M);
-  if (certain_sign(determinant) == 0)
+  // More digits decide more than the expansion, in less time.
+  if (certain_sign(determinant) == 0 && oracle_ == nullptr)
     determinant = intersect(determinant, enclose_determinant(M)).value_or(determinant);
   return scaled ? determinant * points_.row_scale(lane) : determinant;
 }

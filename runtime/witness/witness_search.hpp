@@ -43,7 +43,9 @@ class WitnessSearch {
   void look_at(std::span<const std::vector<double>> points) noexcept;
 
   /// Looks at the corners of the variety; if there are more than 64, at 64 of them.
-  void look_at_corners() noexcept;
+  void look_at_corners() noexcept { look_at_corners(kMaxCorners); }
+  /// The same for eight of them, which differ in half of the variables.
+  void look_at_some_corners() noexcept { look_at_corners(kLanes); }
 
   /// Descends from the middle of `box`, one variable at a time, towards the other sign or towards
   /// determinant 0, moving the uncertain quantities too.
@@ -71,6 +73,9 @@ class WitnessSearch {
   void copy_point(std::size_t index, std::span<Interval> variables) const noexcept;
 
  private:
+  static constexpr std::size_t kMaxCorners = 64;
+  void look_at_corners(std::size_t most) noexcept;
+
   struct Candidate : WitnessCandidates::Candidate {
     Interval determinant;
   };
@@ -101,7 +106,7 @@ class WitnessSearch {
   void load_piece(std::size_t lane, const std::vector<double>& from, const std::vector<double>& to,
                   Interval part) noexcept;
   void close_in() noexcept;
-  [[nodiscard]] bool find_middle(const Candidate& a, const Candidate& b) noexcept;
+  [[nodiscard]] bool find_between(const Candidate& a, const Candidate& b, double part) noexcept;
   void approach_nearest(Candidate& side) noexcept;
 
   void add_start(std::size_t lane, double sign) noexcept;

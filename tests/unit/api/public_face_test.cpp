@@ -130,4 +130,25 @@ TEST(PublicFace, AKernelHasTheThresholdOfTheQuestion) {
             Verdict::kSingularity);
 }
 
+/// `regulus check` finds this singularity after one box, at corners of the variety.
+TEST(PublicFace, ACheckerLooksForASingularityAtCornersOfThePiece) {
+  const regulus::Kernel kernel(
+      Question::of_file(REGULUS_SOURCE_DIR "/models/robot_2.toml", "table5_40"),
+      {.engine = regulus::Engine::kInterpreted});
+  regulus::Checker checker = kernel.checker(1000);
+  std::vector<Interval> piece(kernel.ranges().begin(),
+                              kernel.ranges().begin() + std::ptrdiff_t(kernel.motion_parameters()));
+  const regulus::Check whole = checker.check(piece);
+  EXPECT_EQ(whole.verdict, Verdict::kSingularity);
+  EXPECT_LE(whole.boxes, 16U);
+  // Another piece: the witness lies in it, and not in the one before.
+  piece[0] = Interval(regulus::mid(piece[0]), piece[0].hi);
+  const regulus::Check half = checker.check(piece);
+  ASSERT_EQ(half.verdict, Verdict::kSingularity);
+  const std::size_t variables = kernel.ranges().size();
+  for (std::size_t p = 0; p < half.places.size() / variables; ++p)
+    for (std::size_t k = 0; k < piece.size(); ++k)
+      EXPECT_TRUE(regulus::certain_subset(half.places[p * variables + k], piece[k]));
+}
+
 }  // namespace
