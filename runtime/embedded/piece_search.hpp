@@ -56,7 +56,7 @@ class PieceSearch {
   std::vector<Interval> half_, piece_, places_;
   Check check_;  ///< the current one
   unsigned boxes_ = 0;
-  bool stopped_ = false;    ///< check_ is the answer
+  bool stopped_ = false;  ///< check_ is the answer
   bool looked_inside_ = false;
   bool certified_ = false;  ///< some box that the constraints do not exclude passed a test
 };

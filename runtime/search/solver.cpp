@@ -16,23 +16,13 @@
 #include "runtime/search/headway.hpp"
 #include "runtime/search/round.hpp"
 #include "runtime/search/run_search.hpp"
+#include "runtime/search/witness_schedule.hpp"
 #include "runtime/witness/witness_search.hpp"
 
 namespace regulus {
 namespace {
 
 using Clock = std::chrono::steady_clock;
-
-/// The number of boxes at which to go downhill for the first time, if there are more than a few
-/// variables: the cost grows with their number.
-constexpr std::uint64_t kFirstDescent = 4;
-constexpr unsigned kFewVariables = 4;
-
-/// The number of witness searches that start from boxes that could not be decided.
-constexpr std::uint64_t kMaxDescentsFromBlocked = 16;
-
-/// The first of them starts from so many places of the uncertain quantities.
-constexpr std::size_t kStartsFromBlocked = 9;
 
 /// A round has one more batch for each so many boxes that were evaluated before. So a search that
 /// ends early does little extra work, and a long one keeps its threads busy.
@@ -51,6 +41,7 @@ class Search {
         structure_(find_row_structure(problem, settings)),
         round_(problem, settings, structure_, deadline()),
         witness_(problem, settings, !settings.exhaustive),
+        schedule_(problem, witness_),
         frontier_(problem.kernel->variables),
         loop_(*this, frontier_, round_.bisector(), problem.kernel->variables),
         top_when_stopped_(problem.kernel->variables) {}
@@ -82,9 +73,6 @@ class Search {
   void load_round() noexcept;
   void load(Decisions& batch) noexcept;
   void leave(const Decisions& batch, std::size_t lane) noexcept;
-  void look_for_witness(Decisions& batch) noexcept;
-  void look_at_all_corners() noexcept;
-  void look_at_exact_ends(std::span<const Interval> box) noexcept;
   void block(Decisions& batch, std::size_t lane) noexcept;
   void pause() noexcept;
   void count_up() noexcept;
@@ -103,6 +91,7 @@ class Search {
   const RowStructure structure_;
   Round round_;
   WitnessSearch witness_;
+  WitnessSchedule schedule_;
   Frontier frontier_;
   BranchAndPrune<Search> loop_;
   SearchState state_;
@@ -112,7 +101,7 @@ class Search {
   std::optional<Reason> stopped_by_;
   std::uint64_t probes_in_boxes_ = 0;
   double seconds_before_ = 0;
-  bool closed_form_made_ = false, exact_corners_seen_ = false;
+  bool closed_form_made_ = false;
   Headway headway_;
 };
 
@@ -285,7 +274,7 @@ bool Search::conclude(Decisions& batch) noexcept {
   }
   if (settings_.exhaustive) return true;
   witness_.look_at_midpoints(batch);
-  look_for_witness(batch);
+  if (looking_for_witness()) schedule_.look_after(batch, state_);
   stopped_ = stopped_ || witness_.found();
   return !witness_.found();
 }
@@ -295,45 +284,6 @@ void Search::leave(const Decisions& batch, std::size_t lane) noexcept {
   ++state_.statistics.leaves[static_cast<std::size_t>(rule)];
   headway_.close(batch.open(lane).depth, rule);
   observer_.on_leaf(batch.open(lane), rule, batch.proof(lane));
-}
-
-/// Without constraints: looks at some corners after the first box, which costs no more than a box
-/// does. Looks at all corners of the variety, then downhill, if the number of boxes reaches four or
-/// four times the number of the last time, so that the effort stays in proportion. With constraints:
-/// downhill from boxes inside them, since a segment can be certified only there.
-void Search::look_for_witness(Decisions& batch) noexcept {
-  LaneMask undecided = batch.uncertified;
-  if (undecided == 0 || !looking_for_witness()) return;
-  if (state_.statistics.boxes < state_.next_descent) return;
-  if (problem_.kernel->constraints > 0) {
-    undecided &= batch.inside;
-    if (undecided == 0) return;
-    state_.next_descent = state_.statistics.boxes + 1 + state_.statistics.boxes / 8;
-  } else {
-    if (state_.statistics.boxes < kFirstDescent && problem_.kernel->variables > kFewVariables) {
-      state_.next_descent = kFirstDescent;
-      return witness_.look_at_some_corners();
-    }
-    look_at_all_corners();
-  }
-  std::size_t lane = 0;
-  while (!has_lane(undecided, lane)) ++lane;
-  witness_.descend(batch.open(lane).box);
-  look_at_exact_ends(batch.open(lane).box);
-}
-
-/// Looks at them once, and sets the next time to go downhill.
-void Search::look_at_all_corners() noexcept {
-  if (state_.next_descent <= kFirstDescent) witness_.look_at_corners();
-  state_.next_descent = 4 * std::max(state_.statistics.boxes, kFirstDescent);
-}
-
-/// Looks for a determinant that is 0 at an end that is not a double. Bounds in doubles cannot show
-/// this.
-void Search::look_at_exact_ends(std::span<const Interval> box) noexcept {
-  if (!exact_corners_seen_) witness_.look_at_exact_corners();
-  exact_corners_seen_ = true;
-  witness_.look_at_ends(box);
 }
 
 bool Search::splits(const OpenBox& box) noexcept {
@@ -371,11 +321,8 @@ void Search::block(Decisions& batch, std::size_t lane) noexcept {
     std::copy(box.begin(), box.end(), state_.blocking_box.begin());
   }
   const std::uint64_t blocked = state_.statistics.leaves[static_cast<std::size_t>(Rule::kBlocked)];
-  if (!looking_for_witness() || blocked > kMaxDescentsFromBlocked) return;
-  if (problem_.kernel->constraints == 0 && state_.next_descent <= kFirstDescent)
-    look_at_all_corners();
-  witness_.descend(box, blocked == 1 ? kStartsFromBlocked : 1);
-  look_at_exact_ends(box);
+  if (!looking_for_witness()) return;
+  schedule_.look_in(box, blocked, state_);
   stopped_ = stopped_ || witness_.found();
 }
 

@@ -14,8 +14,8 @@ namespace {
 constexpr std::size_t kMaxPieces = 4096;
 constexpr std::size_t kMaxHalvings = 30;
 
-/// Steps of refinement: of three, at least one halves the segment.
-constexpr int kMaxCloseIn = 180;
+/// Steps of refinement: after 60 halvings a segment is at the resolution of doubles.
+constexpr int kMaxCloseIn = 60;
 
 /// The first step away from a point whose sign is not known, as a part of the way to the next point
 /// with a known sign, and the growth of the steps.
@@ -68,35 +68,21 @@ bool WitnessSearch::find_between(const Candidate& a, const Candidate& b, double 
   return middle_ != a.point && middle_ != b.point;
 }
 
-/// Shortens the segment while the sign between its ends is known, and then from both sides towards a
-/// point with an unknown sign. Each shorter pair is a separate proof: its signs are certified, and
-/// so is its segment.
-///
-/// Source    M. Dowell, P. Jarratt, A modified regula falsi method for computing the root of an
-///           equation, BIT 11, 1971: of an end that stays twice, half the value is used. Every
-///           third step takes the middle.
+/// Shortens the segment while the sign of its middle is known, and then from both sides towards a
+/// middle with an unknown sign. Each shorter pair is a separate proof: its signs are certified, and
+/// so is its segment. Only signs decide, so that all instruction sets come to the same points.
 void WitnessSearch::close_in() noexcept {
   // Points of the same length: no memory is needed.
   far_positive_ = positive_;
   far_negative_ = negative_;
   nearest_.determinant = kEntire;
-  double above = mid(positive_.determinant), below = -mid(negative_.determinant);
-  int last_sign = 0;
-  for (int step = 0; step < kMaxCloseIn; ++step) {
-    const double part = above / (above + below);
-    const bool usable = step % 3 != 2 && 0.0 < part && part < 1.0;
-    if (!find_between(positive_, negative_, usable ? part : 0.5) &&
-        !find_between(positive_, negative_, 0.5))
-      break;
+  for (int step = 0; step < kMaxCloseIn && find_between(positive_, negative_, 0.5); ++step) {
     const std::optional<Interval> determinant = certify_point(middle_, false);
     if (!determinant) break;
     const int sign = certain_sign(*determinant);
     Candidate& side = sign > 0 ? positive_ : sign < 0 ? negative_ : nearest_;
     side.point = middle_;
     side.determinant = *determinant;
-    if (sign > 0) above = mid(*determinant), below *= last_sign > 0 ? 0.5 : 1.0;
-    if (sign < 0) below = -mid(*determinant), above *= last_sign < 0 ? 0.5 : 1.0;
-    last_sign = sign;
     if (sign != 0) continue;
     approach_nearest(positive_);
     approach_nearest(negative_);

@@ -1,0 +1,64 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "runtime/search/witness_schedule.hpp"
+
+#include <algorithm>
+
+namespace regulus {
+namespace {
+
+/// The number of witness searches that start from boxes that could not be decided. The first of
+/// them starts from so many places of the uncertain quantities.
+constexpr std::uint64_t kMaxDescentsFromBlocked = 16;
+constexpr std::size_t kStartsFromBlocked = 9;
+
+/// The number of boxes at which to go downhill for the first time, if there are more than a few
+/// variables: the cost grows with their number.
+constexpr std::uint64_t kFirstDescent = 4;
+constexpr unsigned kFewVariables = 4;
+
+}  // namespace
+
+void WitnessSchedule::look_after(const Decisions& batch, SearchState& state) noexcept {
+  LaneMask undecided = batch.uncertified;
+  const std::uint64_t boxes = state.statistics.boxes;
+  if (undecided == 0 || boxes < state.next_descent) return;
+  if (problem_.kernel->constraints > 0) {
+    undecided &= batch.inside;
+    if (undecided == 0) return;
+    state.next_descent = boxes + 1 + boxes / 8;
+  } else if (boxes < kFirstDescent && problem_.kernel->variables > kFewVariables) {
+    state.next_descent = kFirstDescent;
+    return witness_.look_at_some_corners();
+  } else {
+    look_at_all_corners(state);
+  }
+  std::size_t lane = 0;
+  while (!has_lane(undecided, lane)) ++lane;
+  witness_.descend(batch.open(lane).box);
+  look_at_exact_ends(batch.open(lane).box);
+}
+
+void WitnessSchedule::look_in(std::span<const Interval> box, std::uint64_t blocked,
+                              SearchState& state) noexcept {
+  if (blocked > kMaxDescentsFromBlocked) return;
+  if (problem_.kernel->constraints == 0 && state.next_descent <= kFirstDescent)
+    look_at_all_corners(state);
+  witness_.descend(box, blocked == 1 ? kStartsFromBlocked : 1);
+  look_at_exact_ends(box);
+}
+
+/// Looks at them once, and sets the next time to go downhill.
+void WitnessSchedule::look_at_all_corners(SearchState& state) noexcept {
+  if (state.next_descent <= kFirstDescent) witness_.look_at_corners();
+  state.next_descent = std::max(4 * state.statistics.boxes, kFirstDescent + 1);
+}
+
+/// Looks for a determinant that is 0 at an end that is not a double. Bounds in doubles cannot show
+/// this.
+void WitnessSchedule::look_at_exact_ends(std::span<const Interval> box) noexcept {
+  if (!exact_corners_seen_) witness_.look_at_exact_corners();
+  exact_corners_seen_ = true;
+  witness_.look_at_ends(box);
+}
+
+}  // namespace regulus
