@@ -2,6 +2,7 @@
 #include "runtime/embedded/checker.hpp"
 
 #include <gtest/gtest.h>
+#include <malloc.h>
 
 #include <cfenv>
 #include <cmath>
@@ -39,6 +40,17 @@ TEST_F(Embedded, ACheckDecidesAsTheSearchDoes) {
     problem.inner.assign(problem.outer.begin(), problem.outer.end());
     EXPECT_EQ(check.verdict, solve(problem, {}).verdict) << piece[0].lo << ' ' << piece[0].hi;
   }
+}
+
+/// Room for every box of the limit would be 50 MB here, and more for more variables.
+TEST_F(Embedded, ReservesRoomForBoxesThatMayWaitTogether) {
+  const auto allocated = [] {
+    const struct mallinfo2 info = ::mallinfo2();
+    return info.uordblks + info.hblkhd;
+  };
+  const std::size_t before = allocated();
+  const Checker checker(point_, ranges_, Checker::kMaxBoxes);
+  EXPECT_LT(allocated(), before + (std::size_t{1} << 20));
 }
 
 TEST_F(Embedded, ASingularityIsProvedByPointsOfThePiece) {
