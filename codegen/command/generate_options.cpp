@@ -25,6 +25,15 @@ GenerateOptions generate_options(const GenerateCommand& command, const Request& 
   return options;
 }
 
+std::string compiled(const GeneratedFile& source, const std::vector<NamedText>& headers, Isa isa) {
+  try {
+    return compile_object_file({source.name, source.text}, headers, isa);
+  } catch (const NoCompiler& error) {
+    throw UsageError(std::string("--object: no compiler is available (") + error.what() +
+                     "); leave the option out, and compile the C++ text");
+  }
+}
+
 /// Adds NAME_<isa>.o for each NAME_<isa>.cpp.
 void add_objects(std::vector<GeneratedFile>& files, const GenerateOptions& options) {
   const auto kernel = std::ranges::find(files, options.name + "_kernel.inc", &GeneratedFile::name);
@@ -35,12 +44,12 @@ void add_objects(std::vector<GeneratedFile>& files, const GenerateOptions& optio
     const auto source = std::ranges::find(files, name + ".cpp", &GeneratedFile::name);
     if (source == files.end()) continue;
     objects.emplace_back(name + ".o", std::async(std::launch::async, [source, &headers, isa] {
-                           return compile_object_file({source->name, source->text}, headers, isa);
+                           return compiled(*source, headers, isa);
                          }));
   }
-  std::vector<GeneratedFile> compiled;
-  for (auto& [name, object] : objects) compiled.push_back({name, object.get()});
-  std::ranges::move(compiled, std::back_inserter(files));
+  std::vector<GeneratedFile> added;
+  for (auto& [name, object] : objects) added.push_back({name, object.get()});
+  std::ranges::move(added, std::back_inserter(files));
 }
 
 nlohmann::ordered_json json_list(const std::string& name, const std::filesystem::path& folder,

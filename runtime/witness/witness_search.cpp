@@ -234,9 +234,10 @@ Interval WitnessSearch::enclose_at(std::size_t lane, bool scaled) noexcept {
 /// the variety or J⁻¹ not certainly defined there.
 std::optional<Interval> WitnessSearch::certify_point(const std::vector<double>& point,
                                                      bool scaled) noexcept {
-  if (!balls_.certain_inside(point)) return std::nullopt;
   points_.clear();
   load_point(0, point.data());
+  // The claim is about the point itself, not about one that was moved.
+  if (moved_ != point || !balls_.certain_inside(point)) return std::nullopt;
   evaluate_points(1);
   LaneMask defined = points_.certain_inside() & points_.certain_posed() & 1U;
   static_cast<void>(points_.product({}, defined));

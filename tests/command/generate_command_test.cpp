@@ -107,6 +107,18 @@ TEST(GenerateCommand, CompilesTheKernelForEachInstructionSet) {
   EXPECT_FALSE(fs::exists(folder.path() / "arm_avx512.o"));
 }
 
+/// A command that was copied elsewhere has no plugin beside it.
+TEST(GenerateCommand, WritesNothingWithoutACompilerForTheObject) {
+  const TemporaryDirectory folder;
+  const std::string out = (folder.path() / "out").string(), copy = folder.path() / "regulus";
+  fs::copy_file(REGULUS_BINARY_DIR "/bin/regulus", copy);
+  const CommandResult result =
+      run_command({copy, "generate", kPlanar, "regular", "-o", out, "--object"});
+  EXPECT_EQ(result.exit_code, 64);
+  EXPECT_THAT(result.errors, HasSubstr("leave the option out"));
+  EXPECT_FALSE(fs::exists(out));
+}
+
 TEST(GenerateCommand, HasAnExitCodeForEachKindOfTrouble) {
   const TemporaryDirectory folder;
   const std::string out = (folder.path() / "out").string();
