@@ -18,8 +18,10 @@ TEST(RandomModels, OfAllMethodsAreNeverJudgedWrongly) {
   judge.tally.expect_each_verdict(8);
   judge.tally.expect_leaves(
       {Rule::kOutside, Rule::kHMatrix, Rule::kMeanValue, Rule::kSecondOrder, Rule::kDeterminant,
-       Rule::kElimination, Rule::kRohn, Rule::kClosedForm, Rule::kMultiprecision},
+       Rule::kElimination, Rule::kRohn, Rule::kClosedForm},
       8);
+  // Few boxes need it, since a box that is not split any more gets every other test before.
+  judge.tally.expect_leaves({Rule::kMultiprecision}, 1);
   judge.tally.expect_teeth(150);
 }
 
