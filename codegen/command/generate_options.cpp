@@ -39,7 +39,7 @@ void add_objects(std::vector<GeneratedFile>& files, const GenerateOptions& optio
   const auto kernel = std::ranges::find(files, options.name + "_kernel.inc", &GeneratedFile::name);
   const std::vector<NamedText> headers = {{kernel->name, kernel->text}};
   std::vector<std::pair<std::string, std::future<std::string>>> objects;
-  for (const Isa isa : {Isa::kAvx512, Isa::kAvx2, Isa::kPortable}) {
+  for (const Isa isa : kAllIsas) {
     const std::string name = options.name + "_" + std::string(regulus::name(isa));
     const auto source = std::ranges::find(files, name + ".cpp", &GeneratedFile::name);
     if (source == files.end()) continue;

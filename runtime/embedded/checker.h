@@ -60,7 +60,8 @@ typedef struct regulus_checker regulus_checker;
  *           pieces to be checked lie in the ranges of the motion parameters. Uncertain quantities
  *           have all of their range in every check.
  * Requires  `kernel`, and all that it points to, stay unchanged for the life of the checker.
- *           alpha >= 0. 1 <= max_boxes <= 2^20: the most boxes of one check; memory grows with it.
+ *           alpha >= 0. 1 <= max_boxes <= 2^20: the most boxes of one check; memory grows with it
+ *           up to some thousand boxes.
  * Errors    returns null; if `fault` is not null, writes the reason there, cut to `fault_size`
  *           bytes. */
 regulus_checker* regulus_checker_new(const regulus_kernel* kernel, const double* lower,

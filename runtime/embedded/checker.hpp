@@ -31,7 +31,8 @@ class Checker {
   /// `ranges`: of all variables of the kernel; the pieces lie in those of the motion parameters.
   ///
   /// Requires  1 ≤ max_boxes ≤ kMaxBoxes; the kernel and all it points to outlive this object.
-  /// Errors    std::invalid_argument; std::bad_alloc: max_boxes + 1 boxes must fit in memory.
+  /// Errors    std::invalid_argument; std::bad_alloc: the boxes that may wait together must fit
+  ///           in memory, at most max_boxes + 9 and some thousand of them.
   Checker(const regulus_kernel& kernel, std::span<const Interval> ranges, unsigned max_boxes,
           double alpha = 0.0);
   Checker(Checker&&) noexcept;

@@ -45,11 +45,12 @@ bool within(Interval part, Interval whole) noexcept {
   return whole.lo <= part.lo && part.lo <= part.hi && part.hi <= whole.hi;
 }
 
-/// The first kLanes boxes, and kLanes boxes at once on the way to the minimum width (Frontier). Each
-/// evaluated box adds at most one.
+/// Returns how many boxes may wait together. Each evaluated box adds at most one to the kLanes boxes
+/// at the start. On the way to the minimum width, kLanes boxes are taken at once; they leave at most
+/// their halves waiting at each level of splitting.
 std::size_t most_open_boxes(std::size_t parameters, const Settings& settings, unsigned max_boxes) {
   const double halvings = 1.0 - std::log2(settings.min_relative_width);
-  const std::size_t on_the_way = kLanes * (parameters * std::size_t(std::ceil(halvings)) + 1);
+  const std::size_t on_the_way = 2 * kLanes * (parameters * std::size_t(std::ceil(halvings)) + 1);
   return kLanes + std::min<std::size_t>(on_the_way, std::size_t{max_boxes} + 1);
 }
 
@@ -183,8 +184,8 @@ void PieceSearch::settle(Decisions& batch, std::size_t lane) noexcept {
     certified_ = true;
 }
 
-/// In fact there is always room: each evaluated box adds at most one to the eight boxes at the
-/// start. Without room a box would be lost, and then nothing may be claimed.
+/// In fact there is always room: see most_open_boxes. Without room a box would be lost, and then
+/// nothing may be claimed.
 void PieceSearch::lose(const OpenBox& first, const OpenBox&) noexcept {
   stop_at(Reason::kBoxBudget, first.box);
 }
