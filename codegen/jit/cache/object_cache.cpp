@@ -28,6 +28,13 @@ constexpr std::string_view kTemporarySuffix = ".temporary";
 constexpr std::time_t kTemporaryLifetime = 3600;
 constexpr off_t kMaximumEntrySize = off_t{1} << 28;
 
+/// To look at all entries takes long if they are many, so it is done only after this part of the
+/// limit has been written. The rest of the limit stays free for what is written until then.
+constexpr std::uint64_t kSweepsPerLimit = 16;
+/// The file that grows by one byte for each this part of the limit that is written.
+constexpr std::uint64_t kMarksPerSweep = 2048;
+constexpr const char* kMarksName = "written-since-sweep";
+
 std::string entry_name(std::string_view key) { return std::string(key).append(kEntrySuffix); }
 
 /// Returns the reason not to trust the open file; empty if it is trusted.
@@ -92,6 +99,23 @@ void remove_abandoned(int directory) {
     if (file.used < now - kTemporaryLifetime) ::unlinkat(directory, file.name.c_str(), 0);
 }
 
+/// Adds the bytes of new entries to those written since the last sweep. Returns true if a sweep is
+/// due, and then counts from zero again. Processes may append at the same time.
+bool is_sweep_due(int directory, std::uint64_t bytes, std::uint64_t limit) {
+  const int flags = O_WRONLY | O_APPEND | O_CREAT | O_NOFOLLOW | O_NONBLOCK | O_CLOEXEC;
+  const FileDescriptor marks(::openat(directory, kMarksName, flags, 0600));
+  struct stat status {};
+  if (!marks || ::fstat(marks.get(), &status) != 0 || !S_ISREG(status.st_mode)) return true;
+  const std::uint64_t part = std::max<std::uint64_t>(limit / (kSweepsPerLimit * kMarksPerSweep), 1);
+  const std::string more(std::min(bytes / part + 1, kMarksPerSweep), '.');
+  const bool is_new = status.st_size == 0;
+  if (!is_new && static_cast<std::uint64_t>(status.st_size) + more.size() < kMarksPerSweep)
+    return ::write(marks.get(), more.data(), more.size()) != static_cast<ssize_t>(more.size());
+  const bool begins_again = ::ftruncate(marks.get(), 1) == 0;
+  static_cast<void>(begins_again);  // if not, the next write sweeps, too
+  return true;
+}
+
 void evict_down_to(int directory, std::uint64_t limit, const std::set<std::string>& kept) {
   auto files = list_files(directory, kEntrySuffix);
   std::uint64_t total = 0;
@@ -136,15 +160,18 @@ std::string ObjectCache::write(std::string_view key, std::string_view object) co
 std::string ObjectCache::write(const std::vector<NamedObject>& objects) const {
   if (!directory_.descriptor) return refusal();
   std::set<std::string> written;
+  std::uint64_t bytes = 0;
   std::string reason;
   for (const NamedObject& object : objects) {
     reason = write_entry(object);
     if (!reason.empty()) break;  // the next one would probably fail, too
     written.insert(entry_name(object.key));
+    bytes += sizeof(CacheEntryHeader) + object.object.size();
   }
-  if (written.empty()) return reason;
-  remove_abandoned(directory_.descriptor.get());
-  evict_down_to(directory_.descriptor.get(), limit_, written);
+  const int directory = directory_.descriptor.get();
+  if (written.empty() || !is_sweep_due(directory, bytes, limit_)) return reason;
+  remove_abandoned(directory);
+  evict_down_to(directory, limit_ - limit_ / kSweepsPerLimit, written);
   return reason;
 }
 

@@ -24,7 +24,8 @@ class ObjectCache {
  public:
   static constexpr std::uint64_t kDefaultLimit = std::uint64_t{256} << 20;
 
-  /// `limit`: bytes that all entries may take; the least recently used ones go first.
+  /// `limit`: bytes that all entries may take; the least recently used ones go first. The entries
+  /// are counted only after a sixteenth of the limit has been written.
   explicit ObjectCache(const std::filesystem::path& directory, std::uint64_t limit = kDefaultLimit);
 
   /// Returns the reason why the directory cannot be used; empty if it can. If it cannot, reading
@@ -46,7 +47,7 @@ class ObjectCache {
   struct NamedObject {
     std::string_view key, object;
   };
-  /// The same for several entries; checks the size limit once.
+  /// The same for several entries.
   std::string write(const std::vector<NamedObject>& objects) const;
 
  private:

@@ -8,6 +8,7 @@
 #include "codegen/jit/clang_compiler.hpp"
 #include "codegen/jit/jit.hpp"
 #include "codegen/jit/kernel_compilation.hpp"
+#include "tests/support/cache_entries.hpp"
 #include "tests/support/temporary_directory.hpp"
 
 namespace regulus {
@@ -104,9 +105,7 @@ class BadCacheTest : public testing::Test {
   std::filesystem::path path_ = directory_.path() / "cache";
   CompileOptions options_{Isa::kPortable, true, path_};
 
-  [[nodiscard]] std::filesystem::path entry() const {
-    return std::filesystem::directory_iterator(path_)->path();
-  }
+  [[nodiscard]] std::filesystem::path entry() const { return test::cache_entries(path_).at(0); }
 
   /// Expects that the text is compiled again for that reason, and the entry is sound afterwards.
   void expect_recompiled(const char* reason) const {

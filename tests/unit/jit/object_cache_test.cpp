@@ -12,6 +12,7 @@
 #include <fstream>
 #include <vector>
 
+#include "tests/support/cache_entries.hpp"
 #include "tests/support/temporary_directory.hpp"
 
 namespace regulus {
@@ -28,9 +29,7 @@ class ObjectCacheTest : public testing::Test {
   [[nodiscard]] std::filesystem::path entry(const std::string& key) const {
     return path_ / (key + ".object");
   }
-  [[nodiscard]] std::size_t files() const {
-    return static_cast<std::size_t>(std::distance(std::filesystem::directory_iterator(path_), {}));
-  }
+  [[nodiscard]] std::size_t entries() const { return test::cache_entries(path_).size(); }
 };
 
 TEST_F(ObjectCacheTest, GivesBackWhatWasWritten) {
@@ -49,7 +48,7 @@ TEST_F(ObjectCacheTest, ReplacesAnEntry) {
   EXPECT_EQ(cache.write(kKey, "first"), "");
   EXPECT_EQ(cache.write(kKey, "second"), "");
   EXPECT_EQ(cache.read(kKey).object, "second");
-  EXPECT_EQ(files(), 1u);
+  EXPECT_EQ(entries(), 1U);
 }
 
 TEST_F(ObjectCacheTest, CreatesPrivateDirectoriesAndFiles) {
@@ -79,6 +78,32 @@ TEST_F(ObjectCacheTest, EvictsWhatWasUsedLeastRecently) {
   EXPECT_FALSE(cache.read(keys[1]).object);
   EXPECT_TRUE(cache.read(keys[2]).object);
   EXPECT_TRUE(cache.read(kKey).object);
+}
+
+std::string key_of(int i) { return std::string(60, '0') + std::to_string(1000 + i); }
+
+TEST_F(ObjectCacheTest, StaysWithinItsLimitAlthoughItSeldomLooksAtAllEntries) {
+  const ObjectCache cache(path_, 200'000);
+  const std::string object(1000, 'x');
+  for (int i = 0; i < 1000; ++i) {
+    ASSERT_EQ(cache.write(key_of(i), object), "");
+    std::uintmax_t bytes = 0;
+    if (i % 50 == 49)
+      for (const auto& file : std::filesystem::directory_iterator(path_)) bytes += file.file_size();
+    ASSERT_LE(bytes, 200'000u + 256u);
+  }
+  EXPECT_GE(entries(), 200'000U * 7 / 8 / 1200);
+}
+
+TEST_F(ObjectCacheTest, LooksAtAllEntriesOnlyAfterMuchWasWritten) {
+  const ObjectCache cache(path_);
+  EXPECT_EQ(cache.write(kKey, "object"), "");
+  const auto abandoned = path_ / "1-0.temporary";
+  std::ofstream(abandoned) << "x";
+  const timespec old[2] = {{1000, 0}, {1000, 0}};
+  ASSERT_EQ(::utimensat(AT_FDCWD, abandoned.c_str(), old, 0), 0);
+  EXPECT_EQ(cache.write(kOtherKey, "object"), "");
+  EXPECT_TRUE(std::filesystem::exists(abandoned));
 }
 
 TEST_F(ObjectCacheTest, RemovesWhatInterruptedWritersLeft) {
@@ -124,7 +149,7 @@ TEST_F(ObjectCacheTest, ServesProcessesThatWriteTheSameEntriesAtOnce) {
     ASSERT_EQ(::waitpid(child, &status, 0), child);
     EXPECT_TRUE(WIFEXITED(status) && WEXITSTATUS(status) == 0);
   }
-  EXPECT_EQ(files(), 3u);
+  EXPECT_EQ(entries(), 3U);
 }
 
 /// Sets an environment variable for one test.

@@ -14,6 +14,7 @@
 #include "codegen/pack/select.hpp"
 #include "runtime/kernel/buffers.hpp"
 #include "runtime/kernel/call.hpp"
+#include "tests/support/cache_entries.hpp"
 #include "tests/support/process_maps.hpp"
 #include "tests/support/sample_modules.hpp"
 #include "tests/support/temporary_directory.hpp"
@@ -28,8 +29,7 @@ machine::PackKernel program(int length = 200) { return select(test::long_module(
 class ProgramTest : public testing::Test {
  protected:
   [[nodiscard]] std::vector<std::filesystem::path> entries() const {
-    const std::filesystem::directory_iterator files(path_);
-    return {begin(files), end(files)};
+    return test::cache_entries(path_);
   }
 
   test::TemporaryDirectory directory_;
