@@ -221,13 +221,27 @@ std::optional<ProblemCache> place_in_cache(std::string_view text, const ModelOpt
   return std::optional<ProblemCache>(std::in_place, text, model, functions, isa);
 }
 
+/// Finds the question in the cache, or the forms that it shares with another one.
+std::optional<ProblemCache::Found> find_in(ProblemCache& cache, PreparedSearch& p,
+                                           const SearchOptions& search) {
+  const bool may_interpret = search.engine == Engine::kAuto && search.boxes_before_compiling != 0;
+  Stopwatch watch;
+  std::optional<ProblemCache::Found> found = cache.find(may_interpret);
+  p.seconds.compile += watch.lap();
+  if (found) return found;
+  const Formulation& natural = p.stages->natural_formulation();
+  static_cast<void>(watch.lap());  // the stages have counted it
+  found = cache.find_shared(p.stages->request(), natural, may_interpret);
+  p.seconds.symbolic += watch.lap();
+  return found;
+}
+
 /// Takes the kernel from the cache: as machine code, or as a program for an engine that may
 /// interpret. Returns false if it is not there.
 bool take_from(ProblemCache& cache, PreparedSearch& p, const SearchOptions& search) try {
-  Stopwatch watch;
-  const bool may_interpret = search.engine == Engine::kAuto && search.boxes_before_compiling != 0;
-  std::optional<ProblemCache::Found> found = cache.find(may_interpret);
+  std::optional<ProblemCache::Found> found = find_in(cache, p, search);
   if (!found) return false;
+  Stopwatch watch;
   load_filters(p, search);
   p.labels = std::move(found->problem.labels);
   p.variety = std::move(found->problem.variety);
@@ -264,11 +278,11 @@ PreparedSearch prepare(const ModelOptions& model, const SearchOptions& search,
   p.seconds.model = watch.lap();
   if (cache && take_from(*cache, p, search)) {
     p.stages->watch({});
-    return p;
+  } else {
+    prepare_anew(p, search, [&](const machine::PackKernel& program) {
+      if (cache) cache->keep({p.labels, p.variety, p.matrix, {}, {}}, program);
+    });
   }
-  prepare_anew(p, search, [&](const machine::PackKernel& program) {
-    if (cache) cache->keep({p.labels, p.variety, p.matrix, {}, {}}, program);
-  });
   if (cache && p.cache_note.empty()) p.cache_note = cache->note();
   return p;
 }

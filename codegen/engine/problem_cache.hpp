@@ -11,8 +11,9 @@
 
 namespace regulus::inline engine {
 
-/// The entry in the cache of one question's warm start and its kernel. The rules of trust are
-/// those of ObjectCache; an entry that is damaged, or from another program, is treated as absent.
+/// The entries in the cache of one question: its warm start, that of the questions with the same
+/// forms, and their kernel. The rules of trust are those of ObjectCache; an entry that is damaged,
+/// or from another program, is treated as absent.
 class ProblemCache {
  public:
   ProblemCache(std::string_view model_text, const ModelOptions& model,
@@ -25,6 +26,10 @@ class ProblemCache {
   };
   /// Returns nullopt also if a part of the kernel is missing, unless its program suffices.
   [[nodiscard]] std::optional<Found> find(bool may_interpret);
+  /// Finds what another question with the same forms has left. Labels and variety are those of the
+  /// request. `natural` is its formulation without the functions of a kernel.
+  [[nodiscard]] std::optional<Found> find_shared(const Request& request, const Formulation& natural,
+                                                 bool may_interpret);
   /// Returns the reason why an existing entry was not used; otherwise empty.
   [[nodiscard]] const std::string& note() const noexcept { return note_; }
 
@@ -32,9 +37,14 @@ class ProblemCache {
   void keep(WarmStart problem, const machine::PackKernel& program) const;
 
  private:
+  [[nodiscard]] std::optional<Found> find(const std::string& key, std::string_view prefix,
+                                          bool may_interpret);
+
   ObjectCache cache_;
+  FormulationOptions functions_;
   Isa isa_;
-  std::string key_;
+  std::string question_;
+  std::string forms_;  ///< empty before find_shared()
   std::string note_;
 };
 

@@ -8,7 +8,7 @@
 #include <nlohmann/json.hpp>
 #include <stdexcept>
 
-#include "codegen/jit/cache/key_parts.hpp"
+#include "codegen/engine/options_key.hpp"
 
 namespace regulus::inline engine {
 namespace {
@@ -18,39 +18,9 @@ using Json = nlohmann::json;
 /// Increase it if the meaning of the text of a warm start changes.
 constexpr int kFormat = 4;
 
-// In these three functions the structured binding names all members: a new member does not compile
-// until it is in the key.
-
-void add(KeyParts& parts, const RewriteOptions& options) {
-  const auto& [rewrite, horner, trigonometric, most_terms, nesting, weights] = options;
-  const auto& [order, factor, complete_squares] = nesting;
-  for (const bool flag : {rewrite, horner, trigonometric, factor, complete_squares})
-    parts.add(flag);
-  parts.add(static_cast<int>(order));
-  parts.add(std::to_string(most_terms));
-  parts.begin_list(weights.size());
-  for (const auto& [name, weight] : weights) {
-    parts.add(name);
-    parts.add(std::to_string(weight));
-  }
-}
-
-void add(KeyParts& parts, const FormulationOptions& options) {
-  const auto& [matrix, matrix_derivatives, left_product, derivatives, right_product, determinant,
-               determinant_budget, expansion, rows, columns, scaling, threshold, counts, rewriting,
-               forming_budget] = options;
-  for (const bool flag : {matrix, matrix_derivatives, left_product, derivatives, right_product,
-                          determinant, rows, scaling, threshold, counts})
-    parts.add(flag);
-  parts.add(std::to_string(determinant_budget));
-  parts.add(std::to_string(forming_budget));
-  parts.add(static_cast<int>(expansion));
-  parts.add(static_cast<int>(columns));
-  add(parts, rewriting);
-}
-
 /// The path of the file does not matter: its text is in the key.
 void add(KeyParts& parts, const ModelOptions& options) {
+  // All members are named: a new one does not compile until it is in the key.
   const auto& [path, motion, ranges, tolerances, alpha, text] = options;
   static_cast<void>(path);
   static_cast<void>(text);

@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "codegen/columns/column_choice.hpp"
+#include "codegen/formulation/typical_ranges.hpp"
 #include "codegen/symbolic/determinant.hpp"
 
 namespace regulus::inline formulation {
@@ -48,6 +49,7 @@ Formulator::Formulator(const Model& model, const Motion& motion, const Formulati
           point_names(static_cast<int>(model.matrix.cols()), static_cast<int>(model.matrix.rows())),
           weighted(options.rewriting, substitution_.variables()), &meter) {
   set_shape(model, motion, substitution_, result_);
+  typical_ = with_typical_ranges(result_.variables);
 }
 
 Formulation Formulator::run() {
@@ -79,7 +81,7 @@ void Formulator::form_natural_matrix() {
     }
   if (!options_.scaling) return;
   result_.scaling =
-      find_scaling(result_.natural_matrix, result_.columns, result_.variables,
+      find_scaling(result_.natural_matrix, result_.columns, typical_,
                    result_.rows == result_.columns && may_have_threshold(), &uncounted_);
 }
 
@@ -107,7 +109,7 @@ void Formulator::form_matrix() {
 
 void Formulator::change_columns() {
   const bool second_order = options_.columns == ColumnSearch::kSecondOrder;
-  BoundsSetting setting{result_.variables, {}, second_order};
+  BoundsSetting setting{typical_, {}, second_order};
   setting.row_of_variable = second_order
                                 ? rows_of_variables()
                                 : std::vector<int>(result_.variables.size(), Expansion::kNoRow);

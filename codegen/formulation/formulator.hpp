@@ -105,6 +105,7 @@ class Formulator {
   const bool needs_matrix_;
   WorkMeter uncounted_;  // for what no budget counts
   Substitution substitution_;
+  std::vector<Variable> typical_;  // with the ranges by which choices are made
   Rewriter rewriter_;
   std::map<int, Replacer> row_replacers_;
   MatrixForms forms_;  // of A

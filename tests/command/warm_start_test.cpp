@@ -27,6 +27,7 @@ class WarmCommand : public testing::Test {
     return path;
   }
   json cold(const std::vector<std::string>& words) {
+    command_.forget_shared_forms();
     json report = command_.report(words);
     EXPECT_TRUE(was_prepared_anew(report));
     return report;
@@ -205,6 +206,72 @@ TEST_F(WarmCommand, KeepsNothingUnlessItMay) {
   std::vector<std::string> words = kRegular;
   words.emplace_back("--no-cache");
   EXPECT_TRUE(was_prepared_anew(command_.report(words)));
+}
+
+class SharedForms : public WarmCommand {
+ protected:
+  /// Expects that the question takes the forms of an earlier one, and gets the answer that it gets
+  /// alone.
+  void expect_shared(const std::vector<std::string>& words) {
+    const json alone = CachedCommand().report(words);
+    const json shared = command_.report(words);
+    EXPECT_FALSE(was_prepared_anew(shared));
+    EXPECT_EQ(command_.shared_forms().size(), 1U);
+    EXPECT_EQ(timeless(shared), timeless(alone));
+    expect_warm(words, shared);
+  }
+};
+
+std::vector<std::string> with(std::vector<std::string> words,
+                              const std::vector<std::string>& more) {
+  words.insert(words.end(), more.begin(), more.end());
+  return words;
+}
+
+TEST_F(SharedForms, AreTakenForOtherRangesAndTolerances) {
+  const std::vector<std::string> words = with(kRegular, {"--tolerance", "base,platform=0.01"});
+  (void)cold(words);
+  for (const char* tolerance : {"base=0.0101", "platform=0.0102", "base,platform=0.0099"})
+    expect_shared(with(words, {"--tolerance", tolerance}));
+  expect_shared(with(words, {"--range", "x=-1.99:3.99"}));
+}
+
+TEST_F(SharedForms, AreTakenAfterAnEditThatDoesNotChangeThem) {
+  const std::string matrix = R"toml(["x", "r*y"], ["0", "r"])toml";
+  const std::string model = model_file(text_of_model(matrix, "[0.1, 2]", "[0, 1]"));
+  const json first = cold({"check", model});
+  EXPECT_EQ(first["verdict"], "no-singularity");
+  (void)model_file("# an edit\n" + text_of_model(matrix, "[0.1001, 2]", "[0, 1]"));
+  const json second = command_.report({"check", model});
+  EXPECT_FALSE(was_prepared_anew(second));
+  EXPECT_NE(second["model_sha256"], first["model_sha256"]);
+}
+
+TEST_F(SharedForms, AreNotTakenForAnotherMatrix) {
+  const std::string range = "[0.1, 2]";
+  const std::string before = R"toml(["x", "r*y"], ["0", "r"])toml";
+  const std::string model = model_file(text_of_model(before, range, range));
+  EXPECT_EQ(cold({"check", model})["verdict"], "no-singularity");
+  for (const char* after :
+       {R"toml(["x - 1", "r*y"], ["0", "r"])toml", R"toml(["x", "r*y"], ["0", "r - 4"])toml",
+        R"toml(["x - y", "0"], ["0", "r"])toml"}) {
+    (void)model_file(text_of_model(after, range, range));
+    const json report = command_.report({"check", model});
+    EXPECT_TRUE(was_prepared_anew(report)) << after;
+    EXPECT_EQ(report["verdict"], "singularity") << after;
+  }
+}
+
+TEST_F(SharedForms, AreNotTakenForOtherUncertainQuantitiesOrConstants) {
+  const std::string matrix = R"toml(["x", "r*y"], ["0", "r"])toml";
+  std::string text = text_of_model(matrix, "[0.1, 2]", "[0, 1]");
+  const std::string model = model_file(text);
+  (void)cold({"check", model});
+  EXPECT_TRUE(was_prepared_anew(command_.report({"check", model, "--tolerance", "platform=0"})));
+  text.replace(text.find("value = 4"), 9, "value = 3");
+  (void)model_file(text);
+  EXPECT_TRUE(was_prepared_anew(command_.report({"check", model})));
+  EXPECT_TRUE(was_prepared_anew(command_.report({"check", model, "--alpha", "0.1"})));
 }
 
 TEST_F(WarmCommand, MayRunTwiceAtOnce) {

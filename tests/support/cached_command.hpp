@@ -12,6 +12,7 @@
 #include <vector>
 
 #include "codegen/jit/cache/cache_entry.hpp"
+#include "tests/support/cache_entries.hpp"
 #include "tests/support/command.hpp"
 #include "tests/support/temporary_directory.hpp"
 
@@ -29,8 +30,13 @@ inline void write_file(const std::filesystem::path& path, const std::string& con
 /// During its lifetime, commands keep their data in a directory that was empty at first.
 class CachedCommand {
  public:
-  CachedCommand() { setenv("XDG_CACHE_HOME", directory_.path().c_str(), 1); }
-  ~CachedCommand() { unsetenv("XDG_CACHE_HOME"); }
+  CachedCommand() {
+    if (const char* before = std::getenv(kVariable)) before_ = before;
+    setenv(kVariable, directory_.path().c_str(), 1);
+  }
+  ~CachedCommand() {
+    before_.empty() ? unsetenv(kVariable) : setenv(kVariable, before_.c_str(), 1);
+  }
   CachedCommand(const CachedCommand&) = delete;
   CachedCommand& operator=(const CachedCommand&) = delete;
 
@@ -50,25 +56,36 @@ class CachedCommand {
     return nlohmann::json::parse(run(std::move(arguments)).output);
   }
 
-  /// Return the files that hold a warm start, a pack program, or machine code.
+  /// Return the files that hold a warm start of one question, one of all questions with the same
+  /// forms, a pack program, or machine code.
   [[nodiscard]] std::vector<std::filesystem::path> problems() const { return entries('{'); }
+  [[nodiscard]] std::vector<std::filesystem::path> shared_forms() const { return entries('s'); }
   [[nodiscard]] std::vector<std::filesystem::path> programs() const { return entries('r'); }
   [[nodiscard]] std::vector<std::filesystem::path> objects() const { return entries('0'); }
+
+  /// From now on no question finds the forms of another one.
+  void forget_shared_forms() const {
+    for (const auto& file : shared_forms()) std::filesystem::remove(file);
+  }
 
  private:
   [[nodiscard]] std::vector<std::filesystem::path> entries(char kind) const {
     std::vector<std::filesystem::path> found;
     if (!std::filesystem::exists(directory_.path() / "regulus")) return found;
-    for (const auto& file : std::filesystem::directory_iterator(directory_.path() / "regulus")) {
-      const std::string bytes = file_contents(file.path());
+    for (const auto& file : cache_entries(directory_.path() / "regulus")) {
+      const std::string bytes = file_contents(file);
       const std::size_t begin = sizeof(CacheEntryHeader);
       const char first = bytes.size() > begin ? bytes[begin] : '0';
-      if ((first == '{' || first == 'r' ? first : '0') == kind) found.push_back(file.path());
+      const bool is_text = std::string_view("{sr").find(first) != std::string_view::npos;
+      if ((is_text ? first : '0') == kind) found.push_back(file);
     }
     return found;
   }
 
+  static constexpr const char* kVariable = "XDG_CACHE_HOME";
+
   TemporaryDirectory directory_;
+  std::string before_;
 };
 
 /// Returns a report without the parts that may differ from run to run.
