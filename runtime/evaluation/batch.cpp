@@ -50,9 +50,9 @@ void Batch::clear() noexcept {
   impact_.forget();
 }
 
-LaneMask Batch::certain_by_orthants(LaneMask lanes) noexcept {
+LaneMask Batch::certain_by_orthants(LaneMask lanes, unsigned halvings) noexcept {
   if (lanes == 0) return 0;
-  return expansion_->certain_by_orthants(impact_.approx_right_vector(), lanes);
+  return expansion_->certain_by_orthants(impact_.approx_right_vector(), lanes, halvings);
 }
 
 /// Bounds det A directly, and as det(K·A)/det K: near I, entries depend less on each other.

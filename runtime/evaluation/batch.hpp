@@ -84,7 +84,7 @@ class Batch {
   [[nodiscard]] LaneNumbers moving_determinant_ru() noexcept {
     return expansion_->moving_determinant_ru();
   }
-  [[nodiscard]] LaneMask certain_by_orthants(LaneMask lanes) noexcept;
+  [[nodiscard]] LaneMask certain_by_orthants(LaneMask lanes, unsigned halvings) noexcept;
   [[nodiscard]] ConstIntervalVector natural_determinant() noexcept {
     return closed_form_.natural();
   }

@@ -123,9 +123,10 @@ LaneNumbers ExpansionEvaluator::moving_determinant_ru() noexcept {
   return second_order_.moving_determinant_ru(input());
 }
 
-LaneMask ExpansionEvaluator::certain_by_orthants(ConstPointVector guess, LaneMask lanes) noexcept {
+LaneMask ExpansionEvaluator::certain_by_orthants(ConstPointVector guess, LaneMask lanes,
+                                                 unsigned halvings) noexcept {
   const ConstPointMatrix T = bounds();
-  return second_order_.certain_by_orthants(input(), T, guess, lanes, orthant_hint_);
+  return second_order_.certain_by_orthants(input(), T, guess, lanes, halvings, orthant_hint_);
 }
 
 /// If the bounds over a box are not defined, uses the first derivatives at its middle: they show

@@ -25,7 +25,8 @@ class ExpansionEvaluator {
   /// Returns upper bounds of |det K(t)|/|det K| for the preconditioner that belongs to T.
   [[nodiscard]] LaneNumbers moving_determinant_ru() noexcept;
   /// Calls SecondOrderBounds::certain_by_orthants on T; guess: its right Perron vector.
-  [[nodiscard]] LaneMask certain_by_orthants(ConstPointVector guess, LaneMask lanes) noexcept;
+  [[nodiscard]] LaneMask certain_by_orthants(ConstPointVector guess, LaneMask lanes,
+                                             unsigned halvings) noexcept;
   /// Computes what each variable adds to the spectral radius of T, roughly. In lanes without T: how
   /// far it moves K·A to first order.
   void approx_impact(PerronVectors vectors, PointVector impact) noexcept;

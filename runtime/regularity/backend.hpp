@@ -14,7 +14,7 @@ struct SecondOrderPlan;
 struct SecondOrderInput;
 struct SecondOrderWork;
 struct OrthantProblem;
-struct OrthantCell;
+struct OrthantPart;
 
 /// The largest order for which all vertex matrices are tested.
 inline constexpr std::size_t kMaxVertexOrder = 8;
@@ -64,7 +64,7 @@ struct RegularityBackend {
   /// Finds, for each row, in which of eight orthants its |ρ_l| may be ζ_l.
   void (*possible_rows)(const OrthantProblem& problem, unsigned first, unsigned* lanes) noexcept;
   /// Returns which of eight cells may contain a ρ.
-  unsigned (*remaining_cells)(const OrthantProblem& problem, const OrthantCell* cells) noexcept;
+  unsigned (*remaining_parts)(const OrthantProblem& problem, OrthantPart* parts) noexcept;
 };
 
 /// Requires  supported(isa) before a function of it is called.

@@ -19,10 +19,25 @@
 //
 //     - with its middle m and radius r, |c_kᵀρ| ≤ |c_kᵀm| + |c_k|ᵀr. If the bound of f_l is below
 //       b_l, it is the new b_l; if it is below a_l, the cell is empty.
-//     - that bound, as a function of |ρ_j| = x alone, is convex. If it is below a_l at x = a_j,
-//       it stays below a_l up to where the chord to x = b_j reaches a_l: the new a_j.
+//     - the largest f_l for |ρ_j| = x, as a function of x alone, is convex. If a bound of it is
+//       below a_l at x = a_j, it stays below a_l up to where the chord to x = b_j reaches a_l: the
+//       new a_j.
+//     - what remains can be halved, and its parts be tested.
 //
-// If there are only uncertain quantities (one pose), this comes within about one per cent of the
+// Wide tolerances have effects of second order, products δ_jδ_k in a row. In S they count as if
+// each had its worst sign in each entry of v. They can be forms, too: by Taylor's theorem at fixed
+// t,
+//
+//     ρ_l = Σ_k δ_k ∂_kA_l(t, ū)v + Σ_{j<k} δ_jδ_k H_jkᵀv + ½ Σ_k δ_k² H_kkᵀv,
+//
+// with H_jk in an enclosure of ∂_j∂_kA_l over the box. With H̄_jk in its middle, H_jkᵀv =
+// −H̄_jkᵀ(Ev + K(t)ρ) + (H_jk − H̄_jk)ᵀv, so the terms Δ_jΔ_k|c_jkᵀρ|, c_jk ≈ H̄_jkᵀK₀, replace what
+// S has for them; S keeps Δ_jΔ_k times |H̄_jk|ᵀΣ_p r_p|D_pK₀| in M, and |H̄_jk|ᵀP + |H_jk − H̄_jk|ᵀ
+// in Q. For points in two balls, |Σ_jk δ_jδ_k x_jk| ≤ ρ_1ρ_2‖x‖₂, and within one ball
+// ½|Σ_jk δ_jδ_k x_jk| ≤ ½ρ²‖x‖_F. With G = xᵀx, 3×3 and of mean eigenvalue m = tr G/3, ‖x‖₂² ≤ m +
+// (⅔(‖G‖_F² − 3m²))^½: the eigenvalues have the mean m and the variance ⅓‖G‖_F² − m². Pair forms cost several times as much, so they are used on demand.
+//
+// If there are only uncertain quantities (one pose), this comes within about two per cent of the
 // true limit, and the H-matrix test within ten to twenty.
 #pragma once
 
@@ -32,14 +47,16 @@ namespace regulus {
 
 /// More rows would make too many cells, n·2^(n−1).
 inline constexpr unsigned kMaxOrthantRows = 8;
-inline constexpr unsigned kMaxOrthantForms = 96;
+inline constexpr unsigned kMaxOrthantForms = 256;
 
 /// The problem of one box.
 struct OrthantProblem {
-  /// Terms of f_l: one form with weight Δ_k, or several whose norm has the weight (a ball).
+  /// Terms of f_l: one form with its weight, Δ_k or Δ_jΔ_k, or several whose norm has the weight
+  /// (balls): the Euclidean norm, or the spectral norm of a 3×3 matrix, row-major.
   struct Term {
     unsigned begin, end;  ///< forms
     double weight;
+    bool is_matrix = false;
   };
 
   unsigned rows = 0, terms = 0;
@@ -56,12 +73,19 @@ struct OrthantCell {
   unsigned orthant, fixed;
 };
 
-/// `hint` is a cell that is likely to remain. If a cell remains, it becomes the new hint.
+/// The part of a cell where low_j ≤ |ρ_j| ≤ high_j.
+struct OrthantPart {
+  unsigned orthant;
+  double low[kMaxOrthantRows], high[kMaxOrthantRows];
+};
+
+/// `hint` is a cell that is likely to remain. If a cell remains, it becomes the new hint. At most
+/// `halvings` parts are halved.
 ///
 /// Requires  rows ≤ kMaxOrthantRows; S + γG for the rounding of |c_kᵀm| is in `slack`.
 /// Ensures   true only if every cell is empty.
 /// Rounding  upward.
-[[nodiscard]] bool certain_orthants_empty(const OrthantProblem& problem,
-                                          OrthantCell& hint) noexcept;
+[[nodiscard]] bool certain_orthants_empty(const OrthantProblem& problem, OrthantCell& hint,
+                                          unsigned halvings = 0) noexcept;
 
 }  // namespace regulus

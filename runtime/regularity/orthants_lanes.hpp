@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The cells of orthants.hpp, eight at a time.
+// The cells of orthants.hpp and parts of them, eight at a time.
 //
 // Rounding. c_kᵀm to nearest errs by at most γ|c_k|ᵀb, which is in `slack`; sums of magnitudes are
 // raised. m = ±(a + b)/2 is within an ulp of b; r is increased by that.
@@ -28,16 +28,14 @@ class Cells {
       for (unsigned l = 0; l < kLanes; ++l) sign_[j].lane(l) = sign_in(first + l, j);
     }
   }
-  /// The listed cells of these orthants: |ρ_l| = ζ_l for the fixed row.
-  REGULUS_LANE_INLINE Cells(const OrthantProblem& problem, const OrthantCell* cells) noexcept
+  REGULUS_LANE_INLINE Cells(const OrthantProblem& problem, const OrthantPart* parts) noexcept
       : p_(problem), n_(problem.rows) {
-    for (unsigned j = 0; j < n_; ++j) {
-      high_[j] = Pack::of(p_.scale[j]);
+    for (unsigned j = 0; j < n_; ++j)
       for (unsigned l = 0; l < kLanes; ++l) {
-        low_[j].lane(l) = cells[l].fixed == j ? p_.scale[j] : 0.0;
-        sign_[j].lane(l) = sign_in(cells[l].orthant, j);
+        low_[j].lane(l) = parts[l].low[j];
+        high_[j].lane(l) = parts[l].high[j];
+        sign_[j].lane(l) = sign_in(parts[l].orthant, j);
       }
-    }
   }
 
   /// Finds, for each row, in which of eight orthants its |ρ_l| may be ζ_l.
@@ -46,7 +44,16 @@ class Cells {
     for (unsigned l = 0; l < n_; ++l) lanes[l] = (kAllLanes) & ~less_lanes(bound(l), high_[l]);
   }
 
-  /// Returns the cells that may contain a ρ, one bit each.
+  /// Reduces eight parts to what may contain a ρ.
+  REGULUS_LANE_INLINE void store(OrthantPart* parts) const noexcept {
+    for (unsigned j = 0; j < n_; ++j)
+      for (unsigned l = 0; l < kLanes; ++l) {
+        parts[l].low[j] = low_[j].lane(l);
+        parts[l].high[j] = high_[j].lane(l);
+      }
+  }
+
+  /// Returns the parts that may contain a ρ, one bit each.
   REGULUS_LANE_INLINE unsigned remaining() noexcept {
     unsigned alive = kAllLanes;
     for (unsigned step = 0; step < kMaxSteps; ++step) {
@@ -62,7 +69,8 @@ class Cells {
         gain = larger_gain(gain, high_[l] - f_[l], l, alive);
         high_[l] = smaller_of(high_[l], f_[l]);
       }
-      if (gain < kWorthwhile) break;
+      for (unsigned l = 0; l < n_; ++l) alive &= ~less_lanes(high_[l], low_[l]);
+      if (alive == 0 || gain < kWorthwhile) break;
     }
     return alive;
   }
@@ -111,12 +119,35 @@ class Cells {
       return x;
     };
     if (term.end - term.begin == 1) return magnitude(moved(term.begin)) * Pack::of(term.weight);
+    if (term.is_matrix) {
+      Pack x[9];
+      for (unsigned k = 0; k < 9; ++k) x[k] = moved(term.begin + k);
+      return raised(square_root(largest_eigenvalue(x)), kFewTerms) * Pack::of(term.weight);
+    }
     Pack squares = Pack::of(0.0);
     for (unsigned k = term.begin; k < term.end; ++k) {
       const Pack x = moved(k);
       squares.add_fused(x, x);
     }
     return raised(square_root(raised(squares, kFewTerms)), kFewTerms) * Pack::of(term.weight);
+  }
+
+  /// Bounds the largest eigenvalue of G = xᵀx from above, 3×3. An entry of G errs by a few ulps of
+  /// tr G, so ‖G‖_F² − 3m² errs by far less than 2^-44 (tr G)².
+  REGULUS_LANE_INLINE static Pack largest_eigenvalue(const Pack* x) noexcept {
+    Pack trace = Pack::of(0.0), squares = Pack::of(0.0);
+    for (unsigned a = 0; a < 3; ++a)
+      for (unsigned b = 0; b <= a; ++b) {
+        Pack entry = Pack::of(0.0);
+        for (unsigned row = 0; row < 3; ++row) entry.add_fused(x[3 * row + a], x[3 * row + b]);
+        if (a == b) trace = trace + entry;
+        squares.add_fused(a == b ? entry : entry + entry, entry);
+      }
+    const Pack third = trace * Pack::of(1.0 / 3.0), spread = squares - third * trace;
+    const Pack variance = select_less(Pack::of(0.0), spread, spread, Pack::of(0.0)) +
+                          trace * trace * Pack::of(0x1p-44);
+    const Pack deviation = square_root(raised(variance * Pack::of(2.0 / 3.0), kFewTerms));
+    return raised(third + deviation, kFewTerms);
   }
 
   /// Bounds f_l over the cell from above.
@@ -178,8 +209,11 @@ inline void possible(const OrthantProblem& problem, unsigned first, unsigned* la
   Cells(problem, first).possible(lanes);
 }
 
-inline unsigned remaining(const OrthantProblem& problem, const OrthantCell* cells) noexcept {
-  return Cells(problem, cells).remaining();
+inline unsigned remaining(const OrthantProblem& problem, OrthantPart* parts) noexcept {
+  Cells cells(problem, parts);
+  const unsigned alive = cells.remaining();
+  if (alive != 0) cells.store(parts);
+  return alive;
 }
 
 }  // namespace REGULUS_LANES_ISA

@@ -84,11 +84,12 @@ class SecondOrderBounds {
   /// singular, after bound_ru with this T; runtime/regularity/orthants.hpp.
   ///
   /// Shape     guess: order() entries, positive; its lower part is used, the likely magnitudes of
-  ///           the |ρ_l|. hint: a cell that remained before.
+  ///           the |ρ_l|. hint: a cell that remained before. halvings: if not 0, products of
+  ///           uncertain quantities become forms if necessary, and so many parts may be halved.
   /// Ensures   in each returned lane, a subset of `lanes`: A is regular all over the box.
   [[nodiscard]] LaneMask certain_by_orthants(const SecondOrderInput& input, ConstPointMatrix T,
                                              ConstPointVector guess, LaneMask lanes,
-                                             OrthantCell& hint) const noexcept;
+                                             unsigned halvings, OrthantCell& hint) const noexcept;
 
   /// Computes roughly what each variable adds to yᵀTv, after bound_ru.
   void approx_impact(const SecondOrderInput& input, PerronVectors vectors,

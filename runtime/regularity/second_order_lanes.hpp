@@ -74,7 +74,7 @@ class Bounding {
                               raised(larger(magnitude(lo - one), magnitude(hi - one)), kOneTerm));
       }
     for (double* sum : {w_.sum_d.x, w_.sum_D.x, w_.magnitude_of_B.x, w_.P.x}) clear({sum}, n_ * n_);
-    for (double* sum : {w_.weight.x, w_.weight_of_g.x, w_.rest.x, w_.sum_DK.x})
+    for (double* sum : {w_.weight.x, w_.weight_of_g.x, w_.rest.x, w_.same_row.x, w_.sum_DK.x})
       clear({sum}, n_ * s_);
     clear({w_.R_of_wide.x}, (1 + wides_) * s_ * s_);
   }
@@ -172,7 +172,8 @@ class Bounding {
   /// Reads w̄_k and g_kp, entry by entry; adds the remainder of the row to `rest`.
   REGULUS_LANE_INLINE void read_row_variable(const SecondOrderPlan::RowVariable& u,
                                              const Pack& range) noexcept {
-    const PackArray rest = PackArray{w_.rest.x} + u.slot * n_;
+    const PackArray rest = PackArray{w_.rest.x} + u.slot * n_,
+                    same_row = PackArray{w_.same_row.x} + u.slot * n_;
     for (unsigned k = u.first.begin; k < u.first.end; ++k) {
       const SecondOrderPlan::Entry& entry = plan_.entries[k];
       const Middle x = middle_of(in_.row_first, entry.at);
@@ -194,7 +195,7 @@ class Bounding {
       const Pack weight = product_ru(radius(other.variable), range);
       for (unsigned k = other.second.begin; k < other.second.end; ++k) {
         const SecondOrderPlan::Entry& entry = plan_.entries[k];
-        rest.add_fused(entry.column, largest_of(in_.row_second, entry.at), weight);
+        same_row.add_fused(entry.column, largest_of(in_.row_second, entry.at), weight);
       }
     }
   }
@@ -317,7 +318,7 @@ class Bounding {
 
   /// Adds second order, and the rounding of R and of D_pK₀: |fl(D_pK₀) − D_pK₀| ≤ γ|D_p||K₀|.
   REGULUS_LANE_INLINE void bound_rows() noexcept {
-    for (double* sum : {w_.weight.x, w_.weight_of_g.x, w_.rest.x})
+    for (double* sum : {w_.weight.x, w_.weight_of_g.x, w_.rest.x, w_.same_row.x})
       raise({sum}, s_ * n_, kManyTerms);
     const PackArray slack{w_.K.x};  // not needed any more
     const PackArray sum_DK{w_.sum_DK.x};
@@ -372,7 +373,8 @@ class Bounding {
     }
     for (unsigned i = 0; i < s_; ++i) {
       const PackArray row = T + (n_ + i) * order;
-      for (unsigned j = 0; j < n_; ++j) row.put(j, PackArray{w_.rest.x}[i * n_ + j]);
+      for (unsigned j = 0; j < n_; ++j)
+        row.put(j, PackArray{w_.rest.x}[i * n_ + j] + PackArray{w_.same_row.x}[i * n_ + j]);
       add_row_product(PackArray{w_.weight.x} + i * n_, {nullptr, n_, P, n_}, n_, row);
       add_row_product(PackArray{w_.weight_of_g.x} + i * n_, {nullptr, n_, P, n_}, n_, row);
       raise(row, n_, kManyTerms);

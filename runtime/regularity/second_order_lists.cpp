@@ -202,7 +202,7 @@ std::size_t deal(double* begin, const Sizes& size, SecondOrderWork& work) noexce
   for (PointArray* array : {&work.pair_row, &work.pair_radius, &work.center})
     dealer.give(*array, n);
   dealer.give(work.pairs, pairs * n * n);
-  for (PointArray* array : {&work.weight, &work.weight_of_g, &work.rest})
+  for (PointArray* array : {&work.weight, &work.weight_of_g, &work.rest, &work.same_row})
     dealer.give(*array, s * n);
   dealer.give(work.R, s * s);
   dealer.give(work.R_of_wide, (1 + w) * s * s);

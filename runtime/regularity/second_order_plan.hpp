@@ -72,7 +72,8 @@ struct SecondOrderWork {
   PointArray pair_row, pair_radius;  // n
   PointArray pairs;                  // for each row: what each pair adds to that of P
   PointArray weight, weight_of_g;    // s×n: Σ_k Δ_k of |w̄_k|, of Σ_p r_p|g_kp|
-  PointArray rest;                   // s×n: the remainder of |w_k − w_k(t)|
+  PointArray same_row;               // s×n: Σ_jk Δ_jΔ_k|∂_j∂_kA| within a row
+  PointArray rest;                   // s×n: the rest of Σ_k Δ_k|w_k − w_k(t)|
   PointArray R, R_of_wide, R_of_row;  // s×s; (1 + w)·s×s: fixed, by each p; s for each row variable
   PointArray forms, moving;  // s for each row variable: w̄_kᵀK₀; s×s: R without these
   PointArray center, slope;  // n: w̄_k by entry; w·n: g_kp by entry

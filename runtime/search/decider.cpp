@@ -55,6 +55,8 @@ void Decider::decide(Decisions& decisions, bool keep_proofs) {
     batch_.load(lane, decisions.box_of(lane));
     if (decisions.open(lane).depth % kEveryTest == kEveryTest - 1)
       decisions.budget.anyway |= 1U << lane;
+    if (decisions.open(lane).depth % kStallCheck == kStallCheck - 1)
+      decisions.budget.thorough |= 1U << lane;
   }
   batch_.seal(decisions.count());
 
@@ -144,9 +146,10 @@ LaneMask Decider::leave_certified(LaneMask lanes) noexcept {
 /// A test that stopped being useful elsewhere may be the only one for a box that is not split any
 /// more, such as a single pose.
 LaneMask Decider::leave_by_every_test(LaneMask lanes) noexcept {
-  const LaneMask last = at_minimum_width(lanes & ~out_->budget.anyway);
+  const LaneMask last = at_minimum_width(lanes & ~out_->budget.last);
   if (last == 0) return lanes;
   out_->budget.anyway |= last;
+  out_->budget.last |= last;
   return (lanes & ~last) | leave_certified(last);
 }
 
@@ -268,7 +271,7 @@ LaneMask Decider::hopeless_under_uncertainty(LaneMask lanes) noexcept {
   center_.seal(count);
   LaneMask left = center_.loaded() & ~center_.certain_outside();
   TestBudget every;
-  every.anyway = left;
+  every.anyway = every.last = left;
   for (const auto& test : tests_)
     if (left != 0) left &= ~test->certify(center_, left, every);
   LaneMask hopeless = 0;

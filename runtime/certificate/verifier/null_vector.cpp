@@ -2,20 +2,26 @@
 // The search for y ≠ 0 with y_s = Σ_k δ_k(b_k + c_k)·y: branch and prune over directions. If b
 // dominates, this comes arbitrarily close to the critical spread of the quantities: the δ_k of one
 // row are independent of those of the others, so the bound is attained for a single y.
+#include <algorithm>
+
 #include "runtime/certificate/verifier/rounding.hpp"
 #include "runtime/certificate/verifier/touched_rows.hpp"
 
 namespace regulus::verifier {
 namespace {
 
-constexpr std::size_t kMostDirections = 400;  ///< most boxes of directions for one box
-constexpr double kNarrowest = 0x1p-20;        ///< relative to v
-constexpr double kOutward = 1 + 0x1p-20;      ///< covers roundings of middles: radii are no smaller
+/// Most boxes of directions for one box. A single pose cannot be split: it is worth more.
+constexpr std::size_t kMostDirections = 400, kMostDirectionsOfAPose = 100'000;
+constexpr double kNarrowest = 0x1p-20;    ///< relative to v
+constexpr double kOutward = 1 + 0x1p-20;  ///< covers roundings of middles: radii are no smaller
 
 }  // namespace
 
 /// Only one of y and −y is needed: it is, after scaling, on a face where some y_s = v_s.
 bool TouchedRows::has_no_null_vector(const std::vector<double>& v) const {
+  const bool is_pose =
+      std::all_of(moving_.begin(), moving_.end(), [this](std::size_t p) { return r_[p] == 0.0; });
+  const std::size_t most = is_pose ? kMostDirectionsOfAPose : kMostDirections;
   std::vector<Directions> waiting;
   for (std::size_t s = 0; s < order(); ++s) {
     waiting.push_back({std::vector<double>(order(), 0.0), v});
@@ -28,7 +34,7 @@ bool TouchedRows::has_no_null_vector(const std::vector<double>& v) const {
     std::size_t widest = 0;
     for (std::size_t s = 1; s < order(); ++s)
       if (y.radius[s] * v[widest] > y.radius[widest] * v[s]) widest = s;
-    if (boxes > kMostDirections || y.radius[widest] < kNarrowest * v[widest]) return false;
+    if (boxes > most || y.radius[widest] < kNarrowest * v[widest]) return false;
     const double half = y.radius[widest] = 0.5 * kOutward * y.radius[widest];
     waiting.push_back(y);
     waiting.back().middle[widest] -= half;
@@ -39,17 +45,17 @@ bool TouchedRows::has_no_null_vector(const std::vector<double>& v) const {
 }
 
 bool TouchedRows::has_no_null_vector(Directions& y) const {
-  const auto of_quantity = [&](const Quantity& k) {
-    double sum = 0.0, rest = 0.0;
+  const auto estimate = [&](const Coefficient& k) {
+    Estimate x{0.0, 0.0};
     for (std::size_t s = 0; s < order(); ++s) {
       const double middle = std::fabs(y.middle[s]), b = std::fabs(k.b[s]);
-      sum += k.b[s] * y.middle[s];
-      rest += b * (y.radius[s] + kRounding * middle) + k.S[s] * (middle + y.radius[s]);
+      x.middle += k.b[s] * y.middle[s];
+      x.radius += b * (y.radius[s] + kRounding * middle) + k.S[s] * (middle + y.radius[s]);
     }
-    return std::fabs(sum) + rest;
+    return x;
   };
   std::vector<double> most(order(), 0.0);
-  for (const Group& group : groups_) most[group.slot] += bound_group(group, of_quantity);
+  add_bounds(estimate, most);
   for (std::size_t s = 0; s < order(); ++s) {
     const double middle = y.middle[s], radius = y.radius[s], bound = inflate(most[s]);
     if (down(std::fabs(middle)) - radius > bound) return true;

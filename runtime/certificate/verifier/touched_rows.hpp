@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // The rows of A that are touched by quantities of one row each. Let A be regular with these
 // quantities at the middles of their ranges. It stays regular if no y ≠ 0 has y_s = Σ_k δ_k(b_k +
-// c_k)·y for all s, summed over the quantities k of the s-th row touched, with |c_k| ≤ S_k.
+// c_k)·y + Σ_jk δ_jδ_k(b_jk + c_jk)·y for all s, summed over the quantities of the s-th row touched
+// and their products, with |c| ≤ S.
 // PROOF.md, "The test", 2, derives this.
 #pragma once
 
@@ -35,13 +36,16 @@ class TouchedRows {
   void add_impacts(const std::vector<double>& v, std::vector<double>& impact) const;
 
  private:
+  /// The coefficient of δ_k or of δ_jδ_k in y is (b + c)·y, |c| ≤ S; by slot.
+  struct Coefficient {
+    std::vector<double> b, S;
+    std::vector<std::vector<double>> followed;  ///< parts of S, by moving variable
+  };
   struct Quantity {
     std::size_t variable, slot;  ///< touches rows_[slot]
     std::vector<NodeId> w;       ///< the derivative of the row
     std::vector<std::vector<NodeId>> by_moving;
-    std::vector<std::pair<std::size_t, std::vector<NodeId>>> by_quantity;
-    std::vector<double> b, S;                   ///< by slot
-    std::vector<std::vector<double>> followed;  ///< parts of S, by moving variable
+    Coefficient coefficient;
   };
   /// Quantities of one row: a single one, or those of one ball.
   struct Group {
@@ -49,18 +53,45 @@ class TouchedRows {
     std::optional<std::size_t> ball;
     std::vector<std::size_t> members;  ///< of quantities_
   };
+  /// The product of two quantities of one row.
+  struct Product {
+    std::size_t first, second;  ///< places in the groups
+    std::vector<NodeId> H;      ///< the second derivative of the row
+    Coefficient coefficient;
+  };
+  /// The products of quantities of two groups. Of a group with itself, each is listed once.
+  struct Products {
+    std::size_t first, second;  ///< of groups_
+    std::vector<Product> members;
+  };
+  /// |x − middle| ≤ radius.
+  struct Estimate {
+    double middle, radius;
+    [[nodiscard]] double magnitude() const noexcept { return std::fabs(middle) + radius; }
+  };
   /// A box of vectors y.
   struct Directions {
     std::vector<double> middle, radius;
   };
 
   void find_quantities();
-  void differentiate(Quantity& quantity);
   void find_groups();
+  void find_products();
+  void resize(Coefficient& coefficient) const;
   void bound_K(const MovingInverse& inverse, const Domination& domination);
   [[nodiscard]] bool bound_quantity(Quantity& quantity, const MovingInverse& inverse);
+  [[nodiscard]] bool bound_product(Product& product, const MovingInverse& inverse);
+  void follow(Coefficient& k, std::size_t p);
+  void bound(Coefficient& k, const MovingInverse& inverse);
+  /// Calls estimate(coefficient) for all coefficients, and adds the bounds of y to `most`, by slot.
   template <class Value>
-  [[nodiscard]] double bound_group(const Group& group, Value value) const;
+  void add_bounds(Value estimate, std::vector<double>& most) const;
+  [[nodiscard]] bool is_ball(const Group& group) const { return group.ball && whole_[*group.ball]; }
+  [[nodiscard]] double bound_of(const Group& group, const std::vector<Estimate>& x) const;
+  [[nodiscard]] double bound_of(const Products& products, const std::vector<Estimate>& x) const;
+  [[nodiscard]] double spread(const Group& group, std::size_t place) const {
+    return r_[quantities_[group.members[place]].variable];
+  }
   [[nodiscard]] bool has_no_null_vector(Directions& y) const;
 
   Question& q_;
@@ -70,6 +101,7 @@ class TouchedRows {
   std::vector<std::size_t> rows_;
   std::vector<Quantity> quantities_;
   std::vector<Group> groups_;
+  std::vector<Products> products_;
   std::optional<Evaluation> at_middle_, over_box_;
 
   // For one box; matrices are n×slots, except T.
@@ -81,19 +113,23 @@ class TouchedRows {
   Matrix G_;                 ///< at least (I − P)⁻¹|K(t)|
   Matrix T_;                 ///< slots×slots
   std::vector<double> w_, g_, drift_, Y_;
+  mutable std::vector<Estimate> estimates_;
 };
 
-/// Bounds |Σ δ_kx_k| over the values of the group, where |x_k| ≤ value(k). If a split has cut a
-/// ball, the box around the rest of the ball is used.
 template <class Value>
-double TouchedRows::bound_group(const Group& group, Value value) const {
-  double sum = 0.0;
-  const bool is_ball = group.ball && whole_[*group.ball];
-  for (const std::size_t k : group.members) {
-    const double x = value(quantities_[k]);
-    sum += is_ball ? x * x : r_[quantities_[k].variable] * x;
+void TouchedRows::add_bounds(Value estimate, std::vector<double>& most) const {
+  for (const Group& group : groups_) {
+    estimates_.clear();
+    for (const std::size_t k : group.members)
+      estimates_.push_back(estimate(quantities_[k].coefficient));
+    most[group.slot] += bound_of(group, estimates_);
   }
-  return is_ball ? variety_.reach[*group.ball] * std::sqrt(sum) : sum;
+  for (const Products& products : products_) {
+    estimates_.clear();
+    for (const Product& product : products.members)
+      estimates_.push_back(estimate(product.coefficient));
+    most[groups_[products.first].slot] += bound_of(products, estimates_);
+  }
 }
 
 }  // namespace regulus::verifier

@@ -43,6 +43,36 @@ TEST_P(SinglePose, IsNeverDecidedWorseThanABoxAroundIt) {
   }
 }
 
+/// Base and platform of radius 150 and 100 mm, half angles 12° and 15°, 280 mm apart. In balls of
+/// 25.41 mm, and in boxes of ±17.25 mm, anchors make it singular.
+std::string desktop_hexapod(const std::string& shape, const std::string& tolerance) {
+  const auto ring = [](const char* radius, const std::vector<int>& degrees) {
+    std::string points;
+    for (const int angle : degrees) {
+      const std::string of = std::string("(") + std::to_string(angle) + "*deg)\", ";
+      points += std::string(points.empty() ? "[" : ", [") + "\"" + radius + "*cos" + of + "\"" +
+                radius + "*sin" + of + "0]";
+    }
+    return "[" + points + "]";
+  };
+  return "regulus = 1\nname = \"desktop hexapod\"\n[gough]\norientation = \"roll-pitch-yaw\"\n"
+         "unit = \"mm\"\nbase = " +
+         ring("150", {-12, 12, 108, 132, 228, 252}) +
+         "\nplatform = " + ring("100", {-45, 45, 75, 165, 195, 285}) +
+         "\nbase_tolerance = " + tolerance + "\nplatform_tolerance = " + tolerance +
+         "\ntolerance_shape = \"" + shape +
+         "\"\n[motion.pose]\nx = 0\ny = 0\nz = 280\nroll = 0\npitch = 0\nyaw = 0\n";
+}
+
+TEST_P(SinglePose, IsCertifiedCloseToTheLimit) {
+  const bool ball = GetParam() == std::string("ball");
+  const Finding near = ask(desktop_hexapod(GetParam(), ball ? "24.6" : "16.7"), "pose");
+  EXPECT_EQ(near.verdict, Verdict::kNoSingularity);
+  EXPECT_EQ(near.result.statistics.boxes, 1U);
+  const Finding beyond = ask(desktop_hexapod(GetParam(), ball ? "25.5" : "17.3"), "pose");
+  EXPECT_EQ(beyond.verdict, Verdict::kSingularity);
+}
+
 INSTANTIATE_TEST_SUITE_P(Shapes, SinglePose, testing::Values("box", "ball"),
                          [](const auto& shape) { return std::string(shape.param); });
 
