@@ -28,6 +28,8 @@ struct ReportLabels {
   std::string model;
   std::string model_sha256;
   std::string motion;
+  std::string matrix_name = "matrix";     ///< as in Model
+  std::vector<std::string> matrix_notes;  ///< as in Model
   int rows = 0;
   int columns = 0;
   std::size_t constraints = 0;

@@ -16,7 +16,7 @@ namespace {
 using Json = nlohmann::json;
 
 /// Increase it if the meaning of the text of a warm start changes.
-constexpr int kFormat = 4;
+constexpr int kFormat = 5;
 
 /// The path of the file does not matter: its text is in the key.
 void add(KeyParts& parts, const ModelOptions& options) {
@@ -67,6 +67,8 @@ Json json_of(const ReportLabels& subject) {
   return {{"model", subject.model},
           {"sha256", subject.model_sha256},
           {"motion", subject.motion},
+          {"matrix_name", subject.matrix_name},
+          {"matrix_notes", subject.matrix_notes},
           {"rows", subject.rows},
           {"columns", subject.columns},
           {"constraints", subject.constraints},
@@ -97,6 +99,8 @@ ReportLabels report_labels(const Json& json) {
   subject.model = json.at("model");
   subject.model_sha256 = json.at("sha256");
   subject.motion = json.at("motion");
+  subject.matrix_name = json.at("matrix_name");
+  subject.matrix_notes = json.at("matrix_notes").get<std::vector<std::string>>();
   subject.rows = count_of(json.at("rows"));
   subject.columns = count_of(json.at("columns"));
   subject.constraints = std::size_t(count_of(json.at("constraints")));

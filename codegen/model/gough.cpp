@@ -85,16 +85,6 @@ ScaledRotation rotation(const Model& model, Orientation orientation) {
   return {scaled_rotation_quaternion(q(0), q(1), q(2), q(3)), squared_norm(model)};
 }
 
-Point times(const GiNaC::matrix& S, const Point& b) {
-  Point result;
-  for (unsigned i = 0; i < 3; ++i) result[i] = S(i, 0) * b[0] + S(i, 1) * b[1] + S(i, 2) * b[2];
-  return result;
-}
-
-Point cross(const Point& u, const Point& v) {
-  return {u[1] * v[2] - u[2] * v[1], u[2] * v[0] - u[0] * v[2], u[0] * v[1] - u[1] * v[0]};
-}
-
 /// Row `leg` of N·M: (N(X − a) + Sb, Sb × (X − a)); and its row scale 1/(Nρ).
 void set_leg(Model& model, unsigned leg, const ScaledRotation& R, const Point& a, const Point& b) {
   const Point Sb = times(R.S, b);

@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "codegen/model/exact_algebra.hpp"
 #include "codegen/model/model.hpp"
 
 namespace regulus::inline model {
@@ -20,8 +21,6 @@ enum class Orientation {
 
 /// The meaning of an anchor's tolerance: ± on each coordinate, or the radius of a ball.
 enum class ToleranceShape { kBox, kBall };
-
-using Point = std::array<GiNaC::ex, 3>;
 
 struct Gough {
   std::string name;

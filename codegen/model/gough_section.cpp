@@ -10,17 +10,6 @@
 namespace regulus::inline model {
 namespace {
 
-template <typename Value, std::size_t count>
-Value choice(const TomlReader& toml, const TomlEntry& entry,
-             const std::array<std::pair<std::string, Value>, count>& choices) {
-  std::vector<std::string> words;
-  for (const auto& [word, value] : choices) words.push_back("\"" + word + "\"");
-  const std::string given = toml.text(entry, alternatives(words));
-  for (const auto& [word, value] : choices)
-    if (word == given) return value;
-  toml.refuse(entry, alternatives(words));
-}
-
 Orientation orientation(const TomlReader& toml, const TomlEntry& entry) {
   return choice(toml, entry,
                 std::array{std::pair{std::string("euler-zxz"), Orientation::kEulerZxz},

@@ -82,7 +82,9 @@ struct Model {
   std::vector<PoseParameter> pose;
   std::vector<GeometryParameter> geometry;
   std::vector<ToleranceBall> balls;
-  GiNaC::matrix matrix;              ///< m×n, m ≥ n, in the pose and geometry symbols
+  GiNaC::matrix matrix;                   ///< m×n, m ≥ n, in the pose and geometry symbols
+  std::string matrix_name = "matrix";     ///< in claims: "the full 6×6 matrix"
+  std::vector<std::string> matrix_notes;  ///< what a report says of it; a line each
   std::vector<GiNaC::ex> row_scale;  ///< empty, or m positive factors: J⁻¹ row = row_scale · row
   std::vector<TwistComponent> twist;       ///< by column; empty if the model does not say
   std::vector<GiNaC::ex> must_be_defined;  ///< of matrix and row_scale; log(s): s must be positive

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <array>
 #include <cfenv>
+#include <initializer_list>
 #include <system_error>
 
 #include "codegen/model/constants.hpp"
@@ -70,22 +71,37 @@ void read_header(ModelReading& reading, const TomlEntry& root) {
   if (source.node) reading.model.source = reading.toml.label(source);
 }
 
-/// Reads the robot in one of its two forms.
+void read_constants(ModelReading& reading, const TomlEntry& root) {
+  const TomlReader& toml = reading.toml;
+  if (const TomlEntry e = toml.optional(root, "geometry"); e.node) read_geometry(reading, e);
+  if (const TomlEntry e = toml.optional(root, "let"); e.node) read_let(reading, e);
+}
+
+/// Refuses tables that a family of robots leaves no place for.
+void refuse_beside(const TomlReader& toml, const TomlEntry& root, const std::string& family,
+                   std::initializer_list<const char*> others) {
+  for (const char* key : others)
+    if (const TomlEntry e = toml.optional(root, key); e.node)
+      toml.reject(e, std::string("[") + key + "] cannot be used together with [" + family + "]",
+                  "remove one of them");
+}
+
+/// Reads the robot in one of its forms.
 void read_robot(ModelReading& reading, const TomlEntry& root) {
   const TomlReader& toml = reading.toml;
-  const TomlEntry gough = toml.optional(root, "gough");
-  if (!gough.node) {
-    read_pose(reading, toml.required(root, "pose"));
-    if (const TomlEntry e = toml.optional(root, "geometry"); e.node) read_geometry(reading, e);
-    if (const TomlEntry e = toml.optional(root, "let"); e.node) read_let(reading, e);
-    read_matrix(reading, toml.required(root, "matrix"));
-    return;
+  const TomlEntry gough = toml.optional(root, "gough"), serial = toml.optional(root, "serial");
+  if (gough.node) {
+    refuse_beside(toml, root, "gough", {"pose", "geometry", "let", "matrix", "serial"});
+    return read_gough(reading, gough);
   }
-  for (const char* key : {"pose", "geometry", "let", "matrix"})
-    if (const TomlEntry e = toml.optional(root, key); e.node)
-      toml.reject(e, std::string("[") + key + "] cannot be used together with [gough]",
-                  "remove one of them");
-  read_gough(reading, gough);
+  if (serial.node) {
+    refuse_beside(toml, root, "serial", {"pose", "matrix"});
+    read_constants(reading, root);
+    return read_serial(reading, serial);
+  }
+  read_pose(reading, toml.required(root, "pose"));
+  read_constants(reading, root);
+  read_matrix(reading, toml.required(root, "matrix"));
 }
 
 }  // namespace
@@ -103,8 +119,9 @@ std::string read_model_text(const std::filesystem::path& path) {
 }
 
 Model parse_model(std::string_view text, const std::string& name_for_errors) {
-  static const std::array<std::string, 9> kKeys = {
-      "regulus", "name", "source", "pose", "geometry", "let", "matrix", "gough", "motion"};
+  static const std::array<std::string, 10> kKeys = {"regulus",  "name",  "source", "pose",
+                                                    "geometry", "let",   "matrix", "gough",
+                                                    "serial",   "motion"};
   if (text.size() > kLargestModelFile)
     throw InputError::statement(
         name_for_errors, 0, "the file is too large",
@@ -117,7 +134,10 @@ Model parse_model(std::string_view text, const std::string& name_for_errors) {
 
   read_header(reading, root);
   read_robot(reading, root);
-  read_motions(reading, reading.toml.required(root, "motion"));
+  // A family may make a motion of its own.
+  const TomlEntry motions = reading.toml.optional(root, "motion");
+  if (motions.node || reading.model.motions.empty())
+    read_motions(reading, reading.toml.required(root, "motion"));
   reading.model.must_be_defined = distinct(reading.model.must_be_defined);
   reading.model.sha256 = sha256(text);
   return std::move(reading.model);

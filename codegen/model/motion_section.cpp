@@ -176,8 +176,14 @@ class MotionReader {
 }  // namespace
 
 void read_motions(ModelReading& reading, const TomlEntry& motions) {
-  for (const TomlEntry& entry : reading.toml.entries(motions))
+  for (const TomlEntry& entry : reading.toml.entries(motions)) {
+    for (const Motion& known : reading.model.motions)
+      if (known.name == entry.key)
+        reading.toml.reject(
+            entry, "the ranges of the joints already make a motion " + in_quotes(known.name),
+            "choose another name");
     reading.model.motions.push_back(MotionReader(reading, entry).read());
+  }
   if (reading.model.motions.empty())
     reading.toml.refuse(motions, "no motion", "at least one table [motion.NAME]");
 }

@@ -7,14 +7,17 @@
 
 namespace regulus::inline model {
 
-void read_pose(ModelReading& reading, const TomlEntry& pose) {
+void require_pose_name(const TomlReader& toml, const TomlEntry& entry, const std::string& name) {
   static const std::array<std::string, 4> kMotionKeys = {"parameters", "constraints", "alpha",
                                                          "error"};
+  if (std::ranges::find(kMotionKeys, name) != kMotionKeys.end())
+    toml.reject(entry, "a pose parameter cannot be named '" + name + "', which is a key of motions",
+                "choose another name");
+}
+
+void read_pose(ModelReading& reading, const TomlEntry& pose) {
   for (const TomlEntry& entry : reading.toml.entries(pose)) {
-    if (std::ranges::find(kMotionKeys, entry.key) != kMotionKeys.end())
-      reading.toml.reject(
-          entry, "a pose parameter cannot be named '" + entry.key + "', which is a key of motions",
-          "choose another name");
+    require_pose_name(reading.toml, entry, entry.key);
     const GiNaC::realsymbol symbol(entry.key);
     reading.names.declare(entry.key, variable(symbol), reading.toml.place(entry));
     reading.model.pose.push_back({symbol, entry.key, reading.toml.label(entry)});

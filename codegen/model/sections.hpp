@@ -2,12 +2,15 @@
 // The sections of a model file, one reader each.
 #pragma once
 
+#include <array>
 #include <functional>
+#include <utility>
 #include <vector>
 
 #include "codegen/model/declarations.hpp"
 #include "codegen/model/gough.hpp"
 #include "codegen/model/model.hpp"
+#include "codegen/model/names.hpp"
 #include "codegen/model/toml_reader.hpp"
 
 namespace regulus::inline model {
@@ -32,6 +35,21 @@ struct ModelReading {
   }
 };
 
+/// Refuses the name of a pose parameter that is a key of motions.
+void require_pose_name(const TomlReader& toml, const TomlEntry& entry, const std::string& name);
+
+/// Returns the value of the word that the entry has; refuses another word.
+template <typename Value, std::size_t count>
+Value choice(const TomlReader& toml, const TomlEntry& entry,
+             const std::array<std::pair<std::string, Value>, count>& choices) {
+  std::vector<std::string> words;
+  for (const auto& [word, value] : choices) words.push_back("\"" + word + "\"");
+  const std::string given = toml.text(entry, alternatives(words));
+  for (const auto& [word, value] : choices)
+    if (word == given) return value;
+  toml.refuse(entry, alternatives(words));
+}
+
 void read_pose(ModelReading& reading, const TomlEntry& pose);
 void read_geometry(ModelReading& reading, const TomlEntry& geometry);
 void read_let(ModelReading& reading, const TomlEntry& let);
@@ -39,6 +57,10 @@ void read_matrix(ModelReading& reading, const TomlEntry& matrix);
 
 /// Fills pose, geometry, matrix and names from a [gough] table.
 void read_gough(ModelReading& reading, const TomlEntry& gough);
+
+/// Fills pose, matrix, names and, if every joint has a range, the motion `limits` from a [serial]
+/// table. Its values may use the names of [geometry] and [let], which are read before.
+void read_serial(ModelReading& reading, const TomlEntry& serial);
 
 void read_motions(ModelReading& reading, const TomlEntry& motions);
 

@@ -233,12 +233,19 @@ std::string format_short_pose(const PreparedSearch& p, std::span<const Interval>
 }
 
 std::string describe_size(const PreparedSearch& p) {
-  return fmt::format("full {}×{} matrix", p.labels.rows, p.labels.columns);
+  return fmt::format("full {}×{} {}", p.labels.rows, p.labels.columns, p.labels.matrix_name);
+}
+
+std::string format_matrix_notes(const PreparedSearch& p) {
+  std::string lines;
+  for (const std::string& note : p.labels.matrix_notes)
+    lines += fmt::format("{:<11}{}\n", lines.empty() ? "matrix" : "", note);
+  return lines;
 }
 
 std::string format_question(const PreparedSearch& p) {
   return fmt::format("model      {}\nmotion     {}\n", p.labels.model, p.labels.motion) +
-         format_variable(p, true) + format_uncertain(p);
+         format_variable(p, true) + format_matrix_notes(p) + format_uncertain(p);
 }
 
 std::string describe_without(const SearchOptions& search) {

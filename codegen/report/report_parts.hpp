@@ -60,7 +60,10 @@ namespace regulus::inline report {
 /// Returns "full 6×6 matrix", for example.
 [[nodiscard]] std::string describe_size(const PreparedSearch& preparation);
 
-/// Returns the lines about model, motion and uncertain quantities.
+/// Returns the lines that the model gives about its matrix; often there are none.
+[[nodiscard]] std::string format_matrix_notes(const PreparedSearch& preparation);
+
+/// Returns the lines about model, motion, matrix and uncertain quantities.
 [[nodiscard]] std::string format_question(const PreparedSearch& preparation);
 /// Returns the line about method and engine, after a search of `boxes`.
 [[nodiscard]] std::string format_method(const PreparedSearch& preparation,

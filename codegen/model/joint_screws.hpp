@@ -1,0 +1,38 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The axes of a serial arm's joints, seen from one of its links.
+#pragma once
+
+#include <vector>
+
+#include "codegen/model/joint_polynomial.hpp"
+#include "codegen/model/serial.hpp"
+
+namespace regulus::inline model {
+
+/// The twist that a joint at unit speed gives to a body, per component a polynomial.
+struct JointScrew {
+  PolynomialVector velocity;  ///< of the point of the body that is at the reference point
+  PolynomialVector spin;      ///< angular velocity
+};
+
+/// A link, 0 for the base, and a point in its frame, that of its joint.
+struct ReferencePoint {
+  std::size_t link = 0;
+  Point point = {0, 0, 0};
+};
+
+/// Returns the groups of joints that turn about parallel axes at all poses.
+[[nodiscard]] JointGroups parallel_groups(const Serial& robot, std::shared_ptr<TermBudget> budget);
+
+/// Returns the groups of one joint each.
+[[nodiscard]] JointGroups single_groups(const Serial& robot, std::shared_ptr<TermBudget> budget);
+
+/// Returns the points to choose from: origins of the joints on both sides of each link, and the
+/// points where their axes meet other axes.
+[[nodiscard]] std::vector<ReferencePoint> reference_points(const Serial& robot);
+
+/// Returns the screw of each joint in the frame of the link, at the reference point.
+[[nodiscard]] std::vector<JointScrew> joint_screws(const Serial& robot, const JointGroups& groups,
+                                                   const ReferencePoint& at);
+
+}  // namespace regulus::model

@@ -1,0 +1,142 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "codegen/model/serial.hpp"
+
+#include <algorithm>
+#include <limits>
+#include <utility>
+
+#include "codegen/model/constant_rank.hpp"
+#include "codegen/model/joint_screws.hpp"
+#include "codegen/model/names.hpp"
+
+namespace regulus::inline model {
+namespace {
+
+using GiNaC::ex;
+using Rows = std::vector<std::vector<JointPolynomial>>;
+
+constexpr std::array<const char*, 6> kRowNames = {"v_x", "v_y", "v_z", "w_x", "w_y", "w_z"};
+
+/// The rows of J in one choice of frame, reference point and groups of angles.
+struct Candidate {
+  ReferencePoint at;
+  Rows rows;
+  std::size_t occurrences = std::numeric_limits<std::size_t>::max();
+  std::size_t terms = 0;
+};
+
+Rows rows_of(const std::vector<JointScrew>& screws) {
+  Rows rows(6);
+  for (const JointScrew& screw : screws)
+    for (std::size_t i = 0; i < 3; ++i) {
+      rows[i].push_back(screw.velocity[i]);
+      rows[3 + i].push_back(screw.spin[i]);
+    }
+  return rows;
+}
+
+Candidate candidate(const Serial& robot, const JointGroups& groups, const ReferencePoint& at) {
+  Candidate result{at, rows_of(joint_screws(robot, groups, at)), 0, 0};
+  for (const auto& row : result.rows)
+    for (const JointPolynomial& entry : row) {
+      result.occurrences += entry.occurrences();
+      result.terms += entry.terms().size();
+    }
+  return result;
+}
+
+/// Links near the middle: a joint variable occurs in the columns between it and the link.
+bool is_near_the_middle(std::size_t link, std::size_t joints) {
+  return 2 * link + 4 >= joints && 2 * link <= joints + 4;
+}
+
+/// The one with the fewest occurrences of joint variables, then the fewest terms.
+Candidate best_candidate(const Serial& robot, const std::vector<const JointGroups*>& choices) {
+  Candidate best;
+  for (const ReferencePoint& at : reference_points(robot)) {
+    if (!is_near_the_middle(at.link, robot.joints.size())) continue;
+    for (const JointGroups* groups : choices) {
+      Candidate next = candidate(robot, *groups, at);
+      if (std::pair(next.occurrences, next.terms) < std::pair(best.occurrences, best.terms))
+        best = std::move(next);
+    }
+  }
+  return best;
+}
+
+std::string plural(std::size_t count, const std::string& noun) {
+  return std::to_string(count) + " " + noun + (count == 1 ? "" : "s");
+}
+
+bool occurs(const GiNaC::matrix& matrix, const GiNaC::realsymbol& symbol) {
+  for (unsigned i = 0; i < matrix.rows(); ++i)
+    for (unsigned j = 0; j < matrix.cols(); ++j)
+      if (matrix(i, j).has(symbol)) return true;
+  return false;
+}
+
+std::string seen_from(const Serial& robot, std::size_t link) {
+  return link == 0 ? "the frame of the base"
+                   : "the frame that " + robot.joints[link - 1].name + " moves";
+}
+
+/// The kind of motion, if fewer than six rows remain.
+std::string describe_motion(const std::vector<std::size_t>& rows) {
+  const auto spins = std::ranges::count_if(rows, [](std::size_t row) { return row >= 3; });
+  const std::size_t velocities = rows.size() - static_cast<std::size_t>(spins);
+  if (rows.size() == 3 && spins == 1) return "a planar arm";
+  if (rows.size() == 3 && spins == 3) return "a spherical arm";
+  if (rows.size() == 3 && velocities == 3) return "an arm that moves without turning";
+  if (rows.size() == 4 && spins == 1) return "an arm that turns about one direction";
+  return "an arm of " + plural(rows.size(), "degree") + " of freedom";
+}
+
+void describe_rows(Model& model, const Serial& robot, const std::vector<std::size_t>& rows) {
+  const bool wide = robot.joints.size() > rows.size();
+  std::vector<std::string> names;
+  for (const std::size_t row : rows) names.emplace_back(kRowNames[row]);
+  model.matrix_name = wide ? "transposed forward Jacobian" : "forward Jacobian";
+  std::string note = "forward Jacobian of " + plural(robot.joints.size(), "joint") + ", rows " +
+                     enumeration(names) + (wide ? "; transposed: more joints than rows" : "");
+  model.matrix_notes.push_back(std::move(note));
+  if (rows.size() < 6)
+    model.matrix_notes.push_back(describe_motion(rows) + ": the other " +
+                                 plural(6 - rows.size(), "row") + " depend on these at every pose");
+}
+
+void describe_variables(Model& model, const Serial& robot, std::size_t link) {
+  std::vector<std::string> absent;
+  for (const PoseParameter& p : model.pose)
+    if (!occurs(model.matrix, p.symbol)) absent.push_back(p.name);
+  model.matrix_notes.push_back("seen from " + seen_from(robot, link));
+  if (!absent.empty())
+    model.matrix_notes.push_back("its rank does not depend on " + enumeration(absent));
+}
+
+void set_matrix(Model& model, const Rows& rows, const std::vector<std::size_t>& kept) {
+  std::vector<ex> joints;
+  for (const PoseParameter& p : model.pose) joints.emplace_back(p.symbol);
+  const auto m = static_cast<unsigned>(kept.size()), n = static_cast<unsigned>(joints.size());
+  GiNaC::matrix J(m, n);
+  for (unsigned i = 0; i < m; ++i)
+    for (unsigned j = 0; j < n; ++j) J(i, j) = rows[kept[i]][j].expression(joints);
+  model.matrix = n > m ? J.transpose() : J;
+}
+
+}  // namespace
+
+Model serial_model(Model model, const Serial& robot) {
+  for (const SerialJoint& j : robot.joints)
+    model.pose.push_back(
+        {GiNaC::realsymbol(j.name), j.name, j.kind == JointKind::kRevolute ? "rad" : robot.unit});
+  const auto budget = std::make_shared<TermBudget>();
+  const JointGroups merged = parallel_groups(robot, budget), single = single_groups(robot, budget);
+  const Candidate best = best_candidate(robot, {&merged, &single});
+  const std::vector<std::size_t> kept = independent_rows(best.rows);
+  set_matrix(model, best.rows, kept);
+  describe_rows(model, robot, kept);
+  describe_variables(model, robot, best.at.link);
+  return model;
+}
+
+}  // namespace regulus::model

@@ -1,0 +1,46 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Serial arms: a chain of joints from a base to a tool.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "codegen/model/model.hpp"
+#include "codegen/model/placement.hpp"
+
+namespace regulus::inline model {
+
+enum class JointKind { kRevolute, kPrismatic };
+
+/// A joint that moves. It turns about, or slides along, an axis through the origin of its frame.
+struct SerialJoint {
+  std::string name;
+  JointKind kind = JointKind::kRevolute;
+  Placement origin;        ///< of the joint's frame in that of the joint before, all joints at zero
+  Point axis = {0, 0, 1};  ///< in the joint's frame; a unit vector
+};
+
+struct Serial {
+  std::string unit = "1";  ///< of lengths
+  std::vector<SerialJoint> joints;
+};
+
+/// The most joints that move. The matrix of more of them has too many terms.
+constexpr std::size_t kMostJoints = 12;
+
+/// Fills pose, matrix, matrix_name and matrix_notes of a model with a serial arm.
+///
+/// The matrix is the forward Jacobian J, a column for each joint, the velocity of a point of the tool
+/// and its angular velocity that one unit of joint speed gives; its transpose if there are more
+/// joints than rows. Point and frame do not change the rank: those of one link are chosen for which
+/// the joint variables occur least often. So a first or last joint does not occur at all.
+///
+/// A row that is a combination of other rows with constant coefficients at all poses does not change
+/// the rank either. Exact algebra finds such rows, and they are left out: 3 remain of a planar arm.
+///
+/// Requires  1 to kMostJoints joints; origins and axes are constants or depend on `model.geometry`.
+/// Throws    Refusal if the matrix has too many terms.
+/// Ensures   full column rank of the matrix at a pose ⇔ rank J = min(rows that remain, joints).
+[[nodiscard]] Model serial_model(Model model, const Serial& robot);
+
+}  // namespace regulus::model
