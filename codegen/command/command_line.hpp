@@ -9,6 +9,7 @@
 
 #include "codegen/command/generate_options.hpp"
 #include "codegen/engine/options.hpp"
+#include "codegen/import/import.hpp"
 #include "codegen/report/output_options.hpp"
 
 namespace regulus::inline command {
@@ -60,6 +61,13 @@ struct ExplainCommand {
   OutputOptions output;
 };
 
+struct ImportCommand {
+  std::string path;
+  std::string output;  ///< file; empty: standard output
+  ImportOptions options;
+  bool quiet = false;
+};
+
 /// `regulus shell`
 struct ShellCommand {
   std::string path;  ///< a model to begin with; empty: none
@@ -76,6 +84,7 @@ struct CommandLine {
   std::optional<ExplainCommand> explain;
   std::optional<GenerateCommand> generate;
   std::optional<VerifyCommand> verify;
+  std::optional<ImportCommand> import;
   std::optional<ShellCommand> shell;
 };
 

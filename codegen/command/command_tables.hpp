@@ -17,6 +17,7 @@ struct CommandTables {
   ExplainCommand explain;
   GenerateCommand generate;
   VerifyCommand verify;
+  ImportCommand import;
   ShellCommand shell;
   CLI::App* check_command;
   CLI::App* locate_command;
@@ -24,6 +25,7 @@ struct CommandTables {
   CLI::App* explain_command;
   CLI::App* generate_command;
   CLI::App* verify_command;
+  CLI::App* import_command;
   CLI::App* shell_command;
 
   /// `shell_commands`: the first part of the footer of `shell`.

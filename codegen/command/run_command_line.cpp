@@ -27,6 +27,7 @@ int run_command_line(const CommandLine& line, const std::string& typed) {
   if (line.margin) return run_margin(*line.margin);
   if (line.generate) return run_generate(*line.generate, typed);
   if (line.verify) return run_verify(*line.verify);
+  if (line.import) return run_import(*line.import);
   if (line.explain) return run_explain(*line.explain, typed);
   throw InternalError("there is no command to run");
 }

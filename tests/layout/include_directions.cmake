@@ -21,6 +21,7 @@ set(runtime/certificate/verifier "")
 
 set(codegen/support              "")
 set(codegen/model                codegen/support)
+set(codegen/import               codegen/support codegen/model)
 set(codegen/robot                codegen/support codegen/model)
 set(codegen/program              codegen/support runtime/interval runtime/kernel)
 set(codegen/symbolic             codegen/support codegen/model codegen/program)
@@ -36,7 +37,7 @@ set(codegen/certificate          ${codegen/engine} codegen/engine runtime/certif
 set(codegen/report               ${codegen/analysis} codegen/analysis)
 set(codegen/margin               ${codegen/report} codegen/report codegen/certificate)
 set(codegen/api                  ${codegen/margin} codegen/margin codegen/robot runtime/embedded)
-set(codegen/command              ${codegen/margin} codegen/margin runtime/certificate/verifier)
+set(codegen/command              ${codegen/margin} codegen/margin codegen/import runtime/certificate/verifier)
 set(codegen/shell                ${codegen/command} codegen/command)
 
 # Headers that are configured and carry no layer: the compiler flags, the version.
@@ -44,10 +45,11 @@ set(everywhere regulus/floating_point_flags.hpp regulus/instruction_set_flags.hp
 # Of what writes certificates the verifier knows the format alone.
 set(only_header_runtime/certificate/verifier runtime/certificate/format.hpp)
 
-set(only_ginac codegen/model codegen/robot codegen/symbolic codegen/certificate codegen/margin)
+set(only_ginac codegen/model codegen/import codegen/robot codegen/symbolic codegen/certificate codegen/margin)
 set(only_cln   codegen/model codegen/symbolic codegen/program codegen/formulation codegen/cpp codegen/certificate)
 set(only_llvm  codegen/jit)
 set(only_CLI11 codegen/command)
+set(only_tinyxml2 codegen/import)
 set(only_JSON  codegen/api codegen/certificate codegen/command codegen/cpp codegen/engine codegen/margin codegen/report codegen/shell)
 
 set(faults "")
@@ -87,6 +89,7 @@ foreach(source IN LISTS sources)
     check_library(${source} ${room} "${line}" cln "<cln/")
     check_library(${source} ${room} "${line}" llvm "[<\"](llvm|clang)/")
     check_library(${source} ${room} "${line}" CLI11 "<CLI/")
+    check_library(${source} ${room} "${line}" tinyxml2 "<tinyxml2")
     check_library(${source} ${room} "${line}" JSON "<nlohmann/")
     if(NOT line MATCHES "\"([^\"]*)\"")
       continue()

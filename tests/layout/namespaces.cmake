@@ -1,12 +1,13 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 # cmake -DSOURCE_DIR=… -P namespaces.cmake
 # Each room of codegen/ has a namespace of its own within regulus, inline, so that programs write
-# regulus::Robot: the folder's name, but for two that other names of the project have. In runtime/ it is
+# regulus::Robot: the folder's name, but for three that other names of the project have. In runtime/ it is
 # regulus, with a namespace of its own for what must not be mixed up with the rest.
 cmake_minimum_required(VERSION 3.25)
 
 set(namespace_pack packing)       # regulus::pack is the arithmetic of kernels
 set(namespace_margin bracketing)  # regulus::margin is a function of the interface
+set(namespace_import importing)   # import is a word of the language
 
 set(faults "")
 file(GLOB_RECURSE sources RELATIVE ${SOURCE_DIR} ${SOURCE_DIR}/codegen/*.[ch]pp ${SOURCE_DIR}/runtime/*.[ch]pp)

@@ -1,0 +1,183 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "codegen/import/chain.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <map>
+#include <set>
+
+#include "codegen/model/names.hpp"
+#include "codegen/support/errors.hpp"
+
+namespace regulus::inline importing {
+namespace {
+
+constexpr std::size_t kMostLinks = 2000;
+
+using Joints = std::vector<const ImportedJoint*>;
+
+bool moves(const ImportedJoint& joint) { return joint.type != JointType::kFixed; }
+
+/// The part up to the last joint that moves.
+Joints moving_part(Joints joints) {
+  while (!joints.empty() && !moves(*joints.back())) joints.pop_back();
+  return joints;
+}
+
+class ChainFinder {
+ public:
+  ChainFinder(const Mechanism& mechanism, const std::string& file)
+      : mechanism_(mechanism), file_(file) {
+    if (mechanism.links.size() > kMostLinks)
+      refuse(0, fmt::format("the file has {} links", mechanism.links.size()),
+             fmt::format("at most {} are read", kMostLinks));
+    for (const ImportedJoint& joint : mechanism.joints) {
+      const auto [at, inserted] = parent_.emplace(joint.child, &joint);
+      if (!inserted)
+        refuse(joint.line,
+               fmt::format("link {} is the child of two joints, {} and {}", in_quotes(joint.child),
+                           in_quotes(at->second->name), in_quotes(joint.name)),
+               "cut the loop: each link needs one parent");
+    }
+  }
+
+  Chain find(const std::string& base, const std::string& tip) const {
+    Chain chain{base.empty() ? only_root() : known(base, "--base"), {}, {}};
+    if (!tip.empty()) {
+      chain.tip = known(tip, "--tip");
+      chain.joints = path(chain.base, chain.tip);
+      if (chain.tip != chain.base && chain.joints.empty())
+        throw UsageError(
+            fmt::format("--tip: no chain leads from {} to {}; --base must be a link "
+                        "that carries the tip: {}",
+                        in_quotes(chain.base), in_quotes(chain.tip), listed(carriers(chain.tip))));
+    } else {
+      choose_tip(chain);
+    }
+    require_single_motions(chain);
+    return chain;
+  }
+
+ private:
+  [[noreturn]] void refuse(int line, const std::string& problem, const std::string& remedy) const {
+    throw InputError::statement(file_, line, problem, remedy);
+  }
+
+  static std::string listed(const std::vector<std::string>& links) {
+    constexpr std::size_t kMost = 20;
+    std::string text;
+    for (std::size_t i = 0; i < links.size() && i < kMost; ++i)
+      text += (i == 0 ? "" : ", ") + printable(links[i]);
+    return links.size() > kMost ? text + fmt::format(" and {} more", links.size() - kMost) : text;
+  }
+
+  const std::string& known(const std::string& link, const char* option) const {
+    if (!mechanism_.has_link(link))
+      throw UsageError(fmt::format(
+          "{}: there is no link {}; {}", option, in_quotes(link),
+          suggestion(link, mechanism_.links, "the links are " + listed(mechanism_.links))));
+    return link;
+  }
+
+  std::string only_root() const {
+    std::vector<std::string> roots;
+    for (const std::string& link : mechanism_.links)
+      if (!parent_.contains(link)) roots.push_back(link);
+    // A link that nothing is attached to is no base, unless it is all there is.
+    std::vector<std::string> used;
+    for (const std::string& root : roots)
+      if (std::ranges::any_of(mechanism_.joints,
+                              [&](const ImportedJoint& j) { return j.parent == root; }))
+        used.push_back(root);
+    if (used.size() == 1) return used.front();
+    if (mechanism_.joints.empty()) refuse(0, "the file has no joint", "an arm needs one");
+    if (used.empty()) refuse(0, "every link has a parent", "an arm needs a base");
+    throw UsageError("several links have no parent: " + listed(used) +
+                     "; choose one with --base LINK");
+  }
+
+  /// From the base to the tip; empty if there is no way.
+  Joints path(const std::string& base, const std::string& tip) const {
+    Joints joints;
+    std::set<std::string> seen;
+    for (std::string link = tip; link != base;) {
+      const auto at = parent_.find(link);
+      if (at == parent_.end() || !seen.insert(link).second) return {};
+      joints.push_back(at->second);
+      link = at->second->parent;
+    }
+    std::ranges::reverse(joints);
+    return joints;
+  }
+
+  std::vector<std::string> carriers(const std::string& tip) const {
+    std::vector<std::string> links;
+    std::set<std::string> seen;
+    for (std::string link = tip; parent_.contains(link) && seen.insert(link).second;)
+      links.push_back(link = parent_.at(link)->parent);
+    return links;
+  }
+
+  /// Of the links that have the most joints before them, the first one behind all of these.
+  void choose_tip(Chain& chain) const {
+    std::map<std::string, Joints> ends;  // by the last joint that moves
+    for (const std::string& link : mechanism_.links) {
+      const Joints joints = moving_part(path(chain.base, link));
+      if (!joints.empty()) ends.emplace(joints.back()->child, joints);
+    }
+    std::set<std::string> passed;  // links with a joint that moves behind them
+    for (const auto& [last, joints] : ends)
+      for (const ImportedJoint* joint : joints)
+        if (joint->child != last) passed.insert(joint->child);
+    std::vector<std::string> tips;
+    for (const std::string& link : mechanism_.links)
+      if (ends.contains(link) && !passed.contains(link)) tips.push_back(link);
+    if (tips.empty())
+      refuse(0, "no joint moves a link that " + in_quotes(chain.base) + " carries",
+             "choose another link with --base LINK");
+    if (tips.size() > 1)
+      throw UsageError(
+          fmt::format("several links are the last of a chain of joints: {}; choose the "
+                      "tip of the arm with --tip LINK, which may also be a link before "
+                      "these",
+                      listed(tips)));
+    chain.joints = ends.at(tips.front());
+    chain.tip = tips.front();
+  }
+
+  void require_single_motions(const Chain& chain) const {
+    if (moving_part(chain.joints).empty())
+      throw UsageError(
+          fmt::format("no joint moves between {} and {}; choose other links with --base "
+                      "and --tip",
+                      in_quotes(chain.base), in_quotes(chain.tip)));
+    for (const ImportedJoint* joint : chain.joints) {
+      if (joint->type == JointType::kOther)
+        refuse(
+            joint->line,
+            fmt::format("joint {} of the arm has the type {}", in_quotes(joint->name),
+                        in_quotes(joint->type_name)),
+            "an arm has revolute, continuous, prismatic and fixed joints; choose another --base");
+      if (moves(*joint) && !joint->mimics.empty())
+        refuse(joint->line,
+               fmt::format("joint {} of the arm follows joint {} (mimic)", in_quotes(joint->name),
+                           in_quotes(joint->mimics)),
+               "a joint that follows another has no speed of its own, and this is not supported; "
+               "choose --base and --tip without it");
+    }
+  }
+
+  const Mechanism& mechanism_;
+  const std::string& file_;
+  std::map<std::string, const ImportedJoint*> parent_;
+};
+
+}  // namespace
+
+Chain find_chain(const Mechanism& mechanism, const std::string& file, const std::string& base,
+                 const std::string& tip) {
+  return ChainFinder(mechanism, file).find(base, tip);
+}
+
+}  // namespace regulus::importing

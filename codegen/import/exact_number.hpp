@@ -1,0 +1,81 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Numbers of another program's file: exact decimals, snapped to short decimals and multiples of pi/12.
+#pragma once
+
+#include <ginac/ginac.h>
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace regulus::inline importing {
+
+/// A place in the file that is read, for messages.
+struct XmlPlace {
+  std::string file;
+  int line = 0;
+  std::string what;  ///< "the origin of joint 'elbow'"
+};
+
+/// A number, and the text that a model file has for it: "0.333", "-pi/2".
+struct ExactNumber {
+  GiNaC::ex value = 0;
+  std::string text = "0";
+
+  [[nodiscard]] bool is_zero() const { return value.is_zero(); }
+  /// The nearest double, for choices that change nothing in what is written.
+  [[nodiscard]] double approx() const;
+};
+
+/// A number that is not as the file has it.
+struct Snap {
+  int line = 0;
+  std::string what, before, after;
+};
+
+enum class AngleUnit { kRadian, kDegree };
+
+class NumberReader {
+ public:
+  /// `tolerance`: numbers move by at most this much; 0 leaves all of them as they are.
+  explicit NumberReader(GiNaC::numeric tolerance) : tolerance_(std::move(tolerance)) {}
+
+  /// Reads a decimal. Throws InputError for any other text.
+  [[nodiscard]] ExactNumber length(std::string_view text, const XmlPlace& place);
+
+  /// The same for an angle; the value is in rad.
+  [[nodiscard]] ExactNumber angle(std::string_view text, AngleUnit unit, const XmlPlace& place);
+
+  /// Reads as many lengths, or angles, as there are words in the text.
+  [[nodiscard]] std::vector<ExactNumber> lengths(std::string_view text, const XmlPlace& place);
+  [[nodiscard]] std::vector<ExactNumber> angles(std::string_view text, AngleUnit unit,
+                                                const XmlPlace& place);
+
+  void record(Snap snap) { snaps_.push_back(std::move(snap)); }
+  [[nodiscard]] const std::vector<Snap>& snaps() const noexcept { return snaps_; }
+  [[nodiscard]] const GiNaC::numeric& tolerance() const noexcept { return tolerance_; }
+
+ private:
+  [[nodiscard]] ExactNumber snapped(const GiNaC::numeric& value, std::string_view text,
+                                    const XmlPlace& place);
+
+  GiNaC::numeric tolerance_;
+  std::vector<Snap> snaps_;
+};
+
+/// Returns the exact number that the decimal denotes; throws InputError for any other text.
+[[nodiscard]] GiNaC::numeric exact_number(std::string_view text, const XmlPlace& place);
+
+/// Returns the text of a number with finitely many decimals: "-0.333".
+[[nodiscard]] std::string decimal_text(const GiNaC::numeric& value);
+
+[[nodiscard]] ExactNumber whole(long value);
+[[nodiscard]] ExactNumber negated(const ExactNumber& number);
+
+/// Returns k·pi/12: "-pi/2".
+[[nodiscard]] ExactNumber twelfths_of_pi(long k);
+
+/// Returns the words between white space.
+[[nodiscard]] std::vector<std::string_view> words_of(std::string_view text);
+
+}  // namespace regulus::importing

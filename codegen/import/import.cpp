@@ -1,0 +1,113 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "codegen/import/import.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "codegen/import/chain.hpp"
+#include "codegen/import/serial_text.hpp"
+#include "codegen/import/urdf.hpp"
+#include "codegen/model/model_file.hpp"
+#include "codegen/model/names.hpp"
+#include "codegen/model/written.hpp"
+#include "codegen/support/errors.hpp"
+#include "codegen/support/sha256.hpp"
+
+namespace regulus::inline importing {
+namespace {
+
+Mechanism read_mechanism(const XmlFile& xml, NumberReader& numbers) {
+  const XmlElement root = xml.root();
+  if (root.name() == "robot") return read_urdf(root, numbers);
+  root.refuse("the root element is <" + printable(root.name()) + ">", "it must be <robot> (URDF)");
+}
+
+NumberReader number_reader(const ImportOptions& options) try {
+  const GiNaC::numeric tolerance = exact_number(options.snap, {"--snap", 0, "the tolerance"});
+  if (tolerance.is_negative() || tolerance > GiNaC::numeric(1, 100))
+    throw UsageError("--snap: the tolerance must be between 0 and 0.01");
+  return NumberReader(tolerance);
+} catch (const InputError& error) {
+  throw UsageError(error.what());
+}
+
+/// Returns at most 200 bytes that a label may have.
+std::string label_of(const std::string& name) {
+  constexpr std::size_t kMost = 200;
+  std::string label = printable(name).substr(0, kMost);
+  for (char& c : label)
+    if (c == '\\') c = '_';
+  return label.empty() ? "robot" : label;
+}
+
+std::string file_name(const std::string& path) { return path.substr(path.find_last_of('/') + 1); }
+
+std::string toml_label(const std::string& text) {
+  return written(std::string_view(label_of(text)));
+}
+
+std::string header(const Mechanism& mechanism, const std::string& file, std::string_view text) {
+  constexpr std::size_t kLongestName = 60;
+  const std::string name = label_of(file_name(file)).substr(0, kLongestName);
+  const std::string source =
+      fmt::format("{} file {}, SHA-256 {}", mechanism.format, name, sha256(text));
+  return fmt::format(
+      "# Made by `regulus import {}`. Statements are proved about this file.\n"
+      "regulus = 1\nname = {}\nsource = {}\n\n",
+      name, toml_label(mechanism.name), toml_label(source));
+}
+
+void add_lines(std::string& report, const char* title, const std::vector<std::string>& lines) {
+  for (std::size_t i = 0; i < lines.size(); ++i)
+    report += fmt::format("{:<11}{}\n", i == 0 ? title : "", lines[i]);
+}
+
+std::vector<std::string> ignored_lines(const Mechanism& mechanism) {
+  std::string line;
+  for (const auto& [name, count] : mechanism.ignored)
+    line += fmt::format("{}{} {}", line.empty() ? "" : ", ", count, name);
+  return line.empty() ? std::vector<std::string>{} : std::vector{line};
+}
+
+std::vector<std::string> snap_lines(const NumberReader& numbers) {
+  std::vector<std::string> lines;
+  for (const Snap& snap : numbers.snaps())
+    lines.push_back(
+        fmt::format("line {}, {}: {} -> {}", snap.line, snap.what, snap.before, snap.after));
+  return lines;
+}
+
+std::string chain_line(const Chain& chain) {
+  const auto fixed = std::ranges::count_if(
+      chain.joints, [](const ImportedJoint* j) { return j->type == JointType::kFixed; });
+  return fmt::format("from {} to {}: {} joints that move, {} fixed", in_quotes(chain.base),
+                     in_quotes(chain.tip), static_cast<std::ptrdiff_t>(chain.joints.size()) - fixed,
+                     fixed);
+}
+
+}  // namespace
+
+Imported import_robot(std::string_view text, const std::string& file,
+                      const ImportOptions& options) {
+  NumberReader numbers = number_reader(options);
+  const XmlFile xml(file, text);
+  Mechanism mechanism = read_mechanism(xml, numbers);
+  const Chain chain = find_chain(mechanism, file, options.base, options.tip);
+  Identifiers identifiers;
+  Imported result;
+  result.model = header(mechanism, file, text) + serial_text(chain, identifiers, mechanism.notes);
+  const Model model = parse_model(result.model, "the model made of " + file);
+  add_lines(result.report, "read",
+            {fmt::format("{} {}: {} links, {} joints", mechanism.format, in_quotes(mechanism.name),
+                         mechanism.links.size(), mechanism.joints.size())});
+  add_lines(result.report, "arm", {chain_line(chain)});
+  add_lines(result.report, "matrix", model.matrix_notes);
+  add_lines(result.report, "ignored", ignored_lines(mechanism));
+  add_lines(result.report, "renamed", identifiers.changes());
+  add_lines(result.report, "snapped", snap_lines(numbers));
+  add_lines(result.report, "note", mechanism.notes);
+  return result;
+}
+
+}  // namespace regulus::importing

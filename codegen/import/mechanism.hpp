@@ -1,0 +1,62 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The kinematics of a robot as files of other programs have it: links and joints between them.
+#pragma once
+
+#include <array>
+#include <map>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "codegen/import/exact_number.hpp"
+
+namespace regulus::inline importing {
+
+/// The way in which an orientation is written.
+enum class Orientation {
+  kNone,
+  kRpy,         ///< roll, pitch, yaw: Rz(yaw)·Ry(pitch)·Rx(roll)
+  kQuaternion,  ///< w, x, y, z of any length but zero
+};
+
+struct Pose {
+  std::array<ExactNumber, 3> xyz{};
+  Orientation orientation = Orientation::kNone;
+  std::vector<ExactNumber> angles{};  ///< or the quaternion's components
+
+  [[nodiscard]] bool is_identity() const;
+};
+
+enum class JointType { kRevolute, kContinuous, kPrismatic, kFixed, kOther };
+
+struct JointLimits {
+  ExactNumber lower, upper;
+};
+
+/// A joint: `origin` places its frame in that of the link `parent`; the frame of `child` is this
+/// frame, moved about or along `axis`.
+struct ImportedJoint {
+  std::string name;
+  JointType type = JointType::kFixed;
+  std::string type_name;  ///< as in the file
+  std::string parent, child;
+  Pose origin;
+  std::array<ExactNumber, 3> axis = {whole(0), whole(0), whole(1)};
+  std::optional<JointLimits> limits;
+  std::string mimics;  ///< the joint that this one follows; empty: none
+  int line = 0;
+};
+
+/// What is read of a file.
+struct Mechanism {
+  std::string format;  ///< "URDF"
+  std::string name;
+  std::vector<std::string> links;
+  std::vector<ImportedJoint> joints;
+  std::map<std::string, int> ignored;  ///< elements without meaning for the kinematics, and counts
+  std::vector<std::string> notes;      ///< what was assumed
+
+  [[nodiscard]] bool has_link(const std::string& link) const;
+};
+
+}  // namespace regulus::importing

@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Poses and axes from the words of XML attributes.
+#pragma once
+
+#include <string>
+#include <string_view>
+
+#include "codegen/import/mechanism.hpp"
+
+namespace regulus::inline importing {
+
+/// Reads three lengths, or three components of a direction. Throws InputError.
+[[nodiscard]] std::array<ExactNumber, 3> read_vector(std::string_view text, const XmlPlace& place,
+                                                     NumberReader& numbers);
+
+/// Refuses a vector that is zero.
+void require_direction(const std::array<ExactNumber, 3>& axis, const XmlPlace& place);
+
+/// Sets the orientation from roll, pitch and yaw.
+///
+/// Two or more angles that are not multiples of pi/12 become a quaternion of decimals: the entries
+/// of its rotation are rational numbers. It differs from the angles' by less than the tolerance of
+/// `numbers`, and this is recorded; with the tolerance 0 the angles stay.
+void set_rpy(Pose& pose, std::string_view text, AngleUnit unit, const XmlPlace& place,
+             NumberReader& numbers);
+
+/// Sets the orientation w, x, y, z.
+void set_quaternion(Pose& pose, std::string_view text, const XmlPlace& place,
+                    NumberReader& numbers);
+
+}  // namespace regulus::importing

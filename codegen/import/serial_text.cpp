@@ -1,0 +1,105 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "codegen/import/serial_text.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <span>
+
+#include "codegen/model/names.hpp"
+#include "codegen/model/written.hpp"
+
+namespace regulus::inline importing {
+namespace {
+
+std::string toml_list(std::span<const ExactNumber> numbers) {
+  std::string text;
+  for (const ExactNumber& number : numbers)
+    text += (text.empty() ? "" : ", ") + toml_number(number);
+  return "[" + text + "]";
+}
+
+/// Returns ", xyz = […], rpy = […]", without what is zero.
+std::string pose_text(const Pose& pose) {
+  std::string text;
+  if (std::ranges::any_of(pose.xyz, [](const ExactNumber& x) { return !x.is_zero(); }))
+    text += ", xyz = " + toml_list(pose.xyz);
+  if (pose.orientation == Orientation::kRpy) text += ", rpy = " + toml_list(pose.angles);
+  if (pose.orientation == Orientation::kQuaternion)
+    text += ", quaternion = " + toml_list(pose.angles);
+  return text;
+}
+
+bool moves(const ImportedJoint& joint) { return joint.type != JointType::kFixed; }
+
+bool turns(const ImportedJoint& joint) {
+  return joint.type == JointType::kRevolute || joint.type == JointType::kContinuous;
+}
+
+/// The joints that are written: those that move, and fixed ones that place the next.
+std::vector<const ImportedJoint*> written_joints(const Chain& chain) {
+  std::vector<const ImportedJoint*> result;
+  for (const ImportedJoint* joint : chain.joints)
+    if (moves(*joint) || !joint->origin.is_identity()) result.push_back(joint);
+  return result;
+}
+
+std::string joint_text(const ImportedJoint& joint, const std::string& name) {
+  if (!moves(joint))
+    return fmt::format("  {{ type = \"fixed\"{} }}, # {}\n", pose_text(joint.origin),
+                       in_quotes(joint.name));
+  std::string text = fmt::format("  {{ name = \"{}\"", name);
+  if (!turns(joint)) text += ", type = \"prismatic\"";
+  text += pose_text(joint.origin);
+  const bool is_default =
+      joint.axis[0].is_zero() && joint.axis[1].is_zero() && joint.axis[2].value.is_equal(1);
+  if (!is_default) text += ", axis = " + toml_list(joint.axis);
+  return text + " },\n";
+}
+
+struct Limits {
+  JointLimits range;
+  std::string remark;
+};
+
+Limits limits_of(const ImportedJoint& joint, std::vector<std::string>& notes) {
+  if (joint.limits) return {*joint.limits, ""};
+  const JointLimits turn{twelfths_of_pi(-12), twelfths_of_pi(12)};
+  if (joint.type == JointType::kContinuous) return {turn, " # turns without end"};
+  notes.push_back(fmt::format("joint {} has no limits: {} is assumed; correct it in the model",
+                              in_quotes(joint.name), turns(joint) ? "one turn" : "-1 to 1"));
+  return {turns(joint) ? turn : JointLimits{whole(-1), whole(1)}, " # assumed: the file has none"};
+}
+
+}  // namespace
+
+std::string toml_number(const ExactNumber& number) {
+  constexpr std::size_t kMostDigits = 15;  // of a number of TOML without quotes
+  const bool plain = number.text.find_first_not_of("-.0123456789") == std::string::npos;
+  return plain && number.text.size() <= kMostDigits ? number.text : "\"" + number.text + "\"";
+}
+
+std::string serial_text(const Chain& chain, Identifiers& identifiers,
+                        std::vector<std::string>& notes) {
+  std::string joints, limits, home;
+  bool home_is_allowed = true;
+  for (const ImportedJoint* joint : written_joints(chain)) {
+    const std::string name = moves(*joint) ? identifiers.of(joint->name) : "";
+    joints += joint_text(*joint, name);
+    if (!moves(*joint)) continue;
+    const auto [range, remark] = limits_of(*joint, notes);
+    limits += fmt::format("{} = [{}, {}]{}\n", name, toml_number(range.lower),
+                          toml_number(range.upper), remark);
+    home += name + " = 0\n";
+    home_is_allowed = home_is_allowed && range.lower.approx() <= 0 && range.upper.approx() >= 0;
+  }
+  std::string text =
+      fmt::format("[serial] # from link {} to link {}\nunit = \"m\"\njoints = [\n{}]\n",
+                  in_quotes(chain.base), in_quotes(chain.tip), joints);
+  text += "\n[motion.limits] # the ranges of the joints\n" + limits;
+  if (home_is_allowed) return text + "\n[motion.home] # every joint at zero\n" + home;
+  notes.emplace_back("no motion 'home': the limits exclude the pose with every joint at zero");
+  return text;
+}
+
+}  // namespace regulus::importing
