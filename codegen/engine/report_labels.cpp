@@ -8,7 +8,7 @@ ReportLabels report_labels(const Request& request, const Formulation& formulatio
   subject.model = request.model.name;
   subject.model_sha256 = request.model.sha256;
   subject.motion = request.motion.name;
-  subject.matrix_name = request.model.matrix_name;
+  subject.matrix_kind = request.model.matrix_kind;
   subject.matrix_notes = request.model.matrix_notes;
   subject.rows = formulation.rows;
   subject.columns = formulation.columns;

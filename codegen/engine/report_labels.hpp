@@ -28,7 +28,7 @@ struct ReportLabels {
   std::string model;
   std::string model_sha256;
   std::string motion;
-  std::string matrix_name = "matrix";     ///< as in Model
+  MatrixKind matrix_kind = MatrixKind::kInverse;
   std::vector<std::string> matrix_notes;  ///< as in Model
   int rows = 0;
   int columns = 0;

@@ -67,7 +67,7 @@ Json json_of(const ReportLabels& subject) {
   return {{"model", subject.model},
           {"sha256", subject.model_sha256},
           {"motion", subject.motion},
-          {"matrix_name", subject.matrix_name},
+          {"matrix_kind", static_cast<int>(subject.matrix_kind)},
           {"matrix_notes", subject.matrix_notes},
           {"rows", subject.rows},
           {"columns", subject.columns},
@@ -86,6 +86,13 @@ int count_of(const Json& json) {
   return static_cast<int>(*number);
 }
 
+MatrixKind matrix_kind_of(const Json& json) {
+  const int kind = count_of(json);
+  if (kind > static_cast<int>(MatrixKind::kForwardTransposed))
+    throw std::invalid_argument("no kind of matrix");
+  return MatrixKind(kind);
+}
+
 /// Throws    std::invalid_argument unless the value is a valid exponent of a determinant.
 int exponent_of(const Json& json) {
   constexpr Json::number_integer_t kMost = 10'000'000;
@@ -99,7 +106,7 @@ ReportLabels report_labels(const Json& json) {
   subject.model = json.at("model");
   subject.model_sha256 = json.at("sha256");
   subject.motion = json.at("motion");
-  subject.matrix_name = json.at("matrix_name");
+  subject.matrix_kind = matrix_kind_of(json.at("matrix_kind"));
   subject.matrix_notes = json.at("matrix_notes").get<std::vector<std::string>>();
   subject.rows = count_of(json.at("rows"));
   subject.columns = count_of(json.at("columns"));

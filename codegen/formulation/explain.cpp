@@ -8,6 +8,7 @@
 #include <map>
 #include <utility>
 
+#include "codegen/model/singular_factors.hpp"
 #include "codegen/symbolic/print.hpp"
 
 namespace regulus::inline formulation {
@@ -50,7 +51,10 @@ std::uint64_t count_of(const Occurrences& occurrences, const std::string& name) 
 class Explainer {
  public:
   Explainer(const Model& model, const Motion& motion, const ExplainOptions& options)
-      : f_(formulate(model, motion, options.formulation)), module_(lower(f_)), options_(options) {}
+      : f_(formulate(model, motion, options.formulation)),
+        module_(lower(f_)),
+        options_(options),
+        factors_(singular_factors(model)) {}
 
   Explanation explanation() {
     if (options_.part == ExplainPart::kAll)
@@ -98,6 +102,14 @@ class Explainer {
       for (int j = 0; j < f_.columns; ++j)
         line("  A({},{}) = {}", i + 1, j + 1,
              shortened(f_.natural_matrix[at(i, j, f_.columns)], options_.longest));
+    line("");
+    singularities();
+  }
+
+  void singularities() {
+    if (factors_.empty()) return;
+    line("Singular where one of these factors of the determinant is zero");
+    for (const SingularFactor& factor : factors_) line("  {:<10}{}", factor.name, factor.text);
     line("");
   }
 
@@ -239,6 +251,7 @@ class Explainer {
   Formulation f_;
   Module module_;
   const ExplainOptions options_;
+  const std::vector<SingularFactor> factors_;
   std::string text_;
 };
 

@@ -56,6 +56,7 @@ class ChainFinder {
       choose_tip(chain);
     }
     require_single_motions(chain);
+    require_no_loop(chain);
     return chain;
   }
 
@@ -144,6 +145,24 @@ class ChainFinder {
                       listed(tips)));
     chain.joints = ends.at(tips.front());
     chain.tip = tips.front();
+  }
+
+  /// The joints that a loop connects have no independent speeds.
+  void require_no_loop(const Chain& chain) const {
+    for (const ImportedLoop& loop : mechanism_.loops) {
+      const Joints first = path(chain.base, loop.first), second = path(chain.base, loop.second);
+      const auto apart = std::ranges::mismatch(first, second);
+      for (const ImportedJoint* joint : chain.joints) {
+        const bool in_loop = std::find(apart.in1, first.end(), joint) != first.end() ||
+                             std::find(apart.in2, second.end(), joint) != second.end();
+        if (in_loop && moves(*joint))
+          refuse(loop.line,
+                 fmt::format("{} closes a loop of links {} and {} with joint {} of the arm",
+                             in_quotes(loop.type), in_quotes(loop.first), in_quotes(loop.second),
+                             in_quotes(joint->name)),
+                 "an arm has no loops; choose --base and --tip outside the loop");
+      }
+    }
   }
 
   void require_single_motions(const Chain& chain) const {

@@ -150,8 +150,8 @@ ExactNumber NumberReader::angle(std::string_view text, AngleUnit unit, const Xml
   }
   // Whole degrees, as limits often are.
   const numeric degree = approx_pi() / 180, whole_degrees = nearest_integer(radian / degree);
-  if (!degrees && !whole_degrees.is_zero() &&
-      abs(whole_degrees * degree - radian) <= tolerance_ && abs(k) <= kMostTwelfths) {
+  if (!degrees && !whole_degrees.is_zero() && abs(whole_degrees * degree - radian) <= tolerance_ &&
+      abs(k) <= kMostTwelfths) {
     ExactNumber result{GiNaC::Pi * whole_degrees / 180, decimal_text(whole_degrees) + "*deg"};
     snaps_.push_back({place.line, place.what, std::string(text), result.text});
     return result;

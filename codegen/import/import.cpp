@@ -6,6 +6,7 @@
 #include <algorithm>
 
 #include "codegen/import/chain.hpp"
+#include "codegen/import/mjcf.hpp"
 #include "codegen/import/serial_text.hpp"
 #include "codegen/import/urdf.hpp"
 #include "codegen/model/model_file.hpp"
@@ -20,7 +21,9 @@ namespace {
 Mechanism read_mechanism(const XmlFile& xml, NumberReader& numbers) {
   const XmlElement root = xml.root();
   if (root.name() == "robot") return read_urdf(root, numbers);
-  root.refuse("the root element is <" + printable(root.name()) + ">", "it must be <robot> (URDF)");
+  if (root.name() == "mujoco") return read_mjcf(root, numbers);
+  root.refuse("the root element is <" + printable(root.name()) + ">",
+              "it must be <robot> (URDF) or <mujoco> (MJCF)");
 }
 
 NumberReader number_reader(const ImportOptions& options) try {

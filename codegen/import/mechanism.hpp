@@ -47,12 +47,21 @@ struct ImportedJoint {
   int line = 0;
 };
 
+/// A loop that two links close.
+struct ImportedLoop {
+  std::string type;  ///< as in the file: "connect" holds two points together
+  std::string first, second;
+  std::array<ExactNumber, 3> anchor{};  ///< the point, in the frame of the first link
+  int line = 0;
+};
+
 /// What is read of a file.
 struct Mechanism {
   std::string format;  ///< "URDF"
   std::string name;
   std::vector<std::string> links;
   std::vector<ImportedJoint> joints;
+  std::vector<ImportedLoop> loops;
   std::map<std::string, int> ignored;  ///< elements without meaning for the kinematics, and counts
   std::vector<std::string> notes;      ///< what was assumed
 

@@ -24,6 +24,28 @@ void require_direction(const std::array<ExactNumber, 3>& axis, const XmlPlace& p
 void set_rpy(Pose& pose, std::string_view text, AngleUnit unit, const XmlPlace& place,
              NumberReader& numbers);
 
+/// The unit of Euler angles, and their axes: small letters for axes that turn with the body.
+struct EulerConvention {
+  AngleUnit unit;
+  std::string sequence;
+};
+
+// Other orientations than by roll, pitch and yaw about coordinate axes become quaternions of
+// decimals, and this is recorded. Turns about one coordinate axis remain angles.
+
+void set_euler(Pose& pose, std::string_view text, const EulerConvention& convention,
+               const XmlPlace& place, NumberReader& numbers);
+
+/// An axis and an angle about it.
+void set_axis_angle(Pose& pose, std::string_view text, AngleUnit unit, const XmlPlace& place,
+                    NumberReader& numbers);
+
+/// The x axis, and a vector that gives the y axis together with it.
+void set_axes(Pose& pose, std::string_view text, const XmlPlace& place, NumberReader& numbers);
+
+/// The z axis, reached by the smallest turn.
+void set_z_axis(Pose& pose, std::string_view text, const XmlPlace& place, NumberReader& numbers);
+
 /// Sets the orientation w, x, y, z.
 void set_quaternion(Pose& pose, std::string_view text, const XmlPlace& place,
                     NumberReader& numbers);

@@ -32,8 +32,8 @@ struct Reduction : GiNaC::map_function {
     const ex base = e.op(0), exponent = e.op(1);
     if (GiNaC::is_a<numeric>(base) && GiNaC::is_a<numeric>(exponent))
       return root(GiNaC::ex_to<numeric>(base), GiNaC::ex_to<numeric>(exponent));
-    if (GiNaC::is_the_function<GiNaC::sin_SERIAL>(base) && exponent.info(GiNaC::info_flags::posint) &&
-        exponent > 1) {
+    if (GiNaC::is_the_function<GiNaC::sin_SERIAL>(base) &&
+        exponent.info(GiNaC::info_flags::posint) && exponent > 1) {
       const int n = GiNaC::ex_to<numeric>(exponent).to_int();
       return pow(1 - pow(GiNaC::cos(base.op(0)), 2), n / 2) * pow(base, n % 2);
     }

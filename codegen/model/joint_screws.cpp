@@ -77,11 +77,6 @@ class ScrewTransport {
     return motion(result, joint, -1);
   }
 
-  /// The velocity at another point.
-  static void move_to(JointScrew& screw, const Point& point) {
-    add_product(screw.velocity, cross_matrix(point), screw.spin, -1);
-  }
-
  private:
   /// The motion of a joint by +q or −q.
   JointScrew motion(const JointScrew& screw, std::size_t joint, int sign) const {
@@ -135,11 +130,10 @@ std::optional<Meeting> meeting(const SerialJoint& first, const SerialJoint& seco
   return Meeting{reduced(scaled(along_a, a)), reduced(scaled(along_b, second.axis))};
 }
 
-void add_unless_known(std::vector<ReferencePoint>& all, ReferencePoint candidate) {
-  for (const ReferencePoint& known : all)
-    if (known.link == candidate.link && is_certainly_zero(known.point[0] - candidate.point[0]) &&
-        is_certainly_zero(known.point[1] - candidate.point[1]) &&
-        is_certainly_zero(known.point[2] - candidate.point[2]))
+void add_unless_known(std::vector<Point>& all, Point candidate) {
+  for (const Point& known : all)
+    if (is_certainly_zero(known[0] - candidate[0]) && is_certainly_zero(known[1] - candidate[1]) &&
+        is_certainly_zero(known[2] - candidate[2]))
       return;
   all.push_back(std::move(candidate));
 }
@@ -179,41 +173,39 @@ JointGroups single_groups(const Serial& robot, std::shared_ptr<TermBudget> budge
   return groups;
 }
 
-std::vector<ReferencePoint> reference_points(const Serial& robot) {
-  std::vector<ReferencePoint> all;
+std::vector<Point> reference_points(const Serial& robot, std::size_t link) {
+  std::vector<Point> all;
   const auto& joints = robot.joints;
-  for (std::size_t link = 0; link <= joints.size(); ++link) {
-    if (link > 0) {
-      add_unless_known(all, {link, {0, 0, 0}});
-      if (link > 1)
-        if (const auto m = meeting(joints[link - 2], joints[link - 1]))
-          add_unless_known(all, {link, m->after});
-    }
-    if (link == joints.size()) continue;
-    add_unless_known(all, {link, joints[link].origin.p});
-    if (link > 0)
-      if (const auto m = meeting(joints[link - 1], joints[link]))
-        add_unless_known(all, {link, m->before});
-    if (link + 1 < joints.size())
-      if (const auto m = meeting(joints[link], joints[link + 1]))
-        add_unless_known(all, {link, placed(joints[link].origin, m->before)});
-  }
+  if (link > 0) add_unless_known(all, {0, 0, 0});
+  if (link > 1)
+    if (const auto m = meeting(joints[link - 2], joints[link - 1])) add_unless_known(all, m->after);
+  if (link == joints.size()) return all;
+  add_unless_known(all, joints[link].origin.p);
+  if (link > 0)
+    if (const auto m = meeting(joints[link - 1], joints[link])) add_unless_known(all, m->before);
+  if (link + 1 < joints.size())
+    if (const auto m = meeting(joints[link], joints[link + 1]))
+      add_unless_known(all, placed(joints[link].origin, m->before));
   return all;
 }
 
 std::vector<JointScrew> joint_screws(const Serial& robot, const JointGroups& groups,
-                                     const ReferencePoint& at) {
+                                     std::size_t link) {
   const ScrewTransport transport(robot, groups);
   std::vector<JointScrew> screws;
   for (std::size_t joint = 0; joint < robot.joints.size(); ++joint) {
     JointScrew screw = transport.own(joint);
     // Its own motion does not change it.
-    for (std::size_t k = joint + 1; k-- > at.link;)
+    for (std::size_t k = joint + 1; k-- > link;)
       screw = transport.towards_base(screw, k, k != joint);
-    for (std::size_t k = joint + 1; k < at.link; ++k) screw = transport.towards_tool(screw, k);
-    ScrewTransport::move_to(screw, at.point);
+    for (std::size_t k = joint + 1; k < link; ++k) screw = transport.towards_tool(screw, k);
     screws.push_back(std::move(screw));
   }
+  return screws;
+}
+
+std::vector<JointScrew> moved_to(std::vector<JointScrew> screws, const Point& point) {
+  for (JointScrew& screw : screws) add_product(screw.velocity, cross_matrix(point), screw.spin, -1);
   return screws;
 }
 

@@ -15,24 +15,21 @@ struct JointScrew {
   PolynomialVector spin;      ///< angular velocity
 };
 
-/// A link, 0 for the base, and a point in its frame, that of its joint.
-struct ReferencePoint {
-  std::size_t link = 0;
-  Point point = {0, 0, 0};
-};
-
 /// Returns the groups of joints that turn about parallel axes at all poses.
 [[nodiscard]] JointGroups parallel_groups(const Serial& robot, std::shared_ptr<TermBudget> budget);
 
 /// Returns the groups of one joint each.
 [[nodiscard]] JointGroups single_groups(const Serial& robot, std::shared_ptr<TermBudget> budget);
 
-/// Returns the points to choose from: origins of the joints on both sides of each link, and the
-/// points where their axes meet other axes.
-[[nodiscard]] std::vector<ReferencePoint> reference_points(const Serial& robot);
+/// Returns the points of a link to choose from: origins of the joints on both sides, and the points
+/// where their axes meet other axes.
+[[nodiscard]] std::vector<Point> reference_points(const Serial& robot, std::size_t link);
 
-/// Returns the screw of each joint in the frame of the link, at the reference point.
+/// Returns the screw of each joint in the frame of the link, 0 for the base, at its origin.
 [[nodiscard]] std::vector<JointScrew> joint_screws(const Serial& robot, const JointGroups& groups,
-                                                   const ReferencePoint& at);
+                                                   std::size_t link);
+
+/// Returns the same screws at another point of the link.
+[[nodiscard]] std::vector<JointScrew> moved_to(std::vector<JointScrew> screws, const Point& point);
 
 }  // namespace regulus::model

@@ -74,6 +74,20 @@ struct Motion {
   std::vector<GiNaC::ex> must_be_defined;  ///< of pose and constraints; in their symbols
 };
 
+/// The meaning of a model's matrix.
+enum class MatrixKind {
+  kInverse,            ///< columns belong to the twist, rows to motors and constraints
+  kForward,            ///< columns belong to joints, rows to the twist of the tool
+  kForwardTransposed,  ///< rows belong to joints
+};
+
+/// Returns the noun in claims: "the full 6×6 matrix".
+[[nodiscard]] constexpr const char* name(MatrixKind kind) noexcept {
+  return kind == MatrixKind::kInverse   ? "matrix"
+         : kind == MatrixKind::kForward ? "forward Jacobian"
+                                        : "transposed forward Jacobian";
+}
+
 struct Model {
   std::string name;
   std::string source;
@@ -82,8 +96,8 @@ struct Model {
   std::vector<PoseParameter> pose;
   std::vector<GeometryParameter> geometry;
   std::vector<ToleranceBall> balls;
-  GiNaC::matrix matrix;                   ///< m×n, m ≥ n, in the pose and geometry symbols
-  std::string matrix_name = "matrix";     ///< in claims: "the full 6×6 matrix"
+  GiNaC::matrix matrix;  ///< m×n, m ≥ n, in the pose and geometry symbols
+  MatrixKind matrix_kind = MatrixKind::kInverse;
   std::vector<std::string> matrix_notes;  ///< what a report says of it; a line each
   std::vector<GiNaC::ex> row_scale;  ///< empty, or m positive factors: J⁻¹ row = row_scale · row
   std::vector<TwistComponent> twist;       ///< by column; empty if the model does not say

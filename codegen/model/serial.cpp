@@ -19,24 +19,19 @@ constexpr std::array<const char*, 6> kRowNames = {"v_x", "v_y", "v_z", "w_x", "w
 
 /// The rows of J in one choice of frame, reference point and groups of angles.
 struct Candidate {
-  ReferencePoint at;
+  std::size_t link = 0;
   Rows rows;
   std::size_t occurrences = std::numeric_limits<std::size_t>::max();
   std::size_t terms = 0;
 };
 
-Rows rows_of(const std::vector<JointScrew>& screws) {
-  Rows rows(6);
+Candidate candidate(std::size_t link, const std::vector<JointScrew>& screws) {
+  Candidate result{link, Rows(6), 0, 0};
   for (const JointScrew& screw : screws)
     for (std::size_t i = 0; i < 3; ++i) {
-      rows[i].push_back(screw.velocity[i]);
-      rows[3 + i].push_back(screw.spin[i]);
+      result.rows[i].push_back(screw.velocity[i]);
+      result.rows[3 + i].push_back(screw.spin[i]);
     }
-  return rows;
-}
-
-Candidate candidate(const Serial& robot, const JointGroups& groups, const ReferencePoint& at) {
-  Candidate result{at, rows_of(joint_screws(robot, groups, at)), 0, 0};
   for (const auto& row : result.rows)
     for (const JointPolynomial& entry : row) {
       result.occurrences += entry.occurrences();
@@ -47,18 +42,22 @@ Candidate candidate(const Serial& robot, const JointGroups& groups, const Refere
 
 /// Links near the middle: a joint variable occurs in the columns between it and the link.
 bool is_near_the_middle(std::size_t link, std::size_t joints) {
-  return 2 * link + 4 >= joints && 2 * link <= joints + 4;
+  return 2 * link + 2 >= joints && 2 * link <= joints + 2;
 }
 
 /// The one with the fewest occurrences of joint variables, then the fewest terms.
 Candidate best_candidate(const Serial& robot, const std::vector<const JointGroups*>& choices) {
   Candidate best;
-  for (const ReferencePoint& at : reference_points(robot)) {
-    if (!is_near_the_middle(at.link, robot.joints.size())) continue;
+  for (std::size_t link = 0; link <= robot.joints.size(); ++link) {
+    if (!is_near_the_middle(link, robot.joints.size())) continue;
+    const std::vector<Point> points = reference_points(robot, link);
     for (const JointGroups* groups : choices) {
-      Candidate next = candidate(robot, *groups, at);
-      if (std::pair(next.occurrences, next.terms) < std::pair(best.occurrences, best.terms))
-        best = std::move(next);
+      const std::vector<JointScrew> screws = joint_screws(robot, *groups, link);
+      for (const Point& point : points) {
+        Candidate next = candidate(link, moved_to(screws, point));
+        if (std::pair(next.occurrences, next.terms) < std::pair(best.occurrences, best.terms))
+          best = std::move(next);
+      }
     }
   }
   return best;
@@ -95,7 +94,7 @@ void describe_rows(Model& model, const Serial& robot, const std::vector<std::siz
   const bool wide = robot.joints.size() > rows.size();
   std::vector<std::string> names;
   for (const std::size_t row : rows) names.emplace_back(kRowNames[row]);
-  model.matrix_name = wide ? "transposed forward Jacobian" : "forward Jacobian";
+  model.matrix_kind = wide ? MatrixKind::kForwardTransposed : MatrixKind::kForward;
   std::string note = "forward Jacobian of " + plural(robot.joints.size(), "joint") + ", rows " +
                      enumeration(names) + (wide ? "; transposed: more joints than rows" : "");
   model.matrix_notes.push_back(std::move(note));
@@ -131,11 +130,13 @@ Model serial_model(Model model, const Serial& robot) {
         {GiNaC::realsymbol(j.name), j.name, j.kind == JointKind::kRevolute ? "rad" : robot.unit});
   const auto budget = std::make_shared<TermBudget>();
   const JointGroups merged = parallel_groups(robot, budget), single = single_groups(robot, budget);
-  const Candidate best = best_candidate(robot, {&merged, &single});
+  std::vector<const JointGroups*> choices = {&merged};
+  if (single.count != merged.count) choices.push_back(&single);
+  const Candidate best = best_candidate(robot, choices);
   const std::vector<std::size_t> kept = independent_rows(best.rows);
   set_matrix(model, best.rows, kept);
   describe_rows(model, robot, kept);
-  describe_variables(model, robot, best.at.link);
+  describe_variables(model, robot, best.link);
   return model;
 }
 

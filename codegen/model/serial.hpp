@@ -28,7 +28,7 @@ struct Serial {
 /// The most joints that move. The matrix of more of them has too many terms.
 constexpr std::size_t kMostJoints = 12;
 
-/// Fills pose, matrix, matrix_name and matrix_notes of a model with a serial arm.
+/// Fills pose, matrix, matrix_kind and matrix_notes of a model with a serial arm.
 ///
 /// The matrix is the forward Jacobian J, a column for each joint, the velocity of a point of the tool
 /// and its angular velocity that one unit of joint speed gives; its transpose if there are more

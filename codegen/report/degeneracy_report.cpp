@@ -72,6 +72,19 @@ std::string format_vector(std::string line, const std::vector<std::vector<double
   return line;
 }
 
+/// Returns what a vector in the kernel of the matrix is.
+const char* describe_kernel(MatrixKind kind) {
+  switch (kind) {
+    case MatrixKind::kInverse:
+      return "twist      lost, approximately: ";
+    case MatrixKind::kForward:
+      return "speeds     of joints that leave the tool at rest, approximately: ";
+    case MatrixKind::kForwardTransposed:
+      return "wrench     that no joint carries, approximately: ";
+  }
+  return "";
+}
+
 std::string describe_space(std::size_t dimension) {
   return dimension == 1 ? "" : fmt::format("a space of dimension {}, spanned by ", dimension);
 }
@@ -104,11 +117,12 @@ std::string format_degeneracy(const PreparedSearch& p,
   if (!degeneracy) return "";
   const std::size_t nullity = degeneracy->twists.size();
   if (nullity == 0)
-    return fmt::format(
-        "twist      no twist is lost there: the least singular value is {:.2g} of the largest\n",
-        degeneracy->singular_values.back());
+    return fmt::format("{} there: the least singular value is {:.2g} of the largest\n",
+                       p.labels.matrix_kind == MatrixKind::kInverse ? "twist      no twist is lost"
+                                                                    : "rank       no rank is lost",
+                       degeneracy->singular_values.back());
   std::string lines =
-      format_vector(fmt::format("twist      lost, approximately: {}", describe_space(nullity)),
+      format_vector(describe_kernel(p.labels.matrix_kind) + describe_space(nullity),
                     degeneracy->twists, [&p](const auto& v) { return describe_twist(p, v); });
   if (!degeneracy->rows.empty())
     lines += format_vector("rows       dependent, approximately, with weights: ", degeneracy->rows,

@@ -113,7 +113,7 @@ Json json_report(const PreparedSearch& p, const SearchOptions& search, const Res
   report["model"] = p.labels.model;
   report["model_sha256"] = p.labels.model_sha256;
   report["motion"] = p.labels.motion;
-  report["matrix"] = p.labels.matrix_name;
+  report["matrix"] = name(p.labels.matrix_kind);
   report["matrix_notes"] = p.labels.matrix_notes;
   report["alpha"] = mid(p.variety.alpha);
   report["alpha_enclosure"] = json_interval(p.variety.alpha);

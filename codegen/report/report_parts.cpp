@@ -233,7 +233,7 @@ std::string format_short_pose(const PreparedSearch& p, std::span<const Interval>
 }
 
 std::string describe_size(const PreparedSearch& p) {
-  return fmt::format("full {}×{} {}", p.labels.rows, p.labels.columns, p.labels.matrix_name);
+  return fmt::format("full {}×{} {}", p.labels.rows, p.labels.columns, name(p.labels.matrix_kind));
 }
 
 std::string format_matrix_notes(const PreparedSearch& p) {
