@@ -1,0 +1,98 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Models made of MJCF files.
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <numbers>
+#include <random>
+
+#include "codegen/import/import.hpp"
+#include "codegen/model/model_file.hpp"
+#include "tests/support/robots/robot_file.hpp"
+#include "tests/support/serial/model_twists.hpp"
+
+namespace regulus::test {
+namespace {
+
+using testing::HasSubstr;
+
+Imported imported(const std::string& text, const ImportOptions& options = {}) {
+  return import_robot(text, "arm.xml", options);
+}
+
+const std::string kArm = robot_text("arm.mjcf");
+
+ChainJoint turning(const Frame& origin, const Vec& axis) {
+  return {.origin = origin, .axis = axis};
+}
+
+TEST(Mjcf, HasTheTwistsOfItsBodies) {
+  const double quarter = std::numbers::pi / 2;
+  const auto at = [](const Vec& p) { return Frame{.p = p}; };
+  const std::vector<ChainJoint> chain = {
+      turning({turn_about({0, 0, 1}, quarter), {0, 0, 0.1}}, {0, 0, 1}),
+      turning(at({0, 0, 0.25}), {0, 1, 0}),
+      turning(at({0, 0, -0.05}) * Frame{turn_about({0, 1, 0}, quarter), {0.3, 0, 0}}, {0, 1, 0}),
+      turning(at({0.25, 0.02, 0}), {1, 0, 0}),
+      turning(at({0.1, 0, 0}), {0, 1, 0}),
+      turning(at({-0.1, 0, 0.01}) * at({0.1, 0, 0}), {1, 0, 0})};
+  const Model model = parse_model(imported(kArm).model, "imported.toml");
+  ASSERT_EQ(model.pose.size(), 6U);
+  std::mt19937 random(5);
+  std::uniform_real_distribution<double> between(-3, 3);
+  for (int pose = 0; pose < 100; ++pose) {
+    std::vector<double> q(6);
+    for (double& x : q) x = between(random);
+    expect_same_arm(model_twists(model, q), difference_twists(chain, q));
+  }
+}
+
+TEST(Mjcf, TakesRangesFromDefaultClasses) {
+  const std::string model = imported(kArm).model;
+  EXPECT_THAT(model, HasSubstr("pan = [\"-pi\", \"pi\"]"));
+  EXPECT_THAT(model, HasSubstr("lift = [\"-pi/2\", \"pi/2\"]"));
+  EXPECT_THAT(model, HasSubstr("elbow = [0, \"5*pi/6\"]"));
+  EXPECT_THAT(model, HasSubstr("turn = [\"-170*deg\", \"170*deg\"]"));
+}
+
+TEST(Mjcf, ReportsQuaternionsThatBecomeAngles) {
+  EXPECT_THAT(imported(kArm).report,
+              HasSubstr("quat of body 'lower': 0.707107 0 0.707107 0 -> rpy [0, pi/2, 0]"));
+}
+
+std::string hinge_behind(const std::string& orientation) {
+  return "<mujoco><compiler angle='radian'/><worldbody><body name='a'><joint name='i'/><body "
+         "name='b' "
+         "pos='1 0 0' " +
+         orientation +
+         "><joint name='j' axis='0 1 0'/><body name='c' pos='0 0 1'><joint name='k' axis='1 0 "
+         "0'/></body>"
+         "</body></body></worldbody></mujoco>";
+}
+
+void expect_turn(const std::string& orientation, const Mat& R) {
+  const Model model = parse_model(imported(hinge_behind(orientation)).model, "imported.toml");
+  const std::vector<ChainJoint> chain = {turning({}, {0, 0, 1}), turning({R, {1, 0, 0}}, {0, 1, 0}),
+                                         turning({.p = {0, 0, 1}}, {1, 0, 0})};
+  const std::vector<double> q = {0.3, -0.8, 0.5};
+  SCOPED_TRACE(orientation);
+  expect_same_arm(model_twists(model, q), difference_twists(chain, q));
+}
+
+TEST(Mjcf, ReadsEveryKindOfOrientation) {
+  const auto x = [](double a) { return turn_about({1, 0, 0}, a); };
+  const auto y = [](double a) { return turn_about({0, 1, 0}, a); };
+  const auto z = [](double a) { return turn_about({0, 0, 1}, a); };
+  expect_turn("euler='0.1 0.2 0.3'", x(0.1) * (y(0.2) * z(0.3)));
+  expect_turn("axisangle='1 2 3 0.7'", turn_about({1, 2, 3}, 0.7));
+  expect_turn("axisangle='0 -2 0 0.7'", y(-0.7));
+  expect_turn("xyaxes='0 1 0 -1 0 0'", z(std::numbers::pi / 2));
+  expect_turn("xyaxes='1 1 0 -1 1 0.5'",
+              z(std::numbers::pi / 4) * x(std::atan2(0.5, std::sqrt(2.0))));
+  expect_turn("zaxis='0 1 1'", x(-std::numbers::pi / 4));
+  expect_turn("zaxis='0 0 -1'", x(std::numbers::pi));
+  expect_turn("quat='1 2 3 4'", turn_about({2, 3, 4}, 2 * std::atan2(std::sqrt(29.0), 1)));
+}
+
+}  // namespace
+}  // namespace regulus::test

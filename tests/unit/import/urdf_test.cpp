@@ -1,0 +1,136 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Models made of URDF files.
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <numbers>
+#include <random>
+
+#include "codegen/import/import.hpp"
+#include "codegen/model/model_file.hpp"
+#include "tests/support/robots/robot_file.hpp"
+#include "tests/support/serial/model_twists.hpp"
+
+namespace regulus::test {
+namespace {
+
+using testing::HasSubstr;
+using testing::Not;
+
+Imported imported(const std::string& text, const ImportOptions& options = {}) {
+  return import_robot(text, "arm.urdf", options);
+}
+
+Model model_of(const std::string& text, const ImportOptions& options = {}) {
+  return parse_model(imported(text, options).model, "imported.toml");
+}
+
+class Arm : public testing::TestWithParam<std::string> {};
+
+/// Snapped numbers differ by less than 1e-9, so the twists do by little more.
+TEST_P(Arm, HasTheTwistsOfItsFile) {
+  const std::string text = robot_text(GetParam() + ".urdf");
+  const Model model = model_of(text);
+  const std::vector<ChainJoint> chain = urdf_chain(text);
+  std::mt19937 random(11);
+  std::uniform_real_distribution<double> between(-std::numbers::pi, std::numbers::pi);
+  for (int pose = 0; pose < 100; ++pose) {
+    std::vector<double> q(model.pose.size());
+    for (double& x : q) x = between(random);
+    expect_same_arm(model_twists(model, q), difference_twists(chain, q));
+  }
+}
+
+TEST_P(Arm, HasItsRangesAndItsDigest) {
+  const Imported arm = imported(robot_text(GetParam() + ".urdf"));
+  const Model model = parse_model(arm.model, "imported.toml");
+  ASSERT_FALSE(model.motions.empty());
+  EXPECT_EQ(model.motions[0].name, "limits");
+  EXPECT_EQ(model.motions[0].parameters.size(), model.pose.size());
+  EXPECT_THAT(model.source, HasSubstr("SHA-256 "));
+  EXPECT_THAT(arm.report, HasSubstr("rank does not depend on"));
+}
+
+INSTANTIATE_TEST_SUITE_P(Urdf, Arm, testing::ValuesIn(arm_names()),
+                         [](const auto& info) { return info.param; });
+
+/// Two joints, of which the second has this text.
+std::string arm_with(const std::string& joint) {
+  return "<robot name='two'><link name='a'/><link name='b'/><link name='c'/>\n"
+         "<joint name='first' type='revolute'><parent link='a'/><child link='b'/>"
+         "<axis xyz='0 0 1'/><limit lower='-1' upper='1'/></joint>\n" +
+         joint + "</robot>";
+}
+
+std::string second(const std::string& inside, const std::string& type = "revolute",
+                   const std::string& name = "second") {
+  return "<joint name='" + name + "' type='" + type + "'><parent link='b'/><child link='c'/>" +
+         inside + "</joint>";
+}
+
+TEST(Urdf, SnapsAndSaysSo) {
+  const std::string text =
+      arm_with(second("<origin xyz='0.33299999999999996 1e-17 0' rpy='1.570796326794897 0 0'/>"
+                      "<axis xyz='0 1 0'/><limit lower='-2.96705972839' upper='0.1'/>"));
+  const Imported snapped = imported(text);
+  EXPECT_THAT(snapped.model, HasSubstr("xyz = [0.333, 0, 0], rpy = [\"pi/2\", 0, 0]"));
+  EXPECT_THAT(snapped.model, HasSubstr("second = [\"-170*deg\", 0.1]"));
+  EXPECT_THAT(snapped.report,
+              HasSubstr("line 3, rpy of joint 'second': 1.570796326794897 -> pi/2"));
+  EXPECT_THAT(snapped.report, HasSubstr("0.33299999999999996 -> 0.333"));
+  const Imported exact = imported(text, {.snap = "0"});
+  EXPECT_THAT(exact.model, HasSubstr("\"0.33299999999999996\", \"0.00000000000000001\", 0"));
+  EXPECT_THAT(exact.model, HasSubstr("\"1.570796326794897\""));
+  EXPECT_THAT(exact.report, Not(HasSubstr("snapped")));
+}
+
+TEST(Urdf, WritesTurnsByOtherAnglesAsAQuaternion) {
+  const std::string text =
+      arm_with(second("<origin xyz='1 0 0' rpy='0.1 -0.2 0.3'/><axis xyz='0 1 0'/>"));
+  EXPECT_THAT(imported(text).report,
+              HasSubstr("rpy of joint 'second': 0.1 -0.2 0.3 -> quaternion"));
+  const Model snapped = model_of(text), exact = model_of(text, {.snap = "0"});
+  const std::vector<double> q = {0.4, 0.5};
+  expect_same_arm(model_twists(snapped, q), model_twists(exact, q), 1e-10);
+}
+
+TEST(Urdf, TakesOneTurnWhereLimitsAreMissing) {
+  const Imported arm = imported(arm_with(second("<axis xyz='0 1 0'/>")));
+  EXPECT_THAT(arm.model, HasSubstr("second = [\"-pi\", \"pi\"] # assumed: the file has none"));
+  EXPECT_THAT(arm.report, HasSubstr("joint 'second' has no limits: one turn is assumed"));
+  EXPECT_THAT(imported(arm_with(second("<axis xyz='0 1 0'/>", "continuous"))).model,
+              HasSubstr("second = [\"-pi\", \"pi\"] # turns without end"));
+}
+
+TEST(Urdf, MakesNamesThatModelsMayUse) {
+  const Imported arm = imported(arm_with(second("<axis xyz='0 1 0'/>", "revolute", "2nd joint/x")));
+  EXPECT_THAT(arm.model, HasSubstr("name = \"q_2nd_joint_x\""));
+  EXPECT_THAT(arm.report, HasSubstr("'2nd joint/x' is q_2nd_joint_x"));
+  EXPECT_THAT(imported(arm_with(second("<axis xyz='0 1 0'/>", "revolute", "alpha"))).model,
+              HasSubstr("name = \"q_alpha\""));
+  EXPECT_THAT(imported(arm_with(second("<axis xyz='0 1 0'/>", "revolute", "sin"))).model,
+              HasSubstr("name = \"q_sin\""));
+}
+
+TEST(Urdf, HasNoHomeOutsideTheLimits) {
+  const std::string text = arm_with(second("<axis xyz='0 1 0'/><limit lower='0.5' upper='1'/>"));
+  EXPECT_THAT(imported(text).model, Not(HasSubstr("motion.home")));
+  EXPECT_THAT(imported(text).report, HasSubstr("no motion 'home'"));
+  EXPECT_THAT(imported(arm_with(second("<axis xyz='0 1 0'/>"))).model, HasSubstr("motion.home"));
+}
+
+TEST(Urdf, KeepsPrismaticJointsAndFixedFrames) {
+  const Imported arm = imported(
+      "<robot name='r'><link name='a'/><link name='b'/><link name='c'/><link name='d'/>"
+      "<joint name='rail' type='prismatic'><parent link='a'/><child link='b'/><axis xyz='1 0 0'/>"
+      "<limit lower='0' upper='2'/></joint>"
+      "<joint name='mount' type='fixed'><parent link='b'/><child link='c'/><origin xyz='0 0 "
+      "1'/></joint>"
+      "<joint name='turn' type='revolute'><parent link='c'/><child link='d'/><axis xyz='0 1 0'/>"
+      "<limit lower='0' upper='2'/></joint></robot>");
+  EXPECT_THAT(arm.model, HasSubstr("{ name = \"rail\", type = \"prismatic\", axis = [1, 0, 0] }"));
+  EXPECT_THAT(arm.model, HasSubstr("{ type = \"fixed\", xyz = [0, 0, 1] }, # 'mount'"));
+}
+
+}  // namespace
+}  // namespace regulus::test
