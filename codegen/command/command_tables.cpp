@@ -53,9 +53,8 @@ constexpr const char* kGenerateFooter =
     "Exit: 0 written; 64 usage, 65 bad model, 70 internal fault, 74 file error.";
 
 constexpr const char* kImportFooter =
-    "The model has two motions: limits, the ranges of the joints in the file, and home, every "
-    "joint\n"
-    "at zero. From a file to a verdict: codegen/import/IMPORTING.md.\n"
+    "The model of an arm has two motions: limits, the ranges of the joints in the file, and home,\n"
+    "every joint at zero. From a file to a verdict: codegen/import/IMPORTING.md.\n"
     "Exit: 0 written; 64 usage, 65 bad file, 70 internal fault, 74 file error.";
 
 constexpr const char* kShellFooter =
@@ -300,7 +299,8 @@ void add_explain_options(CLI::App& app, ExplainCommand& command) {
 }
 
 void add_import_options(CLI::App& app, ImportCommand& command) {
-  app.add_option("FILE", command.path, "Robot file of another program (URDF)")->required();
+  app.add_option("FILE", command.path, "Robot file of another program: URDF, MJCF or SDF")
+      ->required();
   app.add_option("-o,--output", command.output, "Model file to write; default: standard output")
       ->type_name("MODEL.toml");
   app.add_option("--base", command.options.base,
@@ -310,6 +310,13 @@ void add_import_options(CLI::App& app, ImportCommand& command) {
                  "Link at the end of the arm; default: the link behind its last joint, if the file "
                  "has no branches")
       ->type_name("LINK");
+  app.add_option(
+         "--cut", command.options.cuts,
+         "Two links, or joints before them, whose origins are one point: a loop that a URDF file "
+         "cannot have; may be repeated")
+      ->take_all()
+      ->expected(1)
+      ->type_name("LINK=LINK");
   app.add_option("--snap", command.options.snap,
                  "Take a number within this distance of a multiple of pi/12, or of a decimal with "
                  "fewer digits, for that number; each is reported. 0: take all numbers as they are")

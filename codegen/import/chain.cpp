@@ -13,8 +13,6 @@
 namespace regulus::inline importing {
 namespace {
 
-constexpr std::size_t kMostLinks = 2000;
-
 using Joints = std::vector<const ImportedJoint*>;
 
 bool moves(const ImportedJoint& joint) { return joint.type != JointType::kFixed; }
@@ -29,16 +27,14 @@ class ChainFinder {
  public:
   ChainFinder(const Mechanism& mechanism, const std::string& file)
       : mechanism_(mechanism), file_(file) {
-    if (mechanism.links.size() > kMostLinks)
-      refuse(0, fmt::format("the file has {} links", mechanism.links.size()),
-             fmt::format("at most {} are read", kMostLinks));
     for (const ImportedJoint& joint : mechanism.joints) {
       const auto [at, inserted] = parent_.emplace(joint.child, &joint);
       if (!inserted)
         refuse(joint.line,
                fmt::format("link {} is the child of two joints, {} and {}", in_quotes(joint.child),
                            in_quotes(at->second->name), in_quotes(joint.name)),
-               "cut the loop: each link needs one parent");
+               "an arm has no loops; of the robots with loops, only platforms on six legs that "
+               "slide are read");
     }
   }
 
@@ -160,7 +156,9 @@ class ChainFinder {
                  fmt::format("{} closes a loop of links {} and {} with joint {} of the arm",
                              in_quotes(loop.type), in_quotes(loop.first), in_quotes(loop.second),
                              in_quotes(joint->name)),
-                 "an arm has no loops; choose --base and --tip outside the loop");
+                 "choose --base and --tip outside the loop; of the robots with loops, only "
+                 "platforms on six "
+                 "legs that slide are read");
       }
     }
   }

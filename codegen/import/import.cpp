@@ -6,11 +6,14 @@
 #include <algorithm>
 
 #include "codegen/import/chain.hpp"
+#include "codegen/import/hexapod.hpp"
 #include "codegen/import/mjcf.hpp"
+#include "codegen/import/sdf.hpp"
 #include "codegen/import/serial_text.hpp"
 #include "codegen/import/urdf.hpp"
 #include "codegen/model/model_file.hpp"
 #include "codegen/model/names.hpp"
+#include "codegen/model/parsed_expression.hpp"
 #include "codegen/model/written.hpp"
 #include "codegen/support/errors.hpp"
 #include "codegen/support/sha256.hpp"
@@ -22,8 +25,18 @@ Mechanism read_mechanism(const XmlFile& xml, NumberReader& numbers) {
   const XmlElement root = xml.root();
   if (root.name() == "robot") return read_urdf(root, numbers);
   if (root.name() == "mujoco") return read_mjcf(root, numbers);
+  if (root.name() == "sdf") return read_sdf(root, numbers);
   root.refuse("the root element is <" + printable(root.name()) + ">",
-              "it must be <robot> (URDF) or <mujoco> (MJCF)");
+              "it must be <robot> (URDF), <mujoco> (MJCF) or <sdf> (SDF)");
+}
+
+/// Chains and loops are looked for in time that grows with the square of the size.
+void require_size(const Mechanism& mechanism, const std::string& file) {
+  constexpr std::size_t kMostLinks = 2000;
+  if (mechanism.links.size() > kMostLinks || mechanism.joints.size() > kMostLinks)
+    throw InputError::statement(file, 0,
+                                fmt::format("the file has {} links", mechanism.links.size()),
+                                fmt::format("at most {} are read", kMostLinks));
 }
 
 NumberReader number_reader(const ImportOptions& options) try {
@@ -89,28 +102,74 @@ std::string chain_line(const Chain& chain) {
                      fixed);
 }
 
-}  // namespace
+/// The tables of the model, and a line about the robot.
+struct Tables {
+  std::string text, robot;
+};
 
-Imported import_robot(std::string_view text, const std::string& file,
-                      const ImportOptions& options) {
-  NumberReader numbers = number_reader(options);
-  const XmlFile xml(file, text);
-  Mechanism mechanism = read_mechanism(xml, numbers);
+Tables tables_of(Mechanism& mechanism, const std::string& file, const ImportOptions& options,
+                 Identifiers& identifiers) {
+  if (const auto hexapod = find_hexapod(mechanism, file, options.base))
+    return {hexapod_text(*hexapod, mechanism.notes),
+            fmt::format("six legs from {} to {}, each with a joint that slides",
+                        in_quotes(hexapod->base), in_quotes(hexapod->platform))};
   const Chain chain = find_chain(mechanism, file, options.base, options.tip);
+  return {serial_text(chain, identifiers, mechanism.notes), chain_line(chain)};
+}
+
+/// Adds loops "LINK=LINK": the origins of the two frames are one point.
+void add_cuts(Mechanism& mechanism, const std::vector<std::string>& cuts) {
+  for (const std::string& cut : cuts) {
+    const std::size_t equals = cut.find('=');
+    ImportedLoop loop{"connect",
+                      cut.substr(0, equals),
+                      equals == std::string::npos ? "" : cut.substr(equals + 1),
+                      {},
+                      true,
+                      0};
+    for (std::string* end : {&loop.first, &loop.second}) {
+      // A joint stands for the link behind it.
+      const auto joint = std::ranges::find(mechanism.joints, *end, &ImportedJoint::name);
+      if (joint != mechanism.joints.end() && !mechanism.has_link(*end)) *end = joint->child;
+      if (!mechanism.has_link(*end))
+        throw UsageError("--cut: there is no link or joint " + in_quotes(*end) +
+                         "; write --cut LINK=LINK");
+    }
+    mechanism.loops.push_back(std::move(loop));
+  }
+}
+
+Imported import_mechanism(const XmlFile& xml, std::string_view text, const std::string& file,
+                          const ImportOptions& options) {
+  NumberReader numbers = number_reader(options);
+  Mechanism mechanism = read_mechanism(xml, numbers);
+  require_size(mechanism, file);
+  add_cuts(mechanism, options.cuts);
   Identifiers identifiers;
   Imported result;
-  result.model = header(mechanism, file, text) + serial_text(chain, identifiers, mechanism.notes);
+  const Tables tables = tables_of(mechanism, file, options, identifiers);
+  result.model = header(mechanism, file, text) + tables.text;
   const Model model = parse_model(result.model, "the model made of " + file);
   add_lines(result.report, "read",
             {fmt::format("{} {}: {} links, {} joints", mechanism.format, in_quotes(mechanism.name),
                          mechanism.links.size(), mechanism.joints.size())});
-  add_lines(result.report, "arm", {chain_line(chain)});
+  add_lines(result.report, "robot", {tables.robot});
   add_lines(result.report, "matrix", model.matrix_notes);
   add_lines(result.report, "ignored", ignored_lines(mechanism));
   add_lines(result.report, "renamed", identifiers.changes());
   add_lines(result.report, "snapped", snap_lines(numbers));
   add_lines(result.report, "note", mechanism.notes);
   return result;
+}
+
+}  // namespace
+
+Imported import_robot(std::string_view text, const std::string& file,
+                      const ImportOptions& options) try {
+  const XmlFile xml(file, text);
+  return import_mechanism(xml, text, file, options);
+} catch (const Refusal& refusal) {
+  throw InputError(file, 0, refusal.found, refusal.expected);
 }
 
 }  // namespace regulus::importing

@@ -17,6 +17,7 @@ enum class Orientation {
   kNone,
   kRpy,         ///< roll, pitch, yaw: Rz(yaw)·Ry(pitch)·Rx(roll)
   kQuaternion,  ///< w, x, y, z of any length but zero
+  kRotation,    ///< the nine entries of a rotation matrix, by rows
 };
 
 struct Pose {
@@ -52,6 +53,7 @@ struct ImportedLoop {
   std::string type;  ///< as in the file: "connect" holds two points together
   std::string first, second;
   std::array<ExactNumber, 3> anchor{};  ///< the point, in the frame of the first link
+  bool origins_meet = false;  ///< the point is the origin of both links; the zero pose may be open
   int line = 0;
 };
 

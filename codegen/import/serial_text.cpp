@@ -27,6 +27,11 @@ std::string pose_text(const Pose& pose) {
   if (pose.orientation == Orientation::kRpy) text += ", rpy = " + toml_list(pose.angles);
   if (pose.orientation == Orientation::kQuaternion)
     text += ", quaternion = " + toml_list(pose.angles);
+  if (pose.orientation == Orientation::kRotation) {
+    const std::span<const ExactNumber> entries(pose.angles);
+    text += fmt::format(", rotation = [{}, {}, {}]", toml_list(entries.first(3)),
+                        toml_list(entries.subspan(3, 3)), toml_list(entries.last(3)));
+  }
   return text;
 }
 

@@ -1,0 +1,65 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Models made of SDF files.
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <numbers>
+#include <random>
+
+#include "codegen/import/import.hpp"
+#include "codegen/model/model_file.hpp"
+#include "tests/support/robots/robot_file.hpp"
+#include "tests/support/serial/model_twists.hpp"
+
+namespace regulus::test {
+namespace {
+
+using testing::HasSubstr;
+
+Imported imported(const std::string& text, const ImportOptions& options = {}) {
+  return import_robot(text, "arm.sdf", options);
+}
+
+/// The arm of arm.sdf, all of whose frames are relative to others, by its numbers.
+std::vector<ChainJoint> chain_of_arm() {
+  const double quarter = std::numbers::pi / 2;
+  const auto z = [](double a) { return turn_about({0, 0, 1}, a); };
+  const auto x = [](double a) { return turn_about({1, 0, 0}, a); };
+  const Frame upper{z(quarter), {0, 0, 0.3}};            // of the model
+  const Frame elbow{x(0.3), {0.4, 0, 0.3}};              // of the model
+  const Frame fore = elbow * Frame{.p = {0, 0.1, 0}};    // of the model
+  const Frame hand = fore * Frame{z(0.5), {0.3, 0, 0}};  // of the model
+  const auto inverse = [](const Frame& f) {
+    Mat R{};
+    for (std::size_t i = 0; i < 3; ++i)
+      for (std::size_t j = 0; j < 3; ++j) R[i][j] = f.R[j][i];
+    return Frame{R, -1.0 * (R * f.p)};
+  };
+  const Mat back = inverse({elbow.R, {}}).R;
+  return {{.origin = upper, .axis = {0, 0, 1}},
+          {.origin = inverse(upper) * elbow, .axis = back * Vec{0, 1, 0}},
+          {.origin = inverse(elbow) * hand, .axis = {1, 1, 0}, .slides = true},
+          {.origin = Frame{.p = {0, 0, 0.1}}, .axis = {1, 0, 0}}};
+}
+
+TEST(Sdf, HasTheTwistsOfItsFrames) {
+  const Model model = parse_model(imported(robot_text("arm.sdf")).model, "imported.toml");
+  ASSERT_EQ(model.pose.size(), 4U);
+  std::mt19937 random(9);
+  std::uniform_real_distribution<double> between(-3, 3);
+  for (int pose = 0; pose < 100; ++pose) {
+    std::vector<double> q(4);
+    for (double& x : q) x = between(random);
+    expect_same_arm(model_twists(model, q), difference_twists(chain_of_arm(), q));
+  }
+}
+
+TEST(Sdf, HasItsRanges) {
+  const std::string model = imported(robot_text("arm.sdf")).model;
+  EXPECT_THAT(model, HasSubstr("pan = [\"-pi\", \"pi\"] # turns without end"));
+  EXPECT_THAT(model, HasSubstr("elbow = [-1.5, 1.5]"));
+  EXPECT_THAT(model, HasSubstr("reach = [0, 0.2]"));
+}
+
+}  // namespace
+}  // namespace regulus::test
