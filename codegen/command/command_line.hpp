@@ -8,8 +8,8 @@
 #include <vector>
 
 #include "codegen/command/generate_options.hpp"
+#include "codegen/command/import_options.hpp"
 #include "codegen/engine/options.hpp"
-#include "codegen/import/import.hpp"
 #include "codegen/report/output_options.hpp"
 
 namespace regulus::inline command {
@@ -59,13 +59,6 @@ struct ExplainCommand {
   Method method = Method::kAuto;  ///< whose functions are shown
   std::uint64_t symbolic_budget = kDeterminantBudget;
   OutputOptions output;
-};
-
-struct ImportCommand {
-  std::string path;
-  std::string output;  ///< file; empty: standard output
-  ImportOptions options;
-  bool quiet = false;
 };
 
 /// `regulus shell`

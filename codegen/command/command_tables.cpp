@@ -52,11 +52,6 @@ constexpr const char* kGenerateFooter =
     "What to do with the files: codegen/EMBEDDING.md. In CMake, regulus_add_kernel() does it.\n"
     "Exit: 0 written; 64 usage, 65 bad model, 70 internal fault, 74 file error.";
 
-constexpr const char* kImportFooter =
-    "The model of an arm has two motions: limits, the ranges of the joints in the file, and home,\n"
-    "every joint at zero. From a file to a verdict: codegen/import/IMPORTING.md.\n"
-    "Exit: 0 written; 64 usage, 65 bad file, 70 internal fault, 74 file error.";
-
 constexpr const char* kShellFooter =
     "A script on standard input stops at its first error; the message names the line. With the "
     "line\n"
@@ -298,33 +293,6 @@ void add_explain_options(CLI::App& app, ExplainCommand& command) {
                "Print one JSON object on standard output: model, motion, stage, text");
 }
 
-void add_import_options(CLI::App& app, ImportCommand& command) {
-  app.add_option("FILE", command.path, "Robot file of another program: URDF, MJCF or SDF")
-      ->required();
-  app.add_option("-o,--output", command.output, "Model file to write; default: standard output")
-      ->type_name("MODEL.toml");
-  app.add_option("--base", command.options.base,
-                 "Link that the arm stands on; default: the link without a parent")
-      ->type_name("LINK");
-  app.add_option("--tip", command.options.tip,
-                 "Link at the end of the arm; default: the link behind its last joint, if the file "
-                 "has no branches")
-      ->type_name("LINK");
-  app.add_option(
-         "--cut", command.options.cuts,
-         "Two links, or joints before them, whose origins are one point: a loop that a URDF file "
-         "cannot have; may be repeated")
-      ->take_all()
-      ->expected(1)
-      ->type_name("LINK=LINK");
-  app.add_option("--snap", command.options.snap,
-                 "Take a number within this distance of a multiple of pi/12, or of a decimal with "
-                 "fewer digits, for that number; each is reported. 0: take all numbers as they are")
-      ->type_name("DISTANCE")
-      ->capture_default_str();
-  app.add_flag("--quiet", command.quiet, "Do not report what was read");
-}
-
 void add_shell_options(CLI::App& app, ShellCommand& command) {
   app.add_option("MODEL", command.path, "Model file to load first");
   app.add_flag("--json", command.json, "Print each result as one JSON object on a line");
@@ -356,7 +324,6 @@ CommandTables::CommandTables(const std::string& shell_commands) : app(kDescripti
   import_command = app.add_subcommand(
       "import", "Make a model of a robot that a file of another program describes");
   add_import_options(*import_command, import);
-  import_command->footer(kImportFooter);
   shell_command = app.add_subcommand(
       "shell", "Load, show, set, check and plot at a prompt, or as a script on standard input");
   add_shell_options(*shell_command, shell);

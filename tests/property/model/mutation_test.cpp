@@ -106,6 +106,11 @@ TEST(DamagedModel, PlanarRobotGivesAModelOrAnInputError) {
   expect_only_input_errors(file("planar_3rpr.toml"), 2000);
 }
 
+TEST(DamagedModel, SerialArmGivesAModelOrAnInputError) {
+  expect_only_input_errors(file("scara.toml"), 2000);
+  expect_only_input_errors(file("seven_joints.toml"), 500);
+}
+
 TEST(DamagedModel, NoiseGivesAnInputError) {
   std::mt19937_64 random(7);
   for (int trial = 0; trial < 3000; ++trial) {

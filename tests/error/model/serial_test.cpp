@@ -1,0 +1,113 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "tests/error/model/refusal.hpp"
+
+namespace regulus {
+namespace {
+
+using test::changed;
+using test::expect_refused;
+
+const std::string kArm =
+    "regulus = 1\n"
+    "name = \"arm\"\n"
+    "[serial]\n"
+    "joints = [\n"
+    "  { name = \"q1\" },\n"
+    "  { name = \"q2\", xyz = [1, 0, 0], rpy = [0, 0, 0], axis = [0, 1, 0] },\n"
+    "]\n"
+    "[motion.zero]\n"
+    "q1 = 0\n"
+    "q2 = 0\n";
+
+void expect_refused_arm(const std::string& from, const std::string& to, int line,
+                        const std::string& found, const std::string& expected) {
+  expect_refused(changed(kArm, from, to), line, found, expected);
+}
+
+TEST(SerialRefusal, TogetherWithPoseOrMatrixOrGough) {
+  expect_refused(kArm + "[pose]\nx = \"m\"\n", 11, "[pose] cannot be used together with [serial]",
+                 "remove one of them");
+  expect_refused(kArm + "[matrix]\nrows = [[1]]\n", 11, "[matrix] cannot be used together",
+                 "remove one of them");
+  expect_refused(kArm + "[gough]\n", 3, "[serial] cannot be used together with [gough]",
+                 "remove one of them");
+}
+
+TEST(SerialRefusal, UnknownKeysAndWords) {
+  expect_refused_arm("xyz =", "xzy =", 6, "unknown key 'serial.joints[2].xzy'", "'xyz'");
+  expect_refused_arm("axis = [0, 1, 0]", "type = \"hinge\"", 6, "the string 'hinge'",
+                     "\"revolute\", \"continuous\", \"prismatic\" or \"fixed\"");
+  expect_refused_arm("[serial]\n", "[serial]\nconvention = \"dh\"\n", 4, "the string 'dh'",
+                     "\"origins\", \"standard-dh\" or \"modified-dh\"");
+}
+
+TEST(SerialRefusal, AKeyOfAnotherConvention) {
+  expect_refused_arm("[serial]\n", "[serial]\nconvention = \"standard-dh\"\n", 7,
+                     "unknown key 'serial.joints[2].xyz'", "alpha");
+}
+
+TEST(SerialRefusal, WrongNumbersOfCoordinates) {
+  expect_refused_arm("[1, 0, 0]", "[1, 0]", 6, "2 numbers in serial.joints[2].xyz", "3 numbers");
+}
+
+TEST(SerialRefusal, AnAxisWithoutDirection) {
+  expect_refused_arm("axis = [0, 1, 0]", "axis = [0, 0, 0]", 6, "is zero", "have a direction");
+  expect_refused_arm("axis = [0, 1, 0]", "axis = [0, \"sqrt(2)*sqrt(3) - sqrt(6)\", 0]", 6,
+                     "is zero, or cannot be told from zero", "have a direction");
+}
+
+TEST(SerialRefusal, TwoOrientations) {
+  expect_refused_arm("rpy = [0, 0, 0]", "rpy = [0, 0, 0], quaternion = [1, 0, 0, 0]", 6,
+                     "more than one orientation", "keep one");
+}
+
+TEST(SerialRefusal, AMatrixThatIsNoRotation) {
+  expect_refused_arm("rpy = [0, 0, 0]", "rotation = [[1, 0, 0], [0, 1, 0], [0, 0, -1]]", 6,
+                     "not proved to be a rotation", "exact");
+  expect_refused_arm("rpy = [0, 0, 0]",
+                     "rotation = [[0.707, -0.707, 0], [0.707, 0.707, 0], [0, 0, 1]]", 6,
+                     "not proved to be a rotation", "exact");
+}
+
+TEST(SerialRefusal, JointsWithoutNames) {
+  expect_refused_arm("name = \"q2\", ", "", 6, "there is no 'name' in serial.joints[2]",
+                     "add 'serial.joints[2].name'");
+  expect_refused_arm("\"q2\"", "\"q1\"", 6, "'q1' is declared twice", "choose another name");
+  expect_refused_arm("\"q2\"", "\"alpha\"", 6, "which is a key of motions", "choose another name");
+}
+
+TEST(SerialRefusal, NoJointThatMovesAndTooMany) {
+  expect_refused_arm("{ name = \"q1\" },\n  { name = \"q2\", ",
+                     "{ type = \"fixed\" },\n  { type = \"fixed\", ", 4, "no joint that moves",
+                     "at least one");
+  std::string many;
+  for (int j = 3; j < 20; ++j) many += "  { name = \"q" + std::to_string(j) + "\" },\n";
+  expect_refused_arm("]\n[motion", many + "]\n[motion", 4, "19 joints that move", "at most 12");
+}
+
+TEST(SerialRefusal, RangesOfSomeJointsOnly) {
+  expect_refused_arm("{ name = \"q1\" }", "{ name = \"q1\", range = [0, 1] }", 4,
+                     "only some joints have a range", "every joint");
+  expect_refused_arm("{ name = \"q1\" }", "{ name = \"q1\", range = [1, 0] }", 5, "1", "0");
+}
+
+TEST(SerialRefusal, AMotionOfTheNameOfTheRanges) {
+  const std::string arm =
+      changed(changed(kArm, "{ name = \"q1\" }", "{ name = \"q1\", range = [0, 1] }"),
+              "name = \"q2\"", "name = \"q2\", range = [0, 1]");
+  expect_refused(changed(arm, "[motion.zero]", "[motion.limits]"), 8,
+                 "already make a motion 'limits'", "choose another name");
+}
+
+/// A turn by angles whose sines and cosines are no roots multiplies the terms.
+TEST(SerialRefusal, AMatrixOfTooManyTerms) {
+  std::string fixed;
+  for (int i = 0; i < 30; ++i)
+    fixed += "  { type = \"fixed\", rpy = [0." + std::to_string(i + 1) + ", 0.0" +
+             std::to_string(i + 3) + ", 0.5" + std::to_string(i) + "] },\n";
+  expect_refused_arm("  { name = \"q2\"", fixed + "  { name = \"q2\"", 3, "terms in one entry",
+                     "quaternion");
+}
+
+}  // namespace
+}  // namespace regulus
