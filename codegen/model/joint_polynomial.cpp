@@ -15,19 +15,21 @@ JointPolynomial::JointPolynomial(const JointGroups& groups, const ex& constant) 
   add_term(Key(groups.of_joint.size() + groups.count, 0), constant);
 }
 
-void TermBudget::spend(std::size_t terms) {
+ex TermBudget::counted(const ex& coefficient) {
+  ex result = reduced(coefficient);
+  const std::size_t terms = GiNaC::is_a<GiNaC::add>(result) ? result.nops() : 1;
   spent_ += terms;
-  if (spent_ > kMost)
+  if (spent_ > kMost || terms > kMostOfCoefficient)
     throw Refusal{
-        "an arm whose matrix has more than a million terms",
+        "an arm whose matrix has too many terms",
         "fewer joints, or fewer angles that are not multiples of pi/12; quaternion = [w, x, "
         "y, z] gives a rotation whose entries are single numbers"};
+  return result;
 }
 
 void JointPolynomial::add_term(Key key, const ex& coefficient) {
-  groups_->budget->spend(GiNaC::is_a<GiNaC::add>(coefficient) ? coefficient.nops() : 1);
-  const auto [at, inserted] = terms_.emplace(std::move(key), reduced(coefficient));
-  if (!inserted) at->second = reduced(at->second + coefficient);
+  const auto [at, inserted] = terms_.emplace(std::move(key), groups_->budget->counted(coefficient));
+  if (!inserted) at->second = groups_->budget->counted(at->second + coefficient);
   if (at->second.is_zero()) terms_.erase(at);
 }
 

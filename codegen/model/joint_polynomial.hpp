@@ -15,11 +15,13 @@ namespace regulus::inline model {
 /// Counts the terms that are formed, so that a hostile model ends with a message.
 class TermBudget {
  public:
-  static constexpr std::size_t kMost = 1'000'000;
+  static constexpr std::size_t kMost = 200'000;
+  static constexpr std::size_t kMostOfCoefficient = 200;
 
-  /// Throws    Refusal if the model needs more than kMost terms.
-  void spend(std::size_t terms);
-  [[nodiscard]] std::size_t spent() const noexcept { return spent_; }
+  /// Returns the coefficient, reduced.
+  ///
+  /// Throws    Refusal if it has too many terms, or all so far have.
+  [[nodiscard]] GiNaC::ex counted(const GiNaC::ex& coefficient);
 
  private:
   std::size_t spent_ = 0;

@@ -18,6 +18,6 @@ struct Placement {
 [[nodiscard]] Placement compose(const Placement& first, const Placement& second);
 
 /// Turns of angles that are not multiples of pi/12 multiply the terms of their products.
-constexpr std::size_t kMostEntryTerms = 1000;
+constexpr std::size_t kMostEntryTerms = 200;
 
 }  // namespace regulus::model

@@ -99,7 +99,7 @@ class RandomArm {
 
   std::string angle(double& value) {
     const int k = integer(-12, 12);
-    if (integer(0, 5) == 0) {
+    if (integer(0, 9) == 0) {
       value = k / 10.0;
       return std::to_string(k) + "e-1";
     }
