@@ -10,9 +10,9 @@
 namespace regulus::inline importing {
 
 struct ImportOptions {
-  std::string base, tip;          ///< links; empty: the only one that can be meant
-  std::vector<std::string> cuts;  ///< "LINK=LINK": loops that the file does not have
-  std::string snap = "1e-9";      ///< numbers move by at most this much
+  std::string base{}, tip{};        ///< links; empty: the only one that can be meant
+  std::vector<std::string> cuts{};  ///< "LINK=LINK": loops that the file does not have
+  std::string snap = "1e-9";        ///< numbers move by at most this much
 };
 
 /// A model file, and what a user should know of how it came about.

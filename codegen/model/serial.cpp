@@ -99,8 +99,11 @@ void describe_rows(Model& model, const Serial& robot, const std::vector<std::siz
                      enumeration(names) + (wide ? "; transposed: more joints than rows" : "");
   model.matrix_notes.push_back(std::move(note));
   if (rows.size() < 6)
-    model.matrix_notes.push_back(describe_motion(rows) + ": the other " +
-                                 plural(6 - rows.size(), "row") + " depend on these at every pose");
+    model.matrix_notes.push_back(describe_motion(rows) +
+                                 (rows.size() == 5
+                                      ? ": the other row depends on these at every pose"
+                                      : ": the other " + std::to_string(6 - rows.size()) +
+                                            " rows depend on these at every pose"));
 }
 
 void describe_variables(Model& model, const Serial& robot, std::size_t link) {

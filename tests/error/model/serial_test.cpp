@@ -88,7 +88,8 @@ TEST(SerialRefusal, NoJointThatMovesAndTooMany) {
 TEST(SerialRefusal, RangesOfSomeJointsOnly) {
   expect_refused_arm("{ name = \"q1\" }", "{ name = \"q1\", range = [0, 1] }", 4,
                      "only some joints have a range", "every joint");
-  expect_refused_arm("{ name = \"q1\" }", "{ name = \"q1\", range = [1, 0] }", 5, "1", "0");
+  expect_refused_arm("{ name = \"q1\" }", "{ name = \"q1\", range = [1, 0] }", 5, "range",
+                     "its lower end must not be above");
 }
 
 TEST(SerialRefusal, AMotionOfTheNameOfTheRanges) {

@@ -49,7 +49,7 @@ struct Frame {
 inline Frame operator*(const Frame& a, const Frame& b) { return {a.R * b.R, a.R * b.p + a.p}; }
 
 struct ChainJoint {
-  Frame origin;
+  Frame origin{};
   Vec axis{0, 0, 1};
   bool moves = true, slides = false;
 };
