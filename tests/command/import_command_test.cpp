@@ -81,7 +81,7 @@ TEST_P(ImportedArm, IsRegularAwayFromTheSingularPoses) {
 }
 
 INSTANTIATE_TEST_SUITE_P(Urdf, ImportedArm, testing::ValuesIn(kRegions),
-                         [](const auto& info) { return info.param.arm; });
+                         [](const auto& region) { return region.param.arm; });
 
 TEST(ImportCommand, PrintsTheModelWithoutAFile) {
   const CommandResult result =

@@ -52,7 +52,7 @@ TEST_P(Arm, HasItsRangesAndItsDigest) {
 }
 
 INSTANTIATE_TEST_SUITE_P(Urdf, Arm, testing::ValuesIn(arm_names()),
-                         [](const auto& info) { return info.param; });
+                         [](const auto& arm) { return arm.param; });
 
 /// Two joints, of which the second has this text.
 std::string arm_with(const std::string& joint) {
