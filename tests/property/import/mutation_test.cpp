@@ -116,5 +116,9 @@ TEST(DamagedUrdf, IsReadOrRefused) { expect_answers(robot_text("mh5.urdf"), 3000
 
 TEST(DamagedMjcf, IsReadOrRefused) { expect_answers(robot_text("arm.mjcf"), 3000); }
 
+TEST(DamagedSdf, IsReadOrRefused) { expect_answers(robot_text("arm.sdf"), 3000); }
+
+TEST(DamagedHexapod, IsReadOrRefused) { expect_answers(robot_text("hexapod.mjcf"), 1000); }
+
 }  // namespace
 }  // namespace regulus::test
