@@ -27,7 +27,7 @@ target_compile_options(regulus_component_runtime INTERFACE
   "$<$<COMPILE_LANGUAGE:CXX>:${REGULUS_FLOATING_POINT_FLAGS}>")
 
 if(REGULUS_SEARCH)
-  regulus_component(search search checkpoint certificate)
+  regulus_component(search cluster search checkpoint certificate)
   target_link_libraries(regulus_component_search INTERFACE Regulus::runtime TBB::tbb)
 endif()
 

@@ -43,6 +43,7 @@ struct SearchOptions {
   std::vector<std::string> without;                    ///< see ingredients.hpp
   std::uint64_t max_boxes = 0;                         ///< 0: no bound
   unsigned threads = 0;                                ///< 0: as many as there are processors
+  cluster::Workers* workers = nullptr;                 ///< in the place of threads
   double time_limit = 0;                               ///< seconds, 0: no bound
   std::uint64_t symbolic_budget = kDeterminantBudget;  ///< terms of a closed form
   long precision = 1024;                               ///< most bits if doubles cannot decide

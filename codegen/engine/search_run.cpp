@@ -7,6 +7,7 @@
 #include "codegen/engine/algebra_oracle.hpp"
 #include "codegen/engine/arb_oracle.hpp"
 #include "codegen/engine/closed_form_bounds.hpp"
+#include "codegen/support/errors.hpp"
 #include "runtime/problem/observers.hpp"
 #include "runtime/search/solver.hpp"
 #include "runtime/witness/point_witness.hpp"
@@ -62,6 +63,24 @@ Result run_search(PreparedSearch& preparation, const SearchOptions& search, Sett
   const double spent_by_stages = preparation.stages->seconds() - before;
   preparation.seconds.search = result.statistics.seconds - spent_by_stages;
   return result;
+}
+
+void decide_for_another(PreparedSearch& preparation, const SearchOptions& search,
+                        const cluster::SearchDescription& description,
+                        const std::function<void(const Problem&, const Settings&)>& decide) {
+  const Problem own = preparation.problem();
+  Problem problem = description.problem;
+  problem.kernel = own.kernel;
+  problem.faster_kernel = own.faster_kernel;
+  Settings settings = description.settings;
+  if (const auto fault = find_fault(problem, settings))
+    throw InternalError("the ranks have prepared different questions: " + *fault);
+  static_cast<void>(with_oracle(preparation, search, settings, [&] {
+    if (settings.closed_form != nullptr && settings.method == Method::kAuto)
+      settings.closed_form->make();
+    decide(problem, settings);
+    return Result{};
+  }));
 }
 
 Result prove_between(PreparedSearch& preparation, const SearchOptions& search, Settings settings,

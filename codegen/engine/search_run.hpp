@@ -2,11 +2,13 @@
 // Runs a prepared search, with more digits and exact algebra if needed.
 #pragma once
 
+#include <functional>
 #include <span>
 #include <vector>
 
 #include "codegen/engine/pipeline.hpp"
 #include "runtime/checkpoint/checkpoint.hpp"
+#include "runtime/cluster/search_description.hpp"
 #include "runtime/problem/observer.hpp"
 
 namespace regulus::inline engine {
@@ -19,6 +21,13 @@ namespace regulus::inline engine {
 [[nodiscard]] Result run_search(PreparedSearch& preparation, const SearchOptions& search,
                                 Settings settings, Observer* observer = nullptr,
                                 const Checkpoint* from = nullptr);
+
+/// Calls `decide` with the problem and the settings of a search that another process runs: with the
+/// kernel, the digits and the closed form of this one. Throws InternalError if the other process
+/// has another kernel.
+void decide_for_another(PreparedSearch& preparation, const SearchOptions& search,
+                        const cluster::SearchDescription& description,
+                        const std::function<void(const Problem&, const Settings&)>& decide);
 
 /// Proves a singularity at the first of these points of the variety, or between it and one of the
 /// others, and refines the witness (see prove_singularity).

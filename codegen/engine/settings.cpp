@@ -33,6 +33,7 @@ Settings settings_from(const SearchOptions& options) {
   settings.entries =
       options.entries.value_or(fitting_entries(settings.method, settings.uncertainty));
   settings.threads = options.threads != 0 ? options.threads : processors();
+  settings.workers = options.workers;
   if (options.max_boxes != 0) settings.max_boxes = options.max_boxes;
   if (options.time_limit != 0) settings.time_limit = options.time_limit;
   leave_out(options.without, settings);

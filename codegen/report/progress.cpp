@@ -6,6 +6,7 @@
 #include <cinttypes>
 #include <cmath>
 #include <memory>
+#include <string>
 #include <utility>
 
 namespace regulus::inline report {
@@ -34,7 +35,8 @@ std::pair<const char*, const char*> words_of(WorkStage stage) {
 
 }  // namespace
 
-void ProgressDisplay::on_start(const Problem&, const Settings&) noexcept {
+void ProgressDisplay::on_start(const Problem&, const Settings& settings) noexcept {
+  workers_ = settings.workers;
   start_ = last_ = Clock::now();
 }
 
@@ -53,6 +55,8 @@ void ProgressDisplay::on_progress(const Statistics& statistics, std::uint64_t fr
       terminal_,
       "\r\033[K%" PRIu64 " boxes, %" PRIu64 " waiting, %.2f %% decided, %.3g boxes/s, %.1f s",
       statistics.boxes, frontier, 100 * decided_, double(statistics.boxes) / elapsed, elapsed);
+  const std::string workers = workers_ != nullptr ? workers_->describe() : "";
+  if (!workers.empty()) std::fprintf(terminal_, ", %s", workers.c_str());
   std::fflush(terminal_);
 }
 

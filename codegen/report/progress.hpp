@@ -9,11 +9,12 @@
 
 #include "codegen/program/work_meter.hpp"
 #include "codegen/report/output_options.hpp"
-#include "runtime/problem/observer.hpp"
+#include "runtime/cluster/workers.hpp"
 
 namespace regulus::inline report {
 
-/// Shows the progress of a search on a terminal: boxes, volume decided, rate, time. One line,
+/// Shows the progress of a search on a terminal: boxes, volume decided, rate, time, and the
+/// processes of a cluster. One line,
 /// rewritten a few times a second, erased at the end. Construct it only if the stream is a
 /// terminal.
 class ProgressDisplay : public Observer {
@@ -29,6 +30,7 @@ class ProgressDisplay : public Observer {
   using Clock = std::chrono::steady_clock;
 
   std::FILE* terminal_;
+  const cluster::Workers* workers_ = nullptr;  ///< of the search; null: threads
   Clock::time_point start_{};
   Clock::time_point last_{};
   double decided_ = 0;  ///< part of the root's volume, 0 … 1; for display only

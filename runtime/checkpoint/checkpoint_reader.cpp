@@ -4,6 +4,7 @@
 #include <cinttypes>
 #include <cmath>
 #include <cstdio>
+#include <numeric>
 
 #include "runtime/checkpoint/checkpoint.hpp"
 #include "runtime/checkpoint/checksum.hpp"
@@ -140,7 +141,26 @@ void read_candidates(Reader& reader, std::size_t variables, WitnessCandidates& i
   into.small_tries = reader.number<std::uint32_t>();
 }
 
-/// Only this format has the hash; the first format has none.
+void read_run(Reader& reader, SearchState& state) {
+  reader.next_line("run");
+  Headway::Run run;
+  run.begin = reader.number(state.statistics.boxes);
+  run.leaves = reader.number();
+  run.multiprecision = reader.number();
+  run.part = reader.real();
+  state.headway = Headway(run);
+}
+
+/// Every open box belongs to one unit; without units there are no numbers.
+void read_units(Reader& reader, SearchState& state) {
+  reader.next_line("units");
+  while (!reader.at_end_of_line()) {
+    state.units.push_back(reader.number<std::uint32_t>());
+    if (state.units.back() == 0) reader.refuse("a number above 0");
+  }
+}
+
+/// Only the first format has no hash.
 CertificateSoFar read_certificate(Reader& reader, int format) {
   CertificateSoFar certificate;
   certificate.length = reader.number();
@@ -155,7 +175,7 @@ CertificateSoFar read_certificate(Reader& reader, int format) {
 /// Returns the format of the text.
 int format_of(std::string_view text) {
   if (!text.starts_with("regulus checkpoint ")) throw CheckpointError("it is not a checkpoint");
-  for (const int format : {1, 2})
+  for (const int format : {1, 2, 3})
     if (text.starts_with("regulus checkpoint " + std::to_string(format) + '\n')) return format;
   throw CheckpointError("its format is of another version");
 }
@@ -202,12 +222,21 @@ Checkpoint read_checkpoint(std::string_view text, const CheckpointedQuestion& qu
   Checkpoint result;
   read_counts(reader, result.state);
   if (format > 1) read_candidates(reader, question.ranges.size(), result.state.candidates);
+  if (format > 2)
+    read_run(reader, result.state);
+  else
+    result.state.headway.begin(result.state.statistics.boxes);
   reader.next_line("blocked");
   read_blocked(reader, question, result.state);
   reader.next_line("certificate");
   if (!reader.take(" none")) result.certificate = read_certificate(reader, format);
+  if (format > 2) read_units(reader, result.state);
   reader.next_line("open");
-  for (std::uint64_t left = reader.number(); left > 0; --left) read_box(reader, question, result);
+  const std::uint64_t count = reader.number();
+  const std::vector<std::uint32_t>& units = result.state.units;
+  if (!units.empty() && std::accumulate(units.begin(), units.end(), std::uint64_t{0}) != count)
+    reader.refuse("as many boxes as the units have");
+  for (std::uint64_t left = count; left > 0; --left) read_box(reader, question, result);
   reader.expect_end();
   std::vector<BoxId> ids = result.ids;
   std::sort(ids.begin(), ids.end());

@@ -41,13 +41,13 @@ void put(std::string& text, const WitnessCandidates& candidates) {
     put(text, std::uint64_t{n});
 }
 
-}  // namespace
+void put(std::string& text, const Headway::Run& run) {
+  text += "\nrun";
+  for (const std::uint64_t n : {run.begin, run.leaves, run.multiprecision}) put(text, n);
+  put(text += ' ', run.part);
+}
 
-std::string write_checkpoint(const CheckpointedQuestion& question, const SearchState& state,
-                             const OpenBoxes& open,
-                             const std::optional<CertificateSoFar>& certificate) {
-  std::string text = "regulus checkpoint 2\nquestion " + question.identity + "\nnext";
-  put(text, state.next_id);
+void put_counts(std::string& text, const SearchState& state) {
   text += "\nboxes";
   for (const std::uint64_t n :
        {state.statistics.boxes, state.statistics.max_frontier, state.statistics.probes})
@@ -62,7 +62,18 @@ std::string write_checkpoint(const CheckpointedQuestion& question, const SearchS
   put(text, state.next_descent);
   text += "\nlimit ";
   put(text, state.threshold.value());
+}
+
+}  // namespace
+
+std::string write_checkpoint(const CheckpointedQuestion& question, const SearchState& state,
+                             const OpenBoxes& open,
+                             const std::optional<CertificateSoFar>& certificate) {
+  std::string text = "regulus checkpoint 3\nquestion " + question.identity + "\nnext";
+  put(text, state.next_id);
+  put_counts(text, state);
   put(text, state.candidates);
+  put(text, state.headway.run());
   text += "\nblocked";
   if (state.blocked) {
     put(text, static_cast<std::uint64_t>(state.blocked_reason));
@@ -78,6 +89,8 @@ std::string write_checkpoint(const CheckpointedQuestion& question, const SearchS
   } else {
     text += " none";
   }
+  text += "\nunits";
+  for (const std::uint64_t n : state.units) put(text, n);
   text += "\nopen";
   put(text, std::uint64_t{open.size()});
   for (std::size_t i = 0; i < open.size(); ++i) {

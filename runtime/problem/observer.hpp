@@ -9,6 +9,7 @@
 
 #include "runtime/interval/interval.hpp"
 #include "runtime/problem/adaptive_threshold.hpp"
+#include "runtime/problem/headway.hpp"
 #include "runtime/problem/problem.hpp"
 #include "runtime/problem/result.hpp"
 
@@ -33,7 +34,7 @@ struct Split {
 
 /// The proof of a leaf. For the test that certified it: entry p of K is preconditioner[p·8], entry
 /// i of v is vector[i·8], i < order (0 if the rule has no v; for kSecondOrder more than the
-/// columns).
+/// columns). Both are null for a box that was decided in a unit (SearchState::units).
 struct Proof {
   const double* preconditioner = nullptr;
   const double* vector = nullptr;
@@ -78,6 +79,10 @@ struct SearchState {
   std::uint64_t next_descent = 1;           ///< boxes at which to search for a singularity again
   AdaptiveThreshold threshold;
   WitnessCandidates candidates;
+  Headway headway;
+  /// After its first boxes a long search is cut into units (runtime/cluster/unit.hpp): the numbers
+  /// of open boxes in each, in their order. Empty: there are no units yet.
+  std::vector<std::uint32_t> units;
   /// A box could not be decided: NO SINGULARITY is not possible any more.
   bool blocked = false;
   Reason blocked_reason = Reason::kAllBoxesCertified;

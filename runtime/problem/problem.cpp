@@ -118,6 +118,7 @@ std::optional<std::string> find_fault(const Problem& problem, const Settings& se
   if (!(problem.alpha.lo >= 0.0 && problem.alpha.hi < kInfinity))
     return "the threshold is not a finite number ≥ 0";
   if (settings.batch < 1 || settings.batch > kLanes) return "the batch is not of 1 to 8 boxes";
+  if (settings.boxes_of_unit < 1) return "the units of the search have no boxes";
   if (settings.threads < 1 || settings.threads > kMaxThreads)
     return "the number of threads is not from 1 to " + std::to_string(kMaxThreads);
   if (!(settings.min_relative_width >= 0.0)) return "the minimum width is negative";

@@ -18,6 +18,10 @@
 
 namespace regulus {
 
+namespace cluster {
+class Workers;
+}
+
 /// A set of values for every variable of a kernel (motion parameters, then uncertain quantities).
 /// The problem is to certify it.
 ///
@@ -190,6 +194,15 @@ struct Settings {
   /// The number of threads that decide batches, 1…kMaxThreads; with filters only one. The caller's
   /// thread calls the observer. Only the time of the search depends on this number.
   unsigned threads = 1;
+  /// After so many boxes a search is cut into units, each of about so many boxes
+  /// (runtime/cluster/unit.hpp). The boxes of a search depend on both numbers. Before its first
+  /// unit a search learns how far the costly tests are useful, and gets boxes for many workers. With
+  /// small units, eight boxes at once are often not to be had; with large ones, it takes long until
+  /// there are units for all workers.
+  std::uint64_t boxes_before_units = 1U << 14;
+  std::uint64_t boxes_of_unit = 1024;
+  /// They decide the units of a search in the place of threads of this process.
+  cluster::Workers* workers = nullptr;
   /// Gives every box of the variety its verdict: a box that is not certified is split down to the
   /// minimum width, and then searched for a singularity inside it.
   bool exhaustive = false;

@@ -38,6 +38,17 @@ void WitnessSchedule::look_after(const Decisions& batch, SearchState& state) noe
   look_at_exact_ends(batch.open(lane).box);
 }
 
+void WitnessSchedule::look_from(std::span<const Interval> box, SearchState& state) noexcept {
+  const std::uint64_t boxes = state.statistics.boxes;
+  if (boxes < state.next_descent) return;
+  if (problem_.kernel->constraints > 0)
+    state.next_descent = boxes + 1 + boxes / 8;
+  else
+    look_at_all_corners(state);
+  witness_.descend(box);
+  look_at_exact_ends(box);
+}
+
 void WitnessSchedule::look_in(std::span<const Interval> box, std::uint64_t blocked,
                               SearchState& state) noexcept {
   if (blocked > kMaxDescentsFromBlocked) return;

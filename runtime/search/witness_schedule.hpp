@@ -25,6 +25,10 @@ class WitnessSchedule {
   /// Looks if it is time to; `state` has the number of boxes, and the next time.
   void look_after(const Decisions& batch, SearchState& state) noexcept;
 
+  /// Looks, if it is time to, from an undecided box that is certainly inside the constraints. For
+  /// searches of many boxes.
+  void look_from(std::span<const Interval> box, SearchState& state) noexcept;
+
   /// Looks in a box that is given up, the `blocked`-th one.
   void look_in(std::span<const Interval> box, std::uint64_t blocked, SearchState& state) noexcept;
 

@@ -11,9 +11,10 @@ set(runtime/kernel               runtime/interval)
 set(runtime/machine              runtime/interval runtime/kernel)
 set(runtime/regularity           runtime/interval)
 set(runtime/problem              runtime/interval runtime/kernel runtime/regularity)
+set(runtime/cluster              ${runtime/problem} runtime/problem)
 set(runtime/evaluation           ${runtime/problem} runtime/problem)
 set(runtime/witness              ${runtime/evaluation} runtime/evaluation)
-set(runtime/search               ${runtime/witness} runtime/witness)
+set(runtime/search               ${runtime/witness} runtime/witness runtime/cluster)
 set(runtime/embedded             ${runtime/search} runtime/search)
 set(runtime/checkpoint           ${runtime/embedded} runtime/files)
 set(runtime/certificate          ${runtime/embedded})
@@ -30,7 +31,7 @@ set(codegen/formulation          ${codegen/columns} codegen/columns runtime/prob
 set(codegen/pack                 codegen/program runtime/interval runtime/kernel runtime/machine)
 set(codegen/cpp                  ${codegen/formulation} codegen/formulation codegen/pack runtime/files runtime/kernel runtime/machine)
 set(codegen/jit                  codegen/support codegen/cpp runtime/files runtime/interval runtime/kernel runtime/machine)
-set(codegen/engine               ${codegen/cpp} codegen/cpp codegen/jit runtime/witness runtime/search runtime/checkpoint
+set(codegen/engine               ${codegen/cpp} codegen/cpp codegen/jit runtime/cluster runtime/witness runtime/search runtime/checkpoint
                                  runtime/certificate)
 set(codegen/analysis             ${codegen/engine} codegen/engine)
 set(codegen/certificate          ${codegen/engine} codegen/engine runtime/certificate/verifier)
@@ -38,6 +39,7 @@ set(codegen/report               ${codegen/analysis} codegen/analysis)
 set(codegen/margin               ${codegen/report} codegen/report codegen/certificate)
 set(codegen/api                  ${codegen/margin} codegen/margin codegen/robot runtime/embedded)
 set(codegen/command              ${codegen/margin} codegen/margin codegen/import runtime/certificate/verifier)
+set(codegen/mpi                  ${codegen/command} codegen/command runtime/cluster)
 set(codegen/shell                ${codegen/command} codegen/command)
 
 # Headers that are configured and carry no layer: the compiler flags, the version.

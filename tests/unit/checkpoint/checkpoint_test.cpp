@@ -49,6 +49,8 @@ SearchState state() {
   s.candidates.positive = {{0.25, -1, 0.125}, 3.5, 0x1p-1060};
   s.candidates.small_known = true;
   s.candidates.small_tries = 9;
+  s.headway = Headway({3, 7, 1, 0.0625});
+  s.units = {2, 1};
   return s;
 }
 
@@ -96,6 +98,11 @@ TEST(Checkpoint, WhatIsReadIsWhatWasWritten) {
   EXPECT_TRUE(read.state.candidates.small_known);
   EXPECT_FALSE(read.state.candidates.small_fresh);
   EXPECT_EQ(read.state.candidates.small_tries, 9U);
+  EXPECT_EQ(read.state.headway.run().begin, 3U);
+  EXPECT_EQ(read.state.headway.run().leaves, 7U);
+  EXPECT_EQ(read.state.headway.run().multiprecision, 1U);
+  EXPECT_EQ(read.state.headway.run().part, 0.0625);
+  EXPECT_EQ(read.state.units, expected.units);
   const Boxes boxes;
   const std::vector<OpenBox> open = read.open();
   ASSERT_EQ(open.size(), boxes.size());
@@ -167,19 +174,22 @@ TEST(Checkpoint, WhatCannotBeIsRefusedWithTheLine) {
       EXPECT_NE(std::string(error.what()).find(words), std::string::npos) << error.what();
     }
   };
-  expect_refusal(replaced("b 17 ", "b 19 "), "line 17: expected a number up to 18");
+  expect_refusal(replaced("b 17 ", "b 19 "), "line 19: expected a number up to 18");
   expect_refusal(replaced("b 17 ", "b 16 "), "a box twice");
   expect_refusal(replaced("b 17 3 0x0p+0:", "b 17 3 -0x1p+0:"), "a box of the variety");
   expect_refusal(replaced("0x1p-3:0x1p-2", "0x1p-2:0x1p-3"), "bounds in order");
   expect_refusal(replaced("0x1p-3:0x1p-2", "nan:0x1p-2"), "a hexadecimal number");
   expect_refusal(replaced("0x1p-3:0x1p-2", "0xinf:0x1p-2"), "a hexadecimal number");
-  expect_refusal(replaced("open 3", "open 4"), "line 20");
-  expect_refusal(replaced("open 3", "open 2"), "the end");
+  expect_refusal(replaced("units 2 1\nopen 3", "units 2 2\nopen 4"), "line 22");
+  expect_refusal(replaced("units 2 1\nopen 3", "units 2\nopen 2"), "the end");
   expect_refusal(replaced("open 3", "open 99999999999999999999"), "a number");
   expect_refusal(replaced("next 19", "next 0"), "a number above 0");
-  expect_refusal(replaced("checkpoint 2", "checkpoint 3"), "another version");
+  expect_refusal(replaced("checkpoint 3", "checkpoint 4"), "another version");
   expect_refusal(replaced("candidate positive 0x1.cp+1", "candidate positive nan"), "hexadecimal");
   expect_refusal(replaced(" -0x1p+0 0x1p-3\n", " -0x1p+0\n"), "a number for each variable");
+  expect_refusal(replaced("units 2 1", "units 2 2"), "as many boxes as the units have");
+  expect_refusal(replaced("units 2 1", "units 3 0"), "a number above 0");
+  expect_refusal(replaced("run 3 7", "run 13 7"), "a number up to 12");
   expect_refusal(replaced("certificate 4242 cc", "certificate 4242 xc"), "64 hexadecimal digits");
   expect_refusal(replaced("small 1 0 9", "small 2 0 9"), "a number up to 1");
   expect_refusal("[pose]\n", "not a checkpoint");

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "runtime/search/headway.hpp"
+#include "runtime/problem/headway.hpp"
 
 #include <gtest/gtest.h>
 

@@ -119,6 +119,37 @@ TEST(Pause, APavingIsTheSameInPieces) {
   expect_the_same(problem_over(kernel, {{-2, 2}, {-2, 2}}), settings, Verdict::kSingularity, 8);
 }
 
+/// Cuts a search into units early.
+Settings in_units() {
+  Settings settings;
+  settings.boxes_before_units = 64;
+  settings.boxes_of_unit = 16;
+  return settings;
+}
+
+TEST(Pause, UnitsOfAProofAreTheSameInPieces) {
+  FunctionKernel kernel = circle();
+  kernel.with_constraints(1, [](const Values& x) { return Values{sqr(x[0]) + sqr(x[1]) - 0.9}; });
+  expect_the_same(problem_over(kernel, {{-2, 2}, {-2, 2}}), in_units(), Verdict::kNoSingularity, 8);
+}
+
+TEST(Pause, UnitsWithABlockedBoxAreTheSameInPieces) {
+  const FunctionKernel kernel(2, 2, 2, [](const Values& x) {
+    return Values{x[0] - Interval(0.3), x[1], -x[1], x[0] - Interval(0.3)};
+  });
+  Settings settings = in_units();
+  settings.ingredients.descents = settings.ingredients.corners = false;
+  expect_the_same(problem_over(kernel, {{-1, 1}, {-1, 1}}), settings, Verdict::kPossibleProblem, 8);
+}
+
+TEST(Pause, UnitsOfAPavingAreTheSameInPieces) {
+  const FunctionKernel kernel = circle();
+  Settings settings = in_units();
+  settings.exhaustive = true;
+  settings.min_relative_width = 0x1p-5;
+  expect_the_same(problem_over(kernel, {{-2, 2}, {-2, 2}}), settings, Verdict::kSingularity, 8);
+}
+
 /// Stops at each of these budgets, and continues to the end.
 Told search_with_budgets(const Problem& problem, Settings settings,
                          const std::vector<std::uint64_t>& budgets) {
@@ -181,6 +212,13 @@ TEST(ABudget, LeavesABlockedSearchAsItIs) {
   });
   expect_the_same_with_budgets(problem_over(kernel, {{-1, 1}, {-1, 1}}), {},
                                Verdict::kPossibleProblem);
+}
+
+TEST(ABudget, LeavesUnitsAsTheyAre) {
+  FunctionKernel kernel = circle();
+  kernel.with_constraints(1, [](const Values& x) { return Values{sqr(x[0]) + sqr(x[1]) - 0.9}; });
+  expect_the_same_with_budgets(problem_over(kernel, {{-2, 2}, {-2, 2}}), in_units(),
+                               Verdict::kNoSingularity);
 }
 
 /// The sign of 2·x·y − 1.9999 changes near two corners only. The search remembers a sign that it

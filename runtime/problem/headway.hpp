@@ -20,24 +20,35 @@ namespace regulus {
 /// the others.
 class Headway {
  public:
+  /// The run so far.
+  struct Run {
+    std::uint64_t begin = 0;  ///< boxes evaluated before it
+    std::uint64_t leaves = 0, multiprecision = 0;
+    double part = 0;  ///< of the variety; a box after d splits is 2^-d of it
+  };
+
+  Headway() = default;
+  explicit Headway(const Run& run) noexcept : run_(run) {}
+  [[nodiscard]] const Run& run() const noexcept { return run_; }
+
   /// Begins a run at that number of boxes.
   void begin(std::uint64_t boxes) noexcept {
-    *this = Headway();
-    begin_ = boxes;
+    run_ = {};
+    run_.begin = boxes;
   }
 
   /// Counts a leaf after that number of splits.
   void close(std::uint32_t depth, Rule rule) noexcept {
-    part_ += std::ldexp(1.0, -static_cast<int>(std::min(depth, 1000U)));
-    ++leaves_;
-    if (rule == Rule::kMultiprecision) ++multiprecision_;
+    run_.part += std::ldexp(1.0, -static_cast<int>(std::min(depth, 1000U)));
+    ++run_.leaves;
+    if (rule == Rule::kMultiprecision) ++run_.multiprecision;
   }
 
   /// Returns true if a run ended at this number of boxes and closed next to nothing. Begins a run.
   [[nodiscard]] bool stalls(std::uint64_t boxes, std::size_t variables_to_split) noexcept {
-    if (boxes - begin_ + kMultiprecisionBoxes * multiprecision_ < kBoxesOfRun) return false;
-    const bool few = variables_to_split <= kFewVariables || 2 * multiprecision_ > leaves_;
-    const bool stalled = part_ < (few ? kLeastPart : least_part_of_many(variables_to_split));
+    if (boxes - run_.begin + kMultiprecisionBoxes * run_.multiprecision < kBoxesOfRun) return false;
+    const bool few = variables_to_split <= kFewVariables || 2 * run_.multiprecision > run_.leaves;
+    const bool stalled = run_.part < (few ? kLeastPart : least_part_of_many(variables_to_split));
     begin(boxes);
     return stalled;
   }
@@ -55,9 +66,7 @@ class Headway {
   static constexpr std::size_t kHalvingsOfSide = 24;
   static constexpr std::uint64_t kMultiprecisionBoxes = 16;
 
-  std::uint64_t begin_ = 0;  ///< boxes evaluated before the run
-  std::uint64_t leaves_ = 0, multiprecision_ = 0;
-  double part_ = 0;  ///< of the variety; a box after d splits is 2^-d of it
+  Run run_;
 };
 
 }  // namespace regulus

@@ -1,0 +1,62 @@
+// SPDX-License-Identifier: Apache-2.0
+// The transport between the supervisor of a search and its workers: threads of this process,
+// processes of a cluster, or a simulation of either.
+#pragma once
+
+#include <optional>
+#include <string>
+
+#include "runtime/problem/observer.hpp"
+
+namespace regulus::cluster {
+
+/// What a search had learned before its first unit. All units start from this.
+struct Learned {
+  AdaptiveThreshold threshold;
+  WitnessCandidates candidates;
+};
+
+/// The state of a search, for people.
+struct Progress {
+  std::uint64_t boxes = 0;         ///< of the units that are in order
+  std::size_t waiting = 0;         ///< units that no worker has
+  std::vector<std::size_t> still;  ///< workers that did not answer in time
+};
+
+/// A message of a worker.
+struct Received {
+  std::size_t worker;
+  std::string message;
+};
+
+class Workers {
+ public:
+  Workers() = default;
+  Workers(const Workers&) = delete;
+  Workers& operator=(const Workers&) = delete;
+  virtual ~Workers() = default;
+
+  /// Prepares the workers for the units of a search. The arguments live until end().
+  virtual void begin(const Problem& problem, const Settings& settings, const Learned& learned) = 0;
+  /// The search is over: workers give up their units.
+  virtual void end() noexcept = 0;
+
+  /// Returns the number of workers, at least 1, the same from begin() to end().
+  [[nodiscard]] virtual std::size_t count() const = 0;
+  /// Returns the most seconds of work in one grant.
+  [[nodiscard]] virtual double seconds_of_grant() const = 0;
+
+  virtual void send(std::size_t worker, std::string grant) = 0;
+  /// Returns a message; nullopt if none arrives within some tens of milliseconds. The caller's
+  /// thread may do work of its own here.
+  [[nodiscard]] virtual std::optional<Received> receive() = 0;
+  /// Returns seconds since any fixed time.
+  [[nodiscard]] virtual double now() const = 0;
+
+  /// Receives the state of the search now and then.
+  virtual void show(const Progress&) {}
+  /// Returns the state of the workers in words, for people; empty if there is nothing to say.
+  [[nodiscard]] virtual std::string describe() const { return {}; }
+};
+
+}  // namespace regulus::cluster

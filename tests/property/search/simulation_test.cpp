@@ -1,0 +1,12 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "tests/support/simulations.hpp"
+
+namespace regulus::test {
+namespace {
+
+TEST(Simulation, DelaysLossesRepetitionsAndDeathsChangeNothing) {
+  expect_simulations_change_nothing(60);
+}
+
+}  // namespace
+}  // namespace regulus::test
