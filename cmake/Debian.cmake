@@ -2,6 +2,7 @@
 # `make deb`, or `cpack` in the build folder: the packages
 #
 #   regulus         the commands, the compiler plugins, models and documentation
+#   regulus-mpi     searches by many processes, if REGULUS_MPI is on
 #   libregulus-dev  files to build programs with a kernel; needs the command to generate one
 #
 # Files without a component of cmake/Install.cmake (man pages, completions) are packed with the
@@ -24,6 +25,7 @@ foreach(component IN LISTS components)
   string(TOUPPER ${component} upper)
   set(CPACK_COMPONENT_${upper}_GROUP command)
 endforeach()
+set(CPACK_COMPONENT_MPI_GROUP cluster)
 set(CPACK_COMPONENT_RUNTIME_GROUP library)
 set(CPACK_COMPONENT_DEVELOPMENT_GROUP library)
 
@@ -40,6 +42,15 @@ set(CPACK_COMPONENT_GROUP_COMMAND_DESCRIPTION "proves that a parallel robot has 
  tolerances and control errors, by interval analysis; compiles the robot's
  functions in process.")
 
+# The plugins and the models are those of the package regulus.
+set(CPACK_DEBIAN_CLUSTER_PACKAGE_NAME regulus-mpi)
+set(CPACK_DEBIAN_CLUSTER_PACKAGE_SECTION science)
+set(CPACK_DEBIAN_CLUSTER_PACKAGE_SHLIBDEPS ON)
+set(CPACK_DEBIAN_CLUSTER_PACKAGE_DEPENDS "regulus (= ${PROJECT_VERSION}), openmpi-bin | mpich")
+set(CPACK_COMPONENT_GROUP_CLUSTER_DESCRIPTION "searches for singular poses of parallel robots by many processes
+ Runs the searches of regulus on the processes that MPI starts, on one machine
+ or on a cluster. The results are the same to the byte.")
+
 set(CPACK_DEBIAN_LIBRARY_PACKAGE_NAME libregulus-dev)
 set(CPACK_DEBIAN_LIBRARY_PACKAGE_SECTION libdevel)
 set(CPACK_DEBIAN_LIBRARY_PACKAGE_DEPENDS "regulus (= ${PROJECT_VERSION})")
@@ -52,3 +63,6 @@ set(CPACK_COMPONENT_GROUP_LIBRARY_DESCRIPTION "checks of parallel robots for sin
 include(CPack)
 cpack_add_component_group(command)
 cpack_add_component_group(library)
+if(REGULUS_MPI)
+  cpack_add_component_group(cluster)
+endif()

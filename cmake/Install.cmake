@@ -4,6 +4,7 @@
 #   --component runtime      files to build a program with a kernel: library, headers, CMake
 #                               package, pkg-config file; with search, its threaded part
 #   --component codegen      the commands, with models and documentation
+#   --component mpi          regulus-mpi and its page of the manual
 #   --component jit          plugins that the commands open for a compilation
 #   --component development  libraries and headers of the front end and of the in-process compiler
 include(GNUInstallDirs)
@@ -89,6 +90,13 @@ if(REGULUS_CODEGEN)
   install(TARGETS regulus-verify RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR} COMPONENT codegen)
   install(EXPORT Regulus_command NAMESPACE Regulus:: FILE Regulus_command.cmake
           DESTINATION ${package_dir} COMPONENT codegen)
+  if(REGULUS_MPI)
+    set_target_properties(regulus-mpi PROPERTIES INSTALL_RPATH_USE_LINK_PATH TRUE)
+    install(TARGETS regulus-mpi RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR} COMPONENT mpi)
+    install(FILES ${PROJECT_SOURCE_DIR}/codegen/mpi/CLUSTER.md
+            DESTINATION ${CMAKE_INSTALL_DATADIR}/doc/regulus-mpi COMPONENT mpi)
+    regulus_install_licences(${CMAKE_INSTALL_DATADIR}/doc/regulus-mpi mpi)
+  endif()
   install(TARGETS regulus_pack_plugin regulus_clang_plugin
           LIBRARY DESTINATION ${plugin_dir} COMPONENT jit)
   install(DIRECTORY ${PROJECT_SOURCE_DIR}/models DESTINATION ${CMAKE_INSTALL_DATADIR}/regulus

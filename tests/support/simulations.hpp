@@ -15,7 +15,7 @@ namespace regulus::test {
 inline void expect_simulations_change_nothing(unsigned seeds) {
   std::size_t deaths = 0, losses = 0, repetitions = 0;
   for (const UnitCase& c : unit_cases()) {
-    const Problem problem = problem_over(c.kernel, c.ranges);
+    const Problem problem = problem_over(*c.kernel, c.ranges);
     SearchEvents expected;
     ASSERT_EQ(solve(problem, c.settings, &expected).verdict, c.verdict) << c.name;
     KnownOutcomes known;

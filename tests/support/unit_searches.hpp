@@ -2,6 +2,7 @@
 // Searches that are cut into units early, one for each way in which a search of units can end.
 #pragma once
 
+#include <memory>
 #include <string>
 #include <vector>
 
@@ -11,7 +12,7 @@ namespace regulus::test {
 
 struct UnitCase {
   std::string name;
-  FunctionKernel kernel;
+  std::shared_ptr<const FunctionKernel> kernel;
   std::vector<Interval> ranges;
   Settings settings;
   Verdict verdict;
@@ -25,15 +26,17 @@ inline Settings in_small_units() {
 }
 
 /// Makes A = [[x, y], [−y, x]] − r·[[1, 0], [0, 1]]: singular only at x = r and y = 0.
-inline FunctionKernel singular_at(double r) {
-  return {2, 2, 2, [r](const Values& x) {
-            return Values{x[0] - Interval(r), x[1], -x[1], x[0] - Interval(r)};
-          }};
+inline std::shared_ptr<FunctionKernel> singular_at(double r) {
+  return std::make_shared<FunctionKernel>(2, 2, 2, [r](const Values& x) {
+    return Values{x[0] - Interval(r), x[1], -x[1], x[0] - Interval(r)};
+  });
 }
 
 /// Makes det A = x² + y² − 1.
-inline FunctionKernel singular_on_circle() {
-  return {2, 2, 2, [](const Values& x) { return Values{x[0] + 1.0, x[1], -x[1], x[0] - 1.0}; }};
+inline std::shared_ptr<FunctionKernel> singular_on_circle() {
+  return std::make_shared<FunctionKernel>(2, 2, 2, [](const Values& x) {
+    return Values{x[0] + 1.0, x[1], -x[1], x[0] - 1.0};
+  });
 }
 
 inline Settings without_descents(Settings settings) {
@@ -49,36 +52,26 @@ inline Settings paving(Settings settings) {
 
 inline std::vector<UnitCase> unit_cases() {
   const Settings units = in_small_units();
-  FunctionKernel inside = singular_on_circle();
-  inside.with_constraints(1, [](const Values& x) { return Values{sqr(x[0]) + sqr(x[1]) - 0.99}; });
-  std::vector<UnitCase> cases;
-  cases.push_back(
-      {"proof", singular_at(1.0), {{0x1p-30, 0.999999}, {-1, 1}}, units, Verdict::kNoSingularity});
-  cases.push_back({"proof within constraints",
-                   std::move(inside),
-                   {{-2, 2}, {-2, 2}},
-                   units,
-                   Verdict::kNoSingularity});
-  cases.push_back({"witness",
-                   singular_on_circle(),
-                   {{0.125, 0.70710678}, {0, 0.70710679}},
-                   without_descents(units),
-                   Verdict::kSingularity});
-  cases.push_back({"blocked",
-                   singular_at(0.3),
-                   {{-1, 1}, {-1, 1}},
-                   without_descents(units),
-                   Verdict::kPossibleProblem});
-  cases.push_back(
-      {"paving", singular_on_circle(), {{-2, 2}, {-2, 2}}, paving(units), Verdict::kSingularity});
   Settings budget = units;
   budget.max_boxes = 400;
-  cases.push_back({"budget",
-                   singular_at(1.0),
-                   {{0x1p-30, 0.999999}, {-1, 1}},
-                   budget,
-                   Verdict::kPossibleProblem});
-  return cases;
+  const std::vector<Interval> beside{{0x1p-30, 1 - 0x1p-34}, {-1, 1}}, around{{-2, 2}, {-2, 2}};
+  const auto near = singular_at(1.0);
+  const auto within = singular_at(0.3);
+  const auto circle = singular_on_circle();
+  const auto disc = singular_on_circle();
+  disc->with_constraints(1, [](const Values& x) { return Values{sqr(x[0]) + sqr(x[1]) - 0.99}; });
+  return {
+      {"proof", near, beside, units, Verdict::kNoSingularity},
+      {"proof within constraints", disc, around, units, Verdict::kNoSingularity},
+      {"witness",
+       circle,
+       {{0.125, 0.70710678}, {0, 0.70710679}},
+       without_descents(units),
+       Verdict::kSingularity},
+      {"blocked", within, {{-1, 1}, {-1, 1}}, without_descents(units), Verdict::kPossibleProblem},
+      {"paving", circle, around, paving(units), Verdict::kSingularity},
+      {"budget", near, beside, budget, Verdict::kPossibleProblem},
+  };
 }
 
 }  // namespace regulus::test

@@ -1,0 +1,147 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// regulus-mpi: the searches of regulus by many processes.
+#include <cfenv>
+#include <csignal>
+#include <iostream>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "codegen/command/commands.hpp"
+#include "codegen/command/run_command_line.hpp"
+#include "codegen/engine/settings.hpp"
+#include "codegen/margin/prepared_margin.hpp"
+#include "codegen/mpi/agreement.hpp"
+#include "codegen/mpi/mpi_workers.hpp"
+#include "codegen/mpi/rank_service.hpp"
+#include "codegen/support/errors.hpp"
+#include "codegen/support/exit_code.hpp"
+
+namespace {
+
+using namespace regulus;
+
+constexpr const char* kName = "regulus-mpi: ";
+
+/// Prepared before MPI starts threads, which inherit the mask: only rank 0 handles signals, in a
+/// thread of its own, and tells the others.
+void block_signals() {
+  sigset_t signals;
+  sigemptyset(&signals);
+  for (const int signal : {SIGINT, SIGTERM, SIGHUP}) sigaddset(&signals, signal);
+  pthread_sigmask(SIG_BLOCK, &signals, nullptr);
+}
+
+/// Returns the words without the path of the program, which has no meaning elsewhere.
+std::string typed(const std::vector<std::string>& words) {
+  std::string command = "regulus-mpi";
+  for (std::size_t i = 1; i < words.size(); ++i) command += " " + words[i];
+  return command;
+}
+
+/// Returns the options of the command, which must be one that searches.
+template <class Use>
+auto with_search(CommandLine& line, const Use& use) {
+  if (line.check) return use(*line.check);
+  if (line.locate) return use(*line.locate);
+  if (line.margin) return use(*line.margin);
+  throw UsageError("check, locate and margin run on several ranks; use regulus for other commands");
+}
+
+PreparedSearch prepare_question(const CommandLine& line) {
+  if (line.check) return prepare(line.check->model, line.check->search);
+  if (line.locate) return prepare(line.locate->model, line.locate->search);
+  const MarginCommand& margin = *line.margin;
+  ModelOptions model = margin.model;
+  const MarginQuestion question = take_question(model, margin.scale);
+  return std::move(PreparedMargin(question, model, margin.search, {}).prepared);
+}
+
+/// The work of rank 0. Other ranks have been told to begin.
+int lead(Communicator& communicator, CommandLine& line, const std::vector<RankIdentity>& ranks,
+         const std::string& typed) {
+  std::vector<std::string> hosts;
+  for (const RankIdentity& rank : ranks) hosts.push_back(rank.host);
+  const unsigned threads =
+      with_search(line, [](auto& command) { return settings_from(command.search).threads; });
+  MpiWorkers workers(communicator, hosts, threads);
+  with_search(line, [&workers](auto& command) { command.search.workers = &workers; });
+  const int code = report_errors([&] { return run_command_line(line, typed); }, kName);
+  std::cout.flush();
+  if (!workers.dismiss()) communicator.abort(code);
+  return code;
+}
+
+/// Reads the model once for all ranks, so that all have the same. Returns the start of all ranks.
+Start read_start(CommandLine& line) {
+  Start start;
+  if (line.exit_code) {
+    start.exit_code = line.exit_code;
+    return start;
+  }
+  const int code = report_errors(
+      [&] {
+        with_search(line, [&start](auto& command) { start.model = model_text(command.model); });
+        return 0;
+      },
+      kName);
+  if (code != 0) start.exit_code = code;
+  return start;
+}
+
+CommandLine parse(const std::vector<std::string>& words) {
+  std::vector<const char*> pointers;
+  for (const std::string& word : words) pointers.push_back(word.c_str());
+  return parse_command_line(static_cast<int>(pointers.size()), pointers.data());
+}
+
+/// Returns how all ranks begin. Rank 0 parses the command line first, so that mistakes are reported
+/// once.
+Start begin_together(Communicator& communicator, const std::vector<std::string>& words) {
+  Start start;
+  if (communicator.is_first()) {
+    CommandLine line = parse(words);
+    start = read_start(line);
+    start.words = words;
+  }
+  return read_start_text(communicator.broadcast(write_start(start)));
+}
+
+int run_together(Communicator& communicator, const Start& start) {
+  CommandLine line = parse(start.words);
+  std::vector<RankIdentity> ranks;
+  const Agreement agreed = with_search(line, [&](auto& command) {
+    command.model.text = start.model;
+    // The compiler of a later time would still be at work when the ranks end.
+    command.search.boxes_before_compiling = 0;
+    Agreement agreement = agree(communicator, command.search.isa, ranks);
+    command.search.isa = agreement.isa;
+    return agreement;
+  });
+  const bool first = communicator.is_first();
+  if (!agreed.refusal.empty()) {
+    if (first) std::cerr << kName << agreed.refusal << '\n';
+    return first ? kUsageError : 0;
+  }
+  if (first) return lead(communicator, line, ranks, typed(start.words));
+  with_search(line, [&](auto& command) {
+    serve_first_rank(communicator, command.search, [&line] { return prepare_question(line); });
+  });
+  return 0;
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  std::signal(SIGXFSZ, SIG_IGN);
+  block_signals();
+  Communicator communicator;
+  std::fesetenv(FE_DFL_ENV);
+  return report_errors(
+      [&] {
+        const Start start = begin_together(communicator, {argv, argv + argc});
+        if (!start.exit_code) return run_together(communicator, start);
+        return communicator.is_first() ? *start.exit_code : 0;
+      },
+      kName);
+}

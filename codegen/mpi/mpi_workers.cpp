@@ -1,0 +1,143 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "codegen/mpi/mpi_workers.hpp"
+
+#include <algorithm>
+#include <chrono>
+#include <utility>
+
+#include "codegen/mpi/rank_messages.hpp"
+#include "codegen/support/errors.hpp"
+#include "runtime/cluster/search_description.hpp"
+
+namespace regulus::inline mpi {
+namespace {
+
+constexpr double kSecondsOfGrant = 1.0;
+
+/// With more other ranks, rank 0 is busy enough with their messages.
+constexpr unsigned kFewRanks = 16;
+
+constexpr std::chrono::seconds kLongestFarewell{60};
+
+}  // namespace
+
+MpiWorkers::MpiWorkers(Communicator& communicator, const std::vector<std::string>& hosts,
+                       unsigned threads)
+    : communicator_(communicator),
+      ranks_(hosts.size()),
+      first_thread_works_(communicator.size() <= kFewRanks),
+      local_(threads) {
+  for (std::size_t i = 0; i < hosts.size(); ++i) ranks_[i].host = hosts[i];
+  ranks_[0].threads = threads;
+}
+
+std::string MpiWorkers::name_of(unsigned rank) const {
+  return "rank " + std::to_string(rank) + " on " + ranks_[rank].host;
+}
+
+void MpiWorkers::fail(const Message& message) const {
+  throw InternalError(name_of(message.rank) + ": " + message.bytes);
+}
+
+void MpiWorkers::tell_all(Tag tag, const std::string& bytes) {
+  for (unsigned rank = 1; rank < ranks_.size(); ++rank) communicator_.send(rank, tag, bytes);
+}
+
+void MpiWorkers::take_ready(const Message& message) {
+  if (message.tag == Tag::kError) fail(message);
+  if (message.tag == Tag::kReady) ranks_[message.rank].threads = read_ready(message.bytes);
+}
+
+void MpiWorkers::await_ranks(const Settings& settings) {
+  const auto is_ready = [](const Rank& rank) { return rank.threads > 0; };
+  Patience patience;
+  while (!std::all_of(ranks_.begin(), ranks_.end(), is_ready)) {
+    if (settings.interrupt != nullptr && *settings.interrupt) return;
+    if (const std::optional<Message> message = communicator_.try_receive())
+      take_ready(*message);
+    else
+      patience.wait();
+  }
+}
+
+void MpiWorkers::begin(const Problem& problem, const Settings& settings,
+                       const cluster::Learned& learned) {
+  await_ranks(settings);
+  ++search_;
+  searching_ = true;
+  local_.begin(problem, settings, learned);
+  places_.clear();
+  first_worker_.assign(ranks_.size(), 0);
+  for (auto slot = static_cast<unsigned>(first_thread_works_ ? 0 : 1); slot < local_.count();
+       ++slot)
+    places_.push_back({0, slot});
+  for (unsigned rank = 1; rank < ranks_.size(); ++rank) {
+    first_worker_[rank] = places_.size();
+    for (unsigned slot = 0; slot < ranks_[rank].threads; ++slot) places_.push_back({rank, slot});
+  }
+  tell_all(Tag::kSearch, write_for_search(search_, 0, write_search(problem, settings, learned)));
+}
+
+void MpiWorkers::end() noexcept {
+  if (!searching_) return;
+  searching_ = false;
+  local_.end();
+  tell_all(Tag::kEnd, write_for_search(search_, 0, {}));
+}
+
+std::size_t MpiWorkers::count() const { return places_.size(); }
+
+double MpiWorkers::seconds_of_grant() const { return kSecondsOfGrant; }
+
+void MpiWorkers::send(std::size_t worker, std::string grant) {
+  const auto [rank, slot] = places_.at(worker);
+  if (rank == 0) return local_.send(slot, std::move(grant));
+  communicator_.send(rank, Tag::kGrant, write_for_search(search_, slot, grant));
+}
+
+std::optional<cluster::Received> MpiWorkers::take(const Message& message) {
+  if (message.tag == Tag::kError) fail(message);
+  if (message.tag != Tag::kAnswer) return std::nullopt;
+  ForSearch answer = read_for_search(message.bytes);
+  if (answer.search != search_) return std::nullopt;
+  return cluster::Received{first_worker_.at(message.rank) + answer.slot, std::string(answer.bytes)};
+}
+
+std::optional<cluster::Received> MpiWorkers::receive() {
+  while (const std::optional<Message> message = communicator_.try_receive())
+    if (auto received = take(*message)) {
+      patience_.reset();
+      return received;
+    }
+  const bool worked = local_.caller_has_work();
+  if (auto received = local_.receive(false)) {
+    received->worker -= first_thread_works_ ? 0 : 1;
+    patience_.reset();
+    return received;
+  }
+  worked ? patience_.reset() : patience_.wait();
+  return std::nullopt;
+}
+
+std::string MpiWorkers::describe() const {
+  std::string text = std::to_string(ranks_.size()) + " ranks, " +
+                     std::to_string(progress_.waiting) + " units waiting";
+  for (const std::size_t worker : progress_.still)
+    text += ", no answer from " + name_of(places_.at(worker).rank);
+  return text;
+}
+
+bool MpiWorkers::dismiss() {
+  tell_all(Tag::kQuit, {});
+  std::size_t left = ranks_.size() - 1;
+  const auto begin = std::chrono::steady_clock::now();
+  Patience patience;
+  while (left > 0 && std::chrono::steady_clock::now() - begin < kLongestFarewell) {
+    const std::optional<Message> message = communicator_.try_receive();
+    if (!message) patience.wait();
+    if (message && message->tag == Tag::kBye) --left;
+  }
+  return left == 0;
+}
+
+}  // namespace regulus::mpi

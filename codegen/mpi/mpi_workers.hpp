@@ -1,0 +1,69 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <atomic>
+#include <string>
+#include <vector>
+
+#include "codegen/mpi/communicator.hpp"
+#include "runtime/cluster/workers.hpp"
+#include "runtime/search/thread_workers.hpp"
+
+namespace regulus::inline mpi {
+
+/// What rank 0 knows about the others before a search.
+struct Rank {
+  std::string host;
+  unsigned threads = 0;  ///< 0: it is not ready yet
+};
+
+/// The threads of all ranks as workers, for rank 0. With many ranks, its first thread only brings
+/// the messages.
+class MpiWorkers final : public cluster::Workers {
+ public:
+  /// `communicator` must outlive this object. `hosts`: by rank. `threads`: of this rank.
+  MpiWorkers(Communicator& communicator, const std::vector<std::string>& hosts, unsigned threads);
+
+  /// Waits until each rank has prepared the question. Throws InternalError with the name of a rank
+  /// that cannot.
+  void begin(const Problem& problem, const Settings& settings,
+             const cluster::Learned& learned) override;
+  void end() noexcept override;
+  [[nodiscard]] std::size_t count() const override;
+  [[nodiscard]] double seconds_of_grant() const override;
+  void send(std::size_t worker, std::string grant) override;
+  /// Throws InternalError with the name of a rank that cannot go on.
+  [[nodiscard]] std::optional<cluster::Received> receive() override;
+  [[nodiscard]] double now() const override { return local_.now(); }
+  void show(const cluster::Progress& progress) override { progress_ = progress; }
+  [[nodiscard]] std::string describe() const override;
+
+  /// Lets all ranks end, and waits for it. Returns false if one does not within a minute.
+  [[nodiscard]] bool dismiss();
+
+ private:
+  struct Place {
+    unsigned rank;
+    unsigned slot;  ///< the thread in the rank
+  };
+
+  void await_ranks(const Settings& settings);
+  void take_ready(const Message& message);
+  [[nodiscard]] std::optional<cluster::Received> take(const Message& message);
+  [[nodiscard]] std::string name_of(unsigned rank) const;
+  [[noreturn]] void fail(const Message& message) const;
+  void tell_all(Tag tag, const std::string& bytes);
+
+  Communicator& communicator_;
+  std::vector<Rank> ranks_;
+  const bool first_thread_works_;
+  ThreadWorkers local_;
+  std::vector<Place> places_;
+  std::vector<std::size_t> first_worker_;  ///< of each rank
+  std::uint32_t search_ = 0;
+  bool searching_ = false;
+  Patience patience_;
+  cluster::Progress progress_;
+};
+
+}  // namespace regulus::mpi

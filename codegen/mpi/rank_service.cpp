@@ -1,0 +1,104 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "codegen/mpi/rank_service.hpp"
+
+#include <exception>
+#include <optional>
+#include <utility>
+
+#include "codegen/engine/search_run.hpp"
+#include "codegen/engine/settings.hpp"
+#include "codegen/mpi/rank_messages.hpp"
+#include "runtime/search/thread_workers.hpp"
+
+namespace regulus::inline mpi {
+namespace {
+
+class Service {
+ public:
+  Service(Communicator& communicator, PreparedSearch prepared, const SearchOptions& search)
+      : communicator_(communicator),
+        prepared_(std::move(prepared)),
+        search_(search),
+        threads_(settings_from(search).threads) {}
+
+  /// Returns when rank 0 dismisses this rank.
+  void run() {
+    communicator_.send(0, Tag::kReady, write_ready(threads_));
+    for (;;) {
+      const Message message = communicator_.receive();
+      if (message.tag == Tag::kQuit) return;
+      if (message.tag == Tag::kSearch) take_part(message.bytes);
+      if (dismissed_) return;
+    }
+  }
+
+ private:
+  void take_part(std::string_view bytes) {
+    const ForSearch begin = read_for_search(bytes);
+    const cluster::SearchDescription description = cluster::read_search(begin.bytes);
+    number_ = begin.search;
+    decide_for_another(prepared_, search_, description,
+                       [&](const Problem& problem, const Settings& settings) {
+                         ThreadWorkers threads(threads_);
+                         threads.begin(problem, settings, description.learned);
+                         decide_units(threads);
+                       });
+  }
+
+  void decide_units(ThreadWorkers& threads) {
+    Patience patience;
+    for (;;) {
+      if (const std::optional<Message> message = communicator_.try_receive()) {
+        patience.reset();
+        if (!pass_on(*message, threads)) return;
+        continue;
+      }
+      const bool worked = threads.caller_has_work();
+      if (const auto answer = threads.receive(false)) {
+        const auto slot = static_cast<std::uint32_t>(answer->worker);
+        communicator_.send(0, Tag::kAnswer, write_for_search(number_, slot, answer->message));
+        patience.reset();
+      } else if (!worked) {
+        patience.wait();
+      }
+    }
+  }
+
+  /// Returns false if the search is over.
+  bool pass_on(const Message& message, ThreadWorkers& threads) {
+    dismissed_ = message.tag == Tag::kQuit;
+    if (dismissed_ || message.tag == Tag::kEnd) return false;
+    if (message.tag != Tag::kGrant) return true;
+    const ForSearch grant = read_for_search(message.bytes);
+    // If this rank could start fewer threads than it promised, the others do the work.
+    threads.send(grant.slot % threads.count(), std::string(grant.bytes));
+    return true;
+  }
+
+  Communicator& communicator_;
+  PreparedSearch prepared_;
+  const SearchOptions& search_;
+  const unsigned threads_;
+  std::uint32_t number_ = 0;
+  bool dismissed_ = false;
+};
+
+/// Waits for rank 0 to take notice of an error.
+void await_dismissal(Communicator& communicator) {
+  while (communicator.receive().tag != Tag::kQuit) continue;
+}
+
+}  // namespace
+
+void serve_first_rank(Communicator& communicator, const SearchOptions& search,
+                      const std::function<PreparedSearch()>& prepare_question) {
+  try {
+    Service(communicator, prepare_question(), search).run();
+  } catch (const std::exception& error) {
+    communicator.send(0, Tag::kError, error.what());
+    await_dismissal(communicator);
+  }
+  communicator.send(0, Tag::kBye, {});
+}
+
+}  // namespace regulus::mpi

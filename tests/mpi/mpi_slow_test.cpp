@@ -1,0 +1,56 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <random>
+
+#include "tests/mpi/ranks.hpp"
+
+namespace regulus::test {
+namespace {
+
+/// Returns the processes that a process started.
+std::vector<pid_t> children_of(pid_t parent) {
+  const std::string id = std::to_string(parent);
+  std::ifstream list("/proc/" + id + "/task/" + id + "/children");
+  std::vector<pid_t> children;
+  for (pid_t child = 0; list >> child;) children.push_back(child);
+  return children;
+}
+
+/// Kills one of the ranks, or all of them with mpirun, at a random moment of the search.
+void kill_some(const RunningCommand& job, std::mt19937& random) {
+  std::vector<pid_t> targets = children_of(job.pid());
+  if (targets.empty() || random() % 2 == 0)
+    targets.push_back(job.pid());
+  else
+    targets = {targets[random() % targets.size()]};
+  for (const pid_t target : targets) ::kill(target, SIGKILL);
+}
+
+TEST(KilledJobs, GoOnToTheSameCertificate) {
+  const TemporaryDirectory directory;
+  const auto file = [&](const char* name) { return (directory.path() / name).string(); };
+  const Words check = {"check", model("robot_2"), "table5_30", "--method", "reg"};
+  ASSERT_EQ(run_command(one_thread(joined(check, {"--certificate", file("one")}))).exit_code, 0);
+  const Words many = joined(check, {"--certificate", file("many"), "--checkpoint", file("saved"),
+                                    "--checkpoint-every", "0.05"});
+  std::mt19937 random(1);
+  int continued = 0;
+  for (int kill = 0; kill < 100; ++kill) {
+    RunningCommand job(ranks(2 + static_cast<int>(random() % 3), many));
+    for (int i = 0; i < 4000 && !std::filesystem::exists(file("many.partial")); ++i) ::usleep(1000);
+    ::usleep(static_cast<useconds_t>(random() % 1'500'000));
+    kill_some(job, random);
+    static_cast<void>(job.wait());
+    // A rank that lost mpirun ends soon after; until then it holds the lock of the checkpoint.
+    ::usleep(300'000);
+    continued += std::filesystem::exists(file("saved")) ? 1 : 0;
+  }
+  EXPECT_GT(continued, 50);
+  CommandResult last;
+  for (int tries = 0; tries < 10 && last.exit_code != 0; ++tries)
+    last = run_command(ranks(4, many));
+  EXPECT_EQ(last.exit_code, 0) << last.errors;
+  EXPECT_TRUE(text_of(file("many")) == text_of(file("one")));
+}
+
+}  // namespace
+}  // namespace regulus::test
