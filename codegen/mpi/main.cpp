@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // regulus-mpi: the searches of regulus by many processes.
+#include <unistd.h>
+
 #include <cfenv>
 #include <csignal>
 #include <iostream>
@@ -64,7 +66,10 @@ int lead(Communicator& communicator, CommandLine& line, const std::vector<RankId
   for (const RankIdentity& rank : ranks) hosts.push_back(rank.host);
   const unsigned threads =
       with_search(line, [](auto& command) { return settings_from(command.search).threads; });
-  MpiWorkers workers(communicator, hosts, threads);
+  // A terminal has its own display.
+  const bool tells = ::isatty(STDERR_FILENO) == 0 &&
+                     with_search(line, [](auto& command) { return !command.output.quiet; });
+  MpiWorkers workers(communicator, hosts, threads, tells);
   with_search(line, [&workers](auto& command) { command.search.workers = &workers; });
   const int code = report_errors([&] { return run_command_line(line, typed); }, kName);
   std::cout.flush();

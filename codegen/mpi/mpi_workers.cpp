@@ -1,8 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "codegen/mpi/mpi_workers.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <chrono>
+#include <cstdio>
 #include <utility>
 
 #include "codegen/mpi/rank_messages.hpp"
@@ -19,14 +22,17 @@ constexpr unsigned kFewRanks = 16;
 
 constexpr std::chrono::seconds kLongestFarewell{60};
 
+constexpr double kSecondsBetweenLines = 10.0;
+
 }  // namespace
 
 MpiWorkers::MpiWorkers(Communicator& communicator, const std::vector<std::string>& hosts,
-                       unsigned threads)
+                       unsigned threads, bool tells)
     : communicator_(communicator),
       ranks_(hosts.size()),
       first_thread_works_(communicator.size() <= kFewRanks),
-      local_(threads) {
+      local_(threads),
+      tells_(tells) {
   for (std::size_t i = 0; i < hosts.size(); ++i) ranks_[i].host = hosts[i];
   ranks_[0].threads = threads;
 }
@@ -65,6 +71,9 @@ void MpiWorkers::begin(const Problem& problem, const Settings& settings,
   await_ranks(settings);
   ++search_;
   searching_ = true;
+  named_.clear();
+  told_at_ = now();
+  told_boxes_ = 0;
   local_.begin(problem, settings, learned);
   places_.clear();
   first_worker_.assign(ranks_.size(), 0);
@@ -117,6 +126,31 @@ std::optional<cluster::Received> MpiWorkers::receive() {
   }
   worked ? patience_.reset() : patience_.wait();
   return std::nullopt;
+}
+
+void MpiWorkers::show(const cluster::Progress& progress) {
+  progress_ = progress;
+  if (!tells_) return;
+  if (told_boxes_ == 0) told_boxes_ = progress.boxes;
+  name_those_that_stand_still();
+  if (now() - told_at_ >= kSecondsBetweenLines) tell_progress();
+}
+
+void MpiWorkers::name_those_that_stand_still() {
+  for (const std::size_t worker : progress_.still)
+    if (named_.insert(worker).second)
+      fmt::print(stderr, "regulus-mpi: {} does not answer; others do its work\n",
+                 name_of(places_.at(worker).rank));
+}
+
+void MpiWorkers::tell_progress() {
+  const double seconds = now() - told_at_;
+  const std::uint64_t boxes = progress_.boxes - told_boxes_;
+  told_at_ += seconds;
+  told_boxes_ = progress_.boxes;
+  fmt::print(stderr, "regulus-mpi: {} boxes, {:.3g} boxes/s, {:.2f} % decided, {}\n",
+             progress_.boxes, static_cast<double>(boxes) / seconds, 100 * progress_.decided,
+             describe());
 }
 
 std::string MpiWorkers::describe() const {

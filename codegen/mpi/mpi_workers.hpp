@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include <atomic>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -22,7 +22,9 @@ struct Rank {
 class MpiWorkers final : public cluster::Workers {
  public:
   /// `communicator` must outlive this object. `hosts`: by rank. `threads`: of this rank.
-  MpiWorkers(Communicator& communicator, const std::vector<std::string>& hosts, unsigned threads);
+  /// `tells`: progress is written to standard error, where a launcher takes it from.
+  MpiWorkers(Communicator& communicator, const std::vector<std::string>& hosts, unsigned threads,
+             bool tells);
 
   /// Waits until each rank has prepared the question. Throws InternalError with the name of a rank
   /// that cannot.
@@ -35,7 +37,9 @@ class MpiWorkers final : public cluster::Workers {
   /// Throws InternalError with the name of a rank that cannot go on.
   [[nodiscard]] std::optional<cluster::Received> receive() override;
   [[nodiscard]] double now() const override { return local_.now(); }
-  void show(const cluster::Progress& progress) override { progress_ = progress; }
+  /// Names a worker that stands still, once; and every ten seconds, if wanted, tells how far the
+  /// search is.
+  void show(const cluster::Progress& progress) override;
   [[nodiscard]] std::string describe() const override;
 
   /// Lets all ranks end, and waits for it. Returns false if one does not within a minute.
@@ -53,6 +57,8 @@ class MpiWorkers final : public cluster::Workers {
   [[nodiscard]] std::string name_of(unsigned rank) const;
   [[noreturn]] void fail(const Message& message) const;
   void tell_all(Tag tag, const std::string& bytes);
+  void name_those_that_stand_still();
+  void tell_progress();
 
   Communicator& communicator_;
   std::vector<Rank> ranks_;
@@ -63,7 +69,11 @@ class MpiWorkers final : public cluster::Workers {
   std::uint32_t search_ = 0;
   bool searching_ = false;
   Patience patience_;
+  const bool tells_;
   cluster::Progress progress_;
+  std::set<std::size_t> named_;  ///< workers that stood still
+  double told_at_ = 0;
+  std::uint64_t told_boxes_ = 0;
 };
 
 }  // namespace regulus::mpi

@@ -18,7 +18,8 @@ struct Learned {
 
 /// The state of a search, for people.
 struct Progress {
-  std::uint64_t boxes = 0;         ///< of the units that are in order
+  std::uint64_t boxes = 0;         ///< evaluated, of the units that are in order
+  double decided = 0;              ///< part of the whole box, roughly, 0 … 1
   std::size_t waiting = 0;         ///< units that no worker has
   std::vector<std::size_t> still;  ///< workers that did not answer in time
 };

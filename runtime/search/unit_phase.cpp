@@ -2,6 +2,7 @@
 #include "runtime/search/unit_phase.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <new>
 
 #include "runtime/search/thread_workers.hpp"
@@ -236,8 +237,11 @@ void UnitPhase::prove_again(const cluster::Unit& unit) {
 void UnitPhase::save_units() { record_.state.units.assign(sizes_.rbegin(), sizes_.rend()); }
 
 void UnitPhase::show_progress() {
-  workers_.show(
-      {record_.state.statistics.boxes, supervisor_->waiting(), supervisor_->standing_still()});
+  double open = 0.0;
+  for (std::size_t i = 0; i < record_.frontier.size(); ++i)
+    open += std::ldexp(1.0, -static_cast<int>(std::min(record_.frontier.at(i).depth, 1000U)));
+  workers_.show({record_.state.statistics.boxes, 1.0 - open, supervisor_->waiting(),
+                 supervisor_->standing_still()});
 }
 
 }  // namespace regulus
