@@ -77,7 +77,8 @@ int lead(Communicator& communicator, CommandLine& line, const std::vector<RankId
   return code;
 }
 
-/// Reads the model once for all ranks, so that all have the same. Returns the start of all ranks.
+/// Reads the model once for all ranks, so that all have the same. Mistakes in the words are reported
+/// before the other ranks begin. Returns the start of all ranks.
 Start read_start(CommandLine& line) {
   Start start;
   if (line.exit_code) {
@@ -86,7 +87,12 @@ Start read_start(CommandLine& line) {
   }
   const int code = report_errors(
       [&] {
-        with_search(line, [&start](auto& command) { start.model = model_text(command.model); });
+        with_search(line, [&start](auto& command) {
+          if (!command.search.filters.empty())
+            throw UsageError("--filter: a filter runs in one process only; use regulus");
+          static_cast<void>(settings_from(command.search));
+          start.model = model_text(command.model);
+        });
         return 0;
       },
       kName);

@@ -162,6 +162,7 @@ std::string MpiWorkers::describe() const {
 }
 
 bool MpiWorkers::dismiss() {
+  if (std::exchange(dismissed_, true)) return true;
   tell_all(Tag::kQuit, {});
   std::size_t left = ranks_.size() - 1;
   const auto begin = std::chrono::steady_clock::now();

@@ -25,6 +25,7 @@ class MpiWorkers final : public cluster::Workers {
   /// `tells`: progress is written to standard error, where a launcher takes it from.
   MpiWorkers(Communicator& communicator, const std::vector<std::string>& hosts, unsigned threads,
              bool tells);
+  ~MpiWorkers() override { static_cast<void>(dismiss()); }
 
   /// Waits until each rank has prepared the question. Throws InternalError with the name of a rank
   /// that cannot.
@@ -42,7 +43,7 @@ class MpiWorkers final : public cluster::Workers {
   void show(const cluster::Progress& progress) override;
   [[nodiscard]] std::string describe() const override;
 
-  /// Lets all ranks end, and waits for it. Returns false if one does not within a minute.
+  /// Lets all ranks end, once, and waits for it. Returns false if one does not within a minute.
   [[nodiscard]] bool dismiss();
 
  private:
@@ -67,7 +68,7 @@ class MpiWorkers final : public cluster::Workers {
   std::vector<Place> places_;
   std::vector<std::size_t> first_worker_;  ///< of each rank
   std::uint32_t search_ = 0;
-  bool searching_ = false;
+  bool searching_ = false, dismissed_ = false;
   Patience patience_;
   const bool tells_;
   cluster::Progress progress_;

@@ -8,6 +8,7 @@
 #include "codegen/engine/search_run.hpp"
 #include "codegen/engine/settings.hpp"
 #include "codegen/mpi/rank_messages.hpp"
+#include "codegen/support/errors.hpp"
 #include "runtime/search/thread_workers.hpp"
 
 namespace regulus::inline mpi {
@@ -19,7 +20,11 @@ class Service {
       : communicator_(communicator),
         prepared_(std::move(prepared)),
         search_(search),
-        threads_(settings_from(search).threads) {}
+        threads_(settings_from(search).threads) {
+    // Rank 0 may have prepared it in time, and this kernel is for reports only.
+    if (prepared_.stopped)
+      throw InternalError("the time limit was reached before the question was prepared");
+  }
 
   /// Returns when rank 0 dismisses this rank.
   void run() {

@@ -67,6 +67,21 @@ TEST_F(Ranks, NameTheCommandsThatTheyRun) {
   EXPECT_EQ(result.exit_code, 64);
 }
 
+TEST_F(Ranks, EndWhenAWordIsWrong) {
+  for (const Words& wrong : {Words{"--without", "nothing"}, Words{"--tolerance", "nobody=1"}}) {
+    const CommandResult result =
+        run_command(ranks(3, joined({"check", model("robot_1"), "wide_15"}, wrong)));
+    EXPECT_EQ(result.exit_code, 64) << result.errors;
+  }
+}
+
+TEST_F(Ranks, RefuseAFilter) {
+  const CommandResult result =
+      run_command(ranks(2, {"check", model("robot_1"), "wide_15", "--filter", "any.so"}));
+  EXPECT_THAT(result.errors, HasSubstr("--filter: a filter runs in one process only"));
+  EXPECT_EQ(result.exit_code, 64);
+}
+
 TEST_F(Ranks, RefuseACheckpointThatAnotherJobUses) {
   RunningCommand first(
       ranks(2, {"check", model("robot_1"), "table4_5", "--method", "reg", "--checkpoint",
