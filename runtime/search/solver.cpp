@@ -32,8 +32,7 @@ constexpr std::uint64_t kBoxesBeforeClosedForm = 256;
 class Search {
  public:
   Search(const Problem& problem, const Settings& settings, Observer* observer)
-      : problem_(problem),
-        settings_(settings),
+      : settings_(settings),
         structure_(find_row_structure(problem, settings)),
         record_(problem, settings, observer != nullptr ? *observer : silent_),
         round_(problem, settings, structure_, record_.deadline()),
@@ -68,7 +67,6 @@ class Search {
   void run_units();
 
   Observer silent_;
-  const Problem& problem_;
   const Settings& settings_;
   const RowStructure structure_;
   SearchRecord record_;
