@@ -16,6 +16,7 @@ namespace {
 constexpr std::size_t kFirstUnits = 64;
 
 constexpr double kPatience = 30.0;
+constexpr double kSecondsBetweenShows = 0.25;
 
 cluster::Learned learned_by(SearchRecord& record) {
   cluster::Learned learned;
@@ -236,7 +237,10 @@ void UnitPhase::prove_again(const cluster::Unit& unit) {
 
 void UnitPhase::save_units() { record_.state.units.assign(sizes_.rbegin(), sizes_.rend()); }
 
+/// It looks at every open box, so it is done only a few times a second.
 void UnitPhase::show_progress() {
+  if (workers_.now() - shown_at_ < kSecondsBetweenShows) return;
+  shown_at_ = workers_.now();
   double open = 0.0;
   for (std::size_t i = 0; i < record_.frontier.size(); ++i)
     open += std::ldexp(1.0, -static_cast<int>(std::min(record_.frontier.at(i).depth, 1000U)));

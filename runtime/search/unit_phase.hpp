@@ -58,6 +58,7 @@ class UnitPhase {
   std::optional<cluster::Supervisor> supervisor_;
   std::vector<std::uint32_t> sizes_;  ///< of the units in the frontier; the first one is the last
   std::vector<Interval> box_, start_;
+  double shown_at_ = 0;
 
   /// Boxes of the unit that it leaves open.
   struct Left {
