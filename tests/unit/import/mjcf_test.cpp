@@ -61,20 +61,21 @@ TEST(Mjcf, ReportsQuaternionsThatBecomeAngles) {
 }
 
 std::string hinge_behind(const std::string& orientation) {
-  return "<mujoco><compiler angle='radian'/><worldbody><body name='a'><joint name='i'/><body "
-         "name='b' "
-         "pos='1 0 0' " +
+  return "<mujoco><compiler angle='radian'/><worldbody><body name='a'><joint name='i'/>"
+         "<body name='b' pos='1 0 0' " +
          orientation +
-         "><joint name='j' axis='0 1 0'/><body name='c' pos='0 0 1'><joint name='k' axis='1 0 "
-         "0'/></body>"
-         "</body></body></worldbody></mujoco>";
+         "><joint name='j' axis='0 1 0'/><body name='c' pos='0 0 1'><joint name='k' axis='1 0 1'/>"
+         "<body name='d' pos='0.2 0.3 0'><joint name='l' axis='0 1 2'/></body></body></body></body>"
+         "</worldbody></mujoco>";
 }
 
 void expect_turn(const std::string& orientation, const Mat& R) {
   const Model model = parse_model(imported(hinge_behind(orientation)).model, "imported.toml");
   const std::vector<ChainJoint> chain = {turning({}, {0, 0, 1}), turning({R, {1, 0, 0}}, {0, 1, 0}),
-                                         turning({.p = {0, 0, 1}}, {1, 0, 0})};
-  const std::vector<double> q = {0.3, -0.8, 0.5};
+                                         turning({.p = {0, 0, 1}}, {1, 0, 1}),
+                                         turning({.p = {0.2, 0.3, 0}}, {0, 1, 2})};
+  const std::vector<double> q = {0.3, -0.8, 0.5, 0.2};
+  ASSERT_EQ(kept_rows(model).size(), 6U);
   SCOPED_TRACE(orientation);
   expect_same_arm(model_twists(model, q), difference_twists(chain, q));
 }
