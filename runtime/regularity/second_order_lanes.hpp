@@ -320,8 +320,7 @@ class Bounding {
   REGULUS_LANE_INLINE void bound_rows() noexcept {
     for (double* sum : {w_.weight.x, w_.weight_of_g.x, w_.rest.x, w_.same_row.x})
       raise({sum}, s_ * n_, kManyTerms);
-    const PackArray slack{w_.K.x};  // not needed any more
-    const PackArray sum_DK{w_.sum_DK.x};
+    const PackArray slack{w_.K.x}, sum_DK{w_.sum_DK.x};  // K₀ is not needed any more
     clear(slack, n_ * s_);
     for (unsigned i = 0; i < n_; ++i)
       add_row_product(PackArray{w_.sum_D.x} + i * n_, {nullptr, n_, {w_.abs_K.x}, s_}, s_,
