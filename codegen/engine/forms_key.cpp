@@ -1,27 +1,19 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "codegen/engine/forms_key.hpp"
 
-#include <cln/rational_io.h>
-
-#include <sstream>
 #include <unordered_map>
 
 #include "codegen/engine/options_key.hpp"
 #include "codegen/formulation/typical_ranges.hpp"
 #include "codegen/jit/cache/key_parts.hpp"
 #include "codegen/model/ginac_text.hpp"
+#include "codegen/symbolic/print.hpp"
 
 namespace regulus::inline engine {
 namespace {
 
 /// Increase it if other data than these decide the forms.
 constexpr int kFormat = 1;
-
-std::string text_of(const cln::cl_RA& number) {
-  std::ostringstream text;
-  text << number;
-  return text.str();
-}
 
 /// Adds expressions as lists of their nodes, each node once, operands first.
 class ExpressionKey {
@@ -52,7 +44,7 @@ class ExpressionKey {
   void add_content(const Expression& e) {
     switch (e.kind()) {
       case Kind::kConstant:
-        return parts_.add(text_of(e.value()));
+        return parts_.add(to_string(e));
       case Kind::kPoint:
       case Kind::kVariable:
         return parts_.add(e.name());
