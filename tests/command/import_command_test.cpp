@@ -48,7 +48,7 @@ const std::vector<Region> kRegions = {
 class ImportedArm : public testing::TestWithParam<Region> {
  protected:
   void SetUp() override {
-    model_ = directory_.path() + "/arm.toml";
+    model_ = directory_.path() / "arm.toml";
     const CommandResult result = run_command(
         {kRegulus, "import", robot_path(GetParam().arm + ".urdf"), "-o", model_, "--quiet"});
     ASSERT_EQ(result.exit_code, 0) << result.output;
@@ -92,7 +92,7 @@ TEST(ImportCommand, PrintsTheModelWithoutAFile) {
 
 TEST(ImportCommand, HasAnExitCodeForEachKindOfMistake) {
   const TemporaryDirectory directory;
-  const std::string file = directory.path() + "/r.urdf";
+  const std::string file = directory.path() / "r.urdf";
   EXPECT_EQ(run_command({kRegulus, "import", file}).exit_code, 74);
   std::ofstream(file) << "<robot>";
   EXPECT_EQ(run_command({kRegulus, "import", file}).exit_code, 65);
@@ -105,7 +105,7 @@ TEST(ImportCommand, HasAnExitCodeForEachKindOfMistake) {
 
 TEST(ImportCommand, MakesAPlatformOfAHexapod) {
   const TemporaryDirectory directory;
-  const std::string model = directory.path() + "/hexapod.toml";
+  const std::string model = directory.path() / "hexapod.toml";
   for (const char* file : {"hexapod.mjcf", "hexapod.sdf"}) {
     ASSERT_EQ(run_command({kRegulus, "import", robot_path(file), "-o", model, "--quiet"}).exit_code,
               0);
