@@ -72,6 +72,7 @@ CommandLine parse_command_line(int argc, const char* const* argv,
   if (tables.generate_command->parsed()) result.generate = tables.generate;
   if (tables.verify_command->parsed()) result.verify = tables.verify;
   if (tables.import_command->parsed()) result.import = tables.import;
+  if (tables.list_command->parsed()) result.list = tables.list;
   if (tables.shell_command->parsed()) result.shell = tables.shell;
   return result;
 }

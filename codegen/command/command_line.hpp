@@ -61,6 +61,12 @@ struct ExplainCommand {
   OutputOptions output;
 };
 
+/// `regulus list`
+struct ListCommand {
+  std::string path;  ///< a model whose motions are listed; empty: the installed models
+  bool json = false;
+};
+
 /// `regulus shell`
 struct ShellCommand {
   std::string path;  ///< a model to begin with; empty: none
@@ -78,6 +84,7 @@ struct CommandLine {
   std::optional<GenerateCommand> generate;
   std::optional<VerifyCommand> verify;
   std::optional<ImportCommand> import;
+  std::optional<ListCommand> list;
   std::optional<ShellCommand> shell;
 };
 

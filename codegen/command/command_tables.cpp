@@ -94,7 +94,8 @@ CLI::Validator known_ingredient() {
 }
 
 void add_model_arguments(CLI::App& app, ModelOptions& options) {
-  app.add_option("MODEL", options.path, "Model file (TOML)")->required();
+  app.add_option("MODEL", options.path, "Model file (TOML), or the name of an installed model")
+      ->required();
   app.add_option("MOTION", options.motion, "Motion variety; optional if the model has only one");
 }
 
@@ -293,6 +294,13 @@ void add_explain_options(CLI::App& app, ExplainCommand& command) {
                "Print one JSON object on standard output: model, motion, stage, text");
 }
 
+void add_list_options(CLI::App& app, ListCommand& command) {
+  app.add_option("MODEL", command.path,
+                 "Show the motions of this model with their ranges, and its groups with their "
+                 "tolerances; without MODEL, list the installed models");
+  app.add_flag("--json", command.json, "Print one JSON object on standard output");
+}
+
 void add_shell_options(CLI::App& app, ShellCommand& command) {
   app.add_option("MODEL", command.path, "Model file to load first");
   app.add_flag("--json", command.json, "Print each result as one JSON object on a line");
@@ -324,6 +332,10 @@ CommandTables::CommandTables(const std::string& shell_commands) : app(kDescripti
   import_command = app.add_subcommand(
       "import", "Make a model of a robot that a file of another program describes");
   add_import_options(*import_command, import);
+  list_command = app.add_subcommand(
+      "list", "List the installed models, or the motions and tolerance groups of a model");
+  add_list_options(*list_command, list);
+  list_command->footer("Exit: 0 listed; 64 usage, 65 bad model, 74 file error.");
   shell_command = app.add_subcommand(
       "shell", "Load, show, set, check and plot at a prompt, or as a script on standard input");
   add_shell_options(*shell_command, shell);

@@ -18,6 +18,7 @@ struct CommandTables {
   GenerateCommand generate;
   VerifyCommand verify;
   ImportCommand import;
+  ListCommand list;
   ShellCommand shell;
   CLI::App* check_command;
   CLI::App* locate_command;
@@ -26,6 +27,7 @@ struct CommandTables {
   CLI::App* generate_command;
   CLI::App* verify_command;
   CLI::App* import_command;
+  CLI::App* list_command;
   CLI::App* shell_command;
 
   /// `shell_commands`: the first part of the footer of `shell`.

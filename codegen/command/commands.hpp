@@ -17,6 +17,8 @@ namespace regulus::inline command {
 [[nodiscard]] int run_verify(const VerifyCommand& command);
 
 [[nodiscard]] int run_import(const ImportCommand& command);
+/// Lists on standard output.
+[[nodiscard]] int run_list(const ListCommand& command);
 
 /// `typed`: the command line as typed, for the header of generated text.
 [[nodiscard]] int run_explain(const ExplainCommand& command, const std::string& typed);

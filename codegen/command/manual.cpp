@@ -140,7 +140,7 @@ std::string bash_completion(const std::vector<CommandEntry>& table) {
         values += fmt::format("    {}:{}) choices=\"{}\" ;;\n", command.name, option.name,
                               fmt::join(option.choices, " "));
   }
-  return fmt::format(R"(# SPDX-License-Identifier: GPL-3.0-or-later
+  return fmt::format(R"bash(# SPDX-License-Identifier: GPL-3.0-or-later
 _regulus() {{
   local word=${{COMP_WORDS[COMP_CWORD]}} before=${{COMP_WORDS[COMP_CWORD-1]}} command=${{COMP_WORDS[1]}}
   local options="" choices=""
@@ -159,10 +159,13 @@ _regulus() {{
     COMPREPLY=($(compgen -W "$options" -- "$word"))
   else
     COMPREPLY=($(compgen -f -- "$word"))
+    if ((COMP_CWORD == 2)) && [[ $command != verify ]]; then
+      COMPREPLY+=($(compgen -W "$(regulus list 2>/dev/null | cut -d' ' -f1)" -- "$word"))
+    fi
   fi
 }}
 complete -o filenames -F _regulus regulus
-)",
+)bash",
                      commands, cases, values);
 }
 

@@ -2,9 +2,11 @@
 #include "codegen/command/run_command_line.hpp"
 
 #include <iostream>
+#include <utility>
 
 #include "codegen/command/commands.hpp"
 #include "codegen/jit/jit.hpp"
+#include "codegen/model/installed_models.hpp"
 #include "codegen/model/request.hpp"
 #include "codegen/support/errors.hpp"
 #include "codegen/support/exit_code.hpp"
@@ -18,10 +20,32 @@ int complain(const std::string& where, const std::exception& error, ExitCode cod
   return code;
 }
 
+/// Replaces the name of an installed model by its file, and reports the file.
+void find(std::string& model, bool quiet) {
+  if (model.empty()) return;
+  const std::string typed = std::exchange(model, find_model(model));
+  if (model != typed && !quiet) std::cerr << "file       " << model << '\n';
+}
+
+void find_models(CommandLine& line) {
+  const auto find_in = [](auto& command, bool quiet = false) {
+    if (command && !command->model.text) find(command->model.path, quiet);
+  };
+  if (line.check) find_in(line.check, line.check->output.quiet);
+  if (line.locate) find_in(line.locate, line.locate->output.quiet);
+  if (line.margin) find_in(line.margin, line.margin->output.quiet);
+  find_in(line.explain);
+  find_in(line.generate);
+  if (line.verify) find(line.verify->model, line.verify->output.quiet);
+  if (line.list) find(line.list->path, true);
+}
+
 }  // namespace
 
-int run_command_line(const CommandLine& line, const std::string& typed) {
+int run_command_line(CommandLine line, const std::string& typed) {
   if (line.exit_code) return *line.exit_code;
+  find_models(line);
+  if (line.list) return run_list(*line.list);
   if (line.check) return run_check(*line.check);
   if (line.locate) return run_locate(*line.locate);
   if (line.margin) return run_margin(*line.margin);

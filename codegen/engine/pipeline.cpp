@@ -273,6 +273,7 @@ PreparedSearch prepare(const ModelOptions& model, const SearchOptions& search,
   std::string text = model_text(model);
   const FormulationOptions functions = functions_for(search);
   std::optional<ProblemCache> cache = place_in_cache(text, model, functions, search);
+  p.model_file = model.path;
   p.stages = std::make_unique<SymbolicStages>(std::move(text), model, functions);
   p.stages->watch(within_time_limit(std::move(forming), search));
   p.seconds.model = watch.lap();
@@ -290,6 +291,7 @@ PreparedSearch prepare(const ModelOptions& model, const SearchOptions& search,
 PreparedSearch prepare(Request request, double model_seconds, const SearchOptions& search,
                        FormingWatch forming) {
   PreparedSearch p;
+  p.model_file = request.model.path;
   p.stages =
       std::make_unique<SymbolicStages>(std::move(request), model_seconds, functions_for(search));
   p.stages->watch(within_time_limit(std::move(forming), search));

@@ -37,6 +37,7 @@ struct StageSeconds {
 /// All data of a check, and of the report about its preparation.
 struct PreparedSearch {
   ReportLabels labels;
+  std::string model_file;  ///< as it was opened
   Variety variety;
   bool is_replanned = false;  ///< the ranges or the threshold are not those that `stages` has
   /// The program of a square matrix, with rows and columns scaled as in the kernel. The threads of

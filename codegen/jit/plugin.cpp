@@ -2,7 +2,6 @@
 #include "codegen/jit/plugin.hpp"
 
 #include <dlfcn.h>
-#include <sys/auxv.h>
 #include <sys/stat.h>
 
 #include <chrono>
@@ -12,20 +11,12 @@
 
 #include "codegen/jit/clang_interface.h"
 #include "codegen/jit/plugin_folder.h"
+#include "codegen/support/executable_folder.hpp"
 
 namespace regulus::inline jit {
 namespace {
 
 namespace fs = std::filesystem;
-
-/// If /proc is not mounted, uses the name that the program was started with, and follows links.
-fs::path folder_of_executable() {
-  std::error_code error;
-  fs::path executable = fs::read_symlink("/proc/self/exe", error);
-  const auto* started = reinterpret_cast<const char*>(::getauxval(AT_EXECFN));
-  if (error && started) executable = fs::canonical(started, error);
-  return error ? fs::path() : executable.parent_path();
-}
 
 /// Returns the folders that may contain plugins: the folder in the environment, then beside the
 /// executable as installed and as built, then the folder from a program linked with this library.

@@ -134,6 +134,7 @@ Json json_margin(const PreparedSearch& p, const SearchOptions& search,
   report["closed"] = margin.closed;
   report["reason"] = reason_to_end(margin);
   report["model"] = p.labels.model;
+  report["model_file"] = p.model_file;
   report["model_sha256"] = p.labels.model_sha256;
   report["motion"] = p.labels.motion;
   report["method"] = name(search.method);

@@ -58,11 +58,17 @@ Words models_among(Words files) {
   return files;
 }
 
+Words models_to_load(Words files, const Words& installed) {
+  Words words = models_among(std::move(files));
+  words.insert(words.end(), installed.begin(), installed.end());
+  return words;
+}
+
 Words candidates(const TypedLine& typed, const ShellNames& names) {
   if (typed.before.empty()) return names.commands;
   const std::string& command = typed.before[0];
   const auto files = [&] { return names.files ? names.files(typed.last) : Words{}; };
-  if (command == "load") return models_among(files());
+  if (command == "load" || command == "list") return models_to_load(files(), names.installed);
   if (command == "plot" || command == "verify" || command == "save") return files();
   if (command == "set" || command == "unset") return of_set(typed, names);
   if (command == "motion") return names.motions;

@@ -12,6 +12,7 @@ namespace regulus::inline shell {
 /// The names that can be completed at a moment.
 struct ShellNames {
   std::vector<std::string> commands;
+  std::vector<std::string> installed;  ///< models
   std::vector<std::string> motions;
   std::vector<std::string> parameters;  ///< of the chosen motion
   std::vector<std::string> groups;      ///< of tolerances

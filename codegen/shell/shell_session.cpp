@@ -10,6 +10,7 @@
 #include <nlohmann/json.hpp>
 
 #include "codegen/command/run_command_line.hpp"
+#include "codegen/model/installed_models.hpp"
 #include "codegen/model/model_edit.hpp"
 #include "codegen/model/model_file.hpp"
 #include "codegen/model/names.hpp"
@@ -59,6 +60,8 @@ const std::vector<ShellSession::Entry>& ShellSession::table() {
   using S = ShellSession;
   static const std::vector<Entry> kTable = {
       {"load", "load MODEL", "read a model file and discard the settings", &S::load},
+      {"list", "list [MODEL]", "list the installed models, or the motions and groups of a model",
+       &S::run},
       {"motions", "motions", "list the motions of the model", &S::motions},
       {"motion", "motion NAME", "choose a motion", &S::motion},
       {"show", "show matrix|forms|occurrences|text|settings",
@@ -113,9 +116,10 @@ void ShellSession::require_model() const {
 
 int ShellSession::load(const Words& words) {
   if (words.size() != 2) refuse(rest_of(words, 0), "load MODEL");
-  std::string text = read_model_text(words[1]);
-  Model model = parse_model(text, words[1]);
-  asked_.path = words[1];
+  const std::string path = find_model(words[1]);
+  std::string text = read_model_text(path);
+  Model model = parse_model(text, path);
+  asked_.path = path;
   asked_.text = std::move(text);
   draft_.clear();
   asked_.model = std::move(model);
@@ -216,7 +220,7 @@ int ShellSession::prepare_again() {
 }
 
 int ShellSession::run(const Words& words) {
-  if (words[0] != "verify") require_model();
+  if (words[0] != "verify" && words[0] != "list") require_model();
   CommandLine line = parsed(asked_, words);
   adopt(line);
   return run_command_line(line, rest_of(words, 0));
@@ -287,6 +291,8 @@ ShellNames ShellSession::names() const {
     return entry == nullptr ? Words{} : entry->choices;
   };
   names.files = files_beginning;
+  for (const InstalledModel& installed : installed_models())
+    names.installed.push_back(installed.name);
   if (!asked_.model) return names;
   names.motions = motion_names(*asked_.model);
   names.groups = tolerance_groups(*asked_.model);

@@ -93,7 +93,7 @@ CommandLine ShellSession::parsed(const Asked& asked, const Words& words) {
   static const std::vector<CommandEntry> kTable = command_table();
   const auto& options = std::ranges::find(kTable, words[0], &CommandEntry::name)->options;
   Words line = {"regulus", words[0]};
-  if (words[0] != "verify") {
+  if (words[0] != "verify" && words[0] != "list") {
     line.push_back(asked.path.empty() ? "MODEL" : asked.path);
     if (!asked.motion.empty()) line.push_back(asked.motion);
     for (const Setting& s : asked.settings) {
@@ -135,6 +135,7 @@ void ShellSession::adopt(CommandLine& line) {
     line.generate->json = line.generate->json || json_;
     line.generate->json_indent = json_ ? -1 : line.generate->json_indent;
   }
+  if (line.list) line.list->json = line.list->json || json_;
   if (!line.verify) return;
   line.verify->output.json = line.verify->output.json || json_;
   line.verify->output.json_indent = json_ ? -1 : line.verify->output.json_indent;
