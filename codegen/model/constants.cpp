@@ -55,11 +55,12 @@ ex checked_nonnegative(const ParsedExpression& value, const Place& place) {
   }
 }
 
-Range parse_range(std::string_view text, const Place& place, std::vector<ex>& must_be_defined) {
+Range parse_range(std::string_view text, const Place& place, std::vector<ex>& must_be_defined,
+                  NumberUnit unit) {
   const std::size_t colon = text.find(':');
-  const ParsedExpression lo = parse_constant(text.substr(0, colon), place);
+  const ParsedExpression lo = parse_constant(text.substr(0, colon), place, unit);
   const ParsedExpression hi =
-      colon == std::string_view::npos ? lo : parse_constant(text.substr(colon + 1), place);
+      colon == std::string_view::npos ? lo : parse_constant(text.substr(colon + 1), place, unit);
   append(must_be_defined, lo.must_be_defined);
   append(must_be_defined, hi.must_be_defined);
   return checked_range(lo, hi, place);

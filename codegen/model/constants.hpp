@@ -18,7 +18,8 @@ namespace regulus::inline model {
 /// Reads "LO:HI", or "V" for a range of one value. Conditions of the constants are added to
 /// `must_be_defined`.
 [[nodiscard]] Range parse_range(std::string_view text, const Place& place,
-                                std::vector<GiNaC::ex>& must_be_defined);
+                                std::vector<GiNaC::ex>& must_be_defined,
+                                NumberUnit unit = NumberUnit::kPlain);
 
 void append(std::vector<GiNaC::ex>& all, const std::vector<GiNaC::ex>& more);
 

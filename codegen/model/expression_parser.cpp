@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "codegen/model/expression_parser.hpp"
 
+#include <algorithm>
 #include <exception>
+#include <iterator>
 #include <utility>
 
 #include "codegen/model/decimal.hpp"
@@ -16,8 +18,8 @@ namespace {
 
 class Parser {
  public:
-  Parser(std::string_view text, Names& names, const Place& place, int depth)
-      : text_(text), names_(names), place_(place), lexer_(text), depth_(depth) {}
+  Parser(std::string_view text, Names& names, const Place& place, int depth, NumberUnit unit)
+      : text_(text), names_(names), place_(place), lexer_(text), depth_(depth), unit_(unit) {}
 
   ParsedExpression parse() {
     advance();
@@ -109,23 +111,65 @@ class Parser {
   ParsedExpression parse_number() {
     const auto value = exact_decimal(token_.text);
     if (!value) refuse(token_, kNumberLimits);
+    const Token start = token_;
     advance();
-    return number(*value);
+    if (token_.text != "deg" && token_.text != "°") return number(*value);
+    advance();
+    return guarded(start, [&] { return product({{number(*value)}, {degree()}}); });
+  }
+
+  /// True where a number that stands alone is a number of degrees.
+  [[nodiscard]] bool is_among_degrees() const {
+    return unit_ == NumberUnit::kDegrees && circular_calls_ == 0;
+  }
+
+  [[nodiscard]] ParsedExpression degree() const {
+    return constant(is_among_degrees() ? GiNaC::ex(1) : one_degree());
   }
 
   ParsedExpression parse_name() {
     const Token name = token_;
     advance();
     if (is_function(name.text)) return parse_call(name);
+    if (name.text == "pi" && is_among_degrees())
+      reject(name, "this is a number of degrees, and pi is one of radians; write 180");
     if (name.text == "pi") return constant(GiNaC::Pi);
-    if (name.text == "deg") return constant(GiNaC::Pi / 180);
+    if (name.text == "deg") return degree();
     const std::string key(name.text);
     const ParsedExpression* meaning = is_name(key) ? names_.find(key, depth_) : nullptr;
     if (!meaning) refuse_undeclared(name);
-    return *meaning;
+    return meaning->is_angle_in_degrees ? angle(name, *meaning) : *meaning;
+  }
+
+  /// Returns the angle inside sin, cos and tan, and its number of degrees in `name/deg` and in
+  /// values that are degrees. Anywhere else, degrees or radians may be meant.
+  ParsedExpression angle(const Token& name, const ParsedExpression& meaning) {
+    if (circular_calls_ > 0) return meaning;
+    if (unit_ == NumberUnit::kPlain) {
+      if (!token_.is('/') || Lexer(lexer_).next().text != "deg")
+        reject(name, "this angle is in degrees; outside sin, cos and tan write " +
+                         std::string(name.text) + "/deg, its number of degrees");
+      return meaning;  // the division by deg follows
+    }
+    ParsedExpression degrees = meaning;
+    degrees.value = meaning.value / one_degree();
+    return degrees;
   }
 
   ParsedExpression parse_call(const Token& name) {
+    const std::string_view arcs[] = {"asin", "acos", "atan", "atan2"};
+    if (is_among_degrees() && std::ranges::find(arcs, name.text) != std::end(arcs))
+      reject(name,
+             "this is a number of degrees, and the function gives radians; give the pose "
+             "parameter the unit rad");
+    const bool is_circular = name.text == "sin" || name.text == "cos" || name.text == "tan";
+    if (is_circular) ++circular_calls_;
+    ParsedExpression result = parse_arguments(name);
+    if (is_circular) --circular_calls_;
+    return result;
+  }
+
+  ParsedExpression parse_arguments(const Token& name) {
     const Token bracket = token_;
     if (!bracket.is('(')) refuse(bracket, "'(' after the function " + std::string(name.text));
     advance();
@@ -174,6 +218,14 @@ class Parser {
     fail(describe(found), expected, found.kind == Kind::kName ? std::string(found.text) : "");
   }
 
+  /// `why`: the problem and the remedy, with a semicolon between them.
+  [[noreturn]] void reject(const Token& at, const std::string& why) const {
+    const std::size_t semicolon = why.rfind("; ");
+    throw InputError::statement(place_.file, place_.line,
+                                with_key(describe(at)) + ": " + why.substr(0, semicolon),
+                                why.substr(semicolon + 2), std::string(at.text));
+  }
+
   [[noreturn]] void refuse_undeclared(const Token& name) const {
     const std::vector<std::string> known = names_.all();
     throw InputError::statement(
@@ -200,6 +252,8 @@ class Parser {
   Lexer lexer_;
   Token token_;
   int depth_;
+  NumberUnit unit_;
+  int circular_calls_ = 0;  ///< of sin, cos or tan around the current token
 };
 
 class NoNames final : public Names {
@@ -211,18 +265,18 @@ class NoNames final : public Names {
 }  // namespace
 
 ParsedExpression parse_expression(std::string_view text, Names& names, const Place& place,
-                                  int depth) {
+                                  int depth, NumberUnit unit) {
   if (text.size() > kLongestExpression)
     throw InputError(place.file, place.line,
                      "an expression of " + std::to_string(text.size()) + " bytes" +
                          (place.key.empty() ? "" : " in " + place.key),
                      "at most " + std::to_string(kLongestExpression) + " bytes", place.key);
-  return Parser(text, names, place, depth).parse();
+  return Parser(text, names, place, depth, unit).parse();
 }
 
-ParsedExpression parse_constant(std::string_view text, const Place& place) {
+ParsedExpression parse_constant(std::string_view text, const Place& place, NumberUnit unit) {
   NoNames names;
-  ParsedExpression result = parse_expression(text, names, place);
+  ParsedExpression result = parse_expression(text, names, place, 0, unit);
   if (!approx_value(result.value))
     throw InputError(place.file, place.line,
                      in_quotes(text) + (place.key.empty() ? "" : " in " + place.key),

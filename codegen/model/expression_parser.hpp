@@ -5,15 +5,18 @@
 //   product = factor { (*|/) factor }
 //   factor  = (+|-) factor | power
 //   power   = primary [ ^ factor ]                 so -x^2 = -(x^2) and 2^3^2 = 2^9
-//   primary = number | name | name ( sum {, sum} ) | ( sum )
+//   primary = number [deg|°] | name | name ( sum {, sum} ) | ( sum )
 //
-// Numbers are exact decimals with an optional exponent. pi and deg = pi/180 are known everywhere.
+// Numbers are exact decimals with an optional exponent. pi and deg are known everywhere: deg is
+// pi/180, but 1 in a value that is a number of degrees (see degrees.hpp), outside the arguments of
+// sin, cos and tan. So 10*deg, 10deg and 10° are ten degrees in every place.
 #pragma once
 
 #include <string>
 #include <string_view>
 #include <vector>
 
+#include "codegen/model/degrees.hpp"
 #include "codegen/model/parsed_expression.hpp"
 
 namespace regulus::inline model {
@@ -46,9 +49,11 @@ constexpr std::size_t kLongestExpression = 65536;
 ///           InputError with file, line and column for anything else than arithmetic on `names`,
 ///           and beyond the limits of parsed_expression.hpp or kLongestExpression bytes.
 [[nodiscard]] ParsedExpression parse_expression(std::string_view text, Names& names,
-                                                const Place& place, int depth = 0);
+                                                const Place& place, int depth = 0,
+                                                NumberUnit unit = NumberUnit::kPlain);
 
 /// The same for an expression with no names except pi and deg, and with a finite value.
-[[nodiscard]] ParsedExpression parse_constant(std::string_view text, const Place& place);
+[[nodiscard]] ParsedExpression parse_constant(std::string_view text, const Place& place,
+                                              NumberUnit unit = NumberUnit::kPlain);
 
 }  // namespace regulus::model

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "codegen/model/gough.hpp"
 
+#include "codegen/model/degrees.hpp"
 #include "codegen/model/rotation.hpp"
 
 namespace regulus::inline model {
@@ -30,7 +31,7 @@ void add_pose(Model& model, const Gough& robot) {
   for (const char* axis : kAxes) add_pose_parameter(model, axis, robot.unit);
   const bool angles = robot.orientation != Orientation::kQuaternion;
   for (const std::string& name : orientation_names(robot.orientation))
-    add_pose_parameter(model, name, angles ? "rad" : "1");
+    add_pose_parameter(model, name, angles ? robot.angle_unit : "1");
 }
 
 /// One side of the robot: its anchors become geometry parameters and, for tolerance balls, balls.
@@ -73,7 +74,10 @@ ex squared_norm(const Model& model) {
 }
 
 ScaledRotation rotation(const Model& model, Orientation orientation) {
-  const auto q = [&model](std::size_t i) -> ex { return model.pose[3 + i].symbol; };
+  const auto q = [&model](std::size_t i) -> ex {
+    const PoseParameter& p = model.pose[3 + i];
+    return is_in_degrees(p.unit) ? p.symbol * one_degree() : ex(p.symbol);
+  };
   switch (orientation) {
     case Orientation::kEulerZxz:
       return {rotation_euler_zxz(q(0), q(1), q(2))};

@@ -27,6 +27,7 @@ struct Gough {
   std::string source;
   std::string unit = "1";  ///< of lengths
   Orientation orientation = Orientation::kEulerZxz;
+  std::string angle_unit = "rad";   ///< of the pose; "deg": a pose parameter is a number of degrees
   std::array<Point, 6> base{};      ///< A_i in the reference frame
   std::array<Point, 6> platform{};  ///< B_i in the mobile frame, whose origin C is the pose's x y z
   GiNaC::ex base_tolerance = 0;

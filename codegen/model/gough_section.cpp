@@ -23,6 +23,14 @@ ToleranceShape tolerance_shape(const TomlReader& toml, const TomlEntry& entry) {
                            std::pair{std::string("ball"), ToleranceShape::kBall}});
 }
 
+std::string angle_unit(const TomlReader& toml, const TomlEntry& entry, Orientation orientation) {
+  if (orientation == Orientation::kQuaternion)
+    toml.reject(entry, "a quaternion has no angles", "remove angle_unit");
+  return choice(toml, entry,
+                std::array{std::pair{std::string("rad"), std::string("rad")},
+                           std::pair{std::string("deg"), std::string("deg")}});
+}
+
 ParsedExpression constant(ModelReading& reading, const TomlEntry& entry,
                           std::vector<GiNaC::ex>& conditions) {
   ParsedExpression term = reading.toml.constant(entry);
@@ -58,7 +66,8 @@ GiNaC::ex tolerance(ModelReading& reading, const TomlEntry& entry,
 void declare_symbols(ModelReading& reading, const TomlEntry& gough) {
   const Place place = reading.toml.place(gough);
   for (const PoseParameter& p : reading.model.pose)
-    reading.names.declare(p.name, variable(p.symbol), place);
+    reading.names.declare(
+        p.name, is_in_degrees(p.unit) ? angle_in_degrees(p.symbol) : variable(p.symbol), place);
   for (const GeometryParameter& g : reading.model.geometry)
     reading.names.declare(g.name, variable(g.symbol), place);
 }
@@ -66,9 +75,9 @@ void declare_symbols(ModelReading& reading, const TomlEntry& gough) {
 }  // namespace
 
 void read_gough(ModelReading& reading, const TomlEntry& gough) {
-  static const std::array<std::string, 7> kKeys = {
-      "unit",           "orientation",        "base",           "platform",
-      "base_tolerance", "platform_tolerance", "tolerance_shape"};
+  static const std::array<std::string, 8> kKeys = {
+      "angle_unit", "unit",           "orientation",        "base",
+      "platform",   "base_tolerance", "platform_tolerance", "tolerance_shape"};
   const TomlReader& toml = reading.toml;
   (void)toml.entries(gough, kKeys);
 
@@ -76,6 +85,8 @@ void read_gough(ModelReading& reading, const TomlEntry& gough) {
   Gough robot{.name = reading.model.name, .source = reading.model.source};
   if (const TomlEntry unit = toml.optional(gough, "unit"); unit.node) robot.unit = toml.label(unit);
   robot.orientation = orientation(toml, toml.required(gough, "orientation"));
+  if (const TomlEntry unit = toml.optional(gough, "angle_unit"); unit.node)
+    robot.angle_unit = angle_unit(toml, unit, robot.orientation);
   robot.base = anchors(reading, toml.required(gough, "base"), conditions);
   robot.platform = anchors(reading, toml.required(gough, "platform"), conditions);
   robot.base_tolerance = tolerance(reading, toml.optional(gough, "base_tolerance"), conditions);

@@ -9,6 +9,8 @@ bool is_digit(char c) noexcept { return '0' <= c && c <= '9'; }
 bool is_letter(char c) noexcept { return ('a' <= c && c <= 'z') || ('A' <= c && c <= 'Z'); }
 bool is_space(char c) noexcept { return c == ' ' || c == '\t' || c == '\n' || c == '\r'; }
 
+constexpr std::string_view kDegreeSign = "°";
+
 }  // namespace
 
 Token Lexer::next() noexcept {
@@ -16,6 +18,8 @@ Token Lexer::next() noexcept {
   if (at_ == text_.size()) return token(Token::Kind::kEnd, at_);
   const std::size_t end_of_number = number_end(at_);
   if (end_of_number > at_) return token(Token::Kind::kNumber, end_of_number);
+  if (text_.substr(at_).starts_with(kDegreeSign))
+    return token(Token::Kind::kName, at_ + kDegreeSign.size());
   if (!is_letter(text_[at_])) return token(Token::Kind::kSymbol, at_ + 1);
   std::size_t end = at_ + 1;
   while (end < text_.size() && (is_letter(text_[end]) || is_digit(text_[end]) || text_[end] == '_'))

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Cuts an expression into tokens. Each character that is not arithmetic is a token of its own; the
+// Cuts an expression into tokens. The degree sign is a name; each other character that is not arithmetic is a token of its own; the
 // parser refuses it.
 #pragma once
 

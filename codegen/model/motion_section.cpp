@@ -17,7 +17,9 @@ class MotionNames final : public Names {
   explicit MotionNames(Declarations* declared) : declared_(declared) {}
 
   void add(const MotionParameter& parameter) {
-    parameters_.emplace(parameter.name, variable(parameter.symbol));
+    parameters_.emplace(parameter.name, is_in_degrees(parameter.unit)
+                                            ? angle_in_degrees(parameter.symbol)
+                                            : variable(parameter.symbol));
   }
 
   const ParsedExpression* find(const std::string& name, int depth) override {
@@ -77,8 +79,8 @@ class MotionReader {
         toml_.reject(parameter,
                      in_quotes(parameter.key) + " is declared twice, here as " + parameter.path,
                      "choose another name");
-      motion_.parameters.push_back(
-          {GiNaC::realsymbol(parameter.key), parameter.key, "1", range(parameter)});
+      motion_.parameters.push_back({GiNaC::realsymbol(parameter.key), parameter.key, "1",
+                                    range(parameter, NumberUnit::kPlain)});
     }
     if (motion_.parameters.empty())
       toml_.refuse(parameters, "no parameter in " + parameters.path,
@@ -90,7 +92,7 @@ class MotionReader {
     for (const PoseParameter& p : reading_.model.pose) {
       const TomlEntry given = toml_.required(entry_, p.name);
       if (given.node->is_array())
-        motion_.parameters.push_back({p.symbol, p.name, p.unit, range(given)});
+        motion_.parameters.push_back({p.symbol, p.name, p.unit, range(given, number_unit(p.unit))});
     }
   }
 
@@ -107,12 +109,12 @@ class MotionReader {
     for (const PoseParameter& p : reading_.model.pose) {
       const TomlEntry given = toml_.required(entry_, p.name);
       motion_.pose.push_back(given.node->is_array() ? GiNaC::ex(p.symbol)
-                                                    : pose_expression(given, names));
+                                                    : pose_expression(given, names, p.unit));
     }
   }
 
-  GiNaC::ex pose_expression(const TomlEntry& given, MotionNames& names) {
-    const ParsedExpression term = toml_.expression(given, names);
+  GiNaC::ex pose_expression(const TomlEntry& given, MotionNames& names, const std::string& unit) {
+    const ParsedExpression term = toml_.expression(given, names, number_unit(unit));
     if (term.constant && !approx_value(term.value))
       toml_.refuse(given, "a finite number, a range or an expression");
     return recorded(term, given);
@@ -125,7 +127,8 @@ class MotionReader {
     const std::vector<std::string> names = pose_names();
     for (const TomlEntry& given : toml_.entries(error, names)) {
       const auto at = std::ranges::find(names, given.key) - names.begin();
-      motion_.error[static_cast<std::size_t>(at)] = nonnegative(given);
+      const std::size_t i = static_cast<std::size_t>(at);
+      motion_.error[i] = nonnegative(given, number_unit(reading_.model.pose[i].unit));
     }
   }
 
@@ -140,23 +143,23 @@ class MotionReader {
 
   void read_alpha() {
     const TomlEntry alpha = toml_.optional(entry_, "alpha");
-    if (alpha.node) motion_.alpha = nonnegative(alpha);
+    if (alpha.node) motion_.alpha = nonnegative(alpha, NumberUnit::kPlain);
   }
 
-  Range range(const TomlEntry& entry) {
+  Range range(const TomlEntry& entry, NumberUnit unit) {
     const auto ends = toml_.elements(entry, "a range [lower, upper]");
     if (ends.size() != 2)
       toml_.refuse(entry, std::to_string(ends.size()) + " numbers in " + entry.path,
                    "a range [lower, upper]");
-    const ParsedExpression lo = toml_.constant(ends[0]);
-    const ParsedExpression hi = toml_.constant(ends[1]);
+    const ParsedExpression lo = toml_.constant(ends[0], unit);
+    const ParsedExpression hi = toml_.constant(ends[1], unit);
     append(motion_.must_be_defined, lo.must_be_defined);
     append(motion_.must_be_defined, hi.must_be_defined);
     return checked_range(lo, hi, toml_.place(entry));
   }
 
-  GiNaC::ex nonnegative(const TomlEntry& entry) {
-    const ParsedExpression term = toml_.constant(entry);
+  GiNaC::ex nonnegative(const TomlEntry& entry, NumberUnit unit) {
+    const ParsedExpression term = toml_.constant(entry, unit);
     append(motion_.must_be_defined, term.must_be_defined);
     return checked_nonnegative(term, toml_.place(entry));
   }

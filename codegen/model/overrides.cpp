@@ -45,6 +45,15 @@ std::vector<std::string> split(std::string_view list) {
   return parts;
 }
 
+/// Returns the unit of a range; that of no parameter is plain.
+NumberUnit unit_of(const Model& model, const Motion& motion, const std::string& parameter) {
+  for (const MotionParameter& p : motion.parameters)
+    if (p.name == parameter) return number_unit(p.unit);
+  for (const PoseParameter& p : model.pose)
+    if (p.name == parameter) return number_unit(p.unit);
+  return NumberUnit::kPlain;
+}
+
 /// Frees a pose parameter that the motion holds constant.
 bool free_constant(const Model& model, Motion& motion, const std::string& name,
                    const Range& range) {
@@ -74,8 +83,9 @@ const Motion& find_motion(const Model& model, std::string_view name) {
 
 void set_range(const Model& model, Motion& motion, const std::string& parameter,
                std::string_view text) {
-  const Range range = parse_range(text, {.file = "", .key = parameter}, motion.must_be_defined);
   const auto at = std::ranges::find(motion.parameters, parameter, &MotionParameter::name);
+  const Range range = parse_range(text, {.file = "", .key = parameter}, motion.must_be_defined,
+                                  unit_of(model, motion, parameter));
   if (at != motion.parameters.end())
     at->range = range;
   else if (!free_constant(model, motion, parameter, range))

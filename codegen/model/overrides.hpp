@@ -14,7 +14,7 @@ namespace regulus::inline model {
 /// lists the names.
 [[nodiscard]] const Motion& find_motion(const Model& model, std::string_view name = {});
 
-/// Sets the range of a motion parameter, "LO:HI" or "V". A pose parameter that is constant in the
+/// Sets the range of a motion parameter, "LO:HI" or "V", in the unit of the parameter. A pose parameter that is constant in the
 /// motion becomes a motion parameter.
 void set_range(const Model& model, Motion& motion, const std::string& parameter,
                std::string_view range);

@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "codegen/model/combine_limits.hpp"
+#include "codegen/model/degrees.hpp"
 #include "codegen/model/domain.hpp"
 
 namespace regulus::inline model {
@@ -69,6 +70,11 @@ ParsedExpression constant(const ex& value) { return ParsedExpression{.value = va
 
 ParsedExpression variable(const GiNaC::realsymbol& symbol) {
   return ParsedExpression{.value = symbol, .constant = false};
+}
+
+ParsedExpression angle_in_degrees(const GiNaC::realsymbol& symbol) {
+  return {
+      .value = symbol * one_degree(), .constant = false, .size = 3, .is_angle_in_degrees = true};
 }
 
 ParsedExpression sum(std::vector<Operand> operands) {

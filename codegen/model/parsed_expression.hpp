@@ -24,10 +24,11 @@ struct ParsedExpression {
   /// Expressions that are all defined exactly where the written expression is, without the
   /// conditions that `value` shows itself. An operation that always has a value adds nothing.
   std::vector<GiNaC::ex> must_be_defined{};
-  bool constant = true;  ///< no symbol was written in it
-  int depth = 1;         ///< of the written tree, named sub-expressions included
-  double size = 1;       ///< nodes of that tree
-  double bits = 0;       ///< bound of the bits in its exact coefficients
+  bool constant = true;              ///< no symbol was written in it
+  int depth = 1;                     ///< of the written tree, named sub-expressions included
+  double size = 1;                   ///< nodes of that tree
+  double bits = 0;                   ///< bound of the bits in its exact coefficients
+  bool is_angle_in_degrees = false;  ///< the meaning of a name whose numbers are degrees
 };
 
 // The limits prevent a small file from using unbounded memory, time or stack: by doubling chains of
@@ -42,6 +43,8 @@ constexpr int kMaxRootDenominator = 1 << 13;  ///< of exponents that become squa
 [[nodiscard]] ParsedExpression number(const GiNaC::numeric& value);
 [[nodiscard]] ParsedExpression constant(const GiNaC::ex& value);
 [[nodiscard]] ParsedExpression variable(const GiNaC::realsymbol& symbol);
+/// The angle of `symbol` degrees.
+[[nodiscard]] ParsedExpression angle_in_degrees(const GiNaC::realsymbol& symbol);
 
 /// Operands of one chain a + b − c … or a · b / c …, in the order they are written.
 struct Operand {

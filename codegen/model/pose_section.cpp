@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <array>
 
+#include "codegen/model/degrees.hpp"
+#include "codegen/model/names.hpp"
 #include "codegen/model/sections.hpp"
 
 namespace regulus::inline model {
@@ -19,8 +21,16 @@ void read_pose(ModelReading& reading, const TomlEntry& pose) {
   for (const TomlEntry& entry : reading.toml.entries(pose)) {
     require_pose_name(reading.toml, entry, entry.key);
     const GiNaC::realsymbol symbol(entry.key);
-    reading.names.declare(entry.key, variable(symbol), reading.toml.place(entry));
-    reading.model.pose.push_back({symbol, entry.key, reading.toml.label(entry)});
+    const std::string unit = reading.toml.label(entry);
+    if (is_like_degrees(unit))
+      reading.toml.reject(entry,
+                          "the unit " + in_quotes(unit) + " of " + entry.path +
+                              " is not known, and would be taken for a name of radians",
+                          "write \"deg\"");
+    reading.names.declare(entry.key,
+                          is_in_degrees(unit) ? angle_in_degrees(symbol) : variable(symbol),
+                          reading.toml.place(entry));
+    reading.model.pose.push_back({symbol, entry.key, unit});
   }
   if (reading.model.pose.empty())
     reading.toml.refuse(pose, "an empty [pose]", "at least one pose parameter and its unit");

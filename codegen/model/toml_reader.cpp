@@ -136,14 +136,16 @@ std::string TomlReader::name(const TomlEntry& entry) const {
   return result;
 }
 
-ParsedExpression TomlReader::expression(const TomlEntry& entry, Names& names) const {
+ParsedExpression TomlReader::expression(const TomlEntry& entry, Names& names,
+                                        NumberUnit unit) const {
   if (const auto* text = entry.node->as_string())
-    return parse_expression(text->get(), names, place(entry));
+    return parse_expression(text->get(), names, place(entry), 0, unit);
   return number_of(entry);
 }
 
-ParsedExpression TomlReader::constant(const TomlEntry& entry) const {
-  if (const auto* text = entry.node->as_string()) return parse_constant(text->get(), place(entry));
+ParsedExpression TomlReader::constant(const TomlEntry& entry, NumberUnit unit) const {
+  if (const auto* text = entry.node->as_string())
+    return parse_constant(text->get(), place(entry), unit);
   return number_of(entry);
 }
 

@@ -56,8 +56,10 @@ class TomlReader {
 
   /// Reads a number, or an expression in a string. A number is exact to the last digit, because it
   /// is read from the text of the file.
-  [[nodiscard]] ParsedExpression expression(const TomlEntry& entry, Names& names) const;
-  [[nodiscard]] ParsedExpression constant(const TomlEntry& entry) const;
+  [[nodiscard]] ParsedExpression expression(const TomlEntry& entry, Names& names,
+                                            NumberUnit unit = NumberUnit::kPlain) const;
+  [[nodiscard]] ParsedExpression constant(const TomlEntry& entry,
+                                          NumberUnit unit = NumberUnit::kPlain) const;
 
   [[nodiscard]] Place place(const TomlEntry& entry) const;
 

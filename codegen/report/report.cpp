@@ -112,6 +112,7 @@ Json json_report(const PreparedSearch& p, const SearchOptions& search, const Res
   report["nonempty"] = json_occupancy(result);
   report["model"] = p.labels.model;
   report["model_file"] = p.model_file;
+  report["notes"] = notes_about(p);
   report["model_sha256"] = p.labels.model_sha256;
   report["motion"] = p.labels.motion;
   report["matrix"] = name(p.labels.matrix_kind);

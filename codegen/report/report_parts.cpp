@@ -6,6 +6,8 @@
 #include <algorithm>
 #include <charconv>
 
+#include "codegen/model/degrees.hpp"
+
 namespace regulus::inline report {
 namespace {
 
@@ -245,7 +247,24 @@ std::string format_matrix_notes(const PreparedSearch& p) {
 
 std::string format_question(const PreparedSearch& p) {
   return fmt::format("model      {}\nmotion     {}\n", p.labels.model, p.labels.motion) +
-         format_variable(p, true) + format_matrix_notes(p) + format_uncertain(p);
+         format_variable(p, true) + format_notes(p) + format_matrix_notes(p) +
+         format_uncertain(p);
+}
+
+std::vector<std::string> notes_about(const PreparedSearch& p) {
+  bool is_wide = false;
+  for (std::size_t k = 0; k < p.labels.variables.size(); ++k) {
+    const Interval& range = p.variety.outer[k];
+    is_wide = is_wide || (p.labels.variables[k].unit == "rad" && range.hi - range.lo > 6);
+  }
+  // The request is only read if there may be a note.
+  return is_wide ? notes_about_angles(p.stages->request().motion) : std::vector<std::string>{};
+}
+
+std::string format_notes(const PreparedSearch& p) {
+  std::string lines;
+  for (const std::string& note : notes_about(p)) lines += fmt::format("note       {}\n", note);
+  return lines;
 }
 
 std::string describe_without(const SearchOptions& search) {

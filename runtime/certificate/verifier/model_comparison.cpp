@@ -21,7 +21,9 @@ enum class Equality { kEqual, kAtPoints, kDifferent, kUnknown };
 class Comparison {
  public:
   Comparison(Question& q, const Options& options, Verification& result)
-      : q_(q), options_(options), result_(result), values_(read_model_values(options.model_text)) {}
+      : q_(q), options_(options), result_(result), values_(read_model_values(options.model_text)) {
+    find_degrees();
+  }
 
   void run() {
     compare_geometry();
@@ -32,15 +34,29 @@ class Comparison {
   }
 
  private:
+  /// Finds the pose parameters whose unit is degrees.
+  void find_degrees() {
+    constexpr std::string_view kPose = "pose.";
+    const auto is_degrees = [](const WrittenValue& unit) {
+      return unit.text == "deg" || unit.text == "°";
+    };
+    for (auto at = values_.lower_bound(kPose); at != values_.end() && at->first.starts_with(kPose);
+         ++at)
+      if (is_degrees(at->second)) degrees_.insert(at->first.substr(kPose.size()));
+    const auto gough = values_.find("gough.angle_unit");
+    if (gough == values_.end() || !is_degrees(gough->second)) return;
+    for (const char* name : {"psi", "theta", "phi", "roll", "pitch", "yaw"}) degrees_.insert(name);
+  }
+
   /// Returns the expression of a value in the file, whose names are those of `scope` and of [let].
-  NodeId node_of(const WrittenValue& written, const Scope& scope) {
+  NodeId node_of(const WrittenValue& written, const Scope& scope, bool is_in_degrees) {
     if (!written.is_string) return number_of_toml(written.text, q_.graph);
     const NameMeaning meaning = [&](std::string_view name) -> NodeId {
       const auto known = scope.find(name);
       if (known != scope.end()) return known->second;
       return let(name, scope);
     };
-    return parse_model_expression(written.text, meaning, q_.graph, depth_);
+    return parse_model_expression(written.text, meaning, q_.graph, depth_, degrees_, is_in_degrees);
   }
 
   NodeId let(std::string_view name, const Scope& scope) {
@@ -50,7 +66,7 @@ class Comparison {
     if (written == values_.end())
       throw Unfinished("the name " + std::string(name) + " is not known");
     if (++lets_ > kMostLets) throw Unfinished("[let] is nested too deeply");
-    const NodeId result = node_of(written->second, scope);
+    const NodeId result = node_of(written->second, scope, false);
     --lets_;
     known.emplace(name, result);
     return result;
@@ -65,7 +81,7 @@ class Comparison {
     used_.insert(stated);
     NodeId node = kNoNode;
     try {
-      node = node_of(written->second, scope);
+      node = node_of(written->second, scope, is_number_of_degrees(stated));
     } catch (const Rejection& why) {
       return leave_out(place, written->second, why.what());
     } catch (const Unfinished& why) {
@@ -87,6 +103,14 @@ class Comparison {
       default:
         ++result_.numbers;
     }
+  }
+
+  /// True for the range, the value and the error of a pose parameter in degrees.
+  [[nodiscard]] bool is_number_of_degrees(const std::string& stated) const {
+    const std::string kind = stated.substr(0, stated.find(' ')),
+                      name = stated.substr(stated.find(' ') + 1);
+    return (kind == "lower" || kind == "upper" || kind == "pose" || kind == "error") &&
+           degrees_.contains(name);
   }
 
   static std::string shortened(const std::string& text) {
@@ -288,7 +312,8 @@ class Comparison {
   Verification& result_;
   const WrittenValues values_;
   std::map<std::string, NodeId, std::less<>> actual_lets_, commanded_lets_;
-  std::set<std::string> used_;  ///< keys of what the certificate states
+  std::set<std::string, std::less<>> degrees_;  ///< pose parameters in that unit
+  std::set<std::string> used_;                  ///< keys of what the certificate states
   int depth_ = 0, lets_ = 0;
 };
 

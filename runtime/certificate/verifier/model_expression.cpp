@@ -12,8 +12,13 @@ namespace {
 
 class ModelParser final : InfixReader {
  public:
-  ModelParser(std::string_view text, const NameMeaning& meaning, Graph& graph, int& depth)
-      : InfixReader(text, graph), meaning_(meaning), depth_(depth) {}
+  ModelParser(std::string_view text, const NameMeaning& meaning, Graph& graph, int& depth,
+              const std::set<std::string, std::less<>>& degrees, bool is_in_degrees)
+      : InfixReader(text, graph),
+        meaning_(meaning),
+        depth_(depth),
+        degrees_(degrees),
+        is_in_degrees_(is_in_degrees) {}
 
   NodeId whole() {
     skip_space();
@@ -83,8 +88,30 @@ class ModelParser final : InfixReader {
         digits.append("e").append(text_.substr(end + 1, at_ - end - 1));
     }
     skip_space();
-    return graph_.number(digits);
+    const NodeId value = graph_.number(digits);
+    if (!take_degree_sign()) return value;
+    return graph_.add(Op::kMultiply, value, degree());
   }
+
+  /// Takes `deg` or the degree sign after a number.
+  bool take_degree_sign() {
+    constexpr std::string_view kSign = "°", kWord = "deg";
+    const std::string_view rest = text_.substr(at_);
+    const std::size_t end = at_ + kWord.size();
+    const bool is_word = rest.starts_with(kWord) &&
+                         (end == text_.size() ||
+                          !(is_letter(text_[end]) || is_digit(text_[end]) || text_[end] == '_'));
+    if (!is_word && !rest.starts_with(kSign)) return false;
+    at_ += is_word ? kWord.size() : kSign.size();
+    skip_space();
+    return true;
+  }
+
+  [[nodiscard]] bool is_among_degrees() const { return is_in_degrees_ && circular_calls_ == 0; }
+  NodeId angle_of_one_degree() {
+    return graph_.add(Op::kDivide, graph_.add(Op::kPi), graph_.number("180"));
+  }
+  NodeId degree() { return is_among_degrees() ? graph_.number("1") : angle_of_one_degree(); }
 
   NodeId named() {
     std::size_t end = at_;
@@ -96,12 +123,18 @@ class ModelParser final : InfixReader {
     at_ = end;
     skip_space();
     if (name == "pi") return graph_.add(Op::kPi);
-    if (name == "deg") return graph_.add(Op::kDivide, graph_.add(Op::kPi), graph_.number("180"));
+    if (name == "deg") return degree();
     if (is_reserved(name)) {
       expect('(');
-      return call(function_named(name));
+      const bool is_circular = name == "sin" || name == "cos" || name == "tan";
+      circular_calls_ += is_circular;
+      const NodeId result = call(function_named(name));
+      circular_calls_ -= is_circular;
+      return result;
     }
-    return meaning_(name);
+    const NodeId value = meaning_(name);
+    if (!degrees_.contains(name) || is_among_degrees()) return value;
+    return graph_.add(Op::kMultiply, value, angle_of_one_degree());
   }
 
   bool is_space(char c) const override { return c == ' ' || c == '\t' || c == '\n' || c == '\r'; }
@@ -113,14 +146,18 @@ class ModelParser final : InfixReader {
 
   const NameMeaning& meaning_;
   int& depth_;
+  const std::set<std::string, std::less<>>& degrees_;
+  const bool is_in_degrees_;
+  int circular_calls_ = 0;  ///< of sin, cos or tan around the current character
 };
 
 }  // namespace
 
 NodeId parse_model_expression(std::string_view text, const NameMeaning& meaning, Graph& graph,
-                              int& depth) {
+                              int& depth, const std::set<std::string, std::less<>>& degrees,
+                              bool is_in_degrees) {
   const int before = depth;
-  const NodeId result = ModelParser(text, meaning, graph, depth).whole();
+  const NodeId result = ModelParser(text, meaning, graph, depth, degrees, is_in_degrees).whole();
   depth = before;
   return result;
 }

@@ -1,0 +1,113 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "codegen/model/degrees.hpp"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "codegen/model/ginac_text.hpp"
+#include "codegen/model/model_file.hpp"
+#include "codegen/model/overrides.hpp"
+#include "codegen/support/errors.hpp"
+
+namespace regulus {
+namespace {
+
+using testing::ElementsAre;
+using testing::HasSubstr;
+using testing::IsEmpty;
+
+/// A model of one angle phi, with these texts in the places that angles have.
+std::string model_text(const std::string& unit, const std::string& entry, const std::string& range,
+                       const std::string& rest = "") {
+  return "regulus = 1\nname = \"m\"\n[pose]\nx = \"m\"\nphi = \"" + unit +
+         "\"\n[matrix]\nrows = [[\"x\", \"" + entry +
+         "\"], [\"1\", \"x\"]]\n[motion.a]\nx = [1, 2]\n" + "phi = " + range + "\n" + rest;
+}
+
+Motion motion_of(const std::string& text) { return parse_model(text, "m").motions.at(0); }
+
+std::string lower_end(const std::string& unit, const std::string& end) {
+  const Motion motion = motion_of(model_text(unit, "cos(phi)", "[" + end + ", \"100*deg\"]"));
+  return formula_text(motion.parameters.at(1).range.lo);
+}
+
+std::string refusal_of(const std::string& text) try {
+  static_cast<void>(parse_model(text, "m"));
+  return "";
+} catch (const InputError& error) {
+  return error.what();
+}
+
+TEST(Degrees, AreTheNumbersOfAPoseParameterInDegrees) {
+  for (const char* end : {"10", "\"10\"", "\"10deg\"", "\"10°\"", "\"10 deg\"", "\"10*deg\"",
+                          "\"deg*10\"", "\"20*sin(30*deg)\""})
+    EXPECT_EQ(lower_end("deg", end), "10") << end;
+}
+
+TEST(Degrees, AreExactPartsOfPiInRadians) {
+  for (const char* end : {"\"10deg\"", "\"10°\"", "\"10*deg\"", "\"pi/18\""})
+    EXPECT_EQ(lower_end("rad", end), "(1/18)*pi") << end;
+}
+
+TEST(Degrees, MakeTheNameTheAngleItselfInExpressions) {
+  const Model model = parse_model(model_text("deg", "sin(2*phi) + phi/deg", "[1, 2]"), "m");
+  EXPECT_EQ(formula_text(model.matrix(0, 1)), "phi + sin((1/90)*phi*pi)");
+}
+
+TEST(Degrees, HoldForExpressionsErrorsAndOverrides) {
+  const std::string text =
+      model_text("deg", "cos(phi)", "\"3*x + 20*cos(60*deg)\"", "error = { phi = \"0.5deg\" }\n");
+  Model model = parse_model(text, "m");
+  Motion& motion = model.motions.at(0);
+  EXPECT_EQ(formula_text(motion.pose.at(1)), "10 + 3*x");
+  EXPECT_EQ(formula_text(motion.error.at(1)), "1/2");
+  Motion box = motion_of(model_text("deg", "cos(phi)", "[1, 2]"));
+  set_range(model, box, "phi", "-5*deg:7°");
+  EXPECT_EQ(formula_text(box.parameters.at(1).range.lo), "-5");
+  EXPECT_EQ(formula_text(box.parameters.at(1).range.hi), "7");
+}
+
+TEST(Degrees, AreRefusedWhereRadiansMayBeMeant) {
+  EXPECT_THAT(refusal_of(model_text("deg", "phi", "[1, 2]")), HasSubstr("write phi/deg"));
+  EXPECT_THAT(refusal_of(model_text("deg", "sqrt(phi)", "[1, 2]")), HasSubstr("write phi/deg"));
+  EXPECT_THAT(refusal_of(model_text("deg", "x", "[1, 2]", "constraints = [\"phi - 1\"]\n")),
+              HasSubstr("write phi/deg"));
+  EXPECT_THAT(refusal_of(model_text("deg", "cos(phi)", "[0, \"pi/2\"]")), HasSubstr("write 180"));
+  EXPECT_THAT(refusal_of(model_text("deg", "cos(phi)", "\"atan(x)\"")), HasSubstr("gives radians"));
+  EXPECT_THAT(refusal_of(model_text("degrees", "cos(phi)", "[0, 1]")),
+              HasSubstr("m:5: the unit 'degrees'"));
+}
+
+TEST(Degrees, GiveASixLeggedPlatformTheSameMatrix) {
+  const std::string anchors =
+      "base = [[1,0,0],[2,0,0],[3,0,0],[0,1,0],[0,2,0],[0,3,0]]\n"
+      "platform = [[1,0,0],[2,0,0],[3,0,0],[0,1,0],[0,2,0],[0,3,0]]\n"
+      "[motion.a]\nx = 0\ny = 0\nz = 1\npsi = 0\ntheta = 0\nphi = 0\n";
+  const std::string head = "regulus = 1\nname = \"m\"\n[gough]\norientation = \"euler-zxz\"\n";
+  const Model radians = parse_model(head + anchors, "m");
+  const Model degrees = parse_model(head + "angle_unit = \"deg\"\n" + anchors, "m");
+  EXPECT_EQ(degrees.pose.at(3).unit, "deg");
+  GiNaC::exmap same;
+  for (std::size_t i = 0; i < radians.pose.size(); ++i) {
+    const GiNaC::ex scale = i < 3 ? GiNaC::ex(1) : one_degree();
+    same[degrees.pose[i].symbol] = radians.pose[i].symbol / scale;
+  }
+  for (std::size_t g = 0; g < radians.geometry.size(); ++g)
+    same[degrees.geometry[g].symbol] = radians.geometry[g].symbol;
+  for (unsigned i = 0; i < 6; ++i)
+    for (unsigned j = 0; j < 6; ++j)
+      EXPECT_TRUE((degrees.matrix(i, j).subs(same) - radians.matrix(i, j)).expand().is_zero());
+}
+
+TEST(Degrees, AreSuggestedForAPlainRangeOfMoreThanATurn) {
+  EXPECT_THAT(notes_about_angles(motion_of(model_text("rad", "phi", "[-15, 15]"))),
+              ElementsAre(HasSubstr("write [\"-15deg\", \"15deg\"]")));
+  EXPECT_THAT(notes_about_angles(motion_of(model_text("rad", "phi", "[-3, 3]"))), IsEmpty());
+  EXPECT_THAT(
+      notes_about_angles(motion_of(model_text("rad", "phi", "[\"-720*deg\", \"720*deg\"]"))),
+      IsEmpty());
+  EXPECT_THAT(notes_about_angles(motion_of(model_text("deg", "cos(phi)", "[-15, 15]"))), IsEmpty());
+}
+
+}  // namespace
+}  // namespace regulus
