@@ -12,6 +12,7 @@
 
 #include "codegen/certificate/certificate_expression_writer.hpp"
 #include "codegen/certificate/certificate_question.hpp"
+#include "codegen/certificate/piece_question.hpp"
 #include "codegen/model/model_file.hpp"
 #include "codegen/model/overrides.hpp"
 #include "codegen/model/request.hpp"
@@ -37,6 +38,7 @@ struct Stated {
   std::string alpha;
   std::vector<StatedRange> ranges;            ///< in their order, which is that of the variables
   std::map<std::string, std::string> spread;  ///< of each constant of the robot that varies
+  std::map<std::string, std::string> errors;  ///< of each pose parameter
 
   explicit Stated(const CertificateHead& certificate) : alpha(certificate.value("alpha")) {
     for (const std::string& line : certificate.lines()) {
@@ -47,6 +49,10 @@ struct Stated {
       }
       if (const auto text = value_of(line, "uncertain"); !text.empty())
         spread[parted(text, " = ").first] = parted(text, " +- ").second;
+      if (const auto text = value_of(line, "pose"); !text.empty()) {
+        const std::string error = parted(text, " +- ").second;
+        errors[parted(text, " = ").first] = error.empty() ? "0" : error;
+      }
     }
   }
 };
@@ -64,22 +70,62 @@ class CertificateOverrides {
  public:
   CertificateOverrides(Request request, const Stated& stated)
       : request_(std::move(request)), stated_(stated) {
-    change_ranges();
+    if (!request_.motion.waypoints) change_ranges();
+    change_errors();
     change_tolerances();
     change_threshold();
   }
 
   [[nodiscard]] const std::vector<std::string>& differences() const { return differences_; }
   /// Returns the question's lines from `model` on.
-  [[nodiscard]] std::string question() const {
+  [[nodiscard]] std::string question(const CertificateHead& certificate) const {
     std::set<std::string> uncertain;
     for (const GeometryParameter& g : request_.model.geometry)
       if (stated_.spread.contains(g.name) || !spread_of(request_.model, g).is_zero())
         uncertain.insert(g.name);
-    return certified_question(request_, uncertain).text;
+    if (!request_.motion.trajectory) return certified_question(request_, uncertain).text;
+    if (!certificate.value("piecewise").empty())
+      return trajectory_question(request_, uncertain).text;
+    return question_of_piece(certificate, uncertain);
   }
 
  private:
+  /// Returns the question about the piece that has the certificate's poses; about the first if none
+  /// has.
+  [[nodiscard]] std::string question_of_piece(const CertificateHead& certificate,
+                                              const std::set<std::string>& uncertain) const {
+    std::vector<std::string> poses;
+    for (const std::string& line : certificate.lines())
+      if (const auto text = value_of(line, "pose"); !text.empty()) poses.emplace_back(text);
+    const std::size_t pieces = request_.motion.trajectory->pieces.size();
+    std::size_t k = 0;
+    while (k < pieces && !has_poses(piece_request(request_, k), poses)) ++k;
+    return certified_question(piece_request(request_, k == pieces ? 0 : k), uncertain).text;
+  }
+
+  [[nodiscard]] static bool has_poses(const Request& piece, const std::vector<std::string>& poses) {
+    for (std::size_t i = 0; i < piece.model.pose.size(); ++i) {
+      const std::string begin =
+          piece.model.pose[i].name + " = " + expression_text(piece.motion.pose[i]);
+      if (i >= poses.size() || (poses[i] != begin && !poses[i].starts_with(begin + " +- ")))
+        return false;
+    }
+    return true;
+  }
+
+  void change_errors() {
+    for (const auto& [name, now] : stated_.errors) {
+      const auto at = std::ranges::find(request_.model.pose, name, &PoseParameter::name);
+      if (at == request_.model.pose.end()) continue;
+      const auto i = static_cast<std::size_t>(at - request_.model.pose.begin());
+      const std::string before =
+          request_.motion.error.empty() ? "0" : expression_text(request_.motion.error[i]);
+      if (now == before) continue;
+      set_tube(request_.model, request_.motion, name + '=' + now);
+      note("tube " + name, now, before);
+    }
+  }
+
   void note(const std::string& what, const std::string& now, const std::string& before) {
     differences_.push_back(fmt::format("{} {} instead of {}", what, now, before));
   }
@@ -213,7 +259,8 @@ std::string first_difference(const std::vector<std::string>& certificate,
 
 }  // namespace
 
-ModelConfirmation confirm_model(const CertificateHead& certificate, const std::string& path) {
+ModelConfirmation confirm_model(const CertificateHead& certificate, const std::string& path,
+                                const std::string& waypoints) {
   const std::string text = read_model_text(path);
   const Model model = parse_model(text, path);
   const auto refused = [&path](const std::string& why) {
@@ -225,9 +272,11 @@ ModelConfirmation confirm_model(const CertificateHead& certificate, const std::s
     ModelOptions options;
     options.path = path;
     options.motion = certificate.value("motion");
+    options.waypoints = waypoints;
     const Stated stated(certificate);
     const CertificateOverrides changed(read_request(text, options), stated);
-    const std::string difference = first_difference(certificate.lines(), changed.question());
+    const std::string difference =
+        first_difference(certificate.lines(), changed.question(certificate));
     return difference.empty() ? ModelConfirmation{"", changed.differences()} : refused(difference);
   } catch (const UsageError& error) {
     return refused(error.what());

@@ -20,8 +20,10 @@ struct ModelConfirmation {
 /// Ensures   without a refusal, every line of the question is the one that `--certificate` writes
 ///           for this file, with the motion that the question names and the ranges, tolerances and
 ///           threshold that it states. It may only have more conditions without names.
-///           Throws InputError and FileError for the model file.
+///           `waypoints`: the file that the option --waypoints named; empty: none.
+///           Throws InputError and FileError for the model file and the way-points.
 [[nodiscard]] ModelConfirmation confirm_model(const CertificateHead& certificate,
-                                              const std::string& model);
+                                              const std::string& model,
+                                              const std::string& waypoints = {});
 
 }  // namespace regulus::certificate

@@ -54,6 +54,7 @@ Result search_and_report(const CheckCommand& command, PreparedSearch& preparatio
 
 int run_check(const CheckCommand& command) {
   set_earlier_outputs_aside(command.model.path, {{"--certificate", command.certificate, true}});
+  if (const auto code = run_trajectory_check(command)) return *code;
   InterruptGuard interrupt;
   PreparedSearch preparation =
       prepare(command.model, command.search, forming_watch(command.output, &interrupt.requested()));

@@ -47,6 +47,7 @@ struct MarginCommand {
 struct VerifyCommand {
   std::string path;
   std::string model;                 ///< the model file it must be about; empty: any
+  std::string waypoints;             ///< the file of way-points that check took; empty: none
   std::optional<double> time_limit;  ///< in seconds
   std::optional<std::uint64_t> max_boxes;
   OutputOptions output;

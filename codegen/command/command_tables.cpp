@@ -104,6 +104,19 @@ void add_model_options(CLI::App& app, ModelOptions& options) {
   add_model_changes(app, options);
 }
 
+void add_waypoint_options(CLI::App& app, ModelOptions& options) {
+  app.add_option("--waypoints", options.waypoints,
+                 "Follow the way-points of FILE (CSV, or moves in G-code) instead of the motion's "
+                 "own poses; the motion gives the pose parameters that the file does not")
+      ->type_name("FILE");
+  app.add_option("--tube", options.tubes,
+                 "Control error around the motion, ± on each pose parameter that is named: "
+                 "x,y=0.1; without names, on all, if they have one unit")
+      ->take_all()
+      ->expected(1)
+      ->type_name("p=E");
+}
+
 void add_method_options(CLI::App& app, Method& method, std::uint64_t& budget) {
   add_choice(app, "--method", method, "Method that decides a box");
   app.add_option("--symbolic-budget", budget,
@@ -217,6 +230,9 @@ void refuse_checkpoint_options(CLI::App& app, const std::string& why) {
 
 void add_verify_options(CLI::App& app, VerifyCommand& command) {
   app.add_option("CERTIFICATE", command.path, "Certificate file")->required();
+  app.add_option("--waypoints", command.waypoints,
+                 "With --model: the file of way-points that check --waypoints took")
+      ->type_name("FILE");
   app.add_option(
          "--model", command.model,
          "Also check that the certificate is about this model file: write the question again "
@@ -347,6 +363,7 @@ void CommandTables::add_check() {
   check_command =
       app.add_subcommand("check", "Prove that a motion variety has no singular pose, or show one");
   add_model_options(*check_command, check.model);
+  add_waypoint_options(*check_command, check.model);
   add_search_options(*check_command, check.search);
   add_filter_option(*check_command, check.search);
   add_certificate_option(*check_command, check.certificate, kCheckCertificate);

@@ -2,6 +2,7 @@
 // The commands. Each prints its result and returns the exit code.
 #pragma once
 
+#include <optional>
 #include <string>
 
 #include "codegen/command/command_line.hpp"
@@ -9,6 +10,9 @@
 namespace regulus::inline command {
 
 [[nodiscard]] int run_check(const CheckCommand& command);
+
+/// Runs the check if its motion is along way-points; otherwise returns nullopt.
+[[nodiscard]] std::optional<int> run_trajectory_check(const CheckCommand& command);
 
 [[nodiscard]] int run_locate(const LocateCommand& command);
 

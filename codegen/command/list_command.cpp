@@ -61,6 +61,7 @@ Json json_motion(const Motion& motion) {
                           {"upper", text_of(p.range.hi)}});
   return {{"name", motion.name},
           {"parameters", parameters},
+          {"waypoints", motion.waypoints ? Json(motion.waypoints->file) : Json()},
           {"constraints", motion.constraints.size()}};
 }
 
@@ -83,6 +84,9 @@ std::string format_motion(const Model& model, const Motion& motion) {
   std::string text = fmt::format("motion     {}\n", motion.name);
   for (const MotionParameter& p : motion.parameters)
     text += fmt::format("           {} {}{}\n", p.name, text_of(p.range), unit_suffix(p.unit));
+  if (motion.waypoints)
+    text += fmt::format("           along {}, {}\n", motion.waypoints->file,
+                        motion.waypoints->interpolation);
   for (std::size_t i = 0; i < motion.pose.size(); ++i)
     if (!motion.pose[i].is_equal(model.pose[i].symbol))
       text += fmt::format("           {} = {}{}\n", model.pose[i].name,

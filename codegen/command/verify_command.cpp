@@ -85,11 +85,13 @@ Verified verify_file(const VerifyCommand& command) {
   std::istream certificate(&text);
   // The verifier reports a file without a head.
   ModelConfirmation confirmation;
-  if (!head.lines().empty()) confirmation = confirm_model(head, command.model);
+  if (!head.lines().empty()) confirmation = confirm_model(head, command.model, command.waypoints);
   if (!confirmation.refusal.empty()) return {rejected(head, confirmation.refusal), {}};
   options.model_text = read_model_text(command.model);
   options.model_name = command.model;
   options.overridden = overridden(confirmation.differences);
+  // The way-points take the place of the motion's own poses; they were compared above.
+  if (!command.waypoints.empty()) options.all_overridden = true;
   return {verify_stream(certificate, command.path, options), confirmation.differences};
 }
 

@@ -12,6 +12,8 @@
 #include <string>
 #include <utility>
 
+#include "codegen/model/lexer.hpp"
+
 namespace regulus::inline model {
 namespace {
 
@@ -110,6 +112,16 @@ std::optional<GiNaC::numeric> exact_decimal(std::string_view literal) {
     exponent -= static_cast<int>(mantissa.size() - point - 1);
   }
   return GiNaC::numeric(integer_of_digits(digits) * cln::expt(cln::cl_RA(10), exponent));
+}
+
+std::optional<GiNaC::numeric> signed_decimal(std::string_view text) {
+  const bool negative = text.starts_with('-');
+  if (negative || text.starts_with('+')) text.remove_prefix(1);
+  const Token token = Lexer(text).next();
+  if (token.kind != Token::Kind::kNumber || token.text.size() != text.size()) return std::nullopt;
+  const auto value = exact_decimal(text);
+  if (value && negative) return -*value;
+  return value;
 }
 
 std::optional<GiNaC::numeric> exact_toml_number(std::string_view literal) {

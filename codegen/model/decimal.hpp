@@ -25,6 +25,9 @@ constexpr const char* kNumberLimits = "at most 1000 digits and an exponent withi
 ///           ±kMaxExponent.
 [[nodiscard]] std::optional<GiNaC::numeric> exact_decimal(std::string_view literal);
 
+/// Returns the same for a decimal with an optional sign; nullopt for any other text.
+[[nodiscard]] std::optional<GiNaC::numeric> signed_decimal(std::string_view text);
+
 /// Returns the rational that a number of TOML denotes: "+1_000.5e-3", "-0.0", "0xff_ff", "0o17",
 /// "0b101".
 ///

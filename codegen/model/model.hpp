@@ -13,6 +13,8 @@
 #include <ginac/ginac.h>
 
 #include <cstddef>
+#include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -63,7 +65,17 @@ struct MotionParameter {
   Range range;
 };
 
-/// A motion variety: pose = f(t_1 … t_m), t in a box, H_j(t) ≤ 0.
+struct Trajectory;
+
+/// The file of a motion along way-points.
+struct WaypointSource {
+  std::string file;                      ///< if relative, to the folder of the model file
+  std::string shown;                     ///< for reports; empty: as `file`
+  std::string interpolation = "linear";  ///< "linear", "cubic" or "hermite"
+};
+
+/// A motion variety: pose = f(t_1 … t_m), t in a box, H_j(t) ≤ 0; or a trajectory of many pieces,
+/// which has no parameters and no constraints.
 struct Motion {
   std::string name;
   std::vector<MotionParameter> parameters;
@@ -72,6 +84,9 @@ struct Motion {
   std::vector<GiNaC::ex> constraints;  ///< each ≤ 0; in the motion, pose and geometry symbols
   GiNaC::ex alpha = 0;
   std::vector<GiNaC::ex> must_be_defined;  ///< of pose and constraints; in their symbols
+  /// If it is set, `pose` only has the values of pose parameters that the file does not give.
+  std::optional<WaypointSource> waypoints{};
+  std::shared_ptr<const Trajectory> trajectory{};  ///< the pieces of the file, once it is read
 };
 
 /// The meaning of a model's matrix.

@@ -46,6 +46,9 @@ class MotionReader {
   Motion read() {
     check_keys();
     motion_.name = entry_.key;
+    if (toml_.optional(entry_, "waypoints").node) return read_waypoint_motion();
+    if (const TomlEntry e = toml_.optional(entry_, "interpolation"); e.node)
+      toml_.reject(e, "an interpolation needs way-points", "add waypoints = \"FILE.csv\"");
     read_parameters();
     read_ranges();
     check_dimension();
@@ -60,8 +63,43 @@ class MotionReader {
  private:
   void check_keys() {
     std::vector<std::string> known = pose_names();
-    for (const char* key : {"parameters", "constraints", "error", "alpha"}) known.push_back(key);
+    for (const char* key :
+         {"parameters", "constraints", "error", "alpha", "waypoints", "interpolation"})
+      known.push_back(key);
     (void)toml_.entries(entry_, known);
+  }
+
+  /// Reads a motion along the way-points of a file, which is read when the motion is chosen.
+  Motion read_waypoint_motion() {
+    for (const char* key : {"parameters", "constraints"})
+      if (const TomlEntry e = toml_.optional(entry_, key); e.node)
+        toml_.reject(e, std::string("a motion along way-points has no ") + key,
+                     "remove one of them");
+    WaypointSource source;
+    source.file = toml_.label(toml_.required(entry_, "waypoints"));
+    if (const TomlEntry e = toml_.optional(entry_, "interpolation"); e.node)
+      source.interpolation = interpolation(e);
+    motion_.waypoints = std::move(source);
+    MotionNames names(nullptr);
+    for (const PoseParameter& p : reading_.model.pose) {
+      const TomlEntry given = toml_.optional(entry_, p.name);
+      if (given.node && given.node->is_array())
+        toml_.reject(given, "a motion along way-points has no ranges",
+                     "write a value, or a column of the file");
+      motion_.pose.push_back(given.node ? pose_expression(given, names, p.unit)
+                                        : GiNaC::ex(p.symbol));
+    }
+    read_error();
+    read_alpha();
+    motion_.must_be_defined = distinct(motion_.must_be_defined);
+    return std::move(motion_);
+  }
+
+  std::string interpolation(const TomlEntry& entry) const {
+    static const std::array<std::string, 3> kKnown = {"linear", "cubic", "hermite"};
+    const std::string word = toml_.text(entry, alternatives(kKnown));
+    if (std::ranges::find(kKnown, word) == kKnown.end()) toml_.refuse(entry, alternatives(kKnown));
+    return word;
   }
 
   std::vector<std::string> pose_names() const {

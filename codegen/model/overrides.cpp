@@ -84,6 +84,8 @@ const Motion& find_motion(const Model& model, std::string_view name) {
 void set_range(const Model& model, Motion& motion, const std::string& parameter,
                std::string_view text) {
   const auto at = std::ranges::find(motion.parameters, parameter, &MotionParameter::name);
+  if (motion.waypoints)
+    refuse("a motion along way-points has no ranges", "use --tube for errors around it", parameter);
   const Range range = parse_range(text, {.file = "", .key = parameter}, motion.must_be_defined,
                                   unit_of(model, motion, parameter));
   if (at != motion.parameters.end())
@@ -91,6 +93,34 @@ void set_range(const Model& model, Motion& motion, const std::string& parameter,
   else if (!free_constant(model, motion, parameter, range))
     refuse("this motion has no range or constant " + in_quotes(parameter),
            remedy(parameter, changeable(model, motion), "it has: "), parameter);
+}
+
+void set_tube(const Model& model, Motion& motion, std::string_view tube) {
+  std::vector<std::string> names, all;
+  for (const PoseParameter& p : model.pose) all.push_back(p.name);
+  const std::size_t equals = tube.find('=');
+  if (equals != std::string_view::npos) {
+    names = split(tube.substr(0, equals));
+  } else {
+    names = all;
+    for (const PoseParameter& p : model.pose)
+      if (p.unit != model.pose.front().unit)
+        refuse("the pose has numbers in " + model.pose.front().unit + " and in " + p.unit,
+               "name the parameters of each: " + model.pose.front().name + "=E", "tube");
+  }
+  motion.error.resize(model.pose.size(), 0);
+  for (const std::string& name : names) {
+    const auto at = std::ranges::find(all, name);
+    if (at == all.end())
+      refuse("no pose parameter " + in_quotes(name), remedy(name, all, "this model has: "), name);
+    const auto i = static_cast<std::size_t>(at - all.begin());
+    const Place place{.file = "", .key = name};
+    const ParsedExpression term =
+        parse_constant(equals == std::string_view::npos ? tube : tube.substr(equals + 1), place,
+                       number_unit(model.pose[i].unit));
+    append(motion.must_be_defined, term.must_be_defined);
+    motion.error[i] = checked_nonnegative(term, place);
+  }
 }
 
 void set_alpha(Motion& motion, std::string_view alpha) {

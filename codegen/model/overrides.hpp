@@ -19,6 +19,10 @@ namespace regulus::inline model {
 void set_range(const Model& model, Motion& motion, const std::string& parameter,
                std::string_view range);
 
+/// Sets the control errors of pose parameters: "p,q=E" of those named, in their unit, "E" of all,
+/// which must then have one unit.
+void set_tube(const Model& model, Motion& motion, std::string_view tube);
+
 void set_alpha(Motion& motion, std::string_view alpha);
 
 /// Requires  alpha ≥ 0.

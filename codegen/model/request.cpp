@@ -3,6 +3,7 @@
 
 #include "codegen/model/model_file.hpp"
 #include "codegen/model/overrides.hpp"
+#include "codegen/model/trajectory.hpp"
 
 namespace regulus::inline model {
 
@@ -35,6 +36,13 @@ Request read_request(std::string_view text, const ModelOptions& options) {
     from_option("--range",
                 [&] { set_range(request.model, request.motion, given.name, given.value); });
   }
+  from_option("--waypoints", [&] {
+    if (!options.waypoints.empty())
+      follow_waypoints(request.model, request.motion, options.waypoints);
+  });
+  load_trajectory(request.model, request.motion);
+  for (const std::string& tube : options.tubes)
+    from_option("--tube", [&] { set_tube(request.model, request.motion, tube); });
   if (!options.alpha.empty())
     from_option("--alpha", [&] { set_alpha(request.motion, options.alpha); });
   return request;

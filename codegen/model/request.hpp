@@ -19,6 +19,8 @@ struct ModelOptions {
   std::vector<std::string> ranges;  ///< "p=LO:HI"
   std::vector<std::string> tolerances;
   std::string alpha;                  ///< empty: the motion's own
+  std::string waypoints{};            ///< file to follow instead; empty: the motion as it is
+  std::vector<std::string> tubes{};   ///< "E" or "p,q=E": control errors
   std::optional<std::string> text{};  ///< of the model, instead of the file
 };
 

@@ -28,7 +28,9 @@ inline constexpr int kMostPower = 1 << 20;
 inline constexpr std::size_t kMostDigits = 4096;
 inline constexpr std::size_t kMostRows = 32;
 inline constexpr std::size_t kMostVariables = 128;
-inline constexpr std::size_t kMostLines = 20000;   ///< of the header
+inline constexpr std::size_t kMostLines = 20000;     ///< of the header
+inline constexpr std::size_t kMostPieces = 1 << 20;  ///< of a trajectory
+inline constexpr std::size_t kMostPieceNames = 512;
 inline constexpr std::size_t kMostOpen = 1 << 22;  ///< boxes that wait at one time
 
 /// The set that a claim is about.

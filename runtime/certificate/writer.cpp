@@ -18,38 +18,6 @@
 namespace regulus {
 namespace {
 
-/// Returns the word of FORMAT.md for a rule. For a rule without one, no certificate is valid.
-const char* word_of(Rule rule) noexcept {
-  switch (rule) {
-    case Rule::kOutside:
-      return "outside";
-    case Rule::kHMatrix:
-      return "h-matrix";
-    case Rule::kMeanValue:
-      return "mean-value";
-    case Rule::kSecondOrder:
-      return "second-order";
-    case Rule::kOrthants:
-      return "orthants";
-    case Rule::kDeterminant:
-      return "determinant";
-    case Rule::kElimination:
-      return "elimination";
-    case Rule::kRohn:
-      return "rohn";
-    case Rule::kClosedForm:
-      return "closed-form";
-    case Rule::kFilter:
-      return "filter";
-    case Rule::kMultiprecision:
-      return "multiprecision";
-    case Rule::kWitness:
-    case Rule::kBlocked:
-      break;
-  }
-  return "none";
-}
-
 const char* word_of(Reason reason) noexcept {
   if (reason == Reason::kSmallDeterminant) return format::kSmallDeterminant;
   return reason == Reason::kAlwaysSingular ? format::kAlwaysSingular : format::kOppositeSigns;
@@ -86,6 +54,37 @@ int make_beside(const std::string& path, std::string& made) {
 }
 
 }  // namespace
+
+const char* certificate_word(Rule rule) noexcept {
+  switch (rule) {
+    case Rule::kOutside:
+      return "outside";
+    case Rule::kHMatrix:
+      return "h-matrix";
+    case Rule::kMeanValue:
+      return "mean-value";
+    case Rule::kSecondOrder:
+      return "second-order";
+    case Rule::kOrthants:
+      return "orthants";
+    case Rule::kDeterminant:
+      return "determinant";
+    case Rule::kElimination:
+      return "elimination";
+    case Rule::kRohn:
+      return "rohn";
+    case Rule::kClosedForm:
+      return "closed-form";
+    case Rule::kFilter:
+      return "filter";
+    case Rule::kMultiprecision:
+      return "multiprecision";
+    case Rule::kWitness:
+    case Rule::kBlocked:
+      break;
+  }
+  return "none";
+}
 
 CertificateWriter::CertificateWriter(std::string path, CertifiedQuestion question)
     : path_(std::move(path)), question_(std::move(question)) {
@@ -162,7 +161,7 @@ void CertificateWriter::on_split(const OpenBox&, const Split& split) noexcept {
 
 void CertificateWriter::on_leaf(const OpenBox& box, Rule rule, const Proof&) noexcept {
   ++leaves_;
-  note_written(std::fprintf(file_.get(), "l %" PRIu64 " %s\n", box.id, word_of(rule)));
+  note_written(std::fprintf(file_.get(), "l %" PRIu64 " %s\n", box.id, certificate_word(rule)));
 }
 
 void CertificateWriter::write_point(const WitnessPoint& point, const char* sign) {

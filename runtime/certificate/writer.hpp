@@ -19,6 +19,9 @@ struct CertifiedQuestion {
   std::string singularity;
 };
 
+/// Returns the word of FORMAT.md for a rule. For a rule without one, no certificate is valid.
+[[nodiscard]] const char* certificate_word(Rule rule) noexcept;
+
 /// Writes splits and leaves to a file beside the requested one, as they come; finish() renames it.
 /// Otherwise no file remains, unless the search is to continue later.
 class CertificateWriter final : public Observer {

@@ -260,7 +260,7 @@ class Comparison {
       if (rest == "alpha")
         compare(at->first, "alpha ", none, "alpha");
       else if (rest.starts_with("error."))
-        compare(at->first, "error " + rest.substr(6), none);
+        compare(at->first, "error " + rest.substr(6), none, "tube " + rest.substr(6));
       else if (rest.starts_with("constraints["))
         compare(at->first, "constraint " + rest.substr(12, rest.size() - 13), q_.commanded);
       else

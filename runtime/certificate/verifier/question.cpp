@@ -31,6 +31,10 @@ class QuestionReader {
     const std::string claim(take("claim"));
     read_labels();
     read_variables();
+    if (is("piecewise")) {
+      q_.is_piecewise = true;
+      return;
+    }
     read_poses();
     keep_names();
     read_model();
@@ -260,7 +264,10 @@ bool Lines::next() {
   ++number_;
   for (int c; (c = in_.get()) != std::istream::traits_type::eof();) {
     if (left_-- == 0) throw Rejection("the file is too large");
-    if (c == '\n') return true;
+    if (c == '\n') {
+      if (keeps_) kept_.push_back(text_);
+      return true;
+    }
     if (c < ' ' || c == 127) throw Rejection("the line contains a control character");
     if (text_.size() == format::kLongestLine) throw Rejection("the line is too long");
     text_.push_back(char(c));

@@ -25,12 +25,20 @@ class Lines {
   [[nodiscard]] bool next();
   [[nodiscard]] const std::string& text() const noexcept { return text_; }
   [[nodiscard]] std::size_t number() const noexcept { return number_; }
+  /// From now on keeps the lines that are read, until take_kept.
+  void keep() noexcept { keeps_ = true; }
+  [[nodiscard]] std::vector<std::string> take_kept() {
+    keeps_ = false;
+    return std::move(kept_);
+  }
 
  private:
   std::istream& in_;
   std::uint64_t left_;
   std::string text_;
   std::size_t number_ = 0;
+  bool keeps_ = false;
+  std::vector<std::string> kept_;
 };
 
 enum class VariableKind { kParameter, kUncertain, kError };
@@ -59,6 +67,8 @@ struct StatedValue {
 
 struct Question {
   bool singular = false;  ///< the claim
+  /// The question is about several pieces: nothing after the line `piecewise` has been read.
+  bool is_piecewise = false;
   std::string model, sha256, motion;
   Graph graph;
   NodeId alpha = -1;

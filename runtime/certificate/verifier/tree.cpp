@@ -27,6 +27,26 @@ class TreeChecker {
   }
 
   void check() {
+    read_boxes();
+    const auto words = words_of(lines_.text());
+    if (words.size() != 2 || words[0] != "end")
+      throw Rejection("expected 's BOX VARIABLE AT', 'l BOX RULE' or 'end LEAVES'");
+    require_tiling();
+    if (read_count(words[1], std::size_t(-1)) != counts_.leaves)
+      throw Rejection("the line 'end' gives a wrong number of leaves");
+    if (lines_.next()) throw Rejection("there is text after the line 'end'");
+    require_poses();
+  }
+
+  void check_piece() {
+    read_boxes();
+    require_tiling();
+    require_poses();
+  }
+
+ private:
+  /// Reads splits and leaves up to the first other line.
+  void read_boxes() {
     for (;;) {
       clock_.tick();
       if (!lines_.next()) throw Rejection("the file ends before the line 'end' of the tree");
@@ -35,14 +55,11 @@ class TreeChecker {
         split(words);
       else if (words.size() == 3 && words[0] == "l")
         leaf(words);
-      else if (words.size() == 2 && words[0] == "end")
-        return end(words);
       else
-        throw Rejection("expected 's BOX VARIABLE AT', 'l BOX RULE' or 'end LEAVES'");
+        return;
     }
   }
 
- private:
   using Open = std::unordered_map<std::uint64_t, Box>;
 
   Open::iterator find(std::string_view text) {
@@ -82,13 +99,13 @@ class TreeChecker {
     open_.erase(box);
   }
 
-  void end(const std::vector<std::string_view>& words) {
+  void require_tiling() const {
     if (!open_.empty())
       throw Rejection(std::to_string(open_.size()) + " boxes have no leaf, for example box " +
                       std::to_string(open_.begin()->first));
-    if (read_count(words[1], std::size_t(-1)) != counts_.leaves)
-      throw Rejection("the line 'end' gives a wrong number of leaves");
-    if (lines_.next()) throw Rejection("there is text after the line 'end'");
+  }
+
+  void require_poses() {
     if (!prover_.has_met_variety())
       throw Unfinished("no pose remains: the constraints exclude every pose of the motion");
     if (has_constraints_ && !prover_.has_met_point())
@@ -109,6 +126,11 @@ class TreeChecker {
 void check_tree(Lines& lines, Question& question, const Variety& variety, const Options& options,
                 Verification& counts) {
   TreeChecker(lines, question, variety, options, counts).check();
+}
+
+void check_tree_of_piece(Lines& lines, Question& question, const Variety& variety,
+                         const Options& options, Verification& counts) {
+  TreeChecker(lines, question, variety, options, counts).check_piece();
 }
 
 double read_double(std::string_view text) {

@@ -4,6 +4,7 @@
 #include <cfenv>
 
 #include "runtime/certificate/verifier/model_comparison.hpp"
+#include "runtime/certificate/verifier/pieces.hpp"
 #include "runtime/certificate/verifier/proof.hpp"
 #include "runtime/certificate/verifier/single_values.hpp"
 
@@ -11,7 +12,10 @@ namespace regulus::verifier {
 namespace {
 
 void check(Lines& lines, Question& question, const Options& options, Verification& result) {
+  lines.keep();
   read_question(lines, question);
+  if (question.is_piecewise) return check_pieces(lines, options, result);
+  static_cast<void>(lines.take_kept());
   result.claim = format::describe_claim(question.claimed_set(), question.singular);
   result.model = question.model;
   result.sha256 = question.sha256;
@@ -84,6 +88,7 @@ std::string describe(const Verification& v) {
   line("sha256", v.sha256);
   line("motion", v.motion);
   line("claim", v.claim);
+  if (v.pieces > 0) line("pieces", std::to_string(v.pieces) + " of a trajectory");
   if (v.leaves > 0)
     line("leaves", std::to_string(v.leaves) + ", in " + std::to_string(v.boxes) + " boxes");
   if (v.numbers > 0)

@@ -42,6 +42,7 @@ struct Verification {
   std::string reason;  ///< of kRejected and kUnfinished
   std::string claim;   ///< empty if it could not be read
   std::string model, sha256, motion;
+  std::size_t pieces = 0;  ///< of a trajectory; 0: the motion is not one
   std::uint64_t leaves = 0;
   std::uint64_t boxes = 0;               ///< into which the leaves were cut
   std::size_t numbers = 0;               ///< values of the model file that were compared

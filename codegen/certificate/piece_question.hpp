@@ -1,0 +1,21 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The questions of certificates about motions along a trajectory.
+#pragma once
+
+#include <set>
+#include <string>
+
+#include "codegen/model/request.hpp"
+#include "codegen/model/trajectory.hpp"
+#include "runtime/certificate/writer.hpp"
+
+namespace regulus::inline certificate {
+
+/// Returns the question about one piece alone: its parameter s ranges over [0, 1].
+[[nodiscard]] Request piece_request(const Request& request, std::size_t piece);
+
+/// Returns the question about all pieces (FORMAT.md, `piecewise`).
+[[nodiscard]] CertifiedQuestion trajectory_question(const Request& request,
+                                                    const std::set<std::string>& uncertain);
+
+}  // namespace regulus::certificate

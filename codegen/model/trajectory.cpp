@@ -1,0 +1,57 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "codegen/model/trajectory.hpp"
+
+#include <filesystem>
+
+#include "codegen/model/gcode_file.hpp"
+#include "codegen/model/names.hpp"
+#include "codegen/model/waypoint_file.hpp"
+#include "codegen/support/errors.hpp"
+
+namespace regulus::inline model {
+
+using GiNaC::ex;
+
+const ex& coefficient(const PieceOfPose& piece, std::size_t index) {
+  if (index < piece.power.size()) return piece.power[index];
+  return index == 4 ? piece.cosine : index == 5 ? piece.sine : piece.turn;
+}
+
+ex expression_of(const PieceOfPose& piece, const ex& s) {
+  ex result = 0;
+  for (std::size_t i = 0; i < piece.power.size(); ++i)
+    result += piece.power[i] * GiNaC::pow(s, static_cast<int>(i));
+  if (!piece.cosine.is_zero()) result += piece.cosine * GiNaC::cos(piece.turn * s);
+  if (!piece.sine.is_zero()) result += piece.sine * GiNaC::sin(piece.turn * s);
+  return result;
+}
+
+void load_trajectory(const Model& model, Motion& motion) {
+  if (!motion.waypoints || motion.trajectory) return;
+  const std::filesystem::path path(motion.waypoints->file);
+  const std::string file = path.is_absolute()
+                               ? path.string()
+                               : (std::filesystem::path(model.path).parent_path() / path).string();
+  auto trajectory = std::make_shared<Trajectory>(
+      is_gcode_file(file) ? read_gcode(model, motion, file) : read_waypoints(model, motion, file));
+  motion.trajectory = std::move(trajectory);
+}
+
+void follow_waypoints(const Model& model, Motion& motion, const std::string& file) {
+  if (!motion.constraints.empty())
+    throw UsageError("--waypoints: the motion " + in_quotes(motion.name) +
+                     " has constraints, which a motion along way-points cannot have; name "
+                     "another motion");
+  std::error_code error;
+  const std::filesystem::path absolute = std::filesystem::absolute(file, error);
+  WaypointSource source;
+  if (motion.waypoints) source = *motion.waypoints;
+  source.file = error ? file : absolute.string();
+  source.shown = file;
+  motion.waypoints = std::move(source);
+  motion.trajectory = nullptr;
+  motion.parameters.clear();
+  load_trajectory(model, motion);
+}
+
+}  // namespace regulus::model

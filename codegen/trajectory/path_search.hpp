@@ -1,0 +1,49 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Searches all pieces of a trajectory with one kernel, whose variables are the pose parameters.
+//
+// A box of the kernel is the hull of a part of the trajectory and of the control errors around it.
+// Parts are groups of pieces, pieces, and parts of pieces, split in s and in the errors. If every
+// part is certified, so is the trajectory: each of its poses lies in some box. Nothing is concluded
+// from a box that is not certified, because it contains poses beside the trajectory.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "codegen/trajectory/path_bounds.hpp"
+#include "runtime/problem/problem.hpp"
+#include "runtime/problem/result.hpp"
+
+namespace regulus::inline trajectory {
+
+/// The tree of a piece as lines of a certificate (FORMAT.md).
+struct PieceTree {
+  std::string lines;
+  std::uint64_t leaves = 0;
+};
+
+struct PathSearchResult {
+  std::vector<bool> certified;   ///< by piece
+  std::vector<PieceTree> trees;  ///< by piece; empty unless they are wanted
+  Statistics statistics;
+  std::optional<Reason> stopped_by;
+  std::size_t stopped_at = 0;  ///< a piece that was not reached then
+};
+
+struct PathSearchOptions {
+  std::size_t uncertain = 0;  ///< the uncertain quantities of a certificate
+  bool wants_trees = false;
+};
+
+/// `problem`: its motion variables are path.moving() in order, and its ranges contain the whole
+/// path with its errors.
+///
+/// Ensures   a piece is certified only if the claim holds at all of its poses with all errors, for
+///           all values of the uncertain quantities. The result does not depend on the threads.
+[[nodiscard]] PathSearchResult search_path(const PathBounds& path, const Problem& problem,
+                                           const Settings& settings,
+                                           const PathSearchOptions& options);
+
+}  // namespace regulus::trajectory

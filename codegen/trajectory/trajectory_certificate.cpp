@@ -1,0 +1,70 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "codegen/trajectory/trajectory_certificate.hpp"
+
+#include <fmt/format.h>
+
+#include <nlohmann/json.hpp>
+#include <system_error>
+
+#include "codegen/certificate/certificate_file.hpp"
+#include "codegen/certificate/certificate_question.hpp"
+#include "codegen/certificate/piece_question.hpp"
+#include "codegen/support/errors.hpp"
+#include "runtime/certificate/format.hpp"
+#include "runtime/files/atomic_file.hpp"
+
+namespace regulus::inline trajectory {
+
+TrajectoryCertificate::TrajectoryCertificate(std::string path, const TrajectoryCheck& check)
+    : path_(std::move(path)) {
+  if (path_.empty()) return;
+  if (check.verdict == Verdict::kNoSingularity)
+    write_safe(check);
+  else if (check.verdict == Verdict::kSingularity)
+    write_singular(check);
+  else
+    obstacle_ = "POSSIBLE PROBLEM claims nothing that could be proved";
+}
+
+void TrajectoryCertificate::write_safe(const TrajectoryCheck& check) {
+  const auto uncertain = uncertain_names(check.hull.labels);
+  obstacle_ = certificate_obstacle(certified_question(piece_request(check.request, 0), uncertain));
+  if (!obstacle_.empty()) return;
+  const CertifiedQuestion question = trajectory_question(check.request, uncertain);
+  try {
+    AtomicFile file(path_, fmt::format("{}.{}.new", path_, ::getpid()));
+    file.write(fmt::format("{}\nverdict {}\nclaim {}\n{}proof\n", format::kMagic,
+                           format::kNoSingularity, question.no_singularity, question.text));
+    std::uint64_t leaves = 0;
+    for (const PieceTree& tree : check.path.trees) {
+      file.write("tree\n" + tree.lines);
+      leaves += tree.leaves;
+    }
+    file.write(fmt::format("end {}\n", leaves));
+    file.put_in_place_durably();
+  } catch (const std::system_error& error) {
+    throw FileError("the certificate " + path_ + " cannot " + error.what());
+  }
+  written_ = true;
+}
+
+void TrajectoryCertificate::write_singular(const TrajectoryCheck& check) {
+  CertificateFile file(path_, *check.deciding->preparation);
+  file.finish(check.deciding->result);
+  written_ = file.written();
+  if (!written_) obstacle_ = "the question cannot be written as a certificate";
+}
+
+std::string TrajectoryCertificate::line() const {
+  if (path_.empty()) return "";
+  return written_ ? "certificate " + path_ + '\n' : "certificate none: " + obstacle_ + '\n';
+}
+
+void TrajectoryCertificate::add_to(nlohmann::ordered_json& report) const {
+  if (path_.empty()) return;
+  report["certificate"] = nullptr;
+  if (written_) report["certificate"] = path_;
+  if (!obstacle_.empty()) report["certificate_obstacle"] = obstacle_;
+}
+
+}  // namespace regulus::trajectory

@@ -1,0 +1,30 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The option --certificate for a motion along a trajectory.
+#pragma once
+
+#include <nlohmann/json_fwd.hpp>
+#include <string>
+
+#include "codegen/trajectory/trajectory_run.hpp"
+
+namespace regulus::inline trajectory {
+
+class TrajectoryCertificate {
+ public:
+  /// An empty `path` means no certificate. Writes the proof of the verdict: of all pieces, or the
+  /// singular pose on one of them. Throws FileError.
+  TrajectoryCertificate(std::string path, const TrajectoryCheck& check);
+
+  /// The same as those of CertificateFile.
+  [[nodiscard]] std::string line() const;
+  void add_to(nlohmann::ordered_json& report) const;
+
+ private:
+  void write_safe(const TrajectoryCheck& check);
+  void write_singular(const TrajectoryCheck& check);
+
+  std::string path_, obstacle_;
+  bool written_ = false;
+};
+
+}  // namespace regulus::trajectory

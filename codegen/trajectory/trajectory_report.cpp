@@ -1,0 +1,190 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "codegen/trajectory/trajectory_report.hpp"
+
+#include <fmt/format.h>
+
+#include "codegen/analysis/undefined.hpp"
+#include "codegen/engine/choices.hpp"
+#include "codegen/model/trajectory.hpp"
+#include "codegen/report/report.hpp"
+#include "codegen/report/report_parts.hpp"
+#include "codegen/report/undefined_report.hpp"
+#include "codegen/report/witness_report.hpp"
+
+namespace regulus::inline trajectory {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+const Trajectory& trajectory_of(const TrajectoryCheck& check) {
+  return *check.request.motion.trajectory;
+}
+
+double approx(const GiNaC::ex& rational) {
+  return GiNaC::ex_to<GiNaC::numeric>(rational).to_double();
+}
+
+/// Returns s of the witness, or of the box that blocks; nullopt if neither is known.
+std::optional<Interval> parameter_of(const DecidingPiece& deciding) {
+  const Result& result = deciding.result;
+  if (result.witness) {
+    const WitnessPoint& point =
+        result.witness->near ? *result.witness->near : result.witness->points.front();
+    return point.variables.front();
+  }
+  if (!result.blocking_box.empty()) return result.blocking_box.front();
+  return std::nullopt;
+}
+
+/// Approximate: for people.
+std::optional<double> time_of(const TrajectoryCheck& check) {
+  const TrajectoryPiece& piece = trajectory_of(check).pieces[check.deciding->index];
+  const auto s = parameter_of(*check.deciding);
+  if (!s) return std::nullopt;
+  const double begin = approx(piece.begin), end = approx(piece.end);
+  return begin + mid(*s) * (end - begin);
+}
+
+std::string time_text(const Trajectory& trajectory, double time) {
+  return fmt::format("t = {:.6g}{}", time, unit_suffix(trajectory.time_unit));
+}
+
+std::string format_path(const TrajectoryCheck& check) {
+  const Trajectory& t = trajectory_of(check);
+  std::string line = fmt::format("path       {} segment{}, {}", t.pieces.size(),
+                                 t.pieces.size() == 1 ? "" : "s", t.interpolation);
+  if (t.has_time)
+    line += fmt::format(", t in [{:.6g}, {:.6g}]{}", approx(t.pieces.front().begin),
+                        approx(t.pieces.back().end), unit_suffix(t.time_unit));
+  line += fmt::format(", {}\n", t.file);
+  for (const std::string& note : t.notes) line += fmt::format("note       {}\n", note);
+  return line;
+}
+
+std::string format_tube(const TrajectoryCheck& check) {
+  std::string words;
+  const Motion& motion = check.request.motion;
+  for (std::size_t i = 0; i < motion.error.size(); ++i)
+    if (!motion.error[i].is_zero()) {
+      const PoseParameter& p = check.request.model.pose[i];
+      words += fmt::format("{}{} ±{:.6g}{}", words.empty() ? "" : ", ", p.name,
+                           enclose_constant(motion.error[i], p.name).hi, unit_suffix(p.unit));
+    }
+  return words.empty() ? "" : fmt::format("tube       {}\n", words);
+}
+
+std::string format_uncertain_count(const TrajectoryCheck& check) {
+  const std::size_t count = uncertain_count(check.hull);
+  if (count == 0) return "uncertain  nothing: geometry is taken as exact\n";
+  return fmt::format("uncertain  {} {} of the geometry\n", count,
+                     count == 1 ? "quantity" : "quantities");
+}
+
+std::string lines_text(const TrajectoryPiece& piece) {
+  return piece.first_line == piece.last_line
+             ? fmt::format("line {}", piece.first_line)
+             : fmt::format("lines {} and {}", piece.first_line, piece.last_line);
+}
+
+/// "segment 417, t = 3.21 s (way.csv, lines 418 and 419)"
+std::string describe_segment(const TrajectoryCheck& check) {
+  const Trajectory& t = trajectory_of(check);
+  const TrajectoryPiece& piece = t.pieces[check.deciding->index];
+  std::string text = fmt::format("segment {}", check.deciding->index + 1);
+  if (const auto time = time_of(check); time && t.has_time) text += ", " + time_text(t, *time);
+  return text + fmt::format(" ({}, {})", t.file, lines_text(piece));
+}
+
+std::string format_deciding(const TrajectoryCheck& check) {
+  if (!check.deciding) return "";
+  const DecidingPiece& d = *check.deciding;
+  std::string text =
+      fmt::format("{}{}\n", check.verdict == Verdict::kSingularity ? "singular   " : "blocked    ",
+                  describe_segment(check));
+  if (!d.preparation) return text;
+  text += format_witness(*d.preparation, d.result);
+  if (!d.result.blocking_box.empty())
+    text += fmt::format("           {}\n", describe_place(*d.preparation, d.result.blocking_box));
+  if (d.result.reason == Reason::kUndefined && !d.result.blocking_box.empty())
+    text += format_undefined(*d.preparation, find_undefined(*d.preparation, d.result.blocking_box));
+  return text;
+}
+
+std::string claim_about(const TrajectoryCheck& check) {
+  const PreparedSearch& p = check.hull;
+  const std::string of_path =
+      fmt::format("every pose of the {} segment{}", trajectory_of(check).pieces.size(),
+                  trajectory_of(check).pieces.size() == 1 ? "" : "s") +
+      (format_tube(check).empty() ? "" : " and of the tube around them") +
+      (uncertain_count(p) == 0 ? "" : " and every value of the uncertain quantities");
+  const bool threshold = p.variety.alpha.hi > 0;
+  if (check.verdict == Verdict::kNoSingularity)
+    return threshold ? fmt::format("|det J⁻¹| > {} for {}", threshold_text(p.variety.alpha, true),
+                                   of_path)
+                     : fmt::format("the {} has full rank for {}", describe_size(p), of_path);
+  if (check.verdict == Verdict::kSingularity)
+    return claim(*check.deciding->preparation, check.deciding->result);
+  return fmt::format("none about the {}: {}", describe_size(p), describe(check.reason));
+}
+
+Json json_segment(const TrajectoryCheck& check) {
+  if (!check.deciding) return nullptr;
+  const Trajectory& t = trajectory_of(check);
+  const TrajectoryPiece& piece = t.pieces[check.deciding->index];
+  Json segment{{"segment", check.deciding->index + 1},
+               {"lines", {piece.first_line, piece.last_line}}};
+  const auto time = time_of(check);
+  if (time && t.has_time) segment["time"] = *time;
+  if (const auto s = parameter_of(*check.deciding)) segment["s"] = json_interval(*s);
+  return segment;
+}
+
+}  // namespace
+
+std::string format_trajectory(const TrajectoryCheck& check, SearchOptions search) {
+  search.engine = check.engine;
+  const PreparedSearch& p = check.hull;
+  const Statistics& statistics = check.path.statistics;
+  std::string text =
+      fmt::format("model      {}\nmotion     {}\n", p.labels.model, p.labels.motion) +
+      format_path(check) + format_tube(check) + format_uncertain_count(check) +
+      format_method(p, search, search.method, statistics.boxes);
+  text += fmt::format("boxes      {} evaluated, at most {} waiting; {} segment{} searched alone\n",
+                      statistics.boxes, statistics.max_frontier, check.searched_alone,
+                      check.searched_alone == 1 ? "" : "s");
+  text += format_time(check.seconds) + format_deciding(check);
+  return text + fmt::format("claim      {}\n", claim_about(check));
+}
+
+Json json_trajectory(const TrajectoryCheck& check, const SearchOptions& search) {
+  const PreparedSearch& p = check.hull;
+  const Trajectory& t = trajectory_of(check);
+  Json report;
+  report["verdict"] = json_name(check.verdict);
+  report["claim"] = claim_about(check);
+  report["reason"] = describe(check.reason);
+  report["model"] = p.labels.model;
+  report["model_file"] = p.model_file;
+  report["model_sha256"] = p.labels.model_sha256;
+  report["motion"] = p.labels.motion;
+  report["waypoints"] = {{"file", t.file},
+                         {"sha256", t.sha256},
+                         {"interpolation", t.interpolation},
+                         {"segments", t.pieces.size()}};
+  report["notes"] = t.notes;
+  report["alpha"] = mid(p.variety.alpha);
+  report["method"] = name(search.method);
+  report["boxes"] = check.path.statistics.boxes;
+  report["max_frontier"] = check.path.statistics.max_frontier;
+  report["searched_alone"] = check.searched_alone;
+  report["segment"] = json_segment(check);
+  const bool has_witness = check.deciding && check.deciding->preparation;
+  report["witness"] =
+      has_witness ? json_witness(*check.deciding->preparation, check.deciding->result) : Json();
+  report["engine"] = word_of(check.engine);
+  report["isa"] = name(p.isa);
+  report["seconds"] = json_seconds(check.seconds);
+  return report;
+}
+
+}  // namespace regulus::trajectory

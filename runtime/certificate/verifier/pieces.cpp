@@ -1,0 +1,132 @@
+// SPDX-License-Identifier: Apache-2.0
+// The question about a piece is the text of the common question, with a line `constant` for each
+// name of `piecewise`. It is read anew for each piece by the reader of any other question, so that a
+// piece is proved exactly as a certificate of its own.
+#include "runtime/certificate/verifier/pieces.hpp"
+
+#include <chrono>
+#include <sstream>
+
+#include "runtime/certificate/verifier/model_comparison.hpp"
+#include "runtime/certificate/verifier/proof.hpp"
+#include "runtime/certificate/verifier/single_values.hpp"
+
+namespace regulus::verifier {
+namespace {
+
+class PieceChecker {
+ public:
+  PieceChecker(Lines& lines, const Options& options, Verification& result)
+      : lines_(lines), options_(options), rest_(options), result_(result) {}
+
+  void check() {
+    read_head();
+    advance();
+    for (std::size_t k = 0; k < pieces_.size(); ++k) {
+      if (lines_.text() != "tree") throw Rejection("expected the line 'tree' of " + piece(k));
+      check_piece(k);
+    }
+    const auto words = words_of(lines_.text());
+    if (words.size() != 2 || words[0] != "end") throw Rejection("expected 'end LEAVES'");
+    if (read_count(words[1], std::size_t(-1)) != result_.leaves)
+      throw Rejection("the line 'end' gives a wrong number of leaves");
+    if (lines_.next()) throw Rejection("there is text after the line 'end'");
+  }
+
+ private:
+  static std::string piece(std::size_t k) { return "piece " + std::to_string(k + 1); }
+
+  void advance() {
+    if (!lines_.next()) throw Rejection("the file ends before its line 'end'");
+  }
+
+  /// Reads the lines from `piecewise` to `proof`.
+  void read_head() {
+    std::vector<std::string> before = lines_.take_kept();
+    for (std::size_t i = 0; i + 1 < before.size(); ++i) before_ += before[i] + '\n';
+    for (const std::string_view word : words_of(before.back())) names_.emplace_back(word);
+    names_.erase(names_.begin());
+    if (names_.empty() || names_.size() > format::kMostPieceNames)
+      throw Rejection("the line 'piecewise' has too few or too many names");
+    for (advance(); lines_.text().starts_with("piece "); advance()) {
+      if (pieces_.size() == format::kMostPieces) throw Rejection("there are too many pieces");
+      pieces_.push_back(lines_.text().substr(6));
+    }
+    if (pieces_.empty()) throw Rejection("there is no piece");
+    for (std::size_t count = 0; lines_.text() != "proof"; advance()) {
+      if (++count > format::kMostLines) throw Rejection("there are too many lines before 'proof'");
+      after_ += lines_.text() + '\n';
+    }
+    after_ += "proof\n";
+    result_.pieces = pieces_.size();
+  }
+
+  [[nodiscard]] std::string constants_of(std::size_t k) const {
+    constexpr std::string_view kBetween = " | ";
+    std::string text;
+    std::string_view rest = pieces_[k];
+    for (std::size_t i = 0; i < names_.size(); ++i) {
+      const std::size_t end = rest.find(kBetween);
+      if ((end == std::string_view::npos) != (i + 1 == names_.size()))
+        throw Rejection(piece(k) + " has a wrong number of values");
+      text += "constant " + names_[i] + " = " + std::string(rest.substr(0, end)) + '\n';
+      rest.remove_prefix(end == std::string_view::npos ? rest.size() : end + kBetween.size());
+    }
+    return text;
+  }
+
+  void check_piece(std::size_t k) {
+    std::istringstream text(before_ + constants_of(k) + after_);
+    Lines head(text);
+    Question question;
+    try {
+      read_question(head, question);
+    } catch (const Rejection& why) {
+      throw Rejection(piece(k) + ": line " + std::to_string(head.number()) +
+                      " of its question: " + why.what());
+    }
+    if (question.singular) throw Rejection("a singular pose lies on one piece: there are several");
+    if (k == 0) describe(question);
+    question.graph.end_of_file();
+    if (k == 0 && !options_.model_text.empty()) compare(question);
+    const Variety variety = enclose_variety(question);
+    put_in_single_values(question);
+    if (options_.time_limit > 0) rest_.time_limit = options_.time_limit - seconds();
+    if (rest_.time_limit < 0) throw Unfinished("the time limit was reached");
+    check_tree_of_piece(lines_, question, variety, rest_, result_);
+  }
+
+  void describe(const Question& question) {
+    result_.claim = format::describe_claim(question.claimed_set(), question.singular);
+    result_.model = question.model;
+    result_.sha256 = question.sha256;
+    result_.motion = question.motion;
+  }
+
+  void compare(Question& question) {
+    compare_with_model(question, options_, result_);
+    result_.uncompared.push_back("the " + std::to_string(pieces_.size()) +
+                                 " lines 'piece' of the certificate, whose numbers are those of a "
+                                 "file of way-points");
+  }
+
+  [[nodiscard]] double seconds() const {
+    return std::chrono::duration<double>(std::chrono::steady_clock::now() - start_).count();
+  }
+
+  Lines& lines_;
+  const Options& options_;
+  Options rest_;  ///< with the time that is left
+  Verification& result_;
+  const std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
+  std::string before_, after_;
+  std::vector<std::string> names_, pieces_;
+};
+
+}  // namespace
+
+void check_pieces(Lines& lines, const Options& options, Verification& result) {
+  PieceChecker(lines, options, result).check();
+}
+
+}  // namespace regulus::verifier
