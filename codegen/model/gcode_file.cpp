@@ -119,7 +119,6 @@ class GcodeReader {
 
   void run(const Words& words) {
     std::map<char, numeric> given;
-    bool moves = false;
     for (const auto& [letter, value] : words) {
       if (letter == 'G') {
         set_mode(value);
@@ -131,13 +130,12 @@ class GcodeReader {
       } else if (std::string_view("XYZIJKR").find(letter) != std::string_view::npos) {
         if (!given.emplace(letter, value).second)
           fail(std::string("the word ") + letter + " is given twice", "give it once");
-        moves = moves || letter <= 'Z';
       } else {
         fail(std::string("the axis ") + letter + " is not moved by this reader",
              "use a table of way-points for motions that turn the platform");
       }
     }
-    if (moves && !given.empty() && !skips_) move(given);
+    if (!given.empty() && !skips_) move(given);
     skips_ = false;
   }
 
@@ -242,7 +240,7 @@ class GcodeReader {
     const ex turn = turn_between(from, to);
     // The end of the arc about the centre is `to` times |from|/|to|.
     const ex miss =
-        from.square() == to.square() ? ex(0) : 1 - GiNaC::sqrt(from.square() / to.square());
+        from.square() == to.square() ? ex(0) : 1 - GiNaC::sqrt(ex(from.square() / to.square()));
     set_arc(piece.pose[parameter_[a]], to_model_[a], {x, from.x, -from.y, to.x * miss, turn});
     set_arc(piece.pose[parameter_[b]], to_model_[b], {y, from.y, from.x, to.y * miss, turn});
   }

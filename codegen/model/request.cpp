@@ -36,10 +36,8 @@ Request read_request(std::string_view text, const ModelOptions& options) {
     from_option("--range",
                 [&] { set_range(request.model, request.motion, given.name, given.value); });
   }
-  from_option("--waypoints", [&] {
-    if (!options.waypoints.empty())
-      follow_waypoints(request.model, request.motion, options.waypoints);
-  });
+  if (!options.waypoints.empty())
+    follow_waypoints(request.model, request.motion, options.waypoints);
   load_trajectory(request.model, request.motion);
   for (const std::string& tube : options.tubes)
     from_option("--tube", [&] { set_tube(request.model, request.motion, tube); });

@@ -35,7 +35,9 @@ std::vector<std::string> names_of_options() {
   return names;
 }
 
-bool takes_names(const std::string& option) { return option == "range" || option == "tolerance"; }
+bool takes_names(const std::string& option) {
+  return option == "range" || option == "tolerance" || option == "tube";
+}
 
 void refuse(const std::string& found, const std::string& expected) {
   throw UsageError("found " + found + ", expected " + expected);

@@ -37,7 +37,7 @@ struct PathSearchOptions {
   bool wants_trees = false;
 };
 
-/// `problem`: its motion variables are path.moving() in order, and its ranges contain the whole
+/// Requires  find_fault finds no fault. `problem`: its motion variables are path.moving() in order, and its ranges contain the whole
 /// path with its errors.
 ///
 /// Ensures   a piece is certified only if the claim holds at all of its poses with all errors, for

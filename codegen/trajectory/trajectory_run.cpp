@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include <limits>
+#include <new>
 
 #include "codegen/certificate/certificate_question.hpp"
 #include "codegen/certificate/piece_question.hpp"
@@ -25,14 +26,24 @@ class TreeLines final : public Observer {
  public:
   explicit TreeLines(PieceTree& tree) : tree_(tree) { tree_ = {}; }
   void on_split(const OpenBox&, const Split& split) noexcept override {
-    tree_.lines += fmt::format("s {} {} {:a}\n", split.parent, split.variable, split.at);
+    append([&] { return fmt::format("s {} {} {:a}\n", split.parent, split.variable, split.at); });
   }
   void on_leaf(const OpenBox& box, Rule rule, const Proof&) noexcept override {
-    tree_.lines += fmt::format("l {} {}\n", box.id, certificate_word(rule));
+    append([&] { return fmt::format("l {} {}\n", box.id, certificate_word(rule)); });
     ++tree_.leaves;
   }
+  /// False if there was no memory for a line.
+  [[nodiscard]] bool is_whole() const noexcept { return is_whole_; }
 
  private:
+  template <class Format>
+  void append(Format format) noexcept try {
+    tree_.lines += format();
+  } catch (const std::bad_alloc&) {
+    is_whole_ = false;
+  }
+
+  bool is_whole_ = true;
   PieceTree& tree_;
 };
 
@@ -83,6 +94,7 @@ class TrajectoryRun {
 
   void search_all(const PathBounds& path) {
     settings_.time_limit = std::max(0.0, seconds_left());
+    if (find_fault(check_.hull.problem(), settings_)) return end(0, Reason::kBadProblem);
     const PathSearchOptions options{uncertain_names(check_.hull.labels).size(), wants_trees_};
     check_.path = search_path(path, check_.hull.problem(), settings_, options);
     check_.seconds.search = check_.path.statistics.seconds;
@@ -100,6 +112,7 @@ class TrajectoryRun {
     TreeLines lines(wants_trees_ ? check_.path.trees[k] : none);
     Result result = run_search(*preparation, search_, settings, &lines);
     add(preparation->seconds_spent(), result.statistics);
+    if (wants_trees_ && !lines.is_whole()) throw std::bad_alloc();
     if (result.verdict == Verdict::kNoSingularity) {
       check_.path.certified[k] = true;
       return;
@@ -141,6 +154,10 @@ TrajectoryCheck check_trajectory(Request request, double model_seconds, SearchOp
                                  bool wants_trees, const std::atomic<bool>* interrupt) {
   if (!search.filters.empty())
     throw UsageError("--filter: a motion along way-points is searched without filters");
+  if (search.uncertainty != Uncertainty::kElements)
+    throw UsageError(
+        "--uncertainty: a motion along way-points keeps uncertain quantities whole; leave the "
+        "option out");
   // A piece is decided by few boxes, so that a compiler would not pay.
   if (search.engine == Engine::kAuto) search.engine = Engine::kInterpreted;
   TrajectoryCheck check;

@@ -134,7 +134,9 @@ TEST_F(Trajectories, OfAnotherFileAreFollowedForOneRun) {
   const std::string other = file("other.csv", "y\n1\n-1\n");
   const CommandResult run = regulus({"check", model, "hold", "--waypoints", other});
   EXPECT_EQ(run.output, "SINGULARITY\n") << run.errors;
-  EXPECT_THAT(run.errors, HasSubstr("segment 1 ("));
+  EXPECT_THAT(run.errors, HasSubstr("singular   segment 1 ("));
+  EXPECT_EQ(regulus({"check", model, "hold", "--waypoints", file("bad.csv", "y\n1\n")}).exit_code,
+            65);
   const std::string arc = file("arc.nc", "G0 X3000 Y2000 Z0\nG2 X1000 Y2000 I-1000\n");
   EXPECT_THAT(regulus({"check", model, "hold", "--waypoints", arc}).errors,
               HasSubstr("the model has no such z"));
@@ -143,7 +145,7 @@ TEST_F(Trajectories, OfAnotherFileAreFollowedForOneRun) {
 TEST_F(Trajectories, OfGcodeAreProvedAndVerified) {
   const std::string proof = path("arc.txt");
   const std::string program =
-      file("arc.nc", "G0 X80 Y0 Z550\nG3 X-80 Y0 I-80 J0\nG3 X80 Y0 I80 J0.004\nG1 X0 Y0\n");
+      file("arc.nc", "G0 X80 Y0 Z550\nG3 X-80 Y0 I-80 J0\nG3 X80 Y0 I80.004 J0\nG1 X0 Y0\n");
   const CommandResult run =
       regulus({"check", kRobot1, "T1", "--waypoints", program, "--certificate", proof});
   EXPECT_EQ(run.output, "NO SINGULARITY\n") << run.errors;
@@ -174,8 +176,8 @@ TEST_F(Trajectories, AreRejectedIfACertificateIsChanged) {
   EXPECT_EQ(answer("piece 3 |", "piece |"), "REJECTED\n");
   EXPECT_EQ(answer("piece 3 | ", "piece 3 | 1 | "), "REJECTED\n");
   EXPECT_EQ(answer("\nend 200", "\nend 199"), "REJECTED\n");
-  // Another first piece goes through y = 0, and is not that of the file either.
-  EXPECT_NE(answer("piece 3 | ", "piece 3 | -1000000"), "VERIFIED\n");
+  // Lower poses go through y = 0; another first piece is not that of the file.
+  EXPECT_NE(answer("\npose y = ", "\npose y = -2 + "), "VERIFIED\n");
   std::string other = text;
   other.replace(other.find("piece 3 | "), 10, "piece 31/10 | ");
   const CommandResult compared = regulus({"verify", file("other.txt", other), "--model", model});

@@ -15,7 +15,7 @@ namespace {
 using testing::HasSubstr;
 using testing::StartsWith;
 
-constexpr const char* kModel = R"(regulus = 1
+constexpr const char* kModel = R"toml(regulus = 1
 name = "cart"
 [pose]
 x = "m"
@@ -28,7 +28,7 @@ phi = 0
 [motion.box]
 x = [0, 1]
 phi = [0, 1]
-)";
+)toml";
 
 /// Returns the pieces of a file, along a motion that holds the pose parameters without a column.
 Trajectory read(const std::string& text, const std::string& ending = ".csv",
