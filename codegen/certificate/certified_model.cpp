@@ -13,6 +13,7 @@
 #include "codegen/certificate/certificate_expression_writer.hpp"
 #include "codegen/certificate/certificate_question.hpp"
 #include "codegen/certificate/piece_question.hpp"
+#include "codegen/model/certain_sign.hpp"
 #include "codegen/model/model_file.hpp"
 #include "codegen/model/overrides.hpp"
 #include "codegen/model/request.hpp"
@@ -113,6 +114,8 @@ class CertificateOverrides {
     return true;
   }
 
+  /// Control errors may be larger than those of the file, never smaller: a proof about less than
+  /// the model declares is one about another motion.
   void change_errors() {
     for (const auto& [name, now] : stated_.errors) {
       const auto at = std::ranges::find(request_.model.pose, name, &PoseParameter::name);
@@ -121,7 +124,13 @@ class CertificateOverrides {
       const std::string before =
           request_.motion.error.empty() ? "0" : expression_text(request_.motion.error[i]);
       if (now == before) continue;
+      const std::vector<ex> declared = request_.motion.error;
       set_tube(request_.model, request_.motion, name + '=' + now);
+      if (certain_sign(request_.motion.error[i] - (declared.empty() ? ex(0) : declared[i])) !=
+          CertainSign::kPositive) {
+        request_.motion.error = declared;
+        continue;
+      }
       note("tube " + name, now, before);
     }
   }
