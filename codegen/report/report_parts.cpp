@@ -247,8 +247,7 @@ std::string format_matrix_notes(const PreparedSearch& p) {
 
 std::string format_question(const PreparedSearch& p) {
   return fmt::format("model      {}\nmotion     {}\n", p.labels.model, p.labels.motion) +
-         format_variable(p, true) + format_notes(p) + format_matrix_notes(p) +
-         format_uncertain(p);
+         format_variable(p, true) + format_notes(p) + format_matrix_notes(p) + format_uncertain(p);
 }
 
 std::vector<std::string> notes_about(const PreparedSearch& p) {
