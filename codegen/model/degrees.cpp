@@ -26,12 +26,13 @@ bool is_like_degrees(std::string_view unit) noexcept {
   return std::ranges::find(kOthers, unit) != kOthers.end();
 }
 
-std::vector<std::string> notes_about_angles(const Motion& motion) {
+std::vector<std::string> notes_about_angles(const Motion& motion, MatrixKind kind) {
+  const int turns = kind == MatrixKind::kInverse ? 1 : 4;
   std::vector<std::string> notes;
   for (const MotionParameter& p : motion.parameters) {
     if (p.unit != "rad" || !is_plain(p.range.lo) || !is_plain(p.range.hi)) continue;
     const GiNaC::ex width = p.range.hi - p.range.lo;
-    if (!(GiNaC::ex_to<GiNaC::numeric>(width) > one_turn())) continue;
+    if (!(GiNaC::ex_to<GiNaC::numeric>(width) > GiNaC::numeric(turns) * one_turn())) continue;
     const std::string lo = formula_text(p.range.lo), hi = formula_text(p.range.hi);
     notes.push_back(p.name + " ranges over " + formula_text(width) +
                     " rad, more than a turn; if degrees are meant, write [\"" + lo + "deg\", \"" +

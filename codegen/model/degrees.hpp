@@ -30,7 +30,8 @@ enum class NumberUnit { kPlain, kDegrees };
 [[nodiscard]] bool is_like_degrees(std::string_view unit) noexcept;
 
 /// Returns a note for each angle in radians with a range of plain numbers that is wider than a
-/// turn, because degrees may be meant.
-[[nodiscard]] std::vector<std::string> notes_about_angles(const Motion& motion);
+/// turn, because degrees may be meant. The joints of an arm may turn four times.
+[[nodiscard]] std::vector<std::string> notes_about_angles(const Motion& motion,
+                                                          MatrixKind kind = MatrixKind::kInverse);
 
 }  // namespace regulus::model

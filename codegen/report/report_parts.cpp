@@ -257,7 +257,9 @@ std::vector<std::string> notes_about(const PreparedSearch& p) {
     is_wide = is_wide || (p.labels.variables[k].unit == "rad" && range.hi - range.lo > 6);
   }
   // The request is only read if there may be a note.
-  return is_wide ? notes_about_angles(p.stages->request().motion) : std::vector<std::string>{};
+  if (!is_wide) return {};
+  const Request& request = p.stages->request();
+  return notes_about_angles(request.motion, request.model.matrix_kind);
 }
 
 std::string format_notes(const PreparedSearch& p) {

@@ -103,6 +103,9 @@ TEST(Degrees, AreSuggestedForAPlainRangeOfMoreThanATurn) {
   EXPECT_THAT(notes_about_angles(motion_of(model_text("rad", "phi", "[-15, 15]"))),
               ElementsAre(HasSubstr("write [\"-15deg\", \"15deg\"]")));
   EXPECT_THAT(notes_about_angles(motion_of(model_text("rad", "phi", "[-3, 3]"))), IsEmpty());
+  const Motion joint = motion_of(model_text("rad", "phi", "[-6.3, 6.3]"));
+  EXPECT_THAT(notes_about_angles(joint), testing::SizeIs(1));
+  EXPECT_THAT(notes_about_angles(joint, MatrixKind::kForward), IsEmpty());
   EXPECT_THAT(
       notes_about_angles(motion_of(model_text("rad", "phi", "[\"-720*deg\", \"720*deg\"]"))),
       IsEmpty());
