@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <iostream>
+#include <nlohmann/json.hpp>
 
 #include "codegen/command/commands.hpp"
 #include "codegen/cpp/write_files.hpp"
@@ -9,14 +10,28 @@
 
 namespace regulus::inline command {
 
+namespace {
+
+nlohmann::ordered_json json_of(const Imported& imported, const std::string& output) {
+  nlohmann::ordered_json notes = nlohmann::ordered_json::object();
+  for (const ImportNotes& about : imported.notes) notes[about.title] = about.lines;
+  return {{"file", output.empty() ? nlohmann::ordered_json() : nlohmann::ordered_json(output)},
+          {"model", imported.model},
+          {"notes", notes}};
+}
+
+}  // namespace
+
 int run_import(const ImportCommand& command) {
   const std::string text = read_file(command.path, kLargestImport, Readable::kStream);
   const Imported imported = import_robot(text, command.path, command.options);
-  if (!command.quiet) std::cerr << imported.report;
-  if (command.output.empty())
-    std::cout << imported.model << std::flush;
-  else
-    write_file(command.output, imported.model);
+  if (!command.output.empty()) write_file(command.output, imported.model);
+  if (command.json) {
+    std::cout << json_of(imported, command.output).dump() << std::endl;
+    return 0;
+  }
+  if (!command.quiet) std::cerr << imported.report();
+  if (command.output.empty()) std::cout << imported.model << std::flush;
   return 0;
 }
 

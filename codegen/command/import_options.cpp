@@ -38,6 +38,8 @@ void add_import_options(CLI::App& app, ImportCommand& command) {
       ->type_name("DISTANCE")
       ->capture_default_str();
   app.add_flag("--quiet", command.quiet, "Do not report what was read");
+  app.add_flag("--json", command.json,
+               "Print the model and the report on standard output, as one JSON object");
   app.footer(kImportFooter);
 }
 

@@ -17,6 +17,7 @@ struct ImportCommand {
   std::string output;  ///< file; empty: standard output
   ImportOptions options;
   bool quiet = false;
+  bool json = false;
 };
 
 void add_import_options(CLI::App& app, ImportCommand& command);

@@ -43,10 +43,10 @@ Range typical(double lo, double hi, int steps) {
 
 std::vector<Variable> with_typical_ranges(std::vector<Variable> variables) {
   for (Variable& v : variables) try {
-      const double lo = mid(enclose_constant(v.range.lo, v.name));
-      const double hi = mid(enclose_constant(v.range.hi, v.name));
-      if (std::isfinite(lo) && std::isfinite(hi))
-        v.range = typical(lo, hi, steps_per_octave(v.kind));
+      const Interval lo = enclose_constant(v.range.lo, v.name);
+      const Interval hi = enclose_constant(v.range.hi, v.name);
+      if (std::isfinite(lo.lo) && std::isfinite(hi.hi))
+        v.range = typical(mid(lo), mid(hi), steps_per_octave(v.kind));
     } catch (const InputError&) {
       // enclose_variety reports a range without a value.
     }

@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <utility>
 
 #include "codegen/import/chain.hpp"
 #include "codegen/import/hexapod.hpp"
@@ -74,9 +75,8 @@ std::string header(const Mechanism& mechanism, const std::string& file, std::str
       name, toml_label(mechanism.name), toml_label(source));
 }
 
-void add_lines(std::string& report, const char* title, const std::vector<std::string>& lines) {
-  for (std::size_t i = 0; i < lines.size(); ++i)
-    report += fmt::format("{:<11}{}\n", i == 0 ? title : "", lines[i]);
+void add_notes(Imported& to, const char* title, std::vector<std::string> lines) {
+  if (!lines.empty()) to.notes.push_back({title, std::move(lines)});
 }
 
 std::vector<std::string> ignored_lines(const Mechanism& mechanism) {
@@ -150,19 +150,27 @@ Imported import_mechanism(const XmlFile& xml, std::string_view text, const std::
   const Tables tables = tables_of(mechanism, file, options, identifiers);
   result.model = header(mechanism, file, text) + tables.text;
   const Model model = parse_model(result.model, "the model made of " + file);
-  add_lines(result.report, "read",
+  add_notes(result, "read",
             {fmt::format("{} {}: {} links, {} joints", mechanism.format, in_quotes(mechanism.name),
                          mechanism.links.size(), mechanism.joints.size())});
-  add_lines(result.report, "robot", {tables.robot});
-  add_lines(result.report, "matrix", model.matrix_notes);
-  add_lines(result.report, "ignored", ignored_lines(mechanism));
-  add_lines(result.report, "renamed", identifiers.changes());
-  add_lines(result.report, "snapped", snap_lines(numbers));
-  add_lines(result.report, "note", mechanism.notes);
+  add_notes(result, "robot", {tables.robot});
+  add_notes(result, "matrix", model.matrix_notes);
+  add_notes(result, "ignored", ignored_lines(mechanism));
+  add_notes(result, "renamed", identifiers.changes());
+  add_notes(result, "snapped", snap_lines(numbers));
+  add_notes(result, "note", mechanism.notes);
   return result;
 }
 
 }  // namespace
+
+std::string Imported::report() const {
+  std::string text;
+  for (const ImportNotes& about : notes)
+    for (std::size_t i = 0; i < about.lines.size(); ++i)
+      text += fmt::format("{:<11}{}\n", i == 0 ? about.title : "", about.lines[i]);
+  return text;
+}
 
 Imported import_robot(std::string_view text, const std::string& file,
                       const ImportOptions& options) try {

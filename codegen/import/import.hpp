@@ -15,10 +15,19 @@ struct ImportOptions {
   std::string snap = "1e-9";        ///< numbers move by at most this much
 };
 
-/// A model file, and what a user should know of how it came about.
+/// What a user should know of how a model came about, under one title: "read", "robot", "matrix",
+/// "ignored", "renamed", "snapped" or "note".
+struct ImportNotes {
+  std::string title;
+  std::vector<std::string> lines;  ///< at least one
+};
+
 struct Imported {
-  std::string model;   ///< its text
-  std::string report;  ///< lines: what was read, ignored, renamed, snapped, assumed
+  std::string model;  ///< the text of the model file
+  std::vector<ImportNotes> notes;
+
+  /// Returns the notes as lines of text.
+  [[nodiscard]] std::string report() const;
 };
 
 /// The largest file that is read.

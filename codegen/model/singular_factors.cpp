@@ -84,9 +84,10 @@ SingularFactor described(const ex& factor, const HalfAngles& angles, std::size_t
   const ex form = angles.trigonometric(factor);
   const ex primitive = (form / form.integer_content()).expand();
   const std::string text = formula_text(primitive), opposite = formula_text((-primitive).expand());
-  const auto minuses = [](const std::string& t) { return std::ranges::count(t, '-'); };
+  // The sign that GiNaC gives a factor depends on addresses.
+  const auto rank = [](const std::string& t) { return std::pair(std::ranges::count(t, '-'), t); };
   return {usual_name(angles.joints_in(factor), joints),
-          minuses(opposite) < minuses(text) ? opposite : text};
+          std::min(text, opposite, [&](auto& a, auto& b) { return rank(a) < rank(b); })};
 }
 
 }  // namespace

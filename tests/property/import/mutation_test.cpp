@@ -91,7 +91,7 @@ enum class Answer { kModel, kBadFile, kUsage };
 Answer answer(const std::string& text) try {
   const Imported imported = import_robot(text, "mutant", {});
   EXPECT_FALSE(imported.model.empty());
-  EXPECT_FALSE(imported.report.empty());
+  EXPECT_FALSE(imported.report().empty());
   return Answer::kModel;
 } catch (const InputError& error) {
   EXPECT_NE(std::string(error.what()).find("mutant"), std::string::npos) << error.what();

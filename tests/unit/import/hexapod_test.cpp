@@ -42,7 +42,7 @@ TEST(Hexapod, IsFoundInSdf) { expect_robot_1(model_of("hexapod.sdf")); }
 TEST(Hexapod, IsFoundInUrdfWithCuts) { expect_robot_1(model_of("hexapod.urdf", cuts())); }
 
 TEST(Hexapod, SaysWhatItsClaimLeavesOut) {
-  EXPECT_THAT(import_robot(robot_text("hexapod.mjcf"), "h", {}).report,
+  EXPECT_THAT(import_robot(robot_text("hexapod.mjcf"), "h", {}).report(),
               HasSubstr("the joints at their ends may have singular poses of their own"));
 }
 

@@ -56,7 +56,7 @@ TEST(Mjcf, TakesRangesFromDefaultClasses) {
 }
 
 TEST(Mjcf, ReportsQuaternionsThatBecomeAngles) {
-  EXPECT_THAT(imported(kArm).report,
+  EXPECT_THAT(imported(kArm).report(),
               HasSubstr("quat of body 'lower': 0.707107 0 0.707107 0 -> rpy [0, pi/2, 0]"));
 }
 

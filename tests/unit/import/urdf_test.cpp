@@ -48,7 +48,7 @@ TEST_P(Arm, HasItsRangesAndItsDigest) {
   EXPECT_EQ(model.motions[0].name, "limits");
   EXPECT_EQ(model.motions[0].parameters.size(), model.pose.size());
   EXPECT_THAT(model.source, HasSubstr("SHA-256 "));
-  EXPECT_THAT(arm.report, HasSubstr("rank does not depend on"));
+  EXPECT_THAT(arm.report(), HasSubstr("rank does not depend on"));
 }
 
 INSTANTIATE_TEST_SUITE_P(Urdf, Arm, testing::ValuesIn(arm_names()),
@@ -75,19 +75,19 @@ TEST(Urdf, SnapsAndSaysSo) {
   const Imported snapped = imported(text);
   EXPECT_THAT(snapped.model, HasSubstr("xyz = [0.333, 0, 0], rpy = [\"pi/2\", 0, 0]"));
   EXPECT_THAT(snapped.model, HasSubstr("second = [\"-170*deg\", 0.1]"));
-  EXPECT_THAT(snapped.report,
+  EXPECT_THAT(snapped.report(),
               HasSubstr("line 3, rpy of joint 'second': 1.570796326794897 -> pi/2"));
-  EXPECT_THAT(snapped.report, HasSubstr("0.33299999999999996 -> 0.333"));
+  EXPECT_THAT(snapped.report(), HasSubstr("0.33299999999999996 -> 0.333"));
   const Imported exact = imported(text, {.snap = "0"});
   EXPECT_THAT(exact.model, HasSubstr("\"0.33299999999999996\", \"0.00000000000000001\", 0"));
   EXPECT_THAT(exact.model, HasSubstr("\"1.570796326794897\""));
-  EXPECT_THAT(exact.report, Not(HasSubstr("snapped")));
+  EXPECT_THAT(exact.report(), Not(HasSubstr("snapped")));
 }
 
 TEST(Urdf, WritesTurnsByOtherAnglesAsAQuaternion) {
   const std::string text =
       arm_with(second("<origin xyz='1 0 0' rpy='0.1 -0.2 0.3'/><axis xyz='0 1 0'/>"));
-  EXPECT_THAT(imported(text).report,
+  EXPECT_THAT(imported(text).report(),
               HasSubstr("rpy of joint 'second': 0.1 -0.2 0.3 -> quaternion"));
   const Model snapped = model_of(text), exact = model_of(text, {.snap = "0"});
   const std::vector<double> q = {0.4, 0.5};
@@ -97,7 +97,7 @@ TEST(Urdf, WritesTurnsByOtherAnglesAsAQuaternion) {
 TEST(Urdf, TakesOneTurnWhereLimitsAreMissing) {
   const Imported arm = imported(arm_with(second("<axis xyz='0 1 0'/>")));
   EXPECT_THAT(arm.model, HasSubstr("second = [\"-pi\", \"pi\"] # assumed: the file has none"));
-  EXPECT_THAT(arm.report, HasSubstr("joint 'second' has no limits: one turn is assumed"));
+  EXPECT_THAT(arm.report(), HasSubstr("joint 'second' has no limits: one turn is assumed"));
   EXPECT_THAT(imported(arm_with(second("<axis xyz='0 1 0'/>", "continuous"))).model,
               HasSubstr("second = [\"-pi\", \"pi\"] # turns without end"));
 }
@@ -105,7 +105,7 @@ TEST(Urdf, TakesOneTurnWhereLimitsAreMissing) {
 TEST(Urdf, MakesNamesThatModelsMayUse) {
   const Imported arm = imported(arm_with(second("<axis xyz='0 1 0'/>", "revolute", "2nd joint/x")));
   EXPECT_THAT(arm.model, HasSubstr("name = \"q_2nd_joint_x\""));
-  EXPECT_THAT(arm.report, HasSubstr("'2nd joint/x' is q_2nd_joint_x"));
+  EXPECT_THAT(arm.report(), HasSubstr("'2nd joint/x' is q_2nd_joint_x"));
   EXPECT_THAT(imported(arm_with(second("<axis xyz='0 1 0'/>", "revolute", "alpha"))).model,
               HasSubstr("name = \"q_alpha\""));
   EXPECT_THAT(imported(arm_with(second("<axis xyz='0 1 0'/>", "revolute", "sin"))).model,
@@ -115,7 +115,7 @@ TEST(Urdf, MakesNamesThatModelsMayUse) {
 TEST(Urdf, HasNoHomeOutsideTheLimits) {
   const std::string text = arm_with(second("<axis xyz='0 1 0'/><limit lower='0.5' upper='1'/>"));
   EXPECT_THAT(imported(text).model, Not(HasSubstr("motion.home")));
-  EXPECT_THAT(imported(text).report, HasSubstr("no motion 'home'"));
+  EXPECT_THAT(imported(text).report(), HasSubstr("no motion 'home'"));
   EXPECT_THAT(imported(arm_with(second("<axis xyz='0 1 0'/>"))).model, HasSubstr("motion.home"));
 }
 
