@@ -9,6 +9,7 @@
 
 #include "codegen/command/generate_options.hpp"
 #include "codegen/command/import_options.hpp"
+#include "codegen/command/list_options.hpp"
 #include "codegen/engine/options.hpp"
 #include "codegen/report/output_options.hpp"
 
@@ -60,12 +61,6 @@ struct ExplainCommand {
   Method method = Method::kAuto;  ///< whose functions are shown
   std::uint64_t symbolic_budget = kDeterminantBudget;
   OutputOptions output;
-};
-
-/// `regulus list`
-struct ListCommand {
-  std::string path;  ///< a model whose motions are listed; empty: the installed models
-  bool json = false;
 };
 
 /// `regulus shell`

@@ -310,13 +310,6 @@ void add_explain_options(CLI::App& app, ExplainCommand& command) {
                "Print one JSON object on standard output: model, motion, stage, text");
 }
 
-void add_list_options(CLI::App& app, ListCommand& command) {
-  app.add_option("MODEL", command.path,
-                 "Show the motions of this model with their ranges, and its groups with their "
-                 "tolerances; without MODEL, list the installed models");
-  app.add_flag("--json", command.json, "Print one JSON object on standard output");
-}
-
 void add_shell_options(CLI::App& app, ShellCommand& command) {
   app.add_option("MODEL", command.path, "Model file to load first");
   app.add_flag("--json", command.json, "Print each result as one JSON object on a line");
