@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <bit>
 #include <optional>
+#include <tuple>
 
 #include "codegen/model/ginac_text.hpp"
 #include "codegen/model/half_angles.hpp"
@@ -85,9 +86,11 @@ SingularFactor described(const ex& factor, const HalfAngles& angles, std::size_t
   const ex primitive = (form / form.integer_content()).expand();
   const std::string text = formula_text(primitive), opposite = formula_text((-primitive).expand());
   // The sign that GiNaC gives a factor depends on addresses.
-  const auto rank = [](const std::string& t) { return std::pair(std::ranges::count(t, '-'), t); };
+  const auto rank = [](const std::string& t) {
+    return std::tuple(std::ranges::count(t, '-'), t.starts_with('-'), t);
+  };
   return {usual_name(angles.joints_in(factor), joints),
-          std::min(text, opposite, [&](auto& a, auto& b) { return rank(a) < rank(b); })};
+          rank(opposite) < rank(text) ? opposite : text};
 }
 
 }  // namespace

@@ -106,8 +106,9 @@ bool is_sweep_due(int directory, std::uint64_t bytes, std::uint64_t limit) {
   const FileDescriptor marks(::openat(directory, kMarksName, flags, 0600));
   struct stat status {};
   if (!marks || ::fstat(marks.get(), &status) != 0 || !S_ISREG(status.st_mode)) return true;
-  const std::uint64_t part = std::max<std::uint64_t>(limit / (kSweepsPerLimit * kMarksPerSweep), 1);
-  const std::string more(std::min(bytes / part + 1, kMarksPerSweep), '.');
+  const std::uint64_t count =
+      bytes * kSweepsPerLimit * kMarksPerSweep / std::max<std::uint64_t>(limit, 1) + 1;
+  const std::string more(std::min(count, kMarksPerSweep), '.');
   const bool is_new = status.st_size == 0;
   if (!is_new && static_cast<std::uint64_t>(status.st_size) + more.size() < kMarksPerSweep)
     return ::write(marks.get(), more.data(), more.size()) != static_cast<ssize_t>(more.size());
