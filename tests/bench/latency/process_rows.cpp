@@ -66,12 +66,21 @@ Section process_rows() {
       "--without", "moving", "--tolerance", "base,platform=0.115"};
   const Command nothing({"--version"}, cache), warm(check, cache), cold(uncached, cache);
   const Command other_question(other, cache), many_boxes(many, cache);
+  // Each has another range, so none of them is in the cache. The robot is.
+  const auto other_range = [&](int number) {
+    return Command({"check", check[1], "wide_15", "--quiet", "--range",
+                    "x=-15:" + std::to_string(15 - 1e-5 * number)},
+                   cache);
+  };
+  int ranges = 0;
   warm.run();  // fills the cache
+  other_range(ranges).run();
 
   const Contender contenders[] = {{"version", 1, [&] { nothing.run(); }},
                                   {"warm", 1, [&] { warm.run(); }},
                                   {"cold", 1, [&] { cold.run(); }},
-                                  {"other", 1, [&] { other_question.run(); }}};
+                                  {"other", 1, [&] { other_question.run(); }},
+                                  {"range", 1, [&] { other_range(++ranges).run(); }}};
   RoundOptions options;
   options.rounds = 9;
   options.clock = wall_seconds;
@@ -94,8 +103,10 @@ Section process_rows() {
                                    "the same, the compiler loaded, kernel and rounding self-test "
                                    "compiled"));
   section.rows.push_back(
-      timed_row("`regulus check`, another question", timings[3], 1e3, "ms",
+      timed_row("`regulus check`, an unknown robot", timings[3], 1e3, "ms",
                 "nothing of it is in the cache, the operations are interpreted"));
+  section.rows.push_back(timed_row("`regulus check`, another range", timings[4], 1e3, "ms",
+                                   "the cache has the forms of the robot, but not the question"));
   section.rows.back().target = ratio_at_most(2);
   section.rows.push_back(memory_row("memory, cache hit", warm.peak_megabytes(), 40));
   section.rows.push_back(memory_row("memory, `--no-cache`", cold.peak_megabytes(), 250));
