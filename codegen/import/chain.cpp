@@ -116,7 +116,7 @@ class ChainFinder {
     return links;
   }
 
-  /// Of the links that have the most joints before them, the first one behind all of these.
+  /// Returns the first link behind all joints, among the links with the most joints before them.
   void choose_tip(Chain& chain) const {
     std::map<std::string, Joints> ends;  // by the last joint that moves
     for (const std::string& link : mechanism_.links) {

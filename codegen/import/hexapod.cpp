@@ -50,7 +50,7 @@ double approx_angle(const Point& u, const Point& v) {
   return length(cross(u, v)) / (length(u) * length(v));
 }
 
-/// Where two axes meet.
+/// The point where two axes meet.
 std::optional<Point> meeting(const Connection& a, const Connection& b) {
   const Point normal = reduced(cross(a.axis, b.axis)), between = difference(b.point, a.point);
   const GiNaC::ex square = reduced(dot(normal, normal));

@@ -15,7 +15,7 @@ struct ImportOptions {
   std::string snap = "1e-9";        ///< numbers move by at most this much
 };
 
-/// What a user should know of how a model came about, under one title: "read", "robot", "matrix",
+/// Notes for the user on how a model came about, under one title: "read", "robot", "matrix",
 /// "ignored", "renamed", "snapped" or "note".
 struct ImportNotes {
   std::string title;

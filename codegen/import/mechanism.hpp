@@ -57,7 +57,7 @@ struct ImportedLoop {
   int line = 0;
 };
 
-/// What is read of a file.
+/// The part of a file that is read.
 struct Mechanism {
   std::string format;  ///< "URDF"
   std::string name;

@@ -110,7 +110,7 @@ class ScrewTransport {
   const JointGroups& groups_;
 };
 
-/// Where the axes of two joints that follow each other meet, in the frame of the link between them
+/// The point where the axes of two successive joints meet, in the frame of the link between them
 /// and in that of the link behind.
 struct Meeting {
   Point before, after;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What all ranks must have in common before a search.
+// Agreement of all ranks before a search: they must have the same build, words and model.
 #pragma once
 
 #include <optional>
@@ -12,8 +12,8 @@
 
 namespace regulus::inline mpi {
 
-/// What rank 0 tells the others first: its own words and the text of the model, whatever they were
-/// started with; or that there is nothing to do.
+/// The first message of rank 0 to the others: its own words and the text of the model, whatever
+/// they were started with; or that there is nothing to do.
 struct Start {
   std::optional<int> exit_code;
   std::vector<std::string> words;  ///< of the command line

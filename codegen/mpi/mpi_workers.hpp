@@ -11,7 +11,7 @@
 
 namespace regulus::inline mpi {
 
-/// What rank 0 knows about the others before a search.
+/// The knowledge of rank 0 about the others before a search.
 struct Rank {
   std::string host;
   unsigned threads = 0;  ///< 0: it is not ready yet

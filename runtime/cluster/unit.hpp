@@ -35,7 +35,7 @@ enum class OutcomeKind : std::uint8_t {
   kMemory,   ///< memory was exhausted: nothing is known about the unit
 };
 
-/// What is known about a unit after it was decided.
+/// The knowledge about a unit after it was decided.
 struct Outcome {
   OutcomeKind kind = OutcomeKind::kDecided;
   std::uint64_t boxes = 0;   ///< evaluated

@@ -10,7 +10,7 @@
 
 namespace regulus::cluster {
 
-/// What a search had learned before its first unit. All units start from this.
+/// The knowledge of a search before its first unit. All units start from this.
 struct Learned {
   AdaptiveThreshold threshold;
   WitnessCandidates candidates;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// What a search has done so far, what it knows and what is left: for its rounds, which decide the
-// first boxes, and for its units, which decide the rest of a long search.
+// The record of a search: its results so far, its knowledge, and the boxes that are left. The rounds
+// use it, which decide the first boxes, and the units, which decide the rest of a long search.
 #pragma once
 
 #include <chrono>

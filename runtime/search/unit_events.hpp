@@ -39,7 +39,7 @@ class UnitTree {
   std::vector<std::string> details_;
 };
 
-/// What happened to one box.
+/// One event of the search: a split, a leaf, or a box that stays open.
 struct UnitEvent {
   enum class Kind : std::uint8_t { kOpen, kLeaf, kSplit };
   Kind kind = Kind::kOpen;

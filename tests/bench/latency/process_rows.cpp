@@ -52,6 +52,33 @@ Row memory_row(std::string name, double megabytes, double most) {
   return row;
 }
 
+/// The timings of version, warm, cold, other and range.
+Section latency_section(const std::vector<Timing>& timings) {
+  Section section{
+      "process",
+      "The command as a process",
+      "From before the process is started until it has ended, on the wall. The ratio is "
+      "to the first row.",
+      {}};
+  section.rows.push_back(
+      timed_row("`regulus --version`", timings[0], 1e3, "ms", "a process that does nothing"));
+  section.rows.push_back(
+      timed_row("`regulus check`, cache hit", timings[1], 1e3, "ms",
+                "`models/robot_1.toml wide_15`: the problem and its kernel come from the "
+                "cache, search; no compiler is loaded"));
+  section.rows.back().target = ratio_at_most(3);
+  section.rows.push_back(timed_row("`regulus check --no-cache`", timings[2], 1e3, "ms",
+                                   "the same, the compiler loaded, kernel and rounding self-test "
+                                   "compiled"));
+  section.rows.push_back(
+      timed_row("`regulus check`, an unknown robot", timings[3], 1e3, "ms",
+                "nothing of it is in the cache, the operations are interpreted"));
+  section.rows.push_back(timed_row("`regulus check`, another range", timings[4], 1e3, "ms",
+                                   "the cache has the forms of the robot, but not the question"));
+  section.rows.back().target = ratio_at_most(2);
+  return section;
+}
+
 }  // namespace
 
 Section process_rows() {
@@ -86,28 +113,7 @@ Section process_rows() {
   options.clock = wall_seconds;
   const std::vector<Timing> timings = compare(contenders, options);
 
-  Section section{
-      "process",
-      "The command as a process",
-      "From before the process is started until it has ended, on the wall. The ratio is "
-      "to the first row.",
-      {}};
-  section.rows.push_back(
-      timed_row("`regulus --version`", timings[0], 1e3, "ms", "a process that does nothing"));
-  section.rows.push_back(
-      timed_row("`regulus check`, cache hit", timings[1], 1e3, "ms",
-                "`models/robot_1.toml wide_15`: the problem and its kernel come from the "
-                "cache, search; no compiler is loaded"));
-  section.rows.back().target = ratio_at_most(3);
-  section.rows.push_back(timed_row("`regulus check --no-cache`", timings[2], 1e3, "ms",
-                                   "the same, the compiler loaded, kernel and rounding self-test "
-                                   "compiled"));
-  section.rows.push_back(
-      timed_row("`regulus check`, an unknown robot", timings[3], 1e3, "ms",
-                "nothing of it is in the cache, the operations are interpreted"));
-  section.rows.push_back(timed_row("`regulus check`, another range", timings[4], 1e3, "ms",
-                                   "the cache has the forms of the robot, but not the question"));
-  section.rows.back().target = ratio_at_most(2);
+  Section section = latency_section(timings);
   section.rows.push_back(memory_row("memory, cache hit", warm.peak_megabytes(), 40));
   section.rows.push_back(memory_row("memory, `--no-cache`", cold.peak_megabytes(), 250));
   section.rows.push_back(
