@@ -58,7 +58,7 @@ class Decisions {
   /// Keeps the boxes and the threshold of their budget.
   void forget_attempt() noexcept {
     decided = false;
-    budget.anyway = budget.thorough = budget.last = 0;
+    budget.anyway = budget.last = 0;
     budget.trials = 0;
     midpoint_determinants.lanes = 0;
     probes = 0;

@@ -73,7 +73,8 @@ class OrthantTest final : public RegularityTest {
     for_each_lane(lanes, [&](std::size_t lane) {
       const double radius = batch.approx_spectral_radius(lane);
       if (!has_lane(budget.anyway, lane) && !budget.threshold.worth_trying(radius)) return;
-      const LaneMask empty = batch.certain_by_orthants(1U << lane, halvings(budget, lane));
+      const LaneMask empty =
+          batch.certain_by_orthants(1U << lane, has_lane(budget.last, lane) ? kMostHalvings : 0);
       budget.note({radius, empty != 0});
       certain |= empty;
     });
@@ -81,14 +82,8 @@ class OrthantTest final : public RegularityTest {
   }
 
  private:
-  /// Each halving takes some ten microseconds.
-  static constexpr unsigned kHalvings = 64, kLastHalvings = 2000;
-
-  static unsigned halvings(const TestBudget& budget, std::size_t lane) noexcept {
-    return has_lane(budget.last, lane)       ? kLastHalvings
-           : has_lane(budget.thorough, lane) ? kHalvings
-                                             : 0;
-  }
+  /// Each takes some ten microseconds.
+  static constexpr unsigned kMostHalvings = 2000;
 };
 
 /// Bounds the determinant of A, or that of its product with K divided by that of K.

@@ -41,9 +41,8 @@ class AdaptiveThreshold {
 /// threshold does not change. It learns afterwards, in the order of the boxes. So the tests that
 /// are tried do not depend on the order in which threads reach the batches.
 struct TestBudget {
-  LaneMask anyway = 0;    ///< lanes in which every test must be tried
-  LaneMask thorough = 0;  ///< lanes in which a test may take many times as long as usual
-  LaneMask last = 0;      ///< lanes that are not split any more: a test may take very long
+  LaneMask anyway = 0;  ///< lanes in which every test must be tried
+  LaneMask last = 0;    ///< lanes that are not split any more: a test may take very long
   AdaptiveThreshold threshold;
   std::size_t trials = 0;
   TrialOutcome trial[kLanes];

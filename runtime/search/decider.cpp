@@ -55,8 +55,6 @@ void Decider::decide(Decisions& decisions, bool keep_proofs) {
     batch_.load(lane, decisions.box_of(lane));
     if (decisions.open(lane).depth % kEveryTest == kEveryTest - 1)
       decisions.budget.anyway |= 1U << lane;
-    if (decisions.open(lane).depth % kStallCheck == kStallCheck - 1)
-      decisions.budget.thorough |= 1U << lane;
   }
   batch_.seal(decisions.count());
 
@@ -271,7 +269,7 @@ LaneMask Decider::hopeless_under_uncertainty(LaneMask lanes) noexcept {
   center_.seal(count);
   LaneMask left = center_.loaded() & ~center_.certain_outside();
   TestBudget every;
-  every.anyway = every.last = left;
+  every.anyway = left;
   for (const auto& test : tests_)
     if (left != 0) left &= ~test->certify(center_, left, every);
   LaneMask hopeless = 0;
