@@ -122,7 +122,7 @@ void WitnessSearch::copy_pose(const std::vector<Interval>& point, std::vector<In
   points_.clear();
   points_.load(0, point);
   points_.seal(1);
-  if (!has_lane(points_.call_on_boxes(problem_.kernel->pose, pose_.get()), 0)) return;
+  if (!has_lane(points_.call_on_boxes(points_.kernel().pose, pose_.get()), 0)) return;
   for (std::size_t k = 0; k < problem_.kernel->pose_parameters; ++k)
     pose.push_back({pose_[lower_at(k, 0)], pose_[upper_at(k, 0)]});
 }
