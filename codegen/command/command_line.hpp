@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "codegen/command/bound_options.hpp"
 #include "codegen/command/generate_options.hpp"
 #include "codegen/command/import_options.hpp"
 #include "codegen/command/list_options.hpp"
@@ -76,6 +77,8 @@ struct CommandLine {
   std::optional<CheckCommand> check;
   std::optional<LocateCommand> locate;
   std::optional<MarginCommand> margin;
+  std::optional<BoundCommand> bound;
+  std::optional<DatasheetCommand> datasheet;
   std::optional<ExplainCommand> explain;
   std::optional<GenerateCommand> generate;
   std::optional<VerifyCommand> verify;

@@ -14,6 +14,8 @@ struct CommandTables {
   CheckCommand check;
   LocateCommand locate;
   MarginCommand margin;
+  BoundCommand bound;
+  DatasheetCommand datasheet;
   ExplainCommand explain;
   GenerateCommand generate;
   VerifyCommand verify;
@@ -23,6 +25,8 @@ struct CommandTables {
   CLI::App* check_command;
   CLI::App* locate_command;
   CLI::App* margin_command;
+  CLI::App* bound_command;
+  CLI::App* datasheet_command;
   CLI::App* explain_command;
   CLI::App* generate_command;
   CLI::App* verify_command;
@@ -37,6 +41,8 @@ struct CommandTables {
   void add_check();
   void add_locate();
   void add_margin();
+  void add_bound();
+  void add_datasheet();
 };
 
 }  // namespace regulus::command

@@ -18,6 +18,10 @@ namespace regulus::inline command {
 
 [[nodiscard]] int run_margin(const MarginCommand& command);
 
+[[nodiscard]] int run_bound(const BoundCommand& command);
+
+[[nodiscard]] int run_datasheet(const DatasheetCommand& command);
+
 [[nodiscard]] int run_verify(const VerifyCommand& command);
 
 [[nodiscard]] int run_import(const ImportCommand& command);

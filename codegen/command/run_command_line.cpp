@@ -34,6 +34,8 @@ void find_models(CommandLine& line) {
   if (line.check) find_in(line.check, line.check->output.quiet);
   if (line.locate) find_in(line.locate, line.locate->output.quiet);
   if (line.margin) find_in(line.margin, line.margin->output.quiet);
+  if (line.bound) find_in(line.bound, line.bound->output.quiet);
+  if (line.datasheet) find_in(line.datasheet, line.datasheet->output.quiet);
   find_in(line.explain);
   find_in(line.generate);
   if (line.verify) find(line.verify->model, line.verify->output.quiet);
@@ -49,6 +51,8 @@ int run_command_line(CommandLine line, const std::string& typed) {
   if (line.check) return run_check(*line.check);
   if (line.locate) return run_locate(*line.locate);
   if (line.margin) return run_margin(*line.margin);
+  if (line.bound) return run_bound(*line.bound);
+  if (line.datasheet) return run_datasheet(*line.datasheet);
   if (line.generate) return run_generate(*line.generate, typed);
   if (line.verify) return run_verify(*line.verify);
   if (line.import) return run_import(*line.import);

@@ -295,9 +295,7 @@ PreparedSearch prepare(Request request, double model_seconds, const SearchOption
   p.stages =
       std::make_unique<SymbolicStages>(std::move(request), model_seconds, functions_for(search));
   p.stages->watch(within_time_limit(std::move(forming), search));
-  SearchOptions compiled = search;
-  compiled.boxes_before_compiling = 0;
-  prepare_anew(p, compiled, [](const machine::PackKernel&) {});
+  prepare_anew(p, search, [](const machine::PackKernel&) {});
   return p;
 }
 

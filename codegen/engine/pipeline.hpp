@@ -74,8 +74,7 @@ struct PreparedSearch {
 /// can be used for a report.
 [[nodiscard]] PreparedSearch prepare(const ModelOptions& model, const SearchOptions& search,
                                      FormingWatch watch = {});
-/// Overload for a request that has been read in `model_seconds`. Here the engine `auto` waits for
-/// the compiler, whatever SearchOptions::boxes_before_compiling.
+/// Overload for a request that has been read in `model_seconds`.
 [[nodiscard]] PreparedSearch prepare(Request request, double model_seconds,
                                      const SearchOptions& search, FormingWatch watch = {});
 

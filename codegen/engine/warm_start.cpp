@@ -21,7 +21,7 @@ constexpr int kFormat = 5;
 /// The path of the file does not matter: its text is in the key.
 void add(KeyParts& parts, const ModelOptions& options) {
   // All members are named: a new one does not compile until it is in the key.
-  const auto& [path, motion, ranges, tolerances, alpha, waypoints, tubes, text] = options;
+  const auto& [path, motion, ranges, tolerances, alpha, waypoints, tubes, text, asked] = options;
   static_cast<void>(path);
   static_cast<void>(text);
   parts.add(motion);
@@ -30,6 +30,7 @@ void add(KeyParts& parts, const ModelOptions& options) {
   parts.add(alpha);
   parts.add(waypoints);
   parts.add(tubes);
+  parts.add(asked);
 }
 
 std::string hexadecimal(double bound) { return fmt::format("{:a}", bound); }

@@ -63,6 +63,11 @@ void scale_ranges(Motion& motion, const ex& scale) {
   }
 }
 
+void set_parameter(Motion& motion, const MarginQuestion& question, const ex& end) {
+  for (MotionParameter& p : motion.parameters)
+    if (p.name == question.groups) p.range = {question.is_two_sided ? ex(-end) : ex(0), end};
+}
+
 /// Returns the range of a variable at the tolerances and ranges of a request.
 Range range_at(const Request& request, const Variable& variable) {
   for (const MotionParameter& p : request.motion.parameters)
@@ -142,6 +147,9 @@ Request MarginRequest::at(const MarginValue& value) const {
     case MarginQuantity::kScale:
       scale_ranges(request.motion, value.exact);
       break;
+    case MarginQuantity::kParameter:
+      set_parameter(request.motion, question_, value.exact);
+      break;
   }
   return request;
 }
@@ -162,6 +170,8 @@ std::string describe_quantity(const MarginQuestion& question) {
       return "alpha";
     case MarginQuantity::kScale:
       return "scale of the motion's ranges";
+    case MarginQuantity::kParameter:
+      return "range of " + question.groups;
   }
   return "";
 }

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The quantity that grows in `regulus margin`: a tolerance, the threshold, or the size of a box
-// variety.
+// The quantity that grows in `regulus margin`: a tolerance, the threshold, the size of a box
+// variety, or the range of one parameter.
 #pragma once
 
 #include <ginac/ginac.h>
@@ -13,7 +13,7 @@
 
 namespace regulus::inline bracketing {
 
-enum class MarginQuantity { kTolerance, kAlpha, kScale };
+enum class MarginQuantity { kTolerance, kAlpha, kScale, kParameter };
 
 /// A value with the text that denotes it exactly and that `check` accepts.
 struct MarginValue {
@@ -29,7 +29,8 @@ struct MarginValue {
 /// LO:HI, or LO: if HI must be found.
 struct MarginQuestion {
   MarginQuantity quantity = MarginQuantity::kTolerance;
-  std::string groups;  ///< of a tolerance
+  std::string groups;         ///< of a tolerance; the name of a parameter
+  bool is_two_sided = false;  ///< a parameter grows to [−v, v]; otherwise to [0, v]
   MarginValue low;
   std::optional<MarginValue> high;
 };

@@ -36,6 +36,8 @@ const char* name_of_quantity(MarginQuantity quantity) {
       return "alpha";
     case MarginQuantity::kScale:
       return "scale";
+    case MarginQuantity::kParameter:
+      return "parameter";
   }
   return "";
 }

@@ -20,8 +20,15 @@ void require_searchable(const PreparedSearch& preparation, const Settings& setti
     throw UsageError("margin: " + *fault);
 }
 
-SearchOptions with_threshold(SearchOptions options) {
-  options.threshold = true;
+/// Returns the options for a kernel that serves every value.
+SearchOptions for_every_value(SearchOptions options, const MarginQuestion& question) {
+  options.threshold = question.quantity != MarginQuantity::kParameter;
+  return options;
+}
+
+/// Returns the options of a search that is worth a compiler before it begins.
+SearchOptions compiled_first(SearchOptions options) {
+  options.boxes_before_compiling = 0;
   return options;
 }
 
@@ -39,10 +46,13 @@ double read_gap(const std::string& text) {
 
 PreparedMargin::PreparedMargin(const MarginQuestion& question, const ModelOptions& model,
                                const SearchOptions& options, FormingWatch watch)
-    : request(read_request(model), question), search(with_threshold(options)) {
-  Stopwatch stopwatch;
-  prepared =
-      prepare(request.at(forming_value(question)), stopwatch.lap(), search, std::move(watch));
+    : PreparedMargin(question, read_request(model), 0, compiled_first(options), std::move(watch)) {}
+
+PreparedMargin::PreparedMargin(const MarginQuestion& question, Request nominal,
+                               double model_seconds, const SearchOptions& options,
+                               FormingWatch watch)
+    : request(std::move(nominal), question), search(for_every_value(options, question)) {
+  prepared = prepare(request.at(forming_value(question)), model_seconds, search, std::move(watch));
   settings = settings_of(prepared, search, nullptr);
   if (prepared.stopped) settings.method = Method::kAuto;  // as in run_search
   require_searchable(prepared, settings);

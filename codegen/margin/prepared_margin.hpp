@@ -17,6 +17,9 @@ struct PreparedMargin {
   /// Throws    the exceptions of prepare(), and UsageError for a search that is not possible.
   PreparedMargin(const MarginQuestion& question, const ModelOptions& model,
                  const SearchOptions& options, FormingWatch watch);
+  /// Overload for a request that has been read in `model_seconds`.
+  PreparedMargin(const MarginQuestion& question, Request nominal, double model_seconds,
+                 const SearchOptions& options, FormingWatch watch);
 
   MarginRequest request;
   SearchOptions search;

@@ -69,11 +69,13 @@ void read_row_scale(ModelReading& reading, const TomlEntry& entry) {
 }  // namespace
 
 void read_matrix(ModelReading& reading, const TomlEntry& matrix) {
-  static const std::array<std::string, 2> kKeys = {"rows", "row_scale"};
+  static const std::array<std::string, 3> kKeys = {"rows", "row_scale", "twist"};
   (void)reading.toml.entries(matrix, kKeys);
   read_rows(reading, reading.toml.required(matrix, "rows"));
   const TomlEntry scale = reading.toml.optional(matrix, "row_scale");
   if (scale.node) read_row_scale(reading, scale);
+  const TomlEntry twist = reading.toml.optional(matrix, "twist");
+  if (twist.node) read_twist_names(reading, twist);
 }
 
 }  // namespace regulus::model

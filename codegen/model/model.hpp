@@ -57,6 +57,22 @@ struct ToleranceBall {
   std::string group;
 };
 
+/// A set of wrenches on the platform, or of its twists: a box, or a ball in some coordinates.
+struct VectorSet {
+  std::string name;
+  std::vector<GeometryParameter> entries;  ///< by column of the matrix
+  std::vector<ToleranceBall> balls;        ///< members: indices into `entries`
+};
+
+/// Data of the motors, each by row of the matrix; empty if the model does not say.
+struct Actuators {
+  std::string force_unit = "N";
+  std::vector<Range> force;          ///< limits
+  std::vector<GiNaC::ex> speed;      ///< limits of the absolute value
+  std::vector<GiNaC::ex> error;      ///< ± of a length or an angle
+  std::vector<GiNaC::ex> stiffness;  ///< force per unit of length
+};
+
 /// A motion parameter t_j. In a box variety it is the pose parameter itself (same symbol).
 struct MotionParameter {
   GiNaC::realsymbol symbol;
@@ -103,6 +119,12 @@ enum class MatrixKind {
                                         : "transposed forward Jacobian";
 }
 
+/// An expression in the names of a model, with the conditions for it to be defined.
+struct AskedExpression {
+  GiNaC::ex value;
+  std::vector<GiNaC::ex> must_be_defined;
+};
+
 struct Model {
   std::string name;
   std::string source;
@@ -117,6 +139,12 @@ struct Model {
   std::vector<GiNaC::ex> row_scale;  ///< empty, or m positive factors: J⁻¹ row = row_scale · row
   std::vector<TwistComponent> twist;       ///< by column; empty if the model does not say
   std::vector<GiNaC::ex> must_be_defined;  ///< of matrix and row_scale; log(s): s must be positive
+  std::vector<VectorSet> loads;            ///< wrenches
+  std::vector<VectorSet> twists;
+  Actuators actuators;
+  /// An angle times this length is compared with a length; nullopt: the model does not say.
+  std::optional<GiNaC::ex> characteristic_length;
+  std::optional<AskedExpression> asked;  ///< by an option of the command line
   std::vector<Motion> motions;
 };
 

@@ -104,6 +104,26 @@ void read_robot(ModelReading& reading, const TomlEntry& root) {
   read_matrix(reading, toml.required(root, "matrix"));
 }
 
+/// Reads the tables for bounds of forces, errors and speeds.
+void read_strength(ModelReading& reading, const TomlEntry& root) {
+  const TomlReader& toml = reading.toml;
+  const auto read = [&](const char* key, void (*section)(ModelReading&, const TomlEntry&)) {
+    if (const TomlEntry e = toml.optional(root, key); e.node) section(reading, e);
+  };
+  read("characteristic_length", read_characteristic_length);
+  read("load", read_loads);
+  read("twist", read_twists);
+  read("actuators", read_actuators);
+}
+
+AskedExpression read_asked(ModelReading& reading, const std::string& text) try {
+  const ParsedExpression term =
+      parse_expression(text, reading.names, {.file = "", .key = in_quotes(text)});
+  return {term.value, term.must_be_defined};
+} catch (const InputError& error) {
+  throw UsageError(error.what());
+}
+
 }  // namespace
 
 std::string read_model_text(const std::filesystem::path& path) {
@@ -118,10 +138,11 @@ std::string read_model_text(const std::filesystem::path& path) {
   return read_start(path.string(), kLargestModelFile + 1, Readable::kStream);
 }
 
-Model parse_model(std::string_view text, const std::string& name_for_errors) {
-  static const std::array<std::string, 10> kKeys = {"regulus",  "name",  "source", "pose",
-                                                    "geometry", "let",   "matrix", "gough",
-                                                    "serial",   "motion"};
+Model parse_model(std::string_view text, const std::string& name_for_errors,
+                  const std::string& asked) {
+  static const std::array<std::string, 14> kKeys = {
+      "regulus", "name",   "source", "pose", "geometry", "let",       "matrix",
+      "gough",   "serial", "motion", "load", "twist",    "actuators", "characteristic_length"};
   if (text.size() > kLargestModelFile)
     throw InputError::statement(
         name_for_errors, 0, "the file is too large",
@@ -134,6 +155,8 @@ Model parse_model(std::string_view text, const std::string& name_for_errors) {
 
   read_header(reading, root);
   read_robot(reading, root);
+  read_strength(reading, root);
+  if (!asked.empty()) reading.model.asked = read_asked(reading, asked);
   // A family may make a motion of its own.
   const TomlEntry motions = reading.toml.optional(root, "motion");
   if (motions.node || reading.model.motions.empty())

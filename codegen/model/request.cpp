@@ -24,7 +24,7 @@ Request read_request(const ModelOptions& options) {
 
 Request read_request(std::string_view text, const ModelOptions& options) {
   Request request;
-  request.model = parse_model(text, options.path);
+  request.model = parse_model(text, options.path, options.asked);
   request.model.path = options.path;
   for (const std::string& tolerance : options.tolerances) {
     const Assignment given = split_assignment(tolerance, "--tolerance");

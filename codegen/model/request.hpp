@@ -22,6 +22,7 @@ struct ModelOptions {
   std::string waypoints{};            ///< file to follow instead; empty: the motion as it is
   std::vector<std::string> tubes{};   ///< "E" or "p,q=E": control errors
   std::optional<std::string> text{};  ///< of the model, instead of the file
+  std::string asked{};                ///< an expression for Model::asked; empty: none
 };
 
 /// A model and the motion in question, with the changes of the command line applied.

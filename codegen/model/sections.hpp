@@ -62,6 +62,16 @@ void read_gough(ModelReading& reading, const TomlEntry& gough);
 /// table. Its values may use the names of [geometry] and [let], which are read before.
 void read_serial(ModelReading& reading, const TomlEntry& serial);
 
+/// Fills Model::twist from the names of the matrix's columns; needs the pose.
+void read_twist_names(ModelReading& reading, const TomlEntry& names);
+
+/// The sets of wrenches [load.NAME] and of twists [twist.NAME]. They need the matrix.
+void read_loads(ModelReading& reading, const TomlEntry& loads);
+void read_twists(ModelReading& reading, const TomlEntry& twists);
+
+void read_actuators(ModelReading& reading, const TomlEntry& actuators);
+void read_characteristic_length(ModelReading& reading, const TomlEntry& length);
+
 void read_motions(ModelReading& reading, const TomlEntry& motions);
 
 }  // namespace regulus::model

@@ -58,6 +58,7 @@ class TrajectoryRun {
         settings_(settings_from(search)) {
     settings_.interrupt = interrupt;
     settings_.uncertainty = Uncertainty::kElements;
+    search_.boxes_before_compiling = 0;
   }
 
   void run() {
@@ -140,7 +141,7 @@ class TrajectoryRun {
   }
 
   TrajectoryCheck& check_;
-  const SearchOptions& search_;
+  SearchOptions search_;
   const bool wants_trees_;
   const std::atomic<bool>* const interrupt_;
   Settings settings_;

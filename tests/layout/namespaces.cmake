@@ -7,6 +7,7 @@ cmake_minimum_required(VERSION 3.25)
 
 set(namespace_pack packing)       # regulus::pack is the arithmetic of kernels
 set(namespace_margin bracketing)  # regulus::margin is a function of the interface
+set(namespace_bound bounding)     # regulus::bound is a function of the interface
 set(namespace_import importing)   # import is a word of the language
 
 set(faults "")

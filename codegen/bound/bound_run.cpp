@@ -1,0 +1,335 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "codegen/bound/bound_run.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "codegen/engine/search_run.hpp"
+#include "codegen/engine/settings.hpp"
+#include "codegen/margin/prepared_margin.hpp"
+#include "codegen/model/decimal.hpp"
+#include "codegen/model/sign.hpp"
+#include "codegen/quantity/approx_values.hpp"
+#include "codegen/report/progress.hpp"
+#include "codegen/report/report_parts.hpp"
+#include "codegen/report/witness_report.hpp"
+#include "codegen/support/errors.hpp"
+#include "runtime/problem/observers.hpp"
+
+namespace regulus::inline bounding {
+namespace {
+
+using GiNaC::ex;
+
+constexpr int kPlaces = 8;        ///< where the quantity is evaluated beforehand
+constexpr double kBeyond = 1.01;  ///< an end of the bracket that is certainly singular
+constexpr int kMostRefinements = 3;
+
+/// "leg 3" becomes "leg_3".
+std::string in_file_name(std::string label) {
+  std::erase(label, ',');
+  std::ranges::replace(label, ' ', '_');
+  return label;
+}
+
+std::string certificate_of(const Component& c, const std::string& certificate) {
+  if (certificate.empty() || c.label.empty()) return certificate;
+  return certificate + "." + in_file_name(c.label);
+}
+
+/// Brackets one component, or compares it with a limit.
+class ComponentRun {
+ public:
+  ComponentRun(const Request& request, const Component& component, const BoundSettings& settings,
+               double seconds)
+      : request_(request), settings_(settings), search_(settings.search), watch_() {
+    result_.component = component;
+    search_.time_limit = std::max(seconds, 1e-3);
+  }
+
+  ComponentBound bracket() {
+    choose_reference();
+    MarginQuestion question = whole_question();
+    double gap = settings_.gap;
+    for (int round = 0; round <= kMostRefinements; ++round) {
+      run(question, gap);
+      const std::optional<double> width = relative_gap();
+      result_.is_closed = width && *width <= settings_.gap;
+      if (result_.is_closed || !width || !closed_) break;
+      // The gap of 1/r is relative to q − y, that of the bracket to q.
+      gap *= 0.8 * settings_.gap / *width;
+      question.low = certified_;
+      question.high = refuted_;
+    }
+    return std::move(result_);
+  }
+
+  ComponentBound compare() {
+    const ex limit = signed_value(*settings_.limit);
+    if (!is_direct() && !result_.component.is_absolute) {
+      const double near = approx_value(limit).value_or(0);
+      reference_ = limit - (near == 0 ? ex(1) : GiNaC::abs(limit));
+    }
+    bordered_ = border(request_, result_.component, reference_);
+    const ex end = bordered_.is_reciprocal ? 1 / (limit - reference_) : limit;
+    MarginQuestion question =
+        question_to(MarginValue{"the limit", end, approx_value(end).value_or(0), {}});
+    PreparedMargin margin = prepared(question);
+    MarginCertificates certificates(certificate(), margin.request, margin.prepared.labels);
+    search_at(margin, *question.high, certificates);
+    return std::move(result_);
+  }
+
+ private:
+  [[nodiscard]] bool is_direct() const {
+    const QuantityKind kind = result_.component.kind;
+    return kind == QuantityKind::kSigmaMin || kind == QuantityKind::kDeterminant;
+  }
+  [[nodiscard]] std::string certificate() const {
+    return certificate_of(result_.component, settings_.certificate);
+  }
+  /// Returns sign·value.
+  [[nodiscard]] ex signed_value(const ex& value) const { return result_.component.sign * value; }
+
+  /// Chooses y below the largest value, so that the bound is y + 1/R with R > 0.
+  void choose_reference() {
+    bordered_ = border(request_, result_.component);
+    if (bordered_.parameter.empty()) return;
+    const std::vector<double> values = approx_values(bordered_, kPlaces);
+    if (values.empty()) return;
+    double extreme = is_direct() ? std::ranges::min(values) : std::ranges::max(values);
+    if (!result_.component.is_absolute && extreme <= 0) {
+      reference_ = shortest_decimal(extreme == 0 ? -1 : 2 * extreme);
+      bordered_ = border(request_, result_.component, reference_);
+      extreme = extreme == 0 ? 1 : -extreme;
+    }
+    if (extreme > 0) sampled_ = is_direct() ? extreme : 1 / extreme;
+  }
+
+  [[nodiscard]] MarginQuestion question_to(std::optional<MarginValue> high) const {
+    MarginQuestion question;
+    question.quantity =
+        bordered_.parameter.empty() ? MarginQuantity::kAlpha : MarginQuantity::kParameter;
+    question.groups = bordered_.parameter;
+    question.is_two_sided = bordered_.is_two_sided;
+    question.low = {"0", 0, 0, {}};
+    question.high = std::move(high);
+    return question;
+  }
+
+  [[nodiscard]] MarginQuestion whole_question() const {
+    if (!sampled_) return question_to(std::nullopt);
+    return question_to(decimal_value(short_decimal_above(kBeyond * *sampled_)));
+  }
+
+  [[nodiscard]] PreparedMargin prepared(const MarginQuestion& question) const {
+    PreparedMargin margin(question, bordered_.request, 0, search_,
+                          forming_watch(settings_.output, settings_.interrupt));
+    margin.settings.interrupt = settings_.interrupt;
+    return margin;
+  }
+
+  void run(const MarginQuestion& question, double gap) {
+    search_.time_limit = std::max(1e-3, search_.time_limit - watch_.lap());
+    PreparedMargin margin = prepared(question);
+    MarginCertificates certificates(certificate(), margin.request, margin.prepared.labels);
+    MarginRun run(margin.prepared, question, margin.request, margin.search, settings_.output,
+                  margin.settings, gap, certificates, [](const MarginStep&) {});
+    const Margin found = run.run();
+    margin.prepared.seconds.search = found.seconds;
+    add(margin.prepared, found.boxes);
+    closed_ = found.closed && found.certified && found.refuted;
+    if (found.certified) set_proved(found.certified->value);
+    if (found.refuted) set_attained(margin, *found.refuted);
+    result_.is_empty = found.empty.has_value();
+    result_.reason = found.interrupted ? "the run was interrupted"
+                     : closed_ || result_.is_unbounded
+                         ? ""
+                         : "no search was likely to end within the time left";
+    result_.certificates = certificates.lines();
+  }
+
+  void set_proved(const MarginValue& value) {
+    certified_ = value;
+    if (bordered_.is_reciprocal && value.exact.is_zero()) return;
+    result_.proved = end_at(bound_at(value));
+  }
+
+  void set_attained(PreparedMargin& margin, const MarginStep& step) {
+    refuted_ = step.value;
+    result_.place = place_of(margin, step.value, step.result);
+    if (bordered_.is_reciprocal && step.value.exact.is_zero()) {
+      result_.is_unbounded = true;
+      result_.place->values.clear();  // it is singular under every load
+      return;
+    }
+    result_.attained = end_at(bound_at(step.value));
+  }
+
+  /// Returns the bound on q that regularity up to a value of r means.
+  [[nodiscard]] ex bound_at(const MarginValue& value) const {
+    return bordered_.is_reciprocal ? signed_value(reference_ + 1 / value.exact) : value.exact;
+  }
+
+  void search_at(PreparedMargin& margin, const MarginValue& value,
+                 MarginCertificates& certificates) {
+    margin.request.replan(margin.prepared, value);
+    SearchDisplay display(settings_.output);
+    std::vector<Observer*> watching;
+    for (Observer* observer : {certificates.watch(value), display.observer()})
+      if (observer != nullptr) watching.push_back(observer);
+    Observers observers(std::move(watching));
+    const Result result = run_search(margin.prepared, search_, margin.settings, &observers);
+    certificates.finish(value, result);
+    margin.prepared.seconds.search = result.statistics.seconds;
+    add(margin.prepared, result.statistics.boxes);
+    result_.is_empty = result.occupancy == Occupancy::kEmpty;
+    result_.certificates = certificates.lines();
+    if (result.verdict == Verdict::kNoSingularity) result_.verdict = LimitVerdict::kWithin;
+    if (result.verdict == Verdict::kSingularity) {
+      result_.verdict = LimitVerdict::kExceeded;
+      result_.place = place_of(margin, value, result);
+    }
+    if (result.verdict == Verdict::kPossibleProblem) result_.reason = describe(result.reason);
+  }
+
+  [[nodiscard]] AttainedPlace place_of(PreparedMargin& margin, const MarginValue& value,
+                                       const Result& result) const {
+    margin.request.replan(margin.prepared, value);
+    const PreparedSearch& p = margin.prepared;
+    AttainedPlace place;
+    if (!result.witness) {
+      place.pose = "every pose";
+      return place;
+    }
+    const Witness& witness = *result.witness;
+    const WitnessPoint& point = witness.near ? *witness.near : witness.points.front();
+    place.pose = describe_place(p, point.variables);
+    place.values = format_uncertain_values(p, point.variables);
+    place.json = json_point(p, point);
+    place.json.erase("determinant");
+    if (!bordered_.parameter.empty()) remove_parameter(place);
+    return place;
+  }
+
+  /// The value of r at a place says nothing about the robot.
+  void remove_parameter(AttainedPlace& place) const {
+    const std::string parameter = fmt::format("{} = ", bordered_.parameter);
+    if (const std::size_t at = place.pose.rfind(parameter); at != std::string::npos)
+      place.pose.erase(at == 0 ? 0 : at - 2);
+    if (place.pose.empty()) place.pose = "the only pose";
+    place.json["parameters"].erase(bordered_.parameter);
+    place.json["pose"].erase(bordered_.parameter);
+  }
+
+  [[nodiscard]] std::optional<double> relative_gap() const {
+    if (!result_.proved || !result_.attained) return std::nullopt;
+    const double a = result_.proved->approx, b = result_.attained->approx;
+    return std::abs(a - b) / std::max({std::abs(a), std::abs(b), 1e-300});
+  }
+
+  void add(const PreparedSearch& p, std::uint64_t boxes) {
+    const StageSeconds spent = p.seconds_spent();
+    result_.boxes += boxes;
+    result_.seconds.model += spent.model;
+    result_.seconds.symbolic += spent.symbolic;
+    result_.seconds.emit += spent.emit;
+    result_.seconds.compile += spent.compile;
+    result_.seconds.search += spent.search;
+  }
+
+  const Request& request_;
+  const BoundSettings& settings_;
+  SearchOptions search_;
+  Stopwatch watch_;
+  Bordered bordered_;
+  ex reference_ = 0;
+  std::optional<double> sampled_;  ///< a value of r at which B is singular somewhere, approximately
+  MarginValue certified_, refuted_;
+  bool closed_ = false;
+  ComponentBound result_;
+};
+
+/// Returns the component with the extreme end; nullptr if one has none.
+const ComponentBound* decisive(const Bound& bound, std::optional<BoundEnd> ComponentBound::*end,
+                               bool all_needed) {
+  const ComponentBound* best = nullptr;
+  if (all_needed && bound.components.size() < bound.quantity.components.size()) return nullptr;
+  for (const ComponentBound& c : bound.components) {
+    const std::optional<BoundEnd>& here = c.*end;
+    if (!here) {
+      if (all_needed && !c.is_empty) return nullptr;
+      continue;
+    }
+    if (!best || (bound.quantity.is_least ? here->approx < (best->*end)->approx
+                                          : here->approx > (best->*end)->approx))
+      best = &c;
+  }
+  return best;
+}
+
+}  // namespace
+
+const ComponentBound* Bound::decisive_attained() const {
+  return decisive(*this, &ComponentBound::attained, false);
+}
+
+const ComponentBound* Bound::decisive_proved() const {
+  return decisive(*this, &ComponentBound::proved, true);
+}
+
+std::optional<double> Bound::gap() const {
+  const ComponentBound *a = decisive_attained(), *b = decisive_proved();
+  if (!a || !b) return std::nullopt;
+  const double x = a->attained->approx, y = b->proved->approx;
+  return std::abs(x - y) / std::max({std::abs(x), std::abs(y), 1e-300});
+}
+
+bool Bound::is_closed() const {
+  return components.size() == quantity.components.size() &&
+         std::ranges::all_of(components, &ComponentBound::is_closed);
+}
+
+LimitVerdict Bound::verdict() const {
+  const auto has = [this](LimitVerdict verdict) {
+    return std::ranges::any_of(components,
+                               [&](const ComponentBound& c) { return c.verdict == verdict; });
+  };
+  if (has(LimitVerdict::kExceeded)) return LimitVerdict::kExceeded;
+  const bool all = components.size() == quantity.components.size();
+  return all && !has(LimitVerdict::kUndecided) ? LimitVerdict::kWithin : LimitVerdict::kUndecided;
+}
+
+Bound bound_quantity(const Request& request, Quantity quantity, const BoundSettings& settings,
+                     const BoundListener& listener) {
+  if (request.motion.trajectory)
+    throw UsageError(
+        "bound: a motion along way-points cannot be bounded yet; give the motion a "
+        "formula, or ranges");
+  Bound bound{std::move(quantity), {}};
+  Stopwatch watch;
+  double left = settings.search.time_limit;
+  const std::vector<Component>& components = bound.quantity.components;
+  for (std::size_t i = 0; i < components.size(); ++i) {
+    // Each component has an equal part of the time that is left.
+    ComponentRun run(request, components[i], settings, left / double(components.size() - i));
+    bound.components.push_back(settings.limit ? run.compare() : run.bracket());
+    left -= watch.lap();
+    listener(bound.components.back());
+    if (settings.interrupt != nullptr && *settings.interrupt) break;
+  }
+  return bound;
+}
+
+std::vector<OutputFile> certificate_files(const Quantity& quantity,
+                                          const std::string& certificate) {
+  std::vector<OutputFile> files;
+  for (const Component& c : quantity.components)
+    for (const OutputFile& file : MarginCertificates::files(certificate_of(c, certificate)))
+      files.push_back(file);
+  return files;
+}
+
+}  // namespace regulus::bounding

@@ -1,0 +1,81 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Brackets the largest or least value of a quantity over a motion, or compares it with a limit.
+#pragma once
+
+#include <atomic>
+#include <functional>
+#include <nlohmann/json.hpp>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "codegen/bound/bound_number.hpp"
+#include "codegen/margin/margin_run.hpp"
+#include "codegen/quantity/bordered.hpp"
+
+namespace regulus::inline bounding {
+
+/// The place where an end of a bracket is attained, for people and for programs.
+struct AttainedPlace {
+  std::string pose;    ///< "x = -5, y = 5, z = 50"
+  std::string values;  ///< of loads and other uncertain quantities: lines, or empty
+  nlohmann::ordered_json json;
+};
+
+enum class LimitVerdict { kWithin, kExceeded, kUndecided };
+
+/// The result for one component.
+struct ComponentBound {
+  Component component;
+  std::optional<BoundEnd> attained;  ///< q has this value, or a value beyond it, at `place`
+  std::optional<BoundEnd> proved;    ///< no value is beyond it
+  std::optional<AttainedPlace> place;
+  bool is_unbounded = false;  ///< the matrix of the model is singular at `place`
+  bool is_empty = false;      ///< the constraints leave no pose
+  bool is_closed = false;     ///< the bracket is as narrow as wanted
+  LimitVerdict verdict = LimitVerdict::kUndecided;  ///< of a limit
+  std::string reason;  ///< why it is not closed, or not decided; otherwise empty
+  std::uint64_t boxes = 0;
+  StageSeconds seconds;
+  std::string certificates;  ///< lines of the report
+};
+
+struct BoundSettings {
+  double gap = 0.01;               ///< relative to the larger end
+  std::optional<GiNaC::ex> limit;  ///< compare with it; no bracket
+  SearchOptions search;            ///< its time limit is that of all components
+  OutputOptions output;
+  std::string certificate;  ///< files, without their endings; empty: none
+  const std::atomic<bool>* interrupt = nullptr;
+};
+
+/// The result for a quantity.
+struct Bound {
+  Quantity quantity;
+  std::vector<ComponentBound> components;
+
+  /// Returns the component with the end that decides: the largest attained or proved value (of a
+  /// least value: the smallest); nullptr if a component has none.
+  [[nodiscard]] const ComponentBound* decisive_attained() const;
+  [[nodiscard]] const ComponentBound* decisive_proved() const;
+  /// (proved − attained)/larger of the two; nullopt unless there are both.
+  [[nodiscard]] std::optional<double> gap() const;
+  [[nodiscard]] bool is_closed() const;
+  [[nodiscard]] LimitVerdict verdict() const;
+};
+
+/// Called after each component.
+using BoundListener = std::function<void(const ComponentBound&)>;
+
+/// Bounds every component of `quantity`, one after the other.
+///
+/// Requires  the quantity is of request.model.
+/// Throws    UsageError for a motion along way-points, and the exceptions of prepare().
+[[nodiscard]] Bound bound_quantity(const Request& request, Quantity quantity,
+                                   const BoundSettings& settings, const BoundListener& listener);
+
+/// Returns the files of certificates that bound_quantity() writes.
+[[nodiscard]] std::vector<OutputFile> certificate_files(const Quantity& quantity,
+                                                        const std::string& certificate);
+
+}  // namespace regulus::bounding

@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The options of `regulus bound` and `regulus datasheet`.
+#pragma once
+
+#include <string>
+
+#include "codegen/engine/options.hpp"
+#include "codegen/model/request.hpp"
+#include "codegen/quantity/quantity.hpp"
+#include "codegen/report/output_options.hpp"
+
+namespace CLI {
+class App;
+}
+
+namespace regulus::inline command {
+
+struct BoundCommand {
+  ModelOptions model;
+  QuantityOptions quantity;
+  SearchOptions search;
+  OutputOptions output;
+  std::string limit;  ///< empty: find the bracket
+  std::string gap = "0.01";
+  std::string certificate;  ///< files, without their endings; empty: none
+};
+
+struct DatasheetCommand {
+  ModelOptions model;
+  SearchOptions search;
+  OutputOptions output;
+  std::string gap = "0.01";
+  bool markdown = false;
+};
+
+/// Adds the options about the quantity.
+void add_bound_options(CLI::App& app, BoundCommand& command);
+
+}  // namespace regulus::command

@@ -1,0 +1,58 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <iostream>
+#include <nlohmann/json.hpp>
+
+#include "codegen/bound/bound_report.hpp"
+#include "codegen/bound/datasheet.hpp"
+#include "codegen/command/commands.hpp"
+#include "codegen/command/interrupt.hpp"
+#include "codegen/margin/prepared_margin.hpp"
+#include "codegen/support/exit_code.hpp"
+
+namespace regulus::inline command {
+namespace {
+
+int exit_code_of(const Model& model, const Datasheet& sheet) {
+  bool is_closed = !sheet.is_interrupted;
+  for (const Bound& bound : sheet.bounds) {
+    is_closed = is_closed && bound.is_closed();
+    for (const ComponentBound& c : bound.components)
+      if (c.is_unbounded || limit_state(model, c) == LimitState::kExceeded) return kSingularity;
+  }
+  return is_closed ? kNoSingularity : kPossibleProblem;
+}
+
+void print(const DatasheetCommand& command, const Request& request, const Datasheet& sheet,
+           const BoundSettings& settings) {
+  if (command.output.json)
+    std::cout << json_datasheet(request, sheet, settings).dump(command.output.json_indent) << '\n';
+  else if (command.markdown)
+    std::cout << markdown_datasheet(request, sheet);
+  else
+    std::cout << text_datasheet(request, sheet);
+  std::cout.flush();
+}
+
+}  // namespace
+
+int run_datasheet(const DatasheetCommand& command) {
+  BoundSettings settings;
+  settings.gap = read_gap(command.gap);
+  settings.search = command.search;
+  settings.output = command.output;
+  const Request request = read_request(command.model);
+  InterruptGuard interrupt;
+  settings.interrupt = &interrupt.requested();
+  interrupt.begin_search();
+  if (!command.output.quiet)
+    std::cerr << fmt::format("model      {}\nmotion     {}\n", request.model.name,
+                             request.motion.name);
+  const Datasheet sheet = make_datasheet(request, settings, [](const ComponentBound&) {});
+  print(command, request, sheet, settings);
+  return exit_code_of(request.model, sheet);
+}
+
+}  // namespace regulus::command

@@ -1,0 +1,294 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "codegen/quantity/bordered.hpp"
+
+#include <algorithm>
+
+#include "codegen/model/constants.hpp"
+#include "codegen/model/twist.hpp"
+
+namespace regulus::inline quantity {
+namespace {
+
+using GiNaC::ex;
+using GiNaC::matrix;
+
+ex scale_of(const Model& model, unsigned row) {
+  return model.row_scale.empty() ? ex(1) : model.row_scale[row];
+}
+
+/// True if the set is its own mirror image about 0.
+bool is_symmetric(const VectorSet& set) {
+  return std::ranges::all_of(set.entries,
+                             [](const GeometryParameter& e) { return e.value.is_zero(); });
+}
+
+/// Builds B(r) and the request around it.
+class Border {
+ public:
+  Border(const Request& request, const Component& component, const ex& reference)
+      : component_(component),
+        twist_(twist_of(request.model)),
+        y_(reference),
+        bordered_{request, {}, reference} {}
+
+  Bordered build() {
+    const Component& c = component_;
+    Model& model = bordered_.request.model;
+    bordered_.is_absolute = c.is_absolute;
+    if (c.kind == QuantityKind::kDeterminant) return determinant();
+    bordered_.is_two_sided = c.is_absolute && c.set != nullptr && !is_symmetric(*c.set);
+    add_parameter();
+    matrix built = matrix_of(c.kind);
+    model.matrix = std::move(built);
+    // B has 1/s, which may be defined where s is not.
+    append(model.must_be_defined, model.row_scale);
+    model.row_scale.clear();
+    model.twist.clear();
+    model.matrix_notes.clear();
+    append(model.must_be_defined, c.must_be_defined);
+    bordered_.request.motion.alpha = 0;
+    return std::move(bordered_);
+  }
+
+ private:
+  [[nodiscard]] static std::string free_name(const Request& request) {
+    std::string name = "r";
+    const auto is_taken = [&] {
+      const auto has = [&](const auto& list) {
+        return std::ranges::any_of(list, [&](const auto& p) { return p.name == name; });
+      };
+      return has(request.model.pose) || has(request.model.geometry) ||
+             has(request.motion.parameters);
+    };
+    while (is_taken()) name += "_r";
+    return name;
+  }
+
+  /// The threshold of a search is the bound.
+  Bordered determinant() {
+    bordered_.is_reciprocal = false;
+    bordered_.request.motion.alpha = 0;
+    return std::move(bordered_);
+  }
+
+  /// Appends r to the pose and to the motion.
+  void add_parameter() {
+    bordered_.parameter = free_name(bordered_.request);
+    const GiNaC::realsymbol r(bordered_.parameter);
+    r_ = r;
+    Model& model = bordered_.request.model;
+    Motion& motion = bordered_.request.motion;
+    model.pose.push_back({r, bordered_.parameter, "1"});
+    motion.parameters.push_back({r, bordered_.parameter, "1", {0, 1}});
+    motion.pose.emplace_back(r);
+    motion.error.emplace_back(0);
+  }
+
+  matrix matrix_of(QuantityKind kind) {
+    switch (kind) {
+      case QuantityKind::kForce:
+        return force();
+      case QuantityKind::kError:
+        return component_.part == PosePart::kColumn ? error() : error_of_part();
+      case QuantityKind::kSpeed:
+        return speed();
+      case QuantityKind::kSigmaMin:
+      case QuantityKind::kSigmaMax:
+        return singular_values(kind == QuantityKind::kSigmaMax);
+      case QuantityKind::kCondition:
+        return condition();
+      case QuantityKind::kDeflection:
+        return deflection();
+      case QuantityKind::kDeterminant:
+      case QuantityKind::kExpression:
+        break;
+    }
+    return single(nominal(1) - r_ * component_.sign * *component_.expression);
+  }
+
+  [[nodiscard]] const Model& model() const { return bordered_.request.model; }
+  [[nodiscard]] const matrix& M() const { return bordered_.request.model.matrix; }
+  [[nodiscard]] ex nominal(const ex& entry) const { return (1 + r_ * y_) * entry; }
+
+  matrix force() {
+    const std::vector<ex> w = symbols_of(*component_.set);
+    matrix B = M();
+    const auto i = static_cast<unsigned>(component_.row);
+    for (unsigned k = 0; k < B.cols(); ++k)
+      B(i, k) = nominal(B(i, k)) - r_ * component_.sign * w[k] / scale_of(model(), i);
+    return B;
+  }
+
+  matrix error() {
+    const std::vector<ex> delta = errors();
+    matrix B = M();
+    const auto k = static_cast<unsigned>(component_.column);
+    for (unsigned i = 0; i < B.rows(); ++i)
+      B(i, k) = nominal(B(i, k)) - r_ * delta[i] / scale_of(model(), i);
+    return B;
+  }
+
+  matrix error_of_part() {
+    const std::vector<ex> delta = errors();
+    const unsigned n = M().cols();
+    matrix B = enlarged(M(), n + 1, n + 1);
+    const std::vector<ex> direction = direction_of_part();
+    for (unsigned i = 0; i < n; ++i) {
+      B(i, n) = -r_ * delta[i] / scale_of(model(), i);
+      B(n, i) = direction[i];
+    }
+    B(n, n) = 1;
+    return B;
+  }
+
+  matrix speed() {
+    const std::vector<ex> v = symbols_of(*component_.set);
+    const auto i = static_cast<unsigned>(component_.row);
+    ex along = 0;
+    for (unsigned k = 0; k < M().cols(); ++k) along += M()(i, k) * v[k];
+    return single(nominal(1 / scale_of(model(), i)) - r_ * component_.sign * along);
+  }
+
+  matrix deflection() {
+    const std::vector<ex> w = symbols_of(*component_.set);
+    const unsigned n = M().cols();
+    matrix B(2 * n, 2 * n);
+    for (unsigned i = 0; i < n; ++i)
+      for (unsigned j = 0; j < n; ++j) {
+        B(i, j) = M()(j, i);
+        B(n + i, n + j) = M()(i, j);
+      }
+    for (unsigned i = 0; i < n; ++i)
+      B(n + i, i) = -pow(scale_of(model(), i), -2) / model().actuators.stiffness[i];
+    const unsigned k = n + static_cast<unsigned>(component_.column);
+    for (unsigned i = 0; i < n; ++i) {
+      B(n + i, k) = nominal(B(n + i, k));
+      B(i, k) = -r_ * component_.sign * w[i];
+    }
+    return B.transpose();  // the load touches one row then
+  }
+
+  matrix singular_values(bool largest) {
+    bordered_.is_reciprocal = largest;
+    const matrix A = in_one_unit();
+    const unsigned m = A.rows(), n = A.cols();
+    bordered_.rows_of_inverse = m;
+    const ex factor = largest ? r_ : ex(1), corner = largest ? ex(1) : pow(r_, 2);
+    matrix B(m + n, m + n);
+    for (unsigned i = 0; i < m; ++i) {
+      B(i, i) = pow(scale_of(model(), i), -2);
+      for (unsigned j = 0; j < n; ++j) B(i, m + j) = B(m + j, i) = factor * A(i, j);
+    }
+    for (unsigned j = 0; j < n; ++j) B(m + j, m + j) = corner;
+    return B;
+  }
+
+  matrix condition() {
+    matrix B = in_one_unit();
+    const auto i = static_cast<unsigned>(component_.row);
+    const auto k = static_cast<unsigned>(component_.column);
+    ex norm = 0;
+    for (unsigned j = 0; j < B.cols(); ++j) norm += abs(B(i, j));
+    norm *= scale_of(model(), i);
+    for (unsigned l = 0; l < B.rows(); ++l) {
+      const ex y = add_uncertain("y_" + std::to_string(l + 1), 0, 1, -1);
+      B(l, k) -= r_ * norm * y / scale_of(model(), l);
+    }
+    return B;
+  }
+
+  /// Returns M·C.
+  matrix in_one_unit() const {
+    matrix A = M();
+    for (unsigned j = 0; j < twist_.size(); ++j)
+      if (twist_[j].kind == TwistComponent::Kind::kAngular && model().characteristic_length)
+        for (unsigned i = 0; i < A.rows(); ++i) A(i, j) /= *model().characteristic_length;
+    return A;
+  }
+
+  static matrix single(const ex& entry) {
+    matrix B(1, 1);
+    B(0, 0) = entry;
+    return B;
+  }
+
+  static matrix enlarged(const matrix& M, unsigned rows, unsigned columns) {
+    matrix B(rows, columns);
+    for (unsigned i = 0; i < M.rows(); ++i)
+      for (unsigned j = 0; j < M.cols(); ++j) B(i, j) = M(i, j);
+    return B;
+  }
+
+  /// Adds an uncertain quantity under a free name, and returns its symbol.
+  ex add_uncertain(std::string name, const ex& value, const ex& tolerance, int ball) {
+    auto& geometry = bordered_.request.model.geometry;
+    const auto is_taken = [&] {
+      return std::ranges::any_of(geometry, [&](const auto& g) { return g.name == name; });
+    };
+    while (is_taken()) name += "_";
+    const GiNaC::realsymbol symbol(name);
+    geometry.push_back({symbol, name, value, tolerance, "", ball});
+    return symbol;
+  }
+
+  /// Returns the values of a set by column: numbers where they are exact, otherwise new symbols.
+  std::vector<ex> symbols_of(const VectorSet& set) {
+    Model& model = bordered_.request.model;
+    const int first_ball = static_cast<int>(model.balls.size());
+    for (const ToleranceBall& ball : set.balls)
+      model.balls.push_back({.members = {}, .radius = ball.radius, .group = ""});
+    std::vector<ex> values;
+    for (const GeometryParameter& entry : set.entries) {
+      if (entry.tolerance.is_zero() && entry.ball < 0) {
+        values.push_back(entry.value);
+        continue;
+      }
+      const int ball = entry.ball < 0 ? -1 : first_ball + entry.ball;
+      if (ball >= 0)
+        model.balls[static_cast<std::size_t>(ball)].members.push_back(model.geometry.size());
+      values.push_back(add_uncertain(entry.name, entry.value, entry.tolerance, ball));
+    }
+    return values;
+  }
+
+  std::vector<ex> errors() {
+    std::vector<ex> delta;
+    const std::vector<ex>& error = model().actuators.error;
+    for (std::size_t i = 0; i < error.size(); ++i)
+      delta.push_back(error[i].is_zero()
+                          ? ex(0)
+                          : add_uncertain("error_" + std::to_string(i + 1), 0, error[i], -1));
+    return delta;
+  }
+
+  /// Returns n: 0 in the other columns.
+  std::vector<ex> direction_of_part() {
+    Model& model = bordered_.request.model;
+    const auto kind = component_.part == PosePart::kLinear ? TwistComponent::Kind::kLinear
+                                                           : TwistComponent::Kind::kAngular;
+    ToleranceBall ball{.members = {}, .radius = 1, .group = ""};
+    std::vector<ex> direction(model.matrix.cols(), 0);
+    for (std::size_t j = 0; j < twist_.size(); ++j) {
+      if (twist_[j].kind != kind) continue;
+      ball.members.push_back(model.geometry.size());
+      direction[j] =
+          add_uncertain("n_" + std::to_string(j + 1), 0, 1, static_cast<int>(model.balls.size()));
+    }
+    model.balls.push_back(std::move(ball));
+    return direction;
+  }
+
+  const Component& component_;
+  std::vector<TwistComponent> twist_;  ///< before r is a pose parameter
+  ex y_;
+  Bordered bordered_;
+  ex r_;
+};
+
+}  // namespace
+
+Bordered border(const Request& request, const Component& component, const ex& reference) {
+  return Border(request, component, reference).build();
+}
+
+}  // namespace regulus::quantity

@@ -1,0 +1,165 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Tests `regulus bound` and `regulus datasheet` as users see them.
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <fstream>
+#include <nlohmann/json.hpp>
+
+#include "tests/support/command.hpp"
+#include "tests/support/temporary_directory.hpp"
+
+namespace regulus::test {
+namespace {
+
+using nlohmann::json;
+using testing::HasSubstr;
+
+/// J⁻¹ = [1 x; 0 1] with 0 ≤ x ≤ 2.
+constexpr const char* kShear = R"toml(regulus = 1
+name = "shear"
+[pose]
+x = "cm"
+y = "cm"
+[matrix]
+rows = [["x + 3", "x*(x + 3)"], [0, 2]]
+row_scale = ["1/(x + 3)", "1/2"]
+[load.any]
+force = [[-1, 1], [-1, 1]]
+[load.other]
+wrench = [1, 0]
+[twist.along]
+velocity = [1, 1]
+[actuators]
+force = [-2, 2]
+speed = 4
+error = 0.1
+stiffness = 2
+[motion.m]
+x = [0, 2]
+y = 0
+)toml";
+
+class BoundCommandTest : public testing::Test {
+ protected:
+  BoundCommandTest() { std::ofstream(model_) << kShear; }
+
+  CommandResult run(std::vector<std::string> words) {
+    words.insert(words.begin(), REGULUS_BINARY_DIR "/bin/regulus");
+    return run_command(words);
+  }
+
+  TemporaryDirectory folder_;
+  std::string model_ = folder_.path() / "shear.toml";
+};
+
+TEST_F(BoundCommandTest, PrintsTheBracketTheLegAndThePose) {
+  const CommandResult r = run({"bound", model_, "force", "--load", "any"});
+  EXPECT_EQ(r.exit_code, 0) << r.errors;
+  EXPECT_THAT(r.output,
+              testing::MatchesRegex("BETWEEN 2\\.9[0-9]* AND 3(\\.0[0-9]*)? N \\(leg 2\\)\n"));
+  EXPECT_THAT(r.errors, HasSubstr("attained   leg 2: x = 2"));
+  EXPECT_THAT(r.errors, HasSubstr("every value of any"));
+}
+
+TEST_F(BoundCommandTest, TakesTheMotionOrTheOnlyOne) {
+  EXPECT_EQ(run({"bound", model_, "m", "speed", "--quiet"}).output,
+            run({"bound", model_, "speed", "--quiet"}).output);
+}
+
+TEST_F(BoundCommandTest, ComparesWithALimit) {
+  const CommandResult within = run({"bound", model_, "speed", "--limit", "3.1"});
+  EXPECT_EQ(within.output, "WITHIN\n");
+  EXPECT_EQ(within.exit_code, 0);
+  const CommandResult exceeded = run({"bound", model_, "speed", "--limit", "2.9"});
+  EXPECT_EQ(exceeded.output, "EXCEEDED (leg 1)\n");
+  EXPECT_EQ(exceeded.exit_code, 1);
+  EXPECT_THAT(exceeded.errors, HasSubstr("exceeded   leg 1: x = "));
+}
+
+TEST_F(BoundCommandTest, GivesNumbersThatClaimNoMore) {
+  const CommandResult r = run({"bound", model_, "speed", "--json", "--quiet"});
+  const json report = json::parse(r.output);
+  EXPECT_LE(report.at("attained").get<double>(), 3);
+  EXPECT_GE(report.at("proved").get<double>(), 3);
+  EXPECT_EQ(report.at("attained_by"), "leg 1");
+  EXPECT_EQ(report.at("components").size(), 2u);
+  EXPECT_TRUE(report.at("components")[0].at("place").contains("pose"));
+}
+
+TEST_F(BoundCommandTest, WritesAProofOfEachEnd) {
+  const std::string file = folder_.path() / "proof";
+  ASSERT_EQ(run({"bound", model_, "speed", "--certificate", file}).exit_code, 0);
+  for (const char* ending : {".leg_1.safe", ".leg_1.singular", ".leg_2.safe", ".leg_2.singular"})
+    EXPECT_EQ(run({"verify", file + ending}).output, "VERIFIED\n") << ending;
+}
+
+/// The compiler's kernel takes over in the middle of the search, and a witness is found after it.
+TEST_F(BoundCommandTest, SurvivesAKernelThatIsCompiledMeanwhile) {
+  setenv("XDG_CACHE_HOME", (folder_.path() / "empty").c_str(), 1);
+  const CommandResult r =
+      run({"bound", model_, "determinant", "--gap", "1e-9", "--time-limit", "4", "--threads", "1"});
+  unsetenv("XDG_CACHE_HOME");
+  EXPECT_EQ(r.exit_code, 2) << r.errors;
+  EXPECT_THAT(r.output, HasSubstr("BETWEEN 0.99"));
+}
+
+struct Mistake {
+  std::vector<std::string> words;
+  std::string message;
+};
+
+TEST_F(BoundCommandTest, RefusesWhatItCannotBound) {
+  const std::vector<Mistake> mistakes{
+      {{"forces"}, "found 'forces', expected force, error"},
+      {{"force"}, "--load: the model has any, other; choose one"},
+      {{"force", "--load", "ani"}, "did you mean 'any'"},
+      {{"force", "--load", "any", "--leg", "3"}, "--leg: found '3', expected a number from 1 to 2"},
+      {{"speed", "--freedom", "x"}, "--freedom: has no meaning for speed"},
+      {{"error", "--freedom", "z"}, "--freedom: there is no 'z'"},
+      {{"speed", "--limit", "-1"}, "expected a positive number"},
+      {{"sigma-min", "--min"}, ""},
+      {{"x +"}, "'x +'"},
+  };
+  for (const Mistake& mistake : mistakes) {
+    std::vector<std::string> words{"bound", model_};
+    words.insert(words.end(), mistake.words.begin(), mistake.words.end());
+    const CommandResult r = run(words);
+    if (mistake.message.empty()) continue;
+    EXPECT_EQ(r.exit_code, 64) << mistake.words[0] << r.errors;
+    EXPECT_THAT(r.errors, HasSubstr(mistake.message));
+  }
+}
+
+TEST_F(BoundCommandTest, RefusesTablesThatItCannotRead) {
+  const auto refusal = [&](const std::string& table) {
+    const std::string path = folder_.path() / "bad.toml";
+    std::ofstream(path) << "regulus = 1\nname = \"bad\"\n[pose]\nx = \"cm\"\n[matrix]\n"
+                           "rows = [[\"x\"]]\n"
+                        << table << "\n[motion.m]\nx = [1, 2]\n";
+    const CommandResult r = run({"bound", path, "speed"});
+    EXPECT_EQ(r.exit_code, 65) << table << r.errors;
+    return r.errors;
+  };
+  EXPECT_THAT(refusal("[load.a]\nwrench = [1, 2]"), HasSubstr("bad.toml:8"));
+  EXPECT_THAT(refusal("[load.a]\nforces = [1]"), HasSubstr("forces"));
+  EXPECT_THAT(refusal("[load.a]\nwrench = [[2, 1]]"), HasSubstr("bad.toml:8"));
+  EXPECT_THAT(refusal("[load.a]\nwrench = { value = [1], radius = -1 }"), HasSubstr("bad.toml:8"));
+  EXPECT_THAT(refusal("[actuators]\nspeed = 0"), HasSubstr("positive"));
+  EXPECT_THAT(refusal("[actuators]\nerror = [1, 2]"), HasSubstr("2 values"));
+}
+
+TEST_F(BoundCommandTest, MakesADatasheetThatComparesLimits) {
+  const CommandResult r = run({"datasheet", model_});
+  EXPECT_EQ(r.exit_code, 1) << r.errors;  // a force exceeds its limit
+  EXPECT_THAT(r.output, HasSubstr("EXCEEDED"));
+  EXPECT_THAT(r.output, HasSubstr("kept"));
+  const CommandResult markdown = run({"datasheet", model_, "--markdown", "--quiet"});
+  EXPECT_THAT(markdown.output, HasSubstr("| quantity"));
+  EXPECT_THAT(markdown.output, HasSubstr("Attained at:"));
+  const json report = json::parse(run({"datasheet", model_, "--json", "--quiet"}).output);
+  EXPECT_GE(report.at("bounds").size(), 8u);
+}
+
+}  // namespace
+}  // namespace regulus::test
