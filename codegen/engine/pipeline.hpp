@@ -22,6 +22,7 @@
 #include "codegen/support/stopwatch.hpp"
 #include "runtime/kernel/isa.hpp"
 #include "runtime/problem/problem.hpp"
+#include "runtime/search/solver.hpp"
 
 namespace regulus::inline engine {
 
@@ -59,6 +60,7 @@ struct PreparedSearch {
   std::unique_ptr<SymbolicStages> stages;
   /// The reason why the search must not begin; nullopt: it may.
   std::optional<FormingStopped> stopped = {};
+  Solver solver = {};  ///< of this kernel, for one search after another
 
   /// Refers to the kernels of this preparation.
   [[nodiscard]] Problem problem() const;

@@ -56,8 +56,9 @@ Result run_search(PreparedSearch& preparation, const SearchOptions& search, Sett
     settings.method = Method::kAuto;  // any other method needs its functions in the kernel
   }
   Result result = with_oracle(preparation, search, settings, [&] {
-    return from != nullptr ? resume(problem, settings, from->open(), from->state, &observers)
-                           : solve(problem, settings, &observers);
+    Solver& solver = preparation.solver;
+    return from != nullptr ? solver.resume(problem, settings, from->open(), from->state, &observers)
+                           : solver.solve(problem, settings, &observers);
   });
   result.method = method;
   const double spent_by_stages = preparation.stages->seconds() - before;

@@ -38,7 +38,7 @@ class PathSearch {
         settings_(settings),
         options_(options),
         structure_(find_row_structure(problem, settings)),
-        round_(problem, settings, structure_, deadline()),
+        round_(problem, settings, structure_),
         box_(problem.outer),
         boxes_(path.pieces()),
         next_id_(path.pieces(), 1),
@@ -49,6 +49,7 @@ class PathSearch {
   }
 
   PathSearchResult run() {
+    round_.begin(deadline());
     std::size_t all = 1;
     while (all < path_.pieces()) all *= 2;
     open_.push_back({0, all, 0, 0, 0, 1, {}});

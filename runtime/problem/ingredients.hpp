@@ -24,6 +24,8 @@ struct Ingredients {
   bool descents = true;   ///< downhill from boxes
 
   bool stall = true;  ///< give up on poses at which the uncertainty alone defeats the tests
+
+  friend constexpr bool operator==(const Ingredients&, const Ingredients&) = default;
 };
 
 }  // namespace regulus

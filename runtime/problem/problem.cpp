@@ -105,6 +105,21 @@ std::optional<std::string> fault_of_method(const regulus_kernel& kernel, Method 
 
 }  // namespace
 
+bool same_but_for_run(const Settings& a, const Settings& b) {
+  Settings other = b;
+  other.max_boxes = a.max_boxes;
+  other.time_limit = a.time_limit;
+  other.interrupt = a.interrupt;
+  other.boxes_after_problem = a.boxes_after_problem;
+  other.boxes_before_units = a.boxes_before_units;
+  other.boxes_of_unit = a.boxes_of_unit;
+  other.workers = a.workers;
+  other.oracle = a.oracle;
+  other.closed_form = a.closed_form;
+  other.algebra = a.algebra;
+  return a == other;
+}
+
 std::optional<std::string> find_fault(const Problem& problem, const Settings& settings) {
   if (problem.kernel == nullptr) return "there is no kernel";
   const regulus_kernel& kernel = *problem.kernel;

@@ -46,6 +46,8 @@ struct Problem {
   /// Requires  regulus::Kernel accepts it, and it has the sizes and lists of `kernel`; both live as
   ///           long as the search.
   const std::atomic<const regulus_kernel*>* faster_kernel = nullptr;
+
+  friend bool operator==(const Problem&, const Problem&) = default;
 };
 
 /// The regularity tests for each box, in the order of the name; kAuto is the H-matrix test on
@@ -217,7 +219,13 @@ struct Settings {
   Ingredients ingredients;
   /// Users' tests; used in this order on boxes that our tests leave undecided (filter.h).
   std::vector<const regulus_filter_interface*> filters;
+
+  friend bool operator==(const Settings&, const Settings&) = default;
 };
+
+/// Returns true if the settings differ at most in budgets, in how long searches are shared out, and
+/// in oracles.
+[[nodiscard]] bool same_but_for_run(const Settings& a, const Settings& b);
 
 /// Returns the fault of the problem or the settings, in words; nullopt if a search is possible.
 [[nodiscard]] std::optional<std::string> find_fault(const Problem& problem,

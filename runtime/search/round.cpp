@@ -60,12 +60,10 @@ class Round::Threads {
   tbb::task_arena arena_;
 };
 
-Round::Round(const Problem& problem, const Settings& settings, const RowStructure& structure,
-             Clock::time_point deadline)
+Round::Round(const Problem& problem, const Settings& settings, const RowStructure& structure)
     : problem_(problem),
       settings_(settings),
       structure_(structure),
-      deadline_(deadline),
       // Users' code may require that only one thread at a time calls it.
       thread_count_(settings.filters.empty() ? settings.threads : 1) {
   deciders_.push_back(std::make_unique<Decider>(problem, settings, structure));

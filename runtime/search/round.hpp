@@ -19,12 +19,12 @@ class Round {
  public:
   using Clock = std::chrono::steady_clock;
 
-  /// All three must outlive this object. After `deadline`, or after an interrupt, batches after the
-  /// first are not decided.
-  Round(const Problem& problem, const Settings& settings, const RowStructure& structure,
-        Clock::time_point deadline);
+  /// All three must outlive this object.
+  Round(const Problem& problem, const Settings& settings, const RowStructure& structure);
   ~Round();
 
+  /// After `deadline`, or after an interrupt, batches after the first are not decided.
+  void begin(Clock::time_point deadline) noexcept { deadline_ = deadline; }
   void clear() noexcept { size_ = 0; }
   [[nodiscard]] std::size_t size() const noexcept { return size_; }
   /// Adds a batch without boxes; returns null if memory is exhausted.
@@ -47,7 +47,7 @@ class Round {
   const Problem& problem_;
   const Settings& settings_;
   const RowStructure& structure_;
-  const Clock::time_point deadline_;
+  Clock::time_point deadline_ = Clock::time_point::max();
   const unsigned thread_count_;
   std::vector<std::unique_ptr<Decider>> deciders_;  ///< one per thread; the first is the caller's
   std::vector<std::unique_ptr<Decisions>> batches_;

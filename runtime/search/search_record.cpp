@@ -15,10 +15,9 @@ double seconds_since(SearchRecord::Clock::time_point start) noexcept {
 
 }  // namespace
 
-SearchRecord::SearchRecord(const Problem& of, const Settings& with, Observer& to)
+SearchRecord::SearchRecord(const Problem& of, const Settings& with)
     : problem(of),
       settings(with),
-      observer(to),
       witness(of, with, !with.exhaustive),
       schedule(of, witness),
       frontier(of.kernel->variables),
@@ -32,8 +31,15 @@ SearchRecord::Clock::time_point SearchRecord::deadline() const noexcept {
 }
 
 void SearchRecord::begin(std::span<const OpenBox> open, const SearchState& from,
-                         const Bisector& bisector) {
+                         const Bisector& bisector, Observer* to) {
+  start_ = Clock::now();
+  observer_ = to != nullptr ? to : &silent_;
   bisector_ = &bisector;
+  stopped_ = false;
+  stopped_by_.reset();
+  frontier.clear();
+  witness.restart();
+  schedule.restart();
   state = from;
   state.filter_boxes.resize(settings.filters.size());
   state.blocking_box.resize(problem.kernel->variables);
@@ -41,7 +47,7 @@ void SearchRecord::begin(std::span<const OpenBox> open, const SearchState& from,
   witness.copy_candidates(state.candidates);
   probes_in_boxes = from.statistics.probes;
   seconds_before_ = from.statistics.seconds;
-  observer.on_start(problem, settings);
+  observer_->on_start(problem, settings);
   for (std::size_t k = open.size(); k-- > 0;)
     if (!push_top(open[k])) stop_at_open_box(Reason::kMemory);
 }
@@ -49,7 +55,7 @@ void SearchRecord::begin(std::span<const OpenBox> open, const SearchState& from,
 void SearchRecord::leave(const OpenBox& box, Rule rule, const Proof& proof) noexcept {
   ++state.statistics.leaves[static_cast<std::size_t>(rule)];
   state.headway.close(box.depth, rule);
-  observer.on_leaf(box, rule, proof);
+  observer_->on_leaf(box, rule, proof);
 }
 
 void SearchRecord::block(const OpenBox& box, Reason reason, const Proof& proof) noexcept {
@@ -69,7 +75,7 @@ void SearchRecord::block(const OpenBox& box, Reason reason, const Proof& proof) 
 
 BoxId SearchRecord::split(const OpenBox& parent, std::uint32_t variable, double at) noexcept {
   const BoxId first = state.next_id;
-  observer.on_split(parent, {parent.id, variable, at, first});
+  observer_->on_split(parent, {parent.id, variable, at, first});
   state.next_id += 2;
   return first;
 }
@@ -111,19 +117,19 @@ bool SearchRecord::stalls() noexcept {
 }
 
 void SearchRecord::tell_progress() noexcept {
-  observer.on_progress(state.statistics, frontier.size());
-  if (!stopped_ && !frontier.empty() && observer.wants_pause()) pause();
+  observer_->on_progress(state.statistics, frontier.size());
+  if (!stopped_ && !frontier.empty() && observer_->wants_pause()) pause();
 }
 
 void SearchRecord::pause() noexcept {
   count_up();
-  observer.on_pause(state, frontier);
+  observer_->on_pause(state, frontier);
 }
 
 void SearchRecord::tell_what_is_open() noexcept {
   if (!exhausted()) return;
   if (stopped_by_ != Reason::kMemory) pause();
-  for (; !frontier.empty(); frontier.pop()) observer.on_open(frontier.top());
+  for (; !frontier.empty(); frontier.pop()) observer_->on_open(frontier.top());
 }
 
 /// Updates the counts that are only needed at intervals.

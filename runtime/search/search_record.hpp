@@ -20,12 +20,13 @@ class SearchRecord {
  public:
   using Clock = std::chrono::steady_clock;
 
-  /// All must outlive this object.
-  SearchRecord(const Problem& problem, const Settings& settings, Observer& observer);
+  /// Both must outlive this object.
+  SearchRecord(const Problem& problem, const Settings& settings);
 
-  /// Takes over the boxes and the state from which the search begins. `bisector` must outlive this
-  /// object.
-  void begin(std::span<const OpenBox> open, const SearchState& from, const Bisector& bisector);
+  /// Forgets an earlier search, and takes over the boxes and the state from which the next one
+  /// begins. `bisector` and `observer`, which may be null, must outlive the search.
+  void begin(std::span<const OpenBox> open, const SearchState& from, const Bisector& bisector,
+             Observer* observer);
 
   /// Puts a box on top of the frontier. Returns false if memory is exhausted.
   [[nodiscard]] bool push_top(const OpenBox& box) noexcept {
@@ -61,11 +62,11 @@ class SearchRecord {
     return !settings.exhaustive && !witness.found();
   }
   [[nodiscard]] Clock::time_point deadline() const noexcept;
+  [[nodiscard]] Observer& observer() noexcept { return *observer_; }
   [[nodiscard]] Result conclude();
 
   const Problem& problem;
   const Settings& settings;
-  Observer& observer;
   WitnessSearch witness;
   WitnessSchedule schedule;
   Frontier frontier;
@@ -76,7 +77,9 @@ class SearchRecord {
   [[nodiscard]] bool stalls() noexcept;
   void count_up() noexcept;
 
-  const Clock::time_point start_ = Clock::now();
+  Observer silent_;
+  Observer* observer_ = &silent_;
+  Clock::time_point start_ = Clock::now();
   const Bisector* bisector_ = nullptr;
   std::vector<Interval> top_when_stopped_;
   bool stopped_ = false;

@@ -22,6 +22,9 @@ class WitnessSchedule {
   WitnessSchedule(const Problem& problem, WitnessSearch& witness) noexcept
       : problem_(problem), witness_(witness) {}
 
+  /// Returns to the initial state.
+  void restart() noexcept { exact_corners_seen_ = false; }
+
   /// Looks if it is time to; `state` has the number of boxes, and the next time.
   void look_after(const Decisions& batch, SearchState& state) noexcept;
 

@@ -26,6 +26,7 @@ std::vector<std::optional<Interval>> reach_of(const Problem& problem, const Tole
 
 WitnessSearch::WitnessSearch(const Problem& problem, const Settings& settings, bool closes_in)
     : problem_(problem),
+      settings_(settings),
       oracle_(settings.oracle),
       algebra_(settings.algebra),
       variables_(problem.kernel->variables),
@@ -53,6 +54,13 @@ WitnessSearch::WitnessSearch(const Problem& problem, const Settings& settings, b
   for (Start& start : starts_) start.point.resize(variables_);
   for (std::size_t k = 0; k < variables_; ++k) in_ball_[k] = balls_.axis(k).has_value();
   witness_.points.reserve(2);
+}
+
+void WitnessSearch::restart() noexcept {
+  forget();
+  oracle_ = settings_.oracle;
+  algebra_ = settings_.algebra;
+  probes_ = 0;
 }
 
 void WitnessSearch::forget() noexcept {

@@ -23,7 +23,9 @@ class WitnessSearch {
   /// `closes_in`: a proof by two points is refined to the zero between them as far as possible.
   WitnessSearch(const Problem& problem, const Settings& settings, bool closes_in = true);
 
-  /// Returns to the initial state.
+  /// Returns to the initial state, with the oracles that the settings name now.
+  void restart() noexcept;
+  /// Forgets the candidates and the proof.
   void forget() noexcept;
 
   /// Copies the data from which a later search continues; and back. A point of another length than
@@ -122,6 +124,7 @@ class WitnessSearch {
   void copy_pose(const std::vector<Interval>& point, std::vector<Interval>& pose);
 
   const Problem& problem_;
+  const Settings& settings_;
   DeterminantOracle* oracle_;
   AlgebraOracle* algebra_;
   std::size_t variables_;

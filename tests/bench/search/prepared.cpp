@@ -7,7 +7,6 @@
 #include <string_view>
 
 #include "codegen/engine/settings.hpp"
-#include "runtime/search/solver.hpp"
 
 namespace regulus::bench {
 namespace {
@@ -28,7 +27,7 @@ ModelOptions model_of(const SearchCase& which) {
 TimedSearch::TimedSearch(const SearchCase& which, const SearchOptions& options)
     : preparation_(prepare(model_of(which), options)), settings_(settings_from(options)) {}
 
-void TimedSearch::run() { result_ = solve(preparation_.problem(), settings_); }
+void TimedSearch::run() { result_ = solver_.solve(preparation_.problem(), settings_); }
 
 const Statistics& TimedSearch::statistics() const {
   if (result_.verdict == Verdict::kPossibleProblem)

@@ -6,7 +6,7 @@
 
 #include "codegen/engine/options.hpp"
 #include "codegen/engine/pipeline.hpp"
-#include "runtime/problem/result.hpp"
+#include "runtime/search/solver.hpp"
 #include "tests/bench/measure/rounds.hpp"
 
 namespace regulus::bench {
@@ -35,6 +35,7 @@ class TimedSearch {
  private:
   PreparedSearch preparation_;
   Settings settings_;
+  Solver solver_;
   Result result_;
 };
 
