@@ -33,7 +33,7 @@ void WitnessSearch::try_exactly() noexcept {
   LaneMask defined = points_.certain_inside() & points_.certain_posed() & 1U;
   static_cast<void>(points_.product({}, defined));
   if (defined == 0) return;
-  const Interval determinant = enclose_at(0, scaled_);
+  const Interval determinant = enclose_at(0, scaled_, Effort::kAll);
   const Interval small(-problem_.alpha.hi, problem_.alpha.hi);
   const std::optional<Interval> left = intersect(determinant, small);
   if (!left || !algebra_->is_singular_at(box_, places_)) return;

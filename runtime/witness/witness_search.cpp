@@ -43,7 +43,6 @@ WitnessSearch::WitnessSearch(const Problem& problem, const Settings& settings, b
       box_(variables_),
       in_ball_(variables_),
       current_(variables_),
-      middle_(variables_),
       moved_(variables_),
       downhill_(variables_),
       places_(variables_),
@@ -51,6 +50,7 @@ WitnessSearch::WitnessSearch(const Problem& problem, const Settings& settings, b
   for (Candidate* candidate :
        {&positive_, &negative_, &small_, &nearest_, &far_positive_, &far_negative_})
     candidate->point.resize(variables_);
+  for (std::vector<double>& point : along_) point.resize(variables_);
   for (Start& start : starts_) start.point.resize(variables_);
   for (std::size_t k = 0; k < variables_; ++k) in_ball_[k] = balls_.axis(k).has_value();
   witness_.points.reserve(2);
@@ -226,16 +226,23 @@ void WitnessSearch::try_opposite_signs() noexcept {
   if (closes_in_) close_in();
 }
 
-Interval WitnessSearch::enclose_at(std::size_t lane, bool scaled) noexcept {
+Interval WitnessSearch::enclose_at(std::size_t lane, bool scaled, Effort effort) noexcept {
   LaneMask defined = 1U << lane;
   const ConstIntervalMatrix matrix = points_.product({}, defined);
   if (defined == 0) return kEntire;
   const LaneMatrix M = matrix_of_lane(matrix, lane);
   Interval determinant = enclose_determinant_by_elimination(M);
   // More digits decide more than the expansion, in less time.
-  if (certain_sign(determinant) == 0 && oracle_ == nullptr)
+  if (effort == Effort::kAll && certain_sign(determinant) == 0 && oracle_ == nullptr)
     determinant = intersect(determinant, enclose_determinant(M)).value_or(determinant);
   return scaled ? determinant * points_.row_scale(lane) : determinant;
+}
+
+/// Loads a point about which something may be claimed: the point itself, not one that was moved.
+void WitnessSearch::load_claim(std::size_t lane, const std::vector<double>& point) noexcept {
+  load_point(lane, point.data());
+  const bool itself = moved_ == point && balls_.certain_inside(point);
+  claimable_ = (claimable_ & ~(1U << lane)) | LaneMask{itself} << lane;
 }
 
 /// Encloses det A (with row scales: det J⁻¹) at a point; nullopt if the point is not certainly in
@@ -243,19 +250,27 @@ Interval WitnessSearch::enclose_at(std::size_t lane, bool scaled) noexcept {
 std::optional<Interval> WitnessSearch::certify_point(const std::vector<double>& point,
                                                      bool scaled) noexcept {
   points_.clear();
-  load_point(0, point.data());
-  // The claim is about the point itself, not about one that was moved.
-  if (moved_ != point || !balls_.certain_inside(point)) return std::nullopt;
-  evaluate_points(1);
-  LaneMask defined = points_.certain_inside() & points_.certain_posed() & 1U;
+  load_claim(0, point);
+  points_.seal(1);
+  return certify_lane(0, point, scaled, Effort::kAll);
+}
+
+/// The same for a point that load_claim has loaded.
+std::optional<Interval> WitnessSearch::certify_lane(std::size_t lane,
+                                                    const std::vector<double>& point, bool scaled,
+                                                    Effort effort) noexcept {
+  if (!has_lane(claimable_, lane)) return std::nullopt;
+  ++probes_;
+  LaneMask defined = points_.certain_inside() & points_.certain_posed() & 1U << lane;
   static_cast<void>(points_.product({}, defined));
   if (defined == 0) return std::nullopt;
-  const Interval determinant = enclose_at(0, scaled);
+  const Interval determinant = enclose_at(lane, scaled, effort);
   const bool decided = certain_sign(determinant) != 0 || mag(determinant) <= problem_.alpha.lo;
   if (decided || oracle_ == nullptr) return determinant;
+  for (std::size_t k = 0; k < variables_; ++k) box_[k] = within_inner(k, point[k]);
   const std::optional<Interval> sharper = oracle_->enclose(box_);
   if (!sharper) return determinant;
-  return scaled ? *sharper * points_.row_scale(0) : *sharper;
+  return scaled ? *sharper * points_.row_scale(lane) : *sharper;
 }
 
 }  // namespace regulus

@@ -86,6 +86,7 @@ class WitnessSearch {
   [[nodiscard]] double inner_hi(std::size_t variable) const noexcept;
   [[nodiscard]] Interval within_inner(std::size_t variable, double x) const noexcept;
   void load_point(std::size_t lane, const double* point) noexcept;
+  void load_claim(std::size_t lane, const std::vector<double>& point) noexcept;
   void evaluate_points(std::size_t count) noexcept;
   [[nodiscard]] double approx_objective(std::size_t lane) noexcept;
 
@@ -99,7 +100,11 @@ class WitnessSearch {
 
   [[nodiscard]] std::optional<Interval> certify_point(const std::vector<double>& point,
                                                       bool scaled) noexcept;
-  [[nodiscard]] Interval enclose_at(std::size_t lane, bool scaled) noexcept;
+  enum class Effort : std::uint8_t { kElimination, kAll };
+  [[nodiscard]] std::optional<Interval> certify_lane(std::size_t lane,
+                                                     const std::vector<double>& point, bool scaled,
+                                                     Effort effort) noexcept;
+  [[nodiscard]] Interval enclose_at(std::size_t lane, bool scaled, Effort effort) noexcept;
   [[nodiscard]] bool certain_segment(const std::vector<double>& from,
                                      const std::vector<double>& to) noexcept;
   void place_at(std::size_t variable, PlaceInRange place) noexcept;
@@ -108,8 +113,16 @@ class WitnessSearch {
   void load_piece(std::size_t lane, const std::vector<double>& from, const std::vector<double>& to,
                   Interval part) noexcept;
   void close_in() noexcept;
-  [[nodiscard]] bool find_between(const Candidate& a, const Candidate& b, double part) noexcept;
+  [[nodiscard]] bool move_to_middles() noexcept;
+  void find_middles(std::size_t place, const std::vector<double>& a, const std::vector<double>& b,
+                    LaneMask& between) noexcept;
+  [[nodiscard]] bool find_between(const std::vector<double>& a, const std::vector<double>& b,
+                                  double part, std::vector<double>& into) noexcept;
+  void load_along(std::size_t count) noexcept;
   void approach_nearest(Candidate& side) noexcept;
+  void leave_nearest(Candidate& side) noexcept;
+  void return_to_nearest(Candidate& side) noexcept;
+  [[nodiscard]] bool move_if_certain(Candidate& side, std::size_t lane) noexcept;
 
   void add_start(std::size_t lane, double sign) noexcept;
   void find_starts(std::span<const Interval> box, double sign) noexcept;
@@ -149,7 +162,9 @@ class WitnessSearch {
   std::array<Start, kLanes + 1> starts_;
   std::size_t start_count_ = 0;
   std::vector<bool> in_ball_;  ///< the variables that move with their balls
-  std::vector<double> current_, middle_, moved_, downhill_;
+  std::vector<double> current_, moved_, downhill_;
+  std::array<std::vector<double>, kLanes> along_;  ///< points of a segment that are loaded together
+  LaneMask claimable_ = 0;  ///< the loaded points that were not moved when they were loaded
   std::uint64_t probes_ = 0;
   bool small_known_ = false, small_fresh_ = false;
   unsigned small_tries_ = 0;

@@ -14,8 +14,9 @@ namespace {
 constexpr std::size_t kMaxPieces = 4096;
 constexpr std::size_t kMaxHalvings = 30;
 
-/// Steps of refinement: after 60 halvings a segment is at the resolution of doubles.
-constexpr int kMaxCloseIn = 60;
+/// After so many halvings a segment is at the resolution of doubles. Three of them follow one look at
+/// several points.
+constexpr std::size_t kMaxCloseIn = 60, kHalvingsALook = 3;
 
 /// The first step away from a point whose sign is not known, as a part of the way to the next point
 /// with a known sign, and the growth of the steps.
@@ -58,14 +59,57 @@ bool WitnessSearch::certain_segment(const std::vector<double>& from,
   return true;
 }
 
-/// Computes in middle_ the point that is that part of the way from `a` to `b`; returns false if it is
-/// one of them.
-bool WitnessSearch::find_between(const Candidate& a, const Candidate& b, double part) noexcept {
+/// Computes the point that is that part of the way from `a` to `b`; returns false if it is one of
+/// them.
+bool WitnessSearch::find_between(const std::vector<double>& a, const std::vector<double>& b,
+                                 double part, std::vector<double>& into) noexcept {
   for (std::size_t k = 0; k < variables_; ++k)
-    middle_[k] =
-        std::clamp((1.0 - part) * a.point[k] + part * b.point[k], inner_lo(k), inner_hi(k));
-  balls_.pull_in(middle_);
-  return middle_ != a.point && middle_ != b.point;
+    into[k] = std::clamp((1.0 - part) * a[k] + part * b[k], inner_lo(k), inner_hi(k));
+  balls_.pull_in(into);
+  return into != a && into != b;
+}
+
+/// Loads the first points of along_, side by side: a kernel takes the same time for eight as for one.
+void WitnessSearch::load_along(std::size_t count) noexcept {
+  points_.clear();
+  for (std::size_t lane = 0; lane < count; ++lane) load_claim(lane, along_[lane]);
+  points_.seal(count);
+}
+
+/// Computes the middle of a segment in along_[place − 1], those of its halves at the places 2·place
+/// and 2·place + 1, and so on. `between`: the middles that are not one of the ends.
+void WitnessSearch::find_middles(std::size_t place, const std::vector<double>& a,
+                                 const std::vector<double>& b, LaneMask& between) noexcept {
+  if (place >= kLanes) return;
+  std::vector<double>& middle = along_[place - 1];
+  if (find_between(a, b, 0.5, middle)) between |= 1U << (place - 1);
+  find_middles(2 * place, a, middle, between);
+  find_middles(2 * place + 1, middle, b, between);
+}
+
+/// Halves the segment as often as middles are loaded; returns false if it was the last time.
+bool WitnessSearch::move_to_middles() noexcept {
+  LaneMask between = 0;
+  find_middles(1, positive_.point, negative_.point, between);
+  load_along(kLanes - 1);
+  for (std::size_t place = 1; place < kLanes;) {
+    const std::size_t lane = place - 1;
+    if (!has_lane(between, lane)) return false;
+    const std::optional<Interval> determinant =
+        certify_lane(lane, along_[lane], false, Effort::kElimination);
+    if (!determinant) return false;
+    const int sign = certain_sign(*determinant);
+    Candidate& side = sign > 0 ? positive_ : sign < 0 ? negative_ : nearest_;
+    side.point = along_[lane];
+    side.determinant = *determinant;
+    if (sign == 0) {
+      approach_nearest(positive_);
+      approach_nearest(negative_);
+      return false;
+    }
+    place = 2 * place + (sign > 0 ? 1 : 0);
+  }
+  return true;
 }
 
 /// Shortens the segment while the sign of its middle is known, and then from both sides towards a
@@ -76,18 +120,8 @@ void WitnessSearch::close_in() noexcept {
   far_positive_ = positive_;
   far_negative_ = negative_;
   nearest_.determinant = kEntire;
-  for (int step = 0; step < kMaxCloseIn && find_between(positive_, negative_, 0.5); ++step) {
-    const std::optional<Interval> determinant = certify_point(middle_, false);
-    if (!determinant) break;
-    const int sign = certain_sign(*determinant);
-    Candidate& side = sign > 0 ? positive_ : sign < 0 ? negative_ : nearest_;
-    side.point = middle_;
-    side.determinant = *determinant;
-    if (sign != 0) continue;
-    approach_nearest(positive_);
-    approach_nearest(negative_);
-    break;
-  }
+  for (std::size_t step = 0; step < kMaxCloseIn && move_to_middles(); step += kHalvingsALook)
+    continue;
   if (certain_segment(positive_.point, negative_.point)) return;
   positive_ = far_positive_;
   negative_ = far_negative_;
@@ -96,17 +130,44 @@ void WitnessSearch::close_in() noexcept {
 /// Takes the point closest to nearest_ whose sign is certainly the same: goes away from nearest_ by
 /// growing steps, then back by halves.
 void WitnessSearch::approach_nearest(Candidate& side) noexcept {
-  const auto move_if_certain = [&](double part) {
-    if (!find_between(nearest_, side, part)) return false;
-    const std::optional<Interval> determinant = certify_point(middle_, false);
-    if (!determinant || certain_sign(*determinant) != certain_sign(side.determinant)) return false;
-    side.point = middle_;
-    side.determinant = *determinant;
-    return true;
-  };
-  for (double part = kNearest; part < 1.0; part *= kGrowth)
-    if (move_if_certain(part)) break;
-  for (int step = 0; step < kMaxCloseIn && move_if_certain(0.5); ++step) continue;
+  leave_nearest(side);
+  return_to_nearest(side);
+}
+
+bool WitnessSearch::move_if_certain(Candidate& side, std::size_t lane) noexcept {
+  const std::optional<Interval> determinant =
+      certify_lane(lane, along_[lane], false, Effort::kElimination);
+  if (!determinant || certain_sign(*determinant) != certain_sign(side.determinant)) return false;
+  side.point = along_[lane];
+  side.determinant = *determinant;
+  return true;
+}
+
+void WitnessSearch::leave_nearest(Candidate& side) noexcept {
+  for (double part = kNearest; part < 1.0;) {
+    LaneMask between = 0;
+    std::size_t count = 0;
+    for (; count < kLanes && part < 1.0; ++count, part *= kGrowth)
+      if (find_between(nearest_.point, side.point, part, along_[count])) between |= 1U << count;
+    load_along(count);
+    for (std::size_t lane = 0; lane < count; ++lane)
+      if (has_lane(between, lane) && move_if_certain(side, lane)) return;
+  }
+}
+
+void WitnessSearch::return_to_nearest(Candidate& side) noexcept {
+  for (std::size_t step = 0; step < kMaxCloseIn;) {
+    std::size_t count = 0;
+    const std::vector<double>* from = &side.point;
+    while (count < kLanes && step + count < kMaxCloseIn &&
+           find_between(nearest_.point, *from, 0.5, along_[count]))
+      from = &along_[count++];
+    if (count == 0) return;
+    load_along(count);
+    for (std::size_t lane = 0; lane < count; ++lane)
+      if (!move_if_certain(side, lane)) return;
+    step += count;
+  }
 }
 
 const WitnessSearch::Candidate& WitnessSearch::closest_to_zero() const noexcept {
