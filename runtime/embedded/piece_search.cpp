@@ -85,8 +85,9 @@ PieceSearch::PieceSearch(const regulus_kernel& kernel, std::span<const Interval>
       half_(kernel.variables),
       piece_(kernel.variables),
       places_(2 * std::size_t{kernel.variables}) {
-  // This check makes everything that is initialised on first use.
+  // This check makes everything that is initialised on first use, and shows how to split.
   static_cast<void>(check({problem_.outer.data(), kernel.motion_variables}));
+  learns_splits_ = false;
 }
 
 /// Not inlined, so that no floating-point work moves out of the rounding scope of its caller.
@@ -113,25 +114,49 @@ Check PieceSearch::check(std::span<const Interval> piece) noexcept {
   return search(piece);
 }
 
-/// The cost of a batch does not depend on its number of boxes. So a piece that can be split in one
-/// variable only, such as a trajectory, starts as eight boxes.
+/// Remembers the first variable that was split at each of the first levels.
+BoxId PieceSearch::number(const OpenBox& parent, std::uint32_t variable, double) noexcept {
+  if (learns_splits_ && known_splits_ < kFirstSplits && parent.depth == known_splits_)
+    first_splits_[known_splits_++] = variable;
+  return 0;
+}
+
+void PieceSearch::push(std::span<const Interval> box) noexcept {
+  static_cast<void>(
+      frontier_.push_top({0, 0, box}, decider_.bisector().approx_relative_width(box)));
+}
+
+/// Pushes the parts of half_ that the first splits from `split` on give.
+void PieceSearch::push_parts(std::size_t split) noexcept {
+  if (split == known_splits_) return push(half_);
+  Interval& range = half_[first_splits_[split]];
+  const Interval whole = range;
+  const std::optional<Halves> halves = bisect(whole);
+  if (!halves) return push_parts(split + 1);
+  range = halves->right;
+  push_parts(split + 1);
+  range = halves->left;
+  push_parts(split + 1);
+  range = whole;
+}
+
+/// The cost of a batch does not depend on its number of boxes. So a piece starts as up to eight
+/// boxes: those of the first splits of the whole ranges. If it can be split in one variable only,
+/// such as a trajectory, it starts as eight parts.
 void PieceSearch::load_frontier(std::span<const Interval> piece) noexcept {
   std::copy(problem_.outer.begin(), problem_.outer.end(), half_.begin());
   std::copy(piece.begin(), piece.end(), half_.begin());
   std::copy(half_.begin(), half_.end(), piece_.begin());
   frontier_.clear();
-  const auto push = [this] {
-    static_cast<void>(
-        frontier_.push_top({0, 0, half_}, decider_.bisector().approx_relative_width(half_)));
-  };
-  if (std::count_if(piece.begin(), piece.end(), has_width) != 1) return push();
+  if (std::count_if(piece.begin(), piece.end(), has_width) != 1)
+    return !learns_splits_ && max_boxes_ >= kLanes ? push_parts(0) : push(half_);
   const auto wide = std::find_if(piece.begin(), piece.end(), has_width) - piece.begin();
   Interval parts[kLanes];
   const std::size_t count =
       cut(piece[std::size_t(wide)], std::min(std::size_t{max_boxes_}, kLanes), parts);
   for (std::size_t i = 0; i < count; ++i) {
     half_[std::size_t(wide)] = parts[i];
-    push();
+    push(half_);
   }
 }
 

@@ -2,6 +2,7 @@
 // A search of a piece of a variety; it owns all its memory from the start.
 #pragma once
 
+#include <array>
 #include <span>
 #include <vector>
 
@@ -15,6 +16,8 @@ namespace regulus {
 
 /// Implements Checker; checker.hpp has the contracts.
 class PieceSearch {
+  static constexpr std::size_t kFirstSplits = 3;  ///< give kLanes boxes
+
  public:
   PieceSearch(const regulus_kernel& kernel, std::span<const Interval> ranges, unsigned max_boxes,
               double alpha = 0.0);
@@ -28,6 +31,8 @@ class PieceSearch {
  private:
   [[nodiscard]] Check search(std::span<const Interval> piece) noexcept;
   void load_frontier(std::span<const Interval> piece) noexcept;
+  void push(std::span<const Interval> box) noexcept;
+  void push_parts(std::size_t split) noexcept;
   friend class BranchAndPrune<PieceSearch>;
   [[nodiscard]] bool begin_round() noexcept;
   [[nodiscard]] std::size_t decide_round() noexcept;
@@ -38,7 +43,7 @@ class PieceSearch {
   void look_for_witness(Decisions& batch) noexcept;
   void settle(Decisions& batch, std::size_t lane) noexcept;
   [[nodiscard]] bool splits(const OpenBox&) const noexcept { return true; }
-  [[nodiscard]] BoxId number(const OpenBox&, std::uint32_t, double) const noexcept { return 0; }
+  [[nodiscard]] BoxId number(const OpenBox& parent, std::uint32_t variable, double at) noexcept;
   void lose(const OpenBox& first, const OpenBox& second) noexcept;
   void end_round() const noexcept {}
   void stop_at(Reason reason, std::span<const Interval> box) noexcept;
@@ -53,6 +58,9 @@ class PieceSearch {
   Frontier frontier_;
   BranchAndPrune<PieceSearch> loop_;
   AdaptiveThreshold threshold_;
+  std::array<std::uint32_t, kFirstSplits> first_splits_{};  ///< variables, of the whole ranges
+  std::size_t known_splits_ = 0;
+  bool learns_splits_ = true;
   std::vector<Interval> half_, piece_, places_;
   Check check_;  ///< the current one
   unsigned boxes_ = 0;

@@ -161,12 +161,13 @@ void WitnessSearch::descend(std::span<const Interval> box, std::size_t most_star
   points_.clear();
   load_point(0, current_.data());
   evaluate_points(1);
-  if ((points_.preconditioned() & points_.midpoint_inside()) == 0) return;
-  const double sign = approx_objective(0) < 0.0 ? -1.0 : 1.0;
   // A segment can only be certified inside constraints, so the pair must come from this box.
   if (problem_.kernel->constraints > 0) positive_.approx = negative_.approx = 0.0;
   if (problem_.kernel->constraints > 0) positive_.tried = negative_.tried = 0.0;
+  const bool known = (points_.preconditioned() & points_.midpoint_inside() & 1U) != 0;
+  const double sign = known && approx_objective(0) < 0.0 ? -1.0 : 1.0;
   look_at_points(1U);
+  if (!known) return;
   find_starts(box, sign);
   for (std::size_t s = 0; s < std::min(start_count_, most_starts) && !found_; ++s) {
     std::copy(starts_[s].point.begin(), starts_[s].point.end(), current_.begin());

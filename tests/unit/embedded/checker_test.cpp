@@ -13,6 +13,8 @@
 #include "runtime/interval/floating_point_scope.hpp"
 #include "runtime/search/solver.hpp"
 #include "static_kernel.hpp"
+#include "tests/support/exact.hpp"
+#include "tests/support/gough_kernel.hpp"
 
 namespace regulus {
 namespace {
@@ -39,6 +41,28 @@ TEST_F(Embedded, ACheckDecidesAsTheSearchDoes) {
     problem.outer = {piece[0], piece[1], ranges_[2]};
     problem.inner.assign(problem.outer.begin(), problem.outer.end());
     EXPECT_EQ(check.verdict, solve(problem, {}).verdict) << piece[0].lo << ' ' << piece[0].hi;
+  }
+}
+
+/// The whole ranges have shown how to split, and eight boxes take the time of one.
+TEST_F(Embedded, APlatformTakesNoMoreBoxesThanTheSearch) {
+  for (const auto& [robot, side, z, degrees] :
+       {std::tuple{test::kRobot1, 15.0, Interval(45, 50), 15.0},
+        {test::kRobot1, 15.0, Interval(45, 50), 40.0},
+        {test::kRobot2, 200.0, Interval(2800, 3200), 20.0},
+        {test::kRobot2, 200.0, Interval(2800, 3200), 30.0},
+        {test::kRobot2, 200.0, Interval(2800, 3200), 40.0}}) {
+    const test::GoughKernel kernel(robot);
+    const Interval angle = test::plus_minus_degrees(degrees).outer, xy(-side, side);
+    Problem problem;
+    problem.kernel = kernel.get();
+    problem.outer = {xy, xy, z, angle, angle, angle};
+    problem.inner.assign(problem.outer.begin(), problem.outer.end());
+    const Result result = solve(problem, {});
+    const Check check = Checker(*kernel.get(), problem.outer, 1000).check(problem.outer);
+    EXPECT_EQ(check.verdict, result.verdict) << degrees;
+    // The search looks at corners after its first box, the check after its first batch.
+    EXPECT_LE(check.boxes, std::max<std::uint64_t>(result.statistics.boxes, 8)) << degrees;
   }
 }
 
