@@ -51,7 +51,7 @@ Formulation formulate(const Model& model, const Motion& motion, const Formulatio
   if (options.determinant)
     return formed(model, motion, options, FormDetail::kFull, WorkMeter::kNoLimit, watch);
   FormulationOptions adapted = options;
-  if (uses_matrix(options) && has_roots_or_quotients(model, motion, watch))
+  if (has_roots_or_quotients(model, motion, watch))
     adapted.rewriting.most_terms = std::min(options.rewriting.most_terms, kMostTermsOfAPart);
   for (const FormDetail detail : {FormDetail::kFull, FormDetail::kSmallParts}) try {
       return formed(model, motion, adapted, detail, options.forming_budget, watch);
