@@ -8,6 +8,7 @@
 #include <fstream>
 #include <iostream>
 
+#include "tests/bench/completeness/rows.hpp"
 #include "tests/bench/counts/rows.hpp"
 #include "tests/bench/embedded/rows.hpp"
 #include "tests/bench/kernel/rows.hpp"
@@ -27,10 +28,17 @@ struct NamedSection {
 
 /// The sections in the order of the report.
 constexpr NamedSection kSections[] = {
-    {"kernel", kernel_rows},     {"limit", limit_rows},     {"search", search_rows},
-    {"product", product_rows},   {"engines", engine_rows},  {"threads", thread_rows},
-    {"embedded", embedded_rows}, {"process", process_rows}, {"compile", compile_rows},
+    {"kernel", kernel_rows},
+    {"limit", limit_rows},
+    {"search", search_rows},
+    {"product", product_rows},
+    {"engines", engine_rows},
+    {"threads", thread_rows},
+    {"embedded", embedded_rows},
+    {"process", process_rows},
+    {"compile", compile_rows},
     {"counts", count_rows},
+    {"completeness", completeness_rows},
 };
 
 struct Options {

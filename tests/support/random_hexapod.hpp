@@ -43,7 +43,7 @@ class RandomHexapod {
     return true;
   }
 
-  /// Returns a model with the motions "pose" and "box", which contains that pose.
+  /// Returns a model with the motions "pose", and "box" and "path", which contain that pose.
   [[nodiscard]] std::string model(double tolerance, const char* shape) const {
     std::string text = fmt::format(
         "regulus = 1\nname = \"hexapod\"\n[gough]\norientation = \"roll-pitch-yaw\"\n"
@@ -58,6 +58,10 @@ class RandomHexapod {
       const double half = i < 3 ? 1.0 : 0.01;
       text += fmt::format("{} = [{:.17g}, {:.17g}]\n", kNames[i], pose_[i] - half, pose_[i] + half);
     }
+    text += "[motion.path]\nparameters = { s = [0, 1] }\n";
+    for (int i = 0; i < 6; ++i)
+      text += fmt::format("{} = \"({:.17g}) + ({})*(s - 1/3)\"\n", kNames[i], pose_[i],
+                          i < 3 ? i - 1.5 : 0.01 * (i - 4));
     return text;
   }
 

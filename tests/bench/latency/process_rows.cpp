@@ -52,7 +52,7 @@ Row memory_row(std::string name, double megabytes, double most) {
   return row;
 }
 
-/// The timings of version, warm, cold, other and range.
+/// The timings of version, warm, cold, other, range, large and errors.
 Section latency_section(const std::vector<Timing>& timings) {
   Section section{
       "process",
@@ -76,6 +76,13 @@ Section latency_section(const std::vector<Timing>& timings) {
   section.rows.push_back(timed_row("`regulus check`, another range", timings[4], 1e3, "ms",
                                    "the cache has the forms of the robot, but not the question"));
   section.rows.back().target = ratio_at_most(2);
+  section.rows.push_back(timed_row("`regulus check`, an unknown 6-RUS", timings[5], 1e3, "ms",
+                                   "`models/hexapod_6rus.toml work --no-cache`"));
+  section.rows.back().target = value_at_most(1000);
+  section.rows.push_back(timed_row("`regulus check`, an unknown path with errors", timings[6], 1e3,
+                                   "ms",
+                                   "`models/robot_1.toml T2_errors --no-cache`, anchors ±0.05"));
+  section.rows.back().target = value_at_most(250);
   return section;
 }
 
@@ -93,6 +100,12 @@ Section process_rows() {
       "--without", "moving", "--tolerance", "base,platform=0.115"};
   const Command nothing({"--version"}, cache), warm(check, cache), cold(uncached, cache);
   const Command other_question(other, cache), many_boxes(many, cache);
+  const Command large(
+      {"check", REGULUS_SOURCE_DIR "/models/hexapod_6rus.toml", "work", "--quiet", "--no-cache"},
+      cache);
+  const Command errors({"check", check[1], "T2_errors", "--tolerance", "base,platform=0.05",
+                        "--quiet", "--no-cache"},
+                       cache);
   // Each has another range, so none of them is in the cache. The robot is.
   const auto other_range = [&](int number) {
     return Command({"check", check[1], "wide_15", "--quiet", "--range",
@@ -107,7 +120,9 @@ Section process_rows() {
                                   {"warm", 1, [&] { warm.run(); }},
                                   {"cold", 1, [&] { cold.run(); }},
                                   {"other", 1, [&] { other_question.run(); }},
-                                  {"range", 1, [&] { other_range(++ranges).run(); }}};
+                                  {"range", 1, [&] { other_range(++ranges).run(); }},
+                                  {"large", 1, [&] { large.run(); }},
+                                  {"errors", 1, [&] { errors.run(); }}};
   RoundOptions options;
   options.rounds = 9;
   options.clock = wall_seconds;

@@ -19,5 +19,19 @@ TEST(PlantedSingularity, IsFoundInNearlyAllRobots) {
   expect_most("boxes of poses, 50 to 99 %", find_planted(13, 200, 0.5, 0.99, "box"));
 }
 
+template <class Plant>
+void expect_most_plants(const char* what, std::uint64_t seed) {
+  for (const char* motion : {"pose", "box", "path"})
+    for (const bool alpha : {false, true})
+      expect_most(fmt::format("{}, {}, {}", what, motion, alpha ? "threshold" : "zero").c_str(),
+                  find_plants<Plant>(seed++, 200, 0.0, 0.99, motion, alpha));
+}
+
+TEST(PlantedSingularity, IsFoundInNearlyAllModels) {
+  expect_most("paths, 50 to 99 %", find_planted(14, 200, 0.5, 0.99, "path"));
+  expect_most_plants<RandomPlanarPlatform>("planar platforms", 41);
+  expect_most_plants<RandomMatrixModel>("matrices", 51);
+}
+
 }  // namespace
 }  // namespace regulus::test

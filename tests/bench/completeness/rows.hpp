@@ -1,0 +1,11 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "tests/bench/report/row.hpp"
+
+namespace regulus::bench {
+
+/// Counts random models that are decided, with and without a singularity that is known to be there.
+[[nodiscard]] Section completeness_rows();
+
+}  // namespace regulus::bench
