@@ -2,7 +2,6 @@
 #include "codegen/model/gough.hpp"
 
 #include "codegen/model/degrees.hpp"
-#include "codegen/model/rotation.hpp"
 
 namespace regulus::inline model {
 namespace {
@@ -10,18 +9,6 @@ namespace {
 using GiNaC::ex;
 
 constexpr std::array<const char*, 3> kAxes = {"x", "y", "z"};
-
-std::vector<std::string> orientation_names(Orientation orientation) {
-  switch (orientation) {
-    case Orientation::kEulerZxz:
-      return {"psi", "theta", "phi"};
-    case Orientation::kRollPitchYaw:
-      return {"roll", "pitch", "yaw"};
-    case Orientation::kQuaternion:
-      break;
-  }
-  return {"q0", "q1", "q2", "q3"};
-}
 
 void add_pose_parameter(Model& model, const std::string& name, const std::string& unit) {
   model.pose.push_back({GiNaC::realsymbol(name), name, unit});
@@ -61,32 +48,13 @@ std::array<Point, 6> add_side(Model& model, const Side& side, ToleranceShape sha
   return symbols;
 }
 
-/// The rotation as S/N with S = N·R free of divisions.
-struct ScaledRotation {
-  GiNaC::matrix S;
-  ex N = 1;
-};
-
-ex squared_norm(const Model& model) {
-  ex sum = 0;
-  for (std::size_t i = 3; i < model.pose.size(); ++i) sum += pow(model.pose[i].symbol, 2);
-  return sum;
-}
-
 ScaledRotation rotation(const Model& model, Orientation orientation) {
-  const auto q = [&model](std::size_t i) -> ex {
-    const PoseParameter& p = model.pose[3 + i];
-    return is_in_degrees(p.unit) ? p.symbol * one_degree() : ex(p.symbol);
-  };
-  switch (orientation) {
-    case Orientation::kEulerZxz:
-      return {rotation_euler_zxz(q(0), q(1), q(2))};
-    case Orientation::kRollPitchYaw:
-      return {rotation_roll_pitch_yaw(q(0), q(1), q(2))};
-    case Orientation::kQuaternion:
-      break;
+  std::vector<ex> parameters;
+  for (std::size_t i = 3; i < model.pose.size(); ++i) {
+    const PoseParameter& p = model.pose[i];
+    parameters.push_back(is_in_degrees(p.unit) ? p.symbol * one_degree() : ex(p.symbol));
   }
-  return {scaled_rotation_quaternion(q(0), q(1), q(2), q(3)), squared_norm(model)};
+  return scaled_rotation(orientation, parameters);
 }
 
 /// Row `leg` of N·M: (N(X − a) + Sb, Sb × (X − a)); and its row scale 1/(Nρ).
@@ -103,16 +71,6 @@ void set_leg(Model& model, unsigned leg, const ScaledRotation& R, const Point& a
     squared_length += pow(direction, 2);
   }
   model.row_scale.push_back(pow(squared_length, GiNaC::numeric(-1, 2)));
-}
-
-/// The velocity of C and the angular velocity, both in the reference frame.
-std::vector<TwistComponent> twist_of_platform(const std::string& unit) {
-  std::vector<TwistComponent> twist;
-  for (const char* name : {"v_x", "v_y", "v_z"})
-    twist.push_back({TwistComponent::Kind::kLinear, name, unit});
-  for (const char* name : {"w_x", "w_y", "w_z"})
-    twist.push_back({TwistComponent::Kind::kAngular, name, "rad"});
-  return twist;
 }
 
 }  // namespace

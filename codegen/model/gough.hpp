@@ -8,16 +8,9 @@
 #include <vector>
 
 #include "codegen/model/exact_algebra.hpp"
-#include "codegen/model/model.hpp"
+#include "codegen/model/orientation.hpp"
 
 namespace regulus::inline model {
-
-/// The description of the platform's orientation, with the names of its pose parameters.
-enum class Orientation {
-  kEulerZxz,      ///< psi theta phi, R = Rz(psi)·Rx(theta)·Rz(phi)
-  kRollPitchYaw,  ///< roll pitch yaw, R = Rz(yaw)·Ry(pitch)·Rx(roll)
-  kQuaternion,    ///< q0 q1 q2 q3, R the rotation of q/|q|
-};
 
 /// The meaning of an anchor's tolerance: ± on each coordinate, or the radius of a ball.
 enum class ToleranceShape { kBox, kBall };

@@ -91,13 +91,18 @@ void read_robot(ModelReading& reading, const TomlEntry& root) {
   const TomlReader& toml = reading.toml;
   const TomlEntry gough = toml.optional(root, "gough"), serial = toml.optional(root, "serial");
   if (gough.node) {
-    refuse_beside(toml, root, "gough", {"pose", "geometry", "let", "matrix", "serial"});
+    refuse_beside(toml, root, "gough", {"pose", "geometry", "let", "matrix", "serial", "legs"});
     return read_gough(reading, gough);
   }
   if (serial.node) {
-    refuse_beside(toml, root, "serial", {"pose", "matrix"});
+    refuse_beside(toml, root, "serial", {"pose", "matrix", "legs"});
     read_constants(reading, root);
     return read_serial(reading, serial);
+  }
+  if (const TomlEntry legs = toml.optional(root, "legs"); legs.node) {
+    refuse_beside(toml, root, "legs", {"pose", "matrix"});
+    read_constants(reading, root);
+    return read_legs(reading, legs);
   }
   read_pose(reading, toml.required(root, "pose"));
   read_constants(reading, root);
@@ -140,9 +145,10 @@ std::string read_model_text(const std::filesystem::path& path) {
 
 Model parse_model(std::string_view text, const std::string& name_for_errors,
                   const std::string& asked) {
-  static const std::array<std::string, 14> kKeys = {
-      "regulus", "name",   "source", "pose", "geometry", "let",       "matrix",
-      "gough",   "serial", "motion", "load", "twist",    "actuators", "characteristic_length"};
+  static const std::array<std::string, 15> kKeys = {
+      "regulus", "name",   "source", "pose",      "geometry",
+      "let",     "matrix", "gough",  "serial",    "legs",
+      "motion",  "load",   "twist",  "actuators", "characteristic_length"};
   if (text.size() > kLargestModelFile)
     throw InputError::statement(
         name_for_errors, 0, "the file is too large",

@@ -25,6 +25,8 @@ struct ModelReading {
   Declarations names{};
   Model model{};
   double size = 0;  ///< of the expressions so far
+  /// Each ≤ 0 where the actuated joints of [legs] are within their ranges.
+  std::vector<ParsedExpression> joint_ranges{};
 
   /// Adds up the sizes; refuses the entry that makes the model too large.
   void count(const ParsedExpression& term, const TomlEntry& entry) {
@@ -61,6 +63,10 @@ void read_gough(ModelReading& reading, const TomlEntry& gough);
 /// Fills pose, matrix, names and, if every joint has a range, the motion `limits` from a [serial]
 /// table. Its values may use the names of [geometry] and [let], which are read before.
 void read_serial(ModelReading& reading, const TomlEntry& serial);
+
+/// Fills pose, geometry, matrix, names and joint_ranges from a [legs] table. Its values may use the
+/// names of [geometry] and [let], which are read before.
+void read_legs(ModelReading& reading, const TomlEntry& legs);
 
 /// Fills Model::twist from the names of the matrix's columns; needs the pose.
 void read_twist_names(ModelReading& reading, const TomlEntry& names);

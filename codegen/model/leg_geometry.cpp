@@ -1,0 +1,133 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "codegen/model/leg_geometry.hpp"
+
+#include "codegen/model/certain_sign.hpp"
+#include "codegen/model/constants.hpp"
+#include "codegen/model/exact_algebra.hpp"
+
+namespace regulus::inline model {
+namespace {
+
+using GiNaC::ex;
+
+constexpr std::array<const char*, 3> kCoordinates = {"_x", "_y", "_z"};
+
+FormulaPoint formulas(const Point& v) { return {Formula(v[0]), Formula(v[1]), Formula(v[2])}; }
+
+std::string numbers(std::size_t count) {
+  return std::to_string(count) + (count == 1 ? " number" : " numbers");
+}
+
+}  // namespace
+
+std::vector<std::string> LegGeometry::keys() {
+  return {"base_tolerance", "platform_tolerance", "crank_tolerance",
+          "rod_tolerance",  "axis_tolerance",     "tolerance_shape"};
+}
+
+void LegGeometry::read_tolerances() {
+  const TomlReader& toml = reading_.toml;
+  for (Group& group : groups_) {
+    const TomlEntry given = toml.optional(legs_, group.key);
+    if (!given.node) continue;
+    group.tolerance = checked_nonnegative(constant(given), toml.place(given));
+    group.given = true;
+  }
+  if (const TomlEntry shape = toml.optional(legs_, "tolerance_shape"); shape.node)
+    balls_ = choice(
+        toml, shape,
+        std::array{std::pair{std::string("box"), false}, std::pair{std::string("ball"), true}});
+}
+
+FormulaPoint LegGeometry::point(const TomlEntry& list, LegGroup kind, const std::string& number) {
+  const auto values = elements(list, coordinates_);
+  const Group& of = group(kind);
+  FormulaPoint result;
+  ToleranceBall ball{.members = {}, .radius = of.tolerance, .group = of.name};
+  const int index = balls_ ? static_cast<int>(reading_.model.balls.size()) : -1;
+  for (std::size_t i = 0; i < coordinates_; ++i) {
+    const std::size_t before = reading_.model.geometry.size();
+    result[i] = quantity(values[i], of.letter + number + kCoordinates[i], of, index);
+    if (reading_.model.geometry.size() > before) ball.members.push_back(before);
+  }
+  if (balls_ && !ball.members.empty()) reading_.model.balls.push_back(std::move(ball));
+  return result;
+}
+
+Formula LegGeometry::length(const TomlEntry& entry, LegGroup kind, const std::string& number) {
+  const ParsedExpression term = reading_.toml.expression(entry, reading_.names);
+  if (term.constant && certain_sign(term.value) != CertainSign::kPositive)
+    reading_.toml.reject(entry, "a length that is not positive", "a rod has a positive length");
+  return quantity(entry, group(kind).letter + number, group(kind), -1);
+}
+
+Formula LegGeometry::quantity(const TomlEntry& entry, const std::string& name, const Group& of,
+                              int ball) {
+  const ParsedExpression term = reading_.toml.expression(entry, reading_.names);
+  const Place place = reading_.toml.place(entry);
+  reading_.count(term, entry);
+  append(reading_.model.must_be_defined, term.must_be_defined);
+  if (!term.constant) {
+    reading_.names.declare(name, term, place);
+    return Formula(name);
+  }
+  const GiNaC::realsymbol symbol(name);
+  reading_.names.declare(name, variable(symbol), place);
+  reading_.model.geometry.push_back({symbol, name, term.value, of.tolerance, of.name, ball});
+  return Formula(name);
+}
+
+LegAxis LegGeometry::axis(const TomlEntry& list, const std::string& number) {
+  Point v = {0, 0, 0};
+  bool exact = !group(LegGroup::kAxis).given;
+  const auto values = elements(list, coordinates_);
+  for (std::size_t i = 0; i < coordinates_; ++i) {
+    const ParsedExpression term = reading_.toml.expression(values[i], reading_.names);
+    append(reading_.model.must_be_defined, term.must_be_defined);
+    exact = exact && term.constant;
+    v[i] = term.value;
+  }
+  if (!exact) return {.direction = point(list, LegGroup::kAxis, number)};
+  const Point n = unit(list, v);
+  // A coordinate axis across the direction, if there is one, gives the shortest expressions.
+  Point g = {-n[1], n[0], 0};
+  if (n[2].is_zero())
+    g = {0, 0, 1};
+  else if (n[1].is_zero())
+    g = {0, 1, 0};
+  else if (n[0].is_zero())
+    g = {1, 0, 0};
+  else
+    g = unit(list, g);
+  return {formulas(n), std::pair(formulas(reduced(cross(g, n))), formulas(g))};
+}
+
+FormulaPoint LegGeometry::direction(const TomlEntry& list) {
+  const auto values = elements(list, coordinates_);
+  Point v = {0, 0, 0};
+  for (std::size_t i = 0; i < coordinates_; ++i) v[i] = constant(values[i]).value;
+  return formulas(unit(list, v));
+}
+
+Point LegGeometry::unit(const TomlEntry& list, const Point& v) const {
+  const ex square = reduced(dot(v, v));
+  if (!is_certainly_nonzero(square))
+    reading_.toml.reject(list, list.path + " is zero, or cannot be told from zero",
+                         "it must have a direction");
+  return reduced(scaled(1 / GiNaC::sqrt(square), v));
+}
+
+ParsedExpression LegGeometry::constant(const TomlEntry& entry) {
+  ParsedExpression term = reading_.toml.constant(entry);
+  append(reading_.model.must_be_defined, term.must_be_defined);
+  return term;
+}
+
+std::vector<TomlEntry> LegGeometry::elements(const TomlEntry& list, std::size_t count) const {
+  auto found = reading_.toml.elements(list, numbers(count));
+  if (found.size() != count)
+    reading_.toml.refuse(list, numbers(found.size()) + " in " + list.path, numbers(count));
+  return found;
+}
+
+}  // namespace regulus::model

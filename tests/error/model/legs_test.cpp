@@ -1,0 +1,122 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "tests/error/model/refusal.hpp"
+
+namespace regulus {
+namespace {
+
+using test::changed;
+using test::expect_refused;
+
+const std::string kRobot =
+    "regulus = 1\n"
+    "name = \"robot\"\n"
+    "[legs]\n"
+    "crank = 1\n"
+    "rod = 2\n"
+    "mode = \"+\"\n"
+    "[[legs.leg]]\n"
+    "type = \"RRR\"\n"
+    "base = [0, 0]\n"
+    "platform = [0, 0]\n"
+    "[[legs.leg]]\n"
+    "type = \"RPR\"\n"
+    "base = [1, 0]\n"
+    "platform = [1, 0]\n"
+    "[[legs.leg]]\n"
+    "type = \"PRR\"\n"
+    "base = [0, 1]\n"
+    "platform = [0, 1]\n"
+    "axis = [1, 0]\n"
+    "[motion.zero]\n"
+    "x = 0\n"
+    "y = 0\n"
+    "phi = 0\n";
+
+void expect_refused_robot(const std::string& from, const std::string& to, int line,
+                          const std::string& found, const std::string& expected) {
+  expect_refused(changed(kRobot, from, to), line, found, expected);
+}
+
+TEST(LegsRefusal, TogetherWithPoseMatrixOrSerial) {
+  expect_refused(kRobot + "[pose]\nx = \"m\"\n", 24, "[pose] cannot be used together with [legs]",
+                 "remove one of them");
+  expect_refused(kRobot + "[matrix]\nrows = [[1]]\n", 24, "[matrix] cannot be used together",
+                 "remove one of them");
+  expect_refused(kRobot + "[serial]\n", 3, "[legs] cannot be used together with [serial]",
+                 "remove one of them");
+}
+
+TEST(LegsRefusal, UnknownKeysTypesAndModes) {
+  expect_refused_robot("axis = [1, 0]", "axes = [1, 0]", 19, "unknown key 'legs.leg[3].axes'",
+                       "'axis'");
+  expect_refused_robot("\"RPR\"", "\"RPS\"", 12, "the string 'RPS'", "\"UPS\"");
+  expect_refused_robot("mode = \"+\"", "mode = \"up\"", 6, "the string 'up'", "\"+\" or \"-\"");
+}
+
+TEST(LegsRefusal, KeysThatALegDoesNotHave) {
+  expect_refused_robot("platform = [1, 0]\n", "platform = [1, 0]\nrod = 3\n", 15,
+                       "a leg RPR has no rod", "remove it");
+  expect_refused_robot("base = [0, 0]\n", "base = [0, 0]\naxis = [0, 1]\n", 10,
+                       "a leg RRR has no axis", "remove it");
+}
+
+TEST(LegsRefusal, MissingGeometry) {
+  expect_refused_robot("axis = [1, 0]\n", "", 15, "there is no 'axis' in legs.leg[3]", "add");
+  expect_refused_robot("crank = 1\n", "", 6, "there is no 'crank' in legs.leg[1]", "add");
+  expect_refused_robot("platform = [0, 0]\n", "", 7, "there is no 'platform' in legs.leg[1]",
+                       "add");
+  expect_refused_robot("base = [0, 0]", "base = [0, 0, 0]", 9, "3 numbers in legs.leg[1].base",
+                       "2 numbers");
+}
+
+TEST(LegsRefusal, LengthsThatAreNotPositive) {
+  expect_refused_robot("crank = 1", "crank = 0", 4, "a length that is not positive", "positive");
+  expect_refused_robot("rod = 2", "rod = -2", 5, "a length that is not positive", "positive");
+}
+
+TEST(LegsRefusal, AnAxisWithoutDirection) {
+  expect_refused_robot("axis = [1, 0]", "axis = [0, 0]", 19, "is zero", "have a direction");
+}
+
+TEST(LegsRefusal, LegsInThePlaneAndInSpace) {
+  expect_refused_robot("\"PRR\"", "\"UPS\"", 16, "a leg UPS in space beside a leg RRR in the plane",
+                       "legs of one kind");
+}
+
+TEST(LegsRefusal, JointsThatCannotBeDriven) {
+  expect_refused_robot("axis = [1, 0]", "axis = [1, 0]\nactuated = 4", 20, "the integer 4",
+                       "1, 2 or 3 from the base");
+  expect_refused_robot("axis = [1, 0]", "axis = [1, 0]\nactuated = \"P\"", 20, "the string 'P'",
+                       "\"none\"");
+}
+
+TEST(LegsRefusal, TooFewMotors) {
+  expect_refused_robot("axis = [1, 0]", "axis = [1, 0]\nactuated = \"none\"", 3,
+                       "fewer than the 3 freedoms of the platform", "drive more");
+}
+
+TEST(LegsRefusal, ALevelPlatformThatTurns) {
+  const std::string robot =
+      "regulus = 1\nname = \"robot\"\n[legs]\norientation = \"euler-zxz\"\n[[legs.leg]]\n"
+      "type = \"UPU\"\nbase = [0, 0, 0]\nplatform = [0, 0, 0]\naxis = [1, 0, 0]\n"
+      "[motion.zero]\nx = 0\n";
+  expect_refused(robot, 5, "a leg UPU keeps the platform from turning", "orientation = \"fixed\"");
+  expect_refused(changed(robot, "orientation = \"euler-zxz\"\n", ""), 3,
+                 "there is no 'orientation'", "add");
+}
+
+TEST(LegsRefusal, RangesThatSayNothing) {
+  expect_refused_robot("axis = [1, 0]", "axis = [1, 0]\nrange = [2, 1]", 20, "range",
+                       "its lower end must not be above");
+  expect_refused_robot("platform = [1, 0]", "platform = [1, 0]\nrange = [-1, 1]", 15, "-1", "0");
+  expect_refused_robot("platform = [0, 0]", "platform = [0, 0]\nrange = [-4, 4]", 11,
+                       "not shown to be less than a turn", "needs no range");
+}
+
+TEST(LegsRefusal, ANameThatALegHas) {
+  expect_refused_robot("[legs]\n", "[geometry]\ne1_x = 1\n[legs]\n", 5, "'e1_x' is declared twice",
+                       "choose another name");
+}
+
+}  // namespace
+}  // namespace regulus
