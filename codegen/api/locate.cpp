@@ -17,11 +17,12 @@ namespace {
 /// throws it again.
 class BoxListener final : public Observer {
  public:
-  explicit BoxListener(const LocateOptions& options, const std::atomic<bool>* interrupt)
-      : options_(options), interrupt_(interrupt) {}
+  explicit BoxListener(const LocateOptions& options, const std::atomic<bool>* interrupt,
+                       const Problem& problem, std::size_t reach)
+      : options_(options), interrupt_(interrupt), claims_(problem, reach) {}
 
   void on_leaf(const OpenBox& box, Rule rule, const Proof&) noexcept override {
-    tell(claim_of(rule), box.box);
+    tell(claims_.of(box.box, rule), box.box);
   }
   void on_open(const OpenBox& box) noexcept override { tell(Claim::kUndecided, box.box); }
   void on_progress(const Statistics&, std::uint64_t) noexcept override {
@@ -46,6 +47,7 @@ class BoxListener final : public Observer {
 
   const LocateOptions& options_;
   const std::atomic<bool>* interrupt_;
+  LeafClaims claims_;
   std::atomic<bool> stop_{false};
   std::exception_ptr thrown_;
 };
@@ -61,8 +63,8 @@ Paving locate(const Question& question, const LocateOptions& options,
       prepare(question.options(), search, FormingWatch{.interrupt = interrupt});
   const PavingOptions paving = resolve_paving({.resolution = options.resolution}, search, prepared);
   const Problem problem = prepared.problem();
-  Volumes volumes(problem);
-  BoxListener listener(options, interrupt);
+  Volumes volumes(problem, prepared.labels.reach);
+  BoxListener listener(options, interrupt, problem, prepared.labels.reach);
   Observers observers({&volumes, &listener});
   Settings settings = settings_of(prepared, search, &listener.stop());
   require_paving(paving, settings);
@@ -75,6 +77,7 @@ Paving locate(const Question& question, const LocateOptions& options,
   found.singular = volumes.fraction(volumes.of(Claim::kSingular));
   found.undecided = volumes.fraction(volumes.of(Claim::kUndecided));
   found.outside = volumes.fraction(volumes.of(Claim::kOutside));
+  found.unreachable = volumes.fraction(volumes.of(Claim::kUnreachable));
   found.report = paving_report(prepared, search, paving, volumes, found.result);
   found.json = json_paving_summary(prepared, search, paving, volumes, found.result).dump(2);
   for (const VariableLabel& variable : prepared.labels.variables)

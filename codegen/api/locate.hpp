@@ -26,15 +26,15 @@ struct LocateOptions {
 struct Paving {
   Verdict verdict = Verdict::kPossibleProblem;  ///< of the whole motion
   /// Bounds of the fraction of the motion's box with each claim, in [0, 1].
-  Interval free{0.0}, singular{0.0}, undecided{0.0}, outside{0.0};
+  Interval free{0.0}, singular{0.0}, undecided{0.0}, outside{0.0}, unreachable{0.0};
   std::string report;                  ///< the lines that precede the verdict on a terminal
   std::string json;                    ///< the summary that --json prints
   std::vector<std::string> variables;  ///< motion parameters, then uncertain quantities
   Result result;
 };
 
-/// Splits the motion into boxes that are proved free, proved singular, outside the constraints, or
-/// undecided at that resolution. Threads and errors as check().
+/// Splits the motion into boxes that are proved free, proved singular, outside the constraints, out
+/// of reach (if the motion says where = "reachable"), or undecided at that resolution. Threads and errors as check().
 [[nodiscard]] Paving locate(const Question& question, const LocateOptions& options = {},
                             const std::atomic<bool>* interrupt = nullptr);
 

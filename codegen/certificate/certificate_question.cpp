@@ -39,6 +39,7 @@ class QuestionText {
     write_poses();
     write_matrix();
     for (const ex& e : motion_.must_be_defined) put("motion-defined", expression_text(e));
+    for (const ex& e : motion_.reach) put("reach", expression_text(e));
     for (const ex& e : motion_.constraints) put("constraint", expression_text(e));
     return std::move(text_);
   }
@@ -165,9 +166,9 @@ CertifiedQuestion certified_question(const Request& request,
                                      const std::set<std::string>& uncertain) {
   require_distinct_names(request);
   const GiNaC::matrix& matrix = request.model.matrix;
-  const format::ClaimedSet set{matrix.rows(), matrix.cols(),
-                               uncertain.size() + control_errors(request.motion),
-                               expression_text(request.motion.alpha) != "0"};
+  const format::ClaimedSet set{
+      matrix.rows(), matrix.cols(), uncertain.size() + control_errors(request.motion),
+      expression_text(request.motion.alpha) != "0", !request.motion.reach.empty()};
   return {QuestionText(request, uncertain).text(), format::describe_claim(set, false),
           format::describe_claim(set, true)};
 }

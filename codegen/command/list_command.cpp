@@ -62,6 +62,7 @@ Json json_motion(const Motion& motion) {
   return {{"name", motion.name},
           {"parameters", parameters},
           {"waypoints", motion.waypoints ? Json(motion.waypoints->file) : Json()},
+          {"where", name(motion.where)},
           {"constraints", motion.constraints.size()}};
 }
 
@@ -91,6 +92,8 @@ std::string format_motion(const Model& model, const Motion& motion) {
     if (!motion.pose[i].is_equal(model.pose[i].symbol))
       text += fmt::format("           {} = {}{}\n", model.pose[i].name,
                           formula_text(motion.pose[i]), unit_suffix(model.pose[i].unit));
+  if (motion.where != Where::kEverywhere)
+    text += fmt::format("           where {}\n", name(motion.where));
   if (!motion.constraints.empty())
     text += fmt::format("           constraints {}\n", motion.constraints.size());
   return text;

@@ -109,6 +109,17 @@ std::vector<Observer*> present(std::initializer_list<Observer*> observers) {
   return result;
 }
 
+/// Unless the motion says where = "reachable", its poses out of reach are part of the question, and
+/// the matrix is undefined there.
+void keep_poses_out_of_reach(const PreparedSearch& p, const Volumes& volumes, Result& result) {
+  const bool claims_all =
+      result.verdict == Verdict::kNoSingularity || result.reason == Reason::kEmptyVariety;
+  if (!p.labels.where.empty() || !claims_all || volumes.unreachable_box().empty()) return;
+  result.verdict = Verdict::kPossibleProblem;
+  result.reason = Reason::kUndefined;
+  result.blocking_box = volumes.unreachable_box();
+}
+
 /// Returns after the report and all files are written.
 Result pave_and_report(const LocateCommand& command, PreparedSearch& preparation,
                        InterruptGuard& interrupt) {
@@ -120,7 +131,7 @@ Result pave_and_report(const LocateCommand& command, PreparedSearch& preparation
   if (lines.wanted())
     writer.emplace(lines.stream(), preparation, options, [&interrupt] { interrupt.request(); });
   const Problem problem = preparation.problem();
-  Volumes volumes(problem);
+  Volumes volumes(problem, preparation.labels.reach);
   CertificateFile certificate(command.certificate, preparation);
   SearchDisplay display(command.output);
   Observers observers(present({&volumes, writer ? &*writer : nullptr, pictures.canvas(),
@@ -131,6 +142,7 @@ Result pave_and_report(const LocateCommand& command, PreparedSearch& preparation
   interrupt.begin_search();
   Result result = run_search(preparation, command.search, settings, &observers);
   close_in_on_witness(preparation, command.search, settings, result);
+  keep_poses_out_of_reach(preparation, volumes, result);
 
   certificate.finish(result);
   auto summary = json_paving_summary(preparation, command.search, options, volumes, result);
@@ -156,8 +168,11 @@ int run_locate(const LocateCommand& command) {
   for (const std::string& picture : command.pictures) require_picture_format(picture);
   set_earlier_outputs_aside(command.model.path, outputs_of(command));
   InterruptGuard interrupt;
+  // A certificate is about all poses of the motion.
+  ModelOptions model = command.model;
+  model.separates_reach = command.certificate.empty();
   PreparedSearch preparation =
-      prepare(command.model, command.search, forming_watch(command.output, &interrupt.requested()));
+      prepare(model, command.search, forming_watch(command.output, &interrupt.requested()));
   const Result result = pave_and_report(command, preparation, interrupt);
   return end_command(preparation, command.output, result, interrupt.requested());
 }

@@ -14,7 +14,9 @@ ReportLabels report_labels(const Request& request, const Formulation& formulatio
   subject.columns = formulation.columns;
   if (formulation.rows == formulation.columns)
     subject.determinant_exponent = formulation.scaling.determinant_exponent();
-  subject.constraints = request.motion.constraints.size();
+  subject.where = name(request.motion.where);
+  subject.reach = request.motion.reach.size();
+  subject.constraints = subject.reach + request.motion.constraints.size();
   subject.detail = formulation.detail;
   for (const PoseParameter& p : request.model.pose) subject.pose.push_back({p.name, p.unit});
   subject.twist = request.model.twist;

@@ -32,7 +32,9 @@ struct ReportLabels {
   std::vector<std::string> matrix_notes;  ///< as in Model
   int rows = 0;
   int columns = 0;
-  std::size_t constraints = 0;
+  std::string where;                      ///< as name(Motion::where)
+  std::size_t constraints = 0;            ///< of the kernel
+  std::size_t reach = 0;                  ///< the first constraints: those of Motion::reach
   int determinant_exponent = 0;           ///< as in Problem
   FormDetail detail = FormDetail::kFull;  ///< of the functions that are searched
   std::vector<PoseLabel> pose;

@@ -60,8 +60,9 @@ void SymbolicStages::give_up() {
   watch_ = {};
   matrix_.reset();
   outline_ = formulation_ = formulate_shape(of.model, of.motion);
-  module_ = undefined_kernel(*formulation_, static_cast<int>(of.motion.constraints.size()),
-                             static_cast<int>(of.model.pose.size()));
+  module_ = undefined_kernel(
+      *formulation_, static_cast<int>(of.motion.reach.size() + of.motion.constraints.size()),
+      static_cast<int>(of.model.pose.size()));
 }
 
 }  // namespace regulus::engine

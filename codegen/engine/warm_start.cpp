@@ -16,12 +16,13 @@ namespace {
 using Json = nlohmann::json;
 
 /// Increase it if the meaning of the text of a warm start changes.
-constexpr int kFormat = 5;
+constexpr int kFormat = 6;
 
 /// The path of the file does not matter: its text is in the key.
 void add(KeyParts& parts, const ModelOptions& options) {
   // All members are named: a new one does not compile until it is in the key.
-  const auto& [path, motion, ranges, tolerances, alpha, waypoints, tubes, text, asked] = options;
+  const auto& [path, motion, ranges, tolerances, alpha, waypoints, tubes, text, asked,
+               separates_reach] = options;
   static_cast<void>(path);
   static_cast<void>(text);
   parts.add(motion);
@@ -31,6 +32,7 @@ void add(KeyParts& parts, const ModelOptions& options) {
   parts.add(waypoints);
   parts.add(tubes);
   parts.add(asked);
+  parts.add(separates_reach);
 }
 
 std::string hexadecimal(double bound) { return fmt::format("{:a}", bound); }
@@ -74,7 +76,9 @@ Json json_of(const ReportLabels& subject) {
           {"matrix_notes", subject.matrix_notes},
           {"rows", subject.rows},
           {"columns", subject.columns},
+          {"where", subject.where},
           {"constraints", subject.constraints},
+          {"reach", subject.reach},
           {"determinant_exponent", subject.determinant_exponent},
           {"detail", static_cast<int>(subject.detail)},
           {"pose", pose},
@@ -113,7 +117,10 @@ ReportLabels report_labels(const Json& json) {
   subject.matrix_notes = json.at("matrix_notes").get<std::vector<std::string>>();
   subject.rows = count_of(json.at("rows"));
   subject.columns = count_of(json.at("columns"));
+  subject.where = json.at("where");
   subject.constraints = std::size_t(count_of(json.at("constraints")));
+  subject.reach = std::size_t(count_of(json.at("reach")));
+  if (subject.reach > subject.constraints) throw std::invalid_argument("no such constraints");
   subject.determinant_exponent = exponent_of(json.at("determinant_exponent"));
   subject.detail = FormDetail(count_of(json.at("detail")));
   for (const Json& p : json.at("pose")) subject.pose.push_back({p.at(0), p.at(1)});

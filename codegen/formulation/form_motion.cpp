@@ -27,6 +27,8 @@ void Formulator::form_row_scale() {
 
 void Formulator::form_motion() {
   // A constraint cuts the variety of commanded poses; control errors are added afterwards.
+  for (const GiNaC::ex& operand : motion_.reach)
+    result_.constraints.push_back(rewritten(substitution_.apply_commanded(-operand), "constraint"));
   for (const GiNaC::ex& constraint : motion_.constraints)
     result_.constraints.push_back(
         rewritten(substitution_.apply_commanded(constraint), "constraint"));

@@ -90,6 +90,20 @@ struct WaypointSource {
   std::string interpolation = "linear";  ///< "linear", "cubic" or "hermite"
 };
 
+/// The poses of its set that a motion is about.
+enum class Where {
+  kEverywhere,
+  kReachable,     ///< those that the robot reaches
+  kWithinRanges,  ///< those that it reaches with its actuated joints within their ranges
+};
+
+/// Returns the word of model files; empty for all poses.
+[[nodiscard]] constexpr const char* name(Where where) noexcept {
+  return where == Where::kReachable      ? "reachable"
+         : where == Where::kWithinRanges ? "within-ranges"
+                                         : "";
+}
+
 /// A motion variety: pose = f(t_1 … t_m), t in a box, H_j(t) ≤ 0; or a trajectory of many pieces,
 /// which has no parameters and no constraints.
 struct Motion {
@@ -98,6 +112,10 @@ struct Motion {
   std::vector<GiNaC::ex> pose;         ///< in the order of Model::pose
   std::vector<GiNaC::ex> error;        ///< control error ±, in the order of Model::pose; 0 = none
   std::vector<GiNaC::ex> constraints;  ///< each ≤ 0; in the motion, pose and geometry symbols
+  Where where = Where::kEverywhere;
+  std::vector<GiNaC::ex>
+      reach{};  ///< each ≥ 0 where the robot reaches the pose; poses where one is
+                ///< negative are no part of the variety; as in constraints
   GiNaC::ex alpha = 0;
   std::vector<GiNaC::ex> must_be_defined;  ///< of pose and constraints; in their symbols
   /// If it is set, `pose` only has the values of pose parameters that the file does not give.

@@ -5,6 +5,7 @@
 
 #include "codegen/model/constants.hpp"
 #include "codegen/model/names.hpp"
+#include "codegen/model/reach.hpp"
 #include "codegen/model/sections.hpp"
 #include "codegen/model/sign.hpp"
 
@@ -55,6 +56,7 @@ class MotionReader {
     read_pose();
     read_error();
     read_constraints();
+    read_where();
     read_alpha();
     motion_.must_be_defined = distinct(motion_.must_be_defined);
     return std::move(motion_);
@@ -64,14 +66,14 @@ class MotionReader {
   void check_keys() {
     std::vector<std::string> known = pose_names();
     for (const char* key :
-         {"parameters", "constraints", "error", "alpha", "waypoints", "interpolation"})
+         {"parameters", "constraints", "error", "alpha", "waypoints", "interpolation", "where"})
       known.push_back(key);
     (void)toml_.entries(entry_, known);
   }
 
   /// Reads a motion along the way-points of a file, which is read when the motion is chosen.
   Motion read_waypoint_motion() {
-    for (const char* key : {"parameters", "constraints"})
+    for (const char* key : {"parameters", "constraints", "where"})
       if (const TomlEntry e = toml_.optional(entry_, key); e.node)
         toml_.reject(e, std::string("a motion along way-points has no ") + key,
                      "remove one of them");
@@ -177,6 +179,22 @@ class MotionReader {
     if (!constraints.node) return;
     for (const TomlEntry& given : toml_.elements(constraints, "a list of expressions, each ≤ 0"))
       motion_.constraints.push_back(recorded(toml_.expression(given, names), given));
+  }
+
+  void read_where() {
+    const TomlEntry given = toml_.optional(entry_, "where");
+    if (!given.node) return;
+    motion_.where = choice(
+        toml_, given,
+        std::array{std::pair{std::string(name(Where::kReachable)), Where::kReachable},
+                   std::pair{std::string(name(Where::kWithinRanges)), Where::kWithinRanges}});
+    if (motion_.where == Where::kWithinRanges) {
+      if (reading_.joint_ranges.empty())
+        toml_.reject(given, "no actuated joint has a range", "give legs a range, in [legs]");
+      for (const ParsedExpression& range : reading_.joint_ranges)
+        motion_.constraints.push_back(recorded(range, given));
+    }
+    restrict_to_reach(reading_.model, motion_);
   }
 
   void read_alpha() {

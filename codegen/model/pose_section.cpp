@@ -10,8 +10,8 @@
 namespace regulus::inline model {
 
 void require_pose_name(const TomlReader& toml, const TomlEntry& entry, const std::string& name) {
-  static const std::array<std::string, 6> kMotionKeys = {
-      "parameters", "constraints", "alpha", "error", "waypoints", "interpolation"};
+  static const std::array<std::string, 7> kMotionKeys = {
+      "parameters", "constraints", "alpha", "error", "waypoints", "interpolation", "where"};
   if (std::ranges::find(kMotionKeys, name) != kMotionKeys.end())
     toml.reject(entry, "a pose parameter cannot be named '" + name + "', which is a key of motions",
                 "choose another name");

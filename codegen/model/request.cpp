@@ -3,6 +3,7 @@
 
 #include "codegen/model/model_file.hpp"
 #include "codegen/model/overrides.hpp"
+#include "codegen/model/reach.hpp"
 #include "codegen/model/trajectory.hpp"
 
 namespace regulus::inline model {
@@ -43,6 +44,9 @@ Request read_request(std::string_view text, const ModelOptions& options) {
     from_option("--tube", [&] { set_tube(request.model, request.motion, tube); });
   if (!options.alpha.empty())
     from_option("--alpha", [&] { set_alpha(request.motion, options.alpha); });
+  if (options.separates_reach && request.motion.where == Where::kEverywhere &&
+      !request.motion.trajectory)
+    restrict_to_reach(request.model, request.motion);
   return request;
 }
 

@@ -23,6 +23,9 @@ struct ModelOptions {
   std::vector<std::string> tubes{};   ///< "E" or "p,q=E": control errors
   std::optional<std::string> text{};  ///< of the model, instead of the file
   std::string asked{};                ///< an expression for Model::asked; empty: none
+  /// Restrict every motion to the poses within reach. It does not change Motion::where: a search
+  /// must say itself that the others are not safe.
+  bool separates_reach = false;
 };
 
 /// A model and the motion in question, with the changes of the command line applied.

@@ -23,7 +23,8 @@ constexpr std::uint8_t bit_of(Claim claim) {
 }  // namespace
 
 Canvas::Canvas(const PreparedSearch& preparation, const PavingOptions& options)
-    : drawn_(options.drawn),
+    : claims_(preparation.problem(), preparation.labels.reach),
+      drawn_(options.drawn),
       columns_(tile_count(options.resolution)),
       rows_(options.drawn.size() > 1 ? columns_ : 1),
       tiles_(columns_ * rows_),
@@ -51,7 +52,7 @@ void Canvas::paint(std::span<const Interval> box, Claim claim) noexcept {
 }
 
 void Canvas::on_leaf(const OpenBox& box, Rule rule, const Proof& proof) noexcept {
-  paint(box.box, claim_of(rule));
+  paint(box.box, claims_.of(box.box, rule));
   if (!is_flat() || rule == Rule::kOutside) return;
   const Span across = tiles(0, columns_, box.box[drawn_[0]]);
   for (std::size_t column = across.begin; column < across.end; ++column) {
@@ -75,9 +76,10 @@ void Canvas::on_open(const OpenBox& box) noexcept {
 
 Claim Canvas::claim(std::size_t column, std::size_t row) const noexcept {
   const std::uint8_t seen = tiles_[row * columns_ + column];
-  for (const Claim claim : {Claim::kSingular, Claim::kUndecided, Claim::kFree})
+  for (const Claim claim :
+       {Claim::kSingular, Claim::kUndecided, Claim::kFree, Claim::kOutside, Claim::kUnreachable})
     if ((seen & bit_of(claim)) != 0) return claim;
-  return seen != 0 ? Claim::kOutside : Claim::kUndecided;
+  return Claim::kUndecided;
 }
 
 /// Finds runs along each row, and joins a run with an equal run below.

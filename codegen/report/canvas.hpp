@@ -35,7 +35,7 @@ class Canvas final : public Observer {
   [[nodiscard]] std::size_t rows() const noexcept { return rows_; }
 
   /// Returns the claim of all boxes over a tile: singular if one is, else undecided if one is, else
-  /// free if one is.
+  /// free if one is, else outside, else out of reach.
   [[nodiscard]] Claim claim(std::size_t column, std::size_t row) const noexcept;
   [[nodiscard]] const DeterminantTile& determinant(std::size_t column) const noexcept {
     return determinants_[column];
@@ -50,6 +50,7 @@ class Canvas final : public Observer {
   [[nodiscard]] Span tiles(std::size_t axis, std::size_t count, Interval x) const noexcept;
   void paint(std::span<const Interval> box, Claim claim) noexcept;
 
+  LeafClaims claims_;
   std::vector<std::size_t> drawn_;
   std::vector<Interval> ranges_;
   std::size_t columns_, rows_;

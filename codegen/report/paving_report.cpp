@@ -16,8 +16,8 @@ namespace {
 using Json = nlohmann::ordered_json;
 
 constexpr int kFormatVersion = 1;
-constexpr std::array kEveryClaim{Claim::kFree, Claim::kSingular, Claim::kUndecided,
-                                 Claim::kOutside};
+constexpr std::array kEveryClaim{Claim::kFree, Claim::kSingular, Claim::kUndecided, Claim::kOutside,
+                                 Claim::kUnreachable};
 
 /// Returns the claim of a box of that kind, for every value of the uncertain quantities or for
 /// some.
@@ -25,8 +25,10 @@ std::string describe_claim(const PreparedSearch& p, Claim claim) {
   const bool threshold = p.variety.alpha.hi > 0;
   const std::string alpha = threshold_text(p.variety.alpha, claim == Claim::kFree);
   const bool uncertain = uncertain_count(p) > 0;
-  const char* poses =
-      p.labels.constraints == 0 ? "pose of the box" : "pose of the box that meets the constraints";
+  const char* poses = p.labels.constraints > p.labels.reach
+                          ? "pose of the box that meets the constraints"
+                      : p.labels.reach > 0 ? "pose of the box that the robot reaches"
+                                           : "pose of the box";
   switch (claim) {
     case Claim::kFree:
       return fmt::format("{} at every {}{}",
@@ -42,6 +44,8 @@ std::string describe_claim(const PreparedSearch& p, Claim claim) {
       return "neither was shown";
     case Claim::kOutside:
       return "a constraint excludes every pose of the box";
+    case Claim::kUnreachable:
+      return "the robot reaches no pose of the box: a root is negative";
   }
   return "";
 }
@@ -90,13 +94,16 @@ std::string counted(const Share& share) {
 
 std::string format_share(const Volumes& volumes, Claim claim) {
   const Share& share = volumes.of(claim);
-  return fmt::format("{:<11}{}, {}\n", name(claim), percentage(volumes, share), counted(share));
+  const bool beyond = claim == Claim::kUnreachable;
+  return fmt::format("{:<11}{}, {}{}\n", beyond ? "outside" : name(claim),
+                     percentage(volumes, share), counted(share), beyond ? ", out of reach" : "");
 }
 
 std::string format_share(const PreparedSearch& p, const Volumes& volumes, const Result& result) {
   std::string lines;
   for (const Claim claim : kEveryClaim)
-    if (claim != Claim::kOutside || p.labels.constraints != 0)
+    if ((claim != Claim::kOutside || p.labels.constraints > p.labels.reach) &&
+        (claim != Claim::kUnreachable || p.labels.reach > 0))
       lines += format_share(volumes, claim);
   if (result.stopped_by)
     lines += fmt::format("stopped    {}: {}, {}, not searched, undecided\n",
@@ -116,7 +123,8 @@ Json json_paving_header(const PreparedSearch& p, const PavingOptions& options) {
                  {"motion", p.labels.motion},
                  {"parameters", json_ranges(p)},
                  {"uncertain", json_uncertain(p, p.variety.outer)},
-                 {"constraints", p.labels.constraints},
+                 {"where", p.labels.where},
+                 {"constraints", p.labels.constraints - p.labels.reach},
                  {"alpha", mid(p.variety.alpha)},
                  {"alpha_enclosure", json_interval(p.variety.alpha)},
                  {"resolution", options.resolution},

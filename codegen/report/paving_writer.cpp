@@ -46,15 +46,17 @@ PavingWriter::PavingWriter(std::ostream& out, const PreparedSearch& preparation,
     : out_(out),
       preparation_(preparation),
       ask_for_end_(std::move(ask_for_end)),
+      claims_(preparation.problem(), preparation.labels.reach),
       definedness_(preparation.stages->natural_formulation()),
       encloses_determinants_(options.encloses_determinants) {
   write_safely([&] { return json_paving_header(preparation, options); });
 }
 
-Json PavingWriter::leaf(const OpenBox& box, Rule rule, const Proof& proof) const {
-  const Claim claim = claim_of(rule);
+Json PavingWriter::leaf(const OpenBox& box, Rule rule, const Proof& proof) {
+  const Claim claim = claims_.of(box.box, rule);
   Json line = {{"kind", name(claim)}, {"box", json_parameters(preparation_, box.box)}};
-  if (claim == Claim::kFree || claim == Claim::kOutside) line["rule"] = name(rule);
+  if (claim == Claim::kFree || claim == Claim::kOutside || claim == Claim::kUnreachable)
+    line["rule"] = name(rule);
   if (claim == Claim::kSingular || claim == Claim::kUndecided)
     line["reason"] = describe(proof.reason);
   if (proof.witness != nullptr) line["points"] = json_points(preparation_, *proof.witness);

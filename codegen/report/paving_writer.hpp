@@ -29,12 +29,12 @@ class PavingWriter final : public Observer {
   void write(const nlohmann::ordered_json& line);
   template <class Line>
   void write_safely(Line line) noexcept;
-  [[nodiscard]] nlohmann::ordered_json leaf(const OpenBox& box, Rule rule,
-                                            const Proof& proof) const;
+  [[nodiscard]] nlohmann::ordered_json leaf(const OpenBox& box, Rule rule, const Proof& proof);
 
   std::ostream& out_;
   const PreparedSearch& preparation_;
   std::function<void()> ask_for_end_;
+  LeafClaims claims_;
   Definedness definedness_;
   const bool encloses_determinants_;
   bool failed_ = false;

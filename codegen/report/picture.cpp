@@ -14,8 +14,8 @@ namespace {
 
 /// Later kinds are drawn over earlier ones. Colours after Okabe and Ito, for readers who cannot
 /// distinguish red and green.
-constexpr std::array kDrawingOrder{Claim::kFree, Claim::kOutside, Claim::kUndecided,
-                                   Claim::kSingular};
+constexpr std::array kDrawingOrder{Claim::kFree, Claim::kUnreachable, Claim::kOutside,
+                                   Claim::kUndecided, Claim::kSingular};
 
 const char* colour(Claim claim) {
   switch (claim) {
@@ -27,6 +27,8 @@ const char* colour(Claim claim) {
       return "#f0e442";
     case Claim::kOutside:
       return "#dddddd";
+    case Claim::kUnreachable:
+      return "#999999";
   }
   return "";
 }
@@ -149,7 +151,8 @@ std::string plot_command(const std::vector<std::string>& parts) {
 }
 
 void append_legends(std::vector<std::string>& parts, const Volumes& volumes) {
-  for (const Claim claim : {Claim::kFree, Claim::kSingular, Claim::kUndecided, Claim::kOutside})
+  for (const Claim claim :
+       {Claim::kFree, Claim::kSingular, Claim::kUndecided, Claim::kOutside, Claim::kUnreachable})
     if (volumes.of(claim).boxes > 0) parts.push_back(legend(volumes, claim));
 }
 

@@ -78,12 +78,12 @@ std::string reservations(const PreparedSearch& p, const Result& result) {
 std::string claim(const PreparedSearch& p, const Result& result) {
   const bool threshold = p.variety.alpha.hi > 0;
   const std::size_t uncertain = uncertain_count(p);
+  const std::string pose = fmt::format("{} of the variety", describe_pose(p));
   const std::string set =
-      uncertain == 0 ? "every pose of the variety"
+      uncertain == 0 ? fmt::format("every {}", pose)
       : uncertain == 1
-          ? "every pose of the variety and every value of the uncertain quantity"
-          : fmt::format("every pose of the variety and every value of the {} uncertain quantities",
-                        uncertain);
+          ? fmt::format("every {} and every value of the uncertain quantity", pose)
+          : fmt::format("every {} and every value of the {} uncertain quantities", pose, uncertain);
   switch (result.verdict) {
     case Verdict::kNoSingularity:
       return (threshold
@@ -115,6 +115,7 @@ Json json_report(const PreparedSearch& p, const SearchOptions& search, const Res
   report["notes"] = notes_about(p);
   report["model_sha256"] = p.labels.model_sha256;
   report["motion"] = p.labels.motion;
+  report["where"] = p.labels.where;
   report["matrix"] = name(p.labels.matrix_kind);
   report["matrix_notes"] = p.labels.matrix_notes;
   report["alpha"] = mid(p.variety.alpha);

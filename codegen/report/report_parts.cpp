@@ -245,9 +245,23 @@ std::string format_matrix_notes(const PreparedSearch& p) {
   return lines;
 }
 
+const char* describe_pose(const PreparedSearch& p) {
+  return p.labels.where == name(Where::kReachable)      ? "reachable pose"
+         : p.labels.where == name(Where::kWithinRanges) ? "pose with the actuated joints in range"
+                                                        : "pose";
+}
+
+std::string format_where(const PreparedSearch& p) {
+  if (p.labels.where.empty()) return "";
+  const bool ranges = p.labels.where == name(Where::kWithinRanges);
+  return fmt::format("where      {}: poses out of reach{} are no part of the claim\n",
+                     p.labels.where, ranges ? " and joints out of range" : "");
+}
+
 std::string format_question(const PreparedSearch& p) {
   return fmt::format("model      {}\nmotion     {}\n", p.labels.model, p.labels.motion) +
-         format_variable(p, true) + format_notes(p) + format_matrix_notes(p) + format_uncertain(p);
+         format_variable(p, true) + format_where(p) + format_notes(p) + format_matrix_notes(p) +
+         format_uncertain(p);
 }
 
 std::vector<std::string> notes_about(const PreparedSearch& p) {

@@ -63,6 +63,11 @@ namespace regulus::inline report {
 /// Returns the lines that the model gives about its matrix; often there are none.
 [[nodiscard]] std::string format_matrix_notes(const PreparedSearch& preparation);
 
+/// Returns the poses that a claim is about: "pose", or "reachable pose".
+[[nodiscard]] const char* describe_pose(const PreparedSearch& p);
+/// Returns a line if some poses of the motion are no part of the claim.
+[[nodiscard]] std::string format_where(const PreparedSearch& p);
+
 /// Returns the lines about model, motion, matrix and uncertain quantities.
 [[nodiscard]] std::string format_question(const PreparedSearch& preparation);
 /// Returns what the user may have meant otherwise: an angle in radians that is wider than a turn.

@@ -38,6 +38,7 @@ struct ClaimedSet {
   std::size_t rows = 0, columns = 0;
   std::size_t uncertain = 0;  ///< quantities, control errors among them
   bool has_threshold = false;
+  bool is_within_reach = false;  ///< poses with a negative root are no part of it
 };
 
 /// Returns a claim in words. Nothing else words a claim.
@@ -48,12 +49,13 @@ struct ClaimedSet {
       set.uncertain == 0
           ? ""
           : " and value of the " + std::to_string(set.uncertain) + " uncertain quantities";
+  const std::string pose = set.is_within_reach ? " reachable pose" : " pose";
   const std::string about = set.has_threshold ? "|det| of " + matrix : matrix;
   if (singular)
-    return about + (set.has_threshold ? " is at most alpha" : " is singular") + " at some pose" +
+    return about + (set.has_threshold ? " is at most alpha" : " is singular") + " at some" + pose +
            values + " of the variety";
   return about + (set.has_threshold ? " exceeds alpha" : " is defined and has full rank") +
-         " at every pose" + values + " of the variety";
+         " at every" + pose + values + " of the variety";
 }
 
 }  // namespace regulus::format

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "runtime/search/paving.hpp"
 
+#include <algorithm>
+
 namespace regulus {
 namespace {
 
@@ -48,11 +50,34 @@ const char* name(Claim claim) noexcept {
       return "undecided";
     case Claim::kOutside:
       return "outside";
+    case Claim::kUnreachable:
+      return "unreachable";
   }
   return "";
 }
 
-Volumes::Volumes(const Problem& problem) : problem_(problem) {
+LeafClaims::LeafClaims(const Problem& problem, std::size_t reach)
+    : problem_(problem),
+      reach_(reach),
+      box_(problem.outer),
+      lanes_(problem_),
+      outputs_(2 * kLanes * std::max(problem.kernel->constraints, 1U)) {}
+
+Claim LeafClaims::of(std::span<const Interval> box, Rule rule) noexcept {
+  if (rule != Rule::kOutside || reach_ == 0) return claim_of(rule);
+  lanes_.clear();
+  std::copy(box.begin(), box.end(), box_.begin());
+  lanes_.load(0, box_);
+  lanes_.seal(1);
+  const LaneMask defined =
+      lanes_.call(problem_.kernel->constraint, lanes_.boxes(), nullptr, outputs_.get());
+  for (std::size_t h = 0; has_lane(defined, 0) && h < reach_; ++h)
+    if (outputs_[lower_at(h, 0)] > 0.0) return Claim::kUnreachable;
+  return Claim::kOutside;
+}
+
+Volumes::Volumes(const Problem& problem, std::size_t reach)
+    : problem_(problem), claims_(problem, reach) {
   for (std::size_t k = 0; k < problem.kernel->motion_variables; ++k)
     if (!is_single_value(problem.outer[k])) axes_.push_back(k);
   total_ = volume(problem.outer);
@@ -71,6 +96,8 @@ Interval Volumes::volume(std::span<const Interval> box) const noexcept {
 
 void Volumes::add(Claim claim, std::span<const Interval> box) noexcept {
   Share& share = shares_[static_cast<std::size_t>(claim)];
+  if (claim == Claim::kUnreachable && share.boxes == 0)
+    unreachable_box_.assign(box.begin(), box.end());
   ++share.boxes;
   share.volume += volume(box);
 }

@@ -43,9 +43,12 @@ class Comparison {
     for (auto at = values_.lower_bound(kPose); at != values_.end() && at->first.starts_with(kPose);
          ++at)
       if (is_degrees(at->second)) degrees_.insert(at->first.substr(kPose.size()));
-    const auto gough = values_.find("gough.angle_unit");
-    if (gough == values_.end() || !is_degrees(gough->second)) return;
-    for (const char* name : {"psi", "theta", "phi", "roll", "pitch", "yaw"}) degrees_.insert(name);
+    for (const char* unit : {"gough.angle_unit", "legs.angle_unit"}) {
+      const auto given = values_.find(unit);
+      if (given == values_.end() || !is_degrees(given->second)) continue;
+      for (const char* name : {"psi", "theta", "phi", "roll", "pitch", "yaw"})
+        degrees_.insert(name);
+    }
   }
 
   /// Returns the expression of a value in the file, whose names are those of `scope` and of [let].
@@ -254,10 +257,13 @@ class Comparison {
   void compare_motion() {
     const std::string motion = "motion." + q_.motion + '.';
     const Scope none;
+    bool is_within_reach = false;
     for (auto at = values_.lower_bound(motion);
          at != values_.end() && at->first.starts_with(motion); ++at) {
       const std::string rest = at->first.substr(motion.size());
-      if (rest == "alpha")
+      if (rest == "where")
+        is_within_reach = true;
+      else if (rest == "alpha")
         compare(at->first, "alpha ", none, "alpha");
       else if (rest.starts_with("error."))
         compare(at->first, "error " + rest.substr(6), none, "tube " + rest.substr(6));
@@ -266,6 +272,17 @@ class Comparison {
       else
         compare_range(at->first, rest.starts_with("parameters.") ? rest.substr(11) : rest);
     }
+    compare_reach(is_within_reach);
+  }
+
+  /// Each line `reach` is that of a root of the model, which was checked when it was read. A question
+  /// that leaves out poses although the file does not is another question.
+  void compare_reach(bool is_within_reach) {
+    if (q_.is_within_reach && !is_within_reach)
+      throw OtherModel("the certificate is not about " + options_.model_name +
+                       ": it leaves out the poses out of reach, but the motion has no 'where'");
+    for (const auto& [key, stated] : q_.stated)
+      if (key.starts_with("reach ")) used_.insert(key);
   }
 
   void compare_range(const std::string& place, const std::string& rest) {

@@ -239,8 +239,27 @@ class QuestionReader {
 
   void read_motion() {
     read_list("motion-defined", commanded_, q_.motion_defined);
+    read_reach();
     read_list("constraint", commanded_, q_.constraints);
     if (q_.has_threshold && q_.rows != q_.columns) throw Rejection("alpha needs a square matrix");
+  }
+
+  /// Reads `reach E`: E ≥ 0 in the variety. It must be the operand of a root of the model, so that
+  /// poses where E < 0 are none of the robot.
+  void read_reach() {
+    std::set<NodeId> operands;
+    for (const Node& node : q_.graph.nodes())
+      if (node.op == Op::kSqrt) operands.insert(node.a);
+    for (std::size_t number = 0; is("reach"); ++number, advance()) {
+      const std::string_view text = rest_of("reach");
+      if (!operands.contains(parse(text, actual_, q_.graph)))
+        throw Rejection("the model has no square root of '" + std::string(text.substr(0, 80)) +
+                        "', so that a pose where it is negative can be one of the robot");
+      const NodeId operand =
+          note("reach", std::to_string(number), parse(text, commanded_, q_.graph), text);
+      q_.constraints.push_back(q_.graph.add(Op::kNegate, operand));
+      q_.is_within_reach = true;
+    }
   }
 
   void read_list(std::string_view key, const Scope& scope, std::vector<NodeId>& list) {
@@ -278,7 +297,7 @@ bool Lines::next() {
 }
 
 format::ClaimedSet Question::claimed_set() const {
-  format::ClaimedSet set{rows, columns, 0, has_threshold};
+  format::ClaimedSet set{rows, columns, 0, has_threshold, is_within_reach};
   for (const Variable& v : variables) set.uncertain += v.kind != VariableKind::kParameter;
   return set;
 }

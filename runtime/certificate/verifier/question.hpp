@@ -81,11 +81,12 @@ struct Question {
   std::vector<NodeId> defined;         ///< the model means nothing where these are undefined
   std::vector<NodeId> motion_defined;  ///< the motion means nothing where these are undefined
   std::vector<NodeId> constraints;     ///< each ≤ 0 in the variety
+  bool is_within_reach = false;        ///< the first ones exclude poses with a negative root
   bool has_threshold = false;          ///< alpha is not written as 0
 
   // For the comparison with a model file.
   /// The stated values, by kind and name: "alpha ", "lower x", "upper x", "value a", "spread a",
-  /// "pose x", "error x", "entry 0", "scale 0", "constraint 0".
+  /// "pose x", "error x", "entry 0", "scale 0", "constraint 0", "reach 0".
   std::map<std::string, StatedValue, std::less<>> stated;
   Scope actual;     ///< names of constants and of poses with their errors
   Scope commanded;  ///< names of parameters, constants and commanded poses
