@@ -9,6 +9,8 @@
 #include "codegen/report/paving_options.hpp"
 #include "codegen/report/paving_report.hpp"
 #include "runtime/problem/observers.hpp"
+#include "runtime/search/leaf_claims.hpp"
+#include "runtime/search/workspace.hpp"
 
 namespace regulus::inline api {
 namespace {
@@ -73,6 +75,10 @@ Paving locate(const Question& question, const LocateOptions& options,
   listener.rethrow();
   close_in_on_witness(prepared, search, settings, found.result);
   found.verdict = found.result.verdict;
+  if (problem.kernel->constraints > 0) {
+    volumes.set_workspace(measure_workspace(problem, volumes, paving.resolution, listener.stop()));
+    found.workspace = volumes.workspace_fraction();
+  }
   found.free = volumes.fraction(volumes.of(Claim::kFree));
   found.singular = volumes.fraction(volumes.of(Claim::kSingular));
   found.undecided = volumes.fraction(volumes.of(Claim::kUndecided));

@@ -27,6 +27,7 @@ struct Paving {
   Verdict verdict = Verdict::kPossibleProblem;  ///< of the whole motion
   /// Bounds of the fraction of the motion's box with each claim, in [0, 1].
   Interval free{0.0}, singular{0.0}, undecided{0.0}, outside{0.0}, unreachable{0.0};
+  Interval workspace{1.0};             ///< the fraction that meets the constraints
   std::string report;                  ///< the lines that precede the verdict on a terminal
   std::string json;                    ///< the summary that --json prints
   std::vector<std::string> variables;  ///< motion parameters, then uncertain quantities

@@ -23,6 +23,7 @@
 #include "codegen/support/earlier_outputs.hpp"
 #include "codegen/support/errors.hpp"
 #include "runtime/problem/observers.hpp"
+#include "runtime/search/workspace.hpp"
 
 namespace regulus::inline command {
 namespace {
@@ -142,6 +143,9 @@ Result pave_and_report(const LocateCommand& command, PreparedSearch& preparation
   interrupt.begin_search();
   Result result = run_search(preparation, command.search, settings, &observers);
   close_in_on_witness(preparation, command.search, settings, result);
+  if (problem.kernel->constraints > 0)
+    volumes.set_workspace(
+        measure_workspace(problem, volumes, options.resolution, interrupt.requested()));
   keep_poses_out_of_reach(preparation, volumes, result);
 
   certificate.finish(result);

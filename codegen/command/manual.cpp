@@ -178,10 +178,18 @@ std::string zsh_completion(const std::vector<CommandEntry>& table) {
     cases += "    " + command.name + ") _arguments";
     for (const OptionEntry& option : command.options)
       if (option.name.starts_with("--")) cases += " \\\n      " + zsh_option(option);
+    // The first argument of most commands is a model.
+    const bool takes_model =
+        !command.arguments.empty() && command.arguments.front().name == "MODEL";
+    if (takes_model) cases += " \\\n      '1:model:_regulus_models'";
     cases += " \\\n      '*:file:_files' ;;\n";
   }
-  return fmt::format(R"(#compdef regulus
+  return fmt::format(R"zsh(#compdef regulus
 # SPDX-License-Identifier: GPL-3.0-or-later
+_regulus_models() {{
+  local -a models=(${{(f)"$(regulus list 2>/dev/null | cut -d' ' -f1)"}})
+  _alternative 'models:installed model:compadd -a models' 'files:file:_files'
+}}
 _regulus() {{
   local -a commands=(
 {}  )
@@ -196,7 +204,7 @@ _regulus() {{
 {}  esac
 }}
 _regulus "$@"
-)",
+)zsh",
                      commands, cases);
 }
 

@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "codegen/report/paving_options.hpp"
-#include "runtime/search/paving.hpp"
+#include "runtime/search/leaf_claims.hpp"
 
 namespace regulus::inline report {
 

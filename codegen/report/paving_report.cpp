@@ -3,6 +3,7 @@
 
 #include <fmt/format.h>
 
+#include <cmath>
 #include <map>
 
 #include "codegen/analysis/undefined.hpp"
@@ -99,12 +100,33 @@ std::string format_share(const Volumes& volumes, Claim claim) {
                      percentage(volumes, share), counted(share), beyond ? ", out of reach" : "");
 }
 
+/// Nothing if all poses meet the constraints.
+std::string format_workspace(const PreparedSearch& p, const Volumes& volumes) {
+  const auto& workspace = volumes.workspace();
+  if (!workspace || workspace->outside.boxes + workspace->undecided.boxes == 0) return "";
+  const Interval part = volumes.workspace_fraction();
+  return fmt::format(
+      "workspace  {:.2f} to {:.2f} % of the ranges {}\n", std::floor(1e4 * part.lo) / 100,
+      std::ceil(1e4 * part.hi) / 100,
+      p.labels.constraints > p.labels.reach ? "meet the constraints" : "are within reach");
+}
+
+Json json_workspace(const Volumes& volumes) {
+  if (!volumes.workspace()) return nullptr;
+  const Workspace& workspace = *volumes.workspace();
+  return {{"fraction", json_interval(volumes.workspace_fraction())},
+          {"inside", json_share(volumes, workspace.inside)},
+          {"outside", json_share(volumes, workspace.outside)},
+          {"undecided", json_share(volumes, workspace.undecided)}};
+}
+
 std::string format_share(const PreparedSearch& p, const Volumes& volumes, const Result& result) {
   std::string lines;
   for (const Claim claim : kEveryClaim)
     if ((claim != Claim::kOutside || p.labels.constraints > p.labels.reach) &&
         (claim != Claim::kUnreachable || p.labels.reach > 0))
       lines += format_share(volumes, claim);
+  lines += format_workspace(p, volumes);
   if (result.stopped_by)
     lines += fmt::format("stopped    {}: {}, {}, not searched, undecided\n",
                          describe(*result.stopped_by), counted(volumes.unfinished()),
@@ -147,6 +169,7 @@ Json json_paving_summary(const PreparedSearch& p, const SearchOptions& search,
   for (const Claim claim : kEveryClaim)
     summary[name(claim)] = json_share(volumes, volumes.of(claim));
   summary["unfinished"] = json_share(volumes, volumes.unfinished());
+  summary["workspace"] = json_workspace(volumes);
   summary["stopped_by"] = result.stopped_by ? Json(describe(*result.stopped_by)) : Json(nullptr);
   summary["method"] = name(result.method);
   summary["without"] = search.without;

@@ -9,7 +9,7 @@
 
 #include "codegen/analysis/undefined.hpp"
 #include "codegen/report/paving_options.hpp"
-#include "runtime/search/paving.hpp"
+#include "runtime/search/leaf_claims.hpp"
 
 namespace regulus::inline report {
 

@@ -78,7 +78,7 @@ std::string reservations(const PreparedSearch& p, const Result& result) {
 std::string claim(const PreparedSearch& p, const Result& result) {
   const bool threshold = p.variety.alpha.hi > 0;
   const std::size_t uncertain = uncertain_count(p);
-  const std::string pose = fmt::format("{} of the variety", describe_pose(p));
+  const std::string pose = describe_pose(p);
   const std::string set =
       uncertain == 0 ? fmt::format("every {}", pose)
       : uncertain == 1

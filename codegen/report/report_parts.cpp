@@ -246,9 +246,10 @@ std::string format_matrix_notes(const PreparedSearch& p) {
 }
 
 const char* describe_pose(const PreparedSearch& p) {
-  return p.labels.where == name(Where::kReachable)      ? "reachable pose"
-         : p.labels.where == name(Where::kWithinRanges) ? "pose with the actuated joints in range"
-                                                        : "pose";
+  return p.labels.where == name(Where::kReachable) ? "reachable pose of the variety"
+         : p.labels.where == name(Where::kWithinRanges)
+             ? "pose of the variety with the actuated joints in range"
+             : "pose of the variety";
 }
 
 std::string format_where(const PreparedSearch& p) {

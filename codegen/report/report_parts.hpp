@@ -63,7 +63,7 @@ namespace regulus::inline report {
 /// Returns the lines that the model gives about its matrix; often there are none.
 [[nodiscard]] std::string format_matrix_notes(const PreparedSearch& preparation);
 
-/// Returns the poses that a claim is about: "pose", or "reachable pose".
+/// Returns the poses that a claim is about: "pose of the variety", "reachable pose of the variety".
 [[nodiscard]] const char* describe_pose(const PreparedSearch& p);
 /// Returns a line if some poses of the motion are no part of the claim.
 [[nodiscard]] std::string format_where(const PreparedSearch& p);

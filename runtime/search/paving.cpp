@@ -3,6 +3,8 @@
 
 #include <algorithm>
 
+#include "runtime/search/leaf_claims.hpp"
+
 namespace regulus {
 namespace {
 
@@ -56,31 +58,17 @@ const char* name(Claim claim) noexcept {
   return "";
 }
 
-LeafClaims::LeafClaims(const Problem& problem, std::size_t reach)
-    : problem_(problem),
-      reach_(reach),
-      box_(problem.outer),
-      lanes_(problem_),
-      outputs_(2 * kLanes * std::max(problem.kernel->constraints, 1U)) {}
-
-Claim LeafClaims::of(std::span<const Interval> box, Rule rule) noexcept {
-  if (rule != Rule::kOutside || reach_ == 0) return claim_of(rule);
-  lanes_.clear();
-  std::copy(box.begin(), box.end(), box_.begin());
-  lanes_.load(0, box_);
-  lanes_.seal(1);
-  const LaneMask defined =
-      lanes_.call(problem_.kernel->constraint, lanes_.boxes(), nullptr, outputs_.get());
-  for (std::size_t h = 0; has_lane(defined, 0) && h < reach_; ++h)
-    if (outputs_[lower_at(h, 0)] > 0.0) return Claim::kUnreachable;
-  return Claim::kOutside;
-}
-
 Volumes::Volumes(const Problem& problem, std::size_t reach)
-    : problem_(problem), claims_(problem, reach) {
+    : problem_(problem), claims_(std::make_unique<LeafClaims>(problem, reach)) {
   for (std::size_t k = 0; k < problem.kernel->motion_variables; ++k)
     if (!is_single_value(problem.outer[k])) axes_.push_back(k);
   total_ = volume(problem.outer);
+}
+
+Volumes::~Volumes() = default;
+
+void Volumes::on_leaf(const OpenBox& box, Rule rule, const Proof&) noexcept {
+  add(claims_->of(box.box, rule), box.box);
 }
 
 Interval Volumes::volume(std::span<const Interval> box) const noexcept {
@@ -106,6 +94,12 @@ void Volumes::on_open(const OpenBox& box) noexcept {
   add(Claim::kUndecided, box.box);
   ++unfinished_.boxes;
   unfinished_.volume += volume(box.box);
+}
+
+Interval Volumes::workspace_fraction() const noexcept {
+  const Interval inside = fraction(workspace_->inside), outside = fraction(workspace_->outside);
+  const double most = sub_ru(1.0, outside.lo);
+  return {std::min(inside.lo, most), most};
 }
 
 Interval Volumes::fraction(const Share& share) const noexcept {

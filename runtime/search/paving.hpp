@@ -5,9 +5,10 @@
 
 #include <array>
 #include <cstdint>
+#include <memory>
+#include <optional>
 #include <vector>
 
-#include "runtime/evaluation/box_lanes.hpp"
 #include "runtime/problem/observer.hpp"
 
 namespace regulus {
@@ -26,28 +27,20 @@ inline constexpr std::size_t kClaims = 5;
 [[nodiscard]] Claim claim_of(Rule rule) noexcept;
 [[nodiscard]] const char* name(Claim claim) noexcept;
 
-/// Tells the boxes out of reach from those that another constraint excludes.
-class LeafClaims {
- public:
-  /// The first `reach` constraints of the kernel are those of reach. The kernel must outlive this.
-  ///
-  /// Requires  boxes have at most as many ranges as the problem; the others are those of the problem.
-  LeafClaims(const Problem& problem, std::size_t reach);
-
-  [[nodiscard]] Claim of(std::span<const Interval> box, Rule rule) noexcept;
-
- private:
-  const Problem problem_;
-  const std::size_t reach_;
-  std::vector<Interval> box_;
-  BoxLanes lanes_;
-  AlignedBuffer outputs_;
-};
+class LeafClaims;
 
 /// Some boxes of a paving and the volume of their part of the variety.
 struct Share {
   std::uint64_t boxes = 0;
   Interval volume{0.0};
+};
+
+/// The parts of a variety that meet the constraints, and that do not, for all values of the
+/// uncertain quantities, whatever the matrix is there.
+struct Workspace {
+  Share inside;     ///< certified: every constraint is ≤ 0
+  Share outside;    ///< certified: some constraint is > 0
+  Share undecided;  ///< neither was shown
 };
 
 /// Adds up volumes: the product of the ranges of the motion parameters that are not single values.
@@ -60,9 +53,11 @@ class Volumes final : public Observer {
   /// `reach`: the number of constraints of reach, the first ones of the kernel.
   explicit Volumes(const Problem& problem, std::size_t reach = 0);
 
-  void on_leaf(const OpenBox& box, Rule rule, const Proof&) noexcept override {
-    add(claims_.of(box.box, rule), box.box);
-  }
+  ~Volumes() override;
+  Volumes(const Volumes&) = delete;
+  Volumes& operator=(const Volumes&) = delete;
+
+  void on_leaf(const OpenBox& box, Rule rule, const Proof&) noexcept override;
   void on_open(const OpenBox& box) noexcept override;
   void add(Claim claim, std::span<const Interval> box) noexcept;
 
@@ -78,19 +73,29 @@ class Volumes final : public Observer {
   }
   /// Returns the part of the motion parameters' whole box, in [0, 1].
   [[nodiscard]] Interval fraction(const Share& share) const noexcept;
+  /// Returns the volume of a box, in the motion parameters that are not single values.
+  [[nodiscard]] Interval volume(std::span<const Interval> box) const noexcept;
+
+  void set_workspace(const Workspace& workspace) { workspace_ = workspace; }
+  /// Returns nullopt if it was not measured.
+  [[nodiscard]] const std::optional<Workspace>& workspace() const noexcept { return workspace_; }
+  /// Returns bounds of the part of the whole box that meets the constraints.
+  ///
+  /// Requires  the workspace was measured.
+  [[nodiscard]] Interval workspace_fraction() const noexcept;
+
   /// Returns the motion parameters that are not single values.
   [[nodiscard]] const std::vector<std::size_t>& axes() const noexcept { return axes_; }
 
  private:
-  [[nodiscard]] Interval volume(std::span<const Interval> box) const noexcept;
-
   const Problem& problem_;
   std::vector<std::size_t> axes_;
-  LeafClaims claims_;
+  const std::unique_ptr<LeafClaims> claims_;
   std::vector<Interval> unreachable_box_;
   Interval total_;
   std::array<Share, kClaims> shares_;
   Share unfinished_;
+  std::optional<Workspace> workspace_;
 };
 
 }  // namespace regulus

@@ -59,8 +59,9 @@ const Vector<double> kX = {1, 0, 0}, kY = {0, 1, 0}, kZ = {0, 0, 1};
 struct Posed {
   std::string leg;  ///< as in a model file
   Point pose;
-  std::vector<Row> joints;   ///< those of the leg's name, in order
-  std::vector<Row> passive;  ///< further passive freedoms
+  std::vector<Row> joints;       ///< those of the leg's name, in order
+  std::vector<Row> passive;      ///< further passive freedoms
+  std::vector<double> values{};  ///< of the joints, as `range` counts them
 };
 
 std::string list(const Vector<double>& v, std::size_t size) {
@@ -92,11 +93,12 @@ Row column_subset(const Row& twist, bool planar) {
   return planar ? Row{twist[0], twist[1], twist[5]} : twist;
 }
 
-Model parsed(const Posed& posed, const std::string& head, const std::string& others) {
+Model parsed(const Posed& posed, const std::string& head, const std::string& others,
+             const std::string& more = {}) {
   std::string text = "regulus = 1\nname = \"leg\"\n[legs]\n" + head + "[[legs.leg]]\n" + posed.leg +
                      others + "[motion.here]\n";
   for (const auto& [name, value] : posed.pose) text += key(name, value);
-  return parse_model(text, "leg.toml");
+  return parse_model(text + more, "leg.toml");
 }
 
 Row row_of(const Model& model, unsigned i, Point point) {
@@ -140,6 +142,10 @@ Posed planar_leg(Poses& random, const std::string& type, int actuated) {
   posed.pose = {{"x", X[0]}, {"y", X[1]}, {"phi", phi * kDegree}};
   const Row sliding = slide(along), at_A = turn(kZ, A, X), at_C = turn(kZ, C, X);
   posed.joints = {type == "PRR" ? sliding : at_A, type == "RPR" ? sliding : at_C, turn(kZ, B, X)};
+  const double turned_by = bent_left ? elbow : -elbow;
+  const double last = type == "RPR" ? phi - angle : phi - angle - turned_by;
+  posed.values = {type == "PRR" ? first : angle * kDegree,
+                  type == "RPR" ? first : turned_by * kDegree, last * kDegree};
   posed.leg = "type = \"" + type + "\"\nactuated = " + std::to_string(actuated) +
               "\nbase = " + list(A, 2) + "\nplatform = " + list(b, 2) + '\n';
   if (type == "RRR") posed.leg += key("crank", first);
@@ -159,6 +165,37 @@ TEST(Legs, InThePlaneHaveTheRatesOfEachJoint) {
         const Posed posed = planar_leg(random, type, actuated);
         const Model model = parsed(posed, "", kOtherPlanarLegs);
         expect_rate(row_of(model, 0, posed.pose), posed, std::size_t(actuated), true);
+      }
+}
+
+bool is_within(const Model& model, Point point) {
+  for (const GeometryParameter& g : model.geometry) point[g.name] = evaluate(g.value, point);
+  const Motion& motion = model.motions.front();
+  for (const GiNaC::ex& operand : motion.reach)
+    if (evaluate(operand, point) < 0) return false;
+  for (const GiNaC::ex& constraint : motion.constraints)
+    if (!(evaluate(constraint, point) <= 0)) return false;
+  return true;
+}
+
+/// The pose is within a range around the joint's value, and not within one beside it.
+void expect_range(Posed posed, double value, const std::string& head, const std::string& others) {
+  const std::string leg = posed.leg, where = "where = \"within-ranges\"\n";
+  posed.leg = leg + "range = " + list({value - 0.3, value + 0.2, 0}, 2) + '\n';
+  EXPECT_TRUE(is_within(parsed(posed, head, others, where), posed.pose)) << posed.leg;
+  for (const double beside : {-0.3, 0.1}) {
+    posed.leg = leg + "range = " + list({value + beside, value + beside + 0.2, 0}, 2) + '\n';
+    EXPECT_FALSE(is_within(parsed(posed, head, others, where), posed.pose)) << posed.leg;
+  }
+}
+
+TEST(Legs, InThePlaneHaveTheRangesOfEachJoint) {
+  Poses random;
+  for (const char* type : {"RPR", "RRR", "PRR"})
+    for (std::size_t actuated = 1; actuated <= 3; ++actuated)
+      for (int trial = 0; trial < 10; ++trial) {
+        const Posed posed = planar_leg(random, type, int(actuated));
+        expect_range(posed, posed.values[actuated - 1], "", kOtherPlanarLegs);
       }
 }
 
@@ -204,6 +241,7 @@ Posed spatial_leg(Poses& random, const std::string& type) {
                   : type[0] == 'P' ? slide(frame.n)
                                    : turn(frame.n, A, X)};
   posed.leg = "type = \"" + type + "\"\nbase = " + list(A, 3) + "\nplatform = " + list(b, 3) + '\n';
+  posed.values = {first};
   if (type[1] == 'P') return posed;
   // Longer than a unit vector: only its direction counts.
   posed.leg += "axis = " + list(1.5 * frame.n, 3) + '\n' + key("rod", rod);
@@ -212,7 +250,24 @@ Posed spatial_leg(Poses& random, const std::string& type) {
   const bool plus =
       type[0] == 'R' ? dot(cross(AB, frame.f), frame.n) > 0 : dot(AB, frame.n) < first;
   posed.leg += plus ? "mode = \"+\"\n" : "mode = \"-\"\n";
+  if (type[0] == 'P') return posed;
+  const double angle = random.between(-3, 3);
+  const Vector<double> zero = std::cos(angle) * frame.f - std::sin(angle) * frame.g;
+  posed.values = {angle};
+  posed.leg += "zero = " + list(zero + 0.3 * frame.n, 3) + '\n';
   return posed;
+}
+
+TEST(Legs, InSpaceHaveTheRangesOfTheirMotors) {
+  Poses random;
+  for (const char* head : {"", "axis_tolerance = 0\n"})
+    for (const char* type : {"UPS", "RUS", "PUS"})
+      for (int trial = 0; trial < 10; ++trial) {
+        const Posed posed = spatial_leg(random, type);
+        expect_range(posed, posed.values.front(),
+                     "orientation = \"roll-pitch-yaw\"\n" + std::string(head),
+                     other_legs("type = \"UPS\"\n"));
+      }
 }
 
 TEST(Legs, InSpaceHaveTheRatesOfTheirMotors) {

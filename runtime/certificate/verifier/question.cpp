@@ -5,6 +5,8 @@
 #include <charconv>
 #include <set>
 
+#include "runtime/certificate/verifier/algebra.hpp"
+
 namespace regulus::verifier {
 namespace {
 
@@ -247,12 +249,14 @@ class QuestionReader {
   /// Reads `reach E`: E ≥ 0 in the variety. It must be the operand of a root of the model, so that
   /// poses where E < 0 are none of the robot.
   void read_reach() {
-    std::set<NodeId> operands;
+    std::vector<NodeId> operands;
     for (const Node& node : q_.graph.nodes())
-      if (node.op == Op::kSqrt) operands.insert(node.a);
+      if (node.op == Op::kSqrt) operands.push_back(node.a);
     for (std::size_t number = 0; is("reach"); ++number, advance()) {
       const std::string_view text = rest_of("reach");
-      if (!operands.contains(parse(text, actual_, q_.graph)))
+      const NodeId claimed = parse(text, actual_, q_.graph);
+      if (std::none_of(operands.begin(), operands.end(),
+                       [&](NodeId operand) { return is_equal(operand, claimed); }))
         throw Rejection("the model has no square root of '" + std::string(text.substr(0, 80)) +
                         "', so that a pose where it is negative can be one of the robot");
       const NodeId operand =
@@ -260,6 +264,21 @@ class QuestionReader {
       q_.constraints.push_back(q_.graph.add(Op::kNegate, operand));
       q_.is_within_reach = true;
     }
+  }
+
+  /// Shows that two expressions are equal: the same node, or the same polynomial.
+  bool is_equal(NodeId a, NodeId b) {
+    constexpr std::uint64_t kProducts = 1 << 16;
+    if (a == b) return true;
+    const std::vector<NodeId> none;
+    for (const auto form : {Algebra::Form::kPlain, Algebra::Form::kFull}) try {
+        AlgebraBudget budget(kProducts);
+        Algebra algebra(q_.graph, none, form, budget);
+        if (algebra.vanishes(algebra.of(q_.graph.add(Op::kSubtract, a, b)))) return true;
+      } catch (const TooLarge&) {
+        return false;
+      }
+    return false;
   }
 
   void read_list(std::string_view key, const Scope& scope, std::vector<NodeId>& list) {

@@ -113,6 +113,13 @@ TEST(LegsRefusal, RangesThatSayNothing) {
                        "not shown to be less than a turn", "needs no range");
 }
 
+TEST(LegsRefusal, AMotionWithinRangesThatNoLegHas) {
+  expect_refused(kRobot + "where = \"within-ranges\"\n", 24, "no actuated joint has a range",
+                 "give legs a range");
+  expect_refused(kRobot + "where = \"here\"\n", 24, "the string 'here'",
+                 "\"reachable\" or \"within-ranges\"");
+}
+
 TEST(LegsRefusal, ANameThatALegHas) {
   expect_refused_robot("[legs]\n", "[geometry]\ne1_x = 1\n[legs]\n", 5, "'e1_x' is declared twice",
                        "choose another name");
