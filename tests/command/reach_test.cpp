@@ -67,7 +67,7 @@ TEST_F(Reach, IsPartOfTheQuestionUnlessTheMotionSaysOtherwise) {
 }
 
 TEST_F(Reach, HoldsForEachValueOfTheUncertainQuantities) {
-  const json within = report({"check", "within", "--tolerance", "g=0.01"});
+  const json within = report({"check", "within", "--tolerance", "g=0.004"});
   EXPECT_EQ(within["verdict"], "no-singularity");
   EXPECT_THAT(std::string(within["claim"]), HasSubstr("every reachable pose of the variety"));
 }

@@ -46,6 +46,36 @@ INSTANTIATE_TEST_SUITE_P(Models, Twins,
                                          "octahedral", "hexapod_6rus"),
                          [](const auto& twin) { return std::string(twin.param); });
 
+/// The verifier reads the numbers of the legs itself.
+TEST(Legs, OfACertificateAreThoseOfTheFile) {
+  const TemporaryDirectory folder;
+  const std::string model = folder.path() / "legs.toml", proof = folder.path() / "proof";
+  const std::string text =
+      text_of(REGULUS_SOURCE_DIR "/tests/models/legs/planar_3rrr.toml") + motions_of("planar_3rrr");
+  std::ofstream(model) << text;
+  ASSERT_EQ(run_command({REGULUS_BINARY_DIR "/bin/regulus", "check", model, "regular",
+                         "--certificate", proof, "--quiet"})
+                .exit_code,
+            0);
+  const std::vector<std::string> verify = {REGULUS_BINARY_DIR "/bin/regulus-verify", proof,
+                                           "--model", model};
+  const CommandResult same = run_command(verify);
+  EXPECT_EQ(same.exit_code, 0) << same.output;
+  EXPECT_EQ((same.output + same.errors).find("lines 'value'"), std::string::npos) << same.output;
+  for (const auto& [from, to] : {std::pair<std::string, std::string>{"crank = 25", "crank = 26"},
+                                 {"base = [60, 0]", "base = [60, 1e-9]"},
+                                 {"platform = [0, 10]", "platform = [0, 11]"},
+                                 {"rod = 25", "rod = 25\nrod_tolerance = 1"}}) {
+    std::string other = text;
+    std::ofstream(model) << other.replace(other.find(from), from.size(), to);
+    const CommandResult result = run_command(verify);
+    EXPECT_EQ(result.exit_code, 1) << to;
+    EXPECT_NE((result.output + result.errors).find("the certificate is not about"),
+              std::string::npos)
+        << to;
+  }
+}
+
 /// The twist of the platform that one unit of a joint's speed gives, at the platform's origin X.
 Row turn(const Vector<double>& axis, const Vector<double>& through, const Vector<double>& X) {
   const Vector<double> v = cross(axis, X - through);

@@ -28,6 +28,7 @@ class Comparison {
   void run() {
     compare_geometry();
     compare_gough();
+    compare_legs();
     compare_matrix();
     compare_motion();
     list_uncompared();
@@ -241,6 +242,34 @@ class Comparison {
                   "value " + name, none);
           compare(place + "_tolerance", "spread " + name, none, std::string("tolerance ") + table);
         }
+  }
+
+  /// Compares the numbers of legs. An expression of names has no value of its own in the certificate.
+  void compare_legs() {
+    for (std::size_t leg = 0; leg < format::kMostVariables; ++leg) {
+      const std::string place = "legs.leg[" + std::to_string(leg) + "].";
+      const std::string number = std::to_string(leg + 1);
+      for (const auto& [key, letter] :
+           {std::pair("base", "a"), std::pair("platform", "b"), std::pair("axis", "n")})
+        for (std::size_t axis = 0; axis < 3; ++axis)
+          compare_length(place, key + ('[' + std::to_string(axis) + ']'),
+                         letter + number + '_' + "xyz"[axis], key);
+      compare_length(place, "crank", "crank_" + number, "crank");
+      compare_length(place, "rod", "rod_" + number, "rod");
+    }
+  }
+
+  /// The key may stand in [legs], for all legs.
+  void compare_length(const std::string& leg, const std::string& key, const std::string& name,
+                      const std::string& kind) {
+    if (!q_.stated.contains("value " + name)) return;
+    const Scope none;
+    const bool is_own = values_.contains(leg + key);
+    compare(is_own ? leg + key : "legs." + key, "value " + name, none);
+    const std::string group = kind == "base" || kind == "platform" ? kind
+                              : kind == "axis"                     ? "axes"
+                                                                   : kind + 's';
+    compare("legs." + kind + "_tolerance", "spread " + name, none, "tolerance " + group);
   }
 
   void compare_matrix() {
