@@ -23,13 +23,14 @@ constexpr std::uint8_t bit_of(Claim claim) {
 }  // namespace
 
 Canvas::Canvas(const PreparedSearch& preparation, const PavingOptions& options)
-    : claims_(preparation.problem(), preparation.labels.reach),
-      drawn_(options.drawn),
+    : drawn_(options.drawn),
       columns_(tile_count(options.resolution)),
       rows_(options.drawn.size() > 1 ? columns_ : 1),
       tiles_(columns_ * rows_),
       determinants_(rows_ == 1 ? columns_ : 0) {
   for (const std::size_t k : drawn_) ranges_.push_back(preparation.variety.outer[k]);
+  if (preparation.labels.reach > 0)
+    claims_.emplace(preparation.problem(), preparation.labels.reach);
 }
 
 /// Boxes come from halving, tiles from multiplication: their edges agree except for rounding.
@@ -52,7 +53,7 @@ void Canvas::paint(std::span<const Interval> box, Claim claim) noexcept {
 }
 
 void Canvas::on_leaf(const OpenBox& box, Rule rule, const Proof& proof) noexcept {
-  paint(box.box, claims_.of(box.box, rule));
+  paint(box.box, claims_ ? claims_->of(box.box, rule) : claim_of(rule));
   if (!is_flat() || rule == Rule::kOutside) return;
   const Span across = tiles(0, columns_, box.box[drawn_[0]]);
   for (std::size_t column = across.begin; column < across.end; ++column) {

@@ -4,6 +4,7 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <vector>
 
 #include "codegen/report/paving_options.hpp"
@@ -50,7 +51,7 @@ class Canvas final : public Observer {
   [[nodiscard]] Span tiles(std::size_t axis, std::size_t count, Interval x) const noexcept;
   void paint(std::span<const Interval> box, Claim claim) noexcept;
 
-  LeafClaims claims_;
+  std::optional<LeafClaims> claims_;  ///< if boxes can be out of reach
   std::vector<std::size_t> drawn_;
   std::vector<Interval> ranges_;
   std::size_t columns_, rows_;

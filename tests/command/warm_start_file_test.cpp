@@ -167,7 +167,7 @@ TEST(WarmStart, IsNotReadFromAnythingElse) {
     EXPECT_NE(at, std::string::npos) << from;
     return other.replace(at, from.size(), to);
   };
-  EXPECT_FALSE(read_warm_start(with("\"format\":5", "\"format\":4")));
+  EXPECT_FALSE(read_warm_start(with("\"format\":6", "\"format\":5")));
   EXPECT_FALSE(read_warm_start(with("\"format\":5", "\"format\":6")));
   EXPECT_FALSE(read_warm_start(with(std::string(64, '7'), "../" + std::string(61, '7'))));
   EXPECT_FALSE(read_warm_start(text + ' '));

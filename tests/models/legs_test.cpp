@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Robots by their legs: the twins of those with a written matrix, and rows against the screws of each
 // joint of a leg.
-#include <filesystem>
 #include <fstream>
 #include <sstream>
 
@@ -312,7 +311,6 @@ TEST(Legs, InSpaceHaveTheRatesOfTheirMotors) {
       }
 }
 
-/// Three legs of a type that keeps the platform level, of which the first is looked at.
 Model level_robot(const Posed& posed, const std::string& head, const std::string& others) {
   return parsed(posed, "orientation = \"fixed\"\n" + head, others);
 }
