@@ -168,7 +168,7 @@ TEST(WarmStart, IsNotReadFromAnythingElse) {
     return other.replace(at, from.size(), to);
   };
   EXPECT_FALSE(read_warm_start(with("\"format\":6", "\"format\":5")));
-  EXPECT_FALSE(read_warm_start(with("\"format\":5", "\"format\":6")));
+  EXPECT_FALSE(read_warm_start(with("\"format\":6", "\"format\":7")));
   EXPECT_FALSE(read_warm_start(with(std::string(64, '7'), "../" + std::string(61, '7'))));
   EXPECT_FALSE(read_warm_start(text + ' '));
   EXPECT_FALSE(read_warm_start(with("\"rows\":7", "\"rows\":7.0")));
