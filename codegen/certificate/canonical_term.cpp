@@ -8,7 +8,7 @@
 #include <utility>
 
 #include "codegen/support/errors.hpp"
-#include "codegen/support/sha256.hpp"
+#include "runtime/files/sha256.hpp"
 #include "runtime/certificate/format.hpp"
 
 namespace regulus::inline certificate {

@@ -34,7 +34,8 @@ std::string doubt_of(const Statistics& statistics) {
 }  // namespace
 
 CertificateFile::CertificateFile(const std::string& path, const PreparedSearch& preparation,
-                                 const std::optional<CertificateWriter::Partial>& partial) {
+                                 const std::optional<CertificateWriter::Partial>& partial,
+                                 std::uint64_t shard_size) {
   if (path.empty()) return;
   CertifiedQuestion question = certified_question(preparation);
   obstacle_ = certificate_obstacle(question);
@@ -48,6 +49,7 @@ CertificateFile::CertificateFile(const std::string& path, const PreparedSearch& 
     } else {
       writer_.emplace(path, std::move(question));
     }
+    writer_->set_shard_size(shard_size);
   } catch (const std::runtime_error& error) {
     throw FileError(error.what());
   }

@@ -16,8 +16,10 @@ class CertificateFile {
  public:
   /// An empty `path` means no certificate. Throws FileError, before the search, if the file cannot
   /// be made. `partial`: for a search that may be continued, or that continues an earlier one.
+  /// `shard_size`: as CertificateWriter::set_shard_size.
   CertificateFile(const std::string& path, const PreparedSearch& preparation,
-                  const std::optional<CertificateWriter::Partial>& partial = std::nullopt);
+                  const std::optional<CertificateWriter::Partial>& partial = std::nullopt,
+                  std::uint64_t shard_size = 0);
 
   /// Returns the observer of the search; nullptr if no certificate is wanted, or none can be made.
   [[nodiscard]] Observer* observer() noexcept { return writer_ ? &*writer_ : nullptr; }

@@ -13,6 +13,7 @@
 #include "codegen/report/progress.hpp"
 #include "codegen/report/report.hpp"
 #include "codegen/support/earlier_outputs.hpp"
+#include "runtime/certificate/format.hpp"
 #include "runtime/problem/observers.hpp"
 
 namespace regulus::inline command {
@@ -25,7 +26,7 @@ Result search_and_report(const CheckCommand& command, PreparedSearch& preparatio
   interrupt.begin_search();
   CheckpointFile checkpoint(command.checkpoint, preparation, settings);
   CertificateFile certificate(command.certificate, preparation,
-                              checkpoint.partial(command.certificate));
+                              checkpoint.partial(command.certificate), command.shard_size);
   // The certificate comes first, so that its bytes are safe before a checkpoint refers to them.
   std::vector<Observer*> watching;
   if (certificate.observer() != nullptr) watching.push_back(certificate.observer());
@@ -53,7 +54,8 @@ Result search_and_report(const CheckCommand& command, PreparedSearch& preparatio
 }  // namespace
 
 int run_check(const CheckCommand& command) {
-  set_earlier_outputs_aside(command.model.path, {{"--certificate", command.certificate, true}});
+  set_earlier_outputs_aside(command.model.path,
+                            {{"--certificate", command.certificate, true, format::kShardsEnding}});
   if (const auto code = run_trajectory_check(command)) return *code;
   InterruptGuard interrupt;
   PreparedSearch preparation =

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cstdint>
+#include <functional>
 #include <optional>
 #include <string>
 #include <vector>
@@ -14,13 +15,18 @@
 #include "codegen/engine/options.hpp"
 #include "codegen/report/output_options.hpp"
 
+namespace regulus::verifier {
+struct ShardProof;
+}
+
 namespace regulus::inline command {
 
 struct CheckCommand {
   ModelOptions model;
   SearchOptions search;
   OutputOptions output;
-  std::string certificate;  ///< file; empty: none
+  std::string certificate;       ///< file; empty: none
+  std::uint64_t shard_size = 0;  ///< of its shards, in bytes; 0: it is one file
   CheckpointOptions checkpoint;
 };
 
@@ -33,6 +39,7 @@ struct LocateCommand {
   std::string lines;       ///< file of the JSON lines, "-" = standard output; empty: see --json
   std::vector<std::string> pictures;
   std::string certificate;        ///< file; empty: none
+  std::uint64_t shard_size = 0;   ///< of its shards, in bytes; 0: it is one file
   bool boxes_unless_json = true;  ///< print the boxes by default
 };
 
@@ -46,12 +53,21 @@ struct MarginCommand {
   std::string certificate;  ///< files, without their endings; empty: none
 };
 
+/// The part of an index that this process proves, if several share the work.
+struct VerifiedPart {
+  std::size_t number = 0, count = 1;
+  /// As verifier::Options::exchange.
+  std::function<void(std::vector<verifier::ShardProof>&)> exchange;
+};
+
 struct VerifyCommand {
   std::string path;
   std::string model;                 ///< the model file it must be about; empty: any
   std::string waypoints;             ///< the file of way-points that check took; empty: none
   std::optional<double> time_limit;  ///< in seconds
   std::optional<std::uint64_t> max_boxes;
+  unsigned threads = 1;
+  VerifiedPart part;  ///< of the shards of an index
   OutputOptions output;
 };
 

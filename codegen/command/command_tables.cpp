@@ -66,7 +66,8 @@ constexpr const char* kMarginCertificate =
     "FILE.singular that there is one at b. No file is written for an end that is not found";
 
 void add_verify_options(CLI::App& app, VerifyCommand& command) {
-  app.add_option("CERTIFICATE", command.path, "Certificate file")->required();
+  app.add_option("CERTIFICATE", command.path, "Certificate file, or the index of its shards")
+      ->required();
   app.add_option("--waypoints", command.waypoints,
                  "With --model: the file of way-points that check --waypoints took")
       ->type_name("FILE");
@@ -85,6 +86,11 @@ void add_verify_options(CLI::App& app, VerifyCommand& command) {
                  "Evaluate at most N boxes for all leaves together; default 4194304")
       ->check(CLI::PositiveNumber)
       ->type_name("N");
+  app.add_option("--threads", command.threads,
+                 "Prove leaves by N threads; the answer is the same for any N")
+      ->check(CLI::Range(1U, 1024U))
+      ->type_name("N")
+      ->capture_default_str();
   app.add_flag("--json", command.output.json,
                "Print the report on standard output, as one JSON object");
   app.add_flag("--quiet", command.output.quiet, "Print only the answer (or the JSON report)");
@@ -199,6 +205,7 @@ void CommandTables::add_check() {
   add_search_options(*check_command, check.search);
   add_filter_option(*check_command, check.search);
   add_certificate_option(*check_command, check.certificate, kCheckCertificate);
+  add_shard_option(*check_command, check.shard_size);
   add_checkpoint_options(*check_command, check.checkpoint);
   add_output_options(*check_command, check.output);
   check_command->footer(kExitCodes);
@@ -212,6 +219,7 @@ void CommandTables::add_locate() {
   add_paving_options(*locate_command, locate);
   add_search_options(*locate_command, locate.search);
   add_certificate_option(*locate_command, locate.certificate, kLocateCertificate);
+  add_shard_option(*locate_command, locate.shard_size);
   refuse_checkpoint_options(
       *locate_command, "the output of a paving that was stopped lists the boxes it did not reach");
   add_output_options(*locate_command, locate.output);
@@ -226,6 +234,7 @@ void CommandTables::add_margin() {
   add_filter_option(*margin_command, margin.search);
   add_margin_options(*margin_command, margin);
   add_certificate_option(*margin_command, margin.certificate, kMarginCertificate);
+  refuse_shard_option(*margin_command);
   refuse_checkpoint_options(*margin_command,
                             "start margin again with the two ends of the bracket as LO:HI");
   add_output_options(*margin_command, margin.output);

@@ -23,6 +23,8 @@ namespace regulus::inline command {
 [[nodiscard]] int run_datasheet(const DatasheetCommand& command);
 
 [[nodiscard]] int run_verify(const VerifyCommand& command);
+/// Proves a part of an index for another process; prints nothing. Throws FileError.
+void prove_part(const VerifyCommand& command);
 
 [[nodiscard]] int run_import(const ImportCommand& command);
 /// Lists on standard output.

@@ -22,6 +22,7 @@
 #include "codegen/report/progress.hpp"
 #include "codegen/support/earlier_outputs.hpp"
 #include "codegen/support/errors.hpp"
+#include "runtime/certificate/format.hpp"
 #include "runtime/problem/observers.hpp"
 #include "runtime/search/workspace.hpp"
 
@@ -97,7 +98,8 @@ class Pictures {
 };
 
 std::vector<OutputFile> outputs_of(const LocateCommand& command) {
-  std::vector<OutputFile> outputs = {{"--certificate", command.certificate, true}};
+  std::vector<OutputFile> outputs = {
+      {"--certificate", command.certificate, true, format::kShardsEnding}};
   if (command.lines != "-") outputs.push_back({"--output", command.lines});
   for (const std::string& picture : command.pictures) outputs.push_back({"--picture", picture});
   return outputs;
@@ -133,7 +135,7 @@ Result pave_and_report(const LocateCommand& command, PreparedSearch& preparation
     writer.emplace(lines.stream(), preparation, options, [&interrupt] { interrupt.request(); });
   const Problem problem = preparation.problem();
   Volumes volumes(problem, preparation.labels.reach);
-  CertificateFile certificate(command.certificate, preparation);
+  CertificateFile certificate(command.certificate, preparation, std::nullopt, command.shard_size);
   SearchDisplay display(command.output);
   Observers observers(present({&volumes, writer ? &*writer : nullptr, pictures.canvas(),
                                certificate.observer(), display.observer()}));

@@ -22,6 +22,8 @@ std::optional<int> run_trajectory_check(const CheckCommand& command) {
   if (!request.motion.trajectory) return std::nullopt;
   if (!command.checkpoint.path.empty())
     throw UsageError("--checkpoint: a motion along way-points cannot be continued");
+  if (command.shard_size > 0)
+    throw UsageError("--shard-size: the proof of a motion along way-points is one file");
   InterruptGuard interrupt;
   interrupt.begin_search();
   const double model_seconds = watch.lap();

@@ -33,6 +33,11 @@ verifier::Options options_of(const VerifyCommand& command) {
   verifier::Options options;
   options.time_limit = command.time_limit.value_or(0);
   options.max_boxes = command.max_boxes.value_or(options.max_boxes);
+  options.threads = command.threads;
+  options.path = command.path;
+  options.part = command.part.number;
+  options.parts = command.part.count;
+  options.exchange = command.part.exchange;
   if (!command.output.quiet && !command.output.json && isatty(STDERR_FILENO) != 0)
     options.progress = show_progress;
   return options;
@@ -120,6 +125,7 @@ nlohmann::ordered_json json_report(const VerifyCommand& command, const Verified&
                                    {"model", v.model},
                                    {"model_sha256", v.sha256},
                                    {"motion", v.motion},
+                                   {"shards", v.shards},
                                    {"leaves", v.leaves},
                                    {"boxes", v.boxes},
                                    {"note", v.note}};
@@ -133,6 +139,8 @@ nlohmann::ordered_json json_report(const VerifyCommand& command, const Verified&
 }
 
 }  // namespace
+
+void prove_part(const VerifyCommand& command) { static_cast<void>(verify_file(command)); }
 
 int run_verify(const VerifyCommand& command) {
   const Verified verified = verify_file(command);

@@ -7,7 +7,7 @@
 
 #include "codegen/model/read_file.hpp"
 #include "codegen/support/errors.hpp"
-#include "codegen/support/sha256.hpp"
+#include "runtime/files/sha256.hpp"
 
 namespace regulus::inline engine {
 namespace {

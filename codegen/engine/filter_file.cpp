@@ -9,7 +9,7 @@
 
 #include "codegen/model/read_file.hpp"
 #include "codegen/support/errors.hpp"
-#include "codegen/support/sha256.hpp"
+#include "runtime/files/sha256.hpp"
 #include "codegen/support/shared_object.hpp"
 
 namespace regulus::inline engine {
@@ -47,7 +47,7 @@ void* load(const std::string& path) {
 void FilterFile::Close::operator()(void* library) const noexcept { dlclose(library); }
 
 FilterFile::FilterFile(const std::string& path)
-    : path_(path), sha256_(support::sha256(contents(path))), library_(load(path)) {
+    : path_(path), sha256_(regulus::sha256(contents(path))), library_(load(path)) {
   if (!library_) throw not_loaded(path, dlerror());
   filter_ = static_cast<const regulus_filter_interface*>(dlsym(library_.get(), kSymbol));
   if (filter_ == nullptr)

@@ -3,7 +3,7 @@
 
 #include "codegen/engine/build_id.hpp"
 #include "codegen/engine/forms_key.hpp"
-#include "codegen/support/sha256.hpp"
+#include "runtime/files/sha256.hpp"
 #include "runtime/machine/pack_file.hpp"
 
 namespace regulus::inline engine {

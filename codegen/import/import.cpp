@@ -17,7 +17,7 @@
 #include "codegen/model/parsed_expression.hpp"
 #include "codegen/model/written.hpp"
 #include "codegen/support/errors.hpp"
-#include "codegen/support/sha256.hpp"
+#include "runtime/files/sha256.hpp"
 
 namespace regulus::inline importing {
 namespace {

@@ -14,7 +14,7 @@
 #include "codegen/model/units.hpp"
 #include "codegen/model/waypoint_file.hpp"
 #include "codegen/support/errors.hpp"
-#include "codegen/support/sha256.hpp"
+#include "runtime/files/sha256.hpp"
 
 namespace regulus::inline model {
 namespace {

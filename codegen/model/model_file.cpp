@@ -13,7 +13,7 @@
 #include "codegen/model/sections.hpp"
 #include "codegen/model/toml_limits.hpp"
 #include "codegen/support/errors.hpp"
-#include "codegen/support/sha256.hpp"
+#include "runtime/files/sha256.hpp"
 
 namespace regulus::inline model {
 namespace {

@@ -16,6 +16,7 @@
 #include "codegen/mpi/agreement.hpp"
 #include "codegen/mpi/mpi_workers.hpp"
 #include "codegen/mpi/rank_service.hpp"
+#include "codegen/mpi/verify_together.hpp"
 #include "codegen/support/errors.hpp"
 #include "codegen/support/exit_code.hpp"
 
@@ -47,7 +48,8 @@ auto with_search(CommandLine& line, const Use& use) {
   if (line.check) return use(*line.check);
   if (line.locate) return use(*line.locate);
   if (line.margin) return use(*line.margin);
-  throw UsageError("check, locate and margin run on several ranks; use regulus for other commands");
+  throw UsageError(
+      "check, locate, margin and verify run on several ranks; use regulus for other commands");
 }
 
 PreparedSearch prepare_question(const CommandLine& line) {
@@ -81,10 +83,8 @@ int lead(Communicator& communicator, CommandLine& line, const std::vector<RankId
 /// before the other ranks begin. Returns the start of all ranks.
 Start read_start(CommandLine& line) {
   Start start;
-  if (line.exit_code) {
-    start.exit_code = line.exit_code;
-    return start;
-  }
+  if (line.exit_code) start.exit_code = line.exit_code;
+  if (line.exit_code || line.verify) return start;
   const int code = report_errors(
       [&] {
         with_search(line, [&start](auto& command) {
@@ -118,8 +118,23 @@ Start begin_together(Communicator& communicator, const std::vector<std::string>&
   return read_start_text(communicator.broadcast(write_start(start)));
 }
 
+/// Returns false, after a message of rank 0, if a rank cannot take part.
+bool is_agreed(const Communicator& communicator, const Agreement& agreement) {
+  if (!agreement.refusal.empty() && communicator.is_first())
+    std::cerr << kName << agreement.refusal << '\n';
+  return agreement.refusal.empty();
+}
+
+int run_verify_together(Communicator& communicator, const VerifyCommand& command) {
+  std::vector<RankIdentity> ranks;
+  if (!is_agreed(communicator, agree(communicator, std::nullopt, ranks)))
+    return communicator.is_first() ? kUsageError : 0;
+  return verify_together(communicator, command, ranks);
+}
+
 int run_together(Communicator& communicator, const Start& start) {
   CommandLine line = parse(start.words);
+  if (line.verify) return run_verify_together(communicator, *line.verify);
   std::vector<RankIdentity> ranks;
   const Agreement agreed = with_search(line, [&](auto& command) {
     command.model.text = start.model;
@@ -130,10 +145,7 @@ int run_together(Communicator& communicator, const Start& start) {
     return agreement;
   });
   const bool first = communicator.is_first();
-  if (!agreed.refusal.empty()) {
-    if (first) std::cerr << kName << agreed.refusal << '\n';
-    return first ? kUsageError : 0;
-  }
+  if (!is_agreed(communicator, agreed)) return first ? kUsageError : 0;
   if (first) return lead(communicator, line, ranks, typed(start.words));
   with_search(line, [&](auto& command) {
     serve_first_rank(communicator, command.search, [&line] { return prepare_question(line); });

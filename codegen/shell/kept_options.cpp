@@ -22,8 +22,8 @@ const OptionEntry* option_of_check(const std::string& name) {
 }
 
 bool may_be_kept(const std::string& option) {
-  static const std::vector<std::string> kNot = {"json",        "quiet",      "help",
-                                                "certificate", "checkpoint", "checkpoint-every"};
+  static const std::vector<std::string> kNot = {
+      "json", "quiet", "help", "certificate", "shard-size", "checkpoint", "checkpoint-every"};
   return std::ranges::find(kNot, option) == kNot.end();
 }
 

@@ -11,15 +11,20 @@ struct OutputFile {
   std::string option;         ///< for messages
   std::string path;           ///< empty: none
   bool must_be_file = false;  ///< not a device: the file is put in place by a rename
+  /// Of a file that may have a folder of numbered parts beside it: the ending of its name.
+  std::string parts_ending = {};
 };
 
 /// Renames the files of earlier runs, FILE to FILE.old. So the proof or the picture of an earlier
 /// run cannot be taken for that of a run that ended without one, by an error, a signal or a full
 /// disk.
 ///
+/// The folder of its parts goes with it, and FILE.old has no parts of another file. The folder of a
+/// file that does not exist, because its run was killed, is removed.
+///
 /// Call it before anything else is done. Devices and pipes stay as they are. An existing FILE.old
 /// is replaced.
-/// Throws    FileError when a file cannot be moved, UsageError when it is the model file.
+/// Throws    FileError when a file cannot be moved, or a folder of parts has other files, UsageError when it is the model file.
 void set_earlier_outputs_aside(const std::string& model, const std::vector<OutputFile>& outputs);
 
 }  // namespace regulus::support

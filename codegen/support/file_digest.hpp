@@ -6,7 +6,7 @@
 #include <string>
 
 #include "codegen/support/file_descriptor.hpp"
-#include "codegen/support/sha256.hpp"
+#include "runtime/files/sha256.hpp"
 
 namespace regulus::inline support {
 

@@ -9,6 +9,8 @@
 namespace regulus::format {
 
 inline constexpr const char* kMagic = "regulus-certificate 1";
+inline constexpr const char* kIndexMagic = "regulus-certificate-index 1";
+inline constexpr const char* kShardMagic = "regulus-certificate-shard 1";
 inline constexpr const char* kNoSingularity = "NO SINGULARITY";
 inline constexpr const char* kSingularity = "SINGULARITY";
 inline constexpr const char* kOppositeSigns = "opposite-signs";
@@ -16,6 +18,7 @@ inline constexpr const char* kSmallDeterminant = "small-determinant";
 inline constexpr const char* kAlwaysSingular = "always-singular";
 inline constexpr const char* kLowerEnd = "lower";  ///< a coordinate that is the end of its range
 inline constexpr const char* kUpperEnd = "upper";
+inline constexpr const char* kEndOfRoot = "-";  ///< in a shard: the end of a range of box 0
 
 // Limits: a file beyond them is not a certificate. So reading takes bounded memory and stack.
 inline constexpr std::uint64_t kMaxBytes = std::uint64_t{1} << 32;  ///< of a file
@@ -32,6 +35,15 @@ inline constexpr std::size_t kMostLines = 20000;     ///< of the header
 inline constexpr std::size_t kMostPieces = 1 << 20;  ///< of a trajectory
 inline constexpr std::size_t kMostPieceNames = 512;
 inline constexpr std::size_t kMostOpen = 1 << 22;  ///< boxes that wait at one time
+inline constexpr std::size_t kMostShards = 1 << 20;
+inline constexpr std::uint64_t kLeastShardSize = 4096;  ///< that can be asked for, in bytes
+
+/// The shards of the index FILE are in the folder FILE.shards.
+inline constexpr const char* kShardsEnding = ".shards";
+/// Returns the file of a shard; they are numbered from 1.
+[[nodiscard]] inline std::string shard_file(const std::string& index, std::size_t shard) {
+  return index + kShardsEnding + '/' + std::to_string(shard);
+}
 
 /// The set that a claim is about.
 struct ClaimedSet {

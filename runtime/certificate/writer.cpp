@@ -14,6 +14,8 @@
 #include <utility>
 
 #include "runtime/certificate/format.hpp"
+#include "runtime/certificate/shards.hpp"
+#include "runtime/files/atomic_file.hpp"
 
 namespace regulus {
 namespace {
@@ -209,9 +211,29 @@ bool CertificateWriter::finish(const Result& result) {
   check(std::fflush(file_.get()) == 0 && std::ferror(file_.get()) == 0 &&
             fsync(fileno(file_.get())) == 0,
         "be written");
-  check(std::rename(temporary_.c_str(), path_.c_str()) == 0, "be put in its place");
+  put_in_place(result.verdict == Verdict::kNoSingularity);
   in_place_ = true;
   return true;
+}
+
+void CertificateWriter::put_in_place(bool is_safe) {
+  struct stat status {};
+  check(::fstat(fileno(file_.get()), &status) == 0, "be put in its place");
+  const bool is_cut = is_safe && shard_size_ > 0 &&
+                      static_cast<std::uint64_t>(status.st_size) > shard_size_;
+  if (is_cut) return put_index_in_place();
+  check(std::rename(temporary_.c_str(), path_.c_str()) == 0, "be put in its place");
+}
+
+/// The index comes last. So it exists only if all shards do.
+void CertificateWriter::put_index_in_place() try {
+  const std::string index = write_shards(temporary_, path_, shard_size_);
+  AtomicFile file(path_, temporary_ + ".index");
+  file.write(index);
+  file.put_in_place_durably();
+  ::unlink(temporary_.c_str());
+} catch (const std::runtime_error& error) {
+  throw std::runtime_error("the certificate " + path_ + " cannot " + error.what());
 }
 
 }  // namespace regulus

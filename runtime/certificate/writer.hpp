@@ -41,6 +41,8 @@ class CertificateWriter final : public Observer {
   };
   /// Throws std::runtime_error also if the file is shorter than that.
   CertificateWriter(std::string path, CertifiedQuestion question, Partial partial);
+  /// A proof of NO SINGULARITY that has more bytes is cut into shards of about this size.
+  void set_shard_size(std::uint64_t bytes) noexcept { shard_size_ = bytes; }
   ~CertificateWriter() override;
 
   void on_start(const Problem& problem, const Settings& settings) noexcept override;
@@ -65,6 +67,8 @@ class CertificateWriter final : public Observer {
     void operator()(std::FILE* file) const noexcept { std::fclose(file); }
   };
 
+  void put_in_place(bool is_safe);
+  void put_index_in_place();
   void write_head(const char* verdict, const std::string& claim);
   void write_witness(const Result& result);
   void write_point(const WitnessPoint& point, const char* sign);
@@ -76,6 +80,7 @@ class CertificateWriter final : public Observer {
   CertifiedQuestion question_;
   std::unique_ptr<std::FILE, Close> file_;
   std::uint64_t leaves_ = 0;
+  std::uint64_t shard_size_ = 0;  ///< 0: the proof stays in one file
   bool in_place_ = false;
   bool stays_ = false;      ///< after the destructor
   bool continues_ = false;  ///< a file that already has its head

@@ -15,6 +15,11 @@ constexpr std::size_t kGrantsAhead = 2;
 constexpr double kScarce = 1.0, kVeryScarce = 0.25;
 constexpr double kPartIfScarce = 0.1, kPartIfVeryScarce = 0.02;
 
+/// If more units wait for each worker, the first one in order is granted, otherwise the widest; but
+/// in one of so many grants always the first one.
+constexpr double kMany = 2.0;
+constexpr std::uint64_t kGrantsToTheFirst = 4;
+
 /// Several units are granted together only if so many wait for each worker.
 constexpr double kPlenty = 8.0;
 constexpr std::uint64_t kMaxUnitsOfGrant = 8;
@@ -34,7 +39,7 @@ std::string first_place(std::size_t number) {
 Supervisor::Supervisor(std::vector<Unit> units, std::size_t workers, const Pace& pace)
     : pace_(pace), workers_(workers) {
   for (std::size_t i = 0; i < units.size(); ++i) {
-    waiting_.insert(first_place(i));
+    waiting_.insert(first_place(i), units[i]);
     units_[first_place(i)].unit = std::move(units[i]);
   }
   for (std::size_t i = 0; i < workers; ++i) idle_.insert(i);
@@ -68,7 +73,7 @@ void Supervisor::file(std::size_t worker) {
 void Supervisor::add_groups(const Place& parent, std::vector<Unit> groups) {
   for (std::size_t i = 0; i < groups.size(); ++i) {
     const Place place = parent + static_cast<char>(i);
-    waiting_.insert(place);
+    waiting_.insert(place, groups[i]);
     units_[place].unit = std::move(groups[i]);
   }
 }
@@ -104,7 +109,7 @@ void Supervisor::give_back(const std::vector<Place>& places, std::uint64_t grant
   for (const Place& place : places) {
     const auto found = units_.find(place);
     if (found != units_.end() && !found->second.outcome && found->second.grant == grant)
-      waiting_.insert(place);
+      waiting_.insert(place, found->second.unit);
   }
 }
 
@@ -155,6 +160,14 @@ std::uint64_t Supervisor::budget_for(const WorkerState& worker) const noexcept {
   return static_cast<std::uint64_t>(std::clamp(boxes, 1.0, 0x1p40));
 }
 
+/// If many units wait, the first in order goes first: its outcome leaves the memory soon. If few
+/// wait, the widest goes first, since most work is likely to follow from it. Now and then the first
+/// one goes first then, too, so that it does not keep all others in the memory.
+Place Supervisor::take_waiting() {
+  const bool in_order = units_a_worker() > kMany || next_grant_ % kGrantsToTheFirst == 0;
+  return in_order ? waiting_.take_first() : waiting_.take_widest();
+}
+
 Grant Supervisor::make_grant(std::size_t worker, double now) {
   Grant grant;
   grant.number = next_grant_++;
@@ -164,7 +177,7 @@ Grant Supervisor::make_grant(std::size_t worker, double now) {
   sent.at = now;
   const std::uint64_t most = units_a_worker() < kPlenty ? 1 : kMaxUnitsOfGrant;
   while (grant.units.size() < most && !waiting_.empty()) {
-    Place place = std::move(waiting_.extract(waiting_.begin()).value());
+    Place place = take_waiting();
     Entry& entry = units_.at(place);
     entry.grant = grant.number;
     grant.units.push_back(entry.unit);

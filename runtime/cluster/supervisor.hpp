@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "runtime/cluster/messages.hpp"
+#include "runtime/cluster/waiting_units.hpp"
 
 namespace regulus::cluster {
 
@@ -58,14 +59,12 @@ class Supervisor {
   [[nodiscard]] bool empty() const noexcept { return units_.empty(); }
   /// Returns the units that no worker has.
   [[nodiscard]] std::size_t waiting() const noexcept { return waiting_.size(); }
+  /// Returns the units that are not yet in order: memory is proportional to their number.
+  [[nodiscard]] std::size_t known() const noexcept { return units_.size(); }
   /// Returns the workers that did not answer in time.
   [[nodiscard]] std::vector<std::size_t> standing_still() const;
 
  private:
-  /// The place in the tree: the number of the first ancestor, then one byte for each group. The
-  /// order of these texts is the order of the units.
-  using Place = std::string;
-
   struct Entry {
     Unit unit;
     std::uint64_t grant = 0;  ///< the last one that contains it
@@ -90,13 +89,14 @@ class Supervisor {
   void take_results(std::size_t worker, std::vector<Place> places, std::vector<UnitResult> results);
   void withdraw_overdue(double now);
   [[nodiscard]] Grant make_grant(std::size_t worker, double now);
+  [[nodiscard]] Place take_waiting();
   [[nodiscard]] double units_a_worker() const noexcept;
   [[nodiscard]] std::uint64_t budget_for(const WorkerState& worker) const noexcept;
   void file(std::size_t worker);
 
   const Pace pace_;
   std::map<Place, Entry> units_;
-  std::set<Place> waiting_;
+  WaitingUnits waiting_;
   std::map<std::uint64_t, Sent> sent_;
   std::uint64_t next_grant_ = 1;
   std::vector<WorkerState> workers_;

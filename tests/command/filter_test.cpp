@@ -7,7 +7,7 @@
 #include <iterator>
 #include <nlohmann/json.hpp>
 
-#include "codegen/support/sha256.hpp"
+#include "runtime/files/sha256.hpp"
 #include "tests/support/command.hpp"
 #include "tests/support/temporary_directory.hpp"
 

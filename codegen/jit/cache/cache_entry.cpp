@@ -5,7 +5,7 @@
 #include <cstring>
 #include <stdexcept>
 
-#include "codegen/support/sha256.hpp"
+#include "runtime/files/sha256.hpp"
 
 namespace regulus::inline jit {
 namespace {

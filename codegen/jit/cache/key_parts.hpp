@@ -6,7 +6,7 @@
 #include <string_view>
 #include <vector>
 
-#include "codegen/support/sha256.hpp"
+#include "runtime/files/sha256.hpp"
 
 namespace regulus::inline jit {
 

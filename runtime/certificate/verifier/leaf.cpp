@@ -49,14 +49,22 @@ std::optional<PointValues> values_over(const Question& q, const Box& box, long b
 }
 
 LeafProver::LeafProver(Question& question, const Variety& variety, const Options& options,
-                       WorkClock& clock, std::uint64_t& boxes)
+                       WorkClock& clock)
     : q_(question),
       variety_(variety),
       options_(options),
       clock_(clock),
-      test_(question, variety),
-      boxes_(boxes),
-      has_met_point_(question.constraints.empty() && question.balls.empty()) {}
+      test_(question, variety) {
+  begin(true);
+}
+
+void LeafProver::begin(bool looks_for_points) {
+  boxes_ = 0;
+  uses_algebra_ = has_met_variety_ = false;
+  has_met_point_ = q_.constraints.empty() && q_.balls.empty();
+  looks_for_points_ = looks_for_points;
+  points_tried_ = sign_ = 0;
+}
 
 void LeafProver::prove(const Box& box) {
   const std::uint64_t before = boxes_;
@@ -71,7 +79,7 @@ void LeafProver::prove(const Box& box) {
     const auto answer = test_.decide(part);
     if (answer == RegularityTest::Answer::kOutside) continue;
     has_met_variety_ = true;
-    if (!has_met_point_) look_for_point();
+    if (!has_met_point_ && looks_for_points_) look_for_point();
     if (answer == RegularityTest::Answer::kOpen || boxes_ == before + 1) look_for_contradiction();
     if (answer == RegularityTest::Answer::kRegular) continue;
     if (is_regular_exactly(part, boxes_ - before)) continue;
@@ -88,9 +96,10 @@ void LeafProver::prove(const Box& box) {
 /// Shows that determinants, multiplied out, are not 0 anywhere in a box.
 bool LeafProver::is_regular_exactly(const Box& box, std::uint64_t boxes_of_leaf) {
   if (!test_.is_defined() || is_exact_too_large_) return false;
-  if (!exact_ && !exact_rank_ && q_.columns > kSmallOrder && boxes_of_leaf < kBoxesBeforeAlgebra &&
+  if (!uses_algebra_ && q_.columns > kSmallOrder && boxes_of_leaf < kBoxesBeforeAlgebra &&
       test_.variable_to_split(box))
     return false;
+  uses_algebra_ = true;
   try {
     if (q_.rows == q_.columns) {
       if (!exact_) exact_.emplace(q_, variety_, options_.max_bits);

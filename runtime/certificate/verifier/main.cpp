@@ -15,6 +15,7 @@ using regulus::verifier::Options;
 using regulus::verifier::Verification;
 
 constexpr int kUsageError = 64, kFileError = 74;
+constexpr unsigned kMostThreads = 1024;
 constexpr std::size_t kMaxModelBytes = std::size_t{1} << 22;
 
 constexpr const char* kHelp =
@@ -25,6 +26,7 @@ constexpr const char* kHelp =
     "  REJECTED    not a certificate, incomplete, or false               (exit 1)\n"
     "  UNFINISHED  neither could be shown within the bounds below        (exit 2)\n"
     "Standard error says what was checked, and why the claim is not verified.\n"
+    "If CERTIFICATE is the index of a proof in shards, they are in CERTIFICATE.shards.\n"
     "Other exit codes: 64 usage, 74 a file cannot be read or written.\n"
     "\n"
     "  --model FILE     also compare every number and expression of this model file with the\n"
@@ -32,6 +34,7 @@ constexpr const char* kHelp =
     "  --allow-options  allow ranges, tolerances and alpha to differ from that file, because\n"
     "                   options of regulus change them; list the differences\n"
     "  --time-limit S   stop after S seconds; the answer is then UNFINISHED\n"
+    "  --threads N      prove leaves by N threads (default 1); the answer is the same\n"
     "  --max-boxes N    evaluate at most N boxes for all leaves together (default 4194304)\n"
     "  --quiet          print only the answer\n"
     "  --help           print this text\n";
@@ -64,6 +67,9 @@ bool read_usage(const std::vector<std::string>& words, Usage& usage) {
       usage.model = words[++i];
     } else if (word == "--time-limit" && read_number(next, usage.options.time_limit)) {
       ++i;
+    } else if (word == "--threads" && read_number(next, usage.options.threads) &&
+               usage.options.threads <= kMostThreads) {
+      ++i;
     } else if (word == "--max-boxes" && read_number(next, usage.options.max_boxes)) {
       ++i;
     } else if (!word.starts_with("-") && usage.certificate.empty()) {
@@ -89,6 +95,7 @@ Verification verify(std::istream& file, const Usage& usage) try {
 int verify(Usage& usage) {
   regulus::verifier::InputFile bytes(usage.certificate);
   std::istream file(&bytes);
+  usage.options.path = usage.certificate;
   if (!usage.model.empty()) {
     usage.options.model_text = regulus::verifier::read_text(usage.model, kMaxModelBytes);
     usage.options.model_name = usage.model;

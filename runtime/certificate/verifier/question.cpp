@@ -26,7 +26,8 @@ class QuestionReader {
 
   void read() {
     advance();
-    if (lines_.text() != format::kMagic)
+    q_.is_index = lines_.text() == format::kIndexMagic;
+    if (!q_.is_index && lines_.text() != format::kMagic)
       throw Rejection("the first line is not '" + std::string(format::kMagic) + "'");
     advance();
     read_verdict();
@@ -300,6 +301,7 @@ class QuestionReader {
 bool Lines::next() {
   text_.clear();
   ++number_;
+  named_ = 0;
   for (int c; (c = in_.get()) != std::istream::traits_type::eof();) {
     if (left_-- == 0) throw Rejection("the file is too large");
     if (c == '\n') {

@@ -24,7 +24,9 @@ class Lines {
   /// if the line is too long, is not ended, is beyond `most`, or has bytes that are not text.
   [[nodiscard]] bool next();
   [[nodiscard]] const std::string& text() const noexcept { return text_; }
-  [[nodiscard]] std::size_t number() const noexcept { return number_; }
+  [[nodiscard]] std::size_t number() const noexcept { return named_ != 0 ? named_ : number_; }
+  /// An earlier line is wrong: number() returns this line until the next one is read.
+  void name_line(std::size_t number) noexcept { named_ = number; }
   /// From now on keeps the lines that are read, until take_kept.
   void keep() noexcept { keeps_ = true; }
   [[nodiscard]] std::vector<std::string> take_kept() {
@@ -36,7 +38,7 @@ class Lines {
   std::istream& in_;
   std::uint64_t left_;
   std::string text_;
-  std::size_t number_ = 0;
+  std::size_t number_ = 0, named_ = 0;
   bool keeps_ = false;
   std::vector<std::string> kept_;
 };
@@ -67,6 +69,7 @@ struct StatedValue {
 
 struct Question {
   bool singular = false;  ///< the claim
+  bool is_index = false;  ///< the proof is in shards
   /// The question is about several pieces: nothing after the line `piecewise` has been read.
   bool is_piecewise = false;
   std::string model, sha256, motion;

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "runtime/certificate/verifier/verify.hpp"
 
-#include <cfenv>
-
 #include "runtime/certificate/verifier/model_comparison.hpp"
 #include "runtime/certificate/verifier/pieces.hpp"
 #include "runtime/certificate/verifier/proof.hpp"
+#include "runtime/certificate/verifier/shards.hpp"
 #include "runtime/certificate/verifier/single_values.hpp"
+#include "runtime/certificate/verifier/usual_environment.hpp"
 
 namespace regulus::verifier {
 namespace {
@@ -14,8 +14,10 @@ namespace {
 void check(Lines& lines, Question& question, const Options& options, Verification& result) {
   lines.keep();
   read_question(lines, question);
+  if (question.is_index && (question.is_piecewise || question.singular))
+    throw Rejection("an index is for a proof of NO SINGULARITY about one piece");
   if (question.is_piecewise) return check_pieces(lines, options, result);
-  static_cast<void>(lines.take_kept());
+  const std::vector<std::string> head = lines.take_kept();
   result.claim = format::describe_claim(question.claimed_set(), question.singular);
   result.model = question.model;
   result.sha256 = question.sha256;
@@ -24,31 +26,12 @@ void check(Lines& lines, Question& question, const Options& options, Verificatio
   if (!options.model_text.empty()) compare_with_model(question, options, result);
   const Variety variety = enclose_variety(question);
   put_in_single_values(question);
-  if (question.singular)
+  if (question.is_index)
+    check_shards(lines, head, question, variety, options, result);
+  else if (question.singular)
     check_witness(lines, question, variety, options, result);
   else
     check_tree(lines, question, variety, options, result);
-}
-
-/// Sets the usual environment, without exceptions that stop the process, for its own lifetime.
-class UsualEnvironment {
- public:
-  UsualEnvironment() noexcept { std::feholdexcept(&before_), std::fesetenv(FE_DFL_ENV); }
-  UsualEnvironment(const UsualEnvironment&) = delete;
-  UsualEnvironment& operator=(const UsualEnvironment&) = delete;
-  ~UsualEnvironment() { std::fesetenv(&before_); }
-
- private:
-  std::fenv_t before_;
-};
-
-/// Throws unless rounding is to nearest and numbers below 2^-1022 are kept: bounds need both.
-void require_usual_arithmetic() {
-  volatile double least = 0x1p-1074, normal = 0x1p-1022;
-  const bool keeps = least * 1.0 > 0.0, reaches = normal * 0.5 > 0.0;
-  if (std::fegetround() != FE_TONEAREST)
-    throw std::runtime_error("the processor does not round to nearest");
-  if (!keeps || !reaches) throw std::runtime_error("the processor flushes small numbers to zero");
 }
 
 std::string at_line(const Lines& lines, const std::string& why) {
@@ -89,6 +72,7 @@ std::string describe(const Verification& v) {
   line("motion", v.motion);
   line("claim", v.claim);
   if (v.pieces > 0) line("pieces", std::to_string(v.pieces) + " of a trajectory");
+  if (v.shards > 0) line("shards", std::to_string(v.shards));
   if (v.leaves > 0)
     line("leaves", std::to_string(v.leaves) + ", in " + std::to_string(v.boxes) + " boxes");
   if (v.numbers > 0)

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <atomic>
 #include <chrono>
 
 #include "runtime/certificate/verifier/expression.hpp"
@@ -14,13 +15,18 @@ class WorkClock {
   WorkClock(const Options& options, const Verification& counts)
       : options_(options), counts_(counts), start_(Clock::now()), reported_(start_) {}
 
-  /// Call it before each piece of work. Throws Unfinished if the time is over.
+  /// For another thread: it began when `other` did, and reports nothing.
+  WorkClock(const WorkClock& other, const std::atomic<bool>& stop)
+      : options_(other.options_), counts_(other.counts_), start_(other.start_), stop_(&stop) {}
+
+  /// Call it before each piece of work. Throws Unfinished if the time is over, or `stop` is set.
   void tick() {
+    if (stop_ != nullptr && stop_->load(std::memory_order_relaxed)) throw Unfinished("stopped");
     if (options_.time_limit <= 0 && !options_.progress) return;
     const auto now = Clock::now();
     if (options_.time_limit > 0 && Seconds(now - start_).count() > options_.time_limit)
       throw Unfinished("the time limit was reached");
-    if (!options_.progress || Seconds(now - reported_).count() < kBetweenReports) return;
+    if (stop_ != nullptr || !options_.progress || Seconds(now - reported_).count() < kBetweenReports) return;
     reported_ = now;
     options_.progress(counts_);
   }
@@ -34,6 +40,7 @@ class WorkClock {
   const Verification& counts_;
   const Clock::time_point start_;
   Clock::time_point reported_;
+  const std::atomic<bool>* stop_ = nullptr;  ///< for a thread beside the first
 };
 
 }  // namespace regulus::verifier

@@ -1,36 +1,40 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+// Many ranks in virtual time, which decide boxes as fast as a trace says. All grants and answers
+// pass through the real supervisor and the real workers.
 #pragma once
 
 #include <queue>
+#include <string>
 #include <vector>
 
+#include "runtime/cluster/supervisor.hpp"
+#include "runtime/cluster/worker.hpp"
 #include "tests/bench/scale/trace.hpp"
 
 namespace regulus::bench {
 
-/// Costs in virtual time, in seconds.
-struct ReplayCosts {
-  double message = 20e-6;  ///< of the supervisor, for each message that it sends or receives
-  double latency = 50e-6;  ///< between two ranks
+struct Job {
+  std::size_t ranks;
+  double seconds;             ///< of ideal work for each; boxes take so much longer than in the trace
+  std::uint64_t unit;         ///< boxes of a unit
+  double message = 20e-6;     ///< seconds of rank 0, for each message that it sends or receives
+  double in_order = 0.1e-6;   ///< seconds of rank 0, for each box whose outcome it puts in order
+  double latency = 50e-6;     ///< seconds between two ranks
 };
 
-/// Many ranks in virtual time, which decide units as fast as a trace says.
-class ReplayedRanks final : public cluster::Workers {
+struct Replayed {
+  double seconds = 0;  ///< until the last outcome is in order
+  double busy = 0;     ///< seconds of all ranks
+  std::uint64_t messages = 0, units = 0;
+  std::size_t most_known = 0;   ///< units in the supervisor
+  double most_megabytes = 0;    ///< of the supervisor, all workers and all messages
+  double own_seconds = 0;       ///< processor time of the real supervisor
+};
+
+class Replay {
  public:
-  /// `slower`: each unit takes so many times as long as in the trace.
-  ReplayedRanks(const Trace& trace, std::size_t ranks, double slower, const ReplayCosts& costs)
-      : trace_(trace), slower_(slower), costs_(costs), ranks_(ranks) {}
-
-  void begin(const Problem&, const Settings&, const cluster::Learned&) override {}
-  void end() noexcept override {}
-  [[nodiscard]] std::size_t count() const override { return ranks_.size(); }
-  [[nodiscard]] double seconds_of_grant() const override { return 1.0; }
-  void send(std::size_t worker, std::string grant) override;
-  [[nodiscard]] std::optional<cluster::Received> receive() override;
-  [[nodiscard]] double now() const override { return supervisor_; }
-
-  [[nodiscard]] std::uint64_t messages() const noexcept { return messages_; }
-  [[nodiscard]] double busy() const noexcept { return busy_; }
+  Replay(const Trace& trace, const Job& job);
+  [[nodiscard]] Replayed run();
 
  private:
   struct Rank {
@@ -48,15 +52,21 @@ class ReplayedRanks final : public cluster::Workers {
     }
   };
 
-  void decide(std::size_t rank, double at, const std::string& grant);
+  void send_grants();
+  void take_in_order();
+  void take_event();
+  void decide(const Event& event);
+  void measure_memory();
 
   const Trace& trace_;
+  const Job job_;
   const double slower_;
-  const ReplayCosts costs_;
+  cluster::Supervisor supervisor_;
   std::vector<Rank> ranks_;
   std::priority_queue<Event> events_;
-  std::uint64_t messages_ = 0;
-  double supervisor_ = 0, busy_ = 0;
+  double now_ = 0;  ///< of rank 0
+  double memory_before_ = 0;
+  Replayed result_;
 };
 
 }  // namespace regulus::bench

@@ -8,7 +8,7 @@
 #include <fstream>
 
 #include "codegen/model/overrides.hpp"
-#include "codegen/support/sha256.hpp"
+#include "runtime/files/sha256.hpp"
 #include "tests/support/evaluate.hpp"
 #include "tests/support/example_model.hpp"
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "codegen/support/sha256.hpp"
+#include "runtime/files/sha256.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,12 +1,12 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
-#include "codegen/support/sha256.hpp"
+// SPDX-License-Identifier: Apache-2.0
+#include "runtime/files/sha256.hpp"
 
 #include <array>
 #include <bit>
 #include <cstddef>
 #include <cstdint>
 
-namespace regulus::inline support {
+namespace regulus {
 namespace {
 
 constexpr std::size_t kBlockBytes = 64;
@@ -105,4 +105,4 @@ std::string sha256(std::string_view bytes) {
   return digest.text();
 }
 
-}  // namespace regulus::support
+}  // namespace regulus

@@ -1,4 +1,4 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
+// SPDX-License-Identifier: Apache-2.0
 // The digest that names a model file in reports and certificates, and an object in the cache.
 #pragma once
 
@@ -7,7 +7,7 @@
 #include <string>
 #include <string_view>
 
-namespace regulus::inline support {
+namespace regulus {
 
 /// The SHA-256 digest of the bytes.
 ///
@@ -30,4 +30,4 @@ class Sha256 {
   std::uint64_t total_ = 0;
 };
 
-}  // namespace regulus::support
+}  // namespace regulus

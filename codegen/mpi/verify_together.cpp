@@ -1,0 +1,115 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "codegen/mpi/verify_together.hpp"
+
+#include <csignal>
+#include <utility>
+
+#include "codegen/command/commands.hpp"
+#include "codegen/support/errors.hpp"
+#include "runtime/certificate/verifier/verify.hpp"
+#include "runtime/cluster/bytes.hpp"
+
+namespace regulus::inline mpi {
+namespace {
+
+using cluster::ByteReader;
+using cluster::ByteWriter;
+using verifier::ShardProof;
+
+void put(ByteWriter& to, const ShardProof& proof) {
+  for (const bool is : {proof.is_proved, proof.is_rejected, proof.has_met_variety,
+                        proof.has_met_point})
+    to.put(is);
+  for (const std::string* text : {&proof.reason, &proof.question, &proof.before, &proof.after})
+    to.put_text(*text);
+  to.put_count(proof.leaves);
+  to.put_count(proof.boxes);
+  to.put(proof.sign);
+}
+
+ShardProof take_proof(ByteReader& from) {
+  ShardProof proof;
+  for (bool* is : {&proof.is_proved, &proof.is_rejected, &proof.has_met_variety,
+                   &proof.has_met_point})
+    *is = from.take<bool>();
+  for (std::string* text : {&proof.reason, &proof.question, &proof.before, &proof.after})
+    *text = from.take_text();
+  proof.leaves = from.take_count();
+  proof.boxes = from.take_count();
+  proof.sign = from.take<int>();
+  return proof;
+}
+
+/// The ranks give their proofs to rank 0 exactly once, whatever happens before: otherwise the others
+/// would wait for ever.
+class Exchange {
+ public:
+  Exchange(Communicator& communicator, const std::vector<RankIdentity>& ranks)
+      : communicator_(communicator), ranks_(ranks) {}
+
+  void run(std::vector<ShardProof>& proofs) {
+    done_ = true;
+    ByteWriter own;
+    own.put_text("");
+    for (std::size_t i = communicator_.rank(); i < proofs.size(); i += communicator_.size())
+      put(own, proofs[i]);
+    const std::vector<std::string> all = communicator_.gather(own.bytes());
+    for (std::size_t rank = 1; rank < all.size(); ++rank) take(all[rank], rank, proofs);
+  }
+
+  /// A rank that has no proofs says why.
+  void end(const std::string& why) {
+    if (std::exchange(done_, true)) return;
+    ByteWriter own;
+    own.put_text(why.empty() ? "it does not read an index there" : why);
+    static_cast<void>(communicator_.gather(own.bytes()));
+  }
+
+ private:
+  void take(std::string_view bytes, std::size_t rank, std::vector<ShardProof>& proofs) const {
+    ByteReader reader(bytes);
+    const std::string failure(reader.take_text());
+    for (std::size_t i = rank; i < proofs.size(); i += communicator_.size()) {
+      if (!reader.at_end())
+        proofs[i] = take_proof(reader);
+      else
+        proofs[i].reason = "rank " + std::to_string(rank) + " on " + ranks_[rank].host +
+                           " has not proved it" + (failure.empty() ? "" : ": " + failure);
+    }
+  }
+
+  Communicator& communicator_;
+  const std::vector<RankIdentity>& ranks_;
+  bool done_ = false;
+};
+
+/// There is nothing to save: a signal ends the process.
+void unblock_signals() {
+  sigset_t none;
+  sigemptyset(&none);
+  pthread_sigmask(SIG_SETMASK, &none, nullptr);
+}
+
+}  // namespace
+
+int verify_together(Communicator& communicator, VerifyCommand command,
+                    const std::vector<RankIdentity>& ranks) {
+  unblock_signals();
+  Exchange exchange(communicator, ranks);
+  command.part = {communicator.rank(), communicator.size(),
+                  [&exchange](std::vector<ShardProof>& proofs) { exchange.run(proofs); }};
+  int code = 0;
+  try {
+    if (communicator.is_first())
+      code = run_verify(command);
+    else
+      prove_part(command);
+  } catch (const std::exception& error) {
+    exchange.end(error.what());
+    if (communicator.is_first()) throw;
+  }
+  exchange.end("");
+  return code;
+}
+
+}  // namespace regulus::mpi
