@@ -95,6 +95,8 @@ if(REGULUS_CODEGEN)
     install(TARGETS regulus-mpi RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR} COMPONENT mpi)
     install(FILES ${PROJECT_SOURCE_DIR}/codegen/mpi/CLUSTER.md
             DESTINATION ${CMAKE_INSTALL_DATADIR}/doc/regulus-mpi COMPONENT mpi)
+    install(FILES ${PROJECT_BINARY_DIR}/codegen/mpi/regulus-mpi.1
+            DESTINATION ${CMAKE_INSTALL_MANDIR}/man1 COMPONENT mpi)
     regulus_install_licences(${CMAKE_INSTALL_DATADIR}/doc/regulus-mpi mpi)
   endif()
   install(TARGETS regulus_pack_plugin regulus_clang_plugin

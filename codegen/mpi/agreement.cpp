@@ -61,8 +61,7 @@ std::string write_start(const Start& start) {
   ByteWriter bytes;
   bytes.put(start.exit_code.has_value());
   bytes.put(start.exit_code.value_or(0));
-  bytes.put_count(start.words.size());
-  for (const std::string& word : start.words) bytes.put_text(word);
+  bytes.put_each(start.words, [&bytes](const std::string& word) { bytes.put_text(word); });
   bytes.put_text(start.model);
   return bytes.take();
 }
@@ -73,8 +72,7 @@ Start read_start_text(std::string_view text) {
   const bool ends = reader.take<bool>();
   const int code = reader.take<int>();
   if (ends) start.exit_code = code;
-  for (std::uint64_t left = reader.take_count(); left > 0; --left)
-    start.words.emplace_back(reader.take_text());
+  reader.take_each([&] { start.words.emplace_back(reader.take_text()); });
   start.model = reader.take_text();
   return start;
 }

@@ -61,6 +61,20 @@ class Reader {
     return {lo, hi};
   }
   std::string_view word() { return next_word(); }
+  /// Pairs of hexadecimal digits; - for none.
+  std::string bytes() {
+    const std::string_view word = next_word();
+    std::string bytes;
+    if (word == "-") return bytes;
+    if (word.empty() || word.size() % 2 != 0) refuse("bytes");
+    for (std::size_t i = 0; i < word.size(); i += 2) {
+      unsigned byte = 0;
+      const auto [end, error] = std::from_chars(word.data() + i, word.data() + i + 2, byte, 16);
+      if (error != std::errc{} || end != word.data() + i + 2) refuse("bytes");
+      bytes += static_cast<char>(byte);
+    }
+    return bytes;
+  }
 
  private:
   std::string_view next_word() {
@@ -160,6 +174,19 @@ void read_units(Reader& reader, SearchState& state) {
   }
 }
 
+void read_early(Reader& reader, SearchState& state) {
+  reader.next_line("early");
+  const std::uint64_t count = reader.number();
+  state.early.search = reader.bytes();
+  for (std::uint64_t left = count; left > 0; --left) {
+    reader.next_line("e");
+    EarlyOutcomes::One one;
+    one.unit = reader.number<std::uint32_t>();
+    for (std::string* bytes : {&one.path, &one.boxes, &one.outcome}) *bytes = reader.bytes();
+    state.early.list.push_back(std::move(one));
+  }
+}
+
 /// Only the first format has no hash.
 CertificateSoFar read_certificate(Reader& reader, int format) {
   CertificateSoFar certificate;
@@ -175,7 +202,7 @@ CertificateSoFar read_certificate(Reader& reader, int format) {
 /// Returns the format of the text.
 int format_of(std::string_view text) {
   if (!text.starts_with("regulus checkpoint ")) throw CheckpointError("it is not a checkpoint");
-  for (const int format : {1, 2, 3})
+  for (const int format : {1, 2, 3, 4})
     if (text.starts_with("regulus checkpoint " + std::to_string(format) + '\n')) return format;
   throw CheckpointError("its format is of another version");
 }
@@ -231,6 +258,7 @@ Checkpoint read_checkpoint(std::string_view text, const CheckpointedQuestion& qu
   reader.next_line("certificate");
   if (!reader.take(" none")) result.certificate = read_certificate(reader, format);
   if (format > 2) read_units(reader, result.state);
+  if (format > 3) read_early(reader, result.state);
   reader.next_line("open");
   const std::uint64_t count = reader.number();
   const std::vector<std::uint32_t>& units = result.state.units;

@@ -45,6 +45,12 @@ class ByteWriter {
     if (!numbers.empty())
       bytes_.append(reinterpret_cast<const char*>(numbers.data()), numbers.size_bytes());
   }
+  /// Calls `put_one` for each item, after their number.
+  template <typename List, typename Put>
+  void put_each(const List& list, const Put& put_one) {
+    put_count(list.size());
+    for (const auto& one : list) put_one(one);
+  }
   void append(std::string_view bytes) { bytes_ += bytes; }
 
   [[nodiscard]] const std::string& bytes() const noexcept { return bytes_; }
@@ -79,6 +85,11 @@ class ByteReader {
   }
   /// The result refers to the bytes.
   [[nodiscard]] std::string_view take_text() { return take_bytes(take_count()); }
+  /// Calls `take_one` as often as put_each called its function.
+  template <typename Take>
+  void take_each(const Take& take_one) {
+    for (std::uint64_t left = take_count(); left > 0; --left) take_one();
+  }
   template <typename Number>
   [[nodiscard]] std::vector<Number> take_list() {
     const std::uint64_t count = take_count();

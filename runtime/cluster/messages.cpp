@@ -7,8 +7,7 @@ std::string write_grant(const Grant& grant) {
   ByteWriter bytes;
   bytes.put_count(grant.number);
   bytes.put_count(grant.budget);
-  bytes.put_count(grant.units.size());
-  for (const Unit& unit : grant.units) put(bytes, unit);
+  bytes.put_each(grant.units, [&bytes](const Unit& unit) { put(bytes, unit); });
   return bytes.take();
 }
 
@@ -17,8 +16,7 @@ Grant read_grant(std::string_view text) {
   Grant grant;
   grant.number = reader.take_count();
   grant.budget = reader.take_count();
-  for (std::uint64_t left = reader.take_count(); left > 0; --left)
-    grant.units.push_back(take_unit(reader));
+  reader.take_each([&] { grant.units.push_back(take_unit(reader)); });
   return grant;
 }
 
@@ -26,11 +24,10 @@ std::string write_answer(const Answer& answer) {
   ByteWriter bytes;
   bytes.put_count(answer.grant);
   bytes.put(answer.seconds);
-  bytes.put_count(answer.results.size());
-  for (const UnitResult& result : answer.results) {
+  bytes.put_each(answer.results, [&bytes](const UnitResult& result) {
     bytes.put_count(result.unit);
     bytes.put_text(result.outcome);
-  }
+  });
   return bytes.take();
 }
 
@@ -39,10 +36,10 @@ Answer read_answer(std::string_view text) {
   Answer answer;
   answer.grant = reader.take_count();
   answer.seconds = reader.take<double>();
-  for (std::uint64_t left = reader.take_count(); left > 0; --left) {
+  reader.take_each([&] {
     const std::uint64_t unit = reader.take_count();
     answer.results.push_back({unit, std::string(reader.take_text())});
-  }
+  });
   return answer;
 }
 

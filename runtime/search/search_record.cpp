@@ -121,8 +121,14 @@ void SearchRecord::tell_progress() noexcept {
   if (!stopped_ && !frontier.empty() && observer_->wants_pause()) pause();
 }
 
+/// Without memory for the early outcomes the state is complete, too.
 void SearchRecord::pause() noexcept {
   count_up();
+  if (before_pause) try {
+      before_pause();
+    } catch (const std::bad_alloc&) {
+      state.early = {};
+    }
   observer_->on_pause(state, frontier);
 }
 

@@ -4,6 +4,7 @@
 #pragma once
 
 #include <chrono>
+#include <functional>
 #include <optional>
 #include <span>
 #include <vector>
@@ -52,6 +53,8 @@ class SearchRecord {
   /// Tells the observer about progress, and lets it save the search if it wants to.
   void tell_progress() noexcept;
   void pause() noexcept;
+  /// Called before the state is saved, to complete it; empty: it is complete.
+  std::function<void()> before_pause;
   /// Tells the observer which boxes are left if the search was stopped.
   void tell_what_is_open() noexcept;
 

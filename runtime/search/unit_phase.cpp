@@ -4,7 +4,9 @@
 #include <algorithm>
 #include <cmath>
 #include <new>
+#include <utility>
 
+#include "runtime/cluster/search_description.hpp"
 #include "runtime/search/thread_workers.hpp"
 #include "runtime/search/unit_events.hpp"
 #include "runtime/search/unit_groups.hpp"
@@ -14,6 +16,9 @@ namespace {
 
 /// The units at the beginning: enough for the workers of one machine. Each unit leaves up to four.
 constexpr std::size_t kFirstUnits = 64;
+
+/// Changes whenever the bytes of units or outcomes get another meaning.
+constexpr const char* kOutcomeFormat = "1 ";
 
 constexpr double kPatience = 30.0;
 constexpr double kSecondsBetweenShows = 0.25;
@@ -45,7 +50,10 @@ UnitPhase::UnitPhase(SearchRecord& record, const RowStructure& structure)
       box_(record.problem.outer),
       start_(record.problem.outer) {}
 
-UnitPhase::~UnitPhase() { workers_.end(); }
+UnitPhase::~UnitPhase() {
+  record_.before_pause = nullptr;
+  workers_.end();
+}
 
 /// Makes the first units of a search from its boxes, or takes the units of a checkpoint.
 void UnitPhase::cut_frontier() {
@@ -82,6 +90,8 @@ void UnitPhase::run() {
   workers_.begin(record_.problem, record_.settings, learned_);
   supervisor_.emplace(units(), workers_.count(),
                       cluster::Supervisor::Pace{workers_.seconds_of_grant(), kPatience});
+  restore_early();
+  record_.before_pause = [this] { save_early(); };
   while (goes_on() && !record_.must_stop()) {
     exchange_messages();
     take_decided();
@@ -89,7 +99,20 @@ void UnitPhase::run() {
     record_.tell_progress();
     show_progress();
   }
+  if (record_.exhausted()) save_early();
   if (record_.state.blocked && !record_.settings.exhaustive) record_.state.units.clear();
+}
+
+/// Outcomes of a search with other settings, or of another version, would be read wrongly.
+void UnitPhase::restore_early() {
+  const EarlyOutcomes early = std::exchange(record_.state.early, {});
+  if (!early.list.empty() && early.search == description()) supervisor_->restore(early.list);
+}
+
+void UnitPhase::save_early() { record_.state.early = {description(), supervisor_->early()}; }
+
+std::string UnitPhase::description() const {
+  return kOutcomeFormat + cluster::write_search(record_.problem, record_.settings, learned_);
 }
 
 /// A box that cannot be decided leaves the rest to the rounds, which take the widest boxes first.
@@ -108,17 +131,19 @@ void UnitPhase::exchange_messages() {
 void UnitPhase::take_decided() {
   while (goes_on()) {
     const auto decided = supervisor_->first();
-    if (!decided || record_.must_stop()) return;
-    take(*decided);
+    if (!decided || record_.must_stop() || !take(*decided)) return;
     supervisor_->remove_first();
   }
 }
 
-void UnitPhase::take(const cluster::Supervisor::Decided& decided) {
+/// Returns false if the search stops before this unit.
+bool UnitPhase::take(const cluster::Supervisor::Decided& decided) {
   const cluster::Outcome outcome = cluster::read_outcome(*decided.outcome);
-  if (outcome.kind == cluster::OutcomeKind::kMemory)
-    return record_.stop_at_open_box(Reason::kMemory);
-  if (!fits_into_budget(outcome)) return record_.stop_at_open_box(Reason::kBoxBudget);
+  const bool fits = fits_into_budget(outcome);
+  if (outcome.kind == cluster::OutcomeKind::kMemory || !fits) {
+    record_.stop_at_open_box(fits ? Reason::kMemory : Reason::kBoxBudget);
+    return false;
+  }
   require_same_boxes(*decided.unit);
   record_.state.statistics.boxes += outcome.boxes;
   record_.probes_in_boxes += outcome.probes;
@@ -128,6 +153,7 @@ void UnitPhase::take(const cluster::Supervisor::Decided& decided) {
   for (std::size_t i = outcome.groups.size(); i-- > 0;)
     sizes_.push_back(static_cast<std::uint32_t>(outcome.groups[i].size()));
   if (goes_on()) look_for_witness(outcome);
+  return true;
 }
 
 /// A budget ends a search between two units, so that a continued search has the same units.

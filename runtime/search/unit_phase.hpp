@@ -34,7 +34,7 @@ class UnitPhase {
   [[nodiscard]] std::vector<cluster::Unit> units() const;
   void exchange_messages();
   void take_decided();
-  void take(const cluster::Supervisor::Decided& decided);
+  [[nodiscard]] bool take(const cluster::Supervisor::Decided& decided);
   [[nodiscard]] bool fits_into_budget(const cluster::Outcome& outcome) noexcept;
   void require_same_boxes(const cluster::Unit& unit) const;
   void replay(const cluster::Outcome& outcome, std::size_t roots);
@@ -46,6 +46,9 @@ class UnitPhase {
   void look_for_witness(const cluster::Outcome& outcome);
   void prove_again(const cluster::Unit& unit);
   void save_units();
+  void restore_early();
+  void save_early();
+  [[nodiscard]] std::string description() const;
   void show_progress();
   [[nodiscard]] bool goes_on() noexcept;
 

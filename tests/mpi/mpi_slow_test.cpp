@@ -25,6 +25,17 @@ void kill_some(const RunningCommand& job, std::mt19937& random) {
   for (const pid_t target : targets) ::kill(target, SIGKILL);
 }
 
+TEST(SixtyFourRanks, GiveTheCertificateOfOneThread) {
+  const TemporaryDirectory directory;
+  const auto file = [&](const char* name) { return (directory.path() / name).string(); };
+  ASSERT_EQ(run_command(one_thread(joined(long_check(), {"--certificate", file("one")}))).exit_code,
+            0);
+  const CommandResult many =
+      run_command(ranks(64, joined(long_check(), {"--certificate", file("many")})));
+  EXPECT_EQ(many.exit_code, 0) << many.errors;
+  EXPECT_TRUE(text_of(file("many")) == text_of(file("one")));
+}
+
 TEST(KilledJobs, GoOnToTheSameCertificate) {
   const TemporaryDirectory directory;
   const auto file = [&](const char* name) { return (directory.path() / name).string(); };

@@ -45,6 +45,68 @@ TEST_F(Ranks, WithSeveralThreadsGiveThePavingOfOneThread) {
   EXPECT_TRUE(boxes_of(text_of(file("many"))) == expected);
 }
 
+TEST_F(Ranks, OnFourHostsGiveTheCertificateOfOneThread) {
+  const Words job = {REGULUS_SOURCE_DIR "/tests/mpi/four_hosts.sh", MPIEXEC,
+                     REGULUS_BINARY_DIR "/bin/regulus-mpi"};
+  const CommandResult many =
+      run_command(joined(job, joined(long_check(), {"--certificate", file("many")})));
+  constexpr int kImpossible = 77;
+  if (many.exit_code == kImpossible) GTEST_SKIP() << many.errors;
+  EXPECT_EQ(many.exit_code, 0) << many.errors;
+  ASSERT_EQ(run_command(one_thread(joined(long_check(), {"--certificate", file("one")}))).exit_code,
+            0);
+  EXPECT_TRUE(text_of(file("many")) == text_of(file("one")));
+}
+
+TEST_F(Ranks, CutAProofAsOneThreadDoes) {
+  const Words cut = joined(long_check(), {"--shard-size", "256kB", "--certificate"});
+  ASSERT_EQ(run_command(one_thread(joined(cut, {file("one")}))).exit_code, 0);
+  ASSERT_EQ(run_command(ranks(3, joined(cut, {file("many")}))).exit_code, 0);
+  EXPECT_TRUE(text_of(file("many")) == text_of(file("one")));
+  std::size_t shards = 0;
+  for (const auto& shard : std::filesystem::directory_iterator(file("one.shards"))) {
+    const std::string name = shard.path().filename().string();
+    EXPECT_TRUE(text_of(file("many.shards/" + name)) == text_of(shard.path())) << name;
+    ++shards;
+  }
+  EXPECT_GT(shards, 5U);
+}
+
+TEST_F(Ranks, VerifyTheShardsOfAnIndex) {
+  const Words cut = {"check",  model("robot_1"), "table4_5", "--method", "jk", "--certificate",
+                     file("proof"), "--shard-size", "256kB"};
+  ASSERT_EQ(run_command(ranks(2, cut)).exit_code, 0);
+  const CommandResult one = run_command(
+      {REGULUS_BINARY_DIR "/bin/regulus", "verify", file("proof"), "--threads", "2"});
+  EXPECT_EQ(one.output, "VERIFIED\n") << one.errors;
+  for (const int count : {1, 3, 12}) {
+    const CommandResult many = run_command(ranks(count, {"verify", file("proof")}));
+    EXPECT_EQ(many.output, one.output) << many.errors;
+    EXPECT_THAT(many.errors, HasSubstr(one.errors));
+  }
+  std::filesystem::remove(file("proof.shards/3"));
+  const CommandResult lacking = run_command(ranks(2, {"verify", file("proof")}));
+  EXPECT_EQ(lacking.output, "REJECTED\n");
+  EXPECT_THAT(lacking.errors, HasSubstr("shard 3: it is missing"));
+  EXPECT_EQ(lacking.exit_code, 1);
+}
+
+TEST_F(Ranks, VerifyAProofInOneFileByTheFirst) {
+  ASSERT_EQ(run_command(one_thread({"check", model("robot_1"), "wide_15", "--certificate",
+                                    file("proof")}))
+                .exit_code,
+            0);
+  const CommandResult result = run_command(ranks(3, {"verify", file("proof")}));
+  EXPECT_EQ(result.output, "VERIFIED\n") << result.errors;
+  EXPECT_EQ(run_command(ranks(3, {"verify", file("none")})).exit_code, 74);
+}
+
+TEST(ManualPage, NamesTheCommandsThatRunOnRanks) {
+  const std::string page = text_of(REGULUS_BINARY_DIR "/codegen/mpi/regulus-mpi.1");
+  for (const char* words : {"check", "locate", "margin", "verify", "\\-\\-filter", "EXIT STATUS"})
+    EXPECT_THAT(page, HasSubstr(words));
+}
+
 TEST_F(Ranks, BracketAsOneThreadDoes) {
   const CommandResult many =
       run_command(ranks(2, {"margin", model("robot_1"), "wide_15", "--tolerance",
@@ -63,7 +125,7 @@ TEST_F(Ranks, ReportAMistakeOnce) {
 
 TEST_F(Ranks, NameTheCommandsThatTheyRun) {
   const CommandResult result = run_command(ranks(2, {"explain", model("robot_1")}));
-  EXPECT_THAT(result.errors, HasSubstr("check, locate and margin run on several ranks"));
+  EXPECT_THAT(result.errors, HasSubstr("check, locate, margin and verify run on several ranks"));
   EXPECT_EQ(result.exit_code, 64);
 }
 

@@ -41,7 +41,7 @@ class SearchEvents : public Observer {
 
   std::string text;
 
- private:
+ protected:
   void put(double x) noexcept {
     char number[32];
     std::snprintf(number, sizeof number, " %a", x);

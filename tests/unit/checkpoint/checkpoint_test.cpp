@@ -51,6 +51,8 @@ SearchState state() {
   s.candidates.small_tries = 9;
   s.headway = Headway({3, 7, 1, 0.0625});
   s.units = {2, 1};
+  s.early = {std::string("all\0 of it", 10),
+             {{1, "", "box", std::string("\xff\n\0", 3)}, {1, "\x02", "other box", "x"}}};
   return s;
 }
 
@@ -103,6 +105,14 @@ TEST(Checkpoint, WhatIsReadIsWhatWasWritten) {
   EXPECT_EQ(read.state.headway.run().multiprecision, 1U);
   EXPECT_EQ(read.state.headway.run().part, 0.0625);
   EXPECT_EQ(read.state.units, expected.units);
+  EXPECT_EQ(read.state.early.search, expected.early.search);
+  ASSERT_EQ(read.state.early.list.size(), expected.early.list.size());
+  for (std::size_t i = 0; i < expected.early.list.size(); ++i) {
+    EXPECT_EQ(read.state.early.list[i].unit, expected.early.list[i].unit);
+    EXPECT_EQ(read.state.early.list[i].path, expected.early.list[i].path);
+    EXPECT_EQ(read.state.early.list[i].boxes, expected.early.list[i].boxes);
+    EXPECT_EQ(read.state.early.list[i].outcome, expected.early.list[i].outcome);
+  }
   const Boxes boxes;
   const std::vector<OpenBox> open = read.open();
   ASSERT_EQ(open.size(), boxes.size());
@@ -184,7 +194,7 @@ TEST(Checkpoint, WhatCannotBeIsRefusedWithTheLine) {
   expect_refusal(replaced("units 2 1\nopen 3", "units 2\nopen 2"), "the end");
   expect_refusal(replaced("open 3", "open 99999999999999999999"), "a number");
   expect_refusal(replaced("next 19", "next 0"), "a number above 0");
-  expect_refusal(replaced("checkpoint 3", "checkpoint 4"), "another version");
+  expect_refusal(replaced("checkpoint 4", "checkpoint 5"), "another version");
   expect_refusal(replaced("candidate positive 0x1.cp+1", "candidate positive nan"), "hexadecimal");
   expect_refusal(replaced(" -0x1p+0 0x1p-3\n", " -0x1p+0\n"), "a number for each variable");
   expect_refusal(replaced("units 2 1", "units 2 2"), "as many boxes as the units have");

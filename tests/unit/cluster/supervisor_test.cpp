@@ -123,6 +123,48 @@ TEST(Supervisor, AnswersThatItDoesNotExpectChangeNothing) {
   EXPECT_FALSE(supervisor.empty());
 }
 
+/// A box of number n, at this depth.
+Unit deep_unit_of(double number, std::uint32_t depth) { return {{depth}, {Interval(number)}}; }
+
+TEST(Supervisor, GrantsTheWidestFirstIfFewUnitsWait) {
+  Supervisor supervisor({deep_unit_of(5, 9), deep_unit_of(6, 3), deep_unit_of(7, 6)}, 3, {});
+  const auto grants = supervisor.grant_work(0);
+  ASSERT_EQ(grants.size(), 3U);
+  for (std::size_t i = 0; i < 3; ++i)
+    EXPECT_EQ(read_grant(grants[i].grant).units.at(0).depths.at(0), 3 * (i + 1));
+}
+
+TEST(Supervisor, GrantsTheFirstInOrderIfManyWait) {
+  std::vector<Unit> units;
+  for (std::uint32_t i = 0; i < 12; ++i) units.push_back(deep_unit_of(1, 20 - i));
+  Supervisor supervisor(units, 2, {});
+  EXPECT_EQ(read_grant(supervisor.grant_work(0).at(0).grant).units.at(0).depths.at(0), 20U);
+}
+
+TEST(Supervisor, RestoresWhatWasNotInOrder) {
+  Supervisor before({unit_of(1), unit_of(4), unit_of(2)}, 3, {.seconds = 1});
+  const auto grants = before.grant_work(0);
+  for (const std::size_t i : {1U, 2U}) before.receive(i, answer_to(grants[i].grant), 0);
+  EXPECT_TRUE(taken(before).empty());
+  const std::vector<EarlyOutcomes::One> early = before.early();
+  ASSERT_EQ(early.size(), 2U);
+  Supervisor after({unit_of(1), unit_of(4), unit_of(2)}, 1, {});
+  after.restore(early);
+  EXPECT_EQ(after.waiting(), 1U + 2U + 2U);
+  after.receive(0, answer_to(after.grant_work(0).at(0).grant), 0);
+  EXPECT_THAT(taken(after), ElementsAre(1));
+}
+
+TEST(Supervisor, RestoresNothingForOtherBoxes) {
+  Supervisor before({unit_of(1), unit_of(4)}, 2, {});
+  before.receive(1, answer_to(before.grant_work(0).at(1).grant), 0);
+  for (const std::vector<Unit>& others :
+       {std::vector{unit_of(1), unit_of(5)}, {unit_of(4), unit_of(1)}, {unit_of(1)}}) {
+    Supervisor after(others, 2, {});
+    EXPECT_THROW(after.restore(before.early()), MalformedMessage);
+  }
+}
+
 TEST(Worker, DecidesGroupsUntilTheBudgetIsUsed) {
   for (const auto& [budget, units] : {std::pair{1U, 1}, {25U, 3}, {1000U, 15}}) {
     Deciding decider;

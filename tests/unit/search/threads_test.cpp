@@ -4,11 +4,11 @@
 
 #include <atomic>
 #include <cfenv>
-#include <cstdio>
 
 #include "runtime/problem/observers.hpp"
 #include "tests/support/function_kernel.hpp"
 #include "tests/support/gough_kernel.hpp"
+#include "tests/support/search_events.hpp"
 
 namespace regulus {
 namespace {
@@ -17,62 +17,22 @@ using test::FunctionKernel;
 using test::problem_over;
 using test::Values;
 
-/// Records all events of a search as text.
-class EventLog : public Observer {
+/// Records the data of proofs and the progress of a search, too.
+class EventLog : public test::SearchEvents {
  public:
   explicit EventLog(const Problem& problem) : kernel_(*problem.kernel) {}
 
-  void on_split(const OpenBox& box, const Split& split) noexcept override {
-    put(box);
-    text += " split " + std::to_string(split.variable) + ' ' + std::to_string(split.lower);
-    put(split.at);
-    text += '\n';
-  }
   void on_leaf(const OpenBox& box, Rule rule, const Proof& proof) noexcept override {
-    put(box);
-    text += std::string(" leaf ") + name(rule) + ", " + describe(proof.reason);
     for (unsigned p = 0; p < kernel_.rows * kernel_.columns; ++p)
       put(proof.preconditioner[p * REGULUS_LANES]);
     for (std::size_t i = 0; i < proof.order; ++i) put(proof.vector[i * REGULUS_LANES]);
-    if (proof.determinant) put(*proof.determinant);
-    if (proof.witness != nullptr) put(*proof.witness);
-    text += '\n';
-  }
-  void on_open(const OpenBox& box) noexcept override {
-    put(box);
-    text += " open\n";
+    SearchEvents::on_leaf(box, rule, proof);
   }
   void on_progress(const Statistics& statistics, std::uint64_t frontier) noexcept override {
     text += std::to_string(statistics.boxes) + " boxes, " + std::to_string(frontier) + " open\n";
   }
-  void on_finish(const Result& result) noexcept override {
-    text += name(result.verdict) + std::string(", ") + describe(result.reason);
-    if (result.witness) put(*result.witness);
-    for (const Interval& x : result.blocking_box) put(x);
-    text += ' ' + std::to_string(result.statistics.probes) + ' ' +
-            std::to_string(result.statistics.max_frontier) + '\n';
-  }
-
-  std::string text;
 
  private:
-  void put(double x) noexcept {
-    char number[32];
-    std::snprintf(number, sizeof number, " %a", x);
-    text += number;
-  }
-  void put(const Interval& x) noexcept { put(x.lo), put(x.hi); }
-  void put(const Witness& witness) noexcept {
-    for (const WitnessPoint& point : witness.points) {
-      for (const Interval& x : point.variables) put(x);
-      put(point.determinant);
-    }
-  }
-  void put(const OpenBox& box) noexcept {
-    text += std::to_string(box.id) + '@' + std::to_string(box.depth);
-    for (const Interval& x : box.box) put(x);
-  }
-
   const regulus_kernel& kernel_;
 };
 
