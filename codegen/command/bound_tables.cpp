@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The tables of `regulus bound` and `regulus datasheet`.
+#include "codegen/command/certificate_options.hpp"
 #include "codegen/command/command_tables.hpp"
 #include "codegen/command/shared_options.hpp"
 

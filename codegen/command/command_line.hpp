@@ -3,7 +3,6 @@
 #pragma once
 
 #include <cstdint>
-#include <functional>
 #include <optional>
 #include <string>
 #include <vector>
@@ -14,10 +13,6 @@
 #include "codegen/command/list_options.hpp"
 #include "codegen/engine/options.hpp"
 #include "codegen/report/output_options.hpp"
-
-namespace regulus::verifier {
-struct ShardProof;
-}
 
 namespace regulus::inline command {
 
@@ -53,13 +48,6 @@ struct MarginCommand {
   std::string certificate;  ///< files, without their endings; empty: none
 };
 
-/// The part of an index that this process proves, if several share the work.
-struct VerifiedPart {
-  std::size_t number = 0, count = 1;
-  /// As verifier::Options::exchange.
-  std::function<void(std::vector<verifier::ShardProof>&)> exchange;
-};
-
 struct VerifyCommand {
   std::string path;
   std::string model;                 ///< the model file it must be about; empty: any
@@ -67,7 +55,6 @@ struct VerifyCommand {
   std::optional<double> time_limit;  ///< in seconds
   std::optional<std::uint64_t> max_boxes;
   unsigned threads = 1;
-  VerifiedPart part;  ///< of the shards of an index
   OutputOptions output;
 };
 

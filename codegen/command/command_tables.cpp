@@ -5,6 +5,7 @@
 
 #include <algorithm>
 
+#include "codegen/command/certificate_options.hpp"
 #include "codegen/command/shared_options.hpp"
 #include "regulus/version.hpp"
 
@@ -65,35 +66,6 @@ constexpr const char* kMarginCertificate =
     "a, "
     "FILE.singular that there is one at b. No file is written for an end that is not found";
 
-void add_verify_options(CLI::App& app, VerifyCommand& command) {
-  app.add_option("CERTIFICATE", command.path, "Certificate file, or the index of its shards")
-      ->required();
-  app.add_option("--waypoints", command.waypoints,
-                 "With --model: the file of way-points that check --waypoints took")
-      ->type_name("FILE");
-  app.add_option(
-         "--model", command.model,
-         "Also check that the certificate is about this model file: write the question again "
-         "from the file and compare it line by line. Ranges, tolerances and alpha may "
-         "differ, because options change them; differences are reported. The verifier's own "
-         "reader also reads and compares every number and expression of the file")
-      ->type_name("MODEL");
-  app.add_option("--time-limit", command.time_limit,
-                 "Stop after S seconds; the answer is then UNFINISHED")
-      ->check(CLI::PositiveNumber)
-      ->type_name("S");
-  app.add_option("--max-boxes", command.max_boxes,
-                 "Evaluate at most N boxes for all leaves together; default 4194304")
-      ->check(CLI::PositiveNumber)
-      ->type_name("N");
-  app.add_option("--threads", command.threads,
-                 "Prove leaves by N threads; the answer is the same for any N")
-      ->check(CLI::Range(1U, 1024U))
-      ->type_name("N")
-      ->capture_default_str();
-  app.add_flag("--json", command.output.json,
-               "Print the report on standard output, as one JSON object");
-  app.add_flag("--quiet", command.output.quiet, "Print only the answer (or the JSON report)");
 }
 
 void add_paving_options(CLI::App& app, LocateCommand& command) {

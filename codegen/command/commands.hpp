@@ -2,10 +2,13 @@
 // The commands. Each prints its result and returns the exit code.
 #pragma once
 
+#include <functional>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "codegen/command/command_line.hpp"
+#include "runtime/certificate/verifier/verify.hpp"
 
 namespace regulus::inline command {
 
@@ -22,9 +25,15 @@ namespace regulus::inline command {
 
 [[nodiscard]] int run_datasheet(const DatasheetCommand& command);
 
-[[nodiscard]] int run_verify(const VerifyCommand& command);
+/// The part of an index that this process proves, if several share the work.
+struct VerifiedPart {
+  std::size_t number = 0, count = 1;
+  /// As verifier::Options::exchange.
+  std::function<void(std::vector<verifier::ShardProof>&)> exchange;
+};
+[[nodiscard]] int run_verify(const VerifyCommand& command, const VerifiedPart& part = {});
 /// Proves a part of an index for another process; prints nothing. Throws FileError.
-void prove_part(const VerifyCommand& command);
+void prove_part(const VerifyCommand& command, const VerifiedPart& part);
 
 [[nodiscard]] int run_import(const ImportCommand& command);
 /// Lists on standard output.

@@ -9,7 +9,6 @@
 #include "codegen/engine/ingredients.hpp"
 #include "codegen/model/names.hpp"
 #include "codegen/support/errors.hpp"
-#include "runtime/certificate/format.hpp"
 
 namespace regulus::inline command {
 namespace {
@@ -154,33 +153,6 @@ void add_checkpoint_options(CLI::App& app, CheckpointOptions& options) {
   app.add_option("--checkpoint-every", options.interval, "Seconds between two saves; default 10")
       ->type_name("S")
       ->check(CLI::NonNegativeNumber);
-}
-
-/// `what` names the subject of the proof.
-void add_certificate_option(CLI::App& app, std::string& path, const std::string& what) {
-  app.add_option("--certificate", path,
-                 what + "; `regulus verify` checks it. An earlier FILE is renamed to FILE.old")
-      ->type_name("FILE");
-}
-
-void add_shard_option(CLI::App& app, std::uint64_t& size) {
-  app.add_option("--shard-size", size,
-                 "Cut a proof of NO SINGULARITY that is larger than SIZE into files of about SIZE, "
-                 "such as 64MB, in the folder FILE.shards; FILE is then their index")
-      ->type_name("SIZE")
-      ->transform(CLI::AsSizeValue(true))
-      ->check(CLI::Range(format::kLeastShardSize, format::kMaxBytes, "SIZE from 4kiB to 4GiB"))
-      ->needs("--certificate");
-}
-
-void refuse_shard_option(CLI::App& app) {
-  app.add_option_function<std::string>("--shard-size",
-                                       [](const std::string&) {
-                                         throw CLI::ValidationError(
-                                             "--shard-size",
-                                             "the proof of an end of the bracket is one file");
-                                       })
-      ->group("");
 }
 
 /// Adds options of `check` that are refused with a reason, and not as unknown options.

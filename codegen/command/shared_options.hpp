@@ -22,11 +22,6 @@ void add_filter_option(CLI::App& app, SearchOptions& options);
 void add_search_options(CLI::App& app, SearchOptions& options);
 void add_output_options(CLI::App& app, OutputOptions& options);
 void add_checkpoint_options(CLI::App& app, CheckpointOptions& options);
-/// `what` names the subject of the proof.
-void add_certificate_option(CLI::App& app, std::string& path, const std::string& what);
-void add_shard_option(CLI::App& app, std::uint64_t& size);
-/// Adds the option, which is refused with a reason, and not as an unknown one.
-void refuse_shard_option(CLI::App& app);
 /// Adds options of `check` that are refused with a reason, and not as unknown options.
 void refuse_checkpoint_options(CLI::App& app, const std::string& why);
 

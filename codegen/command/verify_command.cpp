@@ -29,15 +29,15 @@ void show_progress(const Verification& v) {
   std::cerr << "\r\033[K" << v.leaves << " leaves, " << v.boxes << " boxes" << std::flush;
 }
 
-verifier::Options options_of(const VerifyCommand& command) {
+verifier::Options options_of(const VerifyCommand& command, const VerifiedPart& part) {
   verifier::Options options;
   options.time_limit = command.time_limit.value_or(0);
   options.max_boxes = command.max_boxes.value_or(options.max_boxes);
   options.threads = command.threads;
   options.path = command.path;
-  options.part = command.part.number;
-  options.parts = command.part.count;
-  options.exchange = command.part.exchange;
+  options.part = part.number;
+  options.parts = part.count;
+  options.exchange = part.exchange;
   if (!command.output.quiet && !command.output.json && isatty(STDERR_FILENO) != 0)
     options.progress = show_progress;
   return options;
@@ -80,10 +80,10 @@ std::unique_ptr<verifier::InputFile> opened(const std::string& path) try {
   throw FileError(error.what());
 }
 
-Verified verify_file(const VerifyCommand& command) {
+Verified verify_file(const VerifyCommand& command, const VerifiedPart& part) {
   const auto bytes = opened(command.path);
   std::istream file(bytes.get());
-  verifier::Options options = options_of(command);
+  verifier::Options options = options_of(command, part);
   if (command.model.empty()) return {verify_stream(file, command.path, options), {}};
   const CertificateHead head(file);
   ContinuedText text(head.text(), file);
@@ -140,10 +140,12 @@ nlohmann::ordered_json json_report(const VerifyCommand& command, const Verified&
 
 }  // namespace
 
-void prove_part(const VerifyCommand& command) { static_cast<void>(verify_file(command)); }
+void prove_part(const VerifyCommand& command, const VerifiedPart& part) {
+  static_cast<void>(verify_file(command, part));
+}
 
-int run_verify(const VerifyCommand& command) {
-  const Verified verified = verify_file(command);
+int run_verify(const VerifyCommand& command, const VerifiedPart& part) {
+  const Verified verified = verify_file(command, part);
   const Verification& verification = verified.verification;
   if (!command.output.quiet)
     std::cerr << verifier::describe(verification) << model_lines(command, verified);

@@ -9,8 +9,8 @@
 
 #include "codegen/model/read_file.hpp"
 #include "codegen/support/errors.hpp"
-#include "runtime/files/sha256.hpp"
 #include "codegen/support/shared_object.hpp"
+#include "runtime/files/sha256.hpp"
 
 namespace regulus::inline engine {
 namespace {

@@ -11,11 +11,10 @@
 #include "codegen/mpi/rank_messages.hpp"
 #include "codegen/support/errors.hpp"
 #include "runtime/cluster/search_description.hpp"
+#include "runtime/cluster/supervisor.hpp"
 
 namespace regulus::inline mpi {
 namespace {
-
-constexpr double kSecondsOfGrant = 1.0;
 
 /// With more other ranks, rank 0 is busy enough with their messages.
 constexpr unsigned kFewRanks = 16;
@@ -96,7 +95,9 @@ void MpiWorkers::end() noexcept {
 
 std::size_t MpiWorkers::count() const { return places_.size(); }
 
-double MpiWorkers::seconds_of_grant() const { return kSecondsOfGrant; }
+double MpiWorkers::seconds_of_grant() const {
+  return cluster::Supervisor::Pace::seconds_for(places_.size());
+}
 
 void MpiWorkers::send(std::size_t worker, std::string grant) {
   const auto [rank, slot] = places_.at(worker);

@@ -17,8 +17,8 @@ using cluster::ByteWriter;
 using verifier::ShardProof;
 
 void put(ByteWriter& to, const ShardProof& proof) {
-  for (const bool is : {proof.is_proved, proof.is_rejected, proof.has_met_variety,
-                        proof.has_met_point})
+  for (const bool is :
+       {proof.is_proved, proof.is_rejected, proof.has_met_variety, proof.has_met_point})
     to.put(is);
   for (const std::string* text : {&proof.reason, &proof.question, &proof.before, &proof.after})
     to.put_text(*text);
@@ -29,8 +29,8 @@ void put(ByteWriter& to, const ShardProof& proof) {
 
 ShardProof take_proof(ByteReader& from) {
   ShardProof proof;
-  for (bool* is : {&proof.is_proved, &proof.is_rejected, &proof.has_met_variety,
-                   &proof.has_met_point})
+  for (bool* is :
+       {&proof.is_proved, &proof.is_rejected, &proof.has_met_variety, &proof.has_met_point})
     *is = from.take<bool>();
   for (std::string* text : {&proof.reason, &proof.question, &proof.before, &proof.after})
     *text = from.take_text();
@@ -92,18 +92,18 @@ void unblock_signals() {
 
 }  // namespace
 
-int verify_together(Communicator& communicator, VerifyCommand command,
+int verify_together(Communicator& communicator, const VerifyCommand& command,
                     const std::vector<RankIdentity>& ranks) {
   unblock_signals();
   Exchange exchange(communicator, ranks);
-  command.part = {communicator.rank(), communicator.size(),
-                  [&exchange](std::vector<ShardProof>& proofs) { exchange.run(proofs); }};
+  const VerifiedPart part{communicator.rank(), communicator.size(),
+                          [&exchange](std::vector<ShardProof>& proofs) { exchange.run(proofs); }};
   int code = 0;
   try {
     if (communicator.is_first())
-      code = run_verify(command);
+      code = run_verify(command, part);
     else
-      prove_part(command);
+      prove_part(command, part);
   } catch (const std::exception& error) {
     exchange.end(error.what());
     if (communicator.is_first()) throw;

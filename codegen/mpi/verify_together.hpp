@@ -10,7 +10,7 @@ namespace regulus::inline mpi {
 
 /// All ranks call it together; `ranks` is needed on rank 0, which prints the answer. Returns the
 /// exit code of this rank.
-[[nodiscard]] int verify_together(Communicator& communicator, VerifyCommand command,
+[[nodiscard]] int verify_together(Communicator& communicator, const VerifyCommand& command,
                                   const std::vector<RankIdentity>& ranks);
 
 }  // namespace regulus::mpi

@@ -219,8 +219,8 @@ bool CertificateWriter::finish(const Result& result) {
 void CertificateWriter::put_in_place(bool is_safe) {
   struct stat status {};
   check(::fstat(fileno(file_.get()), &status) == 0, "be put in its place");
-  const bool is_cut = is_safe && shard_size_ > 0 &&
-                      static_cast<std::uint64_t>(status.st_size) > shard_size_;
+  const bool is_cut =
+      is_safe && shard_size_ > 0 && static_cast<std::uint64_t>(status.st_size) > shard_size_;
   if (is_cut) return put_index_in_place();
   check(std::rename(temporary_.c_str(), path_.c_str()) == 0, "be put in its place");
 }

@@ -42,6 +42,13 @@ std::string bytes_of(const Unit& unit) {
 
 }  // namespace
 
+double Supervisor::Pace::seconds_for(std::size_t workers) noexcept {
+  constexpr double kLeast = 0.1, kMost = 1.0;
+  // Two messages of 20 µs for each grant then take a fifth of the supervisor's time.
+  constexpr double kSecondsAWorker = 200e-6;
+  return std::clamp(kSecondsAWorker * static_cast<double>(workers), kLeast, kMost);
+}
+
 Supervisor::Supervisor(std::vector<Unit> units, std::size_t workers, const Pace& pace)
     : pace_(pace), workers_(workers) {
   for (std::size_t i = 0; i < units.size(); ++i) {
@@ -68,8 +75,7 @@ std::vector<EarlyOutcomes::One> Supervisor::early() const {
       ancestor = &place;
     }
     if (entry.outcome)
-      list.push_back(
-          {unit, place.substr(ancestor->size()), bytes_of(entry.unit), *entry.outcome});
+      list.push_back({unit, place.substr(ancestor->size()), bytes_of(entry.unit), *entry.outcome});
   }
   return list;
 }

@@ -34,6 +34,10 @@ class Supervisor {
   struct Pace {
     double seconds = 1.0;    ///< the most work in a grant
     double patience = 30.0;  ///< without an answer, until the work is given to another worker
+
+    /// Returns the most work in a grant for so many processes: short, so that the work is well
+    /// divided at the end, but so long that the supervisor can answer all.
+    [[nodiscard]] static double seconds_for(std::size_t workers) noexcept;
   };
   struct Outgoing {
     std::size_t worker;

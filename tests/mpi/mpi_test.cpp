@@ -73,11 +73,11 @@ TEST_F(Ranks, CutAProofAsOneThreadDoes) {
 }
 
 TEST_F(Ranks, VerifyTheShardsOfAnIndex) {
-  const Words cut = {"check",  model("robot_1"), "table4_5", "--method", "jk", "--certificate",
-                     file("proof"), "--shard-size", "256kB"};
+  const Words cut = {"check",         model("robot_1"), "table4_5",     "--method", "jk",
+                     "--certificate", file("proof"),    "--shard-size", "256kB"};
   ASSERT_EQ(run_command(ranks(2, cut)).exit_code, 0);
-  const CommandResult one = run_command(
-      {REGULUS_BINARY_DIR "/bin/regulus", "verify", file("proof"), "--threads", "2"});
+  const CommandResult one =
+      run_command({REGULUS_BINARY_DIR "/bin/regulus", "verify", file("proof"), "--threads", "2"});
   EXPECT_EQ(one.output, "VERIFIED\n") << one.errors;
   for (const int count : {1, 3, 12}) {
     const CommandResult many = run_command(ranks(count, {"verify", file("proof")}));
@@ -92,8 +92,8 @@ TEST_F(Ranks, VerifyTheShardsOfAnIndex) {
 }
 
 TEST_F(Ranks, VerifyAProofInOneFileByTheFirst) {
-  ASSERT_EQ(run_command(one_thread({"check", model("robot_1"), "wide_15", "--certificate",
-                                    file("proof")}))
+  ASSERT_EQ(run_command(
+                one_thread({"check", model("robot_1"), "wide_15", "--certificate", file("proof")}))
                 .exit_code,
             0);
   const CommandResult result = run_command(ranks(3, {"verify", file("proof")}));

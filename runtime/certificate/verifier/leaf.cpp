@@ -50,11 +50,7 @@ std::optional<PointValues> values_over(const Question& q, const Box& box, long b
 
 LeafProver::LeafProver(Question& question, const Variety& variety, const Options& options,
                        WorkClock& clock)
-    : q_(question),
-      variety_(variety),
-      options_(options),
-      clock_(clock),
-      test_(question, variety) {
+    : q_(question), variety_(variety), options_(options), clock_(clock), test_(question, variety) {
   begin(true);
 }
 

@@ -64,15 +64,15 @@ struct Verification {
 /// The part of a proof that one shard holds.
 struct ShardProof {
   bool is_proved = false;
-  bool is_rejected = false;       ///< otherwise, and if it is not proved, it is unfinished
-  std::string reason;             ///< if it is not proved
-  std::string question;           ///< its SHA-256
+  bool is_rejected = false;  ///< otherwise, and if it is not proved, it is unfinished
+  std::string reason;        ///< if it is not proved
+  std::string question;      ///< its SHA-256
   std::uint64_t leaves = 0;
-  std::uint64_t boxes = 0;        ///< into which the leaves were cut
-  std::string before, after;      ///< the boxes that wait at its beginning and at its end, as text
-  bool has_met_variety = false;   ///< some leaf was not outside the constraints
-  bool has_met_point = false;     ///< a point of the set was shown to exist
-  int sign = 0;                   ///< of det A at a point of the set, if one is known
+  std::uint64_t boxes = 0;       ///< into which the leaves were cut
+  std::string before, after;     ///< the boxes that wait at its beginning and at its end, as text
+  bool has_met_variety = false;  ///< some leaf was not outside the constraints
+  bool has_met_point = false;    ///< a point of the set was shown to exist
+  int sign = 0;                  ///< of det A at a point of the set, if one is known
 };
 
 /// Ensures   kVerified only if the claim of the file is true (PROOF.md). Uses the usual

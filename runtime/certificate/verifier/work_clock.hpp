@@ -26,7 +26,9 @@ class WorkClock {
     const auto now = Clock::now();
     if (options_.time_limit > 0 && Seconds(now - start_).count() > options_.time_limit)
       throw Unfinished("the time limit was reached");
-    if (stop_ != nullptr || !options_.progress || Seconds(now - reported_).count() < kBetweenReports) return;
+    if (stop_ != nullptr || !options_.progress ||
+        Seconds(now - reported_).count() < kBetweenReports)
+      return;
     reported_ = now;
     options_.progress(counts_);
   }

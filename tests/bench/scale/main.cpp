@@ -47,7 +47,8 @@ void replay(const bench::Trace& trace, const bench::Job& job) {
   const bench::Replayed r = bench::Replay(trace, job).run();
   const double ranks = static_cast<double>(job.ranks), messages = static_cast<double>(r.messages);
   fmt::print(
-      "| {} | {} | {} | {:.3g} ms | {:.2f} s | {:.3f} | {:.0f} | {:.0f} % | {:.1f} µs | {} | {:.0f} MB |\n",
+      "| {} | {} | {} | {:.3g} ms | {:.2f} s | {:.3f} | {:.0f} | {:.0f} % | {:.1f} µs | {} | "
+      "{:.0f} MB |\n",
       job.ranks, job.seconds, job.unit, 1e3 * r.busy / static_cast<double>(r.units), r.seconds,
       r.busy / (ranks * r.seconds), messages / r.seconds, 100 * messages * job.message / r.seconds,
       1e6 * r.own_seconds / messages, r.most_known, r.most_megabytes);
@@ -63,11 +64,12 @@ int main(int argc, char** argv) {
   const Result result = record(question, trace);
   const double rest = bench::thread_seconds() - before - trace.seconds;
   const auto boxes = static_cast<double>(trace.boxes.size() - 1);
-  fmt::print("{} {} ±{}°: {}, {} boxes, {} of them in units, which take {:.1f} s, {:.2f} µs a box, "
-             "and {:.2f} µs a box for all else\n\n",
-             question.model, question.motion, question.degrees, name(result.verdict),
-             result.statistics.boxes, trace.boxes.size() - 1, trace.seconds,
-             1e6 * trace.seconds / boxes, 1e6 * rest / boxes);
+  fmt::print(
+      "{} {} ±{}°: {}, {} boxes, {} of them in units, which take {:.1f} s, {:.2f} µs a box, "
+      "and {:.2f} µs a box for all else\n\n",
+      question.model, question.motion, question.degrees, name(result.verdict),
+      result.statistics.boxes, trace.boxes.size() - 1, trace.seconds, 1e6 * trace.seconds / boxes,
+      1e6 * rest / boxes);
   std::fflush(stdout);
   fmt::print(
       "| ranks | seconds of work each | boxes of a unit | mean unit | end after | efficiency | "

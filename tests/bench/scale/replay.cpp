@@ -88,7 +88,8 @@ Replay::Replay(const Trace& trace, const Job& job)
     : trace_(trace),
       job_(job),
       slower_(static_cast<double>(job.ranks) * job.seconds / trace.seconds),
-      supervisor_(first_units(trace), job.ranks, {.seconds = 1.0, .patience = 1e9}),
+      supervisor_(first_units(trace), job.ranks,
+                  {cluster::Supervisor::Pace::seconds_for(job.ranks), 1e9}),
       ranks_(job.ranks),
       memory_before_(megabytes_in_use()) {}
 
@@ -147,8 +148,8 @@ void Replay::decide(const Event& event) {
   const double seconds = decider.seconds * slower_;
   result_.busy += seconds;
   rank.free_at = std::max(rank.free_at, event.at) + seconds;
-  events_.push({rank.free_at + job_.latency, result_.messages++, event.rank, false,
-                std::move(*answer)});
+  events_.push(
+      {rank.free_at + job_.latency, result_.messages++, event.rank, false, std::move(*answer)});
 }
 
 void Replay::measure_memory() {

@@ -15,20 +15,20 @@ namespace regulus::bench {
 
 struct Job {
   std::size_t ranks;
-  double seconds;             ///< of ideal work for each; boxes take so much longer than in the trace
-  std::uint64_t unit;         ///< boxes of a unit
-  double message = 20e-6;     ///< seconds of rank 0, for each message that it sends or receives
-  double in_order = 0.1e-6;   ///< seconds of rank 0, for each box whose outcome it puts in order
-  double latency = 50e-6;     ///< seconds between two ranks
+  double seconds;          ///< of ideal work for each; boxes take so much longer than in the trace
+  std::uint64_t unit;      ///< boxes of a unit
+  double message = 20e-6;  ///< seconds of rank 0, for each message that it sends or receives
+  double in_order = 0.1e-6;  ///< seconds of rank 0, for each box whose outcome it puts in order
+  double latency = 50e-6;    ///< seconds between two ranks
 };
 
 struct Replayed {
   double seconds = 0;  ///< until the last outcome is in order
   double busy = 0;     ///< seconds of all ranks
   std::uint64_t messages = 0, units = 0;
-  std::size_t most_known = 0;   ///< units in the supervisor
-  double most_megabytes = 0;    ///< of the supervisor, all workers and all messages
-  double own_seconds = 0;       ///< processor time of the real supervisor
+  std::size_t most_known = 0;  ///< units in the supervisor
+  double most_megabytes = 0;   ///< of the supervisor, all workers and all messages
+  double own_seconds = 0;      ///< processor time of the real supervisor
 };
 
 class Replay {

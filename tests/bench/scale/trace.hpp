@@ -16,7 +16,8 @@
 namespace regulus::bench {
 
 struct TracedBox {
-  std::uint32_t lower = 0;  ///< the number of the lower half; the upper half has the next; 0: a leaf
+  std::uint32_t lower =
+      0;  ///< the number of the lower half; the upper half has the next; 0: a leaf
   float seconds = 0;
 };
 

@@ -35,8 +35,8 @@ class Shards : public testing::Test {
         {"next 1\nopen 0\n", "s 0 0 0x5p+0\ns 1 0 0x3p+0\nl 3 mean-value\n", 1},
         {"next 5\nopen 4 0 0x3p+0 0x5p+0\nopen 2 0 0x5p+0 -\n", "l 4 mean-value\ns 2 0 0x7p+0\n",
          1},
-        {"next 7\nopen 5 0 0x5p+0 0x7p+0\nopen 6 0 0x7p+0 -\n",
-         "l 5 mean-value\nl 6 mean-value\n", 2},
+        {"next 7\nopen 5 0 0x5p+0 0x7p+0\nopen 6 0 0x7p+0 -\n", "l 5 mean-value\nl 6 mean-value\n",
+         2},
     };
     return proof;
   }();
@@ -111,7 +111,8 @@ TEST_F(Shards, WithDamagedLinesAreRejected) {
   for (const char* open :
        {"next\nopen 0\n", "open 0\n", "next 1\nopen 0\nopen 0\n", "next 1\nopen 0 0 nan -\n",
         "next 1\nopen 0 0 inf -\n", "next 1\nopen 0 7 - -\n", "next 1\nopen 0 0 0x3p+0 0x2p+0\n",
-        "next 1\nopen 0 0 -\n", "next 1\nopen\n", "next -1\nopen 0\n", "next 1\nopen 0 0 - -\n\n"}) {
+        "next 1\nopen 0 0 -\n", "next 1\nopen\n", "next -1\nopen 0\n",
+        "next 1\nopen 0 0 - -\n\n"}) {
     proof_ = whole;
     proof_.shards[0].open = open;
     EXPECT_EQ(verify().outcome, Outcome::kRejected) << open;
@@ -160,7 +161,8 @@ TEST_F(Shards, WithoutTheirFilesAreRejectedByName) {
 }
 
 TEST_F(Shards, NeedThePathOfTheIndex) {
-  EXPECT_THAT(verify_text(proof_.index()).reason, HasSubstr("the shards of an index need its path"));
+  EXPECT_THAT(verify_text(proof_.index()).reason,
+              HasSubstr("the shards of an index need its path"));
 }
 
 TEST_F(Shards, OfAnIndexThatIsDamagedAreRejected) {

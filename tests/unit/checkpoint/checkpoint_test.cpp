@@ -184,14 +184,23 @@ TEST(Checkpoint, WhatCannotBeIsRefusedWithTheLine) {
       EXPECT_NE(std::string(error.what()).find(words), std::string::npos) << error.what();
     }
   };
-  expect_refusal(replaced("b 17 ", "b 19 "), "line 19: expected a number up to 18");
+  expect_refusal(replaced("b 17 ", "b 19 "), "line 22: expected a number up to 18");
   expect_refusal(replaced("b 17 ", "b 16 "), "a box twice");
   expect_refusal(replaced("b 17 3 0x0p+0:", "b 17 3 -0x1p+0:"), "a box of the variety");
   expect_refusal(replaced("0x1p-3:0x1p-2", "0x1p-2:0x1p-3"), "bounds in order");
   expect_refusal(replaced("0x1p-3:0x1p-2", "nan:0x1p-2"), "a hexadecimal number");
   expect_refusal(replaced("0x1p-3:0x1p-2", "0xinf:0x1p-2"), "a hexadecimal number");
-  expect_refusal(replaced("units 2 1\nopen 3", "units 2 2\nopen 4"), "line 22");
-  expect_refusal(replaced("units 2 1\nopen 3", "units 2\nopen 2"), "the end");
+  const std::string text = text_of(state());
+  const std::size_t early = text.find("\nearly"), open = text.find("\nopen");
+  const std::string between = text.substr(early, open - early);
+  expect_refusal(replaced("units 2 1" + between + "\nopen 3", "units 2 2" + between + "\nopen 4"),
+                 "line 25");
+  expect_refusal(replaced("units 2 1" + between + "\nopen 3", "units 2" + between + "\nopen 2"),
+                 "the end");
+  expect_refusal(replaced("\ne 1 - ", "\ne 1 "), "one more word");
+  expect_refusal(replaced("\ne 1 - ", "\ne 1 0 "), "bytes");
+  expect_refusal(replaced("\ne 1 - ", "\ne 1 0g "), "bytes");
+  expect_refusal(replaced("\nearly 2 ", "\nearly 3 "), "'e'");
   expect_refusal(replaced("open 3", "open 99999999999999999999"), "a number");
   expect_refusal(replaced("next 19", "next 0"), "a number above 0");
   expect_refusal(replaced("checkpoint 4", "checkpoint 5"), "another version");
