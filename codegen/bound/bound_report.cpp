@@ -92,7 +92,11 @@ std::string subject_of(const Bound& bound, const Component& c) {
 }
 
 std::string claim_words(const Request& request, const Component& c) {
-  std::string words = "for every pose of the variety";
+  std::string words = request.motion.where == Where::kReachable
+                          ? "for every reachable pose of the variety"
+                      : request.motion.where == Where::kWithinRanges
+                          ? "for every pose of the variety with the actuated joints in range"
+                          : "for every pose of the variety";
   bool is_uncertain = false;
   for (const GeometryParameter& g : request.model.geometry)
     is_uncertain = is_uncertain || !g.tolerance.is_zero();
@@ -119,7 +123,7 @@ std::string format_claim(const Request& request, const Bound& bound, const Compo
   const bool least = is_least(c.component);
   const std::string end =
       rounded_text(*c.proved, side_of_proved(c.component), digits_for(bound.gap()));
-  return fmt::format("proved     {} {} {}: {}\n", subject_of(bound, c.component), least ? ">" : "<",
+  return fmt::format("proved     {} {} {}, {}\n", subject_of(bound, c.component), least ? ">" : "<",
                      with_unit(end, c.component.unit), claim_words(request, c.component));
 }
 
@@ -217,7 +221,7 @@ std::string bound_report(const Request& request, const Bound& bound,
   if (settings.limit) {
     if (const ComponentBound* c = exceeded(bound)) text += format_place("exceeded", *c);
     if (bound.verdict() == LimitVerdict::kWithin)
-      text += fmt::format("proved     {} is within the limit: {}\n", bound.quantity.name,
+      text += fmt::format("proved     {} is within the limit, {}\n", bound.quantity.name,
                           claim_words(request, bound.components.front().component));
   } else if (const ComponentBound* singular = unbounded(bound)) {
     text += format_place("singular", *singular);

@@ -1,10 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "codegen/command/command_tables.hpp"
 
-#include <fmt/format.h>
-
-#include <algorithm>
-
 #include "codegen/command/certificate_options.hpp"
 #include "codegen/command/shared_options.hpp"
 #include "regulus/version.hpp"
@@ -54,7 +50,8 @@ constexpr const char* kShellFooter =
     "A script on standard input stops at its first error; the message names the line. With the "
     "line\n"
     "set keep-going on, it continues.\n"
-    "Exit: the code of that error, otherwise of the last check, locate, margin or verify.";
+    "Exit: the code of that error, otherwise of the last check, locate, margin,\n"
+    "bound, datasheet or verify.";
 
 constexpr const char* kCheckCertificate = "Write a proof of the verdict";
 constexpr const char* kLocateCertificate =
@@ -65,8 +62,6 @@ constexpr const char* kMarginCertificate =
     "Write a proof for each end of the bracket: FILE.safe proves that there is no singularity at "
     "a, "
     "FILE.singular that there is one at b. No file is written for an end that is not found";
-
-}
 
 void add_paving_options(CLI::App& app, LocateCommand& command) {
   app.add_option("--resolution", command.resolution,

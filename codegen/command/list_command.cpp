@@ -66,6 +66,12 @@ Json json_motion(const Motion& motion) {
           {"constraints", motion.constraints.size()}};
 }
 
+std::vector<std::string> names_of(const std::vector<VectorSet>& sets) {
+  std::vector<std::string> names;
+  for (const VectorSet& set : sets) names.push_back(set.name);
+  return names;
+}
+
 Json json_model(const Model& model) {
   Json motions = Json::array(), groups = Json::array();
   for (const Motion& motion : model.motions) motions.push_back(json_motion(motion));
@@ -78,7 +84,9 @@ Json json_model(const Model& model) {
           {"rows", model.matrix.rows()},
           {"columns", model.matrix.cols()},
           {"motions", motions},
-          {"groups", groups}};
+          {"groups", groups},
+          {"loads", names_of(model.loads)},
+          {"twists", names_of(model.twists)}};
 }
 
 std::string format_motion(const Model& model, const Motion& motion) {
@@ -108,13 +116,27 @@ std::string format_group(const Group& group) {
                      fmt::join(group.tolerances, ", "), members);
 }
 
+std::string format_sets(const char* kind, const std::vector<VectorSet>& sets) {
+  std::string text;
+  for (const VectorSet& set : sets) {
+    std::vector<std::string> values;
+    for (const GeometryParameter& e : set.entries)
+      values.push_back(e.tolerance.is_zero() ? text_of(e.value)
+                       : e.ball >= 0
+                           ? text_of(e.value) + " in a ball of " + text_of(e.tolerance)
+                           : text_of(Range{e.value - e.tolerance, e.value + e.tolerance}));
+    text += fmt::format("{:<10} {}: {}\n", kind, set.name, fmt::join(values, ", "));
+  }
+  return text;
+}
+
 std::string format_model(const Model& model) {
   std::string text = fmt::format("model      {}\nfile       {}\n", model.name, model.path);
   if (!model.source.empty()) text += fmt::format("source     {}\n", model.source);
   text += fmt::format("matrix     {}×{}\n", model.matrix.rows(), model.matrix.cols());
   for (const Motion& motion : model.motions) text += format_motion(model, motion);
   for (const Group& group : groups_of(model)) text += format_group(group);
-  return text;
+  return text + format_sets("load", model.loads) + format_sets("twist", model.twists);
 }
 
 int list_installed(bool json) {

@@ -4,6 +4,8 @@
 
 #include <unistd.h>
 
+#include <algorithm>
+#include <array>
 #include <csignal>
 #include <iostream>
 
@@ -55,8 +57,9 @@ int as_script(ShellSession& session) {
     const int code = report_errors([&] { return session.execute(line); },
                                    "regulus: line " + std::to_string(number) + ": ");
     const std::string command = line.substr(0, line.find_first_of(" \t"));
-    const bool has_verdict = command == "check" || command == "locate" || command == "margin" ||
-                             command == "verify" || command == "plot";
+    static constexpr std::array<const char*, 7> kWithVerdict = {
+        "check", "locate", "margin", "bound", "datasheet", "verify", "plot"};
+    const bool has_verdict = std::ranges::find(kWithVerdict, command) != kWithVerdict.end();
     if (is_error(code) || has_verdict) last = code;
     if (is_error(code) && !session.keeps_going()) return code;
   }

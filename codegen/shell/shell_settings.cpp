@@ -129,6 +129,9 @@ void ShellSession::adopt(CommandLine& line) {
   if (line.locate) with(line.locate->model, line.locate->output), wait(line.locate->search);
   if (line.locate) line.locate->boxes_unless_json = false;
   if (line.margin) with(line.margin->model, line.margin->output), wait(line.margin->search);
+  if (line.bound) with(line.bound->model, line.bound->output), wait(line.bound->search);
+  if (line.datasheet)
+    with(line.datasheet->model, line.datasheet->output), wait(line.datasheet->search);
   if (line.explain) with(line.explain->model, line.explain->output);
   if (line.generate) {
     line.generate->model.text = asked_.text;
