@@ -38,8 +38,10 @@ set(codegen/certificate          ${codegen/engine} codegen/engine runtime/certif
 set(codegen/report               ${codegen/analysis} codegen/analysis)
 set(codegen/margin               ${codegen/report} codegen/report codegen/certificate)
 set(codegen/trajectory           ${codegen/report} codegen/report codegen/certificate)
+set(codegen/quantity             codegen/support codegen/model)
+set(codegen/bound                ${codegen/margin} codegen/margin codegen/quantity)
 set(codegen/api                  ${codegen/margin} codegen/margin codegen/robot runtime/embedded)
-set(codegen/command              ${codegen/margin} codegen/margin codegen/trajectory codegen/import runtime/certificate/verifier)
+set(codegen/command              ${codegen/bound} codegen/bound codegen/trajectory codegen/import runtime/certificate/verifier)
 set(codegen/mpi                  ${codegen/command} codegen/command runtime/certificate/verifier runtime/cluster)
 set(codegen/shell                ${codegen/command} codegen/command)
 
@@ -48,12 +50,12 @@ set(everywhere regulus/floating_point_flags.hpp regulus/instruction_set_flags.hp
 # Of what writes certificates the verifier knows the format alone.
 set(only_header_runtime/certificate/verifier runtime/certificate/format.hpp)
 
-set(only_ginac codegen/model codegen/import codegen/robot codegen/symbolic codegen/certificate codegen/margin codegen/trajectory)
+set(only_ginac codegen/model codegen/import codegen/robot codegen/symbolic codegen/certificate codegen/margin codegen/quantity codegen/bound codegen/trajectory)
 set(only_cln   codegen/model codegen/symbolic codegen/program codegen/formulation codegen/cpp codegen/certificate codegen/trajectory)
 set(only_llvm  codegen/jit)
 set(only_CLI11 codegen/command)
 set(only_tinyxml2 codegen/import)
-set(only_JSON  codegen/api codegen/certificate codegen/command codegen/cpp codegen/engine codegen/margin codegen/report codegen/shell codegen/trajectory)
+set(only_JSON  codegen/api codegen/bound codegen/certificate codegen/command codegen/cpp codegen/engine codegen/margin codegen/report codegen/shell codegen/trajectory)
 
 set(faults "")
 macro(fault file text)
