@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "codegen/bound/datasheet.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 
 #include "codegen/model/certain_sign.hpp"
@@ -10,6 +12,9 @@ namespace regulus::inline bounding {
 namespace {
 
 using GiNaC::ex;
+
+/// Each pair of a row and a column is a bracket of its own.
+constexpr std::size_t kMostPairs = 12;
 
 /// True if the constant is certainly not above the other.
 bool is_at_most(const ex& a, const ex& b) {
@@ -95,7 +100,11 @@ Datasheet make_datasheet(const Request& request, const BoundSettings& settings,
   Datasheet sheet;
   std::vector<Quantity> quantities;
   for (const QuantityOptions& question : Questions(request.model).all) try {
-      quantities.push_back(quantity_of(request.model, question));
+      Quantity quantity = quantity_of(request.model, question);
+      if (quantity.kind == QuantityKind::kCondition && quantity.components.size() > kMostPairs)
+        throw UsageError(fmt::format("condition: {} pairs of a row and a column; bound it alone",
+                                     quantity.components.size()));
+      quantities.push_back(std::move(quantity));
     } catch (const UsageError& error) {
       sheet.left_out.emplace_back(error.what());
     }
