@@ -318,7 +318,8 @@ std::span<const LegType> leg_types() { return kTypes; }
 WrittenLegs write_legs(const Legs& robot) {
   WrittenLegs out;
   for (std::size_t i = 0; i < robot.legs.size(); ++i) LegWriter(robot, i, out).write();
-  std::ranges::stable_partition(out.rows, &LegRow::motor);
+  std::stable_partition(out.rows.begin(), out.rows.end(),
+                        [](const LegRow& row) { return row.motor; });
   return out;
 }
 
