@@ -323,6 +323,13 @@ Bound bound_quantity(const Request& request, Quantity quantity, const BoundSetti
   return bound;
 }
 
+void refuse_threshold(const ModelOptions& options) {
+  if (!options.alpha.empty())
+    throw UsageError(
+        "--alpha: a bound has no threshold; to compare |det J^-1| with a number, use "
+        "the quantity determinant with --limit");
+}
+
 std::vector<OutputFile> certificate_files(const Quantity& quantity,
                                           const std::string& certificate) {
   std::vector<OutputFile> files;

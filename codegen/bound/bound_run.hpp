@@ -74,6 +74,9 @@ using BoundListener = std::function<void(const ComponentBound&)>;
 [[nodiscard]] Bound bound_quantity(const Request& request, Quantity quantity,
                                    const BoundSettings& settings, const BoundListener& listener);
 
+/// Throws    UsageError for --alpha, which would be ignored.
+void refuse_threshold(const ModelOptions& options);
+
 /// Returns the files of certificates that bound_quantity() writes.
 [[nodiscard]] std::vector<OutputFile> certificate_files(const Quantity& quantity,
                                                         const std::string& certificate);

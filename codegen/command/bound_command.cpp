@@ -72,6 +72,7 @@ BoundCommand with_quantity(BoundCommand command) {
 
 int run_bound(const BoundCommand& given) {
   const BoundCommand command = with_quantity(given);
+  refuse_threshold(command.model);
   BoundSettings settings;
   settings.gap = read_gap(command.gap);
   settings.search = command.search;

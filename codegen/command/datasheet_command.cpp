@@ -39,6 +39,7 @@ void print(const DatasheetCommand& command, const Request& request, const Datash
 }  // namespace
 
 int run_datasheet(const DatasheetCommand& command) {
+  refuse_threshold(command.model);
   BoundSettings settings;
   settings.gap = read_gap(command.gap);
   settings.search = command.search;
