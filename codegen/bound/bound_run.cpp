@@ -9,6 +9,7 @@
 #include "codegen/engine/search_run.hpp"
 #include "codegen/engine/settings.hpp"
 #include "codegen/margin/prepared_margin.hpp"
+#include "codegen/model/certain_sign.hpp"
 #include "codegen/model/decimal.hpp"
 #include "codegen/model/sign.hpp"
 #include "codegen/quantity/approx_values.hpp"
@@ -252,6 +253,13 @@ class ComponentRun {
   ComponentBound result_;
 };
 
+/// Compares exact numbers; approximately only if their difference has no certain sign.
+bool is_beyond(const BoundEnd& end, const BoundEnd& other, bool below) {
+  const CertainSign sign = certain_sign(below ? other.exact - end.exact : end.exact - other.exact);
+  if (sign == CertainSign::kUnknown) return below != (end.approx > other.approx);
+  return sign == CertainSign::kPositive;
+}
+
 /// Returns the component with the extreme end; nullptr if one has none.
 const ComponentBound* decisive(const Bound& bound, std::optional<BoundEnd> ComponentBound::*end,
                                bool all_needed) {
@@ -263,9 +271,7 @@ const ComponentBound* decisive(const Bound& bound, std::optional<BoundEnd> Compo
       if (all_needed && !c.is_empty) return nullptr;
       continue;
     }
-    if (!best || (bound.quantity.is_least ? here->approx < (best->*end)->approx
-                                          : here->approx > (best->*end)->approx))
-      best = &c;
+    if (!best || is_beyond(*here, *(best->*end), bound.quantity.is_least)) best = &c;
   }
   return best;
 }

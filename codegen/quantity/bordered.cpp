@@ -51,8 +51,8 @@ class Border {
   }
 
  private:
-  [[nodiscard]] static std::string free_name(const Request& request) {
-    std::string name = "r";
+  /// Returns a name that no pose parameter, constant or motion parameter has.
+  [[nodiscard]] static std::string free_name(const Request& request, std::string name) {
     const auto is_taken = [&] {
       const auto has = [&](const auto& list) {
         return std::ranges::any_of(list, [&](const auto& p) { return p.name == name; });
@@ -60,7 +60,7 @@ class Border {
       return has(request.model.pose) || has(request.model.geometry) ||
              has(request.motion.parameters);
     };
-    while (is_taken()) name += "_r";
+    while (is_taken()) name += "_";
     return name;
   }
 
@@ -73,7 +73,7 @@ class Border {
 
   /// Appends r to the pose and to the motion.
   void add_parameter() {
-    bordered_.parameter = free_name(bordered_.request);
+    bordered_.parameter = free_name(bordered_.request, "r");
     const GiNaC::realsymbol r(bordered_.parameter);
     r_ = r;
     Model& model = bordered_.request.model;
@@ -220,14 +220,10 @@ class Border {
   }
 
   /// Adds an uncertain quantity under a free name, and returns its symbol.
-  ex add_uncertain(std::string name, const ex& value, const ex& tolerance, int ball) {
-    auto& geometry = bordered_.request.model.geometry;
-    const auto is_taken = [&] {
-      return std::ranges::any_of(geometry, [&](const auto& g) { return g.name == name; });
-    };
-    while (is_taken()) name += "_";
+  ex add_uncertain(const std::string& wanted, const ex& value, const ex& tolerance, int ball) {
+    const std::string name = free_name(bordered_.request, wanted);
     const GiNaC::realsymbol symbol(name);
-    geometry.push_back({symbol, name, value, tolerance, "", ball});
+    bordered_.request.model.geometry.push_back({symbol, name, value, tolerance, "", ball});
     return symbol;
   }
 

@@ -11,7 +11,7 @@ struct OutputFile {
   std::string option;         ///< for messages
   std::string path;           ///< empty: none
   bool must_be_file = false;  ///< not a device: the file is put in place by a rename
-  /// Of a file that may have a folder of numbered parts beside it: the ending of its name.
+  /// The file may have a folder of numbered parts beside it: the ending of the folder's name.
   std::string parts_ending = {};
 };
 

@@ -9,7 +9,7 @@
 
 namespace regulus::verifier {
 
-/// What the index says about a shard.
+/// An entry of the index: one shard.
 struct ListedShard {
   std::size_t number = 0;  ///< from 1
   std::uint64_t leaves = 0;

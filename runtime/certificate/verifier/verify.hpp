@@ -26,7 +26,7 @@ struct Options {
   unsigned threads = 1;  ///< that prove leaves
   /// The path of the file: the shards of an index are beside it. Empty: an index is refused.
   std::string path;
-  /// Of the shards of an index, this process proves one in every `parts`, from number `part` on.
+  /// This process proves one shard of the index in every `parts`, from number `part` on.
   std::size_t part = 0, parts = 1;
   /// Completes the list of shards with those that other processes have proved. Needed if there are
   /// several parts.

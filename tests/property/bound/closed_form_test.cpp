@@ -148,6 +148,33 @@ TEST(ABound, ClaimsNothingWhereTheModelIsNotDefined) {
   EXPECT_FALSE(bound.is_closed());
 }
 
+/// Its names are those that B would give to r and to its uncertain values.
+constexpr const char* kTakenNames = R"toml(regulus = 1
+name = "taken"
+[pose]
+r = "1"
+error_1 = "1"
+[geometry]
+y_1 = 3
+[matrix]
+rows = [["y_1", "r"], ["0", "3 + error_1"]]
+[actuators]
+error = [0.5, 0.25]
+[motion.m]
+r = [0, 2]
+error_1 = [0, 1]
+)toml";
+
+TEST(ABound, TakesNoNameOfTheModel) {
+  const Bound error = bound_of(request_of(kTakenNames), {.quantity = "error"}, 1e-3);
+  // The second freedom: 0.25/(3 + error_1) at most.
+  EXPECT_NEAR(error.components[1].proved->approx, 0.25 / 3, 1e-3);
+  const Bound condition = bound_of(request_of(kTakenNames), {.quantity = "condition"}, 1e-2);
+  ASSERT_TRUE(condition.decisive_proved());
+  // (3 + 2)·(1/3 + 2/9) at r = 2, error_1 = 0.
+  EXPECT_NEAR(condition.decisive_proved()->proved->approx, 25.0 / 9, 0.1);
+}
+
 constexpr const char* kOneSided = R"toml(regulus = 1
 name = "hoop"
 [pose]
