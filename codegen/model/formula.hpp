@@ -92,6 +92,12 @@ class Formula {
 /// 3602879701896397/2^55, which is not 1/10. Throws InputError for infinities and NaN.
 [[nodiscard]] Formula exact_value_of(double value, SourcePlace place = SourcePlace::current());
 
+/// An expression that no line of a C++ program states, but a robot's file.
+template <class Value>
+[[nodiscard]] Formula unplaced(const Value& value) {
+  return Formula(value, SourcePlace());
+}
+
 /// True for a decimal literal of C++: digits [. digits] [(e|E) [+|-] digits], with ' between
 /// digits.
 [[nodiscard]] constexpr bool is_decimal_literal(std::string_view text) noexcept {

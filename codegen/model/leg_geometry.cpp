@@ -12,7 +12,7 @@ using GiNaC::ex;
 
 constexpr std::array<const char*, 3> kCoordinates = {"_x", "_y", "_z"};
 
-FormulaPoint formulas(const Point& v) { return {Formula(v[0]), Formula(v[1]), Formula(v[2])}; }
+FormulaPoint formulas(const Point& v) { return {unplaced(v[0]), unplaced(v[1]), unplaced(v[2])}; }
 
 std::string numbers(std::size_t count) {
   return std::to_string(count) + (count == 1 ? " number" : " numbers");
@@ -69,12 +69,12 @@ Formula LegGeometry::quantity(const TomlEntry& entry, const std::string& name, c
   append(reading_.model.must_be_defined, term.must_be_defined);
   if (!term.constant) {
     reading_.names.declare(name, term, place);
-    return Formula(name);
+    return unplaced(name);
   }
   const GiNaC::realsymbol symbol(name);
   reading_.names.declare(name, variable(symbol), place);
   reading_.model.geometry.push_back({symbol, name, term.value, of.tolerance, of.name, ball});
-  return Formula(name);
+  return unplaced(name);
 }
 
 LegAxis LegGeometry::axis(const TomlEntry& list, const std::string& number) {

@@ -95,7 +95,7 @@ class LegWriter {
  private:
   Formula let(const std::string& letter, const Formula& value) {
     out_.let.emplace_back(letter + number_, value);
-    return Formula(letter + number_);
+    return unplaced(letter + number_);
   }
 
   FormulaPoint let(const std::string& letter, const FormulaPoint& value) {
@@ -103,20 +103,20 @@ class LegWriter {
     for (std::size_t i = 0; i < axes_; ++i) {
       const std::string name = letter + number_ + "_" + kAxes[i];
       out_.let.emplace_back(name, value[i]);
-      names[i] = Formula(name);
+      names[i] = unplaced(name);
     }
     return names;
   }
 
   /// r = R·B and e = AB, and X − A: r × (X − A) = r × AB has fewer occurrences of the pose.
   void write_joints() {
-    for (std::size_t i = 0; i < axes_; ++i) from_base_[i] = Formula(kAxes[i]) - leg_.base[i];
+    for (std::size_t i = 0; i < axes_; ++i) from_base_[i] = unplaced(kAxes[i]) - leg_.base[i];
     FormulaPoint AB = from_base_;
     if (!robot_.point) {
       FormulaPoint turned;
       for (std::size_t i = 0; i < axes_; ++i) turned[i] = dot(robot_.rotation[i], leg_.platform);
       r_ = let("r", turned);
-      for (std::size_t i = 0; i < axes_; ++i) AB[i] = Formula(kAxes[i]) + r_[i] - leg_.base[i];
+      for (std::size_t i = 0; i < axes_; ++i) AB[i] = unplaced(kAxes[i]) + r_[i] - leg_.base[i];
     }
     e_ = let("e", AB);
     if (leg_.type->keeps_orientation) from_base_ = e_;  // r is constant

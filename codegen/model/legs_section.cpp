@@ -143,7 +143,7 @@ class LegsReader {
       for (std::size_t j = 0; j < 3; ++j) robot_.rotation[i][j] = Formula(i == j ? 1 : 0);
     if (pose_ == Pose::kFixed) return;
     if (robot_.planar) {
-      const Formula phi("phi");
+      const Formula phi = unplaced("phi");
       const std::array<std::array<Formula, 2>, 2> R = {
           {{cos(phi), -sin(phi)}, {sin(phi), cos(phi)}}};
       for (std::size_t i = 0; i < 2; ++i)
@@ -155,13 +155,13 @@ class LegsReader {
     const ScaledRotation R = scaled_rotation(orientation_, symbols);
     for (unsigned i = 0; i < 3; ++i)
       for (unsigned j = 0; j < 3; ++j)
-        robot_.rotation[i][j] = name_entry(i, j, Formula(R.S(i, j) / R.N));
+        robot_.rotation[i][j] = name_entry(i, j, unplaced(R.S(i, j) / R.N));
   }
 
   Formula name_entry(std::size_t i, std::size_t j, const Formula& value) {
     const std::string name = std::string("r").append(std::to_string(10 * (i + 1) + j + 1));
     reading_.names.declare_expression(name, value.text(), toml_.place(entry_));
-    return Formula(name);
+    return unplaced(name);
   }
 
   // The legs.
@@ -258,7 +258,7 @@ class LegsReader {
     } else if (leg.type->kind == LegKind::kTelescopic) {
       (void)checked_nonnegative(lo, toml_.place(ends[0]));
     }
-    leg.range = JointRange{Formula(range.lo), Formula(range.hi)};
+    leg.range = JointRange{unplaced(range.lo), unplaced(range.hi)};
   }
 
   static bool is_angle(const Leg& leg) {
