@@ -17,7 +17,7 @@ MarginFinding margin(const Question& asked, const MarginOptions& options,
   if (!options.tolerance.empty()) model.tolerances.push_back(options.tolerance);
   if (!options.alpha.empty()) model.alpha = options.alpha;
   const double gap = read_gap(options.gap);
-  const MarginQuestion question = take_question(model, options.scale);
+  const MarginQuestion question = take_question(model, {options.scale, options.parameter});
   PreparedMargin margin(question, model, options.search, FormingWatch{.interrupt = interrupt});
   margin.settings.interrupt = interrupt;
   MarginCertificates none({}, margin.request, margin.prepared.labels);

@@ -11,13 +11,14 @@
 
 namespace regulus::inline api {
 
-/// One of `tolerance`, `alpha` and `scale` is a range "LO:HI", or "LO:" if the upper end must be
+/// One of `tolerance`, `alpha`, `scale` and `parameter` is a range "LO:HI", or "LO:" if the upper end must be
 /// found; the others are empty.
 struct MarginOptions {
   SearchOptions search = for_a_minute();
   std::string tolerance;  ///< "base,platform=0:0.2"
   std::string alpha;
   std::string scale;         ///< of the ranges of a box variety about their middles
+  std::string parameter;     ///< "p=0:10": p is in [its declared low end, v]
   std::string gap = "0.01";  ///< the bracket is closed when (b - a)/b is at most this
 
   [[nodiscard]] static SearchOptions for_a_minute() {

@@ -129,13 +129,7 @@ std::string format_claim(const Request& request, const Bound& bound, const Compo
 
 StageSeconds seconds_of(const Bound& bound) {
   StageSeconds sum;
-  for (const ComponentBound& c : bound.components) {
-    sum.model += c.seconds.model;
-    sum.symbolic += c.seconds.symbolic;
-    sum.emit += c.seconds.emit;
-    sum.compile += c.seconds.compile;
-    sum.search += c.seconds.search;
-  }
+  for (const ComponentBound& c : bound.components) sum += c.seconds;
   return sum;
 }
 

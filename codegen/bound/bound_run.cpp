@@ -15,7 +15,6 @@
 #include "codegen/quantity/approx_values.hpp"
 #include "codegen/report/progress.hpp"
 #include "codegen/report/report_parts.hpp"
-#include "codegen/report/witness_report.hpp"
 #include "codegen/support/errors.hpp"
 #include "runtime/problem/observers.hpp"
 
@@ -36,8 +35,7 @@ std::string in_file_name(std::string label) {
 }
 
 std::string certificate_of(const Component& c, const std::string& certificate) {
-  if (certificate.empty() || c.label.empty()) return certificate;
-  return certificate + "." + in_file_name(c.label);
+  return certificate.empty() ? certificate : certificate + certificate_suffix(c);
 }
 
 /// Brackets one component, or compares it with a limit.
@@ -68,13 +66,10 @@ class ComponentRun {
   }
 
   ComponentBound compare() {
-    const ex limit = signed_value(*settings_.limit);
-    if (!is_direct() && !result_.component.is_absolute) {
-      const double near = approx_value(limit).value_or(0);
-      reference_ = limit - (near == 0 ? ex(1) : GiNaC::abs(limit));
-    }
-    bordered_ = border(request_, result_.component, reference_);
-    const ex end = bordered_.is_reciprocal ? 1 / (limit - reference_) : limit;
+    bordered_ = border_at_limit(request_, result_.component, *settings_.limit);
+    reference_ = bordered_.reference;
+    const Motion& motion = bordered_.request.motion;
+    const ex end = bordered_.parameter.empty() ? motion.alpha : motion.parameters.back().range.hi;
     MarginQuestion question =
         question_to(MarginValue{"the limit", end, approx_value(end).value_or(0), {}});
     PreparedMargin margin = prepared(question);
@@ -199,30 +194,7 @@ class ComponentRun {
   [[nodiscard]] AttainedPlace place_of(PreparedMargin& margin, const MarginValue& value,
                                        const Result& result) const {
     margin.request.replan(margin.prepared, value);
-    const PreparedSearch& p = margin.prepared;
-    AttainedPlace place;
-    if (!result.witness) {
-      place.pose = "every pose";
-      return place;
-    }
-    const Witness& witness = *result.witness;
-    const WitnessPoint& point = witness.near ? *witness.near : witness.points.front();
-    place.pose = describe_place(p, point.variables);
-    place.values = format_uncertain_values(p, point.variables);
-    place.json = json_point(p, point);
-    place.json.erase("determinant");
-    if (!bordered_.parameter.empty()) remove_parameter(place);
-    return place;
-  }
-
-  /// The value of r at a place says nothing about the robot.
-  void remove_parameter(AttainedPlace& place) const {
-    const std::string parameter = fmt::format("{} = ", bordered_.parameter);
-    if (const std::size_t at = place.pose.rfind(parameter); at != std::string::npos)
-      place.pose.erase(at == 0 ? 0 : at - 2);
-    if (place.pose.empty()) place.pose = "the only pose";
-    place.json["parameters"].erase(bordered_.parameter);
-    place.json["pose"].erase(bordered_.parameter);
+    return attained_place(margin.prepared, result, bordered_.parameter);
   }
 
   [[nodiscard]] std::optional<double> relative_gap() const {
@@ -232,13 +204,8 @@ class ComponentRun {
   }
 
   void add(const PreparedSearch& p, std::uint64_t boxes) {
-    const StageSeconds spent = p.seconds_spent();
     result_.boxes += boxes;
-    result_.seconds.model += spent.model;
-    result_.seconds.symbolic += spent.symbolic;
-    result_.seconds.emit += spent.emit;
-    result_.seconds.compile += spent.compile;
-    result_.seconds.search += spent.search;
+    result_.seconds += p.seconds_spent();
   }
 
   const Request& request_;
@@ -327,6 +294,10 @@ Bound bound_quantity(const Request& request, Quantity quantity, const BoundSetti
     if (settings.interrupt != nullptr && *settings.interrupt) break;
   }
   return bound;
+}
+
+std::string certificate_suffix(const Component& component) {
+  return component.label.empty() ? "" : "." + in_file_name(component.label);
 }
 
 void refuse_threshold(const ModelOptions& options) {

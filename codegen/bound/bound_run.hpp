@@ -4,23 +4,16 @@
 
 #include <atomic>
 #include <functional>
-#include <nlohmann/json.hpp>
 #include <optional>
 #include <string>
 #include <vector>
 
+#include "codegen/bound/attained_place.hpp"
 #include "codegen/bound/bound_number.hpp"
 #include "codegen/margin/margin_run.hpp"
 #include "codegen/quantity/bordered.hpp"
 
 namespace regulus::inline bounding {
-
-/// The place where an end of a bracket is attained, for people and for programs.
-struct AttainedPlace {
-  std::string pose;    ///< "x = -5, y = 5, z = 50"
-  std::string values;  ///< of loads and other uncertain quantities: lines, or empty
-  nlohmann::ordered_json json;
-};
 
 enum class LimitVerdict { kWithin, kExceeded, kUndecided };
 
@@ -73,6 +66,10 @@ using BoundListener = std::function<void(const ComponentBound&)>;
 /// Throws    UsageError for a motion along way-points, and the exceptions of prepare().
 [[nodiscard]] Bound bound_quantity(const Request& request, Quantity quantity,
                                    const BoundSettings& settings, const BoundListener& listener);
+
+/// Returns the ending of the files of a component's certificates: ".leg_3"; empty if it is the only
+/// one.
+[[nodiscard]] std::string certificate_suffix(const Component& component);
 
 /// Throws    UsageError for --alpha, which would be ignored.
 void refuse_threshold(const ModelOptions& options);

@@ -7,41 +7,15 @@
 
 #include "codegen/bound/bound_report.hpp"
 #include "codegen/bound/bound_run.hpp"
+#include "codegen/command/asked_quantity.hpp"
 #include "codegen/command/commands.hpp"
 #include "codegen/command/interrupt.hpp"
 #include "codegen/margin/prepared_margin.hpp"
-#include "codegen/model/certain_sign.hpp"
-#include "codegen/model/expression_parser.hpp"
 #include "codegen/support/earlier_outputs.hpp"
 #include "codegen/support/exit_code.hpp"
 
 namespace regulus::inline command {
 namespace {
-
-bool is_word(const std::string& text) {
-  return std::ranges::all_of(text, [](char c) { return c == '-' || ('a' <= c && c <= 'z'); });
-}
-
-/// A text that is neither a quantity nor an expression may be a mistyped word.
-Request read(const BoundCommand& command) try {
-  return read_request(command.model);
-} catch (const UsageError& error) {
-  const std::string& text = command.quantity.quantity;
-  if (command.model.asked.empty() || !is_word(text)) throw;
-  throw UsageError(fmt::format("QUANTITY: found '{}', expected {}, or an expression of the model",
-                               text, fmt::join(quantity_words(), ", ")));
-}
-
-GiNaC::ex read_limit(const std::string& text, const Quantity& quantity) {
-  GiNaC::ex limit;
-  from_option("--limit",
-              [&] { limit = parse_constant(text, {.file = "", .key = "--limit"}).value; });
-  const bool must_be_positive =
-      std::ranges::any_of(quantity.components, [](const Component& c) { return c.is_absolute; });
-  if (must_be_positive && certain_sign(limit) != CertainSign::kPositive)
-    throw UsageError("--limit: found " + text + ", expected a positive number");
-  return limit;
-}
 
 int exit_code_of(const Bound& bound, const BoundSettings& settings) {
   if (settings.limit) {
@@ -64,7 +38,6 @@ BoundCommand with_quantity(BoundCommand command) {
   if (command.quantity.quantity.empty())
     throw UsageError(fmt::format("bound: no QUANTITY; it is {}, or an expression of the model",
                                  fmt::join(quantity_words(), ", ")));
-  if (!kind_of(command.quantity.quantity)) command.model.asked = command.quantity.quantity;
   return command;
 }
 
@@ -78,7 +51,7 @@ int run_bound(const BoundCommand& given) {
   settings.search = command.search;
   settings.output = command.output;
   settings.certificate = command.certificate;
-  const Request request = read(command);
+  const Request request = read_asked(command.model, command.quantity);
   Quantity quantity = quantity_of(request.model, command.quantity);
   if (!command.limit.empty()) settings.limit = read_limit(command.limit, quantity);
   set_earlier_outputs_aside(command.model.path, certificate_files(quantity, command.certificate));

@@ -5,12 +5,7 @@
 
 namespace regulus::inline command {
 
-void add_bound_options(CLI::App& app, BoundCommand& command) {
-  QuantityOptions& q = command.quantity;
-  app.add_option(
-      "QUANTITY", q.quantity,
-      "force, error, speed, sigma-min, sigma-max, condition, deflection, determinant, or an "
-      "expression of the model in quotes");
+void add_quantity_options(CLI::App& app, QuantityOptions& q) {
   app.add_option("--load", q.load, "Set of wrenches on the platform: NAME of a [load.NAME]")
       ->type_name("NAME");
   app.add_option("--twist", q.twist, "Set of twists of the platform: NAME of a [twist.NAME]")
@@ -23,6 +18,15 @@ void add_bound_options(CLI::App& app, BoundCommand& command) {
   app.add_flag("--min", q.least, "Bound the least value, with its sign");
   app.add_flag("--signed", q.is_signed,
                "Bound the largest value with its sign, not the largest absolute value");
+}
+
+void add_bound_options(CLI::App& app, BoundCommand& command) {
+  QuantityOptions& q = command.quantity;
+  app.add_option(
+      "QUANTITY", q.quantity,
+      "force, error, speed, sigma-min, sigma-max, condition, deflection, determinant, or an "
+      "expression of the model in quotes");
+  add_quantity_options(app, q);
   app.add_option("--limit", command.limit,
                  "Compare with L: WITHIN if every value is below L (with --min and sigma-min: "
                  "above), EXCEEDED if one is not")

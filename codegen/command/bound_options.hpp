@@ -33,7 +33,10 @@ struct DatasheetCommand {
   bool markdown = false;
 };
 
-/// Adds the options about the quantity.
+/// Adds the options that say which components of a quantity are meant.
+void add_quantity_options(CLI::App& app, QuantityOptions& options);
+
+/// Adds QUANTITY and the options about it.
 void add_bound_options(CLI::App& app, BoundCommand& command);
 
 }  // namespace regulus::command

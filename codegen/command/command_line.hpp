@@ -12,6 +12,7 @@
 #include "codegen/command/import_options.hpp"
 #include "codegen/command/list_options.hpp"
 #include "codegen/engine/options.hpp"
+#include "codegen/margin/margin_question.hpp"
 #include "codegen/report/output_options.hpp"
 
 namespace regulus::inline command {
@@ -38,12 +39,14 @@ struct LocateCommand {
   bool boxes_unless_json = true;  ///< print the boxes by default
 };
 
-/// One of the model's tolerances, its alpha, or `scale` is a range LO:HI.
+/// One of the model's tolerances, its alpha, or `size` has a range LO:HI.
 struct MarginCommand {
   ModelOptions model;
+  QuantityOptions quantity;  ///< that must keep the limit; empty: no singularity
   SearchOptions search;
   OutputOptions output;
-  std::string scale;  ///< empty: not used
+  GrowingSize size;
+  std::string limit;  ///< empty without a quantity
   std::string gap = "0.01";
   std::string certificate;  ///< files, without their endings; empty: none
 };

@@ -27,9 +27,10 @@ constexpr const char* kLocateExitCodes =
     "64 usage, 65 bad model, 70 internal fault, 74 file error.";
 
 constexpr const char* kMarginFooter =
-    "Give exactly one of --tolerance, --alpha and --scale a range LO:HI. With LO: alone, margin\n"
-    "looks for the upper end itself. The last line on standard output is the bracket:\n"
+    "Give exactly one of --tolerance, --alpha, --scale and --grow a range LO:HI. With LO: alone,\n"
+    "margin looks for the upper end itself. The last line on standard output is the bracket:\n"
     "  SAFE UP TO a, NOT AT b   proved at a, and so below; a witness shows a singularity at b\n"
+    "  WITHIN UP TO a, EXCEEDED AT b   the same for a limit: --quantity force --limit 20\n"
     "Exit: 0 the bracket is as narrow as --gap asks, or all of LO:HI is safe; 1 LO is not safe;\n"
     "2 a limit or an interrupt stopped it earlier, or the tests could not decide;\n"
     "64 usage, 65 bad model, 70 internal fault, 74 file error.";
@@ -95,10 +96,23 @@ void add_margin_options(CLI::App& app, MarginCommand& command) {
           "Threshold of |det J^-1|; with a range, margin looks for the largest safe threshold")
       ->type_name("A|LO:HI");
   app.add_option(
-         "--scale", command.scale,
+         "--scale", command.size.scale,
          "Factor that scales the ranges of a box variety about their midpoints; 1 leaves them as "
          "declared")
       ->type_name("LO:HI");
+  app.add_option("--grow", command.size.parameter,
+                 "Motion parameter p that grows: its range is from its declared low end to a value "
+                 "in LO:HI; the radius of a sphere, for example")
+      ->type_name("p=LO:HI");
+  app.add_option("--quantity", command.quantity.quantity,
+                 "Ask how far the size can grow while this quantity keeps --limit: a QUANTITY of "
+                 "regulus bound")
+      ->type_name("QUANTITY");
+  add_quantity_options(app, command.quantity);
+  app.add_option("--limit", command.limit,
+                 "The limit that --quantity must keep: every value is below L (with --min, "
+                 "sigma-min and determinant: above)")
+      ->type_name("L");
   app.add_option("--gap", command.gap, "Stop when (b - a)/b is at most this")
       ->type_name("G")
       ->capture_default_str();

@@ -21,6 +21,9 @@ namespace regulus::inline command {
 
 [[nodiscard]] int run_margin(const MarginCommand& command);
 
+/// Runs the margin if it is that of a limit; otherwise returns nullopt.
+[[nodiscard]] std::optional<int> run_limit_margin(const MarginCommand& command);
+
 [[nodiscard]] int run_bound(const BoundCommand& command);
 
 [[nodiscard]] int run_datasheet(const DatasheetCommand& command);

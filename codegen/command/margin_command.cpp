@@ -21,9 +21,10 @@ int exit_code_of(const MarginQuestion& question, const Margin& margin) {
 }  // namespace
 
 int run_margin(const MarginCommand& given) {
+  if (const std::optional<int> code = run_limit_margin(given)) return *code;
   MarginCommand command = given;
   const double gap = read_gap(command.gap);
-  const MarginQuestion question = take_question(command.model, command.scale);
+  const MarginQuestion question = take_question(command.model, command.size);
   set_earlier_outputs_aside(command.model.path, MarginCertificates::files(command.certificate));
   InterruptGuard interrupt;
   PreparedMargin margin(question, command.model, command.search,

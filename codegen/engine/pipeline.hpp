@@ -33,6 +33,15 @@ struct StageSeconds {
   double emit = 0;
   double compile = 0;
   double search = 0;
+
+  StageSeconds& operator+=(const StageSeconds& other) noexcept {
+    model += other.model;
+    symbolic += other.symbolic;
+    emit += other.emit;
+    compile += other.compile;
+    search += other.search;
+    return *this;
+  }
 };
 
 /// All data of a check, and of the report about its preparation.

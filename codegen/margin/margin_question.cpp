@@ -8,6 +8,7 @@
 #include "codegen/model/certain_sign.hpp"
 #include "codegen/model/constants.hpp"
 #include "codegen/model/decimal.hpp"
+#include "codegen/model/ginac_text.hpp"
 #include "codegen/model/overrides.hpp"
 #include "codegen/model/sign.hpp"
 
@@ -63,9 +64,53 @@ void scale_ranges(Motion& motion, const ex& scale) {
   }
 }
 
+MotionParameter* find_parameter(Motion& motion, const std::string& name) {
+  const auto found = std::ranges::find(motion.parameters, name, &MotionParameter::name);
+  return found == motion.parameters.end() ? nullptr : &*found;
+}
+
+/// True if c ≤ 0 at a value of p ≥ 0 is shown to imply it at every larger one: dc/dp = -k·pⁿ, k ≥ 0.
+bool loosens(const ex& c, const ex& p) {
+  constexpr int kMostPowers = 8;
+  const ex slope = c.diff(GiNaC::ex_to<GiNaC::symbol>(p));
+  for (int n = 0; n <= kMostPowers; ++n) {
+    const ex factor = (slope / pow(p, n)).normal();
+    if (!symbols_of(factor).empty()) continue;
+    const CertainSign sign = certain_sign(factor);
+    return sign == CertainSign::kNegative || factor.is_zero();
+  }
+  return false;
+}
+
+bool none_has(const std::vector<ex>& expressions, const ex& symbol) {
+  return std::ranges::none_of(expressions, [&](const ex& e) { return e.has(symbol); });
+}
+
+/// True if p is the size of a shape: the poses at one value of p are among those at a larger one.
+/// Then the set of all values up to v is the set at v.
+bool is_size(const Motion& motion, const MotionParameter& p) {
+  return certain_sign(p.range.lo) != CertainSign::kNegative &&
+         certain_sign(p.range.lo) != CertainSign::kUnknown && none_has(motion.pose, p.symbol) &&
+         none_has(motion.error, p.symbol) && none_has(motion.must_be_defined, p.symbol) &&
+         std::ranges::all_of(motion.constraints,
+                             [&](const auto& c) { return loosens(c, p.symbol); });
+}
+
 void set_parameter(Motion& motion, const MarginQuestion& question, const ex& end) {
-  for (MotionParameter& p : motion.parameters)
-    if (p.name == question.groups) p.range = {question.is_two_sided ? ex(-end) : ex(0), end};
+  MotionParameter* p = find_parameter(motion, question.groups);
+  const ex low = is_size(motion, *p) ? end : p->range.lo;
+  p->range = {question.is_two_sided ? ex(-end) : low, end};
+}
+
+/// A parameter grows from the low end of its declared range.
+void require_parameter(Request& request, const MarginQuestion& question) {
+  const MotionParameter* p = find_parameter(request.motion, question.groups);
+  if (p == nullptr)
+    throw UsageError("--grow: the motion '" + request.motion.name + "' has no parameter '" +
+                     question.groups + "' with a range");
+  if (certain_sign(p->range.lo - question.low.exact) == CertainSign::kPositive)
+    throw UsageError("--grow: LO is " + question.low.text + ", below the range of '" +
+                     question.groups + "', which begins at " + formula_text(p->range.lo));
 }
 
 /// Returns the range of a variable at the tolerances and ranges of a request.
@@ -90,7 +135,7 @@ MarginValue decimal_value(double value) {
   return {fmt::format("{}", value), shortest_decimal(value), value, {}};
 }
 
-MarginQuestion take_question(ModelOptions& model, const std::string& scale) {
+MarginQuestion take_question(ModelOptions& model, const GrowingSize& size) {
   MarginQuestion question;
   int ranges = 0;
   auto& tolerances = model.tolerances;
@@ -109,15 +154,22 @@ MarginQuestion take_question(ModelOptions& model, const std::string& scale) {
     read_range(question, model.alpha, "--alpha");
     model.alpha.clear();
   }
-  if (!scale.empty()) {
+  if (!size.scale.empty()) {
     ++ranges;
     question.quantity = MarginQuantity::kScale;
-    read_range(question, scale, "--scale");
+    read_range(question, size.scale, "--scale");
+  }
+  if (!size.parameter.empty()) {
+    ++ranges;
+    question.quantity = MarginQuantity::kParameter;
+    const auto [name, range] = split_assignment(size.parameter, "--grow");
+    question.groups = name;
+    read_range(question, range, "--grow");
   }
   if (ranges != 1)
     throw UsageError(
         fmt::format("margin: {} options have a range LO:HI; give exactly one: --tolerance "
-                    "GROUP=LO:HI, --alpha LO:HI or --scale LO:HI",
+                    "GROUP=LO:HI, --alpha LO:HI, --scale LO:HI or --grow p=LO:HI",
                     ranges));
   return question;
 }
@@ -128,13 +180,20 @@ MarginRequest::MarginRequest(Request nominal, const MarginQuestion& question)
   append(conditions, question.low.must_be_defined);
   if (question.high) append(conditions, question.high->must_be_defined);
   if (question.quantity == MarginQuantity::kScale) require_box_variety(nominal_);
+  if (question.quantity == MarginQuantity::kParameter) require_parameter(nominal_, question);
   if (question.quantity == MarginQuantity::kAlpha &&
       nominal_.model.matrix.rows() != nominal_.model.matrix.cols())
     throw UsageError(
-        "--alpha: the matrix is not square, so it has no determinant; use --tolerance or --scale");
+        "--alpha: the matrix is not square, so it has no determinant; use --tolerance, --scale or "
+        "--grow");
 }
 
 Request MarginRequest::at(const MarginValue& value) const {
+  Request request = grown_to(value);
+  return question_.about ? question_.about(request) : request;
+}
+
+Request MarginRequest::grown_to(const MarginValue& value) const {
   Request request = nominal_;
   switch (question_.quantity) {
     case MarginQuantity::kTolerance:

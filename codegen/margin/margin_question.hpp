@@ -5,6 +5,7 @@
 
 #include <ginac/ginac.h>
 
+#include <functional>
 #include <optional>
 #include <string>
 #include <vector>
@@ -26,18 +27,30 @@ struct MarginValue {
 /// Returns the decimal that reads back as `value`.
 [[nodiscard]] MarginValue decimal_value(double value);
 
+/// Returns the question of regularity about a motion and tolerances that have grown; see
+/// quantity/bordered.hpp.
+using QuestionAbout = std::function<Request(const Request&)>;
+
 /// LO:HI, or LO: if HI must be found.
 struct MarginQuestion {
   MarginQuantity quantity = MarginQuantity::kTolerance;
   std::string groups;         ///< of a tolerance; the name of a parameter
-  bool is_two_sided = false;  ///< a parameter grows to [−v, v]; otherwise to [0, v]
+  bool is_two_sided = false;  ///< a parameter grows to [−v, v]; otherwise from its low end to v
   MarginValue low;
   std::optional<MarginValue> high;
+  std::string limit{};    ///< "force in leg 3 < 20", what must hold; empty: no singularity
+  QuestionAbout about{};  ///< that the limit holds; empty: the request itself
 };
 
-/// Removes the one option with a range: a tolerance or the alpha of `model`, or `scale`, which may
-/// be empty. The others stay as they are. Throws UsageError.
-[[nodiscard]] MarginQuestion take_question(ModelOptions& model, const std::string& scale);
+/// The sizes that the words of a command line let grow, "LO:HI"; empty: another one grows.
+struct GrowingSize {
+  std::string scale{};      ///< of the ranges of a box variety
+  std::string parameter{};  ///< "p=LO:HI": p is in [its declared low end, v]
+};
+
+/// Removes the one option with a range: a tolerance or the alpha of `model`, or one of `size`. The
+/// others stay as they are. Throws UsageError.
+[[nodiscard]] MarginQuestion take_question(ModelOptions& model, const GrowingSize& size);
 
 /// The ranges of a request as read; scales refer to them.
 class MarginRequest {
@@ -45,6 +58,7 @@ class MarginRequest {
   /// Throws    UsageError if the motion or the model cannot grow in that way.
   MarginRequest(Request nominal, const MarginQuestion& question);
 
+  /// Returns the question at a value: about the request that has grown.
   [[nodiscard]] Request at(const MarginValue& value) const;
   /// Sets ranges and threshold at `value`, for variables that were formed at another value.
   ///
@@ -54,6 +68,8 @@ class MarginRequest {
   void replan(PreparedSearch& p, const MarginValue& value) const;
 
  private:
+  [[nodiscard]] Request grown_to(const MarginValue& value) const;
+
   Request nominal_;
   MarginQuestion question_;
 };

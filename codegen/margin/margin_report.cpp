@@ -45,6 +45,7 @@ const char* name_of_quantity(MarginQuantity quantity) {
 Json json_question(const MarginQuestion& question) {
   Json object = {{"kind", name_of_quantity(question.quantity)}};
   if (question.quantity == MarginQuantity::kTolerance) object["groups"] = question.groups;
+  if (question.quantity == MarginQuantity::kParameter) object["parameter"] = question.groups;
   object["low"] = question.low.text;
   object["high"] = question.high ? Json(question.high->text) : Json(nullptr);
   return object;
@@ -117,8 +118,7 @@ std::string margin_report(const PreparedSearch& p, const SearchOptions& search,
   return text + fmt::format("ended      {}\n", reason_to_end(margin));
 }
 
-Json json_margin(const PreparedSearch& p, const SearchOptions& search,
-                 const MarginQuestion& question, const Margin& margin, double gap_wanted) {
+Json json_bracket(const MarginQuestion& question, const Margin& margin, double gap_wanted) {
   Json report;
   report["margin"] = json_question(question);
   report["certified"] = json_value(margin.certified, false);
@@ -135,6 +135,12 @@ Json json_margin(const PreparedSearch& p, const SearchOptions& search,
   report["gap_wanted"] = gap_wanted;
   report["closed"] = margin.closed;
   report["reason"] = reason_to_end(margin);
+  return report;
+}
+
+Json json_margin(const PreparedSearch& p, const SearchOptions& search,
+                 const MarginQuestion& question, const Margin& margin, double gap_wanted) {
+  Json report = json_bracket(question, margin, gap_wanted);
   report["model"] = p.labels.model;
   report["model_file"] = p.model_file;
   report["model_sha256"] = p.labels.model_sha256;

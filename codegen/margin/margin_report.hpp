@@ -19,6 +19,10 @@ namespace regulus::inline bracketing {
                                         const SearchOptions& search, const MarginQuestion& question,
                                         const Margin& margin);
 
+/// Returns the part of the JSON report that is about the bracket.
+[[nodiscard]] nlohmann::ordered_json json_bracket(const MarginQuestion& question,
+                                                  const Margin& margin, double gap_wanted);
+
 /// Returns the JSON report. `certified` is not above, `refuted` not below the value of its text.
 [[nodiscard]] nlohmann::ordered_json json_margin(const PreparedSearch& preparation,
                                                  const SearchOptions& search,

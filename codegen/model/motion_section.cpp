@@ -52,8 +52,8 @@ class MotionReader {
       toml_.reject(e, "an interpolation needs way-points", "add waypoints = \"FILE.csv\"");
     read_parameters();
     read_ranges();
-    check_dimension();
     read_pose();
+    check_dimension();
     read_error();
     read_constraints();
     read_where();
@@ -136,10 +136,16 @@ class MotionReader {
     }
   }
 
+  /// A parameter that the pose does not depend on, the size of a shape in a constraint for example,
+  /// is no dimension of the motion.
   void check_dimension() const {
-    if (motion_.parameters.size() > reading_.model.pose.size())
+    const auto moves = [this](const MotionParameter& p) {
+      return std::ranges::any_of(motion_.pose, [&](const GiNaC::ex& e) { return e.has(p.symbol); });
+    };
+    const auto dimension = std::ranges::count_if(motion_.parameters, moves);
+    if (static_cast<std::size_t>(dimension) > reading_.model.pose.size())
       toml_.refuse(
-          entry_, std::to_string(motion_.parameters.size()) + " parameters in " + entry_.path,
+          entry_, std::to_string(dimension) + " parameters of the pose in " + entry_.path,
           "at most as many as pose parameters, " + std::to_string(reading_.model.pose.size()));
   }
 

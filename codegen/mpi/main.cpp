@@ -56,8 +56,10 @@ PreparedSearch prepare_question(const CommandLine& line) {
   if (line.check) return prepare(line.check->model, line.check->search);
   if (line.locate) return prepare(line.locate->model, line.locate->search);
   const MarginCommand& margin = *line.margin;
+  if (!margin.limit.empty())
+    throw UsageError("margin: several ranks cannot search within a limit yet; use regulus");
   ModelOptions model = margin.model;
-  const MarginQuestion question = take_question(model, margin.scale);
+  const MarginQuestion question = take_question(model, margin.size);
   return std::move(PreparedMargin(question, model, margin.search, {}).prepared);
 }
 

@@ -287,4 +287,22 @@ Bordered border(const Request& request, const Component& component, const ex& re
   return Border(request, component, reference).build();
 }
 
+Bordered border_at_limit(const Request& request, const Component& component, const ex& limit) {
+  const ex bound = component.sign * limit;
+  const bool is_direct =
+      component.kind == QuantityKind::kSigmaMin || component.kind == QuantityKind::kDeterminant;
+  ex reference = 0;  // below the limit
+  if (!is_direct && !component.is_absolute)
+    reference = bound - (bound.is_zero() ? ex(1) : GiNaC::abs(bound));
+  Bordered bordered = border(request, component, reference);
+  Motion& motion = bordered.request.motion;
+  if (bordered.parameter.empty()) {
+    motion.alpha = bound;
+    return bordered;
+  }
+  const ex end = bordered.is_reciprocal ? 1 / (bound - reference) : bound;
+  motion.parameters.back().range = {bordered.is_two_sided ? ex(-end) : ex(0), end};
+  return bordered;
+}
+
 }  // namespace regulus::quantity

@@ -60,4 +60,11 @@ struct Bordered {
 [[nodiscard]] Bordered border(const Request& request, const Component& component,
                               const GiNaC::ex& reference = 0);
 
+/// Returns the question whether q < limit (of a least value: > limit) everywhere, with r in all of
+/// the range where B must be regular; of a determinant: with the limit as the threshold.
+///
+/// Requires  as border(); limit > 0 if the component is absolute.
+[[nodiscard]] Bordered border_at_limit(const Request& request, const Component& component,
+                                       const GiNaC::ex& limit);
+
 }  // namespace regulus::quantity

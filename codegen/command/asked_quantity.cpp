@@ -1,0 +1,44 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "codegen/command/asked_quantity.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "codegen/model/certain_sign.hpp"
+#include "codegen/model/expression_parser.hpp"
+
+namespace regulus::inline command {
+namespace {
+
+bool is_word(const std::string& text) {
+  return std::ranges::all_of(text, [](char c) { return c == '-' || ('a' <= c && c <= 'z'); });
+}
+
+}  // namespace
+
+/// A text that is neither a quantity nor an expression may be a mistyped word.
+Request read_asked(ModelOptions model, const QuantityOptions& quantity) {
+  const std::string& text = quantity.quantity;
+  if (!kind_of(text)) model.asked = text;
+  try {
+    return read_request(model);
+  } catch (const UsageError&) {
+    if (model.asked.empty() || !is_word(text)) throw;
+  }
+  throw UsageError(fmt::format("QUANTITY: found '{}', expected {}, or an expression of the model",
+                               text, fmt::join(quantity_words(), ", ")));
+}
+
+GiNaC::ex read_limit(const std::string& text, const Quantity& quantity) {
+  GiNaC::ex limit;
+  from_option("--limit",
+              [&] { limit = parse_constant(text, {.file = "", .key = "--limit"}).value; });
+  const bool must_be_positive =
+      std::ranges::any_of(quantity.components, [](const Component& c) { return c.is_absolute; });
+  if (must_be_positive && certain_sign(limit) != CertainSign::kPositive)
+    throw UsageError("--limit: found " + text + ", expected a positive number");
+  return limit;
+}
+
+}  // namespace regulus::command

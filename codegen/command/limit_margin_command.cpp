@@ -1,0 +1,65 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// `regulus margin --quantity Q --limit L`.
+#include <iostream>
+#include <nlohmann/json.hpp>
+
+#include "codegen/bound/bound_run.hpp"
+#include "codegen/bound/limit_margin.hpp"
+#include "codegen/command/asked_quantity.hpp"
+#include "codegen/command/commands.hpp"
+#include "codegen/command/interrupt.hpp"
+#include "codegen/margin/margin_report.hpp"
+#include "codegen/support/earlier_outputs.hpp"
+#include "codegen/support/exit_code.hpp"
+
+namespace regulus::inline command {
+namespace {
+
+int exit_code_of(const MarginQuestion& question, const Margin& margin) {
+  if (margin.refuted && margin.refuted->value.approx <= question.low.approx) return kSingularity;
+  return margin.closed ? kNoSingularity : kPossibleProblem;
+}
+
+LimitMarginSettings settings_of(const MarginCommand& command) {
+  LimitMarginSettings settings;
+  settings.gap = read_gap(command.gap);
+  settings.search = command.search;
+  settings.output = command.output;
+  settings.certificate = command.certificate;
+  return settings;
+}
+
+}  // namespace
+
+std::optional<int> run_limit_margin(const MarginCommand& given) {
+  if (given.limit.empty() && given.quantity.quantity.empty()) return std::nullopt;
+  if (given.limit.empty() || given.quantity.quantity.empty())
+    throw UsageError("margin: --quantity and --limit need each other");
+  MarginCommand command = given;
+  LimitMarginSettings settings = settings_of(command);
+  const MarginQuestion question = take_question(command.model, command.size);
+  const Request request = read_asked(command.model, command.quantity);
+  Quantity quantity = quantity_of(request.model, command.quantity);
+  settings.limit = read_limit(command.limit, quantity);
+  set_earlier_outputs_aside(command.model.path, certificate_files(quantity, command.certificate));
+  InterruptGuard interrupt;
+  settings.interrupt = &interrupt.requested();
+  interrupt.begin_search();
+
+  const bool quiet = command.output.quiet;
+  const LimitMargin margin = limit_margin(request, question, std::move(quantity), settings,
+                                          [quiet](const MarginStep& step) {
+                                            if (!quiet) std::cerr << format_step(step);
+                                          });
+  if (!quiet) std::cerr << limit_margin_report(request, question, margin, settings);
+  if (command.output.json)
+    std::cout
+        << json_limit_margin(request, question, margin, settings).dump(command.output.json_indent)
+        << '\n';
+  else
+    std::cout << describe_limit_bracket(question, margin) << '\n';
+  std::cout.flush();
+  return exit_code_of(question, margin.whole);
+}
+
+}  // namespace regulus::command
