@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "codegen/bound/fastest_twist.hpp"
 #include "codegen/engine/search_run.hpp"
 #include "codegen/engine/settings.hpp"
 #include "codegen/margin/prepared_margin.hpp"
@@ -194,7 +195,10 @@ class ComponentRun {
   [[nodiscard]] AttainedPlace place_of(PreparedMargin& margin, const MarginValue& value,
                                        const Result& result) const {
     margin.request.replan(margin.prepared, value);
-    return attained_place(margin.prepared, result, bordered_.parameter);
+    AttainedPlace place = attained_place(margin.prepared, result, bordered_.parameter);
+    if (result_.component.kind == QuantityKind::kSpeed)
+      add_fastest_twist(place, request_, result_.component);
+    return place;
   }
 
   [[nodiscard]] std::optional<double> relative_gap() const {

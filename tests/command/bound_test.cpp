@@ -3,6 +3,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <fstream>
 #include <nlohmann/json.hpp>
 
@@ -85,6 +86,21 @@ TEST_F(BoundCommandTest, GivesNumbersThatClaimNoMore) {
   EXPECT_EQ(report.at("attained_by"), "leg 1");
   EXPECT_EQ(report.at("components").size(), 2u);
   EXPECT_TRUE(report.at("components")[0].at("place").contains("pose"));
+}
+
+TEST_F(BoundCommandTest, NamesTheTwistThatIsFastest) {
+  std::string text = kShear;
+  const std::string box = "velocity = [1, 1]";
+  text.replace(text.find(box), box.size(), "velocity = { value = [0, 0], radius = 1 }");
+  std::ofstream(model_, std::ios::trunc) << text;
+  const json report = json::parse(
+      run({"bound", model_, "speed", "--gap", "1e-6", "--leg", "1", "--json", "--quiet"}).output);
+  EXPECT_LE(report.at("gap"), 1e-6);
+  EXPECT_LE(report.at("attained").get<double>(), std::sqrt(5));
+  EXPECT_GE(report.at("proved").get<double>(), std::sqrt(5));
+  const json twist = report.at("components")[0].at("place").at("twist");
+  EXPECT_NEAR(twist[0], 1 / std::sqrt(5), 1e-3);
+  EXPECT_NEAR(twist[1], 2 / std::sqrt(5), 1e-3);
 }
 
 TEST_F(BoundCommandTest, WritesAProofOfEachEnd) {
