@@ -5,9 +5,9 @@
 #include <iostream>
 #include <nlohmann/json.hpp>
 
+#include "codegen/bound/bound_question.hpp"
 #include "codegen/bound/bound_report.hpp"
 #include "codegen/bound/bound_run.hpp"
-#include "codegen/command/asked_quantity.hpp"
 #include "codegen/command/commands.hpp"
 #include "codegen/command/interrupt.hpp"
 #include "codegen/margin/prepared_margin.hpp"
@@ -35,9 +35,6 @@ int exit_code_of(const Bound& bound, const BoundSettings& settings) {
 /// With two words, MODEL and QUANTITY, the motion is the only one of the model.
 BoundCommand with_quantity(BoundCommand command) {
   if (command.quantity.quantity.empty()) std::swap(command.quantity.quantity, command.model.motion);
-  if (command.quantity.quantity.empty())
-    throw UsageError(fmt::format("bound: no QUANTITY; it is {}, or an expression of the model",
-                                 fmt::join(quantity_words(), ", ")));
   return command;
 }
 
@@ -45,15 +42,15 @@ BoundCommand with_quantity(BoundCommand command) {
 
 int run_bound(const BoundCommand& given) {
   const BoundCommand command = with_quantity(given);
-  refuse_threshold(command.model);
+  BoundQuestion question = read_bound_question(command.model, command.quantity, command.limit);
+  const Request& request = question.request;
+  Quantity& quantity = question.quantity;
   BoundSettings settings;
   settings.gap = read_gap(command.gap);
+  settings.limit = question.limit;
   settings.search = command.search;
   settings.output = command.output;
   settings.certificate = command.certificate;
-  const Request request = read_asked(command.model, command.quantity);
-  Quantity quantity = quantity_of(request.model, command.quantity);
-  if (!command.limit.empty()) settings.limit = read_limit(command.limit, quantity);
   set_earlier_outputs_aside(command.model.path, certificate_files(quantity, command.certificate));
   InterruptGuard interrupt;
   settings.interrupt = &interrupt.requested();

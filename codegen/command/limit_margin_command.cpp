@@ -3,9 +3,9 @@
 #include <iostream>
 #include <nlohmann/json.hpp>
 
+#include "codegen/bound/bound_question.hpp"
 #include "codegen/bound/bound_run.hpp"
 #include "codegen/bound/limit_margin.hpp"
-#include "codegen/command/asked_quantity.hpp"
 #include "codegen/command/commands.hpp"
 #include "codegen/command/interrupt.hpp"
 #include "codegen/margin/margin_report.hpp"

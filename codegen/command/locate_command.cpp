@@ -112,17 +112,6 @@ std::vector<Observer*> present(std::initializer_list<Observer*> observers) {
   return result;
 }
 
-/// Unless the motion says where = "reachable", its poses out of reach are part of the question, and
-/// the matrix is undefined there.
-void keep_poses_out_of_reach(const PreparedSearch& p, const Volumes& volumes, Result& result) {
-  const bool claims_all =
-      result.verdict == Verdict::kNoSingularity || result.reason == Reason::kEmptyVariety;
-  if (!p.labels.where.empty() || !claims_all || volumes.unreachable_box().empty()) return;
-  result.verdict = Verdict::kPossibleProblem;
-  result.reason = Reason::kUndefined;
-  result.blocking_box = volumes.unreachable_box();
-}
-
 /// Returns after the report and all files are written.
 Result pave_and_report(const LocateCommand& command, PreparedSearch& preparation,
                        InterruptGuard& interrupt) {

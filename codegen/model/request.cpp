@@ -19,6 +19,20 @@ std::string model_text(const ModelOptions& options) {
   return options.text ? *options.text : read_model_text(options.path);
 }
 
+void apply_changes(Request& request, const ModelOptions& options) {
+  for (const std::string& tolerance : options.tolerances) {
+    const Assignment given = split_assignment(tolerance, "--tolerance");
+    from_option("--tolerance", [&] { set_tolerance(request.model, given.name, given.value); });
+  }
+  for (const std::string& range : options.ranges) {
+    const Assignment given = split_assignment(range, "--range");
+    from_option("--range",
+                [&] { set_range(request.model, request.motion, given.name, given.value); });
+  }
+  if (!options.alpha.empty())
+    from_option("--alpha", [&] { set_alpha(request.motion, options.alpha); });
+}
+
 Request read_request(const ModelOptions& options) {
   return read_request(model_text(options), options);
 }
@@ -27,23 +41,13 @@ Request read_request(std::string_view text, const ModelOptions& options) {
   Request request;
   request.model = parse_model(text, options.path, options.asked);
   request.model.path = options.path;
-  for (const std::string& tolerance : options.tolerances) {
-    const Assignment given = split_assignment(tolerance, "--tolerance");
-    from_option("--tolerance", [&] { set_tolerance(request.model, given.name, given.value); });
-  }
   from_option("MOTION", [&] { request.motion = find_motion(request.model, options.motion); });
-  for (const std::string& range : options.ranges) {
-    const Assignment given = split_assignment(range, "--range");
-    from_option("--range",
-                [&] { set_range(request.model, request.motion, given.name, given.value); });
-  }
+  apply_changes(request, options);
   if (!options.waypoints.empty())
     follow_waypoints(request.model, request.motion, options.waypoints);
   load_trajectory(request.model, request.motion);
   for (const std::string& tube : options.tubes)
     from_option("--tube", [&] { set_tube(request.model, request.motion, tube); });
-  if (!options.alpha.empty())
-    from_option("--alpha", [&] { set_alpha(request.motion, options.alpha); });
   if (options.separates_reach && request.motion.where == Where::kEverywhere &&
       !request.motion.trajectory)
     restrict_to_reach(request.model, request.motion);

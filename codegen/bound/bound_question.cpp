@@ -1,14 +1,16 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "codegen/command/asked_quantity.hpp"
+#include "codegen/bound/bound_question.hpp"
 
 #include <fmt/format.h>
 
 #include <algorithm>
 
+#include "codegen/bound/bound_run.hpp"
 #include "codegen/model/certain_sign.hpp"
 #include "codegen/model/expression_parser.hpp"
+#include "codegen/support/errors.hpp"
 
-namespace regulus::inline command {
+namespace regulus::inline bounding {
 namespace {
 
 bool is_word(const std::string& text) {
@@ -41,4 +43,16 @@ GiNaC::ex read_limit(const std::string& text, const Quantity& quantity) {
   return limit;
 }
 
-}  // namespace regulus::command
+BoundQuestion read_bound_question(const ModelOptions& model, const QuantityOptions& words,
+                                  const std::string& limit) {
+  if (words.quantity.empty())
+    throw UsageError(fmt::format("bound: no QUANTITY; it is {}, or an expression of the model",
+                                 fmt::join(quantity_words(), ", ")));
+  refuse_threshold(model);
+  BoundQuestion question{read_asked(model, words), {}, {}};
+  question.quantity = quantity_of(question.request.model, words);
+  if (!limit.empty()) question.limit = read_limit(limit, question.quantity);
+  return question;
+}
+
+}  // namespace regulus::bounding

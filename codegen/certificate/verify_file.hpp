@@ -1,0 +1,32 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Verifies a certificate file, and that it is about a model.
+#pragma once
+
+#include <nlohmann/json_fwd.hpp>
+#include <string>
+#include <vector>
+
+#include "runtime/certificate/verifier/verify.hpp"
+
+namespace regulus::inline certificate {
+
+struct VerificationRequest {
+  std::string path;
+  std::string model{};          ///< the model file it must be about; empty: any
+  std::string waypoints{};      ///< the file of way-points that check took; empty: none
+  verifier::Options options{};  ///< its path, model and overridden values are set by verify_file
+};
+
+struct Verified {
+  verifier::Verification verification;
+  std::vector<std::string> differences;  ///< from the model file
+};
+
+/// Throws    FileError if a file cannot be read, InputError for the model file.
+[[nodiscard]] Verified verify_file(const VerificationRequest& request);
+
+/// Returns the report of `regulus verify --json`. Its texts may have any bytes.
+[[nodiscard]] nlohmann::ordered_json json_verification(const VerificationRequest& request,
+                                                       const Verified& verified);
+
+}  // namespace regulus::certificate
