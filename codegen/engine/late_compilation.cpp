@@ -1,34 +1,16 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "codegen/engine/late_compilation.hpp"
 
-#include <pthread.h>
-
 #include <chrono>
-#include <csignal>
 #include <exception>
 
+#include "codegen/support/no_signals.hpp"
 #include "runtime/kernel/call.hpp"
 
 namespace regulus::inline engine {
 namespace {
 
 constexpr std::chrono::milliseconds kLook{10};
-
-/// Threads that are created during its lifetime receive no signals.
-class NoSignals {
- public:
-  NoSignals() {
-    sigset_t all;
-    sigfillset(&all);
-    pthread_sigmask(SIG_SETMASK, &all, &previous_);
-  }
-  ~NoSignals() { pthread_sigmask(SIG_SETMASK, &previous_, nullptr); }
-  NoSignals(const NoSignals&) = delete;
-  NoSignals& operator=(const NoSignals&) = delete;
-
- private:
-  sigset_t previous_{};
-};
 
 }  // namespace
 
