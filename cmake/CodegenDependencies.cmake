@@ -4,6 +4,7 @@
 regulus_pkg(regulus_ginac ginac libginac-dev)
 regulus_pkg(regulus_cln cln libcln-dev)
 regulus_pkg(regulus_tomlplusplus tomlplusplus libtomlplusplus-dev)
+regulus_pkg(regulus_tinyxml2 tinyxml2 libtinyxml2-dev)
 
 find_package(fmt QUIET)
 if(NOT fmt_FOUND)

@@ -36,9 +36,10 @@ if(REGULUS_CODEGEN)
   target_link_libraries(regulus_component_codegen INTERFACE
     Regulus::runtime regulus_tomlplusplus regulus_ginac regulus_cln regulus_arb fmt::fmt)
 
-  regulus_component(jit object_loader kernel_compilation jit verifier engine analysis proof report margin api)
+  regulus_component(jit object_loader kernel_compilation jit verifier engine analysis proof report margin
+                    quantity bound trajectory import api)
   target_link_libraries(regulus_component_jit INTERFACE
-    Regulus::codegen Regulus::search ${CMAKE_DL_LIBS})
+    Regulus::codegen Regulus::search regulus_tinyxml2 ${CMAKE_DL_LIBS})
 
   add_executable(Regulus::regulus ALIAS regulus)
 endif()

@@ -4,7 +4,6 @@
 include(${CMAKE_CURRENT_LIST_DIR}/PkgConfigTarget.cmake)
 include(${CMAKE_CURRENT_LIST_DIR}/CodegenDependencies.cmake)
 regulus_pkg(regulus_mpfr mpfr libmpfr-dev)
-regulus_pkg(regulus_tinyxml2 tinyxml2 libtinyxml2-dev)
 
 find_package(CLI11 QUIET)
 if(NOT CLI11_FOUND)

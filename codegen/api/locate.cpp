@@ -59,10 +59,10 @@ class BoxListener final : public Observer {
 Paving locate(const Question& question, const LocateOptions& options,
               const std::atomic<bool>* interrupt) {
   const AlgebraLock lock;
-  SearchOptions search = options.search;
-  search.boxes_before_compiling = 0;
-  PreparedSearch prepared =
-      prepare(question.options(), search, FormingWatch{.interrupt = interrupt});
+  const SearchOptions& search = options.search;
+  ModelOptions model = question.options();
+  model.separates_reach = true;
+  PreparedSearch prepared = prepare(model, search, FormingWatch{.interrupt = interrupt});
   const PavingOptions paving = resolve_paving({.resolution = options.resolution}, search, prepared);
   const Problem problem = prepared.problem();
   Volumes volumes(problem, prepared.labels.reach);
@@ -74,11 +74,12 @@ Paving locate(const Question& question, const LocateOptions& options,
   found.result = run_search(prepared, search, settings, &observers);
   listener.rethrow();
   close_in_on_witness(prepared, search, settings, found.result);
-  found.verdict = found.result.verdict;
   if (problem.kernel->constraints > 0) {
     volumes.set_workspace(measure_workspace(problem, volumes, paving.resolution, listener.stop()));
     found.workspace = volumes.workspace_fraction();
   }
+  keep_poses_out_of_reach(prepared, volumes, found.result);
+  found.verdict = found.result.verdict;
   found.free = volumes.fraction(volumes.of(Claim::kFree));
   found.singular = volumes.fraction(volumes.of(Claim::kSingular));
   found.undecided = volumes.fraction(volumes.of(Claim::kUndecided));

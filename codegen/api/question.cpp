@@ -26,6 +26,13 @@ Question Question::of_file(const std::string& path, const std::string& motion) {
   return question;
 }
 
+Question Question::of_text(const std::string& text, const std::string& name,
+                           const std::string& motion) {
+  Question question = of_file(name, motion);
+  question.options_->text = text;
+  return question;
+}
+
 Question::Question(const Question& other)
     : options_(std::make_unique<ModelOptions>(*other.options_)) {}
 Question& Question::operator=(const Question& other) {
@@ -44,6 +51,16 @@ Question& Question::range(const std::string& parameter, const std::string& lo,
 
 Question& Question::tolerance(const std::string& groups, const std::string& tolerance) {
   options_->tolerances.push_back(groups + '=' + tolerance);
+  return *this;
+}
+
+Question& Question::tube(const std::string& parameters, const std::string& error) {
+  options_->tubes.push_back(parameters.empty() ? error : parameters + '=' + error);
+  return *this;
+}
+
+Question& Question::waypoints(const std::string& file) {
+  options_->waypoints = file;
   return *this;
 }
 

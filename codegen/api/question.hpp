@@ -24,6 +24,10 @@ class Question {
   explicit Question(const Robot& robot, const std::string& motion = {});
   /// The file is read when the question is asked, and mistakes in it are reported then.
   [[nodiscard]] static Question of_file(const std::string& path, const std::string& motion = {});
+  /// The text of a model file. `name`: for reports and messages; way-points are looked for beside
+  /// the file of that name. The text is read when the question is asked.
+  [[nodiscard]] static Question of_text(const std::string& text, const std::string& name,
+                                        const std::string& motion = {});
   Question(const Question& other);
   Question& operator=(const Question& other);
   Question(Question&&) noexcept;
@@ -34,6 +38,10 @@ class Question {
   Question& range(const std::string& parameter, const std::string& lo, const std::string& hi);
   /// Sets the tolerance of every quantity of a group; several groups are separated by commas.
   Question& tolerance(const std::string& groups, const std::string& tolerance);
+  /// Sets the control errors of pose parameters; several are separated by commas, empty: all.
+  Question& tube(const std::string& parameters, const std::string& error);
+  /// Follows the way-points of a file instead of the motion's own poses.
+  Question& waypoints(const std::string& file);
   /// Sets the threshold that |det J⁻¹| must exceed.
   Question& alpha(const std::string& threshold);
 

@@ -6,15 +6,21 @@
 //   check     proves that the motion has no singular pose, or shows one: a Finding
 //   locate    paves the motion with boxes that are free, singular or undecided
 //   margin    brackets the largest tolerance, threshold or size that is safe
+//   bound     brackets the largest or least force, error or speed, or compares it with a limit
+//   verify    proves a certificate again
+//   PreparedQuestion  a question that is asked again with other ranges and tolerances
 //   Kernel    compiled functions of a question, for checks of pieces of the motion in a loop
 //
 // Link Regulus::jit. Errors are InputError, UsageError, FileError, CompileError and InternalError.
 #pragma once
 
+#include "codegen/api/bound.hpp"
 #include "codegen/api/check.hpp"
+#include "codegen/api/files.hpp"
 #include "codegen/api/kernel.hpp"
 #include "codegen/api/locate.hpp"
 #include "codegen/api/margin.hpp"
+#include "codegen/api/prepared_question.hpp"
 #include "codegen/api/question.hpp"
 #include "codegen/robot/robot.hpp"
 #include "codegen/support/errors.hpp"

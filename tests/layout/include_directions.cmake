@@ -40,7 +40,8 @@ set(codegen/margin               ${codegen/report} codegen/report codegen/certif
 set(codegen/trajectory           ${codegen/report} codegen/report codegen/certificate)
 set(codegen/quantity             codegen/support codegen/model)
 set(codegen/bound                ${codegen/margin} codegen/margin codegen/quantity)
-set(codegen/api                  ${codegen/margin} codegen/margin codegen/robot runtime/embedded)
+set(codegen/api                  ${codegen/bound} codegen/bound codegen/trajectory codegen/import codegen/robot runtime/certificate/verifier
+                                 runtime/embedded)
 set(codegen/command              ${codegen/bound} codegen/bound codegen/trajectory codegen/import runtime/certificate/verifier)
 set(codegen/mpi                  ${codegen/command} codegen/command runtime/certificate/verifier runtime/cluster)
 set(codegen/shell                ${codegen/command} codegen/command)
