@@ -1,0 +1,83 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Exact texts of numbers.
+
+Regulus computes with the number that a text denotes: "0.1" is 1/10. A float of Python is the double
+that it is, and 0.1 is not 1/10; the report of a question says so.
+"""
+
+from __future__ import annotations
+
+import math
+import numbers
+from decimal import Decimal
+from fractions import Fraction
+from typing import TYPE_CHECKING, Any, Union
+
+if TYPE_CHECKING:
+    import sympy
+
+    Number = Union[str, int, float, Fraction, Decimal, sympy.Expr]
+else:
+    Number = Any
+
+
+def _text_of_fraction(value: Fraction) -> str:
+    if value.denominator == 1:
+        return str(value.numerator)
+    return f"{value.numerator}/{value.denominator}"
+
+
+def _is_of_sympy(value: object) -> bool:
+    return type(value).__module__.partition(".")[0] == "sympy"
+
+
+class Texts:
+    """Turns numbers into texts, and keeps notes on the floats among them."""
+
+    def __init__(self) -> None:
+        self.notes: list[str] = []
+
+    def of(self, value: Number) -> str:
+        """Returns the text of a number of a model: an integer, "1/3", "15*deg", a Fraction, a
+        Decimal, a constant of SymPy, a float.
+
+        Raises:
+            TypeError: for what is no number. A bool is none.
+            ValueError: for infinities and NaN.
+        """
+        if isinstance(value, str):
+            return value
+        if isinstance(value, bool):
+            raise TypeError(f"{value} is a bool; give a number, or a text such as '0.1'")
+        if _is_of_sympy(value):
+            from .sympy_models import constant_text
+
+            return constant_text(value, self)
+        if isinstance(value, Decimal):
+            return self._of_decimal(value)
+        if isinstance(value, numbers.Rational):
+            return _text_of_fraction(Fraction(value))
+        if isinstance(value, numbers.Real):
+            return self._of_float(float(value))
+        raise TypeError(
+            f"{value!r} is a {type(value).__name__}; give a number, or a text such as '0.1'"
+        )
+
+    def _of_decimal(self, value: Decimal) -> str:
+        if not value.is_finite():
+            raise ValueError(f"{value} is not a finite number")
+        return str(value).lower()
+
+    def _of_float(self, value: float) -> str:
+        if not math.isfinite(value):
+            raise ValueError(f"{value} is not a finite number")
+        decimal = repr(value)
+        if Fraction(decimal) == Fraction(value):
+            return _text_of_fraction(Fraction(value))
+        note = (
+            f"the float {decimal} is the double next to it, {float.hex(value)}; "
+            f'write "{decimal}" for the decimal'
+        )
+        if note not in self.notes:
+            self.notes.append(note)
+        return _text_of_fraction(Fraction(value))

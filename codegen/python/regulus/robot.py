@@ -1,0 +1,569 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Robots, and the questions about them."""
+
+from __future__ import annotations
+
+import json
+import os
+from typing import Any, Mapping, Optional, Sequence, Tuple, Union
+
+from . import _regulus
+from .errors import FileError, UsageError
+from .numbers import Number, Texts
+from .paving import Paving
+from .results import Bound, Check, Margin, Path, PreparedCheck, Verification
+
+Range = Union[Number, Tuple[Number, Number], Sequence[Number]]
+"""(lower, upper), or one value."""
+
+_INFINITE = 0.0
+
+
+class Question:
+    """A robot, a motion and the changes of a call: what is asked."""
+
+    def __init__(
+        self,
+        robot: Robot,
+        motion: str,
+        range: Optional[Mapping[str, Range]] = None,
+        tolerance: Optional[Mapping[str, Number]] = None,
+        alpha: Optional[Number] = None,
+        tube: Union[None, Number, Mapping[str, Number]] = None,
+        waypoints: Optional[Path] = None,
+    ) -> None:
+        self.options = _regulus.SearchOptions()
+        self.options.engine = "auto"
+        self.texts = Texts()
+        self.question = _regulus.Question(robot.text, robot.path or robot.name, motion)
+        for name, ends in (range or {}).items():
+            self.question.range(name, *self._ends(name, ends))
+        for groups, value in (tolerance or {}).items():
+            self.question.tolerance(groups, self.texts.of(value))
+        if alpha is not None:
+            self.question.alpha(self.texts.of(alpha))
+        if waypoints is not None:
+            self.question.waypoints(os.fspath(waypoints))
+        self._set_tube(tube)
+
+    def _ends(self, name: str, ends: Range) -> tuple[str, str]:
+        if isinstance(ends, (tuple, list)):
+            if len(ends) != 2:
+                raise UsageError(f"range: {name!r} has {len(ends)} numbers; give (lower, upper)")
+            return self.texts.of(ends[0]), self.texts.of(ends[1])
+        value = self.texts.of(ends)  # type: ignore[arg-type]
+        return value, value
+
+    def _set_tube(self, tube: Union[None, Number, Mapping[str, Number]]) -> None:
+        if tube is None:
+            return
+        if not isinstance(tube, Mapping):
+            tube = {"": tube}
+        for names, error in tube.items():
+            self.question.tube(names, self.texts.of(error))
+
+    def set_options(self, options: Mapping[str, Any]) -> None:
+        """Sets options of the search, by their names on the command line with _ for -."""
+        for name, value in options.items():
+            if value is None:
+                continue
+            if not hasattr(self.options, name):
+                known = ", ".join(n for n in dir(self.options) if not n.startswith("_"))
+                raise TypeError(f"unknown option {name!r}; the options are: {known}")
+            setattr(self.options, name, value)
+
+    def prove(self, path: str) -> str:
+        """Searches, and writes the proof of the verdict to a file."""
+        finding = _regulus.check(self.question, self.options, path)
+        if not finding.certificate:
+            raise UsageError(f"certificate: {finding.no_certificate}")
+        return finding.certificate
+
+    def __getstate__(self) -> dict[str, Any]:
+        raise TypeError("a question cannot be pickled; pickle the robot and the arguments")
+
+
+def _with_partial(stop: KeyboardInterrupt, make: Any) -> None:
+    """Gives an interrupt the result that was found until then, or None, as `result`."""
+    partial = getattr(stop, "partial", None)
+    stop.result = make(partial) if partial is not None else None  # type: ignore[attr-defined]
+
+
+class Robot:
+    """A robot: the text of a model file.
+
+    Robots are plain data: they can be copied, pickled, compared, and used by any thread. Searches
+    of one process wait for each other; each search uses several threads itself.
+
+    Attributes:
+        text: the model file.
+        path: where it was read; way-points are looked for beside it. "" if it was made in Python.
+        name: the name of the robot.
+        notes: remarks of the function that made the model.
+    """
+
+    def __init__(self, text: str, path: Path = "", notes: Sequence[str] = ()) -> None:
+        """Reads a model.
+
+        Raises:
+            InputError: with file and line, if the text is not a model.
+        """
+        self.text = text
+        self.path = os.fspath(path)
+        self.name = "robot"
+        self.notes = list(notes)
+        question = _regulus.Question(text, self.path or self.name)
+        self._contents: dict[str, Any] = json.loads(_regulus.describe_model(question))
+        self.name = self._contents["model"]
+
+    @property
+    def motions(self) -> dict[str, dict[str, tuple[str, str]]]:
+        """The motions: by the name of each parameter its range, as texts of the model."""
+        return {
+            motion["name"]: {p["name"]: (p["lower"], p["upper"]) for p in motion["parameters"]}
+            for motion in self._contents["motions"]
+        }
+
+    @property
+    def groups(self) -> dict[str, list[str]]:
+        """The groups of uncertain quantities, with the names of their members."""
+        return {group["name"]: group["members"] for group in self._contents["groups"]}
+
+    @property
+    def loads(self) -> list[str]:
+        """The names of the sets of wrenches."""
+        return list(self._contents["loads"])
+
+    @property
+    def twists(self) -> list[str]:
+        """The names of the sets of twists."""
+        return list(self._contents["twists"])
+
+    def check(
+        self,
+        motion: str = "",
+        *,
+        range: Optional[Mapping[str, Range]] = None,
+        tolerance: Optional[Mapping[str, Number]] = None,
+        alpha: Optional[Number] = None,
+        tube: Union[None, Number, Mapping[str, Number]] = None,
+        waypoints: Optional[Path] = None,
+        certificate: Optional[Path] = None,
+        **options: Any,
+    ) -> Check:
+        """Proves that a motion has no singular pose, or shows one.
+
+        Args:
+            motion: its name; "" if the robot has only one.
+            range: ranges of motion parameters, in their units, in the place of the motion's own.
+            tolerance: tolerances of groups, in the units of the model: {"base,platform": "0.1"}.
+            alpha: the threshold that |det J⁻¹| must exceed; None: that of the motion.
+            tube: control errors, of all pose parameters or of those named: {"x,y": "0.01"}.
+            waypoints: a file of way-points to follow instead of the motion's own poses.
+            certificate: a file for the proof.
+            options: those of the command: threads, time_limit (seconds), max_boxes, method, engine,
+                determinant, bisect, uncertainty, entries, isa, precision, use_cache, filters,
+                without, symbolic_budget.
+
+        Raises:
+            InputError: for the model; UsageError: for the arguments; FileError.
+            KeyboardInterrupt: after Ctrl-C; its attribute `result` is the Check until then, or None.
+        """
+        question = Question(self, motion, range, tolerance, alpha, tube, waypoints)
+        question.set_options(options)
+
+        def result(finding: Any) -> Check:
+            return Check(question, finding, question.texts.notes)
+
+        path = "" if certificate is None else os.fspath(certificate)
+        try:
+            return result(_regulus.check(question.question, question.options, path))
+        except KeyboardInterrupt as stop:
+            _with_partial(stop, result)
+            raise
+
+    def locate(
+        self,
+        motion: str = "",
+        *,
+        resolution: Number = "",
+        range: Optional[Mapping[str, Range]] = None,
+        tolerance: Optional[Mapping[str, Number]] = None,
+        alpha: Optional[Number] = None,
+        **options: Any,
+    ) -> Paving:
+        """Paves a motion with boxes that are proved free, proved singular, or undecided.
+
+        Args:
+            resolution: boxes are split until each side is at most this part of its range, in
+                (0, 1]; by default between 1/512 for one range and 1/4 for six.
+
+        The others and the errors are as for check(); the `result` of an interrupt is a Paving.
+        """
+        question = Question(self, motion, range, tolerance, alpha)
+        question.set_options(options)
+
+        def result(finding: Any) -> Paving:
+            return Paving(finding, question.texts.notes)
+
+        text = question.texts.of(resolution)
+        try:
+            return result(_regulus.locate(question.question, question.options, text))
+        except KeyboardInterrupt as stop:
+            _with_partial(stop, result)
+            raise
+
+    def margin(
+        self,
+        motion: str = "",
+        *,
+        tolerance: Union[None, str, Mapping[str, Any]] = None,
+        alpha: Any = None,
+        scale: Any = None,
+        gap: Number = "0.01",
+        range: Optional[Mapping[str, Range]] = None,
+        **options: Any,
+    ) -> Margin:
+        """Brackets the largest safe tolerance, threshold or size of a motion.
+
+        Exactly one of the first three is asked:
+
+        Args:
+            tolerance: groups: "base,platform", or {"base,platform": (lower, upper)}. Other entries
+                of the dict with one number are tolerances that stay.
+            alpha: (lower, upper) of the threshold.
+            scale: (lower, upper) of the factor of the motion's ranges about their middles.
+            gap: the bracket (a, b) is closed when (b - a)/b is at most this.
+
+        An upper end of None is looked for. The default of `time_limit` is 60 seconds. The others
+        and the errors are as for check(); the `result` of an interrupt is a Margin.
+        """
+        if isinstance(tolerance, str):
+            tolerance = {tolerance: (0, None)}
+        asked = {k: v for k, v in (tolerance or {}).items() if isinstance(v, (tuple, list))}
+        fixed = {k: v for k, v in (tolerance or {}).items() if k not in asked}
+        question = Question(self, motion, range, fixed)
+        question.set_options({"time_limit": 60, **options})
+        of = question.texts.of
+
+        def bracket(ends: Any) -> str:
+            if ends is None:
+                return ""
+            if not isinstance(ends, (tuple, list)) or len(ends) != 2:
+                raise UsageError(f"margin: found {ends!r}; give (lower, upper)")
+            return f"{of(ends[0])}:{'' if ends[1] is None else of(ends[1])}"
+
+        def result(finding: Any) -> Margin:
+            return Margin(finding, question.texts.notes)
+
+        if len(asked) > 1:
+            raise UsageError("margin: several tolerances are asked; join their groups: 'a,b'")
+        tolerances = "".join(f"{groups}={bracket(ends)}" for groups, ends in asked.items())
+        try:
+            return result(
+                _regulus.margin(
+                    question.question,
+                    question.options,
+                    tolerances,
+                    bracket(alpha),
+                    bracket(scale),
+                    of(gap),
+                )
+            )
+        except KeyboardInterrupt as stop:
+            _with_partial(stop, result)
+            raise
+
+    def bound(
+        self,
+        motion: str = "",
+        quantity: str = "",
+        *,
+        load: str = "",
+        twist: str = "",
+        leg: Union[str, int] = "",
+        freedom: str = "",
+        least: bool = False,
+        signed: bool = False,
+        limit: Optional[Number] = None,
+        gap: Number = "0.01",
+        range: Optional[Mapping[str, Range]] = None,
+        tolerance: Optional[Mapping[str, Number]] = None,
+        **options: Any,
+    ) -> Bound:
+        """Brackets the largest value of a quantity over a motion, or compares it with a limit.
+
+        Args:
+            quantity: "force", "error", "speed", "sigma-min", "sigma-max", "condition", "deflection",
+                "determinant", or an expression of the model.
+            load: the set of wrenches, of those in `loads`.
+            twist: the set of twists, of those in `twists`.
+            leg: the number of a leg, from 1; "" for all.
+            freedom: of an error or a deflection: the name of a column, "position" or "rotation".
+            least: the least value, with its sign.
+            signed: the largest value with its sign, not the largest absolute value.
+            limit: compare with this value.
+            gap: the bracket is closed when it is at most this part of its larger end.
+
+        The default of `time_limit` is 60 seconds. The others and the errors are as for check(); the
+        `result` of an interrupt is a Bound.
+        """
+        question = Question(self, motion, range, tolerance)
+        question.set_options({"time_limit": 60, **options})
+        of = question.texts.of
+
+        def result(finding: Any) -> Bound:
+            return Bound(finding, question.texts.notes)
+
+        try:
+            return result(
+                _regulus.bound(
+                    question.question,
+                    question.options,
+                    quantity,
+                    load,
+                    twist,
+                    str(leg),
+                    freedom,
+                    least,
+                    signed,
+                    "" if limit is None else of(limit),
+                    of(gap),
+                )
+            )
+        except KeyboardInterrupt as stop:
+            _with_partial(stop, result)
+            raise
+
+    def prepare(
+        self,
+        motion: str = "",
+        *,
+        range: Optional[Mapping[str, Range]] = None,
+        tolerance: Optional[Mapping[str, Number]] = None,
+        alpha: Optional[Number] = None,
+        **options: Any,
+    ) -> Prepared:
+        """Forms and compiles the functions of a motion once, for many checks.
+
+        Arguments and errors as for check(), without way-points.
+        """
+        return Prepared(self, motion, range, tolerance, alpha, options)
+
+    def write(self, path: Path) -> None:
+        """Writes the model file. Raises FileError."""
+        try:
+            with open(path, "w", encoding="utf-8") as file:
+                file.write(self.text)
+        except OSError as error:
+            raise FileError(f"cannot write {os.fspath(path)!r}: {error.strerror}") from error
+
+    def __eq__(self, other: object) -> bool:
+        return isinstance(other, Robot) and (self.text, self.path) == (other.text, other.path)
+
+    def __hash__(self) -> int:
+        return hash((self.text, self.path))
+
+    def __repr__(self) -> str:
+        return f"<Robot {self.name!r}: {', '.join(self.motions) or 'no motion'}>"
+
+    def _repr_html_(self) -> str:
+        from .results import _table
+
+        rows = [(name, ", ".join(parameters)) for name, parameters in self.motions.items()]
+        return _table(self.name, "", rows)
+
+
+class Prepared:
+    """A motion whose functions are formed and compiled.
+
+    It can be copied and pickled; the copy is prepared again, which the cache makes short.
+    """
+
+    def __init__(
+        self,
+        robot: Robot,
+        motion: str,
+        range: Optional[Mapping[str, Range]],
+        tolerance: Optional[Mapping[str, Number]],
+        alpha: Optional[Number],
+        options: Mapping[str, Any],
+    ) -> None:
+        self.robot = robot
+        self.motion = motion
+        self._changes = {"range": range, "tolerance": tolerance, "alpha": alpha}
+        self._options = dict(options)
+        self._limits = {
+            name: self._options.get(name) or 0 for name in ("max_boxes", "time_limit", "threads")
+        }
+        question = self._question(range, tolerance, alpha)
+        question.set_options(self._options)
+        self._prepared = _regulus.prepare(question.question, question.options)
+
+    def _question(
+        self,
+        range: Optional[Mapping[str, Range]],
+        tolerance: Optional[Mapping[str, Number]],
+        alpha: Optional[Number],
+    ) -> Question:
+        return Question(self.robot, self.motion, range, tolerance, alpha)
+
+    def check(
+        self,
+        *,
+        range: Optional[Mapping[str, Range]] = None,
+        tolerance: Optional[Mapping[str, Number]] = None,
+        alpha: Optional[Number] = None,
+        max_boxes: Optional[int] = None,
+        time_limit: Optional[float] = None,
+        threads: Optional[int] = None,
+    ) -> PreparedCheck:
+        """Checks the motion with these ranges, tolerances and threshold, or with those of prepare().
+
+        A tolerance or a range that the motion did not have makes other functions necessary; they
+        are prepared first, and kept as well. The verdict is about the question that is asked. The
+        number of boxes may differ from that of Robot.check(), which forms its functions for its own
+        ranges. Errors as for Robot.check().
+        """
+        old = self._changes
+        question = self._question(
+            {**(old["range"] or {}), **(range or {})},  # type: ignore[dict-item]
+            {**(old["tolerance"] or {}), **(tolerance or {})},  # type: ignore[dict-item]
+            old["alpha"] if alpha is None else alpha,  # type: ignore[arg-type]
+        )
+        limits = dict(self._limits)
+        given = {"max_boxes": max_boxes, "time_limit": time_limit, "threads": threads}
+        limits.update({name: value for name, value in given.items() if value is not None})
+
+        def result(finding: Any) -> PreparedCheck:
+            return PreparedCheck(question, finding, question.texts.notes, self._prepared)
+
+        try:
+            return result(self._prepared.check(question.question, **limits))
+        except KeyboardInterrupt as stop:
+            _with_partial(stop, result)
+            raise
+
+    def __getstate__(self) -> tuple[Any, ...]:
+        changes = self._changes
+        return (
+            self.robot,
+            self.motion,
+            changes["range"],
+            changes["tolerance"],
+            changes["alpha"],
+            self._options,
+        )
+
+    def __setstate__(self, state: tuple[Any, ...]) -> None:
+        self.__init__(*state)  # type: ignore[misc]
+
+    def __copy__(self) -> Prepared:
+        return Prepared(*self.__getstate__())
+
+    def __deepcopy__(self, memo: dict[int, Any]) -> Prepared:
+        return self.__copy__()
+
+    def __repr__(self) -> str:
+        return f"<Prepared {self.robot.name!r}, {self.motion or 'its motion'}>"
+
+
+def _model_folders() -> list[str]:
+    package = os.path.dirname(os.path.abspath(__file__))
+    named = os.environ.get("REGULUS_MODELS")
+    if named:
+        return [named]
+    # As built, in a wheel, and as installed in a system.
+    found = os.path.dirname(os.path.abspath(_regulus.__file__))
+    return [
+        os.path.join(found, "../../share/regulus/models"),
+        os.path.join(package, "models"),
+        os.path.join(package, "../../../../share/regulus/models"),
+    ]
+
+
+def _find_model(name: str) -> str:
+    if os.path.exists(name) or not name.isidentifier():
+        return name
+    for folder in _model_folders():
+        path = os.path.join(folder, name + ".toml")
+        if os.path.exists(path):
+            return os.path.normpath(path)
+    return name
+
+
+def load(path: Path) -> Robot:
+    """Reads a model file, or the installed model of that name, such as "robot_1".
+
+    Raises:
+        FileError: if there is no such file; InputError: with file and line.
+    """
+    found = _find_model(os.fspath(path))
+    try:
+        with open(found, encoding="utf-8") as file:
+            return Robot(file.read(), found)
+    except UnicodeDecodeError as error:
+        raise FileError(f"cannot read {found!r}: it is not UTF-8") from error
+    except OSError as error:
+        if isinstance(error, FileError):
+            raise
+        raise FileError(f"cannot read {found!r}: {error.strerror}") from error
+
+
+def verify(
+    path: Path,
+    *,
+    model: Optional[Path] = None,
+    waypoints: Optional[Path] = None,
+    threads: int = 1,
+    time_limit: float = _INFINITE,
+    max_boxes: int = 0,
+) -> Verification:
+    """Proves the claim of a certificate again, by code that shares nothing with the search.
+
+    Args:
+        path: the certificate.
+        model: a model file; the certificate must be about it.
+        waypoints: the file of way-points that check() took.
+        time_limit: in seconds; 0: none.
+        max_boxes: into which leaves may be cut; 0: the default of `regulus verify`.
+
+    Raises:
+        FileError: if a file cannot be read; InputError: for the model file.
+    """
+    return Verification(
+        _regulus.verify(
+            os.fspath(path),
+            "" if model is None else os.fspath(model),
+            "" if waypoints is None else os.fspath(waypoints),
+            threads,
+            time_limit,
+            max_boxes,
+        )
+    )
+
+
+def from_urdf(
+    path: Path,
+    *,
+    base: str = "",
+    tip: str = "",
+    cuts: Sequence[str] = (),
+    snap: Number = "1e-9",
+) -> Robot:
+    """Reads a URDF, MJCF or SDF file as a robot: an arm, or a platform on six legs.
+
+    Args:
+        base: the first link of the chain; "" if only one can be meant.
+        tip: the last link.
+        cuts: "LINK=LINK": loops that the file does not have.
+        snap: numbers move by at most this much to short decimals and multiples of π/12.
+
+    `text` is a model file that can be read and kept; `notes` say what was assumed.
+
+    Raises:
+        InputError: with file and line; UsageError; FileError.
+    """
+    file = os.fspath(path)
+    model, report = _regulus.import_file(file, base, tip, list(cuts), Texts().of(snap))
+    return Robot(model, notes=report.splitlines())
