@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-from typing import Optional, final
+from typing import Optional
 
 import numpy
 import numpy.typing
@@ -7,7 +7,6 @@ import numpy.typing
 VERSION: str
 CLAIMS: tuple[str, ...]
 
-@final
 class Question:
     def __init__(self, text: str, name: str, motion: str = "") -> None: ...
     def copy(self) -> Question: ...
@@ -17,7 +16,6 @@ class Question:
     def waypoints(self, file: str) -> None: ...
     def alpha(self, threshold: str) -> None: ...
 
-@final
 class SearchOptions:
     use_cache: bool
     filters: list[str]
@@ -36,8 +34,8 @@ class SearchOptions:
     isa: str
     def __init__(self) -> None: ...
 
-@final
 class Finding:
+    def __init__(self, *args: object, **kwargs: object) -> None: ...
     @property
     def verdict(self) -> str: ...
     @property
@@ -57,8 +55,8 @@ class Finding:
     @property
     def no_certificate(self) -> str: ...
 
-@final
 class PavingFinding:
+    def __init__(self, *args: object, **kwargs: object) -> None: ...
     @property
     def verdict(self) -> str: ...
     @property
@@ -72,8 +70,8 @@ class PavingFinding:
     def claims(self) -> numpy.typing.NDArray[numpy.uint8]: ...
     def bounds(self) -> numpy.typing.NDArray[numpy.float64]: ...
 
-@final
 class MarginFinding:
+    def __init__(self, *args: object, **kwargs: object) -> None: ...
     @property
     def safe(self) -> Optional[str]: ...
     @property
@@ -87,8 +85,8 @@ class MarginFinding:
     @property
     def json(self) -> str: ...
 
-@final
 class BoundFinding:
+    def __init__(self, *args: object, **kwargs: object) -> None: ...
     @property
     def verdict(self) -> str: ...
     @property
@@ -106,8 +104,8 @@ class BoundFinding:
     @property
     def json(self) -> str: ...
 
-@final
 class Confirmation:
+    def __init__(self, *args: object, **kwargs: object) -> None: ...
     @property
     def outcome(self) -> str: ...
     @property
@@ -117,8 +115,8 @@ class Confirmation:
     @property
     def json(self) -> str: ...
 
-@final
 class PreparedQuestion:
+    def __init__(self, *args: object, **kwargs: object) -> None: ...
     def check(
         self, question: Question, max_boxes: int = 0, time_limit: float = 0.0, threads: int = 0
     ) -> Finding: ...

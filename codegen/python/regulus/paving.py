@@ -41,6 +41,11 @@ def _array_of(finding: Any) -> numpy.typing.NDArray[Any]:
     return boxes
 
 
+def _claims_of(boxes: numpy.typing.NDArray[Any]) -> numpy.typing.NDArray[Any]:
+    found: numpy.typing.NDArray[Any] = boxes[list(boxes.dtype.names or ())[0]]
+    return found
+
+
 class Paving(Result):
     """The answer of Robot.locate().
 
@@ -63,8 +68,7 @@ class Paving(Result):
     @property
     def claims(self) -> numpy.typing.NDArray[Any]:
         """The claim of each box, in the order of `boxes`."""
-        found: numpy.typing.NDArray[Any] = self.boxes[self.boxes.dtype.names[0]]
-        return found
+        return _claims_of(self.boxes)
 
     @property
     def fractions(self) -> dict[str, list[float]]:
@@ -103,7 +107,8 @@ class Paving(Result):
             # On a side that two boxes share, one of them is shown.
             last = hi == self._range(name)[1]
             kept &= (lo <= at[name]) & ((at[name] < hi) | (last & (at[name] <= hi)))
-        return self.boxes[kept]
+        found: numpy.typing.NDArray[Any] = self.boxes[kept]
+        return found
 
     def _middle(self, axes: list[str], at: Optional[dict[str, float]]) -> dict[str, float]:
         given = dict(at or {})
@@ -151,7 +156,7 @@ class Paving(Result):
         from matplotlib import patches
         from matplotlib.collections import PatchCollection
 
-        claims = shown[shown.dtype.names[0]]
+        claims = _claims_of(shown)
         handles = []
         for claim in CLAIMS:
             boxes = shown[claims == claim]

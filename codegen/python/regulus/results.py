@@ -154,7 +154,7 @@ class PreparedCheck(Check):
 
     def __init__(self, question: Question, finding: Any, notes: list[str], prepared: Any) -> None:
         super().__init__(question, finding, notes)
-        self._asked = (prepared, question.question, finding)
+        self._asked: tuple[Any, Any, Any] = (prepared, question.question, finding)
 
     def _describe(self) -> None:
         if self._text:

@@ -32,10 +32,14 @@ class Question:
         tube: Union[None, Number, Mapping[str, Number]] = None,
         waypoints: Optional[Path] = None,
     ) -> None:
+        self._arguments = (robot, motion, range, tolerance, alpha, tube, waypoints)
+        self._options: dict[str, Any] = {}
         self.options = _regulus.SearchOptions()
         self.options.engine = "auto"
         self.texts = Texts()
-        self.question = _regulus.Question(robot.text, robot.path or robot.name, motion)
+        self.question: _regulus.Question = _regulus.Question(
+            robot.text, robot.path or robot.name, motion
+        )
         for name, ends in (range or {}).items():
             self.question.range(name, *self._ends(name, ends))
         for groups, value in (tolerance or {}).items():
@@ -51,7 +55,7 @@ class Question:
             if len(ends) != 2:
                 raise UsageError(f"range: {name!r} has {len(ends)} numbers; give (lower, upper)")
             return self.texts.of(ends[0]), self.texts.of(ends[1])
-        value = self.texts.of(ends)  # type: ignore[arg-type]
+        value = self.texts.of(ends)
         return value, value
 
     def _set_tube(self, tube: Union[None, Number, Mapping[str, Number]]) -> None:
@@ -71,6 +75,7 @@ class Question:
                 known = ", ".join(n for n in dir(self.options) if not n.startswith("_"))
                 raise TypeError(f"unknown option {name!r}; the options are: {known}")
             setattr(self.options, name, value)
+            self._options[name] = value
 
     def prove(self, path: str) -> str:
         """Searches, and writes the proof of the verdict to a file."""
@@ -79,8 +84,12 @@ class Question:
             raise UsageError(f"certificate: {finding.no_certificate}")
         return finding.certificate
 
-    def __getstate__(self) -> dict[str, Any]:
-        raise TypeError("a question cannot be pickled; pickle the robot and the arguments")
+    def __getstate__(self) -> tuple[Any, ...]:
+        return (self._arguments, self._options)
+
+    def __setstate__(self, state: tuple[Any, ...]) -> None:
+        self.__init__(*state[0])  # type: ignore[misc]
+        self.set_options(state[1])
 
 
 def _with_partial(stop: KeyboardInterrupt, make: Any) -> None:
@@ -391,22 +400,16 @@ class Prepared:
     ) -> None:
         self.robot = robot
         self.motion = motion
-        self._changes = {"range": range, "tolerance": tolerance, "alpha": alpha}
+        self._range = range
+        self._tolerance = tolerance
+        self._alpha = alpha
         self._options = dict(options)
         self._limits = {
             name: self._options.get(name) or 0 for name in ("max_boxes", "time_limit", "threads")
         }
-        question = self._question(range, tolerance, alpha)
+        question = Question(robot, motion, range, tolerance, alpha)
         question.set_options(self._options)
         self._prepared = _regulus.prepare(question.question, question.options)
-
-    def _question(
-        self,
-        range: Optional[Mapping[str, Range]],
-        tolerance: Optional[Mapping[str, Number]],
-        alpha: Optional[Number],
-    ) -> Question:
-        return Question(self.robot, self.motion, range, tolerance, alpha)
 
     def check(
         self,
@@ -425,11 +428,12 @@ class Prepared:
         number of boxes may differ from that of Robot.check(), which forms its functions for its own
         ranges. Errors as for Robot.check().
         """
-        old = self._changes
-        question = self._question(
-            {**(old["range"] or {}), **(range or {})},  # type: ignore[dict-item]
-            {**(old["tolerance"] or {}), **(tolerance or {})},  # type: ignore[dict-item]
-            old["alpha"] if alpha is None else alpha,  # type: ignore[arg-type]
+        question = Question(
+            self.robot,
+            self.motion,
+            {**(self._range or {}), **(range or {})},
+            {**(self._tolerance or {}), **(tolerance or {})},
+            self._alpha if alpha is None else alpha,
         )
         limits = dict(self._limits)
         given = {"max_boxes": max_boxes, "time_limit": time_limit, "threads": threads}
@@ -445,15 +449,8 @@ class Prepared:
             raise
 
     def __getstate__(self) -> tuple[Any, ...]:
-        changes = self._changes
-        return (
-            self.robot,
-            self.motion,
-            changes["range"],
-            changes["tolerance"],
-            changes["alpha"],
-            self._options,
-        )
+        changes = (self._range, self._tolerance, self._alpha)
+        return (self.robot, self.motion, *changes, self._options)
 
     def __setstate__(self, state: tuple[Any, ...]) -> None:
         self.__init__(*state)  # type: ignore[misc]

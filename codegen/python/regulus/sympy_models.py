@@ -4,14 +4,11 @@
 from __future__ import annotations
 
 from fractions import Fraction
-from typing import TYPE_CHECKING, Any, Iterable, Mapping, Optional, Sequence, Tuple, Union
+from typing import Any, Iterable, Mapping, Optional, Sequence, Tuple, Union
 
 from .numbers import Number, Texts
 from .robot import Range, Robot
 from .toml import Writer, motion_tables
-
-if TYPE_CHECKING:
-    import sympy
 
 _FUNCTIONS = ("sin", "cos", "tan", "asin", "acos", "atan", "atan2", "exp", "log", "Abs")
 
@@ -26,7 +23,9 @@ class _Printer:
         self._symbols = None if symbols is None else set(symbols)
 
     def text(self, e: Any) -> str:
-        return self._written(e)[0]
+        import sympy
+
+        return self._written(sympy.sympify(e))[0]
 
     def _within(self, e: Any, least: int) -> str:
         text, precedence = self._written(e)
@@ -126,7 +125,7 @@ def _pose_units(pose: Pose) -> dict[str, str]:
 
 
 def from_sympy(
-    matrix: sympy.Matrix,
+    matrix: Any,
     pose: Pose,
     *,
     motions: Mapping[str, Mapping[Any, Range]],
@@ -172,8 +171,6 @@ def from_sympy(
     rows = [[printer.text(entry) for entry in matrix.row(i)] for i in range(matrix.rows)]
     writer.rows("rows", rows)
     if row_scale is not None:
-        import sympy
-
-        writer.texts("row_scale", [printer.text(sympy.sympify(s)) for s in row_scale])
+        writer.texts("row_scale", [printer.text(s) for s in row_scale])
     motion_tables(writer, motions)
     return Robot(writer.model(), notes=texts.notes)

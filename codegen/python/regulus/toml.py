@@ -5,7 +5,7 @@ from __future__ import annotations
 
 import json
 import re
-from typing import Any, Mapping, Sequence, Union
+from typing import Any, Mapping, Sequence, Tuple, Union
 
 from .numbers import Number, Texts
 
@@ -52,10 +52,11 @@ class Writer:
         lines = ",\n  ".join("[" + ", ".join(map(quoted, row)) + "]" for row in rows)
         self.line(name, f"[\n  {lines},\n]")
 
-    def quantity(self, name: str, value: Union[Number, Sequence[Number]]) -> None:
+    def quantity(self, name: str, value: Union[Number, Tuple[Number, Number]]) -> None:
         """Writes a constant, or (value, tolerance) in a group of its own."""
         if not isinstance(value, (tuple, list)):
-            return self.line(name, self.number(value))
+            self.line(name, self.number(value))
+            return
         if len(value) != 2:
             raise ValueError(f"geometry: {name!r} has {len(value)} numbers; give (value, tolerance)")
         self.line(
@@ -63,7 +64,6 @@ class Writer:
             f"{{ value = {self.number(value[0])}, tolerance = {self.number(value[1])}, "
             f"group = {quoted(name)} }}",
         )
-        return None
 
     def model(self) -> str:
         """Returns the text, with the notes on floats as comments."""
