@@ -5,6 +5,7 @@
 #                               package, pkg-config file; with search, its threaded part
 #   --component codegen      the commands, with models and documentation
 #   --component mpi          regulus-mpi and its page of the manual
+#   --component python       the module for Python
 #   --component jit          plugins that the commands open for a compilation
 #   --component development  libraries and headers of the front end and of the in-process compiler
 include(GNUInstallDirs)
@@ -98,6 +99,9 @@ if(REGULUS_CODEGEN)
     install(FILES ${PROJECT_BINARY_DIR}/codegen/mpi/regulus-mpi.1
             DESTINATION ${CMAKE_INSTALL_MANDIR}/man1 COMPONENT mpi)
     regulus_install_licences(${CMAKE_INSTALL_DATADIR}/doc/regulus-mpi mpi)
+  endif()
+  if(REGULUS_PYTHON)
+    include(${CMAKE_CURRENT_LIST_DIR}/InstallPython.cmake)
   endif()
   install(TARGETS regulus_pack_plugin regulus_clang_plugin
           LIBRARY DESTINATION ${plugin_dir} COMPONENT jit)

@@ -4,7 +4,7 @@
 #include <nlohmann/json.hpp>
 
 #include "codegen/api/algebra_lock.hpp"
-#include "codegen/model/installed_models.hpp"
+#include "codegen/certificate/verification_report.hpp"
 #include "codegen/model/model_file.hpp"
 #include "codegen/model/read_file.hpp"
 #include "codegen/model/request.hpp"
@@ -33,7 +33,5 @@ std::string describe_model(const Question& question) {
   model.path = options.path;
   return json_model(model).dump();
 }
-
-std::string find_model_file(const std::string& typed) { return find_model(typed); }
 
 }  // namespace regulus::api

@@ -29,8 +29,4 @@ struct Confirmation {
 /// twists. The motion of the question and its changes do not matter. Threads and errors as check().
 [[nodiscard]] std::string describe_model(const Question& question);
 
-/// Returns the file that a name means: the file of that path, or the installed model of that name.
-/// Throws FileError.
-[[nodiscard]] std::string find_model_file(const std::string& typed);
-
 }  // namespace regulus::api

@@ -2,7 +2,6 @@
 #include "codegen/certificate/verify_file.hpp"
 
 #include <memory>
-#include <nlohmann/json.hpp>
 #include <set>
 
 #include "codegen/certificate/certified_model.hpp"
@@ -48,12 +47,6 @@ std::unique_ptr<verifier::InputFile> opened(const std::string& path) try {
   throw FileError(error.what());
 }
 
-const char* json_name(verifier::Outcome outcome) {
-  return outcome == verifier::Outcome::kVerified   ? "verified"
-         : outcome == verifier::Outcome::kRejected ? "rejected"
-                                                   : "unfinished";
-}
-
 }  // namespace
 
 Verified verify_file(const VerificationRequest& request) {
@@ -75,28 +68,6 @@ Verified verify_file(const VerificationRequest& request) {
   // The way-points take the place of the motion's own poses; they were compared above.
   if (!request.waypoints.empty()) options.all_overridden = true;
   return {verify_stream(certificate, request.path, options), confirmation.differences};
-}
-
-nlohmann::ordered_json json_verification(const VerificationRequest& request,
-                                         const Verified& verified) {
-  const verifier::Verification& v = verified.verification;
-  nlohmann::ordered_json report = {{"outcome", json_name(v.outcome)},
-                                   {"reason", v.reason},
-                                   {"claim", v.claim},
-                                   {"model", v.model},
-                                   {"model_sha256", v.sha256},
-                                   {"motion", v.motion},
-                                   {"shards", v.shards},
-                                   {"leaves", v.leaves},
-                                   {"boxes", v.boxes},
-                                   {"note", v.note}};
-  report["certificate"] = request.path;
-  report["model_file"] = nullptr;
-  if (!request.model.empty()) report["model_file"] = request.model;
-  report["differences"] = verified.differences;
-  report["numbers_compared"] = v.numbers;
-  report["uncompared"] = v.uncompared;
-  return report;
 }
 
 }  // namespace regulus::certificate

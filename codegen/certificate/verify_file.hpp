@@ -2,7 +2,6 @@
 // Verifies a certificate file, and that it is about a model.
 #pragma once
 
-#include <nlohmann/json_fwd.hpp>
 #include <string>
 #include <vector>
 
@@ -24,9 +23,5 @@ struct Verified {
 
 /// Throws    FileError if a file cannot be read, InputError for the model file.
 [[nodiscard]] Verified verify_file(const VerificationRequest& request);
-
-/// Returns the report of `regulus verify --json`. Its texts may have any bytes.
-[[nodiscard]] nlohmann::ordered_json json_verification(const VerificationRequest& request,
-                                                       const Verified& verified);
 
 }  // namespace regulus::certificate

@@ -4,7 +4,7 @@
 #include <iostream>
 #include <nlohmann/json.hpp>
 
-#include "codegen/certificate/verify_file.hpp"
+#include "codegen/certificate/verification_report.hpp"
 #include "codegen/command/commands.hpp"
 
 namespace regulus::inline command {

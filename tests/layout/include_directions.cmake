@@ -42,6 +42,7 @@ set(codegen/quantity             codegen/support codegen/model)
 set(codegen/bound                ${codegen/margin} codegen/margin codegen/quantity)
 set(codegen/api                  ${codegen/bound} codegen/bound codegen/trajectory codegen/import codegen/robot runtime/certificate/verifier
                                  runtime/embedded)
+set(codegen/python               codegen/support codegen/engine codegen/jit codegen/api)
 set(codegen/command              ${codegen/bound} codegen/bound codegen/trajectory codegen/import runtime/certificate/verifier)
 set(codegen/mpi                  ${codegen/command} codegen/command runtime/certificate/verifier runtime/cluster)
 set(codegen/shell                ${codegen/command} codegen/command)

@@ -127,7 +127,10 @@ class Robot:
 
     @property
     def motions(self) -> dict[str, dict[str, tuple[str, str]]]:
-        """The motions: by the name of each parameter its range, as texts of the model."""
+        """The motions: by the name of each parameter its range, in its unit.
+
+        The ends are texts for people: rational numbers are exact, others have six digits.
+        """
         return {
             motion["name"]: {p["name"]: (p["lower"], p["upper"]) for p in motion["parameters"]}
             for motion in self._contents["motions"]

@@ -1,0 +1,116 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""The module answers as the command does: verdicts, boxes, certificates."""
+
+import pathlib
+
+import numpy
+import pytest
+
+import regulus as rg
+
+CASES = [
+    ("robot_1", "wide_15", {}, []),
+    ("robot_1", "wide_15", {"tolerance": {"base": "0.05"}}, ["--tolerance", "base=0.05"]),
+    ("robot_1", "wide_15", {"range": {"x": (-10, 10)}}, ["--range", "x=-10:10"]),
+    ("robot_2", "table5_40", {}, []),
+    ("planar_3rpr", "crossing", {}, []),
+    ("planar_3rpr", "regular", {"alpha": "100"}, ["--alpha", "100"]),
+    ("orthoglide", "", {}, []),
+    ("cable_8", "", {"method": "kj-numeric"}, ["--method", "kj-numeric"]),
+]
+SAME = ("verdict", "claim", "reason", "boxes", "witness", "blocking_box", "leaves", "motion")
+
+
+@pytest.mark.parametrize("name, motion, arguments, options", CASES)
+def test_check_is_that_of_the_command(name, motion, arguments, options, command):
+    robot = rg.load(name)
+    motion = motion or next(iter(robot.motions))
+    expected = command("check", robot.path, motion, *options)
+    found = robot.check(motion, **arguments)
+    assert found.verdict == expected["verdict"]
+    assert found.boxes == expected["boxes"]
+    assert {key: found.json[key] for key in SAME} == {key: expected[key] for key in SAME}
+
+
+@pytest.mark.parametrize("motion", ["regular", "crossing"])
+def test_certificates_are_equal_to_the_byte(motion, planar, command, tmp_path):
+    command("check", planar.path, motion, "--certificate", str(tmp_path / "command"))
+    during, after = tmp_path / "during", tmp_path / "after"
+    found = planar.check(motion, certificate=during)
+    assert found.certificate.path == str(during)
+    planar.check(motion).certificate.write(after)
+    bytes_of_command = (tmp_path / "command").read_bytes()
+    assert during.read_bytes() == bytes_of_command == after.read_bytes()
+    assert rg.verify(after)
+    assert rg.verify(after, model=planar.path).json["differences"] == []
+
+
+def test_a_damaged_certificate_is_rejected(planar, tmp_path):
+    path = pathlib.Path(planar.check("regular").certificate.write(tmp_path / "proof"))
+    path.write_bytes(path.read_bytes().replace(b"verdict no", b"verdict si", 1)[:-20])
+    found = rg.verify(path)
+    assert not found and found.outcome == "rejected" and found.reason
+
+
+def test_no_certificate_of_nothing(robot_1, tmp_path):
+    found = robot_1.check("wide_15", max_boxes=1, method="reg")
+    assert found.verdict == "possible-problem"
+    with pytest.raises(rg.UsageError, match="nothing that could be proved"):
+        found.certificate.write(tmp_path / "proof")
+    assert not (tmp_path / "proof").exists()
+
+
+def test_a_paving_is_that_of_the_command(planar, command):
+    expected = command("locate", planar.path, "crossing", "--resolution", "1/32")
+    found = planar.locate("crossing", resolution=1 / 32)
+    same = ("verdict", "free", "singular", "undecided", "boxes")
+    assert {key: found.json[key] for key in same} == {key: expected[key] for key in same}
+    for claim in ("free", "singular", "undecided"):
+        assert (found.claims == claim).sum() == expected[claim]["boxes"]
+
+
+def test_the_boxes_of_a_paving_cover_the_motion(circle):
+    found = circle.locate("across", resolution="1/64")
+    widths = found.boxes["x"][:, 1] - found.boxes["x"][:, 0]
+    areas = widths * (found.boxes["y"][:, 1] - found.boxes["y"][:, 0])
+    assert areas.sum() == pytest.approx(36, rel=1e-12)
+    free = found.boxes[found.claims == "free"]
+    lo, hi = found.fractions["free"]
+    assert lo <= areas[found.claims == "free"].sum() / 36 * (1 + 1e-12)
+    assert areas[found.claims == "free"].sum() / 36 <= hi * (1 + 1e-12)
+    corners = numpy.hypot(free["x"], free["y"])
+    inside = (corners < 1).all(axis=1)
+    assert ((corners > 1).any(axis=1) | inside).all()
+
+
+def test_a_margin_brackets_the_critical_tolerance(circle):
+    found = circle.margin("outside", tolerance={"platform": (0, 4)})
+    critical = 8**0.5 - 1
+    assert float(found.safe) <= critical <= float(found.singular)
+    assert found.closed and found.bracket.startswith("SAFE UP TO")
+    open_end = circle.margin("outside", tolerance="platform")
+    assert float(open_end.safe) <= critical <= float(open_end.singular)
+
+
+def test_a_bound_is_attained_and_proved(circle):
+    found = circle.bound("outside", "x + y")
+    assert found.attained <= 6 <= found.proved and found.closed
+    assert found.proved - found.attained <= 0.011 * found.proved
+    assert circle.bound("outside", "x + y", limit="6.1").verdict == "within"
+    assert circle.bound("outside", "x + y", limit="5.9").verdict == "exceeded"
+
+
+def test_a_motion_along_way_points_is_checked_as_such(circle, tmp_path, command):
+    way = tmp_path / "way.csv"
+    way.write_text("x,y\n2,2\n3,3\n")
+    model = tmp_path / "circle.toml"
+    model.write_text(circle.text)
+    expected = command("check", str(model), "outside", "--waypoints", str(way))
+    found = rg.load(model).check("outside", waypoints=way)
+    assert found.verdict == expected["verdict"] == "no-singularity"
+    assert found.claim == expected["claim"] and "segment" in found.claim
+    way.write_text("x,y\n2,2\n-3,-3\n")
+    assert rg.load(model).check("outside", waypoints=way).verdict == "singularity"
+    with pytest.raises(rg.UsageError, match="way-points"):
+        model.write_text(circle.text + f'[motion.way]\nwaypoints = "{way}"\n')
+        rg.load(model).prepare("way")
