@@ -12,11 +12,32 @@
 
 namespace regulus::inline api {
 
-Confirmation verify(const VerificationRequest& request) {
+namespace {
+
+ProofOutcome outcome_of(const Verified& verified) {
+  switch (verified.verification.outcome) {
+    case verifier::Outcome::kVerified:
+      return ProofOutcome::kVerified;
+    case verifier::Outcome::kRejected:
+      return ProofOutcome::kRejected;
+    case verifier::Outcome::kUnfinished:
+      break;
+  }
+  return ProofOutcome::kUnfinished;
+}
+
+}  // namespace
+
+Confirmation verify(const std::string& path, const VerifyOptions& options) {
   const AlgebraLock lock;
+  VerificationRequest request{path, options.model, options.waypoints, {}};
+  request.options.threads = options.threads;
+  request.options.time_limit = options.time_limit;
+  if (options.max_boxes > 0) request.options.max_boxes = options.max_boxes;
   const Verified verified = verify_file(request);
+  const verifier::Verification& verification = verified.verification;
   // Labels are untrusted bytes.
-  return {verified.verification.outcome, verified.verification.claim, verified.verification.reason,
+  return {outcome_of(verified), verification.claim, verification.reason,
           json_verification(request, verified)
               .dump(2, ' ', false, nlohmann::ordered_json::error_handler_t::replace)};
 }

@@ -2,25 +2,34 @@
 // `regulus verify`, `regulus import` and `regulus list` for a program.
 #pragma once
 
+#include <cstdint>
 #include <string>
-#include <vector>
 
 #include "codegen/api/question.hpp"
-#include "codegen/certificate/verify_file.hpp"
 #include "codegen/import/import.hpp"
 
 namespace regulus::inline api {
 
+struct VerifyOptions {
+  std::string model{};      ///< the model file that the certificate must be about; empty: any
+  std::string waypoints{};  ///< the file of way-points that check() took; empty: none
+  unsigned threads = 1;
+  double time_limit = 0;        ///< seconds, 0: no bound
+  std::uint64_t max_boxes = 0;  ///< into which all leaves may be cut; 0: as the command
+};
+
+enum class ProofOutcome { kVerified, kRejected, kUnfinished };
+
 struct Confirmation {
-  verifier::Outcome outcome = verifier::Outcome::kUnfinished;
+  ProofOutcome outcome = ProofOutcome::kUnfinished;
   std::string claim;   ///< what is proved, if it is verified
   std::string reason;  ///< why it is not verified
   std::string json;    ///< the report that --json prints
 };
 
-/// Proves the claim of a certificate again, by separate code; and that it is about
-/// `request.model`, if this is not empty. Threads and errors as check().
-[[nodiscard]] Confirmation verify(const VerificationRequest& request);
+/// Proves the claim of a certificate again, by separate code; and that it is about the model of the
+/// options, if they name one. Threads and errors as check().
+[[nodiscard]] Confirmation verify(const std::string& path, const VerifyOptions& options = {});
 
 /// Reads a URDF, MJCF or SDF file as a model. Throws InputError, UsageError and FileError.
 [[nodiscard]] Imported import_file(const std::string& path, const ImportOptions& options = {});

@@ -27,13 +27,13 @@ const char* word_of_verdict(Verdict verdict) {
   return "possible-problem";
 }
 
-const char* word_of_outcome(verifier::Outcome outcome) {
+const char* word_of_outcome(ProofOutcome outcome) {
   switch (outcome) {
-    case verifier::Outcome::kVerified:
+    case ProofOutcome::kVerified:
       return "verified";
-    case verifier::Outcome::kRejected:
+    case ProofOutcome::kRejected:
       return "rejected";
-    case verifier::Outcome::kUnfinished:
+    case ProofOutcome::kUnfinished:
       break;
   }
   return "unfinished";
@@ -294,11 +294,8 @@ void bind_files(py::module_& module) {
       "verify",
       [](const std::string& path, const std::string& model, const std::string& waypoints,
          unsigned threads, double time_limit, std::uint64_t max_boxes) {
-        VerificationRequest request{path, model, waypoints, {}};
-        request.options.threads = threads;
-        request.options.time_limit = time_limit;
-        if (max_boxes > 0) request.options.max_boxes = max_boxes;
-        return run_there([=](const std::atomic<bool>&) { return verify(request); });
+        const VerifyOptions options{model, waypoints, threads, time_limit, max_boxes};
+        return run_there([=](const std::atomic<bool>&) { return verify(path, options); });
       },
       py::arg("path"), py::arg("model"), py::arg("waypoints"), py::arg("threads"),
       py::arg("time_limit"), py::arg("max_boxes"));

@@ -4,9 +4,11 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <fstream>
 #include <stdexcept>
 
 #include "codegen/api/regulus.hpp"
+#include "tests/support/temporary_directory.hpp"
 
 namespace {
 
@@ -45,6 +47,86 @@ TEST(PublicFace, CopiesOfAQuestionAreChangedApart) {
   changed.tolerance("platform", "2");
   EXPECT_EQ(regulus::check(asked, interpreted()).verdict, Verdict::kNoSingularity);
   EXPECT_EQ(regulus::check(changed, interpreted()).verdict, Verdict::kSingularity);
+}
+
+TEST(PublicFace, APreparedQuestionAnswersOthersThanItWasPreparedFor) {
+  const Question outside(circle(), "outside");
+  regulus::PreparedQuestion prepared(outside, interpreted());
+  const auto verdict = [&](const Question& asked) { return prepared.check(asked).verdict; };
+  EXPECT_EQ(verdict(outside), Verdict::kNoSingularity);
+  EXPECT_EQ(verdict(Question(outside).range("x", "0", "3").range("y", "0", "3")),
+            Verdict::kSingularity);
+  // h becomes a variable, and the row scales are needed: other functions.
+  EXPECT_EQ(verdict(Question(outside).tolerance("platform", "1.8")), Verdict::kNoSingularity);
+  EXPECT_EQ(verdict(Question(outside).tolerance("platform", "1.83")), Verdict::kSingularity);
+  EXPECT_EQ(verdict(Question(outside).alpha("6")), Verdict::kNoSingularity);
+  EXPECT_EQ(verdict(Question(outside).alpha("7")), Verdict::kSingularity);
+  EXPECT_EQ(verdict(outside), Verdict::kNoSingularity);
+  EXPECT_THROW(static_cast<void>(verdict(Question(circle(), "across"))), regulus::UsageError);
+}
+
+TEST(PublicFace, APreparedQuestionDescribesTheFindingAndNotALaterOne) {
+  const Question outside(circle(), "outside");
+  regulus::PreparedQuestion prepared(outside, interpreted());
+  const Question narrow = Question(outside).range("x", "2", "5/2");
+  regulus::Finding finding = prepared.check(narrow);
+  static_cast<void>(prepared.check(Question(outside).range("x", "2", "4")));
+  prepared.describe(narrow, finding);
+  EXPECT_THAT(finding.report, testing::HasSubstr("x in [2, 2.5] cm"));
+}
+
+/// A part of the changed range must be defined, as a range of the file must be.
+TEST(PublicFace, APreparedQuestionRefusesARangeWithoutAValue) {
+  const Question outside(circle(), "outside");
+  regulus::PreparedQuestion prepared(outside, interpreted());
+  for (const char* undefined : {"2 + 0*(1/0)", "2 + 0*sqrt(-1)", "2 + 0*log(0)"}) {
+    Verdict fresh = Verdict::kPossibleProblem, kept = Verdict::kPossibleProblem;
+    const Question asked = Question(outside).range("x", undefined, "3");
+    try {
+      fresh = regulus::check(asked, interpreted()).verdict;
+    } catch (const std::runtime_error&) {
+    }
+    try {
+      kept = prepared.check(asked).verdict;
+    } catch (const std::runtime_error&) {
+    }
+    EXPECT_EQ(fresh, kept) << undefined;
+    EXPECT_NE(kept, Verdict::kNoSingularity) << undefined;
+  }
+}
+
+TEST(PublicFace, BoundsAQuantity) {
+  regulus::BoundOptions options;
+  options.search.engine = regulus::Engine::kInterpreted;
+  options.quantity.quantity = "x + y";
+  const regulus::BoundFinding finding = regulus::bound(Question(circle(), "outside"), options);
+  ASSERT_TRUE(finding.attained && finding.proved) << finding.report;
+  EXPECT_LE(*finding.attained, 6);
+  EXPECT_GE(*finding.proved, 6);
+  options.limit = "7";
+  EXPECT_EQ(regulus::bound(Question(circle(), "outside"), options).verdict,
+            regulus::BoundVerdict::kWithin);
+}
+
+TEST(PublicFace, WritesACertificateThatItVerifies) {
+  const regulus::test::TemporaryDirectory folder;
+  const std::string path = folder.path() / "proof.txt";
+  const regulus::Finding finding =
+      regulus::check(Question(circle(), "outside"), interpreted(), nullptr, path);
+  EXPECT_EQ(finding.certificate, path);
+  EXPECT_EQ(regulus::verify(path).outcome, regulus::ProofOutcome::kVerified);
+}
+
+/// The straight line between the way-points crosses the circle; its ends do not.
+TEST(PublicFace, ChecksEverySegmentBetweenWayPoints) {
+  const regulus::test::TemporaryDirectory folder;
+  const std::string way = folder.path() / "way.csv";
+  std::ofstream(way) << "x,y\n2,2\n-2,-2\n";
+  const Question along = Question(circle(), "outside").waypoints(way);
+  const regulus::Finding finding = regulus::check(along, interpreted());
+  EXPECT_EQ(finding.verdict, Verdict::kSingularity) << finding.report;
+  EXPECT_THROW(static_cast<void>(regulus::PreparedQuestion(along, interpreted())),
+               regulus::UsageError);
 }
 
 TEST(PublicFace, AnInterruptThatCameBeforeLeavesNoVerdict) {
