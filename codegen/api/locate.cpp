@@ -4,6 +4,7 @@
 #include <nlohmann/json.hpp>
 
 #include "codegen/api/algebra_lock.hpp"
+#include "codegen/engine/paving_verdict.hpp"
 #include "codegen/engine/search_run.hpp"
 #include "codegen/engine/settings.hpp"
 #include "codegen/report/paving_options.hpp"

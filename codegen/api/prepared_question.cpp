@@ -8,7 +8,7 @@
 #include "codegen/api/algebra_lock.hpp"
 #include "codegen/engine/search_run.hpp"
 #include "codegen/engine/settings.hpp"
-#include "codegen/model/certain_sign.hpp"
+#include "codegen/model/changes.hpp"
 #include "codegen/report/report.hpp"
 #include "codegen/support/stopwatch.hpp"
 

@@ -11,6 +11,7 @@
 #include "codegen/command/commands.hpp"
 #include "codegen/command/end_command.hpp"
 #include "codegen/command/interrupt.hpp"
+#include "codegen/engine/paving_verdict.hpp"
 #include "codegen/engine/search_run.hpp"
 #include "codegen/engine/settings.hpp"
 #include "codegen/report/canvas.hpp"

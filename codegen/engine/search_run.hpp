@@ -10,7 +10,6 @@
 #include "runtime/checkpoint/checkpoint.hpp"
 #include "runtime/cluster/search_description.hpp"
 #include "runtime/problem/observer.hpp"
-#include "runtime/search/paving.hpp"
 
 namespace regulus::inline engine {
 
@@ -39,10 +38,5 @@ void decide_for_another(PreparedSearch& preparation, const SearchOptions& search
 /// box is wide. If this fails, the result is unchanged.
 void close_in_on_witness(PreparedSearch& preparation, const SearchOptions& search,
                          Settings settings, Result& result);
-
-/// Withdraws a claim of a paving about all poses if some of them are out of reach. Unless the motion
-/// says where = "reachable", these are part of the question, and the matrix is undefined there.
-void keep_poses_out_of_reach(const PreparedSearch& preparation, const Volumes& volumes,
-                             Result& result);
 
 }  // namespace regulus::engine

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "codegen/model/request.hpp"
 
+#include "codegen/model/changes.hpp"
 #include "codegen/model/model_file.hpp"
 #include "codegen/model/overrides.hpp"
 #include "codegen/model/reach.hpp"

@@ -42,9 +42,6 @@ struct Request {
 /// Overload for a file that has been read.
 [[nodiscard]] Request read_request(std::string_view text, const ModelOptions& options);
 
-/// Applies the ranges, tolerances and the threshold of the options. Throws UsageError.
-void apply_changes(Request& request, const ModelOptions& options);
-
 struct Assignment {
   std::string name, value;
 };

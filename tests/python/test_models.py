@@ -137,6 +137,19 @@ def test_urdf_is_read_with_its_notes(tmp_path):
         rg.from_urdf(tmp_path / "none.urdf")
 
 
+def test_a_file_keeps_its_bytes(circle, tmp_path):
+    file = tmp_path / "circle.toml"
+    file.write_bytes(circle.text.replace("\n", "\r\n").encode())
+    robot = rg.load(file)
+    path = robot.check("outside").certificate.write(tmp_path / "proof")
+    assert rg.verify(path, model=file)
+    robot.write(tmp_path / "again.toml")
+    assert (tmp_path / "again.toml").read_bytes() == file.read_bytes()
+    file.write_bytes(b"\xff\xfe")
+    with pytest.raises(rg.FileError, match="not UTF-8"):
+        rg.load(file)
+
+
 def test_errors_have_file_and_line(tmp_path):
     file = tmp_path / "wrong.toml"
     file.write_text("regulus = 1\nname = 'x'\n[pose]\nx = 'cm'\n[matrix]\nrows = [['x + yy']]\n")

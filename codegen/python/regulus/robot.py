@@ -16,7 +16,7 @@ from .results import Bound, Check, Margin, Path, PreparedCheck, Verification
 Range = Union[Number, Tuple[Number, Number], Sequence[Number]]
 """(lower, upper), or one value."""
 
-_INFINITE = 0.0
+_LARGEST_MODEL = 4 << 20  # bytes
 
 
 class Question:
@@ -365,8 +365,8 @@ class Robot:
     def write(self, path: Path) -> None:
         """Writes the model file. Raises FileError."""
         try:
-            with open(path, "w", encoding="utf-8") as file:
-                file.write(self.text)
+            with open(path, "wb") as file:
+                file.write(self.text.encode("utf-8"))
         except OSError as error:
             raise FileError(f"cannot write {os.fspath(path)!r}: {error.strerror}") from error
 
@@ -500,14 +500,14 @@ def load(path: Path) -> Robot:
     """
     found = _find_model(os.fspath(path))
     try:
-        with open(found, encoding="utf-8") as file:
-            return Robot(file.read(), found)
+        with open(found, "rb") as file:
+            # One byte more than allowed, so that it is refused in terms of the model.
+            text = file.read(_LARGEST_MODEL + 1).decode("utf-8")
     except UnicodeDecodeError as error:
         raise FileError(f"cannot read {found!r}: it is not UTF-8") from error
     except OSError as error:
-        if isinstance(error, FileError):
-            raise
         raise FileError(f"cannot read {found!r}: {error.strerror}") from error
+    return Robot(text, found)
 
 
 def verify(
@@ -516,7 +516,7 @@ def verify(
     model: Optional[Path] = None,
     waypoints: Optional[Path] = None,
     threads: int = 1,
-    time_limit: float = _INFINITE,
+    time_limit: float = 0,
     max_boxes: int = 0,
 ) -> Verification:
     """Proves the claim of a certificate again, by code that shares nothing with the search.

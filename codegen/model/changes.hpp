@@ -1,0 +1,12 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "codegen/model/request.hpp"
+
+namespace regulus::inline model {
+
+/// Applies the ranges, the tolerances and the threshold of the options to a model and its motion.
+/// Throws UsageError.
+void apply_changes(Request& request, const ModelOptions& options);
+
+}  // namespace regulus::model
