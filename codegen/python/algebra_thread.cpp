@@ -17,11 +17,16 @@ struct OfProcess {
   AlgebraThread* thread;
 };
 
+/// Callers hold Python's lock, so that two threads do not use it at once.
+OfProcess& known_thread() {
+  static OfProcess known{0, nullptr};
+  return known;
+}
+
 }  // namespace
 
-/// The caller holds Python's lock, so that two threads do not call this at once.
 AlgebraThread& AlgebraThread::of_this_process() {
-  static OfProcess known{0, nullptr};
+  OfProcess& known = known_thread();
   const pid_t process = ::getpid();
   if (known.thread != nullptr && known.process == process) return *known.thread;
   if (known.thread != nullptr && known.thread->is_busy_)
@@ -30,6 +35,11 @@ AlgebraThread& AlgebraThread::of_this_process() {
         "with multiprocessing's method 'spawn' or 'forkserver'");
   known = {process, new AlgebraThread};
   return *known.thread;
+}
+
+void AlgebraThread::stop_in_this_process() {
+  const OfProcess& known = known_thread();
+  if (known.thread != nullptr && known.process == ::getpid()) known.thread->stop();
 }
 
 AlgebraThread::AlgebraThread() {
@@ -41,6 +51,12 @@ std::shared_ptr<AlgebraTask> AlgebraThread::add(AlgebraWork work) {
   auto task = std::make_shared<AlgebraTask>();
   task->work_ = std::move(work);
   const std::scoped_lock lock(mutex_);
+  if (stopped_) {
+    task->is_late_ = true;
+    task->failure_ = std::make_exception_ptr(std::runtime_error("Python is ending"));
+    task->state_ = AlgebraTask::State::kDone;
+    return task;
+  }
   is_busy_ = true;
   waiting_.push_back(task);
   added_.notify_one();
@@ -49,7 +65,10 @@ std::shared_ptr<AlgebraTask> AlgebraThread::add(AlgebraWork work) {
 
 bool AlgebraThread::wait(const AlgebraTask& task, std::chrono::milliseconds most) {
   std::unique_lock lock(mutex_);
-  return done_.wait_for(lock, most, [&] { return task.state_ == AlgebraTask::State::kDone; });
+  const bool done =
+      done_.wait_for(lock, most, [&] { return task.state_ == AlgebraTask::State::kDone; });
+  if (stopped_ && !task.is_late_) done_.wait(lock, [] { return false; });
+  return done;
 }
 
 bool AlgebraThread::interrupt(AlgebraTask& task) {

@@ -33,6 +33,7 @@ class AlgebraTask {
   AlgebraWork work_;
   std::atomic<bool> interrupt_{false};
   State state_ = State::kWaiting;
+  bool is_late_ = false;  ///< added after stop()
   std::exception_ptr failure_;
 };
 
@@ -44,22 +45,26 @@ class AlgebraThread {
   /// Throws    std::runtime_error if the process was forked while the thread was at work: its
   ///           objects are then in no defined state.
   static AlgebraThread& of_this_process();
+  /// Stops the thread of this process, if it has one.
+  static void stop_in_this_process();
 
   AlgebraThread();
   AlgebraThread(const AlgebraThread&) = delete;
   AlgebraThread& operator=(const AlgebraThread&) = delete;
 
-  /// Adds work, which begins after all earlier work has ended.
+  /// Adds work, which begins after all earlier work has ended. After stop() the task is done, and
+  /// has failed.
   [[nodiscard]] std::shared_ptr<AlgebraTask> add(AlgebraWork work);
-  /// Waits for the end of a task, but not longer than `most`. Returns true if it is done.
+  /// Waits for the end of a task, but not longer than `most`. Returns true if it is done. If stop()
+  /// is called meanwhile, it never returns: the thread that waits must not go back to Python, which
+  /// is ending.
   [[nodiscard]] bool wait(const AlgebraTask& task, std::chrono::milliseconds most);
   /// Asks a task to end soon. Returns true if it was withdrawn before it began: it is done then.
   bool interrupt(AlgebraTask& task);
-  /// Interrupts the task at work, drops the others, and waits for the thread. Work that is added
-  /// later never begins.
-  void stop();
 
  private:
+  /// Interrupts the task at work, drops the others, and waits for the thread.
+  void stop();
   void run();
 
   std::mutex mutex_;

@@ -87,8 +87,13 @@ class PreparedHandle {
   ~PreparedHandle() {
     if (!question_) return;
     // The destructor of the last reference runs there, and this thread does not wait for it.
-    static_cast<void>(AlgebraThread::of_this_process().add(
-        [last = std::move(question_)](const std::atomic<bool>&) mutable { last.reset(); }));
+    auto* const last = new std::shared_ptr<PreparedQuestion>(std::move(question_));
+    try {
+      static_cast<void>(
+          AlgebraThread::of_this_process().add([last](const std::atomic<bool>&) { delete last; }));
+    } catch (const std::exception&) {
+      // A process that was forked at the wrong moment has no thread that may destroy it.
+    }
   }
 
   [[nodiscard]] const std::shared_ptr<PreparedQuestion>& question() const { return question_; }
@@ -361,5 +366,5 @@ PYBIND11_MODULE(_regulus, module) {
   bind_files(module);
   // The thread must not be at work while the process takes its libraries down.
   pybind11::module_::import("atexit").attr("register")(
-      pybind11::cpp_function([] { AlgebraThread::of_this_process().stop(); }));
+      pybind11::cpp_function([] { AlgebraThread::stop_in_this_process(); }));
 }

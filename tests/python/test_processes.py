@@ -146,6 +146,36 @@ def test_a_process_forked_during_a_search_refuses(robot_1):
     assert "spawn" in found[0]
 
 
+def test_a_forked_process_ends_as_it_should():
+    program = (
+        "import os, regulus, sys\n"
+        "q = regulus.load('planar_3rpr').prepare('regular')\n"
+        "child = os.fork()\n"
+        "if child == 0:\n"
+        "    del q\n"
+        "    sys.exit(0)\n"
+        "sys.exit(os.waitpid(child, 0)[1])\n"
+    )
+    finished = subprocess.run([sys.executable, "-c", program], capture_output=True, timeout=60)
+    assert finished.returncode == 0 and finished.stderr == b""
+
+
+def test_calls_at_the_end_of_the_process_do_not_hang():
+    program = (
+        "import atexit\n"
+        "def late():\n"
+        "    try: regulus.load('robot_1')\n"
+        "    except RuntimeError as error: print(error)\n"
+        "atexit.register(late)\n"
+        "import regulus\n"
+        "regulus.load('robot_1')\n"
+    )
+    finished = subprocess.run(
+        [sys.executable, "-c", program], capture_output=True, text=True, timeout=60, check=False
+    )
+    assert finished.stdout == "Python is ending\n" and finished.returncode == 0
+
+
 def test_the_process_ends_while_another_thread_searches():
     program = (
         "import regulus, threading, time\n"
