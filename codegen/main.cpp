@@ -42,10 +42,12 @@ int run(const CommandLine& line, const std::string& typed) {
 }  // namespace
 
 int main(int argc, char** argv) {
-  return report_errors([&] {
-    report_file_limits();
-    start_with_the_usual_arithmetic();
-    return with_output_written(
-        run(parse_command_line(argc, argv, ShellSession::commands()), typed(argc, argv)));
-  });
+  return report_errors(
+      [&] {
+        report_file_limits();
+        start_with_the_usual_arithmetic();
+        return with_output_written(
+            run(parse_command_line(argc, argv, ShellSession::commands()), typed(argc, argv)));
+      },
+      "regulus: ", error_format(argc, argv));
 }

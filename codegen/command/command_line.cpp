@@ -2,8 +2,10 @@
 #include "codegen/command/command_line.hpp"
 
 #include <algorithm>
+#include <iostream>
 
 #include "codegen/command/command_tables.hpp"
+#include "codegen/command/error_report.hpp"
 #include "codegen/engine/ingredients.hpp"
 #include "codegen/support/exit_code.hpp"
 
@@ -63,6 +65,8 @@ CommandLine parse_command_line(int argc, const char* const* argv,
     tables.app.parse(argc, argv);
   } catch (const CLI::ParseError& error) {
     result.exit_code = tables.app.exit(error) == 0 ? 0 : kUsageError;
+    if (result.exit_code != 0 && error_format(argc, argv) == ErrorFormat::kJson)
+      std::cout << json_error(error, kUsageError) << std::endl;
     return result;
   }
   if (tables.check_command->parsed()) result.check = tables.check;

@@ -15,11 +15,6 @@
 namespace regulus::inline command {
 namespace {
 
-int complain(const std::string& where, const std::exception& error, ExitCode code) {
-  std::cerr << where << error.what() << '\n';
-  return code;
-}
-
 /// Replaces the name of an installed model by its file, and reports the file.
 void find(std::string& model, bool quiet) {
   if (model.empty()) return;
@@ -60,26 +55,33 @@ int run_command_line(CommandLine line, const std::string& typed) {
   throw InternalError("there is no command to run");
 }
 
-int report_errors(const std::function<int()>& run, const std::string& where) try {
-  return run();
-} catch (const UsageError& error) {
-  return complain(where, error, kUsageError);
-} catch (const ClosedFormError& error) {
-  return complain(where + "--method closed-form: ", error, kUsageError);
-} catch (const InputError& error) {
-  return complain(where, error, kBadInput);
-} catch (const FileError& error) {
-  return complain(where, error, kFileError);
-} catch (const NoCompiler& error) {
-  return complain(where + "no compiler is available; use --engine interpreted, which needs none: ",
-                  error, kInternalFault);
-} catch (const CompileError& error) {
-  std::cerr << where << "internal error: the generated kernel did not compile\n"
-            << error.what() << '\n';
-  if (!error.text().empty()) std::cerr << "--- the text ---\n" << error.text();
-  return kInternalFault;
-} catch (const std::exception& error) {
-  return complain(where + "internal error: ", error, kInternalFault);
+int report_errors(const std::function<int()>& run, const std::string& where, ErrorFormat format) {
+  const auto complain = [&](const std::exception& error, ExitCode code, const char* lead = "") {
+    std::cerr << where << lead << error.what() << '\n';
+    if (format == ErrorFormat::kJson) std::cout << json_error(error, code) << std::endl;
+    return static_cast<int>(code);
+  };
+  try {
+    return run();
+  } catch (const UsageError& error) {
+    return complain(error, kUsageError);
+  } catch (const ClosedFormError& error) {
+    return complain(error, kUsageError, "--method closed-form: ");
+  } catch (const InputError& error) {
+    return complain(error, kBadInput);
+  } catch (const FileError& error) {
+    return complain(error, kFileError);
+  } catch (const NoCompiler& error) {
+    return complain(error, kInternalFault,
+                    "no compiler is available; use --engine interpreted, which needs none: ");
+  } catch (const CompileError& error) {
+    const int code =
+        complain(error, kInternalFault, "internal error: the generated kernel did not compile\n");
+    if (!error.text().empty()) std::cerr << "--- the text ---\n" << error.text();
+    return code;
+  } catch (const std::exception& error) {
+    return complain(error, kInternalFault, "internal error: ");
+  }
 }
 
 }  // namespace regulus::command

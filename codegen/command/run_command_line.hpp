@@ -5,6 +5,7 @@
 #include <string>
 
 #include "codegen/command/command_line.hpp"
+#include "codegen/command/error_report.hpp"
 
 namespace regulus::inline command {
 
@@ -13,8 +14,10 @@ namespace regulus::inline command {
 [[nodiscard]] int run_command_line(CommandLine line, const std::string& typed);
 
 /// Returns the result of `run`. If `run` throws, prints the message on standard error, after
-/// `where`, and returns the exit code of the error.
+/// `where`, and returns the exit code of the error. With ErrorFormat::kJson standard output has the
+/// error as an object, too.
 [[nodiscard]] int report_errors(const std::function<int()>& run,
-                                const std::string& where = "regulus: ");
+                                const std::string& where = "regulus: ",
+                                ErrorFormat format = ErrorFormat::kText);
 
 }  // namespace regulus::command

@@ -50,12 +50,12 @@ int at_prompt(ShellSession& session) {
   return 0;
 }
 
-int as_script(ShellSession& session) {
+int as_script(ShellSession& session, ErrorFormat format) {
   int last = 0;
   std::string line;
   for (int number = 1; !session.ended() && std::getline(std::cin, line); ++number) {
     const int code = report_errors([&] { return session.execute(line); },
-                                   "regulus: line " + std::to_string(number) + ": ");
+                                   "regulus: line " + std::to_string(number) + ": ", format);
     const std::string command = line.substr(0, line.find_first_of(" \t"));
     static constexpr std::array<const char*, 7> kWithVerdict = {
         "check", "locate", "margin", "bound", "datasheet", "verify", "plot"};
@@ -71,7 +71,8 @@ int as_script(ShellSession& session) {
 int run_shell(const ShellCommand& command) {
   ShellSession session(command.json);
   if (!command.path.empty()) static_cast<void>(session.execute("load '" + command.path + "'"));
-  return isatty(STDIN_FILENO) != 0 ? at_prompt(session) : as_script(session);
+  if (isatty(STDIN_FILENO) != 0) return at_prompt(session);
+  return as_script(session, command.json ? ErrorFormat::kJson : ErrorFormat::kText);
 }
 
 }  // namespace regulus::shell
