@@ -7,6 +7,7 @@
 #include <map>
 
 #include "codegen/analysis/undefined.hpp"
+#include "codegen/report/question_report.hpp"
 #include "codegen/report/report_parts.hpp"
 #include "codegen/report/undefined_report.hpp"
 #include "codegen/report/witness_report.hpp"
@@ -181,6 +182,7 @@ Json json_paving_summary(const PreparedSearch& p, const SearchOptions& search,
   if (result.reason == Reason::kUndefined)
     summary["undefined"] = json_undefined(p, find_undefined(p, result.blocking_box));
   summary["witness"] = json_witness(p, result);
+  summary["question"] = json_question(p, search);
   summary["seconds"] = json_seconds(p.seconds_spent());
   return summary;
 }

@@ -9,6 +9,7 @@
 #include "codegen/analysis/undefined.hpp"
 #include "codegen/engine/choices.hpp"
 #include "codegen/engine/settings.hpp"
+#include "codegen/report/question_report.hpp"
 #include "codegen/report/report_parts.hpp"
 #include "codegen/report/undefined_report.hpp"
 #include "codegen/report/witness_report.hpp"
@@ -134,6 +135,7 @@ Json json_report(const PreparedSearch& p, const SearchOptions& search, const Res
   if (nearest) report["nearest_singular"] = json_nearest(p, *nearest);
   if (result.reason == Reason::kUndefined && !result.blocking_box.empty())
     report["undefined"] = json_undefined(p, find_undefined(p, result.blocking_box));
+  report["question"] = json_question(p, search);
   report["engine"] = word_of(search.engine);
   report["engine_boxes"] = json_engine_boxes(p, search, result.statistics.boxes);
   report["isa"] = name(p.isa);

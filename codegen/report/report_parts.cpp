@@ -7,6 +7,7 @@
 #include <charconv>
 
 #include "codegen/model/degrees.hpp"
+#include "codegen/report/question_report.hpp"
 
 namespace regulus::inline report {
 namespace {
@@ -80,9 +81,10 @@ constexpr std::size_t kListed = 8;
 std::string format_uncertain(const PreparedSearch& p) {
   const std::size_t count = uncertain_count(p);
   if (count == 0) return "uncertain  nothing: geometry and control are taken as exact\n";
-  std::string lines =
-      fmt::format("uncertain  {} {}\n", count, count == 1 ? "quantity" : "quantities");
-  return count <= kListed ? lines + format_variable(p, false) : lines;
+  std::string line = fmt::format("uncertain  {} {}", count, count == 1 ? "quantity" : "quantities");
+  if (count <= kListed) return line + '\n' + format_variable(p, false);
+  // Searches at several tolerances have one report.
+  return p.is_replanned ? line + '\n' : line + ": " + describe_tolerances(p) + '\n';
 }
 
 /// "x = 3, y = [4, 5]": of the motion parameters or of the other variables.
