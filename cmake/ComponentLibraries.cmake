@@ -4,7 +4,7 @@
 #
 #   Regulus::runtime   checks boxes with compiled kernels; the C++ library alone
 #   Regulus::search    runs whole searches, by several threads; oneTBB
-#   Regulus::codegen   model files, symbolic forms, C++ text; GiNaC, CLN, FLINT, toml++, fmt
+#   Regulus::codegen   model files, symbolic forms, C++ text; GiNaC, CLN, FLINT, toml++, tinyxml2, fmt
 #   Regulus::jit       compiles and checks in process; LLVM is opened only for a compilation
 #   Regulus::regulus   the command
 

@@ -107,6 +107,8 @@ if(REGULUS_CODEGEN)
           LIBRARY DESTINATION ${plugin_dir} COMPONENT jit)
   install(DIRECTORY ${PROJECT_SOURCE_DIR}/models DESTINATION ${CMAKE_INSTALL_DATADIR}/regulus
           COMPONENT codegen FILES_MATCHING PATTERN "*.toml")
+  install(FILES ${PROJECT_SOURCE_DIR}/codegen/model/model.schema.json ${PROJECT_SOURCE_DIR}/codegen/report/check.schema.json
+          DESTINATION ${CMAKE_INSTALL_DATADIR}/regulus/schema COMPONENT codegen)
   install(FILES ${PROJECT_SOURCE_DIR}/README.md ${PROJECT_SOURCE_DIR}/codegen/EMBEDDING.md
           DESTINATION ${CMAKE_INSTALL_DATADIR}/doc/regulus COMPONENT codegen)
   regulus_install_licences(${CMAKE_INSTALL_DATADIR}/doc/regulus codegen)

@@ -1,0 +1,146 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""The schemas accept what is shipped and printed, and refuse mistakes."""
+
+import copy
+import json
+import pathlib
+import re
+import subprocess
+
+import pytest
+
+from conftest import COMMAND
+
+jsonschema = pytest.importorskip("jsonschema")
+tomllib = pytest.importorskip("tomllib", reason="Python 3.11 and later read TOML")
+
+ROOT = pathlib.Path(__file__).parents[2]
+MODELS = sorted((ROOT / "models").glob("*.toml"))
+
+
+def schema(path):
+    read = json.loads((ROOT / path).read_text(encoding="utf-8"))
+    jsonschema.Draft202012Validator.check_schema(read)
+    return jsonschema.Draft202012Validator(read)
+
+
+MODEL = schema("codegen/model/model.schema.json")
+REPORT = schema("codegen/report/check.schema.json")
+
+
+def errors(validator, instance):
+    return [f"{list(e.absolute_path)}: {e.message}" for e in validator.iter_errors(instance)]
+
+
+def printed(*arguments):
+    return json.loads(
+        subprocess.run(
+            [COMMAND, *arguments, "--json", "--quiet"], capture_output=True, text=True, check=False
+        ).stdout
+    )
+
+
+@pytest.mark.parametrize("path", MODELS, ids=lambda path: path.stem)
+def test_every_shipped_model_is_accepted(path):
+    assert errors(MODEL, tomllib.loads(path.read_text(encoding="utf-8"))) == []
+
+
+def models_of_the_manual():
+    for page in sorted(ROOT.glob("codegen/**/*.md")) + [ROOT / "README.md"]:
+        text = page.read_text(encoding="utf-8")
+        for block in re.finditer(r"^```toml file=(\S+)\n(.*?)^```", text, re.M | re.S):
+            if block[2].startswith("regulus = 1") or "\nregulus = 1" in block[2]:
+                yield pytest.param(block[2], id=f"{page.stem}-{block[1]}")
+
+
+@pytest.mark.parametrize("text", models_of_the_manual())
+def test_models_of_the_manual_are_accepted(text):
+    assert errors(MODEL, tomllib.loads(text)) == []
+
+
+ROBOT = {
+    "regulus": 1,
+    "name": "cart",
+    "pose": {"x": "m"},
+    "matrix": {"rows": [["x"]]},
+    "motion": {"m": {"x": [1, 2]}},
+}
+
+
+@pytest.mark.parametrize(
+    "change",
+    [
+        lambda m: m.pop("regulus"),
+        lambda m: m.update(regulus=2),
+        lambda m: m.pop("matrix"),
+        lambda m: m.update(poze={}),
+        lambda m: m["pose"].update({"2x": "m"}),
+        lambda m: m["matrix"].update(scale=[1]),
+        lambda m: m["motion"]["m"].update(x=[1, 2, 3]),
+        lambda m: m.update(geometry={"h": {"tolerance": 1}}),
+        lambda m: m.update(geometry={"h": {"value": 1, "tolerance": 1, "radius": 1}}),
+        lambda m: m["motion"]["m"].update(where="anywhere"),
+    ],
+)
+def test_mistakes_in_models_are_refused(change):
+    assert errors(MODEL, ROBOT) == []
+    wrong = copy.deepcopy(ROBOT)
+    change(wrong)
+    assert errors(MODEL, wrong)
+
+
+@pytest.mark.parametrize(
+    "arguments",
+    [
+        ("robot_1", "wide_15"),
+        ("robot_1", "wide_15", "--tolerance", "base,platform=0.05"),
+        ("robot_1", "T1_errors"),
+        ("planar_3rpr", "crossing"),
+        ("planar_3rpr", "regular", "--alpha", "1e6"),
+        ("robot_1", "wide_15", "--method", "reg", "--max-boxes", "8"),
+    ],
+)
+def test_reports_are_accepted_and_state_the_question(arguments):
+    report = printed("check", *arguments)
+    assert errors(REPORT, report) == []
+    question = report["question"]
+    assert question["ranges"] and question["options"]["threads"] == report["threads"]
+    assert question["options"]["max_boxes"] == (8 if "--max-boxes" in arguments else None)
+
+
+def test_a_report_says_what_is_uncertain_and_by_how_much():
+    report = printed("check", "robot_1", "wide_15", "--tolerance", "base=0.05")
+    uncertain = report["question"]["uncertain"]
+    assert len(uncertain) == 18 and {u["group"] for u in uncertain} == {"base"}
+    assert all(0.1 <= u["range"][1] - u["range"][0] < 0.1 + 1e-12 for u in uncertain)
+    lines = subprocess.run(
+        [COMMAND, "check", "robot_1", "wide_15", "--tolerance", "base=0.05"],
+        capture_output=True,
+        text=True,
+        check=False,
+    ).stderr
+    assert "uncertain  18 quantities: base ±0.05\n" in lines
+
+
+@pytest.mark.parametrize(
+    "arguments, kind, code",
+    [
+        (("check", "/nowhere.toml"), "file", 74),
+        (("check", "robot_1", "wide"), "usage", 64),
+        (("check", "robot_1", "wide_15", "--no-such-option"), "usage", 64),
+        (("check", "{wrong}"), "input", 65),
+    ],
+)
+def test_errors_are_objects_too(arguments, kind, code, tmp_path):
+    wrong = tmp_path / "wrong.toml"
+    wrong.write_text("regulus = 1\nname = 'x'\n[pose]\nx = 'cm'\n[matrix]\nrows = [['x + yy']]\n")
+    arguments = [word.replace("{wrong}", str(wrong)) for word in arguments]
+    finished = subprocess.run(
+        [COMMAND, *arguments, "--json"], capture_output=True, text=True, check=False
+    )
+    report = json.loads(finished.stdout)
+    assert finished.returncode == code and finished.stderr
+    assert errors(REPORT, report) == []
+    assert (report["error"]["kind"], report["error"]["exit"]) == (kind, code)
+    if kind == "input":
+        assert (report["error"]["line"], report["error"]["symbol"]) == (6, "yy")
