@@ -270,7 +270,7 @@ void bind_searches(py::module_& module) {
       "margin",
       [](const Question& question, const SearchOptions& search, const std::string& tolerance,
          const std::string& alpha, const std::string& scale, const std::string& gap) {
-        const MarginOptions options{search, tolerance, alpha, scale, gap};
+        const MarginOptions options{search, tolerance, alpha, scale, {}, gap};
         return run_there([=](const std::atomic<bool>& interrupt) {
           return margin(question, options, &interrupt);
         });
