@@ -2,6 +2,7 @@
 #include "codegen/model/gough.hpp"
 
 #include "codegen/model/degrees.hpp"
+#include "codegen/model/drawing.hpp"
 
 namespace regulus::inline model {
 namespace {
@@ -73,6 +74,22 @@ void set_leg(Model& model, unsigned leg, const ScaledRotation& R, const Point& a
   model.row_scale.push_back(pow(squared_length, GiNaC::numeric(-1, 2)));
 }
 
+/// `a`, `b`: the anchors.
+Drawing drawing_of(const Model& model, const ScaledRotation& R, const std::array<Point, 6>& a,
+                   const std::array<Point, 6>& b) {
+  using Kind = Drawing::Kind;
+  const Point origin = {model.pose[0].symbol, model.pose[1].symbol, model.pose[2].symbol};
+  Drawing::Part base{Kind::kBase, {a.begin(), a.end()}}, platform{Kind::kPlatform, {}};
+  for (const Point& anchor : b)
+    platform.points.push_back(sum(origin, scaled(1 / R.N, times(R.S, anchor))));
+  Drawing drawing{{base, platform}};
+  for (int leg = 0; leg < 6; ++leg) {
+    const auto i = static_cast<std::size_t>(leg);
+    drawing.parts.push_back({Kind::kLeg, {a[i], platform.points[i]}, leg});
+  }
+  return drawing;
+}
+
 }  // namespace
 
 Model gough_model(const Gough& robot) {
@@ -89,6 +106,7 @@ Model gough_model(const Gough& robot) {
   model.matrix = GiNaC::matrix(6, 6);
   for (unsigned leg = 0; leg < 6; ++leg) set_leg(model, leg, R, a[leg], b[leg]);
   if (robot.orientation == Orientation::kQuaternion) model.must_be_defined.push_back(pow(R.N, -1));
+  model.drawing = std::make_shared<Drawing>(drawing_of(model, R, a, b));
   return model;
 }
 

@@ -90,6 +90,7 @@ class LegWriter {
         write_slider();
         break;
     }
+    note_points();
   }
 
  private:
@@ -120,6 +121,20 @@ class LegWriter {
     }
     e_ = let("e", AB);
     if (leg_.type->keeps_orientation) from_base_ = e_;  // r is constant
+  }
+
+  void note_points() {
+    FormulaPoint A = {0, 0, 0}, B = A, C = A;
+    for (std::size_t i = 0; i < axes_; ++i) {
+      A[i] = leg_.base[i];
+      B[i] = plus(A[i], e_[i]);
+      if (leg_.type->kind != LegKind::kTelescopic) C[i] = minus(B[i], d_[i]);
+    }
+    LegPoints leg{leg_.type->kind, {A, B}};
+    if (leg_.type->kind != LegKind::kTelescopic) leg.points.insert(leg.points.begin() + 1, C);
+    if (leg_.actuated != 0)
+      leg.row = static_cast<int>(std::ranges::count(out_.rows, true, &LegRow::motor)) - 1;
+    out_.points.push_back(std::move(leg));
   }
 
   /// A motor between joints that lie on the line through Q, at `to_line` from the platform's origin:

@@ -77,11 +77,19 @@ struct LegRow {
   bool motor = true;  ///< false: of a constraint
 };
 
+/// The joints of a leg from the base to the platform: A, C and B, or A and B.
+struct LegPoints {
+  LegKind kind;
+  std::vector<FormulaPoint> points;
+  int row = -1;  ///< of its motor; −1: none
+};
+
 /// A robot on legs as the text of a model file.
 struct WrittenLegs {
   std::vector<std::pair<std::string, Formula>> let;
-  std::vector<LegRow> rows;     ///< those of motors first, in the order of the legs
-  std::vector<Formula> ranges;  ///< each ≤ 0 where the actuated joints are within their ranges
+  std::vector<LegRow> rows;       ///< those of motors first, in the order of the legs
+  std::vector<Formula> ranges;    ///< each ≤ 0 where the actuated joints are within their ranges
+  std::vector<LegPoints> points;  ///< of each leg, in the names of `let`
 };
 
 /// Writes the robot out.

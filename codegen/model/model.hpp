@@ -143,6 +143,8 @@ struct AskedExpression {
   std::vector<GiNaC::ex> must_be_defined;
 };
 
+struct Drawing;
+
 struct Model {
   std::string name;
   std::string source;
@@ -162,7 +164,8 @@ struct Model {
   Actuators actuators;
   /// An angle times this length is compared with a length; nullopt: the model does not say.
   std::optional<GiNaC::ex> characteristic_length;
-  std::optional<AskedExpression> asked;  ///< by an option of the command line
+  std::optional<AskedExpression> asked;      ///< by an option of the command line
+  std::shared_ptr<const Drawing> drawing{};  ///< null: the model gives no points to draw
   std::vector<Motion> motions;
 };
 

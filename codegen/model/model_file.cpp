@@ -91,22 +91,24 @@ void read_robot(ModelReading& reading, const TomlEntry& root) {
   const TomlReader& toml = reading.toml;
   const TomlEntry gough = toml.optional(root, "gough"), serial = toml.optional(root, "serial");
   if (gough.node) {
-    refuse_beside(toml, root, "gough", {"pose", "geometry", "let", "matrix", "serial", "legs"});
+    refuse_beside(toml, root, "gough",
+                  {"pose", "geometry", "let", "matrix", "serial", "legs", "drawing"});
     return read_gough(reading, gough);
   }
   if (serial.node) {
-    refuse_beside(toml, root, "serial", {"pose", "matrix", "legs"});
+    refuse_beside(toml, root, "serial", {"pose", "matrix", "legs", "drawing"});
     read_constants(reading, root);
     return read_serial(reading, serial);
   }
   if (const TomlEntry legs = toml.optional(root, "legs"); legs.node) {
-    refuse_beside(toml, root, "legs", {"pose", "matrix"});
+    refuse_beside(toml, root, "legs", {"pose", "matrix", "drawing"});
     read_constants(reading, root);
     return read_legs(reading, legs);
   }
   read_pose(reading, toml.required(root, "pose"));
   read_constants(reading, root);
   read_matrix(reading, toml.required(root, "matrix"));
+  if (const TomlEntry e = toml.optional(root, "drawing"); e.node) read_drawing(reading, e);
 }
 
 /// Reads the tables for bounds of forces, errors and speeds.
@@ -145,10 +147,11 @@ std::string read_model_text(const std::filesystem::path& path) {
 
 Model parse_model(std::string_view text, const std::string& name_for_errors,
                   const std::string& asked) {
-  static const std::array<std::string, 15> kKeys = {
-      "regulus", "name",   "source", "pose",      "geometry",
-      "let",     "matrix", "gough",  "serial",    "legs",
-      "motion",  "load",   "twist",  "actuators", "characteristic_length"};
+  static const std::array<std::string, 16> kKeys = {
+      "regulus",  "name",  "source",    "pose",
+      "geometry", "let",   "matrix",    "gough",
+      "serial",   "legs",  "drawing",   "motion",
+      "load",     "twist", "actuators", "characteristic_length"};
   if (text.size() > kLargestModelFile)
     throw InputError::statement(
         name_for_errors, 0, "the file is too large",

@@ -68,6 +68,9 @@ void read_serial(ModelReading& reading, const TomlEntry& serial);
 /// names of [geometry] and [let], which are read before.
 void read_legs(ModelReading& reading, const TomlEntry& legs);
 
+/// Fills Model::drawing from a [drawing] table, for a model that gives its matrix; needs the names.
+void read_drawing(ModelReading& reading, const TomlEntry& drawing);
+
 /// Fills Model::twist from the names of the matrix's columns; needs the pose.
 void read_twist_names(ModelReading& reading, const TomlEntry& names);
 

@@ -8,6 +8,7 @@
 #include "codegen/model/constant_rank.hpp"
 #include "codegen/model/joint_screws.hpp"
 #include "codegen/model/names.hpp"
+#include "codegen/model/serial_drawing.hpp"
 
 namespace regulus::inline model {
 namespace {
@@ -138,6 +139,7 @@ Model serial_model(Model model, const Serial& robot) {
   const Candidate best = best_candidate(robot, choices);
   const std::vector<std::size_t> kept = independent_rows(best.rows);
   set_matrix(model, best.rows, kept);
+  model.drawing = std::make_shared<Drawing>(serial_drawing(model, robot));
   describe_rows(model, robot, kept);
   describe_variables(model, robot, best.link);
   return model;

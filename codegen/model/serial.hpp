@@ -23,6 +23,7 @@ struct SerialJoint {
 struct Serial {
   std::string unit = "1";  ///< of lengths
   std::vector<SerialJoint> joints;
+  Placement tool{};  ///< in the frame of the last joint, for pictures only
 };
 
 /// The most joints that move. The matrix of more of them has too many terms.

@@ -6,6 +6,7 @@
 #include "codegen/model/rotation.hpp"
 #include "codegen/model/sections.hpp"
 #include "codegen/model/serial.hpp"
+#include "codegen/model/serial_drawing.hpp"
 
 namespace regulus::inline model {
 namespace {
@@ -53,7 +54,8 @@ class SerialReader {
     angle_ = tolerance("angle_tolerance", "angles");
     const TomlEntry joints = toml_.required(entry_, "joints");
     for (const TomlEntry& joint : toml_.elements(joints, "a list of joints")) read_joint(joint);
-    if (const TomlEntry tool = toml_.optional(entry_, "tool"); tool.node) read_tool(tool);
+    const TomlEntry tool = toml_.optional(entry_, "tool");
+    robot_.tool = tool.node ? compose_as_written(pending_, read_tool(tool)) : pending_;
     require_joints(joints);
     make_model();
   }
@@ -253,11 +255,11 @@ class SerialReader {
   }
 
   /// The tool does not change the rank; a mistake in it is a mistake in the file.
-  void read_tool(const TomlEntry& tool) {
+  Placement read_tool(const TomlEntry& tool) {
     static const std::array<std::string, 4> kKeys = {"xyz", "rpy", "quaternion", "rotation"};
     (void)toml_.entries(tool, kKeys);
     length_ = angle_ = {};
-    (void)read_origin(tool);
+    return read_origin(tool);
   }
 
   void require_joints(const TomlEntry& joints) {

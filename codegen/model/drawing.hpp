@@ -1,0 +1,49 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The shape of a robot for pictures, as points in the pose and geometry symbols of its model.
+// Nothing that is proved depends on it.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "codegen/model/exact_algebra.hpp"
+
+namespace regulus::inline model {
+
+struct Drawing {
+  enum class Kind {
+    kBase,      ///< a closed polygon that does not move
+    kPlatform,  ///< a closed polygon that moves
+    kLeg,       ///< a rod that changes its length
+    kLink,      ///< a body of constant length
+    kRail,      ///< the way of a slider
+    kJoint,  ///< two points: the place of a joint, and that place plus the unit vector of its axis
+  };
+  struct Part {
+    Kind kind = Kind::kLeg;
+    std::vector<Point> points;
+    int row = -1;  ///< of the matrix, from 0, that the part belongs to; −1: none
+  };
+  std::vector<Part> parts;
+};
+
+/// Returns the word of a page's data for the kind.
+[[nodiscard]] constexpr const char* name(Drawing::Kind kind) noexcept {
+  switch (kind) {
+    case Drawing::Kind::kBase:
+      return "base";
+    case Drawing::Kind::kPlatform:
+      return "platform";
+    case Drawing::Kind::kLeg:
+      return "leg";
+    case Drawing::Kind::kLink:
+      return "link";
+    case Drawing::Kind::kRail:
+      return "rail";
+    case Drawing::Kind::kJoint:
+      return "joint";
+  }
+  return "";
+}
+
+}  // namespace regulus::model
