@@ -11,6 +11,7 @@
 #include "codegen/command/generate_options.hpp"
 #include "codegen/command/import_options.hpp"
 #include "codegen/command/list_options.hpp"
+#include "codegen/command/report_options.hpp"
 #include "codegen/engine/options.hpp"
 #include "codegen/margin/margin_question.hpp"
 #include "codegen/report/output_options.hpp"
@@ -85,6 +86,7 @@ struct CommandLine {
   std::optional<MarginCommand> margin;
   std::optional<BoundCommand> bound;
   std::optional<DatasheetCommand> datasheet;
+  std::optional<ReportCommand> report;
   std::optional<ExplainCommand> explain;
   std::optional<GenerateCommand> generate;
   std::optional<VerifyCommand> verify;

@@ -54,6 +54,13 @@ constexpr const char* kShellFooter =
     "Exit: the code of that error, otherwise of the last check, locate, margin,\n"
     "bound, datasheet or verify.";
 
+constexpr const char* kReportFooter =
+    "The page needs no network and no other file. It proves the verdict again in the browser, as "
+    "far "
+    "as it says.\n"
+    "Exit: as check: 0, 1, 2 as the verdict; 64 usage, 65 bad model, 70 internal fault, 74 file "
+    "error.";
+
 constexpr const char* kCheckCertificate = "Write a proof of the verdict";
 constexpr const char* kLocateCertificate =
     "Write a proof of the verdict, not of each box: the proof shows that the whole variety is "
@@ -150,6 +157,7 @@ CommandTables::CommandTables(const std::string& shell_commands) : app(kDescripti
   add_margin();
   add_bound();
   add_datasheet();
+  add_report();
   explain_command = app.add_subcommand(
       "explain", "Show the symbolic forms and the occurrences of each variable before and after");
   add_model_options(*explain_command, explain.model);
@@ -175,6 +183,17 @@ CommandTables::CommandTables(const std::string& shell_commands) : app(kDescripti
       "shell", "Load, show, set, check and plot at a prompt, or as a script on standard input");
   add_shell_options(*shell_command, shell);
   shell_command->footer(shell_commands + kShellFooter);
+}
+
+void CommandTables::add_report() {
+  report.search.engine = Engine::kAuto;
+  report_command = app.add_subcommand(
+      "report", "Write one page for a browser: verdict, robot, boxes, bounds and proof");
+  add_model_options(*report_command, report.model);
+  add_report_options(*report_command, report);
+  add_search_options(*report_command, report.search);
+  report_command->add_flag("--quiet", report.output.quiet, "Print only the verdict");
+  report_command->footer(kReportFooter);
 }
 
 void CommandTables::add_check() {

@@ -16,6 +16,7 @@ struct CommandTables {
   MarginCommand margin;
   BoundCommand bound;
   DatasheetCommand datasheet;
+  ReportCommand report;
   ExplainCommand explain;
   GenerateCommand generate;
   VerifyCommand verify;
@@ -27,6 +28,7 @@ struct CommandTables {
   CLI::App* margin_command;
   CLI::App* bound_command;
   CLI::App* datasheet_command;
+  CLI::App* report_command;
   CLI::App* explain_command;
   CLI::App* generate_command;
   CLI::App* verify_command;
@@ -43,6 +45,7 @@ struct CommandTables {
   void add_margin();
   void add_bound();
   void add_datasheet();
+  void add_report();
 };
 
 }  // namespace regulus::command

@@ -26,6 +26,9 @@ namespace regulus::inline command {
 
 [[nodiscard]] int run_bound(const BoundCommand& command);
 
+/// `typed`: the command line as typed, for the page.
+[[nodiscard]] int run_report(const ReportCommand& command, const std::string& typed);
+
 [[nodiscard]] int run_datasheet(const DatasheetCommand& command);
 
 /// The part of an index that this process proves, if several share the work.

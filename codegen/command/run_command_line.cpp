@@ -31,6 +31,7 @@ void find_models(CommandLine& line) {
   if (line.margin) find_in(line.margin, line.margin->output.quiet);
   if (line.bound) find_in(line.bound, line.bound->output.quiet);
   if (line.datasheet) find_in(line.datasheet, line.datasheet->output.quiet);
+  if (line.report) find_in(line.report, line.report->output.quiet);
   find_in(line.explain);
   find_in(line.generate);
   if (line.verify) find(line.verify->model, line.verify->output.quiet);
@@ -48,6 +49,7 @@ int run_command_line(CommandLine line, const std::string& typed) {
   if (line.margin) return run_margin(*line.margin);
   if (line.bound) return run_bound(*line.bound);
   if (line.datasheet) return run_datasheet(*line.datasheet);
+  if (line.report) return run_report(*line.report, typed);
   if (line.generate) return run_generate(*line.generate, typed);
   if (line.verify) return run_verify(*line.verify);
   if (line.import) return run_import(*line.import);

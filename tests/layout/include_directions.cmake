@@ -40,10 +40,11 @@ set(codegen/margin               ${codegen/report} codegen/report codegen/certif
 set(codegen/trajectory           ${codegen/report} codegen/report codegen/certificate)
 set(codegen/quantity             codegen/support codegen/model)
 set(codegen/bound                ${codegen/margin} codegen/margin codegen/quantity)
+set(codegen/page                 ${codegen/bound} codegen/bound)
 set(codegen/api                  ${codegen/bound} codegen/bound codegen/trajectory codegen/import codegen/robot runtime/certificate/verifier
                                  runtime/embedded)
 set(codegen/python               codegen/support codegen/engine codegen/jit codegen/api)
-set(codegen/command              ${codegen/bound} codegen/bound codegen/trajectory codegen/import runtime/certificate/verifier)
+set(codegen/command              ${codegen/page} codegen/page codegen/trajectory codegen/import runtime/certificate/verifier)
 set(codegen/mpi                  ${codegen/command} codegen/command runtime/certificate/verifier runtime/cluster)
 set(codegen/shell                ${codegen/command} codegen/command)
 
@@ -57,7 +58,7 @@ set(only_cln   codegen/model codegen/symbolic codegen/program codegen/formulatio
 set(only_llvm  codegen/jit)
 set(only_CLI11 codegen/command)
 set(only_tinyxml2 codegen/import)
-set(only_JSON  codegen/api codegen/bound codegen/certificate codegen/command codegen/cpp codegen/engine codegen/margin codegen/report codegen/shell codegen/trajectory)
+set(only_JSON  codegen/api codegen/bound codegen/certificate codegen/command codegen/cpp codegen/engine codegen/margin codegen/page codegen/report codegen/shell codegen/trajectory)
 
 set(faults "")
 macro(fault file text)

@@ -1,0 +1,90 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Brackets as bars: solid up to what is certain, hatched up to the other end of the bracket.
+import { PageData } from "./data";
+import { h, section, shortNumber, svg, table, withUnit } from "./dom";
+
+const WIDTH = 600;
+const ROW = 30;
+
+interface Bar {
+  readonly label: string;
+  readonly inner: number | null; // below or at it the bar is solid
+  readonly outer: number | null;
+  readonly text: string;
+}
+
+function bars(list: readonly Bar[], title: string): SVGElement {
+  const largest = Math.max(...list.map((bar) => Math.max(Math.abs(bar.outer ?? 0), Math.abs(bar.inner ?? 0))), 1e-300);
+  const x = (value: number): number => 150 + (Math.abs(value) / largest) * (WIDTH - 330);
+  const shapes = list.flatMap((bar, i) => {
+    const y = i * ROW + 6;
+    const inner = bar.inner ?? bar.outer ?? 0;
+    const outer = bar.outer ?? inner;
+    return [
+      svg("text", { x: 142, y: y + 13, "text-anchor": "end" }, bar.label || title),
+      svg("rect", { x: 150, y, width: x(inner) - 150, height: 18, class: "solid-bar" }),
+      svg("rect", { x: x(inner), y, width: Math.max(x(outer) - x(inner), 0), height: 18, class: "open-bar", fill: "url(#open)" }),
+      svg("text", { x: x(Math.max(Math.abs(outer), Math.abs(inner))) + 8, y: y + 13 }, bar.text),
+    ];
+  });
+  const pattern = svg("pattern", { id: "open", width: 6, height: 6, patternUnits: "userSpaceOnUse", patternTransform: "rotate(45)" }, svg("rect", { width: 2.5, height: 6, class: "sample-line" }));
+  return svg("svg", { viewBox: `0 0 ${WIDTH} ${list.length * ROW + 6}`, class: "bars", role: "img", "aria-label": title }, svg("defs", {}, pattern), ...shapes);
+}
+
+const text = (x: number | null): string => (x === null ? "none" : shortNumber(x));
+
+function boundFigure(bound: any): HTMLElement {
+  const components: any[] = bound.components;
+  const list: Bar[] = components.map((c) => {
+    const [lower, upper] = bound.least ? [c.proved, c.attained] : [c.attained, c.proved];
+    return {
+      label: c.label,
+      inner: lower,
+      outer: upper,
+      text: c.unbounded ? "unbounded: a singular pose" : withUnit(`${text(lower)} … ${text(upper)}`, c.unit),
+    };
+  });
+  const ends = bound.least ? ["proved", "attained"] : ["attained", "proved"];
+  return h(
+    "figure",
+    {},
+    h("figcaption", {}, h("strong", {}, bound.bound), `: ${bound.result}`),
+    bars(list, bound.bound),
+    table(
+      ["", `${ends[0]} (solid)`, `${ends[1]} (end of the hatched part)`, "closed"],
+      list.map((bar, i) => [
+        bar.label || bound.bound,
+        withUnit(text(bar.inner), components[i].unit),
+        withUnit(text(bar.outer), components[i].unit),
+        components[i].closed ? "yes" : components[i].reason || "no",
+      ]),
+      bound.bound,
+    ),
+  );
+}
+
+export function boundsPart(data: PageData): HTMLElement | null {
+  if (data.bounds.length === 0) return null;
+  return section(
+    "Bounds over the whole motion",
+    h("p", {}, "The attained end is the value at a pose of the motion; no pose has a value beyond the proved end."),
+    ...data.bounds.map(boundFigure),
+  );
+}
+
+export function marginsPart(data: PageData): HTMLElement | null {
+  if (data.margins.length === 0) return null;
+  return section(
+    "Margins",
+    ...data.margins.map((margin) =>
+      h(
+        "figure",
+        {},
+        h("figcaption", {}, h("strong", {}, `${margin.margin.kind} of ${margin.margin.groups ?? ""}`), `: ${margin.bracket}`),
+        bars([{ label: margin.margin.groups ?? "", inner: margin.certified, outer: margin.refuted, text: `${text(margin.certified)} … ${text(margin.refuted)}` }], margin.margin.kind),
+        h("p", {}, margin.certified_claim ? `Proved at ${margin.certified_exact}: ${margin.certified_claim}.` : "Nothing is proved at the lower end.",
+          margin.refuted_claim ? ` At ${margin.refuted_exact}: ${margin.refuted_claim}.` : ""),
+      ),
+    ),
+  );
+}

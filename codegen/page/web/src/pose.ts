@@ -1,0 +1,61 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The pose that every part of the page shows, with a slider for each motion parameter.
+import { PageData } from "./data";
+import { h, shortNumber, withUnit } from "./dom";
+import { Question } from "./question";
+
+export class ShownPose {
+  readonly values: number[];
+  private readonly listeners: (() => void)[] = [];
+
+  constructor(readonly question: Question) {
+    this.values = question.parameters.map(({ range }) => (range.lo + range.hi) / 2);
+  }
+
+  listen(listener: () => void): void {
+    this.listeners.push(listener);
+  }
+
+  set(changes: ReadonlyMap<number, number>): void {
+    for (const [k, value] of changes) {
+      const { lo, hi } = this.question.parameters[k].range;
+      this.values[k] = Math.min(Math.max(value, lo), hi);
+    }
+    for (const listener of this.listeners) listener();
+  }
+}
+
+const STEPS = 1000;
+
+/** The sliders; those of single values are not shown. */
+export function poseSliders(pose: ShownPose, data: PageData): HTMLElement {
+  const rows = pose.question.parameters.map(({ name, range }, k) => {
+    const unit = data.units[name];
+    const width = range.hi - range.lo;
+    const output = h("output", {});
+    if (width === 0) {
+      output.textContent = withUnit(shortNumber(range.lo), unit);
+      return h("div", { class: "slider" }, h("span", {}, name), h("span", {}, "one value"), output);
+    }
+    const id = `slider-${k}`;
+    const input = h("input", {
+      type: "range",
+      id,
+      min: 0,
+      max: STEPS,
+      step: 1,
+      "data-parameter": name,
+      input: () => pose.set(new Map([[k, range.lo + (width * Number(input.value)) / STEPS]])),
+    });
+    const show = (): void => {
+      input.value = String(Math.round(((pose.values[k] - range.lo) / width) * STEPS));
+      const text = withUnit(shortNumber(pose.values[k]), unit);
+      output.textContent = text;
+      input.setAttribute("aria-valuetext", text);
+    };
+    pose.listen(show);
+    show();
+    return h("div", { class: "slider" }, h("label", { for: id }, name), input, output);
+  });
+  return h("div", { class: "sliders" }, ...rows);
+}

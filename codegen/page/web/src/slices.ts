@@ -1,0 +1,232 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Slices through the boxes. What is certified is solid; what is only sampled is hatched and says so.
+import { PageData } from "./data";
+import { h, section, shortNumber, svg, withUnit } from "./dom";
+import { ShownPose } from "./pose";
+import { Question } from "./question";
+import { approximateDeterminant } from "./matrices";
+import { leavesAt, Tree } from "./tree";
+
+export type Claim = "free" | "singular" | "undecided" | "outside" | "unreachable";
+
+const WORDS: Record<Claim, string> = {
+  free: "certified: no singularity",
+  singular: "certified: holds a singularity",
+  undecided: "neither was shown",
+  outside: "certified: outside the constraints",
+  unreachable: "certified: out of reach",
+};
+
+/** The claim of a leaf: of a paving its word; of a proof every leaf is free or outside. */
+export function claimOfWord(word: string, isPaving: boolean): Claim {
+  if (!isPaving) return word === "outside" ? "outside" : "free";
+  return word in WORDS ? (word as Claim) : "undecided";
+}
+
+const SIZE = 400;
+const GRID = 40;
+
+let patterns = 0;
+
+function hatch(id: string, className: string): SVGElement {
+  return svg(
+    "pattern",
+    { id, width: 7, height: 7, patternUnits: "userSpaceOnUse", patternTransform: "rotate(45)" },
+    svg("rect", { width: 3, height: 7, class: className }),
+  );
+}
+
+interface Axes {
+  across: number;
+  up: number;
+  stack: number; // -1: none
+}
+
+export class Slices {
+  readonly element: HTMLElement;
+  private readonly axes: Axes;
+  private readonly free: number[]; // parameters that are not single values
+  private readonly figures = h("div", { class: "slices" });
+  private showSamples = true;
+
+  constructor(
+    private readonly data: PageData,
+    private readonly question: Question,
+    private readonly pose: ShownPose,
+    private readonly tree: Tree | null,
+    private readonly isPaving: boolean,
+  ) {
+    this.free = question.parameters.flatMap(({ range }, k) => (range.lo < range.hi ? [k] : []));
+    this.axes = { across: this.free[0] ?? -1, up: this.free[1] ?? -1, stack: this.free[2] ?? -1 };
+    this.element = section(
+      "Slices through the motion",
+      h("p", {}, this.introduction()),
+      this.choices(),
+      this.legend(),
+      this.figures,
+    );
+    pose.listen(() => this.draw());
+    this.draw();
+  }
+
+  private introduction(): string {
+    if (this.isPaving)
+      return "Each slice shows the boxes of the paving that meet a plane; the other parameters have the values of the sliders.";
+    if (this.tree)
+      return "Each slice shows the boxes of the proof that meet a plane; the other parameters have the values of the sliders.";
+    return "There is no proof over boxes to show here; add one with --paving. The samples below prove nothing.";
+  }
+
+  private choices(): HTMLElement {
+    const { parameters } = this.question;
+    const choice = (label: string, key: keyof Axes, none: boolean): HTMLElement => {
+      const id = `axis-${key}`;
+      const select = h(
+        "select",
+        { id, change: () => ((this.axes[key] = Number(select.value)), this.draw()) },
+        ...(none ? [h("option", { value: -1 }, "none")] : []),
+        ...this.free.map((k) => h("option", { value: k, selected: k === this.axes[key] }, parameters[k].name)),
+      );
+      return h("span", {}, h("label", { for: id }, label), " ", select);
+    };
+    const box = h("input", { type: "checkbox", id: "samples", checked: true, change: () => ((this.showSamples = box.checked), this.draw()) });
+    return h(
+      "div",
+      { class: "choices" },
+      choice("across", "across", false),
+      choice("up", "up", true),
+      choice("one slice for each of", "stack", true),
+      this.question.rows === this.question.columns
+        ? h("span", {}, box, " ", h("label", { for: "samples" }, "sampled sign changes of det"))
+        : null,
+    );
+  }
+
+  private legend(): HTMLElement {
+    const claims = new Set<Claim>(this.tree?.leaves.map((leaf) => claimOfWord(leaf.word, this.isPaving)) ?? ["undecided"]);
+    const key = (name: string, text: string): HTMLElement =>
+      h("li", {}, h("span", { class: `key ${name}` }), text);
+    return h(
+      "ul",
+      { class: "legend" },
+      ...[...claims].map((claim) => key(claim, WORDS[claim])),
+      key("sampled", "sampled, not proved: det changes its sign between neighbouring samples"),
+      key("cross", "the pose that is shown"),
+    );
+  }
+
+  private draw(): void {
+    const { stack } = this.axes;
+    if (this.axes.across < 0) {
+      this.figures.replaceChildren(h("p", {}, "The motion is a single pose."));
+      return;
+    }
+    const figures = [this.slice(null, true)];
+    if (stack >= 0 && stack !== this.axes.across && stack !== this.axes.up) {
+      const { lo, hi } = this.question.parameters[stack].range;
+      for (let i = 0; i < 5; ++i) figures.push(this.slice(lo + ((hi - lo) * (i + 0.5)) / 5, false));
+    }
+    this.figures.replaceChildren(...figures);
+  }
+
+  /** A slice at the shown pose, or at another value of the parameter `stack`. */
+  private slice(at: number | null, isMain: boolean): HTMLElement {
+    const { across, up, stack } = this.axes;
+    const { parameters } = this.question;
+    const values = [...this.pose.values];
+    if (at !== null) values[stack] = at;
+    const id = `hatch-${++patterns}`;
+    const x = parameters[across].range;
+    const y = up >= 0 && up !== across ? parameters[up].range : { lo: 0, hi: 1 };
+    const hasUp = up >= 0 && up !== across;
+    const toX = (value: number): number => ((value - x.lo) / (x.hi - x.lo)) * SIZE;
+    const toY = (value: number): number => SIZE - ((value - y.lo) / (y.hi - y.lo)) * SIZE;
+    const rectangle = (a: number, b: number, c: number, d: number, name: string): SVGElement =>
+      svg("rect", { x: toX(a).toFixed(2), y: toY(d).toFixed(2), width: (toX(b) - toX(a)).toFixed(2), height: (toY(c) - toY(d)).toFixed(2), class: name });
+    const shapes: SVGElement[] = [];
+    for (const leaf of this.leavesOf(values, hasUp)) {
+      const name = claimOfWord(leaf.word, this.isPaving);
+      const [p, q] = [leaf.box[across], hasUp ? leaf.box[up] : y];
+      shapes.push(rectangle(p.lo, p.hi, q.lo, q.hi, `box ${name}`));
+    }
+    if (!this.tree) shapes.push(rectangle(x.lo, x.hi, y.lo, y.hi, "box undecided"));
+    if (this.showSamples && hasUp && this.question.rows === this.question.columns)
+      for (const [p, q] of this.signChanges(values)) {
+        const mark = rectangle(p.lo, p.hi, q.lo, q.hi, "sampled");
+        mark.setAttribute("fill", `url(#${id})`);
+        shapes.push(mark);
+      }
+    const cx = toX(values[across]);
+    const cy = hasUp ? toY(values[up]) : SIZE / 2;
+    if (isMain) shapes.push(svg("path", { d: `M${cx - 9} ${cy}H${cx + 9}M${cx} ${cy - 9}V${cy + 9}`, class: "cross" }));
+    const names = hasUp ? `${parameters[across].name} and ${parameters[up].name}` : parameters[across].name;
+    const picture = svg(
+      "svg",
+      { viewBox: `-2 -2 ${SIZE + 4} ${SIZE + 4}`, role: "img", "aria-label": `Slice over ${names}${at === null ? "" : ` at ${parameters[stack].name} ${shortNumber(at)}`}`, preserveAspectRatio: "none" },
+      svg("defs", {}, hatch(id, "sample-line")),
+      ...shapes,
+    );
+    picture.addEventListener("click", (event) => {
+      const place = picture.getBoundingClientRect();
+      const changes = new Map([[across, x.lo + ((event.clientX - place.left) / place.width) * (x.hi - x.lo)]]);
+      if (hasUp) changes.set(up, y.hi - ((event.clientY - place.top) / place.height) * (y.hi - y.lo));
+      if (at !== null) changes.set(stack, at);
+      this.pose.set(changes);
+    });
+    return this.framed(picture, isMain, hasUp, at);
+  }
+
+  private framed(picture: SVGElement, isMain: boolean, hasUp: boolean, at: number | null): HTMLElement {
+    const { parameters } = this.question;
+    const axis = (k: number): string => {
+      const { name, range } = parameters[k];
+      const unit = this.data.units[name];
+      return `${name} from ${shortNumber(range.lo)} to ${withUnit(shortNumber(range.hi), unit)}`;
+    };
+    const { across, up, stack } = this.axes;
+    const caption =
+      at !== null
+        ? `${parameters[stack].name} = ${withUnit(shortNumber(at), this.data.units[parameters[stack].name])}`
+        : `across: ${axis(across)}${hasUp ? `; up: ${axis(up)}` : ""}`;
+    return h("figure", { class: isMain ? "slice main-slice" : "slice" }, picture, h("figcaption", {}, caption));
+  }
+
+  private leavesOf(values: readonly number[], hasUp: boolean) {
+    if (!this.tree) return [];
+    let next = 0;
+    const { across, up } = this.axes;
+    const fixed = this.question.variables.map((variable) => {
+      if (variable.kind !== "parameter") return (variable.range.lo + variable.range.hi) / 2;
+      const k = next++;
+      return k === across || (hasUp && k === up) ? null : values[k];
+    });
+    return leavesAt(this.tree, fixed);
+  }
+
+  /** Cells of a grid at whose corners det has both signs, in doubles. */
+  private signChanges(values: readonly number[]) {
+    const { across, up } = this.axes;
+    const { question } = this;
+    const x = question.parameters[across].range;
+    const y = question.parameters[up].range;
+    const at = (range: { lo: number; hi: number }, i: number): number => range.lo + ((range.hi - range.lo) * i) / GRID;
+    const signs: number[][] = [];
+    for (let i = 0; i <= GRID; ++i) {
+      signs.push([]);
+      for (let j = 0; j <= GRID; ++j) {
+        const point = [...values];
+        [point[across], point[up]] = [at(x, i), at(y, j)];
+        const found = question.approximateAt(point);
+        signs[i].push(Math.sign(approximateDeterminant(question.matrix.map((id) => found[id]), question.columns)));
+      }
+    }
+    const cells: [{ lo: number; hi: number }, { lo: number; hi: number }][] = [];
+    for (let i = 0; i < GRID; ++i)
+      for (let j = 0; j < GRID; ++j) {
+        const corners = [signs[i][j], signs[i + 1][j], signs[i][j + 1], signs[i + 1][j + 1]];
+        if (corners.includes(1) && corners.includes(-1))
+          cells.push([{ lo: at(x, i), hi: at(x, i + 1) }, { lo: at(y, j), hi: at(y, j + 1) }]);
+      }
+    return cells;
+  }
+}

@@ -1,0 +1,41 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The model, and what it takes to prove the verdict again.
+import { PageData } from "./data";
+import { h, section, table } from "./dom";
+
+function download(name: string, text: string): HTMLElement {
+  const link = h("button", { type: "button", click: () => {
+    const url = URL.createObjectURL(new Blob([text], { type: "text/plain" }));
+    h("a", { href: url, download: name }).click();
+    URL.revokeObjectURL(url);
+  } }, `Save ${name}`);
+  return link;
+}
+
+const fileName = (path: string): string => path.split("/").pop() || "model.toml";
+
+export function sourcePart(data: PageData): HTMLElement {
+  const licence = document.getElementById("licence")?.textContent ?? "";
+  const file = fileName(data.model.file);
+  return section(
+    "Model and proof",
+    h("p", {}, "Prove it again with the program that does not share code with the solver:"),
+    h("pre", { tabindex: 0, "aria-label": "Commands" }, data.again.join("\n")),
+    h("p", {}, download(file, data.model.text), " ", data.certificate === null ? null : download("proof.txt", data.certificate)),
+    table(
+      ["", ""],
+      [
+        ["Regulus", data.version],
+        ["page made by", data.command],
+        ["SHA-256 of the model", data.report.model_sha256],
+        ["method", data.report.method],
+        ["boxes", String(data.report.boxes)],
+        ["reason", data.report.reason],
+      ],
+      "Versions and hashes",
+    ),
+    h("details", { open: data.model.text.length < 4000 }, h("summary", {}, `The model, ${file}`), h("pre", { tabindex: 0, "aria-label": "Model" }, data.model.text)),
+    h("details", {}, h("summary", {}, "The question, in exact expressions"), h("pre", { tabindex: 0, "aria-label": "Question" }, data.question)),
+    h("details", {}, h("summary", {}, "Licence of the three.js that draws the robot"), h("pre", { tabindex: 0, "aria-label": "Licence" }, licence)),
+  );
+}

@@ -1,0 +1,115 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The verdict, what it does not mean, and the second proof in this browser.
+import { PageData } from "./data";
+import { h, section } from "./dom";
+import { Damage } from "./expression";
+import { Question } from "./question";
+import { proveTree, Progress } from "./reproof";
+import { proveSignChange, readWitness } from "./sign_change";
+import { readTree, Tree } from "./tree";
+
+const WORDS = { "no-singularity": "NO SINGULARITY", singularity: "SINGULARITY", "possible-problem": "POSSIBLE PROBLEM" };
+
+/** The claim and the proof of a certificate, checked against the question of the page. */
+export interface Certificate {
+  readonly proof: string;
+  readonly tree: Tree | null; // of NO SINGULARITY
+}
+
+/** Throws Damage unless the certificate is about the page's question and verdict. */
+export function readCertificate(data: PageData, question: Question): Certificate | null {
+  if (data.certificate === null) return null;
+  const lines = data.certificate.split("\n");
+  const head = lines.indexOf("proof");
+  const verdict = WORDS[data.report.verdict];
+  if (lines[0] !== "regulus-certificate 1" || head < 0 || lines[1] !== `verdict ${verdict}`)
+    throw new Damage("the certificate does not claim the verdict of the page");
+  if (lines.slice(3, head).join("\n") + "\n" !== data.question)
+    throw new Damage("the certificate is about another question than the page");
+  const proof = lines.slice(head + 1).join("\n");
+  const isTree = data.report.verdict === "no-singularity" && !question.isPiecewise;
+  return { proof, tree: isTree ? readTree(proof, question.box) : null };
+}
+
+/** Throws Damage unless the words that the page began with are those of its data. */
+export function requireSameWords(data: PageData): void {
+  const verdict = document.getElementById("verdict")?.textContent;
+  const claim = document.getElementById("claim")?.textContent;
+  if (verdict !== WORDS[data.report.verdict] || claim !== data.report.claim)
+    throw new Damage("the verdict in words is not that of the data");
+}
+
+const LIMITS: Record<keyof typeof WORDS, string[]> = {
+  "no-singularity": [
+    "It holds for every pose in the ranges below, not beyond them.",
+    "It does not say how close a singularity is: bounds of forces, speeds or the least singular value do.",
+  ],
+  singularity: [
+    "It shows one singular pose; there may be more.",
+    "It does not say that a motion of yours meets it: ask about that motion.",
+  ],
+  "possible-problem": ["It claims nothing: neither a proof nor a singular pose was found.", "More time, a smaller motion or another method may decide."],
+};
+
+export function verdictPart(data: PageData, question: Question): HTMLElement {
+  const ranges = question.parameters.length;
+  return section(
+    "What this does not mean",
+    h(
+      "ul",
+      {},
+      ...LIMITS[data.report.verdict].map((text) => h("li", {}, text)),
+      h("li", {}, "It is about the robot as the model at the end of this page describes it: these numbers, these tolerances. It cannot know the robot on your floor."),
+      h("li", {}, "Collisions, joint limits that the model does not state, and dynamics are no part of it."),
+    ),
+    h("p", {}, `Model ${data.report.model}, motion ${data.report.motion}, ${ranges} motion parameter${ranges === 1 ? "" : "s"}.`),
+  );
+}
+
+function say(text: string, state: string): void {
+  const line = document.getElementById("again");
+  if (!line) return;
+  line.textContent = text;
+  line.className = state;
+}
+
+function summary({ proved, total, undecided, outside }: Progress): void {
+  if (outside === total) say("NOT RE-PROVED: every box is outside the constraints, so that no pose remains.", "partly");
+  else if (undecided === 0) say(`RE-PROVED IN THIS BROWSER: ${proved} of ${total} boxes`, "proved");
+  else
+    say(`RE-PROVED IN THIS BROWSER: ${proved} of ${total} boxes. The simpler test of this page does not decide the other ${undecided}; regulus verify proves them.`, "partly");
+}
+
+/** Proves the tree in slices of a few milliseconds. */
+function proveInSlices(question: Question, tree: Tree): void {
+  const work = proveTree(question, tree);
+  const step = (): void => {
+    const until = performance.now() + 25;
+    try {
+      for (;;) {
+        const next = work.next();
+        if (next.done) return summary(next.value);
+        if (performance.now() > until) {
+          say(`Proving again: ${next.value.proved} of ${tree.leaves.length} boxes …`, "working");
+          break;
+        }
+      }
+    } catch (error) {
+      return say(`NOT RE-PROVED: ${String(error)}`, "failed");
+    }
+    setTimeout(step, 0);
+  };
+  step();
+}
+
+/** Proves the verdict again, and says in the page's header how far it came. */
+export function proveAgain(data: PageData, question: Question, certificate: Certificate | null): void {
+  if (data.report.verdict === "possible-problem") return say("Nothing is claimed, so there is nothing to prove again.", "partly");
+  if (!certificate) return say(`NOT RE-PROVED: this page has no certificate. ${data.certificate_note}`, "partly");
+  if (question.isPiecewise) return say("NOT RE-PROVED: this page does not prove motions of several pieces.", "partly");
+  if (certificate.tree) return proveInSlices(question, certificate.tree);
+  const witness = readWitness(certificate.proof, question);
+  const found = witness.reason === "always-singular" ? null : proveSignChange(question, witness.points[0]);
+  if (found) say("RE-PROVED IN THIS BROWSER: the determinant has certain, opposite signs at two poses near the witness, and is defined between them.", "proved");
+  else say("NOT RE-PROVED: this needs more digits or algebra than this page has; regulus verify has them.", "partly");
+}
