@@ -13,6 +13,7 @@
 #include "codegen/command/commands.hpp"
 #include "codegen/command/end_command.hpp"
 #include "codegen/command/interrupt.hpp"
+#include "codegen/command/shared_options.hpp"
 #include "codegen/engine/search_run.hpp"
 #include "codegen/engine/settings.hpp"
 #include "codegen/margin/margin_report.hpp"
@@ -144,7 +145,7 @@ class PageRun {
     if (!kind_of(quantity)) model.asked = quantity;
     BoundSettings settings;
     settings.gap = read_gap(command_.gap);
-    settings.search = command_.search;
+    settings.search = search_of_bracket();
     settings.output = command_.output;
     settings.interrupt = &interrupted();
     const Request request = read_request(model);
@@ -157,7 +158,7 @@ class PageRun {
     ModelOptions model = command_.model;
     model.tolerances.push_back(margin);
     const MarginQuestion question = take_question(model, "");
-    PreparedMargin prepared(question, model, command_.search, watch());
+    PreparedMargin prepared(question, model, search_of_bracket(), watch());
     prepared.settings.interrupt = &interrupted();
     MarginCertificates none("", prepared.request, prepared.prepared.labels);
     MarginRun run(prepared.prepared, question, prepared.request, prepared.search, command_.output,
@@ -167,6 +168,13 @@ class PageRun {
         json_margin(prepared.prepared, prepared.search, question, found, read_gap(command_.gap));
     report["bracket"] = describe_bracket(question, found);
     data_.margins.push_back(std::move(report));
+  }
+
+  /// Each bracket has a time limit of its own, as `bound` and `margin` have.
+  SearchOptions search_of_bracket() const {
+    SearchOptions search = command_.search;
+    if (!search.time_limit) search.time_limit = kMarginSeconds;
+    return search;
   }
 
   FormingWatch watch() const { return forming_watch(command_.output, &interrupted()); }

@@ -4,6 +4,7 @@ import { PageData } from "./data";
 import { h, section, shortNumber, svg, table, withUnit } from "./dom";
 
 const WIDTH = 600;
+let patterns = 0;
 const ROW = 30;
 
 interface Bar {
@@ -15,6 +16,7 @@ interface Bar {
 
 function bars(list: readonly Bar[], title: string): SVGElement {
   const largest = Math.max(...list.map((bar) => Math.max(Math.abs(bar.outer ?? 0), Math.abs(bar.inner ?? 0))), 1e-300);
+  const id = `open-${++patterns}`;
   const x = (value: number): number => 150 + (Math.abs(value) / largest) * (WIDTH - 330);
   const shapes = list.flatMap((bar, i) => {
     const y = i * ROW + 6;
@@ -23,11 +25,11 @@ function bars(list: readonly Bar[], title: string): SVGElement {
     return [
       svg("text", { x: 142, y: y + 13, "text-anchor": "end" }, bar.label || title),
       svg("rect", { x: 150, y, width: x(inner) - 150, height: 18, class: "solid-bar" }),
-      svg("rect", { x: x(inner), y, width: Math.max(x(outer) - x(inner), 0), height: 18, class: "open-bar", fill: "url(#open)" }),
+      svg("rect", { x: x(inner), y, width: Math.max(x(outer) - x(inner), 0), height: 18, class: "open-bar", fill: `url(#${id})` }),
       svg("text", { x: x(Math.max(Math.abs(outer), Math.abs(inner))) + 8, y: y + 13 }, bar.text),
     ];
   });
-  const pattern = svg("pattern", { id: "open", width: 6, height: 6, patternUnits: "userSpaceOnUse", patternTransform: "rotate(45)" }, svg("rect", { width: 2.5, height: 6, class: "sample-line" }));
+  const pattern = svg("pattern", { id, width: 6, height: 6, patternUnits: "userSpaceOnUse", patternTransform: "rotate(45)" }, svg("rect", { width: 2.5, height: 6, class: "sample-line" }));
   return svg("svg", { viewBox: `0 0 ${WIDTH} ${list.length * ROW + 6}`, class: "bars", role: "img", "aria-label": title }, svg("defs", {}, pattern), ...shapes);
 }
 
@@ -51,7 +53,7 @@ function boundFigure(bound: any): HTMLElement {
     h("figcaption", {}, h("strong", {}, bound.bound), `: ${bound.result}`),
     bars(list, bound.bound),
     table(
-      ["", `${ends[0]} (solid)`, `${ends[1]} (end of the hatched part)`, "closed"],
+      ["of", `${ends[0]} (solid)`, `${ends[1]} (end of the hatched part)`, "closed"],
       list.map((bar, i) => [
         bar.label || bound.bound,
         withUnit(text(bar.inner), components[i].unit),

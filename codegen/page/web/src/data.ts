@@ -34,6 +34,8 @@ export interface ReportedWitness extends Degeneracy {
 export interface Report {
   readonly verdict: "no-singularity" | "singularity" | "possible-problem";
   readonly claim: string;
+  readonly matrix: string;
+  readonly alpha: number;
   readonly reason: string;
   readonly model: string;
   readonly model_sha256: string;

@@ -37,7 +37,7 @@ export class Icicle {
     this.draw(drawing, tree.root, 0, WIDTH, height);
     drawing.addEventListener("keydown", (event) => this.move(event));
     this.choose(tree.root);
-    this.element = section(what, h("p", {}, `${tree.leaves.length} boxes cover the whole motion. Each row is a level of splits, each width the part of the volume.`), drawing, this.status, this.rules());
+    this.element = section(what, h("p", {}, `${tree.leaves.length === 1 ? "1 box covers" : `${tree.leaves.length} boxes cover`} the whole motion. Each row is a level of splits, each width the part of the volume.`), drawing, this.status, this.rules());
   }
 
   private draw(drawing: SVGElement, box: TreeBox, x: number, width: number, height: number): void {
@@ -99,7 +99,7 @@ export class Icicle {
     const counts = new Map<string, number>();
     for (const { word } of this.tree.leaves) counts.set(word, (counts.get(word) ?? 0) + 1);
     return table(
-      ["", "leaf", "boxes"],
+      ["colour", "leaf", "boxes"],
       [...counts].map(([word, count]) => [h("span", { class: `key ${classOf(word)}` }), word, String(count)]),
       "Leaves of the tree",
     );

@@ -87,6 +87,8 @@ function fail(error: unknown): void {
   const words = error instanceof Error ? error.message : String(error);
   document.querySelector("main#contents")?.replaceChildren();
   const verdict = document.getElementById("verdict");
+  const again = document.getElementById("again");
+  if (again) again.textContent = "";
   if (verdict) {
     verdict.textContent = "THIS PAGE IS DAMAGED";
     verdict.className = "damaged";

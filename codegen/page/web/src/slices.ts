@@ -48,6 +48,7 @@ export class Slices {
   private readonly free: number[]; // parameters that are not single values
   private readonly figures = h("div", { class: "slices" });
   private showSamples = true;
+  private isWaiting = false;
 
   constructor(
     private readonly data: PageData,
@@ -65,7 +66,7 @@ export class Slices {
       this.legend(),
       this.figures,
     );
-    pose.listen(() => this.draw());
+    pose.listen(() => this.drawSoon());
     this.draw();
   }
 
@@ -115,18 +116,28 @@ export class Slices {
     );
   }
 
+  /** Draws once for all changes before the next frame. */
+  private drawSoon(): void {
+    if (this.isWaiting) return;
+    this.isWaiting = true;
+    requestAnimationFrame(() => {
+      this.isWaiting = false;
+      this.draw();
+    });
+  }
+
   private draw(): void {
     const { stack } = this.axes;
     if (this.axes.across < 0) {
       this.figures.replaceChildren(h("p", {}, "The motion is a single pose."));
       return;
     }
-    const figures = [this.slice(null, true)];
+    const figures: HTMLElement[] = [];
     if (stack >= 0 && stack !== this.axes.across && stack !== this.axes.up) {
       const { lo, hi } = this.question.parameters[stack].range;
       for (let i = 0; i < 5; ++i) figures.push(this.slice(lo + ((hi - lo) * (i + 0.5)) / 5, false));
     }
-    this.figures.replaceChildren(...figures);
+    this.figures.replaceChildren(this.slice(null, true), h("div", { class: "stack" }, ...figures));
   }
 
   /** A slice at the shown pose, or at another value of the parameter `stack`. */

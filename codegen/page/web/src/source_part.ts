@@ -23,7 +23,7 @@ export function sourcePart(data: PageData): HTMLElement {
     h("pre", { tabindex: 0, "aria-label": "Commands" }, data.again.join("\n")),
     h("p", {}, download(file, data.model.text), " ", data.certificate === null ? null : download("proof.txt", data.certificate)),
     table(
-      ["", ""],
+      ["property", "value"],
       [
         ["Regulus", data.version],
         ["page made by", data.command],

@@ -51,10 +51,28 @@ const LIMITS: Record<keyof typeof WORDS, string[]> = {
   "possible-problem": ["It claims nothing: neither a proof nor a singular pose was found.", "More time, a smaller motion or another method may decide."],
 };
 
+const MEANINGS: Record<string, Record<string, string>> = {
+  matrix: {
+    "no-singularity": "at no pose of this motion can the platform give way while its motors are locked.",
+    singularity: "at a pose of this motion the platform can give way, at least a little, though all its motors are locked.",
+  },
+  forward: {
+    "no-singularity": "at no pose of this motion do the joints lose a direction in which they move the tool.",
+    singularity: "at a pose of this motion there is a direction in which the joints cannot move the tool.",
+  },
+};
+
+/** The verdict in the words of a machine's user; null if there is a threshold or no claim. */
+function meaning({ report }: PageData): HTMLElement | null {
+  const words = MEANINGS[report.matrix === "matrix" ? "matrix" : "forward"][report.verdict];
+  return words && report.alpha === 0 ? h("p", { class: "meaning" }, `In other words: ${words}`) : null;
+}
+
 export function verdictPart(data: PageData, question: Question): HTMLElement {
   const ranges = question.parameters.length;
   return section(
-    "What this does not mean",
+    "What this means, and what not",
+    meaning(data),
     h(
       "ul",
       {},
