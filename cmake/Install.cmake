@@ -109,6 +109,9 @@ if(REGULUS_CODEGEN)
           COMPONENT codegen FILES_MATCHING PATTERN "*.toml")
   install(FILES ${PROJECT_SOURCE_DIR}/codegen/model/model.schema.json ${PROJECT_SOURCE_DIR}/codegen/report/check.schema.json
           DESTINATION ${CMAKE_INSTALL_DATADIR}/regulus/schema COMPONENT codegen)
+  if(REGULUS_PAGE_TEMPLATE)
+    install(FILES ${REGULUS_PAGE_TEMPLATE} DESTINATION ${CMAKE_INSTALL_DATADIR}/regulus COMPONENT codegen)
+  endif()
   install(FILES ${PROJECT_SOURCE_DIR}/README.md ${PROJECT_SOURCE_DIR}/codegen/EMBEDDING.md
           DESTINATION ${CMAKE_INSTALL_DATADIR}/doc/regulus COMPONENT codegen)
   regulus_install_licences(${CMAKE_INSTALL_DATADIR}/doc/regulus codegen)

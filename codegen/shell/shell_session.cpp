@@ -82,6 +82,8 @@ const std::vector<ShellSession::Entry>& ShellSession::table() {
        "bracket a force, an error, a speed …, e.g. bound force --load payload", &S::run},
       {"datasheet", "datasheet [OPTIONS]", "bracket everything that the model has data for",
        &S::run},
+      {"report", "report -o FILE.html [OPTIONS]",
+       "run check, and what else is asked, and write a page for a browser", &S::run},
       {"plot", "plot FILE.svg|FILE.png [OPTIONS]", "run locate and draw the result", &S::plot},
       {"verify", "verify FILE", "check a certificate that check --certificate FILE wrote", &S::run},
       {"history", "history", "list the lines of this session", &S::history},

@@ -50,8 +50,7 @@ function robotPart(data: PageData, question: Question, pose: ShownPose): { eleme
 
 function pavingTree(data: PageData, question: Question): Tree | null {
   if (!data.paving) return null;
-  const box = question.box;
-  return readTree(data.paving.tree, box);
+  return readTree(data.paving.tree, question.box);
 }
 
 function build(main: HTMLElement): void {
@@ -59,8 +58,9 @@ function build(main: HTMLElement): void {
   requireSameWords(data);
   const question = new Question(data.question);
   const certificate = readCertificate(data, question);
-  const paving = pavingTree(data, question);
-  const tree = paving ?? certificate?.tree ?? null;
+  // A proof that covers everything says more than a paving, whose boxes may be undecided.
+  const paving = certificate?.tree ? null : pavingTree(data, question);
+  const tree = certificate?.tree ?? paving;
   const pose = new ShownPose(question);
   const { element, robot, view } = robotPart(data, question, pose);
   const witness = witnessPart(data, pose, robot, view);
@@ -70,8 +70,7 @@ function build(main: HTMLElement): void {
     new Slices(data, question, pose, tree, paving !== null).element,
     witness,
     boundsPart(data),
-    certificate?.tree ? new Icicle(question, certificate.tree, pose, "The tree of the proof").element : null,
-    paving ? new Icicle(question, paving, pose, "The tree of the paving").element : null,
+    tree ? new Icicle(question, tree, pose, paving ? "The tree of the paving" : "The tree of the proof").element : null,
     marginsPart(data),
     sourcePart(data),
   ];

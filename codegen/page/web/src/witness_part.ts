@@ -128,7 +128,7 @@ export function witnessPart(data: PageData, pose: ShownPose, robot: Robot | null
     table(["parameter", "value"], list),
     twist ? h("p", {}, `Lost twist (approximate; ${twist.normalised ?? ""}): `, twist.vectors.map((vector) =>
       vector.map((x, i) => withUnit(`${twist.columns[i]?.name ?? `column ${i + 1}`} = ${shortNumber(x)}`, undefined)).join(", ")).join("; ")) : null,
-    rows ? h("p", {}, `Dependent rows${view ? ", marked in the robot" : ""}: ${rows.taking_part.join(", ")}.`) : null,
+    rows ? h("p", {}, `Dependent rows${view ? ", in red in the robot" : ""}: ${rows.taking_part.join(", ")}.`) : null,
     degeneracy.singular_values ? h("p", {}, `Singular values, as parts of the largest (approximate): ${degeneracy.singular_values.map((x) => Number(x.toPrecision(3))).join(", ")}.`) : null,
   );
 }

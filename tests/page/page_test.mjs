@@ -1,0 +1,229 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Pages of two robots: what they show is what the program computed, and a damaged page says so.
+import assert from "node:assert/strict";
+import { createHash } from "node:crypto";
+import { execFileSync } from "node:child_process";
+import { mkdirSync, readFileSync, statSync, writeFileSync } from "node:fs";
+import { drawn, inBrowser, makePage, open, regulus, requireAccessible, secondProof, source, textOf, work } from "./browser.mjs";
+
+mkdirSync(work, { recursive: true });
+const robot = `${source}/models/robot_1.toml`;
+const planar = `${source}/models/planar_3rpr.toml`;
+
+const tests = [];
+const test = (name, run) => tests.push({ name, run });
+
+const safe = makePage("safe", [robot, "wide_15"]);
+const paved = makePage("paved", [planar, "crossing", "--paving"]);
+
+test("A page makes no request and no message, and proves its verdict again", async (browser) => {
+  const { page, faults } = await open(browser, safe);
+  assert.equal(await textOf(page, "#verdict"), "NO SINGULARITY");
+  assert.equal(await secondProof(page), "RE-PROVED IN THIS BROWSER: 3 of 3 boxes");
+  await requireAccessible(page, "light");
+  assert.deepEqual(faults, []);
+});
+
+/** Anchors and pose as the model file and the paper write them. */
+function platformPoints([x, y, z, psi, theta, phi]) {
+  const anchors = [[-3, 7, 0], [3, 7, 0], [7, -1, 0], [4, -6, 0], [-4, -6, 0], [-7, -1, 0]];
+  const turnZ = (a, [u, v, w]) => [Math.cos(a) * u - Math.sin(a) * v, Math.sin(a) * u + Math.cos(a) * v, w];
+  const turnX = (a, [u, v, w]) => [u, Math.cos(a) * v - Math.sin(a) * w, Math.sin(a) * v + Math.cos(a) * w];
+  return anchors.map((b) => turnZ(psi, turnX(theta, turnZ(phi, b))).map((value, i) => value + [x, y, z][i]));
+}
+
+test("Sliders move the robot to where the model says", async (browser) => {
+  const { page, faults } = await open(browser, safe);
+  const ranges = [[-15, 15], [-15, 15], [45, 50], ...Array(3).fill([-Math.PI / 12, Math.PI / 12])];
+  for (const steps of [[0, 1000, 250, 900, 100, 500], [730, 20, 999, 1, 640, 1000]]) {
+    const points = await page.evaluate((values) => {
+      document.querySelector("#points").open = true;
+      values.forEach((value, k) => {
+        const slider = document.getElementById(`slider-${k}`);
+        slider.value = value;
+        slider.dispatchEvent(new Event("input"));
+      });
+      return [...document.querySelectorAll("#points tbody tr")].map((row) =>
+        [...row.cells].slice(1).map((cell) => Number(cell.textContent)));
+    }, steps);
+    const expected = platformPoints(steps.map((step, k) => ranges[k][0] + ((ranges[k][1] - ranges[k][0]) * step) / 1000));
+    assert.equal(points.length, 12);
+    expected.forEach((point, i) =>
+      point.forEach((value, axis) => assert.ok(Math.abs(points[6 + i][axis] - value) < 1e-4, `B${i + 1}: ${points[6 + i]} and ${point}`)));
+  }
+  assert.deepEqual(faults, []);
+});
+
+/** The boxes that `regulus locate` writes; it ends with 1 for a singularity. */
+function locatedBoxes() {
+  const file = `${work}/boxes.jsonl`;
+  try {
+    execFileSync(regulus, ["locate", planar, "crossing", "--output", file, "--quiet"], { stdio: "pipe" });
+  } catch (error) {
+    assert.equal(error.status, 1);
+  }
+  return readFileSync(file, "utf8").trim().split("\n").map((line) => JSON.parse(line)).filter((line) => line.kind);
+}
+
+test("The colours of a slice are the claims of locate", async (browser) => {
+  const boxes = locatedBoxes();
+  const { page, faults } = await open(browser, paved);
+  await secondProof(page);
+  await page.click("#samples"); // hatching is on top of the boxes
+  await drawn(page);
+  const phi = 0.5484247464138107; // the page shows the witness
+  const seen = new Set();
+  for (let i = 0; i < 80; ++i) {
+    const x = -2 + 6 * ((i * 0.618034 + 0.013) % 1);
+    const y = 13 + 5 * ((i * 0.414214 + 0.007) % 1);
+    const here = boxes.filter(({ box }) =>
+      [[x, box.x], [y, box.y], [phi, box.phi]].every(([value, [lo, hi]]) => lo <= value && value <= hi));
+    const classes = await page.evaluate(([u, v]) => {
+      const svg = document.querySelector(".main-slice svg");
+      svg.scrollIntoView({ block: "center" });
+      const place = svg.getBoundingClientRect();
+      // The drawing has a margin of 2 about 400 units.
+      const at = (part, size) => ((2 + 400 * part) / 404) * size;
+      return document.elementFromPoint(place.left + at(u, place.width), place.top + at(v, place.height)).getAttribute("class");
+    }, [(x + 2) / 6, 1 - (y - 13) / 5]);
+    const kinds = here.map(({ kind }) => `box ${kind}`);
+    assert.ok(kinds.includes(classes), `${classes} at ${x}, ${y}; expected ${kinds}`);
+    seen.add(classes);
+  }
+  assert.ok(seen.has("box free") && seen.has("box singular"), [...seen].join());
+  assert.deepEqual(faults, []);
+});
+
+test("What is sampled is hatched, and the legend says so", async (browser) => {
+  const { page } = await open(browser, paved);
+  assert.match(await textOf(page, ".legend"), /sampled, not proved/);
+  const fills = await page.$$eval(".main-slice rect.sampled", (marks) => marks.map((mark) => mark.getAttribute("fill")));
+  assert.ok(fills.length > 10 && fills.every((fill) => fill.startsWith("url(#hatch")), fills.join());
+});
+
+test("The keyboard reaches and moves everything", async (browser) => {
+  const { page } = await open(browser, paved);
+  await secondProof(page);
+  await page.evaluate(() => {
+    globalThis.reached = new Set();
+    document.addEventListener("focusin", (event) => globalThis.reached.add(event.target));
+  });
+  const count = await page.$$eval("a, button, input, select, summary, [tabindex='0']", (all) => all.length);
+  for (let i = 0; i < count + 20; ++i) await page.keyboard.press("Tab");
+  const missed = await page.evaluate(() =>
+    [...document.querySelectorAll("a, button, input, select, summary, [tabindex='0']")]
+      .filter((element) => !globalThis.reached.has(element) && element.checkVisibility())
+      .map((element) => element.outerHTML.slice(0, 100)));
+  assert.deepEqual(missed, []);
+  await page.focus(".icicle");
+  await page.keyboard.press("ArrowDown");
+  assert.match(await textOf(page, ".status"), /^Box 1: /);
+  await page.keyboard.press("ArrowRight");
+  assert.match(await textOf(page, ".status"), /^Box 2: /);
+  await page.focus("#slider-0");
+  const before = await textOf(page, ".slider output");
+  await page.keyboard.press("ArrowLeft");
+  assert.notEqual(await textOf(page, ".slider output"), before);
+});
+
+test("It is readable in the dark, on a phone, on paper and without scripts", async (browser) => {
+  const { page: dark, faults } = await open(browser, safe, { scheme: "dark", width: 390 });
+  await secondProof(dark);
+  await requireAccessible(dark, "dark");
+  const width = await dark.evaluate(() => document.scrollingElement.scrollWidth);
+  assert.ok(width <= 390, `${width} pixels wide`);
+  await dark.emulateMediaType("print");
+  const shown = await dark.evaluate(() => [".robot-view canvas", ".robot-drawing"].map((name) => getComputedStyle(document.querySelector(name)).display));
+  assert.deepEqual(shown, ["none", "block"]);
+  assert.ok((await dark.$$(".robot-drawing line")).length >= 6);
+  assert.deepEqual(faults, []);
+  const { page: plain } = await open(browser, safe, { scripts: false });
+  const text = await plain.evaluate(() => document.body.innerText).catch(() => null);
+  const html = text ?? readFileSync(safe, "utf8").replace(/<script[\s\S]*?<\/script>/g, "");
+  assert.match(html, /NO SINGULARITY/);
+  assert.match(html, /full rank for every pose of the variety/);
+  assert.match(html, /boxes {6}5 evaluated/);
+});
+
+/** Changes the data of a page, and says that they are what was written. */
+function forged(file, change) {
+  const html = readFileSync(file, "utf8");
+  return html.replace(/(<script type="application\/json" id="data" data-sha256=")[0-9a-f]{64}(">)([^]*?)(<\/script>)/, (_, a, b, json, c) => {
+    const data = JSON.parse(json);
+    change(data);
+    const text = JSON.stringify(data).replaceAll("<", "\\u003c").replace(/[\u0080-\uffff]/g, (c) => `\\u${c.charCodeAt(0).toString(16).padStart(4, "0")}`);
+    return a + createHash("sha256").update(text).digest("hex") + b + text + c;
+  });
+}
+
+async function lookAt(browser, name, html) {
+  const file = `${work}/${name}.html`;
+  writeFileSync(file, html);
+  const { page } = await open(browser, file);
+  const again = await secondProof(page);
+  return { again, verdict: await textOf(page, "#verdict"), claim: await textOf(page, "#claim") };
+}
+
+test("A damaged page claims nothing", async (browser) => {
+  const html = readFileSync(safe, "utf8");
+  const cases = {
+    digit: [html.replace("l 2 mean-value", "l 2 mean-valve"), /SHA-256/],
+    words: [html.replace('">NO SINGULARITY</h1>', '">SINGULARITY</h1>'), /verdict in words/],
+    claim: [html.replace(/(<p id="claim">)[^<]*/, "$1the robot is perfect"), /verdict in words/],
+    model: [forged(safe, (data) => (data.model.text = data.model.text.replace("12, -3", "12, -4"))), /model text/],
+    leaf: [forged(safe, (data) => (data.certificate = data.certificate.replace("l 3 h-matrix\n", "").replace("end 3", "end 2"))), /1 boxes of the tree have no leaf/],
+    question: [forged(safe, (data) => (data.certificate = data.certificate.replace("x in -15 : 15", "x in -1 : 1"))), /another question/],
+    verdict: [forged(safe, (data) => (data.report.verdict = "singularity")), /verdict/],
+  };
+  for (const [name, [damaged, reason]] of Object.entries(cases)) {
+    assert.notEqual(damaged, html, name);
+    const { verdict, claim, again } = await lookAt(browser, `damaged_${name}`, damaged);
+    assert.equal(verdict, "THIS PAGE IS DAMAGED", name);
+    assert.match(claim, reason, name);
+    assert.equal(again, "", name);
+  }
+});
+
+test("A false claim is not proved again", async (browser) => {
+  const worse = (text) => text.replace("constant b1_x = -3", "constant b1_x = 3").replace(/^(parameter phi in )(.*)$/m, "$1-2 : 2");
+  const html = forged(safe, (data) => {
+    data.question = worse(data.question);
+    data.certificate = worse(data.certificate);
+  });
+  const { again } = await lookAt(browser, "false", html);
+  assert.match(again, /^RE-PROVED IN THIS BROWSER: [01] of 3 boxes\. The simpler test/);
+});
+
+test("A model cannot put scripts into its page", async (browser) => {
+  const name = `</script><script>alert(1)</script><img src=x onerror=alert(2)> \u2028 é @REGULUS_DATA@`;
+  const model = `${work}/hostile.toml`;
+  writeFileSync(model, readFileSync(planar, "utf8").replace('name = "planar 3-RPR"', `name = ${JSON.stringify(name)} # </script><!--`));
+  const { page, faults } = await open(browser, makePage("hostile", [model, "regular"]));
+  assert.match(await secondProof(page), /^RE-PROVED/);
+  assert.match(await page.title(), /<\/script><script>alert\(1\)/);
+  assert.deepEqual(faults, []);
+});
+
+test("5000 boxes fit into 1.5 MB", async (browser) => {
+  const file = makePage("large", [planar, "crossing", "--paving", "--resolution", "1/32"]);
+  const { page, faults } = await open(browser, file);
+  await secondProof(page);
+  const boxes = Number(/(\d+) boxes/.exec(await textOf(page, "main"))?.[1]);
+  assert.ok(boxes >= 5000, `${boxes} boxes`);
+  assert.ok(statSync(file).size <= 1.5e6, `${statSync(file).size} bytes`);
+  assert.deepEqual(faults, []);
+});
+
+await inBrowser(async (browser) => {
+  let failed = 0;
+  for (const { name, run } of tests) {
+    try {
+      await run(browser);
+      console.log(`ok      ${name}`);
+    } catch (error) {
+      ++failed;
+      console.log(`FAILED  ${name}\n${error.message}`);
+    }
+  }
+  process.exitCode = failed > 0 ? 1 : 0;
+});
