@@ -81,10 +81,8 @@ test("The colours of a slice are the claims of locate", async (browser) => {
     const classes = await page.evaluate(([u, v]) => {
       const svg = document.querySelector(".main-slice svg");
       svg.scrollIntoView({ block: "center" });
-      const place = svg.getBoundingClientRect();
-      // The drawing has a margin of 2 about 400 units.
-      const at = (part, size) => ((2 + 400 * part) / 404) * size;
-      return document.elementFromPoint(place.left + at(u, place.width), place.top + at(v, place.height)).getAttribute("class");
+      const { x, y } = new DOMPoint(400 * u, 400 * v).matrixTransform(svg.getScreenCTM());
+      return document.elementFromPoint(x, y).getAttribute("class");
     }, [(x + 2) / 6, 1 - (y - 13) / 5]);
     const kinds = here.map(({ kind }) => `box ${kind}`);
     assert.ok(kinds.includes(classes), `${classes} at ${x}, ${y}; expected ${kinds}`);
@@ -115,7 +113,7 @@ test("The keyboard reaches and moves everything", async (browser) => {
       .filter((element) => !globalThis.reached.has(element) && element.checkVisibility())
       .map((element) => element.outerHTML.slice(0, 100)));
   assert.deepEqual(missed, []);
-  await page.focus(".icicle");
+  await page.$eval(".icicle", (tree) => tree.focus());
   await page.keyboard.press("ArrowDown");
   assert.match(await textOf(page, ".status"), /^Box 1: /);
   await page.keyboard.press("ArrowRight");
@@ -205,7 +203,7 @@ test("A model cannot put scripts into its page", async (browser) => {
 });
 
 test("5000 boxes fit into 1.5 MB", async (browser) => {
-  const file = makePage("large", [planar, "crossing", "--paving", "--resolution", "1/32"]);
+  const file = makePage("large", [planar, "crossing", "--paving", "--resolution", "1/96"]);
   const { page, faults } = await open(browser, file);
   await secondProof(page);
   const boxes = Number(/(\d+) boxes/.exec(await textOf(page, "main"))?.[1]);
