@@ -215,9 +215,10 @@ test("5000 boxes fit into 1.5 MB", async (browser) => {
 await inBrowser(async (browser) => {
   let failed = 0;
   for (const { name, run } of tests) {
+    const start = performance.now();
     try {
       await run(browser);
-      console.log(`ok      ${name}`);
+      console.log(`ok      ${name} (${((performance.now() - start) / 1000).toFixed(1)} s)`);
     } catch (error) {
       ++failed;
       console.log(`FAILED  ${name}\n${error.message}`);

@@ -13,7 +13,9 @@ export interface Progress {
 }
 
 /** The most boxes that one leaf is split into: then it counts as not decided here. */
-const MOST_PARTS = 20000;
+const MOST_PARTS = 2000;
+/** The most boxes that all leaves together are split into; the rest counts as not decided here. */
+const MOST_PARTS_OF_ALL = 40000;
 
 /** Proves one leaf in slices of work; returns undefined while it is not done. */
 function* proveLeaf(prover: LeafProver, box: Box): Generator<undefined, { ok: boolean; outside: boolean; parts: number }> {
@@ -40,6 +42,10 @@ export function* proveTree(question: Question, tree: Tree): Generator<Progress, 
   const total = tree.leaves.length;
   let state: Progress = { proved: 0, undecided: 0, total, outside: 0, parts: 0 };
   for (const leaf of tree.leaves) {
+    if (state.parts > MOST_PARTS_OF_ALL) {
+      state = { ...state, undecided: total - state.proved };
+      break;
+    }
     const work = proveLeaf(prover, leaf.box);
     let step = work.next();
     for (; !step.done; step = work.next()) yield state;

@@ -1,0 +1,43 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// A page of every robot of the library, and of every robot file of the tests that can be imported: it
+// opens without a request or a message, shows its robot and says what it has proved again.
+import assert from "node:assert/strict";
+import { execFileSync } from "node:child_process";
+import { mkdirSync, readdirSync, statSync } from "node:fs";
+import { inBrowser, makePage, open, regulus, requireAccessible, secondProof, source, textOf, work } from "./browser.mjs";
+
+mkdirSync(work, { recursive: true });
+const models = readdirSync(`${source}/models`).filter((name) => name.endsWith(".toml"));
+
+/** The motions of a model that a page can show. */
+function motionsOf(model) {
+  const listed = JSON.parse(execFileSync(regulus, ["list", model, "--json"], { encoding: "utf8", stdio: ["ignore", "pipe", "ignore"] }));
+  return listed.motions.map(({ name }) => name);
+}
+
+await inBrowser(async (browser) => {
+  let failed = 0;
+  for (const model of models) {
+    const path = `${source}/models/${model}`;
+    const motion = motionsOf(path)[0];
+    try {
+      const file = makePage(model, [path, motion, "--time-limit", "20"]);
+      const start = performance.now();
+      const { page, faults } = await open(browser, file, { width: failed % 2 ? 390 : 1200 });
+      const opened = performance.now() - start;
+      const again = await secondProof(page);
+      const verdict = await textOf(page, "#verdict");
+      assert.match(verdict, /^(NO SINGULARITY|SINGULARITY|POSSIBLE PROBLEM)$/);
+      await requireAccessible(page, model);
+      assert.deepEqual(faults, []);
+      assert.ok(statSync(file).size <= 1.5e6);
+      await page.screenshot({ path: `${work}/${model}.png`, fullPage: true });
+      console.log(`ok      ${model} ${motion}: ${verdict}; ${again}; opened in ${opened.toFixed(0)} ms, ${(statSync(file).size / 1000).toFixed(0)} kB`);
+      await page.close();
+    } catch (error) {
+      ++failed;
+      console.log(`FAILED  ${model} ${motion}\n${error.message}`);
+    }
+  }
+  process.exitCode = failed > 0 ? 1 : 0;
+});
