@@ -6,9 +6,9 @@
 
 #include "codegen/model/certain_sign.hpp"
 #include "codegen/model/constants.hpp"
-#include "codegen/model/drawing.hpp"
 #include "codegen/model/ginac_text.hpp"
 #include "codegen/model/leg_geometry.hpp"
+#include "codegen/model/legs_drawing.hpp"
 #include "codegen/model/names.hpp"
 #include "codegen/model/sections.hpp"
 
@@ -290,7 +290,8 @@ class LegsReader {
     set_twist();
     set_rows(written.rows);
     for (const Formula& range : written.ranges) reading_.joint_ranges.push_back(parsed(range));
-    draw(written.points);
+    reading_.model.drawing = std::make_shared<Drawing>(
+        legs_drawing(written.points, [this](const Formula& f) { return parsed(f).value; }));
     describe(legs.size(), written.rows);
   }
 
@@ -334,29 +335,6 @@ class LegsReader {
       for (unsigned j = 0; j < columns; ++j) model.matrix(i, j) = of_the_matrix(rows[i].entries[j]);
       model.row_scale.push_back(of_the_matrix(rows[i].scale));
     }
-  }
-
-  void draw(const std::vector<LegPoints>& legs) {
-    using Kind = Drawing::Kind;
-    const auto drawing = std::make_shared<Drawing>();
-    Drawing::Part base{Kind::kBase, {}}, platform{Kind::kPlatform, {}};
-    std::vector<Drawing::Part> rods;
-    for (const LegPoints& leg : legs) {
-      std::vector<Point> points;
-      for (const FormulaPoint& p : leg.points)
-        points.push_back({parsed(p[0]).value, parsed(p[1]).value, parsed(p[2]).value});
-      base.points.push_back(points.front());
-      platform.points.push_back(points.back());
-      const std::size_t last = points.size() - 1;
-      if (last == 2)
-        rods.push_back(
-            {leg.kind == LegKind::kCrank ? Kind::kLink : Kind::kRail, {points[0], points[1]}});
-      rods.push_back(
-          {last == 2 ? Kind::kLink : Kind::kLeg, {points[last - 1], points[last]}, leg.row});
-    }
-    drawing->parts = {base, platform};
-    drawing->parts.insert(drawing->parts.end(), rods.begin(), rods.end());
-    reading_.model.drawing = drawing;
   }
 
   void describe(std::size_t legs, const std::vector<LegRow>& rows) {

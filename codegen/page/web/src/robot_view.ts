@@ -93,7 +93,8 @@ export class RobotView {
         if (Number.isFinite(length)) [lo, hi] = [Math.min(lo, length), Math.max(hi, length)];
       }
     }
-    return lo <= hi ? { lo, hi } : { lo: 0, hi: 0 };
+    // Rods of one length differ by roundings only.
+    return hi - lo > 1e-6 * hi ? { lo, hi } : { lo: 0, hi: 0 };
   }
 
   /** Coordinates in which the robot has radius 1 about the origin. */

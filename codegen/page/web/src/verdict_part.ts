@@ -94,8 +94,9 @@ function say(text: string, state: string): void {
 function summary({ proved, total, undecided, outside }: Progress): void {
   if (outside === total) say("NOT RE-PROVED: every box is outside the constraints, so that no pose remains.", "partly");
   else if (undecided === 0) say(`RE-PROVED IN THIS BROWSER: ${proved} of ${total} boxes`, "proved");
+  else if (proved === 0) say("NOT RE-PROVED: the simpler test of this page decides no box; regulus verify has more tests.", "partly");
   else
-    say(`RE-PROVED IN THIS BROWSER: ${proved} of ${total} boxes. The simpler test of this page does not decide the other ${undecided}; regulus verify proves them.`, "partly");
+    say(`RE-PROVED IN THIS BROWSER: ${proved} of ${total} boxes. The simpler test of this page does not decide the other ${undecided}; regulus verify has more tests.`, "partly");
 }
 
 /** Proves the tree in slices of a few milliseconds. */

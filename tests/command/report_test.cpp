@@ -1,0 +1,131 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// `regulus report` from the outside; tests/page looks at its pages in a browser.
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <filesystem>
+#include <fstream>
+#include <nlohmann/json.hpp>
+#include <sstream>
+
+#include "tests/support/command.hpp"
+#include "tests/support/temporary_directory.hpp"
+
+namespace regulus::test {
+namespace {
+
+namespace fs = std::filesystem;
+using testing::HasSubstr;
+
+const std::string kProgram = REGULUS_BINARY_DIR "/bin/regulus";
+const std::string kModels = REGULUS_SOURCE_DIR "/models/";
+
+std::string text_of(const fs::path& file) {
+  std::ostringstream text;
+  text << std::ifstream(file).rdbuf();
+  return text.str();
+}
+
+/// The data of a page.
+nlohmann::json data_of(const fs::path& file) {
+  const std::string page = text_of(file), begin = "data-sha256=\"";
+  const std::size_t at = page.find('>', page.find(begin)) + 1;
+  return nlohmann::json::parse(page.substr(at, page.find("</script>", at) - at));
+}
+
+/// Runs on the program of the build, if that has a page.
+class AReport : public testing::Test {
+ protected:
+  void SetUp() override {
+    if (!fs::exists(REGULUS_BINARY_DIR "/share/regulus/page.html"))
+      GTEST_SKIP() << "this build has no page: npm is missing";
+  }
+
+  CommandResult report(std::vector<std::string> words) {
+    words.insert(words.begin(), {kProgram, "report"});
+    words.insert(words.end(), {"-o", page_});
+    return run_command(words);
+  }
+
+  TemporaryDirectory folder_;
+  const std::string page_ = folder_.path() / "page.html";
+};
+
+TEST_F(AReport, HasTheVerdictTheProofAndTheModel) {
+  const CommandResult made = report({kModels + "robot_1.toml", "wide_15", "--range", "x=-1:1"});
+  EXPECT_EQ(made.exit_code, 0);
+  EXPECT_EQ(made.output, "NO SINGULARITY\n");
+  EXPECT_THAT(made.errors, HasSubstr("page       " + page_));
+  const nlohmann::json data = data_of(page_);
+  EXPECT_EQ(data["model"]["text"], text_of(kModels + "robot_1.toml"));
+  EXPECT_THAT(data["certificate"].get<std::string>(),
+              HasSubstr(data["question"].get<std::string>()));
+  EXPECT_THAT(data["question"].get<std::string>(), HasSubstr("parameter x in -1 : 1\n"));
+  EXPECT_THAT(data["again"][0].get<std::string>(), HasSubstr("wide_15 --range x=-1:1"));
+  EXPECT_EQ(data["drawing"]["parts"].size(), 8U);
+  EXPECT_THAT(text_of(page_), HasSubstr(">NO SINGULARITY</h1>"));
+}
+
+TEST_F(AReport, HasWhatElseIsAsked) {
+  const CommandResult made = report({kModels + "planar_3rpr.toml", "crossing", "--paving",
+                                     "--resolution", "1/8", "--bound", "determinant", "--gap",
+                                     "0.5", "--margin", "base=0:0.1", "--time-limit", "5"});
+  EXPECT_EQ(made.exit_code, 1) << made.errors;
+  const nlohmann::json data = data_of(page_);
+  EXPECT_EQ(data["bounds"].size(), 1U);
+  EXPECT_EQ(data["margins"].size(), 1U);
+  EXPECT_TRUE(data["margins"][0].contains("bracket"));
+  std::istringstream tree(data["paving"]["tree"].get<std::string>());
+  std::size_t leaves = 0, said = 0;
+  for (std::string line; std::getline(tree, line);) {
+    leaves += line.starts_with("l ") ? 1 : 0;
+    if (line.starts_with("end ")) said = std::stoul(line.substr(4));
+  }
+  EXPECT_GT(leaves, 10U);
+  EXPECT_EQ(leaves, said);
+}
+
+TEST_F(AReport, IsTheSameEachTimeButForTheTimes) {
+  const auto without_times = [&] {
+    EXPECT_EQ(report({kModels + "orthoglide.toml", "--quiet"}).exit_code, 0);
+    nlohmann::json data = data_of(page_);
+    for (const char* key : {"seconds", "cache", "engine_boxes"}) data["report"].erase(key);
+    return data;
+  };
+  const nlohmann::json first = without_times();
+  EXPECT_EQ(first, without_times());
+}
+
+TEST_F(AReport, KeepsThePageOfAnEarlierRunAside) {
+  std::ofstream(page_) << "earlier";
+  EXPECT_EQ(report({kModels + "orthoglide.toml", "no-such-motion"}).exit_code, 64);
+  EXPECT_FALSE(fs::exists(page_));
+  EXPECT_EQ(text_of(page_ + ".old"), "earlier");
+}
+
+TEST_F(AReport, RefusesWhatItCannotShow) {
+  const CommandResult gap = report({kModels + "orthoglide.toml", "--gap", "2"});
+  EXPECT_EQ(gap.exit_code, 64);
+  const CommandResult quantity = report({kModels + "orthoglide.toml", "--bound", "beauty"});
+  EXPECT_EQ(quantity.exit_code, 64);
+  EXPECT_FALSE(fs::exists(page_));
+  const CommandResult no_file = run_command({kProgram, "report", kModels + "orthoglide.toml"});
+  EXPECT_EQ(no_file.exit_code, 64);
+  EXPECT_THAT(no_file.errors, HasSubstr("--output"));
+}
+
+TEST(AProgramWithoutThePage, SaysHowToGetIt) {
+  const TemporaryDirectory folder;
+  fs::create_directory(folder.path() / "bin");
+  fs::copy_file(kProgram, folder.path() / "bin/regulus");
+  const CommandResult refused =
+      run_command({folder.path() / "bin/regulus", "report", kModels + "orthoglide.toml", "-o",
+                   folder.path() / "page.html"});
+  EXPECT_EQ(refused.exit_code, 74);
+  EXPECT_THAT(refused.errors, HasSubstr("built without the page"));
+  EXPECT_THAT(refused.errors, HasSubstr("apt-get install npm"));
+  EXPECT_FALSE(fs::exists(folder.path() / "page.html"));
+}
+
+}  // namespace
+}  // namespace regulus::test
