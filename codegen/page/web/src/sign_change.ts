@@ -2,7 +2,7 @@
 // Proves a singularity again: between two points with determinants of opposite signs there is one.
 import { enclose } from "./evaluation";
 import { Damage, readEnd } from "./expression";
-import { hull, Interval, isBounded, middle, point } from "./interval";
+import { hull, Interval, isBounded, magnitude, middle, multiply, point } from "./interval";
 import { encloseDeterminant } from "./matrices";
 import { Question } from "./question";
 
@@ -54,6 +54,18 @@ export function proveSignChange(question: Question, near: readonly Interval[]): 
     if (found) return found;
   }
   return null;
+}
+
+/** True if |det A . prod scale| is certainly at most the threshold at a point next to this one. */
+export function proveSmallDeterminant(question: Question, near: readonly Interval[]): boolean {
+  if (question.rows !== question.columns || question.balls.length > 0) return false;
+  const x = movedInside(question, near.map(middle));
+  const values = enclose(question.graph, boxAround(question, x, x));
+  const entries = question.matrix.map((id) => values[id]);
+  const det = entries.every(isBounded) ? encloseDeterminant(entries, question.columns) : null;
+  if (!det || !isBoxInSet(question, x, x)) return false;
+  const scaled = question.scale.reduce((product, id) => multiply(product, values[id]), det);
+  return isBounded(scaled) && magnitude(scaled) <= question.constant(question.threshold).lo;
 }
 
 /** True for a single value that is not a double: its range encloses it closely. */

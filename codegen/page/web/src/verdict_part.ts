@@ -5,7 +5,7 @@ import { h, section } from "./dom";
 import { Damage } from "./expression";
 import { Question } from "./question";
 import { proveTree, Progress } from "./reproof";
-import { proveSignChange, readWitness } from "./sign_change";
+import { proveSignChange, proveSmallDeterminant, readWitness } from "./sign_change";
 import { readTree, Tree } from "./tree";
 
 const WORDS = { "no-singularity": "NO SINGULARITY", singularity: "SINGULARITY", "possible-problem": "POSSIBLE PROBLEM" };
@@ -128,6 +128,8 @@ export function proveAgain(data: PageData, question: Question, certificate: Cert
   if (question.isPiecewise) return say("NOT RE-PROVED: this page does not prove motions of several pieces.", "partly");
   if (certificate.tree) return proveInSlices(question, certificate.tree);
   const witness = readWitness(certificate.proof, question);
+  if (witness.reason === "small-determinant" && proveSmallDeterminant(question, witness.points[0]))
+    return say("RE-PROVED IN THIS BROWSER: the determinant is certainly within the threshold at a pose next to the witness.", "proved");
   const found = witness.reason === "always-singular" ? null : proveSignChange(question, witness.points[0]);
   if (found) say("RE-PROVED IN THIS BROWSER: the determinant has certain, opposite signs at two poses near the witness, and is defined between them.", "proved");
   else say("NOT RE-PROVED: this needs more digits or algebra than this page has; regulus verify has them.", "partly");
