@@ -25,7 +25,7 @@ test: dependencies   ## the fast tests
 	ctest --preset release
 
 test-all: dependencies  ## every test, the slow ones and ThreadSanitizer's too
-	@cmake/install-dependencies.sh g++-aarch64-linux-gnu qemu-user-static dpkg-dev file || echo "Tests that need them are left out."
+	@cmake/install-dependencies.sh g++-aarch64-linux-gnu qemu-user-static dpkg-dev file chromium || echo "Tests that need them are left out."
 	cmake --preset release -DREGULUS_TESTS=ON
 	cmake --build --preset release
 	ctest --preset all

@@ -183,13 +183,14 @@ test("A damaged page claims nothing", async (browser) => {
 });
 
 test("A false claim is not proved again", async (browser) => {
-  const worse = (text) => text.replace("constant b1_x = -3", "constant b1_x = 3").replace(/^(parameter phi in )(.*)$/m, "$1-2 : 2");
-  const html = forged(safe, (data) => {
+  // The planar robot is singular in this wider range.
+  const worse = (text) => text.replace(/^(parameter phi in .* : ).*$/m, "$11");
+  const html = forged(makePage("regular", [planar, "regular"]), (data) => {
     data.question = worse(data.question);
     data.certificate = worse(data.certificate);
   });
   const { again } = await lookAt(browser, "false", html);
-  assert.match(again, /^(NOT RE-PROVED|RE-PROVED IN THIS BROWSER: [12] of 3 boxes\. The simpler test)/);
+  assert.match(again, /^NOT RE-PROVED: the simpler test/);
 });
 
 test("A model cannot put scripts into its page", async (browser) => {

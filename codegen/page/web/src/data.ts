@@ -37,6 +37,7 @@ export interface Report {
   readonly matrix: string;
   readonly alpha: number;
   readonly reason: string;
+  readonly blocking_box: Record<string, Bounds> | null;
   readonly model: string;
   readonly model_sha256: string;
   readonly motion: string;

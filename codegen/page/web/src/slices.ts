@@ -98,7 +98,7 @@ export class Slices {
       choice("up", "up", true),
       choice("one slice for each of", "stack", true),
       this.question.rows === this.question.columns
-        ? h("span", {}, box, " ", h("label", { for: "samples" }, "sampled sign changes of det"))
+        ? h("span", {}, box, " ", h("label", { for: "samples" }, "samples of det"))
         : null,
     );
   }
@@ -111,7 +111,7 @@ export class Slices {
       "ul",
       { class: "legend" },
       ...[...claims].map((claim) => key(claim, WORDS[claim])),
-      key("sampled", "sampled, not proved: det changes its sign between neighbouring samples"),
+      key("sampled", this.free.length > 1 ? "sampled, not proved: det changes its sign between neighbouring samples" : "dashed: det as sampled, not proved; the line is 0"),
       key("cross", "the pose that is shown"),
     );
   }
@@ -167,6 +167,8 @@ export class Slices {
         mark.setAttribute("fill", `url(#${id})`);
         shapes.push(mark);
       }
+    if (this.showSamples && !hasUp && this.question.rows === this.question.columns)
+      shapes.push(...this.determinantCurve(values));
     const cx = toX(values[across]);
     const cy = hasUp ? toY(values[up]) : SIZE / 2;
     if (isMain) shapes.push(svg("path", { d: `M${cx - 9} ${cy}H${cx + 9}M${cx} ${cy - 9}V${cy + 9}`, class: "cross" }));
@@ -187,6 +189,29 @@ export class Slices {
     return this.framed(picture, isMain, hasUp, at);
   }
 
+  /** det along the only axis, in doubles; the line in the middle is 0. */
+  private determinantCurve(values: readonly number[]): SVGElement[] {
+    const { across } = this.axes;
+    const { lo, hi } = this.question.parameters[across].range;
+    const samples = Array.from({ length: 241 }, (_, i) => {
+      const point = [...values];
+      point[across] = lo + ((hi - lo) * i) / 240;
+      return this.sampled(point);
+    });
+    const largest = Math.max(...samples.filter(Number.isFinite).map(Math.abs), 1e-300);
+    const places = samples.flatMap((det, i) =>
+      Number.isFinite(det) ? [`${((i / 240) * SIZE).toFixed(1)} ${((0.5 - (0.45 * det) / largest) * SIZE).toFixed(1)}`] : []);
+    return [
+      svg("path", { d: `M0 ${SIZE / 2}H${SIZE}`, class: "zero-line" }),
+      svg("path", { d: places.length > 0 ? `M${places.join("L")}` : "M0 0", class: "sample-curve" }),
+    ];
+  }
+
+  private sampled(parameters: readonly number[]): number {
+    const found = this.question.approximateAt(parameters);
+    return approximateDeterminant(this.question.matrix.map((id) => found[id]), this.question.columns);
+  }
+
   private framed(picture: SVGElement, isMain: boolean, hasUp: boolean, at: number | null): HTMLElement {
     const { parameters } = this.question;
     const axis = (k: number): string => {
@@ -199,7 +224,7 @@ export class Slices {
       at !== null
         ? `${parameters[stack].name} = ${withUnit(shortNumber(at), this.data.units[parameters[stack].name])}`
         : `across: ${axis(across)}${hasUp ? `; up: ${axis(up)}` : ""}`;
-    return h("figure", { class: isMain ? "slice main-slice" : "slice" }, picture, h("figcaption", {}, caption));
+    return h("figure", { class: `slice${isMain ? " main-slice" : ""}${hasUp ? "" : " strip"}` }, picture, h("figcaption", {}, caption));
   }
 
   private leavesOf(values: readonly number[], hasUp: boolean) {
@@ -227,8 +252,7 @@ export class Slices {
       for (let j = 0; j <= GRID; ++j) {
         const point = [...values];
         [point[across], point[up]] = [at(x, i), at(y, j)];
-        const found = question.approximateAt(point);
-        signs[i].push(Math.sign(approximateDeterminant(question.matrix.map((id) => found[id]), question.columns)));
+        signs[i].push(Math.sign(this.sampled(point)));
       }
     }
     const cells: [{ lo: number; hi: number }, { lo: number; hi: number }][] = [];

@@ -19,8 +19,8 @@ export function sourcePart(data: PageData): HTMLElement {
   const file = fileName(data.model.file);
   return section(
     "Model and proof",
-    h("p", {}, "Prove it again with the program that does not share code with the solver:"),
-    h("pre", { tabindex: 0, "aria-label": "Commands" }, data.again.join("\n")),
+    h("p", {}, data.certificate === null ? "Ask again:" : "Prove it again, with a program that shares no code with the solver:"),
+    h("pre", { tabindex: 0, "aria-label": "Commands" }, data.again.slice(0, data.certificate === null ? 1 : 2).join("\n")),
     h("p", {}, download(file, data.model.text), " ", data.certificate === null ? null : download("proof.txt", data.certificate)),
     table(
       ["property", "value"],

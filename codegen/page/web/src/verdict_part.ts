@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The verdict, what it does not mean, and the second proof in this browser.
 import { PageData } from "./data";
-import { h, section } from "./dom";
+import { h, section, shortNumber, withUnit } from "./dom";
 import { Damage } from "./expression";
 import { Question } from "./question";
 import { proveTree, Progress } from "./reproof";
@@ -68,11 +68,21 @@ function meaning({ report }: PageData): HTMLElement | null {
   return words && report.alpha === 0 ? h("p", { class: "meaning" }, `In other words: ${words}`) : null;
 }
 
+/** Why nothing was proved, and where; null if something was. */
+function obstacle({ report, units }: PageData): HTMLElement | null {
+  if (report.verdict !== "possible-problem") return null;
+  const text = (x: number | null): string => (x === null ? "no bound" : shortNumber(x));
+  const ranges = Object.entries(report.blocking_box ?? {}).map(([name, [lo, hi]]) =>
+    lo === hi ? `${name} = ${withUnit(text(lo), units[name])}` : `${name} from ${text(lo)} to ${withUnit(text(hi), units[name])}`);
+  return h("p", {}, `Reason: ${report.reason}.`, ranges.length > 0 ? ` The box that blocks: ${ranges.join(", ")}.` : "");
+}
+
 export function verdictPart(data: PageData, question: Question): HTMLElement {
   const ranges = question.parameters.length;
   return section(
     "What this means, and what not",
     meaning(data),
+    obstacle(data),
     h(
       "ul",
       {},
