@@ -1,13 +1,17 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// A page of every robot of the library, and of every robot file of the tests that can be imported: it
-// opens without a request or a message, shows its robot and says what it has proved again.
+// A page of every robot of the library, and of an imported arm: it opens without a request or a message,
+// and says what it has proved again.
 import assert from "node:assert/strict";
 import { execFileSync } from "node:child_process";
 import { mkdirSync, readdirSync, statSync } from "node:fs";
+import { basename } from "node:path";
 import { inBrowser, makePage, open, regulus, requireAccessible, secondProof, source, textOf, work } from "./browser.mjs";
 
 mkdirSync(work, { recursive: true });
-const models = readdirSync(`${source}/models`).filter((name) => name.endsWith(".toml"));
+const imported = `${work}/imported.toml`;
+execFileSync(regulus, ["import", `${source}/tests/support/robots/kr16_2.urdf`, "-o", imported], { stdio: "ignore" });
+const library = readdirSync(`${source}/models`).filter((name) => name.endsWith(".toml"));
+const models = [...library.map((name) => `${source}/models/${name}`), imported];
 
 /** The motions of a model that a page can show. */
 function motionsOf(model) {
@@ -17,8 +21,8 @@ function motionsOf(model) {
 
 await inBrowser(async (browser) => {
   let failed = 0;
-  for (const model of models) {
-    const path = `${source}/models/${model}`;
+  for (const path of models) {
+    const model = basename(path);
     const motion = motionsOf(path)[0];
     try {
       const file = makePage(model, [path, motion, "--time-limit", "20"]);

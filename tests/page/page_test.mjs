@@ -204,7 +204,7 @@ test("A model cannot put scripts into its page", async (browser) => {
 });
 
 test("5000 boxes fit into 1.5 MB", async (browser) => {
-  const file = makePage("large", [planar, "crossing", "--paving", "--resolution", "1/96"]);
+  const file = makePage("large", [planar, "crossing", "--paving", "--resolution", "1/48"]);
   const { page, faults } = await open(browser, file);
   await secondProof(page);
   const boxes = Number(/(\d+) boxes/.exec(await textOf(page, "main"))?.[1]);
