@@ -192,7 +192,7 @@ void CommandTables::add_report() {
   add_model_options(*report_command, report.model);
   add_report_options(*report_command, report);
   add_search_options(*report_command, report.search);
-  report_command->add_flag("--quiet", report.output.quiet, "Print only the verdict");
+  add_output_options(*report_command, report.output);
   report_command->footer(kReportFooter);
 }
 

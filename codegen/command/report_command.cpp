@@ -63,6 +63,13 @@ class PageRun {
             .data = json_text(data_)};
   }
 
+  /// As `check --json`, with the file of the page.
+  [[nodiscard]] nlohmann::ordered_json json_report(const std::string& page) const {
+    nlohmann::ordered_json report = data_.report;
+    report["page"] = page;
+    return report;
+  }
+
   [[nodiscard]] ExitCode end() {
     return end_command(*prepared_, command_.output, result_, interrupted());
   }
@@ -101,7 +108,7 @@ class PageRun {
     certificate.finish(result_);
     const auto nearest = nearest_singular(p, result_);
     text_ = text_report(p, command_.search, result_, nearest);
-    data_.report = json_report(p, command_.search, result_, nearest);
+    data_.report = regulus::json_report(p, command_.search, result_, nearest);
     take(certificate, file);
   }
 
@@ -210,7 +217,10 @@ int run_report(const ReportCommand& command, const std::string& typed) {
   if (!command.output.quiet)
     std::cerr << fmt::format("page       {}, {:.0f} kB\n", command.page,
                              double(text.size()) / 1000);
-  std::cout << texts.verdict << '\n';
+  if (command.output.json)
+    std::cout << run.json_report(command.page).dump(command.output.json_indent) << '\n';
+  else
+    std::cout << texts.verdict << '\n';
   return run.end();
 }
 

@@ -96,6 +96,13 @@ TEST_F(AReport, IsTheSameEachTimeButForTheTimes) {
   EXPECT_EQ(first, without_times());
 }
 
+TEST_F(AReport, PrintsTheReportOfCheckAsJson) {
+  const CommandResult made = report({kModels + "orthoglide.toml", "--json"});
+  const nlohmann::json printed = nlohmann::json::parse(made.output);
+  EXPECT_EQ(printed["verdict"], "no-singularity");
+  EXPECT_EQ(printed["page"], page_);
+}
+
 TEST_F(AReport, KeepsThePageOfAnEarlierRunAside) {
   std::ofstream(page_) << "earlier";
   EXPECT_EQ(report({kModels + "orthoglide.toml", "no-such-motion"}).exit_code, 64);
