@@ -164,7 +164,7 @@ class PageRun {
   void bracket(const std::string& margin) {
     ModelOptions model = command_.model;
     model.tolerances.push_back(margin);
-    const MarginQuestion question = take_question(model, "");
+    const MarginQuestion question = take_question(model, {});
     PreparedMargin prepared(question, model, search_of_bracket(), watch());
     prepared.settings.interrupt = &interrupted();
     MarginCertificates none("", prepared.request, prepared.prepared.labels);
