@@ -87,7 +87,7 @@ TEST_F(AReport, HasWhatElseIsAsked) {
 
 TEST_F(AReport, IsTheSameEachTimeButForTheTimes) {
   const auto without_times = [&] {
-    EXPECT_EQ(report({kModels + "orthoglide.toml", "--quiet"}).exit_code, 0);
+    EXPECT_EQ(report({kModels + "orthoglide.toml", "cube", "--quiet"}).exit_code, 0);
     nlohmann::json data = data_of(page_);
     for (const char* key : {"seconds", "cache", "engine_boxes"}) data["report"].erase(key);
     return data;
@@ -97,7 +97,7 @@ TEST_F(AReport, IsTheSameEachTimeButForTheTimes) {
 }
 
 TEST_F(AReport, PrintsTheReportOfCheckAsJson) {
-  const CommandResult made = report({kModels + "orthoglide.toml", "--json"});
+  const CommandResult made = report({kModels + "orthoglide.toml", "cube", "--json"});
   const nlohmann::json printed = nlohmann::json::parse(made.output);
   EXPECT_EQ(printed["verdict"], "no-singularity");
   EXPECT_EQ(printed["page"], page_);
@@ -111,12 +111,13 @@ TEST_F(AReport, KeepsThePageOfAnEarlierRunAside) {
 }
 
 TEST_F(AReport, RefusesWhatItCannotShow) {
-  const CommandResult gap = report({kModels + "orthoglide.toml", "--gap", "2"});
+  const CommandResult gap = report({kModels + "orthoglide.toml", "cube", "--gap", "2"});
   EXPECT_EQ(gap.exit_code, 64);
-  const CommandResult quantity = report({kModels + "orthoglide.toml", "--bound", "beauty"});
+  const CommandResult quantity = report({kModels + "orthoglide.toml", "cube", "--bound", "beauty"});
   EXPECT_EQ(quantity.exit_code, 64);
   EXPECT_FALSE(fs::exists(page_));
-  const CommandResult no_file = run_command({kProgram, "report", kModels + "orthoglide.toml"});
+  const CommandResult no_file =
+      run_command({kProgram, "report", kModels + "orthoglide.toml", "cube"});
   EXPECT_EQ(no_file.exit_code, 64);
   EXPECT_THAT(no_file.errors, HasSubstr("--output"));
 }
@@ -126,8 +127,8 @@ TEST(AProgramWithoutThePage, SaysHowToGetIt) {
   fs::create_directory(folder.path() / "bin");
   fs::copy_file(kProgram, folder.path() / "bin/regulus");
   const CommandResult refused =
-      run_command({folder.path() / "bin/regulus", "report", kModels + "orthoglide.toml", "-o",
-                   folder.path() / "page.html"});
+      run_command({folder.path() / "bin/regulus", "report", kModels + "orthoglide.toml", "cube",
+                   "-o", folder.path() / "page.html"});
   EXPECT_EQ(refused.exit_code, 74);
   EXPECT_THAT(refused.errors, HasSubstr("built without the page"));
   EXPECT_THAT(refused.errors, HasSubstr("apt-get install npm"));
