@@ -1,0 +1,217 @@
+(* SPDX-License-Identifier: Apache-2.0 *)
+(** Matrices as functions of row and column: rank, and conditions that are enough for it. *)
+From Coq Require Import Reals Lra Lia Arith.
+Open Scope R_scope.
+
+Fixpoint sum (n : nat) (f : nat -> R) : R :=
+  match n with O => 0 | S k => sum k f + f k end.
+
+(** The columns of the matrix are independent. *)
+Definition full_column_rank (rows columns : nat) (a : nat -> nat -> R) : Prop :=
+  forall y : nat -> R,
+    (forall i, (i < rows)%nat -> sum columns (fun j => a i j * y j) = 0) ->
+    forall j, (j < columns)%nat -> y j = 0.
+
+Definition identity (i j : nat) : R := if Nat.eqb i j then 1 else 0.
+
+Lemma sum_le n f g : (forall i, (i < n)%nat -> f i <= g i) -> sum n f <= sum n g.
+Proof.
+  induction n; simpl; intros H; [lra|].
+  assert (sum n f <= sum n g) by (apply IHn; intros; apply H; lia).
+  specialize (H n ltac:(lia)). lra.
+Qed.
+
+Lemma sum_ext n f g : (forall i, (i < n)%nat -> f i = g i) -> sum n f = sum n g.
+Proof.
+  induction n; simpl; intros H; [reflexivity|].
+  rewrite IHn by (intros; apply H; lia). rewrite H by lia. reflexivity.
+Qed.
+
+Lemma sum_abs n f : Rabs (sum n f) <= sum n (fun i => Rabs (f i)).
+Proof.
+  induction n; simpl; [rewrite Rabs_R0; lra|].
+  eapply Rle_trans; [apply Rabs_triang|lra].
+Qed.
+
+Lemma sum_scale n c f : sum n (fun i => c * f i) = c * sum n f.
+Proof. induction n; simpl; [lra|]. rewrite IHn. lra. Qed.
+
+Lemma sum_plus n f g : sum n (fun i => f i + g i) = sum n f + sum n g.
+Proof. induction n; simpl; [lra|]. rewrite IHn. lra. Qed.
+
+Lemma sum_zero n f : (forall i, (i < n)%nat -> f i = 0) -> sum n f = 0.
+Proof.
+  induction n; simpl; intros H; [reflexivity|].
+  rewrite IHn by (intros; apply H; lia). rewrite H by lia. lra.
+Qed.
+
+Lemma sum_swap m n f :
+  sum m (fun i => sum n (fun j => f i j)) = sum n (fun j => sum m (fun i => f i j)).
+Proof.
+  induction m; simpl; [symmetry; apply sum_zero; reflexivity|].
+  rewrite IHm, <- sum_plus. reflexivity.
+Qed.
+
+Lemma sum_identity n i f : (i < n)%nat -> sum n (fun j => identity i j * f j) = f i.
+Proof.
+  unfold identity. induction n; intros H; [lia|]. simpl.
+  destruct (Nat.eq_dec i n) as [->|D].
+  - rewrite Nat.eqb_refl, (sum_zero n); [lra|].
+    intros j J. destruct (Nat.eqb_spec n j); [lia|lra].
+  - rewrite IHn by lia. destruct (Nat.eqb_spec i n); [lia|lra].
+Qed.
+
+(** (KA)y = K(Ay). *)
+Lemma sum_product m n (k : nat -> R) (a : nat -> nat -> R) (y : nat -> R) :
+  sum n (fun j => sum m (fun l => k l * a l j) * y j)
+  = sum m (fun l => k l * sum n (fun j => a l j * y j)).
+Proof.
+  rewrite (sum_ext n _ (fun j => sum m (fun l => k l * (a l j * y j)))).
+  - rewrite sum_swap. apply sum_ext. intros. apply sum_scale.
+  - intros j _. rewrite Rmult_comm, <- sum_scale. apply sum_ext. intros. ring.
+Qed.
+
+(** One of finitely many numbers is the largest. *)
+Lemma largest n (f : nat -> R) :
+  (0 < n)%nat -> exists k, (k < n)%nat /\ forall i, (i < n)%nat -> f i <= f k.
+Proof.
+  induction n; intros H; [lia|]. destruct n.
+  - exists 0%nat. split; [lia|]. intros i I. replace i with 0%nat by lia. lra.
+  - destruct IHn as [k [K M]]; [lia|]. destruct (Rle_dec (f k) (f (S n))).
+    + exists (S n). split; [lia|]. intros i I.
+      destruct (Nat.eq_dec i (S n)) as [->|]; [lra|]. specialize (M i ltac:(lia)). lra.
+    + exists k. split; [lia|]. intros i I.
+      destruct (Nat.eq_dec i (S n)) as [->|]; [lra|]. apply M; lia.
+Qed.
+
+(** If |E| v < v for some v > 0, then I + E is regular. *)
+Theorem dominated n (e : nat -> nat -> R) (v : nat -> R) :
+  (forall i, (i < n)%nat -> 0 < v i) ->
+  (forall i, (i < n)%nat -> sum n (fun j => Rabs (e i j) * v j) < v i) ->
+  full_column_rank n n (fun i j => identity i j + e i j).
+Proof.
+  intros Hv He x Hx.
+  assert (Hx' : forall i, (i < n)%nat -> x i + sum n (fun j => e i j * x j) = 0).
+  { intros i L. rewrite <- (Hx i L), <- (sum_identity n i x L) at 1. rewrite <- sum_plus.
+    apply sum_ext. intros. ring. }
+  clear Hx. intros i L.
+  destruct (largest n (fun i => Rabs (x i) / v i)) as [k [K M]]; [lia|]. simpl in M.
+  set (m := Rabs (x k) / v k) in *.
+  assert (B : forall j, (j < n)%nat -> Rabs (x j) <= m * v j).
+  { intros j J. specialize (M j J). pose proof (Hv j J).
+    apply (Rmult_le_compat_r (v j)) in M; [|lra].
+    unfold Rdiv in M at 1. rewrite Rmult_assoc, Rinv_l in M by lra. lra. }
+  assert (m0 : 0 <= m).
+  { unfold m, Rdiv. apply Rmult_le_pos; [apply Rabs_pos|].
+    left. apply Rinv_0_lt_compat, Hv, K. }
+  assert (Ek : Rabs (x k) = m * v k).
+  { unfold m, Rdiv. rewrite Rmult_assoc, Rinv_l; [lra|]. specialize (Hv k K). lra. }
+  destruct (Req_dec m 0) as [Z|NZ].
+  - specialize (B i L). rewrite Z in B.
+    destruct (Req_dec (x i) 0) as [|N]; [assumption|]. pose proof (Rabs_pos_lt _ N). lra.
+  - exfalso. specialize (He k K). apply (Rmult_lt_compat_l m) in He; [|lra].
+    enough (Rabs (x k) <= m * sum n (fun j => Rabs (e k j) * v j)) by lra.
+    replace (x k) with (- sum n (fun j => e k j * x j)) by (specialize (Hx' k K); lra).
+    rewrite Rabs_Ropp. eapply Rle_trans; [apply sum_abs|]. rewrite <- sum_scale.
+    apply sum_le. intros j J. rewrite Rabs_mult.
+    replace (m * (Rabs (e k j) * v j)) with (Rabs (e k j) * (m * v j)) by ring.
+    apply Rmult_le_compat_l; [apply Rabs_pos|auto].
+Qed.
+
+(** Any matrix K shows by KA that A has full column rank. *)
+Theorem full_rank_of_product p m n (k a : nat -> nat -> R) :
+  full_column_rank p n (fun i j => sum m (fun l => k i l * a l j)) -> full_column_rank m n a.
+Proof.
+  intros H y Hy. apply H. intros i _. rewrite sum_product. apply sum_zero.
+  intros l L. rewrite Hy by assumption. lra.
+Qed.
+
+(** ** The rank of the transposed matrix *)
+
+Definition skip (p i : nat) : nat := if i <? p then i else S i.
+
+Lemma sum_skip n p f : (p <= n)%nat -> sum (S n) f = f p + sum n (fun i => f (skip p i)).
+Proof.
+  induction n; intros H.
+  - replace p with 0%nat by lia. simpl. lra.
+  - destruct (Nat.eq_dec p (S n)) as [->|].
+    + change (sum (S (S n)) f) with (sum (S n) f + f (S n)).
+      rewrite (sum_ext (S n) (fun i => f (skip (S n) i)) f); [lra|].
+      intros i L. unfold skip. destruct (Nat.ltb_spec i (S n)); [reflexivity|lia].
+    + change (sum (S (S n)) f) with (sum (S n) f + f (S n)). rewrite IHn by lia. simpl.
+      unfold skip at 3. destruct (Nat.ltb_spec n p); [lia|lra].
+Qed.
+
+Lemma find_nonzero n (f : nat -> R) :
+  (forall i, (i < n)%nat -> f i = 0) \/ (exists i, (i < n)%nat /\ f i <> 0).
+Proof.
+  induction n; [left; lia|]. destruct IHn as [H|[i [L N]]].
+  - destruct (Req_dec (f n) 0) as [Z|N].
+    + left. intros i L. destruct (Nat.eq_dec i n) as [->|]; [assumption|apply H; lia].
+    + right. exists n. split; [lia|assumption].
+  - right. exists i. split; [lia|assumption].
+Qed.
+
+(** Fewer equations than unknowns have a solution that is not zero. *)
+Lemma underdetermined m : forall n (a : nat -> nat -> R), (m < n)%nat ->
+  exists z, (exists j, (j < n)%nat /\ z j <> 0) /\
+            forall i, (i < m)%nat -> sum n (fun j => a i j * z j) = 0.
+Proof.
+  induction m; intros n a L.
+  - exists (fun _ => 1). split; [exists 0%nat; split; [lia|lra]|lia].
+  - destruct n as [|n]; [lia|]. destruct (find_nonzero (S n) (a m)) as [Z|[p [P N]]].
+    + destruct (IHm (S n) a) as [z [H E]]; [lia|]. exists z. split; [assumption|].
+      intros i I. destruct (Nat.eq_dec i m) as [->|]; [|apply E; lia].
+      apply sum_zero. intros j J. rewrite Z by assumption. lra.
+    + set (b := fun i j => a i (skip p j) - a i p / a m p * a m (skip p j)).
+      destruct (IHm n b) as [z [[j [J Nj]] E]]; [lia|].
+      set (s := sum n (fun j => a m (skip p j) * z j)).
+      set (w := fun i => if Nat.eqb i p then - s / a m p
+                         else z (if i <? p then i else pred i)).
+      assert (Wp : w p = - s / a m p) by (unfold w; rewrite Nat.eqb_refl; reflexivity).
+      assert (Ws : forall i, w (skip p i) = z i).
+      { intros i. unfold w, skip. destruct (Nat.ltb_spec i p).
+        - destruct (Nat.eqb_spec i p); [lia|]. destruct (Nat.ltb_spec i p); [reflexivity|lia].
+        - destruct (Nat.eqb_spec (S i) p); [lia|].
+          destruct (Nat.ltb_spec (S i) p); [lia|reflexivity]. }
+      exists w. split.
+      * exists (skip p j). rewrite Ws. split; [|assumption].
+        unfold skip. destruct (j <? p); lia.
+      * intros i I. rewrite (sum_skip n p) by lia. rewrite Wp.
+        rewrite (sum_ext n _ (fun j => a i (skip p j) * z j)) by (intros; rewrite Ws; reflexivity).
+        destruct (Nat.eq_dec i m) as [->|].
+        -- fold s. field. assumption.
+        -- specialize (E i ltac:(lia)). unfold b in E.
+           rewrite (sum_ext n _ (fun j => a i (skip p j) * z j
+                     + - (a i p / a m p) * (a m (skip p j) * z j))) in E by (intros; ring).
+           rewrite sum_plus, sum_scale in E. fold s in E.
+           replace (a i p * (- s / a m p)) with (- (a i p / a m p) * s) by (field; assumption).
+           lra.
+Qed.
+
+(** Independent rows of a square matrix: independent columns. *)
+Theorem full_rank_of_transposed n (a : nat -> nat -> R) :
+  full_column_rank n n (fun i j => a j i) -> full_column_rank n n a.
+Proof.
+  intros H y Hy q Q. destruct (Req_dec (y q) 0) as [|N]; [assumption|exfalso].
+  destruct n as [|n]; [lia|].
+  destruct (underdetermined n (S n) (fun i j => a j (skip q i))) as [z [[p [P Np]] E]]; [lia|].
+  apply Np, (H z); [|assumption]. intros i I.
+  assert (Z : forall i, (i < S n)%nat -> i <> q -> sum (S n) (fun j => a j i * z j) = 0).
+  { intros k K D. destruct (Nat.ltb_spec k q).
+    - specialize (E k ltac:(lia)). unfold skip in E.
+      destruct (Nat.ltb_spec k q); [assumption|lia].
+    - specialize (E (pred k) ltac:(lia)). unfold skip in E.
+      destruct (Nat.ltb_spec (pred k) q); [lia|]. replace (S (pred k)) with k in E by lia.
+      assumption. }
+  destruct (Nat.eq_dec i q) as [->|]; [|apply Z; assumption].
+  (* Column q is a combination of the others. *)
+  assert (T : sum (S n) (fun j => y j * sum (S n) (fun l => a l j * z l)) = 0).
+  { rewrite (sum_ext (S n) _ (fun j => sum (S n) (fun l => z l * (a l j * y j)))).
+    - rewrite sum_swap. apply sum_zero. intros l L. rewrite sum_scale, Hy by assumption. lra.
+    - intros j _. rewrite <- sum_scale. apply sum_ext. intros. ring. }
+  rewrite (sum_skip n q) in T by lia.
+  rewrite (sum_zero n) in T.
+  - rewrite Rplus_0_r in T. apply Rmult_integral in T. tauto.
+  - intros j J. rewrite Z; [lra| |]; unfold skip; destruct (Nat.ltb_spec j q); lia.
+Qed.

@@ -1,0 +1,51 @@
+(* SPDX-License-Identifier: Apache-2.0 *)
+(** What a certificate claims. These are the definitions to read in order to know what is proved. *)
+From Coq Require Import Reals QArith List.
+From Regulus Require Import Expressions LinearAlgebra.
+Import ListNotations.
+Open Scope R_scope.
+
+Record question := Question {
+  (** The ends of the range of each variable: parameters, uncertain quantities, control errors. *)
+  ranges : list (expression * expression);
+  (** Constants, poses and shared expressions. The variables are names 0, 1, …, and each definition
+      is the next name. *)
+  definitions : list expression;
+  (** Each is at most 0 at every pose of the set. *)
+  constraints : list expression;
+  (** More expressions that must have a value for the model to mean something. *)
+  also_defined : list expression;
+  (** The rows of the matrix, and the number of its columns. *)
+  matrix : list (list expression);
+  columns : nat }.
+
+Definition rows (q : question) : nat := length (matrix q).
+
+Definition no_entry : expression := Constant (0 # 1).
+
+(** The entry of row i and column j. *)
+Definition entry (q : question) (names : list R) (i j : nat) : R :=
+  value names (nth j (nth i (matrix q) []) no_entry).
+
+Definition in_range (x : R) (ends : expression * expression) : Prop :=
+  value [] (fst ends) <= x <= value [] (snd ends).
+
+(** The set that the question is about. A constraint without a value excludes nothing. *)
+Definition in_set (q : question) (x : list R) : Prop :=
+  Forall2 in_range x (ranges q) /\
+  forall c, In c (constraints q) ->
+    let names := extend x (definitions q) in defined names c -> value names c <= 0.
+
+(** Every expression of the model has a value. *)
+Definition model_defined (q : question) (x : list R) : Prop :=
+  let names := extend x (definitions q) in
+  all_defined x (definitions q) /\
+  Forall (defined names) (also_defined q) /\
+  Forall (Forall (defined names)) (matrix q).
+
+(** NO SINGULARITY: at every point of the set, everything is defined and the matrix has full column
+    rank. *)
+Definition no_singularity (q : question) : Prop :=
+  forall x, in_set q x ->
+    model_defined q x /\
+    full_column_rank (rows q) (columns q) (entry q (extend x (definitions q))).

@@ -1,0 +1,281 @@
+(* SPDX-License-Identifier: Apache-2.0 *)
+(** Trees of boxes, and the theorem: if the check of a tree answers true, there is no singularity. *)
+From Coq Require Import Reals Lra Lia List PArith Bool.
+From Coq Require PrimFloat.
+From Regulus Require Import Expressions Questions LinearAlgebra Intervals Forms Evaluation Boxes.
+From Regulus Require Import Hints Regularity.
+Import ListNotations.
+Open Scope R_scope.
+
+(** A box is split at a value of variable k, or it is a leaf. *)
+Inductive tree :=
+  | Leaf
+  | Split (k : nat) (value : F.type) (lower upper : tree).
+
+(** How boxes are tested. No choice can make the check answer true wrongly. *)
+Record method := Method {
+  second_order : nat;  (** the first so many variables are kept to the second order *)
+  by_rows : bool;      (** show independent rows, not columns: only for square matrices *)
+  deepest : nat }.     (** a leaf may be split further, so many times one after the other *)
+
+(** The box of the ranges: None if an end has no value. *)
+Definition enclose_range (ends : expression * expression) : option interval :=
+  match evaluate [] (fst ends), evaluate [] (snd ends) with
+  | Some l, Some u => Some (I.join (range l) (range u))
+  | _, _ => None
+  end.
+
+Fixpoint enclose_ranges (l : list (expression * expression)) : option box :=
+  match l with
+  | [] => Some []
+  | e :: l' =>
+      match enclose_range e, enclose_ranges l' with
+      | Some i, Some b => Some (i :: b)
+      | _, _ => None
+      end
+  end.
+
+Definition form_of (v : option enclosure) : form :=
+  match v with Some w => polynomial w | None => constant_form I.nai end.
+
+(** ** The test of a box *)
+
+Definition is_excluded (names : list (option enclosure)) (c : expression) : bool :=
+  match evaluate names c with Some v => is_positive (range v) | None => false end.
+
+Inductive answer :=
+  | Outside             (** a constraint is positive everywhere in the box *)
+  | Regular             (** everything is defined, and the matrix has full rank *)
+  | Undefined           (** something is not shown to be defined *)
+  | Open (x : attempt)  (** the rank is not shown to be full *).
+
+Definition test (q : question) (m : method) (b : box) : answer :=
+  let names := evaluate_definitions (variables (second_order m) b) (definitions q) in
+  if existsb (is_excluded names) (constraints q) then Outside
+  else
+    let a := map (map (evaluate names)) (matrix q) in
+    if forallb is_known names && forallb (fun e => is_known (evaluate names e)) (also_defined q)
+       && forallb (forallb is_known) a && forallb (fun r => Nat.eqb (length r) (columns q)) a
+    then
+      let a := map (map form_of) a in
+      let n := columns q in
+      let transposed := by_rows m && Nat.eqb (rows q) n in
+      let x := attempt_at (rows q) n (if transposed then transpose n n a else a) in
+      if succeeds n x then Regular else Open x
+    else Undefined.
+
+(** ** Where an open box is split: approximate, nothing is proved of it *)
+
+Definition variables_of (m : monomial) (k : positive) : bool := existsb (Pos.eqb k) m.
+
+Definition influence_on_form (k : positive) (f : form) : PrimFloat.float :=
+  let of_term (u : monomial * interval) :=
+    if variables_of (fst u) k then I.upper (I.abs (snd u)) else PrimFloat.zero in
+  float_sum (map of_term (linear f ++ quadratic f ++ single f)).
+
+Definition influence (x : attempt) (k : positive) : PrimFloat.float :=
+  let usable := forallb (fun v => PrimFloat.ltb PrimFloat.zero v) (vector x) in
+  let v i := if usable then nth i (vector x) PrimFloat.one else PrimFloat.one in
+  let n := length (vector x) in
+  float_sum (map float_sum (tabulate n n (fun i j =>
+    PrimFloat.mul (influence_on_form k (form_at (error x) i j)) (PrimFloat.div (v j) (v i))))).
+
+Definition relative_widths (root b : box) : list PrimFloat.float :=
+  let width i := PrimFloat.sub (I.upper i) (I.lower i) in
+  map (fun p => PrimFloat.div (width (snd p)) (width (fst p))) (combine root b).
+
+Definition variable_to_split (root b : box) (a : answer) : option nat :=
+  match a with
+  | Open x =>
+      let by_influence := map (influence x) (map Pos.of_succ_nat (seq 0 (length b))) in
+      match largest_of by_influence with
+      | Some k => Some k
+      | None => largest_of (relative_widths root b)
+      end
+  | _ => largest_of (relative_widths root b)
+  end.
+
+(** ** The search below a leaf, and the check of a tree *)
+
+(** The number of boxes that were tested and needed no split. None: a box remains open. *)
+Fixpoint search (q : question) (m : method) (root : box) (fuel : nat) (b : box) : option N :=
+  let a := test q m b in
+  match a with
+  | Outside | Regular => Some 1%N
+  | _ =>
+      match fuel, variable_to_split root b a with
+      | S fuel', Some k =>
+          let c := I.midpoint (nth k b I.nai) in
+          match search q m root fuel' (lower_part b k c) with
+          | Some x =>
+              match search q m root fuel' (upper_part b k c) with
+              | Some y => Some (x + y)%N
+              | None => None
+              end
+          | None => None
+          end
+      | _, _ => None
+      end
+  end.
+
+Fixpoint leaves_below (q : question) (m : method) (root b : box) (t : tree) : option N :=
+  match t with
+  | Leaf => search q m root (deepest m) b
+  | Split k c l u =>
+      match leaves_below q m root (lower_part b k c) l with
+      | Some x =>
+          match leaves_below q m root (upper_part b k c) u with
+          | Some y => Some (x + y)%N
+          | None => None
+          end
+      | None => None
+      end
+  end.
+
+(** The number of leaves of the proof, or None if the tree is not a proof. *)
+Definition leaves (q : question) (m : method) (t : tree) : option N :=
+  match enclose_ranges (ranges q) with
+  | Some root => leaves_below q m root root t
+  | None => None
+  end.
+
+Definition check (q : question) (m : method) (t : tree) : bool :=
+  match leaves q m t with Some _ => true | None => false end.
+
+(** ** It is correct *)
+
+Lemma enclose_range_correct e i x :
+  enclose_range e = Some i -> in_range x e -> encloses i x.
+Proof.
+  unfold enclose_range, in_range.
+  assert (K : known (fun _ => 0) [] []).
+  { split; [reflexivity|]. intros k v. destruct k; discriminate. }
+  assert (T : in_unit_box (fun _ => 0)) by (intros k; rewrite Rabs_R0; lra).
+  destruct (evaluate [] (fst e)) as [l|] eqn:L; [|discriminate].
+  destruct (evaluate [] (snd e)) as [u|] eqn:U; [|discriminate].
+  intros [= <-]. apply (evaluate_correct _ _ _ _ _ T K) in L as [_ [L _]].
+  apply (evaluate_correct _ _ _ _ _ T K) in U as [_ [U _]].
+  apply between_enclosed; apply join_encloses; [left|right]; assumption.
+Qed.
+
+Lemma enclose_ranges_correct l : forall b x,
+  enclose_ranges l = Some b -> Forall2 in_range x l -> in_box b x.
+Proof.
+  induction l as [|e l IH]; intros b x E F; simpl in E; inversion F; subst.
+  - injection E as <-. split; [reflexivity|]. intros [|k]; apply unknown_encloses.
+  - destruct (enclose_range e) as [i|] eqn:R; [|discriminate].
+    destruct (enclose_ranges l) as [c|]; [|discriminate]. injection E as <-.
+    destruct (IH c l0 eq_refl ltac:(assumption)) as [L C].
+    split; [simpl; f_equal; exact L|]. intros [|k]; simpl; [|apply C].
+    eapply enclose_range_correct; eassumption.
+Qed.
+
+Definition holds_at (q : question) (x : list R) : Prop :=
+  in_set q x -> model_defined q x /\
+    full_column_rank (rows q) (columns q) (entry q (extend x (definitions q))).
+
+Section Test.
+  Variables (q : question) (m : method) (b : box) (x : list R).
+  Hypothesis B : in_box b x.
+  Let t := coordinate b x.
+  Let T : in_unit_box t := coordinate_in_unit_box b x B.
+  Let vs := evaluate_definitions (variables (second_order m) b) (definitions q).
+  Let names := extend x (definitions q).
+  Let K : known t vs names :=
+    known_definitions t (definitions q) _ _ T (variables_known (second_order m) b x B).
+  Let a := map (map (evaluate vs)) (matrix q).
+
+  Lemma outside_correct : existsb (is_excluded vs) (constraints q) = true -> holds_at q x.
+  Proof.
+    intros E [_ S]. exfalso. apply existsb_exists in E as [c [C E]].
+    unfold is_excluded in E. destruct (evaluate vs c) as [v|] eqn:V; [|discriminate].
+    destruct (evaluate_correct t vs names c v T K V) as [D [R _]].
+    pose proof (is_positive_correct _ _ E R). specialize (S c C D). fold names in S. lra.
+  Qed.
+
+  Lemma known_is_defined e : is_known (evaluate vs e) = true -> defined names e.
+  Proof.
+    destruct (evaluate vs e) as [v|] eqn:V; [|discriminate].
+    intros _. apply (evaluate_correct t vs names e v T K V).
+  Qed.
+
+  Lemma entries_enclosed i j : forallb (forallb is_known) a = true ->
+    forallb (fun r => Nat.eqb (length r) (columns q)) a = true ->
+    (i < rows q)%nat -> (j < columns q)%nat ->
+    form_encloses t (form_at (map (map form_of) a) i j) (entry q names i j).
+  Proof.
+    intros D S P Q. unfold form_at, entry, a. rewrite map_map.
+    rewrite forallb_forall in D, S.
+    set (r := nth i (matrix q) []).
+    assert (In_r : In (map (evaluate vs) r) a) by (apply in_map, nth_In, P).
+    specialize (D _ In_r). specialize (S _ In_r). apply Nat.eqb_eq in S.
+    rewrite map_length in S.
+    rewrite (nth_indep _ [] (map form_of (map (evaluate vs) []))) by (rewrite map_length; exact P).
+    rewrite (map_nth (fun r => map form_of (map (evaluate vs) r))). fold r. rewrite map_map.
+    rewrite (nth_indep _ _ (form_of (evaluate vs no_entry)))
+      by (rewrite map_length, S; exact Q).
+    rewrite (map_nth (fun e => form_of (evaluate vs e))).
+    set (e := nth j r no_entry).
+    assert (In_e : In (evaluate vs e) (map (evaluate vs) r)).
+    { apply in_map, nth_In. rewrite S. exact Q. }
+    rewrite forallb_forall in D. specialize (D _ In_e).
+    destruct (evaluate vs e) as [v|] eqn:V; [|discriminate].
+    apply (evaluate_correct t vs names e v T K V).
+  Qed.
+
+  Theorem test_correct :
+    match test q m b with Outside | Regular => holds_at q x | _ => True end.
+  Proof.
+    unfold test. fold vs. destruct existsb eqn:E; [apply outside_correct, E|]. fold a.
+    destruct (forallb is_known vs) eqn:D1; [|exact Logic.I].
+    destruct (forallb (fun e => is_known (evaluate vs e)) (also_defined q)) eqn:D2;
+      [|exact Logic.I].
+    destruct (forallb (forallb is_known) a) eqn:D3; [|exact Logic.I].
+    destruct (forallb (fun r => Nat.eqb (length r) (columns q)) a) eqn:D4; [|exact Logic.I].
+    cbn [andb]. destruct (succeeds _ _) eqn:S; [|exact Logic.I].
+    intros _. split; [split; [|split]|].
+    - eapply definitions_are_defined; [exact T|apply variables_known, B|exact D1].
+    - rewrite forallb_forall in D2. apply Forall_forall. intros e In_e.
+      apply known_is_defined, D2, In_e.
+    - rewrite forallb_forall in D3. apply Forall_forall. intros r In_r.
+      apply Forall_forall. intros e In_e. specialize (D3 (map (evaluate vs) r)).
+      rewrite forallb_forall in D3. apply known_is_defined, D3; apply in_map; assumption.
+    - pose proof (fun i j => entries_enclosed i j D3 D4) as A. fold names. destruct (by_rows m && Nat.eqb (rows q) (columns q)) eqn:BR.
+      + apply andb_prop in BR as [_ BR]. apply Nat.eqb_eq in BR.
+        rewrite BR in *. apply full_rank_of_transposed.
+        eapply (attempt_correct t); [exact T| |exact S]. intros i j P Q.
+        unfold transpose. rewrite tabulate_at by assumption. apply A; assumption.
+      + eapply (attempt_correct t); [exact T| |exact S]. exact A.
+  Qed.
+End Test.
+
+Lemma search_correct q m root fuel : forall b x n,
+  in_box b x -> search q m root fuel b = Some n -> holds_at q x.
+Proof.
+  induction fuel as [|fuel IH]; intros b x n B E; simpl in E;
+    pose proof (test_correct q m b x B) as H; destruct (test q m b) as [| | |y];
+    try exact H; try discriminate; destruct variable_to_split as [k|]; try discriminate;
+    set (c := I.midpoint (nth k b I.nai)) in *;
+    destruct (search q m root fuel (lower_part b k c)) as [l|] eqn:L; try discriminate;
+    destruct (search q m root fuel (upper_part b k c)) as [u|] eqn:U; try discriminate;
+    destruct (parts_cover b x k c B) as [C|C]; eauto.
+Qed.
+
+Lemma leaves_below_correct q m root t : forall b x n,
+  in_box b x -> leaves_below q m root b t = Some n -> holds_at q x.
+Proof.
+  induction t as [|k c l IHl u IHu]; intros b x n B E; simpl in E.
+  - eapply search_correct; eassumption.
+  - destruct (leaves_below q m root (lower_part b k c) l) as [i|] eqn:L; [|discriminate].
+    destruct (leaves_below q m root (upper_part b k c) u) as [j|] eqn:U; [|discriminate].
+    destruct (parts_cover b x k c B) as [C|C]; eauto.
+Qed.
+
+(** If the check of a tree answers true, then the question has no singularity. *)
+Theorem check_correct q m t : check q m t = true -> no_singularity q.
+Proof.
+  unfold check, leaves. destruct (enclose_ranges (ranges q)) as [root|] eqn:R; [|discriminate].
+  destruct (leaves_below q m root root t) as [n|] eqn:L; [|discriminate].
+  intros _ x S. eapply leaves_below_correct; [|exact L|exact S].
+  eapply enclose_ranges_correct; [exact R|]. exact (proj1 S).
+Qed.
