@@ -30,8 +30,6 @@ Qed.
 Lemma tabulate_at m n f i j : (i < m)%nat -> (j < n)%nat -> form_at (tabulate m n f) i j = f i j.
 Proof. apply tabulate_nth. Qed.
 
-Definition transpose (m n : nat) (a : forms) : forms := tabulate n m (fun i j => form_at a j i).
-
 (** f 0 + … + f (n - 1). *)
 Fixpoint form_sum (n : nat) (f : nat -> form) : form :=
   match n with

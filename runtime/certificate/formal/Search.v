@@ -1,5 +1,6 @@
 (* SPDX-License-Identifier: Apache-2.0 *)
-(** Trees of boxes, and the theorem: if the check of a tree answers true, there is no singularity. *)
+(** Branch and prune: a box that is not decided is split. The theorem [check_correct] at the end says
+    that there is no singularity if the check of a question answers true. *)
 From Coq Require Import Reals Lra Lia List PArith Bool.
 From Coq Require PrimFloat.
 From Regulus Require Import Expressions Questions LinearAlgebra Intervals Forms Evaluation Boxes.
@@ -7,16 +8,10 @@ From Regulus Require Import Hints Regularity.
 Import ListNotations.
 Open Scope R_scope.
 
-(** A box is split at a value of variable k, or it is a leaf. *)
-Inductive tree :=
-  | Leaf
-  | Split (k : nat) (value : F.type) (lower upper : tree).
-
 (** How boxes are tested. No choice can make the check answer true wrongly. *)
 Record method := Method {
   second_order : nat;  (** the first so many variables are kept to the second order *)
-  by_rows : bool;      (** show independent rows, not columns: only for square matrices *)
-  deepest : nat }.     (** a leaf may be split further, so many times one after the other *)
+  deepest : nat }.     (** the most splits one after the other *)
 
 (** The box of the ranges: None if an end has no value. *)
 Definition enclose_range (ends : expression * expression) : option interval :=
@@ -59,8 +54,7 @@ Definition test (q : question) (m : method) (b : box) : answer :=
     then
       let a := map (map form_of) a in
       let n := columns q in
-      let transposed := by_rows m && Nat.eqb (rows q) n in
-      let x := attempt_at (rows q) n (if transposed then transpose n n a else a) in
+      let x := attempt_at (rows q) n a in
       if succeeds n x then Regular else Open x
     else Undefined.
 
@@ -95,7 +89,7 @@ Definition variable_to_split (root b : box) (a : answer) : option nat :=
   | _ => largest_of (relative_widths root b)
   end.
 
-(** ** The search below a leaf, and the check of a tree *)
+(** ** The search *)
 
 (** The number of boxes that were tested and needed no split. None: a box remains open. *)
 Fixpoint search (q : question) (m : method) (root : box) (fuel : nat) (b : box) : option N :=
@@ -118,29 +112,15 @@ Fixpoint search (q : question) (m : method) (root : box) (fuel : nat) (b : box) 
       end
   end.
 
-Fixpoint leaves_below (q : question) (m : method) (root b : box) (t : tree) : option N :=
-  match t with
-  | Leaf => search q m root (deepest m) b
-  | Split k c l u =>
-      match leaves_below q m root (lower_part b k c) l with
-      | Some x =>
-          match leaves_below q m root (upper_part b k c) u with
-          | Some y => Some (x + y)%N
-          | None => None
-          end
-      | None => None
-      end
-  end.
-
-(** The number of leaves of the proof, or None if the tree is not a proof. *)
-Definition leaves (q : question) (m : method) (t : tree) : option N :=
+(** The number of leaves of the proof, or None if there is no proof. *)
+Definition leaves (q : question) (m : method) : option N :=
   match enclose_ranges (ranges q) with
-  | Some root => leaves_below q m root root t
+  | Some root => search q m root (deepest m) root
   | None => None
   end.
 
-Definition check (q : question) (m : method) (t : tree) : bool :=
-  match leaves q m t with Some _ => true | None => false end.
+Definition check (q : question) (m : method) : bool :=
+  match leaves q m with Some _ => true | None => false end.
 
 (** ** It is correct *)
 
@@ -240,12 +220,8 @@ Section Test.
     - rewrite forallb_forall in D3. apply Forall_forall. intros r In_r.
       apply Forall_forall. intros e In_e. specialize (D3 (map (evaluate vs) r)).
       rewrite forallb_forall in D3. apply known_is_defined, D3; apply in_map; assumption.
-    - pose proof (fun i j => entries_enclosed i j D3 D4) as A. fold names. destruct (by_rows m && Nat.eqb (rows q) (columns q)) eqn:BR.
-      + apply andb_prop in BR as [_ BR]. apply Nat.eqb_eq in BR.
-        rewrite BR in *. apply full_rank_of_transposed.
-        eapply (attempt_correct t); [exact T| |exact S]. intros i j P Q.
-        unfold transpose. rewrite tabulate_at by assumption. apply A; assumption.
-      + eapply (attempt_correct t); [exact T| |exact S]. exact A.
+    - eapply (attempt_correct t); [exact T| |exact S].
+      exact (fun i j => entries_enclosed i j D3 D4).
   Qed.
 End Test.
 
@@ -261,21 +237,10 @@ Proof.
     destruct (parts_cover b x k c B) as [C|C]; eauto.
 Qed.
 
-Lemma leaves_below_correct q m root t : forall b x n,
-  in_box b x -> leaves_below q m root b t = Some n -> holds_at q x.
-Proof.
-  induction t as [|k c l IHl u IHu]; intros b x n B E; simpl in E.
-  - eapply search_correct; eassumption.
-  - destruct (leaves_below q m root (lower_part b k c) l) as [i|] eqn:L; [|discriminate].
-    destruct (leaves_below q m root (upper_part b k c) u) as [j|] eqn:U; [|discriminate].
-    destruct (parts_cover b x k c B) as [C|C]; eauto.
-Qed.
-
-(** If the check of a tree answers true, then the question has no singularity. *)
-Theorem check_correct q m t : check q m t = true -> no_singularity q.
+Theorem check_correct q m : check q m = true -> no_singularity q.
 Proof.
   unfold check, leaves. destruct (enclose_ranges (ranges q)) as [root|] eqn:R; [|discriminate].
-  destruct (leaves_below q m root root t) as [n|] eqn:L; [|discriminate].
-  intros _ x S. eapply leaves_below_correct; [|exact L|exact S].
+  destruct (search q m root (deepest m) root) as [n|] eqn:L; [|discriminate].
+  intros _ x S. eapply search_correct; [|exact L|exact S].
   eapply enclose_ranges_correct; [exact R|]. exact (proj1 S).
 Qed.
