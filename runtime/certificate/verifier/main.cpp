@@ -6,8 +6,11 @@
 #include <string>
 #include <vector>
 
+#include "runtime/certificate/verifier/coq_proof.hpp"
+#include "runtime/certificate/verifier/expression.hpp"
 #include "runtime/certificate/verifier/input_file.hpp"
 #include "runtime/certificate/verifier/verify.hpp"
+#include "runtime/files/atomic_file.hpp"
 
 namespace {
 
@@ -36,11 +39,13 @@ constexpr const char* kHelp =
     "  --time-limit S   stop after S seconds; the answer is then UNFINISHED\n"
     "  --threads N      prove leaves by N threads (default 1); the answer is the same\n"
     "  --max-boxes N    evaluate at most N boxes for all leaves together (default 4194304)\n"
+    "  --coq FILE       do not prove the claim, but write it as a theorem that Coq proves:\n"
+    "                   coqc -Q FOLDER Regulus FILE (runtime/certificate/formal/FORMAL.md)\n"
     "  --quiet          print only the answer\n"
     "  --help           print this text\n";
 
 struct Usage {
-  std::string certificate, model;
+  std::string certificate, model, coq;
   Options options;
   bool help = false, quiet = false;
 };
@@ -65,6 +70,8 @@ bool read_usage(const std::vector<std::string>& words, Usage& usage) {
       usage.options.all_overridden = true;
     } else if (word == "--model" && !next.empty()) {
       usage.model = words[++i];
+    } else if (word == "--coq" && !next.empty()) {
+      usage.coq = words[++i];
     } else if (word == "--time-limit" && read_number(next, usage.options.time_limit)) {
       ++i;
     } else if (word == "--threads" && read_number(next, usage.options.threads) &&
@@ -109,6 +116,27 @@ int verify(Usage& usage) {
   return static_cast<int>(v.outcome);
 }
 
+/// Returns the exit code: that of the answer if there is no theorem.
+int write_coq(const Usage& usage) {
+  const auto refuse = [&usage](regulus::verifier::Outcome outcome, const std::exception& why) {
+    std::cerr << "regulus-verify: " << usage.certificate << ": " << why.what() << '\n';
+    return static_cast<int>(outcome);
+  };
+  regulus::verifier::InputFile bytes(usage.certificate);
+  std::istream file(&bytes);
+  try {
+    const std::string text = regulus::verifier::coq_proof(file);
+    regulus::AtomicFile output(usage.coq, usage.coq + ".new");
+    output.write(text);
+    output.put_in_place();
+    return 0;
+  } catch (const regulus::verifier::Rejection& why) {
+    return refuse(regulus::verifier::Outcome::kRejected, why);
+  } catch (const regulus::verifier::Unfinished& why) {
+    return refuse(regulus::verifier::Outcome::kUnfinished, why);
+  }
+}
+
 }  // namespace
 
 int main(int argc, char** argv) {
@@ -122,7 +150,7 @@ int main(int argc, char** argv) {
     return 0;
   }
   try {
-    return verify(usage);
+    return usage.coq.empty() ? verify(usage) : write_coq(usage);
   } catch (const std::exception& error) {
     std::cerr << "regulus-verify: " << error.what() << '\n';
     return kFileError;
