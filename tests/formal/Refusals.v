@@ -1,0 +1,84 @@
+(* SPDX-License-Identifier: GPL-3.0-or-later *)
+(** Questions whose answer is known: what is false must not be proved, by any method. *)
+From Coq Require Import List Bool Arith.
+From Regulus Require Import Expressions Questions Search Notations.
+Import ListNotations.
+
+Definition methods : list method :=
+  flat_map (fun s => map (Method s) [0; 1; 7; 12]%nat) [0; 1; 2; 99]%nat.
+
+Definition refused (q : question) : bool := forallb (fun m => negb (check q m)) methods.
+Definition proved (q : question) : bool := check q (Method 99 30).
+
+Definition x := Name 0.
+Definition y := Name 1.
+
+(** A matrix over x in [-1, 1] and y in [0, 2]. *)
+Definition over (constraints : list expression) (matrix : list (list expression)) : question :=
+  Question [(-1, 1); (0, 2)] [] constraints [] matrix 2.
+Definition square := over [].
+Definition value (e : expression) : question :=
+  Question [(-1, 1); (0, 2)] [] [] [e] [[1]] 1.
+
+Definition false_claims : list question := [
+  (* Singular everywhere, along a line, at a point, and at one end of the set. *)
+  square [[1; 1]; [1; 1]];
+  square [[1; x]; [1; y]];
+  square [[x; y]; [- y; x]];
+  square [[y; 0]; [0; 1]];
+  square [[x - 1; 0]; [0; 1]];
+  square [[sin x - x; 0]; [0; 1]];
+  square [[x ^ 2 + y ^ 2; 0]; [0; 1]];
+  (* A root that no interval of doubles around it excludes. *)
+  square [[(x - 1/3) ^ 2; 0]; [0; 1]];
+  (* More rows than columns, dependent columns. *)
+  square [[x; 2*x]; [y; 2*y]; [1; 2]];
+  (* Fewer rows than columns. *)
+  square [[1; 0]];
+  (* A row with too few or too many entries. *)
+  square [[1]; [0; 1]];
+  square [[1; 0; 0]; [0; 1]];
+  (* Undefined at a point, at an end of the set, or by a name that is not declared. *)
+  value (1/x);
+  value (1/y);
+  value (sqrt x);
+  value (sqrt (y - 1/10));
+  value (log y);
+  value (x/x);
+  value (tan (2*x));
+  value (acos y);
+  value (Name 2);
+  Question [(-1, 1)] [1/x] [] [] [[1]] 1;
+  Question [(-1, 1)] [Name 1] [] [] [[1]] 1;
+  (* A constraint that does not exclude the singular point, or excludes it just so. *)
+  over [x - 2] [[x; 0]; [0; 1]];
+  over [- x] [[x; 0]; [0; 1]];
+  over [1/x] [[x; 0]; [0; 1]];
+  over [1/10 - x] [[log x; 0]; [0; 1]];
+  (* An end of a range without a value. *)
+  Question [(0, 1/0)] [] [] [] [[1]] 1 ].
+
+Definition true_claims : list question := [
+  square [[1; 1]; [1; 1 + 1e-6]];
+  square [[1; 1]; [1; 1.000001]];
+  square [[y + 1e-3; 0]; [0; 1]];
+  square [[x - 1.001; 0]; [0; 1]];
+  square [[x ^ 2 + y ^ 2 + 1e-2; 0]; [0; 1]];
+  square [[x; 1]; [1; - x]];
+  square [[x; y]; [1; 0]; [0; 1]];
+  value (1/(x + 1.001));
+  value (sqrt (y + 1e-6));
+  value (sqrt y);
+  value (log (y + 1e-6));
+  value (atan x + exp y + abs x + tan x);
+  value (asin (x/2) + acos (x/2));
+  over [1/10 - x] [[x; 0]; [0; 1]];
+  (* Beyond the constraint nothing needs to be defined. *)
+  over [1/10 - x] [[sqrt x; 0]; [0; 1]];
+  Question [(1/2, 1)] [1/x] [] [] [[Name 1]] 1 ].
+
+Goal map refused false_claims = map (fun _ => true) false_claims.
+Proof. vm_compute. reflexivity. Qed.
+
+Goal map proved true_claims = map (fun _ => true) true_claims.
+Proof. vm_compute. reflexivity. Qed.
