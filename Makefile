@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: Apache-2.0
 # Short names for the usual work; everything is in CMake. `make help` lists them.
-.PHONY: help demo build deb test test-all paper growth ablation bench fuzz attack asan ubsan tsan clang dependencies format clean
+.PHONY: help demo build deb test test-all formal paper growth ablation bench fuzz attack asan ubsan tsan clang dependencies format clean
 .DEFAULT_GOAL := help
 
 help:           ## this list
@@ -30,6 +30,14 @@ test-all: dependencies  ## every test, the slow ones and ThreadSanitizer's too
 	cmake --build --preset release
 	ctest --preset all
 	$(MAKE) tsan
+
+formal: dependencies  ## verdicts as theorems that Coq proves: tests/formal/RESULTS.md
+	@cmake/install-dependencies.sh coq libcoq-interval libcoq-flocq
+	cmake --preset release -DREGULUS_TESTS=ON
+	cmake --build --preset release --target formal regulus regulus-verify
+	ctest --test-dir build -R '^formal\.' --output-on-failure
+	cp build/tests/formal/proofs/RESULTS.md tests/formal/RESULTS.md
+	@cat tests/formal/RESULTS.md
 
 LIMIT ?= 10
 paper: dependencies  ## the paper's Tables IV-VII, run again: tests/paper/RESULTS.md (LIMIT seconds a cell)

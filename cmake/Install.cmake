@@ -112,6 +112,8 @@ if(REGULUS_CODEGEN)
   if(REGULUS_PAGE_TEMPLATE)
     install(FILES ${REGULUS_PAGE_TEMPLATE} DESTINATION ${CMAKE_INSTALL_DATADIR}/regulus COMPONENT codegen)
   endif()
+  install(DIRECTORY ${PROJECT_SOURCE_DIR}/runtime/certificate/formal DESTINATION ${CMAKE_INSTALL_DATADIR}/regulus
+          COMPONENT codegen FILES_MATCHING PATTERN "*.v" PATTERN _CoqProject PATTERN "*.md")
   install(FILES ${PROJECT_SOURCE_DIR}/README.md ${PROJECT_SOURCE_DIR}/codegen/EMBEDDING.md
           DESTINATION ${CMAKE_INSTALL_DATADIR}/doc/regulus COMPONENT codegen)
   regulus_install_licences(${CMAKE_INSTALL_DATADIR}/doc/regulus codegen)

@@ -1,3 +1,4 @@
 (* SPDX-License-Identifier: GPL-3.0-or-later *)
-From Regulus Require Import Search.
-Print Assumptions check_correct.
+From Regulus Require Import Search Singularity.
+Definition theorems := (check_correct, check_singularity_correct).
+Print Assumptions theorems.

@@ -1,7 +1,7 @@
 (* SPDX-License-Identifier: GPL-3.0-or-later *)
 (** Questions whose answer is known: what is false must not be proved, by any method. *)
-From Coq Require Import List Bool Arith.
-From Regulus Require Import Expressions Questions Search Notations.
+From Coq Require Import List Bool Arith PrimFloat.
+From Regulus Require Import Expressions Questions Search Singularity Notations.
 Import ListNotations.
 
 Definition methods : list method :=
@@ -76,6 +76,42 @@ Definition true_claims : list question := [
   (* Beyond the constraint nothing needs to be defined. *)
   over [1/10 - x] [[sqrt x; 0]; [0; 1]];
   Question [(1/2, 1)] [1/x] [] [] [[Name 1]] 1 ].
+
+(** Segments that show no singularity: each with the two points of the claim. *)
+Definition false_segments : list (question * coordinates * coordinates) := [
+  (* The determinant does not change its sign, or only beyond the set. *)
+  (square [[x + 2; 0]; [0; 1]], [-1; 1]%float, [1; 1]%float);
+  (square [[x - 2; 0]; [0; 1]], [1; 1]%float, [3; 1]%float);
+  (square [[x ^ 2; 0]; [0; 1]], [-1; 1]%float, [1; 1]%float);
+  (* It jumps over 0. *)
+  (square [[1/x; 0]; [0; 1]], [-1; 1]%float, [1; 1]%float);
+  (value (1/x), [-1; 1]%float, [1; 1]%float);
+  (* The singular point is excluded. *)
+  (over [1/10 - x] [[x; 0]; [0; 1]], [-0.5; 1]%float, [0.5; 1]%float);
+  (over [y - x - 1/2] [[x; 0]; [0; 1]], [-0.5; 1]%float, [0.5; 1]%float);
+  (* Not a square matrix; a number of coordinates that is not that of the variables. *)
+  (square [[x; 0]], [-1; 1]%float, [1; 1]%float);
+  (square [[x; 0]; [0; 1]; [0; 2]], [-1; 1]%float, [1; 1]%float);
+  (square [[x; 0]; [0; 1]], [-1]%float, [1]%float);
+  (square [[x; 0]; [0; 1]], []%float, []%float);
+  (* No numbers. *)
+  (square [[x; 0]; [0; 1]], [-infinity; 1]%float, [nan; 1]%float) ].
+
+Definition true_segments : list (question * coordinates * coordinates) := [
+  (square [[x; 0]; [0; 1]], [-1; 1]%float, [1; 1]%float);
+  (Question [(-1, 1); (0, 2)] [] [] [] [[0; 1; 0]; [x; 0; 0]; [0; 0; 1]] 3, [-1; 1]%float, [1; 1]%float);
+  (square [[x; y]; [1; 2]], [-1; 1]%float, [1; 1]%float);
+  (square [[x - 1 + 1e-6; 0]; [0; 1]], [-1; 1]%float, [1; 1]%float);
+  (over [x - y] [[x; 0]; [0; 1]], [-0.5; 1]%float, [0.5; 1]%float) ].
+
+Definition shown (s : question * coordinates * coordinates) : bool :=
+  let '(q, a, b) := s in check_singularity q a b.
+
+Goal map shown false_segments = map (fun _ => false) false_segments.
+Proof. vm_compute. reflexivity. Qed.
+
+Goal map shown true_segments = map (fun _ => true) true_segments.
+Proof. vm_compute. reflexivity. Qed.
 
 Goal map refused false_claims = map (fun _ => true) false_claims.
 Proof. vm_compute. reflexivity. Qed.

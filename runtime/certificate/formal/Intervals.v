@@ -25,7 +25,11 @@ Definition square := I.sqr precision.
 Definition integer := I.fromZ precision.
 Definition point (x : F.type) : interval := I.singleton x.
 Definition real_of (x : F.type) : R := proj_val (F.toX x).
-Definition rational (q : Q) : interval := divide (integer (Qnum q)) (integer (Zpos (Qden q))).
+Definition rational (q : Q) : interval :=
+  match Qden q with
+  | xH => integer (Qnum q)
+  | d => divide (integer (Qnum q)) (integer (Zpos d))
+  end.
 Definition zero : interval := integer 0.
 Definition one : interval := integer 1.
 Definition unit_interval : interval := I.join (integer 0) (integer 1).
@@ -65,8 +69,10 @@ Qed.
 
 Lemma rational_encloses q : encloses (rational q) (Q2R q).
 Proof.
-  unfold rational, Q2R. apply divide_encloses; try apply integer_encloses.
-  apply IZR_neq. discriminate.
+  assert (D : encloses (divide (integer (Qnum q)) (integer (Zpos (Qden q)))) (Q2R q)).
+  { apply divide_encloses; try apply integer_encloses. apply IZR_neq. discriminate. }
+  unfold rational. destruct q as [n [d|d|]]; try exact D.
+  unfold Q2R. simpl. rewrite Rinv_1, Rmult_1_r. apply integer_encloses.
 Qed.
 
 Lemma meet_encloses i j x : encloses i x -> encloses j x -> encloses (I.meet i j) x.

@@ -125,3 +125,14 @@ Proof.
   intros H y Hy. apply H. intros i _. rewrite sum_product. apply sum_zero.
   intros l L. rewrite Hy by assumption. lra.
 Qed.
+
+(** ** Determinants *)
+
+Definition skip (p i : nat) : nat := if i <? p then i else S i.
+
+(** Expansion along the first row. *)
+Fixpoint determinant (n : nat) (a : nat -> nat -> R) : R :=
+  match n with
+  | O => 1
+  | S m => sum n (fun j => (-1) ^ j * (a O j * determinant m (fun i k => a (S i) (skip j k))))
+  end.

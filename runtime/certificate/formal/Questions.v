@@ -49,3 +49,8 @@ Definition no_singularity (q : question) : Prop :=
   forall x, in_set q x ->
     model_defined q x /\
     full_column_rank (rows q) (columns q) (entry q (extend x (definitions q))).
+
+(** SINGULARITY: at some point of the set, everything is defined and the determinant is 0. *)
+Definition singularity (q : question) : Prop :=
+  exists x, in_set q x /\ model_defined q x /\ rows q = columns q /\
+    determinant (columns q) (entry q (extend x (definitions q))) = 0.

@@ -203,6 +203,19 @@ Section Test.
     apply (evaluate_correct t vs names e v T K V).
   Qed.
 
+  Lemma everything_defined : forallb is_known vs = true ->
+    forallb (fun e => is_known (evaluate vs e)) (also_defined q) = true ->
+    forallb (forallb is_known) a = true -> model_defined q x.
+  Proof.
+    intros D1 D2 D3. split; [|split].
+    - eapply definitions_are_defined; [exact T|apply variables_known, B|exact D1].
+    - rewrite forallb_forall in D2. apply Forall_forall. intros e In_e.
+      apply known_is_defined, D2, In_e.
+    - rewrite forallb_forall in D3. apply Forall_forall. intros r In_r.
+      apply Forall_forall. intros e In_e. specialize (D3 (map (evaluate vs) r)).
+      rewrite forallb_forall in D3. apply known_is_defined, D3; apply in_map; assumption.
+  Qed.
+
   Theorem test_correct :
     match test q m b with Outside | Regular => holds_at q x | _ => True end.
   Proof.
@@ -213,15 +226,9 @@ Section Test.
     destruct (forallb (forallb is_known) a) eqn:D3; [|exact Logic.I].
     destruct (forallb (fun r => Nat.eqb (length r) (columns q)) a) eqn:D4; [|exact Logic.I].
     cbn [andb]. destruct (succeeds _ _) eqn:S; [|exact Logic.I].
-    intros _. split; [split; [|split]|].
-    - eapply definitions_are_defined; [exact T|apply variables_known, B|exact D1].
-    - rewrite forallb_forall in D2. apply Forall_forall. intros e In_e.
-      apply known_is_defined, D2, In_e.
-    - rewrite forallb_forall in D3. apply Forall_forall. intros r In_r.
-      apply Forall_forall. intros e In_e. specialize (D3 (map (evaluate vs) r)).
-      rewrite forallb_forall in D3. apply known_is_defined, D3; apply in_map; assumption.
-    - eapply (attempt_correct t); [exact T| |exact S].
-      exact (fun i j => entries_enclosed i j D3 D4).
+    intros _. split; [apply everything_defined; assumption|].
+    eapply (attempt_correct t); [exact T| |exact S].
+    exact (fun i j => entries_enclosed i j D3 D4).
   Qed.
 End Test.
 

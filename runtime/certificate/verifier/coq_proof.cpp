@@ -1,10 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "runtime/certificate/verifier/coq_proof.hpp"
 
+#include <cstdio>
 #include <set>
+#include <span>
 #include <vector>
 
 #include "runtime/certificate/verifier/coq_expression.hpp"
+#include "runtime/certificate/verifier/proof.hpp"
 #include "runtime/certificate/verifier/question.hpp"
 
 namespace regulus::verifier {
@@ -39,8 +42,8 @@ std::string coq_list(const std::vector<Item>& items, const std::string& margin) 
 /// Turns the lines of a question that has been read without a fault into definitions of Coq.
 class CoqQuestion {
  public:
-  CoqQuestion(const std::vector<std::string>& lines, const Question& question)
-      : lines_(lines), q_(question) {
+  CoqQuestion(std::vector<std::string> lines, const Question& question)
+      : lines_(std::move(lines)), q_(question) {
     declare_variables();
     for (const std::string& line : lines_) read(line);
   }
@@ -200,7 +203,7 @@ class CoqQuestion {
     return coq_list(rows, "   ");
   }
 
-  const std::vector<std::string>& lines_;
+  const std::vector<std::string> lines_;
   const Question& q_;
   std::size_t next_name_ = 0, parameters_ = 0;
   bool has_uncertain_ = false;
@@ -217,7 +220,8 @@ std::string heading(const Question& q) {
          "\n   claim   " + coq_comment(format::describe_claim(q.claimed_set(), q.singular)) +
          "\n\n   Check it with: coqc -Q FOLDER Regulus FILE. FOLDER has the compiled library. *)\n"
          "From Coq Require Import List.\n"
-         "From Regulus Require Import Expressions Questions Search Notations.\n"
+         "From Coq Require Import PrimFloat.\n"
+         "From Regulus Require Import Expressions Questions Search Singularity Notations.\n"
          "Import ListNotations.\n\n";
 }
 
@@ -232,23 +236,71 @@ std::string theorem(const CoqQuestion& question) {
          "Qed.\n";
 }
 
+std::string coq_double(double x) {
+  char text[40];
+  std::snprintf(text, sizeof text, x < 0 ? "(%a)" : "%a", x);
+  return text;
+}
+
+/// Reads the line `point SIGN …`.
+std::string coq_point(Lines& lines, std::string_view sign, std::size_t variables) {
+  const auto words = words_of(lines.text());
+  if (words.size() != variables + 2 || words[0] != "point" || words[1] != sign)
+    throw Rejection("expected 'point " + std::string(sign) + "' and a number for each variable");
+  std::vector<Item> coordinates;
+  for (const std::string_view word : std::span(words).subspan(2)) {
+    if (word.find(':') != std::string_view::npos)
+      throw Unfinished("there is no theorem about a range that contains no double yet");
+    coordinates.push_back({"", coq_double(read_double(word))});
+  }
+  return coq_list(coordinates, "   ") + "%float";
+}
+
+/// Coq searches two points on the line through those of the certificate.
+std::string singular_theorem(Lines& lines, const Question& question) {
+  const auto advance = [&lines] {
+    if (!lines.next()) throw Rejection("the file ends before the line 'end'");
+  };
+  advance();
+  if (lines.text() != "reason opposite-signs")
+    throw Unfinished("there is no theorem about SINGULARITY by '" + lines.text() + "' yet");
+  advance();
+  const std::string positive = coq_point(lines, "+", question.variables.size());
+  advance();
+  const std::string negative = coq_point(lines, "-", question.variables.size());
+  return "\n(** Two points on a line along which the determinant changes its sign. *)\n"
+         "Definition negative : coordinates :=\n  " +
+         negative + ".\nDefinition positive : coordinates :=\n  " + positive +
+         ".\n\n"
+         "Theorem the_claim : singularity the_question.\n"
+         "Proof.\n"
+         "  apply (check_singularity_correct the_question negative positive).\n"
+         "  vm_cast_no_check (eq_refl true).\n"
+         "Qed.\n";
+}
+
+/// Reads the question, and what its theorem needs of the proof.
+std::string read_and_write(Lines& lines) {
+  Question question;
+  lines.keep();
+  read_question(lines, question);
+  if (question.is_piecewise)
+    throw Unfinished("there is no theorem about a trajectory of several pieces yet");
+  if (question.has_threshold) throw Unfinished("there is no theorem about a threshold yet");
+  const CoqQuestion coq(lines.take_kept(), question);
+  return heading(question) + coq.text() +
+         (question.singular ? singular_theorem(lines, question) : theorem(coq));
+}
+
 }  // namespace
 
 std::string coq_proof(std::istream& certificate) {
   Lines lines(certificate);
-  Question question;
-  lines.keep();
   try {
-    read_question(lines, question);
+    return read_and_write(lines);
   } catch (const Rejection& why) {
     throw Rejection("line " + std::to_string(lines.number()) + ": " + why.what());
   }
-  if (question.is_piecewise)
-    throw Unfinished("there is no theorem about a trajectory of several pieces yet");
-  if (question.has_threshold) throw Unfinished("there is no theorem about a threshold yet");
-  if (question.singular) throw Unfinished("there is no theorem about SINGULARITY yet");
-  const CoqQuestion coq(lines.take_kept(), question);
-  return heading(question) + coq.text() + theorem(coq);
 }
 
 }  // namespace regulus::verifier
