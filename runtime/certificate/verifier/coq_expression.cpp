@@ -81,7 +81,8 @@ std::string coq_expression(std::string_view text, const CoqNames& names) {
     } else {
       // "--" and "(*" are words of Coq.
       const bool is_operator = c == '-' || c == '*';
-      if (is_operator && !result.empty() && result.back() != ' ') result += ' ';
+      if (is_operator && !result.empty() && result.back() != ' ' && result.back() != '(')
+        result += ' ';
       result += c;
       if (is_operator) result += ' ';
       text.remove_prefix(1);

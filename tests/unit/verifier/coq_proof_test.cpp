@@ -1,0 +1,108 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The text of a theorem for Coq. The tests of tests/formal let Coq read such texts.
+#include "runtime/certificate/verifier/coq_proof.hpp"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <sstream>
+
+#include "runtime/certificate/verifier/coq_expression.hpp"
+#include "runtime/certificate/verifier/expression.hpp"
+
+namespace regulus::test {
+namespace {
+
+using ::testing::HasSubstr;
+using ::testing::Not;
+using verifier::coq_comment;
+using verifier::coq_expression;
+using verifier::coq_identifier;
+using verifier::coq_proof;
+
+std::string certificate(const std::string& variables, const std::string& entries,
+                        const std::string& uncertain = "", const std::string& verdict = "") {
+  const std::string word = verdict.empty() ? "NO SINGULARITY" : "SINGULARITY";
+  const std::string claim =
+      verdict.empty() ? "is defined and has full rank at every pose" : "is singular at some pose";
+  return "regulus-certificate 1\nverdict " + word + "\nclaim the full 1x1 matrix of the model " +
+         claim + uncertain +
+         " of the variety\nmodel a (* \"model\" *)\nsha256 -\nmotion m\nalpha 0\n" + variables +
+         "matrix 1 1\nentry " + entries + "\nproof\n" + verdict;
+}
+
+std::string written(const std::string& text) {
+  std::istringstream file(text);
+  return coq_proof(file);
+}
+
+TEST(ACoqExpression, KeepsWhatIsWrittenAndOnlySeparatesWordsOfCoq) {
+  const verifier::CoqNames names = {{"x", "x"}, {"in", "in'"}, {"e1", "e1"}};
+  EXPECT_EQ(coq_expression("2*x^2 + sin(in)/e1", names), "2 * x^2 + sin(in')/e1");
+  EXPECT_EQ(coq_expression("-(-x)", names), "- (- x)");
+  EXPECT_EQ(coq_expression("x*(x)*-x", names), "x * (x) * - x");
+  EXPECT_EQ(coq_expression("atan2(x, e1)", names), "atan2(x, e1)");
+  EXPECT_EQ(coq_expression("1e-3*.5 + 2.", names), "1e-3 * 0.5 + 2");
+}
+
+TEST(ACoqIdentifier, IsNoWordOfCoq) {
+  EXPECT_EQ(coq_identifier("psi"), "psi");
+  EXPECT_EQ(coq_identifier("in"), "in'");
+  EXPECT_EQ(coq_identifier("Name"), "Name'");
+}
+
+TEST(ACoqComment, EndsWhereItsTextEnds) {
+  EXPECT_EQ(coq_comment("a *) b (* c (*) \"d"), "a * ) b ( * c ( * ) 'd");
+}
+
+TEST(ATheorem, StatesTheQuestionInTheOrderOfTheCertificate) {
+  const std::string text =
+      written(certificate("parameter x in 1 : 2*pi\nconstant a = 3\n"
+                          "pose y = x + 1\nlet e1 = a*y\n",
+                          "e1 + 1"));
+  EXPECT_THAT(text, HasSubstr("model   a ( * 'model' * )\n"));
+  EXPECT_THAT(text, HasSubstr("Definition x := Name 0.\nDefinition a := Name 1.\n"
+                              "Definition y := Name 2.\nDefinition e1 := Name 3.\n"));
+  EXPECT_THAT(text, HasSubstr("[(* x *) (1, 2 * pi)]\n"
+                              "  [(* a *) 3;\n   (* y *) x + 1;\n   (* e1 *) a * y]\n"
+                              "  []\n  []\n  [[e1 + 1]]\n  1.\n"));
+  EXPECT_THAT(text, HasSubstr("Theorem the_claim : no_singularity the_question.\n"));
+}
+
+TEST(ATheorem, HasControlErrorsInTheMatrixAndBallsAsConstraints) {
+  const std::string text =
+      written(certificate("parameter x in 1 : 2\nuncertain a = 3 +- 1/20\nuncertain b = 4 +- 1/20\n"
+                          "ball a b\npose x = x +- 1/100\n",
+                          "x + a", " and value of the 3 uncertain quantities"));
+  EXPECT_THAT(text, HasSubstr("Definition x'commanded := Name 0.\nDefinition a := Name 1.\n"
+                              "Definition b := Name 2.\nDefinition x'error := Name 3.\n"
+                              "Definition x := Name 4.\n"));
+  EXPECT_THAT(text, HasSubstr("(* x'error *) within 0 (1/100)]"));
+  EXPECT_THAT(text, HasSubstr("(* x *) x'commanded + x'error"));
+  EXPECT_THAT(text, HasSubstr("(* ball *) (a - (3)) ^ 2 + (b - (4)) ^ 2 - (1/20) ^ 2"));
+}
+
+TEST(ATheorem, OfASingularityHasItsTwoPoints) {
+  const std::string text = written(
+      certificate("parameter x in -1 : 1\npose x = x\n", "x", "",
+                  "reason opposite-signs\npoint + 0x1p-1\npoint - -0.5\npath segment\nend\n"));
+  EXPECT_THAT(text, HasSubstr("negative : coordinates :=\n  [(-0x1p-1)]%float."));
+  EXPECT_THAT(text, HasSubstr("positive : coordinates :=\n  [0x1p-1]%float."));
+  EXPECT_THAT(text, HasSubstr("Theorem the_claim : singularity the_question.\n"));
+  EXPECT_THAT(text, Not(HasSubstr("no_singularity")));
+}
+
+TEST(ATheorem, IsRefusedWhereTheLibraryHasNone) {
+  const std::string variables = "parameter x in -1 : 1\npose x = x\n";
+  EXPECT_THROW(
+      (void)written(certificate(variables, "x", "", "reason always-singular\npoint 0 0\nend\n")),
+      verifier::Unfinished);
+  EXPECT_THROW(
+      (void)written(certificate(variables, "x", "", "reason opposite-signs\npoint + 1 2\n")),
+      verifier::Rejection);
+  EXPECT_THROW((void)written(certificate(variables, "x + y")), verifier::Rejection);
+  EXPECT_THROW((void)written("no certificate\n"), verifier::Rejection);
+}
+
+}  // namespace
+}  // namespace regulus::test
