@@ -48,6 +48,11 @@ Definition false_claims : list question := [
   value (tan (2*x));
   value (acos y);
   value (Name 2);
+  (* Precedence: a sign binds less than a power; quotients and differences are taken from the left. *)
+  value (sqrt (3 + -2^2));
+  value (sqrt (8/2/4 - 2));
+  value (sqrt (5 - 3 - 3));
+  value (sqrt (-1 * -1 * -1));
   Question [(-1, 1)] [1/x] [] [] [[1]] 1;
   Question [(-1, 1)] [Name 1] [] [] [[1]] 1;
   (* A constraint that does not exclude the singular point, or excludes it just so. *)
@@ -70,6 +75,9 @@ Definition true_claims : list question := [
   value (sqrt (y + 1e-6));
   value (sqrt y);
   value (log (y + 1e-6));
+  value (sqrt (0 - -2^2));
+  value (sqrt (-2 * -1 + 1.5e0 - 3.4999));
+  value (atan2(x, y + 1));
   value (atan x + exp y + abs x + tan x);
   value (asin (x/2) + acos (x/2));
   over [1/10 - x] [[x; 0]; [0; 1]];

@@ -81,9 +81,9 @@ std::string coq_expression(std::string_view text, const CoqNames& names) {
     } else {
       // "--" and "(*" are words of Coq.
       const bool is_operator = c == '-' || c == '*';
-      if (is_operator && !result.empty() && result.back() != ' ' && result.back() != '(')
-        result += ' ';
-      result += c;
+      const bool follows_space = result.empty() || result.back() == ' ' || result.back() == '(';
+      if (is_operator && !follows_space) result += ' ';
+      if (c != ' ' || !follows_space) result += c;
       if (is_operator) result += ' ';
       text.remove_prefix(1);
     }

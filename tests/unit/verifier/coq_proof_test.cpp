@@ -42,6 +42,7 @@ TEST(ACoqExpression, KeepsWhatIsWrittenAndOnlySeparatesWordsOfCoq) {
   EXPECT_EQ(coq_expression("-(-x)", names), "- (- x)");
   EXPECT_EQ(coq_expression("x*(x)*-x", names), "x * (x) * - x");
   EXPECT_EQ(coq_expression("atan2(x, e1)", names), "atan2(x, e1)");
+  EXPECT_EQ(coq_expression("x - e1 - -x", names), "x - e1 - - x");
   EXPECT_EQ(coq_expression("1e-3*.5 + 2.", names), "1e-3 * 0.5 + 2");
 }
 
