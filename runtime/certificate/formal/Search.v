@@ -251,3 +251,15 @@ Proof.
   intros _ x S. eapply search_correct; [|exact L|exact S].
   eapply enclose_ranges_correct; [exact R|]. exact (proj1 S).
 Qed.
+
+(** The same for a trajectory: one question, to which each piece gives some constants. *)
+Definition check_pieces (q : list expression -> question) (m : method)
+    (pieces : list (list expression)) : bool :=
+  forallb (fun piece => check (q piece) m) pieces.
+
+Theorem check_pieces_correct q m pieces : check_pieces q m pieces = true ->
+  Forall (fun piece => no_singularity (q piece)) pieces.
+Proof.
+  unfold check_pieces. rewrite forallb_forall. intros H. apply Forall_forall. intros piece P.
+  apply (check_correct (q piece) m), H, P.
+Qed.

@@ -1,12 +1,15 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "runtime/certificate/verifier/coq_proof.hpp"
 
+#include <algorithm>
 #include <cstdio>
 #include <set>
 #include <span>
+#include <sstream>
 #include <vector>
 
 #include "runtime/certificate/verifier/coq_expression.hpp"
+#include "runtime/certificate/verifier/pieces.hpp"
 #include "runtime/certificate/verifier/proof.hpp"
 #include "runtime/certificate/verifier/question.hpp"
 
@@ -42,19 +45,22 @@ std::string coq_list(const std::vector<Item>& items, const std::string& margin) 
 /// Turns the lines of a question that has been read without a fault into definitions of Coq.
 class CoqQuestion {
  public:
-  CoqQuestion(std::vector<std::string> lines, const Question& question)
-      : lines_(std::move(lines)), q_(question) {
+  /// `piece_names`: the constants that each piece of a trajectory gives a value.
+  CoqQuestion(std::vector<std::string> lines, const Question& question,
+              const std::vector<std::string>& piece_names = {})
+      : lines_(std::move(lines)), q_(question), piece_names_(piece_names) {
     declare_variables();
     for (const std::string& line : lines_) read(line);
   }
 
   [[nodiscard]] std::string text() const {
-    std::string text = "(** The names: the variables, then the definitions of the question. *)\n" +
-                       names_text_ +
-                       "\n(** The question, in the order of its certificate: the ranges of the "
-                       "variables, the definitions,\n    the constraints, more expressions that "
-                       "must have a value, the matrix and its number of columns. *)\n"
-                       "Definition the_question : question := Question\n";
+    std::string text =
+        "(** The names: the variables, then the definitions of the question. *)\n" + names_text_ +
+        "\n(** The question, in the order of its certificate: the ranges of the "
+        "variables, the definitions,\n    the constraints, more expressions that "
+        "must have a value, the matrix and its number of columns. *)\n"
+        "Definition the_question " +
+        (piece_names_.empty() ? "" : "(piece : list expression) ") + ": question := Question\n";
     for (const auto* list : {&ranges_, &definitions_, &constraints_, &defined_})
       text += "  " + coq_list(*list, "   ") + "\n";
     return text + "  " + matrix() + "\n  " + std::to_string(q_.columns) + ".\n";
@@ -115,7 +121,7 @@ class CoqQuestion {
     } else if (key == "constant") {
       const std::string name(take_until(rest, " = "));
       commanded_[name] = actual_[name] = fresh(coq_identifier(name));
-      define(actual_[name], coq_expression(rest, {}));
+      define(actual_[name], constant(name, rest));
     } else if (key == "uncertain") {
       read_uncertain(rest);
     } else if (key == "ball") {
@@ -130,6 +136,12 @@ class CoqQuestion {
     } else {
       read_list(key, rest);
     }
+  }
+
+  [[nodiscard]] std::string constant(const std::string& name, std::string_view value) const {
+    const auto found = std::find(piece_names_.begin(), piece_names_.end(), name);
+    if (found == piece_names_.end()) return coq_expression(value, {});
+    return "nth " + std::to_string(found - piece_names_.begin()) + " piece no_entry";
   }
 
   void read_list(std::string_view key, std::string_view rest) {
@@ -205,6 +217,7 @@ class CoqQuestion {
 
   const std::vector<std::string> lines_;
   const Question& q_;
+  const std::vector<std::string> piece_names_;
   std::size_t next_name_ = 0, parameters_ = 0;
   bool has_uncertain_ = false;
   std::set<std::string, std::less<>> with_error_;  ///< poses with a control error
@@ -225,15 +238,15 @@ std::string heading(const Question& q) {
          "Import ListNotations.\n\n";
 }
 
-std::string theorem(const CoqQuestion& question) {
+/// `check`: the theorem that is applied, and its arguments.
+std::string theorem(const std::string& claim, const std::string& check) {
+  return "\nTheorem the_claim : " + claim + ".\nProof.\n  apply (" + check +
+         ").\n  vm_cast_no_check (eq_refl true).\nQed.\n";
+}
+
+std::string method(const CoqQuestion& question) {
   return "\nDefinition the_method : method := Method " + std::to_string(question.second_order()) +
-         " " + std::to_string(kDeepest) +
-         ".\n\n"
-         "Theorem the_claim : no_singularity the_question.\n"
-         "Proof.\n"
-         "  apply (check_correct the_question the_method).\n"
-         "  vm_cast_no_check (eq_refl true).\n"
-         "Qed.\n";
+         " " + std::to_string(kDeepest) + ".\n";
 }
 
 std::string coq_double(double x) {
@@ -270,13 +283,45 @@ std::string singular_theorem(Lines& lines, const Question& question) {
   const std::string negative = coq_point(lines, "-", question.variables.size());
   return "\n(** Two points on a line along which the determinant changes its sign. *)\n"
          "Definition negative : coordinates :=\n  " +
-         negative + ".\nDefinition positive : coordinates :=\n  " + positive +
-         ".\n\n"
-         "Theorem the_claim : singularity the_question.\n"
-         "Proof.\n"
-         "  apply (check_singularity_correct the_question negative positive).\n"
-         "  vm_cast_no_check (eq_refl true).\n"
-         "Qed.\n";
+         negative + ".\nDefinition positive : coordinates :=\n  " + positive + ".\n" +
+         theorem("singularity the_question",
+                 "check_singularity_correct the_question negative positive");
+}
+
+std::vector<std::string> lines_of(const std::string& text) {
+  std::vector<std::string> lines;
+  std::string_view rest = text;
+  while (!rest.empty()) lines.emplace_back(take_until(rest, "\n"));
+  return lines;
+}
+
+void require_theorem(const Question& question) {
+  if (question.has_threshold) throw Unfinished("there is no theorem about a threshold yet");
+}
+
+/// The question has the constants of a piece as an argument; the theorem is about all pieces.
+std::string trajectory(Lines& lines) {
+  const Pieces pieces = read_pieces(lines);
+  std::istringstream text(pieces.question_of(0));
+  Lines first(text);
+  Question question;
+  read_question(first, question);
+  require_theorem(question);
+  if (question.singular) throw Rejection("a singular pose lies on one piece: there are several");
+  const CoqQuestion coq(lines_of(pieces.question_of(0)), question, pieces.names);
+  std::vector<Item> values;
+  for (std::size_t k = 0; k < pieces.values.size(); ++k) {
+    std::vector<Item> value;
+    for (const std::string& constant : pieces.values_of(k)) {
+      static_cast<void>(parse(constant, {}, question.graph));
+      value.push_back({"", coq_expression(constant, {})});
+    }
+    values.push_back({"", coq_list(value, std::string(4, ' '))});
+  }
+  return heading(question) + coq.text() + "\nDefinition pieces : list (list expression) :=\n  " +
+         coq_list(values, "   ") + ".\n" + method(coq) +
+         theorem("Forall (fun piece => no_singularity (the_question piece)) pieces",
+                 "check_pieces_correct the_question the_method pieces");
 }
 
 /// Reads the question, and what its theorem needs of the proof.
@@ -284,12 +329,12 @@ std::string read_and_write(Lines& lines) {
   Question question;
   lines.keep();
   read_question(lines, question);
-  if (question.is_piecewise)
-    throw Unfinished("there is no theorem about a trajectory of several pieces yet");
-  if (question.has_threshold) throw Unfinished("there is no theorem about a threshold yet");
+  if (question.is_piecewise) return trajectory(lines);
+  require_theorem(question);
   const CoqQuestion coq(lines.take_kept(), question);
-  return heading(question) + coq.text() +
-         (question.singular ? singular_theorem(lines, question) : theorem(coq));
+  if (question.singular) return heading(question) + coq.text() + singular_theorem(lines, question);
+  return heading(question) + coq.text() + method(coq) +
+         theorem("no_singularity the_question", "check_correct the_question the_method");
 }
 
 }  // namespace

@@ -4,6 +4,7 @@
 #include <charconv>
 #include <iostream>
 #include <string>
+#include <system_error>
 #include <vector>
 
 #include "runtime/certificate/verifier/coq_proof.hpp"
@@ -116,6 +117,14 @@ int verify(Usage& usage) {
   return static_cast<int>(v.outcome);
 }
 
+void write_file(const std::string& name, const std::string& text) try {
+  regulus::AtomicFile output(name, name + ".new");
+  output.write(text);
+  output.put_in_place();
+} catch (const std::system_error& error) {
+  throw std::runtime_error("the file '" + name + "' cannot " + error.what());
+}
+
 /// Returns the exit code: that of the answer if there is no theorem.
 int write_coq(const Usage& usage) {
   const auto refuse = [&usage](regulus::verifier::Outcome outcome, const std::exception& why) {
@@ -125,10 +134,7 @@ int write_coq(const Usage& usage) {
   regulus::verifier::InputFile bytes(usage.certificate);
   std::istream file(&bytes);
   try {
-    const std::string text = regulus::verifier::coq_proof(file);
-    regulus::AtomicFile output(usage.coq, usage.coq + ".new");
-    output.write(text);
-    output.put_in_place();
+    write_file(usage.coq, regulus::verifier::coq_proof(file));
     return 0;
   } catch (const regulus::verifier::Rejection& why) {
     return refuse(regulus::verifier::Outcome::kRejected, why);

@@ -14,15 +14,26 @@
 namespace regulus::verifier {
 namespace {
 
+std::string piece(std::size_t k) { return "piece " + std::to_string(k + 1); }
+
+void advance(Lines& lines) {
+  if (!lines.next()) throw Rejection("the file ends before its line 'end'");
+}
+
 class PieceChecker {
  public:
   PieceChecker(Lines& lines, const Options& options, Verification& result)
-      : lines_(lines), options_(options), rest_(options), result_(result) {}
+      : lines_(lines),
+        options_(options),
+        rest_(options),
+        result_(result),
+        pieces_(read_pieces(lines)) {
+    result_.pieces = pieces_.values.size();
+  }
 
   void check() {
-    read_head();
-    advance();
-    for (std::size_t k = 0; k < pieces_.size(); ++k) {
+    advance(lines_);
+    for (std::size_t k = 0; k < pieces_.values.size(); ++k) {
       if (lines_.text() != "tree") throw Rejection("expected the line 'tree' of " + piece(k));
       check_piece(k);
     }
@@ -34,49 +45,8 @@ class PieceChecker {
   }
 
  private:
-  static std::string piece(std::size_t k) { return "piece " + std::to_string(k + 1); }
-
-  void advance() {
-    if (!lines_.next()) throw Rejection("the file ends before its line 'end'");
-  }
-
-  /// Reads the lines from `piecewise` to `proof`.
-  void read_head() {
-    std::vector<std::string> before = lines_.take_kept();
-    for (std::size_t i = 0; i + 1 < before.size(); ++i) before_ += before[i] + '\n';
-    for (const std::string_view word : words_of(before.back())) names_.emplace_back(word);
-    names_.erase(names_.begin());
-    if (names_.empty() || names_.size() > format::kMostPieceNames)
-      throw Rejection("the line 'piecewise' has too few or too many names");
-    for (advance(); lines_.text().starts_with("piece "); advance()) {
-      if (pieces_.size() == format::kMostPieces) throw Rejection("there are too many pieces");
-      pieces_.push_back(lines_.text().substr(6));
-    }
-    if (pieces_.empty()) throw Rejection("there is no piece");
-    for (std::size_t count = 0; lines_.text() != "proof"; advance()) {
-      if (++count > format::kMostLines) throw Rejection("there are too many lines before 'proof'");
-      after_ += lines_.text() + '\n';
-    }
-    after_ += "proof\n";
-    result_.pieces = pieces_.size();
-  }
-
-  [[nodiscard]] std::string constants_of(std::size_t k) const {
-    constexpr std::string_view kBetween = " | ";
-    std::string text;
-    std::string_view rest = pieces_[k];
-    for (std::size_t i = 0; i < names_.size(); ++i) {
-      const std::size_t end = rest.find(kBetween);
-      if ((end == std::string_view::npos) != (i + 1 == names_.size()))
-        throw Rejection(piece(k) + " has a wrong number of values");
-      text += "constant " + names_[i] + " = " + std::string(rest.substr(0, end)) + '\n';
-      rest.remove_prefix(end == std::string_view::npos ? rest.size() : end + kBetween.size());
-    }
-    return text;
-  }
-
   void check_piece(std::size_t k) {
-    std::istringstream text(before_ + constants_of(k) + after_);
+    std::istringstream text(pieces_.question_of(k));
     Lines head(text);
     Question question;
     try {
@@ -105,7 +75,7 @@ class PieceChecker {
 
   void compare(Question& question) {
     compare_with_model(question, options_, result_);
-    result_.uncompared.push_back("the " + std::to_string(pieces_.size()) +
+    result_.uncompared.push_back("the " + std::to_string(pieces_.values.size()) +
                                  " lines 'piece' of the certificate, whose numbers are those of a "
                                  "file of way-points");
   }
@@ -119,11 +89,53 @@ class PieceChecker {
   Options rest_;  ///< with the time that is left
   Verification& result_;
   const std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
-  std::string before_, after_;
-  std::vector<std::string> names_, pieces_;
+  const Pieces pieces_;
 };
 
 }  // namespace
+
+Pieces read_pieces(Lines& lines) {
+  Pieces pieces;
+  std::vector<std::string> before = lines.take_kept();
+  for (std::size_t i = 0; i + 1 < before.size(); ++i) pieces.before += before[i] + '\n';
+  for (const std::string_view word : words_of(before.back())) pieces.names.emplace_back(word);
+  pieces.names.erase(pieces.names.begin());
+  if (pieces.names.empty() || pieces.names.size() > format::kMostPieceNames)
+    throw Rejection("the line 'piecewise' has too few or too many names");
+  for (advance(lines); lines.text().starts_with("piece "); advance(lines)) {
+    if (pieces.values.size() == format::kMostPieces) throw Rejection("there are too many pieces");
+    pieces.values.push_back(lines.text().substr(6));
+  }
+  if (pieces.values.empty()) throw Rejection("there is no piece");
+  for (std::size_t count = 0; lines.text() != "proof"; advance(lines)) {
+    if (++count > format::kMostLines) throw Rejection("there are too many lines before 'proof'");
+    pieces.after += lines.text() + '\n';
+  }
+  pieces.after += "proof\n";
+  return pieces;
+}
+
+std::vector<std::string> Pieces::values_of(std::size_t k) const {
+  constexpr std::string_view kBetween = " | ";
+  std::vector<std::string> result;
+  std::string_view rest = values[k];
+  for (std::size_t i = 0; i < names.size(); ++i) {
+    const std::size_t end = rest.find(kBetween);
+    if ((end == std::string_view::npos) != (i + 1 == names.size()))
+      throw Rejection(piece(k) + " has a wrong number of values");
+    result.emplace_back(rest.substr(0, end));
+    rest.remove_prefix(end == std::string_view::npos ? rest.size() : end + kBetween.size());
+  }
+  return result;
+}
+
+std::string Pieces::question_of(std::size_t k) const {
+  const std::vector<std::string> constants = values_of(k);
+  std::string text = before;
+  for (std::size_t i = 0; i < names.size(); ++i)
+    text += "constant " + names[i] + " = " + constants[i] + '\n';
+  return text + after;
+}
 
 void check_pieces(Lines& lines, const Options& options, Verification& result) {
   PieceChecker(lines, options, result).check();

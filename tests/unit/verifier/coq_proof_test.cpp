@@ -93,6 +93,20 @@ TEST(ATheorem, OfASingularityHasItsTwoPoints) {
   EXPECT_THAT(text, Not(HasSubstr("no_singularity")));
 }
 
+TEST(ATheorem, OfATrajectoryIsAboutEachPiece) {
+  const std::string text = written(
+      certificate("parameter T in 0 : 1\nconstant b = 7\npiecewise start slope\npiece 1 | 1/2\n"
+                  "piece 3/2 | -1/4\npose y = start + slope*T\n",
+                  "y + b"));
+  EXPECT_THAT(text, HasSubstr("Definition the_question (piece : list expression) : question"));
+  EXPECT_THAT(text, HasSubstr("[(* b *) 7;\n   (* start *) nth 0 piece no_entry;\n"
+                              "   (* slope *) nth 1 piece no_entry;\n"
+                              "   (* y *) start + slope * T]"));
+  EXPECT_THAT(text, HasSubstr("  [[1;\n    1/2];\n   [3/2;\n    - 1/4]].\n"));
+  EXPECT_THAT(text, HasSubstr("Theorem the_claim : Forall (fun piece => no_singularity "
+                              "(the_question piece)) pieces.\n"));
+}
+
 TEST(ATheorem, IsRefusedWhereTheLibraryHasNone) {
   const std::string variables = "parameter x in -1 : 1\npose x = x\n";
   EXPECT_THROW(
