@@ -151,7 +151,8 @@ class ComponentRun {
   void set_proved(const MarginValue& value) {
     certified_ = value;
     if (bordered_.is_reciprocal && value.exact.is_zero()) return;
-    result_.proved = end_at(bound_at(value));
+    const BoundEnd end = end_at(bound_at(value));
+    if (std::isfinite(end.approx)) result_.proved = end;
   }
 
   void set_attained(PreparedMargin& margin, const MarginStep& step) {

@@ -31,27 +31,22 @@ GiNaC::exmap values_at(const AttainedPlace& place, const Model& model) {
   return values;
 }
 
-double approx_sum(const std::vector<double>& row, const VectorSet& set) {
-  double sum = 0;
-  for (std::size_t k = 0; k < row.size(); ++k)
-    sum += row[k] * approx_value(set.entries[k].value).value_or(0);
-  return sum;
-}
-
-/// Returns the twist of the set with the largest row·ẋ.
-std::vector<double> farthest(const std::vector<double>& row, const VectorSet& set) {
+/// Returns the twist whose part in boxes is that of `place`, and whose part in balls has the largest
+/// row·ẋ.
+std::vector<double> fastest(const AttainedPlace& place, const std::vector<double>& row,
+                            const VectorSet& set) {
+  const auto& uncertain = place.json["uncertain"];
   std::vector<double> twist;
-  for (std::size_t k = 0; k < row.size(); ++k) {
-    const GeometryParameter& entry = set.entries[k];
-    const double spread = entry.ball < 0 ? approx_value(entry.tolerance).value_or(0) : 0;
-    twist.push_back(approx_value(entry.value).value_or(0) + std::copysign(spread, row[k]));
-  }
+  for (const GeometryParameter& entry : set.entries)
+    twist.push_back(approx_value(uncertain.contains(entry.name) ? middle_of(uncertain[entry.name])
+                                                                : entry.value)
+                        .value_or(0));
   for (const ToleranceBall& ball : set.balls) {
     double norm = 0;
     for (const std::size_t k : ball.members) norm = std::hypot(norm, row[k]);
     const double radius = approx_value(ball.radius).value_or(0);
     for (const std::size_t k : ball.members)
-      if (norm > 0) twist[k] += radius * row[k] / norm;
+      if (norm > 0 && !uncertain.contains(set.entries[k].name)) twist[k] += radius * row[k] / norm;
   }
   return twist;
 }
@@ -68,9 +63,7 @@ void add_fastest_twist(AttainedPlace& place, const Request& request, const Compo
         approx_value(model.matrix(static_cast<unsigned>(component.row), k).subs(values));
     row.push_back(component.sign * entry.value_or(0));
   }
-  if (component.is_absolute && approx_sum(row, *component.set) < 0)
-    for (double& entry : row) entry = -entry;
-  const std::vector<double> twist = farthest(row, *component.set);
+  const std::vector<double> twist = fastest(place, row, *component.set);
   std::string text;
   for (const double entry : twist) text += fmt::format("{}{:.5g}", text.empty() ? "" : ", ", entry);
   place.values += fmt::format("           with the twist ({}), approximately\n", text);

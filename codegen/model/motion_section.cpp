@@ -53,9 +53,9 @@ class MotionReader {
     read_parameters();
     read_ranges();
     read_pose();
-    check_dimension();
     read_error();
     read_constraints();
+    check_dimension();
     read_where();
     read_alpha();
     motion_.must_be_defined = distinct(motion_.must_be_defined);
@@ -136,16 +136,21 @@ class MotionReader {
     }
   }
 
-  /// A parameter that the pose does not depend on, the size of a shape in a constraint for example,
-  /// is no dimension of the motion.
+  /// A parameter that only constraints contain, the size of a shape for example, is no dimension of
+  /// the motion.
   void check_dimension() const {
-    const auto moves = [this](const MotionParameter& p) {
-      return std::ranges::any_of(motion_.pose, [&](const GiNaC::ex& e) { return e.has(p.symbol); });
+    const auto has = [](const std::vector<GiNaC::ex>& expressions, const GiNaC::ex& symbol) {
+      return std::ranges::any_of(expressions, [&](const GiNaC::ex& e) { return e.has(symbol); });
     };
-    const auto dimension = std::ranges::count_if(motion_.parameters, moves);
-    if (static_cast<std::size_t>(dimension) > reading_.model.pose.size())
+    const auto is_size = [&](const MotionParameter& p) {
+      return !has(motion_.pose, p.symbol) && has(motion_.constraints, p.symbol);
+    };
+    const std::size_t sizes =
+        static_cast<std::size_t>(std::ranges::count_if(motion_.parameters, is_size));
+    const std::size_t dimension = motion_.parameters.size() - sizes;
+    if (dimension > reading_.model.pose.size())
       toml_.refuse(
-          entry_, std::to_string(dimension) + " parameters of the pose in " + entry_.path,
+          entry_, std::to_string(dimension) + " parameters in " + entry_.path,
           "at most as many as pose parameters, " + std::to_string(reading_.model.pose.size()));
   }
 

@@ -36,8 +36,7 @@ class Border {
     Model& model = bordered_.request.model;
     bordered_.is_absolute = c.is_absolute;
     if (c.kind == QuantityKind::kDeterminant) return determinant();
-    bordered_.is_two_sided = c.is_absolute && c.set != nullptr && !is_symmetric(*c.set) &&
-                             c.kind != QuantityKind::kSpeed;
+    bordered_.is_two_sided = c.is_absolute && c.set != nullptr && !is_symmetric(*c.set);
     add_parameter();
     matrix built = matrix_of(c.kind);
     model.matrix = std::move(built);
@@ -144,32 +143,40 @@ class Border {
 
   matrix speed() {
     const auto i = static_cast<unsigned>(component_.row);
-    return single(nominal(1 / scale_of(model(), i)) - r_ * largest_along(i));
+    VectorSet set = *component_.set;
+    const ex spread = take_balls(set, i);
+    const std::vector<ex> v = symbols_of(set);
+    ex along = 0;
+    for (unsigned k = 0; k < M().cols(); ++k) along += M()(i, k) * v[k];
+    return single(nominal(1 / scale_of(model(), i)) - r_ * (component_.sign * along + spread));
   }
 
-  /// Returns the largest sign·m_i·ẋ of the twists, or the largest |m_i·ẋ|.
-  [[nodiscard]] ex largest_along(unsigned i) const {
-    const VectorSet& set = *component_.set;
-    ex centre = 0, spread = 0;
-    for (unsigned k = 0; k < M().cols(); ++k) {
-      const GeometryParameter& entry = set.entries[k];
-      centre += component_.sign * M()(i, k) * entry.value;
-      if (entry.ball < 0) spread += abs(M()(i, k)) * entry.tolerance;
+  /// Replaces the balls of a set by their centres; returns the largest m_i·d of the points d of balls
+  /// about 0. Does nothing if r has both signs, or if a norm would be an absolute value, whose
+  /// derivative jumps.
+  [[nodiscard]] ex take_balls(VectorSet& set, unsigned i) const {
+    const auto is_smooth = [&](const ToleranceBall& ball) {
+      return std::ranges::count_if(ball.members, [&](std::size_t k) {
+               return !M()(i, static_cast<unsigned>(k)).is_zero();
+             }) > 1;
+    };
+    if (bordered_.is_two_sided || !std::ranges::all_of(set.balls, is_smooth)) return 0;
+    ex spread = 0;
+    for (const ToleranceBall& ball : set.balls) {
+      spread += ball.radius * norm_of(i, ball.members);
+      for (const std::size_t k : ball.members) {
+        set.entries[k].tolerance = 0;
+        set.entries[k].ball = -1;
+      }
     }
-    for (const ToleranceBall& ball : set.balls) spread += ball.radius * norm_of(i, ball.members);
-    return (component_.is_absolute ? ex(abs(centre)) : centre) + spread;
+    set.balls.clear();
+    return spread;
   }
 
   /// Returns the Euclidean norm of some entries of a row.
   [[nodiscard]] ex norm_of(unsigned i, const std::vector<std::size_t>& columns) const {
-    std::vector<ex> entries;
-    for (const std::size_t k : columns)
-      if (const ex& entry = M()(i, static_cast<unsigned>(k)); !entry.is_zero())
-        entries.push_back(entry);
-    if (entries.empty()) return 0;
-    if (entries.size() == 1) return abs(entries.front());
     ex sum = 0;
-    for (const ex& entry : entries) sum += pow(entry, 2);
+    for (const std::size_t k : columns) sum += pow(M()(i, static_cast<unsigned>(k)), 2);
     return sqrt(sum);
   }
 

@@ -17,9 +17,8 @@
 //                             MᵀDF = w, so F_i = wᵀM⁻¹e_i/s_i
 //   error of freedom k        M with column k replaced by (1 + ry)·m_k − r·D⁻¹δ  (M·dx = D⁻¹δ)
 //   error of a part of dx     [ M  −r·D⁻¹δ ; nᵀ  1 ] with n in the unit ball: the norm is max nᵀdx
-//   speed of motor i          the 1×1 matrix (1 + ry)/s_i − r·h(m_i), h(a) the largest a·ẋ of the twists:
-//                             that of a centre c, a box ±e and a ball of radius ρ is
-//                             a·c + Σ|a_k|e_k + ρ|a|, so no twist is an uncertain quantity
+//   speed of motor i          the 1×1 matrix (1 + ry)/s_i − r·(m_i·ẋ + ρ|m_i|) for twists in a ball of
+//                             radius ρ about ẋ, if the sign of r is known; a box stays uncertain
 //   expression f              the 1×1 matrix 1 + ry − r·f
 //   deflection of freedom k   [ Mᵀ 0 ; −diag(1/(s²c)) M ] with column k of the second half replaced
 //                             by (1 + ry)·it − r·(w, 0): f' = D·f, Mᵀf' = w, M·dx = D⁻²f'/c;
