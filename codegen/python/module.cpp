@@ -269,14 +269,15 @@ void bind_searches(py::module_& module) {
   module.def(
       "margin",
       [](const Question& question, const SearchOptions& search, const std::string& tolerance,
-         const std::string& alpha, const std::string& scale, const std::string& gap) {
-        const MarginOptions options{search, tolerance, alpha, scale, {}, gap};
+         const std::string& alpha, const std::string& scale, const std::string& parameter,
+         const std::string& gap) {
+        const MarginOptions options{search, tolerance, alpha, scale, parameter, gap};
         return run_there([=](const std::atomic<bool>& interrupt) {
           return margin(question, options, &interrupt);
         });
       },
       py::arg("question"), py::arg("options"), py::arg("tolerance"), py::arg("alpha"),
-      py::arg("scale"), py::arg("gap"));
+      py::arg("scale"), py::arg("parameter"), py::arg("gap"));
   module.def(
       "bound",
       [](const Question& question, const SearchOptions& search, const std::string& quantity,

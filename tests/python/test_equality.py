@@ -92,6 +92,29 @@ def test_a_margin_brackets_the_critical_tolerance(circle):
     assert float(open_end.safe) <= critical <= float(open_end.singular)
 
 
+DISK = """regulus = 1
+name = "slider on a disk"
+[pose]
+x = "m"
+y = "m"
+[matrix]
+rows = [["2 - x", "y"], ["-y", "1"]]
+[motion.disk]
+parameters = { R = [0, 3] }
+x = [-3, 3]
+y = [-3, 3]
+constraints = ["x^2 + y^2 - R^2"]
+"""
+
+
+def test_a_margin_of_a_shape_brackets_its_critical_size():
+    disk = rg.Robot(DISK)
+    found = disk.margin("disk", grow={"R": (0, 3)})
+    assert float(found.safe) <= 2 <= float(found.singular) and found.closed
+    with pytest.raises(rg.UsageError):
+        disk.margin("disk", grow={"R": (0, 3), "x": (0, 1)})
+
+
 def test_a_bound_is_attained_and_proved(circle):
     found = circle.bound("outside", "x + y")
     assert found.attained <= 6 <= found.proved and found.closed

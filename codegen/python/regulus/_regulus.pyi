@@ -131,6 +131,7 @@ def margin(
     tolerance: str,
     alpha: str,
     scale: str,
+    parameter: str,
     gap: str,
 ) -> MarginFinding: ...
 def bound(

@@ -232,19 +232,22 @@ class Robot:
         tolerance: Union[None, str, Mapping[str, Any]] = None,
         alpha: Any = None,
         scale: Any = None,
+        grow: Optional[Mapping[str, Any]] = None,
         gap: Number = "0.01",
         range: Optional[Mapping[str, Range]] = None,
         **options: Any,
     ) -> Margin:
         """Brackets the largest safe tolerance, threshold or size of a motion.
 
-        Exactly one of the first three is asked:
+        Exactly one of the first four is asked:
 
         Args:
             tolerance: groups: "base,platform", or {"base,platform": (lower, upper)}. Other entries
                 of the dict with one number are tolerances that stay.
             alpha: (lower, upper) of the threshold.
             scale: (lower, upper) of the factor of the motion's ranges about their middles.
+            grow: {"R": (lower, upper)}: the parameter R of the motion, whose range grows from its
+                declared low end.
             gap: the bracket (a, b) is closed when (b - a)/b is at most this.
 
         An upper end of None is looked for. The default of `time_limit` is 60 seconds. The others
@@ -270,6 +273,9 @@ class Robot:
 
         if len(asked) > 1:
             raise UsageError("margin: several tolerances are asked; join their groups: 'a,b'")
+        if grow is not None and len(grow) != 1:
+            raise UsageError("margin: grow names one parameter: {'R': (lower, upper)}")
+        growing = "".join(f"{name}={bracket(ends)}" for name, ends in (grow or {}).items())
         tolerances = "".join(f"{groups}={bracket(ends)}" for groups, ends in asked.items())
         try:
             return result(
@@ -279,6 +285,7 @@ class Robot:
                     tolerances,
                     bracket(alpha),
                     bracket(scale),
+                    growing,
                     of(gap),
                 )
             )
