@@ -15,7 +15,7 @@
 namespace regulus::inline command {
 namespace {
 
-int exit_code_of(const MarginQuestion& question, const Margin& margin) {
+int exit_code_of_bracket(const MarginQuestion& question, const Margin& margin) {
   if (margin.refuted && margin.refuted->value.approx <= question.low.approx) return kSingularity;
   return margin.closed ? kNoSingularity : kPossibleProblem;
 }
@@ -59,7 +59,7 @@ std::optional<int> run_limit_margin(const MarginCommand& given) {
   else
     std::cout << describe_limit_bracket(question, margin) << '\n';
   std::cout.flush();
-  return exit_code_of(question, margin.whole);
+  return exit_code_of_bracket(question, margin.whole);
 }
 
 }  // namespace regulus::command

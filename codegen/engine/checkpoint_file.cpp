@@ -12,7 +12,7 @@
 namespace regulus::inline engine {
 namespace {
 
-std::string words_of(const Interval& x) { return fmt::format(" {:a}:{:a}", x.lo, x.hi); }
+std::string ends_of(const Interval& x) { return fmt::format(" {:a}:{:a}", x.lo, x.hi); }
 
 /// Returns all inputs on which the results about boxes depend, without the way in which they were
 /// computed. Filters are included, because their answers are not checked: a run that continues must
@@ -21,8 +21,8 @@ CheckpointedQuestion question_of(const PreparedSearch& p, const Settings& settin
   const regulus_kernel& kernel = p.kernel->functions();
   const bool splits_uncertainty = settings.uncertainty == Uncertainty::kVariables;
   std::string text = p.labels.model_sha256 + '\n' + p.labels.motion + '\n';
-  for (const Interval& x : p.variety.outer) text += words_of(x);
-  text += "\nalpha" + words_of(p.variety.alpha);
+  for (const Interval& x : p.variety.outer) text += ends_of(x);
+  text += "\nalpha" + ends_of(p.variety.alpha);
   text += splits_uncertainty ? "\nvariables" : "\nelements";
   for (const FilterFile& filter : p.filters) text += "\nfilter " + filter.sha256();
   CheckpointedQuestion question;

@@ -8,12 +8,6 @@
 
 namespace regulus::inline formulation {
 
-namespace {
-
-std::size_t index(int i) { return static_cast<std::size_t>(i); }
-
-}  // namespace
-
 std::vector<int> Formulator::rows_of_variables() const {
   std::map<std::string, std::set<int>> rows;
   if (options_.rows)

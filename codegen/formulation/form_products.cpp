@@ -4,12 +4,6 @@
 
 namespace regulus::inline formulation {
 
-namespace {
-
-std::size_t index(int i) { return static_cast<std::size_t>(i); }
-
-}  // namespace
-
 Formulator::Entry Formulator::combine(const MatrixForms& A, const std::vector<std::string>& points,
                                       const std::vector<std::size_t>& entries) {
   std::vector<PolynomialTerm> terms;

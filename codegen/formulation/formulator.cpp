@@ -11,8 +11,6 @@ namespace regulus::inline formulation {
 
 namespace {
 
-std::size_t index(int i) { return static_cast<std::size_t>(i); }
-
 std::vector<std::string> point_names(int rows, int columns) {
   std::vector<std::string> names;
   for (int i = 1; i <= rows; ++i)

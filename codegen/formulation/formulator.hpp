@@ -14,6 +14,8 @@
 
 namespace regulus::inline formulation {
 
+[[nodiscard]] inline std::size_t index(int i) { return static_cast<std::size_t>(i); }
+
 /// True if any requested function uses the entries of A in other forms than those of the model.
 [[nodiscard]] bool uses_matrix(const FormulationOptions& f);
 

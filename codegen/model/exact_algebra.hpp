@@ -9,6 +9,7 @@
 namespace regulus::inline model {
 
 using Point = std::array<GiNaC::ex, 3>;
+inline constexpr std::array<const char*, 3> kCoordinates = {"x", "y", "z"};
 
 /// Returns the same number or polynomial, expanded, with square roots of primes only, and with no
 /// power of a sine above the first. Equal numbers of the field of sqrt(2), sqrt(3) and sqrt(5), that

@@ -272,11 +272,11 @@ class GcodeReader {
   [[nodiscard]] ex turn_between(const Arm& from, const Arm& to) const {
     const numeric cross = from.x * to.y - from.y * to.x, dot = from.x * to.x + from.y * to.y;
     const bool is_clockwise = mode_ == 2;
-    if (cross.is_zero() && dot.is_positive()) return (is_clockwise ? -2 : 2) * GiNaC::Pi;
-    if (cross.is_zero()) return (is_clockwise ? -1 : 1) * GiNaC::Pi;
+    if (cross.is_zero() && dot.is_positive()) return ex(is_clockwise ? -2 : 2) * ex(GiNaC::Pi);
+    if (cross.is_zero()) return ex(is_clockwise ? -1 : 1) * ex(GiNaC::Pi);
     const ex angle = GiNaC::atan2(cross, dot);
-    if (is_clockwise && cross.is_positive()) return angle - 2 * GiNaC::Pi;
-    if (!is_clockwise && cross.is_negative()) return angle + 2 * GiNaC::Pi;
+    if (is_clockwise && cross.is_positive()) return angle - ex(2) * ex(GiNaC::Pi);
+    if (!is_clockwise && cross.is_negative()) return angle + ex(2) * ex(GiNaC::Pi);
     return angle;
   }
 

@@ -9,14 +9,12 @@ namespace {
 
 using GiNaC::ex;
 
-constexpr std::array<const char*, 3> kAxes = {"x", "y", "z"};
-
 void add_pose_parameter(Model& model, const std::string& name, const std::string& unit) {
   model.pose.push_back({GiNaC::realsymbol(name), name, unit});
 }
 
 void add_pose(Model& model, const Gough& robot) {
-  for (const char* axis : kAxes) add_pose_parameter(model, axis, robot.unit);
+  for (const char* axis : kCoordinates) add_pose_parameter(model, axis, robot.unit);
   const bool angles = robot.orientation != Orientation::kQuaternion;
   for (const std::string& name : orientation_names(robot.orientation))
     add_pose_parameter(model, name, angles ? robot.angle_unit : "1");
@@ -37,7 +35,7 @@ std::array<Point, 6> add_side(Model& model, const Side& side, ToleranceShape sha
     ToleranceBall ball{.members = {}, .radius = side.tolerance, .group = side.group};
     const int index = shape == ToleranceShape::kBall ? static_cast<int>(model.balls.size()) : -1;
     for (std::size_t axis = 0; axis < 3; ++axis) {
-      const std::string name = side.letter + std::to_string(i + 1) + "_" + kAxes[axis];
+      const std::string name = side.letter + std::to_string(i + 1) + "_" + kCoordinates[axis];
       const GiNaC::realsymbol symbol(name);
       symbols[i][axis] = symbol;
       ball.members.push_back(model.geometry.size());

@@ -10,8 +10,6 @@ namespace {
 
 using GiNaC::ex;
 
-constexpr std::array<const char*, 3> kCoordinates = {"_x", "_y", "_z"};
-
 FormulaPoint formulas(const Point& v) { return {unplaced(v[0]), unplaced(v[1]), unplaced(v[2])}; }
 
 std::string numbers(std::size_t count) {
@@ -47,7 +45,7 @@ FormulaPoint LegGeometry::point(const TomlEntry& list, LegGroup kind, const std:
   const int index = balls_ ? static_cast<int>(reading_.model.balls.size()) : -1;
   for (std::size_t i = 0; i < coordinates_; ++i) {
     const std::size_t before = reading_.model.geometry.size();
-    result[i] = quantity(values[i], of.letter + number + kCoordinates[i], of, index);
+    result[i] = quantity(values[i], of.letter + number + "_" + kCoordinates[i], of, index);
     if (reading_.model.geometry.size() > before) ball.members.push_back(before);
   }
   if (balls_ && !ball.members.empty()) reading_.model.balls.push_back(std::move(ball));

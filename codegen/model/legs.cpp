@@ -3,10 +3,10 @@
 
 #include <algorithm>
 
+#include "codegen/model/exact_algebra.hpp"
+
 namespace regulus::inline model {
 namespace {
-
-constexpr std::array<const char*, 3> kAxes = {"x", "y", "z"};
 
 constexpr std::array<LegType, 12> kTypes = {{
     {"RPR", LegKind::kTelescopic, true, false},
@@ -102,7 +102,7 @@ class LegWriter {
   FormulaPoint let(const std::string& letter, const FormulaPoint& value) {
     FormulaPoint names;
     for (std::size_t i = 0; i < axes_; ++i) {
-      const std::string name = letter + number_ + "_" + kAxes[i];
+      const std::string name = letter + number_ + "_" + kCoordinates[i];
       out_.let.emplace_back(name, value[i]);
       names[i] = unplaced(name);
     }
@@ -111,13 +111,15 @@ class LegWriter {
 
   /// r = R·B and e = AB, and X − A: r × (X − A) = r × AB has fewer occurrences of the pose.
   void write_joints() {
-    for (std::size_t i = 0; i < axes_; ++i) from_base_[i] = unplaced(kAxes[i]) - leg_.base[i];
+    for (std::size_t i = 0; i < axes_; ++i)
+      from_base_[i] = unplaced(kCoordinates[i]) - leg_.base[i];
     FormulaPoint AB = from_base_;
     if (!robot_.point) {
       FormulaPoint turned;
       for (std::size_t i = 0; i < axes_; ++i) turned[i] = dot(robot_.rotation[i], leg_.platform);
       r_ = let("r", turned);
-      for (std::size_t i = 0; i < axes_; ++i) AB[i] = unplaced(kAxes[i]) + r_[i] - leg_.base[i];
+      for (std::size_t i = 0; i < axes_; ++i)
+        AB[i] = unplaced(kCoordinates[i]) + r_[i] - leg_.base[i];
     }
     e_ = let("e", AB);
     if (leg_.type->keeps_orientation) from_base_ = e_;  // r is constant

@@ -6,6 +6,7 @@
 
 #include "codegen/model/certain_sign.hpp"
 #include "codegen/model/constants.hpp"
+#include "codegen/model/exact_algebra.hpp"
 #include "codegen/model/ginac_text.hpp"
 #include "codegen/model/leg_geometry.hpp"
 #include "codegen/model/legs_drawing.hpp"
@@ -18,7 +19,6 @@ namespace {
 using GiNaC::ex;
 
 constexpr std::size_t kMostLegs = 32;
-constexpr std::array<const char*, 3> kCoordinates = {"x", "y", "z"};
 
 /// The pose that the robot has, by the word of `orientation`.
 enum class Pose { kAngles, kQuaternion, kFixed, kPoint };

@@ -10,7 +10,7 @@
 namespace regulus::inline model {
 namespace {
 
-using Kind = TwistComponent::Kind;
+using TwistKind = TwistComponent::Kind;
 
 /// The words of a set: the whole vector, its linear part, and its angular part.
 struct SetWords {
@@ -40,8 +40,8 @@ class SetReader {
     std::vector<std::size_t> all(columns);
     for (std::size_t i = 0; i < columns; ++i) all[i] = i;
     read_part(words_.whole, all);
-    read_part(words_.linear, columns_of(Kind::kLinear, words_.linear));
-    read_part(words_.angular, columns_of(Kind::kAngular, words_.angular));
+    read_part(words_.linear, columns_of(TwistKind::kLinear, words_.linear));
+    read_part(words_.angular, columns_of(TwistKind::kAngular, words_.angular));
     return std::move(set_);
   }
 
@@ -52,7 +52,7 @@ class SetReader {
     set_.entries.push_back({GiNaC::realsymbol(name), name, 0, 0, set_.name, -1});
   }
 
-  std::vector<std::size_t> columns_of(Kind kind, const char* key) const {
+  std::vector<std::size_t> columns_of(TwistKind kind, const char* key) const {
     std::vector<std::size_t> columns;
     const TomlEntry part = toml_.optional(entry_, key);
     if (!part.node) return columns;
@@ -165,7 +165,7 @@ void read_twist_names(ModelReading& reading, const TomlEntry& names) {
     if (word.front() != 'v' && word.front() != 'w')
       toml.refuse(entry, "a name that begins with v (a velocity) or w (an angular velocity)");
     const bool linear = word.front() == 'v';
-    reading.model.twist.push_back({linear ? Kind::kLinear : Kind::kAngular, word,
+    reading.model.twist.push_back({linear ? TwistKind::kLinear : TwistKind::kAngular, word,
                                    linear ? length_unit(reading.model) : "rad"});
   }
 }

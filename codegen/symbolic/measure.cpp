@@ -13,7 +13,7 @@ std::uint64_t add(std::uint64_t a, std::uint64_t b) noexcept {
   return a > kMost - b ? kMost : a + b;
 }
 
-std::uint64_t multiply(std::uint64_t a, std::uint64_t b) noexcept {
+std::uint64_t saturated_product(std::uint64_t a, std::uint64_t b) noexcept {
   constexpr std::uint64_t kMost = std::numeric_limits<std::uint64_t>::max();
   return b != 0 && a > kMost / b ? kMost : a * b;
 }
@@ -130,7 +130,7 @@ std::uint64_t width_cost(const Expression& expression, const Weights& weights) {
     if (e.kind() != Kind::kVariable) continue;
     const auto weight = weights.find(e.name());
     const std::uint64_t once = add(add(graph[i].outside, graph[i].outside), graph[i].inside);
-    cost = add(cost, multiply(once, weight == weights.end() ? 1 : weight->second));
+    cost = add(cost, saturated_product(once, weight == weights.end() ? 1 : weight->second));
   }
   return cost;
 }

@@ -81,4 +81,9 @@ inline Problem problem_over(const FixtureKernel& kernel, const std::vector<Inter
   return problem;
 }
 
+/// det = x² + y² - 1.
+inline FunctionKernel singular_circle() {
+  return {2, 2, 2, [](const Values& x) { return Values{x[0] + 1.0, x[1], -x[1], x[0] - 1.0}; }};
+}
+
 }  // namespace regulus::test

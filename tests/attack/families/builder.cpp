@@ -6,12 +6,6 @@
 #include "tests/attack/families/hidden.hpp"
 
 namespace regulus::attack {
-namespace {
-
-std::string quoted(const std::string& text) { return '"' + text + '"'; }
-
-}  // namespace
-
 Builder::Builder(const char* family, std::uint64_t seed) : random(family, seed) {
   attack.family = family;
   attack.seed = seed;

@@ -11,6 +11,11 @@
 
 namespace regulus::attack {
 
+/// Returns (x - p).
+[[nodiscard]] inline std::string minus(const std::string& x, const std::string& p) {
+  return "(" + x + " - " + p + ")";
+}
+
 class Builder {
  public:
   Builder(const char* family, std::uint64_t seed);

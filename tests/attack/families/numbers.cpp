@@ -14,8 +14,6 @@ struct Pair {
   Rational given, changed;
 };
 
-std::string minus(const std::string& x, const std::string& p) { return "(" + x + " - " + p + ")"; }
-
 std::string digits(Random& random, long count) {
   std::string text(1, static_cast<char>('1' + random.below(9)));
   while (static_cast<long>(text.size()) < count) text += static_cast<char>('0' + random.below(10));

@@ -6,8 +6,6 @@
 namespace regulus::attack {
 namespace {
 
-std::string minus(const std::string& x, const std::string& p) { return "(" + x + " - " + p + ")"; }
-
 void set_alpha(Builder& b, const Rational& alpha) {
   b.attack.alpha = alpha;
   if (b.random.one_in(3))

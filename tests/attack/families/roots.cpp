@@ -6,8 +6,6 @@
 namespace regulus::attack {
 namespace {
 
-std::string minus(const std::string& x, const std::string& p) { return "(" + x + " - " + p + ")"; }
-
 /// Returns x² − 2px + p² + rest.
 std::string expanded_square(Builder& b, const std::string& x, const Rational& p,
                             const Rational& rest) {

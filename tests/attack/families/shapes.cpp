@@ -6,8 +6,6 @@
 namespace regulus::attack {
 namespace {
 
-std::string minus(const std::string& x, const std::string& p) { return "(" + x + " - " + p + ")"; }
-
 /// Returns a combination of two rows.
 std::vector<Cell> combined(Builder& b, const std::vector<Cell>& u, const std::vector<Cell>& v) {
   const std::string r = b.text(b.number()), s = b.text(b.number());

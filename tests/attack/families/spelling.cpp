@@ -3,6 +3,8 @@
 
 #include <algorithm>
 
+#include "tests/attack/oracle/attack.hpp"
+
 namespace regulus::attack {
 namespace {
 
@@ -83,8 +85,6 @@ std::string bare_integer(const Rational& value, Random& random) {
       return with_underscores(value.fraction(), random);
   }
 }
-
-std::string quoted(const std::string& text) { return '"' + text + '"'; }
 
 }  // namespace
 

@@ -8,8 +8,6 @@
 namespace regulus::attack {
 namespace {
 
-std::string minus(const std::string& x, const std::string& p) { return "(" + x + " - " + p + ")"; }
-
 /// Returns a tolerance that is small against 1.
 Rational width(Builder& b) {
   return Rational(b.random.between(1, 99)) * Rational::ten_to(-b.random.between(2, 3));

@@ -6,8 +6,6 @@
 namespace regulus::attack {
 namespace {
 
-std::string minus(const std::string& x, const std::string& p) { return "(" + x + " - " + p + ")"; }
-
 /// Replaces each # of a pattern by the text.
 std::string with(const std::string& pattern, const std::string& text) {
   std::string result;

@@ -4,8 +4,6 @@
 namespace regulus::attack {
 namespace {
 
-std::string quoted(const std::string& text) { return '"' + text + '"'; }
-
 std::string written(const Cell& cell) { return cell.bare ? cell.text : quoted(cell.text); }
 
 template <class Item, class Write>

@@ -25,6 +25,9 @@ enum class Truth {
 
 [[nodiscard]] const char* name(Truth truth);
 
+/// Returns a text as a string of TOML.
+[[nodiscard]] inline std::string quoted(const std::string& text) { return '"' + text + '"'; }
+
 /// A quantity that takes every value from lo to hi: a motion parameter, an uncertain constant, or
 /// the control error NAME_error of a pose parameter. Ends that are not rational are moved inward.
 struct Axis {

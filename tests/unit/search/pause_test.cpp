@@ -92,12 +92,8 @@ void expect_the_same(const Problem& problem, const Settings& settings, Verdict v
   }
 }
 
-FunctionKernel circle() {
-  return {2, 2, 2, [](const Values& x) { return Values{x[0] + 1.0, x[1], -x[1], x[0] - 1.0}; }};
-}
-
 TEST(Pause, AProofIsTheSameInPieces) {
-  FunctionKernel kernel = circle();
+  FunctionKernel kernel = test::singular_circle();
   kernel.with_constraints(1, [](const Values& x) { return Values{sqr(x[0]) + sqr(x[1]) - 0.9}; });
   expect_the_same(problem_over(kernel, {{-2, 2}, {-2, 2}}), {}, Verdict::kNoSingularity, 8);
 }
@@ -113,7 +109,7 @@ TEST(Pause, ABlockedBoxStaysBlocked) {
 }
 
 TEST(Pause, APavingIsTheSameInPieces) {
-  const FunctionKernel kernel = circle();
+  const FunctionKernel kernel = test::singular_circle();
   Settings settings;
   settings.exhaustive = true;
   settings.min_relative_width = 0x1p-5;
@@ -129,7 +125,7 @@ Settings in_units() {
 }
 
 TEST(Pause, UnitsOfAProofAreTheSameInPieces) {
-  FunctionKernel kernel = circle();
+  FunctionKernel kernel = test::singular_circle();
   kernel.with_constraints(1, [](const Values& x) { return Values{sqr(x[0]) + sqr(x[1]) - 0.9}; });
   expect_the_same(problem_over(kernel, {{-2, 2}, {-2, 2}}), in_units(), Verdict::kNoSingularity, 8);
 }
@@ -144,7 +140,7 @@ TEST(Pause, UnitsWithABlockedBoxAreTheSameInPieces) {
 }
 
 TEST(Pause, UnitsOfAPavingAreTheSameInPieces) {
-  const FunctionKernel kernel = circle();
+  const FunctionKernel kernel = test::singular_circle();
   Settings settings = in_units();
   settings.exhaustive = true;
   settings.min_relative_width = 0x1p-5;
@@ -178,7 +174,7 @@ std::pair<std::string, std::size_t> search_by_many(const Problem& problem, Setti
 }
 
 TEST(Pause, OutcomesThatWereNotInOrderAreNotDecidedAgain) {
-  const FunctionKernel kernel = circle();
+  const FunctionKernel kernel = test::singular_circle();
   Settings settings = in_units();
   settings.exhaustive = true;
   settings.min_relative_width = 0x1p-6;
@@ -194,7 +190,7 @@ TEST(Pause, OutcomesThatWereNotInOrderAreNotDecidedAgain) {
 
 /// Outcomes of another method, or of another threshold, have another meaning.
 TEST(Pause, OutcomesOfOtherSettingsAreNotUsed) {
-  const FunctionKernel kernel = circle();
+  const FunctionKernel kernel = test::singular_circle();
   Settings settings = in_units();
   settings.exhaustive = true;
   settings.min_relative_width = 0x1p-6;
@@ -267,7 +263,7 @@ void expect_the_same_with_budgets(const Problem& problem, const Settings& settin
 }
 
 TEST(ABudget, LeavesAProofAsItIs) {
-  FunctionKernel kernel = circle();
+  FunctionKernel kernel = test::singular_circle();
   kernel.with_constraints(1, [](const Values& x) { return Values{sqr(x[0]) + sqr(x[1]) - 0.9}; });
   expect_the_same_with_budgets(problem_over(kernel, {{-2, 2}, {-2, 2}}), {},
                                Verdict::kNoSingularity);
@@ -282,7 +278,7 @@ TEST(ABudget, LeavesABlockedSearchAsItIs) {
 }
 
 TEST(ABudget, LeavesUnitsAsTheyAre) {
-  FunctionKernel kernel = circle();
+  FunctionKernel kernel = test::singular_circle();
   kernel.with_constraints(1, [](const Values& x) { return Values{sqr(x[0]) + sqr(x[1]) - 0.9}; });
   expect_the_same_with_budgets(problem_over(kernel, {{-2, 2}, {-2, 2}}), in_units(),
                                Verdict::kNoSingularity);

@@ -68,10 +68,6 @@ FunctionKernel point_of_singularity(double r) {
 }
 
 /// Makes det A = x² + y² − 1.
-FunctionKernel circle() {
-  return {2, 2, 2, [](const Values& x) { return Values{x[0] + 1.0, x[1], -x[1], x[0] - 1.0}; }};
-}
-
 TEST(Threads, LeaveAProofOfManyBoxesAsItIs) {
   const FunctionKernel kernel = point_of_singularity(1.0);
   expect_the_same(problem_over(kernel, {{0x1p-30, 0.999999}, {-1, 1}}), {}, 100,
@@ -90,7 +86,7 @@ TEST(Threads, LeaveAProofOfManyBoxesAsItIs) {
 }
 
 TEST(Threads, LeaveAWitnessAsItIs) {
-  const FunctionKernel kernel = circle();
+  const FunctionKernel kernel = test::singular_circle();
   Settings settings;
   settings.ingredients.descents = settings.ingredients.corners = false;
   expect_the_same(problem_over(kernel, {{0.125, 0.70710678}, {0, 0.70710679}}), settings, 100,
@@ -103,7 +99,7 @@ TEST(Threads, LeaveWhatBlocksAsItIs) {
 }
 
 TEST(Threads, LeaveAPavingAsItIs) {
-  const FunctionKernel kernel = circle();
+  const FunctionKernel kernel = test::singular_circle();
   Settings settings;
   settings.exhaustive = settings.enclose_determinants = true;
   settings.min_relative_width = 0x1p-6;
@@ -111,7 +107,7 @@ TEST(Threads, LeaveAPavingAsItIs) {
 }
 
 TEST(Threads, LeaveASearchWithinConstraintsAsItIs) {
-  FunctionKernel kernel = circle();
+  FunctionKernel kernel = test::singular_circle();
   kernel.with_constraints(1, [](const Values& x) { return Values{sqr(x[0]) + sqr(x[1]) - 0.9}; });
   expect_the_same(problem_over(kernel, {{-2, 2}, {-2, 2}}), {}, 200, Verdict::kNoSingularity);
 }
@@ -230,7 +226,7 @@ TEST(Threads, KeepTheCallersRoundingMode) {
 }
 
 TEST(Threads, NoneOrTooManyAreAFault) {
-  const FunctionKernel kernel = circle();
+  const FunctionKernel kernel = test::singular_circle();
   const Problem problem = problem_over(kernel, {{2, 3}, {2, 3}});
   Settings settings;
   for (const unsigned threads : {0U, kMaxThreads + 1}) {
