@@ -64,7 +64,7 @@ Paving locate(const Question& question, const LocateOptions& options,
   ModelOptions model = question.options();
   model.separates_reach = true;
   PreparedSearch prepared = prepare(model, search, FormingWatch{.interrupt = interrupt});
-  const PavingOptions paving = resolve_paving({.resolution = options.resolution}, search, prepared);
+  const PavingOptions paving = resolve_paving(options.resolution, search, prepared);
   const Problem problem = prepared.problem();
   Volumes volumes(problem, prepared.labels.reach);
   BoxListener listener(options, interrupt, problem, prepared.labels.reach);

@@ -14,6 +14,7 @@
 #include "codegen/command/report_options.hpp"
 #include "codegen/engine/options.hpp"
 #include "codegen/margin/margin_question.hpp"
+#include "codegen/picture/picture_options.hpp"
 #include "codegen/report/output_options.hpp"
 
 namespace regulus::inline command {
@@ -32,9 +33,8 @@ struct LocateCommand {
   SearchOptions search;
   OutputOptions output;
   std::string resolution;  ///< part of each range, an expression; empty: by the number of ranges
-  std::string axes;        ///< "p,q"; empty: the first two that are not single values
   std::string lines;       ///< file of the JSON lines, "-" = standard output; empty: see --json
-  std::vector<std::string> pictures;
+  PictureRequest pictures;
   std::string certificate;        ///< file; empty: none
   std::uint64_t shard_size = 0;   ///< of its shards, in bytes; 0: it is one file
   bool boxes_unless_json = true;  ///< print the boxes by default

@@ -81,15 +81,27 @@ void add_paving_options(CLI::App& app, LocateCommand& command) {
          "File for the boxes, one JSON object on each line; - is standard output, the default "
          "unless --json")
       ->type_name("FILE.jsonl");
-  app.add_option("--picture", command.pictures, "Draw the paving; may be repeated")
+  app.add_option("--picture", command.pictures.files,
+                 "Draw the paving; may be repeated. A .vtu file has the boxes of three ranges in "
+                 "space, for ParaView and other programs")
       ->take_all()
       ->expected(1)
-      ->type_name("FILE.svg|FILE.png");
+      ->type_name("FILE.svg|.pdf|.png|.vtu");
   app.add_option(
-         "--axes", command.axes,
+         "--axes", command.pictures.axes,
          "The two motion parameters to draw; --range p=V sets another parameter to one value "
          "and so draws a slice")
       ->type_name("p,q");
+  app.add_option("--slices", command.pictures.slices,
+                 "Draw N slices side by side, at the middles of N equal parts of the range of p")
+      ->type_name("p=N");
+  app.add_option(
+         "--shade", command.pictures.shade,
+         "What the colour of a place says of all boxes there: the worst of their claims, or "
+         "the share of their volume that is free")
+      ->transform(CLI::CheckedTransformer(
+          std::map<std::string, Shade>{{"worst", Shade::kWorst}, {"share", Shade::kShare}}))
+      ->default_str("worst");
 }
 
 void add_margin_options(CLI::App& app, MarginCommand& command) {

@@ -14,12 +14,10 @@
 #include "codegen/engine/paving_verdict.hpp"
 #include "codegen/engine/search_run.hpp"
 #include "codegen/engine/settings.hpp"
-#include "codegen/report/canvas.hpp"
-#include "codegen/report/gnuplot.hpp"
+#include "codegen/picture/pictures.hpp"
 #include "codegen/report/paving_options.hpp"
 #include "codegen/report/paving_report.hpp"
 #include "codegen/report/paving_writer.hpp"
-#include "codegen/report/picture.hpp"
 #include "codegen/report/progress.hpp"
 #include "codegen/support/earlier_outputs.hpp"
 #include "codegen/support/errors.hpp"
@@ -73,41 +71,17 @@ class LinesFile {
   std::pair<dev_t, ino_t> opened_;
 };
 
-/// The pictures. Their files are opened and gnuplot is started before the search, so that errors
-/// are reported at once.
-class Pictures {
- public:
-  Pictures(const std::vector<std::string>& files, const PreparedSearch& preparation,
-           const PavingOptions& options)
-      : files_(files) {
-    if (files_.empty()) return;
-    for (const std::string& file : files_) plotters_.push_back(std::make_unique<Gnuplot>(file));
-    canvas_.emplace(preparation, options);
-  }
-
-  [[nodiscard]] Observer* canvas() { return canvas_ ? &*canvas_ : nullptr; }
-  void draw(const PreparedSearch& preparation, const PavingOptions& options,
-            const Volumes& volumes) {
-    for (std::size_t i = 0; i < files_.size(); ++i)
-      plotters_[i]->draw(picture_commands(files_[i], preparation, options, volumes, *canvas_));
-  }
-
- private:
-  std::vector<std::string> files_;
-  std::vector<std::unique_ptr<Gnuplot>> plotters_;
-  std::optional<Canvas> canvas_;
-};
-
 std::vector<OutputFile> outputs_of(const LocateCommand& command) {
   std::vector<OutputFile> outputs = {
       {"--certificate", command.certificate, true, format::kShardsEnding}};
   if (command.lines != "-") outputs.push_back({"--output", command.lines});
-  for (const std::string& picture : command.pictures) outputs.push_back({"--picture", picture});
+  for (const std::string& picture : command.pictures.files)
+    outputs.push_back({"--picture", picture});
   return outputs;
 }
 
-std::vector<Observer*> present(std::initializer_list<Observer*> observers) {
-  std::vector<Observer*> result;
+std::vector<Observer*> present(std::initializer_list<Observer*> observers,
+                               std::vector<Observer*> result) {
   for (Observer* observer : observers)
     if (observer != nullptr) result.push_back(observer);
   return result;
@@ -116,10 +90,9 @@ std::vector<Observer*> present(std::initializer_list<Observer*> observers) {
 /// Returns after the report and all files are written.
 Result pave_and_report(const LocateCommand& command, PreparedSearch& preparation,
                        InterruptGuard& interrupt) {
-  const PavingOptions options = resolve_paving(
-      {command.resolution, command.axes, !command.pictures.empty()}, command.search, preparation);
+  const PavingOptions options = resolve_paving(command.resolution, command.search, preparation);
   LinesFile lines(command);
-  Pictures pictures(command.pictures, preparation, options);
+  Pictures pictures(command.pictures, options, preparation);
   std::optional<PavingWriter> writer;
   if (lines.wanted())
     writer.emplace(lines.stream(), preparation, options, [&interrupt] { interrupt.request(); });
@@ -127,8 +100,9 @@ Result pave_and_report(const LocateCommand& command, PreparedSearch& preparation
   Volumes volumes(problem, preparation.labels.reach);
   CertificateFile certificate(command.certificate, preparation, std::nullopt, command.shard_size);
   SearchDisplay display(command.output);
-  Observers observers(present({&volumes, writer ? &*writer : nullptr, pictures.canvas(),
-                               certificate.observer(), display.observer()}));
+  Observers observers(
+      present({&volumes, writer ? &*writer : nullptr, certificate.observer(), display.observer()},
+              pictures.observers()));
 
   Settings settings = settings_of(preparation, command.search, &interrupt.requested());
   require_paving(options, settings);
@@ -145,7 +119,7 @@ Result pave_and_report(const LocateCommand& command, PreparedSearch& preparation
   certificate.add_to(summary);
   if (writer) writer->finish(summary, lines.name());
   lines.require_in_place();
-  pictures.draw(preparation, options, volumes);
+  pictures.draw(volumes);
   if (!command.output.quiet)
     std::cerr << paving_report(preparation, command.search, options, volumes, result)
               << certificate.line();
@@ -161,7 +135,7 @@ Result pave_and_report(const LocateCommand& command, PreparedSearch& preparation
 }  // namespace
 
 int run_locate(const LocateCommand& command) {
-  for (const std::string& picture : command.pictures) require_picture_format(picture);
+  for (const std::string& picture : command.pictures.files) require_picture_format(picture);
   set_earlier_outputs_aside(command.model.path, outputs_of(command));
   InterruptGuard interrupt;
   // A certificate is about all poses of the motion.

@@ -129,8 +129,7 @@ class PageRun {
     ModelOptions model = command_.model;
     model.separates_reach = true;
     PreparedSearch p = prepare(model, command_.search, watch());
-    const PavingOptions options =
-        resolve_paving({.resolution = command_.resolution}, command_.search, p);
+    const PavingOptions options = resolve_paving(command_.resolution, command_.search, p);
     const Problem problem = p.problem();
     Volumes volumes(problem, p.labels.reach);
     PavingTree tree(problem, p.labels.reach);

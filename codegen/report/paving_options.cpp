@@ -34,39 +34,9 @@ double parse_resolution(const std::string& text) {
   return value;
 }
 
-std::string name_of_variable(const PreparedSearch& p, std::size_t k) {
-  return p.labels.variables[k].name;
-}
-
-std::string listed(const PreparedSearch& p, const std::vector<std::size_t>& axes) {
-  std::string words;
-  for (const std::size_t k : axes) words += (words.empty() ? "" : ", ") + name_of_variable(p, k);
-  return words.empty() ? "a motion with ranges" : words;
-}
-
-std::size_t parse_axis(const std::string& wanted, const PreparedSearch& p,
-                       const std::vector<std::size_t>& axes) {
-  for (const std::size_t k : axes)
-    if (name_of_variable(p, k) == wanted) return k;
-  throw UsageError(fmt::format("--axes: '{}' is not a parameter with a range; choose two of: {}",
-                               wanted, listed(p, axes)));
-}
-
-std::vector<std::size_t> parse_axes(const std::string& text, const PreparedSearch& p,
-                                    const std::vector<std::size_t>& axes) {
-  const std::size_t comma = text.find(',');
-  if (comma == std::string::npos)
-    throw UsageError("--axes: found '" + text + "', expected two motion parameters, p,q");
-  const std::size_t first = parse_axis(text.substr(0, comma), p, axes);
-  const std::size_t second = parse_axis(text.substr(comma + 1), p, axes);
-  if (first == second)
-    throw UsageError("--axes: found '" + text + "', expected two different parameters");
-  return {first, second};
-}
-
 }  // namespace
 
-PavingOptions resolve_paving(const PavingRequest& request, const SearchOptions& search,
+PavingOptions resolve_paving(const std::string& resolution, const SearchOptions& search,
                              const PreparedSearch& preparation) {
   if (search.uncertainty == Uncertainty::kVariables)
     throw UsageError(
@@ -76,14 +46,8 @@ PavingOptions resolve_paving(const PavingRequest& request, const SearchOptions& 
   options.axes = Volumes(preparation.problem()).axes();
   options.encloses_determinants =
       options.axes.size() == 1 && preparation.labels.rows == preparation.labels.columns;
-  options.resolution = request.resolution.empty() ? default_resolution(options.axes.size())
-                                                  : parse_resolution(request.resolution);
-  options.drawn = options.axes;
-  if (options.drawn.size() > 2) options.drawn.resize(2);
-  if (!request.axes.empty()) options.drawn = parse_axes(request.axes, preparation, options.axes);
-  if (request.draws && options.drawn.empty())
-    throw UsageError(
-        "--picture: there is nothing to draw, because no motion parameter has a range");
+  options.resolution =
+      resolution.empty() ? default_resolution(options.axes.size()) : parse_resolution(resolution);
   return options;
 }
 

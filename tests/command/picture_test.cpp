@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Tests pictures of pavings: gnuplot draws them, and no text is a command for it.
-#include "codegen/report/picture.hpp"
+#include "codegen/picture/picture.hpp"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -9,8 +9,8 @@
 #include <filesystem>
 #include <fstream>
 
-#include "codegen/report/canvas.hpp"
-#include "codegen/report/gnuplot.hpp"
+#include "codegen/picture/canvas.hpp"
+#include "codegen/picture/gnuplot.hpp"
 #include "codegen/support/errors.hpp"
 #include "tests/support/command.hpp"
 #include "tests/support/temporary_directory.hpp"
@@ -84,6 +84,51 @@ TEST_F(PictureFile, MayBeAPng) {
   EXPECT_THAT(png, StartsWith("\x89PNG"));
 }
 
+TEST_F(PictureFile, MayBeAPdf) {
+  const std::string pdf = draw("plane.pdf", {kPlanar, "crossing", "--range", "phi=25*deg"});
+  EXPECT_THAT(pdf, StartsWith("%PDF-"));
+}
+
+TEST_F(PictureFile, ShowsSlicesSideBySide) {
+  const std::string svg = draw("slices.svg", {kPlanar, "crossing", "--resolution", "1/8",
+                                              "--slices", "phi=4", "--axes", "y,x"});
+  EXPECT_EQ(result_.exit_code, 1) << result_.errors;
+  EXPECT_THAT(svg, AllOf(HasSubstr("phi = -0.098"), HasSubstr("phi = 0.88"), HasSubstr(">y<"),
+                         HasSubstr("parts of the 3-D volume"), Not(HasSubstr("the worst of"))));
+}
+
+TEST_F(PictureFile, ShowsWhichShareIsFree) {
+  const std::string svg =
+      draw("share.svg", {kPlanar, "crossing", "--resolution", "1/8", "--shade", "share"});
+  EXPECT_THAT(svg, AllOf(HasSubstr("half free"), HasSubstr("the part that is free")));
+}
+
+TEST_F(PictureFile, MayHoldBoxesInSpace) {
+  const std::string grid =
+      draw("boxes.vtu", {kPlanar, "crossing", "--resolution", "1/4", "--max-boxes", "8"});
+  EXPECT_THAT(grid, AllOf(HasSubstr("<VTKFile type=\"UnstructuredGrid\""),
+                          HasSubstr("z is phi rad"), HasSubstr("Name=\"claim\"")));
+  EXPECT_FALSE(std::filesystem::exists(folder_.path() / "boxes.vtu.partial"));
+}
+
+TEST_F(PictureFile, RefusesWhatCannotBeDrawn) {
+  const auto refused = [this](const std::string& file, std::vector<std::string> words) {
+    EXPECT_EQ(draw(file, std::move(words)), "");
+    EXPECT_EQ(result_.exit_code, 64);
+    return result_.errors;
+  };
+  EXPECT_THAT(refused("p.vtu", {kPlanar, "crossing", "--range", "phi=0"}),
+              HasSubstr("boxes in space need three motion parameters with ranges"));
+  EXPECT_THAT(refused("p.svg", {kPlanar, "crossing", "--slices", "phi=1"}),
+              HasSubstr("expected p=N"));
+  EXPECT_THAT(refused("p.svg", {kPlanar, "crossing", "--slices", "psi=4"}),
+              HasSubstr("'psi' is not a parameter with a range; choose one of: x, y, phi"));
+  EXPECT_THAT(refused("p.svg", {kPlanar, "crossing", "--slices", "phi=4", "--axes", "x,phi"}),
+              HasSubstr("choose two of: x, y"));
+  EXPECT_THAT(refused("p.svg", {kPlanar, "crossing", "--shade", "shares"}), HasSubstr("share"));
+  EXPECT_THAT(refused("p.eps", {kPlanar, "crossing"}), HasSubstr(".svg, .pdf, .png or .vtu"));
+}
+
 TEST_F(PictureFile, IsDrawnOfAnInterruptedSearchToo) {
   const std::string svg =
       draw("part.svg", {kPlanar, "crossing", "--range", "x=0", "--max-boxes", "50"});
@@ -154,7 +199,8 @@ class CanvasTest : public testing::Test {
  protected:
   CanvasTest() {
     preparation_.variety.outer = {{0, 1}, {0, 1}, {0, 1}};
-    options_.resolution = 0.25;
+    options_.paving.resolution = 0.25;
+    options_.paving.axes = {0, 1, 2};
     options_.drawn = {0, 1};
   }
   void paint(std::vector<Interval> box, Rule rule) { canvas().on_leaf({0, 0, box}, rule, {}); }
@@ -163,7 +209,7 @@ class CanvasTest : public testing::Test {
     return *canvas_;
   }
   PreparedSearch preparation_;
-  PavingOptions options_;
+  PictureOptions options_;
   std::optional<Canvas> canvas_;
 };
 
@@ -180,6 +226,31 @@ TEST_F(CanvasTest, ShowsTheWorstOfAllBoxesOverATile) {
 
 TEST_F(CanvasTest, ShowsNothingAsFreeThatNoBoxReached) {
   EXPECT_EQ(canvas().claim(0, 0), Claim::kUndecided);
+}
+
+TEST_F(CanvasTest, OfASliceShowsTheBoxesThatItMeets) {
+  canvas_.emplace(preparation_, options_, Slice{2, 0.75});
+  paint({{0, 1}, {0, 1}, {0, 0.5}}, Rule::kBlocked);
+  paint({{0, 1}, {0, 1}, {0.5, 0.75}}, Rule::kHMatrix);
+  paint({{0, 0.25}, {0, 1}, {0.75, 1}}, Rule::kOutside);
+  EXPECT_EQ(canvas().claim(0, 0), Claim::kFree);
+  EXPECT_EQ(canvas().claim(3, 3), Claim::kFree);
+}
+
+TEST_F(CanvasTest, HasTheFreeShareOfTheVolumeOverATile) {
+  options_.shade = Shade::kShare;
+  paint({{0, 1}, {0, 1}, {0, 0.5}}, Rule::kHMatrix);
+  paint({{0, 0.375}, {0, 1}, {0.5, 1}}, Rule::kBlocked);
+  paint({{0.375, 1}, {0, 1}, {0.5, 1}}, Rule::kOutside);
+  EXPECT_DOUBLE_EQ(canvas().free_share(0, 0), 0.5);
+  EXPECT_DOUBLE_EQ(canvas().free_share(1, 0), 2.0 / 3);
+  EXPECT_DOUBLE_EQ(canvas().free_share(3, 3), 1.0);
+}
+
+TEST_F(CanvasTest, HasNoShareWhereEverythingIsOutside) {
+  options_.shade = Shade::kShare;
+  paint({{0, 1}, {0, 1}, {0, 1}}, Rule::kOutside);
+  EXPECT_LT(canvas().free_share(2, 2), 0);
 }
 
 TEST_F(CanvasTest, CoversEveryTileOfAKindOnce) {

@@ -36,6 +36,7 @@ set(codegen/engine               ${codegen/cpp} codegen/cpp codegen/jit runtime/
 set(codegen/analysis             ${codegen/engine} codegen/engine)
 set(codegen/certificate          ${codegen/engine} codegen/engine runtime/certificate/verifier)
 set(codegen/report               ${codegen/analysis} codegen/analysis)
+set(codegen/picture              ${codegen/report} codegen/report)
 set(codegen/margin               ${codegen/report} codegen/report codegen/certificate)
 set(codegen/trajectory           ${codegen/report} codegen/report codegen/certificate)
 set(codegen/quantity             codegen/support codegen/model)
@@ -44,7 +45,7 @@ set(codegen/page                 ${codegen/bound} codegen/bound)
 set(codegen/api                  ${codegen/bound} codegen/bound codegen/trajectory codegen/import codegen/robot runtime/certificate/verifier
                                  runtime/embedded)
 set(codegen/python               codegen/support codegen/engine codegen/jit codegen/api)
-set(codegen/command              ${codegen/page} codegen/page codegen/trajectory codegen/import runtime/certificate/verifier)
+set(codegen/command              ${codegen/page} codegen/page codegen/picture codegen/trajectory codegen/import runtime/certificate/verifier)
 set(codegen/mpi                  ${codegen/command} codegen/command runtime/certificate/verifier runtime/cluster)
 set(codegen/shell                ${codegen/command} codegen/command)
 

@@ -7,7 +7,7 @@
 #include <iostream>
 #include <vector>
 
-#include "codegen/report/gnuplot.hpp"
+#include "codegen/picture/gnuplot.hpp"
 #include "tests/paper/tables/growth.hpp"
 #include "tests/paper/tables/words.hpp"
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "codegen/report/gnuplot.hpp"
+#include "codegen/picture/gnuplot.hpp"
 
 #include <fcntl.h>
 #include <sys/mman.h>
@@ -15,7 +15,7 @@
 
 #include "codegen/support/errors.hpp"
 
-namespace regulus::inline report {
+namespace regulus::inline picture {
 namespace {
 
 FileError system_error(const std::string& what, int error) {
@@ -125,4 +125,4 @@ std::string Gnuplot::quoted(const std::string& text) {
   return result + "'";
 }
 
-}  // namespace regulus::report
+}  // namespace regulus::picture

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "codegen/report/canvas.hpp"
+#include "codegen/picture/canvas.hpp"
 
 #include <algorithm>
 #include <bit>
 #include <cmath>
 
-namespace regulus::inline report {
+namespace regulus::inline picture {
 namespace {
 
 /// The most tiles along a range that a picture can show.
@@ -22,13 +22,18 @@ constexpr std::uint8_t bit_of(Claim claim) {
 
 }  // namespace
 
-Canvas::Canvas(const PreparedSearch& preparation, const PavingOptions& options)
-    : drawn_(options.drawn),
-      columns_(tile_count(options.resolution)),
+Canvas::Canvas(const PreparedSearch& preparation, const PictureOptions& options,
+               std::optional<Slice> slice)
+    : slice_(slice),
+      drawn_(options.drawn),
+      columns_(tile_count(options.paving.resolution)),
       rows_(options.drawn.size() > 1 ? columns_ : 1),
       tiles_(columns_ * rows_),
+      volumes_(options.shade == Shade::kShare ? columns_ * rows_ : 0),
       determinants_(rows_ == 1 ? columns_ : 0) {
   for (const std::size_t k : drawn_) ranges_.push_back(preparation.variety.outer[k]);
+  for (const std::size_t k : options.paving.axes)
+    if (std::ranges::count(drawn_, k) == 0 && !(slice && slice->axis == k)) hidden_.push_back(k);
   if (preparation.labels.reach > 0)
     claims_.emplace(preparation.problem(), preparation.labels.reach);
 }
@@ -44,12 +49,43 @@ Canvas::Span Canvas::tiles(std::size_t axis, std::size_t count, Interval x) cons
   return {first, std::clamp(std::size_t(std::max(end, 0.0)), first + 1, count)};
 }
 
+bool Canvas::meets_slice(std::span<const Interval> box) const noexcept {
+  return !slice_ ||
+         (box[slice_->axis].lo <= slice_->value && slice_->value <= box[slice_->axis].hi);
+}
+
+/// Returns the part of a tile, in [0, 1], that a box covers along an axis.
+double Canvas::part_of_tile(std::size_t axis, std::size_t count, std::size_t tile,
+                            Interval x) const noexcept {
+  const Interval& range = ranges_[axis];
+  const double scale = double(count) / (range.hi - range.lo);
+  const double begin = std::max((x.lo - range.lo) * scale, double(tile));
+  const double end = std::min((x.hi - range.lo) * scale, double(tile + 1));
+  return std::clamp(end - begin, 0.0, 1.0);
+}
+
+void Canvas::add_volume(std::span<const Interval> box, Claim claim, Span across, Span up) noexcept {
+  if (claim == Claim::kOutside || claim == Claim::kUnreachable) return;
+  double depth = 1;
+  for (const std::size_t k : hidden_) depth *= box[k].hi - box[k].lo;
+  for (std::size_t row = up.begin; row < up.end; ++row)
+    for (std::size_t column = across.begin; column < across.end; ++column) {
+      const double volume = depth * part_of_tile(0, columns_, column, box[drawn_[0]]) *
+                            part_of_tile(1, rows_, row, box[drawn_[1]]);
+      Volume& tile = volumes_[row * columns_ + column];
+      tile.all += volume;
+      if (claim == Claim::kFree) tile.free += volume;
+    }
+}
+
 void Canvas::paint(std::span<const Interval> box, Claim claim) noexcept {
+  if (!meets_slice(box)) return;
   const Span across = tiles(0, columns_, box[drawn_[0]]);
   const Span up = rows_ > 1 ? tiles(1, rows_, box[drawn_[1]]) : Span{0, 1};
   for (std::size_t row = up.begin; row < up.end; ++row)
     for (std::size_t column = across.begin; column < across.end; ++column)
       tiles_[row * columns_ + column] |= bit_of(claim);
+  if (!volumes_.empty()) add_volume(box, claim, across, up);
 }
 
 void Canvas::on_leaf(const OpenBox& box, Rule rule, const Proof& proof) noexcept {
@@ -83,13 +119,23 @@ Claim Canvas::claim(std::size_t column, std::size_t row) const noexcept {
   return Claim::kUndecided;
 }
 
-/// Finds runs along each row, and joins a run with an equal run below.
+double Canvas::free_share(std::size_t column, std::size_t row) const noexcept {
+  const Volume& tile = volumes_[row * columns_ + column];
+  return tile.all > 0 ? tile.free / tile.all : -1;
+}
+
 std::vector<TileRectangle> Canvas::rectangles(Claim wanted) const {
+  return rectangles(
+      [&](std::size_t column, std::size_t row) { return claim(column, row) == wanted; });
+}
+
+/// Finds runs along each row, and joins a run with an equal run below.
+std::vector<TileRectangle> Canvas::rectangles(const TilePredicate& wanted) const {
   std::vector<TileRectangle> done, growing;
   for (std::size_t row = 0; row < rows_; ++row) {
     std::vector<TileRectangle> runs;
     for (std::size_t column = 0; column < columns_; ++column) {
-      if (claim(column, row) != wanted) continue;
+      if (!wanted(column, row)) continue;
       if (!runs.empty() && runs.back().right == column)
         ++runs.back().right;
       else
@@ -110,4 +156,4 @@ std::vector<TileRectangle> Canvas::rectangles(Claim wanted) const {
   return done;
 }
 
-}  // namespace regulus::report
+}  // namespace regulus::picture

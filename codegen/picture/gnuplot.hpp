@@ -8,7 +8,7 @@
 
 #include "codegen/support/subprocess.hpp"
 
-namespace regulus::inline report {
+namespace regulus::inline picture {
 
 class Gnuplot {
  public:
@@ -41,4 +41,4 @@ class Gnuplot {
   std::optional<Subprocess> process_;
 };
 
-}  // namespace regulus::report
+}  // namespace regulus::picture

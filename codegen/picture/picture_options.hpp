@@ -1,0 +1,51 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What pictures of a paving show: their axes, slices and shades.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "codegen/report/paving_options.hpp"
+
+namespace regulus::inline picture {
+
+/// What the colour of a tile says of all boxes over it.
+enum class Shade : std::uint8_t {
+  kWorst,  ///< the worst claim of them
+  kShare,  ///< the part of their volume that is free
+};
+
+/// The options as on the command line.
+struct PictureRequest {
+  std::vector<std::string> files{};  ///< .svg, .pdf, .png: a map or a curve; .vtu: boxes in space
+  std::string axes{};    ///< "p,q"; empty: the first two that are not single values nor sliced
+  std::string slices{};  ///< "p=N"; empty: one picture of all values
+  Shade shade = Shade::kWorst;
+};
+
+/// A plane in which a motion parameter has one value.
+struct Slice {
+  std::size_t axis = 0;
+  double value = 0;
+};
+
+struct PictureOptions {
+  PavingOptions paving;
+  std::vector<std::size_t> drawn;  ///< the motion parameters along the axes: two, or the only one
+  std::vector<Slice> slices;       ///< a map for each of them; empty: one map
+  Shade shade = Shade::kWorst;
+};
+
+/// Throws UsageError unless the name of the file ends as that of a picture.
+void require_picture_format(const std::string& file);
+/// Returns whether the file holds boxes in space, .vtu, and not a drawing.
+[[nodiscard]] bool is_grid_file(const std::string& file);
+
+/// Throws UsageError for an unknown axis or slice, and for a picture of nothing.
+[[nodiscard]] PictureOptions resolve_pictures(const PictureRequest& request,
+                                              const PavingOptions& paving,
+                                              const PreparedSearch& preparation);
+
+}  // namespace regulus::picture
