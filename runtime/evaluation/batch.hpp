@@ -79,8 +79,10 @@ class Batch {
   }
   [[nodiscard]] ConstPointMatrix natural_bounds() noexcept { return first_order_.natural(); }
   [[nodiscard]] ConstPointMatrix mean_value_bounds() noexcept { return first_order_.mean_value(); }
-  /// Requires  the structure is known. The same holds for the next two.
+  /// Requires  the structure is known. The same holds for the next three.
   [[nodiscard]] ConstPointMatrix second_order_bounds() noexcept { return expansion_->bounds(); }
+  /// Returns the lanes in which they are defined.
+  [[nodiscard]] LaneMask expanded() noexcept { return expansion_->defined(); }
   [[nodiscard]] LaneNumbers moving_determinant_ru() noexcept {
     return expansion_->moving_determinant_ru();
   }

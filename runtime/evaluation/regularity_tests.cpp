@@ -119,20 +119,40 @@ class DeterminantTest final : public RegularityTest {
   double alpha_;
 };
 
+/// An HMatrixTest of first order after the tests of T. Where a derivative grows without limit, such
+/// as that of |u| near 0, T is not defined or too wide, but entries are bounded all the same.
+class FirstOrderTest final : public RegularityTest {
+ public:
+  FirstOrderTest(Rule rule, double alpha) noexcept : RegularityTest(rule), test_(rule, alpha) {}
+
+  LaneMask certify(Batch& batch, LaneMask lanes, TestBudget& budget) noexcept override {
+    // Derivatives by many quantities cost much, and T uses them where it is defined.
+    if (rule() == Rule::kMeanValue) lanes &= ~batch.expanded();
+    return lanes == 0 ? 0 : test_.certify(batch, lanes, budget);
+  }
+
+ private:
+  HMatrixTest test_;
+};
+
 /// A DeterminantTest of A where K does not help: A is nearly singular there, or its scales are too
-/// different, so K·A cannot show that A is regular.
+/// different, so K·A cannot show that A is regular; and where T is not defined.
 class FallbackTest final : public RegularityTest {
  public:
-  FallbackTest(Rule rule, double alpha) noexcept : RegularityTest(rule), test_(rule, {}, alpha) {}
+  FallbackTest(Rule rule, bool expands, double alpha) noexcept
+      : RegularityTest(rule), test_(rule, {}, alpha), expands_(expands) {}
 
   LaneMask certify(Batch& batch, LaneMask lanes, TestBudget& budget) noexcept override {
     LaneMask poor = lanes & ~batch.preconditioned();
-    if ((lanes & budget.anyway) != 0) poor |= lanes & budget.anyway & batch.poorly_preconditioned();
+    const LaneMask anyway = lanes & budget.anyway;
+    if (anyway != 0) poor |= anyway & batch.poorly_preconditioned();
+    if (anyway != 0 && expands_) poor |= anyway & ~batch.expanded();
     return poor == 0 ? 0 : test_.certify(batch, poor, budget);
   }
 
  private:
   DeterminantTest test_;
+  bool expands_;
 };
 
 /// Uses the determinant as one expression of the variables: it keeps dependencies of entries.
@@ -198,6 +218,12 @@ bool with_rohn(Method method) noexcept {
   return method == Method::kRegRohn || method == Method::kKjRohn || method == Method::kJkRohn;
 }
 
+template <typename Test>
+void add_first_order(TestSequence& tests, bool natural, bool mean_value, double alpha) {
+  if (natural) tests.push_back(std::make_unique<Test>(Rule::kHMatrix, alpha));
+  if (mean_value) tests.push_back(std::make_unique<Test>(Rule::kMeanValue, alpha));
+}
+
 /// Returns the built-in tests, in the order of the method's name.
 TestSequence tests_of_method(const Problem& problem, const Settings& settings,
                              const RowStructure& structure) {
@@ -206,19 +232,18 @@ TestSequence tests_of_method(const Problem& problem, const Settings& settings,
   const Ingredients& use = settings.ingredients;
   TestSequence tests;
   if (settings.method == Method::kAuto) {
-    // If quantities touch one row only, bounds that do not use this are far wider.
-    if (structure.empty() && use.natural)
-      tests.push_back(std::make_unique<HMatrixTest>(Rule::kHMatrix, alpha));
-    if (structure.empty() && use.mean_value && kernel.left_derivatives != nullptr &&
-        kernel.left_product != nullptr)
-      tests.push_back(std::make_unique<HMatrixTest>(Rule::kMeanValue, alpha));
+    const bool mean_value =
+        use.mean_value && kernel.left_derivatives != nullptr && kernel.left_product != nullptr;
+    if (structure.empty()) add_first_order<HMatrixTest>(tests, use.natural, mean_value, alpha);
     if (structure.is_known())
       tests.push_back(std::make_unique<HMatrixTest>(Rule::kSecondOrder, alpha));
     if (structure.is_known() && !structure.empty() && alpha == 0.0 && use.orthants)
       tests.push_back(std::make_unique<OrthantTest>());
+    // If quantities touch one row only, bounds that do not use this are far wider as a rule.
+    if (!structure.empty()) add_first_order<FirstOrderTest>(tests, use.natural, mean_value, alpha);
     if (kernel.rows == kernel.columns && kernel.columns <= kMaxFallback)
       for (const Rule rule : {Rule::kDeterminant, Rule::kElimination})
-        tests.push_back(std::make_unique<FallbackTest>(rule, alpha));
+        tests.push_back(std::make_unique<FallbackTest>(rule, structure.is_known(), alpha));
     return tests;
   }
   if (settings.method == Method::kClosedForm) {

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Singularities that need certain values of the uncertain quantities, all of which are found.
+// Singularities that need certain values of the uncertain quantities, all of which are found; and
+// quantities at which derivatives are not defined, which are no reason to give up.
 #include <gtest/gtest.h>
 
 #include <fstream>
@@ -43,6 +44,30 @@ TEST(UncertainWitness, IsFoundAtTheSurfaceOfABall) {
   EXPECT_EQ(on_axis("0.99"), Verdict::kSingularity);
   EXPECT_EQ(on_axis("0.999999"), Verdict::kSingularity);
   EXPECT_NE(on_axis("1.000001"), Verdict::kSingularity);
+}
+
+/// The derivatives of |u − c| are not defined at u = c, and grow without limit where enclosures come
+/// near it. Plain entries or their determinant are enough.
+TEST(UncertainModulus, IsBoundedWhereItsDerivativesAreNot) {
+  for (const char* center : {"3/10", "29/100", "199/1000", "x/10 + 3/10"})
+    for (const char* above : {"2", "1/1000"}) {
+      const std::string entry = std::string("\"abs(u - (") + center + ")) + " + above + "\"";
+      EXPECT_EQ(verdict_of("[geometry]\nu = { value = 0.3, tolerance = 0.1 }\n"
+                           "[matrix]\nrows = [[" +
+                           entry +
+                           ", \"x/10000\"], [\"x\", \"1 + x^2/4\"]]\n"
+                           "[motion.m]\nx = [-1, 1]\n"),
+                Verdict::kNoSingularity)
+          << entry;
+    }
+}
+
+/// The first column is 0 at u = 3/10.
+TEST(UncertainModulus, IsNeverCertifiedWhereItVanishes) {
+  EXPECT_NE(verdict_of("[geometry]\nu = { value = 0.3, tolerance = 0.1 }\n[matrix]\n"
+                       "rows = [[\"abs(u - 3/10)\", \"x\"], [\"0\", \"1\"]]\n"
+                       "[motion.m]\nx = [-1, 1]\n"),
+            Verdict::kNoSingularity);
 }
 
 }  // namespace
