@@ -192,16 +192,56 @@ REGULUS_LANE_INLINE void for_each_block(unsigned count, Visit&& visit) noexcept 
   for (; j < count; ++j) visit.template operator()<1>(j);
 }
 
-/// sums[j] += (aᵀB)_j for `count` columns; sums[to[j]] if `to` is not null.
-REGULUS_LANE_INLINE void add_row_product(PackArray a, const Rows& b, unsigned count, PackArray sums,
-                                         const unsigned* to = nullptr) noexcept {
+/// The same for blocks of rows: more sums at once where there are more registers for them.
+template <typename Visit>
+REGULUS_LANE_INLINE void for_each_row_block(unsigned count, Visit&& visit) noexcept {
+  constexpr unsigned kRows = REGULUS_VECTOR_BYTES == 64 ? 2 : 1;
+  unsigned i = 0;
+  for (; i + kRows <= count; i += kRows) visit.template operator()<kRows>(i);
+  for (; i < count; ++i) visit.template operator()<1>(i);
+}
+
+/// Some rows of a matrix of which only the listed columns are not zero.
+struct SparseRows {
+  PackArray matrix;
+  unsigned stride;
+  const unsigned* columns;
+  unsigned terms;
+};
+
+/// Sums for a block of a product's rows and columns, in registers.
+template <unsigned kRows, unsigned kAtOnce>
+struct Block {
+  Pack x[kRows][kAtOnce];
+
+  /// Reads a block of a matrix; null: of zeros.
+  REGULUS_LANE_INLINE void read(PackArray matrix, unsigned stride) noexcept {
+    for (unsigned r = 0; r < kRows; ++r)
+      for (unsigned c = 0; c < kAtOnce; ++c)
+        x[r][c] = matrix.x == nullptr ? Pack::of(0.0) : matrix[r * stride + c];
+  }
+  /// Adds AB, for the columns of B from its first one on.
+  REGULUS_LANE_INLINE void add_product(const SparseRows& A, PackArray B, unsigned stride) noexcept {
+    for (unsigned k = 0; k < A.terms; ++k) {
+      const unsigned column = A.columns[k];
+      const PackArray row = B + column * stride;
+      for (unsigned r = 0; r < kRows; ++r) {
+        const Pack factor = A.matrix[r * A.stride + column];
+        for (unsigned c = 0; c < kAtOnce; ++c) x[r][c].add_fused(factor, row[c]);
+      }
+    }
+  }
+};
+
+/// sums[j] += (aᵀB)_j for `count` columns.
+REGULUS_LANE_INLINE void add_row_product(PackArray a, const Rows& b, unsigned count,
+                                         PackArray sums) noexcept {
   for_each_block(
       count, [&]<unsigned kAtOnce>(unsigned j) __attribute__((always_inline)) {
         Pack sum[kAtOnce];
-        const auto place = [&](unsigned c) { return to == nullptr ? j + c : to[j + c]; };
-        for (unsigned c = 0; c < kAtOnce; ++c) sum[c] = sums[place(c)];
+        for (unsigned c = 0; c < kAtOnce; ++c) sum[c] = sums[j + c];
         add_products<kAtOnce>(a, b, j, sum);
-        for (unsigned c = 0; c < kAtOnce; ++c) sums.put(place(c), sum[c]);
+        for (unsigned c = 0; c < kAtOnce; ++c) sums.put(j + c, sum[c]);
       });
 }
 

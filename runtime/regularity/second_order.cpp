@@ -49,7 +49,7 @@ LaneNumbers SecondOrderBounds::moving_determinant_ru(const SecondOrderInput& inp
       double sum = 0.0;
       for (std::size_t c = 0; c < wide.columns.size(); ++c) {
         const std::size_t i = plan_.columns[wide.columns.begin + c];
-        sum += work_.D.x[point_at(wide.D + i * wide.columns.size() + c, l)];
+        sum += work_.D.x[point_at((p * n + i) * n + i, l)];
       }
       trace += std::fabs(sum) * input.radius.at(wide.variable, l);
     }

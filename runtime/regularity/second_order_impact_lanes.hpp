@@ -31,8 +31,7 @@ inline void add_first_order(const SecondOrderPlan& plan, const SecondOrderInput&
     Pack sum = Pack::of(0.0);
     for (unsigned k = wide.first.begin; k < wide.first.end; ++k) {
       const SecondOrderPlan::Entry& entry = plan.entries[k];
-      sum.add_fused(y[entry.row] * largest_of(input.first, entry.at),
-                    v[plan.columns[wide.columns.begin + entry.column]]);
+      sum.add_fused(y[entry.row] * largest_of(input.first, entry.at), v[entry.column]);
     }
     (result + wide.variable).add_fused(0, sum, radius);
   }
@@ -69,7 +68,7 @@ inline void impact(const SecondOrderPlan& plan, const SecondOrderInput& input,
   for (unsigned i = 0; i < n; ++i)
     for (unsigned k = 0; k < plan.pairs; ++k) {
       const Pack share =
-          half * form(through_P + i, PackArray{work.pairs.x} + (i * plan.pairs + k) * n, v, 1, n);
+          half * form(through_P + i, PackArray{work.pairs.x} + (k * n + i) * n, v, 1, n);
       of_variable(plan.pair[k].p).add(0, share);
       of_variable(plan.pair[k].q).add(0, share);
     }

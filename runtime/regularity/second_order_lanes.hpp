@@ -34,7 +34,7 @@ class Bounding {
     for (unsigned w = 0; w < wides_; ++w) read_wide(plan_.wide[w], w);
     for (double* sum : {w_.sum_d.x, w_.sum_D.x}) raise({sum}, n_ * n_, kManyTerms);
     raise({w_.sum_DK.x}, n_ * s_, kManyTerms);
-    for (unsigned i = 0; i < n_; ++i) add_pairs_of_row(i);
+    for (unsigned k = 0; k < plan_.pairs; ++k) add_pair(plan_.pair[k], k);
     bound_defect();
     for (unsigned g = 0; g < plan_.groups; ++g) {
       const PlanRange& members = plan_.group[g].members;
@@ -81,51 +81,70 @@ class Bounding {
 
   /// Reads D_p, adds Σ_p r_p|d_p|, and computes D_pK₀ to nearest.
   REGULUS_LANE_INLINE void read_wide(const SecondOrderPlan::Wide& wide, unsigned index) noexcept {
-    const unsigned* columns = plan_.columns + wide.columns.begin;
-    const unsigned count = wide.columns.size();
-    const Pack r = radius(wide.variable);
-    const PackArray D = PackArray{w_.D.x} + wide.D;
-    clear(D, n_ * count);
+    const Pack radius_of_p = radius(wide.variable);
+    const PackArray D = derivative(index);
+    clear(D, n_ * n_);
     for (unsigned k = wide.first.begin; k < wide.first.end; ++k) {
       const SecondOrderPlan::Entry& entry = plan_.entries[k];
       const Middle d = moved(in_.first, entry.at);
-      const unsigned e = entry.row * n_ + columns[entry.column];
-      D.put(entry.row * count + entry.column, d.middle);
-      PackArray{w_.sum_d.x}.add_fused(e, d.distance, r);
-      PackArray{w_.sum_D.x}.add_fused(e, magnitude(d.middle), r);
+      const unsigned e = entry.row * n_ + entry.column;
+      D.put(e, d.middle);
+      PackArray{w_.sum_d.x}.add_fused(e, d.distance, radius_of_p);
+      PackArray{w_.sum_D.x}.add_fused(e, magnitude(d.middle), radius_of_p);
     }
     const PackArray DK = PackArray{w_.DK.x} + index * n_ * s_;
-    clear(DK, n_ * s_);
-    for (unsigned i = 0; i < n_; ++i) {
-      add_row_product(D + i * count, {columns, count, {w_.K.x}, s_}, s_, DK + i * s_);
-      for (unsigned j = 0; j < s_; ++j)
-        PackArray{w_.sum_DK.x}.add_fused(i * s_ + j, magnitude(DK[i * s_ + j]), r);
-    }
+    for_each_row_block(
+        n_, [&]<unsigned kRows>(unsigned i) __attribute__((always_inline)) {
+          for_each_block(
+              s_, [&]<unsigned kAtOnce>(unsigned j) __attribute__((always_inline)) {
+                Block<kRows, kAtOnce> sum;
+                sum.read({nullptr}, s_);
+                sum.add_product(rows_of(index, i), PackArray{w_.K.x} + j, s_);
+                for (unsigned r = 0; r < kRows; ++r)
+                  for (unsigned c = 0; c < kAtOnce; ++c) {
+                    const unsigned e = (i + r) * s_ + j + c;
+                    DK.put(e, sum.x[r][c]);
+                    PackArray{w_.sum_DK.x}.add_fused(e, magnitude(sum.x[r][c]), radius_of_p);
+                  }
+              });
+        });
   }
 
-  /// Adds Σ_pq of r_pr_q·|B_pq − D_pD_q − D_qD_p|, or r_p²·|½B_pp − D_pD_p|, to row i of P.
-  REGULUS_LANE_INLINE void add_pairs_of_row(unsigned i) noexcept {
-    const PackArray P = PackArray{w_.P.x} + i * n_, sum{w_.pair_row.x};
-    for (unsigned k = 0; k < plan_.pairs; ++k) {
-      const SecondOrderPlan::Pair& pair = plan_.pair[k];
-      const SecondOrderPlan::Wide &p = plan_.wide[pair.p], &q = plan_.wide[pair.q];
-      const Pack weight = product_ru(radius(p.variable), radius(q.variable));
-      const PackArray magnitudes = PackArray{w_.pairs.x} + (i * plan_.pairs + k) * n_;
-      clear(sum, n_);
-      const unsigned* rows = plan_.pair_rows + k * (n_ + 1) + i;
-      PackArray radii{w_.pair_radius.x};
-      if (rows[0] < rows[1]) clear(radii, n_);
-      for (unsigned e = rows[0]; e < rows[1]; ++e)
-        add_second(plan_.entries[e], pair.p == pair.q ? 0.5 : 1.0, weight);
-      add_product(p, q, i);
-      if (pair.p != pair.q) add_product(q, p, i);
-      for (unsigned j = 0; j < n_; ++j) {
-        Pack share = magnitude(sum[j]) * weight;
-        if (rows[0] < rows[1]) share = share + radii[j];
-        magnitudes.put(j, share);
-        P.add(j, share);
-      }
+  [[nodiscard]] REGULUS_LANE_INLINE PackArray derivative(unsigned wide) const noexcept {
+    return PackArray{w_.D.x} + wide * n_ * n_;
+  }
+
+  /// Adds Σ_pq of r_pr_q·|B_pq − D_pD_q − D_qD_p|, or r_p²·|½B_pp − D_pD_p|, to P.
+  REGULUS_LANE_INLINE void add_pair(const SecondOrderPlan::Pair& pair, unsigned index) noexcept {
+    const SecondOrderPlan::Wide &p = plan_.wide[pair.p], &q = plan_.wide[pair.q];
+    const Pack weight = product_ru(radius(p.variable), radius(q.variable));
+    const bool curved = pair.second.size() > 0;
+    if (curved) {
+      clear({w_.pair_sum.x}, n_ * n_);
+      clear({w_.pair_radius.x}, n_ * n_);
     }
+    for (unsigned e = pair.second.begin; e < pair.second.end; ++e)
+      add_second(plan_.entries[e], pair.p == pair.q ? 0.5 : 1.0, weight);
+    const PackArray share = PackArray{w_.pairs.x} + index * n_ * n_;
+    for_each_row_block(
+        n_, [&]<unsigned kRows>(unsigned i) __attribute__((always_inline)) {
+          for_each_block(
+              n_, [&]<unsigned kAtOnce>(unsigned j) __attribute__((always_inline)) {
+                Block<kRows, kAtOnce> sum;
+                sum.read(curved ? PackArray{w_.pair_sum.x} + (i * n_ + j) : PackArray{nullptr}, n_);
+                sum.add_product(rows_of(pair.p, i), derivative(pair.q) + j, n_);
+                if (pair.p != pair.q)
+                  sum.add_product(rows_of(pair.q, i), derivative(pair.p) + j, n_);
+                for (unsigned r = 0; r < kRows; ++r)
+                  for (unsigned c = 0; c < kAtOnce; ++c) {
+                    const unsigned e = (i + r) * n_ + j + c;
+                    Pack of_pair = magnitude(sum.x[r][c]) * weight;
+                    if (curved) of_pair = of_pair + PackArray{w_.pair_radius.x}[e];
+                    share.put(e, of_pair);
+                    PackArray{w_.P.x}.add(e, of_pair);
+                  }
+              });
+        });
   }
 
   REGULUS_LANE_INLINE void add_second(const SecondOrderPlan::Entry& entry, double share,
@@ -133,19 +152,16 @@ class Bounding {
     const Middle b = middle_of(in_.second, entry.at);
     const Pack part = weight * Pack::of(share);
     const Pack radius = product_ru(raised(b.distance, kOneTerm), part);
-    PackArray{w_.pair_row.x}.put(entry.column, Pack::of(-share) * b.middle);
-    PackArray{w_.pair_radius.x}.put(entry.column, radius);
-    PackArray{w_.magnitude_of_B.x}.add(entry.row * n_ + entry.column,
-                                       magnitude(b.middle) * part + radius);
+    const unsigned e = entry.row * n_ + entry.column;
+    PackArray{w_.pair_sum.x}.put(e, Pack::of(-share) * b.middle);
+    PackArray{w_.pair_radius.x}.put(e, radius);
+    PackArray{w_.magnitude_of_B.x}.add(e, magnitude(b.middle) * part + radius);
   }
 
-  /// Adds row i of D_pD_q to that of a pair.
-  REGULUS_LANE_INLINE void add_product(const SecondOrderPlan::Wide& p,
-                                       const SecondOrderPlan::Wide& q, unsigned i) noexcept {
-    const unsigned terms = p.columns.size(), count = q.columns.size();
-    const Rows right{plan_.columns + p.columns.begin, terms, PackArray{w_.D.x} + q.D, count};
-    add_row_product(PackArray{w_.D.x} + p.D + i * terms, right, count, {w_.pair_row.x},
-                    count == n_ ? nullptr : plan_.columns + q.columns.begin);
+  /// Returns the rows of D_p from row i on.
+  [[nodiscard]] REGULUS_LANE_INLINE SparseRows rows_of(unsigned p, unsigned i) const noexcept {
+    const PlanRange& columns = plan_.wide[p].columns;
+    return {derivative(p) + i * n_, n_, plan_.columns + columns.begin, columns.size()};
   }
 
   /// P ≥ |E|: the result of add_pairs_of_row (with the radii of B_pq), plus

@@ -48,11 +48,9 @@ void SecondOrderLists::list_wide(const DerivativeLists& lists, const RowStructur
     for (std::size_t at = 0; at < lists.first.size(); ++at) {
       const DerivativePlace& d = lists.first[at];
       if (d.first != variable) continue;
-      const auto index = std::distance(columns.begin(), columns.find(d.column));
-      first.push_back({narrow(d.row), static_cast<unsigned>(index), narrow(at)});
+      first.push_back({narrow(d.row), narrow(d.column), narrow(at)});
     }
-    wide_.push_back({narrow(variable), range, add_entries(first), entries_of_D_});
-    entries_of_D_ += narrow(columns_) * range.size();
+    wide_.push_back({narrow(variable), range, add_entries(first)});
   }
 }
 
@@ -65,21 +63,8 @@ void SecondOrderLists::list_pairs(const DerivativeLists& lists, const RowStructu
         {narrow(d.row), narrow(d.column), narrow(at)});
   }
   for (std::size_t p = 0; p < wide_.size(); ++p)
-    for (std::size_t q = p; q < wide_.size(); ++q) {
-      pairs_.push_back({narrow(p), narrow(q)});
-      add_rows_of_pair(second[{p, q}]);
-    }
-}
-
-void SecondOrderLists::add_rows_of_pair(Entries entries) {
-  std::stable_sort(entries.begin(), entries.end(),
-                   [](const Entry& a, const Entry& b) { return a.row < b.row; });
-  const unsigned begin = add_entries(entries).begin;
-  for (unsigned row = 0; row <= columns_; ++row) {
-    const auto first =
-        std::find_if(entries.begin(), entries.end(), [&](const Entry& e) { return e.row >= row; });
-    pair_rows_.push_back(begin + narrow(static_cast<std::size_t>(first - entries.begin())));
-  }
+    for (std::size_t q = p; q < wide_.size(); ++q)
+      pairs_.push_back({narrow(p), narrow(q), add_entries(second[{p, q}])});
 }
 
 void SecondOrderLists::list_rows(const DerivativeLists& lists, const RowStructure& structure) {
@@ -160,7 +145,6 @@ SecondOrderPlan SecondOrderLists::plan() const noexcept {
   plan.entries = entries_.data();
   plan.wide = wide_.data();
   plan.pair = pairs_.data();
-  plan.pair_rows = pair_rows_.data();
   plan.mixed = mixed_.data();
   plan.same_rows = same_rows_.data();
   plan.row_variables = row_variables_.data();
@@ -187,20 +171,19 @@ class Dealer {
 
 /// n columns, s slots, w wide variables.
 struct Sizes {
-  std::size_t n, s, w, pairs, rows, entries_of_D;
+  std::size_t n, s, w, pairs, rows;
 };
 
 std::size_t deal(double* begin, const Sizes& size, SecondOrderWork& work) noexcept {
-  const auto [n, s, w, pairs, rows, entries_of_D] = size;
+  const auto [n, s, w, pairs, rows] = size;
   Dealer dealer(begin);
   for (PointArray* array : {&work.K, &work.abs_K, &work.sum_DK}) dealer.give(*array, n * s);
-  dealer.give(work.D, entries_of_D);
+  dealer.give(work.D, w * n * n);
   dealer.give(work.DK, w * n * s);
   for (PointArray* array : {&work.e, &work.sum_d, &work.sum_D, &work.magnitude_of_B, &work.linear,
-                            &work.rounding, &work.P})
+                            &work.rounding, &work.P, &work.pair_sum, &work.pair_radius})
     dealer.give(*array, n * n);
-  for (PointArray* array : {&work.pair_row, &work.pair_radius, &work.center})
-    dealer.give(*array, n);
+  dealer.give(work.center, n);
   dealer.give(work.pairs, pairs * n * n);
   for (PointArray* array : {&work.weight, &work.weight_of_g, &work.rest, &work.same_row})
     dealer.give(*array, s * n);
@@ -222,17 +205,14 @@ std::size_t deal(double* begin, const Sizes& size, SecondOrderWork& work) noexce
 std::size_t SecondOrderLists::packs() const noexcept {
   SecondOrderWork counted;
   return deal(nullptr,
-              {columns_, touched_.size(), wide_.size(), pairs_.size(), row_variables_.size(),
-               entries_of_D_},
+              {columns_, touched_.size(), wide_.size(), pairs_.size(), row_variables_.size()},
               counted);
 }
 
 SecondOrderWork SecondOrderLists::work(AlignedBuffer& numbers) const noexcept {
   SecondOrderWork work;
   deal(numbers.get(),
-       {columns_, touched_.size(), wide_.size(), pairs_.size(), row_variables_.size(),
-        entries_of_D_},
-       work);
+       {columns_, touched_.size(), wide_.size(), pairs_.size(), row_variables_.size()}, work);
   return work;
 }
 

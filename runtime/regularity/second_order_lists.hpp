@@ -52,12 +52,11 @@ class SecondOrderLists {
   void list_rows(const DerivativeLists& lists, const RowStructure& structure);
   void group_rows(const RowStructure& structure, std::vector<RowVariable>& variables);
   void add_row_variable(const RowVariable& variable);
-  void add_rows_of_pair(Entries entries);
   PlanRange add_entries(const Entries& entries);
   [[nodiscard]] std::size_t wide_index(std::size_t variable) const;
 
   std::size_t rows_, columns_, variables_;
-  std::vector<unsigned> touched_, columns_of_D_, pair_rows_;
+  std::vector<unsigned> touched_, columns_of_D_;
   Entries entries_;
   std::vector<SecondOrderPlan::Wide> wide_;
   std::vector<SecondOrderPlan::Pair> pairs_;
@@ -65,7 +64,6 @@ class SecondOrderLists {
   std::vector<SecondOrderPlan::SameRow> same_rows_;
   std::vector<SecondOrderPlan::RowVariable> row_variables_;
   std::vector<SecondOrderPlan::Group> groups_;
-  unsigned entries_of_D_ = 0;
 };
 
 }  // namespace regulus

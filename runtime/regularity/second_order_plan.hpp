@@ -24,11 +24,11 @@ struct SecondOrderPlan {
   struct Wide {
     unsigned variable;
     PlanRange columns;  ///< in `columns`: those of D_p that are not zero
-    PlanRange first;    ///< in `entries`; a column there is an index into `columns`
-    unsigned D;         ///< where D_p starts in `D`: rows n, columns as listed
+    PlanRange first;    ///< in `entries`
   };
   struct Pair {
-    unsigned p, q;  ///< of wide variables, p ≤ q
+    unsigned p, q;     ///< of wide variables, p ≤ q
+    PlanRange second;  ///< in `entries`
   };
   struct SameRow {
     unsigned variable;
@@ -54,7 +54,6 @@ struct SecondOrderPlan {
   const Entry* entries;
   const Wide* wide;
   const Pair* pair;
-  const unsigned* pair_rows;  ///< for each pair: where each row begins in `entries`, and ends
   const PlanRange* mixed;
   const SameRow* same_rows;
   const RowVariable* row_variables;
@@ -65,12 +64,12 @@ struct SecondOrderPlan {
 /// over p has the weights r_p, over p, q the weights r_pr_q.
 struct SecondOrderWork {
   PointArray K, abs_K;               // n×s: at the rows touched
-  PointArray D, DK, sum_DK;          // as planned; w·n×s; n×s
+  PointArray D, DK, sum_DK;          // w·n×n; w·n×s; n×s
   PointArray e, sum_d, sum_D;        // n×n
   PointArray magnitude_of_B;         // n×n: ½ Σ_pq of |∂_p∂_qB|
   PointArray linear, rounding, P;    // n×n
-  PointArray pair_row, pair_radius;  // n
-  PointArray pairs;                  // for each row: what each pair adds to that of P
+  PointArray pair_sum, pair_radius;  // n×n: of one pair
+  PointArray pairs;                  // n×n for each pair: what it adds to P
   PointArray weight, weight_of_g;    // s×n: Σ_k Δ_k of |w̄_k|, of Σ_p r_p|g_kp|
   PointArray same_row;               // s×n: Σ_jk Δ_jΔ_k|∂_j∂_kA| within a row
   PointArray rest;                   // s×n: the rest of Σ_k Δ_k|w_k − w_k(t)|
