@@ -2,6 +2,7 @@
 #include "runtime/evaluation/midpoint_evaluator.hpp"
 
 #include <cmath>
+#include <cstdint>
 
 #include "runtime/regularity/determinant.hpp"
 #include "runtime/regularity/midpoint_inverse.hpp"
@@ -9,11 +10,15 @@
 namespace regulus {
 namespace {
 
+/// Returns the lanes in which no entry exceeds the limit or is NaN.
 LaneMask lanes_within(ConstPointMatrix x, double limit) noexcept {
-  LaneMask within = kAllLanes;
+  std::int64_t beyond[kLanes] = {};
   for (std::size_t e = 0; e < x.size(); ++e)
     for (std::size_t lane = 0; lane < kLanes; ++lane)
-      within &= ~(static_cast<LaneMask>(!(std::fabs(x.at(e, lane)) <= limit)) << lane);
+      beyond[lane] |= -std::int64_t{!(std::fabs(x.at(e, lane)) <= limit)};
+  LaneMask within = 0;
+  for (std::size_t lane = 0; lane < kLanes; ++lane)
+    if (beyond[lane] == 0) within |= 1U << lane;
   return within;
 }
 

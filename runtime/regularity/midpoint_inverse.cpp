@@ -15,27 +15,34 @@ constexpr double kLeastRow = 0x1p-800;
 
 /// Adding and subtracting 1.5·2^52 times the grid leaves the nearest multiple of the grid, or the
 /// next one in another rounding mode. With 2^L the power of two below the greatest entry, the grid
-/// is 2^(L−27). Returns true if the row has a grid.
-bool round_to_grid(double* row, std::size_t length, std::size_t lane) noexcept {
-  double greatest = 0;
-  for (std::size_t i = 0; i < length; ++i)
-    greatest = std::fmax(greatest, std::fabs(row[point_at(i, lane)]));
+/// is 2^(L−27). Returns the lanes in which the row is too small for a grid.
+LaneMask round_to_grid(double* row, std::size_t length) noexcept {
   constexpr std::uint64_t kExponent = 0x7ff0000000000000;
-  const double power = std::bit_cast<double>(std::bit_cast<std::uint64_t>(greatest) & kExponent);
-  const double anchor = power * 0x1.8p25;
-  for (std::size_t i = 0; i < length; ++i) {
-    double& entry = row[point_at(i, lane)];
-    entry = (entry + anchor) - anchor;
-  }
-  return greatest == 0.0 || greatest >= kLeastRow;
+  double greatest[kLanes] = {}, anchor[kLanes];
+  for (std::size_t i = 0; i < length; ++i)
+    for (std::size_t lane = 0; lane < kLanes; ++lane) {
+      const double size = std::fabs(row[point_at(i, lane)]);
+      greatest[lane] = size > greatest[lane] ? size : greatest[lane];
+    }
+  for (std::size_t lane = 0; lane < kLanes; ++lane)
+    anchor[lane] =
+        std::bit_cast<double>(std::bit_cast<std::uint64_t>(greatest[lane]) & kExponent) * 0x1.8p25;
+  for (std::size_t i = 0; i < length; ++i)
+    for (std::size_t lane = 0; lane < kLanes; ++lane) {
+      double& entry = row[point_at(i, lane)];
+      entry = (entry + anchor[lane]) - anchor[lane];
+    }
+  LaneMask without = 0;
+  for (std::size_t lane = 0; lane < kLanes; ++lane)
+    if (greatest[lane] != 0.0 && !(greatest[lane] >= kLeastRow)) without |= 1U << lane;
+  return without;
 }
 
 /// Returns the lanes in which some row is too small for a grid.
 LaneMask round_rows_to_grid(double* inverse, std::size_t rows, std::size_t length) noexcept {
   LaneMask without = 0;
   for (std::size_t i = 0; i < rows; ++i)
-    for (std::size_t lane = 0; lane < kLanes; ++lane)
-      if (!round_to_grid(inverse + point_at(i * length, 0), length, lane)) without |= 1U << lane;
+    without |= round_to_grid(inverse + point_at(i * length, 0), length);
   return without;
 }
 

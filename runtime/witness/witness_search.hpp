@@ -18,6 +18,8 @@
 
 namespace regulus {
 
+class ApproxZero;
+
 class WitnessSearch {
  public:
   /// `closes_in`: a proof by two points is refined to the zero between them as far as possible.
@@ -113,6 +115,9 @@ class WitnessSearch {
   void load_piece(std::size_t lane, const std::vector<double>& from, const std::vector<double>& to,
                   Interval part) noexcept;
   void close_in() noexcept;
+  [[nodiscard]] std::size_t leap_to_zero() noexcept;
+  [[nodiscard]] std::size_t give_up_leap() noexcept;
+  [[nodiscard]] bool narrow_by_signs(ApproxZero& zero) noexcept;
   [[nodiscard]] bool move_to_middles() noexcept;
   void find_middles(std::size_t place, const std::vector<double>& a, const std::vector<double>& b,
                     LaneMask& between) noexcept;

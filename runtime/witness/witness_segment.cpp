@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "runtime/regularity/determinant.hpp"
+#include "runtime/witness/approx_zero.hpp"
 #include "runtime/witness/witness_search.hpp"
 
 namespace regulus {
@@ -17,6 +18,10 @@ constexpr std::size_t kMaxHalvings = 30;
 /// After so many halvings a segment is at the resolution of doubles. Three of them follow one look at
 /// several points.
 constexpr std::size_t kMaxCloseIn = 60, kHalvingsALook = 3;
+
+/// Plain doubles tell the signs for so many halvings, and for more as a rule; in so many looks.
+constexpr std::size_t kMaxLeap = 36;
+constexpr unsigned kMaxLooks = 6;
 
 /// The first step away from a point whose sign is not known, as a part of the way to the next point
 /// with a known sign, and the growth of the steps.
@@ -112,6 +117,61 @@ bool WitnessSearch::move_to_middles() noexcept {
   return true;
 }
 
+/// Narrows `zero` to the part of it where the signs of eight determinants in plain doubles change;
+/// returns false if none of them does.
+bool WitnessSearch::narrow_by_signs(ApproxZero& zero) noexcept {
+  double part[kLanes];
+  const std::size_t count = zero.choose_parts(part);
+  if (count == 0) return false;
+  points_.clear();
+  for (std::size_t lane = 0; lane < count; ++lane) {
+    static_cast<void>(find_between(positive_.point, negative_.point, part[lane], along_[lane]));
+    load_point(lane, along_[lane].data());
+  }
+  evaluate_points(count);
+  if ((points_.preconditioned() & points_.loaded()) != points_.loaded()) return false;
+  const double before = zero.width();
+  for (std::size_t lane = 0; lane < count; ++lane)
+    zero.learn(part[lane], points_.approx_determinant(lane));
+  return zero.width() < before;
+}
+
+/// Halves the segment as often as plain doubles tell in which half it changes its sign. Then the
+/// signs at its ends are certified, all at once; the way there needs no proof. Returns how often, a
+/// multiple of kHalvingsALook.
+std::size_t WitnessSearch::leap_to_zero() noexcept {
+  ApproxZero zero(mid(positive_.determinant), mid(negative_.determinant));
+  for (unsigned look = 0; look < kMaxLooks && zero.approx_halvings(kMaxLeap) < kMaxLeap; ++look)
+    if (!narrow_by_signs(zero)) break;
+  std::size_t halvings = zero.approx_halvings(kMaxLeap);
+  halvings -= halvings % kHalvingsALook;
+  double from = 0.0, to = 1.0;  // as parts of the way; exact
+  for (std::size_t k = 0; k < halvings; ++k) {
+    if (!find_between(positive_.point, negative_.point, 0.5, along_[0])) return give_up_leap();
+    const double middle = 0.5 * (from + to);
+    const bool beyond = zero.from() >= middle;
+    (beyond ? from : to) = middle;
+    (beyond ? positive_ : negative_).point.swap(along_[0]);
+  }
+  points_.clear();
+  load_claim(0, positive_.point);
+  load_claim(1, negative_.point);
+  points_.seal(2);
+  const auto above = certify_lane(0, positive_.point, false, Effort::kElimination);
+  const auto below = certify_lane(1, negative_.point, false, Effort::kElimination);
+  if (!above || !below || certain_sign(*above) <= 0 || certain_sign(*below) >= 0)
+    return give_up_leap();
+  positive_.determinant = *above;
+  negative_.determinant = *below;
+  return halvings;
+}
+
+std::size_t WitnessSearch::give_up_leap() noexcept {
+  positive_ = far_positive_;
+  negative_ = far_negative_;
+  return 0;
+}
+
 /// Shortens the segment while the sign of its middle is known, and then from both sides towards a
 /// middle with an unknown sign. Each shorter pair is a separate proof: its signs are certified, and
 /// so is its segment. Only signs decide, so that all instruction sets come to the same points.
@@ -120,7 +180,8 @@ void WitnessSearch::close_in() noexcept {
   far_positive_ = positive_;
   far_negative_ = negative_;
   nearest_.determinant = kEntire;
-  for (std::size_t step = 0; step < kMaxCloseIn && move_to_middles(); step += kHalvingsALook)
+  for (std::size_t step = leap_to_zero(); step < kMaxCloseIn && move_to_middles();
+       step += kHalvingsALook)
     continue;
   if (certain_segment(positive_.point, negative_.point)) return;
   positive_ = far_positive_;
