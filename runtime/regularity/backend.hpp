@@ -25,6 +25,15 @@ struct BoundsOfOneLane {
   double lo[kMaxVertexOrder * kMaxVertexOrder], hi[kMaxVertexOrder * kMaxVertexOrder];
 };
 
+/// Derivatives of each entry by each variable, and the variables' radii.
+struct MeanValueInput {
+  ConstPointMatrix center;
+  ConstIntervalMatrix derivatives;
+  ConstPointVector radius;
+  double factor;
+  double more[kLanes];
+};
+
 struct RegularityBackend {
   // minors_lanes.hpp. Sets of columns are bit masks.
 
@@ -39,6 +48,10 @@ struct RegularityBackend {
 
   // h_matrix_lanes.hpp
 
+  /// |product − I|, those on the diagonal raised for one rounding.
+  void (*distance_to_identity)(ConstIntervalMatrix product, PointMatrix P) noexcept;
+  /// P ← min(P, (center + Σ_k r_k·max|∂_k|)·factor + 2^-1000); `more` of each lane is added, too.
+  void (*lower_to_mean_value)(const MeanValueInput& input, PointMatrix P) noexcept;
   /// v ≈ (I − P)⁻¹·1.
   void (*solve_for_ones)(ConstPointMatrix P, PointVector v) noexcept;
   /// Pv, to nearest.

@@ -13,11 +13,19 @@
 namespace regulus::regularity {
 inline namespace REGULUS_LANES_ISA {
 
-inline constexpr RegularityBackend kBackend{
-    minors::expand,           minors::permanent,   minors::vertices_share_sign,
-    h_matrix::solve_for_ones, h_matrix::multiply,  h_matrix::perron,
-    inverse::invert,          second_order::bound, second_order::impact,
-    orthants::possible,       orthants::remaining};
+inline constexpr RegularityBackend kBackend{minors::expand,
+                                            minors::permanent,
+                                            minors::vertices_share_sign,
+                                            h_matrix::distance,
+                                            h_matrix::lower_to_mean_value,
+                                            h_matrix::solve_for_ones,
+                                            h_matrix::multiply,
+                                            h_matrix::perron,
+                                            inverse::invert,
+                                            second_order::bound,
+                                            second_order::impact,
+                                            orthants::possible,
+                                            orthants::remaining};
 
 }  // namespace REGULUS_LANES_ISA
 }  // namespace regulus::regularity

@@ -8,50 +8,16 @@
 #include "runtime/regularity/backend.hpp"
 
 namespace regulus {
-namespace {
-
-/// Returns x·(1 + 2^-51), which is above the exact value of one sum whose floating-point value is x
-/// ≥ 0. A sum of doubles that is not zero is a multiple of 2^-1074, and here (l − 1) at least
-/// 2^-53: the product cannot underflow.
-double one_sum_ru(double x) noexcept { return x * (1.0 + 0x1p-51); }
-
-}  // namespace
-
 void distance_to_identity_ru(ConstIntervalMatrix product, PointMatrix P) noexcept {
-  const std::size_t n = P.rows();
-  for (std::size_t i = 0; i < n; ++i)
-    for (std::size_t j = 0; j < n; ++j) {
-      const std::size_t e = i * n + j;
-      const double identity = i == j ? 1.0 : 0.0;
-      for (std::size_t lane = 0; lane < kLanes; ++lane) {
-        const double lo = std::fabs(product.lower(e, lane) - identity);
-        const double hi = std::fabs(product.upper(e, lane) - identity);
-        const double larger = hi > lo ? hi : lo;
-        P.at(e, lane) = i == j ? one_sum_ru(larger) : larger;
-      }
-    }
+  regularity_backend().distance_to_identity(product, P);
 }
 
 void lower_to_mean_value_ru(ConstPointMatrix center, ConstIntervalMatrix derivatives,
                             ConstPointVector radius, LaneMask lanes, PointMatrix P) noexcept {
-  const std::size_t entries = P.size(), variables = radius.rows();
-  const double factor = raise_factor(variables + 1);
-  for (std::size_t e = 0; e < entries; ++e) {
-    double sum[kLanes];
-    for (std::size_t lane = 0; lane < kLanes; ++lane) sum[lane] = center.at(e, lane);
-    for (std::size_t k = 0; k < variables; ++k)
-      for (std::size_t lane = 0; lane < kLanes; ++lane) {
-        const std::size_t d = k * entries + e;
-        const double lo = std::fabs(derivatives.lower(d, lane));
-        const double hi = std::fabs(derivatives.upper(d, lane));
-        sum[lane] += (hi > lo ? hi : lo) * radius.at(k, lane);
-      }
-    for (std::size_t lane = 0; lane < kLanes; ++lane) {
-      const double bound = raise_ru(sum[lane], factor);
-      double& current = P.at(e, lane);
-      if (has_lane(lanes, lane) && bound < current) current = bound;
-    }
-  }
+  MeanValueInput input{center, derivatives, radius, raise_factor(radius.rows() + 1), {}};
+  for (std::size_t lane = 0; lane < kLanes; ++lane)
+    input.more[lane] = has_lane(lanes, lane) ? 0.0 : std::numeric_limits<double>::infinity();
+  regularity_backend().lower_to_mean_value(input, P);
 }
 
 LaneMask certain_contraction(ConstPointMatrix P, ConstPointVector v) noexcept {

@@ -11,6 +11,39 @@ inline namespace REGULUS_LANES_ISA {
 
 using namespace lanes::REGULUS_LANES_ISA;
 
+/// x·kOneSum is above the exact value of one sum whose floating-point value is x ≥ 0. A sum of doubles
+/// that is not zero is a multiple of 2^-1074, and here (l − 1) at least 2^-53: the product cannot
+/// underflow.
+inline constexpr double kOneSum = 1.0 + 0x1p-51;
+
+inline void distance(ConstIntervalMatrix product, PointMatrix result) noexcept {
+  const unsigned n = result.rows();
+  const double* bounds = product.data();
+  for (unsigned i = 0; i < n; ++i)
+    for (unsigned j = 0; j < n; ++j, bounds += 2 * kLanes) {
+      const Pack one = Pack::of(i == j ? 1.0 : 0.0);
+      const Pack lo = magnitude(Pack::load(bounds) - one);
+      const Pack hi = magnitude(Pack::load(bounds + kLanes) - one);
+      const Pack size = select_less(lo, hi, hi, lo);
+      packs_of(result).put(i * n + j, i == j ? size * Pack::of(kOneSum) : size);
+    }
+}
+
+inline void lower_to_mean_value(const MeanValueInput& input, PointMatrix P) noexcept {
+  const unsigned entries = P.size(), variables = input.radius.rows();
+  const Pack more = Pack::load(input.more);
+  for (unsigned e = 0; e < entries; ++e) {
+    Pack sum = Pack::load(input.center.data() + e * kLanes);
+    for (unsigned k = 0; k < variables; ++k) {
+      const double* bounds = input.derivatives.data() + std::size_t{2} * (k * entries + e) * kLanes;
+      const Pack lo = magnitude(Pack::load(bounds)), hi = magnitude(Pack::load(bounds + kLanes));
+      sum.add_product(select_less(lo, hi, hi, lo), Pack::load(input.radius.data() + k * kLanes));
+    }
+    const Pack bound = raised(sum, input.factor) + more, current = packs_of(P)[e];
+    packs_of(P).put(e, select_less(bound, current, bound, current));
+  }
+}
+
 /// Solves (I − P)v = 1 without pivoting. It is stable in the important case: I − P is an M-matrix,
 /// all pivots are positive and every sum in the elimination has terms of one sign.
 inline void solve_for_ones(ConstPointMatrix matrix, PointVector result) noexcept {
