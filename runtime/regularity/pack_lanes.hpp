@@ -192,13 +192,20 @@ REGULUS_LANE_INLINE void for_each_block(unsigned count, Visit&& visit) noexcept 
   for (; j < count; ++j) visit.template operator()<1>(j);
 }
 
-/// The same for blocks of rows: more sums at once where there are more registers for them.
+/// Calls visit.template operator()<kRows, kAtOnce>(i, j) for blocks of a matrix: more rows at once
+/// where there are more registers for them.
 template <typename Visit>
-REGULUS_LANE_INLINE void for_each_row_block(unsigned count, Visit&& visit) noexcept {
+REGULUS_LANE_INLINE void for_each_block(unsigned rows, unsigned columns, Visit&& visit) noexcept {
   constexpr unsigned kRows = REGULUS_VECTOR_BYTES == 64 ? 2 : 1;
   unsigned i = 0;
-  for (; i + kRows <= count; i += kRows) visit.template operator()<kRows>(i);
-  for (; i < count; ++i) visit.template operator()<1>(i);
+  const auto of_row = [&]<unsigned kAtOnce>(unsigned j) __attribute__((always_inline)) {
+    visit.template operator()<1, kAtOnce>(i, j);
+  };
+  const auto of_rows = [&]<unsigned kAtOnce>(unsigned j) __attribute__((always_inline)) {
+    visit.template operator()<kRows, kAtOnce>(i, j);
+  };
+  for (; i + kRows <= rows; i += kRows) for_each_block(columns, of_rows);
+  for (; i < rows; ++i) for_each_block(columns, of_row);
 }
 
 /// Some rows of a matrix of which only the listed columns are not zero.
@@ -212,13 +219,17 @@ struct SparseRows {
 /// Sums for a block of a product's rows and columns, in registers.
 template <unsigned kRows, unsigned kAtOnce>
 struct Block {
-  Pack x[kRows][kAtOnce];
+  Pack x[kRows][kAtOnce] = {};
 
-  /// Reads a block of a matrix; null: of zeros.
+  /// Calls visit(r, c, sum) for each sum.
+  template <typename Visit>
+  REGULUS_LANE_INLINE void for_each(Visit&& visit) const noexcept {
+    for (unsigned r = 0; r < kRows; ++r)
+      for (unsigned c = 0; c < kAtOnce; ++c) visit(r, c, x[r][c]);
+  }
   REGULUS_LANE_INLINE void read(PackArray matrix, unsigned stride) noexcept {
     for (unsigned r = 0; r < kRows; ++r)
-      for (unsigned c = 0; c < kAtOnce; ++c)
-        x[r][c] = matrix.x == nullptr ? Pack::of(0.0) : matrix[r * stride + c];
+      for (unsigned c = 0; c < kAtOnce; ++c) x[r][c] = matrix[r * stride + c];
   }
   /// Adds AB, for the columns of B from its first one on.
   REGULUS_LANE_INLINE void add_product(const SparseRows& A, PackArray B, unsigned stride) noexcept {

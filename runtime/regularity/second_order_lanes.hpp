@@ -93,20 +93,17 @@ class Bounding {
       PackArray{w_.sum_D.x}.add_fused(e, magnitude(d.middle), radius_of_p);
     }
     const PackArray DK = PackArray{w_.DK.x} + index * n_ * s_;
-    for_each_row_block(
-        n_, [&]<unsigned kRows>(unsigned i) __attribute__((always_inline)) {
-          for_each_block(
-              s_, [&]<unsigned kAtOnce>(unsigned j) __attribute__((always_inline)) {
-                Block<kRows, kAtOnce> sum;
-                sum.read({nullptr}, s_);
-                sum.add_product(rows_of(index, i), PackArray{w_.K.x} + j, s_);
-                for (unsigned r = 0; r < kRows; ++r)
-                  for (unsigned c = 0; c < kAtOnce; ++c) {
-                    const unsigned e = (i + r) * s_ + j + c;
-                    DK.put(e, sum.x[r][c]);
-                    PackArray{w_.sum_DK.x}.add_fused(e, magnitude(sum.x[r][c]), radius_of_p);
-                  }
-              });
+    for_each_block(
+        n_, s_,
+        [&]<unsigned kRows, unsigned kAtOnce>(unsigned i,
+                                              unsigned j) __attribute__((always_inline)) {
+          Block<kRows, kAtOnce> sum;
+          sum.add_product(rows_of(index, i), PackArray{w_.K.x} + j, s_);
+          sum.for_each([&](unsigned r, unsigned c, const Pack& x) __attribute__((always_inline)) {
+            const unsigned e = (i + r) * s_ + j + c;
+            DK.put(e, x);
+            PackArray{w_.sum_DK.x}.add_fused(e, magnitude(x), radius_of_p);
+          });
         });
   }
 
@@ -119,31 +116,26 @@ class Bounding {
     const SecondOrderPlan::Wide &p = plan_.wide[pair.p], &q = plan_.wide[pair.q];
     const Pack weight = product_ru(radius(p.variable), radius(q.variable));
     const bool curved = pair.second.size() > 0;
-    if (curved) {
-      clear({w_.pair_sum.x}, n_ * n_);
-      clear({w_.pair_radius.x}, n_ * n_);
-    }
+    if (curved)
+      for (double* x : {w_.pair_sum.x, w_.pair_radius.x}) clear({x}, n_ * n_);
     for (unsigned e = pair.second.begin; e < pair.second.end; ++e)
       add_second(plan_.entries[e], pair.p == pair.q ? 0.5 : 1.0, weight);
     const PackArray share = PackArray{w_.pairs.x} + index * n_ * n_;
-    for_each_row_block(
-        n_, [&]<unsigned kRows>(unsigned i) __attribute__((always_inline)) {
-          for_each_block(
-              n_, [&]<unsigned kAtOnce>(unsigned j) __attribute__((always_inline)) {
-                Block<kRows, kAtOnce> sum;
-                sum.read(curved ? PackArray{w_.pair_sum.x} + (i * n_ + j) : PackArray{nullptr}, n_);
-                sum.add_product(rows_of(pair.p, i), derivative(pair.q) + j, n_);
-                if (pair.p != pair.q)
-                  sum.add_product(rows_of(pair.q, i), derivative(pair.p) + j, n_);
-                for (unsigned r = 0; r < kRows; ++r)
-                  for (unsigned c = 0; c < kAtOnce; ++c) {
-                    const unsigned e = (i + r) * n_ + j + c;
-                    Pack of_pair = magnitude(sum.x[r][c]) * weight;
-                    if (curved) of_pair = of_pair + PackArray{w_.pair_radius.x}[e];
-                    share.put(e, of_pair);
-                    PackArray{w_.P.x}.add(e, of_pair);
-                  }
-              });
+    for_each_block(
+        n_, n_,
+        [&]<unsigned kRows, unsigned kAtOnce>(unsigned i,
+                                              unsigned j) __attribute__((always_inline)) {
+          Block<kRows, kAtOnce> sum;
+          if (curved) sum.read(PackArray{w_.pair_sum.x} + (i * n_ + j), n_);
+          sum.add_product(rows_of(pair.p, i), derivative(pair.q) + j, n_);
+          if (pair.p != pair.q) sum.add_product(rows_of(pair.q, i), derivative(pair.p) + j, n_);
+          sum.for_each([&](unsigned r, unsigned c, const Pack& x) __attribute__((always_inline)) {
+            const unsigned e = (i + r) * n_ + j + c;
+            Pack of_pair = magnitude(x) * weight;
+            if (curved) of_pair = of_pair + PackArray{w_.pair_radius.x}[e];
+            share.put(e, of_pair);
+            PackArray{w_.P.x}.add(e, of_pair);
+          });
         });
   }
 
@@ -221,7 +213,7 @@ class Bounding {
   REGULUS_LANE_INLINE void multiply_row_variable(const SecondOrderPlan::RowVariable& u,
                                                  Value&& value) noexcept {
     unsigned of_first[kMaxTerms], of_mixed[kMaxTerms];
-    list_columns(u.first, of_first);
+    list_columns(plan_, u.first, of_first);
     const PackArray center{w_.center.x};
     Rows rows{of_first, u.first.size(), {w_.K.x}, s_};
     for_each_block(
@@ -232,7 +224,7 @@ class Bounding {
         });
     for (unsigned p = 0; p < wides_; ++p) {
       const PlanRange& mixed = plan_.mixed[u.mixed + p];
-      list_columns(mixed, of_mixed);
+      list_columns(plan_, mixed, of_mixed);
       const Rows moved{of_mixed, mixed.size(), {w_.K.x}, s_};
       rows.matrix = PackArray{w_.DK.x} + p * n_ * s_;
       for_each_block(
@@ -243,11 +235,6 @@ class Bounding {
             for (unsigned c = 0; c < kAtOnce; ++c) value(1 + p, j + c, sum[c]);
           });
     }
-  }
-
-  REGULUS_LANE_INLINE void list_columns(const PlanRange& range, unsigned* columns) const noexcept {
-    for (unsigned k = range.begin; k < range.end; ++k)
-      columns[k - range.begin] = plan_.entries[k].column;
   }
 
   /// Stores Δ, then r_pΔ for each p.
@@ -301,9 +288,10 @@ class Bounding {
     for (unsigned k = group.members.begin; k < group.members.end; ++k) {
       const SecondOrderPlan::RowVariable& u = plan_.row_variables[k];
       read_row_variable(u, range);
-      add_squares(u.first, {w_.center.x}, lower);
+      add_squares(plan_, u.first, {w_.center.x}, lower);
       for (unsigned p = 0; p < wides_; ++p)
-        add_squares(plan_.mixed[u.mixed + p], PackArray{w_.slope.x} + p * n_, lower + (1 + p) * n_);
+        add_squares(plan_, plan_.mixed[u.mixed + p], PackArray{w_.slope.x} + p * n_,
+                    lower + (1 + p) * n_);
       const PackArray forms = PackArray{w_.forms.x} + k * s_;
       multiply_row_variable(
           u, [&](unsigned p, unsigned j, const Pack& x) __attribute__((always_inline)) {
@@ -317,11 +305,6 @@ class Bounding {
     add_ball(group.slot);
   }
 
-  REGULUS_LANE_INLINE void add_squares(const PlanRange& entries, PackArray x,
-                                       PackArray sums) noexcept {
-    for (unsigned k = entries.begin; k < entries.end; ++k)
-      sums.add_fused(plan_.entries[k].column, x[k - entries.begin], x[k - entries.begin]);
-  }
   REGULUS_LANE_INLINE void add_ball(unsigned slot) noexcept {
     const PackArray R{w_.group_R.x}, lower{w_.group_lower.x}, weight{w_.weight_of_value.x};
     for (unsigned p = 0; p <= wides_; ++p) {

@@ -5,6 +5,7 @@
 
 #include "runtime/regularity/lanes.hpp"
 #include "runtime/regularity/pack_lanes.hpp"
+#include "runtime/regularity/second_order_plan.hpp"
 
 namespace regulus::second_order {
 inline namespace REGULUS_LANES_ISA {
@@ -43,6 +44,16 @@ REGULUS_LANE_INLINE void clear(PackArray array, unsigned count) noexcept {
 }
 REGULUS_LANE_INLINE void raise(PackArray array, unsigned count, double factor) noexcept {
   for (unsigned e = 0; e < count; ++e) array.put(e, raised(array[e], factor));
+}
+REGULUS_LANE_INLINE void list_columns(const SecondOrderPlan& plan, const PlanRange& range,
+                                      unsigned* columns) noexcept {
+  for (unsigned k = range.begin; k < range.end; ++k)
+    columns[k - range.begin] = plan.entries[k].column;
+}
+REGULUS_LANE_INLINE void add_squares(const SecondOrderPlan& plan, const PlanRange& range,
+                                     PackArray x, PackArray sums) noexcept {
+  for (unsigned k = range.begin; k < range.end; ++k)
+    sums.add_fused(plan.entries[k].column, x[k - range.begin], x[k - range.begin]);
 }
 /// Computes upper bounds of the square roots of sums of squares.
 REGULUS_LANE_INLINE void take_roots(PackArray x, unsigned count) noexcept {

@@ -18,7 +18,8 @@ constexpr SearchCase kCases[] = {{"wide_15", "robot_1", "wide_15", "", 15},
                                  {"wide_40, singular", "robot_1", "wide_40", "", 100},
                                  {"table5_40, singular", "robot_2", "table5_40", "", 50},
                                  {"table6_15_15, ±0.1", "robot_1", "table6_15_15", "0.1", 8000},
-                                 {"T2", "robot_1", "T2"}};
+                                 {"T2", "robot_1", "T2"},
+                                 {"T2_errors, ±0.05", "robot_1", "T2_errors", "0.05"}};
 
 std::string count_of(std::uint64_t boxes) {
   return boxes == 1 ? "1 box" : fmt::format("{} boxes", boxes);
@@ -162,7 +163,8 @@ Section product_rows() {
                                   {"table5_20", "robot_2", "table5_20"},
                                   {"table5_30", "robot_2", "table5_30"},
                                   {"table6_5_5, ±0.05", "robot_1", "table6_5_5", "0.05"},
-                                  {"T2", "robot_1", "T2"}};
+                                  {"T2", "robot_1", "T2"},
+                                  {"T2_errors, ±0.05", "robot_1", "T2_errors", "0.05"}};
   Section section{"product",
                   "K·J⁻¹ multiplied out symbolically, and from numbers",
                   "The paper's point: a variable that occurs less often gives narrower bounds. The "
