@@ -70,5 +70,14 @@ TEST(UncertainModulus, IsNeverCertifiedWhereItVanishes) {
             Verdict::kNoSingularity);
 }
 
+/// 1/20 up to u = 7/20, the kink, and then falling to −1/20: derivatives at the nominal value show no
+/// change.
+TEST(UncertainModulus, IsFollowedBeyondItsKink) {
+  EXPECT_EQ(verdict_of("[geometry]\nu = { value = 0.3, tolerance = 0.1 }\n[matrix]\n"
+                       "rows = [[\"1/20 - abs(u - 7/20) - (u - 7/20)\", \"0\"], [\"x\", \"1\"]]\n"
+                       "[motion.m]\nx = [-1, 1]\n"),
+            Verdict::kSingularity);
+}
+
 }  // namespace
 }  // namespace regulus::test
