@@ -119,9 +119,9 @@ class DeterminantTest final : public RegularityTest {
   double alpha_;
 };
 
-/// An HMatrixTest of first order where the tests of T are far from a proof. Where a derivative grows
-/// without limit, such as that of |u| near 0, T is not defined or too wide, but entries are bounded
-/// all the same.
+/// An HMatrixTest of first order where the tests of T are far from a proof, and now and then. Where
+/// a derivative grows without limit, such as that of |u| near 0, T is not defined or too wide, but
+/// entries are bounded all the same.
 class FirstOrderTest final : public RegularityTest {
  public:
   FirstOrderTest(Rule rule, double alpha) noexcept : RegularityTest(rule), test_(rule, alpha) {}
@@ -129,10 +129,12 @@ class FirstOrderTest final : public RegularityTest {
   LaneMask certify(Batch& batch, LaneMask lanes, TestBudget& budget) noexcept override {
     LaneMask far = lanes & ~batch.expanded();
     // Derivatives by many quantities cost much, and T uses them where it is defined.
-    if (rule() == Rule::kHMatrix)
+    if (rule() == Rule::kHMatrix) {
+      far |= lanes & budget.anyway;
       for_each_lane(lanes, [&](std::size_t lane) {
         if (!(batch.approx_spectral_radius(lane) < kFar)) far |= 1U << lane;
       });
+    }
     return far == 0 ? 0 : test_.certify(batch, far, budget);
   }
 
