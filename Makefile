@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: Apache-2.0
 # Short names for the usual work; everything is in CMake. `make help` lists them.
-.PHONY: help demo build deb test test-all formal paper growth ablation bench fuzz attack asan ubsan tsan clang dependencies format clean
+.PHONY: help demo build deb test test-all formal paper growth ablation datasheets bench fuzz attack asan ubsan tsan clang dependencies format clean
 .DEFAULT_GOAL := help
 # Several sources are compiled as one: half the time of a whole build.
 WHOLE := -DCMAKE_UNITY_BUILD=ON
@@ -60,6 +60,10 @@ ablation: dependencies  ## what each ingredient contributes: tests/paper/ABLATIO
 	cmake --build --preset release --target ablation_tables
 	build/bin/ablation_tables $(LIMIT) >build/ABLATION.md
 	mv build/ABLATION.md tests/paper/ABLATION.md
+
+datasheets: build  ## forces, speeds and accuracy of some robots: models/DATASHEETS.md (ten minutes)
+	models/write-datasheets.sh $(CURDIR)/build/bin/regulus >build/DATASHEETS.md
+	mv build/DATASHEETS.md models/DATASHEETS.md
 
 bench: dependencies  ## what it costs, and what others cost: tests/bench/RESULTS.md, build/bench.json
 	@cmake/install-dependencies.sh libboost-dev libmpfi-dev valgrind || echo "Rows that need what is missing will say so."

@@ -39,6 +39,13 @@ std::string certificate_of(const Component& c, const std::string& certificate) {
   return certificate.empty() ? certificate : certificate + certificate_suffix(c);
 }
 
+/// Returns whether no symbol of the expression has the name.
+bool has_no(const ex& e, const std::string& name) {
+  return std::none_of(e.preorder_begin(), e.preorder_end(), [&](const ex& part) {
+    return GiNaC::is_a<GiNaC::symbol>(part) && GiNaC::ex_to<GiNaC::symbol>(part).get_name() == name;
+  });
+}
+
 /// Brackets one component, or compares it with a limit.
 class ComponentRun {
  public:
@@ -51,6 +58,7 @@ class ComponentRun {
 
   ComponentBound bracket() {
     choose_reference();
+    if (is_zero_everywhere()) return zero();
     MarginQuestion question = whole_question();
     double gap = settings_.gap;
     for (int round = 0; round <= kMostRefinements; ++round) {
@@ -89,6 +97,20 @@ class ComponentRun {
   }
   /// Returns sign·value.
   [[nodiscard]] ex signed_value(const ex& value) const { return result_.component.sign * value; }
+
+  /// A row that no twist of the set moves, such as a constraint's, has the speed 0 as an expression.
+  [[nodiscard]] bool is_zero_everywhere() const {
+    const Model& model = bordered_.request.model;
+    return result_.component.kind == QuantityKind::kSpeed && settings_.certificate.empty() &&
+           bordered_.request.motion.constraints.empty() && model.matrix.rows() == 1 &&
+           has_no(model.matrix(0, 0), bordered_.parameter);
+  }
+  [[nodiscard]] ComponentBound zero() {
+    result_.proved = result_.attained = end_at(0);
+    result_.place.emplace().pose = "every pose";
+    result_.is_closed = true;
+    return std::move(result_);
+  }
 
   /// Chooses y below the largest value, so that the bound is y + 1/R with R > 0.
   void choose_reference() {

@@ -56,16 +56,17 @@ bool is_list_of_ranges(const TomlEntry& entry) {
 }  // namespace
 
 void read_actuators(ModelReading& reading, const TomlEntry& actuators) {
-  static const std::array<std::string, 5> kKeys = {"force_unit", "force", "speed", "error",
-                                                   "stiffness"};
+  static const std::array<std::string, 6> kKeys = {"unit",  "force_unit", "force",
+                                                   "speed", "error",      "stiffness"};
   const TomlReader& toml = reading.toml;
   (void)toml.entries(actuators, kKeys);
   Actuators& read = reading.model.actuators;
-  const auto values = [&](const char* key, std::vector<GiNaC::ex>& list, auto one) {
+  const auto values = [&](const char* key, auto& list, auto one) {
     if (const TomlEntry e = toml.optional(actuators, key); e.node)
       list = by_row(reading, e, e.node->is_array(), one);
   };
   const auto limit = [&](const TomlEntry& e) { return positive(reading, e); };
+  values("unit", read.units, [&](const TomlEntry& e) { return toml.label(e); });
   if (const TomlEntry e = toml.optional(actuators, "force_unit"); e.node)
     read.force_unit = toml.label(e);
   if (const TomlEntry e = toml.optional(actuators, "force"); e.node)

@@ -66,6 +66,7 @@ struct VectorSet {
 
 /// Data of the motors, each by row of the matrix; empty if the model does not say.
 struct Actuators {
+  std::vector<std::string> units;  ///< of the motors' coordinates, by row; empty: lengths
   std::string force_unit = "N";
   std::vector<Range> force;          ///< limits
   std::vector<GiNaC::ex> speed;      ///< limits of the absolute value

@@ -68,10 +68,10 @@ class Components {
     if (kind != QuantityKind::kSpeed) require_inverse();
     switch (kind) {
       case QuantityKind::kForce:
-        add_rows(choose_set(model_.loads, options_.load, "load"), model_.actuators.force_unit);
+        add_rows(choose_set(model_.loads, options_.load, "load"));
         break;
       case QuantityKind::kSpeed:
-        add_rows(choose_set(model_.twists, options_.twist, "twist"), motor_unit() + "/s");
+        add_rows(choose_set(model_.twists, options_.twist, "twist"));
         break;
       case QuantityKind::kError:
         require(model_.actuators.error, "error", "the error of each motor");
@@ -164,7 +164,12 @@ class Components {
                                    options_.quantity, meaning, key));
   }
 
-  [[nodiscard]] std::string motor_unit() const { return length_unit(model_); }
+  /// Returns the unit of the force or the speed of a motor.
+  [[nodiscard]] std::string unit_of_motor(std::size_t row) const {
+    const Actuators& motors = model_.actuators;
+    if (quantity_.kind == QuantityKind::kForce) return motors.force_unit;
+    return (motors.units.empty() ? length_unit(model_) : motors.units[row]) + "/s";
+  }
 
   [[nodiscard]] Component component(QuantityKind kind) const {
     Component c;
@@ -176,8 +181,7 @@ class Components {
     return c;
   }
 
-  void add_rows(const VectorSet& set, const std::string& unit) {
-    quantity_.unit = unit;
+  void add_rows(const VectorSet& set) {
     quantity_.name += (quantity_.kind == QuantityKind::kForce ? " under " : " for ") + set.name;
     const std::size_t rows = model_.matrix.rows();
     std::size_t first = 0, last = rows;
@@ -189,9 +193,11 @@ class Components {
       Component c = component(quantity_.kind);
       c.label = fmt::format("leg {}", i + 1);
       c.row = i;
+      c.unit = unit_of_motor(i);
       c.set = &set;
       quantity_.components.push_back(std::move(c));
     }
+    quantity_.unit = quantity_.components.front().unit;
   }
 
   [[nodiscard]] std::size_t row_number(std::size_t rows) const {

@@ -162,6 +162,21 @@ TEST_F(BoundCommandTest, RefusesTablesThatItCannotRead) {
   EXPECT_THAT(refusal("[load.a]\nwrench = { value = [1], radius = -1 }"), HasSubstr("bad.toml:8"));
   EXPECT_THAT(refusal("[actuators]\nspeed = 0"), HasSubstr("positive"));
   EXPECT_THAT(refusal("[actuators]\nerror = [1, 2]"), HasSubstr("2 values"));
+  EXPECT_THAT(refusal("[actuators]\nunit = [\"m\", \"rad\"]"), HasSubstr("2 values"));
+}
+
+TEST_F(BoundCommandTest, HasTheUnitOfEachMotorAndTheSpeedZeroWhereNoTwistMovesIt) {
+  const std::string path = folder_.path() / "units.toml";
+  std::ofstream(path)
+      << "regulus = 1\nname = \"slider and crank\"\n[pose]\nx = \"m\"\ny = \"m\"\n"
+         "[matrix]\nrows = [[2, 0], [0, \"1 + x^2\"]]\n[twist.along]\nvelocity = [1, 0]\n"
+         "[actuators]\nunit = [\"m\", \"rad\"]\n[motion.m]\nx = [0, 1]\ny = 0\n";
+  const json bound = json::parse(run({"bound", path, "speed", "--json", "--quiet"}).output);
+  const json& legs = bound.at("components");
+  EXPECT_EQ(legs[0].at("unit"), "m/s");
+  EXPECT_EQ(legs[1].at("unit"), "rad/s");
+  EXPECT_EQ(legs[1].at("proved"), legs[1].at("attained"));
+  EXPECT_EQ(legs[1].at("closed"), true);
 }
 
 TEST_F(BoundCommandTest, MakesADatasheetThatComparesLimits) {

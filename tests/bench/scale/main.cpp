@@ -57,6 +57,7 @@ void replay(const bench::Trace& trace, const bench::Job& job) {
 
 }  // namespace
 
+/// scale [DEGREES [RANKS]]: the angles of the search, and the only row to make.
 int main(int argc, char** argv) {
   const Question question{.degrees = argc > 1 ? argv[1] : "35.4"};
   bench::Trace trace;
@@ -75,5 +76,7 @@ int main(int argc, char** argv) {
       "| ranks | seconds of work each | boxes of a unit | mean unit | end after | efficiency | "
       "messages a second | rank 0 busy | processor time a message | units known | memory |\n"
       "|---|---|---|---|---|---|---|---|---|---|---|\n");
-  for (const bench::Job& job : kJobs) replay(trace, job);
+  const std::string ranks = argc > 2 ? argv[2] : "";
+  for (const bench::Job& job : kJobs)
+    if (ranks.empty() || ranks == std::to_string(job.ranks)) replay(trace, job);
 }
