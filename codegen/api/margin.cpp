@@ -4,11 +4,63 @@
 #include <nlohmann/json.hpp>
 
 #include "codegen/api/algebra_lock.hpp"
+#include "codegen/bound/bound_question.hpp"
+#include "codegen/bound/limit_margin.hpp"
 #include "codegen/margin/margin_report.hpp"
 #include "codegen/margin/prepared_margin.hpp"
 #include "codegen/report/output_options.hpp"
 
 namespace regulus::inline api {
+namespace {
+
+constexpr OutputOptions kQuiet{.json = false, .quiet = true};
+
+std::optional<std::string> text_of(const std::optional<MarginStep>& step) {
+  return step ? std::optional(step->value.text) : std::nullopt;
+}
+
+MarginFinding margin_of_limit(ModelOptions model, const MarginOptions& options,
+                              const MarginQuestion& question, LimitMarginSettings settings) {
+  if (options.limit.empty() || options.quantity.quantity.empty())
+    throw UsageError("margin: quantity and limit need each other");
+  const Request request = read_asked(std::move(model), options.quantity);
+  Quantity quantity = quantity_of(request.model, options.quantity);
+  settings.limit = read_limit(options.limit, quantity);
+  const LimitMargin found =
+      limit_margin(request, question, std::move(quantity), settings, [](const MarginStep&) {});
+  MarginFinding finding;
+  finding.safe = text_of(found.whole.certified);
+  finding.exceeded = text_of(found.whole.refuted);
+  finding.closed = found.whole.closed;
+  finding.bracket = describe_limit_bracket(question, found);
+  finding.report = limit_margin_report(request, question, found, settings);
+  finding.json = json_limit_margin(request, question, found, settings).dump(2);
+  return finding;
+}
+
+MarginFinding margin_of_regularity(const ModelOptions& model, const MarginOptions& options,
+                                   const MarginQuestion& question, double gap,
+                                   const std::atomic<bool>* interrupt) {
+  PreparedMargin margin(question, model, options.search, FormingWatch{.interrupt = interrupt});
+  margin.settings.interrupt = interrupt;
+  MarginCertificates none({}, margin.request, margin.prepared.labels);
+  const Margin found = MarginRun(margin.prepared, question, margin.request, margin.search, kQuiet,
+                                 margin.settings, gap, none, [](const MarginStep&) {})
+                           .run();
+  margin.prepared.seconds.search = found.seconds;
+  MarginFinding finding;
+  finding.safe = text_of(found.certified);
+  finding.singular = text_of(found.refuted);
+  finding.closed = found.closed;
+  finding.bracket = describe_bracket(question, found);
+  finding.report = margin_report(margin.prepared, margin.search, question, found);
+  finding.json =
+      json_margin(margin.prepared, margin.search, margin.request.nominal(), question, found, gap)
+          .dump(2);
+  return finding;
+}
+
+}  // namespace
 
 MarginFinding margin(const Question& asked, const MarginOptions& options,
                      const std::atomic<bool>* interrupt) {
@@ -18,22 +70,14 @@ MarginFinding margin(const Question& asked, const MarginOptions& options,
   if (!options.alpha.empty()) model.alpha = options.alpha;
   const double gap = read_gap(options.gap);
   const MarginQuestion question = take_question(model, {options.scale, options.parameter});
-  PreparedMargin margin(question, model, options.search, FormingWatch{.interrupt = interrupt});
-  margin.settings.interrupt = interrupt;
-  MarginCertificates none({}, margin.request, margin.prepared.labels);
-  const OutputOptions quiet{.json = false, .quiet = true};
-  const Margin found = MarginRun(margin.prepared, question, margin.request, margin.search, quiet,
-                                 margin.settings, gap, none, [](const MarginStep&) {})
-                           .run();
-  margin.prepared.seconds.search = found.seconds;
-  MarginFinding finding;
-  if (found.certified) finding.safe = found.certified->value.text;
-  if (found.refuted) finding.singular = found.refuted->value.text;
-  finding.closed = found.closed;
-  finding.bracket = describe_bracket(question, found);
-  finding.report = margin_report(margin.prepared, margin.search, question, found);
-  finding.json = json_margin(margin.prepared, margin.search, question, found, gap).dump(2);
-  return finding;
+  if (options.limit.empty() && options.quantity.quantity.empty())
+    return margin_of_regularity(model, options, question, gap, interrupt);
+  LimitMarginSettings settings;
+  settings.gap = gap;
+  settings.search = options.search;
+  settings.output = kQuiet;
+  settings.interrupt = interrupt;
+  return margin_of_limit(std::move(model), options, question, std::move(settings));
 }
 
 }  // namespace regulus::api

@@ -9,6 +9,7 @@
 #include "codegen/engine/search_run.hpp"
 #include "codegen/engine/settings.hpp"
 #include "codegen/model/changes.hpp"
+#include "codegen/report/question_report.hpp"
 #include "codegen/report/report.hpp"
 #include "codegen/support/stopwatch.hpp"
 
@@ -74,16 +75,30 @@ struct PreparedQuestion::Parts {
 
   /// Returns the search with the ranges and the threshold of the question.
   PreparedSearch& search_for(const Question& question, const std::atomic<bool>* interrupt);
+  /// Throws    UsageError if the question is about another model or motion.
+  [[nodiscard]] Request request_of(const Question& question) const;
+
+ private:
+  [[nodiscard]] ModelOptions options_of(const Question& question) const;
 };
 
-PreparedSearch& PreparedQuestion::Parts::search_for(const Question& question,
-                                                    const std::atomic<bool>* interrupt) {
+ModelOptions PreparedQuestion::Parts::options_of(const Question& question) const {
   ModelOptions asked = question.options();
   if (!asked.text && asked.path == model.path) asked.text = model.text;
   if (!same_but_for_changes(asked, model))
     throw UsageError("a prepared question was asked about another model or motion");
+  return asked;
+}
+
+Request PreparedQuestion::Parts::request_of(const Question& question) const {
   Request request = nominal;
-  apply_changes(request, asked);
+  apply_changes(request, options_of(question));
+  return request;
+}
+
+PreparedSearch& PreparedQuestion::Parts::search_for(const Question& question,
+                                                    const std::atomic<bool>* interrupt) {
+  const Request request = request_of(question);
   const std::vector<Variable> variables = formulate_shape(request.model, request.motion).variables;
   const Shape shape = shape_of(request, variables);
   prepared.remove_if([](const PreparedShape& p) { return p.search.stopped.has_value(); });
@@ -96,7 +111,8 @@ PreparedSearch& PreparedQuestion::Parts::search_for(const Question& question,
     return search_there;
   }
   if (prepared.size() == kMostShapes) prepared.pop_back();
-  prepared.push_front({shape, prepare(asked, search, FormingWatch{.interrupt = interrupt})});
+  prepared.push_front(
+      {shape, prepare(options_of(question), search, FormingWatch{.interrupt = interrupt})});
   return prepared.front().search;
 }
 
@@ -146,7 +162,9 @@ void PreparedQuestion::describe(const Question& question, Finding& finding) {
   PreparedSearch& prepared = parts_->search_for(question, nullptr);
   const auto nearest = nearest_singular(prepared, finding.result);
   finding.report = text_report(prepared, parts_->search, finding.result, nearest);
-  finding.json = json_report(prepared, parts_->search, finding.result, nearest).dump(2);
+  nlohmann::ordered_json report = json_report(prepared, parts_->search, finding.result, nearest);
+  report["question"] = json_question(parts_->request_of(question), parts_->search);
+  finding.json = report.dump(2);
 }
 
 }  // namespace regulus::api

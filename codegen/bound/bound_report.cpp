@@ -6,7 +6,9 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 
+#include "codegen/bound/quantity_report.hpp"
 #include "codegen/model/ginac_text.hpp"
+#include "codegen/report/question_report.hpp"
 #include "codegen/report/report_parts.hpp"
 
 namespace regulus::inline bounding {
@@ -156,6 +158,10 @@ Json json_end(const std::optional<BoundEnd>& end, RoundTo side) {
   return rounded_number(*end, side);
 }
 
+Json json_exact(const std::optional<BoundEnd>& end) {
+  return end ? Json(formula_text(end->exact)) : Json(nullptr);
+}
+
 Json json_component(const ComponentBound& c, bool has_limit) {
   Json object = {{"label", c.component.label}, {"unit", c.component.unit}};
   if (has_limit) {
@@ -163,6 +169,8 @@ Json json_component(const ComponentBound& c, bool has_limit) {
   } else {
     object["attained"] = json_end(c.attained, side_of_attained(c.component));
     object["proved"] = json_end(c.proved, side_of_proved(c.component));
+    object["attained_exact"] = json_exact(c.attained);
+    object["proved_exact"] = json_exact(c.proved);
     object["unbounded"] = c.is_unbounded;
     object["closed"] = c.is_closed;
   }
@@ -233,9 +241,16 @@ std::string bound_report(const Request& request, const Bound& bound,
 }
 
 Json json_bound(const Request& request, const Bound& bound, const BoundSettings& settings) {
+  Json report = json_bracket_of(request, bound, settings);
+  report["question"] = json_question(request, settings.search);
+  return report;
+}
+
+Json json_bracket_of(const Request& request, const Bound& bound, const BoundSettings& settings) {
   const bool has_limit = settings.limit.has_value();
   const ComponentBound *attained = bound.decisive_attained(), *proved = bound.decisive_proved();
   Json report = {{"bound", bound.quantity.name}, {"result", describe_bound(bound, settings)}};
+  report["quantity"] = json_quantity(request.model, bound.quantity);
   report["least"] = bound.quantity.is_least;
   if (has_limit) {
     report["limit"] = formula_text(*settings.limit);

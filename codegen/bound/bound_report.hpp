@@ -29,5 +29,8 @@ struct EndTexts {
 /// Returns the JSON report. No `attained` or `proved` claims more than the exact text beside it.
 [[nodiscard]] nlohmann::ordered_json json_bound(const Request& request, const Bound& bound,
                                                 const BoundSettings& settings);
+/// The same without the question.
+[[nodiscard]] nlohmann::ordered_json json_bracket_of(const Request& request, const Bound& bound,
+                                                     const BoundSettings& settings);
 
 }  // namespace regulus::bounding

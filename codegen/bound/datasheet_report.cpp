@@ -7,6 +7,7 @@
 
 #include "codegen/bound/bound_report.hpp"
 #include "codegen/bound/datasheet.hpp"
+#include "codegen/report/question_report.hpp"
 
 namespace regulus::inline bounding {
 namespace {
@@ -133,12 +134,16 @@ std::string markdown_datasheet(const Request& request, const Datasheet& sheet) {
 }
 
 Json json_datasheet(const Request& request, const Datasheet& sheet, const BoundSettings& settings) {
-  Json report = {{"model", request.model.name},          {"model_file", request.model.path},
-                 {"model_sha256", request.model.sha256}, {"motion", request.motion.name},
-                 {"interrupted", sheet.is_interrupted},  {"bounds", Json::array()},
-                 {"not_bounded", sheet.left_out}};
+  Json report = {{"model", request.model.name},
+                 {"model_file", request.model.path},
+                 {"model_sha256", request.model.sha256},
+                 {"motion", request.motion.name},
+                 {"interrupted", sheet.is_interrupted},
+                 {"bounds", Json::array()},
+                 {"not_bounded", sheet.left_out},
+                 {"question", json_question(request, settings.search)}};
   for (const Bound& bound : sheet.bounds) {
-    Json object = json_bound(request, bound, settings);
+    Json object = json_bracket_of(request, bound, settings);
     for (std::size_t i = 0; i < bound.components.size(); ++i) {
       const LimitState state = limit_state(request.model, bound.components[i]);
       object["components"][i]["limit"] =

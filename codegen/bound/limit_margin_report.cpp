@@ -4,8 +4,10 @@
 #include <nlohmann/json.hpp>
 
 #include "codegen/bound/limit_margin.hpp"
+#include "codegen/bound/quantity_report.hpp"
 #include "codegen/margin/margin_report.hpp"
 #include "codegen/model/ginac_text.hpp"
+#include "codegen/report/question_report.hpp"
 #include "codegen/report/report_parts.hpp"
 
 namespace regulus::inline bounding {
@@ -93,6 +95,8 @@ Json json_limit_margin(const Request& request, const MarginQuestion& question,
                        const LimitMargin& margin, const LimitMarginSettings& settings) {
   Json report = json_bracket(question, margin.whole, settings.gap);
   report["limit"] = describe_limit(margin.quantity, settings.limit);
+  report["limit_exact"] = formula_text(settings.limit);
+  report["quantity"] = json_quantity(request.model, margin.quantity);
   report["bracket"] = describe_limit_bracket(question, margin);
   report["model"] = request.model.name;
   report["model_file"] = request.model.path;
@@ -102,6 +106,7 @@ Json json_limit_margin(const Request& request, const MarginQuestion& question,
   for (const ComponentMargin& c : margin.components)
     report["components"].push_back(json_component(c));
   report["boxes"] = margin.whole.boxes;
+  report["question"] = json_question(request, settings.search);
   report["seconds"] = json_seconds(seconds_of(margin));
   return report;
 }

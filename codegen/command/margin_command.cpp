@@ -45,7 +45,7 @@ int run_margin(const MarginCommand& given) {
               << certificates.lines();
   if (command.output.json) {
     nlohmann::ordered_json report =
-        json_margin(margin.prepared, margin.search, question, found, gap);
+        json_margin(margin.prepared, margin.search, margin.request.nominal(), question, found, gap);
     certificates.add_to(report);
     std::cout << report.dump(command.output.json_indent) << '\n';
   } else {

@@ -170,8 +170,8 @@ class PageRun {
     MarginRun run(prepared.prepared, question, prepared.request, prepared.search, command_.output,
                   prepared.settings, read_gap(command_.gap), none, [](const MarginStep&) {});
     const Margin found = run.run();
-    auto report =
-        json_margin(prepared.prepared, prepared.search, question, found, read_gap(command_.gap));
+    auto report = json_margin(prepared.prepared, prepared.search, prepared.request.nominal(),
+                              question, found, read_gap(command_.gap));
     report["bracket"] = describe_bracket(question, found);
     data_.margins.push_back(std::move(report));
   }

@@ -58,6 +58,8 @@ class MarginRequest {
   /// Throws    UsageError if the motion or the model cannot grow in that way.
   MarginRequest(Request nominal, const MarginQuestion& question);
 
+  /// Returns the request as read, before anything grows.
+  [[nodiscard]] const Request& nominal() const noexcept { return nominal_; }
   /// Returns the question at a value: about the request that has grown.
   [[nodiscard]] Request at(const MarginValue& value) const;
   /// Sets ranges and threshold at `value`, for variables that were formed at another value.

@@ -7,6 +7,7 @@
 
 #include "codegen/engine/choices.hpp"
 #include "codegen/model/decimal.hpp"
+#include "codegen/report/question_report.hpp"
 #include "codegen/report/report_parts.hpp"
 #include "codegen/report/witness_report.hpp"
 
@@ -138,7 +139,7 @@ Json json_bracket(const MarginQuestion& question, const Margin& margin, double g
   return report;
 }
 
-Json json_margin(const PreparedSearch& p, const SearchOptions& search,
+Json json_margin(const PreparedSearch& p, const SearchOptions& search, const Request& nominal,
                  const MarginQuestion& question, const Margin& margin, double gap_wanted) {
   Json report = json_bracket(question, margin, gap_wanted);
   report["model"] = p.labels.model;
@@ -152,6 +153,7 @@ Json json_margin(const PreparedSearch& p, const SearchOptions& search,
   report["boxes"] = margin.boxes;
   report["steps"] = json_steps(margin);
   report["bits"] = p.bits;
+  report["question"] = json_question(nominal, search);
   report["engine"] = word_of(search.engine);
   report["isa"] = name(p.isa);
   report["cache"] = p.cache;

@@ -24,8 +24,10 @@ namespace regulus::inline bracketing {
                                                   const Margin& margin, double gap_wanted);
 
 /// Returns the JSON report. `certified` is not above, `refuted` not below the value of its text.
+/// `nominal`: the request before anything grows.
 [[nodiscard]] nlohmann::ordered_json json_margin(const PreparedSearch& preparation,
                                                  const SearchOptions& search,
+                                                 const Request& nominal,
                                                  const MarginQuestion& question,
                                                  const Margin& margin, double gap_wanted);
 

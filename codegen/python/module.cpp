@@ -158,6 +158,14 @@ void bind_questions(py::module_& module) {
           py::arg("file"))
       .def(
           "alpha", [](Question& q, const std::string& a) { q.alpha(a); }, py::arg("threshold"));
+  py::class_<QuantityOptions>(module, "QuantityOptions")
+      .def(py::init([](const std::string& quantity, const std::string& load,
+                       const std::string& twist, const std::string& leg, const std::string& freedom,
+                       bool least, bool is_signed) {
+             return QuantityOptions{quantity, load, twist, leg, freedom, least, is_signed};
+           }),
+           py::arg("quantity"), py::arg("load"), py::arg("twist"), py::arg("leg"),
+           py::arg("freedom"), py::arg("least"), py::arg("signed"));
   py::class_<SearchOptions> options(module, "SearchOptions");
   options.def(py::init<>())
       .def_readwrite("use_cache", &SearchOptions::use_cache)
@@ -191,6 +199,7 @@ void bind_findings(py::module_& module) {
   py::class_<MarginFinding>(module, "MarginFinding")
       .def_readonly("safe", &MarginFinding::safe)
       .def_readonly("singular", &MarginFinding::singular)
+      .def_readonly("exceeded", &MarginFinding::exceeded)
       .def_readonly("closed", &MarginFinding::closed)
       .def_readonly("bracket", &MarginFinding::bracket)
       .def_readonly("report", &MarginFinding::report)
@@ -270,29 +279,27 @@ void bind_searches(py::module_& module) {
       "margin",
       [](const Question& question, const SearchOptions& search, const std::string& tolerance,
          const std::string& alpha, const std::string& scale, const std::string& parameter,
-         const std::string& gap) {
-        const MarginOptions options{search, tolerance, alpha, scale, parameter, gap};
+         const std::string& gap, const QuantityOptions& quantity, const std::string& limit) {
+        const MarginOptions options{search,    tolerance, alpha,    scale,
+                                    parameter, gap,       quantity, limit};
         return run_there([=](const std::atomic<bool>& interrupt) {
           return margin(question, options, &interrupt);
         });
       },
       py::arg("question"), py::arg("options"), py::arg("tolerance"), py::arg("alpha"),
-      py::arg("scale"), py::arg("parameter"), py::arg("gap"));
+      py::arg("scale"), py::arg("parameter"), py::arg("gap"), py::arg("quantity"),
+      py::arg("limit"));
   module.def(
       "bound",
-      [](const Question& question, const SearchOptions& search, const std::string& quantity,
-         const std::string& load, const std::string& twist, const std::string& leg,
-         const std::string& freedom, bool least, bool is_signed, const std::string& limit,
-         const std::string& gap) {
-        const BoundOptions options{
-            search, {quantity, load, twist, leg, freedom, least, is_signed}, limit, gap};
+      [](const Question& question, const SearchOptions& search, const QuantityOptions& quantity,
+         const std::string& limit, const std::string& gap) {
+        const BoundOptions options{search, quantity, limit, gap};
         return run_there([=](const std::atomic<bool>& interrupt) {
           return bound(question, options, &interrupt);
         });
       },
-      py::arg("question"), py::arg("options"), py::arg("quantity"), py::arg("load"),
-      py::arg("twist"), py::arg("leg"), py::arg("freedom"), py::arg("least"), py::arg("signed"),
-      py::arg("limit"), py::arg("gap"));
+      py::arg("question"), py::arg("options"), py::arg("quantity"), py::arg("limit"),
+      py::arg("gap"));
 }
 
 void bind_files(py::module_& module) {

@@ -8,6 +8,7 @@
 
 #include "codegen/engine/choices.hpp"
 #include "codegen/engine/settings.hpp"
+#include "codegen/model/ginac_text.hpp"
 #include "codegen/report/report_parts.hpp"
 #include "regulus/version.hpp"
 
@@ -18,14 +19,6 @@ using Json = nlohmann::ordered_json;
 
 /// The groups that are described; more are counted.
 constexpr std::size_t kDescribed = 6;
-
-/// Returns the constant of the model; nullptr for a control error.
-const GeometryParameter* constant_of(const PreparedSearch& p, const VariableLabel& variable) {
-  if (variable.kind != VariableKind::kGeometry) return nullptr;
-  const auto& geometry = p.stages->request().model.geometry;
-  const auto at = std::ranges::find(geometry, variable.name, &GeometryParameter::name);
-  return at == geometry.end() ? nullptr : &*at;
-}
 
 const char* word_of_kind(const VariableLabel& variable) {
   return variable.kind == VariableKind::kControl ? "control" : "geometry";
@@ -48,21 +41,80 @@ Json json_options(const SearchOptions& search) {
           {"without", search.without}};
 }
 
-Json json_quantity(const PreparedSearch& p, std::size_t index) {
-  const VariableLabel& variable = p.labels.variables[index];
-  const GeometryParameter* const constant = constant_of(p, variable);
-  return {{"name", variable.name},
-          {"kind", word_of_kind(variable)},
-          {"group", constant == nullptr ? "" : constant->group},
-          {"shape", constant != nullptr && constant->ball >= 0 ? "ball" : "range"},
-          {"unit", variable.unit},
-          {"range", json_interval(p.variety.outer[index])}};
+/// The labels, the ranges as doubles, and the exact question if it has the same ranges.
+struct AskedQuestion {
+  const ReportLabels& labels;
+  const Variety& variety;
+  const Request& request;
+  std::vector<Variable> exact;  ///< in the order of the labels; empty if they are not known
+};
+
+/// Returns the constant of the model; nullptr for a control error.
+const GeometryParameter* constant_of(const Request& request, const VariableLabel& variable) {
+  if (variable.kind != VariableKind::kGeometry) return nullptr;
+  const auto& geometry = request.model.geometry;
+  const auto at = std::ranges::find(geometry, variable.name, &GeometryParameter::name);
+  return at == geometry.end() ? nullptr : &*at;
+}
+
+Json json_quantity(const AskedQuestion& asked, std::size_t index) {
+  const VariableLabel& variable = asked.labels.variables[index];
+  const GeometryParameter* const constant = constant_of(asked.request, variable);
+  const bool in_ball = constant != nullptr && constant->ball >= 0;
+  Json quantity{{"name", variable.name},
+                {"kind", word_of_kind(variable)},
+                {"group", constant == nullptr ? "" : constant->group},
+                {"shape", in_ball ? "ball" : "range"},
+                {"unit", variable.unit},
+                {"range", json_interval(asked.variety.outer[index])}};
+  if (asked.exact.empty()) return quantity;
+  const Range& range = asked.exact[index].range;
+  quantity["value_exact"] = formula_text((range.lo + range.hi) / 2);
+  quantity[in_ball ? "radius_exact" : "tolerance_exact"] = formula_text((range.hi - range.lo) / 2);
+  return quantity;
+}
+
+/// Adds the exact ranges and threshold, and what the motion makes of its parameters.
+void add_exact(const AskedQuestion& asked, Json& question) {
+  const Motion& motion = asked.request.motion;
+  Json ranges = Json::object(), pose = Json::object(), constraints = Json::array();
+  for (const Variable& v : asked.exact)
+    if (v.kind == VariableKind::kMotion)
+      ranges[v.name] = {formula_text(v.range.lo), formula_text(v.range.hi)};
+  for (std::size_t i = 0; i < motion.pose.size(); ++i)
+    pose[asked.labels.pose[i].name] = formula_text(motion.pose[i]);
+  for (const GiNaC::ex& c : motion.constraints) constraints.push_back(formula_text(c) + " <= 0");
+  question["ranges_exact"] = ranges;
+  question["pose_exact"] = motion.trajectory ? Json(nullptr) : pose;
+  question["constraints_exact"] = constraints;
+  question["alpha_exact"] = formula_text(motion.alpha);
+}
+
+Json json_asked(const AskedQuestion& asked, const SearchOptions& search) {
+  const ReportLabels& labels = asked.labels;
+  Json ranges = Json::object(), uncertain = Json::array();
+  for (std::size_t i = 0; i < labels.variables.size(); ++i)
+    if (is_motion(labels.variables[i]))
+      ranges[labels.variables[i].name] = json_interval(asked.variety.outer[i]);
+    else
+      uncertain.push_back(json_quantity(asked, i));
+  Json question{{"model_sha256", labels.model_sha256},
+                {"motion", labels.motion},
+                {"ranges", ranges},
+                {"uncertain", uncertain},
+                {"alpha", json_interval(asked.variety.alpha)},
+                {"where", labels.where},
+                {"constraints", labels.constraints}};
+  if (asked.exact.size() == labels.variables.size()) add_exact(asked, question);
+  question["options"] = json_options(search);
+  question["version"] = kVersion;
+  return question;
 }
 
 /// Returns "base ±0.05": six digits, for people.
 std::string describe_tolerance(const PreparedSearch& p, std::size_t index) {
   const VariableLabel& variable = p.labels.variables[index];
-  const GeometryParameter* const constant = constant_of(p, variable);
+  const GeometryParameter* const constant = constant_of(p.stages->request(), variable);
   const Interval& range = p.variety.outer[index];
   const bool has_group = constant != nullptr && !constant->group.empty();
   return fmt::format("{} ±{:.6g}{}{}", has_group ? constant->group : variable.name,
@@ -70,22 +122,44 @@ std::string describe_tolerance(const PreparedSearch& p, std::size_t index) {
                      constant != nullptr && constant->ball >= 0 ? " in balls" : "");
 }
 
+/// The question about way-points has the constants and errors of any pose; their file has the poses.
+Motion at_one_pose_if_along_waypoints(Motion motion) {
+  if (!motion.trajectory) return motion;
+  motion.waypoints.reset();
+  motion.trajectory.reset();
+  for (GiNaC::ex& value : motion.pose) value = 0;
+  motion.must_be_defined.clear();
+  return motion;
+}
+
 }  // namespace
 
 Json json_question(const PreparedSearch& p, const SearchOptions& search) {
-  Json ranges = Json::object(), uncertain = Json::array();
-  for (std::size_t i = 0; i < p.labels.variables.size(); ++i)
-    if (is_motion(p.labels.variables[i]))
-      ranges[p.labels.variables[i].name] = json_interval(p.variety.outer[i]);
+  const Request& request = p.stages->request();
+  AskedQuestion asked{p.labels, p.variety, request, {}};
+  if (!p.is_replanned) asked.exact = formulate_shape(request.model, request.motion).variables;
+  return json_asked(asked, search);
+}
+
+Json json_question(const Request& request, const SearchOptions& search) {
+  const Motion motion = at_one_pose_if_along_waypoints(request.motion);
+  const Formulation shape = formulate_shape(request.model, motion);
+  const ReportLabels labels = report_labels(request, shape);
+  const Variety variety = enclose_variety(request.model, motion, shape.variables);
+  return json_asked({labels, variety, request, shape.variables}, search);
+}
+
+Json json_vector_set(const VectorSet& set) {
+  Json members = Json::array();
+  for (const GeometryParameter& entry : set.entries) {
+    Json member{{"name", entry.name}, {"value_exact", formula_text(entry.value)}};
+    if (entry.ball >= 0)
+      member["radius_exact"] = formula_text(set.balls.at(std::size_t(entry.ball)).radius);
     else
-      uncertain.push_back(json_quantity(p, i));
-  return {{"ranges", ranges},
-          {"uncertain", uncertain},
-          {"alpha", json_interval(p.variety.alpha)},
-          {"where", p.labels.where},
-          {"constraints", p.labels.constraints},
-          {"options", json_options(search)},
-          {"version", kVersion}};
+      member["tolerance_exact"] = formula_text(entry.tolerance);
+    members.push_back(std::move(member));
+  }
+  return {{"name", set.name}, {"entries", members}};
 }
 
 std::string describe_tolerances(const PreparedSearch& p) {

@@ -6,6 +6,7 @@
 #include "codegen/analysis/undefined.hpp"
 #include "codegen/engine/choices.hpp"
 #include "codegen/model/trajectory.hpp"
+#include "codegen/report/question_report.hpp"
 #include "codegen/report/report.hpp"
 #include "codegen/report/report_parts.hpp"
 #include "codegen/report/undefined_report.hpp"
@@ -183,6 +184,7 @@ Json json_trajectory(const TrajectoryCheck& check, const SearchOptions& search) 
       has_witness ? json_witness(*check.deciding->preparation, check.deciding->result) : Json();
   report["engine"] = word_of(check.engine);
   report["isa"] = name(p.isa);
+  report["question"] = json_question(check.request, search);
   report["seconds"] = json_seconds(check.seconds);
   return report;
 }

@@ -92,6 +92,16 @@ def test_a_margin_brackets_the_critical_tolerance(circle):
     assert float(open_end.safe) <= critical <= float(open_end.singular)
 
 
+def test_a_margin_within_a_limit_brackets_the_critical_size(circle):
+    """|det| = x² + y² − 1 is above 4 where x and y are above √2.5."""
+    found = circle.margin("outside", scale=(0, 4), quantity="determinant", limit=4)
+    assert float(found.safe) <= 5 - 2 * 2.5**0.5 <= float(found.exceeded)
+    assert found.closed and found.singular is None and found.bracket.startswith("WITHIN UP TO")
+    assert found.json["limit_exact"] == "4" and found.json["quantity"]["kind"] == "determinant"
+    with pytest.raises(rg.UsageError, match="need each other"):
+        circle.margin("outside", scale=(0, 4), limit=4)
+
+
 DISK = """regulus = 1
 name = "slider on a disk"
 [pose]

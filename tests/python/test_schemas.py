@@ -25,7 +25,14 @@ def schema(path):
 
 
 MODEL = schema("codegen/model/model.schema.json")
-REPORT = schema("codegen/report/check.schema.json")
+REPORT = schema("codegen/report/report.schema.json")
+
+
+def report_of(kind):
+    """The schema of one kind of report."""
+    whole = dict(REPORT.schema)
+    del whole["anyOf"]
+    return jsonschema.Draft202012Validator({**whole, "$ref": f"#/$defs/{kind}"})
 
 
 def errors(validator, instance):
@@ -102,10 +109,63 @@ def test_mistakes_in_models_are_refused(change):
 )
 def test_reports_are_accepted_and_state_the_question(arguments):
     report = printed("check", *arguments)
-    assert errors(REPORT, report) == []
+    assert errors(report_of("check"), report) == [] and errors(REPORT, report) == []
     question = report["question"]
     assert question["ranges"] and question["options"]["threads"] == report["threads"]
     assert question["options"]["max_boxes"] == (8 if "--max-boxes" in arguments else None)
+
+
+WAY = "t,x,y,phi\n0,0,14,0\n1,1,15,0.01\n2,2,16,0\n"
+LIMIT = ("--quantity", "sigma-max", "--limit", "2")
+
+
+@pytest.mark.parametrize(
+    "kind, arguments",
+    [
+        ("path", ("check", "planar_3rpr", "regular", "--waypoints", "{way}", "--tube", "x,y=1/90")),
+        ("paving", ("locate", "planar_3rpr", "crossing", "--resolution", "1/4")),
+        ("margin", ("margin", "planar_3rpr", "regular", "--tolerance", "base=0:", "--gap", "0.5")),
+        ("margin", ("margin", "planar_3rpr", "regular", "--scale", "1:2", "--gap", "0.5")),
+        ("limit_margin", ("margin", "orthoglide", "factors_2", "--grow", "edge=0.1:", *LIMIT)),
+        ("bound", ("bound", "orthoglide", "cube", "force", "--gap", "0.3")),
+        ("bound", ("bound", "orthoglide", "cube", "x*y", "--gap", "0.3")),
+        ("bound", ("bound", "orthoglide", "cube", "speed", "--limit", "20/3")),
+        ("datasheet", ("datasheet", "orthoglide", "cube", "--gap", "0.5")),
+    ],
+)
+def test_every_report_is_accepted_and_states_the_question(kind, arguments, tmp_path):
+    way = tmp_path / "way.csv"
+    way.write_text(WAY)
+    report = printed(*(word.replace("{way}", str(way)) for word in arguments))
+    assert errors(report_of(kind), report) == [] and errors(REPORT, report) == []
+    question = report["question"]
+    assert question["model_sha256"] == report["model_sha256"]
+    assert question["motion"] == arguments[2] and question["options"]["threads"] >= 1
+
+
+def test_the_exact_question_asks_the_same_again():
+    """Ranges, tolerances and the threshold of a report are options of the next question."""
+    first = ("--range", "phi=-pi/13:1/30", "--tolerance", "base=1/30", "--alpha", "1/7")
+    question = printed("check", "planar_3rpr", "crossing", *first)["question"]
+    assert question["ranges_exact"]["phi"] == ["-(1/13)*pi", "1/30"]
+    assert question["alpha_exact"] == "1/7"
+    again = ["--alpha", question["alpha_exact"]]
+    for name, ends in question["ranges_exact"].items():
+        again += ["--range", f"{name}={':'.join(ends)}"]
+    for group, size in {(u["group"], u["tolerance_exact"]) for u in question["uncertain"]}:
+        again += ["--tolerance", f"{group}={size}"]
+    assert printed("check", "planar_3rpr", "crossing", *again)["question"] == question
+
+
+def test_a_path_states_its_tube_and_a_bound_its_load(tmp_path):
+    way = tmp_path / "way.csv"
+    way.write_text(WAY)
+    path = printed("check", "planar_3rpr", "regular", "--waypoints", str(way), "--tube", "x,y=1/90")
+    errors_of = {u["unit"]: u["tolerance_exact"] for u in path["question"]["uncertain"]}
+    assert set(errors_of.values()) == {"1/90"} and path["question"]["pose_exact"] is None
+    force = printed("bound", "orthoglide", "cube", "force", "--gap", "0.3")
+    entries = force["quantity"]["load"]["entries"]
+    assert [(e["value_exact"], e["radius_exact"]) for e in entries] == [("0", "1")] * 3
 
 
 def test_a_report_says_what_is_uncertain_and_by_how_much():

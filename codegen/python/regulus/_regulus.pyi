@@ -77,6 +77,8 @@ class MarginFinding:
     @property
     def singular(self) -> Optional[str]: ...
     @property
+    def exceeded(self) -> Optional[str]: ...
+    @property
     def closed(self) -> bool: ...
     @property
     def bracket(self) -> str: ...
@@ -115,6 +117,18 @@ class Confirmation:
     @property
     def json(self) -> str: ...
 
+class QuantityOptions:
+    def __init__(
+        self,
+        quantity: str,
+        load: str,
+        twist: str,
+        leg: str,
+        freedom: str,
+        least: bool,
+        signed: bool,
+    ) -> None: ...
+
 class PreparedQuestion:
     def __init__(self, *args: object, **kwargs: object) -> None: ...
     def check(
@@ -133,17 +147,13 @@ def margin(
     scale: str,
     parameter: str,
     gap: str,
+    quantity: QuantityOptions,
+    limit: str,
 ) -> MarginFinding: ...
 def bound(
     question: Question,
     options: SearchOptions,
-    quantity: str,
-    load: str,
-    twist: str,
-    leg: str,
-    freedom: str,
-    least: bool,
-    signed: bool,
+    quantity: QuantityOptions,
     limit: str,
     gap: str,
 ) -> BoundFinding: ...

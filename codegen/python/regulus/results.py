@@ -184,17 +184,19 @@ class Margin(Result):
     """The answer of Robot.margin().
 
     Attributes:
-        safe: the largest value at which there is proved to be no singularity, as an exact text;
-            None if there is none.
+        safe: the largest value at which there is proved to be no singularity, or at which the limit
+            is proved to be kept, as an exact text; None if there is none.
         singular: the least value at which a singularity is proved; None if there is none.
+        exceeded: the least value at which the limit is proved to be exceeded; None if there is none.
         closed: whether the bracket is as narrow as `gap` asks.
-        bracket: "SAFE UP TO a, NOT AT b".
+        bracket: "SAFE UP TO a, NOT AT b", or "WITHIN UP TO a, EXCEEDED AT b" for a limit.
     """
 
     def __init__(self, finding: Any, notes: list[str]) -> None:
         super().__init__(finding.report, finding.json, notes)
         self.safe: Optional[str] = finding.safe
         self.singular: Optional[str] = finding.singular
+        self.exceeded: Optional[str] = finding.exceeded
         self.closed: bool = finding.closed
         self.bracket: str = finding.bracket
 

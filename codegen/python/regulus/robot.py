@@ -92,6 +92,18 @@ class Question:
         self.set_options(state[1])
 
 
+def _quantity(
+    quantity: str,
+    load: str,
+    twist: str,
+    leg: Union[str, int],
+    freedom: str,
+    least: bool,
+    signed: bool,
+) -> _regulus.QuantityOptions:
+    return _regulus.QuantityOptions(quantity, load, twist, str(leg), freedom, least, signed)
+
+
 def _with_partial(stop: KeyboardInterrupt, make: Any) -> None:
     """Gives an interrupt the result that was found until then, or None, as `result`."""
     partial = getattr(stop, "partial", None)
@@ -235,10 +247,19 @@ class Robot:
         grow: Optional[Mapping[str, Any]] = None,
         gap: Number = "0.01",
         range: Optional[Mapping[str, Range]] = None,
+        quantity: str = "",
+        limit: Optional[Number] = None,
+        load: str = "",
+        twist: str = "",
+        leg: Union[str, int] = "",
+        freedom: str = "",
+        least: bool = False,
+        signed: bool = False,
         **options: Any,
     ) -> Margin:
         """Brackets the largest safe tolerance, threshold or size of a motion.
 
+        With a quantity and a limit, it brackets the largest at which the quantity keeps the limit.
         Exactly one of the first four is asked:
 
         Args:
@@ -249,6 +270,9 @@ class Robot:
             grow: {"R": (lower, upper)}: the parameter R of the motion, whose range grows from its
                 declared low end.
             gap: the bracket (a, b) is closed when (b - a)/b is at most this.
+            quantity: what must keep the limit, as for bound(), with load, twist, leg, freedom,
+                least and signed.
+            limit: every value is below it; with `least`, and of sigma-min and determinant, above.
 
         An upper end of None is looked for. The default of `time_limit` is 60 seconds. The others
         and the errors are as for check(); the `result` of an interrupt is a Margin.
@@ -287,6 +311,8 @@ class Robot:
                     bracket(scale),
                     growing,
                     of(gap),
+                    _quantity(quantity, load, twist, leg, freedom, least, signed),
+                    "" if limit is None else of(limit),
                 )
             )
         except KeyboardInterrupt as stop:
@@ -339,13 +365,7 @@ class Robot:
                 _regulus.bound(
                     question.question,
                     question.options,
-                    quantity,
-                    load,
-                    twist,
-                    str(leg),
-                    freedom,
-                    least,
-                    signed,
+                    _quantity(quantity, load, twist, leg, freedom, least, signed),
                     "" if limit is None else of(limit),
                     of(gap),
                 )

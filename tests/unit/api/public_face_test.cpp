@@ -182,6 +182,24 @@ TEST(PublicFace, MarginBracketsTheToleranceThatIsSafe) {
                regulus::UsageError);
 }
 
+/// |det| = x² + y² − 1 is above 4 where x and y are above √2.5.
+TEST(PublicFace, MarginBracketsTheSizeWithinALimit) {
+  regulus::MarginOptions options;
+  options.search.engine = regulus::Engine::kInterpreted;
+  options.scale = "0:4";
+  options.quantity.quantity = "determinant";
+  EXPECT_THROW(static_cast<void>(regulus::margin(Question(circle(), "outside"), options)),
+               regulus::UsageError);
+  options.limit = "4";
+  const regulus::MarginFinding finding = regulus::margin(Question(circle(), "outside"), options);
+  ASSERT_TRUE(finding.safe && finding.exceeded && !finding.singular) << finding.report;
+  const double critical = 5 - 2 * std::sqrt(2.5);
+  EXPECT_LE(std::stod(*finding.safe), critical);
+  EXPECT_GE(std::stod(*finding.exceeded), critical);
+  EXPECT_TRUE(finding.closed);
+  EXPECT_THAT(finding.bracket, testing::StartsWith("WITHIN UP TO "));
+}
+
 TEST(PublicFace, AKernelDecidesPiecesOfTheMotion) {
   regulus::KernelOptions options;
   options.engine = regulus::Engine::kInterpreted;
