@@ -74,6 +74,23 @@ std::optional<std::vector<double>> InverseJacobian::approx_at(
   return outputs;
 }
 
+std::optional<double> InverseJacobian::approx_hadamard(std::span<const Interval> variables,
+                                                       bool scaled) const {
+  const std::optional<std::vector<double>> outputs = approx_values(entries_, variables);
+  if (!outputs) return std::nullopt;
+  const std::vector<double>& values = *outputs;
+  const std::size_t entries = rows_ * columns_;
+  double product = 1;
+  for (std::size_t i = 0; i < rows_; ++i) {
+    double squares = 0;
+    for (std::size_t j = 0; j < columns_; ++j)
+      squares += values[i * columns_ + j] * values[i * columns_ + j];
+    const bool has_scale = scaled && entries + i < values.size();
+    product *= std::sqrt(squares) * (has_scale ? std::fabs(values[entries + i]) : 1);
+  }
+  return product;
+}
+
 std::optional<Degeneracy> InverseJacobian::approx_degeneracy(
     std::span<const Interval> variables) const {
   const std::optional<std::vector<double>> J = approx_at(variables);

@@ -39,6 +39,11 @@ class InverseJacobian {
   /// Returns J⁻¹, row-major, at the middles of the ranges; nullopt if it is not defined there.
   [[nodiscard]] std::optional<std::vector<double>> approx_at(
       std::span<const Interval> variables) const;
+  /// Returns the product of the lengths of the rows, without row scales if `scaled` is false, at
+  /// the middles of the ranges. No determinant of rows of these lengths is larger (Hadamard), so it
+  /// is the scale of one. nullopt if it is not defined there.
+  [[nodiscard]] std::optional<double> approx_hadamard(std::span<const Interval> variables,
+                                                      bool scaled) const;
   [[nodiscard]] std::optional<Degeneracy> approx_degeneracy(
       std::span<const Interval> variables) const;
   [[nodiscard]] std::size_t rows() const noexcept { return rows_; }

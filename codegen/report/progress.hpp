@@ -6,6 +6,7 @@
 #include <cstdint>
 #include <cstdio>
 #include <optional>
+#include <string>
 
 #include "codegen/program/work_meter.hpp"
 #include "codegen/report/output_options.hpp"
@@ -13,10 +14,22 @@
 
 namespace regulus::inline report {
 
-/// Shows the progress of a search on a terminal: boxes, volume decided, rate, time, and the
-/// processes of a cluster. One line,
-/// rewritten a few times a second, erased at the end. Construct it only if the stream is a
-/// terminal.
+/// The progress of a search.
+struct SearchProgress {
+  std::uint64_t boxes = 0;
+  std::uint64_t waiting = 0;
+  double decided = 0;     ///< part of the volume, 0 … 1; for display only
+  double seconds = 0;     ///< since the search began
+  double time_limit = 0;  ///< of the search, in seconds; infinite: none
+  std::string workers{};  ///< of a cluster; empty: threads
+};
+
+/// Returns a line of at most `columns` bytes: a bar of the share decided if there is room for it,
+/// the share, boxes, boxes in a second, the time, and the time that is left of a limit.
+[[nodiscard]] std::string describe_progress(const SearchProgress& progress, std::size_t columns);
+
+/// Shows the progress of a search on a terminal, on one line, rewritten a few times a second,
+/// erased at the end. Construct it only if the stream is a terminal.
 class ProgressDisplay : public Observer {
  public:
   explicit ProgressDisplay(std::FILE* terminal) : terminal_(terminal) {}
@@ -31,6 +44,7 @@ class ProgressDisplay : public Observer {
 
   std::FILE* terminal_;
   const cluster::Workers* workers_ = nullptr;  ///< of the search; null: threads
+  double time_limit_ = 0;                      ///< of the search, in seconds
   Clock::time_point start_{};
   Clock::time_point last_{};
   double decided_ = 0;  ///< part of the root's volume, 0 … 1; for display only

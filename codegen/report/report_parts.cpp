@@ -5,6 +5,9 @@
 
 #include <algorithm>
 #include <charconv>
+#include <cmath>
+#include <limits>
+#include <numbers>
 
 #include "codegen/model/degrees.hpp"
 #include "codegen/report/question_report.hpp"
@@ -32,6 +35,28 @@ std::string shortest_in(const Interval& x) {
 
 std::string joined(const std::string& lo, const std::string& hi) {
   return lo == hi ? lo : fmt::format("[{}, {}]", lo, hi);
+}
+
+/// Returns the decimal of at most six digits that is this angle in degrees, if there is one.
+std::optional<double> short_degrees(const Interval& radians) {
+  // Two roundings: of the factor and of the product.
+  const double degree = 180 / std::numbers::pi;
+  const double slack = 4 * std::numeric_limits<double>::epsilon() * std::fabs(radians.lo);
+  const double lo = (radians.lo - slack) * degree, hi = (radians.hi + slack) * degree;
+  double shown = 0;
+  const std::string text = fmt::format("{:.6g}", lo / 2 + hi / 2);
+  std::from_chars(text.data(), text.data() + text.size(), shown);
+  return lo <= shown && shown <= hi ? std::optional(shown) : std::nullopt;
+}
+
+/// Returns " ([-15, 15] deg)" for angles in radians whose ends are short numbers of degrees.
+std::string describe_degrees(const PreparedSearch& p, std::size_t k) {
+  const Interval& outer = p.variety.outer[k];
+  const std::optional<Interval>& inner = p.variety.inner[k];
+  if (p.labels.variables[k].unit != "rad" || (outer.lo == 0 && outer.hi == 0)) return "";
+  const auto lo = short_degrees(inner ? Interval{outer.lo, inner->lo} : outer);
+  const auto hi = short_degrees(inner ? Interval{inner->hi, outer.hi} : outer);
+  return lo && hi ? fmt::format(" ({} deg)", joined(shortest(*lo), shortest(*hi))) : "";
 }
 
 /// Returns bounds of variable k. The ends of its whole range are written as in the model, because
@@ -69,8 +94,9 @@ std::string format_variable(const PreparedSearch& p, bool motion) {
   for (std::size_t i = 0; i < variables.size(); ++i) {
     if (is_motion(variables[i]) != motion) continue;
     const std::string range = text_of(p, i, p.variety.outer[i]);
-    lines += fmt::format("           {} {} {}{}\n", variables[i].name,
-                         range.front() == '[' ? "in" : "=", range, unit_suffix(variables[i].unit));
+    lines += fmt::format("           {} {} {}{}{}\n", variables[i].name,
+                         range.front() == '[' ? "in" : "=", range, unit_suffix(variables[i].unit),
+                         describe_degrees(p, i));
   }
   return lines;
 }
@@ -111,12 +137,6 @@ std::string pose_line_of(const PreparedSearch& p, std::span<const Interval> pose
     words += fmt::format("{}{} = {}", words.empty() ? "" : ", ", parameters[i].name, text(pose[i]));
   }
   return shown ? fmt::format("           where the pose is {}\n", words) : "";
-}
-
-/// "50 000"
-std::string in_thousands(std::uint64_t count) {
-  if (count < 1000) return std::to_string(count);
-  return fmt::format("{} {:03}", in_thousands(count / 1000), count % 1000);
 }
 
 /// The text does not depend on the speed of the compiler: `boxes` decides whether a compilation was
@@ -179,6 +199,11 @@ Json json_engine_boxes(const PreparedSearch& p, const SearchOptions& search, std
   else if (p.late)
     interpreted = std::min(boxes, p.late->after_boxes());
   return {{"interpreted", interpreted}, {"compiled", boxes - interpreted}};
+}
+
+std::string in_thousands(std::uint64_t count) {
+  if (count < 1000) return std::to_string(count);
+  return fmt::format("{} {:03}", in_thousands(count / 1000), count % 1000);
 }
 
 std::string short_interval(const Interval& x) {

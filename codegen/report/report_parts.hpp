@@ -32,6 +32,9 @@ namespace regulus::inline report {
                                                        const SearchOptions& search,
                                                        std::uint64_t boxes);
 
+/// Returns "50 000".
+[[nodiscard]] std::string in_thousands(std::uint64_t count);
+
 /// Returns a short text for people; never used for certified values.
 [[nodiscard]] std::string short_interval(const Interval& x);
 

@@ -38,13 +38,26 @@ std::string describe_value(const Interval& x) {
   return fmt::format("{} {}", x.lo == x.hi ? "=" : text.front() == '[' ? "in" : "≈", text);
 }
 
-std::string format_proof(const PreparedSearch& p, const Witness& witness) {
+/// True if the determinant of a witness is that of J⁻¹, not of the matrix as the model writes it.
+bool has_row_scales(const PreparedSearch& p, const Witness& witness) {
+  return witness.points.size() != 2 && p.variety.alpha.hi > 0;
+}
+
+std::optional<double> approx_scale(const PreparedSearch& p, const Witness& witness,
+                                   const InverseJacobian& matrix) {
+  if (p.labels.rows != p.labels.columns) return std::nullopt;
+  return matrix.approx_hadamard(closest(witness).variables, has_row_scales(p, witness));
+}
+
+std::string format_proof(const PreparedSearch& p, const Witness& witness,
+                         const InverseJacobian& matrix) {
   const WitnessPoint& point = closest(witness);
   const bool crossed = witness.points.size() == 2;
-  const bool scaled = !crossed && p.variety.alpha.hi > 0;
-  const std::string line =
-      fmt::format("           {} {} there\n", scaled ? "det J⁻¹" : "determinant",
-                  describe_value(point.determinant));
+  const std::optional<double> scale = approx_scale(p, witness, matrix);
+  const std::string line = fmt::format(
+      "           {} {} there{}\n", has_row_scales(p, witness) ? "det J⁻¹" : "determinant",
+      describe_value(point.determinant),
+      scale ? fmt::format("; rows of these lengths allow {:.2g} (Hadamard)", *scale) : "");
   if (!crossed) return line;
   return line +
          fmt::format(
@@ -68,6 +81,9 @@ Json json_witness(const PreparedSearch& p, const Result& result) {
   Json points = Json::array();
   for (const WitnessPoint& point : witness.points) points.push_back(json_point(p, point));
   Json report = {{"points", points}};
+  const InverseJacobian matrix(p);
+  const std::optional<double> scale = approx_scale(p, witness, matrix);
+  report["approx_hadamard"] = scale ? Json(*scale) : Json(nullptr);
   if (witness.points.size() == 2) {
     const std::vector<Interval> box = hull_of_points(witness);
     report["vanishes_within"] = {{"parameters", json_parameters(p, box)},
@@ -75,7 +91,7 @@ Json json_witness(const PreparedSearch& p, const Result& result) {
   }
   if (!witness.near) return report;
   report["near"] = json_point(p, *witness.near);
-  report.update(json_degeneracy(p, InverseJacobian(p).approx_degeneracy(witness.near->variables)));
+  report.update(json_degeneracy(p, matrix.approx_degeneracy(witness.near->variables)));
   return report;
 }
 
@@ -83,11 +99,12 @@ std::string format_witness(const PreparedSearch& p, const Result& result) {
   if (!result.witness) return "";
   const Witness& witness = *result.witness;
   const WitnessPoint& point = closest(witness);
+  const InverseJacobian matrix(p);
   std::string lines = fmt::format("witness    {}\n", describe_place(p, point.variables)) +
                       format_pose(p, point.pose) + format_uncertain_values(p, point.variables) +
-                      format_proof(p, witness);
+                      format_proof(p, witness, matrix);
   if (!witness.near) return lines;
-  return lines + format_degeneracy(p, InverseJacobian(p).approx_degeneracy(point.variables));
+  return lines + format_degeneracy(p, matrix.approx_degeneracy(point.variables));
 }
 
 Json json_nearest(const PreparedSearch& p, const LeastSingular& nearest) {

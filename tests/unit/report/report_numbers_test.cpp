@@ -4,16 +4,19 @@
 #include <gtest/gtest.h>
 
 #include <fstream>
+#include <limits>
 #include <string>
 
 #include "codegen/engine/search_run.hpp"
 #include "codegen/engine/settings.hpp"
+#include "codegen/report/progress.hpp"
 #include "codegen/report/report.hpp"
 #include "tests/support/temporary_directory.hpp"
 
 namespace regulus {
 namespace {
 
+using testing::AllOf;
 using testing::HasSubstr;
 
 /// The matrix is singular where x = y.
@@ -80,6 +83,17 @@ TEST_F(ReportNumbers, OfAnAngleAreAsManyAsItTakes) {
   EXPECT_THAT(text, HasSubstr("y in [-0.3490658503988659, -0.17453292519943295]\n"));
 }
 
+TEST_F(ReportNumbers, OfAnAngleInRadiansAreInDegreesTooIfThoseAreShort) {
+  std::ifstream file(options_.path);
+  std::string text{std::istreambuf_iterator<char>(file), {}};
+  for (const char* name : {"x = \"1\"", "y = \"1\""})
+    text.replace(text.find(name), 7, std::string(1, *name) + " = \"rad\"");
+  std::ofstream(options_.path) << text;
+  EXPECT_THAT(report_of("angle"), AllOf(HasSubstr("0.3490658503988659] rad ([10, 20] deg)\n"),
+                                        HasSubstr("-0.17453292519943295] rad ([-20, -10] deg)\n")));
+  EXPECT_THAT(report_of("crossing"), HasSubstr("x in [0.1234567, 0.3] rad\n"));
+}
+
 TEST_F(ReportNumbers, DetermineTheWitness) {
   const std::string text = report_of("crossing");
   ASSERT_TRUE(result_.witness) << text;
@@ -90,6 +104,26 @@ TEST_F(ReportNumbers, DetermineTheWitness) {
   const std::size_t place = text.find(start);
   ASSERT_NE(place, std::string::npos) << text;
   EXPECT_EQ(std::stod(text.substr(place + start.size())), point.variables[0].lo);
+}
+
+TEST(ProgressLine, HasABarPlainDigitsAndTheTimeLeft) {
+  const SearchProgress progress{123456, 31, 0.5, 4, 60, ""};
+  const std::string line = describe_progress(progress, 120);
+  EXPECT_EQ(
+      line,
+      "[############------------] 50.00 % decided, 123 456 boxes, 31 waiting, 30 864 boxes/s, "
+      "4.0 s, 56 s left");
+}
+
+TEST(ProgressLine, FitsIntoTheTerminal) {
+  SearchProgress progress{123456, 31, 0.5, 4, std::numeric_limits<double>::infinity(), ""};
+  EXPECT_EQ(describe_progress(progress, 70),
+            "50.00 % decided, 123 456 boxes, 31 waiting, 30 864 boxes/s, 4.0 s");
+  for (const double decided : {0.0, 0.999, 1.0, 1.5})
+    for (std::size_t columns = 0; columns < 200; ++columns) {
+      progress.decided = decided;
+      EXPECT_LE(describe_progress(progress, columns).size(), columns);
+    }
 }
 
 }  // namespace
