@@ -8,6 +8,7 @@
 #include "codegen/api/algebra_lock.hpp"
 #include "codegen/engine/search_run.hpp"
 #include "codegen/engine/settings.hpp"
+#include "codegen/formulation/variable_ranges.hpp"
 #include "codegen/model/changes.hpp"
 #include "codegen/report/question_report.hpp"
 #include "codegen/report/report.hpp"
@@ -19,28 +20,71 @@ namespace {
 /// The searches that are kept at the same time.
 constexpr std::size_t kMostShapes = 8;
 
-/// Everything but the ranges on which the functions of a search depend.
+/// Everything but the ranges on which the functions of a search depend. Variables are the parameters
+/// of the motion and what is uncertain.
 struct Shape {
-  std::vector<std::string> variables;
+  std::vector<std::string> parameters;
+  std::vector<bool> uncertain;  ///< by constant of the model
   bool has_threshold = false;
-  std::size_t conditions = 0;  ///< for parts of expressions, those of changed ranges included
-
-  friend bool operator==(const Shape&, const Shape&) = default;
+  std::vector<GiNaC::ex> conditions;  ///< for parts of the expressions of changed ranges
 };
 
-Shape shape_of(const Request& request, std::span<const Variable> variables) {
+bool operator==(const Shape& a, const Shape& b) {
+  const auto same = [](const GiNaC::ex& x, const GiNaC::ex& y) { return x.is_equal(y); };
+  return a.parameters == b.parameters && a.uncertain == b.uncertain &&
+         a.has_threshold == b.has_threshold && std::ranges::equal(a.conditions, b.conditions, same);
+}
+
+/// Appends what a change added to a list.
+void append_added(std::vector<GiNaC::ex>& conditions, const std::vector<GiNaC::ex>& changed,
+                  const std::vector<GiNaC::ex>& nominal) {
+  conditions.insert(conditions.end(), changed.begin() + std::ptrdiff_t(nominal.size()),
+                    changed.end());
+}
+
+Shape shape_of(const Request& request, const Request& nominal) {
+  const Model& model = request.model;
   Shape shape;
-  for (const Variable& v : variables)
-    shape.variables.push_back(v.name + ' ' + std::to_string(static_cast<int>(v.kind)) + ' ' +
-                              std::to_string(v.ball));
+  for (const MotionParameter& p : request.motion.parameters) shape.parameters.push_back(p.name);
+  for (const GeometryParameter& g : model.geometry)
+    shape.uncertain.push_back(g.ball >= 0 ? !model.balls.at(std::size_t(g.ball)).radius.is_zero()
+                                          : !g.tolerance.is_zero());
   shape.has_threshold = !request.motion.alpha.is_zero();
-  shape.conditions = request.model.must_be_defined.size() + request.motion.must_be_defined.size();
+  append_added(shape.conditions, model.must_be_defined, nominal.model.must_be_defined);
+  append_added(shape.conditions, request.motion.must_be_defined, nominal.motion.must_be_defined);
   return shape;
+}
+
+bool same_range(const Range& a, const Range& b) {
+  return a.lo.is_equal(b.lo) && a.hi.is_equal(b.hi);
 }
 
 struct PreparedShape {
   Shape shape;
   PreparedSearch search;
+  std::vector<Variable> variables;  ///< with the ranges that `search` has
+
+  /// Gives the search the ranges and the threshold of a request of this shape. Most requests change
+  /// few of them, and only those are enclosed.
+  void replan(const Request& request) {
+    std::vector<Variable> changed;
+    std::vector<std::size_t> places;
+    for (std::size_t i = 0; i < variables.size(); ++i) {
+      const Range range = range_at(request.model, request.motion, variables[i]);
+      if (same_range(range, variables[i].range)) continue;
+      changed.push_back(variables[i]);
+      changed.back().range = range;
+      places.push_back(i);
+    }
+    const Variety variety = enclose_variety(request.model, request.motion, changed);
+    for (std::size_t k = 0; k < places.size(); ++k) {
+      variables[places[k]].range = changed[k].range;
+      search.variety.outer[places[k]] = variety.outer[k];
+      search.variety.inner[places[k]] = variety.inner[k];
+    }
+    search.variety.alpha = variety.alpha;
+    search.is_replanned = true;
+  }
 };
 
 /// Returns the question without the changes that a prepared one allows.
@@ -99,20 +143,19 @@ Request PreparedQuestion::Parts::request_of(const Question& question) const {
 PreparedSearch& PreparedQuestion::Parts::search_for(const Question& question,
                                                     const std::atomic<bool>* interrupt) {
   const Request request = request_of(question);
-  const std::vector<Variable> variables = formulate_shape(request.model, request.motion).variables;
-  const Shape shape = shape_of(request, variables);
+  const Shape shape = shape_of(request, nominal);
   prepared.remove_if([](const PreparedShape& p) { return p.search.stopped.has_value(); });
-  const auto at = std::ranges::find(prepared, shape, &PreparedShape::shape);
+  const auto at =
+      std::ranges::find_if(prepared, [&](const PreparedShape& p) { return p.shape == shape; });
   if (at != prepared.end()) {
     prepared.splice(prepared.begin(), prepared, at);
-    PreparedSearch& search_there = prepared.front().search;
-    search_there.variety = enclose_variety(request.model, request.motion, variables);
-    search_there.is_replanned = true;
-    return search_there;
+    prepared.front().replan(request);
+    return prepared.front().search;
   }
   if (prepared.size() == kMostShapes) prepared.pop_back();
-  prepared.push_front(
-      {shape, prepare(options_of(question), search, FormingWatch{.interrupt = interrupt})});
+  prepared.push_front({shape,
+                       prepare(options_of(question), search, FormingWatch{.interrupt = interrupt}),
+                       formulate_shape(request.model, request.motion).variables});
   return prepared.front().search;
 }
 

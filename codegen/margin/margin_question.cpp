@@ -5,6 +5,7 @@
 
 #include <algorithm>
 
+#include "codegen/formulation/variable_ranges.hpp"
 #include "codegen/model/certain_sign.hpp"
 #include "codegen/model/constants.hpp"
 #include "codegen/model/decimal.hpp"
@@ -113,22 +114,6 @@ void require_parameter(Request& request, const MarginQuestion& question) {
                      question.groups + "', which begins at " + formula_text(p->range.lo));
 }
 
-/// Returns the range of a variable at the tolerances and ranges of a request.
-Range range_at(const Request& request, const Variable& variable) {
-  for (const MotionParameter& p : request.motion.parameters)
-    if (variable.kind == VariableKind::kMotion && p.name == variable.name) return p.range;
-  for (const GeometryParameter& g : request.model.geometry)
-    if (variable.kind == VariableKind::kGeometry && g.name == variable.name) {
-      const bool in_ball = g.ball >= 0;
-      const ex spread =
-          in_ball ? request.model.balls.at(static_cast<std::size_t>(g.ball)).radius : g.tolerance;
-      return {g.value - spread, g.value + spread};
-    }
-  if (variable.kind != VariableKind::kControl)
-    throw InternalError("the variable " + variable.name + " is not of the request");
-  return variable.range;
-}
-
 }  // namespace
 
 MarginValue decimal_value(double value) {
@@ -216,7 +201,8 @@ Request MarginRequest::grown_to(const MarginValue& value) const {
 void MarginRequest::replan(PreparedSearch& p, const MarginValue& value) const {
   const Request request = at(value);
   std::vector<Variable> variables = p.stages->formulation().variables;
-  for (Variable& variable : variables) variable.range = range_at(request, variable);
+  for (Variable& variable : variables)
+    variable.range = range_at(request.model, request.motion, variable);
   p.variety = enclose_variety(request.model, request.motion, variables);
   p.is_replanned = true;
 }

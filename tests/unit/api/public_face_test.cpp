@@ -95,6 +95,31 @@ TEST(PublicFace, APreparedQuestionRefusesARangeWithoutAValue) {
   }
 }
 
+/// The conditions of one range are not those of another, although both have one.
+TEST(PublicFace, APreparedQuestionKeepsTheConditionsOfRangesApart) {
+  const Question outside(circle(), "outside");
+  regulus::PreparedQuestion prepared(outside, interpreted());
+  const auto verdict = [&](const char* low) {
+    return prepared.check(Question(outside).range("x", low, "3")).verdict;
+  };
+  EXPECT_EQ(verdict("2 + 0*sqrt(2)"), Verdict::kNoSingularity);
+  EXPECT_ANY_THROW(static_cast<void>(verdict("2 + 0*sqrt(-2)")));
+  EXPECT_EQ(verdict("2 + 0*sqrt(3)"), Verdict::kNoSingularity);
+}
+
+/// A range without a value leaves the ranges of the search as they were.
+TEST(PublicFace, APreparedQuestionForgetsNoRangeAfterAnError) {
+  const Question outside(circle(), "outside");
+  regulus::PreparedQuestion prepared(outside, interpreted());
+  const Question wide = Question(outside).range("x", "0", "3").range("y", "0", "3");
+  for (int round = 0; round < 3; ++round) {
+    EXPECT_EQ(prepared.check(wide).verdict, Verdict::kSingularity);
+    EXPECT_ANY_THROW(static_cast<void>(
+        prepared.check(Question(outside).range("x", "2", "exp(10000)").range("y", "2", "3"))));
+    EXPECT_EQ(prepared.check(outside).verdict, Verdict::kNoSingularity);
+  }
+}
+
 TEST(PublicFace, BoundsAQuantity) {
   regulus::BoundOptions options;
   options.search.engine = regulus::Engine::kInterpreted;
