@@ -116,6 +116,7 @@ if(REGULUS_CODEGEN)
           COMPONENT codegen FILES_MATCHING PATTERN "*.v" PATTERN _CoqProject PATTERN "*.md")
   install(FILES ${PROJECT_SOURCE_DIR}/README.md ${PROJECT_SOURCE_DIR}/codegen/EMBEDDING.md
           DESTINATION ${CMAKE_INSTALL_DATADIR}/doc/regulus COMPONENT codegen)
+  include(${CMAKE_CURRENT_LIST_DIR}/ManualPages.cmake)
   regulus_install_licences(${CMAKE_INSTALL_DATADIR}/doc/regulus codegen)
 
   regulus_export(codegen development)

@@ -25,6 +25,25 @@ foreach(file IN LISTS files)
   endif()
 endforeach()
 
+# The manual lies in one folder, and its links stay there.
+set(manual ${PREFIX}/share/doc/regulus/manual)
+file(GLOB pages ${manual}/*.md ${manual}/*.html)
+list(LENGTH pages count)
+if(count LESS 18)
+  fail("only ${count} pages of the manual were installed")
+endif()
+foreach(page IN LISTS pages)
+  file(STRINGS ${page} lines REGEX "[.](md|html|svg|webp)[)\"#]")
+  string(REPLACE "](" "@(" lines "${lines}") # a bracket would join elements of the list
+  string(REGEX MATCHALL "(@\\(|href=\"|src=\")[^])\":#]*[.](md|html|svg|webp)" links "${lines}")
+  foreach(link IN LISTS links)
+    string(REGEX REPLACE "^(.\\(|href=\"|src=\")" "" link "${link}")
+    if(NOT EXISTS ${manual}/${link})
+      fail("${page} refers to ${link}, which is not installed")
+    endif()
+  endforeach()
+endforeach()
+
 # The headers that are installed are those of the interfaces and what they include; they are enough.
 include(${SOURCE_DIR}/cmake/PublicHeaders.cmake)
 regulus_with_includes(expected ${SOURCE_DIR} ${REGULUS_RUNTIME_HEADERS} ${REGULUS_SEARCH_HEADERS}

@@ -1,0 +1,31 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+# share/doc/regulus/manual: the manual as Markdown, and as HTML if cmark-gfm is there. The pages lie side by
+# side, and their links say so. cmark-gfm is small, and knows the tables that the pages have.
+set(REGULUS_MANUAL_PAGES
+    README.md models/README.md codegen/EMBEDDING.md codegen/bound/BOUNDS.md codegen/command/CHECKING.md
+    codegen/import/IMPORTING.md codegen/model/MODEL_FILES.md codegen/mpi/CLUSTER.md codegen/page/PAGES.md
+    codegen/python/PYTHON.md codegen/robot/AUTHORS.md codegen/shell/SHELL.md runtime/PERFORMANCE.md
+    runtime/SOUNDNESS.md runtime/certificate/CERTIFICATES.md runtime/certificate/FORMAT.md
+    runtime/certificate/PROOF.md runtime/certificate/formal/FORMAL.md)
+set(REGULUS_MANUAL_PICTURES
+    codegen/page/page.webp codegen/page/slices.webp models/planar_3rpr.svg models/tsai_3upu.svg
+    tests/paper/growth.svg)
+
+find_program(REGULUS_CMARK cmark-gfm)
+if(NOT REGULUS_CMARK)
+  message(STATUS "cmark-gfm not found: the manual will be installed as Markdown only")
+endif()
+
+set(manual ${PROJECT_BINARY_DIR}/share/doc/regulus/manual)
+set(script ${CMAKE_CURRENT_LIST_DIR}/write_manual_pages.cmake)
+list(TRANSFORM REGULUS_MANUAL_PAGES PREPEND ${PROJECT_SOURCE_DIR}/ OUTPUT_VARIABLE sources)
+list(TRANSFORM REGULUS_MANUAL_PICTURES PREPEND ${PROJECT_SOURCE_DIR}/ OUTPUT_VARIABLE pictures)
+add_custom_command(
+  OUTPUT ${manual}/README.md
+  COMMAND ${CMAKE_COMMAND} "-DPAGES=${sources}" "-DPICTURES=${pictures}" -DFOLDER=${manual} "-DCMARK=$<$<BOOL:${REGULUS_CMARK}>:${REGULUS_CMARK}>"
+          -P ${script}
+  DEPENDS ${sources} ${pictures} ${script}
+  COMMENT "Writing the pages of the manual"
+  VERBATIM)
+add_custom_target(regulus_manual_pages ALL DEPENDS ${manual}/README.md)
+install(DIRECTORY ${manual} DESTINATION ${CMAKE_INSTALL_DATADIR}/doc/regulus COMPONENT codegen)
