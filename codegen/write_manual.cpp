@@ -4,6 +4,7 @@
 #include <fstream>
 #include <iostream>
 
+#include "codegen/command/completion.hpp"
 #include "codegen/command/manual.hpp"
 #include "codegen/shell/shell_session.hpp"
 

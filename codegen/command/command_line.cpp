@@ -6,6 +6,7 @@
 
 #include "codegen/command/command_tables.hpp"
 #include "codegen/command/error_report.hpp"
+#include "codegen/command/help_layout.hpp"
 #include "codegen/engine/ingredients.hpp"
 #include "codegen/support/exit_code.hpp"
 
@@ -25,13 +26,6 @@ std::vector<std::string> choices_in(const std::string& type) {
   return choices;
 }
 
-/// Returns "S" of "S:POSITIVE", the text of CLI11 for a checked value.
-std::string without_check(const std::string& type) {
-  for (const char* check : {":POSITIVE", ":NONNEGATIVE", ":INT in", ":UINT in"})
-    if (const std::size_t at = type.find(check); at != std::string::npos) return type.substr(0, at);
-  return type;
-}
-
 OptionEntry entry_of(const CLI::Option& option) {
   OptionEntry entry;
   entry.name = option.get_positional() ? option.get_name(true) : option.get_name(false);
@@ -43,11 +37,12 @@ OptionEntry entry_of(const CLI::Option& option) {
   if (entry.name == "--without") entry.choices = ingredient_names();
   entry.description = option.get_description();
   entry.required = option.get_required();
+  if (!option.get_positional()) entry.group = option.get_group();
   return entry;
 }
 
 CommandEntry entry_of(const CLI::App& app, const std::string& name) {
-  CommandEntry entry{name, app.get_description(), app.get_footer(), {}, {}};
+  CommandEntry entry{name, app.get_description(), app.get_footer(), examples_of(name), {}, {}};
   // An option without a group is refused with a message of its own; help does not show it.
   for (const CLI::Option* option : app.get_options())
     if (option->get_positional() || !option->get_group().empty())
@@ -82,6 +77,13 @@ CommandLine parse_command_line(int argc, const char* const* argv,
   if (tables.list_command->parsed()) result.list = tables.list;
   if (tables.shell_command->parsed()) result.shell = tables.shell;
   return result;
+}
+
+std::string help_of(const std::string& command) {
+  const CommandTables tables("");
+  for (const CLI::App* one : tables.app.get_subcommands(nullptr))
+    if (one->get_name() == command) return one->help("regulus");
+  return "";
 }
 
 std::vector<CommandEntry> command_table(const std::string& shell_commands) {

@@ -107,12 +107,16 @@ struct OptionEntry {
   std::string description;
   std::vector<std::string> choices;  ///< all values; empty if any text is allowed
   bool required = false;
+  std::string group;  ///< one of option_groups(); of an argument empty
 };
 
 struct CommandEntry {
-  std::string name, description, footer;
+  std::string name, description, footer, examples;
   std::vector<OptionEntry> arguments, options;
 };
+
+/// Returns the text of `regulus COMMAND --help`; empty for a word that is no command.
+[[nodiscard]] std::string help_of(const std::string& command);
 
 /// Returns every command, from the tables of parse_command_line; the program itself first, with the
 /// name "". `shell_commands` is the first part of the footer of `shell`.

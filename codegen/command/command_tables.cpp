@@ -2,6 +2,7 @@
 #include "codegen/command/command_tables.hpp"
 
 #include "codegen/command/certificate_options.hpp"
+#include "codegen/command/help_layout.hpp"
 #include "codegen/command/shared_options.hpp"
 #include "regulus/version.hpp"
 
@@ -40,8 +41,11 @@ constexpr const char* kVerifyFooter =
     "  VERIFIED    the claim was proved again, by separate code                     (exit 0)\n"
     "  REJECTED    not a certificate, incomplete, or false; standard error says why (exit 1)\n"
     "  UNFINISHED  neither could be shown                                          (exit 2)\n"
-    "64 usage, 65 bad model, 70 internal fault, 74 file error. regulus-verify does the same "
-    "alone.";
+    "regulus-verify does the same alone.\n"
+    "Exit: as above; 64 usage, 65 bad model, 70 internal fault, 74 file error.";
+
+constexpr const char* kExplainFooter =
+    "Exit: 0 shown; 64 usage, 65 bad model, 70 internal fault, 74 file error.";
 
 constexpr const char* kGenerateFooter =
     "What to do with the files: codegen/EMBEDDING.md. In CMake, regulus_add_kernel() does it.\n"
@@ -164,6 +168,7 @@ CommandTables::CommandTables(const std::string& shell_commands) : app(kDescripti
   app.set_version_flag("--version", std::string("regulus ") + kVersion);
   app.require_subcommand(1);
   app.footer(kExitCodes);
+  app.formatter(std::make_shared<GroupedHelp>());
   add_check();
   add_locate();
   add_margin();
@@ -174,6 +179,7 @@ CommandTables::CommandTables(const std::string& shell_commands) : app(kDescripti
       "explain", "Show the symbolic forms and the occurrences of each variable before and after");
   add_model_options(*explain_command, explain.model);
   add_explain_options(*explain_command, explain);
+  explain_command->footer(kExplainFooter);
   generate_command = app.add_subcommand(
       "generate", "Write a kernel as C++ files, for programs that run without Regulus");
   add_model_arguments(*generate_command, generate.model);
@@ -195,6 +201,7 @@ CommandTables::CommandTables(const std::string& shell_commands) : app(kDescripti
       "shell", "Load, show, set, check and plot at a prompt, or as a script on standard input");
   add_shell_options(*shell_command, shell);
   shell_command->footer(shell_commands + kShellFooter);
+  for (CLI::App* command : app.get_subcommands(nullptr)) group_options(*command);
 }
 
 void CommandTables::add_report() {

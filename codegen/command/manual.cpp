@@ -5,6 +5,7 @@
 
 #include <algorithm>
 
+#include "codegen/command/help_layout.hpp"
 #include "regulus/version.hpp"
 
 namespace regulus::inline command {
@@ -62,48 +63,70 @@ std::string first_words(const CommandEntry& command) {
   return "prove that a parallel robot has no singular pose, or show one";
 }
 
+/// The parts of the last lines of --help.
+struct Footer {
+  std::string result, exit;
+};
+
+Footer footer_of(const CommandEntry& command) {
+  static const std::string kExit = "Exit: ";
+  const std::string& text = command.footer;
+  const std::size_t at = text.starts_with(kExit) ? 0 : text.find('\n' + kExit);
+  if (at == std::string::npos) return {text, ""};
+  std::string exit = text.substr(text.find(kExit, at) + kExit.size());
+  exit.front() = static_cast<char>(std::toupper(static_cast<unsigned char>(exit.front())));
+  return {text.substr(0, at), exit};
+}
+
+std::string options_of(const CommandEntry& command) {
+  std::string text;
+  for (const OptionEntry& argument : command.arguments) text += item(argument);
+  for (const std::string& group : option_groups()) {
+    std::string items;
+    for (const OptionEntry& option : command.options)
+      if (option.group == group) items += item(option);
+    const bool is_headed = !items.empty() && group != option_groups().back();
+    text += (is_headed ? ".SS " + group + '\n' : "") + items;
+  }
+  return text;
+}
+
+constexpr const char* kFiles = R"(.SH FILES
+.TP
+\fI~/.cache/regulus\fR
+Compiled kernels and prepared searches, below \fBXDG_CACHE_HOME\fR if it is set. It may be removed.
+.TP
+\fI~/.local/state/regulus/history\fR
+The lines of the shell, below \fBXDG_STATE_HOME\fR if it is set.
+.TP
+\fIshare/regulus/models\fR, \fIshare/regulus/schema\fR, \fIshare/doc/regulus\fR
+Below the folder that Regulus is installed in: models, JSON schemas, the manual.
+)";
+
+constexpr const char* kEnvironment = R"(.SH ENVIRONMENT
+.TP
+\fBREGULUS_MODELS\fR
+The folder of the models that are named without a path.
+.TP
+\fBREGULUS_PLUGINS\fR
+The folder of the compilers that are loaded at first use.
+.TP
+\fBNO_COLOR\fR
+If it is set and not empty, a terminal gets no colours.
+.TP
+\fBVISUAL\fR, \fBEDITOR\fR
+The editor of the shell's command edit.
+.TP
+\fBXDG_CACHE_HOME\fR, \fBXDG_STATE_HOME\fR, \fBHOME\fR
+See FILES.
+)";
+
 std::string see_also(const CommandEntry& command, const std::vector<CommandEntry>& table) {
   std::string text;
   for (const CommandEntry& other : table)
     if (other.name != command.name)
       text += fmt::format("{}\\fB{}\\fR(1)", text.empty() ? "" : ",\n", roff(page_name(other)));
   return text;
-}
-
-std::string long_names(const CommandEntry& command) {
-  std::string names;
-  for (const OptionEntry& option : command.options) {
-    const bool is_long = option.name.starts_with("--");
-    if (is_long) names += (names.empty() ? "" : " ") + option.name;
-  }
-  return names;
-}
-
-/// Returns the text in single quotes for a shell.
-std::string in_single_quotes(const std::string& text) {
-  std::string result = "'";
-  for (const char c : text) result += c == '\'' ? std::string("'\\''") : std::string(1, c);
-  return result + "'";
-}
-
-/// Returns the text between brackets in a zsh specification.
-std::string zsh_words(const std::string& text) {
-  std::string result;
-  for (const char c : text.substr(0, text.find('\n'))) {
-    if (c == '[' || c == ']' || c == ':' || c == '\\') result += '\\';
-    result += c;
-  }
-  return result;
-}
-
-std::string zsh_option(const OptionEntry& option) {
-  std::string spec = "*" + option.name;
-  spec += fmt::format("[{}]", zsh_words(option.description));
-  if (option.value.empty()) return in_single_quotes(spec);
-  spec += fmt::format(":{}:", zsh_words(option.value));
-  return in_single_quotes(spec + (option.choices.empty()
-                                      ? "_files"
-                                      : fmt::format("({})", fmt::join(option.choices, " "))));
 }
 
 }  // namespace
@@ -122,90 +145,12 @@ std::string manual_page(const CommandEntry& command, const std::vector<CommandEn
       if (!other.name.empty())
         page += fmt::format(".TP\n\\fB{}\\fR\n{}\n", other.name, roff(other.description));
   }
-  page += ".SH OPTIONS\n";
-  for (const OptionEntry& argument : command.arguments) page += item(argument);
-  for (const OptionEntry& option : command.options) page += item(option);
-  if (!command.footer.empty()) page += ".SH RESULT\n" + laid_out(command.footer);
-  return page + ".SH SEE ALSO\n" + see_also(command, table) + "\n";
-}
-
-std::string bash_completion(const std::vector<CommandEntry>& table) {
-  std::string commands, cases, values;
-  for (const CommandEntry& command : table) {
-    if (command.name.empty()) continue;
-    commands += (commands.empty() ? "" : " ") + command.name;
-    cases += fmt::format("    {}) options=\"{}\" ;;\n", command.name, long_names(command));
-    for (const OptionEntry& option : command.options)
-      if (!option.choices.empty())
-        values += fmt::format("    {}:{}) choices=\"{}\" ;;\n", command.name, option.name,
-                              fmt::join(option.choices, " "));
-  }
-  return fmt::format(R"bash(# SPDX-License-Identifier: GPL-3.0-or-later
-_regulus() {{
-  local word=${{COMP_WORDS[COMP_CWORD]}} before=${{COMP_WORDS[COMP_CWORD-1]}} command=${{COMP_WORDS[1]}}
-  local options="" choices=""
-  COMPREPLY=()
-  if ((COMP_CWORD == 1)); then
-    COMPREPLY=($(compgen -W "{} --help --version" -- "$word"))
-    return
-  fi
-  case $command in
-{}  esac
-  case $command:$before in
-{}  esac
-  if [[ -n $choices ]]; then
-    COMPREPLY=($(compgen -W "$choices" -- "$word"))
-  elif [[ $word == -* ]]; then
-    COMPREPLY=($(compgen -W "$options" -- "$word"))
-  else
-    COMPREPLY=($(compgen -f -- "$word"))
-    if ((COMP_CWORD == 2)) && [[ $command != verify ]]; then
-      COMPREPLY+=($(compgen -W "$(regulus list 2>/dev/null | cut -d' ' -f1)" -- "$word"))
-    fi
-  fi
-}}
-complete -o filenames -F _regulus regulus
-)bash",
-                     commands, cases, values);
-}
-
-std::string zsh_completion(const std::vector<CommandEntry>& table) {
-  std::string commands, cases;
-  for (const CommandEntry& command : table) {
-    if (command.name.empty()) continue;
-    commands +=
-        "    " + in_single_quotes(command.name + ":" + zsh_words(command.description)) + "\n";
-    cases += "    " + command.name + ") _arguments";
-    for (const OptionEntry& option : command.options)
-      if (option.name.starts_with("--")) cases += " \\\n      " + zsh_option(option);
-    // The first argument of most commands is a model.
-    const bool takes_model =
-        !command.arguments.empty() && command.arguments.front().name == "MODEL";
-    if (takes_model) cases += " \\\n      '1:model:_regulus_models'";
-    cases += " \\\n      '*:file:_files' ;;\n";
-  }
-  return fmt::format(R"zsh(#compdef regulus
-# SPDX-License-Identifier: GPL-3.0-or-later
-_regulus_models() {{
-  local -a models=(${{(f)"$(regulus list 2>/dev/null | cut -d' ' -f1)"}})
-  _alternative 'models:installed model:compadd -a models' 'files:file:_files'
-}}
-_regulus() {{
-  local -a commands=(
-{}  )
-  if ((CURRENT == 2)); then
-    _describe command commands
-    return
-  fi
-  local command=$words[2]
-  shift words
-  ((CURRENT--))
-  case $command in
-{}  esac
-}}
-_regulus "$@"
-)zsh",
-                     commands, cases);
+  page += ".SH OPTIONS\n" + options_of(command);
+  const Footer footer = footer_of(command);
+  if (!footer.result.empty()) page += ".SH RESULT\n" + laid_out(footer.result);
+  page += ".SH EXIT STATUS\n" + laid_out(footer.exit);
+  if (!command.examples.empty()) page += ".SH EXAMPLES\n" + laid_out(command.examples);
+  return page + kFiles + kEnvironment + ".SH SEE ALSO\n" + see_also(command, table) + "\n";
 }
 
 }  // namespace regulus::command

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Manual pages and shell completions, from the tables of the command line itself.
+// Manual pages, from the tables of the command line itself.
 #pragma once
 
 #include <string>
@@ -12,8 +12,5 @@ namespace regulus::inline command {
 /// A page in the man macros: regulus(1) for the entry without a name, regulus-check(1) for check.
 [[nodiscard]] std::string manual_page(const CommandEntry& command,
                                       const std::vector<CommandEntry>& table);
-
-[[nodiscard]] std::string bash_completion(const std::vector<CommandEntry>& table);
-[[nodiscard]] std::string zsh_completion(const std::vector<CommandEntry>& table);
 
 }  // namespace regulus::command

@@ -10,6 +10,8 @@
 #include <fstream>
 #include <sstream>
 
+#include "codegen/command/completion.hpp"
+#include "codegen/command/help_layout.hpp"
 #include "codegen/shell/shell_session.hpp"
 #include "tests/support/command.hpp"
 #include "tests/support/temporary_directory.hpp"
@@ -91,14 +93,91 @@ TEST(Completions, AreReadByTheirShells) {
   EXPECT_EQ(run_command({"/usr/bin/zsh", "-n", zsh}).errors, "");
 }
 
+/// Returns what bash offers at the end of these words.
+std::string bash_offers(const std::string& file, const std::string& words) {
+  const std::string script = "PATH=" REGULUS_BINARY_DIR "/bin:$PATH; source " + file +
+                             "; COMP_WORDS=(" + words +
+                             "); COMP_CWORD=$((${#COMP_WORDS[@]} - 1)); _regulus; "
+                             "echo ${COMPREPLY[@]}";
+  return run_command({"/bin/bash", "-c", script}).output;
+}
+
+TEST(Completions, OfferTheNamesOfTheModelOnTheLine) {
+  const regulus::test::TemporaryDirectory directory;
+  const std::string bash = (directory.path() / "bash").string();
+  std::ofstream(bash) << bash_completion(command_table());
+  const std::string planar = "regulus check " REGULUS_SOURCE_DIR "/models/planar_3rpr.toml ";
+  EXPECT_EQ(bash_offers(bash, planar + "''"), "circle crossing reach regular\n");
+  EXPECT_EQ(bash_offers(bash, planar + "cr"), "crossing\n");
+  EXPECT_EQ(bash_offers(bash, planar + "circle --range ''"), "T=\n");
+  EXPECT_EQ(bash_offers(bash, planar + "crossing --range ''"), "phi= x= y=\n");
+  EXPECT_EQ(bash_offers(bash, planar + "--range ''"), "T= phi= x= y=\n");
+  EXPECT_EQ(bash_offers(bash, planar + "regular --tolerance ''"), "base= platform=\n");
+  const std::string ortho = "regulus bound " REGULUS_SOURCE_DIR "/models/orthoglide.toml cube ";
+  EXPECT_EQ(bash_offers(bash, ortho + "sigma-"), "sigma-min sigma-max\n");
+  EXPECT_EQ(bash_offers(bash, ortho + "force --load ''"), "unit\n");
+  EXPECT_EQ(bash_offers(bash, "regulus check /no/such/model ''"), "\n");
+}
+
+TEST(Help, HasItsOptionsInGroups) {
+  for (const CommandEntry& command : command_table()) {
+    if (command.name.empty()) continue;
+    for (const OptionEntry& option : command.options)
+      if (option.name != "--help") {
+        EXPECT_NE(option.group, option_groups().back()) << command.name << ' ' << option.name;
+      }
+  }
+  const std::string help = run_command({kProgram, "check", "--help"}).output;
+  std::size_t at = 0;
+  for (const char* head : {"\nQuestion:\n", "\nBudget:\n", "\nOutput:\n", "\nResearch:\n",
+                           "\nOptions:\n", "Examples:\n", "Exit: "}) {
+    at = help.find(head, at);
+    ASSERT_NE(at, std::string::npos) << head;
+  }
+}
+
+TEST(Help, HasExamplesThatAreUnderstood) {
+  for (const CommandEntry& command : command_table()) {
+    if (command.name.empty()) continue;
+    std::istringstream lines(command.examples);
+    std::string line, known;
+    for (int examples = 0; std::getline(lines, line);) {
+      if (!line.starts_with("  regulus ")) continue;
+      std::vector<std::string> words;
+      std::istringstream split(line.substr(0, line.find_first_of("&<")));
+      for (std::string word; split >> word;) words.push_back(word);
+      std::vector<const char*> arguments;
+      for (const std::string& word : words) arguments.push_back(word.c_str());
+      EXPECT_FALSE(
+          parse_command_line(static_cast<int>(arguments.size()), arguments.data()).exit_code)
+          << line;
+      EXPECT_EQ(words[1], command.name);
+      known += std::to_string(++examples);
+    }
+    EXPECT_FALSE(known.empty()) << command.name;
+  }
+}
+
+TEST(Manual, HasTheSectionsOfAPage) {
+  const std::vector<CommandEntry> table = command_table(ShellSession::commands());
+  for (const CommandEntry& command : table) {
+    const std::string page = manual_page(command, table);
+    for (const char* section : {"EXIT STATUS\n.nf\n", "FILES", "ENVIRONMENT", "SEE ALSO"})
+      EXPECT_THAT(page, HasSubstr(std::string(".SH ") + section)) << command.name;
+    EXPECT_EQ(page.find(".SH EXAMPLES") != std::string::npos, !command.name.empty());
+    EXPECT_THAT(page, testing::Not(HasSubstr("EXIT STATUS\n.nf\n\n"))) << command.name;
+  }
+}
+
 TEST(ShellPage, ShowsASessionThatTakesPlaceLikeThat) {
   std::ifstream page(REGULUS_SOURCE_DIR "/codegen/shell/SHELL.md");
-  const std::string prompt = "regulus> ";
   std::string line, script, shown;
   while (std::getline(page, line) && line != "```") continue;
   while (std::getline(page, line) && line != "```")
-    (line.starts_with(prompt) ? script : shown) +=
-        (line.starts_with(prompt) ? line.substr(prompt.size()) : line) + '\n';
+    if (const std::size_t end = line.find("> "); line.starts_with("regulus") && end < line.size())
+      script += line.substr(end + 2) + '\n';
+    else
+      shown += line + '\n';
   ASSERT_GT(script.size(), 100U);
   const regulus::test::TemporaryDirectory directory;
   const std::string file = (directory.path() / "script").string();
