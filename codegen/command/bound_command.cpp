@@ -8,6 +8,7 @@
 #include "codegen/bound/bound_question.hpp"
 #include "codegen/bound/bound_report.hpp"
 #include "codegen/bound/bound_run.hpp"
+#include "codegen/command/answer.hpp"
 #include "codegen/command/commands.hpp"
 #include "codegen/command/interrupt.hpp"
 #include "codegen/margin/prepared_margin.hpp"
@@ -68,7 +69,7 @@ int run_bound(const BoundCommand& given) {
   if (command.output.json)
     std::cout << json_bound(request, bound, settings).dump(command.output.json_indent) << '\n';
   else
-    std::cout << describe_bound(bound, settings) << '\n';
+    print_answer(describe_bound(bound, settings), exit_code_of(bound, settings));
   std::cout.flush();
   return exit_code_of(bound, settings);
 }

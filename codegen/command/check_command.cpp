@@ -4,6 +4,7 @@
 
 #include "codegen/analysis/least_singular.hpp"
 #include "codegen/certificate/certificate_file.hpp"
+#include "codegen/command/answer.hpp"
 #include "codegen/command/commands.hpp"
 #include "codegen/command/end_command.hpp"
 #include "codegen/command/interrupt.hpp"
@@ -46,7 +47,7 @@ Result search_and_report(const CheckCommand& command, PreparedSearch& preparatio
     certificate.add_to(report);
     std::cout << report.dump(command.output.json_indent) << '\n';
   } else {
-    std::cout << name(result.verdict) << '\n';
+    print_answer(name(result.verdict), exit_code_of(result.verdict));
   }
   return result;
 }

@@ -6,6 +6,7 @@
 #include "codegen/bound/bound_question.hpp"
 #include "codegen/bound/bound_run.hpp"
 #include "codegen/bound/limit_margin.hpp"
+#include "codegen/command/answer.hpp"
 #include "codegen/command/commands.hpp"
 #include "codegen/command/interrupt.hpp"
 #include "codegen/margin/margin_report.hpp"
@@ -57,7 +58,7 @@ std::optional<int> run_limit_margin(const MarginCommand& given) {
         << json_limit_margin(request, question, margin, settings).dump(command.output.json_indent)
         << '\n';
   else
-    std::cout << describe_limit_bracket(question, margin) << '\n';
+    print_answer(describe_limit_bracket(question, margin), exit_code_of(question, margin.whole));
   std::cout.flush();
   return exit_code_of_bracket(question, margin.whole);
 }

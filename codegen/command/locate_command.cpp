@@ -8,6 +8,7 @@
 #include <optional>
 
 #include "codegen/certificate/certificate_file.hpp"
+#include "codegen/command/answer.hpp"
 #include "codegen/command/commands.hpp"
 #include "codegen/command/end_command.hpp"
 #include "codegen/command/interrupt.hpp"
@@ -126,7 +127,7 @@ Result pave_and_report(const LocateCommand& command, PreparedSearch& preparation
   if (command.output.json)
     std::cout << summary.dump(command.output.json_indent) << '\n';
   else if (!lines.is_standard_output())
-    std::cout << name(result.verdict) << '\n';
+    print_answer(name(result.verdict), exit_code_of(result.verdict));
   else if (!command.output.quiet)
     std::cerr << name(result.verdict) << '\n';
   return result;

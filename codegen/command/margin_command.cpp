@@ -2,6 +2,7 @@
 #include <iostream>
 #include <nlohmann/json.hpp>
 
+#include "codegen/command/answer.hpp"
 #include "codegen/command/commands.hpp"
 #include "codegen/command/interrupt.hpp"
 #include "codegen/margin/margin_report.hpp"
@@ -49,7 +50,7 @@ int run_margin(const MarginCommand& given) {
     certificates.add_to(report);
     std::cout << report.dump(command.output.json_indent) << '\n';
   } else {
-    std::cout << describe_bracket(question, found) << '\n';
+    print_answer(describe_bracket(question, found), exit_code_of(question, found));
   }
   std::cout.flush();
   return exit_code_of(question, found);

@@ -2,6 +2,7 @@
 #include <iostream>
 #include <nlohmann/json.hpp>
 
+#include "codegen/command/answer.hpp"
 #include "codegen/command/commands.hpp"
 #include "codegen/command/end_command.hpp"
 #include "codegen/command/interrupt.hpp"
@@ -38,7 +39,7 @@ std::optional<int> run_trajectory_check(const CheckCommand& command) {
     certificate.add_to(report);
     std::cout << report.dump(command.output.json_indent) << '\n';
   } else {
-    std::cout << name(check.verdict) << '\n';
+    print_answer(name(check.verdict), exit_code_of(check.verdict));
   }
   std::cout.flush();
   return exit_code_of(check.verdict);

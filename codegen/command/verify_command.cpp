@@ -5,6 +5,7 @@
 #include <nlohmann/json.hpp>
 
 #include "codegen/certificate/verification_report.hpp"
+#include "codegen/command/answer.hpp"
 #include "codegen/command/commands.hpp"
 
 namespace regulus::inline command {
@@ -63,7 +64,7 @@ int run_verify(const VerifyCommand& command, const VerifiedPart& part) {
                            nlohmann::ordered_json::error_handler_t::replace)
               << '\n';
   else
-    std::cout << verifier::name(verification.outcome) << '\n';
+    print_answer(verifier::name(verification.outcome), static_cast<int>(verification.outcome));
   std::cout.flush();
   return static_cast<int>(verification.outcome);
 }

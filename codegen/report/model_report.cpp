@@ -131,7 +131,8 @@ Json json_model(const Model& model) {
 }
 
 std::string format_model(const Model& model) {
-  std::string text = fmt::format("model      {}\nfile       {}\n", model.name, model.path);
+  std::string text = fmt::format("model      {}\n", model.name);
+  if (!model.path.empty()) text += fmt::format("file       {}\n", model.path);
   if (!model.source.empty()) text += fmt::format("source     {}\n", model.source);
   text += fmt::format("matrix     {}×{}\n", model.matrix.rows(), model.matrix.cols());
   for (const Motion& motion : model.motions) text += format_motion(model, motion);

@@ -1,8 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "codegen/shell/kept_options.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 
+#include "codegen/command/help_layout.hpp"
 #include "codegen/support/errors.hpp"
 
 namespace regulus::inline shell {
@@ -33,6 +36,25 @@ std::vector<std::string> names_of_options() {
     if (option.name.starts_with("--") && may_be_kept(option.name.substr(2)))
       names.push_back(option.name.substr(2));
   return names;
+}
+
+std::string describe_kept_options() {
+  std::string text;
+  for (const std::string& group : option_groups()) {
+    std::string lines;
+    for (const OptionEntry& option : entry_of_check().options) {
+      if (option.group != group || !option.name.starts_with("--")) continue;
+      const std::string name = option.name.substr(2);
+      if (!may_be_kept(name)) continue;
+      const std::string value = option.choices.empty() || name == "without"
+                                    ? option.value
+                                    : fmt::format("{}", fmt::join(option.choices, "|"));
+      lines += fmt::format("  {}{}{}\n      {}\n", name, value.empty() ? "" : " ", value,
+                           option.description);
+    }
+    if (!lines.empty()) text += group + ":\n" + lines;
+  }
+  return text;
 }
 
 bool takes_names(const std::string& option) {

@@ -15,6 +15,8 @@ namespace regulus::inline shell {
 [[nodiscard]] bool may_be_kept(const std::string& option);
 /// Returns the names of all options that may be kept.
 [[nodiscard]] std::vector<std::string> names_of_options();
+/// Returns a line or more for each option that `set` takes, in groups.
+[[nodiscard]] std::string describe_kept_options();
 /// True if values begin with a name that distinguishes them.
 [[nodiscard]] bool takes_names(const std::string& option);
 

@@ -17,6 +17,7 @@
 #include <histedit.h>
 #endif
 
+#include "codegen/command/answer.hpp"
 #include "codegen/shell/shell_completion.hpp"
 
 namespace regulus::inline shell {
@@ -66,6 +67,15 @@ class InterruptsWait {
  private:
   sigset_t before_{};
 };
+
+/// Begins and ends a sequence that moves no cursor.
+constexpr char kEscape = '\1';
+
+/// The last character is plain: libedit prints a sequence together with the character after it.
+std::string in_bold(const std::string& text) {
+  const auto sequence = [](const char* bytes) { return kEscape + std::string(bytes) + kEscape; };
+  return sequence("\033[1m") + text.substr(0, text.size() - 1) + sequence("\033[0m") + text.back();
+}
 
 /// Input is UTF-8 unless the environment names another encoding.
 void choose_encoding() {
@@ -142,14 +152,13 @@ struct LineEditor::Library {
   }
 };
 
-LineEditor::LineEditor(const std::string& prompt, std::filesystem::path history, Complete complete)
+LineEditor::LineEditor(std::filesystem::path history, Complete complete)
     : library_((choose_encoding(), std::make_unique<Library>())) {
   Library& l = *library_;
-  l.prompt = prompt;
   l.file = std::move(history);
   l.complete = std::move(complete);
   el_set(l.line, EL_CLIENTDATA, &l);
-  el_set(l.line, EL_PROMPT, &Library::show_prompt);
+  el_set(l.line, EL_PROMPT_ESC, &Library::show_prompt, kEscape);
   el_set(l.line, EL_EDITOR, "emacs");
   el_set(l.line, EL_SIGNAL, 0);
   el_set(l.line, EL_GETCFN, &Library::read_character);
@@ -161,8 +170,9 @@ LineEditor::LineEditor(const std::string& prompt, std::filesystem::path history,
   el_set(l.line, EL_HIST, ::history, l.history);
 }
 
-std::optional<std::string> LineEditor::next() {
+std::optional<std::string> LineEditor::next(const std::string& prompt) {
   const InterruptsWait waiting;
+  library_->prompt = takes_colours(STDOUT_FILENO) ? in_bold(prompt) : prompt;
   library_->waiting = &waiting;
   int count = 0;
   errno = 0;
@@ -184,15 +194,12 @@ std::optional<std::string> LineEditor::next() {
 
 #else
 
-struct LineEditor::Library {
-  std::string prompt;
-};
+struct LineEditor::Library {};
 
-LineEditor::LineEditor(const std::string& prompt, std::filesystem::path, Complete)
-    : library_(std::make_unique<Library>(Library{prompt})) {}
+LineEditor::LineEditor(std::filesystem::path, Complete) : library_(std::make_unique<Library>()) {}
 
-std::optional<std::string> LineEditor::next() {
-  std::cout << library_->prompt << std::flush;
+std::optional<std::string> LineEditor::next(const std::string& prompt) {
+  std::cout << prompt << std::flush;
   std::string line;
   errno = 0;
   if (std::getline(std::cin, line)) return line;

@@ -18,14 +18,14 @@ class LineEditor {
   using Complete = std::function<std::vector<std::string>(const std::string& before)>;
 
   /// `history`: a file; if it is empty or cannot be written, no history is kept.
-  LineEditor(const std::string& prompt, std::filesystem::path history, Complete complete);
+  LineEditor(std::filesystem::path history, Complete complete);
   ~LineEditor();
   LineEditor(const LineEditor&) = delete;
   LineEditor& operator=(const LineEditor&) = delete;
 
   /// Returns the next line without its end. nullopt at the end of the input; empty after an
   /// interrupt.
-  [[nodiscard]] std::optional<std::string> next();
+  [[nodiscard]] std::optional<std::string> next(const std::string& prompt);
 
  private:
   struct Library;

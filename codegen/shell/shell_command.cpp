@@ -39,11 +39,12 @@ class InterruptsReading {
 /// Returns the code of the last line with a verdict. Only quit and the end of the input end it.
 int at_prompt(ShellSession& session) {
   const InterruptsReading reading;
-  LineEditor editor("regulus> ", history_file(), [&session](const std::string& before) {
+  std::cerr << session.greeting();
+  LineEditor editor(history_file(), [&session](const std::string& before) {
     return completions(before, session.names());
   });
   while (!session.ended()) {
-    const std::optional<std::string> line = editor.next();
+    const std::optional<std::string> line = editor.next(session.prompt());
     if (!line) break;
     static_cast<void>(report_errors([&] { return session.execute(*line); }, "regulus: "));
   }

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <charconv>
+#include <filesystem>
 #include <fstream>
 #include <iostream>
 #include <nlohmann/json.hpp>
@@ -21,6 +22,7 @@
 #include "codegen/shell/shell_words.hpp"
 #include "codegen/shell/text_editor.hpp"
 #include "codegen/support/exit_code.hpp"
+#include "regulus/version.hpp"
 
 namespace regulus::inline shell {
 namespace {
@@ -64,8 +66,10 @@ const std::vector<ShellSession::Entry>& ShellSession::table() {
        &S::run},
       {"motions", "motions", "list the motions of the model", &S::motions},
       {"motion", "motion NAME", "choose a motion", &S::motion},
-      {"show", "show matrix|forms|occurrences|text|settings",
-       "show the output of explain, or the settings", &S::show},
+      {"show", "show [matrix|forms|occurrences|text|settings]",
+       "show the output of explain, or the settings;\n"
+       "without a word: the model, the settings, and what else can be shown",
+       &S::show},
       {"set", "set OPTION [VALUE]",
        "set an option of check: range p=LO:HI, tolerance G=E, alpha A, method M …;\n"
        "set entry I J EXPR, set let NAME EXPR: change the matrix or a sub-expression;\n"
@@ -90,6 +94,7 @@ const std::vector<ShellSession::Entry>& ShellSession::table() {
       {"help", "help [COMMAND]", "list the commands, or say more about one", &S::help},
       {"save", "save FILE", "write the model with its changed expressions", &S::save},
       {"quit", "quit", "end the session", &S::quit},
+      {"exit", "exit", "end the session, as quit does", &S::quit},
   };
   return kTable;
 }
@@ -242,6 +247,7 @@ int ShellSession::plot(const Words& words) {
 }
 
 int ShellSession::show(const Words& words) {
+  if (words.size() == 1) return show_everything();
   if (words.size() == 2 && words[1] == "settings") return show_settings();
   require_model();
   static const Words kParts = {"matrix", "forms", "occurrences", "text"};
@@ -268,21 +274,49 @@ std::string ShellSession::commands() {
   return text;
 }
 
+/// A command of the command line has its own help; its MODEL and MOTION are those of the session.
+std::string ShellSession::help_about(const Entry& entry) {
+  std::string text = fmt::format("{}\n{}", entry.usage, entry.summary);
+  const std::string name = entry.name;
+  if (name == "set") text += "\n\n" + describe_kept_options();
+  if (name == "quit" || name == "exit")
+    text += "\nA script ends with the exit code of its first error, otherwise of its last check.";
+  if (const std::string whole = help_of(name == "plot" ? "locate" : name); !whole.empty())
+    text += "\n\nMODEL and MOTION are those of the session; leave them out.\n\n" + whole;
+  while (text.ends_with('\n')) text.pop_back();
+  return text;
+}
+
 int ShellSession::help(const Words& words) {
   std::string text;
-  if (words.size() == 1) {
-    text = commands();
-    text.pop_back();
-  }
+  if (words.size() == 1) text = commands() + "help COMMAND says more";
   for (const Entry& entry : table())
-    if (words.size() > 1 && words[1] == entry.name)
-      text = fmt::format("{}\n{}", entry.usage, entry.summary);
+    if (words.size() > 1 && words[1] == entry.name) text = help_about(entry);
   if (text.empty()) reject("unknown command " + in_quotes(words[1]), kListCommands);
-  if (words.size() > 1 && words[1] == "set") text += "\noptions: " + listed(names_of_options());
-  if (words.size() > 1 && words[1] == "quit")
-    text += "\nA script ends with the exit code of its first error, otherwise of its last check.";
   say(text, Json{{"help", text}}.dump());
   return 0;
+}
+
+std::string ShellSession::prompt() const {
+  if (!asked_.model) return "regulus> ";
+  const std::string name = std::filesystem::path(asked_.path).stem().string();
+  return fmt::format("regulus {}{}{}> ", name, asked_.motion.empty() ? "" : " ", asked_.motion);
+}
+
+std::string ShellSession::greeting() const {
+  const std::string motion = asked_.motion.empty() && asked_.model && !asked_.model->motions.empty()
+                                 ? asked_.model->motions.front().name
+                                 : "wide_15";
+  std::string text = fmt::format("Regulus {}. Three lines to try:\n", kVersion);
+  text += asked_.model ? "  show               the model, its motions and what is set\n"
+                       : "  load robot_1       a model file, or an installed model (list)\n";
+  if (asked_.motion.empty())
+    text += fmt::format("  {:<18} the motion in question\n", "motion " + motion);
+  else
+    text += "  help set           what can be changed: ranges, tolerances, methods …\n";
+  return text +
+         "  check              prove that it has no singular pose, or show one\n"
+         "Tab completes words, help lists the commands, exit or Ctrl-D ends.\n";
 }
 
 int ShellSession::quit(const Words&) {

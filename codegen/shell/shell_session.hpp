@@ -26,6 +26,11 @@ class ShellSession {
   /// Returns the commands of a session, a line for each.
   [[nodiscard]] static std::string commands();
 
+  /// Returns the model and the motion, before the sign that asks for a line.
+  [[nodiscard]] std::string prompt() const;
+  /// Returns the lines at the beginning of a session: what can be tried.
+  [[nodiscard]] std::string greeting() const;
+
   [[nodiscard]] bool ended() const noexcept { return ended_; }
   [[nodiscard]] bool keeps_going() const noexcept { return keep_going_; }
   [[nodiscard]] ShellNames names() const;
@@ -48,8 +53,12 @@ class ShellSession {
   int load(const Words& words);
   int motions(const Words& words);
   int motion(const Words& words);
+  struct Entry;
+
   int show(const Words& words);
   int show_settings();
+  int show_everything();
+  [[nodiscard]] static std::string help_about(const Entry& entry);
   int set(const Words& words);
   int unset(const Words& words);
   int reload(const Words& words);
@@ -79,7 +88,6 @@ class ShellSession {
   PartStore parts_;    ///< of the kernels of this session
   Words history_;
 
-  struct Entry;
   static const std::vector<Entry>& table();
 };
 

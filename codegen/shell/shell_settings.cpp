@@ -7,6 +7,7 @@
 
 #include "codegen/model/names.hpp"
 #include "codegen/model/request.hpp"
+#include "codegen/report/model_report.hpp"
 #include "codegen/shell/kept_options.hpp"
 #include "codegen/shell/shell_session.hpp"
 #include "codegen/shell/shell_words.hpp"
@@ -73,6 +74,18 @@ int ShellSession::unset(const Words& words) {
     reject(in_quotes(rest_of(words, 1)) + " is not set", "show settings lists what is set");
   change({words[1], words.size() == 3 ? words[2] : "", ""}, false);
   return 0;
+}
+
+int ShellSession::show_everything() {
+  const int code = show_settings();
+  if (json_) return code;
+  if (!asked_.model)
+    std::cout << "nothing else: load MODEL reads one, list names those that are installed\n";
+  else
+    std::cout << format_model(*asked_.model)
+              << "show matrix, forms, occurrences or text shows its expressions\n";
+  std::cout.flush();
+  return code;
 }
 
 int ShellSession::show_settings() {

@@ -28,12 +28,15 @@ const std::string kPlanar = REGULUS_SOURCE_DIR "/models/planar_3rpr.toml";
 /// Plays a person at a terminal.
 class Terminal {
  public:
-  explicit Terminal(const std::string& home) {
+  /// `kind`: the value of TERM. `more`: another variable of the environment, NAME=VALUE.
+  explicit Terminal(const std::string& home, const char* kind = "dumb", std::string more = "A=") {
     pid_ = forkpty(&end_, nullptr, nullptr, nullptr);
     if (pid_ != 0) return;
     setenv("HOME", home.c_str(), 1);
     unsetenv("XDG_STATE_HOME");
-    setenv("TERM", "dumb", 1);
+    unsetenv("NO_COLOR");
+    setenv("TERM", kind, 1);
+    putenv(more.data());
     execl(kProgram.c_str(), "regulus", "shell", nullptr);
     _exit(127);
   }
@@ -97,6 +100,37 @@ TEST(ShellAtATerminal, AnErrorDoesNotEndItAndQuitDoes) {
   EXPECT_EQ(terminal.exit_code(), 0);
 }
 
+TEST(ShellAtATerminal, GreetsWithLinesThatWork) {
+  const TemporaryDirectory home;
+  Terminal terminal(home.path().string());
+  for (const char* line : {"  load robot_1 ", "  motion wide_15 ", "  check "})
+    ASSERT_TRUE(terminal.shows(line)) << terminal.seen();
+  ASSERT_TRUE(terminal.shows("regulus> "));
+  terminal.type("load " REGULUS_SOURCE_DIR "/models/robot_1.toml\n");
+  ASSERT_TRUE(terminal.shows("regulus robot_1> ")) << terminal.seen();
+  terminal.type("motion wide_15\ncheck\n");
+  ASSERT_TRUE(terminal.shows("regulus robot_1 wide_15> "));
+  ASSERT_TRUE(terminal.shows("\r\nNO SINGULARITY\r\n")) << terminal.seen();
+  terminal.type("exit\n");
+  EXPECT_EQ(terminal.exit_code(), 0);
+}
+
+TEST(ShellAtATerminal, HasColoursUnlessTheyAreForbidden) {
+  const TemporaryDirectory home;
+  const char* const lines = "load " REGULUS_SOURCE_DIR
+                            "/models/planar_3rpr.toml\nmotion regular\n"
+                            "check\nmotions\nquit\n";
+  Terminal terminal(home.path().string(), "xterm");
+  ASSERT_TRUE(terminal.shows("\033[1mregulus>\033[0m ")) << terminal.seen();
+  terminal.type(lines);
+  ASSERT_TRUE(terminal.shows("\033[1;32mNO SINGULARITY\033[0m")) << terminal.seen();
+  EXPECT_EQ(terminal.exit_code(), 0);
+  Terminal plain(home.path().string(), "xterm", "NO_COLOR=1");
+  plain.type(lines);
+  ASSERT_TRUE(plain.shows("\r\nNO SINGULARITY\r\n")) << plain.seen();
+  EXPECT_EQ(plain.exit_code(), 0);
+}
+
 TEST(ShellAtATerminal, AnInterruptEndsTheSearchAndNotTheSession) {
   const TemporaryDirectory home;
   Terminal terminal(home.path().string());
@@ -104,11 +138,13 @@ TEST(ShellAtATerminal, AnInterruptEndsTheSearchAndNotTheSession) {
   terminal.type("load " REGULUS_SOURCE_DIR "/models/robot_2.toml\n");
   ASSERT_TRUE(terminal.shows("motions")) << terminal.seen();
   // Without its strongest tests this takes far longer than the test.
-  terminal.type("motion table5_30\nset method reg\nset engine interpreted\ncheck\n");
-  ASSERT_TRUE(terminal.shows("boxes,")) << terminal.seen();
+  terminal.type("motion table5_30\nset method reg\nset engine interpreted\n");
+  terminal.type("set time-limit 5000\ncheck\n");
+  ASSERT_TRUE(terminal.shows("% decided, ")) << terminal.seen();
+  ASSERT_TRUE(terminal.shows("s left")) << terminal.seen();
   terminal.type("\x03");
   ASSERT_TRUE(terminal.shows("POSSIBLE PROBLEM")) << terminal.seen();
-  ASSERT_TRUE(terminal.shows("regulus> "));
+  ASSERT_TRUE(terminal.shows("regulus robot_2 table5_30> "));
   terminal.type("quit\n");
   EXPECT_EQ(terminal.exit_code(), 0);
 }

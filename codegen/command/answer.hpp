@@ -1,0 +1,17 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The last line of a command, and colours of a terminal.
+#pragma once
+
+#include <string>
+
+namespace regulus::inline command {
+
+/// True if the file is a terminal that may be sent colours: TERM is set and not "dumb", and NO_COLOR
+/// is not set, or empty (no-color.org).
+[[nodiscard]] bool takes_colours(int file);
+
+/// Prints the answer alone on a line of standard output. On a terminal it is green if the code is
+/// that of a proof, red if it is that of a witness, otherwise yellow.
+void print_answer(const std::string& text, int exit_code);
+
+}  // namespace regulus::command
