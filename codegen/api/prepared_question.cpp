@@ -100,6 +100,13 @@ bool same_but_for_changes(const ModelOptions& a, const ModelOptions& b) {
          a.waypoints == b.waypoints;
 }
 
+SearchOptions limited(SearchOptions search, const SearchLimits& limits) {
+  search.max_boxes = limits.max_boxes;
+  search.time_limit = limits.time_limit;
+  search.threads = limits.threads;
+  return search;
+}
+
 }  // namespace
 
 struct PreparedQuestion::Parts {
@@ -184,10 +191,7 @@ Finding PreparedQuestion::check(const Question& question, const SearchLimits& li
   const AlgebraLock lock;
   Stopwatch watch;
   PreparedSearch& prepared = parts_->search_for(question, interrupt);
-  SearchOptions search = parts_->search;
-  search.max_boxes = limits.max_boxes;
-  search.time_limit = limits.time_limit;
-  search.threads = limits.threads;
+  const SearchOptions search = limited(parts_->search, limits);
   Settings settings = settings_of(prepared, search, interrupt);
   settings.time_limit = settings_from(search).time_limit;  // the preparation is not counted again
   Finding finding;
@@ -200,13 +204,15 @@ Finding PreparedQuestion::check(const Question& question, const SearchLimits& li
   return finding;
 }
 
-void PreparedQuestion::describe(const Question& question, Finding& finding) {
+void PreparedQuestion::describe(const Question& question, Finding& finding,
+                                const SearchLimits& limits) {
   const AlgebraLock lock;
   PreparedSearch& prepared = parts_->search_for(question, nullptr);
   const auto nearest = nearest_singular(prepared, finding.result);
-  finding.report = text_report(prepared, parts_->search, finding.result, nearest);
-  nlohmann::ordered_json report = json_report(prepared, parts_->search, finding.result, nearest);
-  report["question"] = json_question(parts_->request_of(question), parts_->search);
+  const SearchOptions search = limited(parts_->search, limits);
+  finding.report = text_report(prepared, search, finding.result, nearest);
+  nlohmann::ordered_json report = json_report(prepared, search, finding.result, nearest);
+  report["question"] = json_question(parts_->request_of(question), search);
   finding.json = report.dump(2);
 }
 

@@ -40,8 +40,8 @@ class PreparedQuestion {
   [[nodiscard]] Finding check(const Question& question, const SearchLimits& limits = {},
                               const std::atomic<bool>* interrupt = nullptr);
 
-  /// Adds the reports to a finding of check() for that question.
-  void describe(const Question& question, Finding& finding);
+  /// Adds the reports to a finding of check() for that question and those limits.
+  void describe(const Question& question, Finding& finding, const SearchLimits& limits = {});
 
  private:
   struct Parts;

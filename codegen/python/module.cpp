@@ -117,10 +117,12 @@ Finding check_prepared(const PreparedHandle& prepared, const Question& question,
 }
 
 Finding describe_prepared(const PreparedHandle& prepared, const Question& question,
-                          const Finding& finding) {
-  return run_there([to = prepared.question(), question, finding](const std::atomic<bool>&) {
+                          const Finding& finding, std::uint64_t max_boxes, double time_limit,
+                          unsigned threads) {
+  return run_there([to = prepared.question(), question, finding, max_boxes, time_limit,
+                    threads](const std::atomic<bool>&) {
     Finding described = finding;
-    to->describe(question, described);
+    to->describe(question, described, {max_boxes, time_limit, threads});
     return described;
   });
 }
@@ -254,7 +256,8 @@ void bind_prepared(py::module_& module) {
   py::class_<PreparedHandle>(module, "PreparedQuestion")
       .def("check", check_prepared, py::arg("question"), py::arg("max_boxes") = 0,
            py::arg("time_limit") = 0.0, py::arg("threads") = 0)
-      .def("describe", describe_prepared, py::arg("question"), py::arg("finding"));
+      .def("describe", describe_prepared, py::arg("question"), py::arg("finding"),
+           py::arg("max_boxes") = 0, py::arg("time_limit") = 0.0, py::arg("threads") = 0);
   module.def("prepare", prepare_question, py::arg("question"), py::arg("options"));
 }
 

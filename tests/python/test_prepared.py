@@ -36,6 +36,9 @@ def test_reports_are_about_the_question_that_was_asked(circle):
     assert "x in [2, 2.5] cm" in first.report
     assert "x in [2, 4] cm" in second.report and "uncertain" in second.report
     assert first.json["boxes"] == first.boxes
+    assert first.json["question"]["ranges_exact"]["x"] == ["2", "5/2"]
+    assert second.json["question"]["ranges_exact"]["x"] == ["2", "4"]
+    assert second.json["question"]["uncertain"][0]["tolerance_exact"] == "1/8"
     assert first.certificate.write is not None
 
 
@@ -51,6 +54,7 @@ def test_a_certificate_is_about_the_changed_question(circle, tmp_path):
 def test_limits_are_those_of_the_call(robot_1, prepared_robot_1):
     cramped = prepared_robot_1.check(range={"x": (-40, 40)}, max_boxes=2)
     assert cramped.boxes <= 8 and cramped.verdict != "no-singularity"
+    assert cramped.json["question"]["options"]["max_boxes"] == 2
     slow = robot_1.prepare("wide_15", method="reg")
     begun = time.monotonic()
     assert slow.check(time_limit=0.2).reason == "the time limit was reached"

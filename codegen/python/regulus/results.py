@@ -152,15 +152,22 @@ class Check(Result):
 class PreparedCheck(Check):
     """The answer of Prepared.check(). Its report is made when it is read."""
 
-    def __init__(self, question: Question, finding: Any, notes: list[str], prepared: Any) -> None:
+    def __init__(
+        self,
+        question: Question,
+        finding: Any,
+        notes: list[str],
+        prepared: Any,
+        limits: dict[str, Any],
+    ) -> None:
         super().__init__(question, finding, notes)
-        self._asked: tuple[Any, Any, Any] = (prepared, question.question, finding)
+        self._asked: tuple[Any, ...] = (prepared, question.question, finding, limits)
 
     def _describe(self) -> None:
         if self._text:
             return
-        prepared, question, finding = self._asked
-        described = prepared.describe(question, finding)
+        prepared, question, finding, limits = self._asked
+        described = prepared.describe(question, finding, **limits)
         self._report, self._text = described.report, described.json
 
     @property

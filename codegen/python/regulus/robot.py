@@ -470,7 +470,7 @@ class Prepared:
         limits.update({name: value for name, value in given.items() if value is not None})
 
         def result(finding: Any) -> PreparedCheck:
-            return PreparedCheck(question, finding, question.texts.notes, self._prepared)
+            return PreparedCheck(question, finding, question.texts.notes, self._prepared, limits)
 
         try:
             return result(self._prepared.check(question.question, **limits))
