@@ -18,5 +18,7 @@ install(FILES ${python_sources} DESTINATION ${python_dir}/regulus COMPONENT pyth
 if(NOT DEFINED SKBUILD)
   install(FILES ${PROJECT_SOURCE_DIR}/codegen/python/PYTHON.md
           DESTINATION ${CMAKE_INSTALL_DATADIR}/doc/python3-regulus COMPONENT python)
+  install(DIRECTORY ${PROJECT_SOURCE_DIR}/codegen/python/examples
+          DESTINATION ${CMAKE_INSTALL_DATADIR}/doc/python3-regulus COMPONENT python FILES_MATCHING PATTERN "*.ipynb")
   regulus_install_licences(${CMAKE_INSTALL_DATADIR}/doc/python3-regulus python)
 endif()
