@@ -11,12 +11,25 @@
 namespace regulus::inline shell {
 namespace {
 
-const CommandEntry& entry_of_check() {
+const std::vector<CommandEntry>& commands() {
   static const std::vector<CommandEntry> kTable = command_table();
-  return *std::ranges::find(kTable, "check", &CommandEntry::name);
+  return kTable;
+}
+
+const CommandEntry& entry_of_check() {
+  return *std::ranges::find(commands(), "check", &CommandEntry::name);
 }
 
 }  // namespace
+
+std::vector<std::string> options_of_command(const std::string& command) {
+  std::vector<std::string> names;
+  const auto at = std::ranges::find(commands(), command, &CommandEntry::name);
+  if (command.empty() || at == commands().end()) return names;
+  for (const OptionEntry& option : at->options)
+    if (option.name.starts_with("--")) names.push_back(option.name);
+  return names;
+}
 
 const OptionEntry* option_of_check(const std::string& name) {
   const auto& options = entry_of_check().options;

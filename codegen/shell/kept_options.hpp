@@ -9,6 +9,8 @@
 
 namespace regulus::inline shell {
 
+/// Returns the options of a command of the command line, with their dashes; empty for other words.
+[[nodiscard]] std::vector<std::string> options_of_command(const std::string& command);
 /// Returns an option of `check` by its name without dashes; nullptr if there is none.
 [[nodiscard]] const OptionEntry* option_of_check(const std::string& name);
 /// False for an option that the session keeps elsewhere, or that each command needs anew.

@@ -39,15 +39,30 @@ Words changeable(const ShellNames& names) {
   return words;
 }
 
+/// Returns what may follow an option, given without its dashes.
+Words values_after(const std::string& option, const ShellNames& names) {
+  if (option == "range" || option == "grow" || option == "tube") return with(names.parameters, "=");
+  if (option == "tolerance" || option == "margin") return with(names.groups, "=");
+  if (option == "load") return names.loads;
+  if (option == "twist") return names.twists;
+  return names.values_of ? names.values_of(option) : Words{};
+}
+
+Words of_command(const TypedLine& typed, const ShellNames& names) {
+  const std::string& command = typed.before.front();
+  const std::string& previous = typed.before.back();
+  if (typed.last.starts_with("-")) return names.options_of ? names.options_of(command) : Words{};
+  if (previous.starts_with("--")) return values_after(previous.substr(2), names);
+  return command == "bound" && typed.before.size() == 1 ? names.quantities : Words{};
+}
+
 Words of_set(const TypedLine& typed, const ShellNames& names) {
   if (typed.before.size() == 1) return changeable(names);
   if (typed.before.size() != 2) return {};
   const std::string& what = typed.before[1];
-  if (what == "range") return with(names.parameters, "=");
-  if (what == "tolerance") return with(names.groups, "=");
   if (what == "let") return names.lets;
   if (what == "keep-going" || what == "json") return {"off", "on"};
-  return names.values_of ? names.values_of(what) : Words{};
+  return values_after(what, names);
 }
 
 /// Returns model files, and folders that may contain them.
@@ -74,7 +89,7 @@ Words candidates(const TypedLine& typed, const ShellNames& names) {
   if (command == "motion") return names.motions;
   if (command == "help") return names.commands;
   if (command == "show") return {"forms", "matrix", "occurrences", "settings", "text"};
-  return {};
+  return of_command(typed, names);
 }
 
 }  // namespace

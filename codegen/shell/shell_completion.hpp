@@ -18,6 +18,11 @@ struct ShellNames {
   std::vector<std::string> groups;      ///< of tolerances
   std::vector<std::string> options;     ///< of `check`, without the dashes
   std::vector<std::string> lets;
+  std::vector<std::string> loads;
+  std::vector<std::string> twists;
+  std::vector<std::string> quantities;  ///< of `bound`
+  /// Returns the options of a command, with the dashes; empty for a command of the shell alone.
+  std::function<std::vector<std::string>(const std::string& command)> options_of;
   /// Returns the values of an option; empty if any text is allowed.
   std::function<std::vector<std::string>(const std::string& option)> values_of;
   /// Returns the files and folders (with a slash) whose path begins with `prefix`.

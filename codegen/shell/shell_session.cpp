@@ -17,6 +17,7 @@
 #include "codegen/model/names.hpp"
 #include "codegen/model/overrides.hpp"
 #include "codegen/model/request.hpp"
+#include "codegen/quantity/quantity.hpp"
 #include "codegen/report/report_parts.hpp"
 #include "codegen/shell/kept_options.hpp"
 #include "codegen/shell/shell_words.hpp"
@@ -333,12 +334,16 @@ ShellNames ShellSession::names() const {
     return entry == nullptr ? Words{} : entry->choices;
   };
   names.files = files_beginning;
+  names.options_of = options_of_command;
+  names.quantities = quantity_words();
   for (const InstalledModel& installed : installed_models())
     names.installed.push_back(installed.name);
   if (!asked_.model) return names;
   names.motions = motion_names(*asked_.model);
   names.groups = tolerance_groups(*asked_.model);
   names.lets = let_names(asked_.text);
+  for (const VectorSet& load : asked_.model->loads) names.loads.push_back(load.name);
+  for (const VectorSet& twist : asked_.model->twists) names.twists.push_back(twist.name);
   if (asked_.motion.empty()) return names;
   for (const MotionParameter& p : find_motion(*asked_.model, asked_.motion).parameters)
     names.parameters.push_back(p.name);

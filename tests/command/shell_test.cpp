@@ -295,6 +295,23 @@ TEST(ShellCompletion, OffersCommandsMotionsOptionsAndTheirValues) {
   EXPECT_THAT(completions("check x", names), IsEmpty());
 }
 
+TEST(ShellCompletion, OffersOptionsOfCommandsAndWhatTheyName) {
+  ShellNames names = some_names();
+  names.loads = {"payload"};
+  names.quantities = {"error", "force"};
+  names.options_of = [](const std::string& command) {
+    return command == "margin" ? std::vector<std::string>{"--gap", "--grow"}
+                               : std::vector<std::string>{};
+  };
+  EXPECT_THAT(completions("margin --g", names), ElementsAre("--gap", "--grow"));
+  EXPECT_THAT(completions("margin --gap 0.1 --grow ", names), ElementsAre("phi=", "x="));
+  EXPECT_THAT(completions("margin --tolerance p", names), ElementsAre("platform="));
+  EXPECT_THAT(completions("check --method r", names), ElementsAre("reg", "reg+rohn"));
+  EXPECT_THAT(completions("bound f", names), ElementsAre("force"));
+  EXPECT_THAT(completions("bound force --load ", names), ElementsAre("payload"));
+  EXPECT_THAT(completions("history --", names), IsEmpty());
+}
+
 TEST(ShellCompletion, TypesWhatAllHaveInCommon) {
   EXPECT_EQ(common_beginning({"load", "locate"}), "lo");
   EXPECT_EQ(common_beginning({"one"}), "one");
