@@ -8,6 +8,7 @@
 #include "codegen/bound/bound_run.hpp"
 #include "codegen/model/certain_sign.hpp"
 #include "codegen/model/expression_parser.hpp"
+#include "codegen/model/names.hpp"
 #include "codegen/support/errors.hpp"
 
 namespace regulus::inline bounding {
@@ -28,8 +29,10 @@ Request read_asked(ModelOptions model, const QuantityOptions& quantity) {
   } catch (const UsageError&) {
     if (model.asked.empty() || !is_word(text)) throw;
   }
-  throw UsageError(fmt::format("QUANTITY: found '{}', expected {}, or an expression of the model",
-                               text, fmt::join(quantity_words(), ", ")));
+  throw UsageError("QUANTITY: there is no " + in_quotes(text) + "; " +
+                   suggestion(text, quantity_words(),
+                              fmt::format("it is {}, or an expression of the model",
+                                          fmt::join(quantity_words(), ", "))));
 }
 
 GiNaC::ex read_limit(const std::string& text, const Quantity& quantity) {

@@ -3,11 +3,14 @@
 
 #include <algorithm>
 #include <iostream>
+#include <string_view>
 
 #include "codegen/command/command_tables.hpp"
 #include "codegen/command/error_report.hpp"
 #include "codegen/command/help_layout.hpp"
 #include "codegen/engine/ingredients.hpp"
+#include "codegen/model/names.hpp"
+#include "codegen/support/errors.hpp"
 #include "codegen/support/exit_code.hpp"
 
 namespace regulus::inline command {
@@ -50,6 +53,53 @@ CommandEntry entry_of(const CLI::App& app, const std::string& name) {
   return entry;
 }
 
+std::vector<std::string> long_names_of(const CLI::App& command) {
+  std::vector<std::string> names;
+  for (const CLI::Option* option : command.get_options())
+    for (const std::string& name : option->get_lnames()) names.push_back("--" + name);
+  return names;
+}
+
+/// Returns the error about the first word that is no command or no option; CLI11 only says that
+/// something is missing or not expected.
+std::optional<UsageError> mistyped_word(const CLI::App& app, int argc, const char* const* argv) {
+  const std::string command = argc > 1 ? argv[1] : "-";
+  std::vector<std::string> commands, options;
+  for (const CLI::App* one : app.get_subcommands(nullptr)) {
+    commands.push_back(one->get_name());
+    if (one->get_name() == command) options = long_names_of(*one);
+  }
+  if (options.empty() && !command.starts_with("-"))
+    return UsageError("there is no command " + in_quotes(command) + "; " +
+                      suggestion(command, commands, "regulus --help lists the commands"));
+  for (int i = 2; i < argc && !options.empty(); ++i) {
+    const std::string_view word(argv[i]);
+    const std::string option(word.substr(0, word.find('=')));
+    const bool is_known = std::ranges::find(options, option) != options.end();
+    if (option.starts_with("--") && option.size() > 2 && !is_known)
+      return UsageError("there is no option " + in_quotes(option) + "; " +
+                        suggestion(option, options, "regulus " + command + " --help lists them"));
+  }
+  return std::nullopt;
+}
+
+/// Prints help if it was asked for, or if nothing was; otherwise the error. Returns the exit code.
+int report_parse_error(const CLI::App& app, const CLI::ParseError& error, int argc,
+                       const char* const* argv) {
+  if (error.get_exit_code() == 0) return app.exit(error);
+  const bool is_json = error_format(argc, argv) == ErrorFormat::kJson;
+  if (argc == 1) {
+    std::cerr << app.help();
+  } else if (const auto mistyped = mistyped_word(app, argc, argv)) {
+    std::cerr << "regulus: " << mistyped->what() << '\n';
+    if (is_json) std::cout << json_error(*mistyped, kUsageError) << std::endl;
+  } else {
+    static_cast<void>(app.exit(error));
+    if (is_json) std::cout << json_error(error, kUsageError) << std::endl;
+  }
+  return kUsageError;
+}
+
 }  // namespace
 
 CommandLine parse_command_line(int argc, const char* const* argv,
@@ -59,9 +109,7 @@ CommandLine parse_command_line(int argc, const char* const* argv,
   try {
     tables.app.parse(argc, argv);
   } catch (const CLI::ParseError& error) {
-    result.exit_code = tables.app.exit(error) == 0 ? 0 : kUsageError;
-    if (result.exit_code != 0 && error_format(argc, argv) == ErrorFormat::kJson)
-      std::cout << json_error(error, kUsageError) << std::endl;
+    result.exit_code = report_parse_error(tables.app, error, argc, argv);
     return result;
   }
   if (tables.check_command->parsed()) result.check = tables.check;

@@ -155,6 +155,7 @@ void add_explain_options(CLI::App& app, ExplainCommand& command) {
   add_method_options(app, command.method, command.symbolic_budget);
   app.add_flag("--json", command.output.json,
                "Print one JSON object on standard output: model, motion, stage, text");
+  app.add_flag("--quiet", command.output.quiet, "Do not name the file of an installed model");
 }
 
 void add_shell_options(CLI::App& app, ShellCommand& command) {

@@ -14,7 +14,7 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-int list_installed(bool json) {
+int list_installed(const ListCommand& command) {
   Json all = Json::array();
   std::string text;
   for (const InstalledModel& installed : installed_models()) {
@@ -23,23 +23,32 @@ int list_installed(bool json) {
                    {"title", model.name},
                    {"file", installed.path.string()},
                    {"motions", model.motions.size()}});
-    text += fmt::format("{:<20} {}, {} motion{}\n", installed.name, model.name,
-                        model.motions.size(), model.motions.size() == 1 ? "" : "s");
+    text += command.quiet ? installed.name + '\n'
+                          : fmt::format("{:<20} {}, {} motion{}\n", installed.name, model.name,
+                                        model.motions.size(), model.motions.size() == 1 ? "" : "s");
   }
   const std::string folder = model_folder().string();
-  if (json)
+  if (command.json)
     std::cout << Json{{"folder", folder}, {"models", all}}.dump() << '\n';
   else
     std::cout << (text.empty() ? "no models in " + folder + '\n' : text);
   return 0;
 }
 
+std::string names_of_motions(const Model& model) {
+  std::string names;
+  for (const Motion& motion : model.motions) names += motion.name + '\n';
+  return names;
+}
+
 }  // namespace
 
 int run_list(const ListCommand& command) {
-  if (command.path.empty()) return list_installed(command.json);
+  if (command.path.empty()) return list_installed(command);
   const Model model = load_model(command.path);
-  std::cout << (command.json ? json_model(model).dump() + '\n' : format_model(model));
+  std::cout << (command.json    ? json_model(model).dump() + '\n'
+                : command.quiet ? names_of_motions(model)
+                                : format_model(model));
   return 0;
 }
 

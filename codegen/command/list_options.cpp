@@ -10,6 +10,8 @@ void add_list_options(CLI::App& app, ListCommand& command) {
                  "Show the motions of this model with their ranges, and its groups with their "
                  "tolerances; without MODEL, list the installed models");
   app.add_flag("--json", command.json, "Print one JSON object on standard output");
+  app.add_flag("--quiet", command.quiet,
+               "Print only the names of the models, or of the motions (or the JSON object)");
 }
 
 }  // namespace regulus::command

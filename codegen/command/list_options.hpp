@@ -13,6 +13,7 @@ namespace regulus::inline command {
 struct ListCommand {
   std::string path;  ///< a model whose motions are listed; empty: the installed models
   bool json = false;
+  bool quiet = false;  ///< only the names
 };
 
 void add_list_options(CLI::App& app, ListCommand& command);

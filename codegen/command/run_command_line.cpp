@@ -32,7 +32,7 @@ void find_models(CommandLine& line) {
   if (line.bound) find_in(line.bound, line.bound->output.quiet);
   if (line.datasheet) find_in(line.datasheet, line.datasheet->output.quiet);
   if (line.report) find_in(line.report, line.report->output.quiet);
-  find_in(line.explain);
+  if (line.explain) find_in(line.explain, line.explain->output.quiet);
   find_in(line.generate);
   if (line.verify) find(line.verify->model, line.verify->output.quiet);
   if (line.list) find(line.list->path, true);

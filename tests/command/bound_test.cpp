@@ -127,7 +127,7 @@ struct Mistake {
 
 TEST_F(BoundCommandTest, RefusesWhatItCannotBound) {
   const std::vector<Mistake> mistakes{
-      {{"forces"}, "found 'forces', expected force, error"},
+      {{"forces"}, "there is no 'forces'; did you mean 'force'?"},
       {{"force"}, "--load: the model has any, other; choose one"},
       {{"force", "--load", "ani"}, "did you mean 'any'"},
       {{"force", "--load", "any", "--leg", "3"}, "--leg: found '3', expected a number from 1 to 2"},

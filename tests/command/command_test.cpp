@@ -156,6 +156,21 @@ TEST(Command, RefusesWrongUseWith64) {
     EXPECT_EQ(regulus(words).exit_code, 64) << testing::PrintToString(words);
 }
 
+TEST(Command, SaysWhichWordIsMistyped) {
+  const CommandResult command = regulus({"chek", "robot_1", "--json"});
+  EXPECT_EQ(command.exit_code, 64);
+  EXPECT_EQ(command.errors, "regulus: there is no command 'chek'; did you mean 'check'?\n");
+  EXPECT_THAT(command.output, HasSubstr("did you mean 'check'?"));
+  for (const char* option : {"--tolerence", "--tolerence=base=1"})
+    EXPECT_THAT(regulus({"check", "robot_1", option, "base=1"}).errors,
+                HasSubstr("there is no option '--tolerence'; did you mean '--tolerance'?"));
+  EXPECT_THAT(regulus({"check", "robot_1", "--xyz"}).errors, HasSubstr("regulus check --help"));
+  EXPECT_THAT(regulus({"check"}).errors, HasSubstr("MODEL is required"));
+  const CommandResult nothing = regulus({});
+  EXPECT_EQ(nothing.exit_code, 64);
+  EXPECT_THAT(nothing.errors, HasSubstr("Prove that a motion variety has no singular pose"));
+}
+
 TEST(Command, LeavesOutAnIngredientAndSaysSo) {
   const auto report = [](std::vector<std::string> options) {
     options.insert(options.begin(), {"check", kRobot1, "wide_15", "--json"});

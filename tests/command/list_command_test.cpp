@@ -37,11 +37,14 @@ TEST(List, NamesEveryModelOfTheFolder) {
     if (file.path().extension() == ".toml") files.push_back(file.path().stem());
   EXPECT_THAT(names, testing::UnorderedElementsAreArray(files));
   EXPECT_THAT(regulus({"list"}).output, HasSubstr("robot_1 "));
+  EXPECT_THAT("\n" + regulus({"list", "--quiet"}).output, HasSubstr("\nrobot_1\n"));
 }
 
 TEST(List, ShowsMotionsWithRangesAndGroupsWithTolerances) {
   const CommandResult shown = regulus({"list", "planar_3rpr"});
   EXPECT_EQ(shown.exit_code, 0);
+  EXPECT_EQ(regulus({"list", "planar_3rpr", "--quiet"}).output,
+            "regular\ncrossing\ncircle\nreach\n");
   EXPECT_THAT(shown.output, HasSubstr("motion     regular\n           x in [-2, 4]\n"));
   EXPECT_THAT(shown.output, HasSubstr("phi in [-0.261799, 0.0872665] rad"));
   EXPECT_THAT(shown.output, HasSubstr("x = 1 + 3*cos(2*T*pi)"));

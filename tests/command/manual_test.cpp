@@ -187,10 +187,13 @@ TEST(ShellPage, ShowsASessionThatTakesPlaceLikeThat) {
   EXPECT_EQ(result.output, shown) << result.errors;
 }
 
-TEST(JsonOption, IsTakenByEveryCommand) {
+TEST(OptionsOfScripts, AreTakenByEveryCommand) {
   for (const CommandEntry& command : command_table(ShellSession::commands())) {
     if (command.name.empty()) continue;
     EXPECT_EQ(std::ranges::count(command.options, "--json", &OptionEntry::name), 1) << command.name;
+    EXPECT_EQ(std::ranges::count(command.options, "--quiet", &OptionEntry::name),
+              command.name == "shell" ? 0 : 1)
+        << command.name;
   }
 }
 
