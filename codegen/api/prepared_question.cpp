@@ -15,21 +15,22 @@
 #include "codegen/support/stopwatch.hpp"
 
 namespace regulus::inline api {
-namespace {
-
-/// The searches that are kept at the same time.
-constexpr std::size_t kMostShapes = 8;
 
 /// Everything but the ranges on which the functions of a search depend. Variables are the parameters
 /// of the motion and what is uncertain.
-struct Shape {
+struct QuestionShape {
   std::vector<std::string> parameters;
   std::vector<bool> uncertain;  ///< by constant of the model
   bool has_threshold = false;
   std::vector<GiNaC::ex> conditions;  ///< for parts of the expressions of changed ranges
 };
 
-bool operator==(const Shape& a, const Shape& b) {
+namespace {
+
+/// The searches that are kept at the same time.
+constexpr std::size_t kMostShapes = 8;
+
+bool operator==(const QuestionShape& a, const QuestionShape& b) {
   const auto same = [](const GiNaC::ex& x, const GiNaC::ex& y) { return x.is_equal(y); };
   return a.parameters == b.parameters && a.uncertain == b.uncertain &&
          a.has_threshold == b.has_threshold && std::ranges::equal(a.conditions, b.conditions, same);
@@ -42,9 +43,9 @@ void append_added(std::vector<GiNaC::ex>& conditions, const std::vector<GiNaC::e
                     changed.end());
 }
 
-Shape shape_of(const Request& request, const Request& nominal) {
+QuestionShape shape_of(const Request& request, const Request& nominal) {
   const Model& model = request.model;
-  Shape shape;
+  QuestionShape shape;
   for (const MotionParameter& p : request.motion.parameters) shape.parameters.push_back(p.name);
   for (const GeometryParameter& g : model.geometry)
     shape.uncertain.push_back(g.ball >= 0 ? !model.balls.at(std::size_t(g.ball)).radius.is_zero()
@@ -59,8 +60,30 @@ bool same_range(const Range& a, const Range& b) {
   return a.lo.is_equal(b.lo) && a.hi.is_equal(b.hi);
 }
 
+/// Returns the question without the changes that a prepared one allows.
+ModelOptions unchanged(ModelOptions options) {
+  options.ranges.clear();
+  options.tolerances.clear();
+  options.alpha.clear();
+  return options;
+}
+
+bool same_but_for_changes(const ModelOptions& a, const ModelOptions& b) {
+  return a.path == b.path && a.text == b.text && a.motion == b.motion && a.tubes == b.tubes &&
+         a.waypoints == b.waypoints;
+}
+
+SearchOptions limited(SearchOptions search, const SearchLimits& limits) {
+  search.max_boxes = limits.max_boxes;
+  search.time_limit = limits.time_limit;
+  search.threads = limits.threads;
+  return search;
+}
+
+}  // namespace
+
 struct PreparedShape {
-  Shape shape;
+  QuestionShape shape;
   PreparedSearch search;
   std::vector<Variable> variables;  ///< with the ranges that `search` has
 
@@ -86,28 +109,6 @@ struct PreparedShape {
     search.is_replanned = true;
   }
 };
-
-/// Returns the question without the changes that a prepared one allows.
-ModelOptions unchanged(ModelOptions options) {
-  options.ranges.clear();
-  options.tolerances.clear();
-  options.alpha.clear();
-  return options;
-}
-
-bool same_but_for_changes(const ModelOptions& a, const ModelOptions& b) {
-  return a.path == b.path && a.text == b.text && a.motion == b.motion && a.tubes == b.tubes &&
-         a.waypoints == b.waypoints;
-}
-
-SearchOptions limited(SearchOptions search, const SearchLimits& limits) {
-  search.max_boxes = limits.max_boxes;
-  search.time_limit = limits.time_limit;
-  search.threads = limits.threads;
-  return search;
-}
-
-}  // namespace
 
 struct PreparedQuestion::Parts {
   ModelOptions model;
@@ -150,7 +151,7 @@ Request PreparedQuestion::Parts::request_of(const Question& question) const {
 PreparedSearch& PreparedQuestion::Parts::search_for(const Question& question,
                                                     const std::atomic<bool>* interrupt) {
   const Request request = request_of(question);
-  const Shape shape = shape_of(request, nominal);
+  const QuestionShape shape = shape_of(request, nominal);
   prepared.remove_if([](const PreparedShape& p) { return p.search.stopped.has_value(); });
   const auto at =
       std::ranges::find_if(prepared, [&](const PreparedShape& p) { return p.shape == shape; });

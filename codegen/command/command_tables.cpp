@@ -103,8 +103,10 @@ void add_paving_options(CLI::App& app, LocateCommand& command) {
          "--shade", command.pictures.shade,
          "What the colour of a place says of all boxes there: the worst of their claims, or "
          "the share of their volume that is free")
-      ->transform(CLI::CheckedTransformer(
-          std::map<std::string, Shade>{{"worst", Shade::kWorst}, {"share", Shade::kShare}}))
+      ->transform(CLI::CheckedTransformer(std::map<std::string, Shade>{{"worst", Shade::kWorst},
+                                                                       {"share", Shade::kShare}})
+                      .description(""))
+      ->type_name("{worst,share}")
       ->default_str("worst");
 }
 

@@ -17,9 +17,10 @@ struct NamingOption {
   const char* kind;
 };
 
-constexpr std::array<NamingOption, 8> kNamingOptions = {{{"--range", "parameters"},
+constexpr std::array<NamingOption, 9> kNamingOptions = {{{"--range", "parameters"},
                                                          {"--grow", "parameters"},
                                                          {"--tube", "parameters"},
+                                                         {"--slices", "parameters"},
                                                          {"--axes", "axes"},
                                                          {"--tolerance", "groups"},
                                                          {"--margin", "groups"},

@@ -27,7 +27,7 @@ const Names& names_in(const std::string& group) {
        {"time-limit", "max-boxes", "threads", "gap", "resolution", "precision", "symbolic-budget"}},
       {kOutput,
        {"json", "quiet", "certificate", "shard-size", "checkpoint", "checkpoint-every", "output",
-        "picture", "axes", "markdown", "depfile", "object"}},
+        "picture", "axes", "slices", "shade", "markdown", "depfile", "object"}},
       {kResearch,
        {"method", "determinant", "entries", "bisect", "uncertainty", "without", "engine", "isa",
         "filter", "no-cache"}}};

@@ -58,7 +58,8 @@ std::optional<int> run_limit_margin(const MarginCommand& given) {
         << json_limit_margin(request, question, margin, settings).dump(command.output.json_indent)
         << '\n';
   else
-    print_answer(describe_limit_bracket(question, margin), exit_code_of(question, margin.whole));
+    print_answer(describe_limit_bracket(question, margin),
+                 exit_code_of_bracket(question, margin.whole));
   std::cout.flush();
   return exit_code_of_bracket(question, margin.whole);
 }

@@ -41,7 +41,8 @@ Words changeable(const ShellNames& names) {
 
 /// Returns what may follow an option, given without its dashes.
 Words values_after(const std::string& option, const ShellNames& names) {
-  if (option == "range" || option == "grow" || option == "tube") return with(names.parameters, "=");
+  if (option == "range" || option == "grow" || option == "tube" || option == "slices")
+    return with(names.parameters, "=");
   if (option == "tolerance" || option == "margin") return with(names.groups, "=");
   if (option == "load") return names.loads;
   if (option == "twist") return names.twists;
