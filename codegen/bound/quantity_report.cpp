@@ -12,12 +12,11 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-/// Returns the word of the command line; of an expression its text.
+/// Returns the word of the command line; of an expression its name.
 std::string word_of(const Quantity& quantity) {
   for (const std::string& word : quantity_words())
     if (kind_of(word) == quantity.kind) return word;
-  const Component& c = quantity.components.front();
-  return c.expression ? formula_text(*c.expression) : "";
+  return quantity.name;
 }
 
 Json json_texts(const std::vector<GiNaC::ex>& values) {

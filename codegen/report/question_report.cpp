@@ -74,20 +74,15 @@ Json json_quantity(const AskedQuestion& asked, std::size_t index) {
   return quantity;
 }
 
-/// Adds the exact ranges and threshold, and what the motion makes of its parameters.
+/// Adds the exact ranges and threshold. Formulas are left to the model: GiNaC writes some of them in
+/// another way in another process, and a report has the same bytes in all.
 void add_exact(const AskedQuestion& asked, Json& question) {
-  const Motion& motion = asked.request.motion;
-  Json ranges = Json::object(), pose = Json::object(), constraints = Json::array();
+  Json ranges = Json::object();
   for (const Variable& v : asked.exact)
     if (v.kind == VariableKind::kMotion)
       ranges[v.name] = {formula_text(v.range.lo), formula_text(v.range.hi)};
-  for (std::size_t i = 0; i < motion.pose.size(); ++i)
-    pose[asked.labels.pose[i].name] = formula_text(motion.pose[i]);
-  for (const GiNaC::ex& c : motion.constraints) constraints.push_back(formula_text(c) + " <= 0");
   question["ranges_exact"] = ranges;
-  question["pose_exact"] = motion.trajectory ? Json(nullptr) : pose;
-  question["constraints_exact"] = constraints;
-  question["alpha_exact"] = formula_text(motion.alpha);
+  question["alpha_exact"] = formula_text(asked.request.motion.alpha);
 }
 
 Json json_asked(const AskedQuestion& asked, const SearchOptions& search) {
