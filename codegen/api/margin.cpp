@@ -9,6 +9,7 @@
 #include "codegen/margin/margin_report.hpp"
 #include "codegen/margin/prepared_margin.hpp"
 #include "codegen/report/output_options.hpp"
+#include "codegen/trajectory/trajectory_margin.hpp"
 
 namespace regulus::inline api {
 namespace {
@@ -38,21 +39,41 @@ MarginFinding margin_of_limit(ModelOptions model, const MarginOptions& options,
   return finding;
 }
 
-MarginFinding margin_of_regularity(const ModelOptions& model, const MarginOptions& options,
-                                   const MarginQuestion& question, double gap,
+MarginFinding finding_of(const MarginQuestion& question, const Margin& found) {
+  MarginFinding finding;
+  finding.safe = text_of(found.certified);
+  finding.singular = text_of(found.refuted);
+  finding.closed = found.closed;
+  finding.bracket = describe_bracket(question, found);
+  return finding;
+}
+
+MarginFinding margin_along_waypoints(Request request, const MarginQuestion& question,
+                                     const MarginOptions& options,
+                                     const std::atomic<bool>* interrupt) {
+  const double gap = read_gap(options.gap);
+  const MarginRequest growing(std::move(request), question);
+  const TrajectoryMargin found = margin_of_trajectory(growing, question, options.search, gap,
+                                                      interrupt, [](const MarginStep&) {});
+  MarginFinding finding = finding_of(question, found.margin);
+  finding.report = format_trajectory_margin(found, question, options.search);
+  finding.json = json_trajectory_margin(found, question, options.search, gap).dump(2);
+  return finding;
+}
+
+MarginFinding margin_of_regularity(Request request, const MarginQuestion& question,
+                                   const MarginOptions& options,
                                    const std::atomic<bool>* interrupt) {
-  PreparedMargin margin(question, model, options.search, FormingWatch{.interrupt = interrupt});
+  const double gap = read_gap(options.gap);
+  PreparedMargin margin(question, std::move(request), 0, compiled_first(options.search),
+                        FormingWatch{.interrupt = interrupt});
   margin.settings.interrupt = interrupt;
   MarginCertificates none({}, margin.request, margin.prepared.labels);
   const Margin found = MarginRun(margin.prepared, question, margin.request, margin.search, kQuiet,
                                  margin.settings, gap, none, [](const MarginStep&) {})
                            .run();
   margin.prepared.seconds.search = found.seconds;
-  MarginFinding finding;
-  finding.safe = text_of(found.certified);
-  finding.singular = text_of(found.refuted);
-  finding.closed = found.closed;
-  finding.bracket = describe_bracket(question, found);
+  MarginFinding finding = finding_of(question, found);
   finding.report = margin_report(margin.prepared, margin.search, question, found);
   finding.json =
       json_margin(margin.prepared, margin.search, margin.request.nominal(), question, found, gap)
@@ -70,14 +91,18 @@ MarginFinding margin(const Question& asked, const MarginOptions& options,
   if (!options.alpha.empty()) model.alpha = options.alpha;
   const double gap = read_gap(options.gap);
   const MarginQuestion question = take_question(model, {options.scale, options.parameter});
-  if (options.limit.empty() && options.quantity.quantity.empty())
-    return margin_of_regularity(model, options, question, gap, interrupt);
-  LimitMarginSettings settings;
-  settings.gap = gap;
-  settings.search = options.search;
-  settings.output = kQuiet;
-  settings.interrupt = interrupt;
-  return margin_of_limit(std::move(model), options, question, std::move(settings));
+  if (!options.limit.empty() || !options.quantity.quantity.empty()) {
+    LimitMarginSettings settings;
+    settings.gap = gap;
+    settings.search = options.search;
+    settings.output = kQuiet;
+    settings.interrupt = interrupt;
+    return margin_of_limit(std::move(model), options, question, std::move(settings));
+  }
+  Request request = read_request(model);
+  return request.motion.trajectory
+             ? margin_along_waypoints(std::move(request), question, options, interrupt)
+             : margin_of_regularity(std::move(request), question, options, interrupt);
 }
 
 }  // namespace regulus::api

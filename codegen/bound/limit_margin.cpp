@@ -127,6 +127,10 @@ LimitMargin limit_margin(const Request& request, const MarginQuestion& question,
         "motion a formula, or ranges");
   if (question.quantity == MarginQuantity::kAlpha)
     throw UsageError("--alpha: a limit has no threshold; let a tolerance, --scale or --grow grow");
+  if (question.quantity == MarginQuantity::kTube)
+    throw UsageError(
+        "--tube: a limit has no growing control error; let a tolerance, --scale or "
+        "--grow grow");
   return LimitMarginRun(request, question, std::move(quantity), settings, listener).run();
 }
 

@@ -65,6 +65,7 @@ Verified verify_file(const VerificationRequest& request) {
   options.model_text = read_model_text(request.model);
   options.model_name = request.model;
   options.overridden = overridden(confirmation.differences);
+  options.waypoints = request.waypoints;
   // The way-points take the place of the motion's own poses; they were compared above.
   if (!request.waypoints.empty()) options.all_overridden = true;
   return {verify_stream(certificate, request.path, options), confirmation.differences};

@@ -28,8 +28,9 @@ constexpr const char* kLocateExitCodes =
     "64 usage, 65 bad model, 70 internal fault, 74 file error.";
 
 constexpr const char* kMarginFooter =
-    "Give exactly one of --tolerance, --alpha, --scale and --grow a range LO:HI. With LO: alone,\n"
-    "margin looks for the upper end itself. The last line on standard output is the bracket:\n"
+    "Give exactly one of --tolerance, --alpha, --scale, --grow and --tube a range LO:HI. With LO:\n"
+    "alone, margin looks for the upper end itself. The last line on standard output is the "
+    "bracket:\n"
     "  SAFE UP TO a, NOT AT b   proved at a, and so below; a witness shows a singularity at b\n"
     "  WITHIN UP TO a, EXCEEDED AT b   the same for a limit: --quantity force --limit 20\n"
     "Exit: 0 the bracket is as narrow as --gap asks, or all of LO:HI is safe; 1 LO is not safe;\n"
@@ -120,6 +121,11 @@ void add_margin_options(CLI::App& app, MarginCommand& command) {
       ->description(
           "Threshold of |det J^-1|; with a range, margin looks for the largest safe threshold")
       ->type_name("A|LO:HI");
+  app.get_option("--tube")
+      ->description(
+          "Control error around the motion, ± on each pose parameter that is named; with a range, "
+          "x,y=0:0.1, margin looks for the largest safe one")
+      ->type_name("p=E|p=LO:HI");
   app.add_option(
          "--scale", command.size.scale,
          "Factor that scales the ranges of a box variety about their midpoints; 1 leaves them as "
@@ -238,6 +244,7 @@ void CommandTables::add_locate() {
   locate_command = app.add_subcommand(
       "locate", "Pave a motion variety: certified free, certified singular, undecided; draw it");
   add_model_options(*locate_command, locate.model);
+  add_waypoint_options(*locate_command, locate.model);
   add_paving_options(*locate_command, locate);
   add_search_options(*locate_command, locate.search);
   add_certificate_option(*locate_command, locate.certificate, kLocateCertificate);
@@ -252,6 +259,7 @@ void CommandTables::add_margin() {
   margin_command = app.add_subcommand(
       "margin", "Bracket the largest tolerance, threshold or size of a motion that is safe");
   add_model_options(*margin_command, margin.model);
+  add_waypoint_options(*margin_command, margin.model);
   add_search_options(*margin_command, margin.search);
   add_filter_option(*margin_command, margin.search);
   add_margin_options(*margin_command, margin);

@@ -1,7 +1,4 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include <sys/stat.h>
-
-#include <fstream>
 #include <iostream>
 #include <memory>
 #include <nlohmann/json.hpp>
@@ -12,6 +9,7 @@
 #include "codegen/command/commands.hpp"
 #include "codegen/command/end_command.hpp"
 #include "codegen/command/interrupt.hpp"
+#include "codegen/command/lines_file.hpp"
 #include "codegen/engine/paving_verdict.hpp"
 #include "codegen/engine/search_run.hpp"
 #include "codegen/engine/settings.hpp"
@@ -28,49 +26,6 @@
 
 namespace regulus::inline command {
 namespace {
-
-/// The output of the JSON lines: a file, standard output, or nothing.
-class LinesFile {
- public:
-  explicit LinesFile(const LocateCommand& command) : name_(chosen(command)) {
-    if (name_ == "-" && command.output.json)
-      throw UsageError("--json and --output - both write to standard output; use one of them");
-    if (name_.empty() || name_ == "-") return;
-    file_.open(name_);
-    if (!file_) throw FileError("cannot write " + name_);
-    opened_ = identity();
-  }
-
-  [[nodiscard]] bool wanted() const { return !name_.empty(); }
-  [[nodiscard]] bool is_standard_output() const { return name_ == "-"; }
-  [[nodiscard]] std::string name() const {
-    return is_standard_output() ? "standard output" : name_;
-  }
-  /// Throws    FileError if the file is no longer at its path.
-  void require_in_place() const {
-    const std::pair<dev_t, ino_t> none;
-    if (wanted() && !is_standard_output() && (opened_ == none || identity() != opened_))
-      throw FileError(name_ + " was removed during the run");
-  }
-  [[nodiscard]] std::ostream& stream() { return is_standard_output() ? std::cout : file_; }
-
- private:
-  static std::string chosen(const LocateCommand& command) {
-    const bool print = command.boxes_unless_json && !command.output.json;
-    return command.lines.empty() && print ? std::string("-") : command.lines;
-  }
-
-  /// Returns the identity of the file that has the name now.
-  [[nodiscard]] std::pair<dev_t, ino_t> identity() const {
-    struct stat status {};
-    return ::stat(name_.c_str(), &status) == 0 ? std::pair(status.st_dev, status.st_ino)
-                                               : std::pair<dev_t, ino_t>();
-  }
-
-  std::string name_;
-  std::ofstream file_;
-  std::pair<dev_t, ino_t> opened_;
-};
 
 std::vector<OutputFile> outputs_of(const LocateCommand& command) {
   std::vector<OutputFile> outputs = {
@@ -138,6 +93,7 @@ Result pave_and_report(const LocateCommand& command, PreparedSearch& preparation
 int run_locate(const LocateCommand& command) {
   for (const std::string& picture : command.pictures.files) require_picture_format(picture);
   set_earlier_outputs_aside(command.model.path, outputs_of(command));
+  if (const std::optional<int> code = run_trajectory_locate(command)) return *code;
   InterruptGuard interrupt;
   // A certificate is about all poses of the motion.
   ModelOptions model = command.model;

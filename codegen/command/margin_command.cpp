@@ -12,14 +12,10 @@
 #include "codegen/support/exit_code.hpp"
 
 namespace regulus::inline command {
-namespace {
-
-int exit_code_of(const MarginQuestion& question, const Margin& margin) {
+int exit_code_of_margin(const MarginQuestion& question, const Margin& margin) {
   if (margin.refuted && margin.refuted->value.approx <= question.low.approx) return kSingularity;
   return margin.closed && margin.certified ? kNoSingularity : kPossibleProblem;
 }
-
-}  // namespace
 
 int run_margin(const MarginCommand& given) {
   if (const std::optional<int> code = run_limit_margin(given)) return *code;
@@ -27,8 +23,11 @@ int run_margin(const MarginCommand& given) {
   const double gap = read_gap(command.gap);
   const MarginQuestion question = take_question(command.model, command.size);
   set_earlier_outputs_aside(command.model.path, MarginCertificates::files(command.certificate));
+  Request request = read_request(command.model);
+  if (request.motion.trajectory)
+    return run_trajectory_margin(command, question, std::move(request));
   InterruptGuard interrupt;
-  PreparedMargin margin(question, command.model, command.search,
+  PreparedMargin margin(question, std::move(request), 0, compiled_first(command.search),
                         forming_watch(command.output, &interrupt.requested()));
   margin.settings.interrupt = &interrupt.requested();
   interrupt.begin_search();
@@ -53,7 +52,7 @@ int run_margin(const MarginCommand& given) {
     print_answer(describe_bracket(question, found), exit_code_of(question, found));
   }
   std::cout.flush();
-  return exit_code_of(question, found);
+  return exit_code_of_margin(question, found);
 }
 
 }  // namespace regulus::command

@@ -164,7 +164,8 @@ class PageRun {
     ModelOptions model = command_.model;
     model.tolerances.push_back(margin);
     const MarginQuestion question = take_question(model, {});
-    PreparedMargin prepared(question, model, search_of_bracket(), watch());
+    PreparedMargin prepared(question, read_request(model), 0, compiled_first(search_of_bracket()),
+                            watch());
     prepared.settings.interrupt = &interrupted();
     MarginCertificates none("", prepared.request, prepared.prepared.labels);
     MarginRun run(prepared.prepared, question, prepared.request, prepared.search, command_.output,

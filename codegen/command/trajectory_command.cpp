@@ -6,21 +6,49 @@
 #include "codegen/command/commands.hpp"
 #include "codegen/command/end_command.hpp"
 #include "codegen/command/interrupt.hpp"
+#include "codegen/command/lines_file.hpp"
+#include "codegen/margin/margin_report.hpp"
+#include "codegen/margin/prepared_margin.hpp"
+#include "codegen/report/paving_options.hpp"
 #include "codegen/support/errors.hpp"
 #include "codegen/support/stopwatch.hpp"
 #include "codegen/trajectory/trajectory_certificate.hpp"
+#include "codegen/trajectory/trajectory_margin.hpp"
+#include "codegen/trajectory/trajectory_paving.hpp"
 #include "codegen/trajectory/trajectory_report.hpp"
 
 namespace regulus::inline command {
 
-std::optional<int> run_trajectory_check(const CheckCommand& command) {
-  const std::string text = model_text(command.model);
+namespace {
+
+/// The default part of a segment that locate leaves undecided.
+constexpr double kPathResolution = 0x1p-9;
+
+/// Returns the request of a motion along way-points; nullopt for another motion.
+std::optional<Request> read_trajectory(const ModelOptions& options) {
+  const std::string text = model_text(options);
   // Most models have no way-points: then the model need not be read before the cache is asked.
-  if (command.model.waypoints.empty() && text.find("waypoints") == std::string::npos)
-    return std::nullopt;
+  if (options.waypoints.empty() && text.find("waypoints") == std::string::npos) return std::nullopt;
+  Request request = read_request(text, options);
+  return request.motion.trajectory ? std::optional(std::move(request)) : std::nullopt;
+}
+
+void refuse_what_locate_lacks(const LocateCommand& command) {
+  if (!command.certificate.empty())
+    throw UsageError(
+        "--certificate: there is no proof of the stretches of a motion along way-points; regulus "
+        "check --certificate proves the whole motion");
+  if (!command.pictures.empty() || !command.axes.empty())
+    throw UsageError(
+        "--picture: a motion along way-points is not drawn; --output FILE has its stretches");
+}
+
+}  // namespace
+
+std::optional<int> run_trajectory_check(const CheckCommand& command) {
   Stopwatch watch;
-  Request request = read_request(text, command.model);
-  if (!request.motion.trajectory) return std::nullopt;
+  std::optional<Request> request = read_trajectory(command.model);
+  if (!request) return std::nullopt;
   if (!command.checkpoint.path.empty())
     throw UsageError("--checkpoint: a motion along way-points cannot be continued");
   if (command.shard_size > 0)
@@ -29,7 +57,7 @@ std::optional<int> run_trajectory_check(const CheckCommand& command) {
   interrupt.begin_search();
   const double model_seconds = watch.lap();
   const TrajectoryCheck check =
-      check_trajectory(std::move(request), model_seconds, command.search,
+      check_trajectory(std::move(*request), model_seconds, command.search,
                        !command.certificate.empty(), &interrupt.requested());
   const TrajectoryCertificate certificate(command.certificate, check);
   if (!command.output.quiet)
@@ -43,6 +71,67 @@ std::optional<int> run_trajectory_check(const CheckCommand& command) {
   }
   std::cout.flush();
   return exit_code_of(check.verdict);
+}
+
+std::optional<int> run_trajectory_locate(const LocateCommand& command) {
+  Stopwatch watch;
+  // A proof is about all poses; a paving tells those out of reach from the others.
+  ModelOptions model = command.model;
+  model.separates_reach = true;
+  std::optional<Request> request = read_trajectory(model);
+  if (!request) return std::nullopt;
+  refuse_what_locate_lacks(command);
+  LinesFile lines(command);
+  InterruptGuard interrupt;
+  interrupt.begin_search();
+  const double model_seconds = watch.lap();
+  const PathPaving paving = pave_trajectory(
+      std::move(*request), model_seconds, command.search,
+      command.resolution.empty() ? kPathResolution : read_resolution(command.resolution),
+      &interrupt.requested());
+  const nlohmann::ordered_json summary = json_path_paving(paving, command.search);
+  if (lines.wanted()) {
+    for (const PathStretch& stretch : paving.stretches)
+      lines.stream() << json_stretch(paving, stretch).dump() << '\n';
+    lines.stream() << nlohmann::ordered_json{{"summary", summary}}.dump() << '\n';
+    if (!lines.stream().flush()) throw FileError("cannot write " + lines.name());
+    lines.require_in_place();
+  }
+  const std::string verdict = std::string(name(paving.check.verdict)) + '\n';
+  if (!command.output.quiet) std::cerr << format_path_paving(paving, command.search);
+  if (command.output.json)
+    std::cout << summary.dump(command.output.json_indent) << '\n';
+  else if (!lines.is_standard_output() || !command.output.quiet)
+    (lines.is_standard_output() ? std::cerr : std::cout) << verdict;
+  std::cout.flush();
+  return exit_code_of(paving.check.verdict);
+}
+
+int run_trajectory_margin(const MarginCommand& command, const MarginQuestion& question,
+                          Request request) {
+  if (!command.certificate.empty())
+    throw UsageError(
+        "--certificate: margin writes no proof about a motion along way-points; regulus check "
+        "--certificate proves it at one value");
+  InterruptGuard interrupt;
+  interrupt.begin_search();
+  const bool quiet = command.output.quiet;
+  const double gap = read_gap(command.gap);
+  const MarginRequest growing(std::move(request), question);
+  const TrajectoryMargin found =
+      margin_of_trajectory(growing, question, command.search, gap, &interrupt.requested(),
+                           [quiet](const MarginStep& step) {
+                             if (!quiet) std::cerr << format_step(step);
+                           });
+  if (!quiet) std::cerr << format_trajectory_margin(found, question, command.search);
+  if (command.output.json)
+    std::cout << json_trajectory_margin(found, question, command.search, gap)
+                     .dump(command.output.json_indent)
+              << '\n';
+  else
+    std::cout << describe_bracket(question, found.margin) << '\n';
+  std::cout.flush();
+  return exit_code_of_margin(question, found.margin);
 }
 
 }  // namespace regulus::command

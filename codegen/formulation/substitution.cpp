@@ -108,7 +108,7 @@ void Substitution::add_geometry(const Model& model) {
 void Substitution::add_pose(const Model& model, const Motion& motion) {
   if (motion.waypoints)
     throw InputError::statement("", 0, "the motion '" + motion.name + "' is along way-points",
-                                "only regulus check takes such a motion", motion.name);
+                                "regulus check, locate and margin take such a motion", motion.name);
   const GiNaC::exmap geometry = replaced_;
   for (std::size_t i = 0; i < model.pose.size(); ++i) {
     const PoseParameter& p = model.pose[i];

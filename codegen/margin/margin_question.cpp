@@ -114,10 +114,42 @@ void require_parameter(Request& request, const MarginQuestion& question) {
                      question.groups + "', which begins at " + formula_text(p->range.lo));
 }
 
+/// Sets the ranges of the control errors, whose variables are in the order of the pose parameters.
+/// `formed`: a request in which every error that may grow is above 0.
+void set_errors(std::vector<Variable>& variables, const Request& request, const Request& formed) {
+  std::size_t i = 0;
+  for (Variable& variable : variables) {
+    if (variable.kind != VariableKind::kControl) continue;
+    while (formed.motion.error.at(i).is_zero()) ++i;
+    const ex error = request.motion.error.at(i++);
+    variable.range = {-error, error};
+  }
+}
+
+/// Removes the tubes with a range; returns their number. The names may be left out.
+int take_tube(MarginQuestion& question, std::vector<std::string>& tubes) {
+  int ranges = 0;
+  for (std::size_t i = tubes.size(); i-- > 0;) {
+    if (!is_range(tubes[i])) continue;
+    ++ranges;
+    question.quantity = MarginQuantity::kTube;
+    const std::size_t equals = tubes[i].find('=');
+    const std::size_t begin = equals == std::string::npos ? 0 : equals + 1;
+    question.groups = tubes[i].substr(0, begin);
+    read_range(question, tubes[i].substr(begin), "--tube");
+    tubes.erase(tubes.begin() + std::ptrdiff_t(i));
+  }
+  return ranges;
+}
+
 }  // namespace
 
 MarginValue decimal_value(double value) {
   return {fmt::format("{}", value), shortest_decimal(value), value, {}};
+}
+
+MarginValue forming_value(const MarginQuestion& question) {
+  return question.high ? *question.high : decimal_value(1);
 }
 
 MarginQuestion take_question(ModelOptions& model, const GrowingSize& size) {
@@ -151,10 +183,11 @@ MarginQuestion take_question(ModelOptions& model, const GrowingSize& size) {
     question.groups = name;
     read_range(question, range, "--grow");
   }
+  ranges += take_tube(question, model.tubes);
   if (ranges != 1)
     throw UsageError(
         fmt::format("margin: {} options have a range LO:HI; give exactly one: --tolerance "
-                    "GROUP=LO:HI, --alpha LO:HI, --scale LO:HI or --grow p=LO:HI",
+                    "GROUP=LO:HI, --alpha LO:HI, --scale LO:HI, --grow p=LO:HI or --tube p=LO:HI",
                     ranges));
   return question;
 }
@@ -164,13 +197,41 @@ MarginRequest::MarginRequest(Request nominal, const MarginQuestion& question)
   auto& conditions = nominal_.model.must_be_defined;
   append(conditions, question.low.must_be_defined);
   if (question.high) append(conditions, question.high->must_be_defined);
-  if (question.quantity == MarginQuantity::kScale) require_box_variety(nominal_);
-  if (question.quantity == MarginQuantity::kParameter) require_parameter(nominal_, question);
-  if (question.quantity == MarginQuantity::kAlpha &&
+  require_growth();
+}
+
+void MarginRequest::require_growth() const {
+  const bool is_path = nominal_.motion.trajectory != nullptr;
+  if (question_.quantity == MarginQuantity::kScale && is_path)
+    throw UsageError("--scale: a motion along way-points has no ranges; use --tube p=LO:HI");
+  if (question_.quantity == MarginQuantity::kParameter && is_path)
+    throw UsageError("--grow: a motion along way-points has no ranges; use --tube p=LO:HI");
+  if (question_.quantity == MarginQuantity::kScale) require_box_variety(nominal_);
+  if (question_.quantity == MarginQuantity::kParameter) {
+    Request request = nominal_;
+    require_parameter(request, question_);
+  }
+  if (question_.quantity == MarginQuantity::kTube) require_plain_tube();
+  if (question_.quantity == MarginQuantity::kAlpha &&
       nominal_.model.matrix.rows() != nominal_.model.matrix.cols())
     throw UsageError(
         "--alpha: the matrix is not square, so it has no determinant; use --tolerance, --scale or "
         "--grow");
+}
+
+/// Values between the ends are decimals, which are in the unit of the pose parameter.
+void MarginRequest::require_plain_tube() const {
+  const std::vector<ex> unit = grown_to(decimal_value(1)).motion.error;
+  const std::vector<ex> nominal = nominal_.motion.error;
+  for (const auto* end : {&question_.low, question_.high ? &*question_.high : &question_.low}) {
+    const std::vector<ex> errors = grown_to(*end).motion.error;
+    for (std::size_t i = 0; i < errors.size(); ++i) {
+      const bool grows = nominal.empty() || !errors[i].is_equal(nominal[i]);
+      if (grows && !errors[i].is_zero() && !(errors[i] - end->exact * unit[i]).expand().is_zero())
+        throw UsageError("--tube: '" + end->text +
+                         "' has a unit; write LO:HI as numbers in the unit of the pose parameter");
+    }
+  }
 }
 
 Request MarginRequest::at(const MarginValue& value) const {
@@ -194,6 +255,10 @@ Request MarginRequest::grown_to(const MarginValue& value) const {
     case MarginQuantity::kParameter:
       set_parameter(request.motion, question_, value.exact);
       break;
+    case MarginQuantity::kTube:
+      from_option("--tube",
+                  [&] { set_tube(request.model, request.motion, question_.groups + value.text); });
+      break;
   }
   return request;
 }
@@ -203,6 +268,8 @@ void MarginRequest::replan(PreparedSearch& p, const MarginValue& value) const {
   std::vector<Variable> variables = p.stages->formulation().variables;
   for (Variable& variable : variables)
     variable.range = range_at(request.model, request.motion, variable);
+  if (question_.quantity == MarginQuantity::kTube)
+    set_errors(variables, request, grown_to(forming_value(question_)));
   p.variety = enclose_variety(request.model, request.motion, variables);
   p.is_replanned = true;
 }
@@ -217,6 +284,10 @@ std::string describe_quantity(const MarginQuestion& question) {
       return "scale of the motion's ranges";
     case MarginQuantity::kParameter:
       return "range of " + question.groups;
+    case MarginQuantity::kTube:
+      return question.groups.empty()
+                 ? "control error of every pose parameter"
+                 : "control error of " + question.groups.substr(0, question.groups.size() - 1);
   }
   return "";
 }

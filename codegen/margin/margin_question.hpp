@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The quantity that grows in `regulus margin`: a tolerance, the threshold, the size of a box
-// variety, or the range of one parameter.
+// variety, the range of one parameter, or the control errors.
 #pragma once
 
 #include <ginac/ginac.h>
@@ -14,7 +14,7 @@
 
 namespace regulus::inline bracketing {
 
-enum class MarginQuantity { kTolerance, kAlpha, kScale, kParameter };
+enum class MarginQuantity { kTolerance, kAlpha, kScale, kParameter, kTube };
 
 /// A value with the text that denotes it exactly and that `check` accepts.
 struct MarginValue {
@@ -34,13 +34,17 @@ using QuestionAbout = std::function<Request(const Request&)>;
 /// LO:HI, or LO: if HI must be found.
 struct MarginQuestion {
   MarginQuantity quantity = MarginQuantity::kTolerance;
-  std::string groups;         ///< of a tolerance; the name of a parameter
+  std::string groups;  ///< of a tolerance; the name of a parameter; those of a tube, or empty
   bool is_two_sided = false;  ///< a parameter grows to [−v, v]; otherwise from its low end to v
   MarginValue low;
   std::optional<MarginValue> high;
   std::string limit{};    ///< "force in leg 3 < 20", what must hold; empty: no singularity
   QuestionAbout about{};  ///< that the limit holds; empty: the request itself
 };
+
+/// Returns the value at which the kernel is formed. The kernel is the same at all values except 0,
+/// where quantities would not be uncertain, so the value is not 0.
+[[nodiscard]] MarginValue forming_value(const MarginQuestion& question);
 
 /// The sizes that the words of a command line let grow, "LO:HI"; empty: another one grows.
 struct GrowingSize {
@@ -65,12 +69,14 @@ class MarginRequest {
   /// Sets ranges and threshold at `value`, for variables that were formed at another value.
   ///
   /// Ensures   the variety of `p` is that of `value`. Its formulation and its kernel do not change:
-  ///           no expression in them depends on a tolerance, on the range of a motion parameter, or
-  ///           on α.
+  ///           no expression in them depends on a tolerance, on the range of a motion parameter, on
+  ///           a control error, or on α.
   void replan(PreparedSearch& p, const MarginValue& value) const;
 
  private:
   [[nodiscard]] Request grown_to(const MarginValue& value) const;
+  void require_growth() const;
+  void require_plain_tube() const;
 
   Request nominal_;
   MarginQuestion question_;

@@ -39,6 +39,8 @@ const char* name_of_quantity(MarginQuantity quantity) {
       return "scale";
     case MarginQuantity::kParameter:
       return "parameter";
+    case MarginQuantity::kTube:
+      return "tube";
   }
   return "";
 }
@@ -47,6 +49,8 @@ Json json_question(const MarginQuestion& question) {
   Json object = {{"kind", name_of_quantity(question.quantity)}};
   if (question.quantity == MarginQuantity::kTolerance) object["groups"] = question.groups;
   if (question.quantity == MarginQuantity::kParameter) object["parameter"] = question.groups;
+  if (question.quantity == MarginQuantity::kTube && !question.groups.empty())
+    object["parameters"] = question.groups.substr(0, question.groups.size() - 1);
   object["low"] = question.low.text;
   object["high"] = question.high ? Json(question.high->text) : Json(nullptr);
   return object;

@@ -9,12 +9,6 @@
 namespace regulus::inline bracketing {
 namespace {
 
-/// Returns the value at which the kernel is formed. The kernel is the same at all values except 0,
-/// where quantities would not be uncertain, so the value is not 0.
-MarginValue forming_value(const MarginQuestion& question) {
-  return question.high ? *question.high : decimal_value(1);
-}
-
 void require_searchable(const PreparedSearch& preparation, const Settings& settings) {
   if (const auto fault = find_fault(preparation.problem(), settings))
     throw UsageError("margin: " + *fault);
@@ -26,13 +20,12 @@ SearchOptions for_every_value(SearchOptions options, const MarginQuestion& quest
   return options;
 }
 
-/// Returns the options of a search that is worth a compiler before it begins.
+}  // namespace
+
 SearchOptions compiled_first(SearchOptions options) {
   options.boxes_before_compiling = 0;
   return options;
 }
-
-}  // namespace
 
 double read_gap(const std::string& text) {
   double gap = 0;
@@ -43,10 +36,6 @@ double read_gap(const std::string& text) {
     throw UsageError("--gap: found " + text + ", expected a number between 0 and 1");
   return gap;
 }
-
-PreparedMargin::PreparedMargin(const MarginQuestion& question, const ModelOptions& model,
-                               const SearchOptions& options, FormingWatch watch)
-    : PreparedMargin(question, read_request(model), 0, compiled_first(options), std::move(watch)) {}
 
 PreparedMargin::PreparedMargin(const MarginQuestion& question, Request nominal,
                                double model_seconds, const SearchOptions& options,

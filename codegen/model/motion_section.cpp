@@ -73,10 +73,8 @@ class MotionReader {
 
   /// Reads a motion along the way-points of a file, which is read when the motion is chosen.
   Motion read_waypoint_motion() {
-    for (const char* key : {"parameters", "constraints", "where"})
-      if (const TomlEntry e = toml_.optional(entry_, key); e.node)
-        toml_.reject(e, std::string("a motion along way-points has no ") + key,
-                     "remove one of them");
+    if (const TomlEntry e = toml_.optional(entry_, "parameters"); e.node)
+      toml_.reject(e, "a motion along way-points has no parameters", "remove one of them");
     WaypointSource source;
     source.file = toml_.label(toml_.required(entry_, "waypoints"));
     if (const TomlEntry e = toml_.optional(entry_, "interpolation"); e.node)
@@ -92,6 +90,8 @@ class MotionReader {
                                         : GiNaC::ex(p.symbol));
     }
     read_error();
+    read_constraints();
+    read_where();
     read_alpha();
     motion_.must_be_defined = distinct(motion_.must_be_defined);
     return std::move(motion_);

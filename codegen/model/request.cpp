@@ -49,8 +49,7 @@ Request read_request(std::string_view text, const ModelOptions& options) {
   load_trajectory(request.model, request.motion);
   for (const std::string& tube : options.tubes)
     from_option("--tube", [&] { set_tube(request.model, request.motion, tube); });
-  if (options.separates_reach && request.motion.where == Where::kEverywhere &&
-      !request.motion.trajectory)
+  if (options.separates_reach && request.motion.where == Where::kEverywhere)
     restrict_to_reach(request.model, request.motion);
   return request;
 }

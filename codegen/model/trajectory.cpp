@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "codegen/model/trajectory.hpp"
 
+#include <algorithm>
 #include <filesystem>
 
 #include "codegen/model/gcode_file.hpp"
@@ -37,11 +38,21 @@ void load_trajectory(const Model& model, Motion& motion) {
   motion.trajectory = std::move(trajectory);
 }
 
+/// Throws    UsageError for a constraint with a parameter that is not one of the pose.
+static void require_constraints_of_pose(const Model& model, const Motion& motion) {
+  for (const MotionParameter& p : motion.parameters) {
+    const bool is_pose =
+        std::ranges::find(model.pose, p.name, &PoseParameter::name) != model.pose.end();
+    const auto names_it = [&p](const ex& constraint) { return constraint.has(p.symbol); };
+    if (!is_pose && std::ranges::any_of(motion.constraints, names_it))
+      throw UsageError("--waypoints: the motion " + in_quotes(motion.name) +
+                       " has a constraint with its parameter " + in_quotes(p.name) +
+                       ", which way-points do not have; name another motion");
+  }
+}
+
 void follow_waypoints(const Model& model, Motion& motion, const std::string& file) {
-  if (!motion.constraints.empty())
-    throw UsageError("--waypoints: the motion " + in_quotes(motion.name) +
-                     " has constraints, which a motion along way-points cannot have; name "
-                     "another motion");
+  require_constraints_of_pose(model, motion);
   std::error_code error;
   const std::filesystem::path absolute = std::filesystem::absolute(file, error);
   WaypointSource source;

@@ -20,7 +20,9 @@ double default_resolution(std::size_t ranges) {
   return std::ldexp(1.0, -kHalvings[std::min<std::size_t>(ranges, 6)]);
 }
 
-double parse_resolution(const std::string& text) {
+}  // namespace
+
+double read_resolution(const std::string& text) {
   double value = 0;
   try {
     value = mid(enclose_constant(parse_constant(text, {.file = "", .key = "resolution"}).value,
@@ -34,8 +36,6 @@ double parse_resolution(const std::string& text) {
   return value;
 }
 
-}  // namespace
-
 PavingOptions resolve_paving(const std::string& resolution, const SearchOptions& search,
                              const PreparedSearch& preparation) {
   if (search.uncertainty == Uncertainty::kVariables)
@@ -47,7 +47,7 @@ PavingOptions resolve_paving(const std::string& resolution, const SearchOptions&
   options.encloses_determinants =
       options.axes.size() == 1 && preparation.labels.rows == preparation.labels.columns;
   options.resolution =
-      resolution.empty() ? default_resolution(options.axes.size()) : parse_resolution(resolution);
+      resolution.empty() ? default_resolution(options.axes.size()) : read_resolution(resolution);
   return options;
 }
 

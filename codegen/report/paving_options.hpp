@@ -18,6 +18,9 @@ struct PavingOptions {
   bool encloses_determinants = false;
 };
 
+/// Returns the value of --resolution. Throws UsageError unless it is in (0, 1].
+[[nodiscard]] double read_resolution(const std::string& text);
+
 /// `resolution` is a part of each range, an expression; empty: by the number of ranges. Throws
 /// UsageError if it is not in (0, 1], and for a search that would split uncertain quantities.
 [[nodiscard]] PavingOptions resolve_paving(const std::string& resolution,

@@ -8,6 +8,7 @@
 
 #include "runtime/certificate/writer.hpp"
 #include "runtime/problem/row_structure.hpp"
+#include "runtime/search/leaf_claims.hpp"
 #include "runtime/search/round.hpp"
 
 namespace regulus::inline trajectory {
@@ -39,11 +40,13 @@ class PathSearch {
         options_(options),
         structure_(find_row_structure(problem, settings)),
         round_(problem, settings, structure_),
+        claims_(problem, options.reach),
         box_(problem.outer),
         boxes_(path.pieces()),
         next_id_(path.pieces(), 1),
         blocked_(path.pieces(), false) {
     result_.certified.assign(path.pieces(), true);
+    result_.leaves.resize(path.pieces());
     if (options.wants_trees) result_.trees.resize(path.pieces());
     number_errors();
   }
@@ -165,12 +168,24 @@ class PathSearch {
 
   void certify(const Part& part, Rule rule) {
     ++result_.statistics.leaves[static_cast<std::size_t>(rule)];
-    if (!options_.wants_trees) return;
     const std::size_t end = std::min(part.piece + part.pieces, path_.pieces());
+    const Claim claim = claim_of_leaf(part, rule);
+    for (std::size_t k = part.piece; k < end; ++k) {
+      result_.leaves[k].within |= claim == Claim::kFree;
+      result_.leaves[k].outside |= claim == Claim::kOutside;
+      result_.leaves[k].out_of_reach |= claim == Claim::kUnreachable;
+    }
+    if (!options_.wants_trees) return;
     for (std::size_t k = part.piece; k < end; ++k) {
       result_.trees[k].lines += fmt::format("l {} {}\n", part.id, certificate_word(rule));
       ++result_.trees[k].leaves;
     }
+  }
+
+  [[nodiscard]] Claim claim_of_leaf(const Part& part, Rule rule) {
+    if (rule != Rule::kOutside) return Claim::kFree;
+    load_box(part);
+    return claims_.of(box_, rule);
   }
 
   void block(const Part& part) {
@@ -224,6 +239,7 @@ class PathSearch {
   const RowStructure structure_;
   Round round_;
   AdaptiveThreshold threshold_;
+  LeafClaims claims_;
   std::vector<Interval> box_;
   std::vector<std::uint32_t> boxes_;  ///< evaluated in each piece
   std::vector<BoxId> next_id_;

@@ -24,9 +24,20 @@ struct PieceTree {
   std::uint64_t leaves = 0;
 };
 
+/// What the leaves of a piece have in common.
+struct PieceLeaves {
+  bool within = false;   ///< some are about poses that the constraints allow
+  bool outside = false;  ///< some lie outside a constraint that is not one of reach
+  bool out_of_reach = false;
+
+  /// True if every pose lies outside the constraints.
+  [[nodiscard]] bool are_excluded() const noexcept { return !within && (outside || out_of_reach); }
+};
+
 struct PathSearchResult {
-  std::vector<bool> certified;   ///< by piece
-  std::vector<PieceTree> trees;  ///< by piece; empty unless they are wanted
+  std::vector<bool> certified;      ///< by piece
+  std::vector<PieceLeaves> leaves;  ///< by piece
+  std::vector<PieceTree> trees;     ///< by piece; empty unless they are wanted
   Statistics statistics;
   std::optional<Reason> stopped_by;
   std::size_t stopped_at = 0;  ///< a piece that was not reached then
@@ -35,6 +46,7 @@ struct PathSearchResult {
 struct PathSearchOptions {
   std::size_t uncertain = 0;  ///< the uncertain quantities of a certificate
   bool wants_trees = false;
+  std::size_t reach = 0;  ///< the first constraints of the kernel, which are those of reach
 };
 
 /// Requires  find_fault finds no fault. `problem`: its motion variables are path.moving() in order, and its ranges contain the whole

@@ -3,6 +3,8 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+
 #include "codegen/analysis/undefined.hpp"
 #include "codegen/engine/choices.hpp"
 #include "codegen/model/trajectory.hpp"
@@ -96,36 +98,25 @@ std::string describe_segment(const TrajectoryCheck& check) {
   return text + fmt::format(" ({}, {})", t.file, lines_text(piece));
 }
 
-std::string format_deciding(const TrajectoryCheck& check) {
-  if (!check.deciding) return "";
-  const DecidingPiece& d = *check.deciding;
-  std::string text =
-      fmt::format("{}{}\n", check.verdict == Verdict::kSingularity ? "singular   " : "blocked    ",
-                  describe_segment(check));
-  if (!d.preparation) return text;
-  text += format_witness(*d.preparation, d.result);
-  if (!d.result.blocking_box.empty())
-    text += fmt::format("           {}\n", describe_place(*d.preparation, d.result.blocking_box));
-  if (d.result.reason == Reason::kUndefined && !d.result.blocking_box.empty())
-    text += format_undefined(*d.preparation, find_undefined(*d.preparation, d.result.blocking_box));
-  return text;
+/// Returns the number of segments on which the constraints allow no pose.
+std::size_t excluded_count(const TrajectoryCheck& check) {
+  return static_cast<std::size_t>(
+      std::ranges::count_if(check.path.leaves, &PieceLeaves::are_excluded));
 }
 
-std::string claim_about(const TrajectoryCheck& check) {
-  const PreparedSearch& p = check.hull;
-  const std::string of_path =
-      fmt::format("every pose of the {} segment{}", trajectory_of(check).pieces.size(),
-                  trajectory_of(check).pieces.size() == 1 ? "" : "s") +
-      (format_tube(check).empty() ? "" : " and of the tube around them") +
-      (uncertain_count(p) == 0 ? "" : " and every value of the uncertain quantities");
-  const bool threshold = p.variety.alpha.hi > 0;
-  if (check.verdict == Verdict::kNoSingularity)
-    return threshold ? fmt::format("|det J⁻¹| > {} for {}", threshold_text(p.variety.alpha, true),
-                                   of_path)
-                     : fmt::format("the {} has full rank for {}", describe_size(p), of_path);
-  if (check.verdict == Verdict::kSingularity)
-    return claim(*check.deciding->preparation, check.deciding->result);
-  return fmt::format("none about the {}: {}", describe_size(p), describe(check.reason));
+/// "reachable pose that the constraints allow"
+std::string describe_poses(const TrajectoryCheck& check) {
+  const Motion& motion = check.request.motion;
+  const bool is_restricted = motion.where != Where::kEverywhere;
+  return std::string(is_restricted ? "reachable pose" : "pose") +
+         (motion.constraints.empty() ? "" : " that the constraints allow");
+}
+
+std::string format_excluded(const TrajectoryCheck& check) {
+  const std::size_t count = excluded_count(check);
+  if (count == 0 || check.verdict != Verdict::kNoSingularity) return "";
+  return fmt::format("excluded   {} segment{} without a {}: no part of the claim\n", count,
+                     count == 1 ? "" : "s", describe_poses(check));
 }
 
 Json json_segment(const TrajectoryCheck& check) {
@@ -142,7 +133,40 @@ Json json_segment(const TrajectoryCheck& check) {
 
 }  // namespace
 
-std::string format_trajectory(const TrajectoryCheck& check, SearchOptions search) {
+std::string format_deciding_piece(const TrajectoryCheck& check) {
+  if (!check.deciding) return "";
+  const DecidingPiece& d = *check.deciding;
+  std::string text =
+      fmt::format("{}{}\n", check.verdict == Verdict::kSingularity ? "singular   " : "blocked    ",
+                  describe_segment(check));
+  if (!d.preparation) return text;
+  text += format_witness(*d.preparation, d.result);
+  if (!d.result.blocking_box.empty())
+    text += fmt::format("           {}\n", describe_place(*d.preparation, d.result.blocking_box));
+  if (d.result.reason == Reason::kUndefined && !d.result.blocking_box.empty())
+    text += format_undefined(*d.preparation, find_undefined(*d.preparation, d.result.blocking_box));
+  return text;
+}
+
+std::string describe_trajectory_claim(const TrajectoryCheck& check) {
+  const PreparedSearch& p = check.hull;
+  const std::string of_path =
+      fmt::format("every {} of the {} segment{}", describe_poses(check),
+                  trajectory_of(check).pieces.size(),
+                  trajectory_of(check).pieces.size() == 1 ? "" : "s") +
+      (format_tube(check).empty() ? "" : " and of the tube around them") +
+      (uncertain_count(p) == 0 ? "" : " and every value of the uncertain quantities");
+  const bool threshold = p.variety.alpha.hi > 0;
+  if (check.verdict == Verdict::kNoSingularity)
+    return threshold ? fmt::format("|det J⁻¹| > {} for {}", threshold_text(p.variety.alpha, true),
+                                   of_path)
+                     : fmt::format("the {} has full rank for {}", describe_size(p), of_path);
+  if (check.verdict == Verdict::kSingularity)
+    return claim(*check.deciding->preparation, check.deciding->result);
+  return fmt::format("none about the {}: {}", describe_size(p), describe(check.reason));
+}
+
+std::string format_trajectory_question(const TrajectoryCheck& check, SearchOptions search) {
   search.engine = check.engine;
   const PreparedSearch& p = check.hull;
   const Statistics& statistics = check.path.statistics;
@@ -153,17 +177,19 @@ std::string format_trajectory(const TrajectoryCheck& check, SearchOptions search
   text += fmt::format("boxes      {} evaluated, at most {} waiting; {} segment{} searched alone\n",
                       statistics.boxes, statistics.max_frontier, check.searched_alone,
                       check.searched_alone == 1 ? "" : "s");
-  text += format_time(check.seconds) + format_deciding(check);
-  return text + fmt::format("claim      {}\n", claim_about(check));
+  return text + format_time(check.seconds);
 }
 
-Json json_trajectory(const TrajectoryCheck& check, const SearchOptions& search) {
+std::string format_trajectory(const TrajectoryCheck& check, const SearchOptions& search) {
+  return format_trajectory_question(check, search) + format_excluded(check) +
+         format_deciding_piece(check) +
+         fmt::format("claim      {}\n", describe_trajectory_claim(check));
+}
+
+void add_trajectory_question(Json& report, const TrajectoryCheck& check,
+                             const SearchOptions& search) {
   const PreparedSearch& p = check.hull;
   const Trajectory& t = trajectory_of(check);
-  Json report;
-  report["verdict"] = json_name(check.verdict);
-  report["claim"] = claim_about(check);
-  report["reason"] = describe(check.reason);
   report["model"] = p.labels.model;
   report["model_file"] = p.model_file;
   report["model_sha256"] = p.labels.model_sha256;
@@ -178,14 +204,23 @@ Json json_trajectory(const TrajectoryCheck& check, const SearchOptions& search) 
   report["boxes"] = check.path.statistics.boxes;
   report["max_frontier"] = check.path.statistics.max_frontier;
   report["searched_alone"] = check.searched_alone;
-  report["segment"] = json_segment(check);
-  const bool has_witness = check.deciding && check.deciding->preparation;
-  report["witness"] =
-      has_witness ? json_witness(*check.deciding->preparation, check.deciding->result) : Json();
   report["engine"] = word_of(check.engine);
   report["isa"] = name(p.isa);
   report["question"] = json_question(check.request, search);
   report["seconds"] = json_seconds(check.seconds);
+}
+
+Json json_trajectory(const TrajectoryCheck& check, const SearchOptions& search) {
+  Json report;
+  report["verdict"] = json_name(check.verdict);
+  report["claim"] = describe_trajectory_claim(check);
+  report["reason"] = describe(check.reason);
+  add_trajectory_question(report, check, search);
+  report["excluded"] = excluded_count(check);
+  report["segment"] = json_segment(check);
+  const bool has_witness = check.deciding && check.deciding->preparation;
+  report["witness"] =
+      has_witness ? json_witness(*check.deciding->preparation, check.deciding->result) : Json();
   return report;
 }
 

@@ -10,9 +10,22 @@
 namespace regulus::inline trajectory {
 
 /// Returns the lines for people, without the verdict.
-[[nodiscard]] std::string format_trajectory(const TrajectoryCheck& check, SearchOptions search);
+[[nodiscard]] std::string format_trajectory(const TrajectoryCheck& check,
+                                            const SearchOptions& search);
+/// Returns the part of them about the question and the work.
+[[nodiscard]] std::string format_trajectory_question(const TrajectoryCheck& check,
+                                                     SearchOptions search);
+/// Returns the part of them about the piece that decides; empty if there is none.
+[[nodiscard]] std::string format_deciding_piece(const TrajectoryCheck& check);
+/// Returns the claim in words.
+///
+/// Requires  a deciding piece with its search if the verdict is SINGULARITY.
+[[nodiscard]] std::string describe_trajectory_claim(const TrajectoryCheck& check);
 
 [[nodiscard]] nlohmann::ordered_json json_trajectory(const TrajectoryCheck& check,
                                                      const SearchOptions& search);
+/// Adds the part of it about the question and the work.
+void add_trajectory_question(nlohmann::ordered_json& report, const TrajectoryCheck& check,
+                             const SearchOptions& search);
 
 }  // namespace regulus::trajectory

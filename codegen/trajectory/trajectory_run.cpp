@@ -3,23 +3,18 @@
 
 #include <fmt/format.h>
 
-#include <limits>
 #include <new>
 
-#include "codegen/certificate/certificate_question.hpp"
-#include "codegen/certificate/piece_question.hpp"
 #include "codegen/engine/search_run.hpp"
-#include "codegen/engine/settings.hpp"
-#include "codegen/support/errors.hpp"
-#include "codegen/support/stopwatch.hpp"
-#include "codegen/trajectory/trajectory_request.hpp"
+#include "codegen/trajectory/path_run.hpp"
+#include "runtime/certificate/writer.hpp"
+#include "runtime/search/conclusion.hpp"
 
 namespace regulus::inline trajectory {
 namespace {
 
 /// After so many pieces without an answer, no more are searched for a singularity.
 constexpr std::size_t kMostUndecided = 8;
-constexpr std::uint64_t kMostBoxesAlone = 200'000;
 
 /// Keeps splits and leaves as lines of a certificate.
 class TreeLines final : public Observer {
@@ -54,73 +49,36 @@ class TrajectoryRun {
       : check_(check),
         search_(search),
         wants_trees_(wants_trees),
-        interrupt_(interrupt),
-        settings_(settings_from(search)) {
-    settings_.interrupt = interrupt;
-    settings_.uncertainty = Uncertainty::kElements;
-    search_.boxes_before_compiling = 0;
-  }
+        run_(check, search, wants_trees, interrupt) {}
 
   void run() {
-    const PathBounds path(*check_.request.motion.trajectory, check_.request.motion.error);
-    FormingWatch watch;
-    watch.interrupt = interrupt_;
-    const double before = check_.seconds.model;
-    check_.hull = prepare(hull_request(check_.request, path), before, search_, watch);
-    check_.seconds = check_.hull.seconds_spent();
-    if (check_.hull.stopped) return stop(0, check_.hull.stopped->interrupted);
-    search_all(path);
-    for (std::size_t k = 0; k < path.pieces() && !has_ended_; ++k)
+    run_.search_all();
+    const std::size_t pieces = check_.request.motion.trajectory->pieces.size();
+    for (std::size_t k = 0; k < pieces && !has_ended(); ++k)
       if (!check_.path.certified[k]) search_alone(k);
-    if (has_ended_ || check_.deciding) return;
-    check_.verdict = Verdict::kNoSingularity;
-    check_.reason = Reason::kAllBoxesCertified;
+    if (has_ended() || check_.deciding) return;
+    const bool is_empty = excluded_everywhere(check_.path.statistics);
+    check_.verdict = is_empty ? Verdict::kPossibleProblem : Verdict::kNoSingularity;
+    check_.reason = is_empty ? Reason::kEmptyVariety : Reason::kAllBoxesCertified;
   }
 
  private:
-  void stop(std::size_t piece, bool interrupted) {
-    end(piece, interrupted ? Reason::kInterrupted : Reason::kTimeBudget);
-  }
-
-  void end(std::size_t piece, Reason reason) {
-    has_ended_ = true;
-    check_.reason = reason;
-    check_.deciding = DecidingPiece{piece, nullptr, {}};
-  }
-
-  [[nodiscard]] double seconds_left() const {
-    const StageSeconds& s = check_.seconds;
-    return settings_.time_limit - (s.model + s.symbolic + s.emit + s.compile + s.search);
-  }
-
-  void search_all(const PathBounds& path) {
-    settings_.time_limit = std::max(0.0, seconds_left());
-    if (find_fault(check_.hull.problem(), settings_)) return end(0, Reason::kBadProblem);
-    const PathSearchOptions options{uncertain_names(check_.hull.labels).size(), wants_trees_};
-    check_.path = search_path(path, check_.hull.problem(), settings_, options);
-    check_.seconds.search = check_.path.statistics.seconds;
-    if (check_.path.stopped_by) end(check_.path.stopped_at, *check_.path.stopped_by);
-  }
+  [[nodiscard]] bool has_ended() const { return has_ended_ || run_.has_ended(); }
 
   void search_alone(std::size_t k) {
     ++check_.searched_alone;
-    auto preparation =
-        std::make_unique<PreparedSearch>(prepare(piece_request(check_.request, k), 0, search_));
-    Settings settings = settings_of(*preparation, search_, interrupt_);
-    settings.time_limit = std::max(0.0, seconds_left());
-    settings.max_boxes = std::min(settings.max_boxes, kMostBoxesAlone);
+    auto preparation = run_.prepare_piece(k);
     PieceTree none;
     TreeLines lines(wants_trees_ ? check_.path.trees[k] : none);
-    Result result = run_search(*preparation, search_, settings, &lines);
-    add(preparation->seconds_spent(), result.statistics);
+    Result result = run_search(*preparation, search_, run_.settings_of_piece(*preparation), &lines);
+    run_.add(*preparation, result.statistics);
     if (wants_trees_ && !lines.is_whole()) throw std::bad_alloc();
-    if (result.verdict == Verdict::kNoSingularity) {
-      check_.path.certified[k] = true;
+    if (result.verdict == Verdict::kNoSingularity || result.reason == Reason::kEmptyVariety) {
+      note_certified(k, result);
       return;
     }
     const bool is_singular = result.verdict == Verdict::kSingularity;
-    const bool is_stopped = result.stopped_by == Reason::kInterrupted ||
-                            (result.stopped_by == Reason::kTimeBudget && seconds_left() <= 0);
+    const bool is_stopped = run_.is_cut_short(result);
     if (is_singular || !check_.deciding) {
       check_.verdict = result.verdict;
       check_.reason = result.reason;
@@ -129,22 +87,17 @@ class TrajectoryRun {
     has_ended_ = is_singular || is_stopped || ++undecided_ == kMostUndecided;
   }
 
-  void add(const StageSeconds& s, const Statistics& statistics) {
-    check_.seconds.symbolic += s.symbolic + s.model;
-    check_.seconds.emit += s.emit;
-    check_.seconds.compile += s.compile;
-    check_.seconds.search += s.search;
-    Statistics& all = check_.path.statistics;
-    all.boxes += statistics.boxes;
-    all.max_frontier = std::max(all.max_frontier, statistics.max_frontier);
-    for (std::size_t rule = 0; rule < kRules; ++rule) all.leaves[rule] += statistics.leaves[rule];
+  /// A piece without a pose that the constraints allow proves nothing and needs no proof.
+  void note_certified(std::size_t k, const Result& result) {
+    check_.path.certified[k] = true;
+    const bool is_excluded = result.reason == Reason::kEmptyVariety;
+    check_.path.leaves[k] = {!is_excluded, is_excluded, false};
   }
 
   TrajectoryCheck& check_;
-  SearchOptions search_;
+  const SearchOptions& search_;
   const bool wants_trees_;
-  const std::atomic<bool>* const interrupt_;
-  Settings settings_;
+  PathRun run_;
   std::size_t undecided_ = 0;
   bool has_ended_ = false;
 };
@@ -153,18 +106,7 @@ class TrajectoryRun {
 
 TrajectoryCheck check_trajectory(Request request, double model_seconds, SearchOptions search,
                                  bool wants_trees, const std::atomic<bool>* interrupt) {
-  if (!search.filters.empty())
-    throw UsageError("--filter: a motion along way-points is searched without filters");
-  if (search.uncertainty != Uncertainty::kElements)
-    throw UsageError(
-        "--uncertainty: a motion along way-points keeps uncertain quantities whole; leave the "
-        "option out");
-  // A piece is decided by few boxes, so that a compiler would not pay.
-  if (search.engine == Engine::kAuto) search.engine = Engine::kInterpreted;
-  TrajectoryCheck check;
-  check.request = std::move(request);
-  check.engine = search.engine;
-  check.seconds.model = model_seconds;
+  TrajectoryCheck check = begin_check(std::move(request), model_seconds, search);
   TrajectoryRun(check, search, wants_trees, interrupt).run();
   return check;
 }

@@ -38,7 +38,7 @@ set(codegen/certificate          ${codegen/engine} codegen/engine runtime/certif
 set(codegen/report               ${codegen/analysis} codegen/analysis)
 set(codegen/picture              ${codegen/report} codegen/report)
 set(codegen/margin               ${codegen/report} codegen/report codegen/certificate)
-set(codegen/trajectory           ${codegen/report} codegen/report codegen/certificate)
+set(codegen/trajectory           ${codegen/margin} codegen/margin)
 set(codegen/quantity             codegen/support codegen/model)
 set(codegen/bound                ${codegen/margin} codegen/margin codegen/quantity)
 set(codegen/page                 ${codegen/bound} codegen/bound)

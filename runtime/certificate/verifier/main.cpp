@@ -35,6 +35,7 @@ constexpr const char* kHelp =
     "\n"
     "  --model FILE     also compare every number and expression of this model file with the\n"
     "                   certificate; the reader shares no code with regulus\n"
+    "  --waypoints FILE with --model: the table of way-points that check --waypoints took\n"
     "  --allow-options  allow ranges, tolerances and alpha to differ from that file, because\n"
     "                   options of regulus change them; list the differences\n"
     "  --time-limit S   stop after S seconds; the answer is then UNFINISHED\n"
@@ -71,6 +72,8 @@ bool read_usage(const std::vector<std::string>& words, Usage& usage) {
       usage.options.all_overridden = true;
     } else if (word == "--model" && !next.empty()) {
       usage.model = words[++i];
+    } else if (word == "--waypoints" && !next.empty()) {
+      usage.options.waypoints = words[++i];
     } else if (word == "--coq" && !next.empty()) {
       usage.coq = words[++i];
     } else if (word == "--time-limit" && read_number(next, usage.options.time_limit)) {

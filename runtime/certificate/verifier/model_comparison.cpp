@@ -20,8 +20,13 @@ enum class Equality { kEqual, kAtPoints, kDifferent, kUnknown };
 
 class Comparison {
  public:
-  Comparison(Question& q, const Options& options, Verification& result)
-      : q_(q), options_(options), result_(result), values_(read_model_values(options.model_text)) {
+  Comparison(Question& q, const Options& options, Verification& result,
+             const std::vector<std::string>& compared)
+      : q_(q),
+        options_(options),
+        result_(result),
+        values_(read_model_values(options.model_text)),
+        used_(compared.begin(), compared.end()) {
     find_degrees();
   }
 
@@ -290,6 +295,7 @@ class Comparison {
     for (auto at = values_.lower_bound(motion);
          at != values_.end() && at->first.starts_with(motion); ++at) {
       const std::string rest = at->first.substr(motion.size());
+      if (rest == "waypoints" || rest == "interpolation") continue;  // waypoints.hpp
       if (rest == "where")
         is_within_reach = true;
       else if (rest == "alpha")
@@ -365,8 +371,9 @@ class Comparison {
 
 }  // namespace
 
-void compare_with_model(Question& question, const Options& options, Verification& result) {
-  Comparison(question, options, result).run();
+void compare_with_model(Question& question, const Options& options, Verification& result,
+                        const std::vector<std::string>& compared) {
+  Comparison(question, options, result, compared).run();
 }
 
 }  // namespace regulus::verifier

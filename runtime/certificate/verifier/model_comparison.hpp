@@ -15,8 +15,10 @@ class OtherModel : public Rejection {
 };
 
 /// Counts in `result` the compared values; lists the values that options may have changed, and
-/// those that could not be compared. Throws OtherModel for any other difference, with both texts
+/// those that could not be compared. `compared`: keys of Question::stated that are compared elsewhere.
+/// Throws OtherModel for any other difference, with both texts
 /// and their lines; Unfinished if the file cannot be read.
-void compare_with_model(Question& question, const Options& options, Verification& result);
+void compare_with_model(Question& question, const Options& options, Verification& result,
+                        const std::vector<std::string>& compared = {});
 
 }  // namespace regulus::verifier

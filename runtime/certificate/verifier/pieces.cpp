@@ -5,11 +5,14 @@
 #include "runtime/certificate/verifier/pieces.hpp"
 
 #include <chrono>
+#include <optional>
 #include <sstream>
 
 #include "runtime/certificate/verifier/model_comparison.hpp"
 #include "runtime/certificate/verifier/proof.hpp"
 #include "runtime/certificate/verifier/single_values.hpp"
+#include "runtime/certificate/verifier/tree_reader.hpp"
+#include "runtime/certificate/verifier/waypoints.hpp"
 
 namespace regulus::verifier {
 namespace {
@@ -58,12 +61,16 @@ class PieceChecker {
     if (question.singular) throw Rejection("a singular pose lies on one piece: there are several");
     if (k == 0) describe(question);
     question.graph.end_of_file();
-    if (k == 0 && !options_.model_text.empty()) compare(question);
+    if (!options_.model_text.empty()) compare(question, k);
     const Variety variety = enclose_variety(question);
     put_in_single_values(question);
     if (options_.time_limit > 0) rest_.time_limit = options_.time_limit - seconds();
     if (rest_.time_limit < 0) throw Unfinished("the time limit was reached");
-    check_tree_of_piece(lines_, question, variety, rest_, result_);
+    const Shown shown = check_tree_of_piece(lines_, question, variety, rest_, result_);
+    shown_.has_met_variety |= shown.has_met_variety;
+    shown_.has_met_point |= shown.has_met_point;
+    // The constraints may exclude some pieces, but not all.
+    if (k + 1 == pieces_.values.size()) require_poses(question, shown_, result_);
   }
 
   void describe(const Question& question) {
@@ -73,11 +80,31 @@ class PieceChecker {
     result_.motion = question.motion;
   }
 
-  void compare(Question& question) {
-    compare_with_model(question, options_, result_);
-    result_.uncompared.push_back("the " + std::to_string(pieces_.values.size()) +
-                                 " lines 'piece' of the certificate, whose numbers are those of a "
-                                 "file of way-points");
+  void compare(Question& question, std::size_t k) {
+    if (k == 0) begin_comparison(question);
+    if (waypoints_->obstacle().empty()) result_.numbers += waypoints_->compare(question, k);
+  }
+
+  void begin_comparison(Question& question) {
+    model_ = read_model_values(options_.model_text);
+    waypoints_.emplace(model_, question.motion, options_.model_name, options_.waypoints);
+    const std::size_t count = pieces_.values.size();
+    std::vector<std::string> compared;
+    if (waypoints_->obstacle().empty()) {
+      if (waypoints_->pieces() != count)
+        throw OtherModel("the certificate is not about " + waypoints_->file() + ": it has " +
+                         std::to_string(count) + " pieces, the file " +
+                         std::to_string(waypoints_->pieces()));
+      compared = waypoints_->compared_keys(question);
+      for (const std::string& name : pieces_.names) compared.push_back("value " + name);
+    }
+    compare_with_model(question, options_, result_, compared);
+    if (!waypoints_->obstacle().empty())
+      result_.uncompared.push_back("the " + std::to_string(count) +
+                                   " lines 'piece' of the certificate: " + waypoints_->obstacle());
+    else if (waypoints_->is_about_ends())
+      result_.uncompared.push_back(
+          "the slopes of the spline at the way-points, which follow from all of them");
   }
 
   [[nodiscard]] double seconds() const {
@@ -90,6 +117,9 @@ class PieceChecker {
   Verification& result_;
   const std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
   const Pieces pieces_;
+  WrittenValues model_;
+  std::optional<WaypointComparison> waypoints_;
+  Shown shown_;  ///< by all pieces
 };
 
 }  // namespace

@@ -11,10 +11,11 @@ namespace regulus::verifier {
 void check_tree(Lines& lines, Question& question, const Variety& variety, const Options& options,
                 Verification& counts);
 
+struct Shown;
 /// Does the same for one piece of a trajectory: reads up to the line that begins the next tree or
-/// ends the file.
-void check_tree_of_piece(Lines& lines, Question& question, const Variety& variety,
-                         const Options& options, Verification& counts);
+/// ends the file. The piece may have no pose.
+Shown check_tree_of_piece(Lines& lines, Question& question, const Variety& variety,
+                          const Options& options, Verification& counts);
 
 /// Does the same for the claim SINGULARITY and its witness.
 void check_witness(Lines& lines, Question& question, const Variety& variety, const Options& options,

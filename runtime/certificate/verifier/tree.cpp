@@ -27,10 +27,10 @@ class TreeChecker {
     require_poses(question_, shown, counts_);
   }
 
-  void check_piece() {
-    const Shown shown = reader_.read();
+  Shown check_piece() {
+    Shown shown = reader_.read();
     reader_.require_tiling();
-    require_poses(question_, shown, counts_);
+    return shown;
   }
 
  private:
@@ -49,9 +49,9 @@ void check_tree(Lines& lines, Question& question, const Variety& variety, const 
   TreeChecker(lines, question, variety, options, counts).check();
 }
 
-void check_tree_of_piece(Lines& lines, Question& question, const Variety& variety,
-                         const Options& options, Verification& counts) {
-  TreeChecker(lines, question, variety, options, counts).check_piece();
+Shown check_tree_of_piece(Lines& lines, Question& question, const Variety& variety,
+                          const Options& options, Verification& counts) {
+  return TreeChecker(lines, question, variety, options, counts).check_piece();
 }
 
 double read_double(std::string_view text) {

@@ -7,9 +7,21 @@
 #include "runtime/certificate/verifier/shards.hpp"
 #include "runtime/certificate/verifier/single_values.hpp"
 #include "runtime/certificate/verifier/usual_environment.hpp"
+#include "runtime/certificate/verifier/waypoints.hpp"
 
 namespace regulus::verifier {
 namespace {
+
+/// A trajectory has a singular pose on one of its pieces.
+void compare(Question& question, const Options& options, Verification& result) {
+  const WrittenValues model = read_model_values(options.model_text);
+  const WaypointComparison waypoints(model, question.motion, options.model_name, options.waypoints);
+  if (!waypoints.is_named()) return compare_with_model(question, options, result);
+  if (waypoints.obstacle().empty()) waypoints.require_some_piece(question);
+  compare_with_model(question, options, result,
+                     waypoints.obstacle().empty() ? waypoints.compared_keys(question)
+                                                  : std::vector<std::string>{});
+}
 
 void check(Lines& lines, Question& question, const Options& options, Verification& result) {
   lines.keep();
@@ -23,7 +35,7 @@ void check(Lines& lines, Question& question, const Options& options, Verificatio
   result.sha256 = question.sha256;
   result.motion = question.motion;
   question.graph.end_of_file();
-  if (!options.model_text.empty()) compare_with_model(question, options, result);
+  if (!options.model_text.empty()) compare(question, options, result);
   const Variety variety = enclose_variety(question);
   put_in_single_values(question);
   if (question.is_index)

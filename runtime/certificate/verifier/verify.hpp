@@ -38,6 +38,9 @@ struct Options {
   std::uint64_t max_bytes = format::kMaxBytes;  ///< of the file
   /// The text and name of the model file that the question must be about; empty: any.
   std::string model_text, model_name;
+  /// For a comparison with the model file: the table of way-points that a trajectory follows; empty:
+  /// that of its motion, which is beside `model_name`.
+  std::string waypoints;
   /// For a comparison with the model file: values that may differ because an option of the command
   /// line has set them: "alpha", "range x", "tolerance base".
   std::set<std::string> overridden;

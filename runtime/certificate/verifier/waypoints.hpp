@@ -1,0 +1,76 @@
+// SPDX-License-Identifier: Apache-2.0
+// Compares the pieces of a trajectory with the table of way-points that a model file names. The
+// reader of tables shares nothing with the front end.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "runtime/certificate/verifier/model_file.hpp"
+#include "runtime/certificate/verifier/question.hpp"
+
+namespace regulus::verifier {
+
+/// A table as it is written.
+struct WaypointTable {
+  struct Column {
+    std::string name, unit;
+  };
+  struct Row {
+    std::size_t line = 0;
+    std::vector<std::string> cells;  ///< decimals
+  };
+  std::vector<Column> columns;
+  std::vector<Row> rows;
+};
+
+/// Throws Unfinished, with the line, for a text that it does not understand.
+[[nodiscard]] WaypointTable read_waypoint_table(std::string_view text);
+
+class WaypointComparison {
+ public:
+  /// `file`: what the certificate should be about instead of the file that the motion names; empty:
+  /// that one, which is beside `model_name`. Throws Unfinished if it cannot be read.
+  WaypointComparison(const WrittenValues& model, const std::string& motion,
+                     const std::string& model_name, const std::string& file);
+
+  /// False if nothing names a file: the motion is not along way-points.
+  [[nodiscard]] bool is_named() const noexcept { return !file_.empty(); }
+  [[nodiscard]] const std::string& file() const noexcept { return file_; }
+  /// Returns the reason why the pieces cannot be compared; empty: they can.
+  [[nodiscard]] const std::string& obstacle() const noexcept { return obstacle_; }
+  [[nodiscard]] std::size_t pieces() const noexcept { return table_.rows.size() - 1; }
+  /// True if only the ends of each piece are compared: a spline has slopes of its own.
+  [[nodiscard]] bool is_about_ends() const noexcept { return interpolation_ == "cubic"; }
+
+  /// Compares the commanded poses of the question about a piece with the table: at every s of
+  /// [0, 1], or at both ends. Throws OtherModel.
+  ///
+  /// Ensures   returns the number of compared pose parameters.
+  std::size_t compare(Question& question, std::size_t piece) const;
+  /// Throws OtherModel unless the question is about one of the pieces.
+  void require_some_piece(Question& question) const;
+  /// Returns the keys of Question::stated that compare() covers.
+  [[nodiscard]] std::vector<std::string> compared_keys(const Question& question) const;
+
+ private:
+  [[nodiscard]] const std::size_t* column(const std::string& name) const;
+  [[nodiscard]] std::string unit_of_model(const std::string& parameter) const;
+  [[nodiscard]] NodeId cell(Graph& graph, std::size_t row, const std::string& parameter) const;
+  [[nodiscard]] NodeId slope(Graph& graph, std::size_t row, const std::string& parameter) const;
+  [[nodiscard]] NodeId scaled(Graph& graph, NodeId number, const std::string& parameter) const;
+  [[nodiscard]] NodeId expected(Question& question, std::size_t piece,
+                                const std::string& parameter) const;
+  /// Returns the name of a pose parameter that differs; empty if none does.
+  [[nodiscard]] std::string other_parameter(Question& question, std::size_t piece) const;
+  [[nodiscard]] bool agrees(Question& question, std::size_t piece,
+                            const std::string& parameter) const;
+  void find_columns();
+
+  const WrittenValues& model_;
+  std::string file_, interpolation_ = "linear", obstacle_;
+  WaypointTable table_;
+  std::vector<std::pair<std::string, std::size_t>> column_;  ///< by name
+};
+
+}  // namespace regulus::verifier
