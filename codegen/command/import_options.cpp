@@ -32,6 +32,12 @@ void add_import_options(CLI::App& app, ImportCommand& command) {
       ->take_all()
       ->expected(1)
       ->type_name("LINK=LINK");
+  app.add_option("--actuated", command.options.actuated,
+                 "Driven joints of a robot in the plane with loops, one of each leg; default: the "
+                 "joint at the base, or the one that slides")
+      ->take_all()
+      ->expected(1)
+      ->type_name("JOINT,JOINT");
   app.add_option("--snap", command.options.snap,
                  "Take a number within this distance of a multiple of pi/12, or of a decimal with "
                  "fewer digits, for that number; each is reported. 0: take all numbers as they are")

@@ -137,7 +137,7 @@ class ChainFinder {
       throw UsageError(
           fmt::format("several links are the last of a chain of joints: {}; choose the "
                       "tip of the arm with --tip LINK, which may also be a link before "
-                      "these",
+                      "these; if the robot closes a loop there, give it with --cut LINK=LINK",
                       listed(tips)));
     chain.joints = ends.at(tips.front());
     chain.tip = tips.front();

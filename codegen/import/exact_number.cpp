@@ -73,6 +73,11 @@ numeric exact_number(std::string_view text, const XmlPlace& place) {
     throw InputError::statement(place.file, place.line,
                                 place.what + " has " + in_quotes(text) + ", which is not a number",
                                 remedy_for(text));
+  const numeric largest = GiNaC::ex_to<numeric>(GiNaC::pow(GiNaC::ex(10), 100));
+  if (*value > largest)
+    throw InputError::statement(place.file, place.line,
+                                place.what + " has " + in_quotes(text) + ", which is above 1e100",
+                                "correct the number");
   return negative ? -*value : *value;
 }
 

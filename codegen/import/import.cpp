@@ -9,6 +9,7 @@
 #include "codegen/import/chain.hpp"
 #include "codegen/import/hexapod.hpp"
 #include "codegen/import/mjcf.hpp"
+#include "codegen/import/planar_legs.hpp"
 #include "codegen/import/sdf.hpp"
 #include "codegen/import/serial_text.hpp"
 #include "codegen/import/urdf.hpp"
@@ -102,6 +103,29 @@ std::string chain_line(const Chain& chain) {
                      fixed);
 }
 
+/// Returns the names in texts such as "a,b".
+std::vector<std::string> split_names(const std::vector<std::string>& texts) {
+  std::vector<std::string> names;
+  for (const std::string& text : texts)
+    for (std::size_t begin = 0; begin <= text.size();) {
+      const std::size_t end = std::min(text.find(',', begin), text.size());
+      names.push_back(text.substr(begin, end - begin));
+      begin = end + 1;
+    }
+  return names;
+}
+
+/// A file with loops may have an arm that is no part of them.
+Chain find_arm(const Mechanism& mechanism, const std::string& file, const ImportOptions& options) {
+  if (!options.tip.empty()) return find_chain(mechanism, file, options.base, options.tip);
+  try {
+    return find_chain(mechanism, file, options.base, options.tip);
+  } catch (const std::runtime_error&) {
+    refuse_closed_mechanism(mechanism, file);
+    throw;
+  }
+}
+
 /// The tables of the model, and a line about the robot.
 struct Tables {
   std::string text, robot;
@@ -113,7 +137,15 @@ Tables tables_of(Mechanism& mechanism, const std::string& file, const ImportOpti
     return {hexapod_text(*hexapod, mechanism.notes),
             fmt::format("six legs from {} to {}, each with a joint that slides",
                         in_quotes(hexapod->base), in_quotes(hexapod->platform))};
-  const Chain chain = find_chain(mechanism, file, options.base, options.tip);
+  if (const auto robot =
+          find_planar_robot(mechanism, file, options.base, split_names(options.actuated)))
+    return {planar_text(*robot, mechanism.notes),
+            fmt::format("{} legs in the plane {}, from {} to {}", robot->legs.size(), robot->plane,
+                        in_quotes(robot->base),
+                        robot->platform.empty() ? "one point" : in_quotes(robot->platform))};
+  if (!options.actuated.empty())
+    throw UsageError("--actuated: only a robot with loops has joints that are not driven");
+  const Chain chain = find_arm(mechanism, file, options);
   return {serial_text(chain, identifiers, mechanism.notes), chain_line(chain)};
 }
 
@@ -139,6 +171,15 @@ void add_cuts(Mechanism& mechanism, const std::vector<std::string>& cuts) {
   }
 }
 
+/// Reads the model that was made of a file. Its lines are not those of the file.
+Model parsed(const std::string& text, const std::string& file) try {
+  return parse_model(text, "its model");
+} catch (const InputError& error) {
+  throw InputError::statement(file, 0,
+                              std::string("no model can be made of this robot: ") + error.what(),
+                              "correct the number in the file");
+}
+
 Imported import_mechanism(const XmlFile& xml, std::string_view text, const std::string& file,
                           const ImportOptions& options) {
   NumberReader numbers = number_reader(options);
@@ -149,7 +190,7 @@ Imported import_mechanism(const XmlFile& xml, std::string_view text, const std::
   Imported result;
   const Tables tables = tables_of(mechanism, file, options, identifiers);
   result.model = header(mechanism, file, text) + tables.text;
-  const Model model = parse_model(result.model, "the model made of " + file);
+  const Model model = parsed(result.model, file);
   add_notes(result, "read",
             {fmt::format("{} {}: {} links, {} joints", mechanism.format, in_quotes(mechanism.name),
                          mechanism.links.size(), mechanism.joints.size())});

@@ -10,9 +10,10 @@
 namespace regulus::inline importing {
 
 struct ImportOptions {
-  std::string base{}, tip{};        ///< links; empty: the only one that can be meant
-  std::vector<std::string> cuts{};  ///< "LINK=LINK": loops that the file does not have
-  std::string snap = "1e-9";        ///< numbers move by at most this much
+  std::string base{}, tip{};            ///< links; empty: the only one that can be meant
+  std::vector<std::string> cuts{};      ///< "LINK=LINK": loops that the file does not have
+  std::vector<std::string> actuated{};  ///< driven joints of a robot with loops; empty: the usual
+  std::string snap = "1e-9";            ///< numbers move by at most this much
 };
 
 /// Notes for the user on how a model came about, under one title: "read", "robot", "matrix",
@@ -33,7 +34,8 @@ struct Imported {
 /// The largest file that is read.
 constexpr std::size_t kLargestImport = std::size_t{16} << 20;
 
-/// Makes a model of a URDF, MJCF or SDF file: [serial] of an arm, [gough] of a platform on six legs.
+/// Makes a model of a URDF, MJCF or SDF file: [serial] of an arm, [gough] of a platform on six legs,
+/// [legs] of a robot in the plane with loops.
 ///
 /// Ensures   the model's text is read without an error.
 /// Throws    InputError with file and line; UsageError if an option is missing or wrong.

@@ -186,16 +186,119 @@ TEST_F(Trajectories, AreRejectedIfACertificateIsChanged) {
   EXPECT_THAT(compared.errors, HasSubstr("the certificate is not about"));
 }
 
-TEST_F(Trajectories, BelongToCheckAlone) {
+TEST_F(Trajectories, AreNamedWhereAnotherQuestionHasNone) {
   const std::string model = file("cart.toml", kCart);
   static_cast<void>(file("way.csv", circle()));
-  const CommandResult run = regulus({"locate", model, "way"});
-  EXPECT_EQ(run.exit_code, 65);
-  EXPECT_THAT(run.errors, HasSubstr("only regulus check takes such a motion"));
   EXPECT_EQ(regulus({"check", model, "way", "--range", "x=0:1"}).exit_code, 64);
+  for (const auto& [words, why] :
+       {std::pair(std::vector<std::string>{"locate", "--picture", "way.svg"}, "is not drawn"),
+        {{"locate", "--certificate", "way.txt"}, "no proof of the stretches"},
+        {{"margin", "--alpha", "0:1", "--certificate", "way.txt"}, "writes no proof"},
+        {{"margin", "--scale", "0:1"}, "has no ranges; use --tube"},
+        {{"margin", "--grow", "x=0:1"}, "has no ranges; use --tube"}}) {
+    std::vector<std::string> line = {words[0], model, "way"};
+    line.insert(line.end(), words.begin() + 1, words.end());
+    const CommandResult run = regulus(line);
+    EXPECT_EQ(run.exit_code, 64);
+    EXPECT_THAT(run.errors, HasSubstr(why));
+  }
   std::filesystem::remove(path("way.csv"));
   EXPECT_EQ(regulus({"check", model, "way"}).exit_code, 74);
   EXPECT_EQ(regulus({"check", model, "hold", "--quiet"}).output, "NO SINGULARITY\n");
+}
+
+/// Row 117 is below the winches: the path crosses y = 0 before and behind it.
+TEST_F(Trajectories, AreDividedIntoStretches) {
+  const std::string model = file("cart.toml", kCart);
+  static_cast<void>(file("way.csv", circle(117)));
+  const CommandResult run = regulus({"locate", model, "way", "--output", path("stretches.jsonl")});
+  EXPECT_EQ(run.output, "SINGULARITY\n") << run.errors;
+  EXPECT_EQ(run.exit_code, 1);
+  EXPECT_THAT(run.errors, HasSubstr("free       segments 1 to 117, t from 0 to 1.169"));
+  EXPECT_THAT(run.errors, HasSubstr("singular   segment 117, t from 1.169"));
+  std::vector<std::string> kinds;
+  std::ifstream lines(path("stretches.jsonl"));
+  double end = 0;
+  json last;
+  for (std::string line; std::getline(lines, line);) {
+    last = json::parse(line);
+    if (!last.contains("kind")) continue;
+    kinds.push_back(last["kind"]);
+    EXPECT_EQ(last["time"][0], end);
+    end = last["time"][1];
+  }
+  EXPECT_EQ(end, 2);
+  EXPECT_THAT(kinds, testing::ElementsAre("free", "singular", "free", "singular", "free"));
+  EXPECT_GT(last["summary"]["share"]["free"], 0.9999);
+  EXPECT_EQ(regulus({"locate", model, "hold", "--waypoints", file("good.csv", circle()), "--quiet",
+                     "--json"})
+                .exit_code,
+            0);
+}
+
+/// The singular way-point is the only one at x < 1.2.
+TEST_F(Trajectories, ObeyConstraints) {
+  const std::string limited = std::string(kCart) +
+                              "[motion.right]\nwaypoints = \"way.csv\"\nconstraints = [\"1.2 - x\"]"
+                              "\n[motion.none]\nwaypoints = \"way.csv\"\nconstraints = [\"x\"]\n";
+  const std::string model = file("cart.toml", limited);
+  static_cast<void>(file("way.csv", circle(100)));
+  EXPECT_EQ(regulus({"check", model, "way", "--quiet"}).output, "SINGULARITY\n");
+  const CommandResult run = regulus({"check", model, "right", "--certificate", path("proof.txt")});
+  EXPECT_EQ(run.output, "NO SINGULARITY\n") << run.errors;
+  EXPECT_THAT(run.errors, HasSubstr("without a pose that the constraints allow: no part"));
+  EXPECT_EQ(regulus({"verify", path("proof.txt"), "--model", model}).output, "VERIFIED\n");
+  const json paved = json::parse(regulus({"locate", model, "right", "--json", "--quiet"}).output);
+  EXPECT_EQ(paved["verdict"], "no-singularity");
+  EXPECT_GT(paved["share"]["outside"], 0.05);
+  const CommandResult none = regulus({"check", model, "none"});
+  EXPECT_EQ(none.output, "POSSIBLE PROBLEM\n");
+  EXPECT_THAT(none.errors, HasSubstr("the constraints exclude every pose"));
+}
+
+/// The lowest way-point of the circle is y = 1.
+TEST_F(Trajectories, HaveMargins) {
+  const std::string model = file("cart.toml", kCart);
+  static_cast<void>(file("way.csv", circle()));
+  const auto margin = [&](const std::string& motion, const std::string& option,
+                          const std::string& range) {
+    return regulus({"margin", model, motion, option, range, "--quiet"}).output;
+  };
+  EXPECT_EQ(margin("way", "--tube", "y=0:"), "SAFE UP TO 0.9925, NOT AT 1\n");
+  EXPECT_EQ(margin("way", "--tube", "x=0:3"), "SAFE UP TO 3\n");
+  EXPECT_EQ(margin("way", "--tolerance", "base=0:1"), "SAFE UP TO 1\n");
+  EXPECT_THAT(margin("way", "--alpha", "0:8"), HasSubstr("SAFE UP TO 3.9"));
+  EXPECT_EQ(margin("way", "--tube", "y=2:3"), "NOT SAFE AT 2\n");
+  // The control error of a motion of another kind grows, too.
+  EXPECT_EQ(margin("hold", "--tube", "y=0:"), "SAFE UP TO 0.9925, NOT AT 1\n");
+}
+
+/// The verifier's own reader of tables finds a changed number by itself.
+TEST_F(Trajectories, AreComparedWithTheirTable) {
+  const std::string model = file("cart.toml", kCart);
+  const std::string table = circle();
+  static_cast<void>(file("way.csv", table));
+  for (const char* motion : {"way", "curve"}) {
+    const std::string proof = path("proof.txt");
+    ASSERT_EQ(regulus({"check", model, motion, "--certificate", proof}).exit_code, 0);
+    const CommandResult same = run_command({kVerify, proof, "--model", model});
+    EXPECT_EQ(same.output, "VERIFIED\n") << same.errors;
+    EXPECT_EQ(same.errors.find("uncompared 2"), std::string::npos) << same.errors;
+    std::string changed = table;
+    changed.replace(changed.find("3.000000"), 8, "3.000001");
+    const CommandResult other = run_command(
+        {kVerify, proof, "--model", model, "--waypoints", file("changed.csv", changed)});
+    EXPECT_EQ(other.output, "REJECTED\n");
+    EXPECT_THAT(other.errors, AllOf(HasSubstr("changed.csv"), HasSubstr("differs")));
+    const CommandResult shorter =
+        run_command({kVerify, proof, "--model", model, "--waypoints",
+                     file("short.csv", table.substr(0, table.rfind('\n', table.size() - 2) + 1))});
+    EXPECT_THAT(shorter.errors, HasSubstr("it has 200 pieces, the file 199"));
+    EXPECT_EQ(run_command({kVerify, proof, "--model", model, "--waypoints",
+                           file("odd.csv", "t,x,y\n0,one,2\n1,2,3\n")})
+                  .output,
+              "UNFINISHED\n");
+  }
 }
 
 TEST_F(Trajectories, GiveTheSameCertificateForAnyNumberOfThreads) {

@@ -213,7 +213,7 @@ TEST(Gcode, SaysHowFarAnArcMissesItsEnd) {
   EXPECT_FALSE(t.pieces[0].pose[1].power[1].is_zero());
 }
 
-TEST(WaypointMotion, HasNoRangesParametersOrConstraints) {
+TEST(WaypointMotion, HasNoRangesOrParameters) {
   const auto refused = [](const std::string& lines, const std::string& why) {
     EXPECT_THROW(
         static_cast<void>(parse_model(std::string(kModel) + "[motion.way]\n" + lines, "m")),
@@ -221,7 +221,7 @@ TEST(WaypointMotion, HasNoRangesParametersOrConstraints) {
         << why;
   };
   refused("waypoints = \"w.csv\"\nx = [0, 1]\n", "range");
-  refused("waypoints = \"w.csv\"\nconstraints = [\"x\"]\n", "constraints");
+  refused("waypoints = \"w.csv\"\nconstraints = [\"y\"]\n", "an unknown name in a constraint");
   refused("waypoints = \"w.csv\"\nparameters = { T = [0, 1] }\n", "parameters");
   refused("waypoints = \"w.csv\"\ninterpolation = \"quintic\"\n", "interpolation");
   refused("interpolation = \"linear\"\nx = 0\nphi = 0\n", "no way-points");
