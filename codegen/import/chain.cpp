@@ -33,8 +33,8 @@ class ChainFinder {
         refuse(joint.line,
                fmt::format("link {} is the child of two joints, {} and {}", in_quotes(joint.child),
                            in_quotes(at->second->name), in_quotes(joint.name)),
-               "an arm has no loops; of the robots with loops, only platforms on six legs that "
-               "slide are read");
+               "an arm has no loops; the manual page on robot files has the robots with loops that "
+               "are read");
     }
   }
 
@@ -156,9 +156,7 @@ class ChainFinder {
                  fmt::format("{} closes a loop of links {} and {} with joint {} of the arm",
                              in_quotes(loop.type), in_quotes(loop.first), in_quotes(loop.second),
                              in_quotes(joint->name)),
-                 "choose --base and --tip outside the loop; of the robots with loops, only "
-                 "platforms on six "
-                 "legs that slide are read");
+                 "choose --base and --tip outside the loop");
       }
     }
   }

@@ -161,6 +161,9 @@ ExactNumber NumberReader::angle(std::string_view text, AngleUnit unit, const Xml
     snaps_.push_back({place.line, place.what, std::string(text), result.text});
     return result;
   }
+  if (!tolerance_.is_zero() && !k.is_zero() && abs(k * twelfth - radian) <= numeric(1, 10000) &&
+      abs(k) <= kMostTwelfths)
+    near_.push_back({place.line, place.what, std::string(text), twelfths_of_pi(k.to_long()).text});
   ExactNumber result = snapped(written, text, place);
   if (degrees) result = {result.value * GiNaC::Pi / 180, result.text + "*deg"};
   return result;

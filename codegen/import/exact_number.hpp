@@ -53,6 +53,9 @@ class NumberReader {
 
   void record(Snap snap) { snaps_.push_back(std::move(snap)); }
   [[nodiscard]] const std::vector<Snap>& snaps() const noexcept { return snaps_; }
+  /// Returns the angles that may have been meant as multiples of pi/12, but are not within the
+  /// tolerance.
+  [[nodiscard]] const std::vector<Snap>& near() const noexcept { return near_; }
   [[nodiscard]] const GiNaC::numeric& tolerance() const noexcept { return tolerance_; }
 
  private:
@@ -60,7 +63,7 @@ class NumberReader {
                                     const XmlPlace& place);
 
   GiNaC::numeric tolerance_;
-  std::vector<Snap> snaps_;
+  std::vector<Snap> snaps_, near_;
 };
 
 /// Returns the exact number that the decimal denotes; throws InputError for any other text.

@@ -171,6 +171,19 @@ void add_cuts(Mechanism& mechanism, const std::vector<std::string>& cuts) {
   }
 }
 
+/// 1.5708 is a robot with a skew axis, and seldom meant.
+void note_near_angles(Mechanism& mechanism, const NumberReader& numbers) {
+  constexpr std::size_t kMost = 5;
+  const std::vector<Snap>& near = numbers.near();
+  for (std::size_t i = 0; i < std::min(near.size(), kMost); ++i)
+    mechanism.notes.push_back(
+        fmt::format("line {}, {}: {} is not {}; if it is meant, --snap 1e-4 takes it for that{}",
+                    near[i].line, near[i].what, near[i].before, near[i].after,
+                    i + 1 == kMost && near.size() > kMost
+                        ? fmt::format(" ({} numbers more)", near.size() - kMost)
+                        : ""));
+}
+
 /// Reads the model that was made of a file. Its lines are not those of the file.
 Model parsed(const std::string& text, const std::string& file) try {
   return parse_model(text, "its model");
@@ -199,6 +212,7 @@ Imported import_mechanism(const XmlFile& xml, std::string_view text, const std::
   add_notes(result, "ignored", ignored_lines(mechanism));
   add_notes(result, "renamed", identifiers.changes());
   add_notes(result, "snapped", snap_lines(numbers));
+  note_near_angles(mechanism, numbers);
   add_notes(result, "note", mechanism.notes);
   return result;
 }

@@ -3,6 +3,8 @@
 
 #include <fmt/format.h>
 
+#include <cmath>
+#include <cstdlib>
 #include <set>
 
 #include "codegen/import/read_pose.hpp"
@@ -24,13 +26,24 @@ class UrdfReader {
       if (element.name() == "joint")
         read_joint(element);
       else if (element.name() != "link")
-        ignore(element.name());
+        ignore_element(element);
     }
     return std::move(result_);
   }
 
  private:
   void ignore(const std::string& name) { ++result_.ignored[printable(name)]; }
+
+  /// Definitions that xacro has left over have no effect; a part of the robot may stand for others.
+  void ignore_element(const XmlElement& element) {
+    const std::string name = element.name();
+    const bool is_definition =
+        name == "xacro:property" || name == "xacro:arg" || name == "xacro:macro";
+    if (name.starts_with("xacro:") && !is_definition)
+      element.refuse("<" + printable(name) + "> may stand for links and joints",
+                     "expand the macros first: xacro FILE.xacro > FILE.urdf");
+    ignore(name);
+  }
 
   void read_link(const XmlElement& link) {
     const std::string name = link.required("name");
@@ -46,7 +59,7 @@ class UrdfReader {
     joint.name = element.required("name");
     if (!names_.insert(joint.name).second)
       element.refuse("joint " + in_quotes(joint.name) + " is there twice", "rename one of them");
-    joint.type_name = element.required("type");
+    joint.type_name = one_word(element.required("type"));
     joint.type = type_of(joint.type_name);
     joint.parent = link_of(element, joint, "parent");
     joint.child = link_of(element, joint, "child");
@@ -59,6 +72,20 @@ class UrdfReader {
     for (const char* name : {"dynamics", "calibration", "safety_controller"})
       if (element.child(name)) ignore(name);
     result_.joints.push_back(std::move(joint));
+  }
+
+  /// Returns the text without white space around it.
+  static std::string one_word(const std::string& text) {
+    const auto words = words_of(text);
+    return words.size() == 1 ? std::string(words.front()) : text;
+  }
+
+  /// Programs write an infinite limit, or one like 1e16, for none.
+  static bool is_unlimited(const std::string& text) {
+    const std::string word = one_word(text);
+    char* end = nullptr;
+    const double value = std::strtod(word.c_str(), &end);
+    return !word.empty() && *end == '\0' && std::fabs(value) >= 1e15;
   }
 
   static JointType type_of(const std::string& name) {
@@ -112,12 +139,12 @@ class UrdfReader {
     const auto limit = element.child("limit");
     if (joint.type == JointType::kContinuous || !limit) return;
     if (!limit->has("lower") && !limit->has("upper")) return;
+    if (is_unlimited(limit->attribute("lower")) || is_unlimited(limit->attribute("upper"))) return;
     const auto end = [&](const char* key) -> ExactNumber {
       const XmlPlace place =
           limit->place(fmt::format("the {} limit of joint {}", key, in_quotes(joint.name)));
       const std::string text = limit->attribute(key, "0");  // as URDF has it
-      const auto words = words_of(text);
-      const std::string word(words.size() == 1 ? words.front() : text);
+      const std::string word = one_word(text);
       return joint.type == JointType::kPrismatic ? numbers_.length(word, place)
                                                  : numbers_.angle(word, AngleUnit::kRadian, place);
     };

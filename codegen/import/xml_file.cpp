@@ -48,7 +48,17 @@ void XmlElement::refuse(const std::string& problem, const std::string& remedy) c
   throw InputError::statement(*file_, line(), problem, remedy);
 }
 
+/// Refuses texts that are often taken for a robot.
+static void require_text_of_robot(const std::string& file, std::string_view text) {
+  if (text.starts_with("\xff\xfe") || text.starts_with("\xfe\xff"))
+    throw InputError::statement(file, 1, "the file is in UTF-16", "save it in UTF-8");
+  if (text.starts_with("version https://git-lfs"))
+    throw InputError::statement(file, 1, "the file is a pointer of Git LFS",
+                                "get the file itself: git lfs pull");
+}
+
 XmlFile::XmlFile(std::string file, std::string_view text) : file_(std::move(file)) {
+  require_text_of_robot(file_, text);
   if (document_.Parse(text.data(), text.size()) != tinyxml2::XML_SUCCESS)
     throw InputError::statement(file_, document_.ErrorLineNum(),
                                 std::string("the file is not XML (") + document_.ErrorName() + ")",

@@ -60,7 +60,8 @@ PreparedSearch prepare_question(const CommandLine& line) {
     throw UsageError("margin: several ranks cannot search within a limit yet; use regulus");
   ModelOptions model = margin.model;
   const MarginQuestion question = take_question(model, margin.size);
-  return std::move(PreparedMargin(question, model, margin.search, {}).prepared);
+  return std::move(
+      PreparedMargin(question, read_request(model), 0, compiled_first(margin.search), {}).prepared);
 }
 
 /// The work of rank 0. Other ranks have been told to begin.

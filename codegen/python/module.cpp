@@ -318,13 +318,15 @@ void bind_files(py::module_& module) {
   module.def(
       "import_file",
       [](const std::string& path, const std::string& base, const std::string& tip,
-         const std::vector<std::string>& cuts, const std::string& snap) {
+         const std::vector<std::string>& cuts, const std::vector<std::string>& actuated,
+         const std::string& snap) {
         const Imported imported = run_there([=](const std::atomic<bool>&) {
-          return import_file(path, {base, tip, cuts, snap});
+          return import_file(path, {base, tip, cuts, actuated, snap});
         });
         return std::pair(imported.model, imported.report());
       },
-      py::arg("path"), py::arg("base"), py::arg("tip"), py::arg("cuts"), py::arg("snap"));
+      py::arg("path"), py::arg("base"), py::arg("tip"), py::arg("cuts"), py::arg("actuated"),
+      py::arg("snap"));
   module.def(
       "describe_model",
       [](const Question& question) {

@@ -576,6 +576,7 @@ def from_urdf(
     base: str = "",
     tip: str = "",
     cuts: Sequence[str] = (),
+    actuated: Sequence[str] = (),
     snap: Number = "1e-9",
 ) -> Robot:
     """Reads a URDF, MJCF or SDF file as a robot: an arm, or a platform on six legs.
@@ -584,6 +585,7 @@ def from_urdf(
         base: the first link of the chain; "" if only one can be meant.
         tip: the last link.
         cuts: "LINK=LINK": loops that the file does not have.
+        actuated: driven joints of a robot in the plane with loops; empty: the usual ones.
         snap: numbers move by at most this much to short decimals and multiples of π/12.
 
     `text` is a model file that can be read and kept; `notes` say what was assumed.
@@ -592,5 +594,7 @@ def from_urdf(
         InputError: with file and line; UsageError; FileError.
     """
     file = os.fspath(path)
-    model, report = _regulus.import_file(file, base, tip, list(cuts), Texts().of(snap))
+    model, report = _regulus.import_file(
+        file, base, tip, list(cuts), list(actuated), Texts().of(snap)
+    )
     return Robot(model, notes=report.splitlines())

@@ -113,6 +113,18 @@ TEST(ImportRefusal, ALoopThroughTheArm) {
       AllOf(StartsWith("r.urdf:2:"), HasSubstr("a closed mechanism that is not known: 3 bodies")));
 }
 
+TEST(ImportRefusal, APartThatMayStandForOthers) {
+  EXPECT_THAT(input_error("<robot>\n<xacro:include filename='a.xacro'/></robot>"),
+              AllOf(StartsWith("r.urdf:2:"), HasSubstr("expand the macros first")));
+  EXPECT_THAT(input_error("<robot><xacro:arm prefix='left'/></robot>"),
+              HasSubstr("<xacro:arm> may stand for links and joints"));
+  EXPECT_THAT(input_error("version https://git-lfs.github.com/spec/v1\n"),
+              HasSubstr("git lfs pull"));
+  EXPECT_THAT(input_error("\xff\xfe<"), HasSubstr("save it in UTF-8"));
+  EXPECT_THAT(input_error(robot(joint("i", "a", "b", "<origin xyz='0 1e101 0'/>"))),
+              HasSubstr("'1e101', which is above 1e100"));
+}
+
 TEST(ImportRefusal, ADistanceThatIsNone) {
   EXPECT_THAT(usage_error(robot(joint("i", "a", "b")), {.snap = "x"}), HasSubstr("--snap"));
   EXPECT_THAT(usage_error(robot(joint("i", "a", "b")), {.snap = "1"}),
