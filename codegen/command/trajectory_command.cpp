@@ -38,7 +38,7 @@ void refuse_what_locate_lacks(const LocateCommand& command) {
     throw UsageError(
         "--certificate: there is no proof of the stretches of a motion along way-points; regulus "
         "check --certificate proves the whole motion");
-  if (!command.pictures.empty() || !command.axes.empty())
+  if (!command.pictures.files.empty() || !command.pictures.axes.empty())
     throw UsageError(
         "--picture: a motion along way-points is not drawn; --output FILE has its stretches");
 }
