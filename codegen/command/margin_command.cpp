@@ -49,7 +49,7 @@ int run_margin(const MarginCommand& given) {
     certificates.add_to(report);
     std::cout << report.dump(command.output.json_indent) << '\n';
   } else {
-    print_answer(describe_bracket(question, found), exit_code_of(question, found));
+    print_answer(describe_bracket(question, found), exit_code_of_margin(question, found));
   }
   std::cout.flush();
   return exit_code_of_margin(question, found);
