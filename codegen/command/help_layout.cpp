@@ -19,10 +19,10 @@ using Names = std::vector<std::string>;
 
 const Names& names_in(const std::string& group) {
   static const std::map<std::string, Names> kNames = {
-      {kQuestion, {"range", "tolerance", "alpha",  "waypoints", "tube",  "scale",    "grow",
-                   "load",  "twist",     "leg",    "freedom",   "min",   "signed",   "quantity",
-                   "limit", "bound",     "margin", "paving",    "model", "base",     "tip",
-                   "cut",   "snap",      "stage",  "all",       "name",  "namespace"}},
+      {kQuestion, {"range", "tolerance", "alpha",  "waypoints", "tube",  "scale",  "grow",
+                   "load",  "twist",     "leg",    "freedom",   "min",   "signed", "quantity",
+                   "limit", "bound",     "margin", "paving",    "model", "base",   "tip",
+                   "cut",   "actuated",  "snap",   "stage",     "all",   "name",   "namespace"}},
       {kBudget,
        {"time-limit", "max-boxes", "threads", "gap", "resolution", "precision", "symbolic-budget"}},
       {kOutput,

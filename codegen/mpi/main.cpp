@@ -4,6 +4,7 @@
 
 #include <cfenv>
 #include <csignal>
+#include <cstdlib>
 #include <iostream>
 #include <optional>
 #include <string>
@@ -161,6 +162,8 @@ int run_together(Communicator& communicator, const Start& start) {
 int main(int argc, char** argv) {
   std::signal(SIGXFSZ, SIG_IGN);
   block_signals();
+  // mpirun gives the first rank a terminal of its own, which is not the user's.
+  setenv("NO_COLOR", "1", 1);
   Communicator communicator;
   std::fesetenv(FE_DFL_ENV);
   return report_errors(
