@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What pictures of a paving show: their axes, slices and shades.
+// The choices for pictures of a paving: axes, slices and shades.
 #pragma once
 
 #include <cstddef>
@@ -11,7 +11,7 @@
 
 namespace regulus::inline picture {
 
-/// What the colour of a tile says of all boxes over it.
+/// The meaning of a tile's colour, about all boxes over it.
 enum class Shade : std::uint8_t {
   kWorst,  ///< the worst claim of them
   kShare,  ///< the part of their volume that is free

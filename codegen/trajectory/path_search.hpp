@@ -24,7 +24,7 @@ struct PieceTree {
   std::uint64_t leaves = 0;
 };
 
-/// What the leaves of a piece have in common.
+/// The kinds of leaves that a piece has.
 struct PieceLeaves {
   bool within = false;   ///< some are about poses that the constraints allow
   bool outside = false;  ///< some lie outside a constraint that is not one of reach

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Where a function of one variable changes its sign, by eight values at a time. A heuristic: nothing
-// is proved.
+// Looks for the change of sign of a function of one variable, by eight values at a time. A
+// heuristic: nothing is proved.
 #pragma once
 
 #include <algorithm>
