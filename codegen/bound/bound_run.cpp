@@ -39,13 +39,6 @@ std::string certificate_of(const Component& c, const std::string& certificate) {
   return certificate.empty() ? certificate : certificate + certificate_suffix(c);
 }
 
-/// Returns whether no symbol of the expression has the name.
-bool has_no(const ex& e, const std::string& name) {
-  return std::none_of(e.preorder_begin(), e.preorder_end(), [&](const ex& part) {
-    return GiNaC::is_a<GiNaC::symbol>(part) && GiNaC::ex_to<GiNaC::symbol>(part).get_name() == name;
-  });
-}
-
 /// Brackets one component, or compares it with a limit.
 class ComponentRun {
  public:
@@ -99,11 +92,14 @@ class ComponentRun {
   [[nodiscard]] ex signed_value(const ex& value) const { return result_.component.sign * value; }
 
   /// A row that no twist of the set moves, such as a constraint's, has the speed 0 as an expression.
+  /// This is about every pose only if nothing can be undefined there.
   [[nodiscard]] bool is_zero_everywhere() const {
     const Model& model = bordered_.request.model;
+    const Motion& motion = bordered_.request.motion;
     return result_.component.kind == QuantityKind::kSpeed && settings_.certificate.empty() &&
-           bordered_.request.motion.constraints.empty() && model.matrix.rows() == 1 &&
-           has_no(model.matrix(0, 0), bordered_.parameter);
+           motion.constraints.empty() && motion.must_be_defined.empty() &&
+           model.must_be_defined.empty() && model.matrix.rows() == 1 &&
+           GiNaC::is_a<GiNaC::numeric>(model.matrix(0, 0));
   }
   [[nodiscard]] ComponentBound zero() {
     result_.proved = result_.attained = end_at(0);

@@ -179,6 +179,15 @@ TEST_F(BoundCommandTest, HasTheUnitOfEachMotorAndTheSpeedZeroWhereNoTwistMovesIt
   EXPECT_EQ(legs[1].at("closed"), true);
 }
 
+TEST_F(BoundCommandTest, ClaimsNoSpeedWhereTheScaleOfARowIsUndefined) {
+  const std::string path = folder_.path() / "undefined.toml";
+  std::ofstream(path) << "regulus = 1\nname = \"dead point\"\n[pose]\nx = \"m\"\ny = \"m\"\n"
+                         "[matrix]\nrows = [[2, 0], [0, 1]]\nrow_scale = [1, \"1/x\"]\n"
+                         "[twist.along]\nvelocity = [1, 0]\n[motion.m]\nx = [-1, 1]\ny = 0\n";
+  const CommandResult r = run({"bound", path, "speed", "--leg", "2", "--time-limit", "1"});
+  EXPECT_EQ(r.exit_code, 2) << r.output;
+}
+
 TEST_F(BoundCommandTest, MakesADatasheetThatComparesLimits) {
   const CommandResult r = run({"datasheet", model_});
   EXPECT_EQ(r.exit_code, 1) << r.errors;  // a force exceeds its limit
