@@ -5,6 +5,7 @@
 
 #include "codegen/model/constants.hpp"
 #include "codegen/model/twist.hpp"
+#include "codegen/quantity/inverse_columns.hpp"
 
 namespace regulus::inline quantity {
 namespace {
@@ -29,7 +30,7 @@ class Border {
       : component_(component),
         twist_(twist_of(request.model)),
         y_(reference),
-        bordered_{request, {}, reference} {}
+        bordered_{request, {}, {}, reference} {}
 
   Bordered build() {
     const Component& c = component_;
@@ -38,8 +39,8 @@ class Border {
     if (c.kind == QuantityKind::kDeterminant) return determinant();
     bordered_.is_two_sided = c.is_absolute && c.set != nullptr && !is_symmetric(*c.set);
     add_parameter();
-    matrix built = matrix_of(c.kind);
-    model.matrix = std::move(built);
+    bordered_.plain = matrix_of(c.kind);
+    model.matrix = with_combined_columns(c.kind);
     // B has 1/s, which may be defined where s is not.
     append(model.must_be_defined, model.row_scale);
     model.row_scale.clear();
@@ -104,6 +105,24 @@ class Border {
         break;
     }
     return single(nominal(1) - r_ * component_.sign * *component_.expression);
+  }
+
+  /// Combines the columns of B that have a transposed matrix.
+  [[nodiscard]] matrix with_combined_columns(QuantityKind kind) const {
+    const matrix& B = bordered_.plain;
+    const bool of_deflection = kind == QuantityKind::kDeflection;
+    if (!of_deflection && kind != QuantityKind::kSigmaMin) return B;
+    const auto C = inverse_columns(bordered_.request, of_deflection ? M() : in_one_unit());
+    if (!C) return B;
+    matrix result = B;
+    const unsigned m = C->rows(), first = of_deflection ? B.cols() - m : 0;
+    for (unsigned i = 0; i < B.rows(); ++i)
+      for (unsigned k = 0; k < m; ++k) {
+        ex sum = 0;
+        for (unsigned j = 0; j < m; ++j) sum += B(i, first + j) * (*C)(j, k);
+        result(i, first + k) = sum;
+      }
+    return result;
   }
 
   [[nodiscard]] const Model& model() const { return bordered_.request.model; }

@@ -22,10 +22,12 @@
 //   expression f              the 1×1 matrix 1 + ry − r·f
 //   deflection of freedom k   [ Mᵀ 0 ; −diag(1/(s²c)) M ] with column k of the second half replaced
 //                             by (1 + ry)·it − r·(w, 0): f' = D·f, Mᵀf' = w, M·dx = D⁻²f'/c;
-//                             transposed, so that w touches one row
+//                             transposed, so that w touches one row; the columns with Mᵀ are
+//                             combined by a constant, inverse_columns.hpp
 //   σ_max(J⁻¹C)               [ D⁻²  rMC ; rCM ᵀ  I ]: det = det D⁻² · det(I − r²·CMᵀD²MC)
 //   σ_min(J⁻¹C)               [ D⁻²  MC ; CMᵀ  r²I ]: det = det D⁻² · det(r²I − CMᵀD²MC), so
-//                             regular for every r in [0, R] shows σ_min > R
+//                             regular for every r in [0, R] shows σ_min > R; its first columns
+//                             are combined likewise
 //   ‖J⁻¹C‖·‖(J⁻¹C)⁻¹‖         in the maximum norm: for each row i and column k, MC with column k
 //                             replaced by m_k c_k − r·h_i·y_l/s_l, h_i = s_i·Σ_j|m_ij c_j|, |y_l| ≤ 1
 //
@@ -44,6 +46,7 @@ namespace regulus::inline quantity {
 /// The question of regularity for a component.
 struct Bordered {
   Request request;        ///< of the matrix B
+  GiNaC::matrix plain;    ///< B before its columns were combined
   std::string parameter;  ///< the name of r, a pose parameter and a motion parameter; empty: the
                           ///< threshold α takes its place, and the model is as it was
   GiNaC::ex reference;    ///< y
