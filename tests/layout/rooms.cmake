@@ -1,0 +1,17 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+# README.md says for each folder of runtime/ and codegen/ which question it answers.
+cmake_minimum_required(VERSION 3.25)
+file(READ ${SOURCE_DIR}/README.md readme)
+file(GLOB rooms LIST_DIRECTORIES true RELATIVE ${SOURCE_DIR} ${SOURCE_DIR}/runtime/* ${SOURCE_DIR}/codegen/*)
+set(missing "")
+foreach(room IN LISTS rooms)
+  if(IS_DIRECTORY ${SOURCE_DIR}/${room})
+    string(FIND "${readme}" "`${room}`" place)
+    if(place EQUAL -1)
+      string(APPEND missing "\n  ${room}")
+    endif()
+  endif()
+endforeach()
+if(missing)
+  message(FATAL_ERROR "README.md, \"Where things are\", does not name:${missing}")
+endif()
