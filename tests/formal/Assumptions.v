@@ -1,4 +1,6 @@
 (* SPDX-License-Identifier: GPL-3.0-or-later *)
-From Regulus Require Import Search Singularity.
-Definition theorems := (check_correct, check_pieces_correct, check_singularity_correct).
+From Regulus Require Import Search Singularity Threshold.
+Definition theorems := (check_correct, check_tree_correct, check_pieces_correct,
+  check_piece_trees_correct, check_singularity_correct, check_determinant_correct,
+  check_determinant_tree_correct, check_point_correct).
 Print Assumptions theorems.

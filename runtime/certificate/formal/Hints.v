@@ -52,3 +52,22 @@ Definition dominating_vector (n : nat) (p : nat -> nat -> float) : list float :=
 Definition largest_of (l : list float) : option nat :=
   let step '(best, k, i) x := if ltb best x then (x, Some i, S i) else (best, k, S i) in
   snd (fst (fold_left step l (zero, None, O))).
+
+(** For each column of an n x n matrix a row p, and the factors by which row p is added to the others
+    such that the rest of the column becomes 0. *)
+Fixpoint clearing (columns n : nat) (used : list nat) (column : nat) (a : list (list float)) :
+    list (nat * list float) :=
+  match columns with
+  | O => []
+  | S columns' =>
+      let size i := if existsb (Nat.eqb i) used then zero else abs (get a i column) in
+      match largest_of (map size (seq 0 n)) with
+      | None => []
+      | Some p =>
+          let factors :=
+            map (fun i => opp (div (get a i column) (get a p column))) (seq 0 n) in
+          let entry i j := if Nat.eqb i p then get a p j
+                           else add (get a i j) (mul (nth i factors zero) (get a p j)) in
+          (p, factors) :: clearing columns' n (p :: used) (S column) (tabulate n n entry)
+      end
+  end.

@@ -54,3 +54,29 @@ Definition no_singularity (q : question) : Prop :=
 Definition singularity (q : question) : Prop :=
   exists x, in_set q x /\ model_defined q x /\ rows q = columns q /\
     determinant (columns q) (entry q (extend x (definitions q))) = 0.
+
+Definition product (l : list R) : R := fold_right Rmult 1 l.
+
+(** |det A| times the scales of its rows: a number that can be compared with a threshold. *)
+Definition scaled_determinant (q : question) (scales : list expression) (x : list R) : R :=
+  let names := extend x (definitions q) in
+  Rabs (determinant (columns q) (entry q names) * product (map (value names) scales)).
+
+Definition scales_defined (q : question) (scales : list expression) (x : list R) : Prop :=
+  Forall (defined (extend x (definitions q))) scales.
+
+(** NO SINGULARITY by a threshold: at every point of the set, everything is defined and the scaled
+    determinant is larger than the threshold. *)
+Definition determinant_above (q : question) (scales : list expression) (threshold : expression) :=
+  defined [] threshold /\ rows q = columns q /\
+  forall x, in_set q x ->
+    model_defined q x /\ scales_defined q scales x /\
+    value [] threshold < scaled_determinant q scales x.
+
+(** SINGULARITY by a threshold: at some point of the set, everything is defined and the scaled
+    determinant is at most the threshold. *)
+Definition determinant_not_above (q : question) (scales : list expression)
+    (threshold : expression) :=
+  defined [] threshold /\ rows q = columns q /\
+  exists x, in_set q x /\ model_defined q x /\ scales_defined q scales x /\
+    scaled_determinant q scales x <= value [] threshold.

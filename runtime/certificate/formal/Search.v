@@ -44,14 +44,18 @@ Inductive answer :=
   | Undefined           (** something is not shown to be defined *)
   | Open (x : attempt)  (** the rank is not shown to be full *).
 
+(** Everything that the model needs has a value, and each row has an entry for each column. *)
+Definition is_model_known (q : question) (names : list (option enclosure))
+    (a : list (list (option enclosure))) : bool :=
+  forallb is_known names && forallb (fun e => is_known (evaluate names e)) (also_defined q)
+  && forallb (forallb is_known) a && forallb (fun r => Nat.eqb (length r) (columns q)) a.
+
 Definition test (q : question) (m : method) (b : box) : answer :=
   let names := evaluate_definitions (variables (second_order m) b) (definitions q) in
   if existsb (is_excluded names) (constraints q) then Outside
   else
     let a := map (map (evaluate names)) (matrix q) in
-    if forallb is_known names && forallb (fun e => is_known (evaluate names e)) (also_defined q)
-       && forallb (forallb is_known) a && forallb (fun r => Nat.eqb (length r) (columns q)) a
-    then
+    if is_model_known q names a then
       let a := map (map form_of) a in
       let n := columns q in
       let x := attempt_at (rows q) n a in
@@ -91,36 +95,57 @@ Definition variable_to_split (root b : box) (a : answer) : option nat :=
 
 (** ** The search *)
 
+Definition is_closed (a : answer) : bool :=
+  match a with Outside | Regular => true | _ => false end.
+
 (** The number of boxes that were tested and needed no split. None: a box remains open. *)
-Fixpoint search (q : question) (m : method) (root : box) (fuel : nat) (b : box) : option N :=
-  let a := test q m b in
-  match a with
-  | Outside | Regular => Some 1%N
-  | _ =>
-      match fuel, variable_to_split root b a with
-      | S fuel', Some k =>
-          let c := I.midpoint (nth k b I.nai) in
-          match search q m root fuel' (lower_part b k c) with
-          | Some x =>
-              match search q m root fuel' (upper_part b k c) with
-              | Some y => Some (x + y)%N
-              | None => None
-              end
-          | None => None
-          end
-      | _, _ => None
-      end
+Fixpoint search (test : box -> answer) (root : box) (fuel : nat) (b : box) : option N :=
+  let a := test b in
+  if is_closed a then Some 1%N
+  else
+    match fuel, variable_to_split root b a with
+    | S fuel', Some k =>
+        let c := I.midpoint (nth k b I.nai) in
+        match search test root fuel' (lower_part b k c) with
+        | Some x =>
+            match search test root fuel' (upper_part b k c) with
+            | Some y => Some (x + y)%N
+            | None => None
+            end
+        | None => None
+        end
+    | _, _ => None
+    end.
+
+(** The splits that a search made. They are a hint: whoever has them need not test the boxes that
+    are split. *)
+Inductive tree :=
+  | Leaf
+  | Split (variable : nat) (lower upper : tree).
+
+Fixpoint check_parts (test : box -> answer) (t : tree) (b : box) : bool :=
+  match t with
+  | Leaf => is_closed (test b)
+  | Split k lower upper =>
+      let c := I.midpoint (nth k b I.nai) in
+      check_parts test lower (lower_part b k c) && check_parts test upper (upper_part b k c)
   end.
 
 (** The number of leaves of the proof, or None if there is no proof. *)
 Definition leaves (q : question) (m : method) : option N :=
   match enclose_ranges (ranges q) with
-  | Some root => search q m root (deepest m) root
+  | Some root => search (test q m) root (deepest m) root
   | None => None
   end.
 
 Definition check (q : question) (m : method) : bool :=
   match leaves q m with Some _ => true | None => false end.
+
+Definition check_tree (q : question) (m : method) (t : tree) : bool :=
+  match enclose_ranges (ranges q) with
+  | Some root => check_parts (test q m) t root
+  | None => false
+  end.
 
 (** ** It is correct *)
 
@@ -165,9 +190,9 @@ Section Test.
     known_definitions t (definitions q) _ _ T (variables_known (second_order m) b x B).
   Let a := map (map (evaluate vs)) (matrix q).
 
-  Lemma outside_correct : existsb (is_excluded vs) (constraints q) = true -> holds_at q x.
+  Lemma outside_correct : existsb (is_excluded vs) (constraints q) = true -> ~ in_set q x.
   Proof.
-    intros E [_ S]. exfalso. apply existsb_exists in E as [c [C E]].
+    intros E [_ S]. apply existsb_exists in E as [c [C E]].
     unfold is_excluded in E. destruct (evaluate vs c) as [v|] eqn:V; [|discriminate].
     destruct (evaluate_correct t vs names c v T K V) as [D [R _]].
     pose proof (is_positive_correct _ _ E R). specialize (S c C D). fold names in S. lra.
@@ -216,40 +241,62 @@ Section Test.
       rewrite forallb_forall in D3. apply known_is_defined, D3; apply in_map; assumption.
   Qed.
 
-  Theorem test_correct :
-    match test q m b with Outside | Regular => holds_at q x | _ => True end.
+  Theorem test_correct : is_closed (test q m b) = true -> holds_at q x.
   Proof.
-    unfold test. fold vs. destruct existsb eqn:E; [apply outside_correct, E|]. fold a.
-    destruct (forallb is_known vs) eqn:D1; [|exact Logic.I].
+    unfold test. fold vs. destruct existsb eqn:E.
+    { intros _ S. elim (outside_correct E S). }
+    fold a. unfold is_model_known.
+    destruct (forallb is_known vs) eqn:D1; [|discriminate].
     destruct (forallb (fun e => is_known (evaluate vs e)) (also_defined q)) eqn:D2;
-      [|exact Logic.I].
-    destruct (forallb (forallb is_known) a) eqn:D3; [|exact Logic.I].
-    destruct (forallb (fun r => Nat.eqb (length r) (columns q)) a) eqn:D4; [|exact Logic.I].
-    cbn [andb]. destruct (succeeds _ _) eqn:S; [|exact Logic.I].
-    intros _. split; [apply everything_defined; assumption|].
+      [|discriminate].
+    destruct (forallb (forallb is_known) a) eqn:D3; [|discriminate].
+    destruct (forallb (fun r => Nat.eqb (length r) (columns q)) a) eqn:D4; [|discriminate].
+    cbn [andb]. destruct (succeeds _ _) eqn:S; [|discriminate].
+    intros _ _. split; [apply everything_defined; assumption|].
     eapply (attempt_correct t); [exact T| |exact S].
     exact (fun i j => entries_enclosed i j D3 D4).
   Qed.
 End Test.
 
-Lemma search_correct q m root fuel : forall b x n,
-  in_box b x -> search q m root fuel b = Some n -> holds_at q x.
-Proof.
-  induction fuel as [|fuel IH]; intros b x n B E; simpl in E;
-    pose proof (test_correct q m b x B) as H; destruct (test q m b) as [| | |y];
-    try exact H; try discriminate; destruct variable_to_split as [k|]; try discriminate;
-    set (c := I.midpoint (nth k b I.nai)) in *;
-    destruct (search q m root fuel (lower_part b k c)) as [l|] eqn:L; try discriminate;
-    destruct (search q m root fuel (upper_part b k c)) as [u|] eqn:U; try discriminate;
-    destruct (parts_cover b x k c B) as [C|C]; eauto.
-Qed.
+Section Search.
+  Variables (test : box -> answer) (holds : list R -> Prop).
+  Hypothesis test_holds : forall b x, in_box b x -> is_closed (test b) = true -> holds x.
+
+  Lemma search_correct root fuel : forall b x n,
+    in_box b x -> search test root fuel b = Some n -> holds x.
+  Proof.
+    induction fuel as [|fuel IH]; intros b x n B E; simpl in E;
+      destruct (is_closed (test b)) eqn:C; try exact (test_holds b x B C); try discriminate;
+      destruct variable_to_split as [k|]; try discriminate;
+      set (c := I.midpoint (nth k b I.nai)) in *;
+      destruct (search test root fuel (lower_part b k c)) as [l|] eqn:L; try discriminate;
+      destruct (search test root fuel (upper_part b k c)) as [u|] eqn:U; try discriminate;
+      destruct (parts_cover b x k c B) as [D|D]; eauto.
+  Qed.
+
+  Lemma check_parts_correct t : forall b x,
+    in_box b x -> check_parts test t b = true -> holds x.
+  Proof.
+    induction t as [|k l IHl u IHu]; intros b x B E; simpl in E; [exact (test_holds b x B E)|].
+    apply andb_prop in E as [L U].
+    destruct (parts_cover b x k (I.midpoint (nth k b I.nai)) B); eauto.
+  Qed.
+End Search.
 
 Theorem check_correct q m : check q m = true -> no_singularity q.
 Proof.
   unfold check, leaves. destruct (enclose_ranges (ranges q)) as [root|] eqn:R; [|discriminate].
-  destruct (search q m root (deepest m) root) as [n|] eqn:L; [|discriminate].
-  intros _ x S. eapply search_correct; [|exact L|exact S].
-  eapply enclose_ranges_correct; [exact R|]. exact (proj1 S).
+  destruct (search (test q m) root (deepest m) root) as [n|] eqn:L; [|discriminate].
+  intros _ x S. refine (search_correct _ (holds_at q) (test_correct q m) _ _ _ x n _ L S).
+  eapply enclose_ranges_correct; [exact R|exact (proj1 S)].
+Qed.
+
+(** The same with a hint. *)
+Theorem check_tree_correct q m t : check_tree q m t = true -> no_singularity q.
+Proof.
+  unfold check_tree. destruct (enclose_ranges (ranges q)) as [root|] eqn:R; [|discriminate].
+  intros L x S. refine (check_parts_correct _ (holds_at q) (test_correct q m) t _ x _ L S).
+  eapply enclose_ranges_correct; [exact R|exact (proj1 S)].
 Qed.
 
 (** The same for a trajectory: one question, to which each piece gives some constants. *)
@@ -262,4 +309,21 @@ Theorem check_pieces_correct q m pieces : check_pieces q m pieces = true ->
 Proof.
   unfold check_pieces. rewrite forallb_forall. intros H. apply Forall_forall. intros piece P.
   apply (check_correct (q piece) m), H, P.
+Qed.
+
+(** A tree for each piece. *)
+Definition check_piece_trees (q : list expression -> question) (m : method)
+    (pieces : list (list expression)) (trees : list tree) : bool :=
+  Nat.eqb (length pieces) (length trees) &&
+  forallb (fun u => check_tree (q (fst u)) m (snd u)) (combine pieces trees).
+
+Theorem check_piece_trees_correct q m pieces trees :
+  check_piece_trees q m pieces trees = true ->
+  Forall (fun piece => no_singularity (q piece)) pieces.
+Proof.
+  unfold check_piece_trees. intros H. apply andb_prop in H as [L H]. apply Nat.eqb_eq in L.
+  revert trees L H. induction pieces as [|p l IH]; intros [|t trees] L H; try discriminate;
+    constructor; simpl in H; apply andb_prop in H as [H1 H2].
+  - exact (check_tree_correct _ _ _ H1).
+  - apply (IH trees); [injection L; auto|exact H2].
 Qed.

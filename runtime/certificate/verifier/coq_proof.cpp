@@ -63,7 +63,8 @@ class CoqQuestion {
         (piece_names_.empty() ? "" : "(piece : list expression) ") + ": question := Question\n";
     for (const auto* list : {&ranges_, &definitions_, &constraints_, &defined_})
       text += "  " + coq_list(*list, "   ") + "\n";
-    return text + "  " + matrix() + "\n  " + std::to_string(q_.columns) + ".\n";
+    text += "  " + matrix() + "\n  " + std::to_string(q_.columns) + ".\n";
+    return q_.has_threshold ? text + threshold() : text;
   }
 
   /// The number of variables that are kept to the second order. Each uncertain quantity is small
@@ -128,6 +129,8 @@ class CoqQuestion {
       read_ball(rest);
     } else if (key == "pose") {
       read_pose(rest);
+    } else if (key == "alpha") {
+      threshold_ = coq_expression(rest, {});
     } else if (key == "let") {
       const std::string name(take_until(rest, " = "));
       const std::string expression = coq_expression(rest, actual_);
@@ -147,6 +150,8 @@ class CoqQuestion {
   void read_list(std::string_view key, std::string_view rest) {
     if (key == "entry")
       entries_.push_back({"", coq_expression(rest, actual_)});
+    else if (key == "scale")
+      scales_.push_back({"", coq_expression(rest, actual_)});
     else if (key == "defined")
       defined_.push_back({"", coq_expression(rest, actual_)});
     else if (key == "motion-defined")
@@ -205,6 +210,13 @@ class CoqQuestion {
     return pose_scope_;
   }
 
+  [[nodiscard]] std::string threshold() const {
+    return "\n(** The scales of the rows, and the threshold. *)\n"
+           "Definition the_scales : list expression :=\n  " +
+           coq_list(scales_, "   ") + ".\nDefinition the_threshold : expression := " + threshold_ +
+           ".\n";
+  }
+
   [[nodiscard]] std::string matrix() const {
     std::vector<Item> rows;
     for (std::size_t i = 0; i < q_.rows; ++i) {
@@ -223,8 +235,8 @@ class CoqQuestion {
   std::set<std::string, std::less<>> with_error_;  ///< poses with a control error
   std::set<std::string> declared_;
   CoqNames commanded_, actual_, pose_scope_, middles_, spreads_;
-  std::string names_text_;
-  std::vector<Item> ranges_, definitions_, constraints_, defined_, entries_;
+  std::string names_text_, threshold_;
+  std::vector<Item> ranges_, definitions_, constraints_, defined_, entries_, scales_;
 };
 
 std::string heading(const Question& q) {
@@ -234,7 +246,8 @@ std::string heading(const Question& q) {
          "\n\n   Check it with: coqc -Q FOLDER Regulus FILE. FOLDER has the compiled library. *)\n"
          "From Coq Require Import List.\n"
          "From Coq Require Import PrimFloat.\n"
-         "From Regulus Require Import Expressions Questions Search Singularity Notations.\n"
+         "From Regulus Require Import Expressions Questions Search Singularity Threshold.\n"
+         "From Regulus Require Import Notations.\n"
          "Import ListNotations.\n\n";
 }
 
@@ -249,7 +262,12 @@ std::string method(const CoqQuestion& question) {
          " " + std::to_string(kDeepest) + ".\n";
 }
 
-std::string coq_double(double x) {
+/// A coordinate of a certificate. The ends of a range become numbers beyond it, which Coq moves.
+std::string coq_coordinate(std::string_view word) {
+  if (word == "lower" || word == "upper") return word == "lower" ? "neg_infinity" : "infinity";
+  if (word.find(':') != std::string_view::npos)
+    throw Unfinished("there is no theorem about a range that contains no double yet");
+  const double x = read_double(word);
   char text[40];
   std::snprintf(text, sizeof text, x < 0 ? "(%a)" : "%a", x);
   return text;
@@ -257,35 +275,50 @@ std::string coq_double(double x) {
 
 /// Reads the line `point SIGN …`.
 std::string coq_point(Lines& lines, std::string_view sign, std::size_t variables) {
+  if (!lines.next()) throw Rejection("the file ends before the line 'end'");
   const auto words = words_of(lines.text());
   if (words.size() != variables + 2 || words[0] != "point" || words[1] != sign)
     throw Rejection("expected 'point " + std::string(sign) + "' and a number for each variable");
   std::vector<Item> coordinates;
-  for (const std::string_view word : std::span(words).subspan(2)) {
-    if (word.find(':') != std::string_view::npos)
-      throw Unfinished("there is no theorem about a range that contains no double yet");
-    coordinates.push_back({"", coq_double(read_double(word))});
-  }
+  for (const std::string_view word : std::span(words).subspan(2))
+    coordinates.push_back({"", coq_coordinate(word)});
   return coq_list(coordinates, "   ") + "%float";
 }
 
 /// Coq searches two points on the line through those of the certificate.
-std::string singular_theorem(Lines& lines, const Question& question) {
-  const auto advance = [&lines] {
-    if (!lines.next()) throw Rejection("the file ends before the line 'end'");
-  };
-  advance();
-  if (lines.text() != "reason opposite-signs")
-    throw Unfinished("there is no theorem about SINGULARITY by '" + lines.text() + "' yet");
-  advance();
+std::string segment_theorem(Lines& lines, const Question& question) {
   const std::string positive = coq_point(lines, "+", question.variables.size());
-  advance();
   const std::string negative = coq_point(lines, "-", question.variables.size());
   return "\n(** Two points on a line along which the determinant changes its sign. *)\n"
          "Definition negative : coordinates :=\n  " +
          negative + ".\nDefinition positive : coordinates :=\n  " + positive + ".\n" +
          theorem("singularity the_question",
                  "check_singularity_correct the_question negative positive");
+}
+
+std::string point_theorem(Lines& lines, const Question& question) {
+  return "\n(** A point at which the determinant is at most the threshold. *)\n"
+         "Definition the_point : coordinates :=\n  " +
+         coq_point(lines, "0", question.variables.size()) + ".\n" +
+         theorem("determinant_not_above the_question the_scales the_threshold",
+                 "check_point_correct the_question the_scales the_threshold the_point");
+}
+
+std::string singular_theorem(Lines& lines, const Question& question) {
+  if (!lines.next()) throw Rejection("the file ends before the line 'end'");
+  if (lines.text() == "reason small-determinant" && question.has_threshold)
+    return point_theorem(lines, question);
+  if (lines.text() == "reason opposite-signs" && !question.has_threshold)
+    return segment_theorem(lines, question);
+  throw Unfinished("there is no theorem about SINGULARITY by '" + lines.text() + "' " +
+                   (question.has_threshold ? "with a threshold " : "") + "yet");
+}
+
+std::string regular_theorem(const Question& question) {
+  if (question.has_threshold)
+    return theorem("determinant_above the_question the_scales the_threshold",
+                   "check_determinant_correct the_question the_scales the_threshold the_method");
+  return theorem("no_singularity the_question", "check_correct the_question the_method");
 }
 
 std::vector<std::string> lines_of(const std::string& text) {
@@ -295,10 +328,6 @@ std::vector<std::string> lines_of(const std::string& text) {
   return lines;
 }
 
-void require_theorem(const Question& question) {
-  if (question.has_threshold) throw Unfinished("there is no theorem about a threshold yet");
-}
-
 /// The question has the constants of a piece as an argument; the theorem is about all pieces.
 std::string trajectory(Lines& lines) {
   const Pieces pieces = read_pieces(lines);
@@ -306,7 +335,8 @@ std::string trajectory(Lines& lines) {
   Lines first(text);
   Question question;
   read_question(first, question);
-  require_theorem(question);
+  if (question.has_threshold)
+    throw Unfinished("there is no theorem about a threshold along a trajectory yet");
   if (question.singular) throw Rejection("a singular pose lies on one piece: there are several");
   const CoqQuestion coq(lines_of(pieces.question_of(0)), question, pieces.names);
   std::vector<Item> values;
@@ -330,11 +360,9 @@ std::string read_and_write(Lines& lines) {
   lines.keep();
   read_question(lines, question);
   if (question.is_piecewise) return trajectory(lines);
-  require_theorem(question);
   const CoqQuestion coq(lines.take_kept(), question);
   if (question.singular) return heading(question) + coq.text() + singular_theorem(lines, question);
-  return heading(question) + coq.text() + method(coq) +
-         theorem("no_singularity the_question", "check_correct the_question the_method");
+  return heading(question) + coq.text() + method(coq) + regular_theorem(question);
 }
 
 }  // namespace

@@ -1,0 +1,331 @@
+(* SPDX-License-Identifier: Apache-2.0 *)
+(* Reads a file that `regulus-verify --coq` writes, as Coq reads it. Any other sentence is a fault. *)
+open Checker
+open Tokens
+
+type file = {
+  question : expression list -> question;  (* of the constants of a piece *)
+  has_pieces : bool;
+  pieces : expression list list;  (* the constants of each *)
+  method_ : method0;
+  trees : tree list;
+  points : (string * Float64.t list) list;  (* `negative` and `positive`, or `the_point` *)
+  scales : expression list;
+  threshold : expression;
+  statement : string;  (* of the theorem, its words separated by spaces *)
+  proof : string;  (* the theorem of the library that is applied *)
+}
+
+(* Where the reader is, and the names that have a meaning. *)
+type state = {
+  tokens : (token * int) array;
+  mutable at : int;
+  names : (string, expression) Hashtbl.t;
+  mutable defined : string list;
+  mutable depth : int;
+}
+
+let most_nested = 1000
+let most_power = 1000
+let peek s = fst s.tokens.(s.at)
+let fault s what = raise (Fault (snd s.tokens.(s.at), what))
+let advance s = if s.at + 1 < Array.length s.tokens then s.at <- s.at + 1
+let expected s what = fault s ("found " ^ show (peek s) ^ ", expected " ^ what)
+
+let take s token =
+  if peek s = token then advance s else expected s (show token)
+
+let accept s token = peek s = token && (advance s; true)
+let take_words s text = List.iter (fun w -> take s (Word w)) (String.split_on_char ' ' text)
+
+let rec nat_of n = if n = 0 then O else S (nat_of (n - 1))
+
+let take_count s most =
+  match peek s with
+  | Number digits -> (
+      match int_of_string_opt digits with
+      | Some n when n <= most -> advance s; n
+      | _ -> expected s (Printf.sprintf "a number up to %d" most))
+  | _ -> expected s "a number"
+
+(* [item; item; ...] *)
+let take_list s item =
+  take s (Symbol "[");
+  if accept s (Symbol "]") then []
+  else
+    let rec more found =
+      let found = item s :: found in
+      if accept s (Symbol ";") then more found else (take s (Symbol "]"); List.rev found)
+    in
+    more []
+
+(* ---- Expressions ---- *)
+
+let digits_of text =
+  let digit c rest =
+    match c with
+    | '0' -> D0 rest | '1' -> D1 rest | '2' -> D2 rest | '3' -> D3 rest | '4' -> D4 rest
+    | '5' -> D5 rest | '6' -> D6 rest | '7' -> D7 rest | '8' -> D8 rest | _ -> D9 rest
+  in
+  String.fold_right digit text Nil
+
+(* The rational number of a decimal, as Notations.v defines it. *)
+let constant ?(is_negative = false) text =
+  let split mark text =
+    match String.index_opt text mark with
+    | None -> (text, "")
+    | Some i -> (String.sub text 0 i, String.sub text (i + 1) (String.length text - i - 1))
+  in
+  let mantissa, exponent = split 'e' text in
+  let integer, fraction = split '.' mantissa in
+  let exponent =
+    match split '-' exponent with
+    | "", digits when exponent <> "" && exponent.[0] = '-' -> Neg (digits_of digits)
+    | _ when exponent <> "" && exponent.[0] = '+' -> Pos (digits_of (snd (split '+' exponent)))
+    | _ -> Pos (digits_of (if exponent = "" then "0" else exponent))
+  in
+  let digits = digits_of integer in
+  let signed = if is_negative then Neg digits else Pos digits in
+  Constant (rational_of signed (digits_of fraction) exponent)
+
+let is_zero text = String.for_all (fun c -> c = '0' || c = '.') (List.hd (String.split_on_char 'e' text))
+
+let functions =
+  [ ("sqrt", fun a -> Sqrt a); ("sin", fun a -> Sin a); ("cos", fun a -> Cos a);
+    ("atan", fun a -> Atan a); ("exp", fun a -> Exp a); ("log", fun a -> Log a);
+    ("abs", fun a -> Abs a); ("tan", tangent); ("asin", arcsine); ("acos", arccosine) ]
+
+let left_associative s operand operators =
+  let rec more a =
+    match List.assoc_opt (peek s) operators with
+    | Some apply -> advance s; more (apply a (operand s))
+    | None -> a
+  in
+  more (operand s)
+
+(* Reads a part of something: the depth is bounded, because each level uses the stack. *)
+let enter s part =
+  if s.depth >= most_nested then fault s "this is nested too deep";
+  s.depth <- s.depth + 1;
+  let result = part () in
+  s.depth <- s.depth - 1;
+  result
+
+let rec expression s =
+  enter s (fun () ->
+      left_associative s product
+        [ (Symbol "+", fun a b -> Add (a, b)); (Symbol "-", fun a b -> Subtract (a, b)) ])
+
+and product s =
+  left_associative s signed
+    [ (Symbol "*", fun a b -> Multiply (a, b)); (Symbol "/", fun a b -> Divide (a, b)) ]
+
+(* A sign binds more than a product and less than a power. Before a number it is part of it. *)
+and signed s =
+  if not (accept s (Symbol "-")) then power s
+  else
+    match (peek s, fst s.tokens.(s.at + 1)) with
+    | Number text, after when after <> Symbol "^" && not (is_zero text) ->
+        advance s;
+        constant ~is_negative:true text
+    | _ -> enter s (fun () -> Negate (signed s))
+
+and power s =
+  let base = application s in
+  if accept s (Symbol "^") then Power (base, nat_of (take_count s most_power)) else base
+
+and application s =
+  match peek s with
+  | Word "atan2" -> advance s; arctangent2 (pair s)
+  | Word w when List.mem_assoc w functions -> advance s; (List.assoc w functions) (atom s)
+  | _ -> atom s
+
+and atom s =
+  match peek s with
+  | Number text -> advance s; constant text
+  | Word "pi" -> advance s; Pi
+  | Word w when Hashtbl.mem s.names w -> advance s; Hashtbl.find s.names w
+  | Word w -> fault s ("the name '" ^ w ^ "' is not declared")
+  | Symbol "(" ->
+      advance s;
+      let e = expression s in
+      take s (Symbol ")");
+      e
+  | _ -> expected s "an expression"
+
+and pair s =
+  take s (Symbol "(");
+  let a = expression s in
+  take s (Symbol ",");
+  let b = expression s in
+  take s (Symbol ")");
+  (a, b)
+
+(* ---- Definitions ---- *)
+
+let range s =
+  if accept s (Word "within") then
+    let middle = atom s in
+    within middle (atom s)
+  else pair s
+
+(* `nth k piece no_entry`, or an expression. *)
+let definition piece s =
+  if accept s (Word "nth") then begin
+    let k = take_count s 1_000_000 in
+    take_words s "piece no_entry";
+    match List.nth_opt piece k with Some e -> e | None -> no_entry
+  end
+  else expression s
+
+let question s piece =
+  take s (Word "Question");
+  let ranges = take_list s range in
+  let definitions = take_list s (definition piece) in
+  let constraints = take_list s expression in
+  let also_defined = take_list s expression in
+  let matrix = take_list s (fun s -> take_list s expression) in
+  { ranges; definitions; constraints; also_defined; matrix; columns = nat_of (take_count s 1000) }
+
+let rec tree s =
+  enter s (fun () ->
+      if accept s (Symbol "(") then begin
+        let t = tree s in
+        take s (Symbol ")");
+        t
+      end
+      else if accept s (Word "Leaf") then Leaf
+      else begin
+        take_words s "Split";
+        let k = nat_of (take_count s 1000) in
+        let lower = operand s in
+        Split (k, lower, operand s)
+      end)
+
+(* Coq wants parentheses around a Split inside a Split. *)
+and operand s = if peek s = Word "Split" then expected s "'('" else tree s
+
+let double s =
+  let signed s =
+    let sign = if accept s (Symbol "-") then -1. else 1. in
+    match peek s with
+    | Double x -> advance s; sign *. x
+    | Word "infinity" -> advance s; sign *. infinity
+    | Word "neg_infinity" -> advance s; -. (sign *. infinity)
+    | _ -> expected s "a hexadecimal number"
+  in
+  if accept s (Symbol "(") then begin
+    let x = signed s in
+    take s (Symbol ")");
+    x
+  end
+  else signed s
+
+(* The tokens before `last`, separated by spaces. *)
+let words_until s last =
+  let rec more found =
+    match peek s with
+    | t when t = last -> String.concat " " (List.rev found)
+    | Word w | Number w | Symbol w when w <> "." -> advance s; more (w :: found)
+    | _ -> expected s (show last)
+  in
+  more []
+
+(* Theorem the_claim : statement. Proof. proof. vm_cast_no_check (eq_refl true). Qed *)
+let theorem s =
+  let period = Symbol "." in
+  let sentence () =
+    let words = words_until s period in
+    take s period;
+    words
+  in
+  take_words s "the_claim";
+  take s (Symbol ":");
+  let statement = sentence () in
+  if sentence () <> "Proof" then fault s "expected the sentence Proof";
+  let proof = sentence () in
+  if sentence () <> "vm_cast_no_check ( eq_refl true )" then
+    fault s "expected the sentence vm_cast_no_check (eq_refl true)";
+  take_words s "Qed";
+  (statement, proof)
+
+let words_of_the_file =
+  [ "pi"; "atan2"; "nth"; "piece"; "within"; "no_entry"; "Question"; "Method"; "Name"; "Leaf"; "Split" ]
+  @ List.map fst functions
+
+(* Definition name := Name k *)
+let declare s name =
+  if List.mem name words_of_the_file then fault s ("the name '" ^ name ^ "' has a meaning already");
+  take_words s "Name";
+  Hashtbl.add s.names name (Name (nat_of (take_count s 1_000_000)))
+
+let coordinates s =
+  let numbers = take_list s double in
+  take s (Symbol "%");
+  take_words s "float";
+  numbers
+
+(* Definition the_question (piece : list expression) : question := ... *)
+let question_definition s =
+  let start = s.at in
+  ignore (question s []);
+  fun piece -> question { s with at = start; depth = 0 } piece
+
+(* Definition name : kind := ... *)
+let typed s file name kind =
+  match (name, kind) with
+  | "the_question", ": question" -> { file with question = question_definition s }
+  | "the_question", "( piece : list expression ) : question" ->
+      { file with question = question_definition s; has_pieces = true }
+  | "the_method", ": method" ->
+      take_words s "Method";
+      let second_order = nat_of (take_count s 10_000) in
+      { file with method_ = { second_order; deepest = nat_of (take_count s most_nested) } }
+  | "pieces", ": list ( list expression )" ->
+      { file with pieces = take_list s (fun s -> take_list s expression) }
+  | "the_tree", ": tree" -> { file with trees = [ tree s ] }
+  | "the_trees", ": list tree" -> { file with trees = take_list s tree }
+  | ("negative" | "positive" | "the_point"), ": coordinates" ->
+      { file with points = (name, coordinates s) :: file.points }
+  | "the_scales", ": list expression" -> { file with scales = take_list s expression }
+  | "the_threshold", ": expression" -> { file with threshold = expression s }
+  | _ -> fault s ("'" ^ name ^ " " ^ kind ^ "' is not a definition of regulus-verify")
+
+let read_definition s file =
+  match peek s with
+  | Word name ->
+      advance s;
+      if List.mem name s.defined then fault s ("'" ^ name ^ "' is defined twice");
+      s.defined <- name :: s.defined;
+      let kind = words_until s (Symbol ":=") in
+      take s (Symbol ":=");
+      if kind = "" then (declare s name; file) else typed s file name kind
+  | _ -> expected s "a name"
+
+let nothing =
+  { question = (fun _ -> raise (Fault (1, "the file does not define the_question")));
+    has_pieces = false; pieces = [];
+    method_ = { second_order = O; deepest = O }; trees = []; points = []; scales = [];
+    threshold = Constant (rational_of (Pos (D0 Nil)) Nil (Pos (D0 Nil))); statement = ""; proof = "" }
+
+(* Reads the text of a file. Raises Fault. *)
+let read text =
+  let s = { tokens = tokens text; at = 0; names = Hashtbl.create 100; defined = []; depth = 0 } in
+  let rec sentences file =
+    match peek s with
+    | End -> file
+    | _ when file.statement <> "" -> fault s "nothing may follow the theorem"
+    | Word "From" | Word "Import" -> ignore (words_until s (Symbol ".")); close file
+    | Word "Definition" -> advance s; close (read_definition s file)
+    | Word "Theorem" ->
+        advance s;
+        let statement, proof = theorem s in
+        close { file with statement; proof }
+    | _ -> expected s "a sentence of regulus-verify"
+  and close file =
+    take s (Symbol ".");
+    sentences file
+  in
+  let file = sentences nothing in
+  if file.statement = "" then fault s "the file has no theorem";
+  file
