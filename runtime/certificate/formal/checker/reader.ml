@@ -4,6 +4,7 @@ open Checker
 open Tokens
 
 type file = {
+  typed : string list;  (* those of typed_names that the file defines *)
   question : expression list -> question;  (* of the constants of a piece *)
   has_pieces : bool;
   pieces : expression list list;  (* the constants of each *)
@@ -15,6 +16,10 @@ type file = {
   statement : string;  (* of the theorem, its words separated by spaces *)
   proof : string;  (* the theorem of the library that is applied *)
 }
+
+let typed_names =
+  [ "the_question"; "the_method"; "pieces"; "the_tree"; "the_trees"; "negative"; "positive"; "the_point";
+    "the_scales"; "the_threshold" ]
 
 (* Where the reader is, and the names that have a meaning. *)
 type state = {
@@ -299,11 +304,12 @@ let read_definition s file =
       s.defined <- name :: s.defined;
       let kind = words_until s (Symbol ":=") in
       take s (Symbol ":=");
-      if kind = "" then (declare s name; file) else typed s file name kind
+      if kind = "" then (declare s name; file)
+      else typed s { file with typed = name :: file.typed } name kind
   | _ -> expected s "a name"
 
 let nothing =
-  { question = (fun _ -> raise (Fault (1, "the file does not define the_question")));
+  { typed = []; question = (fun _ -> raise (Fault (1, "the file does not define 'the_question'")));
     has_pieces = false; pieces = [];
     method_ = { second_order = O; deepest = O }; trees = []; points = []; scales = [];
     threshold = Constant (rational_of (Pos (D0 Nil)) Nil (Pos (D0 Nil))); statement = ""; proof = "" }

@@ -62,13 +62,15 @@ let number line text i =
     check_size line digits;
     (Number digits, stop)
 
-(* The position after a comment that begins at i, and its number of lines. Comments nest. *)
+(* The position after a comment that begins at i, and its number of lines. Comments nest. To Coq, a
+   comment does not end between quotation marks: there are none. *)
 let comment line text i =
   let rec follow depth lines i =
     if i + 1 >= String.length text then raise (Fault (line, "this comment has no end"))
     else if text.[i] = '*' && text.[i + 1] = ')' then
       if depth = 1 then (i + 2, lines) else follow (depth - 1) lines (i + 2)
     else if text.[i] = '(' && text.[i + 1] = '*' then follow (depth + 1) lines (i + 2)
+    else if text.[i] = '"' then raise (Fault (line + lines, "a comment may not contain quotation marks"))
     else follow depth (if text.[i] = '\n' then lines + 1 else lines) (i + 1)
   in
   follow 0 0 i

@@ -1,0 +1,151 @@
+(* SPDX-License-Identifier: Apache-2.0 *)
+(* Proves the theorem of a file by the checks that Coq has proved. *)
+open Checker
+
+type bounds = {
+  time_limit : Float.t;  (* seconds *)
+  max_leaves : int;
+  show : (string -> unit) option;  (* shows progress, a few times a second *)
+}
+
+exception Stopped of string
+
+(* Calls f. Meanwhile the clock ends it after the time limit, and shows progress on a terminal. *)
+let with_clock bounds show f =
+  let start = Unix.gettimeofday () in
+  let tick _ =
+    let seconds = Unix.gettimeofday () -. start in
+    if seconds > bounds.time_limit then raise (Stopped "the time limit is reached");
+    Option.iter (fun print -> print (Printf.sprintf "%s, %.0f s" (show ()) seconds)) bounds.show
+  in
+  let every interval = ignore (Unix.setitimer ITIMER_REAL { it_interval = interval; it_value = interval }) in
+  Sys.set_signal Sys.sigalrm (Signal_handle tick);
+  every (Float.min 0.2 bounds.time_limit);
+  Fun.protect f ~finally:(fun () -> every 0.)
+
+type verdict =
+  | Proved of { how : string; hinted : string }  (* the file with the splits, if there are any *)
+  | Rejected of string
+  | Unproved of string
+
+(* A statement for all points of the set: the test of a box, the check of the splits of all pieces,
+   and how Coq calls the latter. *)
+type claim = {
+  test : question -> box -> answer;
+  check : expression list list -> tree list -> bool;
+  theorem : string;
+}
+
+(* The splits of each piece. *)
+let find_trees bounds (file : Reader.file) claim pieces =
+  let found = ref 0 in
+  let count () =
+    incr found;
+    if !found > bounds.max_leaves then raise (Search.Open "the most leaves are reached")
+  in
+  let tree piece =
+    let q = file.question piece in
+    match enclose_ranges q.ranges with
+    | None -> raise (Search.Open "an end of a range has no value")
+    | Some root -> Search.splits ~count (claim.test q) (Search.number_of file.method_.deepest) root
+  in
+  with_clock bounds (fun () -> Printf.sprintf "searching: %d leaves" !found) (fun () -> List.map tree pieces)
+
+let text_before_theorem text =
+  let mark = "\nTheorem the_claim" in
+  let rec find i =
+    if i < 0 then raise (Tokens.Fault (1, "no line begins with Theorem the_claim"))
+    else if String.sub text i (String.length mark) = mark then i
+    else find (i - 1)
+  in
+  String.sub text 0 (find (String.length text - String.length mark))
+
+(* The file once more, with the splits. *)
+let with_hints text (file : Reader.file) claim trees =
+  let list = Buffer.create 65536 in
+  List.iteri (fun i t -> if i > 0 then Buffer.add_string list ";\n   "; Search.print_tree list t) trees;
+  let name, kind, opening, closing =
+    if file.has_pieces then ("the_trees", "list tree", "[", "]") else ("the_tree", "tree", "", "")
+  in
+  Printf.sprintf
+    "%s\n(** How the boxes are split. *)\nDefinition %s : %s :=\n  %s%s%s.\n\n\
+     Theorem the_claim : %s.\nProof.\n  apply (%s).\n  vm_cast_no_check (eq_refl true).\nQed.\n"
+    (text_before_theorem text) name kind opening (Buffer.contents list) closing file.statement
+    claim.theorem
+
+let for_all_points bounds text (file : Reader.file) ~has_trees claim =
+  let pieces = if file.has_pieces then file.pieces else [ [] ] in
+  let trees = if has_trees then file.trees else find_trees bounds file claim pieces in
+  let count = List.fold_left (fun n t -> n + Search.leaves t) 0 trees in
+  let check () = claim.check pieces trees in
+  if not (with_clock bounds (fun () -> Printf.sprintf "checking %d leaves" count) check) then
+    Rejected "the splits do not prove the theorem"
+  else
+    let hinted = if has_trees then text else with_hints text file claim trees in
+    Proved { how = Printf.sprintf "%d leaves" count; hinted }
+
+let regular (file : Reader.file) theorem =
+  { test = (fun q -> test q file.method_);
+    check = check_piece_trees file.question file.method_; theorem }
+
+let above (file : Reader.file) =
+  let check _ = function
+    | [ tree ] ->
+        check_determinant_tree (file.question []) file.scales file.threshold file.method_ tree
+    | _ -> false
+  in
+  { test = (fun q -> test_determinant q file.scales file.threshold file.method_); check;
+    theorem = "check_determinant_tree_correct the_question the_scales the_threshold the_method the_tree" }
+
+let at_points bounds text how check =
+  if with_clock bounds (fun () -> "checking") check then Proved { how; hinted = text }
+  else Unproved "the bounds at the points of the file do not suffice"
+
+let point (file : Reader.file) name = try List.assoc name file.points with Not_found -> []
+
+(* Coq refuses a theorem about something that the file does not define. *)
+let require_definitions (file : Reader.file) =
+  let require word =
+    if List.mem word Reader.typed_names && not (List.mem word file.typed) then
+      raise (Tokens.Fault (1, "the file does not define '" ^ word ^ "'"))
+  in
+  List.iter require (String.split_on_char ' ' (file.statement ^ " " ^ file.proof))
+
+(* Each statement with the theorem of the library that proves it, as regulus-verify writes them. *)
+let prove bounds text (file : Reader.file) =
+  require_definitions file;
+  let pieces = "Forall ( fun piece => no_singularity ( the_question piece ) ) pieces" in
+  let proof_of_tree = "check_tree_correct the_question the_method the_tree" in
+  let proof_of_trees = "check_piece_trees_correct the_question the_method pieces the_trees" in
+  let applies theorem = file.proof = "apply ( " ^ theorem ^ " )" in
+  let all ~hinted claim plain =
+    if applies plain then for_all_points bounds text file ~has_trees:false claim
+    else if applies hinted then for_all_points bounds text file ~has_trees:true claim
+    else Rejected "the statement is not that of the theorem that is applied"
+  in
+  match (file.has_pieces, file.statement) with
+  | false, "no_singularity the_question" ->
+      all ~hinted:proof_of_tree (regular file proof_of_tree) "check_correct the_question the_method"
+  | true, statement when statement = pieces ->
+      all ~hinted:proof_of_trees (regular file proof_of_trees)
+        "check_pieces_correct the_question the_method pieces"
+  | false, "determinant_above the_question the_scales the_threshold" ->
+      let claim = above file in
+      all ~hinted:claim.theorem claim
+        "check_determinant_correct the_question the_scales the_threshold the_method"
+  | false, "singularity the_question"
+    when applies "check_singularity_correct the_question negative positive" ->
+      at_points bounds text "the determinant changes its sign along a segment" (fun () ->
+          check_singularity (file.question []) (point file "negative") (point file "positive"))
+  | false, "determinant_not_above the_question the_scales the_threshold"
+    when applies "check_point_correct the_question the_scales the_threshold the_point" ->
+      at_points bounds text "the determinant is not above the threshold at a point" (fun () ->
+          check_point (file.question []) file.scales file.threshold (point file "the_point"))
+  | _ -> Rejected "the theorem is not one of regulus-verify"
+
+let answer bounds text =
+  try prove bounds text (Reader.read text) with
+  | Tokens.Fault (line, what) -> Rejected (Printf.sprintf "line %d: %s" line what)
+  | Search.Open why | Stopped why -> Unproved why
+  | Stack_overflow -> Rejected "the file is nested too deep"
+
