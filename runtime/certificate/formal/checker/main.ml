@@ -47,31 +47,10 @@ let rec read_usage u = function
   | file :: rest when file <> "" && file.[0] <> '-' && u.file = "" -> read_usage { u with file } rest
   | _ -> raise Usage
 
-let read_file name =
-  let channel = open_in_bin name in
-  Fun.protect
-    ~finally:(fun () -> close_in_noerr channel)
-    (fun () ->
-      let text = Buffer.create 65536 and part = Bytes.create 65536 in
-      let rec read () =
-        match input channel part 0 65536 with
-        | 0 -> Buffer.contents text
-        | n -> Buffer.add_subbytes text part 0 n; read ()
-      in
-      read ())
-
-(* A file is there whole, or not at all. *)
-let write_file name text =
-  let partial = name ^ ".new" in
-  let channel = open_out_bin partial in
-  output_string channel text;
-  close_out channel;
-  Sys.rename partial name
-
 let write_comparison u text (file : Reader.file) =
   let pieces = if file.has_pieces then file.pieces else [ [] ] in
   let questions = List.map (fun p -> Print.question (file.question p)) pieces in
-  write_file u.compare
+  Files.write u.compare
     (Printf.sprintf
        "%s\nFrom Coq Require Import QArith.\nGoal %s = [\n%s].\nProof. vm_compute. reflexivity. Qed.\n"
        (Prove.text_before_theorem text)
@@ -82,7 +61,7 @@ let report u seconds verdict =
   let say text = if not u.quiet then Printf.eprintf "%s: %s, %.2f s\n%!" u.file text seconds in
   match verdict with
   | Prove.Proved { how; hinted } ->
-      if u.hints <> "" then write_file u.hints hinted;
+      if u.hints <> "" then Files.write u.hints hinted;
       say how;
       print_endline "PROVED";
       0
@@ -99,7 +78,7 @@ let prove u text =
   report u (Sys.time ()) verdict
 
 let run u =
-  let text = read_file u.file in
+  let text = Files.read u.file in
   if u.compare = "" then prove u text
   else
     try write_comparison u text (Reader.read text); 0

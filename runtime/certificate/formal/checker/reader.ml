@@ -33,6 +33,7 @@ type state = {
 let most_nested = 1000
 let most_power = 1000
 let peek s = fst s.tokens.(s.at)
+let peek_next s = if s.at + 1 < Array.length s.tokens then fst s.tokens.(s.at + 1) else End
 let fault s what = raise (Fault (snd s.tokens.(s.at), what))
 let advance s = if s.at + 1 < Array.length s.tokens then s.at <- s.at + 1
 let expected s what = fault s ("found " ^ show (peek s) ^ ", expected " ^ what)
@@ -129,7 +130,7 @@ and product s =
 and signed s =
   if not (accept s (Symbol "-")) then power s
   else
-    match (peek s, fst s.tokens.(s.at + 1)) with
+    match (peek s, peek_next s) with
     | Number text, after when after <> Symbol "^" && not (is_zero text) ->
         advance s;
         constant ~is_negative:true text

@@ -1,0 +1,87 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+# regulus-formal computes as Coq does, reads files as Coq does, and refuses what is false.
+include(${CMAKE_CURRENT_LIST_DIR}/common.cmake)
+
+function(expect_success what)
+  execute_process(COMMAND ${ARGN} WORKING_DIRECTORY ${WORK_DIR} RESULT_VARIABLE code
+                  OUTPUT_VARIABLE text ERROR_VARIABLE text)
+  if(NOT code EQUAL 0)
+    string(SUBSTRING "${text}" 0 2000 text)
+    message(FATAL_ERROR "${what} (exit ${code})\n${text}")
+  endif()
+endfunction()
+
+function(expect_theorem what file)
+  run_coq(code text ${file})
+  if(NOT code EQUAL 0)
+    string(SUBSTRING "${text}" 0 2000 text)
+    message(FATAL_ERROR "${what}\n${text}")
+  endif()
+endfunction()
+
+# ---- Primitive operations: the program and Coq have the same results.
+file(COPY ${CMAKE_CURRENT_LIST_DIR}/Arithmetic.v ${CMAKE_CURRENT_LIST_DIR}/ArithmeticExtract.v
+          ${CMAKE_CURRENT_LIST_DIR}/print_arithmetic.ml ${CMAKE_CURRENT_LIST_DIR}/damage.ml
+          ${CHECKER}/uint63.ml ${CHECKER}/float64.ml DESTINATION ${WORK_DIR})
+expect_theorem("The list of operations" Arithmetic.v)
+expect_theorem("The program of the operations" ArithmeticExtract.v)
+expect_success("The program of the operations" ${OCAMLOPT} -w -a uint63.ml float64.ml arithmetic.mli
+               arithmetic.ml print_arithmetic.ml -o print_arithmetic)
+execute_process(COMMAND ${WORK_DIR}/print_arithmetic OUTPUT_FILE ${WORK_DIR}/Agree.v
+                COMMAND_ERROR_IS_FATAL ANY)
+expect_theorem("Coq and the program compute differently" Agree.v)
+
+# write_theorem(NAME MODEL MOTION OPTIONS...): the file NAME.v of a verdict.
+function(write_theorem name model)
+  execute_process(COMMAND ${REGULUS} check ${SOURCE_DIR}/models/${model}.toml ${ARGN} --certificate
+                          ${WORK_DIR}/${name}.txt --quiet OUTPUT_QUIET)
+  expect_success("${name}.v" ${VERIFY} --coq ${name}.v ${name}.txt)
+endfunction()
+
+write_theorem(T1 robot_1 T1)
+write_theorem(errors robot_1 T1_errors)
+write_theorem(tolerance robot_1 table6_5_5 --tolerance base,platform=0.05)
+write_theorem(circle planar_3rpr circle)
+write_theorem(wide agile_eye wide)
+write_theorem(scara scara right_handed)
+write_theorem(axes three_parallel_axes table)
+write_theorem(singular robot_2 table5_40)
+write_theorem(above robot_1 table6_5_5 --alpha 1)
+write_theorem(below robot_1 table6_5_5 --alpha 10)
+
+# ---- The reader: Coq reads the same questions.
+foreach(name IN ITEMS T1 errors tolerance circle scara singular above)
+  expect_success("${name}.v is not read" ${FORMAL} --compare same_${name}.v ${name}.v)
+  expect_theorem("Coq reads another question in ${name}.v" same_${name}.v)
+endforeach()
+
+# ---- Verdicts.
+foreach(name IN ITEMS T1 errors tolerance circle wide scara axes singular above below)
+  expect_success("${name}.v is not proved" ${FORMAL} --hints hinted_${name}.v ${name}.v)
+  expect_success("hinted_${name}.v is not proved" ${FORMAL} hinted_${name}.v)
+endforeach()
+foreach(name IN ITEMS circle above)
+  expect_theorem("Coq refuses hinted_${name}.v" hinted_${name}.v)
+endforeach()
+expect_theorem("Coq refuses below.v" below.v)
+
+# The claim of a singular question: no search ends.
+file(READ ${WORK_DIR}/singular.v text)
+string(REGEX REPLACE "\n\\(\\*\\* Two points.*" "" text "${text}")
+set(theorem "no_singularity the_question.\nProof.\n  apply (check_correct the_question the_method).\n\
+  vm_cast_no_check (eq_refl true).\nQed.\n")
+file(WRITE ${WORK_DIR}/false.v
+     "${text}\nDefinition the_method : method := Method 6 60.\n\nTheorem the_claim : ${theorem}")
+execute_process(COMMAND ${FORMAL} --quiet --max-leaves 300 false.v WORKING_DIRECTORY ${WORK_DIR}
+                RESULT_VARIABLE code OUTPUT_VARIABLE answer)
+if(NOT code EQUAL 2 OR NOT answer STREQUAL "NOT PROVED\n")
+  message(FATAL_ERROR "A singular robot: ${answer} (exit ${code})")
+endif()
+
+# ---- Damaged hints and files.
+set(objects uint63 float64 checker files tokens reader search print prove)
+list(TRANSFORM objects REPLACE "(.+)" "${OBJECTS}/\\1.cmx")
+expect_success("The program of damages" ${OCAMLOPT} -I +unix -I ${OBJECTS} unix.cmxa ${objects} damage.ml
+               -o damage)
+expect_success("Damaged hints" ${WORK_DIR}/damage singular.v hinted_circle.v hinted_scara.v hinted_axes.v
+               hinted_T1.v)
