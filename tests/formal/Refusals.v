@@ -1,7 +1,7 @@
 (* SPDX-License-Identifier: GPL-3.0-or-later *)
 (** Questions whose answer is known: what is false must not be proved, by any method. *)
 From Coq Require Import List Bool Arith PrimFloat.
-From Regulus Require Import Expressions Questions Search Singularity Notations.
+From Regulus Require Import Expressions Questions Search Singularity Threshold Notations.
 Import ListNotations.
 
 Definition methods : list method :=
@@ -111,6 +111,66 @@ Definition true_segments : list (question * coordinates * coordinates) := [
   (square [[x; y]; [1; 2]], [-1; 1]%float, [1; 1]%float);
   (square [[x - 1 + 1e-6; 0]; [0; 1]], [-1; 1]%float, [1; 1]%float);
   (over [x - y] [[x; 0]; [0; 1]], [-0.5; 1]%float, [0.5; 1]%float) ].
+
+(** |det| = x + 2 in [1, 3], times the scales, is not above these thresholds. *)
+Definition slope : question := square [[x + 2; 0]; [y; 1]].
+
+Definition false_thresholds : list (question * list expression * expression) := [
+  (slope, [], 1);
+  (slope, [], 1 + 1e-6);
+  (slope, [1/2; 2], 1);
+  (slope, [1; x], 0);
+  (slope, [1; 1/x], 0);
+  (slope, [], 1/0);
+  (square [[x; 0]; [0; 1]], [], 0);
+  (square [[x; y]; [1; 0]; [0; 1]], [], 0);
+  (over [x - 1/10] [[x - 1/2; 0]; [0; 1]], [], 4/10) ].
+
+Definition true_thresholds : list (question * list expression * expression) := [
+  (slope, [], 1 - 1e-6);
+  (slope, [1/2; 2], 0.999);
+  (slope, [y + 1; 1], 0.999);
+  (square [[0; x + 2]; [1; y]], [], 0.999);
+  (square [[x; 1]; [1; - x]], [], 0.999);
+  (over [x - 1/10] [[x - 1/2; 0]; [0; 1]], [], 0.399) ].
+
+Definition is_above (s : question * list expression * expression) (m : method) : bool :=
+  let '(q, scales, threshold) := s in check_determinant q scales threshold m.
+
+(** A point that shows that |det| is not above a threshold; coordinates beyond a range mean its end. *)
+Definition is_not_above (s : coordinates) (threshold : expression) : bool :=
+  check_point slope [] threshold s.
+
+Goal map (fun s => existsb (is_above s) methods) false_thresholds = map (fun _ => false) false_thresholds.
+Proof. vm_compute. reflexivity. Qed.
+
+Goal map (fun s => is_above s (Method 99 30)) true_thresholds = map (fun _ => true) true_thresholds.
+Proof. vm_compute. reflexivity. Qed.
+
+Goal map (fun s => is_not_above s (3/2)) [[-1; 1]; [-0.6; 0]; [neg_infinity; 2]]%float = [true; true; true].
+Proof. vm_compute. reflexivity. Qed.
+
+Goal map (fun s => is_not_above s (3/2)) [[0; 1]; [-0.4; 0]; [infinity; 2]; []; [-1]; [nan; 0]]%float
+  = map (fun _ => false) (seq 0 6).
+Proof. vm_compute. reflexivity. Qed.
+
+(** Trees that leave a box open, or split what is not there. *)
+Definition false_trees : list tree :=
+  [Leaf; Split 0 Leaf Leaf; Split 1 Leaf Leaf; Split 5 Leaf Leaf; Split 0 (Split 9 Leaf Leaf) Leaf].
+
+Goal map (check_tree (square [[x + 1/10; 0]; [0; 1]]) (Method 2 0)) false_trees
+  = map (fun _ => false) false_trees.
+Proof. vm_compute. reflexivity. Qed.
+
+(** Singular at -1/10, which is excluded. The last split is that of [-1/8, 0]. To split a
+    variable that does not exist changes nothing. *)
+Definition beside : question := over [- x - 1/20] [[x + 1/10; 0]; [0; 1]].
+Definition last_part (t : tree) : tree :=
+  Split 0 (Split 0 Leaf (Split 0 Leaf (Split 0 Leaf t))) Leaf.
+
+Goal map (check_tree beside (Method 2 0)) (map last_part (Split 0 Leaf Leaf :: false_trees))
+  = [true; false; true; false; false; true].
+Proof. vm_compute. reflexivity. Qed.
 
 Definition shown (s : question * coordinates * coordinates) : bool :=
   let '(q, a, b) := s in check_singularity q a b.

@@ -69,7 +69,7 @@ Definition test_determinant (q : question) (scales : list expression) (threshold
           let f := product_form d s in
           if is_positive (subtract (I.abs (form_range f)) (range l)) then Regular
           else Open (Attempt [[f]] [] [PrimFloat.one])
-      | _, _ => Undefined
+      | _, _ => Open (attempt_at (rows q) (columns q) (map (map form_of) a))
       end
     else Undefined.
 
