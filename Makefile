@@ -34,7 +34,7 @@ test-all: dependencies  ## every test, the slow ones and ThreadSanitizer's too
 	$(MAKE) tsan
 
 formal: dependencies  ## verdicts as theorems that Coq proves: tests/formal/RESULTS.md
-	@cmake/install-dependencies.sh coq libcoq-interval libcoq-flocq
+	@cmake/install-dependencies.sh coq libcoq-interval libcoq-flocq ocaml-nox
 	cmake --preset release -DREGULUS_TESTS=ON
 	cmake --build --preset release --target formal regulus regulus-verify
 	ctest --test-dir build -R '^formal\.' --output-on-failure

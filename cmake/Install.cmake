@@ -113,7 +113,7 @@ if(REGULUS_CODEGEN)
     install(FILES ${REGULUS_PAGE_TEMPLATE} DESTINATION ${CMAKE_INSTALL_DATADIR}/regulus COMPONENT codegen)
   endif()
   install(DIRECTORY ${PROJECT_SOURCE_DIR}/runtime/certificate/formal DESTINATION ${CMAKE_INSTALL_DATADIR}/regulus
-          COMPONENT codegen FILES_MATCHING PATTERN "*.v" PATTERN _CoqProject PATTERN "*.md")
+          COMPONENT codegen FILES_MATCHING PATTERN "*.v" PATTERN "*.ml" PATTERN _CoqProject PATTERN "*.md")
   install(FILES ${PROJECT_SOURCE_DIR}/README.md ${PROJECT_SOURCE_DIR}/codegen/EMBEDDING.md
           DESTINATION ${CMAKE_INSTALL_DATADIR}/doc/regulus COMPONENT codegen)
   include(${CMAKE_CURRENT_LIST_DIR}/ManualPages.cmake)

@@ -38,6 +38,8 @@ function(write_theorem name model)
   expect_success("${name}.v" ${VERIFY} --coq ${name}.v ${name}.txt)
 endfunction()
 
+file(WRITE ${WORK_DIR}/way.csv "x,y,phi\n8,4,0.3\n8.5,4.2,0.32\n8.6,4.6,0.35\n8.2,4.9,0.4\n")
+write_theorem(pieces planar_3rpr regular --waypoints ${WORK_DIR}/way.csv)
 write_theorem(T1 robot_1 T1)
 write_theorem(errors robot_1 T1_errors)
 write_theorem(tolerance robot_1 table6_5_5 --tolerance base,platform=0.05)
@@ -50,17 +52,17 @@ write_theorem(above robot_1 table6_5_5 --alpha 1)
 write_theorem(below robot_1 table6_5_5 --alpha 10)
 
 # ---- The reader: Coq reads the same questions.
-foreach(name IN ITEMS T1 errors tolerance circle scara singular above)
+foreach(name IN ITEMS pieces T1 errors tolerance scara singular above)
   expect_success("${name}.v is not read" ${FORMAL} --compare same_${name}.v ${name}.v)
   expect_theorem("Coq reads another question in ${name}.v" same_${name}.v)
 endforeach()
 
 # ---- Verdicts.
-foreach(name IN ITEMS T1 errors tolerance circle wide scara axes singular above below)
+foreach(name IN ITEMS pieces T1 errors tolerance circle wide scara axes singular above below)
   expect_success("${name}.v is not proved" ${FORMAL} --hints hinted_${name}.v ${name}.v)
   expect_success("hinted_${name}.v is not proved" ${FORMAL} hinted_${name}.v)
 endforeach()
-foreach(name IN ITEMS circle above)
+foreach(name IN ITEMS pieces circle above)
   expect_theorem("Coq refuses hinted_${name}.v" hinted_${name}.v)
 endforeach()
 expect_theorem("Coq refuses below.v" below.v)
@@ -83,5 +85,5 @@ set(objects uint63 float64 checker files tokens reader search print prove)
 list(TRANSFORM objects REPLACE "(.+)" "${OBJECTS}/\\1.cmx")
 expect_success("The program of damages" ${OCAMLOPT} -I +unix -I ${OBJECTS} unix.cmxa ${objects} damage.ml
                -o damage)
-expect_success("Damaged hints" ${WORK_DIR}/damage singular.v hinted_circle.v hinted_scara.v hinted_axes.v
+expect_success("Damaged hints" ${WORK_DIR}/damage singular.v hinted_pieces.v hinted_circle.v hinted_scara.v hinted_axes.v
                hinted_T1.v)

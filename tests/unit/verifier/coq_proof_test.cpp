@@ -31,6 +31,19 @@ std::string certificate(const std::string& variables, const std::string& entries
          "matrix 1 1\nentry " + entries + "\nproof\n" + verdict;
 }
 
+/// The same question about |det| and the threshold 1/2.
+std::string with_threshold(std::string text, bool is_singular) {
+  const auto replace = [&text](const std::string& from, const std::string& to) {
+    text.replace(text.find(from), from.size(), to);
+  };
+  replace("claim the full", "claim |det| of the full");
+  replace(is_singular ? "is singular" : "is defined and has full rank",
+          is_singular ? "is at most alpha" : "exceeds alpha");
+  replace("alpha 0\n", "alpha 1/2\n");
+  replace("proof\n", "scale 1/(x + 2)\nproof\n");
+  return text;
+}
+
 std::string written(const std::string& text) {
   std::istringstream file(text);
   return coq_proof(file);
@@ -93,6 +106,29 @@ TEST(ATheorem, OfASingularityHasItsTwoPoints) {
   EXPECT_THAT(text, Not(HasSubstr("no_singularity")));
 }
 
+TEST(ATheorem, AboutAThresholdHasItsScales) {
+  const std::string text =
+      written(with_threshold(certificate("parameter x in 1 : 2\npose x = x\n", "x"), false));
+  EXPECT_THAT(text, HasSubstr("Definition the_scales : list expression :=\n  [1/(x + 2)].\n"
+                              "Definition the_threshold : expression := 1/2.\n"));
+  EXPECT_THAT(text, HasSubstr("Theorem the_claim : determinant_above the_question the_scales "
+                              "the_threshold.\n"));
+  EXPECT_THAT(text, HasSubstr("apply (check_determinant_correct the_question the_scales "
+                              "the_threshold the_method)."));
+}
+
+TEST(ATheorem, AboutASmallDeterminantHasItsPoint) {
+  const std::string point = "reason small-determinant\npoint 0 lower -0x1p-3\nend\n";
+  const std::string text = written(with_threshold(
+      certificate("parameter x in -1 : 1\nparameter y in -1 : 1\npose x = x\npose y = y\n", "x", "",
+                  point),
+      true));
+  EXPECT_THAT(text, HasSubstr("Definition the_point : coordinates :=\n  [neg_infinity;\n"
+                              "   (-0x1p-3)]%float."));
+  EXPECT_THAT(text, HasSubstr("Theorem the_claim : determinant_not_above the_question the_scales "
+                              "the_threshold.\n"));
+}
+
 TEST(ATheorem, OfATrajectoryIsAboutEachPiece) {
   const std::string text = written(
       certificate("parameter T in 0 : 1\nconstant b = 7\npiecewise start slope\npiece 1 | 1/2\n"
@@ -115,6 +151,10 @@ TEST(ATheorem, IsRefusedWhereTheLibraryHasNone) {
   EXPECT_THROW(
       (void)written(certificate(variables, "x", "", "reason opposite-signs\npoint + 1 2\n")),
       verifier::Rejection);
+  EXPECT_THROW(
+      (void)written(with_threshold(
+          certificate(variables, "x", "", "reason opposite-signs\npoint + 1\npoint - -1\n"), true)),
+      verifier::Unfinished);
   EXPECT_THROW((void)written(certificate(variables, "x + y")), verifier::Rejection);
   EXPECT_THROW((void)written("no certificate\n"), verifier::Rejection);
 }

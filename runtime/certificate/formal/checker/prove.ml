@@ -60,6 +60,15 @@ let text_before_theorem text =
   in
   String.sub text 0 (find (String.length text - String.length mark))
 
+(* Words that the reader has separated, as a person writes them. *)
+let rec close_parentheses = function
+  | "(" :: word :: rest -> close_parentheses (("(" ^ word) :: rest)
+  | word :: ")" :: rest -> close_parentheses ((word ^ ")") :: rest)
+  | word :: rest -> word :: close_parentheses rest
+  | [] -> []
+
+let tidy words = String.concat " " (close_parentheses (String.split_on_char ' ' words))
+
 (* The file once more, with the splits. *)
 let with_hints text (file : Reader.file) claim trees =
   let list = Buffer.create 65536 in
@@ -70,7 +79,7 @@ let with_hints text (file : Reader.file) claim trees =
   Printf.sprintf
     "%s\n(** How the boxes are split. *)\nDefinition %s : %s :=\n  %s%s%s.\n\n\
      Theorem the_claim : %s.\nProof.\n  apply (%s).\n  vm_cast_no_check (eq_refl true).\nQed.\n"
-    (text_before_theorem text) name kind opening (Buffer.contents list) closing file.statement
+    (text_before_theorem text) name kind opening (Buffer.contents list) closing (tidy file.statement)
     claim.theorem
 
 let for_all_points bounds text (file : Reader.file) ~has_trees claim =

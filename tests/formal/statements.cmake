@@ -1,0 +1,40 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+# Coq reads the questions that regulus-verify writes, and their claims mean something. This needs only
+# the files that define what is claimed: nothing is proved here.
+include(${CMAKE_CURRENT_LIST_DIR}/common.cmake)
+set(LIBRARY .)
+
+foreach(name IN ITEMS Expressions LinearAlgebra Questions Notations)
+  file(COPY ${SOURCE_DIR}/runtime/certificate/formal/${name}.v DESTINATION ${WORK_DIR})
+  run_coq(code text ${name}.v)
+  if(NOT code EQUAL 0)
+    message(FATAL_ERROR "${name}.v\n${text}")
+  endif()
+endforeach()
+
+# expect_statement(CLAIM MODEL MOTION OPTIONS...)
+function(expect_statement claim model)
+  execute_process(COMMAND ${REGULUS} check ${SOURCE_DIR}/models/${model}.toml ${ARGN} --certificate
+                          ${WORK_DIR}/claim.txt --quiet OUTPUT_QUIET)
+  execute_process(COMMAND ${VERIFY} --coq ${WORK_DIR}/claim.v ${WORK_DIR}/claim.txt COMMAND_ERROR_IS_FATAL ANY)
+  file(READ ${WORK_DIR}/claim.v text)
+  string(REPLACE "Questions Search Singularity Threshold." "LinearAlgebra Questions." text "${text}")
+  string(REGEX REPLACE "\nDefinition the_method[^\n]*\n" "\n" text "${text}")
+  if(NOT text MATCHES "\nTheorem the_claim : ([^\n]*)\\.\nProof\\.")
+    message(FATAL_ERROR "${model} ${ARGN}: no theorem\n${text}")
+  elseif(NOT CMAKE_MATCH_1 STREQUAL claim)
+    message(FATAL_ERROR "${model} ${ARGN}: the theorem is ${CMAKE_MATCH_1}, expected ${claim}")
+  endif()
+  string(REGEX REPLACE "\nProof\\..*" "\nProof. Abort.\n" text "${text}")
+  file(WRITE ${WORK_DIR}/claim.v "${text}")
+  run_coq(code text claim.v)
+  if(NOT code EQUAL 0)
+    message(FATAL_ERROR "${model} ${ARGN}\n${text}")
+  endif()
+endfunction()
+
+expect_statement("no_singularity the_question" robot_1 T1_errors)
+file(WRITE ${WORK_DIR}/way.csv "x,y,phi\n8,4,0.3\n8.5,4.2,0.32\n8.6,4.6,0.35\n")
+expect_statement("Forall (fun piece => no_singularity (the_question piece)) pieces" planar_3rpr regular
+                 --waypoints ${WORK_DIR}/way.csv)
+expect_statement("determinant_above the_question the_scales the_threshold" robot_1 table6_5_5 --alpha 1)
