@@ -2,5 +2,7 @@
 From Regulus Require Import Search Singularity Threshold.
 Definition theorems := (check_correct, check_tree_correct, check_pieces_correct,
   check_piece_trees_correct, check_singularity_correct, check_determinant_correct,
-  check_determinant_tree_correct, check_point_correct).
+  check_determinant_tree_correct,
+  check_determinant_pieces_correct, check_determinant_piece_trees_correct, check_point_correct,
+  check_crossing_correct).
 Print Assumptions theorems.

@@ -154,6 +154,17 @@ Goal map (fun s => is_not_above s (3/2)) [[0; 1]; [-0.4; 0]; [infinity; 2]; []; 
   = map (fun _ => false) (seq 0 6).
 Proof. vm_compute. reflexivity. Qed.
 
+(** |det| = |x| or |x| + 1 between -1 and 1. *)
+Definition crosses (f : expression) (scales : list expression) (threshold : expression) : bool :=
+  check_crossing (square [[f; 0]; [0; 1]]) scales threshold [-1; 1]%float [1; 1]%float.
+
+Goal [crosses x [] 0; crosses x [y; 1] (1/10)] = [true; true].
+Proof. vm_compute. reflexivity. Qed.
+
+Goal [crosses x [] (- 1/10); crosses x [1/x; 1] 1; crosses (abs x + 1) [] 2; crosses x [] (1/0)]
+  = [false; false; false; false].
+Proof. vm_compute. reflexivity. Qed.
+
 (** Trees that leave a box open, or split what is not there. *)
 Definition false_trees : list tree :=
   [Leaf; Split 0 Leaf Leaf; Split 1 Leaf Leaf; Split 5 Leaf Leaf; Split 0 (Split 9 Leaf Leaf) Leaf].

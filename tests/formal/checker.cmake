@@ -40,6 +40,7 @@ endfunction()
 
 file(WRITE ${WORK_DIR}/way.csv "x,y,phi\n8,4,0.3\n8.5,4.2,0.32\n8.6,4.6,0.35\n8.2,4.9,0.4\n")
 write_theorem(pieces planar_3rpr regular --waypoints ${WORK_DIR}/way.csv)
+write_theorem(pieces_above planar_3rpr regular --waypoints ${WORK_DIR}/way.csv --alpha 0.1)
 write_theorem(T1 robot_1 T1)
 write_theorem(errors robot_1 T1_errors)
 write_theorem(tolerance robot_1 table6_5_5 --tolerance base,platform=0.05)
@@ -50,6 +51,7 @@ write_theorem(axes three_parallel_axes table)
 write_theorem(singular robot_2 table5_40)
 write_theorem(above robot_1 table6_5_5 --alpha 1)
 write_theorem(below robot_1 table6_5_5 --alpha 10)
+write_theorem(crossing planar_3rpr crossing --alpha 0.1)
 
 # ---- The reader: Coq reads the same questions.
 foreach(name IN ITEMS pieces T1 errors tolerance scara singular above)
@@ -58,14 +60,15 @@ foreach(name IN ITEMS pieces T1 errors tolerance scara singular above)
 endforeach()
 
 # ---- Verdicts.
-foreach(name IN ITEMS pieces T1 errors tolerance circle wide scara axes singular above below)
+foreach(name IN ITEMS pieces pieces_above T1 errors tolerance circle wide scara axes singular above below crossing)
   expect_success("${name}.v is not proved" ${FORMAL} --hints hinted_${name}.v ${name}.v)
   expect_success("hinted_${name}.v is not proved" ${FORMAL} hinted_${name}.v)
 endforeach()
-foreach(name IN ITEMS pieces circle above)
+foreach(name IN ITEMS pieces pieces_above circle above)
   expect_theorem("Coq refuses hinted_${name}.v" hinted_${name}.v)
 endforeach()
 expect_theorem("Coq refuses below.v" below.v)
+expect_theorem("Coq refuses crossing.v" crossing.v)
 
 # The claim of a singular question: no search ends.
 file(READ ${WORK_DIR}/singular.v text)

@@ -312,18 +312,27 @@ Proof.
 Qed.
 
 (** A tree for each piece. *)
-Definition check_piece_trees (q : list expression -> question) (m : method)
+Definition check_each (check : question -> tree -> bool) (q : list expression -> question)
     (pieces : list (list expression)) (trees : list tree) : bool :=
   Nat.eqb (length pieces) (length trees) &&
-  forallb (fun u => check_tree (q (fst u)) m (snd u)) (combine pieces trees).
+  forallb (fun u => check (q (fst u)) (snd u)) (combine pieces trees).
+
+Lemma check_each_correct check (claim : question -> Prop) q pieces trees :
+  (forall q t, check q t = true -> claim q) -> check_each check q pieces trees = true ->
+  Forall (fun piece => claim (q piece)) pieces.
+Proof.
+  unfold check_each. intros C H. apply andb_prop in H as [L H]. apply Nat.eqb_eq in L.
+  revert trees L H. induction pieces as [|p l IH]; intros [|t trees] L H; try discriminate;
+    constructor; simpl in H; apply andb_prop in H as [H1 H2].
+  - exact (C _ _ H1).
+  - apply (IH trees); [injection L; auto|exact H2].
+Qed.
+
+Definition check_piece_trees (q : list expression -> question) (m : method) :
+    list (list expression) -> list tree -> bool :=
+  check_each (fun q => check_tree q m) q.
 
 Theorem check_piece_trees_correct q m pieces trees :
   check_piece_trees q m pieces trees = true ->
   Forall (fun piece => no_singularity (q piece)) pieces.
-Proof.
-  unfold check_piece_trees. intros H. apply andb_prop in H as [L H]. apply Nat.eqb_eq in L.
-  revert trees L H. induction pieces as [|p l IH]; intros [|t trees] L H; try discriminate;
-    constructor; simpl in H; apply andb_prop in H as [H1 H2].
-  - exact (check_tree_correct _ _ _ H1).
-  - apply (IH trees); [injection L; auto|exact H2].
-Qed.
+Proof. apply check_each_correct. intros q' t. apply check_tree_correct. Qed.

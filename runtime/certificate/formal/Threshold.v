@@ -111,6 +111,18 @@ Definition check_point (q : question) (scales : list expression) (threshold : ex
   | None => false
   end.
 
+(** A segment on which the determinant is 0 somewhere. *)
+Definition with_scales (q : question) (scales : list expression) : question :=
+  Question (ranges q) (definitions q) (constraints q) (also_defined q ++ scales) (matrix q)
+    (columns q).
+
+Definition check_crossing (q : question) (scales : list expression) (threshold : expression)
+    (a b : coordinates) : bool :=
+  match evaluate [] threshold with
+  | Some l => is_not_negative (range l) && check_singularity (with_scales q scales) a b
+  | None => false
+  end.
+
 (** ** It is correct *)
 
 Lemma complement_encloses t m p g a A : in_unit_box t -> (p < S m)%nat ->
@@ -289,6 +301,32 @@ Proof.
   eapply enclose_ranges_correct; [exact R|exact (proj1 X)].
 Qed.
 
+(** The same for a trajectory, without and with a hint for each piece. *)
+Definition check_determinant_pieces (q : list expression -> question) (scales : list expression)
+    (threshold : expression) (m : method) (pieces : list (list expression)) : bool :=
+  forallb (fun piece => check_determinant (q piece) scales threshold m) pieces.
+
+Theorem check_determinant_pieces_correct q scales threshold m pieces :
+  check_determinant_pieces q scales threshold m pieces = true ->
+  Forall (fun piece => determinant_above (q piece) scales threshold) pieces.
+Proof.
+  unfold check_determinant_pieces. rewrite forallb_forall. intros H. apply Forall_forall.
+  intros piece P. apply (check_determinant_correct (q piece) scales threshold m), H, P.
+Qed.
+
+Definition check_determinant_piece_trees (q : list expression -> question)
+    (scales : list expression) (threshold : expression) (m : method) :
+    list (list expression) -> list tree -> bool :=
+  check_each (fun q => check_determinant_tree q scales threshold m) q.
+
+Theorem check_determinant_piece_trees_correct q scales threshold m pieces trees :
+  check_determinant_piece_trees q scales threshold m pieces trees = true ->
+  Forall (fun piece => determinant_above (q piece) scales threshold) pieces.
+Proof.
+  apply (check_each_correct _ (fun q => determinant_above q scales threshold)).
+  intros q' t. apply check_determinant_tree_correct.
+Qed.
+
 Theorem check_point_correct q scales threshold point :
   check_point q scales threshold point = true -> determinant_not_above q scales threshold.
 Proof.
@@ -311,4 +349,17 @@ Proof.
   pose proof (absolute_encloses _ _ (I _ _ (determinant_at_encloses q b _ B Q C))) as Z.
   pose proof (is_not_positive_correct _ _ L (subtract_encloses _ _ _ _ Z G)) as P.
   unfold scaled_determinant. lra.
+Qed.
+
+Theorem check_crossing_correct q scales threshold a b :
+  check_crossing q scales threshold a b = true -> determinant_not_above q scales threshold.
+Proof.
+  unfold check_crossing. destruct (evaluate [] threshold) as [l|] eqn:E; [|discriminate].
+  destruct (threshold_known _ _ E) as [D G]. intros H. apply andb_prop in H as [L H].
+  apply check_singularity_correct in H as (x & S & (M1 & M2 & M3) & Q & Z).
+  apply Forall_app in M2 as [M2 M4]. split; [exact D|]. split; [exact Q|].
+  exists x. split; [exact S|]. split; [repeat split; assumption|]. split; [exact M4|].
+  change (determinant (columns q) (entry q (extend x (definitions q))) = 0) in Z.
+  unfold scaled_determinant. rewrite Z, Rmult_0_l, Rabs_R0.
+  exact (is_not_negative_correct _ _ L G).
 Qed.

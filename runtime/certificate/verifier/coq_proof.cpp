@@ -292,8 +292,12 @@ std::string segment_theorem(Lines& lines, const Question& question) {
   return "\n(** Two points on a line along which the determinant changes its sign. *)\n"
          "Definition negative : coordinates :=\n  " +
          negative + ".\nDefinition positive : coordinates :=\n  " + positive + ".\n" +
-         theorem("singularity the_question",
-                 "check_singularity_correct the_question negative positive");
+         (question.has_threshold
+              ? theorem("determinant_not_above the_question the_scales the_threshold",
+                        "check_crossing_correct the_question the_scales the_threshold negative "
+                        "positive")
+              : theorem("singularity the_question",
+                        "check_singularity_correct the_question negative positive"));
 }
 
 std::string point_theorem(Lines& lines, const Question& question) {
@@ -308,17 +312,21 @@ std::string singular_theorem(Lines& lines, const Question& question) {
   if (!lines.next()) throw Rejection("the file ends before the line 'end'");
   if (lines.text() == "reason small-determinant" && question.has_threshold)
     return point_theorem(lines, question);
-  if (lines.text() == "reason opposite-signs" && !question.has_threshold)
-    return segment_theorem(lines, question);
-  throw Unfinished("there is no theorem about SINGULARITY by '" + lines.text() + "' " +
-                   (question.has_threshold ? "with a threshold " : "") + "yet");
+  if (lines.text() == "reason opposite-signs") return segment_theorem(lines, question);
+  throw Unfinished("there is no theorem about SINGULARITY by '" + lines.text() + "' yet");
 }
 
-std::string regular_theorem(const Question& question) {
-  if (question.has_threshold)
-    return theorem("determinant_above the_question the_scales the_threshold",
-                   "check_determinant_correct the_question the_scales the_threshold the_method");
-  return theorem("no_singularity the_question", "check_correct the_question the_method");
+/// The theorem about each point of the set; of each piece, if the question has pieces.
+std::string regular_theorem(const Question& question, bool has_pieces) {
+  const std::string of_threshold = question.has_threshold ? " the_scales the_threshold" : "";
+  const std::string check = std::string("check") + (question.has_threshold ? "_determinant" : "") +
+                            (has_pieces ? "_pieces" : "") + "_correct the_question" + of_threshold +
+                            " the_method";
+  const std::string claim = question.has_threshold ? "determinant_above " : "no_singularity ";
+  if (!has_pieces) return theorem(claim + "the_question" + of_threshold, check);
+  return theorem(
+      "Forall (fun piece => " + claim + "(the_question piece)" + of_threshold + ") pieces",
+      check + " pieces");
 }
 
 std::vector<std::string> lines_of(const std::string& text) {
@@ -335,8 +343,6 @@ std::string trajectory(Lines& lines) {
   Lines first(text);
   Question question;
   read_question(first, question);
-  if (question.has_threshold)
-    throw Unfinished("there is no theorem about a threshold along a trajectory yet");
   if (question.singular) throw Rejection("a singular pose lies on one piece: there are several");
   const CoqQuestion coq(lines_of(pieces.question_of(0)), question, pieces.names);
   std::vector<Item> values;
@@ -349,9 +355,7 @@ std::string trajectory(Lines& lines) {
     values.push_back({"", coq_list(value, std::string(4, ' '))});
   }
   return heading(question) + coq.text() + "\nDefinition pieces : list (list expression) :=\n  " +
-         coq_list(values, "   ") + ".\n" + method(coq) +
-         theorem("Forall (fun piece => no_singularity (the_question piece)) pieces",
-                 "check_pieces_correct the_question the_method pieces");
+         coq_list(values, "   ") + ".\n" + method(coq) + regular_theorem(question, true);
 }
 
 /// Reads the question, and what its theorem needs of the proof.
@@ -362,7 +366,7 @@ std::string read_and_write(Lines& lines) {
   if (question.is_piecewise) return trajectory(lines);
   const CoqQuestion coq(lines.take_kept(), question);
   if (question.singular) return heading(question) + coq.text() + singular_theorem(lines, question);
-  return heading(question) + coq.text() + method(coq) + regular_theorem(question);
+  return heading(question) + coq.text() + method(coq) + regular_theorem(question, false);
 }
 
 }  // namespace

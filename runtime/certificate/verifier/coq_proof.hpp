@@ -10,8 +10,8 @@ namespace regulus::verifier {
 /// Returns the text of a Coq file: the question of a certificate, expression by expression as it is
 /// written there, and the theorem that the claim is true. Coq searches the proof anew, so nothing
 /// after the line `proof` of a claim NO SINGULARITY is read. Throws Rejection if the file is not a
-/// certificate; Unfinished if the library has no theorem for such a claim: a threshold along a
-/// trajectory, or SINGULARITY by other means than opposite signs or a small determinant.
+/// certificate; Unfinished if the library has no theorem for such a claim: SINGULARITY of a robot
+/// that is always singular, or at a point without a double.
 [[nodiscard]] std::string coq_proof(std::istream& certificate);
 
 }  // namespace regulus::verifier

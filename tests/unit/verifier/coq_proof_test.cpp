@@ -129,6 +129,17 @@ TEST(ATheorem, AboutASmallDeterminantHasItsPoint) {
                               "the_threshold.\n"));
 }
 
+TEST(ATheorem, AboutAThresholdMayHaveTwoPoints) {
+  const std::string points =
+      "reason opposite-signs\npoint + 0x1p-1\npoint - -0.5\npath segment\nend\n";
+  const std::string text = written(
+      with_threshold(certificate("parameter x in -1 : 1\npose x = x\n", "x", "", points), true));
+  EXPECT_THAT(text, HasSubstr("Theorem the_claim : determinant_not_above the_question the_scales "
+                              "the_threshold.\n"));
+  EXPECT_THAT(text, HasSubstr("apply (check_crossing_correct the_question the_scales "
+                              "the_threshold negative positive)."));
+}
+
 TEST(ATheorem, OfATrajectoryIsAboutEachPiece) {
   const std::string text = written(
       certificate("parameter T in 0 : 1\nconstant b = 7\npiecewise start slope\npiece 1 | 1/2\n"
@@ -143,6 +154,17 @@ TEST(ATheorem, OfATrajectoryIsAboutEachPiece) {
                               "(the_question piece)) pieces.\n"));
 }
 
+TEST(ATheorem, OfATrajectoryWithAThresholdIsAboutEachPiece) {
+  const std::string text = written(with_threshold(
+      certificate("parameter T in 0 : 1\npiecewise start\npiece 1\npiece 2\npose x = start + T\n",
+                  "x"),
+      false));
+  EXPECT_THAT(text, HasSubstr("Theorem the_claim : Forall (fun piece => determinant_above "
+                              "(the_question piece) the_scales the_threshold) pieces.\n"));
+  EXPECT_THAT(text, HasSubstr("apply (check_determinant_pieces_correct the_question the_scales "
+                              "the_threshold the_method pieces)."));
+}
+
 TEST(ATheorem, IsRefusedWhereTheLibraryHasNone) {
   const std::string variables = "parameter x in -1 : 1\npose x = x\n";
   EXPECT_THROW(
@@ -151,10 +173,6 @@ TEST(ATheorem, IsRefusedWhereTheLibraryHasNone) {
   EXPECT_THROW(
       (void)written(certificate(variables, "x", "", "reason opposite-signs\npoint + 1 2\n")),
       verifier::Rejection);
-  EXPECT_THROW(
-      (void)written(with_threshold(
-          certificate(variables, "x", "", "reason opposite-signs\npoint + 1\npoint - -1\n"), true)),
-      verifier::Unfinished);
   EXPECT_THROW((void)written(certificate(variables, "x + y")), verifier::Rejection);
   EXPECT_THROW((void)written("no certificate\n"), verifier::Rejection);
 }

@@ -11,6 +11,6 @@ Definition arccosine := acos.
 Definition arctangent2 := atan2.
 
 Set Warnings "-extraction-opaque-accessed".
-Extraction "checker.ml" check_piece_trees check_determinant_tree check_singularity check_point
-  test test_determinant is_closed variable_to_split I.midpoint lower_part upper_part enclose_ranges
+Extraction "checker.ml" check_tree check_piece_trees check_determinant_piece_trees check_singularity
+  check_point check_crossing test test_determinant is_closed variable_to_split I.midpoint lower_part upper_part enclose_ranges
   no_entry rational_of within tangent arcsine arccosine arctangent2.

@@ -29,11 +29,12 @@ type verdict =
   | Unproved of string
 
 (* A statement for all points of the set: the test of a box, the check of the splits of all pieces,
-   and how Coq calls the latter. *)
+   and the theorems of the library that prove it with and without splits. *)
 type claim = {
   test : question -> box -> answer;
   check : expression list list -> tree list -> bool;
-  theorem : string;
+  hinted : string;
+  plain : string;
 }
 
 (* The splits of each piece. *)
@@ -80,7 +81,7 @@ let with_hints text (file : Reader.file) claim trees =
     "%s\n(** How the boxes are split. *)\nDefinition %s : %s :=\n  %s%s%s.\n\n\
      Theorem the_claim : %s.\nProof.\n  apply (%s).\n  vm_cast_no_check (eq_refl true).\nQed.\n"
     (text_before_theorem text) name kind opening (Buffer.contents list) closing (tidy file.statement)
-    claim.theorem
+    claim.hinted
 
 let for_all_points bounds text (file : Reader.file) ~has_trees claim =
   let pieces = if file.has_pieces then file.pieces else [ [] ] in
@@ -93,18 +94,25 @@ let for_all_points bounds text (file : Reader.file) ~has_trees claim =
     let hinted = if has_trees then text else with_hints text file claim trees in
     Proved { how = Printf.sprintf "%d leaves" count; hinted }
 
-let regular (file : Reader.file) theorem =
+(* How Coq calls the check with trees, and that without. *)
+let theorems (file : Reader.file) kind arguments =
+  if file.has_pieces then
+    ( Printf.sprintf "check%s_piece_trees_correct the_question %s pieces the_trees" kind arguments,
+      Printf.sprintf "check%s_pieces_correct the_question %s pieces" kind arguments )
+  else
+    ( Printf.sprintf "check%s_tree_correct the_question %s the_tree" kind arguments,
+      Printf.sprintf "check%s_correct the_question %s" kind arguments )
+
+let regular (file : Reader.file) =
+  let hinted, plain = theorems file "" "the_method" in
   { test = (fun q -> test q file.method_);
-    check = check_piece_trees file.question file.method_; theorem }
+    check = check_piece_trees file.question file.method_; hinted; plain }
 
 let above (file : Reader.file) =
-  let check _ = function
-    | [ tree ] ->
-        check_determinant_tree (file.question []) file.scales file.threshold file.method_ tree
-    | _ -> false
-  in
-  { test = (fun q -> test_determinant q file.scales file.threshold file.method_); check;
-    theorem = "check_determinant_tree_correct the_question the_scales the_threshold the_method the_tree" }
+  let hinted, plain = theorems file "_determinant" "the_scales the_threshold the_method" in
+  { test = (fun q -> test_determinant q file.scales file.threshold file.method_);
+    check = check_determinant_piece_trees file.question file.scales file.threshold file.method_;
+    hinted; plain }
 
 let at_points bounds text how check =
   if with_clock bounds (fun () -> "checking") check then Proved { how; hinted = text }
@@ -123,29 +131,30 @@ let require_definitions (file : Reader.file) =
 (* Each statement with the theorem of the library that proves it, as regulus-verify writes them. *)
 let prove bounds text (file : Reader.file) =
   require_definitions file;
-  let pieces = "Forall ( fun piece => no_singularity ( the_question piece ) ) pieces" in
-  let proof_of_tree = "check_tree_correct the_question the_method the_tree" in
-  let proof_of_trees = "check_piece_trees_correct the_question the_method pieces the_trees" in
   let applies theorem = file.proof = "apply ( " ^ theorem ^ " )" in
-  let all ~hinted claim plain =
-    if applies plain then for_all_points bounds text file ~has_trees:false claim
-    else if applies hinted then for_all_points bounds text file ~has_trees:true claim
+  let states what =
+    file.statement
+    = if file.has_pieces then Printf.sprintf "Forall ( fun piece => %s ) pieces" (what "( the_question piece )")
+      else what "the_question"
+  in
+  let all claim =
+    if applies claim.plain then for_all_points bounds text file ~has_trees:false claim
+    else if applies claim.hinted then for_all_points bounds text file ~has_trees:true claim
     else Rejected "the statement is not that of the theorem that is applied"
   in
+  if states (Printf.sprintf "no_singularity %s") then all (regular file)
+  else if states (Printf.sprintf "determinant_above %s the_scales the_threshold") then all (above file)
+  else
   match (file.has_pieces, file.statement) with
-  | false, "no_singularity the_question" ->
-      all ~hinted:proof_of_tree (regular file proof_of_tree) "check_correct the_question the_method"
-  | true, statement when statement = pieces ->
-      all ~hinted:proof_of_trees (regular file proof_of_trees)
-        "check_pieces_correct the_question the_method pieces"
-  | false, "determinant_above the_question the_scales the_threshold" ->
-      let claim = above file in
-      all ~hinted:claim.theorem claim
-        "check_determinant_correct the_question the_scales the_threshold the_method"
   | false, "singularity the_question"
     when applies "check_singularity_correct the_question negative positive" ->
       at_points bounds text "the determinant changes its sign along a segment" (fun () ->
           check_singularity (file.question []) (point file "negative") (point file "positive"))
+  | false, "determinant_not_above the_question the_scales the_threshold"
+    when applies "check_crossing_correct the_question the_scales the_threshold negative positive" ->
+      at_points bounds text "the determinant changes its sign along a segment" (fun () ->
+          check_crossing (file.question []) file.scales file.threshold (point file "negative")
+            (point file "positive"))
   | false, "determinant_not_above the_question the_scales the_threshold"
     when applies "check_point_correct the_question the_scales the_threshold the_point" ->
       at_points bounds text "the determinant is not above the threshold at a point" (fun () ->
