@@ -7,9 +7,19 @@ set(most_seconds 60)
 set(table "# Verdicts as theorems\n\nWritten by `make formal`: each row is a theorem that Coq has accepted, \
 and that `regulus-formal` has proved alone. Leaves are the boxes of the proof; `regulus-formal` finds them, \
 and Coq has them as hints. Seconds are those of the processor: of `coqc` in all, of which loading its \
-libraries takes about one, and of `regulus-formal` with its search. Bytes are those of the file with its hints.\n\n\
-| model | motion | options | verdict | leaves | coqc s | regulus-formal s | bytes of the proof |\n\
-|---|---|---|---|---|---|---|---|\n")
+libraries takes about one, and of `regulus-formal` with its search, also for each leaf. Bytes are those of the file with its hints.\n\n\
+| model | motion | options | verdict | leaves | coqc s | regulus-formal s | ms a leaf | bytes of the proof |\n\
+|---|---|---|---|---|---|---|---|---|\n")
+
+# milliseconds(RESULT SECONDS LEAVES): SECONDS has two decimals; the result has one.
+function(milliseconds result seconds leaves)
+  string(REPLACE "." "" hundredths ${seconds})
+  string(REGEX REPLACE "^0+([0-9])" "\\1" hundredths ${hundredths})
+  math(EXPR tenths "${hundredths} * 100 / ${leaves}")
+  math(EXPR whole "${tenths} / 10")
+  math(EXPR rest "${tenths} % 10")
+  set(${result} ${whole}.${rest} PARENT_SCOPE)
+endfunction()
 
 # processor_seconds(SECONDS NAME): lets Coq read NAME.v, and counts what the processor did for it.
 function(processor_seconds seconds name)
@@ -43,8 +53,10 @@ foreach(row IN LISTS rows)
   endif()
   set(program_seconds ${CMAKE_MATCH_2})
   set(leaves –)
+  set(each –)
   if(how MATCHES ": ([0-9]+) leaves")
     set(leaves ${CMAKE_MATCH_1})
+    milliseconds(each ${program_seconds} ${leaves})
   endif()
   processor_seconds(seconds ${name})
   if(seconds GREATER most_seconds)
@@ -53,6 +65,6 @@ foreach(row IN LISTS rows)
   file(SIZE ${WORK_DIR}/${name}.v bytes)
   list(JOIN words " " options)
   string(APPEND table "| ${model} | ${motion} | ${options} | ${verdict} | ${leaves} | ${seconds} | \
-${program_seconds} | ${bytes} |\n")
+${program_seconds} | ${each} | ${bytes} |\n")
 endforeach()
 file(WRITE ${WORK_DIR}/RESULTS.md "${table}")
