@@ -162,6 +162,17 @@ std::set<std::string> uncertain_names(const ReportLabels& subject) {
   return names;
 }
 
+std::set<std::string> uncertain_names(const Request& request) {
+  std::set<std::string> names;
+  for (const GeometryParameter& g : request.model.geometry) {
+    const bool is_in_ball = g.ball >= 0;
+    const auto& spread =
+        is_in_ball ? request.model.balls.at(std::size_t(g.ball)).radius : g.tolerance;
+    if (!spread.is_zero()) names.insert(g.name);
+  }
+  return names;
+}
+
 CertifiedQuestion certified_question(const Request& request,
                                      const std::set<std::string>& uncertain) {
   require_distinct_names(request);

@@ -13,6 +13,9 @@ namespace regulus::inline certificate {
 /// Returns the constants of a robot that are variables of a search.
 [[nodiscard]] std::set<std::string> uncertain_names(const ReportLabels& subject);
 
+/// Returns the constants of a robot that have a tolerance, or lie in a ball.
+[[nodiscard]] std::set<std::string> uncertain_names(const Request& request);
+
 /// `uncertain`: the constants of the robot that vary; some of them may have a spread of 0.
 ///
 /// Ensures   the same bytes for the same model file and options, in every process.

@@ -78,6 +78,8 @@ class CertificateOverrides {
   }
 
   [[nodiscard]] const std::vector<std::string>& differences() const { return differences_; }
+  /// Returns these differences as options.
+  [[nodiscard]] const ModelOptions& options() const { return options_; }
   /// Returns the question's lines from `model` on.
   [[nodiscard]] std::string question(const CertificateHead& certificate) const {
     std::set<std::string> uncertain;
@@ -132,6 +134,7 @@ class CertificateOverrides {
         continue;
       }
       note("tube " + name, now, before);
+      options_.tubes.push_back(name + '=' + now);
     }
   }
 
@@ -156,6 +159,7 @@ class CertificateOverrides {
       if (now == before) continue;
       set_range(request_.model, request_.motion, range.parameter, range.lo + ':' + range.hi);
       note("range " + range.parameter, now, before);
+      options_.ranges.push_back(range.parameter + '=' + range.lo + ':' + range.hi);
     }
   }
 
@@ -169,6 +173,7 @@ class CertificateOverrides {
       if (g.group.empty() || now == before || !changed.insert(g.group).second) continue;
       set_tolerance(request_.model, g.group, now);
       note("tolerance " + g.group, now, before);
+      options_.tolerances.push_back(g.group + '=' + now);
     }
   }
 
@@ -177,11 +182,13 @@ class CertificateOverrides {
     if (stated_.alpha == before) return;
     set_alpha(request_.motion, stated_.alpha);
     note("alpha", stated_.alpha, before);
+    options_.alpha = stated_.alpha;
   }
 
   Request request_;
   const Stated& stated_;
   std::vector<std::string> differences_;
+  ModelOptions options_;
 };
 
 bool is_condition(const std::string& line) {
@@ -273,7 +280,7 @@ ModelConfirmation confirm_model(const CertificateHead& certificate, const std::s
   const std::string text = read_model_text(path);
   const Model model = parse_model(text, path);
   const auto refused = [&path](const std::string& why) {
-    return ModelConfirmation{"the certificate is not about " + path + ": " + why, {}};
+    return ModelConfirmation{"the certificate is not about " + path + ": " + why, {}, {}};
   };
   if (certificate.value("sha256") != model.sha256)
     return refused("the SHA-256 of that file differs");
@@ -286,7 +293,11 @@ ModelConfirmation confirm_model(const CertificateHead& certificate, const std::s
     const CertificateOverrides changed(read_request(text, options), stated);
     const std::string difference =
         first_difference(certificate.lines(), changed.question(certificate));
-    return difference.empty() ? ModelConfirmation{"", changed.differences()} : refused(difference);
+    if (!difference.empty()) return refused(difference);
+    ModelConfirmation confirmed{"", changed.differences(), changed.options()};
+    confirmed.options.motion = options.motion;
+    confirmed.options.waypoints = waypoints;
+    return confirmed;
   } catch (const UsageError& error) {
     return refused(error.what());
   } catch (const InputError& error) {

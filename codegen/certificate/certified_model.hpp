@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "codegen/certificate/certificate_head.hpp"
+#include "codegen/model/request.hpp"
 
 namespace regulus::inline certificate {
 
@@ -15,6 +16,8 @@ struct ModelConfirmation {
   std::string refusal;
   /// The values that differ from those of the file, as options of a command line may set them.
   std::vector<std::string> differences;
+  /// The options of a command line that asks the question, without a path; empty after a refusal.
+  ModelOptions options;
 };
 
 /// Ensures   without a refusal, every line of the question is the one that `--certificate` writes

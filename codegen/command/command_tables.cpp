@@ -218,6 +218,7 @@ void CommandTables::add_report() {
   report_command = app.add_subcommand(
       "report", "Write one page for a browser: verdict, robot, boxes, bounds and proof");
   add_model_options(*report_command, report.model);
+  add_waypoint_options(*report_command, report.model);
   add_report_options(*report_command, report);
   add_search_options(*report_command, report.search);
   add_output_options(*report_command, report.output);

@@ -126,6 +126,7 @@ std::string margin_report(const PreparedSearch& p, const SearchOptions& search,
 Json json_bracket(const MarginQuestion& question, const Margin& margin, double gap_wanted) {
   Json report;
   report["margin"] = json_question(question);
+  report["bracket"] = describe_bracket(question, margin);
   report["certified"] = json_value(margin.certified, false);
   report["certified_exact"] = json_text(margin.certified);
   report["certified_claim"] = margin.certified ? Json(margin.certified->claim) : Json(nullptr);

@@ -5,7 +5,9 @@
 #include <utility>
 
 #include "codegen/certificate/certificate_question.hpp"
+#include "codegen/certificate/piece_question.hpp"
 #include "codegen/page/drawing_json.hpp"
+#include "codegen/page/way_json.hpp"
 #include "regulus/version.hpp"
 
 namespace regulus::inline page {
@@ -28,10 +30,10 @@ std::string shell_word(const std::string& word) {
   return quoted + "'";
 }
 
-Json json_units(const ReportLabels& labels) {
+Json json_units(const Request& request) {
   Json units = Json::object();
-  for (const PoseLabel& p : labels.pose) units[p.name] = p.unit;
-  for (const VariableLabel& v : labels.variables) units[v.name] = v.unit;
+  for (const PoseParameter& p : request.model.pose) units[p.name] = p.unit;
+  for (const MotionParameter& p : request.motion.parameters) units[p.name] = p.unit;
   return units;
 }
 
@@ -45,18 +47,26 @@ std::vector<std::string> commands_to_prove_again(const ModelOptions& model) {
     check += " --tolerance " + shell_word(tolerance);
   if (!model.alpha.empty()) check += " --alpha " + shell_word(model.alpha);
   for (const std::string& tube : model.tubes) check += " --tube " + shell_word(tube);
-  return {check + " --certificate proof.txt",
-          "regulus verify proof.txt --model " + shell_word(model.path)};
+  const std::string way =
+      model.waypoints.empty() ? "" : " --waypoints " + shell_word(model.waypoints);
+  return {check + way + " --certificate proof.txt",
+          "regulus verify proof.txt --model " + shell_word(model.path) + way};
 }
 
-PageData begin_page(const PreparedSearch& preparation, const ModelOptions& model) {
-  const Request& request = preparation.stages->request();
-  PageData data;
+void set_question(PageData& data, const Request& request, const std::set<std::string>& uncertain,
+                  const ModelOptions& model) {
+  const bool is_along_way = request.motion.trajectory != nullptr;
   data.again = commands_to_prove_again(model);
-  data.question = certified_question(preparation).text;
+  data.question = is_along_way ? trajectory_question(request, uncertain).text
+                               : certified_question(request, uncertain).text;
   data.drawing = json_drawing(request);
-  data.units = json_units(preparation.labels);
-  return data;
+  data.units = json_units(request);
+  if (is_along_way) data.way = json_way(*request.motion.trajectory);
+}
+
+void add_source(PageData& data, const EarlierRun& run, const std::string& note) {
+  data.sources.push_back(
+      {{"kind", name(run.kind)}, {"file", run.path}, {"sha256", run.sha256}, {"note", note}});
 }
 
 std::string json_text(const PageData& data) {
@@ -73,8 +83,10 @@ std::string json_text(const PageData& data) {
       {"model", {{"file", data.report.value("model_file", "")}, {"text", data.model_text}}},
       {"drawing", data.drawing},
       {"paving", data.paving},
+      {"way", data.way},
       {"bounds", data.bounds},
-      {"margins", data.margins}};
+      {"margins", data.margins},
+      {"sources", data.sources}};
   return json.dump(-1, ' ', true, Json::error_handler_t::replace);
 }
 

@@ -3,10 +3,11 @@
 #pragma once
 
 #include <nlohmann/json.hpp>
+#include <set>
 #include <string>
 #include <vector>
 
-#include "codegen/engine/pipeline.hpp"
+#include "codegen/page/earlier_run.hpp"
 
 namespace regulus::inline page {
 
@@ -20,13 +21,21 @@ struct PageData {
   std::string model_text;          ///< the model file
   nlohmann::ordered_json drawing;  ///< as json_drawing()
   nlohmann::ordered_json paving;   ///< header, summary, tree of a paving; null: none
+  nlohmann::ordered_json way;      ///< of a motion along way-points (way_json.hpp); null: none
   nlohmann::ordered_json bounds = nlohmann::ordered_json::array();   ///< as `bound --json`
   nlohmann::ordered_json margins = nlohmann::ordered_json::array();  ///< as `margin --json`
   nlohmann::ordered_json units;  ///< of the motion and pose parameters, by name
+  /// The files of earlier runs: {"kind", "file", "sha256"}, and "note" on what was checked.
+  nlohmann::ordered_json sources = nlohmann::ordered_json::array();
 };
 
-/// Returns the parts that follow from the question alone.
-[[nodiscard]] PageData begin_page(const PreparedSearch& preparation, const ModelOptions& model);
+/// Sets the parts that follow from the question alone. `uncertain`: the constants of the robot that
+/// vary.
+void set_question(PageData& data, const Request& request, const std::set<std::string>& uncertain,
+                  const ModelOptions& model);
+
+/// Adds a file of an earlier run to the sources.
+void add_source(PageData& data, const EarlierRun& run, const std::string& note);
 
 /// Returns one JSON object in ASCII. Bytes that are not UTF-8 are replaced.
 [[nodiscard]] std::string json_text(const PageData& data);

@@ -199,6 +199,7 @@ void add_trajectory_question(Json& report, const TrajectoryCheck& check,
                          {"interpolation", t.interpolation},
                          {"segments", t.pieces.size()}};
   report["notes"] = t.notes;
+  report["matrix"] = name(p.labels.matrix_kind);
   report["alpha"] = mid(p.variety.alpha);
   report["method"] = name(search.method);
   report["boxes"] = check.path.statistics.boxes;

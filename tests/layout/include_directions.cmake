@@ -41,7 +41,7 @@ set(codegen/margin               ${codegen/report} codegen/report codegen/certif
 set(codegen/trajectory           ${codegen/margin} codegen/margin)
 set(codegen/quantity             codegen/support codegen/model)
 set(codegen/bound                ${codegen/margin} codegen/margin codegen/quantity)
-set(codegen/page                 ${codegen/bound} codegen/bound)
+set(codegen/page                 ${codegen/bound} codegen/bound codegen/trajectory)
 set(codegen/api                  ${codegen/bound} codegen/bound codegen/trajectory codegen/import codegen/robot runtime/certificate/verifier
                                  runtime/embedded)
 set(codegen/python               codegen/support codegen/engine codegen/jit codegen/api)

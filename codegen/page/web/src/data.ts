@@ -45,8 +45,9 @@ export interface Report {
   readonly method: string;
   readonly leaves: Record<string, number>;
   readonly witness: ReportedWitness | null;
-  readonly nearest?: (Degeneracy & ReportedPoint) | null;
-  readonly seconds: Record<string, number>;
+  readonly nearest_singular?: (Degeneracy & ReportedPoint) | null;
+  /** Of a motion along way-points: where the singular pose is. */
+  readonly segment?: { readonly segment: number; readonly s?: Bounds; readonly time?: number } | null;
 }
 
 export interface DrawnPart {
@@ -61,16 +62,34 @@ export interface DrawingData {
   readonly parts: readonly DrawnPart[];
 }
 
-export interface PavingData {
-  readonly tree: string;
-  readonly shares: readonly { readonly kind: string; readonly share: string; readonly claim: string }[];
+export interface Stretch {
+  readonly kind: string; // a claim
+  readonly segments: readonly [number, number]; // from 1
+  readonly s: readonly [number, number]; // in the first and in the last of them
 }
 
-export interface BoundComponent {
-  readonly component?: string;
-  readonly name?: string;
-  readonly attained?: { value: string; bounds: Bounds } | null;
-  readonly proved?: { value: string; bounds: Bounds } | null;
+export interface PavingData {
+  readonly summary: Record<string, any>;
+  readonly tree?: string | null;
+  readonly stretches?: readonly Stretch[] | null;
+}
+
+/** The way-points of a motion. */
+export interface WayData {
+  readonly file: string;
+  readonly interpolation: string;
+  readonly time_unit: string | null; // null: there are no times
+  readonly pieces: readonly { readonly lines: readonly [number, number]; readonly times: readonly [number, number] }[];
+  /** The question about the piece with the singular pose. */
+  readonly deciding_question?: string;
+}
+
+/** A file of an earlier run. */
+export interface SourceData {
+  readonly kind: string;
+  readonly file: string;
+  readonly sha256: string;
+  readonly note: string;
 }
 
 export interface PageData {
@@ -86,8 +105,10 @@ export interface PageData {
   readonly model: { readonly file: string; readonly text: string };
   readonly drawing: DrawingData | null;
   readonly paving: PavingData | null;
+  readonly way: WayData | null;
   readonly bounds: readonly any[];
   readonly margins: readonly any[];
+  readonly sources: readonly SourceData[];
 }
 
 /** Reads the data of this page. Throws Damage unless they are those that were written. */

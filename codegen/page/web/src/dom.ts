@@ -67,3 +67,10 @@ export function shortNumber(x: number): string {
 export function withUnit(text: string, unit: string | undefined): string {
   return unit && unit !== "1" ? `${text} ${unit}` : text;
 }
+
+/** For a slider: four digits, and degrees of an angle. */
+export function describeValue(x: number, unit: string | undefined): string {
+  const digits = (value: number): string => shortNumber(Number(value.toPrecision(4)));
+  const text = withUnit(digits(x), unit);
+  return unit === "rad" ? `${text} (${digits(Number(((x * 180) / Math.PI).toFixed(2)))}°)` : text;
+}

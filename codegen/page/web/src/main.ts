@@ -1,56 +1,51 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 import { boundsPart, marginsPart } from "./bars";
 import { PageData, readPageData } from "./data";
-import { h, section, shortNumber, table, withUnit } from "./dom";
-import { lengthColour } from "./robot";
 import { Icicle } from "./icicle";
-import { poseSliders, ShownPose } from "./pose";
+import { poseSliders, Shown, ShownPose } from "./pose";
 import { Question } from "./question";
 import { Robot } from "./robot";
-import { RobotView } from "./robot_view";
-import { Slices } from "./slices";
+import { robotPart } from "./robot_part";
+import { sharesPart, Slices } from "./slices";
 import { sourcePart } from "./source_part";
 import { readTree, Tree } from "./tree";
-import { proveAgain, readCertificate, requireSameWords, verdictPart } from "./verdict_part";
-import { goTo, placeOf, witnessPart } from "./witness_part";
+import { Certificate, proveAgain, readCertificate, requireSameWords, verdictPart } from "./verdict_part";
+import { Way, WayRobot, waySlider } from "./way";
+import { wayPart } from "./way_part";
+import { placeOf, witnessPart } from "./witness_part";
 
-function pointsTable(robot: Robot, pose: ShownPose): HTMLElement {
-  const body = h("div", {});
-  const show = (): void => {
-    const rows = robot.at(pose.values).map((point, i) => [String(i + 1), ...point.map(shortNumber)]);
-    body.replaceChildren(table(["point", "x", "y", "z"], rows, "Points of the robot"));
-  };
-  pose.listen(show);
-  show();
-  return h("details", { id: "points" }, h("summary", {}, "Points of the robot as numbers"), body);
-}
-
-function legLegend(view: RobotView, unit: string | undefined): HTMLElement | null {
-  const { lo, hi } = view.lengthRange;
-  if (!(hi > lo)) return null;
-  const bar = h("span", { class: "gradient", "aria-hidden": "true" });
-  bar.style.background = `linear-gradient(to right, ${[0, 1 / 3, 2 / 3, 1].map(lengthColour).join(", ")})`;
-  return h("p", { class: "leg-legend" }, `length of a leg: ${shortNumber(lo)} `, bar, withUnit(` ${shortNumber(hi)}`, unit));
-}
-
-function robotPart(data: PageData, question: Question, pose: ShownPose): { element: HTMLElement; robot: Robot | null; view: RobotView | null } {
-  const sliders = poseSliders(pose, data);
-  if (!data.drawing) {
-    const note = h("p", {}, "The model gives a matrix and no points, so there is no robot to draw; a [drawing] table in the model adds them.");
-    return { element: section("The motion", note, sliders), robot: null, view: null };
-  }
-  const robot = new Robot(data.drawing, question);
-  const view = new RobotView(robot, data.report.model);
-  view.show(robot.at(pose.values));
-  pose.listen(() => view.show(robot.at(pose.values)));
-  const linear = data.units["x"];
-  const element = section("The robot", h("div", { class: "robot" }, view.element, h("div", {}, sliders, legLegend(view, linear))), pointsTable(robot, pose));
-  return { element, robot, view };
-}
+type Parts = (HTMLElement | null)[];
 
 function pavingTree(data: PageData, question: Question): Tree | null {
-  if (!data.paving) return null;
-  return readTree(data.paving.tree, question.box);
+  return data.paving?.tree ? readTree(data.paving.tree, question.box) : null;
+}
+
+/** The parts of a motion over ranges. */
+function partsOfRanges(data: PageData, question: Question, certificate: Certificate | null): { parts: Parts; pose: Shown } {
+  // A proof that covers everything says more than a paving, whose boxes may be undecided.
+  const paving = certificate?.tree ? null : pavingTree(data, question);
+  const tree = certificate?.tree ?? paving;
+  const pose = new ShownPose(question);
+  const robot = data.drawing ? new Robot(data.drawing, question) : null;
+  const { element, view } = robotPart(data, robot, pose, poseSliders(pose, data));
+  const parts = [
+    element,
+    new Slices(data, question, pose, tree, paving !== null).element,
+    sharesPart(data),
+    witnessPart(data, pose, robot, view),
+    boundsPart(data),
+    tree ? new Icicle(question, tree, pose, paving ? "The tree of the paving" : "The tree of the proof").element : null,
+  ];
+  return { parts, pose };
+}
+
+/** The parts of a motion along way-points. */
+function partsOfWay(data: PageData, certificate: Certificate | null): { parts: Parts; pose: Shown } {
+  const way = new Way(data);
+  const robot = data.drawing ? new WayRobot(data.drawing, way) : null;
+  const { element, view } = robotPart(data, robot, way, waySlider(way, data.units));
+  const parts = [element, wayPart(way, certificate?.trees ?? null), witnessPart(data, way, robot, view), boundsPart(data)];
+  return { parts, pose: way };
 }
 
 function build(main: HTMLElement): void {
@@ -58,25 +53,11 @@ function build(main: HTMLElement): void {
   requireSameWords(data);
   const question = new Question(data.question);
   const certificate = readCertificate(data, question);
-  // A proof that covers everything says more than a paving, whose boxes may be undecided.
-  const paving = certificate?.tree ? null : pavingTree(data, question);
-  const tree = certificate?.tree ?? paving;
-  const pose = new ShownPose(question);
-  const { element, robot, view } = robotPart(data, question, pose);
-  const witness = witnessPart(data, pose, robot, view);
-  const parts: (HTMLElement | null)[] = [
-    verdictPart(data, question),
-    element,
-    new Slices(data, question, pose, tree, paving !== null).element,
-    witness,
-    boundsPart(data),
-    tree ? new Icicle(question, tree, pose, paving ? "The tree of the paving" : "The tree of the proof").element : null,
-    marginsPart(data),
-    sourcePart(data),
-  ];
-  main.replaceChildren(...parts.filter((part): part is HTMLElement => part !== null));
+  const { parts, pose } = data.way ? partsOfWay(data, certificate) : partsOfRanges(data, question, certificate);
+  const all = [verdictPart(data, question), ...parts, marginsPart(data), sourcePart(data)];
+  main.replaceChildren(...all.filter((part): part is HTMLElement => part !== null));
   const place = placeOf(data);
-  if (place) goTo(pose, place.point);
+  if (place) pose.goTo(place.point);
   proveAgain(data, question, certificate);
 }
 

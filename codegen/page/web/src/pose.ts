@@ -1,10 +1,31 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The pose that every part of the page shows, with a slider for each motion parameter.
-import { PageData } from "./data";
-import { h, shortNumber, withUnit } from "./dom";
+import { Bounds, PageData, ReportedPoint } from "./data";
+import { describeValue, h } from "./dom";
 import { Question } from "./question";
+import { Vector } from "./robot";
 
-export class ShownPose {
+export const middleOf = ([lo, hi]: Bounds): number => ((lo ?? NaN) + (hi ?? NaN)) / 2;
+
+/** The pose of a page, whatever the parameters of the motion are. */
+export interface Shown {
+  readonly values: ArrayLike<number>;
+  /** Shows a pose of the report. */
+  goTo(point: ReportedPoint): void;
+  /** Returns the platform's centre. */
+  origin(): Vector;
+}
+
+/** The pose parameters x, y and z at values of the motion parameters. */
+export function originAt(question: Question, values: ArrayLike<number>): Vector {
+  const found = question.approximateAt(values);
+  return ["x", "y", "z"].map((name) => {
+    const id = question.commanded.get(name);
+    return id === undefined ? 0 : found[id];
+  }) as unknown as Vector;
+}
+
+export class ShownPose implements Shown {
   readonly values: number[];
   private readonly listeners: (() => void)[] = [];
 
@@ -23,6 +44,18 @@ export class ShownPose {
     }
     for (const listener of this.listeners) listener();
   }
+
+  goTo(point: ReportedPoint): void {
+    const changes = new Map<number, number>();
+    this.question.parameters.forEach(({ name }, k) => {
+      if (point.parameters[name]) changes.set(k, middleOf(point.parameters[name]));
+    });
+    this.set(changes);
+  }
+
+  origin(): Vector {
+    return originAt(this.question, this.values);
+  }
 }
 
 const STEPS = 1000;
@@ -34,7 +67,7 @@ export function poseSliders(pose: ShownPose, data: PageData): HTMLElement {
     const width = range.hi - range.lo;
     const output = h("output", {});
     if (width === 0) {
-      output.textContent = withUnit(shortNumber(range.lo), unit);
+      output.textContent = describeValue(range.lo, unit);
       return h("div", { class: "slider" }, h("span", {}, name), h("span", {}, "one value"), output);
     }
     const id = `slider-${k}`;
@@ -49,7 +82,7 @@ export function poseSliders(pose: ShownPose, data: PageData): HTMLElement {
     });
     const show = (): void => {
       input.value = String(Math.round(((pose.values[k] - range.lo) / width) * STEPS));
-      const text = withUnit(shortNumber(pose.values[k]), unit);
+      const text = describeValue(pose.values[k], unit);
       output.textContent = text;
       input.setAttribute("aria-valuetext", text);
     };

@@ -31,16 +31,27 @@ export class Question {
   readonly reach: number[] = [];
   readonly constraints: number[] = [];
   readonly balls: string[][] = [];
-  isPiecewise = false;
+  /** Constants that each piece of a way gives a value, and the number of pieces. */
+  readonly pieceNames: string[] = [];
+  pieces = 0;
   /** Of entries, scales and `defined`: poses with their control errors. */
   readonly actual: Scope = new Map();
   /** Of constraints: poses as commanded. */
   readonly commanded: Scope = new Map();
 
-  constructor(text: string) {
+  /** Of a motion along way-points, the question about one piece. */
+  constructor(
+    text: string,
+    private readonly piece = 0,
+  ) {
     for (const line of text.split("\n")) if (line !== "") this.read(line);
     if (this.matrix.length !== this.rows * this.columns || this.rows < this.columns)
       throw new Damage("the matrix of the question is not complete");
+    if (this.isPiecewise && piece >= this.pieces) throw new Damage("the question has too few pieces");
+  }
+
+  get isPiecewise(): boolean {
+    return this.pieceNames.length > 0;
   }
 
   get threshold(): string {
@@ -107,8 +118,10 @@ export class Question {
         this.balls.push(value.split(" "));
         break;
       case "piecewise":
+        this.pieceNames.push(...value.split(" "));
+        break;
       case "piece":
-        this.isPiecewise = true;
+        if (this.pieces++ === this.piece) this.takePiece(value.split(" | "));
         break;
       case "pose":
         this.readPose(line, value);
@@ -145,6 +158,11 @@ export class Question {
       default:
         throw new Damage(`a line of the question is not known: ${line.slice(0, 100)}`);
     }
+  }
+
+  private takePiece(values: string[]): void {
+    if (values.length !== this.pieceNames.length) throw new Damage("a piece has a wrong number of values");
+    this.pieceNames.forEach((name, k) => this.declare(name, this.graph.constant(this.constant(values[k]))));
   }
 
   private match(pattern: RegExp, line: string, value: string): RegExpExecArray {

@@ -36,13 +36,16 @@ function* proveLeaf(prover: LeafProver, box: Box): Generator<undefined, { ok: bo
   return { ok: true, outside, parts };
 }
 
-/** Proves the leaves of a tree one after the other; yields after each part. */
-export function* proveTree(question: Question, tree: Tree): Generator<Progress, Progress> {
+/**
+ * Proves the leaves of a tree one after the other; yields after each part. `before`: the boxes that were
+ * tried for other trees of the same proof.
+ */
+export function* proveTree(question: Question, tree: Tree, before = 0): Generator<Progress, Progress> {
   const prover = new LeafProver(question);
   const total = tree.leaves.length;
   let state: Progress = { proved: 0, undecided: 0, total, outside: 0, parts: 0 };
   for (const leaf of tree.leaves) {
-    if (state.parts > MOST_PARTS_OF_ALL) {
+    if (before + state.parts > MOST_PARTS_OF_ALL) {
       state = { ...state, undecided: total - state.proved };
       break;
     }

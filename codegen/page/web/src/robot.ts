@@ -8,7 +8,15 @@ import { Question } from "./question";
 
 export type Vector = readonly [number, number, number];
 
-export class Robot {
+/** A robot that can be drawn at each value of a list of numbers. */
+export interface Drawable {
+  readonly parts: readonly DrawnPart[];
+  at(values: ArrayLike<number>): Vector[];
+  /** Values all over the motion, for the size of the view. */
+  places(): number[][];
+}
+
+export class Robot implements Drawable {
   readonly parts: readonly DrawnPart[];
   private readonly graph = new Graph();
   private readonly points: number[][];
@@ -58,25 +66,30 @@ export class Robot {
     return this.points.map(([x, y, z]) => [values[x], values[y], values[z]]);
   }
 
-  /** The least and largest coordinates over corners of the motion, for the view. */
-  extent(): { center: Vector; radius: number } {
+  places(): number[][] {
     const { parameters } = this.question;
-    const poses = [parameters.map(({ range }) => middle(range))];
+    const places = [parameters.map(({ range }) => middle(range))];
     for (let corner = 0; corner < Math.min(64, 2 ** parameters.length); ++corner)
-      poses.push(parameters.map(({ range }, k) => ((corner >> k) & 1 ? range.hi : range.lo)));
-    const shown = this.parts.filter((part) => part.kind !== "joint").flatMap((part) => part.points);
-    const all = poses
-      .map((pose) => this.at(pose))
-      .flatMap((points) => shown.map((i) => points[i]))
-      .filter((point) => point.every(Number.isFinite));
-    const end = (pick: (...x: number[]) => number): number[] =>
-      [0, 1, 2].map((axis) => all.reduce((best, p) => pick(best, p[axis]), all[0]?.[axis] ?? 0));
-    const lo = end(Math.min);
-    const hi = end(Math.max);
-    const center = lo.map((x, axis) => (x + hi[axis]) / 2) as unknown as Vector;
-    const radius = Math.hypot(...lo.map((x, axis) => hi[axis] - x)) / 2;
-    return { center, radius: radius > 0 ? radius : 1 };
+      places.push(parameters.map(({ range }, k) => ((corner >> k) & 1 ? range.hi : range.lo)));
+    return places;
   }
+}
+
+/** The least and largest coordinates over a motion, for the view. */
+export function extentOf(robot: Drawable): { center: Vector; radius: number } {
+  const shown = robot.parts.filter((part) => part.kind !== "joint").flatMap((part) => part.points);
+  const all = robot
+    .places()
+    .map((place) => robot.at(place))
+    .flatMap((points) => shown.map((i) => points[i]))
+    .filter((point) => point.every(Number.isFinite));
+  const end = (pick: (...x: number[]) => number): number[] =>
+    [0, 1, 2].map((axis) => all.reduce((best, p) => pick(best, p[axis]), all[0]?.[axis] ?? 0));
+  const lo = end(Math.min);
+  const hi = end(Math.max);
+  const center = lo.map((x, axis) => (x + hi[axis]) / 2) as unknown as Vector;
+  const radius = Math.hypot(...lo.map((x, axis) => hi[axis] - x)) / 2;
+  return { center, radius: radius > 0 ? radius : 1 };
 }
 
 export function distance(a: Vector, b: Vector): number {
@@ -84,7 +97,7 @@ export function distance(a: Vector, b: Vector): number {
 }
 
 /** From dark blue by teal to yellow, of even lightness steps; 0 <= t <= 1. */
-export function lengthColour(t: number): string {
+export function scaleColour(t: number): string {
   const stops = [
     [68, 80, 160],
     [34, 139, 141],

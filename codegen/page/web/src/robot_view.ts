@@ -21,10 +21,20 @@ import {
 import { OrbitControls } from "three/examples/jsm/controls/OrbitControls.js";
 import { DrawnPart } from "./data";
 import { h, svg } from "./dom";
-import { distance, lengthColour, Robot, Vector } from "./robot";
+import { distance, Drawable, extentOf, scaleColour, Vector } from "./robot";
 
 const COLOURS = { base: "#8a8f98", platform: "#e08a2e", link: "#5f7fb8", rail: "#9aa0a6", joint: "#3d4450" };
 const DEPENDENT = "#c2185b";
+
+/** What the colours of the legs mean. */
+export interface LegScale {
+  readonly label: string;
+  readonly unit: string | undefined;
+  readonly lo: number;
+  readonly hi: number;
+  /** By row of the matrix; without it the colour is that of the shown length. */
+  readonly byRow?: ReadonlyMap<number, number>;
+}
 
 const isRod = (part: DrawnPart): boolean => part.kind !== "base" && part.kind !== "platform";
 
@@ -41,14 +51,14 @@ export class RobotView {
   private renderer: WebGLRenderer | null = null;
   private controls: OrbitControls | null = null;
   private points: Vector[] = [];
-  private readonly lengths: { lo: number; hi: number };
+  private scale: LegScale;
   private readonly unit: number; // radius of the robot
   private readonly center: Vector;
 
-  constructor(private readonly robot: Robot, name: string) {
-    const { center, radius } = robot.extent();
+  constructor(private readonly robot: Drawable, name: string, unit: string | undefined) {
+    const { center, radius } = extentOf(robot);
     [this.center, this.unit] = [center, radius];
-    this.lengths = this.rangeOfLengths();
+    this.scale = { label: "length of a leg", unit, ...this.rangeOfLengths() };
     this.drawing = svg("svg", { viewBox: "0 0 800 600", class: "robot-drawing", role: "img", "aria-label": `Drawing of ${name}` });
     const canvas = h("canvas", { tabindex: 0, role: "img", "aria-label": `${name} in three dimensions; arrow keys turn the view, plus and minus zoom` });
     this.element = h("div", { class: "robot-view" }, canvas, this.drawing);
@@ -72,22 +82,27 @@ export class RobotView {
   colourOf(part: DrawnPart): string {
     if (part.row >= 0 && this.marked.has(part.row)) return DEPENDENT;
     if (part.kind !== "leg") return COLOURS[part.kind];
-    const { lo, hi } = this.lengths;
+    const { lo, hi, byRow } = this.scale;
     const length = distance(this.points[part.points[0]], this.points[part.points[1]]);
-    return lengthColour(hi > lo ? (length - lo) / (hi - lo) : 0.5);
+    const value = byRow ? (byRow.get(part.row) ?? NaN) : length;
+    return Number.isNaN(value) ? COLOURS.rail : scaleColour(hi > lo ? (value - lo) / (hi - lo) : 0.5);
   }
 
-  get lengthRange(): { lo: number; hi: number } {
-    return this.lengths;
+  get legScale(): LegScale {
+    return this.scale;
+  }
+
+  set legScale(scale: LegScale) {
+    this.scale = scale;
+    if (this.points.length > 0) this.show(this.points);
   }
 
   private rangeOfLengths(): { lo: number; hi: number } {
     const legs = this.robot.parts.filter((part) => part.kind === "leg");
-    const { parameters } = this.robot.question;
     let lo = Infinity;
     let hi = -Infinity;
-    for (let corner = 0; corner < Math.min(64, 2 ** parameters.length); ++corner) {
-      const points = this.robot.at(parameters.map(({ range }, k) => ((corner >> k) & 1 ? range.hi : range.lo)));
+    for (const place of this.robot.places()) {
+      const points = this.robot.at(place);
       for (const { points: [a, b] } of legs) {
         const length = distance(points[a], points[b]);
         if (Number.isFinite(length)) [lo, hi] = [Math.min(lo, length), Math.max(hi, length)];

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Slices through the boxes. What is certified is solid; what is only sampled is hatched and says so.
 import { PageData } from "./data";
-import { h, section, shortNumber, svg, withUnit } from "./dom";
+import { h, section, shortNumber, svg, table, withUnit } from "./dom";
 import { ShownPose } from "./pose";
 import { Question } from "./question";
 import { approximateDeterminant } from "./matrices";
@@ -9,7 +9,7 @@ import { leavesAt, Tree } from "./tree";
 
 export type Claim = "free" | "singular" | "undecided" | "outside" | "unreachable";
 
-const WORDS: Record<Claim, string> = {
+export const CLAIM_WORDS: Record<Claim, string> = {
   free: "certified: no singularity",
   singular: "certified: holds a singularity",
   undecided: "neither was shown",
@@ -20,7 +20,20 @@ const WORDS: Record<Claim, string> = {
 /** The claim of a leaf: of a paving its word; of a proof every leaf is free or outside. */
 export function claimOfWord(word: string, isPaving: boolean): Claim {
   if (!isPaving) return word === "outside" ? "outside" : "free";
-  return word in WORDS ? (word as Claim) : "undecided";
+  return word in CLAIM_WORDS ? (word as Claim) : "undecided";
+}
+
+/** The proved parts of the motion with each claim of a paving; null without one. */
+export function sharesPart({ paving }: PageData): HTMLElement | null {
+  if (!paving) return null;
+  const percent = (x: number): string => `${shortNumber(Number((100 * x).toFixed(2)))} %`;
+  const rows = (Object.keys(CLAIM_WORDS) as Claim[]).flatMap((claim) => {
+    const share = paving.summary[claim];
+    if (!share || !(share.boxes > 0)) return [];
+    const [lo, hi] = share.fraction;
+    return [[h("span", { class: `key ${claim}` }), CLAIM_WORDS[claim], String(share.boxes), percent(lo), percent(hi)]];
+  });
+  return rows.length > 0 ? section("Parts of the motion", table(["colour", "claim", "boxes", "at least", "at most"], rows, "Parts of the ranges, by volume")) : null;
 }
 
 const SIZE = 400;
@@ -110,7 +123,7 @@ export class Slices {
     return h(
       "ul",
       { class: "legend" },
-      ...[...claims].map((claim) => key(claim, WORDS[claim])),
+      ...[...claims].map((claim) => key(claim, CLAIM_WORDS[claim])),
       key("sampled", this.free.length > 1 ? "sampled, not proved: det changes its sign between neighbouring samples" : "dashed: det as sampled, not proved; the line is 0"),
       key("cross", "the pose that is shown"),
     );

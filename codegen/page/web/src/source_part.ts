@@ -31,6 +31,7 @@ export function sourcePart(data: PageData): HTMLElement {
         ["method", data.report.method],
         ["boxes", String(data.report.boxes)],
         ["reason", data.report.reason],
+        ...data.sources.map(({ file, sha256 }) => [`SHA-256 of ${file}`, sha256]),
       ],
       "Versions and hashes",
     ),

@@ -29,21 +29,45 @@ function newBox(id: number, box: readonly Interval[], parent: TreeBox | null): T
  * Throws Damage otherwise.
  */
 export function readTree(text: string, box: readonly Interval[]): Tree {
+  const lines = text.split("\n").filter((line) => line !== "");
+  const tree = readLines(lines.slice(0, -1), box);
+  requireEnd(lines[lines.length - 1] ?? "", tree.leaves.length);
+  return tree;
+}
+
+/** Reads the trees of all pieces of a motion along way-points, each after a line `tree`. */
+export function readTrees(text: string, box: readonly Interval[]): Tree[] {
+  const lines = text.split("\n").filter((line) => line !== "");
+  const parts: string[][] = [];
+  for (const line of lines.slice(0, -1)) {
+    if (line === "tree") parts.push([]);
+    else if (parts.length === 0) throw new Damage("the trees have no beginning");
+    else parts[parts.length - 1].push(line);
+  }
+  const trees = parts.map((part) => readLines(part, box));
+  requireEnd(lines[lines.length - 1] ?? "", trees.reduce((sum, tree) => sum + tree.leaves.length, 0));
+  return trees;
+}
+
+function requireEnd(line: string, leaves: number): void {
+  const count = /^end (\d+)$/.exec(line)?.[1];
+  if (count === undefined) throw new Damage("the tree has no end");
+  if (Number(count) !== leaves) throw new Damage(`the tree has ${leaves} leaves, and says ${count}`);
+}
+
+function readLines(lines: readonly string[], box: readonly Interval[]): Tree {
   const root = newBox(0, box, null);
   const open = new Map<number, TreeBox>([[0, root]]);
   const leaves: TreeBox[] = [];
   let next = 1;
-  let ended = false;
   const take = (id: string): TreeBox => {
     const found = open.get(Number(id));
     if (!found) throw new Damage(`box ${id} of the tree does not wait for a line`);
     open.delete(found.id);
     return found;
   };
-  for (const line of text.split("\n")) {
-    if (line === "") continue;
+  for (const line of lines) {
     const words = line.split(" ");
-    if (ended) throw new Damage("the tree goes on after its end");
     if (words[0] === "s" && words.length === 4) {
       const parent = take(words[1]);
       const variable = Number(words[2]);
@@ -61,15 +85,10 @@ export function readTree(text: string, box: readonly Interval[]): Tree {
       const leaf = take(words[1]);
       leaf.word = words[2];
       leaves.push(leaf);
-    } else if (words[0] === "end" && words.length === 2) {
-      if (Number(words[1]) !== leaves.length)
-        throw new Damage(`the tree has ${leaves.length} leaves, and says ${words[1]}`);
-      ended = true;
     } else {
       throw new Damage(`a line of the tree cannot be read: ${line.slice(0, 60)}`);
     }
   }
-  if (!ended) throw new Damage("the tree has no end");
   if (open.size > 0) throw new Damage(`${open.size} boxes of the tree have no leaf`);
   return { root, leaves };
 }

@@ -6,7 +6,7 @@ import { Damage } from "./expression";
 import { Question } from "./question";
 import { proveTree, Progress } from "./reproof";
 import { proveSignChange, proveSmallDeterminant, readWitness } from "./sign_change";
-import { readTree, Tree } from "./tree";
+import { readTree, readTrees, Tree } from "./tree";
 
 const WORDS = { "no-singularity": "NO SINGULARITY", singularity: "SINGULARITY", "possible-problem": "POSSIBLE PROBLEM" };
 
@@ -14,6 +14,8 @@ const WORDS = { "no-singularity": "NO SINGULARITY", singularity: "SINGULARITY", 
 export interface Certificate {
   readonly proof: string;
   readonly tree: Tree | null; // of NO SINGULARITY
+  readonly trees: readonly Tree[] | null; // of NO SINGULARITY along way-points
+  readonly witnessed: Question; // of the witness of SINGULARITY
 }
 
 /** Throws Damage unless the certificate is about the page's question and verdict. */
@@ -24,11 +26,15 @@ export function readCertificate(data: PageData, question: Question): Certificate
   const verdict = WORDS[data.report.verdict];
   if (lines[0] !== "regulus-certificate 1" || head < 0 || lines[1] !== `verdict ${verdict}`)
     throw new Damage("the certificate does not claim the verdict of the page");
-  if (lines.slice(3, head).join("\n") + "\n" !== data.question)
-    throw new Damage("the certificate is about another question than the page");
+  const isFree = data.report.verdict === "no-singularity";
+  const about = lines.slice(3, head).join("\n") + "\n";
+  const piece = isFree ? undefined : data.way?.deciding_question;
+  if (about !== (piece ?? data.question)) throw new Damage("the certificate is about another question than the page");
   const proof = lines.slice(head + 1).join("\n");
-  const isTree = data.report.verdict === "no-singularity" && !question.isPiecewise;
-  return { proof, tree: isTree ? readTree(proof, question.box) : null };
+  const trees = isFree && question.isPiecewise ? readTrees(proof, question.box) : null;
+  if (trees && trees.length !== question.pieces) throw new Damage("the proof has not one tree for each segment");
+  const tree = isFree && !trees ? readTree(proof, question.box) : null;
+  return { proof, tree, trees, witnessed: piece === undefined ? question : new Question(piece) };
 }
 
 /** Throws Damage unless the words that the page began with are those of its data. */
@@ -77,6 +83,12 @@ function obstacle({ report, units }: PageData): HTMLElement | null {
   return h("p", {}, `Reason: ${report.reason}.`, ranges.length > 0 ? ` The box that blocks: ${ranges.join(", ")}.` : "");
 }
 
+/** The files of earlier runs, and what was done with them; null if there are none. */
+function earlierRuns({ sources }: PageData): HTMLElement | null {
+  if (sources.length === 0) return null;
+  return h("div", { id: "sources" }, h("p", {}, "This page was made of earlier runs:"), h("ul", {}, ...sources.map(({ kind, file, note }) => h("li", {}, `${kind} ${file}: ${note}`))));
+}
+
 export function verdictPart(data: PageData, question: Question): HTMLElement {
   const ranges = question.parameters.length;
   return section(
@@ -90,7 +102,8 @@ export function verdictPart(data: PageData, question: Question): HTMLElement {
       h("li", {}, "It is about the robot as the model at the end of this page describes it: these numbers, these tolerances. It cannot know the robot on your floor."),
       h("li", {}, "Collisions, joint limits that the model does not state, and dynamics are no part of it."),
     ),
-    h("p", {}, `Model ${data.report.model}, motion ${data.report.motion}, ${ranges} motion parameter${ranges === 1 ? "" : "s"}.`),
+    h("p", {}, `Model ${data.report.model}, motion ${data.report.motion}, ${data.way ? `${question.pieces} segments along ${data.way.file}` : `${ranges} motion parameter${ranges === 1 ? "" : "s"}`}.`),
+    earlierRuns(data),
   );
 }
 
@@ -109,9 +122,28 @@ function summary({ proved, total, undecided, outside }: Progress): void {
     say(`RE-PROVED IN THIS BROWSER: ${proved} of ${total} boxes. The simpler test of this page does not decide the other ${undecided}; regulus verify has more tests.`, "partly");
 }
 
-/** Proves the tree in slices of a few milliseconds. */
-function proveInSlices(question: Question, tree: Tree): void {
-  const work = proveTree(question, tree);
+/** Proves trees one after the other, each with its question, as one. */
+function* proveTrees(questionOf: (piece: number) => Question, trees: readonly Tree[]): Generator<Progress, Progress> {
+  const total = trees.reduce((sum, tree) => sum + tree.leaves.length, 0);
+  let before: Progress = { proved: 0, undecided: 0, outside: 0, parts: 0, total };
+  const added = (state: Progress): Progress => ({
+    proved: before.proved + state.proved,
+    undecided: before.undecided + state.undecided,
+    outside: before.outside + state.outside,
+    parts: before.parts + state.parts,
+    total,
+  });
+  for (const [piece, tree] of trees.entries()) {
+    const work = proveTree(questionOf(piece), tree, before.parts);
+    let step = work.next();
+    for (; !step.done; step = work.next()) yield added(step.value);
+    before = added(step.value);
+  }
+  return before;
+}
+
+/** Proves in slices of a few milliseconds. */
+function proveInSlices(work: Generator<Progress, Progress>): void {
   const step = (): void => {
     const until = performance.now() + 25;
     try {
@@ -119,7 +151,7 @@ function proveInSlices(question: Question, tree: Tree): void {
         const next = work.next();
         if (next.done) return summary(next.value);
         if (performance.now() > until) {
-          say(`Proving again: ${next.value.proved} of ${tree.leaves.length} boxes …`, "working");
+          say(`Proving again: ${next.value.proved} of ${next.value.total} boxes …`, "working");
           break;
         }
       }
@@ -131,16 +163,22 @@ function proveInSlices(question: Question, tree: Tree): void {
   step();
 }
 
+function withoutCertificate({ certificate_note, sources }: PageData): string {
+  if (certificate_note !== "") return certificate_note;
+  return sources.some(({ kind }) => kind === "report of check") ? "Its verdict is quoted from a report of an earlier run." : "";
+}
+
 /** Proves the verdict again, and says in the page's header how far it came. */
 export function proveAgain(data: PageData, question: Question, certificate: Certificate | null): void {
   if (data.report.verdict === "possible-problem") return say("Nothing is claimed, so there is nothing to prove again.", "partly");
-  if (!certificate) return say(`NOT RE-PROVED: this page has no certificate. ${data.certificate_note}`, "partly");
-  if (question.isPiecewise) return say("NOT RE-PROVED: this page does not prove motions of several pieces.", "partly");
-  if (certificate.tree) return proveInSlices(question, certificate.tree);
-  const witness = readWitness(certificate.proof, question);
-  if (witness.reason === "small-determinant" && proveSmallDeterminant(question, witness.points[0]))
+  if (!certificate) return say(`NOT RE-PROVED: this page has no certificate. ${withoutCertificate(data)}`, "partly");
+  if (certificate.tree) return proveInSlices(proveTree(question, certificate.tree));
+  if (certificate.trees) return proveInSlices(proveTrees((piece) => new Question(data.question, piece), certificate.trees));
+  const { witnessed } = certificate;
+  const witness = readWitness(certificate.proof, witnessed);
+  if (witness.reason === "small-determinant" && proveSmallDeterminant(witnessed, witness.points[0]))
     return say("RE-PROVED IN THIS BROWSER: the determinant is certainly within the threshold at a pose next to the witness.", "proved");
-  const found = witness.reason === "always-singular" ? null : proveSignChange(question, witness.points[0]);
+  const found = witness.reason === "always-singular" ? null : proveSignChange(witnessed, witness.points[0]);
   if (found) say("RE-PROVED IN THIS BROWSER: the determinant has certain, opposite signs at two poses near the witness, and is defined between them.", "proved");
   else say("NOT RE-PROVED: this needs more digits or algebra than this page has; regulus verify has them.", "partly");
 }

@@ -1,13 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The witness of a singularity, or the pose nearest to one that was met: its place, the twist that is
 // lost there and the rows that are dependent.
-import { Bounds, Degeneracy, PageData, ReportedPoint, TwistColumn } from "./data";
+import { Degeneracy, PageData, ReportedPoint, TwistColumn } from "./data";
 import { Child, h, section, shortNumber, table, withUnit } from "./dom";
-import { ShownPose } from "./pose";
-import { Robot, Vector } from "./robot";
+import { middleOf, Shown } from "./pose";
+import { Drawable, extentOf, Vector } from "./robot";
 import { RobotView } from "./robot_view";
-
-const middleOf = ([lo, hi]: Bounds): number => ((lo ?? NaN) + (hi ?? NaN)) / 2;
 
 export interface Place {
   readonly point: ReportedPoint;
@@ -16,17 +14,9 @@ export interface Place {
 }
 
 export function placeOf(data: PageData): Place | null {
-  const { witness, nearest } = data.report;
+  const { witness, nearest_singular: nearest } = data.report;
   if (witness) return { point: witness.near ?? witness.points[0], degeneracy: witness, isProved: true };
   return nearest ? { point: nearest, degeneracy: nearest, isProved: false } : null;
-}
-
-export function goTo(pose: ShownPose, point: ReportedPoint): void {
-  const changes = new Map<number, number>();
-  pose.question.parameters.forEach(({ name }, k) => {
-    if (point.parameters[name]) changes.set(k, middleOf(point.parameters[name]));
-  });
-  pose.set(changes);
 }
 
 /** Velocity and angular velocity of a lost twist; null if the model does not name its columns. */
@@ -46,11 +36,10 @@ class Swing {
   private frame = 0;
 
   constructor(
-    private readonly robot: Robot,
+    private readonly robot: Drawable,
     private readonly view: RobotView,
-    private readonly pose: ShownPose,
+    private readonly pose: Shown,
     private readonly twist: { v: Vector; w: Vector },
-    private readonly origin: () => Vector,
   ) {}
 
   get isRunning(): boolean {
@@ -75,50 +64,41 @@ class Swing {
   private moved(phase: number): Vector[] {
     const points = this.robot.at(this.pose.values);
     const { v, w } = this.twist;
-    const c = this.origin();
+    const c = this.pose.origin();
     const moving = new Set(this.robot.parts.filter((part) => part.kind === "platform").flatMap((part) => part.points));
     const velocity = (p: Vector): number[] => {
       const r = p.map((x, axis) => x - c[axis]);
       return [v[0] + w[1] * r[2] - w[2] * r[1], v[1] + w[2] * r[0] - w[0] * r[2], v[2] + w[0] * r[1] - w[1] * r[0]];
     };
     const fastest = Math.max(...[...moving].map((i) => Math.hypot(...velocity(points[i]))), 1e-300);
-    const scale = (0.1 * this.robot.extent().radius * phase) / fastest;
+    const scale = (0.1 * extentOf(this.robot).radius * phase) / fastest;
     return points.map((p, i) => (moving.has(i) ? (p.map((x, axis) => x + scale * velocity(p)[axis]) as unknown as Vector) : p));
   }
 }
 
-function originOf(pose: ShownPose): () => Vector {
-  return () => {
-    const values = pose.question.approximateAt(pose.values);
-    return ["x", "y", "z"].map((name) => {
-      const id = pose.question.commanded.get(name);
-      return id === undefined ? 0 : values[id];
-    }) as unknown as Vector;
-  };
-}
-
 /** The part of the page about the witness; null if there is neither a witness nor a nearest pose. */
-export function witnessPart(data: PageData, pose: ShownPose, robot: Robot | null, view: RobotView | null): HTMLElement | null {
+export function witnessPart(data: PageData, pose: Shown, robot: Drawable | null, view: RobotView | null): HTMLElement | null {
   const place = placeOf(data);
   if (!place) return null;
   const { point, degeneracy, isProved } = place;
   const buttons: Child[] = [
-    h("button", { type: "button", id: "show-witness", click: () => goTo(pose, point) }, "Show this pose"),
+    h("button", { type: "button", id: "show-witness", click: () => pose.goTo(point) }, "Show this pose"),
   ];
   const { twist, rows } = degeneracy;
   const parts = twist?.vectors[0] ? twistParts(twist.columns, twist.vectors[0]) : null;
   const hasPlatform = robot?.parts.some((part) => part.kind === "platform") ?? false;
   if (robot && view && parts && hasPlatform) {
-    const swing = new Swing(robot, view, pose, parts, originOf(pose));
+    const swing = new Swing(robot, view, pose, parts);
     const button = h("button", { type: "button", id: "swing", "aria-pressed": "false", click: () => {
-      if (!swing.isRunning) goTo(pose, point);
+      if (!swing.isRunning) pose.goTo(point);
       swing.toggle();
       button.setAttribute("aria-pressed", String(swing.isRunning));
     } }, "Move along the lost twist");
     buttons.push(" ", button);
   }
   if (view && rows) view.marked = new Set(rows.taking_part.map((row) => row - 1));
-  const list = Object.entries(point.parameters).map(([name, bounds]) => [name, withUnit(shortNumber(middleOf(bounds)), data.units[name])]);
+  const values = data.way ? { ...point.parameters, ...point.pose } : point.parameters;
+  const list = Object.entries(values).map(([name, bounds]) => [name, withUnit(shortNumber(middleOf(bounds)), data.units[name])]);
   return section(
     isProved ? "The singular pose" : "The pose to look at",
     h("p", {}, isProved

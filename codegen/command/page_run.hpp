@@ -1,0 +1,81 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What a page shows: the findings of earlier runs, and runs for the rest.
+#pragma once
+
+#include <nlohmann/json.hpp>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "codegen/certificate/certificate_head.hpp"
+#include "codegen/certificate/verify_file.hpp"
+#include "codegen/command/interrupt.hpp"
+#include "codegen/command/report_options.hpp"
+#include "codegen/engine/pipeline.hpp"
+#include "codegen/margin/margin_question.hpp"
+#include "codegen/page/page_data.hpp"
+#include "codegen/page/page_template.hpp"
+#include "codegen/support/exit_code.hpp"
+#include "runtime/problem/result.hpp"
+
+namespace regulus::inline command {
+
+/// A proof or a paving beyond this size stays out of the page.
+inline constexpr std::size_t kLongestProof = std::size_t{4} << 20;
+
+class PageRun {
+ public:
+  /// `typed`: the command line. Both must outlive this.
+  PageRun(const ReportCommand& command, const std::string& typed);
+
+  /// Takes the findings of `command.from`, and runs what else is asked: a check unless they have a
+  /// verdict.
+  ///
+  /// Throws    as the runs; InputError and FileError for a file of an earlier run that is about
+  ///           another question, and for a certificate that is not verified now.
+  void run();
+
+  [[nodiscard]] PageTexts texts() const;
+  /// Returns the report of check, with the file of the page.
+  [[nodiscard]] nlohmann::ordered_json json_report(const std::string& page) const;
+  /// Returns the exit code of the verdict.
+  [[nodiscard]] ExitCode end();
+
+ private:
+  [[nodiscard]] const std::atomic<bool>& interrupted() const { return interrupt_->requested(); }
+  [[nodiscard]] FormingWatch watch() const;
+  /// Each bracket has a time limit of its own, as `bound` and `margin` have.
+  [[nodiscard]] SearchOptions search_of_bracket() const;
+
+  // Of earlier runs (page_from.cpp).
+  void take_earlier();
+  void take_certificate(const EarlierRun& run);
+  void begin_from_certificate(const verifier::Verification& verification,
+                              const CertificateHead& head);
+  void take_question_of(const EarlierRun& run, const CertificateHead& head);
+  void take_report(const EarlierRun& run);
+  void take_paving(const EarlierRun& run);
+
+  // New runs (page_run.cpp).
+  void check();
+  void check_way(Request request, double model_seconds);
+  void search(PreparedSearch& preparation);
+  void take_proof(const nlohmann::ordered_json& about, const std::string& file);
+  void pave();
+  void pave_way(Request request);
+  void bound(const std::string& quantity);
+  void bracket(const std::string& margin);
+  void bracket_way(const MarginQuestion& question, Request request);
+
+  const ReportCommand& command_;
+  const std::string& typed_;
+  ModelOptions model_;  ///< with the question of the earlier runs
+  std::optional<Request> request_;
+  std::optional<InterruptGuard> interrupt_;
+  std::optional<PreparedSearch> prepared_;
+  Result result_;
+  std::string text_;  ///< the report for people
+  PageData data_;
+};
+
+}  // namespace regulus::command

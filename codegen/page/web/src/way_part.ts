@@ -1,0 +1,110 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The segments of a motion along way-points: a strip with what is certified, det as sampled, and a table.
+import { h, section, shortNumber, svg, table, withUnit } from "./dom";
+import { approximateDeterminant } from "./matrices";
+import { Claim, CLAIM_WORDS, claimOfWord } from "./slices";
+import { Tree } from "./tree";
+import { Way } from "./way";
+
+const WIDTH = 800;
+const HEIGHT = 120;
+const SAMPLES = 600;
+const MOST_ROWS = 2000;
+
+interface Stripe {
+  readonly claim: Claim;
+  readonly begin: number; // u
+  readonly end: number;
+}
+
+/** The claims along the way: of a paving, or of the proof of each piece. */
+function stripesOf(way: Way, trees: readonly Tree[] | null): Stripe[] {
+  const stretches = way.data.paving?.stretches;
+  if (trees)
+    return trees.map((tree, piece) => {
+      const isOutside = tree.leaves.every(({ word }) => word === "outside");
+      return { claim: isOutside ? "outside" : "free", begin: piece, end: piece + 1 };
+    });
+  if (stretches)
+    return stretches.map(({ kind, segments, s }) => ({
+      claim: claimOfWord(kind, true),
+      begin: segments[0] - 1 + s[0],
+      end: segments[1] - 1 + s[1],
+    }));
+  return [{ claim: "undecided", begin: 0, end: way.count }];
+}
+
+/** det along the way, in doubles; the line in the middle is 0. */
+function sampledCurve(way: Way): SVGElement[] {
+  const { rows, columns } = way.question(0);
+  if (rows !== columns) return [];
+  const samples = Array.from({ length: SAMPLES + 1 }, (_, i) => {
+    const { piece, s } = way.split((way.count * i) / SAMPLES);
+    const question = way.question(piece);
+    const found = question.approximateAt([s]);
+    return approximateDeterminant(question.matrix.map((id) => found[id]), columns);
+  });
+  const largest = Math.max(...samples.filter(Number.isFinite).map(Math.abs), 1e-300);
+  const places = samples.flatMap((det, i) =>
+    Number.isFinite(det) ? [`${((i / SAMPLES) * WIDTH).toFixed(1)} ${((0.5 - (0.45 * det) / largest) * HEIGHT).toFixed(1)}`] : []);
+  return [
+    svg("path", { d: `M0 ${HEIGHT / 2}H${WIDTH}`, class: "zero-line" }),
+    svg("path", { d: places.length > 0 ? `M${places.join("L")}` : "M0 0", class: "sample-curve" }),
+  ];
+}
+
+function strip(way: Way, stripes: readonly Stripe[]): HTMLElement {
+  const x = (u: number): number => (u / way.count) * WIDTH;
+  const cross = svg("path", { class: "cross" });
+  const picture = svg(
+    "svg",
+    { viewBox: `0 -2 ${WIDTH} ${HEIGHT + 4}`, role: "img", "aria-label": "The way from its beginning to its end", preserveAspectRatio: "none" },
+    ...stripes.map(({ claim, begin, end }) =>
+      svg("rect", { x: x(begin).toFixed(2), y: 0, width: (x(end) - x(begin)).toFixed(2), height: HEIGHT, class: `box ${claim}` })),
+    ...sampledCurve(way),
+    cross,
+  );
+  picture.addEventListener("click", (event) => {
+    const { left, width } = picture.getBoundingClientRect();
+    way.set(((event.clientX - left) / width) * way.count);
+  });
+  const show = (): void => cross.setAttribute("d", `M${x(way.values[0]).toFixed(1)} 0V${HEIGHT}`);
+  way.listen(show);
+  show();
+  return h("figure", { class: "slice way-strip" }, picture, h("figcaption", {}, `${way.about.file}: ${way.describe(0)} to ${way.describe(way.count)}`));
+}
+
+function segments(way: Way, stripes: readonly Stripe[], trees: readonly Tree[] | null): HTMLElement {
+  const unit = way.about.time_unit;
+  const claimOf = (piece: number): string => {
+    const here = new Set(stripes.filter(({ begin, end }) => begin < piece + 1 && piece < end).map(({ claim }) => claim));
+    return [...here].map((claim) => CLAIM_WORDS[claim]).join("; ");
+  };
+  const columns: { head: string; of: (piece: number) => Node | string }[] = [
+    { head: "segment", of: (piece) => h("button", { type: "button", class: "row", click: () => way.set(piece + 0.5) }, String(piece + 1)) },
+    { head: "lines of the file", of: (piece) => [...new Set(way.about.pieces[piece].lines)].join(", ") },
+    ...(unit === null ? [] : [{ head: "time", of: (piece: number) => withUnit(way.about.pieces[piece].times.map(shortNumber).join(" to "), unit) }]),
+    { head: "claim", of: claimOf },
+    ...(trees ? [{ head: "boxes of the proof", of: (piece: number) => String(trees[piece].leaves.length) }] : []),
+  ];
+  const shown = Array.from({ length: Math.min(way.count, MOST_ROWS) }, (_, piece) => columns.map(({ of }) => of(piece)));
+  const list = table(columns.map(({ head }) => head), shown, "Segments of the way");
+  const rest = way.count - shown.length;
+  return h("details", { open: way.count <= 12, id: "segments" }, h("summary", {}, `${way.count} segments`), list, rest > 0 ? h("p", {}, `and ${rest} more`) : null);
+}
+
+/** Each piece of a proof has a tree. */
+export function wayPart(way: Way, trees: readonly Tree[] | null): HTMLElement {
+  const stripes = stripesOf(way, trees);
+  const claims = [...new Set(stripes.map(({ claim }) => claim))];
+  const legend = h(
+    "ul",
+    { class: "legend" },
+    ...claims.map((claim) => h("li", {}, h("span", { class: `key ${claim}` }), CLAIM_WORDS[claim])),
+    h("li", {}, h("span", { class: "key sampled" }), "dashed: det as sampled, not proved; the line is 0"),
+  );
+  const about = trees || way.data.paving?.stretches
+    ? "From left to right, the way from its first to its last way-point; colours are certified."
+    : "The proof is about one pose of the way. Add --paving for what is certified of the rest; the samples below prove nothing.";
+  return section("Along the way-points", h("p", {}, `${about} Click, or choose a segment, to move the robot there.`), legend, strip(way, stripes), segments(way, stripes, trees));
+}
