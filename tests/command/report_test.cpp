@@ -122,6 +122,107 @@ TEST_F(AReport, RefusesWhatItCannotShow) {
   EXPECT_THAT(no_file.errors, HasSubstr("--output"));
 }
 
+/// Reports and proofs of earlier runs about a part of a motion of robot 1.
+class AReportOfEarlierRuns : public AReport {
+ protected:
+  void SetUp() override {
+    AReport::SetUp();
+    if (IsSkipped()) return;
+    const CommandResult checked =
+        run_command({kProgram, "check", kRobot, "wide_15", "--range", "x=-1:1", "--tolerance",
+                     "base=0.01", "--certificate", proof_, "--json", "--quiet"});
+    std::ofstream(check_) << checked.output;
+  }
+
+  void expect_refused(std::vector<std::string> words, const std::string& message) {
+    const CommandResult refused = report(std::move(words));
+    EXPECT_EQ(refused.exit_code, 65) << message;
+    EXPECT_THAT(refused.errors, HasSubstr(message));
+    EXPECT_FALSE(fs::exists(page_));
+  }
+  void write(const std::string& file, const std::string& text) { std::ofstream(file) << text; }
+
+  const std::string kRobot = kModels + "robot_1.toml";
+  const std::string proof_ = folder_.path() / "proof.txt", check_ = folder_.path() / "check.json",
+                    other_ = folder_.path() / "other";
+};
+
+TEST_F(AReportOfEarlierRuns, TakesTheQuestionOfTheFiles) {
+  for (const auto& files : {std::vector{proof_}, {check_}, {check_, proof_}, {proof_, check_}}) {
+    std::vector<std::string> words{kRobot};
+    for (const std::string& file : files) words.insert(words.end(), {"--from", file});
+    const CommandResult made = report(words);
+    EXPECT_EQ(made.exit_code, 0) << made.errors;
+    EXPECT_EQ(made.output, "NO SINGULARITY\n");
+    const nlohmann::json data = data_of(page_);
+    EXPECT_EQ(data["sources"].size(), files.size());
+    EXPECT_THAT(data["question"].get<std::string>(), HasSubstr("parameter x in -1 : 1\n"));
+    EXPECT_THAT(data["question"].get<std::string>(), HasSubstr(" +- 1/100\n"));
+    EXPECT_EQ(data["certificate"].is_string(), files != std::vector{check_});
+    EXPECT_THAT(data["again"][0].get<std::string>(), HasSubstr("--tolerance base=1/100"));
+  }
+}
+
+TEST_F(AReportOfEarlierRuns, RefusesAnotherQuestion) {
+  expect_refused({kRobot, "--from", check_, "--range", "x=-2:2"}, "--range x=-1:1");
+  expect_refused({kRobot, "--from", proof_, "--range", "x=-2:2"}, "other ranges");
+  expect_refused({kRobot, "table4_1", "--from", check_}, "about the motion \"wide_15\"");
+  expect_refused({kModels + "robot_2.toml", "--from", check_}, "about the model \"robot 1\"");
+  expect_refused({kModels + "robot_2.toml", "--from", proof_}, "SHA-256");
+}
+
+TEST_F(AReportOfEarlierRuns, RefusesADamagedProof) {
+  std::string text = text_of(proof_);
+  const std::size_t rule = text.rfind("\nl ");
+  write(other_, text.substr(0, rule + 1) + text.substr(text.find('\n', rule + 1) + 1));
+  expect_refused({kRobot, "--from", other_}, "this certificate is not verified");
+  nlohmann::json forged = nlohmann::json::parse(text_of(check_));
+  forged["verdict"] = "singularity";
+  write(other_, forged.dump());
+  expect_refused({kRobot, "--from", other_, "--from", proof_}, "verdict");
+}
+
+TEST_F(AReportOfEarlierRuns, RefusesFilesThatAreNoReports) {
+  for (const char* text : {"", "hello", "{}", "[1]", R"({"verdict": 1})", "regulus-certificat"}) {
+    write(other_, text);
+    expect_refused({kRobot, "--from", other_}, "neither a certificate nor a report");
+  }
+  write(other_, R"({"error": {"message": "out of \u001b[31m memory"}})");
+  expect_refused({kRobot, "--from", other_}, "ended with an error: \"out of \\u001b[31m memory");
+  write(other_, "regulus-certificate 1\n");
+  expect_refused({kRobot, "wide_15", "--from", other_}, "not verified");
+}
+
+TEST_F(AReportOfEarlierRuns, HasThePavingOfAFile) {
+  const std::string planar = kModels + "planar_3rpr.toml";
+  EXPECT_EQ(run_command({kProgram, "locate", planar, "crossing", "--resolution", "1/8", "--output",
+                         other_, "--quiet"})
+                .exit_code,
+            1);
+  EXPECT_EQ(report({planar, "--from", other_}).exit_code, 1);
+  const nlohmann::json taken = data_of(page_)["paving"];
+  EXPECT_EQ(report({planar, "crossing", "--paving", "--resolution", "1/8"}).exit_code, 1);
+  const nlohmann::json made = data_of(page_)["paving"];
+  EXPECT_EQ(taken["summary"]["free"], made["summary"]["free"]);
+  const auto ending = [](const nlohmann::json& paving) {
+    const auto text = paving["tree"].get<std::string>();
+    return text.substr(text.rfind("end "));
+  };
+  EXPECT_EQ(ending(taken), ending(made));
+  std::string text = text_of(other_);
+  text.erase(text.find('\n') + 1, text.find('\n', text.find('\n') + 1) - text.find('\n'));
+  write(other_, text);
+  fs::remove(page_);
+  expect_refused({planar, "--from", other_}, "do not cover the motion");
+}
+
+TEST_F(AReportOfEarlierRuns, KeepsItsFiles) {
+  EXPECT_EQ(
+      run_command({kProgram, "report", kRobot, "--from", check_, "--output", check_}).exit_code,
+      64);
+  EXPECT_THAT(text_of(check_), HasSubstr("no-singularity"));
+}
+
 TEST(AProgramWithoutThePage, SaysHowToGetIt) {
   const TemporaryDirectory folder;
   fs::create_directory(folder.path() / "bin");

@@ -92,6 +92,149 @@ test("The colours of a slice are the claims of locate", async (browser) => {
   assert.deepEqual(faults, []);
 });
 
+test("The colours of a slice are the leaves of the certificate", async (browser) => {
+  const model = `${work}/half.toml`;
+  writeFileSync(model, `${readFileSync(planar, "utf8")}
+[motion.half]
+x = [-2, 4]
+y = [13, 18]
+phi = ["-15*deg", "60*deg"]
+constraints = ["phi + (x - 1)/100"]
+`);
+  const proof = `${work}/half.txt`;
+  execFileSync(regulus, ["check", model, "half", "--certificate", proof, "--quiet"], { stdio: "pipe" });
+  const tree = readFileSync(proof, "utf8").split("\nproof\n")[1].trim().split("\n").map((line) => line.split(" "));
+  /** A double as C99 writes it in hexadecimal, or a decimal. */
+  const double = (text) => {
+    const [, sign, whole, digits, exponent] = /^(-?)0x([01])\.?([0-9a-f]*)p([+-]\d+)$/.exec(text) ?? [];
+    if (whole === undefined) return Number(text);
+    return Number(`${sign}1`) * (Number(whole) + parseInt(digits || "0", 16) / 16 ** digits.length) * 2 ** Number(exponent);
+  };
+  /** The rule of the leaf that holds a point, by the lines s BOX VARIABLE X and l BOX RULE. */
+  const ruleAt = (point) => {
+    let box = 0;
+    let next = 1;
+    for (const [kind, id, word, at] of tree)
+      if (kind === "s") {
+        if (Number(id) === box) box = point[Number(word)] < double(at) ? next : next + 1;
+        next += 2;
+      } else if (kind === "l" && Number(id) === box) return word;
+    throw new Error("no leaf");
+  };
+  const { page, faults } = await open(browser, makePage("half", [model, "half", "--from", proof]));
+  await secondProof(page);
+  await page.select("#axis-across", "2"); // phi, and y up
+  await page.click("#samples"); // hatching is on top of the boxes
+  await drawn(page);
+  const seen = new Set();
+  for (let i = 0; i < 40; ++i) {
+    const [u, v] = [(i * 0.618034 + 0.013) % 1, (i * 0.414214 + 0.007) % 1];
+    const shown = await page.evaluate(([a, b]) => {
+      const svg = document.querySelector(".main-slice svg");
+      svg.scrollIntoView({ block: "center" });
+      const { x, y } = new DOMPoint(400 * a, 400 * (1 - b)).matrixTransform(svg.getScreenCTM());
+      return document.elementFromPoint(x, y).getAttribute("class");
+    }, [u, v]);
+    const rule = ruleAt([1, 13 + 5 * v, (-15 + 75 * u) * (Math.PI / 180)]);
+    assert.equal(shown, rule === "outside" ? "box outside" : "box free", `${u}, ${v}`);
+    seen.add(shown);
+  }
+  assert.equal(seen.size, 2);
+  assert.deepEqual(faults, []);
+});
+
+/** A cart at (x, 0, -y) on cables from (0, 0, 0) and (4, 0, 0), singular at y = 0 alone. */
+function cart(points) {
+  writeFileSync(`${work}/way.csv`, `t,x,y\n${points.map((p, i) => `${i},${p}\n`).join("")}`);
+  writeFileSync(`${work}/cart.toml`, `regulus = 1
+name = "cart on two cables"
+[pose]
+x = "m"
+y = "m"
+[matrix]
+rows = [["x", "y"], ["x - 4", "y"]]
+[drawing]
+points = { A = [0, 0, 0], B = [4, 0, 0], P = ["x", 0, "-y"] }
+legs = [["A", "P"], ["B", "P"]]
+[motion.way]
+waypoints = "way.csv"
+`);
+  return `${work}/cart.toml`;
+}
+
+test("A robot moves along its way-points, and each segment is proved again", async (browser) => {
+  const points = [[1, 1], [2, 1.5], [3, 1], [2, 0.5], [1, 1]];
+  const { page, faults } = await open(browser, makePage("way", [cart(points)]), { width: 390 });
+  assert.equal(await secondProof(page), "RE-PROVED IN THIS BROWSER: 4 of 4 boxes");
+  await requireAccessible(page, "way");
+  assert.ok((await page.evaluate(() => document.scrollingElement.scrollWidth)) <= 390);
+  assert.equal((await page.$$("#segments tbody tr")).length, 4);
+  for (const u of [0, 0.25, 1.5, 2.99, 4]) {
+    const shown = await page.evaluate((value) => {
+      document.querySelector("#points").open = true;
+      const slider = document.getElementById("slider-0");
+      slider.value = String(100 * value);
+      slider.dispatchEvent(new Event("input"));
+      return [...document.querySelectorAll("#points tbody tr")].map((row) => [...row.cells].slice(1).map((cell) => Number(cell.textContent)));
+    }, u);
+    const k = Math.min(Math.floor(u), 3);
+    const [x, y] = [0, 1].map((i) => points[k][i] + (u - k) * (points[k + 1][i] - points[k][i]));
+    [x, 0, -y].forEach((value, axis) => assert.ok(Math.abs(shown[1][axis] - value) < 1e-5, `${u}: ${shown[1]}`));
+  }
+  await page.click("#segments tbody tr:nth-child(3) button");
+  assert.match(await textOf(page, ".sliders output"), /^segment 3, t = 2.5/);
+  assert.deepEqual(faults, []);
+});
+
+test("A way into a singularity shows it, and what is certified beside it", async (browser) => {
+  const { page, faults } = await open(browser, makePage("bad_way", [cart([[1, 1], [2, 1.5], [3, 1], [2, -0.5]]), "--paving"]));
+  assert.match(await secondProof(page), /^RE-PROVED IN THIS BROWSER: the determinant has certain, opposite signs/);
+  assert.match(await textOf(page, ".sliders output"), /^segment 3, t = 2.667/);
+  const classes = await page.$$eval(".way-strip rect", (boxes) => boxes.map((box) => box.getAttribute("class")));
+  assert.ok(classes.includes("box free") && classes.some((name) => name !== "box free"), classes.join());
+  assert.deepEqual(faults, []);
+});
+
+/** What --json printed for a command, in a file. */
+function reportOf(name, words) {
+  const file = `${work}/${name}.json`;
+  writeFileSync(file, execFileSync(regulus, [...words, "--json", "--quiet"], { encoding: "utf8", stdio: ["ignore", "pipe", "pipe"] }));
+  return file;
+}
+
+test("A page of earlier runs says what was verified and what is quoted", async (browser) => {
+  const proof = `${work}/proof.txt`;
+  const report = reportOf("check", ["check", robot, "wide_15", "--range", "x=-1:1", "--certificate", proof]);
+  const { page, faults } = await open(browser, makePage("earlier", [robot, "--from", proof, "--from", report]));
+  assert.match(await secondProof(page), /^RE-PROVED IN THIS BROWSER: (\d+) of \1 boxes$/);
+  assert.match(await textOf(page, "#sources"), /report of check .*quoted.*certificate .*verified when this page was made/s);
+  assert.match(await textOf(page, "#asked"), /x from -1 cm to 1 cm/);
+  assert.deepEqual(faults, []);
+  const { page: quoted } = await open(browser, makePage("quoted", [robot, "--from", report]));
+  assert.match(await secondProof(quoted), /^NOT RE-PROVED: this page has no certificate. Its verdict is quoted/);
+});
+
+test("Legs have the colours of their forces, by a bound in the page", async (browser) => {
+  const orthoglide = `${source}/models/orthoglide.toml`;
+  const file = reportOf("force", ["bound", orthoglide, "cube", "force", "--gap", "0.5"]);
+  const bound = JSON.parse(readFileSync(file, "utf8"));
+  bound.components.forEach((component, i) => (component.proved = i + 1));
+  writeFileSync(file, JSON.stringify(bound));
+  const { page, faults } = await open(browser, makePage("force", [orthoglide, "--from", file]));
+  assert.match(await textOf(page, ".leg-legend"), /^proved bound of the force.*: 1 .* 3 N$/);
+  const strokes = await page.$$eval(".robot-drawing line", (lines) => lines.map((line) => line.getAttribute("stroke")));
+  assert.ok(["rgb(68, 80, 160)", "rgb(240, 200, 50)"].every((end) => strokes.includes(end)), strokes.join("; "));
+  assert.deepEqual(faults, []);
+});
+
+test("Without a verdict, the page goes to the pose nearest to a singularity", async (browser) => {
+  const file = makePage("undecided", [robot, "wide_15", "--range", "x=-40:40", "--max-boxes", "2"]);
+  const { page, faults } = await open(browser, file);
+  assert.equal(await textOf(page, "#verdict"), "POSSIBLE PROBLEM");
+  assert.match(await textOf(page, "main"), /The pose to look atSampled, not proved/);
+  assert.deepEqual(faults, []);
+});
+
 test("What is sampled is hatched, and the legend says so", async (browser) => {
   const { page } = await open(browser, paved);
   assert.match(await textOf(page, ".legend"), /sampled, not proved/);

@@ -14,7 +14,7 @@ interface Bar {
   readonly text: string;
 }
 
-function bars(list: readonly Bar[], title: string): SVGElement {
+function bars(list: readonly Bar[], title: string): HTMLElement {
   const largest = Math.max(...list.map((bar) => Math.max(Math.abs(bar.outer ?? 0), Math.abs(bar.inner ?? 0))), 1e-300);
   const id = `open-${++patterns}`;
   const x = (value: number): number => 150 + (Math.abs(value) / largest) * (WIDTH - 330);
@@ -30,7 +30,8 @@ function bars(list: readonly Bar[], title: string): SVGElement {
     ];
   });
   const pattern = svg("pattern", { id, width: 6, height: 6, patternUnits: "userSpaceOnUse", patternTransform: "rotate(45)" }, svg("rect", { width: 2.5, height: 6, class: "sample-line" }));
-  return svg("svg", { viewBox: `0 0 ${WIDTH} ${list.length * ROW + 6}`, class: "bars", role: "img", "aria-label": title }, svg("defs", {}, pattern), ...shapes);
+  const picture = svg("svg", { viewBox: `0 0 ${WIDTH} ${list.length * ROW + 6}`, class: "bars", role: "img", "aria-label": title }, svg("defs", {}, pattern), ...shapes);
+  return h("div", { class: "scroll", tabindex: 0, role: "region", "aria-label": `Bars: ${title}` }, picture);
 }
 
 const text = (x: number | null): string => (x === null ? "none" : shortNumber(x));

@@ -31,6 +31,15 @@ export interface ReportedWitness extends Degeneracy {
   readonly near?: ReportedPoint;
 }
 
+export interface UncertainQuantity {
+  readonly name: string;
+  readonly group: string;
+  readonly shape: string;
+  readonly unit: string;
+  readonly tolerance_exact?: string;
+  readonly radius_exact?: string;
+}
+
 export interface Report {
   readonly verdict: "no-singularity" | "singularity" | "possible-problem";
   readonly claim: string;
@@ -46,6 +55,7 @@ export interface Report {
   readonly leaves: Record<string, number>;
   readonly witness: ReportedWitness | null;
   readonly nearest_singular?: (Degeneracy & ReportedPoint) | null;
+  readonly question?: { readonly uncertain: readonly UncertainQuantity[]; readonly ranges_exact?: Record<string, readonly [string, string]> };
   /** Of a motion along way-points: where the singular pose is. */
   readonly segment?: { readonly segment: number; readonly s?: Bounds; readonly time?: number } | null;
 }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 import { boundsPart, marginsPart } from "./bars";
 import { PageData, readPageData } from "./data";
+import { h } from "./dom";
 import { Icicle } from "./icicle";
 import { poseSliders, Shown, ShownPose } from "./pose";
 import { Question } from "./question";
@@ -56,6 +57,7 @@ function build(main: HTMLElement): void {
   const { parts, pose } = data.way ? partsOfWay(data, certificate) : partsOfRanges(data, question, certificate);
   const all = [verdictPart(data, question), ...parts, marginsPart(data), sourcePart(data)];
   main.replaceChildren(...all.filter((part): part is HTMLElement => part !== null));
+  document.querySelector("header")?.prepend(h("p", { id: "subject" }, data.report.model));
   const place = placeOf(data);
   if (place) pose.goTo(place.point);
   proveAgain(data, question, certificate);
@@ -69,6 +71,7 @@ function fail(error: unknown): void {
   const verdict = document.getElementById("verdict");
   const again = document.getElementById("again");
   if (again) again.textContent = "";
+  document.getElementById("subject")?.remove();
   if (verdict) {
     verdict.textContent = "THIS PAGE IS DAMAGED";
     verdict.className = "damaged";

@@ -22,11 +22,12 @@ function forceScales(data: PageData): LegScale[] {
     }
     if (byRow.size === 0) return [];
     const values = [...byRow.values()];
-    return [{ label: `no larger ${bound.bound}, proved`, unit: bound.unit, lo: Math.min(...values), hi: Math.max(...values), byRow }];
+    return [{ label: `proved bound of the ${bound.bound}`, unit: bound.unit, lo: Math.min(...values), hi: Math.max(...values), byRow }];
   });
 }
 
 function legend(scale: LegScale): HTMLElement {
+  if (!(scale.hi > scale.lo)) return h("p", { class: "leg-legend" }, `${scale.label}: ${withUnit(shortNumber(scale.hi), scale.unit)} in every leg`);
   const bar = h("span", { class: "gradient", "aria-hidden": "true" });
   bar.style.background = `linear-gradient(to right, ${[0, 1 / 3, 2 / 3, 1].map(scaleColour).join(", ")})`;
   return h("p", { class: "leg-legend" }, `${scale.label}: ${shortNumber(scale.lo)} `, bar, withUnit(` ${shortNumber(scale.hi)}`, scale.unit));

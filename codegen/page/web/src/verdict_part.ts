@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The verdict, what it does not mean, and the second proof in this browser.
 import { PageData } from "./data";
-import { h, section, shortNumber, withUnit } from "./dom";
+import { describeValue, h, section, shortNumber, withUnit } from "./dom";
 import { Damage } from "./expression";
 import { Question } from "./question";
 import { proveTree, Progress } from "./reproof";
@@ -47,7 +47,7 @@ export function requireSameWords(data: PageData): void {
 
 const LIMITS: Record<keyof typeof WORDS, string[]> = {
   "no-singularity": [
-    "It holds for every pose in the ranges below, not beyond them.",
+    "It holds for every pose of this motion, not beyond it.",
     "It does not say how close a singularity is: bounds of forces, speeds or the least singular value do.",
   ],
   singularity: [
@@ -83,6 +83,32 @@ function obstacle({ report, units }: PageData): HTMLElement | null {
   return h("p", {}, `Reason: ${report.reason}.`, ranges.length > 0 ? ` The box that blocks: ${ranges.join(", ")}.` : "");
 }
 
+/** An end of a range: its exact text if that is short, otherwise about four digits. */
+function describeEnd(value: number, exact: string | undefined, unit: string | undefined): string {
+  if (exact === undefined || exact.length > 12) return `≈ ${describeValue(value, unit)}`;
+  return exact === String(value) || unit !== "rad" ? withUnit(exact, unit) : `${exact} rad (≈ ${Number(((value * 180) / Math.PI).toFixed(2))}°)`;
+}
+
+/** The ranges and tolerances that were asked about, in a sentence each. */
+function asked(data: PageData, question: Question): HTMLElement {
+  const ranges = question.parameters.map(({ name, range: { lo, hi } }) => {
+    const [least, most] = [lo, hi].map((end, i) => describeEnd(end, data.report.question?.ranges_exact?.[name]?.[i], data.units[name]));
+    return least === most ? `${name} = ${least}` : `${name} from ${least} to ${most}`;
+  });
+  const groups = new Map<string, number>();
+  for (const { name, group, shape, tolerance_exact, radius_exact, unit } of data.report.question?.uncertain ?? []) {
+    const spread = shape === "ball" ? `in balls of radius ${radius_exact}` : `±${tolerance_exact}`;
+    if ((radius_exact ?? tolerance_exact) === undefined || tolerance_exact === "0") continue;
+    const words = `${group || name} ${withUnit(spread, unit)}`;
+    groups.set(words, (groups.get(words) ?? 0) + 1);
+  }
+  const uncertain = [...groups].map(([words, count]) => (count === 1 ? words : `${words} (${count} quantities)`));
+  const motion = data.way ? `${question.pieces} segments along ${data.way.file}` : ranges.join("; ");
+  return h("dl", { id: "asked" },
+    h("dt", {}, "Motion"), h("dd", {}, `${data.report.motion}: ${motion}.`),
+    h("dt", {}, "Uncertain"), h("dd", {}, uncertain.length > 0 ? `${uncertain.join("; ")}.` : "nothing: the model's numbers are taken as exact."));
+}
+
 /** The files of earlier runs, and what was done with them; null if there are none. */
 function earlierRuns({ sources }: PageData): HTMLElement | null {
   if (sources.length === 0) return null;
@@ -90,10 +116,10 @@ function earlierRuns({ sources }: PageData): HTMLElement | null {
 }
 
 export function verdictPart(data: PageData, question: Question): HTMLElement {
-  const ranges = question.parameters.length;
   return section(
     "What this means, and what not",
     meaning(data),
+    asked(data, question),
     obstacle(data),
     h(
       "ul",
@@ -102,7 +128,7 @@ export function verdictPart(data: PageData, question: Question): HTMLElement {
       h("li", {}, "It is about the robot as the model at the end of this page describes it: these numbers, these tolerances. It cannot know the robot on your floor."),
       h("li", {}, "Collisions, joint limits that the model does not state, and dynamics are no part of it."),
     ),
-    h("p", {}, `Model ${data.report.model}, motion ${data.report.motion}, ${data.way ? `${question.pieces} segments along ${data.way.file}` : `${ranges} motion parameter${ranges === 1 ? "" : "s"}`}.`),
+    h("p", {}, "Regulus is a program that proves or refutes that a robot meets a singular pose; its proofs can be checked without it, as this page does."),
     earlierRuns(data),
   );
 }
