@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <nlohmann/json.hpp>
 
+#include "codegen/certificate/certificate_expression_writer.hpp"
 #include "codegen/engine/choices.hpp"
 #include "codegen/engine/settings.hpp"
 #include "codegen/model/ginac_text.hpp"
@@ -74,8 +75,19 @@ Json json_quantity(const AskedQuestion& asked, std::size_t index) {
   return quantity;
 }
 
-/// Adds the exact ranges and threshold. Formulas are left to the model: GiNaC writes some of them in
-/// another way in another process, and a report has the same bytes in all.
+/// Returns the pose parameters that are formulas or constants of the motion. The order and the signs
+/// of GiNaC's own terms may differ in another process; those of a certificate do not.
+Json json_pose_formulas(const Request& request) {
+  Json formulas = Json::object();
+  for (std::size_t i = 0; i < request.model.pose.size(); ++i) {
+    const PoseParameter& p = request.model.pose[i];
+    if (!request.motion.pose[i].is_equal(p.symbol))
+      formulas[p.name] = expression_text(request.motion.pose[i]);
+  }
+  return formulas;
+}
+
+/// Adds the exact ranges, threshold and formulas.
 void add_exact(const AskedQuestion& asked, Json& question) {
   Json ranges = Json::object();
   for (const Variable& v : asked.exact)
@@ -83,6 +95,14 @@ void add_exact(const AskedQuestion& asked, Json& question) {
       ranges[v.name] = {formula_text(v.range.lo), formula_text(v.range.hi)};
   question["ranges_exact"] = ranges;
   question["alpha_exact"] = formula_text(asked.request.motion.alpha);
+  // A motion along way-points has none; their file has the poses.
+  if (!asked.request.motion.trajectory) {
+    question["pose_exact"] = json_pose_formulas(asked.request);
+    Json constraints = Json::array();
+    for (const auto& constraint : asked.request.motion.constraints)
+      constraints.push_back(expression_text(constraint));
+    question["constraints_exact"] = constraints;
+  }
 }
 
 Json json_asked(const AskedQuestion& asked, const SearchOptions& search) {

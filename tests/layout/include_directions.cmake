@@ -35,7 +35,7 @@ set(codegen/engine               ${codegen/cpp} codegen/cpp codegen/jit runtime/
                                  runtime/certificate)
 set(codegen/analysis             ${codegen/engine} codegen/engine)
 set(codegen/certificate          ${codegen/engine} codegen/engine runtime/certificate/verifier)
-set(codegen/report               ${codegen/analysis} codegen/analysis)
+set(codegen/report               ${codegen/analysis} codegen/analysis codegen/certificate)
 set(codegen/picture              ${codegen/report} codegen/report)
 set(codegen/margin               ${codegen/report} codegen/report codegen/certificate)
 set(codegen/trajectory           ${codegen/margin} codegen/margin)

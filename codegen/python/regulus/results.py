@@ -8,6 +8,8 @@ import json
 import os
 from typing import TYPE_CHECKING, Any, Optional, Union
 
+from .page import page_frame, write_page
+
 if TYPE_CHECKING:
     from .robot import Question
 
@@ -73,7 +75,7 @@ class Certificate:
     """The proof of a verdict, to be written to a file."""
 
     def __init__(self, question: Question, path: str = "") -> None:
-        self._question = question
+        self.question = question
         self.path: Optional[str] = path or None
         """The file that has the proof, once it is written."""
 
@@ -87,7 +89,7 @@ class Certificate:
             UsageError: if nothing is proved, or the proof cannot be written in the format.
             FileError: if the file cannot be written.
         """
-        self.path = self._question.prove(os.fspath(path))
+        self.path = self.question.prove(os.fspath(path))
         return self.path
 
 
@@ -135,6 +137,18 @@ class Check(Result):
     def __repr__(self) -> str:
         return f"<{_words(self.verdict)}: {self.claim}; {self.boxes} boxes>"
 
+    def page(self, path: Path) -> str:
+        """Writes one HTML file about the answer, for any browser, and returns its path.
+
+        The command `regulus` makes it: see `regulus report`. The proof is in the page; the question
+        is searched again for it if it was not written.
+
+        Raises:
+            FileError: if the command is missing, or the file cannot be written.
+        """
+        write_page(self, os.fspath(path))
+        return os.fspath(path)
+
     def _repr_html_(self) -> str:
         report = self.json
         rows = [
@@ -146,7 +160,7 @@ class Check(Result):
             ("time", f"{self.seconds:.3g} s"),
         ]
         rows += [("note", note) for note in self._notes]
-        return _table(_words(self.verdict), self.verdict, rows)
+        return _table(_words(self.verdict), self.verdict, rows) + page_frame(self)
 
 
 class PreparedCheck(Check):

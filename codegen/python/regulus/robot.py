@@ -33,6 +33,8 @@ class Question:
         waypoints: Optional[Path] = None,
     ) -> None:
         self._arguments = (robot, motion, range, tolerance, alpha, tube, waypoints)
+        self.robot = robot
+        self.waypoints = "" if waypoints is None else os.fspath(waypoints)
         self._options: dict[str, Any] = {}
         self.options = _regulus.SearchOptions()
         self.options.engine = "auto"

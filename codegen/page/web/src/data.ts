@@ -55,7 +55,7 @@ export interface Report {
   readonly leaves: Record<string, number>;
   readonly witness: ReportedWitness | null;
   readonly nearest_singular?: (Degeneracy & ReportedPoint) | null;
-  readonly question?: { readonly uncertain: readonly UncertainQuantity[]; readonly ranges_exact?: Record<string, readonly [string, string]> };
+  readonly question?: { readonly uncertain: readonly UncertainQuantity[]; readonly ranges_exact?: Record<string, readonly [string, string]>; readonly pose_exact?: Record<string, string> };
   /** Of a motion along way-points: where the singular pose is. */
   readonly segment?: { readonly segment: number; readonly s?: Bounds; readonly time?: number } | null;
 }

@@ -95,6 +95,8 @@ function asked(data: PageData, question: Question): HTMLElement {
     const [least, most] = [lo, hi].map((end, i) => describeEnd(end, data.report.question?.ranges_exact?.[name]?.[i], data.units[name]));
     return least === most ? `${name} = ${least}` : `${name} from ${least} to ${most}`;
   });
+  const formulas = Object.entries(data.report.question?.pose_exact ?? {}).map(([name, text]) =>
+    withUnit(`${name} = ${text.length > 120 ? `${text.slice(0, 120)} …` : text}`, data.units[name]));
   const groups = new Map<string, number>();
   for (const { name, group, shape, tolerance_exact, radius_exact, unit } of data.report.question?.uncertain ?? []) {
     const spread = shape === "ball" ? `in balls of radius ${radius_exact}` : `±${tolerance_exact}`;
@@ -103,7 +105,7 @@ function asked(data: PageData, question: Question): HTMLElement {
     groups.set(words, (groups.get(words) ?? 0) + 1);
   }
   const uncertain = [...groups].map(([words, count]) => (count === 1 ? words : `${words} (${count} quantities)`));
-  const motion = data.way ? `${question.pieces} segments along ${data.way.file}` : ranges.join("; ");
+  const motion = data.way ? `${question.pieces} segments along ${data.way.file}` : [...ranges, ...formulas].join("; ");
   return h("dl", { id: "asked" },
     h("dt", {}, "Motion"), h("dd", {}, `${data.report.motion}: ${motion}.`),
     h("dt", {}, "Uncertain"), h("dd", {}, uncertain.length > 0 ? `${uncertain.join("; ")}.` : "nothing: the model's numbers are taken as exact."));
