@@ -104,9 +104,9 @@ void PageRun::take_certificate(const EarlierRun& run) {
     data_.certificate.clear();
     data_.certificate_note = "its proof is in several files; `regulus verify` reads them";
   }
-  add_source(
-      data_, run,
-      fmt::format("verified when this page was made: {} leaves, {} boxes", v.leaves, v.boxes));
+  const std::string count =
+      v.leaves > 0 ? fmt::format(": {} leaves, {} boxes", v.leaves, v.boxes) : std::string();
+  add_source(data_, run, "verified when this page was made" + count);
 }
 
 /// The first lines of a certificate, the verdict and the claim, are no part of its question.

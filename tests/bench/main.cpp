@@ -14,6 +14,7 @@
 #include "tests/bench/kernel/rows.hpp"
 #include "tests/bench/latency/rows.hpp"
 #include "tests/bench/limit/rows.hpp"
+#include "tests/bench/page/rows.hpp"
 #include "tests/bench/report/writers.hpp"
 #include "tests/bench/search/prepared.hpp"
 #include "tests/bench/search/rows.hpp"
@@ -39,6 +40,7 @@ constexpr NamedSection kSections[] = {
     {"compile", compile_rows},
     {"counts", count_rows},
     {"completeness", completeness_rows},
+    {"page", page_rows},
 };
 
 struct Options {

@@ -1,9 +1,12 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Robots that are made in Python, and errors."""
 
+import os
 import pickle
+from pathlib import Path
 
 import pytest
+from conftest import COMMAND
 
 import regulus as rg
 
@@ -185,6 +188,20 @@ def test_tables_for_notebooks_escape_names():
     )
     for page in (robot._repr_html_(), robot.check()._repr_html_(), robot.locate()._repr_html_()):
         assert "<table>" in page and "<script>" not in page
+
+
+def test_a_check_has_a_page(circle, robot_1, tmp_path):
+    if not os.path.exists(os.path.join(os.path.dirname(COMMAND), "../share/regulus/page.html")):
+        pytest.skip("this build has no page")
+    found = circle.check("outside", range={"x": (2, 3)})
+    text = Path(found.page(tmp_path / "page.html")).read_text(encoding="utf-8")
+    assert ">NO SINGULARITY</h1>" in text and "verified when this page was made" in text
+    assert "regulus-certificate 1" in text
+    prepared = robot_1.prepare("wide_15").check(range={"x": (-3, 3)})
+    assert "parameter x in -3 : 3" in Path(prepared.page(tmp_path / "q.html")).read_text()
+    assert "<iframe sandbox" in prepared._repr_html_()
+    with pytest.raises(rg.FileError):
+        found.page(tmp_path / "no folder" / "page.html")
 
 
 def test_a_paving_is_drawn(circle, robot_1):

@@ -47,22 +47,22 @@ def _model_file(check: Check, folder: str) -> str:
                     return os.path.abspath(robot.path)
         except OSError:
             pass  # it was changed or removed; the text is what was checked
-    path = os.path.join(folder, "model.toml")
-    robot.write(path)
-    return path
+    robot.write(os.path.join(folder, "model.toml"))
+    return "model.toml"
 
 
 def _proof(check: Check, folder: str, quick: bool) -> Optional[str]:
-    """Returns the file of the proof, None if there is none."""
+    """Returns the file of the proof, in the folder or not; None if there is none."""
     written = check.certificate.path
     if written and os.path.exists(written):
         return os.path.abspath(written)
     if check.verdict not in _PROVED or (quick and check.seconds > _QUICK):
         return None
     try:
-        return check.certificate.question.prove(os.path.join(folder, "proof.txt"))
+        check.certificate.question.prove(os.path.join(folder, "proof.txt"))
     except UsageError:
         return None  # the question has no certificate, and the page says so
+    return "proof.txt"
 
 
 def write_page(check: Check, path: str, quick: bool = False) -> None:
@@ -75,18 +75,19 @@ def write_page(check: Check, path: str, quick: bool = False) -> None:
     if command is None:
         raise FileError("a page is made by the command regulus, which is not installed")
     with tempfile.TemporaryDirectory() as folder:
-        report = os.path.join(folder, "check.json")
-        with open(report, "w", encoding="utf-8") as file:
+        with open(os.path.join(folder, "check.json"), "w", encoding="utf-8") as file:
             json.dump(check.json, file)
-        words = [command, "report", _model_file(check, folder), "--from", report]
+        # In the folder, so that the page does not name it.
+        words = [command, "report", _model_file(check, folder), "--from", "check.json"]
         proof = _proof(check, folder, quick)
         if proof:
             words += ["--from", proof]
         waypoints = check.certificate.question.waypoints
         if waypoints:
             words += ["--waypoints", os.path.abspath(waypoints)]
-        words += ["--output", path, "--quiet", "--json"]
-        done = subprocess.run(words, stdout=subprocess.PIPE, stderr=subprocess.PIPE, check=False)
+        words += ["--output", os.path.abspath(path), "--quiet"]
+        pipe = subprocess.PIPE
+        done = subprocess.run(words, cwd=folder, stdout=pipe, stderr=pipe, check=False)
     if done.returncode in (0, 1, 2):
         return
     message = done.stderr.decode("utf-8", "replace").strip()
