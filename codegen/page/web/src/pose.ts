@@ -68,7 +68,7 @@ export function poseSliders(pose: ShownPose, data: PageData): HTMLElement {
     const output = h("output", {});
     if (width === 0) {
       output.textContent = describeValue(range.lo, unit);
-      return h("div", { class: "slider" }, h("span", {}, name), h("span", {}, "one value"), output);
+      return h("div", { class: "slider" }, h("span", {}, `${name}, one value`), output);
     }
     const id = `slider-${k}`;
     const input = h("input", {

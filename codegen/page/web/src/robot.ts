@@ -76,7 +76,7 @@ export class Robot implements Drawable {
 }
 
 /** The least and largest coordinates over a motion, for the view. */
-export function extentOf(robot: Drawable): { center: Vector; radius: number } {
+export function extentOf(robot: Drawable): { center: Vector; radius: number; isPlanar: boolean } {
   const shown = robot.parts.filter((part) => part.kind !== "joint").flatMap((part) => part.points);
   const all = robot
     .places()
@@ -89,7 +89,7 @@ export function extentOf(robot: Drawable): { center: Vector; radius: number } {
   const hi = end(Math.max);
   const center = lo.map((x, axis) => (x + hi[axis]) / 2) as unknown as Vector;
   const radius = Math.hypot(...lo.map((x, axis) => hi[axis] - x)) / 2;
-  return { center, radius: radius > 0 ? radius : 1 };
+  return { center, radius: radius > 0 ? radius : 1, isPlanar: !(hi[2] > lo[2]) };
 }
 
 export function distance(a: Vector, b: Vector): number {

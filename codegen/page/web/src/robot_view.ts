@@ -56,14 +56,15 @@ export class RobotView {
   private readonly center: Vector;
 
   constructor(private readonly robot: Drawable, name: string, unit: string | undefined) {
-    const { center, radius } = extentOf(robot);
+    const { center, radius, isPlanar } = extentOf(robot);
     [this.center, this.unit] = [center, radius];
     this.scale = { label: "length of a leg", unit, ...this.rangeOfLengths() };
     this.drawing = svg("svg", { viewBox: "0 0 800 600", class: "robot-drawing", role: "img", "aria-label": `Drawing of ${name}` });
     const canvas = h("canvas", { tabindex: 0, role: "img", "aria-label": `${name} in three dimensions; arrow keys turn the view, plus and minus zoom` });
     this.element = h("div", { class: "robot-view" }, canvas, this.drawing);
     this.build();
-    this.camera.position.set(1.9, -2.6, 1.5);
+    // From above for a robot in the plane.
+    this.camera.position.set(...((isPlanar ? [0, -0.9, 3.2] : [1.9, -2.6, 1.5]) as [number, number, number]));
     this.camera.up.set(0, 0, 1);
     this.camera.lookAt(0, 0, 0);
     this.camera.updateMatrixWorld();

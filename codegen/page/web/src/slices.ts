@@ -26,12 +26,13 @@ export function claimOfWord(word: string, isPaving: boolean): Claim {
 /** The proved parts of the motion with each claim of a paving; null without one. */
 export function sharesPart({ paving }: PageData): HTMLElement | null {
   if (!paving) return null;
-  const percent = (x: number): string => `${shortNumber(Number((100 * x).toFixed(2)))} %`;
+  // Two digits, rounded to the side that claims less.
+  const percent = (x: number, round: (y: number) => number): string => `${shortNumber(round(1e4 * x) / 100)} %`;
   const rows = (Object.keys(CLAIM_WORDS) as Claim[]).flatMap((claim) => {
     const share = paving.summary[claim];
     if (!share || !(share.boxes > 0)) return [];
     const [lo, hi] = share.fraction;
-    return [[h("span", { class: `key ${claim}` }), CLAIM_WORDS[claim], String(share.boxes), percent(lo), percent(hi)]];
+    return [[h("span", { class: `key ${claim}` }), CLAIM_WORDS[claim], String(share.boxes), percent(lo, Math.floor), percent(hi, Math.ceil)]];
   });
   return rows.length > 0 ? section("Parts of the motion", table(["colour", "claim", "boxes", "at least", "at most"], rows, "Parts of the ranges, by volume")) : null;
 }
