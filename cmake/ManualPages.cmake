@@ -8,7 +8,7 @@ set(REGULUS_MANUAL_PAGES
     runtime/SOUNDNESS.md runtime/certificate/CERTIFICATES.md runtime/certificate/FORMAT.md
     runtime/certificate/PROOF.md runtime/certificate/formal/FORMAL.md)
 set(REGULUS_MANUAL_PICTURES
-    codegen/page/page.webp codegen/page/slices.webp models/planar_3rpr.svg models/tsai_3upu.svg
+    codegen/page/page.webp codegen/page/robots.webp codegen/page/slices.webp codegen/page/way.webp models/planar_3rpr.svg models/tsai_3upu.svg
     tests/paper/growth.svg)
 
 find_program(REGULUS_CMARK cmark-gfm)
