@@ -78,9 +78,8 @@ constexpr std::array<Examples, 12> kExamples = {
      {"report",
       "  regulus report planar_3rpr crossing --output page.html --paving\n"
       "      one page with the verdict, the robot, the boxes and the proof\n"
-      "  regulus report my.toml --from check.json --from proof.txt --from boxes.jsonl \\\n"
-      "                 --output page.html\n"
-      "      the same of earlier runs\n"},
+      "  regulus report my.toml --from check.json --from proof.txt --output page.html\n"
+      "      the same, of the files of earlier runs\n"},
      {"explain",
       "  regulus explain robot_1 wide_15\n"
       "      the forms of the first entries, and their occurrences\n"

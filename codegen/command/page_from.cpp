@@ -112,6 +112,10 @@ void PageRun::take_certificate(const EarlierRun& run) {
 /// The first lines of a certificate, the verdict and the claim, are no part of its question.
 void PageRun::take_question_of(const EarlierRun& run, const CertificateHead& head) {
   constexpr std::ptrdiff_t kFirstOfQuestion = 3;
+  // In the shell, the model may have changed in memory since its file was read.
+  if (head.value("sha256") != request_->model.sha256)
+    refuse(run.path, "this certificate is about another text of the model: the SHA-256 differs",
+           "save the model, and make the certificate again");
   const std::vector<std::string> lines(head.lines().begin() + kFirstOfQuestion, head.lines().end());
   const bool is_piece = !data_.way.is_null() && head.value("piecewise").empty();
   if (changeable_lines(lines, !is_piece) != changeable_lines(lines_of(data_.question), !is_piece))

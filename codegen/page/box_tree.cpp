@@ -17,7 +17,11 @@ struct OpenPart {
   std::size_t id = 0;
   std::vector<Interval> box;
   std::vector<const ClaimedBox*> members;
+  int depth = 0;
 };
+
+/// Far more than halvings of ranges need; a chain of slices would take hours.
+constexpr int kMaxDepth = 2000;
 
 struct Cut {
   std::size_t variable = 0;
@@ -65,7 +69,7 @@ Cut choose_cut(OpenPart& part) {
 }
 
 std::pair<OpenPart, OpenPart> divided(OpenPart& part, const Cut& cut) {
-  OpenPart lower{0, part.box, {}}, upper{0, part.box, {}};
+  OpenPart lower{0, part.box, {}, part.depth + 1}, upper{0, part.box, {}, part.depth + 1};
   lower.box[cut.variable].hi = upper.box[cut.variable].lo = cut.at;
   for (const ClaimedBox* box : part.members)
     (box->box[cut.variable].hi <= cut.at ? lower : upper).members.push_back(box);
@@ -75,12 +79,13 @@ std::pair<OpenPart, OpenPart> divided(OpenPart& part, const Cut& cut) {
 }  // namespace
 
 std::string tree_of_boxes(const std::vector<Interval>& root, const std::vector<ClaimedBox>& boxes) {
-  std::vector<OpenPart> open{{0, root, {}}};
+  std::vector<OpenPart> open{{0, root, {}, 0}};
   for (const ClaimedBox& box : boxes) open.back().members.push_back(&box);
   std::string lines;
   for (std::size_t next = 1; !open.empty();) {
     OpenPart part = std::move(open.back());
     open.pop_back();
+    if (part.depth > kMaxDepth) throw std::invalid_argument("they are not made by halvings");
     if (part.members.empty()) throw std::invalid_argument("they leave a gap");
     if (part.members.size() == 1) {
       if (!is_equal(part.members[0]->box, part.box))

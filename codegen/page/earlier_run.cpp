@@ -19,6 +19,10 @@ using Json = nlohmann::ordered_json;
 
 constexpr std::uint64_t kMaxBytes = std::uint64_t{1} << 26;
 constexpr std::uint64_t kMaxCertificateBytes = std::uint64_t{1} << 28;
+/// Reports have a depth of about ten.
+constexpr int kMaxDepth = 64;
+/// More lines than a page has room for.
+constexpr int kMaxLines = 200000;
 constexpr std::array kClaimWords = {"free", "singular", "undecided", "outside", "unreachable"};
 
 [[noreturn]] void refuse(const EarlierRun& run, int line, const std::string& problem,
@@ -30,6 +34,20 @@ constexpr std::array kClaimWords = {"free", "singular", "undecided", "outside", 
   refuse(run, 0, "this is neither a certificate nor a report of an earlier run",
          "give a file of `check --certificate`, `locate --output`, or what --json printed for "
          "check, locate, bound or margin");
+}
+
+/// Returns a discarded value for a text that is no JSON, or is nested deeper than any report.
+Json parsed(const std::string& text) {
+  struct TooDeep {};
+  const auto look = [](int depth, Json::parse_event_t, const Json&) {
+    if (depth > kMaxDepth) throw TooDeep();
+    return true;
+  };
+  try {
+    return Json::parse(text, look, false);
+  } catch (const TooDeep&) {
+    return Json(Json::value_t::discarded);
+  }
 }
 
 const Json* found(const Json& object, const char* key) {
@@ -82,7 +100,7 @@ void require_labels(const EarlierRun& run) {
 }
 
 Json parsed_line(const EarlierRun& run, const std::string& line, int number) {
-  Json value = Json::parse(line, nullptr, false);
+  Json value = parsed(line);
   if (!value.is_object()) refuse(run, number, "this is no JSON object", "make the file again");
   return value;
 }
@@ -100,7 +118,12 @@ class PavingReader {
 
   void read(const std::string& text) {
     std::istringstream lines(text);
-    for (std::string line; std::getline(lines, line);) take(parsed_line(run_, line, ++number_));
+    for (std::string line; std::getline(lines, line);) {
+      if (number_ == kMaxLines)
+        refuse(run_, number_, "these are more boxes than a page holds",
+               "use a coarser --resolution");
+      take(parsed_line(run_, line, ++number_));
+    }
     if (run_.report.is_null())
       refuse(run_, number_, "the boxes end without a summary", "its run was stopped: run again");
     if (run_.header.is_null()) return;
@@ -164,13 +187,13 @@ class PavingReader {
 
 void read_report(EarlierRun& run, const std::string& text) {
   const std::string first = text.substr(0, text.find('\n'));
-  const Json line = Json::parse(first, nullptr, false);
+  const Json line = parsed(first);
   const bool is_paving = line.is_object() && (line.contains("regulus_paving") ||
                                               (line.contains("kind") && line.contains("segments")));
   if (is_paving) {
     PavingReader(run).read(text);
   } else {
-    run.report = Json::parse(text, nullptr, false);
+    run.report = parsed(text);
     if (!run.report.is_object()) refuse_kind(run);
   }
   run.kind = kind_of(run, run.report);

@@ -187,6 +187,8 @@ TEST_F(AReportOfEarlierRuns, RefusesFilesThatAreNoReports) {
     write(other_, text);
     expect_refused({kRobot, "--from", other_}, "neither a certificate nor a report");
   }
+  write(other_, R"({"verdict":)" + std::string(2000000, '['));
+  expect_refused({kRobot, "--from", other_}, "neither a certificate nor a report");
   write(other_, R"({"error": {"message": "out of \u001b[31m memory"}})");
   expect_refused({kRobot, "--from", other_}, "ended with an error: \"out of \\u001b[31m memory");
   write(other_, "regulus-certificate 1\n");
@@ -214,6 +216,25 @@ TEST_F(AReportOfEarlierRuns, HasThePavingOfAFile) {
   write(other_, text);
   fs::remove(page_);
   expect_refused({planar, "--from", other_}, "do not cover the motion");
+}
+
+TEST_F(AReportOfEarlierRuns, RefusesAProofOfAModelThatTheShellHasChanged) {
+  const std::string planar = kModels + "planar_3rpr.toml";
+  EXPECT_EQ(run_command({kProgram, "check", planar, "regular", "--certificate", other_, "--quiet"})
+                .exit_code,
+            0);
+  const auto in_shell = [&](const std::string& change) {
+    return run_command({"/bin/sh", "-c",
+                        "printf 'load " + planar + "\\nmotion regular\\n" + change +
+                            "report --from " + other_ + " --output " + page_ + "\\n' | " +
+                            kProgram + " shell"});
+  };
+  EXPECT_EQ(in_shell("").exit_code, 0);
+  EXPECT_TRUE(fs::remove(page_));
+  const CommandResult refused = in_shell("set let c cos(phi)+1\\n");
+  EXPECT_EQ(refused.exit_code, 65);
+  EXPECT_THAT(refused.errors, HasSubstr("SHA-256 differs"));
+  EXPECT_FALSE(fs::exists(page_));
 }
 
 TEST_F(AReportOfEarlierRuns, KeepsItsFiles) {
