@@ -227,6 +227,18 @@ test("Legs have the colours of their forces, by a bound in the page", async (bro
   assert.deepEqual(faults, []);
 });
 
+test("Limits and margins of earlier runs are told in their own words", async (browser) => {
+  const orthoglide = `${source}/models/orthoglide.toml`;
+  const limit = reportOf("limit", ["bound", orthoglide, "cube", "sigma-min", "--limit", "0.4"]);
+  const { page } = await open(browser, makePage("limit", [orthoglide, "--from", limit]));
+  assert.match(await textOf(page, "main"), /least singular value.*WITHIN; the limit is/);
+  const margin = reportOf("margin", ["margin", orthoglide, "factors_2", "--grow", "edge=0:", "--quantity", "sigma-max", "--limit", "2", "--gap", "0.5"]);
+  const { page: grown, faults } = await open(browser, makePage("margin", [orthoglide, "--from", margin]));
+  assert.match(await textOf(grown, "main"), /range of edge: WITHIN UP TO .*Proved at .*: the limit holds at every pose. At .*: it is exceeded at some pose/s);
+  await requireAccessible(grown, "margin");
+  assert.deepEqual(faults, []);
+});
+
 test("Without a verdict, the page goes to the pose nearest to a singularity", async (browser) => {
   const file = makePage("undecided", [robot, "wide_15", "--range", "x=-40:40", "--max-boxes", "2"]);
   const { page, faults } = await open(browser, file);

@@ -66,13 +66,39 @@ function boundFigure(bound: any): HTMLElement {
   );
 }
 
+/** A quantity that was compared with a limit. */
+function limitFigure(bound: any): HTMLElement {
+  const rows = bound.components.map((c: any) => [c.label || bound.bound, String(c.verdict ?? ""), String(c.reason ?? "")]);
+  return h(
+    "figure",
+    {},
+    h("figcaption", {}, h("strong", {}, bound.bound), `: ${bound.result}; the limit is ${withUnit(String(bound.limit), bound.unit)}`),
+    table(["of", "against the limit", "reason"], rows, bound.bound),
+  );
+}
+
+/** "tolerance of base", "range of edge". */
+function growing({ kind, groups, parameter, parameters }: any): string {
+  const of = groups ?? parameter ?? parameters;
+  return of ? `${kind === "parameter" ? "range" : kind} of ${of}` : kind;
+}
+
 export function boundsPart(data: PageData): HTMLElement | null {
   if (data.bounds.length === 0) return null;
   return section(
     "Bounds over the whole motion",
     h("p", {}, "The attained end is the value at a pose of the motion; no pose has a value beyond the proved end."),
-    ...data.bounds.map(boundFigure),
+    ...data.bounds.map((bound) => (bound.limit === undefined ? boundFigure(bound) : limitFigure(bound))),
   );
+}
+
+/** The claims at both ends. With a limit they are about a matrix of its own, so the limit is named instead. */
+function claimsOf(margin: any): string {
+  const [below, above] = margin.limit
+    ? ["the limit holds at every pose", "it is exceeded at some pose"]
+    : [margin.certified_claim, margin.refuted_claim];
+  const lower = margin.certified_exact ? `Proved at ${margin.certified_exact}: ${below}.` : "Nothing is proved at the lower end.";
+  return margin.refuted_exact ? `${lower} At ${margin.refuted_exact}: ${above}.` : lower;
 }
 
 export function marginsPart(data: PageData): HTMLElement | null {
@@ -83,10 +109,9 @@ export function marginsPart(data: PageData): HTMLElement | null {
       h(
         "figure",
         {},
-        h("figcaption", {}, h("strong", {}, `${margin.margin.kind} of ${margin.margin.groups ?? ""}`), `: ${margin.bracket}`),
-        bars([{ label: margin.margin.groups ?? "", inner: margin.certified, outer: margin.refuted, text: `${text(margin.certified)} … ${text(margin.refuted)}` }], margin.margin.kind),
-        h("p", {}, margin.certified_claim ? `Proved at ${margin.certified_exact}: ${margin.certified_claim}.` : "Nothing is proved at the lower end.",
-          margin.refuted_claim ? ` At ${margin.refuted_exact}: ${margin.refuted_claim}.` : ""),
+        h("figcaption", {}, h("strong", {}, growing(margin.margin)), `: ${margin.bracket}${margin.limit ? `; the limit is ${margin.limit}` : ""}`),
+        bars([{ label: margin.margin.groups ?? margin.margin.parameter ?? "", inner: margin.certified, outer: margin.refuted, text: `${text(margin.certified)} … ${text(margin.refuted)}` }], margin.margin.kind),
+        h("p", {}, claimsOf(margin)),
       ),
     ),
   );
