@@ -36,10 +36,7 @@
 namespace regulus::inline command {
 namespace {
 
-/// The default part of a segment that stretches leave undecided.
-constexpr double kPathResolution = 0x1p-9;
-
-const char* words_of(const std::string& verdict) {
+const char* verdict_words(const std::string& verdict) {
   return verdict == "no-singularity" ? name(Verdict::kNoSingularity)
          : verdict == "singularity"  ? name(Verdict::kSingularity)
                                      : name(Verdict::kPossibleProblem);
@@ -64,8 +61,8 @@ PageTexts PageRun::texts() const {
   const nlohmann::ordered_json& report = data_.report;
   const std::string verdict = report.value("verdict", "");
   return {.title = fmt::format("{}, {}: {}", report.value("model", ""), report.value("motion", ""),
-                               words_of(verdict)),
-          .verdict = words_of(verdict),
+                               verdict_words(verdict)),
+          .verdict = verdict_words(verdict),
           .verdict_class = verdict,
           .claim = report.value("claim", ""),
           .report = text_,

@@ -21,9 +21,6 @@ namespace regulus::inline command {
 
 namespace {
 
-/// The default part of a segment that locate leaves undecided.
-constexpr double kPathResolution = 0x1p-9;
-
 /// Returns the request of a motion along way-points; nullopt for another motion.
 std::optional<Request> read_trajectory(const ModelOptions& options) {
   const std::string text = model_text(options);

@@ -21,7 +21,7 @@ struct OpenPart {
 };
 
 /// Far more than halvings of ranges need; a chain of slices would take hours.
-constexpr int kMaxDepth = 2000;
+constexpr int kMaxTreeDepth = 2000;
 
 struct Cut {
   std::size_t variable = 0;
@@ -85,7 +85,7 @@ std::string tree_of_boxes(const std::vector<Interval>& root, const std::vector<C
   for (std::size_t next = 1; !open.empty();) {
     OpenPart part = std::move(open.back());
     open.pop_back();
-    if (part.depth > kMaxDepth) throw std::invalid_argument("they are not made by halvings");
+    if (part.depth > kMaxTreeDepth) throw std::invalid_argument("they are not made by halvings");
     if (part.members.empty()) throw std::invalid_argument("they leave a gap");
     if (part.members.size() == 1) {
       if (!is_equal(part.members[0]->box, part.box))

@@ -147,37 +147,38 @@ std::string describe(const Difference& difference) {
   return difference.assignment;
 }
 
-[[noreturn]] void refuse(const EarlierRun& run, const std::string& problem,
-                         const std::string& remedy) {
+[[noreturn]] void refuse_run(const EarlierRun& run, const std::string& problem,
+                             const std::string& remedy) {
   throw InputError::statement(run.path, 0, std::string("this ") + name(run.kind) + ' ' + problem,
                               remedy);
 }
 
-std::string quoted(const std::string& text) { return Json(text).dump(-1, ' ', true); }
+std::string in_quotes(const std::string& text) { return Json(text).dump(-1, ' ', true); }
 
 void require_same_text(const EarlierRun& run, const std::string& text, const std::string& path) {
   if (text_at(run.report, "model_sha256") != sha256(text))
-    refuse(run,
-           "is about the model " + quoted(text_at(run.report, "model")) +
-               " in a file with another SHA-256 than " + path,
-           "give the model file that it is about; if that was changed, run again");
+    refuse_run(run,
+               "is about the model " + in_quotes(text_at(run.report, "model")) +
+                   " in a file with another SHA-256 than " + path,
+               "give the model file that it is about; if that was changed, run again");
 }
 
 /// Refuses a run about another model or motion.
 void require_same_subject(const EarlierRun& run, const Request& request) {
   const std::string model = text_at(run.report, "model"), motion = text_at(run.report, "motion");
   if (model != request.model.name || text_at(run.report, "model_sha256") != request.model.sha256)
-    refuse(
-        run,
-        "is about the model " + quoted(model) + " with another SHA-256 than " + request.model.path,
-        "give the model file that it is about; if that was changed, run again");
+    refuse_run(run,
+               "is about the model " + in_quotes(model) + " with another SHA-256 than " +
+                   request.model.path,
+               "give the model file that it is about; if that was changed, run again");
   if (motion != request.motion.name)
-    refuse(run, "is about the motion " + quoted(motion) + ", not about " + request.motion.name,
-           "give that motion");
+    refuse_run(run,
+               "is about the motion " + in_quotes(motion) + ", not about " + request.motion.name,
+               "give that motion");
   const auto way = run.report.find("waypoints");
   const std::string points = way != run.report.end() ? text_at(*way, "sha256") : "";
   if (points != (request.motion.trajectory ? request.motion.trajectory->sha256 : ""))
-    refuse(run, "is about other way-points", "give the file with --waypoints, or run again");
+    refuse_run(run, "is about other way-points", "give the file with --waypoints, or run again");
 }
 
 bool has_changes(const ModelOptions& options) {
@@ -228,8 +229,8 @@ void require_same_question(const EarlierRun& run, const Request& request) {
   for (const Difference& difference : differences_of(run, request))
     list += (list.empty() ? "" : ", ") + describe(difference);
   if (!list.empty())
-    refuse(run, "has another question than the page: " + list,
-           "give these options, or run it again");
+    refuse_run(run, "has another question than the page: " + list,
+               "give these options, or run it again");
 }
 
 }  // namespace regulus::page

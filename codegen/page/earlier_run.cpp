@@ -20,7 +20,7 @@ using Json = nlohmann::ordered_json;
 constexpr std::uint64_t kMaxBytes = std::uint64_t{1} << 26;
 constexpr std::uint64_t kMaxCertificateBytes = std::uint64_t{1} << 28;
 /// Reports have a depth of about ten.
-constexpr int kMaxDepth = 64;
+constexpr int kMaxJsonDepth = 64;
 /// More lines than a page has room for.
 constexpr int kMaxLines = 200000;
 constexpr std::array kClaimWords = {"free", "singular", "undecided", "outside", "unreachable"};
@@ -40,7 +40,7 @@ constexpr std::array kClaimWords = {"free", "singular", "undecided", "outside", 
 Json parsed(const std::string& text) {
   struct TooDeep {};
   const auto look = [](int depth, Json::parse_event_t, const Json&) {
-    if (depth > kMaxDepth) throw TooDeep();
+    if (depth > kMaxJsonDepth) throw TooDeep();
     return true;
   };
   try {
@@ -50,18 +50,18 @@ Json parsed(const std::string& text) {
   }
 }
 
-const Json* found(const Json& object, const char* key) {
+const Json* member_of(const Json& object, const char* key) {
   const auto at = object.find(key);
   return at == object.end() ? nullptr : &*at;
 }
 
 bool has_text(const Json& object, const char* key) {
-  const Json* const value = found(object, key);
+  const Json* const value = member_of(object, key);
   return value != nullptr && value->is_string();
 }
 
 bool has_number(const Json& object, const char* key) {
-  const Json* const value = found(object, key);
+  const Json* const value = member_of(object, key);
   return value != nullptr && value->is_number();
 }
 
@@ -72,7 +72,7 @@ bool has_verdict(const Json& report) {
 }
 
 EarlierKind kind_of(const EarlierRun& run, const Json& report) {
-  if (const Json* const error = found(report, "error"))
+  if (const Json* const error = member_of(report, "error"))
     refuse(run, 0,
            "the run that wrote this ended with an error" +
                (error->is_object() && has_text(*error, "message")
@@ -93,7 +93,7 @@ EarlierKind kind_of(const EarlierRun& run, const Json& report) {
 void require_labels(const EarlierRun& run) {
   for (const char* key : {"model", "model_sha256", "motion"})
     if (!has_text(run.report, key)) refuse_kind(run);
-  const Json* const question = found(run.report, "question");
+  const Json* const question = member_of(run.report, "question");
   if (question == nullptr || !question->is_object())
     refuse(run, 0, "it does not say which question it answers",
            "it is of an earlier version: run again");
@@ -168,12 +168,12 @@ class PavingReader {
 
   void take_box(const Json& line) {
     ClaimedBox& box = boxes_.emplace_back();
-    const Json* const ranges = found(line, "box");
+    const Json* const ranges = member_of(line, "box");
     box.claim = has_text(line, "kind") ? line["kind"].get<std::string>() : "";
     if (ranges == nullptr || std::ranges::find(kClaimWords, box.claim) == kClaimWords.end())
       refuse(run_, number_, "this is no box of a paving", "make the file again");
     for (const std::string& name : names_) {
-      const Json* const range = found(*ranges, name.c_str());
+      const Json* const range = member_of(*ranges, name.c_str());
       box.box.push_back(interval_of(run_, range == nullptr ? Json() : *range, number_));
     }
   }

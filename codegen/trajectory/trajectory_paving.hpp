@@ -12,6 +12,9 @@
 
 namespace regulus::inline trajectory {
 
+/// The default resolution: the part of a segment that is left undecided.
+inline constexpr double kPathResolution = 0x1p-9;
+
 /// A place on the trajectory: 0 ≤ s ≤ 1 on a piece, which is counted from 0.
 struct PathPlace {
   std::size_t piece = 0;
