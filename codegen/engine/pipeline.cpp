@@ -315,6 +315,9 @@ Problem PreparedSearch::problem() const {
   problem.inner = variety.inner;
   problem.alpha = variety.alpha;
   problem.determinant_exponent = labels.determinant_exponent;
+  // A user's test may look at any variable.
+  if (filters.empty())
+    for (const VariableLabel& v : labels.variables) problem.idle.push_back(v.is_idle ? 1 : 0);
   return problem;
 }
 

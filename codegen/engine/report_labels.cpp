@@ -1,7 +1,23 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "codegen/engine/report_labels.hpp"
 
+#include <set>
+
+#include "codegen/symbolic/measure.hpp"
+
 namespace regulus::inline engine {
+namespace {
+
+/// The names of the variables on which a verdict depends.
+std::set<std::string> variables_in_use(const Formulation& f) {
+  std::set<std::string> names;
+  for (const Expressions* list : {&f.natural_matrix, &f.natural_row_scale, &f.must_be_defined,
+                                  &f.constraints, &f.motion_must_be_defined})
+    for (const auto& [name, count] : count_occurrences(*list)) names.insert(name);
+  return names;
+}
+
+}  // namespace
 
 ReportLabels report_labels(const Request& request, const Formulation& formulation) {
   ReportLabels subject;
@@ -20,8 +36,10 @@ ReportLabels report_labels(const Request& request, const Formulation& formulatio
   subject.detail = formulation.detail;
   for (const PoseParameter& p : request.model.pose) subject.pose.push_back({p.name, p.unit});
   subject.twist = request.model.twist;
+  const std::set<std::string> used = variables_in_use(formulation);
+  const bool has_matrix = !formulation.natural_matrix.empty();
   for (const Variable& v : formulation.variables)
-    subject.variables.push_back({v.name, v.unit, v.kind});
+    subject.variables.push_back({v.name, v.unit, v.kind, has_matrix && !used.contains(v.name)});
   return subject;
 }
 

@@ -21,6 +21,7 @@ struct VariableLabel {
   std::string name;
   std::string unit;
   VariableKind kind = VariableKind::kMotion;
+  bool is_idle = false;  ///< neither the matrix nor a constraint depends on it
 };
 
 /// The labels of the search in a report.

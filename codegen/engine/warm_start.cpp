@@ -16,7 +16,7 @@ namespace {
 using Json = nlohmann::json;
 
 /// Increase it if the meaning of the text of a warm start changes.
-constexpr int kFormat = 6;
+constexpr int kFormat = 7;
 
 /// The path of the file does not matter: its text is in the key.
 void add(KeyParts& parts, const ModelOptions& options) {
@@ -134,6 +134,7 @@ Json json_of(const VariableLabel& label, const Interval& outer,
   return {{"name", label.name},
           {"unit", label.unit},
           {"kind", static_cast<int>(label.kind)},
+          {"idle", label.is_idle},
           {"outer", json_of(outer)},
           {"inner", inner ? json_of(*inner) : Json(nullptr)}};
 }
@@ -176,8 +177,9 @@ bool fits(const BallProgram& matrix, const WarmStart& problem) {
 }
 
 void read_variable(const Json& json, WarmStart& problem) {
-  problem.labels.variables.push_back(
-      {json.at("name"), json.at("unit"), VariableKind(count_of(json.at("kind")))});
+  problem.labels.variables.push_back({json.at("name"), json.at("unit"),
+                                      VariableKind(count_of(json.at("kind"))),
+                                      json.at("idle").get<bool>()});
   problem.variety.outer.push_back(interval_of(json.at("outer")));
   auto& inner = problem.variety.inner.emplace_back();
   if (!json.at("inner").is_null()) inner = interval_of(json.at("inner"));

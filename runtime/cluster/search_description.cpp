@@ -15,6 +15,7 @@ void put(ByteWriter& to, const Problem& problem) {
   }
   to.put(problem.alpha);
   to.put(problem.determinant_exponent);
+  to.put_list(std::span<const std::uint8_t>(problem.idle));
 }
 
 Problem take_problem(ByteReader& from) {
@@ -25,6 +26,7 @@ Problem take_problem(ByteReader& from) {
                                               : std::nullopt);
   problem.alpha = from.take<Interval>();
   problem.determinant_exponent = from.take<int>();
+  problem.idle = from.take_list<std::uint8_t>();
   return problem;
 }
 

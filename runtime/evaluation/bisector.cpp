@@ -10,9 +10,11 @@ Bisector::Bisector(const Problem& problem, const Settings& settings)
       splittable_(settings.uncertainty == Uncertainty::kVariables
                       ? problem.kernel->variables
                       : problem.kernel->motion_variables) {
-  for (const Interval& x : problem.outer) {
-    range_.push_back(x.hi - x.lo);
-    least_width_.push_back((x.hi - x.lo) * settings.min_relative_width);
+  for (std::size_t k = 0; k < problem.outer.size(); ++k) {
+    const bool idle = !problem.idle.empty() && problem.idle[k] != 0;
+    const double range = problem.outer[k].hi - problem.outer[k].lo;
+    range_.push_back(idle ? 0.0 : range);
+    least_width_.push_back(idle ? kInfinity : range * settings.min_relative_width);
   }
 }
 

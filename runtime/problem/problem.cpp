@@ -127,6 +127,8 @@ std::optional<std::string> find_fault(const Problem& problem, const Settings& se
   if (problem.outer.size() != kernel.variables || problem.inner.size() != kernel.variables)
     return "the kernel has " + std::to_string(kernel.variables) + " variables, the problem " +
            std::to_string(problem.outer.size());
+  if (!problem.idle.empty() && problem.idle.size() != kernel.variables)
+    return "the list of idle variables is too short";
   for (std::size_t k = 0; k < problem.outer.size(); ++k)
     if (auto fault = fault_of_range(problem, k)) return fault;
   if (auto fault = fault_of_expansion(problem)) return fault;

@@ -35,6 +35,9 @@ struct Problem {
   std::vector<Interval> outer;
   std::vector<std::optional<Interval>> inner;
   Interval alpha{0.0};  ///< encloses the threshold α ≥ 0
+  /// By variable, not 0: neither the matrix nor a constraint depends on it, so no box is split along
+  /// it. Empty: all are split. A mistake in it costs verdicts, and makes none wrong.
+  std::vector<std::uint8_t> idle{};
   /// The kernel's A is the user's matrix with rows and columns multiplied by powers of two, and its
   /// determinant is 2^e times the user's. Reported determinants are the user's. The kernel's row
   /// scale has the factor 2^-e if α > 0, so that det J⁻¹ is the user's throughout.

@@ -43,6 +43,20 @@ TEST_P(BisectorTest, WidestTakesTheLargestWidth) {
   EXPECT_EQ(choose(settings, {{0, 4}, {0, 3}, {-32, 32}}), 0U);
 }
 
+TEST_P(BisectorTest, NeverSplitsAnIdleVariable) {
+  problem_.idle = {0, 1, 0};
+  for (const Bisection bisection : {Bisection::kWidest, Bisection::kWeighted, Bisection::kImpact}) {
+    Settings settings;
+    settings.bisection = bisection;
+    settings.min_relative_width = 0.25;
+    EXPECT_NE(choose(settings, {{0, 16}, {0, 4}, {0, 0}}), 1U);
+    const Values narrow = {{0, 4}, {0, 4}, {0, 0}};
+    EXPECT_EQ(choose(settings, narrow), std::nullopt);
+    EXPECT_FALSE(Bisector(problem_, settings).splits(narrow));
+    EXPECT_EQ(Bisector(problem_, settings).approx_relative_width(narrow), 0.25);
+  }
+}
+
 TEST_P(BisectorTest, WeightedTakesTheLargestPartOfTheRange) {
   Settings settings;
   settings.bisection = Bisection::kWeighted;
