@@ -59,8 +59,8 @@ InverseJacobian::InverseJacobian(const PreparedSearch& p)
     : components_(p.labels.twist),
       rows_(std::size_t(p.labels.rows)),
       columns_(std::size_t(p.labels.columns)),
-      entries_(lower_outputs(p.stages->natural_formulation(),
-                             entries_and_scales(p.stages->natural_formulation()))) {}
+      entries_(lower_outputs(p.stages->jacobian_formulation(),
+                             entries_and_scales(p.stages->jacobian_formulation()))) {}
 
 std::optional<std::vector<double>> InverseJacobian::approx_at(
     std::span<const Interval> variables) const {

@@ -39,6 +39,16 @@ const Formulation& SymbolicStages::natural_formulation() {
               [&] { return formulate(of.model, of.motion, no_functions(functions_), &watch_); });
 }
 
+const Formulation& SymbolicStages::jacobian_formulation() {
+  const Request& of = request();
+  if (!of.model.jacobian) return natural_formulation();
+  return made(jacobian_, symbolic_seconds_, [&] {
+    Model model = of.model;
+    model.matrix = *model.jacobian;
+    return formulate(model, of.motion, no_functions(functions_), &watch_);
+  });
+}
+
 const Program& SymbolicStages::matrix() {
   const Formulation& of = natural_formulation();
   return made(matrix_, symbolic_seconds_, [&] { return matrix_of(of, watch_); });
@@ -59,7 +69,7 @@ void SymbolicStages::give_up() {
   const Request& of = request();
   watch_ = {};
   matrix_.reset();
-  outline_ = formulation_ = formulate_shape(of.model, of.motion);
+  outline_ = jacobian_ = formulation_ = formulate_shape(of.model, of.motion);
   module_ = undefined_kernel(
       *formulation_, static_cast<int>(of.motion.reach.size() + of.motion.constraints.size()),
       static_cast<int>(of.model.pose.size()));

@@ -31,6 +31,8 @@ class SymbolicStages {
   /// Returns the model over its motion without the functions of a kernel, which take most of the
   /// time. Witnesses and reports use it, so they do not depend on the origin of the kernel.
   [[nodiscard]] const Formulation& natural_formulation();
+  /// Returns the same with the robot's own matrix, Model::jacobian, if the search has another one.
+  [[nodiscard]] const Formulation& jacobian_formulation();
   /// Returns the program of the matrix as the model writes it, scaled as in the kernel.
   [[nodiscard]] const Program& matrix();
   /// Returns the formulation with every function of the kernel.
@@ -63,7 +65,7 @@ class SymbolicStages {
   ModelOptions options_;
   FormulationOptions functions_;
   std::optional<Request> request_;
-  std::optional<Formulation> outline_, formulation_;
+  std::optional<Formulation> outline_, jacobian_, formulation_;
   std::optional<Program> matrix_;
   FormingWatch watch_;
   std::optional<Module> module_;

@@ -28,11 +28,11 @@ struct NotPolynomial {};
 
 }  // namespace
 
-HalfAngles::HalfAngles(const Model& model) {
-  for (std::size_t j = 0; j < model.pose.size(); ++j) {
-    joints_.emplace_back(model.pose[j].symbol);
-    if (model.pose[j].unit == "rad")
-      angles_.push_back({j, model.pose[j].symbol, GiNaC::realsymbol("s"), GiNaC::realsymbol("c"),
+HalfAngles::HalfAngles(const std::vector<PoseParameter>& pose) {
+  for (std::size_t j = 0; j < pose.size(); ++j) {
+    joints_.emplace_back(pose[j].symbol);
+    if (pose[j].unit == "rad")
+      angles_.push_back({j, pose[j].symbol, GiNaC::realsymbol("s"), GiNaC::realsymbol("c"),
                          GiNaC::realsymbol("t")});
   }
 }

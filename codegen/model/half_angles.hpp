@@ -11,11 +11,11 @@
 
 namespace regulus::inline model {
 
-/// The joint variables of a model that are angles, each with the symbols that stand for its sine, its
+/// The joint variables that are angles, each with the symbols that stand for its sine, its
 /// cosine and t = tan(q/2).
 class HalfAngles {
  public:
-  explicit HalfAngles(const Model& model);
+  explicit HalfAngles(const std::vector<PoseParameter>& pose);
 
   /// Returns the expression in the symbols of sines and cosines; nullopt for one that has other
   /// functions, or angles other than sums ± of joint angles.

@@ -156,6 +156,9 @@ struct Model {
   std::vector<ToleranceBall> balls;
   GiNaC::matrix matrix;  ///< m×n, m ≥ n, in the pose and geometry symbols
   MatrixKind matrix_kind = MatrixKind::kInverse;
+  /// If it is set, the robot's own matrix: `matrix` is of the same size, has the same determinant at
+  /// all poses and for all values of the geometry, and takes its place in a search.
+  std::optional<GiNaC::matrix> jacobian{};
   std::vector<std::string> matrix_notes;  ///< what a report says of it; a line each
   std::vector<GiNaC::ex> row_scale;  ///< empty, or m positive factors: J⁻¹ row = row_scale · row
   std::vector<TwistComponent> twist;       ///< by column; empty if the model does not say

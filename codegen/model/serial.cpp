@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "codegen/model/constant_rank.hpp"
+#include "codegen/model/determinant_factors.hpp"
 #include "codegen/model/joint_screws.hpp"
 #include "codegen/model/names.hpp"
 #include "codegen/model/serial_drawing.hpp"
@@ -92,13 +93,18 @@ std::string describe_motion(const std::vector<std::size_t>& rows) {
 }
 
 void describe_rows(Model& model, const Serial& robot, const std::vector<std::size_t>& rows) {
-  const bool wide = robot.joints.size() > rows.size();
+  const bool wide = model.pose.size() > rows.size();
   std::vector<std::string> names;
   for (const std::size_t row : rows) names.emplace_back(kRowNames[row]);
   model.matrix_kind = wide ? MatrixKind::kForwardTransposed : MatrixKind::kForward;
-  std::string note = "forward Jacobian of " + plural(robot.joints.size(), "joint") + ", rows " +
+  std::string note = "forward Jacobian of " + plural(model.pose.size(), "joint") + ", rows " +
                      enumeration(names) + (wide ? "; transposed: more joints than rows" : "");
   model.matrix_notes.push_back(std::move(note));
+  const std::size_t followers = robot.joints.size() - model.pose.size();
+  if (followers > 0)
+    model.matrix_notes.push_back(plural(followers, "more joint") +
+                                 (followers == 1 ? " follows" : " follow") +
+                                 " these, and adds to their columns");
   if (rows.size() < 6)
     model.matrix_notes.push_back(describe_motion(rows) +
                                  (rows.size() == 5
@@ -112,33 +118,75 @@ void describe_variables(Model& model, const Serial& robot, std::size_t link) {
   for (const PoseParameter& p : model.pose)
     if (!occurs(model.matrix, p.symbol)) absent.push_back(p.name);
   model.matrix_notes.push_back("seen from " + seen_from(robot, link));
+  if (model.jacobian)
+    model.matrix_notes.emplace_back(
+        "searched as a matrix of the same determinant, with the factors of it on the diagonal");
   if (!absent.empty())
     model.matrix_notes.push_back("its rank does not depend on " + enumeration(absent));
 }
 
-void set_matrix(Model& model, const Rows& rows, const std::vector<std::size_t>& kept) {
-  std::vector<ex> joints;
-  for (const PoseParameter& p : model.pose) joints.emplace_back(p.symbol);
-  const auto m = static_cast<unsigned>(kept.size()), n = static_cast<unsigned>(joints.size());
+/// The column of each joint, or of the joint that it follows.
+std::vector<unsigned> columns_of(const Serial& robot) {
+  std::vector<unsigned> columns(robot.joints.size());
+  unsigned next = 0;
+  for (std::size_t j = 0; j < columns.size(); ++j)
+    if (!robot.joints[j].follows) columns[j] = next++;
+  for (std::size_t j = 0; j < columns.size(); ++j)
+    if (robot.joints[j].follows) columns[j] = columns[robot.joints[j].follows->leader];
+  return columns;
+}
+
+void set_matrix(Model& model, const Serial& robot, const Rows& rows,
+                const std::vector<std::size_t>& kept) {
+  const std::vector<ex> values = joint_values(model, robot);
+  const std::vector<unsigned> columns = columns_of(robot);
+  const auto m = static_cast<unsigned>(kept.size()), n = static_cast<unsigned>(model.pose.size());
   GiNaC::matrix J(m, n);
   for (unsigned i = 0; i < m; ++i)
-    for (unsigned j = 0; j < n; ++j) J(i, j) = rows[kept[i]][j].expression(joints);
+    for (std::size_t j = 0; j < columns.size(); ++j) {
+      const std::optional<Following>& follows = robot.joints[j].follows;
+      const ex part = rows[kept[i]][j].expression(values);
+      J(i, columns[j]) += follows ? follows->multiplier * part : part;
+    }
   model.matrix = n > m ? J.transpose() : J;
+}
+
+/// Puts the factors of the determinant in the place of a square matrix: each is a function of few
+/// joints, so a search has fewer boxes.
+void factor_matrix(Model& model) {
+  std::optional<GiNaC::matrix> factors =
+      matrix_of_factors(determinant_blocks(model.matrix, model.pose));
+  if (!factors) return;
+  model.jacobian = std::move(model.matrix);
+  model.matrix = std::move(*factors);
 }
 
 }  // namespace
 
+std::vector<ex> joint_values(const Model& model, const Serial& robot) {
+  std::vector<ex> values(robot.joints.size());
+  std::size_t next = 0;
+  for (std::size_t j = 0; j < values.size(); ++j)
+    if (!robot.joints[j].follows) values[j] = model.pose[next++].symbol;
+  for (std::size_t j = 0; j < values.size(); ++j)
+    if (const auto& follows = robot.joints[j].follows)
+      values[j] = follows->multiplier * values[follows->leader] + follows->offset;
+  return values;
+}
+
 Model serial_model(Model model, const Serial& robot) {
   for (const SerialJoint& j : robot.joints)
-    model.pose.push_back(
-        {GiNaC::realsymbol(j.name), j.name, j.kind == JointKind::kRevolute ? "rad" : robot.unit});
+    if (!j.follows)
+      model.pose.push_back(
+          {GiNaC::realsymbol(j.name), j.name, j.kind == JointKind::kRevolute ? "rad" : robot.unit});
   const auto budget = std::make_shared<TermBudget>();
   const JointGroups merged = parallel_groups(robot, budget), single = single_groups(robot, budget);
   std::vector<const JointGroups*> choices = {&merged};
   if (single.count != merged.count) choices.push_back(&single);
   const Candidate best = best_candidate(robot, choices);
   const std::vector<std::size_t> kept = independent_rows(best.rows);
-  set_matrix(model, best.rows, kept);
+  set_matrix(model, robot, best.rows, kept);
+  factor_matrix(model);
   model.drawing = std::make_shared<Drawing>(serial_drawing(model, robot));
   describe_rows(model, robot, kept);
   describe_variables(model, robot, best.link);

@@ -35,6 +35,7 @@ Placement compose_as_written(const Placement& first, const Placement& second) {
 }
 
 Drawing serial_drawing(const Model& model, const Serial& robot) {
+  const std::vector<ex> values = joint_values(model, robot);
   Drawing drawing;
   Placement frame;
   const auto advance = [&](const Placement& by, Kind kind) {
@@ -46,7 +47,7 @@ Drawing serial_drawing(const Model& model, const Serial& robot) {
     const SerialJoint& joint = robot.joints[j];
     advance(joint.origin, Kind::kLink);
     drawing.parts.push_back({Kind::kJoint, {frame.p, sum(frame.p, times(frame.R, joint.axis))}});
-    const Placement by = motion_of(joint, model.pose[j].symbol);
+    const Placement by = motion_of(joint, values[j]);
     if (joint.kind == JointKind::kPrismatic)
       advance(by, Kind::kLeg);
     else

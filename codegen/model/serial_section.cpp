@@ -56,6 +56,7 @@ class SerialReader {
     for (const TomlEntry& joint : toml_.elements(joints, "a list of joints")) read_joint(joint);
     const TomlEntry tool = toml_.optional(entry_, "tool");
     robot_.tool = tool.node ? compose_as_written(pending_, read_tool(tool)) : pending_;
+    find_leaders();
     require_joints(joints);
     make_model();
   }
@@ -81,7 +82,6 @@ class SerialReader {
 
   void read_joint(const TomlEntry& joint) {
     ++index_;
-    const std::string name_key = "name";
     const JointType type = read_type(joint);
     Placement before, after;
     Point axis = {0, 0, 1};
@@ -90,27 +90,74 @@ class SerialReader {
     else
       read_dh(joint, before, after);
     pending_ = compose(pending_, before);
-    if (type != JointType::kFixed) {
-      const TomlEntry name = toml_.required(joint, name_key);
-      require_pose_name(toml_, name, toml_.name(name));
-      places_.push_back(name);
+    if (type == JointType::kFixed) {
+      for (const char* key : {"range", "mimic"})
+        if (const TomlEntry given = toml_.optional(joint, key); given.node)
+          toml_.reject(given, "a fixed joint has no " + std::string(key), "remove it");
+    } else {
       robot_.joints.push_back(
-          {toml_.name(name),
-           type == JointType::kRevolute ? JointKind::kRevolute : JointKind::kPrismatic, pending_,
-           axis});
+          {"", type == JointType::kRevolute ? JointKind::kRevolute : JointKind::kPrismatic,
+           pending_, axis});
       pending_ = {};
-      read_range(joint);
-    } else if (toml_.optional(joint, "range").node) {
-      toml_.reject(toml_.optional(joint, "range"), "a fixed joint has no range", "remove it");
+      if (const TomlEntry mimic = toml_.optional(joint, "mimic"); mimic.node)
+        read_follower(joint, mimic);
+      else
+        read_leader(joint);
     }
     pending_ = compose(pending_, after);
   }
 
+  void read_leader(const TomlEntry& joint) {
+    const std::string name_key = "name";
+    const TomlEntry name = toml_.required(joint, name_key);
+    require_pose_name(toml_, name, toml_.name(name));
+    places_.push_back(name);
+    robot_.joints.back().name = toml_.name(name);
+    for (const char* key : {"multiplier", "offset"})
+      if (const TomlEntry given = toml_.optional(joint, key); given.node)
+        toml_.reject(given, std::string(key) + " without mimic",
+                     "write mimic = \"JOINT\", the joint that this one follows");
+    read_range(joint);
+  }
+
+  /// The joint that it follows may come later.
+  void read_follower(const TomlEntry& joint, const TomlEntry& mimic) {
+    for (const char* key : {"name", "range"})
+      if (const TomlEntry given = toml_.optional(joint, key); given.node)
+        toml_.reject(given, "a joint that follows another has no " + std::string(key),
+                     "remove it: its value is multiplier * q + offset");
+    SerialJoint& follower = robot_.joints.back();
+    follower.name = "a follower of " + toml_.name(mimic);
+    follower.follows =
+        Following{0, constant_or(joint, "multiplier", 1), constant_or(joint, "offset", 0)};
+    leaders_.emplace_back(robot_.joints.size() - 1, mimic);
+  }
+
+  ex constant_or(const TomlEntry& table, const std::string& key, const ex& otherwise) {
+    const TomlEntry given = toml_.optional(table, key);
+    if (!given.node) return otherwise;
+    const ParsedExpression term = toml_.constant(given);
+    append(reading_.model.must_be_defined, term.must_be_defined);
+    return term.value;
+  }
+
+  void find_leaders() {
+    for (const auto& [follower, mimic] : leaders_) {
+      const auto leader = std::ranges::find(robot_.joints, toml_.name(mimic), &SerialJoint::name);
+      if (leader == robot_.joints.end())
+        toml_.reject(mimic, "no joint of the list has the name '" + toml_.name(mimic) + "'",
+                     "name a joint that follows no other");
+      robot_.joints[follower].follows->leader =
+          static_cast<std::size_t>(leader - robot_.joints.begin());
+    }
+  }
+
   JointType read_type(const TomlEntry& joint) {
-    static const std::vector<std::string> kOrigins = {"name", "type",       "range",    "xyz",
-                                                      "rpy",  "quaternion", "rotation", "axis"};
-    static const std::vector<std::string> kDh = {"name",  "type", "range", "a",
-                                                 "alpha", "d",    "theta"};
+    static const std::vector<std::string> kOrigins = {"name",       "type",     "range", "mimic",
+                                                      "multiplier", "offset",   "xyz",   "rpy",
+                                                      "quaternion", "rotation", "axis"};
+    static const std::vector<std::string> kDh = {"name",   "type", "range", "mimic", "multiplier",
+                                                 "offset", "a",    "alpha", "d",     "theta"};
     (void)toml_.entries(joint, convention_ == Convention::kOrigins ? kOrigins : kDh);
     const TomlEntry type = toml_.optional(joint, "type");
     if (!type.node) return JointType::kRevolute;
@@ -268,7 +315,8 @@ class SerialReader {
     if (count > kMostJoints)
       toml_.refuse(joints, std::to_string(count) + " joints that move",
                    "at most " + std::to_string(kMostJoints));
-    if (!ranges_.empty() && ranges_.size() != count)
+    if (places_.empty()) toml_.refuse(joints, "no joint that follows no other", "at least one");
+    if (!ranges_.empty() && ranges_.size() != places_.size())
       toml_.reject(joints, "only some joints have a range",
                    "give a range to every joint, for a motion 'limits', or to none");
   }
@@ -299,6 +347,7 @@ class SerialReader {
   int index_ = 0;                  ///< of the joint, from 1, fixed ones included
   Placement pending_;              ///< since the last joint that moves
   std::vector<TomlEntry> places_;  ///< of the names
+  std::vector<std::pair<std::size_t, TomlEntry>> leaders_;  ///< by joint that follows one
   std::vector<Range> ranges_;
   Motion limits_;
 };

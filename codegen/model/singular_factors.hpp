@@ -15,8 +15,7 @@ struct SingularFactor {
   std::string text;  ///< times a number that is left out
 };
 
-/// Factors the determinant of a square forward Jacobian, by its blocks and by rational factors in
-/// the tangents of half the angles. For explanations; no verdict uses it.
+/// Factors the determinant of a square forward Jacobian (determinant_factors.hpp), for explanations.
 ///
 /// Ensures   the determinant is a number other than zero times the product of the factors, each to a
 ///           positive power; empty if the matrix is of another kind, is singular at all poses, has

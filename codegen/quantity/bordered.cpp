@@ -41,6 +41,7 @@ class Border {
     add_parameter();
     bordered_.plain = matrix_of(c.kind);
     model.matrix = with_combined_columns(c.kind);
+    model.jacobian.reset();
     // B has 1/s, which may be defined where s is not.
     append(model.must_be_defined, model.row_scale);
     model.row_scale.clear();

@@ -46,6 +46,21 @@ TEST(SerialRefusal, AKeyOfAnotherConvention) {
                      "unknown key 'serial.joints[2].xyz'", "alpha");
 }
 
+TEST(SerialRefusal, AJointThatFollowsWrongly) {
+  const std::string second = "{ name = \"q2\",";
+  expect_refused_arm(second, "{ mimic = \"q3\",", 6, "no joint of the list has the name 'q3'",
+                     "follows no other");
+  expect_refused_arm(second, "{ mimic = \"q1\", name = \"q2\",", 6, "has no name", "remove it");
+  expect_refused_arm(second, "{ mimic = \"q1\", range = [0, 1],", 6, "has no range", "remove it");
+  expect_refused_arm(second, "{ name = \"q2\", multiplier = 2,", 6, "multiplier without mimic",
+                     "mimic = ");
+  expect_refused_arm(second, "{ type = \"fixed\", mimic = \"q1\",", 6, "a fixed joint has no mimic",
+                     "remove it");
+  expect_refused(changed(changed(kArm, "{ name = \"q1\" }", "{ mimic = \"q2\" }"), second,
+                         "{ mimic = \"q1\","),
+                 5, "no joint of the list has the name 'q2'", "follows no other");
+}
+
 TEST(SerialRefusal, WrongNumbersOfCoordinates) {
   expect_refused_arm("[1, 0, 0]", "[1, 0]", 6, "2 numbers in serial.joints[2].xyz", "3 numbers");
 }

@@ -33,12 +33,12 @@ inline std::vector<Twist> model_twists(const Model& model, const std::vector<dou
   for (std::size_t j = 0; j < q.size(); ++j) point[model.pose[j].name] = q[j];
   const std::vector<std::size_t> rows = kept_rows(model);
   const bool transposed = model.matrix_kind == MatrixKind::kForwardTransposed;
+  const GiNaC::matrix J = model.jacobian.value_or(model.matrix);
   std::vector<Twist> twists(q.size());
   for (std::size_t i = 0; i < rows.size(); ++i)
     for (std::size_t j = 0; j < q.size(); ++j) {
       const auto row = static_cast<unsigned>(i), column = static_cast<unsigned>(j);
-      const double entry =
-          evaluate(transposed ? model.matrix(column, row) : model.matrix(row, column), point);
+      const double entry = evaluate(transposed ? J(column, row) : J(row, column), point);
       (rows[i] < 3 ? twists[j].velocity[rows[i]] : twists[j].spin[rows[i] - 3]) = entry;
     }
   return twists;

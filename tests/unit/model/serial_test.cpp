@@ -269,6 +269,32 @@ TEST(Serial, UsesTheNamesOfTheGeometry) {
   EXPECT_TRUE(occurs);
 }
 
+/// Joint 3 turns by −2·q1 + 0.4: at every pose its column adds to that of q1.
+TEST(Serial, AddsTheColumnsOfJointsThatFollow) {
+  const Model model = parsed(
+      "joints = [{ name = \"q1\" }, { name = \"q2\", xyz = [0.3, 0.1, 0], axis = [0, 1, 0] },\n"
+      "{ mimic = \"q1\", multiplier = -2, offset = 0.4, xyz = [0, 0.2, 0.1], axis = [1, 0, 0] },\n"
+      "{ name = \"q3\", xyz = [0.2, 0, 0.3], axis = [0, 1, 1] }]\n",
+      3);
+  const std::vector<ChainJoint> chain = {{.axis = {0, 0, 1}},
+                                         {.origin = {.p = {0.3, 0.1, 0}}, .axis = {0, 1, 0}},
+                                         {.origin = {.p = {0, 0.2, 0.1}}, .axis = {1, 0, 0}},
+                                         {.origin = {.p = {0.2, 0, 0.3}}, .axis = {0, 1, 1}}};
+  ASSERT_EQ(model.pose.size(), 3U);
+  EXPECT_THAT(model.matrix_notes.at(1), testing::HasSubstr("1 more joint follows these"));
+  std::mt19937 random(13);
+  for (int pose = 0; pose < 20; ++pose) {
+    const auto q = random_pose(random, 3);
+    const auto all = difference_twists(chain, {q[0], q[1], -2 * q[0] + 0.4, q[2]});
+    std::vector<Twist> twists = {all[0], all[1], all[3]};
+    for (std::size_t i = 0; i < 3; ++i) {
+      twists[0].velocity[i] -= 2 * all[2].velocity[i];
+      twists[0].spin[i] -= 2 * all[2].spin[i];
+    }
+    expect_same_arm(model_twists(model, q), twists);
+  }
+}
+
 TEST(Serial, MakesAMotionOfTheRanges) {
   const Model model = parsed(
       "joints = [{ name = \"q1\", range = [-1, 1] }, { name = \"q2\", type = \"prismatic\", range "
