@@ -66,6 +66,32 @@ bool set_simple_turn(Pose& pose, const Quaternion& q, double tolerance) {
   return true;
 }
 
+bool is_turn_of_cube(const std::vector<ExactNumber>& q) {
+  GiNaC::ex square = 0;
+  int count = 0;
+  for (const ExactNumber& x : q) {
+    if (x.is_zero()) continue;
+    if (++count > 1 && !(x.value * x.value).is_equal(square)) return false;
+    square = x.value * x.value;
+  }
+  return count == 1 || count == 2 || count == 4;
+}
+
+bool set_turn_of_cube(Pose& pose, const Quaternion& q, double tolerance) {
+  double largest = 0;
+  for (const double x : q) largest = std::max(largest, std::fabs(x));
+  std::vector<ExactNumber> components;
+  for (const double x : q) {
+    const long sign = std::lround(x / largest);
+    if (!(std::fabs(x / largest - static_cast<double>(sign)) <= tolerance)) return false;
+    components.push_back(whole(sign));
+  }
+  if (!is_turn_of_cube(components)) return false;
+  pose.orientation = Orientation::kQuaternion;
+  pose.angles = std::move(components);
+  return true;
+}
+
 void set_approx(Pose& pose, const Quaternion& q, const XmlPlace& place, const std::string& before,
                 NumberReader& numbers) {
   if (numbers.tolerance() < GiNaC::numeric(1, 100'000'000'000))

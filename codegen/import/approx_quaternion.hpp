@@ -28,4 +28,12 @@ void set_approx(Pose& pose, const Quaternion& q, const XmlPlace& place, const st
 /// sets this angle and returns true.
 [[nodiscard]] bool set_simple_turn(Pose& pose, const Quaternion& q, double tolerance);
 
+/// True if the components that are not zero are one, two or four, of one magnitude: the turn takes
+/// coordinate axes to such, and its matrix is exact.
+[[nodiscard]] bool is_turn_of_cube(const std::vector<ExactNumber>& q);
+
+/// If the quaternion is such a turn within the tolerance, sets it, with components 0 and ±1, and
+/// returns true.
+[[nodiscard]] bool set_turn_of_cube(Pose& pose, const Quaternion& q, double tolerance);
+
 }  // namespace regulus::importing

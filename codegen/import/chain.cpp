@@ -130,6 +130,7 @@ class ChainFinder {
     std::vector<std::string> tips;
     for (const std::string& link : mechanism_.links)
       if (ends.contains(link) && !passed.contains(link)) tips.push_back(link);
+    leave_out_followers(tips, passed);
     if (tips.empty())
       refuse(0, "no joint moves a link that " + in_quotes(chain.base) + " carries",
              "choose another link with --base LINK");
@@ -137,10 +138,37 @@ class ChainFinder {
       throw UsageError(
           fmt::format("several links are the last of a chain of joints: {}; choose the "
                       "tip of the arm with --tip LINK, which may also be a link before "
-                      "these; if the robot closes a loop there, give it with --cut LINK=LINK",
-                      listed(tips)));
+                      "these{}; if the robot closes a loop there, give it with --cut LINK=LINK",
+                      listed(tips), describe_fork(chain.base, tips)));
     chain.joints = ends.at(tips.front());
     chain.tip = tips.front();
+  }
+
+  /// Cylinders and springs follow a joint of the arm: they are no tips of it. A finger that follows
+  /// the other finger is as good a tip as that.
+  void leave_out_followers(std::vector<std::string>& tips,
+                           const std::set<std::string>& passed) const {
+    std::vector<std::string> others;
+    for (const std::string& tip : tips) {
+      const auto leader =
+          std::ranges::find(mechanism_.joints, parent_.at(tip)->mimics, &ImportedJoint::name);
+      const bool follows = !parent_.at(tip)->mimics.empty() && leader != mechanism_.joints.end();
+      if (!follows || !passed.contains(leader->child)) others.push_back(tip);
+    }
+    if (!others.empty()) tips = std::move(others);
+  }
+
+  /// The link behind which the chains to the tips part, with a joint that moves before it.
+  std::string describe_fork(const std::string& base, const std::vector<std::string>& tips) const {
+    Joints common = path(base, tips.front());
+    for (const std::string& tip : tips) {
+      const Joints other = path(base, tip);
+      common.erase(std::ranges::mismatch(common, other).in1, common.end());
+    }
+    common = moving_part(common);
+    return common.empty()
+               ? ""
+               : ", such as " + printable(common.back()->child) + ", behind which they part";
   }
 
   /// The joints that a loop connects have no independent speeds.
@@ -174,13 +202,19 @@ class ChainFinder {
             fmt::format("joint {} of the arm has the type {}", in_quotes(joint->name),
                         in_quotes(joint->type_name)),
             "an arm has revolute, continuous, prismatic and fixed joints; choose another --base");
-      if (moves(*joint) && !joint->mimics.empty())
+      if (moves(*joint) && !joint->mimics.empty() && !follows_a_leader(*joint, chain))
         refuse(joint->line,
                fmt::format("joint {} of the arm follows joint {} (mimic)", in_quotes(joint->name),
                            in_quotes(joint->mimics)),
-               "a joint that follows another has no speed of its own, and this is not supported; "
-               "choose --base and --tip without it");
+               "only a joint of the arm that follows none may be followed, with a multiplier and "
+               "an offset; choose --base and --tip without it");
     }
+  }
+
+  static bool follows_a_leader(const ImportedJoint& follower, const Chain& chain) {
+    return follower.rule && std::ranges::any_of(chain.joints, [&](const ImportedJoint* j) {
+             return j->name == follower.mimics && moves(*j) && j->mimics.empty();
+           });
   }
 
   const Mechanism& mechanism_;

@@ -15,7 +15,9 @@ namespace {
 
 using GiNaC::numeric;
 
-constexpr int kMostDecimals = 20;  ///< that a number is snapped to
+constexpr int kMostDecimals = 20;    ///< that a number is snapped to
+constexpr int kFewer = 1000;         ///< snapping saves more decimals than this has zeros
+constexpr int kMillion = 1'000'000;  ///< no length moves by more than its reciprocal
 constexpr long kMostTwelfths = 1'000'000;
 
 /// pi to 45 decimals. It decides what is snapped, and what is written afterwards is exact.
@@ -121,14 +123,16 @@ std::vector<std::string_view> words_of(std::string_view text) {
   return words;
 }
 
-/// The number with the fewest decimals within the tolerance.
+/// The number with the fewest decimals within the tolerance. A number that is only a few decimals
+/// longer is meant as it is: 0.28358 is not 0.2836.
 ExactNumber NumberReader::snapped(const numeric& value, std::string_view text,
-                                  const XmlPlace& place) {
+                                  const XmlPlace& place, const numeric& tolerance) {
   numeric unit = 1;
-  if (!tolerance_.is_zero())
+  if (!tolerance.is_zero())
     for (int decimals = 0; decimals <= kMostDecimals; ++decimals, unit /= 10) {
       const numeric near = nearest_integer(value / unit) * unit;
-      if (abs(near - value) > tolerance_) continue;
+      if (abs(near - value) > tolerance) continue;
+      if (numeric(value / unit * kFewer).is_integer()) break;
       if (!(near - value).is_zero())
         snaps_.push_back({place.line, place.what, std::string(text), decimal_text(near)});
       return {near, decimal_text(near)};
@@ -137,7 +141,12 @@ ExactNumber NumberReader::snapped(const numeric& value, std::string_view text,
 }
 
 ExactNumber NumberReader::length(std::string_view text, const XmlPlace& place) {
-  return snapped(exact_number(text, place), text, place);
+  const numeric most(1, kMillion);
+  return snapped(exact_number(text, place), text, place, tolerance_ < most ? tolerance_ : most);
+}
+
+ExactNumber NumberReader::component(std::string_view text, const XmlPlace& place) {
+  return snapped(exact_number(text, place), text, place, tolerance_);
 }
 
 ExactNumber NumberReader::angle(std::string_view text, AngleUnit unit, const XmlPlace& place) {
@@ -163,8 +172,8 @@ ExactNumber NumberReader::angle(std::string_view text, AngleUnit unit, const Xml
   }
   if (!tolerance_.is_zero() && !k.is_zero() && abs(k * twelfth - radian) <= numeric(1, 10000) &&
       abs(k) <= kMostTwelfths)
-    near_.push_back({place.line, place.what, std::string(text), twelfths_of_pi(k.to_long()).text});
-  ExactNumber result = snapped(written, text, place);
+    note_near({place.line, place.what, std::string(text), twelfths_of_pi(k.to_long()).text}, -4);
+  ExactNumber result = snapped(written, text, place, tolerance_);
   if (degrees) result = {result.value * GiNaC::Pi / 180, result.text + "*deg"};
   return result;
 }

@@ -33,6 +33,12 @@ struct Snap {
   std::string what, before, after;
 };
 
+/// A number that a larger tolerance would move.
+struct NearSnap {
+  Snap snap;
+  int exponent = 0;  ///< of the power of ten that is tolerance enough
+};
+
 enum class AngleUnit { kRadian, kDegree };
 
 class NumberReader {
@@ -40,8 +46,12 @@ class NumberReader {
   /// `tolerance`: numbers move by at most this much; 0 leaves all of them as they are.
   explicit NumberReader(GiNaC::numeric tolerance) : tolerance_(std::move(tolerance)) {}
 
-  /// Reads a decimal. Throws InputError for any other text.
+  /// Reads a decimal. Throws InputError for any other text. It moves by at most 1e-6, whatever the
+  /// tolerance, and only to a decimal that is shorter by four digits.
   [[nodiscard]] ExactNumber length(std::string_view text, const XmlPlace& place);
+
+  /// The same for a component of a direction; it may move by the tolerance.
+  [[nodiscard]] ExactNumber component(std::string_view text, const XmlPlace& place);
 
   /// The same for an angle; the value is in rad.
   [[nodiscard]] ExactNumber angle(std::string_view text, AngleUnit unit, const XmlPlace& place);
@@ -53,17 +63,20 @@ class NumberReader {
 
   void record(Snap snap) { snaps_.push_back(std::move(snap)); }
   [[nodiscard]] const std::vector<Snap>& snaps() const noexcept { return snaps_; }
-  /// Returns the angles that may have been meant as multiples of pi/12, but are not within the
-  /// tolerance.
-  [[nodiscard]] const std::vector<Snap>& near() const noexcept { return near_; }
+  /// `exponent`: of the power of ten that is tolerance enough.
+  void note_near(Snap snap, int exponent) { near_.push_back({std::move(snap), exponent}); }
+  /// Returns the angles and turns that may have been meant as multiples of pi/12, but are not within
+  /// the tolerance.
+  [[nodiscard]] const std::vector<NearSnap>& near() const noexcept { return near_; }
   [[nodiscard]] const GiNaC::numeric& tolerance() const noexcept { return tolerance_; }
 
  private:
   [[nodiscard]] ExactNumber snapped(const GiNaC::numeric& value, std::string_view text,
-                                    const XmlPlace& place);
+                                    const XmlPlace& place, const GiNaC::numeric& tolerance);
 
   GiNaC::numeric tolerance_;
-  std::vector<Snap> snaps_, near_;
+  std::vector<Snap> snaps_;
+  std::vector<NearSnap> near_;
 };
 
 /// Returns the exact number that the decimal denotes; throws InputError for any other text.

@@ -27,7 +27,8 @@ Mechanism read_mechanism(const XmlFile& xml, NumberReader& numbers) {
   const XmlElement root = xml.root();
   if (root.name() == "robot") return read_urdf(root, numbers);
   if (root.name() == "mujoco") return read_mjcf(root, numbers);
-  if (root.name() == "sdf") return read_sdf(root, numbers);
+  // SDF before 1.3 has the root <gazebo>.
+  if (root.name() == "sdf" || root.name() == "gazebo") return read_sdf(root, numbers);
   root.refuse("the root element is <" + printable(root.name()) + ">",
               "it must be <robot> (URDF), <mujoco> (MJCF) or <sdf> (SDF)");
 }
@@ -98,9 +99,13 @@ std::vector<std::string> snap_lines(const NumberReader& numbers) {
 std::string chain_line(const Chain& chain) {
   const auto fixed = std::ranges::count_if(
       chain.joints, [](const ImportedJoint* j) { return j->type == JointType::kFixed; });
-  return fmt::format("from {} to {}: {} joints that move, {} fixed", in_quotes(chain.base),
-                     in_quotes(chain.tip), static_cast<std::ptrdiff_t>(chain.joints.size()) - fixed,
-                     fixed);
+  const auto followers = std::ranges::count_if(chain.joints, [](const ImportedJoint* j) {
+    return j->type != JointType::kFixed && !j->mimics.empty();
+  });
+  return fmt::format("from {} to {}: {} joints that move, {} fixed{}", in_quotes(chain.base),
+                     in_quotes(chain.tip),
+                     static_cast<std::ptrdiff_t>(chain.joints.size()) - fixed - followers, fixed,
+                     followers > 0 ? fmt::format(", {} that follow others", followers) : "");
 }
 
 /// Returns the names in texts such as "a,b".
@@ -174,14 +179,16 @@ void add_cuts(Mechanism& mechanism, const std::vector<std::string>& cuts) {
 /// 1.5708 is a robot with a skew axis, and seldom meant.
 void note_near_angles(Mechanism& mechanism, const NumberReader& numbers) {
   constexpr std::size_t kMost = 5;
-  const std::vector<Snap>& near = numbers.near();
-  for (std::size_t i = 0; i < std::min(near.size(), kMost); ++i)
+  const std::vector<NearSnap>& near = numbers.near();
+  for (std::size_t i = 0; i < std::min(near.size(), kMost); ++i) {
+    const Snap& snap = near[i].snap;
     mechanism.notes.push_back(
-        fmt::format("line {}, {}: {} is not {}; if it is meant, --snap 1e-4 takes it for that{}",
-                    near[i].line, near[i].what, near[i].before, near[i].after,
+        fmt::format("line {}, {}: {} is not {}; if it is meant, --snap 1e{} takes it for that{}",
+                    snap.line, snap.what, snap.before, snap.after, near[i].exponent,
                     i + 1 == kMost && near.size() > kMost
                         ? fmt::format(" ({} numbers more)", near.size() - kMost)
                         : ""));
+  }
 }
 
 /// Reads the model that was made of a file. Its lines are not those of the file.

@@ -34,6 +34,11 @@ struct JointLimits {
   ExactNumber lower, upper;
 };
 
+/// The value of a joint that follows another: multiplier · q + offset.
+struct FollowingRule {
+  ExactNumber multiplier = whole(1), offset{};
+};
+
 /// A joint: `origin` places its frame in that of the link `parent`; the frame of `child` is this
 /// frame, moved about or along `axis`.
 struct ImportedJoint {
@@ -44,7 +49,8 @@ struct ImportedJoint {
   Pose origin;
   std::array<ExactNumber, 3> axis = {whole(0), whole(0), whole(1)};
   std::optional<JointLimits> limits;
-  std::string mimics;  ///< the joint that this one follows; empty: none
+  std::string mimics;                   ///< the joint that this one follows; empty: none
+  std::optional<FollowingRule> rule{};  ///< nullopt for a rule of another kind
   int line = 0;
 };
 

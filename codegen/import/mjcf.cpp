@@ -185,8 +185,7 @@ class MjcfReader {
     joint.type = joint.type_name == "slide" ? JointType::kPrismatic : JointType::kContinuous;
     const XmlPlace place = element.place("the axis of joint " + in_quotes(joint.name));
     if (const std::string axis = value(element, body_class, "axis"); !axis.empty())
-      joint.axis = read_vector(axis, place, numbers_);
-    require_direction(joint.axis, place);
+      joint.axis = read_direction(axis, place, numbers_);
     read_limits(element, body_class, joint);
     refuse_reference(element, body_class, joint);
     return joint;

@@ -27,6 +27,12 @@ bool is_generic(const ExactNumber& angle) {
   return !angle.is_zero() && (angle.text.find("pi") == std::string::npos);
 }
 
+void require_direction(const std::array<ExactNumber, 3>& axis, const XmlPlace& place) {
+  if (std::ranges::all_of(axis, is_zero))
+    throw InputError::statement(place.file, place.line, place.what + " is zero",
+                                "it must have a direction");
+}
+
 std::array<double, 3> direction(std::size_t axis) {
   std::array<double, 3> result{};
   result.at(axis) = 1;
@@ -67,6 +73,24 @@ Quaternion of_columns(const std::array<double, 3>& x, const std::array<double, 3
   return {xy, x[2] + z[0], y[2] + z[1], c};
 }
 
+std::string describe_turn(const Pose& pose) {
+  std::string text;
+  for (const ExactNumber& number : pose.angles) text += (text.empty() ? "" : ", ") + number.text;
+  return (pose.orientation == Orientation::kRpy ? "rpy [" : "quaternion [") + text + "]";
+}
+
+/// A quaternion of few digits may have been meant as a turn by multiples of pi/12.
+void note_near_turn(const Quaternion& q, Snap snap, NumberReader& numbers) {
+  constexpr int kCoarsest = -3, kFinest = -8;
+  for (int exponent = kFinest; exponent <= kCoarsest; ++exponent) {
+    const double tolerance = std::pow(10.0, exponent);
+    Pose meant;
+    if (!set_simple_turn(meant, q, tolerance) && !set_turn_of_cube(meant, q, tolerance)) continue;
+    snap.after = meant.angles.empty() ? "no turn" : describe_turn(meant);
+    return numbers.note_near(std::move(snap), exponent);
+  }
+}
+
 std::array<double, 3> cross(const std::array<double, 3>& u, const std::array<double, 3>& v) {
   return {u[1] * v[2] - u[2] * v[1], u[2] * v[0] - u[0] * v[2], u[0] * v[1] - u[1] * v[0]};
 }
@@ -79,10 +103,15 @@ std::array<ExactNumber, 3> read_vector(std::string_view text, const XmlPlace& pl
   return {found[0], found[1], found[2]};
 }
 
-void require_direction(const std::array<ExactNumber, 3>& axis, const XmlPlace& place) {
-  if (std::ranges::all_of(axis, is_zero))
-    throw InputError::statement(place.file, place.line, place.what + " is zero",
-                                "it must have a direction");
+std::array<ExactNumber, 3> read_direction(std::string_view text, const XmlPlace& place,
+                                          NumberReader& numbers) {
+  std::vector<ExactNumber> found;
+  for (const std::string_view word : words_of(text))
+    found.push_back(numbers.component(word, place));
+  require_count(found.size(), 3, place);
+  std::array<ExactNumber, 3> axis = {found[0], found[1], found[2]};
+  require_direction(axis, place);
+  return axis;
 }
 
 void set_rpy(Pose& pose, std::string_view text, AngleUnit unit, const XmlPlace& place,
@@ -178,13 +207,14 @@ void set_quaternion(Pose& pose, std::string_view text, const XmlPlace& place,
                                 "a quaternion must have a direction");
   const Quaternion approx = {q[0].approx(), q[1].approx(), q[2].approx(), q[3].approx()};
   const double tolerance = numbers.tolerance().to_double();
-  if (tolerance > 0 && set_simple_turn(pose, approx, tolerance)) {
+  const Snap snap{place.line, place.what, std::string(text), {}};
+  if (tolerance > 0 && (set_simple_turn(pose, approx, tolerance) ||
+                        (!is_turn_of_cube(q) && set_turn_of_cube(pose, approx, tolerance)))) {
     if (!pose.angles.empty())
-      numbers.record({place.line, place.what, std::string(text),
-                      fmt::format("rpy [{}, {}, {}]", pose.angles[0].text, pose.angles[1].text,
-                                  pose.angles[2].text)});
+      numbers.record({snap.line, snap.what, snap.before, describe_turn(pose)});
     return;
   }
+  if (tolerance > 0 && !is_turn_of_cube(q)) note_near_turn(approx, snap, numbers);
   pose.orientation = Orientation::kQuaternion;
   pose.angles = std::move(q);
 }

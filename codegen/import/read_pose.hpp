@@ -9,12 +9,14 @@
 
 namespace regulus::inline importing {
 
-/// Reads three lengths, or three components of a direction. Throws InputError.
+/// Reads three lengths. Throws InputError.
 [[nodiscard]] std::array<ExactNumber, 3> read_vector(std::string_view text, const XmlPlace& place,
                                                      NumberReader& numbers);
 
-/// Refuses a vector that is zero.
-void require_direction(const std::array<ExactNumber, 3>& axis, const XmlPlace& place);
+/// Reads the components of a direction; refuses a vector that is zero. Throws InputError.
+[[nodiscard]] std::array<ExactNumber, 3> read_direction(std::string_view text,
+                                                        const XmlPlace& place,
+                                                        NumberReader& numbers);
 
 /// Sets the orientation from roll, pitch and yaw.
 ///

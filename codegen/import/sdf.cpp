@@ -125,8 +125,7 @@ class SdfReader {
                      "add <axis><xyz>0 0 1</xyz></axis>");
     const XmlPlace place = axis->place("the axis of joint " + in_quotes(joint.name));
     if (const auto xyz = axis->child("xyz")) {
-      joint.axis = read_vector(xyz->text(), place, numbers_);
-      require_direction(joint.axis, place);
+      joint.axis = read_direction(xyz->text(), place, numbers_);
       if (const std::string other = xyz->attribute("expressed_in"); !other.empty())
         turn_axis(joint, frames_.placement(other, element), element);
     }

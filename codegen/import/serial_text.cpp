@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <map>
 #include <span>
 
 #include "codegen/model/names.hpp"
@@ -49,17 +50,28 @@ std::vector<const ImportedJoint*> written_joints(const Chain& chain) {
   return result;
 }
 
+/// Of a joint that has its own value: its name. Of another: the joint that it follows, and how.
+std::string value_text(const ImportedJoint& joint, const std::string& name) {
+  if (joint.mimics.empty()) return fmt::format("name = \"{}\"", name);
+  std::string text = fmt::format("mimic = \"{}\"", name);
+  if (!joint.rule->multiplier.value.is_equal(1))
+    text += ", multiplier = " + toml_number(joint.rule->multiplier);
+  if (!joint.rule->offset.is_zero()) text += ", offset = " + toml_number(joint.rule->offset);
+  return text;
+}
+
+/// `name`: that of the joint, or of the joint that it follows.
 std::string joint_text(const ImportedJoint& joint, const std::string& name) {
   if (!moves(joint))
     return fmt::format("  {{ type = \"fixed\"{} }}, # {}\n", pose_text(joint.origin),
                        in_quotes(joint.name));
-  std::string text = fmt::format("  {{ name = \"{}\"", name);
+  std::string text = "  { " + value_text(joint, name);
   if (!turns(joint)) text += ", type = \"prismatic\"";
   text += pose_text(joint.origin);
   const bool is_default =
       joint.axis[0].is_zero() && joint.axis[1].is_zero() && joint.axis[2].value.is_equal(1);
   if (!is_default) text += ", axis = " + toml_list(joint.axis);
-  return text + " },\n";
+  return text + (joint.mimics.empty() ? " },\n" : " }, # " + in_quotes(joint.name) + "\n");
 }
 
 struct Limits {
@@ -88,10 +100,15 @@ std::string serial_text(const Chain& chain, Identifiers& identifiers,
                         std::vector<std::string>& notes) {
   std::string joints, limits, home;
   bool home_is_allowed = true;
-  for (const ImportedJoint* joint : written_joints(chain)) {
-    const std::string name = moves(*joint) ? identifiers.of(joint->name) : "";
+  std::map<std::string, std::string> names;
+  const std::vector<const ImportedJoint*> written = written_joints(chain);
+  for (const ImportedJoint* joint : written)
+    if (moves(*joint) && joint->mimics.empty()) names[joint->name] = identifiers.of(joint->name);
+  for (const ImportedJoint* joint : written) {
+    const bool leads = joint->mimics.empty();
+    const std::string name = moves(*joint) ? names.at(leads ? joint->name : joint->mimics) : "";
     joints += joint_text(*joint, name);
-    if (!moves(*joint)) continue;
+    if (!moves(*joint) || !leads) continue;
     const auto [range, remark] = limits_of(*joint, notes);
     limits += fmt::format("{} = [{}, {}]{}\n", name, toml_number(range.lower),
                           toml_number(range.upper), remark);

@@ -68,10 +68,24 @@ class UrdfReader {
       read_axis(element, joint);
       read_limits(element, joint);
     }
-    if (const auto mimic = element.child("mimic")) joint.mimics = mimic->required("joint");
+    if (const auto mimic = element.child("mimic")) read_mimic(*mimic, joint);
     for (const char* name : {"dynamics", "calibration", "safety_controller"})
       if (element.child(name)) ignore(name);
     result_.joints.push_back(std::move(joint));
+  }
+
+  void read_mimic(const XmlElement& mimic, ImportedJoint& joint) {
+    joint.mimics = mimic.required("joint");
+    const std::string of = " of the mimic of joint " + in_quotes(joint.name);
+    FollowingRule& rule = joint.rule.emplace();
+    if (mimic.has("multiplier"))
+      rule.multiplier =
+          numbers_.component(mimic.attribute("multiplier"), mimic.place("multiplier" + of));
+    if (!mimic.has("offset")) return;
+    const XmlPlace place = mimic.place("offset" + of);
+    rule.offset = joint.type == JointType::kPrismatic
+                      ? numbers_.length(mimic.attribute("offset"), place)
+                      : numbers_.angle(mimic.attribute("offset"), AngleUnit::kRadian, place);
   }
 
   /// Returns the text without white space around it.
@@ -131,8 +145,7 @@ class UrdfReader {
       return;
     }
     const XmlPlace place = axis->place("the axis of joint " + in_quotes(joint.name));
-    joint.axis = read_vector(axis->required("xyz"), place, numbers_);
-    require_direction(joint.axis, place);
+    joint.axis = read_direction(axis->required("xyz"), place, numbers_);
   }
 
   void read_limits(const XmlElement& element, ImportedJoint& joint) {

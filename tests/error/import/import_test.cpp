@@ -99,9 +99,14 @@ TEST(ImportRefusal, ListsTheRootsToChooseFrom) {
 TEST(ImportRefusal, JointsThatAnArmCannotHave) {
   EXPECT_THAT(input_error(robot(joint("i", "a", "b", "", "floating"))),
               HasSubstr("joint 'i' of the arm has the type 'floating'"));
-  EXPECT_THAT(input_error(robot(joint("i", "a", "b") +
-                                joint("j", "b", "c", "<axis xyz='1 0 0'/><mimic joint='i'/>"))),
-              HasSubstr("joint 'j' of the arm follows joint 'i'"));
+  const std::string off_the_arm = joint("k", "a", "d");
+  for (const char* leader : {"j", "k", "nothing"})
+    EXPECT_THAT(
+        input_error(robot(joint("i", "a", "b") + off_the_arm +
+                          joint("j", "b", "c",
+                                "<axis xyz='1 0 0'/><mimic joint='" + std::string(leader) + "'/>")),
+                    {.tip = "c"}),
+        HasSubstr("joint 'j' of the arm follows joint '" + std::string(leader) + "'"));
 }
 
 TEST(ImportRefusal, ALoopThroughTheArm) {

@@ -95,5 +95,36 @@ TEST(Mjcf, ReadsEveryKindOfOrientation) {
   expect_turn("quat='1 2 3 4'", turn_about({2, 3, 4}, 2 * std::atan2(std::sqrt(29.0), 1)));
 }
 
+/// Files that a converter wrote with six digits.
+TEST(Mjcf, NamesQuaternionsThatAreNearlyTurnsOfACube) {
+  const struct {
+    const char *quat, *note, *snap, *orientation;
+  } kCases[] = {
+      {"0.707105 0 0 -0.707108", "is not rpy [0, 0, -pi/2]; if it is meant, --snap 1e-5", "1e-5",
+       "rpy = [0, 0, \"-pi/2\"]"},
+      {"0.499998 0.5 -0.500002 -0.5",
+       "is not quaternion [1, 1, -1, -1]; if it is meant, --snap 1e-5", "1e-5",
+       "quaternion = [1, 1, -1, -1]"},
+      {"-2.59734e-06 -0.707105 -0.707108 -2.59735e-06",
+       "is not quaternion [0, -1, -1, 0]; if it is meant, --snap 1e-5", "1e-5",
+       "quaternion = [0, -1, -1, 0]"},
+      {"0.499898 -0.500102 -0.5 -0.5",
+       "is not quaternion [1, -1, -1, -1]; if it is meant, --snap 1e-3", "1e-3",
+       "quaternion = [1, -1, -1, -1]"},
+  };
+  for (const auto& one : kCases) {
+    const std::string text = hinge_behind("quat='" + std::string(one.quat) + "'");
+    EXPECT_THAT(imported(text).report(), HasSubstr(one.note));
+    EXPECT_THAT(imported(text, {.snap = one.snap}).model, HasSubstr(one.orientation));
+    EXPECT_THAT(imported(text, {.snap = one.snap}).report(), HasSubstr(one.quat));
+  }
+}
+
+TEST(Mjcf, LeavesExactTurnsOfACubeAsTheyAre) {
+  const std::string text = hinge_behind("quat='0.5 -0.5 0.5 0.5'");
+  EXPECT_THAT(imported(text).model, HasSubstr("quaternion = [0.5, -0.5, 0.5, 0.5]"));
+  EXPECT_THAT(imported(text).report(), testing::Not(HasSubstr("snapped")));
+}
+
 }  // namespace
 }  // namespace regulus::test

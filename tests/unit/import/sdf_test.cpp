@@ -61,5 +61,14 @@ TEST(Sdf, HasItsRanges) {
   EXPECT_THAT(model, HasSubstr("reach = [0, 0.2]"));
 }
 
+TEST(Sdf, MayHaveTheRootOfItsFirstVersions) {
+  const std::string text =
+      "<gazebo version='1.2'><model name='m'><link name='a'/><link name='b'><pose>0 0 1 0 0 "
+      "0</pose></link><joint name='j' type='revolute'><parent>a</parent><child>b</child><axis>"
+      "<limit><lower>-1</lower><upper>1</upper></limit><xyz>0 0 1</xyz></axis></joint></model>"
+      "</gazebo>";
+  EXPECT_THAT(imported(text).model, HasSubstr("j = [-1, 1]"));
+}
+
 }  // namespace
 }  // namespace regulus::test

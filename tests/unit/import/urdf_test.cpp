@@ -182,5 +182,67 @@ TEST(Urdf, SaysWhichAnglesAreNearlyQuarterTurns) {
   EXPECT_THAT(imported(arm, {.snap = "0"}).report(), Not(HasSubstr("is not pi/2")));
 }
 
+TEST(Urdf, LeavesLengthsOfFewDigitsWhereAnglesAreSnapped) {
+  const std::string arm = arm_with(
+      second("<origin xyz='0.28358 0.0014165 0.30000001192' rpy='1.5708 0 0'/><axis xyz='0 1 "
+             "0'/>"));
+  for (const char* snap : {"1e-4", "1e-2"}) {
+    const std::string model = imported(arm, {.snap = snap}).model;
+    EXPECT_THAT(model, HasSubstr("xyz = [0.28358, 0.0014165, 0.3], rpy = [\"pi/2\", 0, 0]"));
+  }
+}
+
+/// An arm of two joints; a cylinder and two fingers that follow joints.
+std::string arm_with_followers() {
+  return "<robot name='r'><link name='a'/><link name='b'/><link name='c'/><link name='rod'/>"
+         "<link name='left'/><link name='right'/>"
+         "<joint name='i' type='revolute'><parent link='a'/><child link='b'/></joint>"
+         "<joint name='j' type='revolute'><parent link='b'/><child link='c'/><axis xyz='0 1 "
+         "0'/></joint>"
+         "<joint name='k' type='continuous'><parent link='a'/><child link='rod'/>"
+         "<mimic joint='i' multiplier='-1'/></joint>";
+}
+
+std::string finger(const std::string& name, const std::string& mimic) {
+  return "<joint name='" + name + "_finger' type='prismatic'><parent link='c'/><child link='" +
+         name + "'/>" + mimic + "</joint>";
+}
+
+TEST(Urdf, TakesNoCylinderForTheTip) {
+  EXPECT_THAT(imported(arm_with_followers() + "</robot>").report(),
+              HasSubstr("from 'a' to 'c': 2 joints that move"));
+}
+
+TEST(Urdf, WritesJointsOfTheArmThatFollow) {
+  const std::string text =
+      "<robot name='r'><link name='a'/><link name='b'/><link name='c'/><link name='d'/>"
+      "<joint name='follower' type='revolute'><parent link='a'/><child link='b'/>"
+      "<limit lower='-6' upper='6'/><mimic joint='the leader' multiplier='-1.0' "
+      "offset='1.5707963267948966'/></joint>"
+      "<joint name='the leader' type='revolute'><parent link='b'/><child link='c'/><axis xyz='0 1 "
+      "0'/><limit lower='-1' upper='1'/></joint>"
+      "<joint name='k' type='revolute'><parent link='c'/><child link='d'/><axis xyz='0 0 "
+      "1'/></joint></robot>";
+  const Imported arm = imported(text);
+  EXPECT_THAT(arm.model,
+              HasSubstr("{ mimic = \"the_leader\", multiplier = -1, offset = \"pi/2\", axis = [1, "
+                        "0, 0] }, # 'follower'\n"));
+  EXPECT_THAT(arm.model, Not(HasSubstr("follower = [")));
+  EXPECT_THAT(arm.report(), HasSubstr("2 joints that move, 0 fixed, 1 that follow others"));
+  EXPECT_EQ(model_of(text).pose.size(), 2U);
+}
+
+TEST(Urdf, DoesNotChooseBetweenFingers) {
+  const std::string hand = arm_with_followers() + finger("left", "") +
+                           finger("right", "<mimic joint='left_finger'/>") + "</robot>";
+  try {
+    static_cast<void>(imported(hand));
+    FAIL() << "a finger became the tip";
+  } catch (const std::runtime_error& error) {
+    EXPECT_THAT(error.what(), HasSubstr("left, right"));
+    EXPECT_THAT(error.what(), HasSubstr("such as c, behind which they part"));
+  }
+}
+
 }  // namespace
 }  // namespace regulus::test
