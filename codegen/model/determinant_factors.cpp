@@ -17,7 +17,10 @@ namespace {
 using GiNaC::ex;
 using GiNaC::matrix;
 
-constexpr std::size_t kMostTerms = 1500;  ///< of a polynomial that is factored
+// Limits of the work, which is done whenever a model is read.
+constexpr std::size_t kMostTermsOfMatrix = 100;     ///< of a block's entries, together
+constexpr std::size_t kMostTerms = 40;              ///< of a determinant that is factored
+constexpr std::size_t kMostTermsOfNumerator = 300;  ///< in tangents of half the angles
 constexpr unsigned kMostRows = 8;
 
 /// Rows and columns of a matrix, a bit each.
@@ -38,6 +41,8 @@ bool is_odd(const std::vector<unsigned>& sets) {
   }
   return exchanges % 2 != 0;
 }
+
+std::size_t count_terms(const ex& e) { return GiNaC::is_a<GiNaC::add>(e) ? e.nops() : 1; }
 
 matrix selected(const matrix& A, Part part) {
   matrix result(static_cast<unsigned>(std::popcount(part.rows)),
@@ -112,13 +117,12 @@ bool in_order(const DeterminantFactor& a, const DeterminantFactor& b) {
   return std::pair(a.joints, formula_text(a.value)) < std::pair(b.joints, formula_text(b.value));
 }
 
-/// Returns p/q if this is a number, by the coefficients of one monomial; p and q are expanded.
-std::optional<ex> ratio_of(const ex& p, const ex& q, const HalfAngles& angles) {
-  const ex numerator = angles.numerator(p), denominator = angles.numerator(q);
-  if (denominator.is_zero()) return std::nullopt;
-  const ex ratio = numerator.integer_content() / denominator.integer_content();
+/// Returns p/q if this is a number, of expanded polynomials without squares of sines.
+std::optional<ex> ratio_of(const ex& p, const ex& q) {
+  if (q.is_zero()) return std::nullopt;
+  const ex ratio = p.integer_content() / q.integer_content();
   for (const ex& k : {ratio, ex(-ratio)})
-    if (angles.without_squares(p - k * q).is_zero()) return k;
+    if ((p - k * q).expand().is_zero()) return k;
   return std::nullopt;
 }
 
@@ -128,40 +132,62 @@ class Factoring {
 
   void factor(DeterminantBlock& block) const {
     const std::optional<ex> determinant = determinant_of(block.entries);
-    if (!determinant || determinant->is_zero() || determinant->nops() > kMostTerms) return;
-    const ex numerator = angles_.numerator(*determinant);
-    if (numerator.nops() > kMostTerms) return;
-    const auto factors = angles_.paired(irreducible_factors(numerator));
-    if (!factors) return;
-    DeterminantBlock found{block.entries, true, 1, {}};
-    for (const ex& one : *factors) add(one, found);
-    std::ranges::sort(found.factors, in_order);
-    const std::optional<ex> number = number_of(found, *determinant);
-    if (!number) return;
-    found.constant *= *number;
-    block = std::move(found);
+    if (!determinant || determinant->is_zero()) return;
+    ex rest = *determinant;
+    const std::vector<ex> common = angles_.take_common(rest);
+    if (count_terms(rest) > kMostTerms) return;
+    for (const std::vector<ex>& of_rest :
+         {factors_of(rest), std::vector<ex>{angles_.in_angles(rest)}}) {
+      DeterminantBlock found{block.entries, true, 1, {}};
+      for (const ex& one : common) add(one, found);
+      for (const ex& one : of_rest) add(one, found);
+      std::ranges::sort(found.factors, in_order);
+      const std::optional<ex> number = number_of(found, *determinant);
+      if (!number) continue;
+      found.constant *= *number;
+      block = std::move(found);
+      return;
+    }
   }
 
  private:
-  /// In sines and cosines; nullopt if an entry is no polynomial in them.
+  /// In sines and cosines; nullopt if an entry is no polynomial in them, or there are many terms.
   [[nodiscard]] std::optional<ex> determinant_of(const matrix& A) const {
     matrix polynomials(A.rows(), A.cols());
+    std::size_t terms = 0;
     for (unsigned i = 0; i < A.rows(); ++i)
       for (unsigned j = 0; j < A.cols(); ++j) {
         const std::optional<ex> entry = angles_.polynomial(A(i, j));
         if (!entry) return std::nullopt;
         polynomials(i, j) = *entry;
+        terms += count_terms(*entry);
       }
+    if (terms > kMostTermsOfMatrix) return std::nullopt;
     return angles_.without_squares(polynomials.determinant(GiNaC::determinant_algo::laplace));
   }
 
+  /// The rational factors in the tangents of half the angles, as functions of the angles; empty if
+  /// they are not found. The product need not be the polynomial: a factor 1 + cos q, for example, has
+  /// no zero in t = tan(q/2), and is lost.
+  [[nodiscard]] std::vector<ex> factors_of(const ex& polynomial) const {
+    const ex numerator = angles_.numerator(polynomial);
+    if (count_terms(numerator) > kMostTermsOfNumerator) return {};
+    const auto factors = angles_.paired(irreducible_factors(numerator));
+    if (!factors) return {};
+    std::vector<ex> functions;
+    for (const ex& one : *factors)
+      functions.push_back(angles_.joints_in(one).empty() ? one : angles_.trigonometric(one));
+    return functions;
+  }
+
+  /// Adds a function of the angles, times a number.
   void add(const ex& factor, DeterminantBlock& to) const {
     const std::vector<std::size_t> joints = angles_.joints_in(factor);
     if (joints.empty()) {
       to.constant *= factor;
       return;
     }
-    const ex value = primitive(angles_.trigonometric(factor));
+    const ex value = primitive(factor);
     for (DeterminantFactor& known : to.factors)
       if (known.value.is_equal(value)) {
         ++known.power;
@@ -170,17 +196,17 @@ class Factoring {
     to.factors.push_back({value, joints});
   }
 
-  /// Returns the number by which the product of the factors is the determinant at all poses; nullopt
-  /// if it is not. A factor 1 + cos q, for example, has no zero in t = tan(q/2), and is lost.
+  /// Returns the number by which the product of the factors is the polynomial at all poses; nullopt
+  /// if it is not.
   [[nodiscard]] std::optional<ex> number_of(const DeterminantBlock& found,
-                                            const ex& determinant) const {
+                                            const ex& polynomial) const {
     ex product = found.constant;
     for (const DeterminantFactor& factor : found.factors) {
       const std::optional<ex> form = angles_.polynomial(factor.value);
       if (!form) return std::nullopt;
       for (int k = 0; k < factor.power; ++k) product = angles_.without_squares(product * *form);
     }
-    return ratio_of(determinant, product.expand(), angles_);
+    return ratio_of(polynomial, angles_.without_squares(product));
   }
 
   HalfAngles angles_;
@@ -190,7 +216,7 @@ class Factoring {
 bool is_simple(const DeterminantBlock& block) {
   constexpr std::size_t kMostTermsOfFactor = 12;
   return block.is_factored && std::ranges::all_of(block.factors, [](const DeterminantFactor& f) {
-           return !GiNaC::is_a<GiNaC::add>(f.value) || f.value.nops() <= kMostTermsOfFactor;
+           return count_terms(f.value) <= kMostTermsOfFactor;
          });
 }
 

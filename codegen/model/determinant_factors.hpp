@@ -26,13 +26,13 @@ struct DeterminantBlock {
 };
 
 /// Splits a square matrix into blocks on its diagonal, after exchanging rows and columns, with zeros
-/// on one side of them; and factors the determinant of each, by rational factors in the tangents of
-/// half the angles.
+/// on one side of them; and factors the determinant of each: by sines and cosines that all its terms
+/// have, and by rational factors in the tangents of half the angles.
 ///
 /// Ensures   the determinant is the product of those of the blocks, at all poses and for all values
 ///           of the geometry: the first row of the first has the sign that exchanges give. If a block is factored, its determinant is `constant`
 ///           times the product of the factors with their powers: proved, by exact algebra. A block
-///           that is singular at all poses, has too many terms, or no such factors is not factored.
+///           that is singular at all poses or has too many terms is not factored.
 [[nodiscard]] std::vector<DeterminantBlock> determinant_blocks(
     const GiNaC::matrix& A, const std::vector<PoseParameter>& pose);
 

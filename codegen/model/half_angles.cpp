@@ -83,6 +83,24 @@ ex HalfAngles::without_squares(const ex& p) const {
   return result;
 }
 
+std::vector<ex> HalfAngles::take_common(ex& p) const {
+  std::vector<ex> common;
+  for (const Angle& a : angles_)
+    for (const auto& [symbol, function] :
+         {std::pair(a.sine, sin(a.q)), std::pair(a.cosine, cos(a.q))}) {
+      const int times = p.is_zero() ? 0 : p.ldegree(symbol);
+      for (int k = 0; k < times; ++k) common.push_back(function);
+      if (times > 0) p = (p / pow(symbol, times)).expand();
+    }
+  return common;
+}
+
+ex HalfAngles::in_angles(const ex& p) const {
+  GiNaC::exmap values;
+  for (const Angle& a : angles_) values[a.sine] = sin(a.q), values[a.cosine] = cos(a.q);
+  return p.subs(values, GiNaC::subs_options::no_pattern);
+}
+
 ex HalfAngles::numerator(const ex& p) const {
   ex result = p;
   for (const Angle& a : angles_) {

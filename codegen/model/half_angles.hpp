@@ -24,6 +24,13 @@ class HalfAngles {
   /// Returns a polynomial in sines and cosines with s² replaced by 1 − c².
   [[nodiscard]] GiNaC::ex without_squares(const GiNaC::ex& p) const;
 
+  /// Divides p, without squares of sines, by the sines and cosines that every term has, and returns
+  /// them as functions of the angles, each as often as it occurs.
+  [[nodiscard]] std::vector<GiNaC::ex> take_common(GiNaC::ex& p) const;
+
+  /// Returns a polynomial in the symbols of sines and cosines as a function of the angles.
+  [[nodiscard]] GiNaC::ex in_angles(const GiNaC::ex& p) const;
+
   /// Returns the polynomial in t of which p is a quotient by powers of 1 + t².
   [[nodiscard]] GiNaC::ex numerator(const GiNaC::ex& p) const;
 

@@ -34,7 +34,7 @@ TEST(SerialArms, SayInTheirClaimWhichMatrixTheyMean) {
   EXPECT_EQ(report["claim"],
             "the full 6×6 forward Jacobian has full rank for every pose of the variety");
   EXPECT_EQ(report["matrix"], "forward Jacobian");
-  EXPECT_EQ(report["matrix_notes"].back(), "its rank does not depend on q1, q6");
+  EXPECT_EQ(report["matrix_notes"].back(), "its rank does not depend on q1, q4, q6");
 }
 
 /// Of the arm with three parallel axes: elbow, wrist, shoulder.
