@@ -1,5 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Arms by their joints: the twin of one with a written matrix, and their known singular poses.
+#include <algorithm>
+#include <functional>
+#include <sstream>
+
 #include "tests/models/jacobian.hpp"
 #include "tests/models/paving.hpp"
 
@@ -63,6 +67,80 @@ TEST(SerialArms, AreSingularExactlyAtElbowAndShoulder) {
   });
   EXPECT_GT(paving.count("singular"), 30U);
   EXPECT_GT(paving.fraction("free"), 0.8);
+}
+
+/// The factors of the determinant of the Puma, with the largest lengths of their gradients.
+struct KnownFactor {
+  std::function<double(const Point&)> value;
+  double steepest;
+};
+const std::vector<KnownFactor> kPumaFactors = {
+    {[](const Point& q) { return std::sin(q.at("q5")); }, 1},
+    {[](const Point& q) { return 0.0203 * std::sin(q.at("q3")) + 0.4331 * std::cos(q.at("q3")); },
+     std::hypot(0.0203, 0.4331)},
+    {[](const Point& q) {
+       const double q23 = q.at("q2") + q.at("q3");
+       return 0.4318 * std::cos(q.at("q2")) - 0.0203 * std::cos(q23) + 0.4331 * std::sin(q23);
+     },
+     0.4318 + std::sqrt(2) * std::hypot(0.0203, 0.4331)}};
+
+/// The free boxes of a region of all six joints.
+std::vector<nlohmann::json> free_boxes_of_puma() {
+  const std::vector<std::string> words = {REGULUS_BINARY_DIR "/bin/regulus",
+                                          "locate",
+                                          ShippedModel("puma_560_serial").path(),
+                                          "dexterous",
+                                          "--range",
+                                          "q2=-180*deg:0",
+                                          "--range",
+                                          "q3=-40*deg:130*deg",
+                                          "--range",
+                                          "q5=-90*deg:100*deg",
+                                          "--resolution",
+                                          "1/64",
+                                          "--threads",
+                                          "1"};
+  std::istringstream lines(run_command(words).output);
+  std::vector<nlohmann::json> boxes;
+  for (std::string line; std::getline(lines, line);)
+    if (line.starts_with("{\"kind\":\"free\"")) boxes.push_back(nlohmann::json::parse(line)["box"]);
+  return boxes;
+}
+
+bool holds(const std::vector<nlohmann::json>& boxes, const Point& q) {
+  return std::ranges::any_of(boxes, [&q](const nlohmann::json& box) {
+    return std::ranges::all_of(q, [&box](const auto& x) {
+      return box[x.first][0] < x.second && x.second < box[x.first][1];
+    });
+  });
+}
+
+TEST(SerialArms, AreCertifiedFartherThanFiveDegreesFromTheirSingularPoses) {
+  const std::vector<nlohmann::json> boxes = free_boxes_of_puma();
+  ASSERT_FALSE(boxes.empty());
+  for (const nlohmann::json& box : boxes)
+    for (const char* idle : {"q1", "q4", "q6"})
+      ASSERT_GT(box[idle][1].get<double>() - box[idle][0].get<double>(), 4.8) << "never split";
+  Poses poses;
+  constexpr double kDegree = 0.017453292519943295;
+  int far = 0, certified = 0;
+  for (int trial = 0; trial < 400; ++trial) {
+    Point q = {{"q2", poses.between(-180, 0) * kDegree},
+               {"q3", poses.between(-40, 130) * kDegree},
+               {"q5", poses.between(-90, 100) * kDegree}};
+    const bool is_far = std::ranges::all_of(kPumaFactors, [&q](const KnownFactor& f) {
+      return std::fabs(f.value(q)) > 5 * kDegree * f.steepest;
+    });
+    far += is_far ? 1 : 0;
+    certified += is_far && holds(boxes, q) ? 1 : 0;
+    Point wrist = q, elbow = q;
+    wrist["q5"] = 0;
+    elbow["q3"] = std::atan2(0.4331, -0.0203);
+    EXPECT_FALSE(holds(boxes, wrist));
+    EXPECT_FALSE(holds(boxes, elbow));
+  }
+  EXPECT_GT(far, 200);
+  EXPECT_GE(certified, 0.99 * far);
 }
 
 }  // namespace
