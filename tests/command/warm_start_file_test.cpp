@@ -105,7 +105,7 @@ WarmStart example() {
   p.labels.twist = {{TwistComponent::Kind::kLinear, "vx", "cm"},
                     {TwistComponent::Kind::kAngular, "wz", "rad"}};
   p.labels.variables = {{"t", "1", VariableKind::kMotion},
-                        {"b_1", "cm", VariableKind::kGeometry},
+                        {"b_1", "cm", VariableKind::kGeometry, true},
                         {"error_x", "cm", VariableKind::kControl}};
   p.variety.outer = {{-0.0, 0x1.8p-900}, {0.1, 0.3}, {-1e300, 1e300}};
   p.variety.inner = {Interval{0.0, 0.0}, std::nullopt, Interval{-1, 1}};
@@ -130,6 +130,8 @@ TEST(WarmStart, IsReadBackAsItWas) {
   EXPECT_EQ(after->labels.model, before.labels.model);
   EXPECT_EQ(after->labels.twist.at(1).kind, TwistComponent::Kind::kAngular);
   EXPECT_EQ(after->labels.variables.at(2).kind, VariableKind::kControl);
+  EXPECT_TRUE(after->labels.variables.at(1).is_idle);
+  EXPECT_FALSE(after->labels.variables.at(2).is_idle);
   EXPECT_EQ(to_text(*after), to_text(before));
   EXPECT_EQ(after->program_key, before.program_key);
   EXPECT_EQ(after->identity, before.identity);
@@ -167,8 +169,8 @@ TEST(WarmStart, IsNotReadFromAnythingElse) {
     EXPECT_NE(at, std::string::npos) << from;
     return other.replace(at, from.size(), to);
   };
-  EXPECT_FALSE(read_warm_start(with("\"format\":6", "\"format\":5")));
-  EXPECT_FALSE(read_warm_start(with("\"format\":6", "\"format\":7")));
+  EXPECT_FALSE(read_warm_start(with("\"format\":7", "\"format\":6")));
+  EXPECT_FALSE(read_warm_start(with("\"format\":7", "\"format\":8")));
   EXPECT_FALSE(read_warm_start(with(std::string(64, '7'), "../" + std::string(61, '7'))));
   EXPECT_FALSE(read_warm_start(text + ' '));
   EXPECT_FALSE(read_warm_start(with("\"rows\":7", "\"rows\":7.0")));
