@@ -260,6 +260,24 @@ class MjcfReader {
     if (joint == result_.joints.end())
       element.refuse("there is no joint " + in_quotes(first), "correct the name");
     joint->mimics = element.attribute("joint2", "a constant");
+    joint->rule.reset();
+    if (element.has("joint2")) read_rule(element, *joint);
+  }
+
+  /// q1 = a0 + a1*q2 + a2*q2^2 + …, of joints without `ref`; in rad, whatever the compiler's unit.
+  void read_rule(const XmlElement& element, ImportedJoint& joint) {
+    const XmlPlace place = element.place("polycoef of joint " + in_quotes(joint.name));
+    const std::string text = element.attribute("polycoef", "0 1 0 0 0");
+    const std::vector<std::string_view> words = words_of(text);
+    for (std::size_t i = 2; i < words.size(); ++i)
+      if (!numbers_.component(words[i], place).is_zero()) return;
+    FollowingRule rule;
+    if (words.size() > 1) rule.multiplier = numbers_.component(words[1], place);
+    if (!words.empty())
+      rule.offset = joint.type == JointType::kPrismatic
+                        ? numbers_.length(words[0], place)
+                        : numbers_.angle(words[0], AngleUnit::kRadian, place);
+    joint.rule = std::move(rule);
   }
 
   void add_loop(const XmlElement& element) {

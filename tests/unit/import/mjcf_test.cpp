@@ -120,6 +120,24 @@ TEST(Mjcf, NamesQuaternionsThatAreNearlyTurnsOfACube) {
   }
 }
 
+std::string followed(const std::string& equality) {
+  return "<mujoco><worldbody><body name='a'><joint name='i'/><body name='b' pos='1 0 0'><joint "
+         "name='j' axis='0 1 0'/><body name='c' pos='0 0 1'><joint name='k'/></body></body></body>"
+         "</worldbody><equality>" +
+         equality + "</equality></mujoco>";
+}
+
+TEST(Mjcf, ReadsJointsThatFollowByALine) {
+  EXPECT_THAT(imported(followed("<joint joint1='j' joint2='i' polycoef='0.1 -2 0 0 0'/>")).model,
+              HasSubstr("{ mimic = \"i\", multiplier = -2, offset = 0.1, xyz = [1, 0, 0]"));
+  EXPECT_THAT(imported(followed("<joint joint1='j' joint2='k'/>")).model,
+              HasSubstr("{ mimic = \"k\", xyz = [1, 0, 0]"));
+  for (const char* other : {"joint2='i' polycoef='0 1 0.5 0 0'", "polycoef='1 0 0 0 0'"})
+    EXPECT_THROW(
+        static_cast<void>(imported(followed("<joint joint1='j' " + std::string(other) + "/>"))),
+        std::runtime_error);
+}
+
 TEST(Mjcf, LeavesExactTurnsOfACubeAsTheyAre) {
   const std::string text = hinge_behind("quat='0.5 -0.5 0.5 0.5'");
   EXPECT_THAT(imported(text).model, HasSubstr("quaternion = [0.5, -0.5, 0.5, 0.5]"));
