@@ -61,7 +61,7 @@ void negate_first_row(matrix& A) {
 }
 
 /// Columns of the part with an entry in one of the rows that is not 0.
-unsigned columns_of(const matrix& A, Part part, unsigned rows) {
+unsigned columns_with_entries(const matrix& A, Part part, unsigned rows) {
   unsigned columns = 0;
   for (unsigned i = 0; i < A.rows(); ++i)
     for (unsigned j = 0; j < A.cols(); ++j)
@@ -75,7 +75,7 @@ void split_into_blocks(const matrix& A, Part part, std::vector<Part>& blocks) {
   for (int k = 1; k < std::popcount(part.rows); ++k)
     for (unsigned rows = 1; rows < part.rows; ++rows) {
       if ((rows & ~part.rows) != 0 || std::popcount(rows) != k) continue;
-      const unsigned columns = columns_of(A, part, rows);
+      const unsigned columns = columns_with_entries(A, part, rows);
       if (std::popcount(columns) != k) continue;
       blocks.push_back({rows, columns});
       return split_into_blocks(A, {part.rows & ~rows, part.columns & ~columns}, blocks);

@@ -126,7 +126,7 @@ void describe_variables(Model& model, const Serial& robot, std::size_t link) {
 }
 
 /// The column of each joint, or of the joint that it follows.
-std::vector<unsigned> columns_of(const Serial& robot) {
+std::vector<unsigned> joint_columns(const Serial& robot) {
   std::vector<unsigned> columns(robot.joints.size());
   unsigned next = 0;
   for (std::size_t j = 0; j < columns.size(); ++j)
@@ -139,7 +139,7 @@ std::vector<unsigned> columns_of(const Serial& robot) {
 void set_matrix(Model& model, const Serial& robot, const Rows& rows,
                 const std::vector<std::size_t>& kept) {
   const std::vector<ex> values = joint_values(model, robot);
-  const std::vector<unsigned> columns = columns_of(robot);
+  const std::vector<unsigned> columns = joint_columns(robot);
   const auto m = static_cast<unsigned>(kept.size()), n = static_cast<unsigned>(model.pose.size());
   GiNaC::matrix J(m, n);
   for (unsigned i = 0; i < m; ++i)
