@@ -30,9 +30,10 @@ struct DeterminantBlock {
 /// have, and by rational factors in the tangents of half the angles.
 ///
 /// Ensures   the determinant is the product of those of the blocks, at all poses and for all values
-///           of the geometry: the first row of the first has the sign that exchanges give. If a block is factored, its determinant is `constant`
-///           times the product of the factors with their powers: proved, by exact algebra. A block
-///           that is singular at all poses or has too many terms is not factored.
+///           of the geometry: the first row of the first block has the sign that the exchanges give.
+///           If a block is factored, its determinant is `constant` times the product of the factors
+///           with their powers: proved, by exact algebra. A block that is singular at all poses or
+///           has too many terms is not factored.
 [[nodiscard]] std::vector<DeterminantBlock> determinant_blocks(
     const GiNaC::matrix& A, const std::vector<PoseParameter>& pose);
 

@@ -45,10 +45,11 @@ constexpr std::size_t kMostJoints = 12;
 
 /// Fills pose, matrix, matrix_kind and matrix_notes of a model with a serial arm.
 ///
-/// The matrix is the forward Jacobian J, a column for each joint that follows none, the velocity of a point of the tool
-/// and its angular velocity that one unit of joint speed gives; its transpose if there are more
-/// joints than rows. Point and frame do not change the rank: those of one link are chosen for which
-/// the joint variables occur least often. So a first or last joint does not occur at all.
+/// The matrix is the forward Jacobian J, a column for each joint that follows none: the velocity of a
+/// point of the tool and its angular velocity that one unit of joint speed gives; its transpose if
+/// there are more joints than rows. Point and frame do not change the rank: those of one link are
+/// chosen for which the joint variables occur least often. So a first or last joint does not occur
+/// at all.
 ///
 /// A row that is a combination of other rows with constant coefficients at all poses does not change
 /// the rank either. Exact algebra finds such rows, and they are left out: 3 remain of a planar arm.
