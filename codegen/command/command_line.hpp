@@ -23,8 +23,9 @@ struct CheckCommand {
   ModelOptions model;
   SearchOptions search;
   OutputOptions output;
-  std::string certificate;       ///< file; empty: none
-  std::uint64_t shard_size = 0;  ///< of its shards, in bytes; 0: it is one file
+  std::optional<std::string> load{};  ///< the question is about forces that hold it
+  std::string certificate;            ///< file; empty: none
+  std::uint64_t shard_size = 0;       ///< of its shards, in bytes; 0: it is one file
   CheckpointOptions checkpoint;
 };
 
@@ -32,6 +33,7 @@ struct LocateCommand {
   ModelOptions model;
   SearchOptions search;
   OutputOptions output;
+  std::optional<std::string> load{};  ///< as of check
   std::string resolution;  ///< part of each range, an expression; empty: by the number of ranges
   std::string lines;       ///< file of the JSON lines, "-" = standard output; empty: see --json
   PictureRequest pictures;

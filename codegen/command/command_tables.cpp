@@ -3,6 +3,7 @@
 
 #include "codegen/command/certificate_options.hpp"
 #include "codegen/command/help_layout.hpp"
+#include "codegen/command/load_option.hpp"
 #include "codegen/command/shared_options.hpp"
 #include "regulus/version.hpp"
 
@@ -237,6 +238,7 @@ void CommandTables::add_check() {
   add_shard_option(*check_command, check.shard_size);
   add_checkpoint_options(*check_command, check.checkpoint);
   add_output_options(*check_command, check.output);
+  add_load_option(*check_command, check.load);
   check_command->footer(kExitCodes);
 }
 
@@ -253,6 +255,7 @@ void CommandTables::add_locate() {
   refuse_checkpoint_options(
       *locate_command, "the output of a paving that was stopped lists the boxes it did not reach");
   add_output_options(*locate_command, locate.output);
+  add_load_option(*locate_command, locate.load);
   locate_command->footer(kLocateExitCodes);
 }
 

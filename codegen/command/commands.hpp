@@ -23,6 +23,10 @@ namespace regulus::inline command {
 /// Does the same if its motion is along way-points; otherwise returns nullopt.
 [[nodiscard]] std::optional<int> run_trajectory_locate(const LocateCommand& command);
 
+/// Runs the check or the paving if it is about forces that hold a load; otherwise returns nullopt.
+[[nodiscard]] std::optional<int> run_force_check(const CheckCommand& command);
+[[nodiscard]] std::optional<int> run_force_locate(const LocateCommand& command);
+
 [[nodiscard]] int run_margin(const MarginCommand& command);
 
 /// Returns the exit code of a bracket.

@@ -93,6 +93,7 @@ Result pave_and_report(const LocateCommand& command, PreparedSearch& preparation
 int run_locate(const LocateCommand& command) {
   for (const std::string& picture : command.pictures.files) require_picture_format(picture);
   set_earlier_outputs_aside(command.model.path, outputs_of(command));
+  if (const std::optional<int> code = run_force_locate(command)) return *code;
   if (const std::optional<int> code = run_trajectory_locate(command)) return *code;
   InterruptGuard interrupt;
   // A certificate is about all poses of the motion.

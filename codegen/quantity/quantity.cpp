@@ -309,4 +309,8 @@ Quantity quantity_of(const Model& model, const QuantityOptions& options) {
   return quantity;
 }
 
+const VectorSet& choose_load(const Model& model, const std::string& wanted) {
+  return choose_set(model.loads, wanted, "load");
+}
+
 }  // namespace regulus::quantity

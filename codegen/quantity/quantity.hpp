@@ -77,4 +77,7 @@ struct Quantity {
 /// Requires  for an expression: Model::asked is set.
 [[nodiscard]] Quantity quantity_of(const Model& model, const QuantityOptions& options);
 
+/// Returns the load of that name, or the only one if `wanted` is empty. Throws UsageError.
+[[nodiscard]] const VectorSet& choose_load(const Model& model, const std::string& wanted);
+
 }  // namespace regulus::quantity

@@ -41,11 +41,12 @@ set(codegen/margin               ${codegen/report} codegen/report codegen/certif
 set(codegen/trajectory           ${codegen/margin} codegen/margin)
 set(codegen/quantity             codegen/support codegen/model)
 set(codegen/bound                ${codegen/margin} codegen/margin codegen/quantity)
+set(codegen/feasibility          ${codegen/bound} codegen/bound)
 set(codegen/page                 ${codegen/bound} codegen/bound codegen/trajectory)
 set(codegen/api                  ${codegen/bound} codegen/bound codegen/trajectory codegen/import codegen/robot runtime/certificate/verifier
                                  runtime/embedded)
 set(codegen/python               codegen/support codegen/engine codegen/jit codegen/api)
-set(codegen/command              ${codegen/page} codegen/page codegen/picture codegen/trajectory codegen/import runtime/certificate/verifier)
+set(codegen/command              ${codegen/page} codegen/page codegen/feasibility codegen/picture codegen/trajectory codegen/import runtime/certificate/verifier)
 set(codegen/mpi                  ${codegen/command} codegen/command runtime/certificate/verifier runtime/cluster)
 set(codegen/shell                ${codegen/command} codegen/command)
 
@@ -54,12 +55,12 @@ set(everywhere regulus/floating_point_flags.hpp regulus/instruction_set_flags.hp
 # Of what writes certificates the verifier knows the format alone.
 set(only_header_runtime/certificate/verifier runtime/certificate/format.hpp)
 
-set(only_ginac codegen/model codegen/import codegen/robot codegen/symbolic codegen/certificate codegen/margin codegen/quantity codegen/bound codegen/trajectory)
+set(only_ginac codegen/model codegen/import codegen/robot codegen/symbolic codegen/certificate codegen/margin codegen/quantity codegen/bound codegen/feasibility codegen/trajectory)
 set(only_cln   codegen/model codegen/symbolic codegen/program codegen/formulation codegen/cpp codegen/certificate codegen/trajectory)
 set(only_llvm  codegen/jit)
 set(only_CLI11 codegen/command)
 set(only_tinyxml2 codegen/import)
-set(only_JSON  codegen/api codegen/bound codegen/certificate codegen/command codegen/cpp codegen/engine codegen/margin codegen/page codegen/report codegen/shell codegen/trajectory)
+set(only_JSON  codegen/api codegen/bound codegen/certificate codegen/command codegen/cpp codegen/engine codegen/feasibility codegen/margin codegen/page codegen/report codegen/shell codegen/trajectory)
 
 set(faults "")
 macro(fault file text)

@@ -1,0 +1,110 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// `regulus check --load NAME` and `regulus locate --load NAME`.
+#include <fmt/format.h>
+
+#include <iostream>
+#include <nlohmann/json.hpp>
+
+#include "codegen/command/answer.hpp"
+#include "codegen/command/commands.hpp"
+#include "codegen/command/interrupt.hpp"
+#include "codegen/command/lines_file.hpp"
+#include "codegen/feasibility/feasibility_report.hpp"
+#include "codegen/report/paving_options.hpp"
+#include "codegen/report/progress.hpp"
+#include "codegen/support/earlier_outputs.hpp"
+#include "codegen/support/errors.hpp"
+#include "codegen/support/exit_code.hpp"
+
+namespace regulus::inline command {
+namespace {
+
+int exit_code_of(FeasibilityVerdict verdict) {
+  switch (verdict) {
+    case FeasibilityVerdict::kFeasible:
+      return kNoSingularity;
+    case FeasibilityVerdict::kInfeasible:
+      return kSingularity;
+    case FeasibilityVerdict::kPossibleProblem:
+      return kPossibleProblem;
+  }
+  return kInternalFault;
+}
+
+void refuse_cluster(const SearchOptions& search) {
+  if (search.workers != nullptr)
+    throw UsageError("--load: this question runs on one machine; use regulus, with --threads");
+}
+
+/// Prints the report and the verdict. `to_error`: standard output has the boxes.
+int print_forces(const PreparedForces& prepared, const FeasibilityResult& result,
+                 const ForceVolumes* volumes, const OutputOptions& output, bool to_error) {
+  const int code = exit_code_of(result.verdict);
+  if (!output.quiet) std::cerr << format_forces(prepared, result, volumes);
+  if (output.json)
+    std::cout << json_forces(prepared, result, volumes).dump(output.json_indent) << '\n';
+  else if (!to_error)
+    print_answer(name(result.verdict), code);
+  else if (!output.quiet)
+    std::cerr << name(result.verdict) << '\n';
+  std::cout.flush();
+  return code;
+}
+
+/// Paves the variety; returns the exit code.
+int pave_forces(const LocateCommand& command, PreparedForces& prepared, InterruptGuard& interrupt) {
+  const PavingOptions options =
+      resolve_paving(command.resolution, prepared.search, prepared.preparation);
+  LinesFile lines(command);
+  const auto write = [&](const nlohmann::ordered_json& line) {
+    if (!lines.wanted()) return;
+    lines.stream() << line.dump() << '\n';
+    if (!lines.stream()) interrupt.request();
+  };
+  ForceVolumes volumes(prepared.problem);
+  SearchDisplay display(command.output);
+  FeasibilitySettings settings = settings_of(prepared, &interrupt.requested());
+  settings.paves = true;
+  settings.min_relative_width = options.resolution;
+  interrupt.begin_search();
+  write(json_forces_header(prepared, options.resolution));
+  const FeasibilityResult result = run_forces(
+      prepared, settings,
+      [&](std::span<const Interval> box, ForceClaim claim) {
+        volumes.add(box, claim);
+        write(json_forces_box(prepared, box, claim));
+      },
+      display.observer());
+  write(json_forces(prepared, result, &volumes));
+  lines.stream().flush();
+  if (lines.wanted() && !lines.stream()) throw FileError("cannot write " + lines.name());
+  lines.require_in_place();
+  return print_forces(prepared, result, &volumes, command.output, lines.is_standard_output());
+}
+
+}  // namespace
+
+std::optional<int> run_force_check(const CheckCommand& command) {
+  if (!command.load) return std::nullopt;
+  refuse_cluster(command.search);
+  InterruptGuard interrupt;
+  PreparedForces prepared = prepare_forces(command.model, *command.load, command.search,
+                                           forming_watch(command.output, &interrupt.requested()));
+  SearchDisplay display(command.output);
+  interrupt.begin_search();
+  const FeasibilityResult result = run_forces(
+      prepared, settings_of(prepared, &interrupt.requested()),
+      [](std::span<const Interval>, ForceClaim) {}, display.observer());
+  return print_forces(prepared, result, nullptr, command.output, false);
+}
+
+std::optional<int> run_force_locate(const LocateCommand& command) {
+  if (!command.load) return std::nullopt;
+  refuse_cluster(command.search);
+  InterruptGuard interrupt;
+  PreparedForces prepared = prepare_forces(command.model, *command.load, command.search,
+                                           forming_watch(command.output, &interrupt.requested()));
+  return pave_forces(command, prepared, interrupt);
+}
+
+}  // namespace regulus::command

@@ -1,0 +1,51 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Reports about forces that hold a load, for people and for programs.
+#pragma once
+
+#include <array>
+#include <nlohmann/json_fwd.hpp>
+#include <string>
+
+#include "codegen/feasibility/feasibility_run.hpp"
+#include "runtime/search/paving.hpp"
+
+namespace regulus::inline feasibility {
+
+/// Returns the word of JSON lines: "feasible", "infeasible", "undecided", "outside".
+[[nodiscard]] const char* name(ForceClaim claim) noexcept;
+
+/// Returns the claim about a box, as a sentence.
+[[nodiscard]] std::string describe_claim(const PreparedForces& prepared, ForceClaim claim);
+
+/// Adds up the volumes of boxes by their claims.
+class ForceVolumes {
+ public:
+  explicit ForceVolumes(const Problem& problem) : volumes_(problem) {}
+  void add(std::span<const Interval> box, ForceClaim claim) noexcept;
+  [[nodiscard]] const Share& of(ForceClaim claim) const noexcept;
+  /// Returns the part of the whole box, "83.1 %".
+  [[nodiscard]] std::string percentage(ForceClaim claim) const;
+  [[nodiscard]] Interval fraction(ForceClaim claim) const noexcept;
+
+ private:
+  Volumes volumes_;
+};
+
+/// Returns the report but for the verdict; `volumes`: of a paving, or null.
+[[nodiscard]] std::string format_forces(const PreparedForces& prepared,
+                                        const FeasibilityResult& result,
+                                        const ForceVolumes* volumes);
+
+/// Returns the JSON report.
+[[nodiscard]] nlohmann::ordered_json json_forces(const PreparedForces& prepared,
+                                                 const FeasibilityResult& result,
+                                                 const ForceVolumes* volumes);
+
+/// Returns the first line of a paving, and the line of a box.
+[[nodiscard]] nlohmann::ordered_json json_forces_header(const PreparedForces& prepared,
+                                                        double resolution);
+[[nodiscard]] nlohmann::ordered_json json_forces_box(const PreparedForces& prepared,
+                                                     std::span<const Interval> box,
+                                                     ForceClaim claim);
+
+}  // namespace regulus::feasibility

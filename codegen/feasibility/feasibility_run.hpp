@@ -1,0 +1,43 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The question of `regulus check --load` and `regulus locate --load`: can the motors hold a load?
+#pragma once
+
+#include <atomic>
+#include <string>
+
+#include "codegen/engine/pipeline.hpp"
+#include "codegen/feasibility/feasibility_search.hpp"
+#include "codegen/report/output_options.hpp"
+
+namespace regulus::inline feasibility {
+
+/// A question that is ready to be searched.
+struct PreparedForces {
+  PreparedSearch preparation;  ///< of J⁻¹, with the row scales in its entries
+  std::string load;            ///< name
+  std::string force_unit;
+  ForceProblem forces;
+  MatrixScaling scaling;
+  SearchOptions search;
+  Problem problem;
+
+  [[nodiscard]] ForceQuestion question() const { return {forces, problem, scaling}; }
+};
+
+/// Reads the model and forms its matrix.
+///
+/// Throws    UsageError if there is no such load or no limits, for a motion along way-points, and
+///           for a threshold, which would be ignored; the exceptions of prepare().
+[[nodiscard]] PreparedForces prepare_forces(const ModelOptions& model, const std::string& load,
+                                            const SearchOptions& search, FormingWatch watch);
+
+/// Returns the settings of a search within the rest of the time.
+[[nodiscard]] FeasibilitySettings settings_of(const PreparedForces& prepared,
+                                              const std::atomic<bool>* interrupt);
+
+/// Runs the search, and adds its time to the preparation's.
+[[nodiscard]] FeasibilityResult run_forces(PreparedForces& prepared,
+                                           const FeasibilitySettings& settings,
+                                           const ForceListener& listener, Observer* progress);
+
+}  // namespace regulus::feasibility
