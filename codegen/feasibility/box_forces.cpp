@@ -139,7 +139,8 @@ BoxOutcome BoxForces::outcome(const Box& box, std::size_t lane) {
   }
   look_at_center(lane, decision, result);
   if (decision.kind == Kind::kNotHeld) result.kind = BoxOutcome::Kind::kNotHeld;
-  result.is_hopeless = is_defined && has_slopes && decision.fails_at_center && !result.witness;
+  result.is_hopeless = is_defined && has_slopes && result.is_inhabited &&
+                       decision.fails_at_center && !result.witness;
   result.impact = std::move(decision.impact);
   return result;
 }

@@ -205,9 +205,9 @@ Json json_forces(const PreparedForces& prepared, const FeasibilityResult& result
   report["blocking_box"] = undecided && !result.blocking_box.empty()
                                ? json_parameters(p, result.blocking_box)
                                : Json(nullptr);
-  report["inhabited"] = result.is_empty       ? Json(false)
-                        : result.is_inhabited ? Json(true)
-                                              : Json(nullptr);
+  report["nonempty"] = result.is_empty       ? Json(false)
+                       : result.is_inhabited ? Json(true)
+                                             : Json(nullptr);
   for (const ForceClaim claim : kEveryClaim)
     if (volumes != nullptr)
       report["boxes_by_claim"][name(claim)] = {

@@ -39,9 +39,9 @@ PreparedForces prepare_forces(const ModelOptions& model, const std::string& load
   prepared.load = set.name;
   prepared.force_unit = request.model.actuators.force_unit;
   prepared.forces = force_problem(request.model, set);
-  prepared.search = with_derivatives(search);
+  prepared.search = search;
   prepared.preparation = prepare(with_scaled_rows(std::move(request)), stopwatch.lap(),
-                                 prepared.search, std::move(watch));
+                                 with_derivatives(search), std::move(watch));
   prepared.scaling = prepared.preparation.stages->formulation().scaling;
   prepared.problem = prepared.preparation.problem();
   return prepared;

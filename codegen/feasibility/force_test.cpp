@@ -32,7 +32,7 @@ class BoxDecision {
     bool all_held = true, all_held_at_center = true;
     for (std::size_t corner = 0; corner < problem_.corners.size(); ++corner) {
       const Attempt attempt = try_corner(corner);
-      if (decision_.kind == ForceDecision::Kind::kNotHeld) return decision_;
+      if (decision_.shortage) return decision_;
       all_held = all_held && attempt.held;
       all_held_at_center = all_held_at_center && attempt.held_at_center;
     }
@@ -159,13 +159,31 @@ class BoxDecision {
       if (!forces) break;
       if (round == 0 && slack_->s < 0) {
         refute(corner);
-        break;
+        return attempt;
       }
       const Doubles needed = compare(w, *forces, attempt);
       if (needed.empty()) break;
       reserve = needed;
     }
+    if (!attempt.held_at_center && !problem_.balls.empty()) refute_in_balls(corner);
     return attempt;
+  }
+
+  /// A load of a ball may not be held although that in its centre is. Tries those that change some
+  /// force most.
+  void refute_in_balls(std::size_t corner) {
+    for (std::size_t i = 0; i < m_; ++i)
+      for (const double side : {-1.0, 1.0}) {
+        Intervals w = problem_.corners[corner];
+        for (const LoadBall& ball : problem_.balls) {
+          double length = 0;
+          for (const std::size_t j : ball.members) length = std::hypot(length, K(j, i));
+          for (const std::size_t j : ball.members)
+            if (length > 0) w[j] += Interval(side * ball.radius.hi * K(j, i) / length);
+        }
+        if (middle_forces(w, Doubles(m_, 0.0)) && slack_->s < 0) refute(corner);
+        if (decision_.shortage) return;
+      }
   }
 
   /// Compares the forces around `f0` with the limits. Returns how far each may move; empty if
