@@ -27,6 +27,8 @@ using GiNaC::ex;
 constexpr int kPlaces = 8;        ///< where the quantity is evaluated beforehand
 constexpr double kBeyond = 1.01;  ///< an end of the bracket that is certainly singular
 constexpr int kMostRefinements = 3;
+/// Seconds of a search, if all components together have as much: enough for an attained end.
+constexpr double kLeastSearch = 1;
 
 /// "leg 3" becomes "leg_3".
 std::string in_file_name(std::string label) {
@@ -42,9 +44,14 @@ std::string certificate_of(const Component& c, const std::string& certificate) {
 /// Brackets one component, or compares it with a limit.
 class ComponentRun {
  public:
+  /// `seconds`: the component's share of the time; `left`: all of the time.
   ComponentRun(const Request& request, const Component& component, const BoundSettings& settings,
-               double seconds)
-      : request_(request), settings_(settings), search_(settings.search), watch_() {
+               double seconds, double left)
+      : request_(request),
+        settings_(settings),
+        search_(settings.search),
+        left_(std::max(left, 1e-3)),
+        watch_() {
     result_.component = component;
     search_.time_limit = std::max(seconds, 1e-3);
   }
@@ -139,15 +146,27 @@ class ComponentRun {
     return question_to(decimal_value(short_decimal_above(kBeyond * *sampled_)));
   }
 
-  [[nodiscard]] PreparedMargin prepared(const MarginQuestion& question) const {
-    PreparedMargin margin(question, bordered_.request, 0, search_,
+  /// Forms the matrix in all of the time that is left: the share is for the search.
+  [[nodiscard]] PreparedMargin prepared(const MarginQuestion& question) {
+    pass_time();
+    SearchOptions forming = search_;
+    forming.time_limit = left_;
+    PreparedMargin margin(question, bordered_.request, 0, forming,
                           forming_watch(settings_.output, settings_.interrupt));
+    pass_time();
     margin.settings.interrupt = settings_.interrupt;
+    margin.settings.time_limit =
+        margin.prepared.stopped ? 0 : std::max(search_.time_limit, std::min(kLeastSearch, left_));
     return margin;
   }
 
+  void pass_time() {
+    const double seconds = watch_.lap();
+    left_ = std::max(1e-3, left_ - seconds);
+    search_.time_limit = std::max(1e-3, search_.time_limit - seconds);
+  }
+
   void run(const MarginQuestion& question, double gap) {
-    search_.time_limit = std::max(1e-3, search_.time_limit - watch_.lap());
     PreparedMargin margin = prepared(question);
     MarginCertificates certificates(certificate(), margin.request, margin.prepared.labels);
     MarginRun run(margin.prepared, question, margin.request, margin.search, settings_.output,
@@ -233,7 +252,8 @@ class ComponentRun {
 
   const Request& request_;
   const BoundSettings& settings_;
-  SearchOptions search_;
+  SearchOptions search_;  ///< its time limit is the rest of the component's share
+  double left_;           ///< seconds
   Stopwatch watch_;
   Bordered bordered_;
   ex reference_ = 0;
@@ -306,13 +326,16 @@ Bound bound_quantity(const Request& request, Quantity quantity, const BoundSetti
         "formula, or ranges");
   Bound bound{std::move(quantity), {}};
   Stopwatch watch;
-  double left = settings.search.time_limit;
+  double left = settings.search.time_limit, forming = settings.forming_limit;
   const std::vector<Component>& components = bound.quantity.components;
   for (std::size_t i = 0; i < components.size(); ++i) {
     // Each component has an equal part of the time that is left.
-    ComponentRun run(request, components[i], settings, left / double(components.size() - i));
+    const double share = left / double(components.size() - i);
+    ComponentRun run(request, components[i], settings, share, std::max(left, forming));
     bound.components.push_back(settings.limit ? run.compare() : run.bracket());
-    left -= watch.lap();
+    const double seconds = watch.lap();
+    left -= seconds;
+    forming -= seconds;
     listener(bound.components.back());
     if (settings.interrupt != nullptr && *settings.interrupt) break;
   }

@@ -37,6 +37,8 @@ struct BoundSettings {
   double gap = 0.01;               ///< relative to the larger end
   std::optional<GiNaC::ex> limit;  ///< compare with it; no bracket
   SearchOptions search;            ///< its time limit is that of all components
+  double forming_limit = 0;  ///< seconds to form matrices; 0: the time limit. Without its matrix a
+                             ///< component has no end at all, so this may be more than its share
   OutputOptions output;
   std::string certificate;  ///< files, without their endings; empty: none
   const std::atomic<bool>* interrupt = nullptr;

@@ -113,6 +113,7 @@ Datasheet make_datasheet(const Request& request, const BoundSettings& settings,
   for (std::size_t i = 0; i < quantities.size() && !sheet.is_interrupted; ++i) {
     BoundSettings part = settings;
     part.search.time_limit = left / double(quantities.size() - i);
+    part.forming_limit = left;
     sheet.bounds.push_back(bound_quantity(request, std::move(quantities[i]), part, listener));
     left -= watch.lap();
     sheet.is_interrupted = settings.interrupt != nullptr && *settings.interrupt;

@@ -1,10 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "codegen/feasibility/feasibility_run.hpp"
 
-#include <thread>
-
 #include "codegen/bound/bound_run.hpp"
 #include "codegen/engine/search_run.hpp"
+#include "codegen/engine/settings.hpp"
 #include "codegen/quantity/quantity.hpp"
 #include "codegen/support/errors.hpp"
 
@@ -51,8 +50,7 @@ FeasibilitySettings settings_of(const PreparedForces& prepared,
                                 const std::atomic<bool>* interrupt) {
   FeasibilitySettings settings;
   const SearchOptions& search = prepared.search;
-  settings.threads =
-      search.threads != 0 ? search.threads : std::max(1U, std::thread::hardware_concurrency());
+  settings.threads = settings_from(search).threads;
   if (search.max_boxes != 0) settings.max_boxes = search.max_boxes;
   if (search.time_limit != 0)
     settings.time_limit = seconds_left(prepared.preparation, search.time_limit);
