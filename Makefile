@@ -61,7 +61,7 @@ ablation: dependencies  ## what each ingredient contributes: tests/paper/ABLATIO
 	build/bin/ablation_tables $(LIMIT) >build/ABLATION.md
 	mv build/ABLATION.md tests/paper/ABLATION.md
 
-datasheets: build  ## forces, speeds and accuracy of some robots: models/DATASHEETS.md (ten minutes)
+datasheets: build  ## forces, speeds and accuracy of some robots: models/DATASHEETS.md (five minutes)
 	models/write-datasheets.sh $(CURDIR)/build/bin/regulus >build/DATASHEETS.md
 	mv build/DATASHEETS.md models/DATASHEETS.md
 

@@ -28,7 +28,7 @@ constexpr int kPlaces = 8;        ///< where the quantity is evaluated beforehan
 constexpr double kBeyond = 1.01;  ///< an end of the bracket that is certainly singular
 constexpr int kMostRefinements = 3;
 /// Seconds of a search, if all components together have as much: enough for an attained end.
-constexpr double kLeastSearch = 1;
+constexpr double kLeastSearch = 0.5;
 
 /// "leg 3" becomes "leg_3".
 std::string in_file_name(std::string label) {

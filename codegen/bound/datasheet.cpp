@@ -80,6 +80,93 @@ std::optional<Range> limits_of(const Model& model, const Component& c) {
   return std::nullopt;
 }
 
+/// Keeps the better of two results for one component: each end of either is true.
+void keep_better(ComponentBound& known, ComponentBound found, bool is_least) {
+  const auto is_above = [](const BoundEnd& a, const BoundEnd& b) {
+    return !is_at_most(a.exact, b.exact);
+  };
+  const auto extends = [&](const BoundEnd& a, const BoundEnd& b) {
+    return is_least ? is_above(b, a) : is_above(a, b);
+  };
+  if (known.attained && (!found.attained || extends(*known.attained, *found.attained))) {
+    found.attained = known.attained;
+    found.place = known.place;
+  }
+  if (known.proved && (!found.proved || extends(*found.proved, *known.proved)))
+    found.proved = known.proved;
+  found.is_unbounded = found.is_unbounded || known.is_unbounded;
+  found.boxes += known.boxes;
+  found.seconds += known.seconds;
+  known = std::move(found);
+}
+
+/// Bounds all quantities twice: first each component with little time, which is often enough, so
+/// that each has an attained end at least; then those that are not closed, with the time that is
+/// left.
+class DatasheetRun {
+ public:
+  DatasheetRun(const Request& request, const BoundSettings& settings, const BoundListener& listener)
+      : request_(request),
+        settings_(settings),
+        listener_(listener),
+        left_(settings.search.time_limit) {}
+
+  std::vector<Bound> run(std::vector<Quantity> quantities) {
+    for (std::size_t i = 0; i < quantities.size() && !is_interrupted(); ++i) {
+      const double most = left_ / double(quantities.size() - i);
+      const double little = kFirstSeconds * double(quantities[i].components.size());
+      bounds_.push_back(bound(std::move(quantities[i]), std::min(little, most)));
+    }
+    std::size_t open = std::size_t(
+        std::ranges::count_if(bounds_, [](const Bound& bound) { return !bound.is_closed(); }));
+    for (Bound& known : bounds_) {
+      if (known.is_closed() || left_ <= 0 || is_interrupted()) continue;
+      refine(known, left_ / double(open));
+      --open;
+    }
+    return std::move(bounds_);
+  }
+
+  [[nodiscard]] bool is_interrupted() const {
+    return settings_.interrupt != nullptr && *settings_.interrupt;
+  }
+
+ private:
+  Bound bound(Quantity quantity, double seconds) {
+    BoundSettings part = settings_;
+    part.search.time_limit = seconds;
+    part.forming_limit = left_;
+    Bound found = bound_quantity(request_, std::move(quantity), part, listener_);
+    left_ -= watch_.lap();
+    return found;
+  }
+
+  void refine(Bound& known, double seconds) {
+    Quantity open = known.quantity;
+    open.components.clear();
+    std::vector<std::size_t> places;
+    for (std::size_t i = 0; i < known.components.size(); ++i)
+      if (const ComponentBound& c = known.components[i];
+          !c.is_closed && !c.is_unbounded && !c.is_empty) {
+        open.components.push_back(c.component);
+        places.push_back(i);
+      }
+    Bound found = bound(std::move(open), seconds);
+    for (std::size_t i = 0; i < found.components.size(); ++i)
+      keep_better(known.components[places[i]], std::move(found.components[i]),
+                  known.quantity.is_least);
+  }
+
+  static constexpr double kFirstSeconds = 0.25;  ///< for each component
+
+  const Request& request_;
+  const BoundSettings& settings_;
+  const BoundListener& listener_;
+  double left_;
+  Stopwatch watch_;
+  std::vector<Bound> bounds_;
+};
+
 }  // namespace
 
 LimitState limit_state(const Model& model, const ComponentBound& c) {
@@ -108,16 +195,9 @@ Datasheet make_datasheet(const Request& request, const BoundSettings& settings,
     } catch (const UsageError& error) {
       sheet.left_out.emplace_back(error.what());
     }
-  Stopwatch watch;
-  double left = settings.search.time_limit;
-  for (std::size_t i = 0; i < quantities.size() && !sheet.is_interrupted; ++i) {
-    BoundSettings part = settings;
-    part.search.time_limit = left / double(quantities.size() - i);
-    part.forming_limit = left;
-    sheet.bounds.push_back(bound_quantity(request, std::move(quantities[i]), part, listener));
-    left -= watch.lap();
-    sheet.is_interrupted = settings.interrupt != nullptr && *settings.interrupt;
-  }
+  DatasheetRun run(request, settings, listener);
+  sheet.bounds = run.run(std::move(quantities));
+  sheet.is_interrupted = run.is_interrupted();
   return sheet;
 }
 
