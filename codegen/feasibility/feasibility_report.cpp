@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <nlohmann/json.hpp>
 
 #include "codegen/report/paving_report.hpp"
@@ -37,8 +38,19 @@ Claim stand_in(ForceClaim claim) noexcept {
 std::string short_numbers(const std::vector<double>& values) {
   std::string text;
   for (const double value : values)
-    text += fmt::format("{}{:.6g}", text.empty() ? "" : ", ", value);
+    text += fmt::format("{}{:.5g}", text.empty() ? "" : ", ", value);
   return text;
+}
+
+/// Returns the direction with a largest component of ±1, and the two numbers for it.
+std::string format_direction(const Shortage& s) {
+  constexpr double kNoise = 1e-9;
+  double most = 0;
+  for (const double y : s.direction) most = std::fmax(most, std::fabs(y));
+  std::vector<double> shown;
+  for (const double y : s.direction) shown.push_back(std::fabs(y) > kNoise * most ? y / most : 0.0);
+  return fmt::format("along ({}), approximately, it needs {:.5g}, the forces give at most {:.5g}",
+                     short_numbers(shown), s.needed.lo / most, s.possible.hi / most);
 }
 
 std::vector<double> middles(const std::vector<Interval>& values) {
@@ -75,8 +87,7 @@ std::string format_witness_of(const PreparedForces& prepared, const ForceWitness
                       describe_limits(prepared));
   text += fmt::format("           near the corner ({})\n",
                       short_numbers(middles(prepared.forces.corners[s.corner])));
-  text += fmt::format("           along ({}) it needs {:.6g}, the forces give at most {:.6g}\n",
-                      short_numbers(s.direction), s.needed.lo, s.possible.hi);
+  text += fmt::format("           {}\n", format_direction(s));
   return text;
 }
 
