@@ -91,11 +91,18 @@ std::string format_witness_of(const PreparedForces& prepared, const ForceWitness
   return text;
 }
 
+std::string describe_reason(const PreparedForces& prepared, const FeasibilityResult& result) {
+  if (result.reason == Reason::kUncertainty && uncertain_count(prepared.preparation) == 0)
+    return "at one pose the forces are too near their limits, or the matrix is too near to losing "
+           "rank";
+  return describe(result.reason);
+}
+
 std::string format_reason(const PreparedForces& prepared, const FeasibilityResult& result) {
   const PreparedSearch& p = prepared.preparation;
   std::string text;
   if (result.verdict == FeasibilityVerdict::kPossibleProblem)
-    text += fmt::format("reason     {}\n", describe(result.reason));
+    text += fmt::format("reason     {}\n", describe_reason(prepared, result));
   if (!result.blocking_box.empty() && result.verdict == FeasibilityVerdict::kPossibleProblem)
     text += fmt::format("blocked by {}\n", describe_short_place(p, result.blocking_box));
   if (result.verdict == FeasibilityVerdict::kFeasible && !result.is_inhabited)
@@ -202,7 +209,7 @@ Json json_forces(const PreparedForces& prepared, const FeasibilityResult& result
   const bool undecided = result.verdict == FeasibilityVerdict::kPossibleProblem;
   Json report = {{"load", prepared.load},
                  {"verdict", json_verdict(result.verdict)},
-                 {"reason", undecided ? Json(describe(result.reason)) : Json(nullptr)},
+                 {"reason", undecided ? Json(describe_reason(prepared, result)) : Json(nullptr)},
                  {"claim", result.verdict == FeasibilityVerdict::kFeasible
                                ? Json(describe_claim_of_all(prepared))
                                : Json(nullptr)},

@@ -176,11 +176,9 @@ class ForceSearch {
     open_.push_back(std::move(box));
   }
 
-  [[nodiscard]] Reason reason_of(const BoxOutcome& outcome) const {
+  [[nodiscard]] static Reason reason_of(const BoxOutcome& outcome) {
     if (outcome.is_undefined) return Reason::kUndefined;
-    return outcome.is_hopeless && question_.problem.outer.size() > parameters_
-               ? Reason::kUncertainty
-               : Reason::kWidth;
+    return outcome.is_hopeless ? Reason::kUncertainty : Reason::kWidth;
   }
 
   /// Returns the parameter with the greatest impact, or else with the widest part of its range.

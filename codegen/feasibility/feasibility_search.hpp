@@ -40,6 +40,8 @@ struct FeasibilitySettings {
 
 struct FeasibilityResult {
   FeasibilityVerdict verdict = FeasibilityVerdict::kPossibleProblem;
+  /// kUncertainty: at one pose the test fails, whatever the size of the box; also if nothing is
+  /// uncertain.
   Reason reason = Reason::kAllBoxesCertified;
   std::uint64_t boxes = 0;
   double seconds = 0;
