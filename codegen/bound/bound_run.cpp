@@ -12,6 +12,7 @@
 #include "codegen/margin/prepared_margin.hpp"
 #include "codegen/model/certain_sign.hpp"
 #include "codegen/model/decimal.hpp"
+#include "codegen/model/ginac_text.hpp"
 #include "codegen/model/sign.hpp"
 #include "codegen/quantity/approx_values.hpp"
 #include "codegen/report/progress.hpp"
@@ -60,6 +61,8 @@ class ComponentRun {
     choose_reference();
     if (is_zero_everywhere()) return zero();
     MarginQuestion question = whole_question();
+    if (settings_.checkpoint != nullptr)
+      settings_.checkpoint->narrow(question, result_.component.label, reference_text());
     double gap = settings_.gap;
     for (int round = 0; round <= kMostRefinements; ++round) {
       run(question, gap);
@@ -170,7 +173,8 @@ class ComponentRun {
     PreparedMargin margin = prepared(question);
     MarginCertificates certificates(certificate(), margin.request, margin.prepared.labels);
     MarginRun run(margin.prepared, question, margin.request, margin.search, settings_.output,
-                  margin.settings, gap, certificates, [](const MarginStep&) {});
+                  margin.settings, gap, certificates,
+                  [this](const MarginStep& step) { save(step); });
     const Margin found = run.run();
     margin.prepared.seconds.search = found.seconds;
     add(margin.prepared, found.boxes);
@@ -183,6 +187,13 @@ class ComponentRun {
                          ? ""
                          : "no search was likely to end within the time left";
     result_.certificates = certificates.lines();
+  }
+
+  [[nodiscard]] std::string reference_text() const { return formula_text(reference_); }
+
+  void save(const MarginStep& step) {
+    if (settings_.checkpoint != nullptr)
+      settings_.checkpoint->note(result_.component.label, reference_text(), step);
   }
 
   void set_proved(const MarginValue& value) {

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "codegen/bound/attained_place.hpp"
+#include "codegen/bound/bound_checkpoint.hpp"
 #include "codegen/bound/bound_number.hpp"
 #include "codegen/margin/margin_run.hpp"
 #include "codegen/quantity/bordered.hpp"
@@ -41,6 +42,7 @@ struct BoundSettings {
                              ///< component has no end at all, so this may be more than its share
   OutputOptions output;
   std::string certificate;  ///< files, without their endings; empty: none
+  BoundCheckpoint* checkpoint = nullptr;
   const std::atomic<bool>* interrupt = nullptr;
 };
 

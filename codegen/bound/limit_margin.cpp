@@ -59,13 +59,20 @@ class LimitMarginRun {
     };
     SearchOptions search = settings_.search;
     search.time_limit = std::max(seconds, 1e-3);
-    PreparedMargin margin(question_, request_, 0, search,
+    MarginQuestion question = question_;
+    BoundCheckpoint* const checkpoint = settings_.checkpoint;
+    if (checkpoint != nullptr) checkpoint->narrow(question, component.label, "");
+    const StepListener listener = [&](const MarginStep& step) {
+      if (checkpoint != nullptr) checkpoint->note(component.label, "", step);
+      listener_(step);
+    };
+    PreparedMargin margin(question, request_, 0, search,
                           forming_watch(settings_.output, settings_.interrupt));
     margin.settings.interrupt = settings_.interrupt;
     MarginCertificates certificates(certificate_of(component), margin.request,
                                     margin.prepared.labels);
-    MarginRun run(margin.prepared, question_, margin.request, margin.search, settings_.output,
-                  margin.settings, settings_.gap, certificates, listener_);
+    MarginRun run(margin.prepared, question, margin.request, margin.search, settings_.output,
+                  margin.settings, settings_.gap, certificates, listener);
     result.margin = run.run();
     if (const auto& refuted = result.margin.refuted) {
       margin.request.replan(margin.prepared, refuted->value);

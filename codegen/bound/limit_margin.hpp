@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "codegen/bound/attained_place.hpp"
+#include "codegen/bound/bound_checkpoint.hpp"
 #include "codegen/margin/margin_run.hpp"
 #include "codegen/margin/prepared_margin.hpp"
 #include "codegen/quantity/bordered.hpp"
@@ -19,6 +20,7 @@ struct LimitMarginSettings {
   SearchOptions search;  ///< its time limit is that of all components
   OutputOptions output;
   std::string certificate;  ///< files, without their endings; empty: none
+  BoundCheckpoint* checkpoint = nullptr;
   const std::atomic<bool>* interrupt = nullptr;
 };
 

@@ -13,6 +13,7 @@
 #include "codegen/command/interrupt.hpp"
 #include "codegen/margin/prepared_margin.hpp"
 #include "codegen/support/earlier_outputs.hpp"
+#include "codegen/support/errors.hpp"
 #include "codegen/support/exit_code.hpp"
 
 namespace regulus::inline command {
@@ -52,10 +53,18 @@ int run_bound(const BoundCommand& given) {
   settings.search = command.search;
   settings.output = command.output;
   settings.certificate = command.certificate;
+  if (settings.limit && !command.checkpoint.empty())
+    throw UsageError("--checkpoint: with --limit there is one search and no bracket to continue");
   set_earlier_outputs_aside(command.model.path, certificate_files(quantity, command.certificate));
   InterruptGuard interrupt;
   settings.interrupt = &interrupt.requested();
   interrupt.begin_search();
+  std::optional<BoundCheckpoint> checkpoint;
+  if (!command.checkpoint.empty()) {
+    checkpoint.emplace(command.checkpoint,
+                       checkpointed_question(request, quantity, command.search));
+    settings.checkpoint = &*checkpoint;
+  }
 
   const bool quiet = command.output.quiet;
   if (!quiet)

@@ -23,6 +23,7 @@ struct BoundCommand {
   std::string limit;  ///< empty: find the bracket
   std::string gap = "0.01";
   std::string certificate;  ///< files, without their endings; empty: none
+  std::string checkpoint;   ///< file; empty: none
 };
 
 struct DatasheetCommand {

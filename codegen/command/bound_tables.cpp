@@ -40,7 +40,7 @@ void CommandTables::add_bound() {
   bound_command->get_option("--time-limit")->default_str("60");
   add_certificate_option(*bound_command, bound.certificate, kBoundCertificate);
   refuse_shard_option(*bound_command);
-  refuse_checkpoint_options(*bound_command, "start bound again for one --leg or --freedom");
+  add_bracket_checkpoint(*bound_command, bound.checkpoint);
   add_output_options(*bound_command, bound.output);
   bound_command->footer(kBoundFooter);
 }

@@ -269,8 +269,7 @@ void CommandTables::add_margin() {
   add_margin_options(*margin_command, margin);
   add_certificate_option(*margin_command, margin.certificate, kMarginCertificate);
   refuse_shard_option(*margin_command);
-  refuse_checkpoint_options(*margin_command,
-                            "start margin again with the two ends of the bracket as LO:HI");
+  add_bracket_checkpoint(*margin_command, margin.checkpoint);
   add_output_options(*margin_command, margin.output);
   margin_command->footer(kMarginFooter);
 }

@@ -30,6 +30,15 @@ LimitMarginSettings settings_of(const MarginCommand& command) {
   return settings;
 }
 
+/// Returns everything that the bracket depends on.
+nlohmann::ordered_json question_of(const Request& request, const MarginQuestion& question,
+                                   const Quantity& quantity, const MarginCommand& command) {
+  auto text = checkpointed_question(request, quantity, command.search);
+  text["margin"] = describe_quantity(question);
+  text["limit"] = command.limit;
+  return text;
+}
+
 }  // namespace
 
 std::optional<int> run_limit_margin(const MarginCommand& given) {
@@ -46,6 +55,11 @@ std::optional<int> run_limit_margin(const MarginCommand& given) {
   InterruptGuard interrupt;
   settings.interrupt = &interrupt.requested();
   interrupt.begin_search();
+  std::optional<BoundCheckpoint> checkpoint;
+  if (!command.checkpoint.empty()) {
+    checkpoint.emplace(command.checkpoint, question_of(request, question, quantity, command));
+    settings.checkpoint = &*checkpoint;
+  }
 
   const bool quiet = command.output.quiet;
   const LimitMargin margin = limit_margin(request, question, std::move(quantity), settings,

@@ -19,6 +19,10 @@ int exit_code_of_margin(const MarginQuestion& question, const Margin& margin) {
 
 int run_margin(const MarginCommand& given) {
   if (const std::optional<int> code = run_limit_margin(given)) return *code;
+  if (!given.checkpoint.empty())
+    throw UsageError(
+        "--checkpoint: without --quantity, start margin again with the two ends of the bracket as "
+        "LO:HI");
   MarginCommand command = given;
   const double gap = read_gap(command.gap);
   const MarginQuestion question = take_question(command.model, command.size);

@@ -161,9 +161,23 @@ void refuse_checkpoint_options(CLI::App& app, const std::string& why) {
     app.add_option_function<std::string>(
            name,
            [name, why](const std::string&) {
-             throw CLI::ValidationError(name, "only `regulus check` can be continued; " + why);
+             throw CLI::ValidationError(name, "`regulus locate` cannot be continued; " + why);
            })
         ->group("");
+}
+
+void add_bracket_checkpoint(CLI::App& app, std::string& path) {
+  app.add_option("--checkpoint", path,
+                 "Save the ends of each bracket to FILE when they are found; if FILE exists, begin "
+                 "with its ends and prove them again")
+      ->type_name("FILE");
+  app.add_option_function<std::string>("--checkpoint-every",
+                                       [](const std::string&) {
+                                         throw CLI::ValidationError(
+                                             "--checkpoint-every",
+                                             "each end is saved as soon as it is found");
+                                       })
+      ->group("");
 }
 
 }  // namespace regulus::command

@@ -200,5 +200,48 @@ TEST_F(BoundCommandTest, MakesADatasheetThatComparesLimits) {
   EXPECT_GE(report.at("bounds").size(), 8u);
 }
 
+TEST_F(BoundCommandTest, ContinuesFromItsCheckpoint) {
+  const std::string file = folder_.path() / "saved";
+  const auto ask = [&](std::vector<std::string> more) {
+    std::vector<std::string> words{"bound", model_, "force", "--load", "any"};
+    words.insert(words.end(), more.begin(), more.end());
+    words.insert(words.end(), {"--checkpoint", file, "--threads", "1"});
+    return run(words);
+  };
+  const CommandResult first = ask({"--json"});
+  EXPECT_EQ(first.exit_code, 0) << first.errors;
+  const CommandResult second = ask({"--json"});
+  EXPECT_EQ(second.exit_code, 0) << second.errors;
+  EXPECT_EQ(json::parse(first.output)["result"], json::parse(second.output)["result"]);
+  EXPECT_LT(json::parse(second.output)["boxes"], json::parse(first.output)["boxes"]);
+  EXPECT_EQ(ask({"--leg", "1"}).exit_code, 65);
+  EXPECT_EQ(ask({"--limit", "9"}).exit_code, 64);
+  std::ofstream(file) << "{";
+  const CommandResult damaged = ask({});
+  EXPECT_EQ(damaged.exit_code, 65);
+  EXPECT_THAT(damaged.errors, HasSubstr("not a checkpoint of brackets, or it is damaged"));
+}
+
+// An end of the file that is false is found out, because both are proved again.
+TEST_F(BoundCommandTest, TakesNoEndFromItsCheckpointWithoutProof) {
+  const std::string file = folder_.path() / "saved";
+  const std::vector<std::string> words{"bound",        model_, "force",     "--load", "any",
+                                       "--checkpoint", file,   "--threads", "1",      "--json"};
+  const json honest = json::parse(run(words).output);
+  auto saved = nlohmann::ordered_json::parse(std::ifstream(file));
+  for (auto& [label, component] : saved["components"].items()) {
+    const double least = std::stod(component["refuted"].get<std::string>());
+    component["certified"] = std::to_string(2 * least);
+    component["refuted"] = std::to_string(4 * least);
+  }
+  std::ofstream(file) << saved.dump();
+  const json report = json::parse(run(words).output);
+  ASSERT_EQ(report["components"].size(), 2U);
+  for (std::size_t i = 0; i < 2; ++i)
+    if (const json& component = report["components"][i]; component["proved"].is_number()) {
+      EXPECT_GE(component["proved"], honest["components"][i]["attained"]) << component;
+    }
+}
+
 }  // namespace
 }  // namespace regulus::test

@@ -282,7 +282,7 @@ TEST_F(FileTrouble, TwoCheckpointsOfOneCertificateAreKeptApart) {
 TEST_F(FileTrouble, OnlyCheckCanBeContinuedAndTheOthersSaySo) {
   const CommandResult locate = regulus({"locate", kPlanar, "regular", "--checkpoint", file("c")});
   EXPECT_EQ(locate.exit_code, 64);
-  EXPECT_THAT(locate.errors, HasSubstr("only `regulus check` can be continued"));
+  EXPECT_THAT(locate.errors, HasSubstr("`regulus locate` cannot be continued"));
   const CommandResult margin =
       regulus({"margin", kPlanar, "regular", "--tolerance", "base=0:1", "--checkpoint-every", "1"});
   EXPECT_EQ(margin.exit_code, 64);
