@@ -7,6 +7,7 @@
 #include <cmath>
 
 #include "codegen/bound/fastest_twist.hpp"
+#include "codegen/bound/norm_of_part.hpp"
 #include "codegen/engine/search_run.hpp"
 #include "codegen/engine/settings.hpp"
 #include "codegen/margin/prepared_margin.hpp"
@@ -42,6 +43,13 @@ std::string certificate_of(const Component& c, const std::string& certificate) {
   return certificate.empty() ? certificate : certificate + certificate_suffix(c);
 }
 
+/// Returns (proved − attained)/larger of the two; nullopt unless there are both.
+std::optional<double> relative_gap(const ComponentBound* attained, const ComponentBound* proved) {
+  if (!attained || !proved || !attained->attained || !proved->proved) return std::nullopt;
+  const double a = attained->attained->approx, p = proved->proved->approx;
+  return std::abs(a - p) / std::max({std::abs(a), std::abs(p), 1e-300});
+}
+
 /// Brackets one component, or compares it with a limit.
 class ComponentRun {
  public:
@@ -66,7 +74,7 @@ class ComponentRun {
     double gap = settings_.gap;
     for (int round = 0; round <= kMostRefinements; ++round) {
       run(question, gap);
-      const std::optional<double> width = relative_gap();
+      const std::optional<double> width = relative_gap(&result_, &result_);
       result_.is_closed = width && *width <= settings_.gap;
       if (result_.is_closed || !width || !closed_) break;
       // The gap of 1/r is relative to q − y, that of the bracket to q.
@@ -250,12 +258,6 @@ class ComponentRun {
     return place;
   }
 
-  [[nodiscard]] std::optional<double> relative_gap() const {
-    if (!result_.proved || !result_.attained) return std::nullopt;
-    const double a = result_.proved->approx, b = result_.attained->approx;
-    return std::abs(a - b) / std::max({std::abs(a), std::abs(b), 1e-300});
-  }
-
   void add(const PreparedSearch& p, std::uint64_t boxes) {
     result_.boxes += boxes;
     result_.seconds += p.seconds_spent();
@@ -297,6 +299,15 @@ const ComponentBound* decisive(const Bound& bound, std::optional<BoundEnd> Compo
   return best;
 }
 
+/// Uses what other components attain.
+void use_freedoms(ComponentBound& component, const Bound& bound, const Model& model, double gap) {
+  raise_by_freedoms(component, bound.components, model);
+  const std::optional<double> width = relative_gap(&component, &component);
+  if (component.is_closed || !width || !(*width <= gap)) return;
+  component.is_closed = true;
+  component.reason.clear();
+}
+
 }  // namespace
 
 const ComponentBound* Bound::decisive_attained() const {
@@ -308,10 +319,7 @@ const ComponentBound* Bound::decisive_proved() const {
 }
 
 std::optional<double> Bound::gap() const {
-  const ComponentBound *a = decisive_attained(), *b = decisive_proved();
-  if (!a || !b) return std::nullopt;
-  const double x = a->attained->approx, y = b->proved->approx;
-  return std::abs(x - y) / std::max({std::abs(x), std::abs(y), 1e-300});
+  return relative_gap(decisive_attained(), decisive_proved());
 }
 
 bool Bound::is_closed() const {
@@ -344,6 +352,9 @@ Bound bound_quantity(const Request& request, Quantity quantity, const BoundSetti
     const double share = left / double(components.size() - i);
     ComponentRun run(request, components[i], settings, share, std::max(left, forming));
     bound.components.push_back(settings.limit ? run.compare() : run.bracket());
+    // A certificate is of the end that the component's own search found.
+    if (!settings.limit && settings.certificate.empty())
+      use_freedoms(bound.components.back(), bound, request.model, settings.gap);
     const double seconds = watch.lap();
     left -= seconds;
     forming -= seconds;
