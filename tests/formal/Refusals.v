@@ -1,7 +1,7 @@
 (* SPDX-License-Identifier: GPL-3.0-or-later *)
 (** Questions whose answer is known: what is false must not be proved, by any method. *)
 From Coq Require Import List Bool Arith PrimFloat.
-From Regulus Require Import Expressions Questions Search Singularity Threshold Notations.
+From Regulus Require Import Expressions Questions Search Singularity Threshold Forces Notations.
 Import ListNotations.
 
 Definition methods : list method :=
@@ -163,6 +163,66 @@ Proof. vm_compute. reflexivity. Qed.
 
 Goal [crosses x [] (- 1/10); crosses x [1/x; 1] 1; crosses (abs x + 1) [] 2; crosses x [] (1/0)]
   = [false; false; false; false].
+Proof. vm_compute. reflexivity. Qed.
+
+(** Forces F with M^T F = v. *)
+Definition sheared : question := square [[1; x]; [0; 1]].
+
+Record force_claim := on { of : question; row : nat; load : list expression; limit : expression }.
+
+Definition false_forces : list force_claim := [
+  (* The force of row 1 is -x: its bound is attained, or less than what is attained. *)
+  on sheared 1 [1; 0] 1;
+  on sheared 1 [1; 0] (999/1000);
+  on sheared 1 [2; 0] 1.999;
+  on sheared 0 [y; 0] 2;
+  (* At some point no force balances the load, or each of many. *)
+  on (square [[x; 0]; [0; 1]]) 0 [1; 0] 1000;
+  on (square [[x; 0]; [0; 1]]) 1 [0; 0] 1;
+  on (square [[x; 0]; [0; 1]]) 1 [0; 1] 1000;
+  on (square [[1]; [0]]) 0 [1] 2;
+  on (square [[1; 0]; [0; 1]; [0; 1]]) 0 [1; 0] 2;
+  (* The load has no value, the limit has none, or is not positive. *)
+  on sheared 1 [0; 1/x] 1000;
+  on sheared 1 [1; 0] (1/0);
+  on sheared 1 [1; 0] 0;
+  on sheared 1 [1; 0] (- 2);
+  (* No such row; too few or too many entries. *)
+  on sheared 2 [1; 0] 2;
+  on sheared 1 [1] 2;
+  on sheared 1 [1; 0; 0] 2;
+  on sheared 1 [] 2;
+  on (square [[1; 0; 1/x]; [0; 1]]) 0 [1; 0] 2;
+  on (square [[1; 0]; [0]]) 1 [0; 1] 2;
+  (* A constraint that excludes too little. *)
+  on (over [1/10 - x] [[x; 0]; [0; 1]]) 0 [1; 0] 10 ].
+
+Definition true_forces : list force_claim := [
+  on sheared 1 [1; 0] 1.001;
+  on sheared 1 [y; 0] 2.001;
+  on sheared 0 [y; 1/3] 2.001;
+  on sheared 1 [0; 0] (1e-6);
+  on (over [1/10 - x] [[x; 0]; [0; 1]]) 0 [1; 0] 10.1 ].
+
+Definition is_within (s : force_claim) (m : method) : bool :=
+  check_force range_within (of s) (row s) (load s) (limit s) m.
+
+(** The force of row 0 is between -2 and 0: only the absolute force has a bound that is not small. *)
+Definition is_below (limit : expression) : bool * bool :=
+  (check_force range_below sheared 0 [- y; 0] limit (Method 99 30),
+   check_force range_within sheared 0 [- y; 0] limit (Method 99 30)).
+
+Goal map (fun s => existsb (is_within s) methods) false_forces = map (fun _ => false) false_forces.
+Proof. vm_compute. reflexivity. Qed.
+
+Goal map (fun s => is_within s (Method 99 30)) true_forces = map (fun _ => true) true_forces.
+Proof. vm_compute. reflexivity. Qed.
+
+Goal map is_below [1/1000; 2; 2.001; 0] = [(true, false); (true, false); (true, true); (false, false)].
+Proof. vm_compute. reflexivity. Qed.
+
+Goal map (check_force_tree range_within (over [1/10 - x] [[x; 0]; [0; 1]]) 0 [1; 0] 20 (Method 2 0))
+  [Leaf; Split 0 Leaf Leaf; Split 2 Leaf Leaf] = [false; false; false].
 Proof. vm_compute. reflexivity. Qed.
 
 (** Trees that leave a box open, or split what is not there. *)

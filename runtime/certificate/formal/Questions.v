@@ -80,3 +80,29 @@ Definition determinant_not_above (q : question) (scales : list expression)
   defined [] threshold /\ rows q = columns q /\
   exists x, in_set q x /\ model_defined q x /\ scales_defined q scales x /\
     scaled_determinant q scales x <= value [] threshold.
+
+(** ** Forces *)
+
+(** The forces F of the rows balance a load w: M^T D F = w, where D has the scales s of the rows. *)
+Definition in_balance (n : nat) (m : nat -> nat -> R) (s F w : nat -> R) : Prop :=
+  forall j, (j < n)%nat -> sum n (fun i => m i j * (s i * F i)) = w j.
+
+(** At every point of the set, everything is defined, the matrix is square and regular, and the force
+    of a row, the first being row 0, satisfies a bound. The load is divided by the scale of this row;
+    whatever the scales are, then, the forces are those under the load. *)
+Definition force_satisfies (bound : R -> Prop) (q : question) (row : nat) (load : list expression) :=
+  rows q = columns q /\ (row < columns q)%nat /\ length load = columns q /\
+  forall x, in_set q x ->
+    let names := extend x (definitions q) in
+    model_defined q x /\ Forall (defined names) load /\
+    full_column_rank (rows q) (columns q) (entry q names) /\
+    forall s F, s row <> 0 ->
+      in_balance (columns q) (entry q names) s F
+        (fun j => s row * value names (nth j load no_entry)) ->
+      bound (F row).
+
+Definition force_within (q : question) (row : nat) (load : list expression) (limit : expression) :=
+  defined [] limit /\ force_satisfies (fun f => Rabs f < value [] limit) q row load.
+
+Definition force_below (q : question) (row : nat) (load : list expression) (limit : expression) :=
+  defined [] limit /\ force_satisfies (fun f => f < value [] limit) q row load.
