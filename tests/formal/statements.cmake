@@ -12,13 +12,22 @@ foreach(name IN ITEMS Expressions LinearAlgebra Questions Notations)
   endif()
 endforeach()
 
-# expect_statement(CLAIM MODEL MOTION OPTIONS...)
+# expect_statement(CLAIM MODEL MOTION OPTIONS...), for `check`; MOTION force OPTIONS...: for `bound`
 function(expect_statement claim model)
-  execute_process(COMMAND ${REGULUS} check ${SOURCE_DIR}/models/${model}.toml ${ARGN} --certificate
+  set(command check)
+  set(certificate claim.txt)
+  set(statement "")
+  if("${ARGN}" MATCHES ";force;.*--leg;([0-9]+)")
+    set(command bound)
+    set(certificate claim.txt.leg_${CMAKE_MATCH_1}.safe)
+    set(statement --force)
+  endif()
+  execute_process(COMMAND ${REGULUS} ${command} ${SOURCE_DIR}/models/${model}.toml ${ARGN} --certificate
                           ${WORK_DIR}/claim.txt --quiet OUTPUT_QUIET)
-  execute_process(COMMAND ${VERIFY} --coq ${WORK_DIR}/claim.v ${WORK_DIR}/claim.txt COMMAND_ERROR_IS_FATAL ANY)
+  execute_process(COMMAND ${VERIFY} --coq ${WORK_DIR}/claim.v ${statement} ${WORK_DIR}/${certificate}
+                  COMMAND_ERROR_IS_FATAL ANY)
   file(READ ${WORK_DIR}/claim.v text)
-  string(REPLACE "Questions Search Singularity Threshold." "LinearAlgebra Questions." text "${text}")
+  string(REPLACE "Questions Search Singularity Threshold Forces." "LinearAlgebra Questions." text "${text}")
   string(REGEX REPLACE "\nDefinition the_method[^\n]*\n" "\n" text "${text}")
   if(NOT text MATCHES "\nTheorem the_claim : ([^\n]*)\\.\nProof\\.")
     message(FATAL_ERROR "${model} ${ARGN}: no theorem\n${text}")
@@ -38,3 +47,7 @@ file(WRITE ${WORK_DIR}/way.csv "x,y,phi\n8,4,0.3\n8.5,4.2,0.32\n8.6,4.6,0.35\n")
 expect_statement("Forall (fun piece => no_singularity (the_question piece)) pieces" planar_3rpr regular
                  --waypoints ${WORK_DIR}/way.csv)
 expect_statement("determinant_above the_question the_scales the_threshold" robot_1 table6_5_5 --alpha 1)
+expect_statement("force_within the_question the_row the_load the_limit" robot_1 table4_5 force --load payload
+                 --leg 3 --limit 2000)
+expect_statement("force_below the_question the_row the_load the_limit" robot_1 table4_5 force --load payload
+                 --leg 3 --signed --limit 2000)

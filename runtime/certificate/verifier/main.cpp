@@ -43,13 +43,16 @@ constexpr const char* kHelp =
     "  --max-boxes N    evaluate at most N boxes for all leaves together (default 4194304)\n"
     "  --coq FILE       do not prove the claim, but write it as a theorem that Coq proves:\n"
     "                   coqc -Q FOLDER Regulus FILE (runtime/certificate/formal/FORMAL.md)\n"
+    "  --force          with --coq: the certificate is FILE.leg_N.safe of `regulus bound MODEL "
+    "MOTION\n"
+    "                   force`; write the theorem that the force is within the bound\n"
     "  --quiet          print only the answer\n"
     "  --help           print this text\n";
 
 struct Usage {
   std::string certificate, model, coq;
   Options options;
-  bool help = false, quiet = false;
+  bool help = false, quiet = false, is_force = false;
 };
 
 template <class Number>
@@ -68,6 +71,8 @@ bool read_usage(const std::vector<std::string>& words, Usage& usage) {
       usage.help = true;
     } else if (word == "--quiet") {
       usage.quiet = true;
+    } else if (word == "--force") {
+      usage.is_force = true;
     } else if (word == "--allow-options") {
       usage.options.all_overridden = true;
     } else if (word == "--model" && !next.empty()) {
@@ -89,7 +94,7 @@ bool read_usage(const std::vector<std::string>& words, Usage& usage) {
       return false;
     }
   }
-  return usage.help || !usage.certificate.empty();
+  return usage.help || (!usage.certificate.empty() && (!usage.is_force || !usage.coq.empty()));
 }
 
 /// Writes one line over the previous one, on a terminal only.
@@ -137,7 +142,9 @@ int write_coq(const Usage& usage) {
   regulus::verifier::InputFile bytes(usage.certificate);
   std::istream file(&bytes);
   try {
-    write_file(usage.coq, regulus::verifier::coq_proof(file));
+    const auto statement = usage.is_force ? regulus::verifier::CoqStatement::kForce
+                                          : regulus::verifier::CoqStatement::kClaim;
+    write_file(usage.coq, regulus::verifier::coq_proof(file, statement));
     return 0;
   } catch (const regulus::verifier::Rejection& why) {
     return refuse(regulus::verifier::Outcome::kRejected, why);

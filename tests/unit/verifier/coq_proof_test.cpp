@@ -177,5 +177,56 @@ TEST(ATheorem, IsRefusedWhereTheLibraryHasNone) {
   EXPECT_THROW((void)written("no certificate\n"), verifier::Rejection);
 }
 
+/// The theorem of the force of row 1, if the certificate is that of a bound of a force.
+std::string force_theorem(const std::string& range, const std::string& first_entry,
+                          const std::string& more = "") {
+  std::istringstream file(
+      "regulus-certificate 1\nverdict NO SINGULARITY\nclaim the full 2x2 matrix of the model is "
+      "defined and has full rank at every pose and value of the 1 uncertain quantities of the "
+      "variety\nmodel r\nsha256 -\nmotion m\nalpha 0\nparameter x in 1 : 2\nparameter r in " +
+      range + "\nuncertain w = 0 +- 1\npose x = x\npose r = r\nlet e1 = x^2\n" + more +
+      "matrix 2 2\nentry " + first_entry + "\nentry -2*r*w/e1 + 1\nentry 0\nentry x\nproof\n");
+  return coq_proof(file, verifier::CoqStatement::kForce);
+}
+
+TEST(ATheorem, AboutAForceHasTheMatrixWithoutItsLoad) {
+  const std::string text = force_theorem("-1/5 : 1/5", "e1 - (x - 1e-3) - w*r*(1 + e1) - 3*w*r");
+  EXPECT_THAT(text, HasSubstr("claim   the absolute force of row 1 is below 5 "));
+  EXPECT_THAT(text, HasSubstr("Definition x := Name 0.\nDefinition w := Name 1.\n"
+                              "Definition e1 := Name 2.\n"));
+  EXPECT_THAT(text, HasSubstr("  [[e1 - (x - 1e-3);\n    1];\n   [0;\n    x]]\n  2.\n"));
+  EXPECT_THAT(text, HasSubstr("Definition the_load : list expression :=\n"
+                              "  [w * (1 + e1) + 3 * w;\n   2 * w/e1].\n"));
+  EXPECT_THAT(text, HasSubstr("Definition the_row : nat := 0.\n"
+                              "Definition the_limit : expression := 5.\n"));
+  EXPECT_THAT(text, HasSubstr("Theorem the_claim : force_within the_question the_row the_load "
+                              "the_limit.\n"));
+  EXPECT_THAT(text, HasSubstr("apply (check_force_within_correct the_question the_row the_load "
+                              "the_limit the_method)."));
+}
+
+TEST(ATheorem, AboutASignedForceIsOneSided) {
+  EXPECT_THAT(force_theorem("0 : 3/7", "r"),
+              HasSubstr("Definition the_limit : expression := 7/3."));
+  EXPECT_THAT(force_theorem("0 : 2*pi", "1 + r"), HasSubstr("expression := 1/(2 * pi)."));
+  EXPECT_THAT(force_theorem("0 : 1", "x + r"),
+              HasSubstr("Definition the_load : list expression :=\n  [- 1;"));
+  EXPECT_THAT(force_theorem("0 : 1", "x"),
+              HasSubstr("Definition the_load : list expression :=\n  [0;"));
+  EXPECT_THAT(force_theorem("0 : 1", "-r/x"), HasSubstr("[1/x;"));
+  EXPECT_THAT(force_theorem("0 : 1", "x"),
+              HasSubstr("Theorem the_claim : force_below the_question"));
+}
+
+TEST(ATheorem, AboutAForceIsRefusedForOtherQuestions) {
+  EXPECT_THROW((void)force_theorem("-1/5 : 1/4", "x"), verifier::Unfinished);
+  EXPECT_THROW((void)force_theorem("1 : 2", "x"), verifier::Unfinished);
+  for (const char* entry : {"x + r^2", "r*r", "x/r", "sin(r)", "(1 + r)*x", "x^r"})
+    EXPECT_THROW((void)force_theorem("0 : 1", entry), std::runtime_error) << entry;
+  EXPECT_THROW((void)force_theorem("0 : 1", "x", "let e2 = r*x\n"), verifier::Unfinished);
+  std::istringstream plain(certificate("parameter x in 1 : 2\npose x = x\n", "x"));
+  EXPECT_THROW((void)coq_proof(plain, verifier::CoqStatement::kForce), verifier::Unfinished);
+}
+
 }  // namespace
 }  // namespace regulus::test
