@@ -53,18 +53,28 @@ write_theorem(above robot_1 table6_5_5 --alpha 1)
 write_theorem(below robot_1 table6_5_5 --alpha 10)
 write_theorem(crossing planar_3rpr crossing --alpha 0.1)
 
+# write_force_theorem(NAME LIMIT OPTIONS...): that the force of leg 3 of a robot is within LIMIT.
+function(write_force_theorem name limit)
+  execute_process(COMMAND ${REGULUS} bound ${SOURCE_DIR}/models/robot_1.toml table4_5 force --load payload --leg 3
+                          --limit ${limit} ${ARGN} --certificate ${WORK_DIR}/${name}.txt --quiet OUTPUT_QUIET)
+  expect_success("${name}.v" ${VERIFY} --coq ${name}.v --force ${name}.txt.leg_3.safe)
+endfunction()
+write_force_theorem(force 700)
+write_force_theorem(signed_force 2000 --signed)
+
 # ---- The reader: Coq reads the same questions.
-foreach(name IN ITEMS pieces T1 errors tolerance scara singular above)
+foreach(name IN ITEMS pieces T1 errors tolerance scara singular above force signed_force)
   expect_success("${name}.v is not read" ${FORMAL} --compare same_${name}.v ${name}.v)
   expect_theorem("Coq reads another question in ${name}.v" same_${name}.v)
 endforeach()
 
 # ---- Verdicts.
-foreach(name IN ITEMS pieces pieces_above T1 errors tolerance circle wide scara axes singular above below crossing)
+foreach(name IN ITEMS pieces pieces_above T1 errors tolerance circle wide scara axes singular above below crossing force
+                 signed_force)
   expect_success("${name}.v is not proved" ${FORMAL} --hints hinted_${name}.v ${name}.v)
   expect_success("hinted_${name}.v is not proved" ${FORMAL} hinted_${name}.v)
 endforeach()
-foreach(name IN ITEMS pieces pieces_above circle above)
+foreach(name IN ITEMS pieces pieces_above circle above force signed_force)
   expect_theorem("Coq refuses hinted_${name}.v" hinted_${name}.v)
 endforeach()
 expect_theorem("Coq refuses below.v" below.v)
@@ -81,6 +91,16 @@ execute_process(COMMAND ${FORMAL} --quiet --max-leaves 300 false.v WORKING_DIREC
                 RESULT_VARIABLE code OUTPUT_VARIABLE answer)
 if(NOT code EQUAL 2 OR NOT answer STREQUAL "NOT PROVED\n")
   message(FATAL_ERROR "A singular robot: ${answer} (exit ${code})")
+endif()
+
+# A limit that is exceeded.
+file(READ ${WORK_DIR}/force.v text)
+string(REPLACE "the_limit : expression := 700." "the_limit : expression := 520." text "${text}")
+file(WRITE ${WORK_DIR}/exceeded.v "${text}")
+execute_process(COMMAND ${FORMAL} --quiet --max-leaves 300 exceeded.v WORKING_DIRECTORY ${WORK_DIR}
+                RESULT_VARIABLE code OUTPUT_VARIABLE answer)
+if(NOT code EQUAL 2 OR NOT text MATCHES "expression := 520" OR NOT answer STREQUAL "NOT PROVED\n")
+  message(FATAL_ERROR "A force beyond its limit: ${answer} (exit ${code})")
 endif()
 
 # ---- Damaged hints and files.

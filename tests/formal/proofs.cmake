@@ -38,10 +38,18 @@ foreach(row IN LISTS rows)
   separate_arguments(words UNIX_COMMAND "${row}")
   list(POP_FRONT words model motion)
   set(name proof)
-  execute_process(COMMAND ${REGULUS} check ${SOURCE_DIR}/models/${model}.toml ${motion} ${words}
+  set(command check)
+  set(certificate ${name}.txt)
+  set(statement "")
+  if(row MATCHES " force .*--leg ([0-9]+)")
+    set(command bound)
+    set(certificate ${name}.txt.leg_${CMAKE_MATCH_1}.safe)
+    set(statement --force)
+  endif()
+  execute_process(COMMAND ${REGULUS} ${command} ${SOURCE_DIR}/models/${model}.toml ${motion} ${words}
                           --certificate ${WORK_DIR}/${name}.txt --quiet
                   OUTPUT_VARIABLE verdict OUTPUT_STRIP_TRAILING_WHITESPACE ERROR_VARIABLE why)
-  execute_process(COMMAND ${VERIFY} --coq ${WORK_DIR}/plain.v ${WORK_DIR}/${name}.txt
+  execute_process(COMMAND ${VERIFY} --coq ${WORK_DIR}/plain.v ${statement} ${WORK_DIR}/${certificate}
                   RESULT_VARIABLE code ERROR_VARIABLE why)
   if(NOT code EQUAL 0)
     message(FATAL_ERROR "${row}: ${verdict}\n${why}")

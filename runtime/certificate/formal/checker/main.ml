@@ -55,7 +55,12 @@ let write_comparison u text (file : Reader.file) =
        "%s\nFrom Coq Require Import QArith.\nGoal %s = [\n%s].\nProof. vm_compute. reflexivity. Qed.\n"
        (Prove.text_before_theorem text)
        (if file.has_pieces then "map the_question pieces" else "[the_question]")
-       (String.concat ";\n" questions))
+       (String.concat ";\n" questions)
+    ^
+    if not (List.mem "the_load" file.typed) then ""
+    else
+      Printf.sprintf "Goal (the_row, the_load, the_limit) = (%d%%nat, %s, %s).\nProof. reflexivity. Qed.\n"
+        (Search.number_of file.row) (Print.list Print.expression file.load) (Print.expression file.limit))
 
 let report u seconds verdict =
   let say text = if not u.quiet then Printf.eprintf "%s: %s, %.2f s\n%!" u.file text seconds in

@@ -31,6 +31,7 @@ type verdict =
 (* A statement for all points of the set: the test of a box, the check of the splits of all pieces,
    and the theorems of the library that prove it with and without splits. *)
 type claim = {
+  searched : question -> question;  (* whose set is split *)
   test : question -> box -> answer;
   check : expression list list -> tree list -> bool;
   hinted : string;
@@ -45,7 +46,7 @@ let find_trees bounds (file : Reader.file) claim pieces =
     if !found > bounds.max_leaves then raise (Search.Open "the most leaves are reached")
   in
   let tree piece =
-    let q = file.question piece in
+    let q = claim.searched (file.question piece) in
     match enclose_ranges q.ranges with
     | None -> raise (Search.Open "an end of a range has no value")
     | Some root -> Search.splits ~count (claim.test q) (Search.number_of file.method_.deepest) root
@@ -105,13 +106,24 @@ let theorems (file : Reader.file) kind arguments =
 
 let regular (file : Reader.file) =
   let hinted, plain = theorems file "" "the_method" in
-  { test = (fun q -> test q file.method_);
+  { searched = Fun.id; test = (fun q -> test q file.method_);
     check = check_piece_trees file.question file.method_; hinted; plain }
 
 let above (file : Reader.file) =
   let hinted, plain = theorems file "_determinant" "the_scales the_threshold the_method" in
-  { test = (fun q -> test_determinant q file.scales file.threshold file.method_);
+  { searched = Fun.id; test = (fun q -> test_determinant q file.scales file.threshold file.method_);
     check = check_determinant_piece_trees file.question file.scales file.threshold file.method_;
+    hinted; plain }
+
+(* `side`: "within" for the absolute force, "below" for the force. *)
+let force (file : Reader.file) side ends =
+  let hinted, plain = theorems file ("_force_" ^ side) "the_row the_load the_limit the_method" in
+  { searched = (fun q -> bordered q file.row file.load (ends file.limit));
+    test = (fun q -> test q (bordered_method file.method_));
+    check = (fun _ trees ->
+      match trees with
+      | [ t ] -> check_force_tree ends (file.question []) file.row file.load file.limit file.method_ t
+      | _ -> false);
     hinted; plain }
 
 let at_points bounds text how check =
@@ -146,6 +158,8 @@ let prove bounds text (file : Reader.file) =
   else if states (Printf.sprintf "determinant_above %s the_scales the_threshold") then all (above file)
   else
   match (file.has_pieces, file.statement) with
+  | false, "force_within the_question the_row the_load the_limit" -> all (force file "within" range_within)
+  | false, "force_below the_question the_row the_load the_limit" -> all (force file "below" range_below)
   | false, "singularity the_question"
     when applies "check_singularity_correct the_question negative positive" ->
       at_points bounds text "the determinant changes its sign along a segment" (fun () ->

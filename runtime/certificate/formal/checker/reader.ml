@@ -13,13 +13,16 @@ type file = {
   points : (string * Float64.t list) list;  (* `negative` and `positive`, or `the_point` *)
   scales : expression list;
   threshold : expression;
+  row : nat;  (* of the force *)
+  load : expression list;
+  limit : expression;
   statement : string;  (* of the theorem, its words separated by spaces *)
   proof : string;  (* the theorem of the library that is applied *)
 }
 
 let typed_names =
   [ "the_question"; "the_method"; "pieces"; "the_tree"; "the_trees"; "negative"; "positive"; "the_point";
-    "the_scales"; "the_threshold" ]
+    "the_scales"; "the_threshold"; "the_row"; "the_load"; "the_limit" ]
 
 (* Where the reader is, and the names that have a meaning. *)
 type state = {
@@ -295,6 +298,9 @@ let typed s file name kind =
       { file with points = (name, coordinates s) :: file.points }
   | "the_scales", ": list expression" -> { file with scales = take_list s expression }
   | "the_threshold", ": expression" -> { file with threshold = expression s }
+  | "the_row", ": nat" -> { file with row = nat_of (take_count s 1000) }
+  | "the_load", ": list expression" -> { file with load = take_list s expression }
+  | "the_limit", ": expression" -> { file with limit = expression s }
   | _ -> fault s ("'" ^ name ^ " " ^ kind ^ "' is not a definition of regulus-verify")
 
 let read_definition s file =
@@ -309,11 +315,13 @@ let read_definition s file =
       else typed s { file with typed = name :: file.typed } name kind
   | _ -> expected s "a name"
 
+let zero = Constant (rational_of (Pos (D0 Nil)) Nil (Pos (D0 Nil)))
+
 let nothing =
   { typed = []; question = (fun _ -> raise (Fault (1, "the file does not define 'the_question'")));
     has_pieces = false; pieces = [];
     method_ = { second_order = O; deepest = O }; trees = []; points = []; scales = [];
-    threshold = Constant (rational_of (Pos (D0 Nil)) Nil (Pos (D0 Nil))); statement = ""; proof = "" }
+    threshold = zero; row = O; load = []; limit = zero; statement = ""; proof = "" }
 
 (* Reads the text of a file. Raises Fault. *)
 let read text =
