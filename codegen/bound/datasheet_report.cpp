@@ -106,6 +106,15 @@ std::string format_rows(const std::vector<Row>& rows, const std::string& before,
   return text;
 }
 
+/// A bar in a cell, as of |det J^-1|, would end the cell.
+std::vector<Row> in_markdown(std::vector<Row> rows) {
+  for (Row& row : rows)
+    for (std::string& cell : row)
+      for (std::size_t at = 0; (at = cell.find('|', at)) != std::string::npos; at += 2)
+        cell.insert(at, 1, '\\');
+  return rows;
+}
+
 constexpr const char* kMeaning =
     "Each row is a proved bracket: no value is beyond the outer end, over every pose and every\n"
     "uncertain value, and the inner end is attained.";
@@ -121,7 +130,7 @@ std::string text_datasheet(const Request& request, const Datasheet& sheet) {
 std::string markdown_datasheet(const Request& request, const Datasheet& sheet) {
   std::string text =
       fmt::format("# {}, motion {}\n\n{}\n\n", request.model.name, request.motion.name, kMeaning);
-  text += format_rows(rows_of(request.model, sheet), "| ", " | ", true) + '\n';
+  text += format_rows(in_markdown(rows_of(request.model, sheet)), "| ", " | ", true) + '\n';
   text += "Attained at:\n\n";
   for (const Bound& bound : sheet.bounds)
     if (const ComponentBound* c = bound.decisive_attained(); c && c->place)

@@ -196,6 +196,7 @@ TEST_F(BoundCommandTest, MakesADatasheetThatComparesLimits) {
   const CommandResult markdown = run({"datasheet", model_, "--markdown", "--quiet"});
   EXPECT_THAT(markdown.output, HasSubstr("| quantity"));
   EXPECT_THAT(markdown.output, HasSubstr("Attained at:"));
+  EXPECT_THAT(markdown.output, HasSubstr("| least \\|det J^-1\\| "));
   const json report = json::parse(run({"datasheet", model_, "--json", "--quiet"}).output);
   EXPECT_GE(report.at("bounds").size(), 8u);
 }
