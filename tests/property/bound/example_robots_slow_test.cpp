@@ -24,6 +24,8 @@ struct Robot {
   const char* motion;
 };
 
+void PrintTo(const Robot& robot, std::ostream* out) { *out << robot.model; }
+
 Request request_of(const Robot& robot) {
   ModelOptions options;
   options.path = std::string(REGULUS_SOURCE_DIR "/models/") + robot.model + ".toml";

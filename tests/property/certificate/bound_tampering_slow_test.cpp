@@ -102,10 +102,16 @@ std::optional<std::string> rest_of_question(const std::string& text) {
          text.substr(line->end, text.find("\nproof") - std::min(line->end, text.find("\nproof")));
 }
 
-class BoundTampering : public testing::TestWithParam<QuantityOptions> {};
+struct Asked {
+  QuantityOptions options;
+};
+
+void PrintTo(const Asked& asked, std::ostream* out) { *out << asked.options.quantity; }
+
+class BoundTampering : public testing::TestWithParam<Asked> {};
 
 TEST_P(BoundTampering, NeverLeadsToASmallerBoundThatIsVerified) {
-  const Proofs proofs = proofs_of(GetParam());
+  const Proofs proofs = proofs_of(GetParam().options);
   ASSERT_TRUE(range_line(proofs.safe) && range_line(proofs.singular));
   ASSERT_EQ(verify_text(proofs.safe, little_effort()).outcome, verifier::Outcome::kVerified);
   const double singular = range_line(proofs.singular)->high;
@@ -128,13 +134,12 @@ TEST_P(BoundTampering, NeverLeadsToASmallerBoundThatIsVerified) {
 
 INSTANTIATE_TEST_SUITE_P(
     Quantities, BoundTampering,
-    testing::Values(QuantityOptions{.quantity = "force", .row = "1"},
-                    QuantityOptions{.quantity = "force", .row = "2", .is_signed = true},
-                    QuantityOptions{.quantity = "speed", .row = "1"},
-                    QuantityOptions{.quantity = "error", .freedom = "v_x"},
-                    QuantityOptions{.quantity = "deflection", .freedom = "v_x"},
-                    QuantityOptions{.quantity = "sigma-max"},
-                    QuantityOptions{.quantity = "sigma-min"}));
+    testing::Values(Asked{{.quantity = "force", .row = "1"}},
+                    Asked{{.quantity = "force", .row = "2", .is_signed = true}},
+                    Asked{{.quantity = "speed", .row = "1"}},
+                    Asked{{.quantity = "error", .freedom = "v_x"}},
+                    Asked{{.quantity = "deflection", .freedom = "v_x"}},
+                    Asked{{.quantity = "sigma-max"}}, Asked{{.quantity = "sigma-min"}}));
 
 }  // namespace
 }  // namespace regulus::test
