@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What a page shows: the findings of earlier runs, and runs for the rest.
+// Collects what a page shows: the findings of earlier runs, and runs for the rest.
 #pragma once
 
 #include <nlohmann/json.hpp>
@@ -47,7 +47,7 @@ class PageRun {
   /// Each bracket has a time limit of its own, as `bound` and `margin` have.
   [[nodiscard]] SearchOptions search_of_bracket() const;
 
-  // Of earlier runs (page_from.cpp).
+  // These read earlier runs (page_from.cpp).
   void take_earlier();
   void take_certificate(const EarlierRun& run);
   void begin_from_certificate(const verifier::Verification& verification,

@@ -50,7 +50,7 @@ std::vector<const ImportedJoint*> written_joints(const Chain& chain) {
   return result;
 }
 
-/// Of a joint that has its own value: its name. Of another: the joint that it follows, and how.
+/// Returns the name of a joint that has its own value; of another, which joint it follows, and how.
 std::string value_text(const ImportedJoint& joint, const std::string& name) {
   if (joint.mimics.empty()) return fmt::format("name = \"{}\"", name);
   std::string text = fmt::format("mimic = \"{}\"", name);

@@ -26,10 +26,10 @@ struct EarlierRun {
   std::string sha256;  ///< of the file
   /// The report that --json printed; of a paving its summary; null for a certificate.
   nlohmann::ordered_json report;
-  /// Of the boxes of a paving: the line `regulus_paving`, and the tree (PavingTree::text()).
+  /// Hold the boxes of a paving: the line `regulus_paving`, and the tree (PavingTree::text()).
   nlohmann::ordered_json header;
   std::string tree;
-  /// Of a paving along way-points.
+  /// Holds a paving along way-points.
   nlohmann::ordered_json stretches;
 };
 

@@ -63,7 +63,7 @@ Model arm(const std::string& serial) {
   return parse_model("regulus = 1\nname = \"arm\"\n[serial]\n" + serial + motion, "arm.toml");
 }
 
-/// Of the Puma: the last three axes meet. `more`: keys of [serial].
+/// Returns the Puma, whose last three axes meet. `more`: keys of [serial].
 std::string spherical_wrist(const std::string& more = {}) {
   return more +
          "convention = \"modified-dh\"\njoints = [{ name = \"q1\" },\n"
