@@ -12,10 +12,9 @@
 namespace regulus::inline bracketing {
 namespace {
 
-/// Part of the time limit for the witness before the first search, and again when no search is
-/// useful.
-constexpr double kWitnessShare = 0.1;
-constexpr double kMostWitnessSeconds = 6;
+/// Part of the time left that a search for the witness may take, before the first search and again
+/// when no search is useful. It takes tenths of a second.
+constexpr double kWitnessShare = 0.5;
 constexpr int kFirstStarts = 64;
 constexpr int kMoreStarts = 192;
 constexpr int kStartsEach = 8;  ///< while the upper end is not known
@@ -42,7 +41,8 @@ MarginRun::MarginRun(PreparedSearch& preparation, const MarginQuestion& question
       settings_(settings),
       certificates_(certificates),
       listener_(std::move(listener)),
-      bracket_(question.low.approx, end_of(question), {gap, settings.time_limit}) {}
+      bracket_(question.low.approx, end_of(question),
+               {gap, settings.time_limit, settings.max_boxes}) {}
 
 bool MarginRun::interrupted() const noexcept {
   return settings_.interrupt != nullptr && *settings_.interrupt;
@@ -87,7 +87,7 @@ void MarginRun::look_below(const std::optional<MarginValue>& high, double limit)
   const double end = high ? high->approx : kInfinity;
   Growth growth = Growth::between(question_.low.approx, narrowest, end, widest_);
   witness_ = std::make_unique<LeastWitness>(widest_, settings_, std::move(growth), threshold);
-  const double seconds = std::min(kWitnessShare * limit, kMostWitnessSeconds);
+  const double seconds = kWitnessShare * limit;
   look_for_witness(seconds, question_.high || threshold ? kFirstStarts : kStartsEach);
   if (!question_.high && witness_->found()) look_for_witness(seconds, kFirstStarts);
 }
@@ -150,13 +150,14 @@ void MarginRun::attempt(const PlannedAttempt& planned) {
   request_.replan(preparation_, value);
   Settings settings = settings_;
   settings.time_limit = planned.seconds;
+  settings.max_boxes = planned.boxes;
   SearchDisplay display(output_);
   std::vector<Observer*> watching;
   for (Observer* observer : {certificates_.watch(value), display.observer()})
     if (observer != nullptr) watching.push_back(observer);
   Observers observers(std::move(watching));
   const Result result = run_search(preparation_, search_, settings, &observers);
-  note({value, result, claim(preparation_, result)}, true);
+  note({value, result, claim(preparation_, result)}, true, planned.boxes);
   if (!witness_ || result.verdict == Verdict::kNoSingularity) return;
   if (result.occupancy == Occupancy::kEmpty) return;
   if (result.witness) look_near(result.witness->points[0].variables);
@@ -173,14 +174,14 @@ void MarginRun::look_near(std::span<const Interval> box) {
   margin_.seconds += spent;
 }
 
-void MarginRun::note(MarginStep step, bool is_search) {
+void MarginRun::note(MarginStep step, bool is_search, std::uint64_t most_boxes) {
   const Result& result = step.result;
   certificates_.finish(step.value, result);
   if (is_search) {
     margin_.seconds += result.statistics.seconds;
     margin_.boxes += result.statistics.boxes;
     bracket_.note({step.value.approx, result.verdict, result.reason, result.statistics.boxes,
-                   result.statistics.seconds});
+                   result.statistics.seconds, most_boxes});
   } else {
     bracket_.note_refuted(step.value.approx);
   }

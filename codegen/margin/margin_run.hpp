@@ -58,7 +58,7 @@ class MarginRun {
   void close_in_from_above();
   void attempt(const PlannedAttempt& planned);
   void look_near(std::span<const Interval> box);
-  void note(MarginStep step, bool is_search);
+  void note(MarginStep step, bool is_search, std::uint64_t most_boxes = kAnyBoxes);
   [[nodiscard]] MarginValue value_of(double approx) const;
 
   PreparedSearch& preparation_;

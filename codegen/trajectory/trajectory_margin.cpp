@@ -48,7 +48,8 @@ TrajectoryMargin margin_of_trajectory(const MarginRequest& request, const Margin
                                       const std::atomic<bool>* interrupt,
                                       const MarginRun::Listener& listener) {
   const double limit = search.time_limit == 0 ? kInfinity : search.time_limit;
-  Bracket bracket(question.low.approx, end_of(question), {gap, limit});
+  const std::uint64_t most = search.max_boxes == 0 ? kAnyBoxes : search.max_boxes;
+  Bracket bracket(question.low.approx, end_of(question), {gap, limit, most});
   TrajectoryMargin found;
   const auto is_interrupted = [interrupt] { return interrupt != nullptr && interrupt->load(); };
   while (!is_interrupted()) {
@@ -57,11 +58,12 @@ TrajectoryMargin margin_of_trajectory(const MarginRequest& request, const Margin
     const MarginValue value = value_of(question, planned->value);
     SearchOptions options = search;
     if (planned->seconds < kInfinity) options.time_limit = planned->seconds;
+    if (planned->boxes < kAnyBoxes) options.max_boxes = planned->boxes;
     Stopwatch watch;
     TrajectoryCheck check = check_trajectory(request.at(value), 0, options, false, interrupt);
     const MarginStep step = step_of(value, check, watch.lap());
     bracket.note({step.value.approx, step.result.verdict, step.result.reason,
-                  step.result.statistics.boxes, step.result.statistics.seconds});
+                  step.result.statistics.boxes, step.result.statistics.seconds, planned->boxes});
     keep(found.margin, step);
     listener(step);
     const bool is_refuted = check.verdict == Verdict::kSingularity;

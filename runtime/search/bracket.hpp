@@ -12,6 +12,15 @@
 
 namespace regulus {
 
+inline constexpr std::uint64_t kAnyBoxes = std::numeric_limits<std::uint64_t>::max();
+
+/// A planned search: its value, and the most boxes and the longest time that it may take.
+struct PlannedAttempt {
+  double value = 0;
+  std::uint64_t boxes = kAnyBoxes;
+  double seconds = std::numeric_limits<double>::infinity();
+};
+
 /// A search that was made at one value.
 struct Attempt {
   double value = 0;
@@ -19,25 +28,24 @@ struct Attempt {
   Reason reason = Reason::kBadProblem;
   std::uint64_t boxes = 0;
   double seconds = 0;
-};
-
-/// A planned search: its value, and its longest time.
-struct PlannedAttempt {
-  double value = 0;
-  double seconds = 0;
+  std::uint64_t most_boxes = kAnyBoxes;  ///< that it was allowed
 };
 
 /// Approaches the largest safe value between `low` and `high`. A larger value means a larger set,
 /// or a larger threshold, so a value below a safe value is safe.
 ///
-/// The time for a value grows about as 1/(c − value)² towards a ceiling c, which is the least value
-/// that is not safe, or the limit of the tests. Two certified values give c roughly. No value is
-/// tried that would then take more than half of the remaining time.
+/// The boxes for a value grow about as 1/(c − value)² towards a ceiling c, which is the least value
+/// that is not safe, or the limit of the tests. Two certified values give c roughly. A search may
+/// take twenty times as many boxes as the last one, and no value is tried that would take more.
+///
+/// The values depend on the outcomes and on the numbers of boxes, not on the time: a search is
+/// stopped if it takes more than half of the remaining time, and no other choice looks at the clock.
 class Bracket {
  public:
   struct Limits {
     double gap = 0.01;  ///< relative
     double seconds = std::numeric_limits<double>::infinity();
+    std::uint64_t boxes = kAnyBoxes;  ///< of each search
   };
 
   /// Requires  0 ≤ low < high; high may be infinite.
@@ -70,14 +78,16 @@ class Bracket {
   /// A value that was neither certified nor refuted.
   struct Failure {
     double value;
-    double seconds;
-    bool for_want_of_time;  ///< more time might have helped
+    std::uint64_t most_boxes;
+    bool for_want_of_boxes;  ///< more boxes might have helped
   };
 
   [[nodiscard]] bool failed_at(double value) const noexcept;
-  [[nodiscard]] double lowest_obstacle(double seconds) const noexcept;
-  [[nodiscard]] double aim(double top, double seconds) const noexcept;
-  [[nodiscard]] std::optional<double> affordable(double seconds) const noexcept;
+  [[nodiscard]] std::uint64_t boxes_of_next() const noexcept;
+  [[nodiscard]] double seconds_of_next() const noexcept;
+  [[nodiscard]] double lowest_obstacle(std::uint64_t boxes) const noexcept;
+  [[nodiscard]] double aim(double top, std::uint64_t boxes) const noexcept;
+  [[nodiscard]] std::optional<double> affordable(double boxes) const noexcept;
 
   double low_, high_;
   Limits limits_;

@@ -17,6 +17,9 @@ constexpr int kMaxRounds = 12;
 constexpr int kHalvings = 48;
 /// If a value falls by less than this part of itself, it is taken as the least from that start.
 constexpr double kWorthAnotherRound = 1e-7;
+/// Packs of points for one call. 64 starts need some thousands, and 10⁵ where many quantities are
+/// uncertain. A number of packs, not of seconds, so that the result does not depend on the machine.
+constexpr std::uint64_t kMostPacks = 1 << 18;
 
 Interval range_of(const Problem& problem, std::size_t k) {
   return problem.inner[k] ? *problem.inner[k] : Interval(mid(problem.outer[k]));
@@ -60,20 +63,27 @@ LeastWitness::LeastWitness(const Problem& problem, const Settings& settings, Gro
       trial_(problem.outer.size()),
       least_(growth_.high()) {}
 
-bool LeastWitness::out_of_time() const noexcept {
-  return Clock::now() >= end_ || (interrupt_ != nullptr && *interrupt_);
+bool LeastWitness::must_stop() const noexcept {
+  return packs_left_ == 0 || Clock::now() >= end_ || (interrupt_ != nullptr && *interrupt_);
+}
+
+void LeastWitness::evaluate(std::size_t points) {
+  batch_.seal(points);
+  if (packs_left_ > 0) --packs_left_;
 }
 
 bool LeastWitness::search(double seconds, int starts, const std::atomic<bool>* interrupt) {
   const std::chrono::duration<double> time(std::min(seconds, 1e6));
   end_ = Clock::now() + std::chrono::duration_cast<Clock::duration>(time);
   interrupt_ = interrupt;
-  for (int i = 0; i < starts && !out_of_time(); ++i) improve_from(start(next_start_++));
+  packs_left_ = kMostPacks;
+  for (int i = 0; i < starts && !must_stop(); ++i) improve_from(start(next_start_++));
   return found_.has_value();
 }
 
 bool LeastWitness::search_from(std::span<const Interval> box) {
   end_ = Clock::time_point::max();
+  packs_left_ = kMostPacks;
   Parts parts(growth_.variables(), 0.5);
   for (std::size_t k = 0; k < parts.size(); ++k) {
     const double lo = growth_.at(widest(), k, 0), hi = growth_.at(widest(), k, 1);
@@ -99,7 +109,7 @@ LeastWitness::Parts LeastWitness::start(int number) {
 /// the determinant vanishes. The next round starts there.
 void LeastWitness::improve_from(Parts parts) {
   if (!set_out_from(parts)) return;
-  for (int round = 0; round < kMaxRounds && !out_of_time(); ++round) {
+  for (int round = 0; round < kMaxRounds && !must_stop(); ++round) {
     const double lowest = minimise(least_, parts);
     const double value = threshold_grows_ ? std::max(lowest, growth_.low())
                          : lowest <= 0    ? root(least_, parts)
@@ -154,7 +164,7 @@ double LeastWitness::root(double value, const Parts& parts) {
 double LeastWitness::minimise(double value, Parts& parts) {
   double best = objective_at(value, parts);
   for (double step = kFirstStep; step >= kLastStep; step *= kNextStep)
-    for (int i = 0; i < kMaxSweeps && !out_of_time(); ++i) {
+    for (int i = 0; i < kMaxSweeps && !must_stop(); ++i) {
       const Parts before = parts;
       if (!sweep(value, parts, step, best)) break;
       while (leap(value, parts, before, best)) {
@@ -188,7 +198,7 @@ bool LeastWitness::sweep(double value, Parts& parts, double step, double& best) 
       trial_[moves_[first + lane].variable] = moves_[first + lane].part;
       load(lane, value, trial_);
     }
-    batch_.seal(count);
+    evaluate(count);
     std::size_t chosen = count;
     for (std::size_t lane = 0; lane < count; ++lane)
       if (const double f = objective(lane); f < best) best = f, chosen = lane;
@@ -215,7 +225,7 @@ bool LeastWitness::leap(double value, Parts& parts, const Parts& before, double&
 double LeastWitness::objective_at(double value, const Parts& parts) {
   batch_.clear();
   load(0, value, parts);
-  batch_.seal(1);
+  evaluate(1);
   return objective(0);
 }
 

@@ -5,6 +5,7 @@
 
 #include <atomic>
 #include <chrono>
+#include <cstdint>
 #include <optional>
 #include <random>
 #include <span>
@@ -57,8 +58,9 @@ class LeastWitness {
   LeastWitness(const Problem& problem, const Settings& settings, Growth growth,
                bool threshold_grows);
 
-  /// Starts from the middle, corners and other places, until the time is over; repeated calls
-  /// continue with new places. Returns found().
+  /// Starts from the middle, corners and other places, until the time is over or 2^18 packs of points
+  /// have been evaluated; repeated calls continue with new places. Without the end of the time, the
+  /// result is always the same. Returns found().
   bool search(double seconds, int starts, const std::atomic<bool>* interrupt);
   /// Starts from the middle of a box.
   bool search_from(std::span<const Interval> box);
@@ -81,7 +83,8 @@ class LeastWitness {
   [[nodiscard]] double widest() const noexcept {
     return threshold_grows_ ? growth_.low() : growth_.high();
   }
-  [[nodiscard]] bool out_of_time() const noexcept;
+  [[nodiscard]] bool must_stop() const noexcept;
+  void evaluate(std::size_t points);
   [[nodiscard]] Parts start(int number);
   void improve_from(Parts parts);
   [[nodiscard]] bool set_out_from(const Parts& parts);
@@ -110,6 +113,7 @@ class LeastWitness {
   Parts start_;
   double least_;
   std::optional<Place> found_;
+  std::uint64_t packs_left_ = 0;
   Clock::time_point end_;
   const std::atomic<bool>* interrupt_ = nullptr;
 };

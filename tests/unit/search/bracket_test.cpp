@@ -123,13 +123,52 @@ TEST(Bracket, SpendsItsTimeOnValuesItCanAfford) {
   EXPECT_LT(wasted, 30);
 }
 
-TEST(Bracket, TriesAgainWhatFailedForWantOfTimeOnlyWithMuchMore) {
+TEST(Bracket, TriesAgainWhatFailedForWantOfBoxesOnlyWithManyMore) {
   Bracket bracket(0, 1, {.gap = 0.01, .seconds = 100});
-  bracket.note(certified(0));
-  bracket.note(failed(1, Reason::kTimeBudget, 1));
-  EXPECT_EQ(bracket.next()->value, 1);
-  bracket.note(failed(1, Reason::kTimeBudget, 4));
+  bracket.note(certified(0, 0.01, 10000));
+  const PlannedAttempt first = *bracket.next();
+  EXPECT_EQ(first.value, 1);
+  bracket.note({1, Verdict::kPossibleProblem, Reason::kBoxBudget, 9, 1, first.boxes});
+  EXPECT_EQ(bracket.next()->value, 0.5);
+  bracket.note(certified(0.5, 0.01, 20000));
   EXPECT_LT(bracket.next()->value, 1);
+  bracket.note(certified(0.7, 0.01, 30000));
+  const PlannedAttempt again = *bracket.next();
+  EXPECT_EQ(again.value, 1);
+  EXPECT_GT(again.boxes, 2 * first.boxes);
+  bracket.note({1, Verdict::kPossibleProblem, Reason::kBoxBudget, 9, 1, again.boxes});
+  EXPECT_LT(bracket.next()->value, 1);
+}
+
+TEST(Bracket, TriesNothingAgainThatReachedTheBoxesOfEverySearch) {
+  Bracket bracket(0, 1, {.gap = 1e-3, .boxes = 100});
+  Pursuit run;
+  run.of(bracket, [](const PlannedAttempt& planned) {
+    EXPECT_LE(planned.boxes, 100U);
+    if (planned.value < 0.3) return certified(planned.value, 0.01, 50);
+    return Attempt{planned.value, Verdict::kPossibleProblem, Reason::kBoxBudget, 100, 0.01,
+                   planned.boxes};
+  });
+  EXPECT_GT(*bracket.certified(), 0.29);
+}
+
+TEST(Bracket, TriesTheSameValuesOnAnyMachine) {
+  const auto values_on = [](double seconds_a_box) {
+    Bracket bracket(0, 1, {.gap = 1e-3});
+    bracket.note_refuted(0.5001);
+    Pursuit run;
+    run.of(bracket, [=](const PlannedAttempt& planned) {
+      Attempt attempt = ceiling(0.5, 3)(planned);
+      attempt.seconds = seconds_a_box * double(attempt.boxes);
+      attempt.most_boxes = planned.boxes;
+      return attempt;
+    });
+    std::vector<double> values;
+    for (const Attempt& attempt : run.attempts) values.push_back(attempt.value);
+    return values;
+  };
+  EXPECT_GT(values_on(1e-9).size(), 5U);
+  EXPECT_EQ(values_on(1e-9), values_on(100));
 }
 
 /// No value from 10 on is certified, and from 13 on a search finds a witness.
