@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "codegen/bound/bound_checkpoint.hpp"
 
-#include <charconv>
-#include <cmath>
+#include <algorithm>
 
 #include "codegen/bound/quantity_report.hpp"
 #include "codegen/model/read_file.hpp"
@@ -16,7 +15,7 @@ namespace {
 using Json = nlohmann::ordered_json;
 
 constexpr const char* kFormat = "regulus_bracket_checkpoint";
-constexpr int kFormatVersion = 1;
+constexpr int kFormatVersion = 2;
 constexpr std::uint64_t kLargest = 64 << 20;
 
 [[noreturn]] void refuse(const std::string& path, const std::string& why) {
@@ -28,25 +27,97 @@ constexpr std::uint64_t kLargest = 64 << 20;
 Json read_content(const std::string& path, const std::string& text, const Json& question) {
   const Json content = Json::parse(text, nullptr, false);
   if (!content.is_object() || !content.contains(kFormat) || !content.contains("question") ||
-      !content.contains("components") || !content["components"].is_object())
+      !content.contains("brackets") || !content["brackets"].is_object())
     refuse(path, "it is not a checkpoint of brackets, or it is damaged");
   if (content[kFormat] != kFormatVersion) refuse(path, "another version of Regulus wrote it");
   if (content["question"] != question) refuse(path, "it is about another question");
   return content;
 }
 
-/// Returns the end that a component has under a key, if it is a decimal.
-std::optional<MarginValue> end_of(const Json& component, const char* key) {
-  if (!component.contains(key) || !component[key].is_string()) return std::nullopt;
-  const std::string text = component[key];
-  double value = 0;
-  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
-  if (error != std::errc{} || end != text.data() + text.size() || !std::isfinite(value))
-    return std::nullopt;
-  return decimal_value(value);
+/// True if the same search always ends for this reason, whatever the time.
+bool is_repeatable(Reason reason) {
+  switch (reason) {
+    case Reason::kWidth:
+    case Reason::kUncertainty:
+    case Reason::kUndefined:
+    case Reason::kBoxBudget:
+    case Reason::kSeemsSingular:
+    case Reason::kStalled:
+      return true;
+    default:
+      return false;
+  }
+}
+
+bool is_repeatable(const Result& result) {
+  if (result.occupancy == Occupancy::kEmpty) return false;
+  if (result.verdict == Verdict::kNoSingularity) return true;
+  return result.verdict == Verdict::kPossibleProblem && is_repeatable(result.reason) &&
+         std::ranges::all_of(result.blocking_box, [](const Interval& i) { return is_bounded(i); });
+}
+
+Json written(const Result& result, std::uint64_t most_boxes) {
+  Json entry{{"certified", result.verdict == Verdict::kNoSingularity},
+             {"reason", int{static_cast<std::uint8_t>(result.reason)}},
+             {"boxes", result.statistics.boxes},
+             {"most_boxes", most_boxes}};
+  for (const Interval& range : result.blocking_box) entry["box"].push_back({range.lo, range.hi});
+  return entry;
+}
+
+/// Throws Json::exception, or gives a result that is not repeatable, for a damaged entry.
+Result read_result(const Json& entry) {
+  Result result;
+  const bool is_certified = entry.at("certified").get<bool>();
+  result.verdict = is_certified ? Verdict::kNoSingularity : Verdict::kPossibleProblem;
+  result.reason = is_certified ? Reason::kAllBoxesCertified
+                               : static_cast<Reason>(entry.at("reason").get<std::uint8_t>());
+  result.statistics.boxes = entry.at("boxes").get<std::uint64_t>();
+  if (!entry.contains("box")) return result;
+  for (const Json& range : entry["box"]) {
+    const double lo = range.at(0).get<double>(), hi = range.at(1).get<double>();
+    if (!(lo <= hi)) return {};
+    result.blocking_box.emplace_back(lo, hi);
+  }
+  return result;
 }
 
 }  // namespace
+
+/// The searches of one bracket in the file.
+class BoundCheckpoint::Searches final : public EarlierSearches {
+ public:
+  Searches(BoundCheckpoint& file, std::string bracket)
+      : file_(file), bracket_(std::move(bracket)) {}
+
+  [[nodiscard]] std::optional<Result> find(const MarginValue& value,
+                                           std::uint64_t most_boxes) const override {
+    try {
+      const Json& entry = file_.content_.at("brackets").at(bracket_).at(value.text);
+      if (entry.at("most_boxes").get<std::uint64_t>() != most_boxes) return std::nullopt;
+      Result result = read_result(entry);
+      return is_repeatable(result) ? std::optional(std::move(result)) : std::nullopt;
+    } catch (const Json::exception&) {
+      return std::nullopt;
+    }
+  }
+
+  void keep(const MarginValue& value, std::uint64_t most_boxes, const Result& result) override {
+    if (!is_repeatable(result)) return;
+    Json& bracket = file_.content_["brackets"][bracket_];
+    if (!bracket.is_object()) bracket = Json::object();
+    bracket[value.text] = written(result, most_boxes);
+    file_.save();
+  }
+
+  [[noreturn]] void refuse(const MarginValue& value) const override {
+    bounding::refuse(file_.path_, "the search at " + value.text + " does not end as it says");
+  }
+
+ private:
+  BoundCheckpoint& file_;
+  std::string bracket_;
+};
 
 BoundCheckpoint::BoundCheckpoint(std::string path, const Json& question) : path_(std::move(path)) {
   try {
@@ -56,44 +127,17 @@ BoundCheckpoint::BoundCheckpoint(std::string path, const Json& question) : path_
   }
   const auto text = read_file_if_any(path_, kLargest, Readable::kFile);
   content_ =
-      text
-          ? read_content(path_, *text, question)
-          : Json{{kFormat, kFormatVersion}, {"question", question}, {"components", Json::object()}};
+      text ? read_content(path_, *text, question)
+           : Json{{kFormat, kFormatVersion}, {"question", question}, {"brackets", Json::object()}};
   if (!text) save();
 }
 
-void BoundCheckpoint::narrow(MarginQuestion& bracket, const std::string& label,
-                             const std::string& reference) const {
-  const Json& components = content_["components"];
-  if (!components.contains(label)) return;
-  const Json& component = components[label];
-  if (!component.is_object() || component.value("reference", "") != reference) return;
-  const auto is_inside = [&](const MarginValue& value) {
-    return value.approx > bracket.low.approx &&
-           (!bracket.high || value.approx < bracket.high->approx);
-  };
-  const auto low = end_of(component, "certified"), high = end_of(component, "refuted");
-  if (low && high && !(low->approx < high->approx)) return;
-  const bool moves_low = low && is_inside(*low), moves_high = high && is_inside(*high);
-  if (moves_low) bracket.low = *low;
-  if (moves_high) bracket.high = *high;
-}
-
-void BoundCheckpoint::note(const std::string& label, const std::string& reference,
-                           const MarginStep& step) {
-  const Verdict verdict = step.result.verdict;
-  if (verdict == Verdict::kPossibleProblem) return;
-  Json& component = content_["components"][label];
-  if (!component.is_object() || component.value("reference", "") != reference)
-    component = Json{{"reference", reference}};
-  const char* key = verdict == Verdict::kNoSingularity ? "certified" : "refuted";
-  const std::optional<MarginValue> known = end_of(component, key);
-  const bool is_better =
-      !known || (verdict == Verdict::kNoSingularity ? step.value.approx > known->approx
-                                                    : step.value.approx < known->approx);
-  if (!is_better) return;
-  component[key] = step.value.text;
-  save();
+std::unique_ptr<EarlierSearches> BoundCheckpoint::searches_of(const MarginQuestion& bracket,
+                                                              const std::string& label,
+                                                              const std::string& reference) {
+  const std::string high = bracket.high ? bracket.high->text : "";
+  return std::make_unique<Searches>(
+      *this, label + " from " + reference + ", " + bracket.low.text + ":" + high);
 }
 
 void BoundCheckpoint::save() try {

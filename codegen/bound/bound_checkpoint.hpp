@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The option --checkpoint of brackets: what earlier runs found, in a file.
+// The option --checkpoint of brackets: the outcomes of the searches of earlier runs, in a file.
 #pragma once
 
+#include <memory>
 #include <nlohmann/json.hpp>
 #include <optional>
 #include <string>
@@ -12,8 +13,8 @@
 
 namespace regulus::inline bounding {
 
-/// Keeps the ends of the bracket of each component. A later run begins with them: it proves both
-/// again, so nothing that it reports rests on the file.
+/// Keeps the outcomes of all searches of brackets. A later run does not repeat the searches on the
+/// way to an end, but that of the end itself: nothing that it reports as proved rests on the file.
 class BoundCheckpoint {
  public:
   /// Reads the file if there is one. `question`: a text with everything that the ends depend on.
@@ -22,15 +23,14 @@ class BoundCheckpoint {
   ///           cannot be read or created, or if another run uses it.
   BoundCheckpoint(std::string path, const nlohmann::ordered_json& question);
 
-  /// Moves the ends of `bracket` to those of the file, if they lie between them. `label`: of the
-  /// component; `reference`: a text, ends that were found with another one are left out.
-  void narrow(MarginQuestion& bracket, const std::string& label,
-              const std::string& reference) const;
-
-  /// Saves an end. Throws FileError.
-  void note(const std::string& label, const std::string& reference, const MarginStep& step);
+  /// Returns the searches of a bracket, which refer to this object. `label`: of the component;
+  /// `reference`: y of quantity/bordered.hpp.
+  [[nodiscard]] std::unique_ptr<EarlierSearches> searches_of(const MarginQuestion& bracket,
+                                                             const std::string& label,
+                                                             const std::string& reference);
 
  private:
+  class Searches;
   void save();
 
   std::string path_;

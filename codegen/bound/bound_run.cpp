@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "codegen/bound/bracket_topic.hpp"
 #include "codegen/bound/fastest_twist.hpp"
 #include "codegen/bound/norm_of_part.hpp"
 #include "codegen/engine/search_run.hpp"
@@ -53,15 +54,16 @@ std::optional<double> relative_gap(const ComponentBound* attained, const Compone
 /// Brackets one component, or compares it with a limit.
 class ComponentRun {
  public:
-  /// `seconds`: the component's share of the time; `left`: all of the time.
-  ComponentRun(const Request& request, const Component& component, const BoundSettings& settings,
-               double seconds, double left)
+  /// `number`: of the component. `seconds`: its share of the time; `left`: all of the time.
+  ComponentRun(const Request& request, const Component& component, std::size_t number,
+               const BoundSettings& settings, double seconds, double left)
       : request_(request),
         settings_(settings),
         search_(settings.search),
         left_(std::max(left, 1e-3)),
         watch_() {
     result_.component = component;
+    topic_.component = number;
     search_.time_limit = std::max(seconds, 1e-3);
   }
 
@@ -69,8 +71,6 @@ class ComponentRun {
     choose_reference();
     if (is_zero_everywhere()) return zero();
     MarginQuestion question = whole_question();
-    if (settings_.checkpoint != nullptr)
-      settings_.checkpoint->narrow(question, result_.component.label, reference_text());
     double gap = settings_.gap;
     for (int round = 0; round <= kMostRefinements; ++round) {
       run(question, gap);
@@ -88,10 +88,7 @@ class ComponentRun {
   ComponentBound compare() {
     bordered_ = border_at_limit(request_, result_.component, *settings_.limit);
     reference_ = bordered_.reference;
-    const Motion& motion = bordered_.request.motion;
-    const ex end = bordered_.parameter.empty() ? motion.alpha : motion.parameters.back().range.hi;
-    MarginQuestion question =
-        question_to(MarginValue{"the limit", end, approx_value(end).value_or(0), {}});
+    const MarginQuestion question = question_at_limit(bordered_);
     PreparedMargin margin = prepared(question);
     MarginCertificates certificates(certificate(), margin.request, margin.prepared.labels);
     search_at(margin, *question.high, certificates);
@@ -134,32 +131,32 @@ class ComponentRun {
     if (values.empty()) return;
     double extreme = is_direct() ? std::ranges::min(values) : std::ranges::max(values);
     if (!result_.component.is_absolute && extreme <= 0) {
-      reference_ = shortest_decimal(extreme == 0 ? -1 : 2 * extreme);
+      topic_.reference = extreme == 0 ? -1 : 2 * extreme;
+      reference_ = shortest_decimal(topic_.reference);
       bordered_ = border(request_, result_.component, reference_);
       extreme = extreme == 0 ? 1 : -extreme;
     }
     if (extreme > 0) sampled_ = is_direct() ? extreme : 1 / extreme;
   }
 
-  [[nodiscard]] MarginQuestion question_to(std::optional<MarginValue> high) const {
-    MarginQuestion question;
-    question.quantity =
-        bordered_.parameter.empty() ? MarginQuantity::kAlpha : MarginQuantity::kParameter;
-    question.groups = bordered_.parameter;
-    question.is_two_sided = bordered_.is_two_sided;
-    question.low = {"0", 0, 0, {}};
-    question.high = std::move(high);
-    return question;
+  [[nodiscard]] MarginQuestion whole_question() const {
+    std::optional<MarginValue> high;
+    if (sampled_) high = decimal_value(short_decimal_above(kBeyond * *sampled_));
+    return question_of(bordered_, decimal_value(0), std::move(high));
   }
 
-  [[nodiscard]] MarginQuestion whole_question() const {
-    if (!sampled_) return question_to(std::nullopt);
-    return question_to(decimal_value(short_decimal_above(kBeyond * *sampled_)));
+  void tell_workers(const MarginQuestion& question) {
+    if (search_.workers == nullptr) return;
+    topic_.low = question.low.approx;
+    topic_.high.reset();
+    if (question.high) topic_.high = question.high->approx;
+    search_.workers->turn_to(write_topic(topic_));
   }
 
   /// Forms the matrix in all of the time that is left: the share is for the search.
   [[nodiscard]] PreparedMargin prepared(const MarginQuestion& question) {
     pass_time();
+    tell_workers(question);
     SearchOptions forming = search_;
     forming.time_limit = left_;
     PreparedMargin margin(question, bordered_.request, 0, forming,
@@ -180,9 +177,13 @@ class ComponentRun {
   void run(const MarginQuestion& question, double gap) {
     PreparedMargin margin = prepared(question);
     MarginCertificates certificates(certificate(), margin.request, margin.prepared.labels);
-    MarginRun run(margin.prepared, question, margin.request, margin.search, settings_.output,
-                  margin.settings, gap, certificates,
-                  [this](const MarginStep& step) { save(step); });
+    std::unique_ptr<EarlierSearches> earlier;
+    if (settings_.checkpoint != nullptr)
+      earlier = settings_.checkpoint->searches_of(question, result_.component.label,
+                                                  formula_text(reference_));
+    MarginRun run(
+        margin.prepared, question, margin.request, margin.search, settings_.output, margin.settings,
+        gap, certificates, [](const MarginStep&) {}, earlier.get());
     const Margin found = run.run();
     margin.prepared.seconds.search = found.seconds;
     add(margin.prepared, found.boxes);
@@ -195,13 +196,6 @@ class ComponentRun {
                          ? ""
                          : "no search was likely to end within the time left";
     result_.certificates = certificates.lines();
-  }
-
-  [[nodiscard]] std::string reference_text() const { return formula_text(reference_); }
-
-  void save(const MarginStep& step) {
-    if (settings_.checkpoint != nullptr)
-      settings_.checkpoint->note(result_.component.label, reference_text(), step);
   }
 
   void set_proved(const MarginValue& value) {
@@ -270,6 +264,7 @@ class ComponentRun {
   Stopwatch watch_;
   Bordered bordered_;
   ex reference_ = 0;
+  BracketTopic topic_;
   std::optional<double> sampled_;  ///< a value of r at which B is singular somewhere, approximately
   MarginValue certified_, refuted_;
   bool closed_ = false;
@@ -350,7 +345,7 @@ Bound bound_quantity(const Request& request, Quantity quantity, const BoundSetti
   for (std::size_t i = 0; i < components.size(); ++i) {
     // Each component has an equal part of the time that is left.
     const double share = left / double(components.size() - i);
-    ComponentRun run(request, components[i], settings, share, std::max(left, forming));
+    ComponentRun run(request, components[i], i, settings, share, std::max(left, forming));
     bound.components.push_back(settings.limit ? run.compare() : run.bracket());
     // A certificate is of the end that the component's own search found.
     if (!settings.limit && settings.certificate.empty())

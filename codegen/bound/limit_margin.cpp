@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include "codegen/bound/bound_run.hpp"
+#include "codegen/bound/bracket_topic.hpp"
 #include "codegen/model/certain_sign.hpp"
 #include "codegen/report/progress.hpp"
 #include "codegen/support/stopwatch.hpp"
@@ -35,7 +36,7 @@ class LimitMarginRun {
     double left = settings_.search.time_limit;
     Stopwatch watch;
     for (std::size_t i = 0; i < components.size() && !ends(); ++i) {
-      bracket(components[i], left / double(components.size() - i));
+      bracket(i, left / double(components.size() - i));
       left -= watch.lap();
     }
     join(components.size());
@@ -50,29 +51,29 @@ class LimitMarginRun {
            (settings_.interrupt != nullptr && *settings_.interrupt);
   }
 
-  void bracket(const Component& component, double seconds) {
+  void bracket(std::size_t number, double seconds) {
+    const Component& component = found_.quantity.components[number];
     ComponentMargin result{component, {}, {}, {}, {}};
     const ex& limit = settings_.limit;
     const std::string parameter = border_at_limit(request_, component, limit).parameter;
-    question_.about = [&component, &limit](const Request& grown) {
-      return border_at_limit(grown, component, limit).request;
-    };
     SearchOptions search = settings_.search;
     search.time_limit = std::max(seconds, 1e-3);
-    MarginQuestion question = question_;
-    BoundCheckpoint* const checkpoint = settings_.checkpoint;
-    if (checkpoint != nullptr) checkpoint->narrow(question, component.label, "");
-    const StepListener listener = [&](const MarginStep& step) {
-      if (checkpoint != nullptr) checkpoint->note(component.label, "", step);
-      listener_(step);
-    };
+    const MarginQuestion question = question_within_limit(question_, component, limit);
+    std::unique_ptr<EarlierSearches> earlier;
+    if (settings_.checkpoint != nullptr)
+      earlier = settings_.checkpoint->searches_of(question, component.label, "0");
+    if (search.workers != nullptr) {
+      BracketTopic topic{number, 0, question.low.approx, {}};
+      if (question.high) topic.high = question.high->approx;
+      search.workers->turn_to(write_topic(topic));
+    }
     PreparedMargin margin(question, request_, 0, search,
                           forming_watch(settings_.output, settings_.interrupt));
     margin.settings.interrupt = settings_.interrupt;
     MarginCertificates certificates(certificate_of(component), margin.request,
                                     margin.prepared.labels);
     MarginRun run(margin.prepared, question, margin.request, margin.search, settings_.output,
-                  margin.settings, settings_.gap, certificates, listener);
+                  margin.settings, settings_.gap, certificates, listener_, earlier.get());
     result.margin = run.run();
     if (const auto& refuted = result.margin.refuted) {
       margin.request.replan(margin.prepared, refuted->value);

@@ -34,12 +34,6 @@ int exit_code_of(const Bound& bound, const BoundSettings& settings) {
   return bound.is_closed() ? kNoSingularity : kPossibleProblem;
 }
 
-/// With two words, MODEL and QUANTITY, the motion is the only one of the model.
-BoundCommand with_quantity(BoundCommand command) {
-  if (command.quantity.quantity.empty()) std::swap(command.quantity.quantity, command.model.motion);
-  return command;
-}
-
 }  // namespace
 
 int run_bound(const BoundCommand& given) {

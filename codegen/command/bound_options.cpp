@@ -2,6 +2,7 @@
 #include "codegen/command/bound_options.hpp"
 
 #include <CLI/CLI.hpp>
+#include <utility>
 
 namespace regulus::inline command {
 
@@ -18,6 +19,11 @@ void add_quantity_options(CLI::App& app, QuantityOptions& q) {
   app.add_flag("--min", q.least, "Bound the least value, with its sign");
   app.add_flag("--signed", q.is_signed,
                "Bound the largest value with its sign, not the largest absolute value");
+}
+
+BoundCommand with_quantity(BoundCommand command) {
+  if (command.quantity.quantity.empty()) std::swap(command.quantity.quantity, command.model.motion);
+  return command;
 }
 
 void add_bound_options(CLI::App& app, BoundCommand& command) {

@@ -26,6 +26,9 @@ struct BoundCommand {
   std::string checkpoint;   ///< file; empty: none
 };
 
+/// With two words, MODEL and QUANTITY, the motion is the only one of the model.
+[[nodiscard]] BoundCommand with_quantity(BoundCommand command);
+
 struct DatasheetCommand {
   ModelOptions model;
   SearchOptions search;

@@ -32,7 +32,7 @@ double end_of(const MarginQuestion& question) {
 MarginRun::MarginRun(PreparedSearch& preparation, const MarginQuestion& question,
                      const MarginRequest& request, const SearchOptions& search,
                      const OutputOptions& output, const Settings& settings, double gap,
-                     MarginCertificates& certificates, Listener listener)
+                     MarginCertificates& certificates, Listener listener, EarlierSearches* earlier)
     : preparation_(preparation),
       question_(question),
       request_(request),
@@ -41,6 +41,7 @@ MarginRun::MarginRun(PreparedSearch& preparation, const MarginQuestion& question
       settings_(settings),
       certificates_(certificates),
       listener_(std::move(listener)),
+      earlier_(earlier),
       bracket_(question.low.approx, end_of(question),
                {gap, settings.time_limit, settings.max_boxes}) {}
 
@@ -72,8 +73,9 @@ Margin MarginRun::run() {
     close_in();
     close_in_from_above();
   }
+  prove_remembered();
   if (margin_.certified) margin_.gap = bracket_.gap();
-  margin_.closed = bracket_.closed();
+  margin_.closed = bracket_.closed() && (margin_.certified || !bracket_.certified());
   margin_.interrupted = interrupted();
   return std::move(margin_);
 }
@@ -121,6 +123,7 @@ bool MarginRun::refute_at_found() {
     const Result result =
         prove_between(preparation_, search_, settings_, witness_->points_at(value.approx));
     if (result.verdict != Verdict::kSingularity) continue;
+    certificates_.finish(value, result);
     note({value, result, claim(preparation_, result)}, false);
     return true;
   }
@@ -147,6 +150,23 @@ void MarginRun::close_in_from_above() {
 
 void MarginRun::attempt(const PlannedAttempt& planned) {
   const MarginValue value = value_of(planned.value);
+  std::optional<Result> known;
+  if (earlier_ != nullptr) known = earlier_->find(value, planned.boxes);
+  if (!known) {
+    prove_remembered();
+    if (interrupted()) return;
+  }
+  const Result result = known ? *known : search_at(value, planned);
+  if (!known && earlier_ != nullptr) earlier_->keep(value, planned.boxes, result);
+  note({value, result, claim(preparation_, result)}, true, planned.boxes);
+  if (result.verdict == Verdict::kNoSingularity) is_remembered_ = known.has_value();
+  if (!witness_ || result.verdict == Verdict::kNoSingularity) return;
+  if (result.occupancy == Occupancy::kEmpty) return;
+  if (result.witness) look_near(result.witness->points[0].variables);
+  if (result.blocking_box.size() == widest_.outer.size()) look_near(result.blocking_box);
+}
+
+Result MarginRun::search_at(const MarginValue& value, const PlannedAttempt& planned) {
   request_.replan(preparation_, value);
   Settings settings = settings_;
   settings.time_limit = planned.seconds;
@@ -156,12 +176,27 @@ void MarginRun::attempt(const PlannedAttempt& planned) {
   for (Observer* observer : {certificates_.watch(value), display.observer()})
     if (observer != nullptr) watching.push_back(observer);
   Observers observers(std::move(watching));
-  const Result result = run_search(preparation_, search_, settings, &observers);
-  note({value, result, claim(preparation_, result)}, true, planned.boxes);
-  if (!witness_ || result.verdict == Verdict::kNoSingularity) return;
-  if (result.occupancy == Occupancy::kEmpty) return;
-  if (result.witness) look_near(result.witness->points[0].variables);
-  if (!result.blocking_box.empty()) look_near(result.blocking_box);
+  Result result = run_search(preparation_, search_, settings, &observers);
+  certificates_.finish(value, result);
+  return result;
+}
+
+/// Searches again at the certified end if an earlier run has certified it. Its boxes are those that
+/// the earlier run has counted.
+void MarginRun::prove_remembered() {
+  if (!is_remembered_) return;
+  is_remembered_ = false;
+  const MarginValue value = margin_.certified->value;
+  const double seconds = std::max(bracket_.seconds_left(), 0.0);
+  const Result result = search_at(value, {value.approx, settings_.max_boxes, seconds});
+  bracket_.spend(result.statistics.seconds);
+  margin_.seconds += result.statistics.seconds;
+  if (result.verdict == Verdict::kNoSingularity && result.occupancy != Occupancy::kEmpty) {
+    margin_.certified = {value, result, claim(preparation_, result)};
+    return;
+  }
+  margin_.certified.reset();
+  if (!result.stopped_by) earlier_->refuse(value);
 }
 
 /// Looks for a witness near the box where a search failed.
@@ -176,7 +211,6 @@ void MarginRun::look_near(std::span<const Interval> box) {
 
 void MarginRun::note(MarginStep step, bool is_search, std::uint64_t most_boxes) {
   const Result& result = step.result;
-  certificates_.finish(step.value, result);
   if (is_search) {
     margin_.seconds += result.statistics.seconds;
     margin_.boxes += result.statistics.boxes;

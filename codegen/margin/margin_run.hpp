@@ -37,6 +37,25 @@ struct Margin {
   double seconds = 0;  ///< of search
 };
 
+/// The searches of a bracket that an earlier run has made. Their outcomes choose the next values,
+/// so that this run goes the same way, but no end is reported before this run has proved it, too.
+class EarlierSearches {
+ public:
+  EarlierSearches() = default;
+  EarlierSearches(const EarlierSearches&) = delete;
+  EarlierSearches& operator=(const EarlierSearches&) = delete;
+  virtual ~EarlierSearches() = default;
+
+  /// Returns the outcome of the search at a value that was allowed so many boxes: NO SINGULARITY, or
+  /// POSSIBLE PROBLEM for a reason that is not the time's; nullopt if there was none.
+  [[nodiscard]] virtual std::optional<Result> find(const MarginValue& value,
+                                                   std::uint64_t most_boxes) const = 0;
+  /// Keeps the outcome of a search of this run.
+  virtual void keep(const MarginValue& value, std::uint64_t most_boxes, const Result& result) = 0;
+  /// The search at this value does not end as the earlier one. Throws InputError.
+  [[noreturn]] virtual void refuse(const MarginValue& value) const = 0;
+};
+
 class MarginRun {
  public:
   using Listener = std::function<void(const MarginStep&)>;
@@ -44,7 +63,7 @@ class MarginRun {
   MarginRun(PreparedSearch& preparation, const MarginQuestion& question,
             const MarginRequest& request, const SearchOptions& search, const OutputOptions& output,
             const Settings& settings, double gap, MarginCertificates& certificates,
-            Listener listener);
+            Listener listener, EarlierSearches* earlier = nullptr);
 
   [[nodiscard]] Margin run();
 
@@ -57,6 +76,8 @@ class MarginRun {
   void close_in();
   void close_in_from_above();
   void attempt(const PlannedAttempt& planned);
+  [[nodiscard]] Result search_at(const MarginValue& value, const PlannedAttempt& planned);
+  void prove_remembered();
   void look_near(std::span<const Interval> box);
   void note(MarginStep step, bool is_search, std::uint64_t most_boxes = kAnyBoxes);
   [[nodiscard]] MarginValue value_of(double approx) const;
@@ -69,6 +90,8 @@ class MarginRun {
   Settings settings_;
   MarginCertificates& certificates_;
   Listener listener_;
+  EarlierSearches* earlier_;
+  bool is_remembered_ = false;  ///< the certified end is that of an earlier run
   Bracket bracket_;
   Problem widest_;
   std::unique_ptr<LeastWitness> witness_;

@@ -13,6 +13,7 @@ namespace regulus::inline mpi {
 
 enum class Tag : int {
   kReady = 1,  ///< a rank can begin to decide units
+  kTopic,      ///< to all other ranks: the matrix of the next search, which they form
   kSearch,     ///< to all other ranks: a search begins
   kGrant,
   kAnswer,

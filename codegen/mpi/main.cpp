@@ -8,8 +8,11 @@
 #include <iostream>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
+#include "codegen/bound/bound_question.hpp"
+#include "codegen/bound/bracket_topic.hpp"
 #include "codegen/command/commands.hpp"
 #include "codegen/command/run_command_line.hpp"
 #include "codegen/engine/settings.hpp"
@@ -49,16 +52,39 @@ auto with_search(CommandLine& line, const Use& use) {
   if (line.check) return use(*line.check);
   if (line.locate) return use(*line.locate);
   if (line.margin) return use(*line.margin);
+  if (line.bound) return use(*line.bound);
   throw UsageError(
-      "check, locate, margin and verify run on several ranks; use regulus for other commands");
+      "check, locate, margin, bound and verify run on several ranks; use regulus for other "
+      "commands");
 }
 
-PreparedSearch prepare_question(const CommandLine& line) {
+/// True if the searches are about matrices that rank 0 names one after the other.
+bool has_topics(const CommandLine& line) {
+  return line.bound || (line.margin && !line.margin->limit.empty());
+}
+
+PreparedSearch prepare_topic_of(const CommandLine& line, const BracketTopic& topic) {
+  if (line.bound) {
+    const BoundCommand bound = with_quantity(*line.bound);
+    const BoundQuestion question = read_bound_question(bound.model, bound.quantity, bound.limit);
+    return std::move(
+        prepare_topic(topic, question.request, question.quantity, question.limit, bound.search)
+            .prepared);
+  }
+  MarginCommand margin = *line.margin;
+  const MarginQuestion question = take_question(margin.model, margin.size);
+  const Request request = read_asked(margin.model, margin.quantity);
+  const Quantity quantity = quantity_of(request.model, margin.quantity);
+  const GiNaC::ex limit = read_limit(margin.limit, quantity);
+  return std::move(
+      prepare_topic(topic, request, question, quantity, limit, margin.search).prepared);
+}
+
+PreparedSearch prepare_question(const CommandLine& line, std::optional<std::string_view> topic) {
+  if (topic) return prepare_topic_of(line, read_topic(*topic));
   if (line.check) return prepare(line.check->model, line.check->search);
   if (line.locate) return prepare(line.locate->model, line.locate->search);
   const MarginCommand& margin = *line.margin;
-  if (!margin.limit.empty())
-    throw UsageError("margin: several ranks cannot search within a limit yet; use regulus");
   ModelOptions model = margin.model;
   const MarginQuestion question = take_question(model, margin.size);
   return std::move(
@@ -152,7 +178,9 @@ int run_together(Communicator& communicator, const Start& start) {
   if (!is_agreed(communicator, agreed)) return first ? kUsageError : 0;
   if (first) return lead(communicator, line, ranks, typed(start.words));
   with_search(line, [&](auto& command) {
-    serve_first_rank(communicator, command.search, [&line] { return prepare_question(line); });
+    serve_first_rank(
+        communicator, command.search, has_topics(line),
+        [&line](std::optional<std::string_view> topic) { return prepare_question(line, topic); });
   });
   return 0;
 }

@@ -53,6 +53,13 @@ void MpiWorkers::take_ready(const Message& message) {
   if (message.tag == Tag::kReady) ranks_[message.rank].threads = read_ready(message.bytes);
 }
 
+void MpiWorkers::tell_topic() {
+  if (topic_ == told_topic_) return;
+  told_topic_ = topic_;
+  for (unsigned rank = 1; rank < ranks_.size(); ++rank) ranks_[rank].threads = 0;
+  tell_all(Tag::kTopic, *topic_);
+}
+
 void MpiWorkers::await_ranks(const Settings& settings) {
   const auto is_ready = [](const Rank& rank) { return rank.threads > 0; };
   Patience patience;
@@ -67,6 +74,7 @@ void MpiWorkers::await_ranks(const Settings& settings) {
 
 void MpiWorkers::begin(const Problem& problem, const Settings& settings,
                        const cluster::Learned& learned) {
+  tell_topic();
   await_ranks(settings);
   ++search_;
   searching_ = true;

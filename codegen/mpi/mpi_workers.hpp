@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <optional>
 #include <set>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "codegen/mpi/communicator.hpp"
@@ -27,6 +29,8 @@ class MpiWorkers final : public cluster::Workers {
              bool tells);
   ~MpiWorkers() override { static_cast<void>(dismiss()); }
 
+  /// Ranks form the matrix of a topic only when a search about it is long enough for them.
+  void turn_to(std::string topic) override { topic_ = std::move(topic); }
   /// Waits until each rank has prepared the question. Throws InternalError with the name of a rank
   /// that cannot.
   void begin(const Problem& problem, const Settings& settings,
@@ -52,6 +56,7 @@ class MpiWorkers final : public cluster::Workers {
     unsigned slot;  ///< the thread in the rank
   };
 
+  void tell_topic();
   void await_ranks(const Settings& settings);
   void take_ready(const Message& message);
   [[nodiscard]] std::optional<cluster::Received> take(const Message& message);
@@ -67,6 +72,8 @@ class MpiWorkers final : public cluster::Workers {
   ThreadWorkers local_;
   std::vector<Place> places_;
   std::vector<std::size_t> first_worker_;  ///< of each rank
+  std::optional<std::string> topic_;       ///< if it differs from the command line's own question
+  std::optional<std::string> told_topic_;
   std::uint32_t search_ = 0;
   bool searching_ = false, dismissed_ = false;
   Patience patience_;

@@ -16,22 +16,28 @@ namespace {
 
 class Service {
  public:
-  Service(Communicator& communicator, PreparedSearch prepared, const SearchOptions& search)
+  Service(Communicator& communicator, const PrepareQuestion& prepare_question,
+          const SearchOptions& search)
       : communicator_(communicator),
-        prepared_(std::move(prepared)),
+        prepare_question_(prepare_question),
         search_(search),
-        threads_(settings_from(search).threads) {
+        threads_(settings_from(search).threads) {}
+
+  void prepare(std::optional<std::string_view> topic) {
+    prepared_.reset();
+    prepared_.emplace(prepare_question_(topic));
     // Rank 0 may have prepared it in time, and this kernel is for reports only.
-    if (prepared_.stopped)
+    if (prepared_->stopped)
       throw InternalError("the time limit was reached before the question was prepared");
+    communicator_.send(0, Tag::kReady, write_ready(threads_));
   }
 
   /// Returns when rank 0 dismisses this rank.
   void run() {
-    communicator_.send(0, Tag::kReady, write_ready(threads_));
     for (;;) {
       const Message message = communicator_.receive();
       if (message.tag == Tag::kQuit) return;
+      if (message.tag == Tag::kTopic) prepare(message.bytes);
       if (message.tag == Tag::kSearch) take_part(message.bytes);
       if (dismissed_) return;
     }
@@ -42,7 +48,8 @@ class Service {
     const ForSearch begin = read_for_search(bytes);
     const cluster::SearchDescription description = cluster::read_search(begin.bytes);
     number_ = begin.search;
-    decide_for_another(prepared_, search_, description,
+    if (!prepared_) throw InternalError("a search begins before its question is known");
+    decide_for_another(*prepared_, search_, description,
                        [&](const Problem& problem, const Settings& settings) {
                          ThreadWorkers threads(threads_);
                          threads.begin(problem, settings, description.learned);
@@ -81,7 +88,8 @@ class Service {
   }
 
   Communicator& communicator_;
-  PreparedSearch prepared_;
+  const PrepareQuestion& prepare_question_;
+  std::optional<PreparedSearch> prepared_;
   const SearchOptions& search_;
   const unsigned threads_;
   std::uint32_t number_ = 0;
@@ -95,10 +103,12 @@ void await_dismissal(Communicator& communicator) {
 
 }  // namespace
 
-void serve_first_rank(Communicator& communicator, const SearchOptions& search,
-                      const std::function<PreparedSearch()>& prepare_question) {
+void serve_first_rank(Communicator& communicator, const SearchOptions& search, bool has_topics,
+                      const PrepareQuestion& prepare_question) {
   try {
-    Service(communicator, prepare_question(), search).run();
+    Service service(communicator, prepare_question, search);
+    if (!has_topics) service.prepare(std::nullopt);
+    service.run();
   } catch (const std::exception& error) {
     communicator.send(0, Tag::kError, error.what());
     await_dismissal(communicator);

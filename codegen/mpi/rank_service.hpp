@@ -2,15 +2,20 @@
 #pragma once
 
 #include <functional>
+#include <optional>
+#include <string_view>
 
 #include "codegen/engine/pipeline.hpp"
 #include "codegen/mpi/communicator.hpp"
 
 namespace regulus::inline mpi {
 
-/// Prepares a question and decides units of it for rank 0, until rank 0 dismisses this rank. Errors
-/// go to rank 0.
-void serve_first_rank(Communicator& communicator, const SearchOptions& search,
-                      const std::function<PreparedSearch()>& prepare_question);
+/// Prepares the question of the command line, or that of a topic (see Workers::turn_to).
+using PrepareQuestion = std::function<PreparedSearch(std::optional<std::string_view> topic)>;
+
+/// Prepares questions and decides units of them for rank 0, until rank 0 dismisses this rank. Errors
+/// go to rank 0. `has_topics`: the first question comes from rank 0, as those after it.
+void serve_first_rank(Communicator& communicator, const SearchOptions& search, bool has_topics,
+                      const PrepareQuestion& prepare_question);
 
 }  // namespace regulus::mpi

@@ -37,6 +37,9 @@ class Workers {
   Workers& operator=(const Workers&) = delete;
   virtual ~Workers() = default;
 
+  /// The next searches are about a matrix that their caller names in words of its own. Workers that
+  /// have no kernel of it form one before such a search begins.
+  virtual void turn_to(std::string topic) { static_cast<void>(topic); }
   /// Prepares the workers for the units of a search. The arguments live until end().
   virtual void begin(const Problem& problem, const Settings& settings, const Learned& learned) = 0;
   /// The search is over: workers give up their units.
