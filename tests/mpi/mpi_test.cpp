@@ -103,7 +103,8 @@ TEST_F(Ranks, VerifyAProofInOneFileByTheFirst) {
 
 TEST(ManualPage, NamesTheCommandsThatRunOnRanks) {
   const std::string page = text_of(REGULUS_BINARY_DIR "/codegen/mpi/regulus-mpi.1");
-  for (const char* words : {"check", "locate", "margin", "verify", "\\-\\-filter", "EXIT STATUS"})
+  for (const char* words :
+       {"check", "locate", "margin", "bound", "verify", "\\-\\-filter", "EXIT STATUS"})
     EXPECT_THAT(page, HasSubstr(words));
 }
 
@@ -113,6 +114,30 @@ TEST_F(Ranks, BracketAsOneThreadDoes) {
                             "base,platform=0:0.05", "--gap", "0.5"}));
   EXPECT_EQ(many.exit_code, 0) << many.errors;
   EXPECT_THAT(many.output, HasSubstr("0.05"));
+}
+
+/// Each leg has searches of its own, and those that end the brackets are long enough for all ranks.
+TEST_F(Ranks, BoundAQuantityAsOneThreadDoes) {
+  const Words bound = long_bound();
+  const CommandResult one = run_command(one_thread(joined(bound, {"--certificate", file("one")})));
+  ASSERT_EQ(one.exit_code, 0) << one.errors;
+  for (const int count : {2, 4}) {
+    const CommandResult many =
+        run_command(ranks(count, joined(bound, {"--certificate", file("many"), "--threads", "2"})));
+    EXPECT_EQ(many.exit_code, 0) << many.errors;
+    EXPECT_EQ(many.output, one.output);
+    for (const char* end : {".safe", ".singular"})
+      EXPECT_TRUE(text_of(file("many") + end) == text_of(file("one") + end)) << end;
+  }
+}
+
+TEST_F(Ranks, FindTheLargestSizeWithinALimitAsOneThreadDoes) {
+  const Words margin = {"margin",     model("orthoglide"), "factors_2", "--grow", "edge=0.5:0.7",
+                        "--quantity", "sigma-max",         "--limit",   "2",      "--gap",
+                        "1e-4",       "--time-limit",      "600"};
+  const CommandResult one = run_command(one_thread(margin));
+  ASSERT_EQ(one.exit_code, 0) << one.errors;
+  EXPECT_EQ(run_command(ranks(2, margin)).output, one.output);
 }
 
 TEST_F(Ranks, ReportAMistakeOnce) {
@@ -125,7 +150,8 @@ TEST_F(Ranks, ReportAMistakeOnce) {
 
 TEST_F(Ranks, NameTheCommandsThatTheyRun) {
   const CommandResult result = run_command(ranks(2, {"explain", model("robot_1")}));
-  EXPECT_THAT(result.errors, HasSubstr("check, locate, margin and verify run on several ranks"));
+  EXPECT_THAT(result.errors,
+              HasSubstr("check, locate, margin, bound and verify run on several ranks"));
   EXPECT_EQ(result.exit_code, 64);
 }
 

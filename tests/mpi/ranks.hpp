@@ -44,6 +44,12 @@ inline std::string model(const std::string& name) {
   return REGULUS_SOURCE_DIR "/models/" + name + ".toml";
 }
 
+/// A bracket with searches of more than 16 384 boxes.
+inline Words long_bound() {
+  return {"bound", model("robot_1"), "table4_5", "error",        "--freedom",
+          "w_x",   "--gap",          "0.03",     "--time-limit", "600"};
+}
+
 /// A proof of 110 665 boxes.
 inline Words long_check() { return {"check", model("robot_1"), "table4_5", "--method", "jk"}; }
 

@@ -2,6 +2,7 @@
 // Workers in virtual time, whose messages are late, lost or repeated, and who die and come back.
 #pragma once
 
+#include <functional>
 #include <map>
 #include <memory>
 #include <queue>
@@ -9,6 +10,7 @@
 #include <string>
 #include <vector>
 
+#include "runtime/cluster/search_description.hpp"
 #include "runtime/cluster/worker.hpp"
 #include "runtime/cluster/workers.hpp"
 #include "runtime/problem/row_structure.hpp"
@@ -22,7 +24,7 @@ struct Troubles {
   double longest_delay = 0.01;  ///< seconds
 };
 
-/// Keeps outcomes between simulations of one problem: they depend on the unit alone.
+/// Keeps outcomes between simulations with one kernel: they depend on the search and the unit alone.
 using KnownOutcomes = std::map<std::string, std::string>;
 
 class SimulatedWorkers final : public cluster::Workers {
@@ -32,6 +34,7 @@ class SimulatedWorkers final : public cluster::Workers {
 
   void begin(const Problem& problem, const Settings& settings,
              const cluster::Learned& learned) override {
+    search_key_ = std::hash<std::string>()(cluster::write_search(problem, settings, learned));
     structure_.emplace(find_row_structure(problem, settings));
     witness_ = std::make_unique<WitnessSearch>(problem, settings, false);
     search_ =
@@ -84,6 +87,7 @@ class SimulatedWorkers final : public cluster::Workers {
     explicit Decider(SimulatedWorkers& of) : of_(of) {}
     std::optional<std::string> decide(const cluster::Unit& unit) override {
       cluster::ByteWriter key;
+      key.put(of_.search_key_);
       put(key, unit);
       const auto [found, added] = of_.known_.try_emplace(key.bytes());
       if (added) found->second = of_.search_->decide(unit).value();
@@ -127,6 +131,7 @@ class SimulatedWorkers final : public cluster::Workers {
   KnownOutcomes& known_;
   std::vector<cluster::Worker> workers_;
   std::vector<double> dead_until_;
+  std::size_t search_key_ = 0;
   std::optional<RowStructure> structure_;
   std::unique_ptr<WitnessSearch> witness_;
   std::unique_ptr<UnitSearch> search_;
