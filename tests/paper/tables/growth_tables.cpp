@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Prints the growth of the boxes with the tolerance and with the range of the angles, as Markdown
-// and as a picture. Usage: growth_tables PICTURE.svg [SECONDS PER CELL].
+// Prints the growth of the boxes with the tolerance, with the range of the angles and with the
+// narrowness of a bracket, as Markdown and as a picture. Usage: growth_tables PICTURE.svg [SECONDS PER CELL].
 #include <algorithm>
 #include <array>
 #include <cstdlib>
@@ -8,11 +8,15 @@
 #include <vector>
 
 #include "codegen/picture/gnuplot.hpp"
+#include "tests/paper/tables/bound_growth.hpp"
 #include "tests/paper/tables/growth.hpp"
 #include "tests/paper/tables/words.hpp"
 
 namespace regulus::test {
 namespace {
+
+/// A bound has searches for six legs.
+constexpr double kBoundLimit = 12;
 
 struct Column {
   const char* title;
@@ -124,6 +128,55 @@ std::string panel(const Series& series, const std::vector<Row>& rows, std::size_
          curves + '\n';
 }
 
+/// The cells of a bound, by gap. After a gap that was not reached in time, none is tried.
+std::vector<BoundCell> run(const BoundSeries& series, double limit) {
+  std::vector<BoundCell> cells;
+  for (const double gap : kGaps) {
+    cells.push_back(bound_forces(series, gap, limit));
+    if (!cells.back().is_closed) break;
+  }
+  return cells;
+}
+
+void print(const BoundSeries& series, const std::vector<BoundCell>& cells, double limit) {
+  std::cout << fmt::format(
+      "\n## robot 1, forces, {}\n\n{}; the largest force in a leg under forces of at most 1 N "
+      "in each\ndirection. `regulus bound` of the six legs; by the gap.\n\n"
+      "| gap | attained, N | proved, N | boxes | seconds |\n|---|---|---|---|---|\n",
+      series.motion, series.caption);
+  for (std::size_t i = 0; i < cells.size(); ++i) {
+    const BoundCell& c = cells[i];
+    const std::string seconds =
+        c.is_closed ? fmt::format("{:.2g}", c.seconds) : fmt::format("> {:g}", limit);
+    std::cout << fmt::format("| {:g} % | {:.5g} | {:.5g} | {}{} | {} |\n", 100 * kGaps[i],
+                             c.attained, c.proved, c.is_closed ? "" : "> ", count(c.boxes),
+                             seconds);
+  }
+}
+
+/// Draws boxes and seconds, each by the gap.
+std::string bound_panels(const std::vector<std::vector<BoundCell>>& all) {
+  std::string data, boxes, seconds;
+  for (std::size_t s = 0; s < all.size(); ++s) {
+    data += fmt::format("$bound_{} << end\n", s);
+    for (std::size_t i = 0; i < all[s].size() && all[s][i].is_closed; ++i)
+      data += fmt::format("{} {} {}\n", 100 * kGaps[i], all[s][i].boxes, all[s][i].seconds);
+    data += "end\n";
+    const char* lead = s == 0 ? "plot" : ",";
+    const char* style = s == 0 ? "lc rgb '#0072b2' pt 7" : "lc rgb '#009e73' pt 13";
+    const auto curve = [&](int column) {
+      return fmt::format("{} $bound_{} using 1:{} with linespoints ps 0.5 {} title '{}'", lead, s,
+                         column, style, kBoundSeries[s].motion);
+    };
+    boxes += curve(2);
+    seconds += curve(3);
+  }
+  constexpr const char* kAxes =
+      "set key top right\nset xtics (0.5, 1, 2, 5, 10, 20)\nset xrange [0.4:25]\n";
+  return data + kAxes + "set title 'robot 1, forces, gap in %'\n" + boxes +
+         "\nset ylabel 'seconds'\nset title 'the same: processor time'\n" + seconds + '\n';
+}
+
 std::string legend() {
   std::string text =
       "unset logscale\nunset title\nunset border\nunset xtics\nunset ytics\nunset ylabel\n"
@@ -136,8 +189,8 @@ std::string legend() {
 
 std::string picture(const std::vector<std::string>& panels) {
   std::string text =
-      "set terminal svg size 1020,640 font 'Helvetica,Arial,sans-serif,13' noenhanced "
-      "background '#ffffff'\nset multiplot layout 2,3\nset logscale xy\n"
+      "set terminal svg size 1360,640 font 'Helvetica,Arial,sans-serif,13' noenhanced "
+      "background '#ffffff'\nset multiplot layout 2,4\nset logscale xy\n"
       "set ylabel 'boxes'\nset key off\n";
   for (const std::string& panel : panels) text += panel;
   return text + "set key on\n" + legend() + "unset multiplot\n";
@@ -161,8 +214,8 @@ std::string head(double limit) {
       "the\nlogarithms: over the first rows with x > 0, those that all three columns finish, so "
       "that the\nthree figures compare; and over the last three rows that a column finishes. The "
       "boxes follow no\npower law: they begin at one and end at a pole, the tolerance or range at "
-      "which the test fails\nfor a single pose.\n\n![boxes by tolerance and by angle, on "
-      "logarithmic scales](growth.svg)\n",
+      "which the test fails\nfor a single pose.\n\n![boxes by tolerance, by angle and by gap, "
+      "on logarithmic scales](growth.svg)\n",
       limit, limit);
 }
 
@@ -184,5 +237,12 @@ int main(int argc, char** argv) {
     std::cout.flush();
     panels.push_back(panel(series, rows, panels.size()));
   }
+  std::vector<std::vector<BoundCell>> bounds;
+  for (const BoundSeries& series : kBoundSeries) {
+    bounds.push_back(run(series, kBoundLimit * limit));
+    print(series, bounds.back(), kBoundLimit * limit);
+    std::cout.flush();
+  }
+  panels.push_back(bound_panels(bounds));
   regulus::Gnuplot(argv[1]).draw(picture(panels));
 }
