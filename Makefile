@@ -49,11 +49,11 @@ paper: dependencies  ## the paper's Tables IV-VII, run again: tests/paper/RESULT
 	mv build/RESULTS.md tests/paper/RESULTS.md
 	@cat tests/paper/RESULTS.md
 
-growth: dependencies  ## boxes by tolerance and by range: tests/paper/GROWTH.md, growth.svg (LIMIT seconds a cell)
+growth: dependencies  ## boxes by tolerance, range and gap: tests/paper/GROWTH.md and two pictures (LIMIT seconds a cell)
 	cmake --preset release -DREGULUS_TESTS=ON
 	cmake --build --preset release --target growth_tables
-	build/bin/growth_tables build/growth.svg $(LIMIT) >build/GROWTH.md
-	mv build/GROWTH.md build/growth.svg tests/paper/
+	build/bin/growth_tables build/growth.svg build/bound_growth.svg $(LIMIT) >build/GROWTH.md
+	mv build/GROWTH.md build/growth.svg build/bound_growth.svg tests/paper/
 
 ablation: dependencies  ## what each ingredient contributes: tests/paper/ABLATION.md (LIMIT seconds a cell)
 	cmake --preset release -DREGULUS_TESTS=ON
