@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "codegen/bound/bound_run.hpp"
+#include "codegen/bound/bracket_topic.hpp"
 #include "codegen/margin/prepared_margin.hpp"
 #include "codegen/support/errors.hpp"
 #include "tests/support/simulated_workers.hpp"
@@ -78,6 +79,30 @@ TEST(EarlierSearches, LeadToTheSameEndWhichIsProvedAgain) {
 TEST(EarlierSearches, ThatClaimASingularRobotSafeAreRefused) {
   Told lying(5);
   EXPECT_THROW(margin_with(&lying), InputError);
+}
+
+TEST(ATopic, ReadsAsItWasWritten) {
+  for (const std::optional<double> high : {std::optional(0.25), std::optional<double>()}) {
+    const BracketTopic topic = read_topic(write_topic({3, -2.5, 0.125, high}));
+    EXPECT_EQ(topic.component, 3U);
+    EXPECT_EQ(topic.reference, -2.5);
+    EXPECT_EQ(topic.low, 0.125);
+    EXPECT_EQ(topic.high, high);
+  }
+}
+
+TEST(ATopic, ThatIsDamagedOrOfAnotherQuantityIsRefused) {
+  const std::string bytes = write_topic({7, 0, 0, {}});
+  for (std::size_t size = 0; size < bytes.size(); ++size)
+    EXPECT_THROW(static_cast<void>(read_topic(bytes.substr(0, size))), cluster::MalformedMessage);
+  EXPECT_THROW(static_cast<void>(read_topic(bytes + "x")), cluster::MalformedMessage);
+  ModelOptions options;
+  options.path = REGULUS_SOURCE_DIR "/models/robot_1.toml";
+  options.motion = "table4_5";
+  const Request request = read_request(options);
+  const Quantity forces = quantity_of(request.model, {.quantity = "force"});
+  EXPECT_THROW(static_cast<void>(prepare_topic(read_topic(bytes), request, forces, {}, {})),
+               cluster::MalformedMessage);
 }
 
 TEST(ABracket, IsTheSameByAnyWorkers) {
