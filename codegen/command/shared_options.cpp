@@ -168,14 +168,14 @@ void refuse_checkpoint_options(CLI::App& app, const std::string& why) {
 
 void add_bracket_checkpoint(CLI::App& app, std::string& path) {
   app.add_option("--checkpoint", path,
-                 "Save the ends of each bracket to FILE when they are found; if FILE exists, begin "
-                 "with its ends and prove them again")
+                 "Save the outcome of each search to FILE when it ends; if FILE exists, continue "
+                 "from it, and prove the ends of each bracket again")
       ->type_name("FILE");
   app.add_option_function<std::string>("--checkpoint-every",
                                        [](const std::string&) {
                                          throw CLI::ValidationError(
                                              "--checkpoint-every",
-                                             "each end is saved as soon as it is found");
+                                             "each search is saved as soon as it ends");
                                        })
       ->group("");
 }
