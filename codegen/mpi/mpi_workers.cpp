@@ -63,8 +63,10 @@ void MpiWorkers::tell_topic() {
 void MpiWorkers::await_ranks(const Settings& settings) {
   const auto is_ready = [](const Rank& rank) { return rank.threads > 0; };
   Patience patience;
+  const double began = now();
   while (!std::all_of(ranks_.begin(), ranks_.end(), is_ready)) {
     if (settings.interrupt != nullptr && *settings.interrupt) return;
+    if (now() - began >= settings.time_limit) return;
     if (const std::optional<Message> message = communicator_.try_receive())
       take_ready(*message);
     else
@@ -76,6 +78,12 @@ void MpiWorkers::begin(const Problem& problem, const Settings& settings,
                        const cluster::Learned& learned) {
   tell_topic();
   await_ranks(settings);
+  const auto threads_of_others = [this] {
+    unsigned threads = 0;
+    for (std::size_t rank = 1; rank < ranks_.size(); ++rank) threads += ranks_[rank].threads;
+    return threads;
+  };
+  first_thread_works_ = communicator_.size() <= kFewRanks || threads_of_others() == 0;
   ++search_;
   searching_ = true;
   named_.clear();
@@ -114,7 +122,7 @@ void MpiWorkers::send(std::size_t worker, std::string grant) {
 }
 
 std::optional<cluster::Received> MpiWorkers::take(const Message& message) {
-  if (message.tag == Tag::kError) fail(message);
+  take_ready(message);
   if (message.tag != Tag::kAnswer) return std::nullopt;
   ForSearch answer = read_for_search(message.bytes);
   if (answer.search != search_) return std::nullopt;

@@ -31,8 +31,8 @@ class MpiWorkers final : public cluster::Workers {
 
   /// Ranks form the matrix of a topic only when a search about it is long enough for them.
   void turn_to(std::string topic) override { topic_ = std::move(topic); }
-  /// Waits until each rank has prepared the question. Throws InternalError with the name of a rank
-  /// that cannot.
+  /// Waits until each rank has prepared the question, but not beyond the limit of time: ranks that
+  /// are not ready then get no work. Throws InternalError with the name of a rank that cannot.
   void begin(const Problem& problem, const Settings& settings,
              const cluster::Learned& learned) override;
   void end() noexcept override;
@@ -68,7 +68,7 @@ class MpiWorkers final : public cluster::Workers {
 
   Communicator& communicator_;
   std::vector<Rank> ranks_;
-  const bool first_thread_works_;
+  bool first_thread_works_;
   ThreadWorkers local_;
   std::vector<Place> places_;
   std::vector<std::size_t> first_worker_;  ///< of each rank
