@@ -185,7 +185,11 @@ CertifiedQuestion certified_question(const Request& request,
 }
 
 std::string certificate_obstacle(const CertifiedQuestion& question) {
-  std::istringstream text(head_of(question, false));
+  return obstacle_of_head(head_of(question, false));
+}
+
+std::string obstacle_of_head(const std::string& head) {
+  std::istringstream text(head);
   verifier::Lines lines(text);
   verifier::Question read;
   try {

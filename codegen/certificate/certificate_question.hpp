@@ -26,6 +26,8 @@ namespace regulus::inline certificate {
 /// Returns why the verifier could not read a certificate of this question, whatever its proof: the
 /// question is beyond the limits of the format. Empty if it can.
 [[nodiscard]] std::string certificate_obstacle(const CertifiedQuestion& question);
+/// The same for a certificate up to its proof.
+[[nodiscard]] std::string obstacle_of_head(const std::string& head);
 /// Returns, for a report, why the verifier may not finish a proof of this question: its own
 /// objection, or numbers that its bounds do not reach. Empty if no reason is known; this claims
 /// nothing.

@@ -12,6 +12,7 @@
 
 #include "codegen/certificate/certificate_expression_writer.hpp"
 #include "codegen/certificate/certificate_question.hpp"
+#include "codegen/certificate/load_question.hpp"
 #include "codegen/certificate/piece_question.hpp"
 #include "codegen/model/certain_sign.hpp"
 #include "codegen/model/model_file.hpp"
@@ -40,8 +41,10 @@ struct Stated {
   std::vector<StatedRange> ranges;            ///< in their order, which is that of the variables
   std::map<std::string, std::string> spread;  ///< of each constant of the robot that varies
   std::map<std::string, std::string> errors;  ///< of each pose parameter
+  bool is_about_load;
 
-  explicit Stated(const CertificateHead& certificate) : alpha(certificate.value("alpha")) {
+  explicit Stated(const CertificateHead& certificate)
+      : alpha(certificate.value("alpha")), is_about_load(!certificate.value("load").empty()) {
     for (const std::string& line : certificate.lines()) {
       if (const auto text = value_of(line, "parameter"); !text.empty()) {
         const auto [name, range] = parted(text, " in ");
@@ -86,13 +89,26 @@ class CertificateOverrides {
     for (const GeometryParameter& g : request_.model.geometry)
       if (stated_.spread.contains(g.name) || !spread_of(request_.model, g).is_zero())
         uncertain.insert(g.name);
+    return question_of(certificate, uncertain) + load_of(certificate);
+  }
+
+ private:
+  [[nodiscard]] std::string question_of(const CertificateHead& certificate,
+                                        const std::set<std::string>& uncertain) const {
     if (!request_.motion.trajectory) return certified_question(request_, uncertain).text;
     if (!certificate.value("piecewise").empty())
       return trajectory_question(request_, uncertain).text;
     return question_of_piece(certificate, uncertain);
   }
 
- private:
+  /// Returns the lines about the load and the limits, if the certificate is about forces.
+  [[nodiscard]] std::string load_of(const CertificateHead& certificate) const {
+    const std::string_view name = certificate.value("load");
+    for (const VectorSet& load : request_.model.loads)
+      if (load.name == name) return load_lines(request_.model, load);
+    return "";
+  }
+
   /// Returns the question about the piece that has the certificate's poses; about the first if none
   /// has.
   [[nodiscard]] std::string question_of_piece(const CertificateHead& certificate,
@@ -178,6 +194,7 @@ class CertificateOverrides {
   }
 
   void change_threshold() {
+    if (stated_.is_about_load) request_.motion.alpha = 0;  // forces have no threshold
     const std::string before = expression_text(request_.motion.alpha);
     if (stated_.alpha == before) return;
     set_alpha(request_.motion, stated_.alpha);

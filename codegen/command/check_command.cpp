@@ -55,9 +55,9 @@ Result search_and_report(const CheckCommand& command, PreparedSearch& preparatio
 }  // namespace
 
 int run_check(const CheckCommand& command) {
-  if (const auto code = run_force_check(command)) return *code;
   set_earlier_outputs_aside(command.model.path,
                             {{"--certificate", command.certificate, true, format::kShardsEnding}});
+  if (const auto code = run_force_check(command)) return *code;
   if (const auto code = run_trajectory_check(command)) return *code;
   InterruptGuard interrupt;
   PreparedSearch preparation =

@@ -10,11 +10,13 @@
 #include "codegen/command/interrupt.hpp"
 #include "codegen/command/lines_file.hpp"
 #include "codegen/feasibility/feasibility_report.hpp"
+#include "codegen/feasibility/force_certificate.hpp"
 #include "codegen/report/paving_options.hpp"
 #include "codegen/report/progress.hpp"
 #include "codegen/support/earlier_outputs.hpp"
 #include "codegen/support/errors.hpp"
 #include "codegen/support/exit_code.hpp"
+#include "runtime/problem/observers.hpp"
 
 namespace regulus::inline command {
 namespace {
@@ -38,17 +40,35 @@ void refuse_cluster(const SearchOptions& search) {
 
 /// Prints the report and the verdict. `to_error`: standard output has the boxes.
 int print_forces(const PreparedForces& prepared, const FeasibilityResult& result,
-                 const ForceVolumes* volumes, const OutputOptions& output, bool to_error) {
+                 const ForceVolumes* volumes, const ForceCertificate& certificate,
+                 const OutputOptions& output, bool to_error) {
   const int code = exit_code_of(result.verdict);
-  if (!output.quiet) std::cerr << format_forces(prepared, result, volumes);
-  if (output.json)
-    std::cout << json_forces(prepared, result, volumes).dump(output.json_indent) << '\n';
-  else if (!to_error)
+  if (!output.quiet) std::cerr << format_forces(prepared, result, volumes) << certificate.line();
+  if (output.json) {
+    nlohmann::ordered_json report = json_forces(prepared, result, volumes);
+    certificate.add_to(report);
+    std::cout << report.dump(output.json_indent) << '\n';
+  } else if (!to_error) {
     print_answer(name(result.verdict), code);
-  else if (!output.quiet)
+  } else if (!output.quiet) {
     std::cerr << name(result.verdict) << '\n';
+  }
   std::cout.flush();
   return code;
+}
+
+/// Searches with a display and a certificate.
+FeasibilityResult search_and_certify(PreparedForces& prepared, const FeasibilitySettings& settings,
+                                     const ForceListener& listener, ForceCertificate& certificate,
+                                     const OutputOptions& output) {
+  SearchDisplay display(output);
+  std::vector<Observer*> watching;
+  for (Observer* observer : {certificate.observer(), display.observer()})
+    if (observer != nullptr) watching.push_back(observer);
+  Observers observers(std::move(watching));
+  FeasibilityResult result = run_forces(prepared, settings, listener, &observers);
+  certificate.finish(result);
+  return result;
 }
 
 /// Paves the variety; returns the exit code.
@@ -62,24 +82,25 @@ int pave_forces(const LocateCommand& command, PreparedForces& prepared, Interrup
     if (!lines.stream()) interrupt.request();
   };
   ForceVolumes volumes(prepared.problem);
-  SearchDisplay display(command.output);
+  ForceCertificate certificate(command.certificate, prepared, true);
   FeasibilitySettings settings = settings_of(prepared, &interrupt.requested());
   settings.paves = true;
   settings.min_relative_width = options.resolution;
   interrupt.begin_search();
   write(json_forces_header(prepared, options.resolution));
-  const FeasibilityResult result = run_forces(
+  const FeasibilityResult result = search_and_certify(
       prepared, settings,
       [&](std::span<const Interval> box, ForceClaim claim) {
         volumes.add(box, claim);
         write(json_forces_box(prepared, box, claim));
       },
-      display.observer());
+      certificate, command.output);
   write(json_forces(prepared, result, &volumes));
   lines.stream().flush();
   if (lines.wanted() && !lines.stream()) throw FileError("cannot write " + lines.name());
   lines.require_in_place();
-  return print_forces(prepared, result, &volumes, command.output, lines.is_standard_output());
+  return print_forces(prepared, result, &volumes, certificate, command.output,
+                      lines.is_standard_output());
 }
 
 }  // namespace
@@ -90,12 +111,12 @@ std::optional<int> run_force_check(const CheckCommand& command) {
   InterruptGuard interrupt;
   PreparedForces prepared = prepare_forces(command.model, *command.load, command.search,
                                            forming_watch(command.output, &interrupt.requested()));
-  SearchDisplay display(command.output);
+  ForceCertificate certificate(command.certificate, prepared, false);
   interrupt.begin_search();
-  const FeasibilityResult result = run_forces(
+  const FeasibilityResult result = search_and_certify(
       prepared, settings_of(prepared, &interrupt.requested()),
-      [](std::span<const Interval>, ForceClaim) {}, display.observer());
-  return print_forces(prepared, result, nullptr, command.output, false);
+      [](std::span<const Interval>, ForceClaim) {}, certificate, command.output);
+  return print_forces(prepared, result, nullptr, certificate, command.output, false);
 }
 
 std::optional<int> run_force_locate(const LocateCommand& command) {

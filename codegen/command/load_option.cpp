@@ -13,14 +13,11 @@ struct ForeignOption {
 };
 
 constexpr const char* kOneMethod = "with --load there is one method";
-constexpr const char* kNoProof =
-    "no proof can be written for --load yet; the report has all numbers of a witness";
 
-constexpr std::array<ForeignOption, 17> kForeign = {
+constexpr std::array<ForeignOption, 16> kForeign = {
     {{"--alpha", "forces have no threshold; change the limits in [actuators]"},
      {"--waypoints", "the forces along way-points cannot be searched yet"},
-     {"--certificate", kNoProof},
-     {"--shard-size", kNoProof},
+     {"--shard-size", "a proof with --load stays in one file"},
      {"--checkpoint", "a search with --load cannot be continued; divide the ranges instead"},
      {"--checkpoint-every", "a search with --load cannot be continued; divide the ranges instead"},
      {"--picture", "draw the boxes of --output instead"},

@@ -112,6 +112,10 @@ void PageRun::take_certificate(const EarlierRun& run) {
 /// The first lines of a certificate, the verdict and the claim, are no part of its question.
 void PageRun::take_question_of(const EarlierRun& run, const CertificateHead& head) {
   constexpr std::ptrdiff_t kFirstOfQuestion = 3;
+  if (!head.value("load").empty())
+    refuse(run.path,
+           "this certificate is about forces that hold a load, which the page does not show",
+           "give one of check without --load");
   // In the shell, the model may have changed in memory since its file was read.
   if (head.value("sha256") != request_->model.sha256)
     refuse(run.path, "this certificate is about another text of the model: the SHA-256 differs",

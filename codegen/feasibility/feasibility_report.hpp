@@ -11,9 +11,6 @@
 
 namespace regulus::inline feasibility {
 
-/// Returns the word of JSON lines: "feasible", "infeasible", "undecided", "outside".
-[[nodiscard]] const char* name(ForceClaim claim) noexcept;
-
 /// Returns the claim about a box, as a sentence.
 [[nodiscard]] std::string describe_claim(const PreparedForces& prepared, ForceClaim claim);
 

@@ -4,7 +4,6 @@
 #include "codegen/bound/bound_run.hpp"
 #include "codegen/engine/search_run.hpp"
 #include "codegen/engine/settings.hpp"
-#include "codegen/quantity/quantity.hpp"
 #include "codegen/support/errors.hpp"
 
 namespace regulus::inline feasibility {
@@ -39,6 +38,8 @@ PreparedForces prepare_forces(const ModelOptions& model, const std::string& load
   prepared.force_unit = request.model.actuators.force_unit;
   prepared.forces = force_problem(request.model, set);
   prepared.search = search;
+  prepared.request = request;
+  prepared.request.motion.alpha = 0;
   prepared.preparation = prepare(with_scaled_rows(std::move(request)), stopwatch.lap(),
                                  with_derivatives(search), std::move(watch));
   prepared.scaling = prepared.preparation.stages->formulation().scaling;

@@ -7,6 +7,7 @@
 
 #include "codegen/engine/pipeline.hpp"
 #include "codegen/feasibility/feasibility_search.hpp"
+#include "codegen/quantity/quantity.hpp"
 #include "codegen/report/output_options.hpp"
 
 namespace regulus::inline feasibility {
@@ -14,6 +15,7 @@ namespace regulus::inline feasibility {
 /// A question that is ready to be searched.
 struct PreparedForces {
   PreparedSearch preparation;  ///< of J⁻¹, with the row scales in its entries
+  Request request;             ///< with the row scales of the model, without a threshold
   std::string load;            ///< name
   std::string force_unit;
   ForceProblem forces;
@@ -22,6 +24,7 @@ struct PreparedForces {
   Problem problem;
 
   [[nodiscard]] ForceQuestion question() const { return {forces, problem, scaling}; }
+  [[nodiscard]] const VectorSet& set() const { return choose_load(request.model, load); }
 };
 
 /// Reads the model and forms its matrix.

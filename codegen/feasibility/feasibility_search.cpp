@@ -28,7 +28,7 @@ class ForceSearch {
     parameters_ = question.problem.kernel->motion_variables;
     for (std::size_t k = 0; k < parameters_; ++k)
       ranges_.push_back(width_ru(question.problem.outer[k]));
-    open_.push_back(question.problem.outer);
+    open_.push_back({0, 0, question.problem.outer});
   }
 
   FeasibilityResult run() {
@@ -47,6 +47,11 @@ class ForceSearch {
 
  private:
   using Box = std::vector<Interval>;
+  struct NumberedBox {
+    BoxId id;
+    std::uint32_t depth;
+    Box box;
+  };
   using Clock = std::chrono::steady_clock;
   using Kind = BoxOutcome::Kind;
 
@@ -84,8 +89,10 @@ class ForceSearch {
   void take_round() {
     const std::uint64_t budget = settings_.max_boxes - result_.boxes;
     round_.clear();
+    numbers_.clear();
     while (!open_.empty() && round_.size() < std::min<std::uint64_t>(kBoxesOfRound, budget)) {
-      round_.push_back(std::move(open_.back()));
+      round_.push_back(std::move(open_.back().box));
+      numbers_.push_back({open_.back().id, open_.back().depth, {}});
       open_.pop_back();
     }
     outcomes_.assign(round_.size(), {});
@@ -125,55 +132,64 @@ class ForceSearch {
     const BoxOutcome& outcome = outcomes_[i];
     switch (outcome.kind) {
       case Kind::kOutside:
-        return leaf(round_[i], ForceClaim::kOutside);
+        return leaf(i, ForceClaim::kOutside);
       case Kind::kHeld:
         all_outside_ = false;
-        return leaf(round_[i], ForceClaim::kFeasible);
+        return leaf(i, ForceClaim::kFeasible);
       case Kind::kNotHeld:
         all_outside_ = false;
         if (settings_.paves || outcome.is_inhabited) {
           has_infeasible_ = true;
-          return leaf(round_[i], ForceClaim::kInfeasible);
+          return leaf(i, ForceClaim::kInfeasible);
         }
         break;
       case Kind::kUnknown:
         break;
     }
-    split(std::move(round_[i]), outcome);
+    split(i, outcome);
   }
 
-  void leaf(const Box& box, ForceClaim claim) {
-    listener_(box, claim);
+  void leaf(std::size_t i, ForceClaim claim) {
+    leaf({numbers_[i].id, numbers_[i].depth, round_[i]}, claim);
+  }
+
+  void leaf(const OpenBox& box, ForceClaim claim) {
+    listener_(box.box, claim);
     if (progress_ == nullptr) return;
     const Rule rule = claim == ForceClaim::kFeasible     ? Rule::kHMatrix
                       : claim == ForceClaim::kInfeasible ? Rule::kWitness
                       : claim == ForceClaim::kOutside    ? Rule::kOutside
                                                          : Rule::kBlocked;
-    progress_->on_leaf({0, 0, box}, rule, {});
+    progress_->on_leaf(box, rule, {});
   }
 
-  void block(const Box& box, Reason reason) {
+  void block(std::size_t i, Reason reason) {
     all_outside_ = false;
     if (!is_blocked_) {
-      result_.blocking_box = box;
+      result_.blocking_box = round_[i];
       result_.reason = reason;
       boxes_when_blocked_ = result_.boxes;
     }
     is_blocked_ = true;
-    leaf(box, ForceClaim::kUndecided);
+    leaf(i, ForceClaim::kUndecided);
   }
 
   /// A paving goes on below a pose that defeats the test, because others of the box may not.
-  void split(Box box, const BoxOutcome& outcome) {
-    if (outcome.is_hopeless && !settings_.paves) return block(box, reason_of(outcome));
-    const std::optional<std::size_t> variable = choose(box, outcome);
-    if (!variable) return block(box, reason_of(outcome));
-    const Halves halves = *bisect(box[*variable]);
-    Box upper = box;
+  void split(std::size_t i, const BoxOutcome& outcome) {
+    if (outcome.is_hopeless && !settings_.paves) return block(i, reason_of(outcome));
+    const std::optional<std::size_t> variable = choose(round_[i], outcome);
+    if (!variable) return block(i, reason_of(outcome));
+    const Halves halves = *bisect(round_[i][*variable]);
+    const auto [id, depth, none] = numbers_[i];
+    if (progress_ != nullptr)
+      progress_->on_split({id, depth, round_[i]},
+                          {id, static_cast<std::uint32_t>(*variable), halves.left.hi, next_id_});
+    Box box = std::move(round_[i]), upper = box;
     box[*variable] = halves.left;
     upper[*variable] = halves.right;
-    open_.push_back(std::move(upper));
-    open_.push_back(std::move(box));
+    open_.push_back({next_id_ + 1, depth + 1, std::move(upper)});
+    open_.push_back({next_id_, depth + 1, std::move(box)});
+    next_id_ += 2;
   }
 
   [[nodiscard]] static Reason reason_of(const BoxOutcome& outcome) {
@@ -202,8 +218,9 @@ class ForceSearch {
   }
 
   void finish() {
-    for (const Box& box : open_)
-      if (!result_.witness || settings_.paves) listener_(box, ForceClaim::kUndecided);
+    for (const NumberedBox& open : open_)
+      if (!result_.witness || settings_.paves)
+        leaf({open.id, open.depth, open.box}, ForceClaim::kUndecided);
     result_.seconds = seconds();
     result_.is_empty = open_.empty() && all_outside_;
     if (result_.witness)
@@ -226,7 +243,10 @@ class ForceSearch {
   std::vector<std::unique_ptr<BoxForces>> workers_;
   std::size_t parameters_ = 0;
   std::vector<double> ranges_;
-  std::vector<Box> open_, round_;
+  std::vector<NumberedBox> open_;
+  std::vector<Box> round_;
+  std::vector<NumberedBox> numbers_;  ///< of the round, without the boxes
+  BoxId next_id_ = 1;
   std::vector<BoxOutcome> outcomes_;
   bool all_outside_ = true, is_blocked_ = false, has_infeasible_ = false;
   std::atomic<bool> is_out_of_memory_ = false;

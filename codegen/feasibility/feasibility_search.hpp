@@ -10,23 +10,11 @@
 #include <vector>
 
 #include "codegen/feasibility/box_forces.hpp"
+#include "codegen/feasibility/force_claim.hpp"
 #include "runtime/problem/observer.hpp"
 #include "runtime/problem/result.hpp"
 
 namespace regulus::inline feasibility {
-
-enum class FeasibilityVerdict : std::uint8_t { kFeasible, kInfeasible, kPossibleProblem };
-
-/// Returns "FEASIBLE", "INFEASIBLE" or "POSSIBLE PROBLEM".
-[[nodiscard]] const char* name(FeasibilityVerdict verdict) noexcept;
-
-/// The claim about a box.
-enum class ForceClaim : std::uint8_t {
-  kFeasible,    ///< at every pose of the box the load is held
-  kInfeasible,  ///< at no pose of it some load is held
-  kUndecided,
-  kOutside,  ///< a constraint excludes every pose of the box
-};
 
 struct FeasibilitySettings {
   unsigned threads = 1;  ///< at least 1; only the time depends on it
@@ -59,7 +47,8 @@ using ForceListener = std::function<void(std::span<const Interval> box, ForceCla
 ///
 /// The boxes of a round are decided by several threads and concluded in order, so the result does
 /// not depend on the threads. `progress` may be null: it receives the events of a search, with
-/// Rule::kHMatrix for a feasible box and Rule::kWitness for an infeasible one.
+/// Rule::kHMatrix for a feasible box, Rule::kWitness for an infeasible one, and Rule::kBlocked for
+/// one that is undecided or left at the end.
 ///
 /// Ensures   kFeasible: every box is feasible or outside, and not all are outside. kInfeasible:
 ///           there is a witness.

@@ -16,6 +16,16 @@ inline constexpr const char* kSingularity = "SINGULARITY";
 inline constexpr const char* kOppositeSigns = "opposite-signs";
 inline constexpr const char* kSmallDeterminant = "small-determinant";
 inline constexpr const char* kAlwaysSingular = "always-singular";
+// Claims about forces within limits that hold a load.
+inline constexpr const char* kFeasible = "FEASIBLE";
+inline constexpr const char* kInfeasible = "INFEASIBLE";
+inline constexpr const char* kPaving = "PAVING";
+inline constexpr const char* kShortage = "shortage";  ///< the reason of INFEASIBLE
+// Leaves of these claims.
+inline constexpr const char* kFeasibleLeaf = "feasible";
+inline constexpr const char* kInfeasibleLeaf = "infeasible";
+inline constexpr const char* kUndecidedLeaf = "undecided";
+inline constexpr const char* kOutsideLeaf = "outside";
 inline constexpr const char* kLowerEnd = "lower";  ///< a coordinate that is the end of its range
 inline constexpr const char* kUpperEnd = "upper";
 inline constexpr const char* kEndOfRoot = "-";  ///< in a shard: the end of a range of box 0
@@ -31,6 +41,7 @@ inline constexpr int kMostPower = 1 << 20;
 inline constexpr std::size_t kMostDigits = 4096;
 inline constexpr std::size_t kMostRows = 32;
 inline constexpr std::size_t kMostVariables = 128;
+inline constexpr std::size_t kMostLoadRanges = 10;   ///< components of a load that have a range
 inline constexpr std::size_t kMostLines = 20000;     ///< of the header
 inline constexpr std::size_t kMostPieces = 1 << 20;  ///< of a trajectory
 inline constexpr std::size_t kMostPieceNames = 512;
@@ -53,21 +64,40 @@ struct ClaimedSet {
   bool is_within_reach = false;  ///< poses with a negative root are no part of it
 };
 
-/// Returns a claim in words. Nothing else words a claim.
-[[nodiscard]] inline std::string describe_claim(const ClaimedSet& set, bool singular) {
-  const std::string matrix = "the full " + std::to_string(set.rows) + "x" +
-                             std::to_string(set.columns) + " matrix of the model";
+/// Returns "at every pose and value of the 2 uncertain quantities", or "at some …".
+[[nodiscard]] inline std::string describe_place(const ClaimedSet& set, bool every) {
   const std::string values =
       set.uncertain == 0
           ? ""
           : " and value of the " + std::to_string(set.uncertain) + " uncertain quantities";
-  const std::string pose = set.is_within_reach ? " reachable pose" : " pose";
+  return std::string(every ? "at every" : "at some") +
+         (set.is_within_reach ? " reachable pose" : " pose") + values;
+}
+
+/// Returns a claim about forces within limits in words; `verdict`: FEASIBLE, INFEASIBLE or PAVING.
+[[nodiscard]] inline std::string describe_load_claim(const ClaimedSet& set,
+                                                     const std::string& verdict) {
+  const std::string held = ", the full " + std::to_string(set.rows) + "x" +
+                           std::to_string(set.columns) +
+                           " matrix of the model is defined, and forces within the limits hold "
+                           "every wrench of the load";
+  const std::string not_held = ", no forces within the limits hold some wrench of the load";
+  if (verdict == kInfeasible) return describe_place(set, false) + " of the variety" + not_held;
+  if (verdict == kFeasible) return describe_place(set, true) + " of the variety" + held;
+  return describe_place(set, true) + " of the variety in a leaf '" + kFeasibleLeaf + "'" + held +
+         "; in a leaf '" + kInfeasibleLeaf + "'" + not_held;
+}
+
+/// Returns a claim about singularity in words. Nothing but these functions words a claim.
+[[nodiscard]] inline std::string describe_claim(const ClaimedSet& set, bool singular) {
+  const std::string matrix = "the full " + std::to_string(set.rows) + "x" +
+                             std::to_string(set.columns) + " matrix of the model";
   const std::string about = set.has_threshold ? "|det| of " + matrix : matrix;
   if (singular)
-    return about + (set.has_threshold ? " is at most alpha" : " is singular") + " at some" + pose +
-           values + " of the variety";
-  return about + (set.has_threshold ? " exceeds alpha" : " is defined and has full rank") +
-         " at every" + pose + values + " of the variety";
+    return about + (set.has_threshold ? " is at most alpha " : " is singular ") +
+           describe_place(set, false) + " of the variety";
+  return about + (set.has_threshold ? " exceeds alpha " : " is defined and has full rank ") +
+         describe_place(set, true) + " of the variety";
 }
 
 }  // namespace regulus::format

@@ -100,6 +100,36 @@ TEST_F(ForcesCommandTest, PavesTheMotion) {
   EXPECT_GT(last["boxes_by_claim"]["infeasible"]["fraction"][0].get<double>(), 0.6);
 }
 
+TEST_F(ForcesCommandTest, WritesProofsThatBothVerifiersAccept) {
+  const std::string proof = folder_.path() / "proof";
+  const auto verdicts = [&](std::vector<std::string> words, const std::string& range) {
+    for (const char* word : {"--load", "push", "--certificate", proof.c_str(), "--json"})
+      words.emplace_back(word);
+    words.insert(words.end(), {"--range", range});
+    EXPECT_EQ(json::parse(run(words).output)["certificate"], proof);
+    const CommandResult own = run({"verify", proof, "--model", model_, "--quiet"});
+    const CommandResult other = run_command({REGULUS_BINARY_DIR "/bin/regulus-verify", proof,
+                                             "--model", model_, "--allow-options", "--quiet"});
+    return own.output + other.output;
+  };
+  EXPECT_EQ(verdicts({"check", model_}, "x=-0.5:0.5"), "VERIFIED\nVERIFIED\n");
+  EXPECT_EQ(verdicts({"check", model_}, "x=-0.7:0.7"), "VERIFIED\nVERIFIED\n");
+  EXPECT_EQ(verdicts({"locate", model_}, "x=-0.7:0.7"), "VERIFIED\nVERIFIED\n");
+  const CommandResult coq = run_command(
+      {REGULUS_BINARY_DIR "/bin/regulus-verify", "--coq", folder_.path() / "proof.v", proof});
+  EXPECT_NE(coq.exit_code, 0);
+  EXPECT_THAT(coq.errors, HasSubstr("cannot be written as a theorem"));
+}
+
+TEST_F(ForcesCommandTest, WritesNoProofThatClaimsNothing) {
+  const std::string proof = folder_.path() / "proof";
+  const CommandResult r = run({"check", model_, "--load", "push", "--range", "x=-0.6:0.6",
+                               "--max-boxes", "1", "--certificate", proof});
+  EXPECT_EQ(r.exit_code, 2) << r.errors;
+  EXPECT_THAT(r.errors, HasSubstr("certificate none: POSSIBLE PROBLEM"));
+  EXPECT_FALSE(std::ifstream(proof).good());
+}
+
 TEST_F(ForcesCommandTest, RefusesWhatHasNoMeaning) {
   const auto refused = [&](std::vector<std::string> words, const std::string& why) {
     words.insert(words.begin(), {"check", model_, "--load", "push"});
@@ -108,7 +138,7 @@ TEST_F(ForcesCommandTest, RefusesWhatHasNoMeaning) {
     EXPECT_THAT(r.errors, HasSubstr(why));
     EXPECT_EQ(r.output, "");
   };
-  refused({"--certificate", "proof"}, "no proof can be written for --load yet");
+  refused({"--certificate", "proof", "--shard-size", "64kB"}, "stays in one file");
   refused({"--checkpoint", "saved"}, "cannot be continued");
   refused({"--alpha", "0.1"}, "forces have no threshold");
   refused({"--method", "kj"}, "there is one method");

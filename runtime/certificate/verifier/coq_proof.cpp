@@ -31,9 +31,7 @@ std::string heading(const Question& q, const std::string& claim) {
          "Import ListNotations.\n\n";
 }
 
-std::string heading(const Question& q) {
-  return heading(q, format::describe_claim(q.claimed_set(), q.singular));
-}
+std::string heading(const Question& q) { return heading(q, q.claim()); }
 
 /// `check`: the theorem that is applied, and its arguments.
 std::string theorem(const std::string& claim, const std::string& check) {
@@ -161,6 +159,8 @@ std::string read_and_write(Lines& lines, CoqStatement statement) {
   Question question;
   lines.keep();
   read_question(lines, question);
+  if (question.load)
+    throw Unfinished("a claim about forces within limits cannot be written as a theorem");
   if (statement == CoqStatement::kForce) return force(question, lines.take_kept());
   if (question.is_piecewise) return trajectory(lines);
   const CoqQuestion coq = coq_question(lines.take_kept(), question);

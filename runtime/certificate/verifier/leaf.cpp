@@ -16,13 +16,6 @@ constexpr std::size_t kSmallOrder = 3;
 constexpr int kMostPointsTried = 64;
 constexpr std::size_t kProbeBits = 7, kProbes = 1 << kProbeBits;
 
-/// Splits box k of a pair at its middle.
-std::pair<Box, Box> halves(const Box& box, std::size_t k) {
-  std::pair<Box, Box> result{box, box};
-  result.first[k].hi = result.second[k].lo = mid(box[k]);
-  return result;
-}
-
 }  // namespace
 
 std::optional<PointValues> values_over(const Question& q, const Box& box, long bits) {
@@ -62,7 +55,7 @@ void LeafProver::begin(bool looks_for_points) {
   points_tried_ = sign_ = 0;
 }
 
-void LeafProver::prove(const Box& box) {
+void LeafProver::prove(const Box& box, LeafClaim) {
   const std::uint64_t before = boxes_;
   waiting_.assign(1, box);
   while (!waiting_.empty()) {
@@ -112,13 +105,8 @@ bool LeafProver::is_regular_exactly(const Box& box, std::uint64_t boxes_of_leaf)
 
 /// Tries the middles of the first boxes as points. A claim about no point at all has no value.
 void LeafProver::look_for_point() {
-  if (points_tried_++ >= kMostPointsTried || !certain_inside(q_, variety_, test_.middle())) return;
-  std::vector<Ball> x;
-  for (const Interval coordinate : test_.middle()) x.emplace_back(coordinate, kFirstBits);
-  const auto values = evaluate(q_.graph, q_.constraints, x, kFirstBits);
-  has_met_point_ = values && std::all_of(values->begin(), values->end(), [](const Ball& h) {
-                     return arb_is_nonpositive(h.get()) != 0;
-                   });
+  if (points_tried_++ >= kMostPointsTried) return;
+  has_met_point_ = is_certain_point(q_, variety_, test_.middle());
 }
 
 /// First looks at some more points of the leaf. Next to a singularity, all points on one side of it

@@ -4,6 +4,7 @@
 #include <flint/flint.h>
 
 #include <chrono>
+#include <utility>
 
 #include "runtime/certificate/verifier/usual_environment.hpp"
 
@@ -26,7 +27,7 @@ constexpr const char* kOppositeSigns =
 LeafProofs::LeafProofs(Question& question, const Variety& variety, const Options& options,
                        WorkClock& clock, Verification& counts)
     : question_(question), variety_(variety), options_(options), clock_(clock), counts_(counts) {
-  if (options.threads <= 1) own_.emplace(question, variety, options, clock);
+  if (options.threads <= 1) own_ = make_prover(question, variety, options, clock);
 }
 
 LeafProofs::~LeafProofs() {
@@ -51,11 +52,11 @@ Shown LeafProofs::finish(Lines& lines) {
   return std::exchange(shown_, {});
 }
 
-void LeafProofs::prove(LeafProver& prover, Batch& batch) try {
+void LeafProofs::prove(Prover& prover, Batch& batch) try {
   prover.begin(batch.looks_for_points);
   for (const Leaf& leaf : batch.leaves) {
     const std::uint64_t before = prover.boxes();
-    prover.prove(leaf.box);
+    prover.prove(leaf.box, leaf.claim);
     batch.boxes.push_back(prover.boxes() - before);
   }
   batch.shown.has_met_variety = prover.has_met_variety();
@@ -111,6 +112,8 @@ void LeafProofs::merge(Lines& lines, const Batch& batch) {
     lines.name_line(leaf.line);
     const std::string here = leaf.name + ": ";
     ++counts_.leaves, ++shown_.leaves;
+    if (question_.load && question_.load->verdict == format::kPaving)
+      ++counts_.paved[static_cast<std::size_t>(leaf.claim)];
     if (i == batch.boxes.size() && batch.failure->is_rejection)
       throw Rejection(here + batch.failure->why);
     if (i == batch.boxes.size()) throw Unfinished(here + batch.failure->why);
@@ -146,11 +149,11 @@ void LeafProofs::work() noexcept {
   {
     WorkClock clock(clock_, stop_);
     std::optional<Question> question;
-    std::optional<LeafProver> prover;
+    std::unique_ptr<Prover> prover;
     while (Batch* batch = take_batch()) {
       try {
         if (!question) question.emplace(question_);
-        if (!prover) prover.emplace(*question, variety_, options_, clock);
+        if (!prover) prover = make_prover(*question, variety_, options_, clock);
         prove(*prover, *batch);
       } catch (...) {
         batch->fault = std::current_exception();

@@ -13,7 +13,7 @@
 #include <thread>
 #include <vector>
 
-#include "runtime/certificate/verifier/leaf.hpp"
+#include "runtime/certificate/verifier/prover.hpp"
 
 namespace regulus::verifier {
 
@@ -21,6 +21,7 @@ struct Leaf {
   Box box;
   std::string name;  ///< for messages
   std::size_t line;
+  LeafClaim claim = LeafClaim::kWhole;
 };
 
 /// The facts that some leaves have shown together.
@@ -28,7 +29,7 @@ struct Shown {
   std::uint64_t leaves = 0;
   std::uint64_t boxes = 0;  ///< into which they were cut
   bool has_met_variety = false, has_met_point = false;
-  int sign = 0;  ///< as LeafProver::sign
+  int sign = 0;  ///< as Prover::sign
 };
 
 /// Leaves are proved in batches of a fixed size. No batch knows anything of another one, and their
@@ -60,7 +61,7 @@ class LeafProofs {
     bool is_done = false;
   };
 
-  static void prove(LeafProver& prover, Batch& batch);
+  static void prove(Prover& prover, Batch& batch);
   void hand_over(Lines& lines);
   void merge(Lines& lines, const Batch& batch);
   void merge_done(Lines& lines, std::size_t most_left);
@@ -73,7 +74,7 @@ class LeafProofs {
   const Options& options_;
   WorkClock& clock_;
   Verification& counts_;
-  std::optional<LeafProver> own_;  ///< if there is one thread
+  std::unique_ptr<Prover> own_;  ///< if there is one thread
   std::unique_ptr<Batch> filling_;
   std::size_t batches_ = 0;  ///< handed over since the beginning
   Shown shown_;

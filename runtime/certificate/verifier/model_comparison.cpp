@@ -5,6 +5,7 @@
 
 #include "runtime/certificate/verifier/algebra.hpp"
 #include "runtime/certificate/verifier/evaluation.hpp"
+#include "runtime/certificate/verifier/load_comparison.hpp"
 #include "runtime/certificate/verifier/model_expression.hpp"
 #include "runtime/certificate/verifier/model_file.hpp"
 
@@ -36,6 +37,7 @@ class Comparison {
     compare_legs();
     compare_matrix();
     compare_motion();
+    if (q_.load) compare_load_lines();
     list_uncompared();
   }
 
@@ -283,7 +285,7 @@ class Comparison {
                   std::to_string(e % q_.columns) + ']',
               "entry " + std::to_string(e), q_.actual);
     for (std::size_t i = 0; i < q_.rows; ++i)
-      if (!q_.scale.empty())
+      if (q_.stated.contains("scale 0"))
         compare("matrix.row_scale[" + std::to_string(i) + ']', "scale " + std::to_string(i),
                 q_.actual);
   }
@@ -298,6 +300,8 @@ class Comparison {
       if (rest == "waypoints" || rest == "interpolation") continue;  // waypoints.hpp
       if (rest == "where")
         is_within_reach = true;
+      else if (rest == "alpha" && q_.load)
+        continue;  // forces have no threshold
       else if (rest == "alpha")
         compare(at->first, "alpha ", none, "alpha");
       else if (rest.starts_with("error."))
@@ -318,6 +322,14 @@ class Comparison {
                        ": it leaves out the poses out of reach, but the motion has no 'where'");
     for (const auto& [key, stated] : q_.stated)
       if (key.starts_with("reach ")) used_.insert(key);
+  }
+
+  void compare_load_lines() {
+    const Scope none;
+    compare_load(
+        q_, values_,
+        [&](const std::string& place, const std::string& stated) { compare(place, stated, none); },
+        [&](const std::string& stated) { used_.insert(stated); });
   }
 
   void compare_range(const std::string& place, const std::string& rest) {

@@ -74,7 +74,7 @@ class PieceChecker {
   }
 
   void describe(const Question& question) {
-    result_.claim = format::describe_claim(question.claimed_set(), question.singular);
+    result_.claim = question.claim();
     result_.model = question.model;
     result_.sha256 = question.sha256;
     result_.motion = question.motion;

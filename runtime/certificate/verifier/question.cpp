@@ -6,6 +6,7 @@
 #include <set>
 
 #include "runtime/certificate/verifier/algebra.hpp"
+#include "runtime/certificate/verifier/load_lines.hpp"
 
 namespace regulus::verifier {
 namespace {
@@ -42,10 +43,10 @@ class QuestionReader {
     keep_names();
     read_model();
     read_motion();
+    if (q_.load) read_load_lines(lines_, q_);
     if (lines_.text() != "proof") throw Rejection("expected the line 'proof'");
-    if (claim != format::describe_claim(q_.claimed_set(), q_.singular))
-      throw Rejection("the claim is not about this matrix and set: expected '" +
-                      format::describe_claim(q_.claimed_set(), q_.singular) + "'");
+    if (claim != q_.claim())
+      throw Rejection("the claim is not about this matrix and set: expected '" + q_.claim() + "'");
   }
 
  private:
@@ -76,10 +77,14 @@ class QuestionReader {
 
   void read_verdict() {
     const std::string verdict = take("verdict");
-    q_.singular = verdict == format::kSingularity;
-    if (!q_.singular && verdict != format::kNoSingularity)
-      throw Rejection("the verdict is neither '" + std::string(format::kNoSingularity) + "' nor '" +
-                      format::kSingularity + "'");
+    q_.singular = verdict == format::kSingularity || verdict == format::kInfeasible;
+    if (verdict == format::kFeasible || verdict == format::kInfeasible ||
+        verdict == format::kPaving)
+      q_.load.emplace().verdict = verdict;
+    else if (!q_.singular && verdict != format::kNoSingularity)
+      throw Rejection("the verdict is not " + std::string(format::kNoSingularity) + ", " +
+                      format::kSingularity + ", " + format::kFeasible + ", " + format::kInfeasible +
+                      " or " + format::kPaving);
   }
 
   void read_labels() {
@@ -321,6 +326,11 @@ format::ClaimedSet Question::claimed_set() const {
   format::ClaimedSet set{rows, columns, 0, has_threshold, is_within_reach};
   for (const Variable& v : variables) set.uncertain += v.kind != VariableKind::kParameter;
   return set;
+}
+
+std::string Question::claim() const {
+  if (load) return format::describe_load_claim(claimed_set(), load->verdict);
+  return format::describe_claim(claimed_set(), singular);
 }
 
 void read_question(Lines& lines, Question& question) { QuestionReader(lines, question).read(); }

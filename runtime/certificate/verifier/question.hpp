@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <istream>
 #include <map>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -60,6 +61,22 @@ struct BallOfVariables {
   NodeId radius = -1;
 };
 
+/// A ball about 0 in some components of a wrench.
+struct WrenchBall {
+  NodeId radius = kNoNode;
+  std::vector<std::size_t> members;
+};
+
+/// The load of a claim about forces, and the limits of the forces: constant expressions. The load is
+/// the set of all sums of a wrench within the spreads of the middles and a vector of each ball.
+struct LoadLines {
+  std::string verdict;  ///< FEASIBLE, INFEASIBLE or PAVING
+  std::string name;
+  std::vector<NodeId> middle, spread;  ///< by column
+  std::vector<WrenchBall> balls;
+  std::vector<NodeId> least, largest;  ///< by row
+};
+
 /// An expression with its line.
 struct StatedValue {
   NodeId node = kNoNode;
@@ -68,7 +85,7 @@ struct StatedValue {
 };
 
 struct Question {
-  bool singular = false;  ///< the claim
+  bool singular = false;  ///< the claim is shown by a witness: SINGULARITY or INFEASIBLE
   bool is_index = false;  ///< the proof is in shards
   /// The question is about several pieces: nothing after the line `piecewise` has been read.
   bool is_piecewise = false;
@@ -86,15 +103,20 @@ struct Question {
   std::vector<NodeId> constraints;     ///< each ≤ 0 in the variety
   bool is_within_reach = false;        ///< the first ones exclude poses with a negative root
   bool has_threshold = false;          ///< alpha is not written as 0
+  /// Of a claim about forces. The matrix is then J⁻¹: the scales are in its rows.
+  std::optional<LoadLines> load;
 
   // For the comparison with a model file.
   /// The stated values, by kind and name: "alpha ", "lower x", "upper x", "value a", "spread a",
-  /// "pose x", "error x", "entry 0", "scale 0", "constraint 0", "reach 0".
+  /// "pose x", "error x", "entry 0", "scale 0", "constraint 0", "reach 0", "wrench 0",
+  /// "wrench-spread 0", "wrench-ball 0", "least 0", "largest 0".
   std::map<std::string, StatedValue, std::less<>> stated;
   Scope actual;     ///< names of constants and of poses with their errors
   Scope commanded;  ///< names of parameters, constants and commanded poses
 
   [[nodiscard]] format::ClaimedSet claimed_set() const;
+  /// Returns the claim in words.
+  [[nodiscard]] std::string claim() const;
 };
 
 /// Reads up to and including the line `proof`. Throws Rejection.

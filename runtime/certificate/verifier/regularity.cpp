@@ -17,12 +17,6 @@ constexpr double kNoImpact = 0.02;
 
 constexpr double kNarrowest = 0x1p-44;  ///< of a range, relative to the variety's
 
-std::vector<NodeId> join(std::initializer_list<const std::vector<NodeId>*> lists) {
-  std::vector<NodeId> result;
-  for (const auto* list : lists) result.insert(result.end(), list->begin(), list->end());
-  return result;
-}
-
 /// Returns the motion parameters, even if they touch only one row, because they are split; and all
 /// other variables that touch several rows.
 std::vector<std::size_t> moving_variables(Question& q) {
@@ -67,22 +61,22 @@ RegularityTest::RegularityTest(Question& q, const Variety& variety)
       inverse_(q, moving_variables(q)),
       rows_(q, variety, inverse_.moving()),
       over_box_(q, join({&q.matrix, &q.defined, &q.motion_defined, &q.scale})),
-      motion_(q, join({&q.motion_defined, &q.constraints})),
+      outside_(q, variety),
       of_motion_(q.columns),
-      of_rows_(rows_.order()),
-      r_(q.variables.size()) {}
+      of_rows_(rows_.order()) {}
 
 RegularityTest::Answer RegularityTest::decide(const Box& box) {
   stage_ = Stage::kNothing;
   is_defined_ = false;
   place_middle(box);
-  if (is_outside(box)) return Answer::kOutside;
+  if (outside_.covers(box)) return Answer::kOutside;
   is_defined_ = over_box_.run(box);
-  if (!is_defined_ || !is_moderate(r_)) return Answer::kOpen;
-  if (!inverse_.run(thin_, middle_, r_))
+  if (!is_defined_ || !is_moderate(middle_.radius)) return Answer::kOpen;
+  if (!inverse_.run(thin_, middle_.point, middle_.radius))
     return is_regular_without_derivatives() ? Answer::kRegular : Answer::kOpen;
   stage_ = Stage::kMotion;
-  if (!of_motion_.find(inverse_.P()) || !rows_.run(box, middle_, r_, inverse_, of_motion_))
+  if (!of_motion_.find(inverse_.P()) ||
+      !rows_.run(box, middle_.point, middle_.radius, inverse_, of_motion_))
     return Answer::kOpen;
   stage_ = Stage::kRows;
   return is_regular() ? Answer::kRegular : Answer::kOpen;
@@ -116,35 +110,9 @@ bool RegularityTest::is_regular_without_derivatives() {
          exceeds_threshold(of_motion_.determinant(), determinant(K_, n, kBits).enclosure());
 }
 
-bool RegularityTest::is_outside(const Box& box) {
-  for (std::size_t b = 0; b < q_.balls.size(); ++b)
-    if (is_beyond(q_.balls[b], variety_.reach[b], box)) return true;
-  if (q_.constraints.empty() || !motion_.run(box)) return false;
-  return std::any_of(q_.constraints.begin(), q_.constraints.end(),
-                     [this](NodeId h) { return motion_.value(h).lo > 0.0; });
-}
-
-/// Returns true if every point of the box is farther than `reach` from the middle of the ball.
-bool RegularityTest::is_beyond(const BallOfVariables& ball, double reach, const Box& box) const {
-  Interval distance;
-  for (const std::size_t k : ball.members)
-    distance = distance + square(box[k] - point(mid(variety_.outer[k])));
-  return sqrt(distance).lo > reach;
-}
-
-/// Takes a double of each range within the box. If there is none, takes the box's whole interval.
 void RegularityTest::place_middle(const Box& box) {
-  middle_ = box;
-  std::fill(r_.begin(), r_.end(), 0.0);
-  for (std::size_t k = 0; k < box.size(); ++k) {
-    const auto& inner = variety_.inner[k];
-    if (!inner) continue;
-    const Interval doubles{std::max(box[k].lo, inner->lo), std::min(box[k].hi, inner->hi)};
-    if (!(doubles.lo <= doubles.hi)) continue;
-    middle_[k] = point(mid(doubles));
-    r_[k] = radius_ru(box[k], middle_[k].lo);
-  }
-  thin_ = middle_;
+  verifier::place_middle(variety_, box, middle_);
+  thin_ = middle_.point;
   for (const std::size_t p : inverse_.moving()) thin_[p] = box[p];
 }
 
@@ -177,7 +145,7 @@ Interval RegularityTest::determinant_of_K() const {
   for (std::size_t p = 0; p < inverse_.moving().size(); ++p) {
     Interval trace;
     for (std::size_t i = 0; i < n; ++i) trace = trace + point(inverse_.D(p)[i * n + i]);
-    exponent = exponent + point(r_[inverse_.moving()[p]]) * point(mag(trace));
+    exponent = exponent + point(middle_.radius[inverse_.moving()[p]]) * point(mag(trace));
   }
   exponent = exponent + square(point(f)) / (2.0 * (point(1.0) - point(f)));
   return determinant(inverse_.K(), n, kBits).enclosure() * apply(Op::kExp, exponent);
@@ -196,7 +164,8 @@ std::vector<double> RegularityTest::impacts() const {
       for (std::size_t i = 0; i < n; ++i) {
         const std::size_t e = j * n + i, k = inverse_.moving()[p];
         impact[k] +=
-            (is_regular ? r_[k] * std::fabs(inverse_.D(p)[e]) : inverse_.share(p)[e]) * v[j] / v[i];
+            (is_regular ? middle_.radius[k] * std::fabs(inverse_.D(p)[e]) : inverse_.share(p)[e]) *
+            v[j] / v[i];
       }
   if (stage_ == Stage::kRows) rows_.add_impacts(of_rows_.v(), impact);
   double of_moving = 0.0;

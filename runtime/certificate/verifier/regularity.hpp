@@ -2,6 +2,7 @@
 // The test that every matrix over a box has full column rank. PROOF.md, "The test", derives it.
 #pragma once
 
+#include "runtime/certificate/verifier/outside.hpp"
 #include "runtime/certificate/verifier/touched_rows.hpp"
 
 namespace regulus::verifier {
@@ -25,11 +26,9 @@ class RegularityTest {
 
   /// After kOpen: returns the sign of det A at the middle of the box, 0 if it is not known.
   [[nodiscard]] int sign_at_middle() const;
-  [[nodiscard]] const Box& middle() const noexcept { return middle_; }
+  [[nodiscard]] const Box& middle() const noexcept { return middle_.point; }
 
  private:
-  [[nodiscard]] bool is_outside(const Box& box);
-  [[nodiscard]] bool is_beyond(const BallOfVariables& ball, double reach, const Box& box) const;
   void place_middle(const Box& box);
   [[nodiscard]] bool is_regular();
   [[nodiscard]] bool is_regular_without_derivatives();
@@ -42,7 +41,8 @@ class RegularityTest {
   const Variety& variety_;
   MovingInverse inverse_;
   TouchedRows rows_;
-  Evaluation over_box_, motion_;
+  Evaluation over_box_;
+  Outside outside_;
   Domination of_motion_, of_rows_;
 
   // For one box.
@@ -52,9 +52,9 @@ class RegularityTest {
     kMotion,
     kRows
   } stage_ = Stage::kNothing;  ///< the last that has been bounded
-  Box middle_, thin_;          ///< thin_: at the middle except in the moving variables
-  std::vector<double> r_;      ///< of the box about its middle
-  Matrix K_, P_;               ///< without derivatives: |K·A − I| ≤ P
+  Middle middle_;
+  Box thin_;      ///< at the middle except in the moving variables
+  Matrix K_, P_;  ///< without derivatives: |K·A − I| ≤ P
 };
 
 }  // namespace regulus::verifier

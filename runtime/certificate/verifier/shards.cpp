@@ -101,7 +101,7 @@ class ShardsChecker {
     try {
       OpenBoxes open = file.read_open(variety_.outer);
       proof.before = open.text();
-      TreeReader reader(file.lines(), open, proofs_, clock_);
+      TreeReader reader(file.lines(), question_, open, proofs_, clock_);
       const Shown shown = reader.read();
       reader.require_end_word();
       reader.require_end(shown.leaves);

@@ -15,7 +15,7 @@ class TreeChecker {
         counts_(counts),
         clock_(options, counts),
         proofs_(question, variety, options, clock_, counts),
-        reader_(lines, open_, proofs_, clock_) {
+        reader_(lines, question, open_, proofs_, clock_) {
     open_.boxes.emplace(0, variety.outer);
   }
 

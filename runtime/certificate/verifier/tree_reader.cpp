@@ -17,6 +17,20 @@ constexpr std::array<std::string_view, 11> kRules = {
     "outside", "h-matrix",    "mean-value", "second-order",   "determinant", "elimination",
     "rohn",    "closed-form", "filter",     "multiprecision", "orthants"};
 
+/// Returns the claim of a leaf of a question; throws Rejection for a word that it does not have.
+LeafClaim claim_of(const Question& question, std::string_view word) {
+  const bool is_about_load = question.load.has_value();
+  const bool paves = is_about_load && question.load->verdict == format::kPaving;
+  const bool is_rule = std::find(kRules.begin(), kRules.end(), word) != kRules.end();
+  if (!is_about_load && is_rule) return LeafClaim::kWhole;
+  if (is_about_load && word == format::kFeasibleLeaf) return LeafClaim::kWhole;
+  if (is_about_load && word == format::kOutsideLeaf)
+    return paves ? LeafClaim::kOutside : LeafClaim::kWhole;
+  if (paves && word == format::kInfeasibleLeaf) return LeafClaim::kInfeasible;
+  if (paves && word == format::kUndecidedLeaf) return LeafClaim::kUndecided;
+  throw Rejection("there is no rule '" + std::string(word) + "'");
+}
+
 }  // namespace
 
 std::string OpenBoxes::text() const {
@@ -82,10 +96,10 @@ void TreeReader::split(const std::vector<std::string_view>& words) {
 
 void TreeReader::leaf(const std::vector<std::string_view>& words) {
   const auto box = find(words[1]);
-  if (std::find(kRules.begin(), kRules.end(), words[2]) == kRules.end())
-    throw Rejection("there is no rule '" + std::string(words[2]) + "'");
+  const LeafClaim claim = claim_of(question_, words[2]);
   Leaf leaf{std::move(box->second),
-            "leaf " + std::string(words[1]) + " (" + std::string(words[2]) + ")", lines_.number()};
+            "leaf " + std::string(words[1]) + " (" + std::string(words[2]) + ")", lines_.number(),
+            claim};
   open_.boxes.erase(box);
   proofs_.add(lines_, std::move(leaf));
 }

@@ -22,8 +22,9 @@ struct OpenBoxes {
 class TreeReader {
  public:
   /// All must outlive this object.
-  TreeReader(Lines& lines, OpenBoxes& open, LeafProofs& proofs, WorkClock& clock)
-      : lines_(lines), open_(open), proofs_(proofs), clock_(clock) {}
+  TreeReader(Lines& lines, const Question& question, OpenBoxes& open, LeafProofs& proofs,
+             WorkClock& clock)
+      : lines_(lines), question_(question), open_(open), proofs_(proofs), clock_(clock) {}
 
   /// Reads up to the first line that is neither a split nor a leaf, and waits until all leaves
   /// before it are proved. Throws Rejection or Unfinished, for the first line that is wrong.
@@ -45,6 +46,7 @@ class TreeReader {
   void leaf(const std::vector<std::string_view>& words);
 
   Lines& lines_;
+  const Question& question_;
   OpenBoxes& open_;
   LeafProofs& proofs_;
   WorkClock& clock_;

@@ -26,11 +26,11 @@ void compare(Question& question, const Options& options, Verification& result) {
 void check(Lines& lines, Question& question, const Options& options, Verification& result) {
   lines.keep();
   read_question(lines, question);
-  if (question.is_index && (question.is_piecewise || question.singular))
+  if (question.is_index && (question.is_piecewise || question.singular || question.load))
     throw Rejection("an index is for a proof of NO SINGULARITY about one piece");
   if (question.is_piecewise) return check_pieces(lines, options, result);
   const std::vector<std::string> head = lines.take_kept();
-  result.claim = format::describe_claim(question.claimed_set(), question.singular);
+  result.claim = question.claim();
   result.model = question.model;
   result.sha256 = question.sha256;
   result.motion = question.motion;
@@ -48,6 +48,17 @@ void check(Lines& lines, Question& question, const Options& options, Verificatio
 
 std::string at_line(const Lines& lines, const std::string& why) {
   return "line " + std::to_string(lines.number()) + ": " + why;
+}
+
+/// Returns "448 feasible, 139 infeasible, 407 undecided"; empty if it is not a paving.
+std::string describe_paved(const Verification& v) {
+  constexpr std::array kWords{format::kFeasibleLeaf, format::kInfeasibleLeaf,
+                              format::kUndecidedLeaf, format::kOutsideLeaf};
+  std::string text;
+  for (std::size_t i = 0; i < kWords.size(); ++i)
+    if (v.paved[i] > 0)
+      text += (text.empty() ? "" : ", ") + std::to_string(v.paved[i]) + ' ' + kWords[i];
+  return text;
 }
 
 }  // namespace
@@ -87,6 +98,7 @@ std::string describe(const Verification& v) {
   if (v.shards > 0) line("shards", std::to_string(v.shards));
   if (v.leaves > 0)
     line("leaves", std::to_string(v.leaves) + ", in " + std::to_string(v.boxes) + " boxes");
+  line("paved", describe_paved(v));
   if (v.numbers > 0)
     line("numbers",
          std::to_string(v.numbers) + " values and expressions of the model file compared");

@@ -2,6 +2,7 @@
 // Reads a certificate and proves its claim anew.
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <functional>
 #include <istream>
@@ -57,7 +58,9 @@ struct Verification {
   std::size_t pieces = 0;  ///< of a trajectory; 0: the motion is not one
   std::size_t shards = 0;  ///< of an index; 0: the proof is in one file
   std::uint64_t leaves = 0;
-  std::uint64_t boxes = 0;               ///< into which the leaves were cut
+  std::uint64_t boxes = 0;  ///< into which the leaves were cut
+  /// Of a paving: the leaves that are feasible, infeasible, undecided, outside.
+  std::array<std::uint64_t, 4> paved{};
   std::size_t numbers = 0;               ///< values of the model file that were compared
   std::vector<std::string> differences;  ///< those that options have set to other values
   std::vector<std::string> uncompared;   ///< values and lines that could not be compared

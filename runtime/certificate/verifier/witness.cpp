@@ -6,6 +6,7 @@
 #include "runtime/certificate/verifier/exact_determinant.hpp"
 #include "runtime/certificate/verifier/exact_point.hpp"
 #include "runtime/certificate/verifier/proof.hpp"
+#include "runtime/certificate/verifier/shortage.hpp"
 #include "runtime/certificate/verifier/work_clock.hpp"
 
 namespace regulus::verifier {
@@ -22,6 +23,7 @@ class WitnessChecker {
       : lines_(lines), q_(q), variety_(variety), options_(options), clock_(options, counts) {}
 
   void check() {
+    if (q_.load) return check_shortage();
     if (q_.rows != q_.columns) throw Rejection("a singularity is shown for square matrices only");
     const std::string reason = next_line();
     if (reason == std::string("reason ") + format::kOppositeSigns) return check_signs();
@@ -169,6 +171,39 @@ class WitnessChecker {
       if (!exact->is_nonpositive(q_.constraints[i])) return false;
     }
     return true;
+  }
+
+  /// Shows that along some direction the load needs more than forces within the limits can give.
+  void check_shortage() {
+    const std::string reason = next_line();
+    if (reason != std::string("reason ") + format::kShortage)
+      throw Rejection("expected 'reason " + std::string(format::kShortage) + "'");
+    static_cast<void>(enclose_load(q_));  // refuses wrong limits
+    const ClaimedPoint point = read_point("0");
+    const std::vector<double> direction = read_direction();
+    read_end();
+    if (!is_defined_within_constraints(point))
+      throw Unfinished("the matrix is not certainly defined at the point, within the constraints");
+    for (long bits = 64; bits <= options_.max_bits; bits *= 2) {
+      clock_.tick();
+      const auto values = values_over(q_, point.box, bits);
+      const auto need = values ? need_along(q_, direction, bits) : std::nullopt;
+      const auto gift = need ? gift_along(q_, values->matrix, direction, bits) : std::nullopt;
+      if (!gift) continue;
+      if (arb_gt(need->get(), gift->get()) != 0) return;
+      if (arb_le(need->get(), gift->get()) != 0)
+        throw Rejection("along this direction, forces within the limits give what the load needs");
+    }
+    throw Unfinished("it is not certain that the load needs more than the forces can give");
+  }
+
+  std::vector<double> read_direction() {
+    const auto words = words_of(next_line());
+    if (words.size() != q_.columns + 1 || words[0] != "direction")
+      throw Rejection("expected 'direction' and " + std::to_string(q_.columns) + " numbers");
+    std::vector<double> direction;
+    for (std::size_t j = 0; j < q_.columns; ++j) direction.push_back(read_double(words[j + 1]));
+    return direction;
   }
 
   /// Proves the segment piece by piece, each in the box around it.
