@@ -7,6 +7,7 @@
 //   locate    paves the motion with boxes that are free, singular or undecided
 //   margin    brackets the largest tolerance, threshold or size that is safe
 //   bound     brackets the largest or least force, error or speed, or compares it with a limit
+//   check_load, locate_load  the same about a load: do forces within the limits hold it?
 //   verify    proves a certificate again
 //   PreparedQuestion  a question that is asked again with other ranges and tolerances
 //   Kernel    compiled functions of a question, for checks of pieces of the motion in a loop
@@ -18,6 +19,7 @@
 #include "codegen/api/check.hpp"
 #include "codegen/api/files.hpp"
 #include "codegen/api/kernel.hpp"
+#include "codegen/api/load.hpp"
 #include "codegen/api/locate.hpp"
 #include "codegen/api/margin.hpp"
 #include "codegen/api/prepared_question.hpp"

@@ -8,6 +8,7 @@
 #include "codegen/api/regulus.hpp"
 #include "codegen/engine/choices.hpp"
 #include "codegen/python/calls.hpp"
+#include "codegen/python/loads.hpp"
 #include "regulus/version.hpp"
 
 namespace regulus::inline python {
@@ -376,6 +377,7 @@ PYBIND11_MODULE(_regulus, module) {
   bind_pavings(module);
   bind_prepared(module);
   bind_searches(module);
+  bind_loads(module);
   bind_files(module);
   // The thread must not be at work while the process takes its libraries down.
   pybind11::module_::import("atexit").attr("register")(

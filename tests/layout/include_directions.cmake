@@ -43,7 +43,7 @@ set(codegen/quantity             codegen/support codegen/model)
 set(codegen/bound                ${codegen/margin} codegen/margin codegen/quantity)
 set(codegen/feasibility          ${codegen/bound} codegen/bound)
 set(codegen/page                 ${codegen/bound} codegen/bound codegen/trajectory)
-set(codegen/api                  ${codegen/bound} codegen/bound codegen/trajectory codegen/import codegen/robot runtime/certificate/verifier
+set(codegen/api                  ${codegen/bound} codegen/bound codegen/feasibility codegen/trajectory codegen/import codegen/robot runtime/certificate/verifier
                                  runtime/embedded)
 set(codegen/python               codegen/support codegen/engine codegen/jit codegen/api)
 set(codegen/command              ${codegen/page} codegen/page codegen/feasibility codegen/picture codegen/trajectory codegen/import runtime/certificate/verifier)

@@ -147,3 +147,35 @@ def test_a_motion_along_way_points_is_checked_as_such(circle, tmp_path, command)
     with pytest.raises(rg.UsageError, match="way-points"):
         model.write_text(circle.text + f'[motion.way]\nwaypoints = "{way}"\n')
         rg.load(model).prepare("way")
+
+
+def test_a_load_is_answered_as_by_the_command(command, tmp_path):
+    cable = rg.load("cable_8")
+    for ranges, words in (({}, []), ({"z": (4, "7.5")}, ["--range", "z=4:7.5"])):
+        theirs, ours = tmp_path / "command", tmp_path / "module"
+        expected = command(
+            "check", cable.path, "hall", "--load", "weight", *words, "--certificate", str(theirs)
+        )
+        found = cable.check_load("hall", "weight", range=ranges, certificate=ours)
+        assert bool(found) == (not ranges) and found.verdict == expected["verdict"]
+        assert found.boxes == expected["boxes"]
+        assert found.claim == (expected["claim"] or "") and found.witness == expected["witness"]
+        assert found.certificate == str(ours) and ours.read_bytes() == theirs.read_bytes()
+    assert found.verdict.upper() in repr(found) and "<table>" in found._repr_html_()
+    with pytest.raises(rg.UsageError, match="did you mean 'weight'"):
+        cable.check_load("hall", "weigth")
+
+
+def test_a_paving_of_a_load_covers_the_motion(tmp_path):
+    cable = rg.load("cable_8")
+    proof = tmp_path / "proof"
+    found = cable.locate_load(
+        "hall", "weight", range={"z": (4, "7.5")}, resolution="1/16", certificate=proof
+    )
+    assert found.certificate == str(proof) and rg.verify(proof, model=cable.path)
+    moving = ("x", "y", "z")
+    sizes = [found.boxes[name][:, 1] - found.boxes[name][:, 0] for name in moving]
+    assert numpy.prod(sizes, axis=0).sum() == pytest.approx(4 * 4 * 3.5)
+    held = numpy.prod(sizes, axis=0)[found.claims == "feasible"].sum() / (4 * 4 * 3.5)
+    low, high = found.fractions["feasible"]
+    assert low - 1e-9 <= held <= high + 1e-9 and 0.3 < low

@@ -13,8 +13,8 @@ from ._regulus import VERSION as __version__
 from .errors import CompileError, FileError, InputError, InternalError, RegulusError, UsageError
 from .families import gough, serial
 from .sympy_models import from_sympy
-from .paving import Paving
-from .results import Bound, Certificate, Check, Margin, PreparedCheck, Verification
+from .paving import LoadPaving, Paving
+from .results import Bound, Certificate, Check, LoadCheck, Margin, PreparedCheck, Verification
 from .robot import Prepared, Robot, from_urdf, load, verify
 
 __all__ = [
@@ -25,6 +25,8 @@ __all__ = [
     "FileError",
     "InputError",
     "InternalError",
+    "LoadCheck",
+    "LoadPaving",
     "Margin",
     "Paving",
     "Prepared",

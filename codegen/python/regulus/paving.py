@@ -16,16 +16,21 @@ if TYPE_CHECKING:
 CLAIMS: tuple[str, ...] = _regulus.CLAIMS
 """The claims of boxes: "free", "singular", "undecided", "outside", "unreachable"."""
 
+LOAD_CLAIMS: tuple[str, ...] = _regulus.LOAD_CLAIMS
+"""The claims of boxes about a load: "feasible", "infeasible", "undecided", "outside"."""
+
 _COLOURS = {
     "free": "#8fd19e",
     "singular": "#d1495b",
     "undecided": "#c9ced6",
     "outside": "#f3f4f6",
     "unreachable": "#e5d9c3",
+    "feasible": "#8fd19e",
+    "infeasible": "#d1495b",
 }
 
 
-def _array_of(finding: Any) -> numpy.typing.NDArray[Any]:
+def _array_of(finding: Any, known: tuple[str, ...]) -> numpy.typing.NDArray[Any]:
     import numpy
 
     names = list(finding.variables)
@@ -34,7 +39,7 @@ def _array_of(finding: Any) -> numpy.typing.NDArray[Any]:
         claim += "_"
     kinds: list[Any] = [(claim, "U11")] + [(name, "f8", (2,)) for name in names]
     boxes = numpy.zeros(len(finding.claims()), dtype=kinds)
-    boxes[claim] = numpy.array(CLAIMS, dtype="U11")[finding.claims()]
+    boxes[claim] = numpy.array(known, dtype="U11")[finding.claims()]
     bounds = finding.bounds()
     for i, name in enumerate(names):
         boxes[name] = bounds[:, i, :]
@@ -58,12 +63,14 @@ class Paving(Result):
         variables: the names of the variables.
     """
 
+    _known: tuple[str, ...] = CLAIMS
+
     def __init__(self, finding: Any, notes: list[str]) -> None:
         super().__init__(finding.report, finding.json, notes)
         self.verdict: str = finding.verdict
         self.reason: str = finding.reason
         self.variables: list[str] = list(finding.variables)
-        self.boxes = _array_of(finding)
+        self.boxes = _array_of(finding, self._known)
 
     @property
     def claims(self) -> numpy.typing.NDArray[Any]:
@@ -82,7 +89,7 @@ class Paving(Result):
     def _repr_html_(self) -> str:
         fractions = [
             (claim, f"{(self.claims == claim).sum()} boxes")
-            for claim in CLAIMS
+            for claim in self._known
             if (self.claims == claim).any()
         ]
         return _table(_words(self.verdict), self.verdict, fractions)
@@ -158,7 +165,7 @@ class Paving(Result):
 
         claims = _claims_of(shown)
         handles = []
-        for claim in CLAIMS:
+        for claim in self._known:
             boxes = shown[claims == claim]
             if len(boxes) == 0:
                 continue
@@ -195,3 +202,23 @@ class Paving(Result):
             return x, boxes[across[1]]
         return x, numpy.tile([0.0, 1.0], (len(boxes), 1))
 
+
+class LoadPaving(Paving):
+    """The answer of Robot.locate_load(): a Paving whose claims are LOAD_CLAIMS.
+
+    Attributes:
+        verdict: of the whole motion: "feasible", "infeasible" or "possible-problem".
+        certificate: the file of the proof of each box; None if there is none.
+    """
+
+    _known: tuple[str, ...] = LOAD_CLAIMS
+
+    def __init__(self, finding: Any, notes: list[str]) -> None:
+        super().__init__(finding, notes)
+        self.certificate: Optional[str] = finding.certificate or None
+
+    @property
+    def fractions(self) -> dict[str, list[float]]:
+        """Proved bounds [lower, upper] of the part of the motion's ranges with each claim."""
+        report = self.json["boxes_by_claim"]
+        return {claim: report[claim]["fraction"] for claim in LOAD_CLAIMS}

@@ -18,9 +18,11 @@ Path = Union[str, "os.PathLike[str]"]
 _COLOURS = {
     "no-singularity": "#1a7f37",
     "within": "#1a7f37",
+    "feasible": "#1a7f37",
     "verified": "#1a7f37",
     "singularity": "#b42318",
     "exceeded": "#b42318",
+    "infeasible": "#b42318",
     "rejected": "#b42318",
 }
 
@@ -259,6 +261,50 @@ class Bound(Result):
         rows = [("bound", str(report["bound"])), ("model", str(report["model"]))]
         rows += [("motion", str(report["motion"]))] + [("note", note) for note in self._notes]
         return _table(self.result, self.verdict, rows)
+
+
+class LoadCheck(Result):
+    """The answer of Robot.check_load().
+
+    Attributes:
+        verdict: "feasible", "infeasible" or "possible-problem".
+        claim: what is proved, in words; "" if nothing is.
+        reason: why neither could be shown; "" otherwise.
+        boxes: the number of boxes that were evaluated.
+        seconds: of the whole call.
+        certificate: the file of the proof; None if there is none.
+    """
+
+    def __init__(self, finding: Any, notes: list[str]) -> None:
+        super().__init__(finding.report, finding.json, notes)
+        self.verdict: str = finding.verdict
+        self.claim: str = finding.claim
+        self.reason: str = finding.reason
+        self.boxes: int = finding.boxes
+        self.seconds: float = finding.seconds
+        self.certificate: Optional[str] = finding.certificate or None
+
+    @property
+    def witness(self) -> Optional[dict[str, Any]]:
+        """A pose and a wrench that no forces within the limits hold, with enclosures. None after
+        other verdicts.
+        """
+        found: Optional[dict[str, Any]] = self.json["witness"]
+        return found
+
+    def __bool__(self) -> bool:
+        """True if the load is held everywhere."""
+        return self.verdict == "feasible"
+
+    def __repr__(self) -> str:
+        return f"<{_words(self.verdict)}: {self.claim or self.reason or 'a pose is shown'}>"
+
+    def _repr_html_(self) -> str:
+        rows = [("claim", self.claim), ("reason", self.reason)]
+        if self.witness is not None:
+            rows.append(("not held at", _places(self.witness["parameters"])))
+        rows += [("note", note) for note in self._notes]
+        return _table(_words(self.verdict), self.verdict, rows)
 
 
 class Verification:

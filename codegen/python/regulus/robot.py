@@ -10,8 +10,8 @@ from typing import Any, Mapping, Optional, Sequence, Tuple, Union
 from . import _regulus
 from .errors import FileError, UsageError
 from .numbers import Number, Texts
-from .paving import Paving
-from .results import Bound, Check, Margin, Path, PreparedCheck, Verification
+from .paving import LoadPaving, Paving
+from .results import Bound, Check, LoadCheck, Margin, Path, PreparedCheck, Verification
 
 Range = Union[Number, Tuple[Number, Number], Sequence[Number]]
 """(lower, upper), or one value."""
@@ -235,6 +235,69 @@ class Robot:
         text = question.texts.of(resolution)
         try:
             return result(_regulus.locate(question.question, question.options, text))
+        except KeyboardInterrupt as stop:
+            _with_partial(stop, result)
+            raise
+
+    def check_load(
+        self,
+        motion: str = "",
+        load: str = "",
+        *,
+        range: Optional[Mapping[str, Range]] = None,
+        tolerance: Optional[Mapping[str, Number]] = None,
+        certificate: Optional[Path] = None,
+        **options: Any,
+    ) -> LoadCheck:
+        """Proves that at every pose forces within the limits of the model hold a load.
+
+        Args:
+            load: the set of wrenches, of those in `loads`; "" if the robot has only one.
+
+        The others and the errors are as for check(); of the options, threads, time_limit, max_boxes,
+        engine, isa and use_cache have an effect. The `result` of an interrupt is a LoadCheck.
+        """
+        question = Question(self, motion, range, tolerance)
+        question.set_options(options)
+
+        def result(finding: Any) -> LoadCheck:
+            return LoadCheck(finding, question.texts.notes)
+
+        path = "" if certificate is None else os.fspath(certificate)
+        try:
+            return result(_regulus.check_load(question.question, load, question.options, path))
+        except KeyboardInterrupt as stop:
+            _with_partial(stop, result)
+            raise
+
+    def locate_load(
+        self,
+        motion: str = "",
+        load: str = "",
+        *,
+        resolution: Number = "",
+        range: Optional[Mapping[str, Range]] = None,
+        tolerance: Optional[Mapping[str, Number]] = None,
+        certificate: Optional[Path] = None,
+        **options: Any,
+    ) -> LoadPaving:
+        """Paves a motion with boxes in which a load is held everywhere, nowhere, or undecided.
+
+        Arguments and errors are as for check_load() and locate(); the `result` of an interrupt is a
+        LoadPaving.
+        """
+        question = Question(self, motion, range, tolerance)
+        question.set_options(options)
+
+        def result(finding: Any) -> LoadPaving:
+            return LoadPaving(finding, question.texts.notes)
+
+        text = question.texts.of(resolution)
+        path = "" if certificate is None else os.fspath(certificate)
+        try:
+            return result(
+                _regulus.locate_load(question.question, load, question.options, text, path)
+            )
         except KeyboardInterrupt as stop:
             _with_partial(stop, result)
             raise

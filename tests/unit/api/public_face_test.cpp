@@ -276,4 +276,55 @@ TEST(PublicFace, ACheckerLooksForASingularityAtCornersOfThePiece) {
       EXPECT_TRUE(regulus::certain_subset(half.places[p * variables + k], piece[k]));
 }
 
+/// A bead on a rail between two pulleys is held where |x| ≤ 0.6.
+Question bead() {
+  return Question::of_text(R"toml(regulus = 1
+name = "bead"
+[pose]
+x = "m"
+[matrix]
+twist = ["v_x"]
+rows = [["x + 1"], ["x - 1"]]
+[load.push]
+force = [[-2, 2]]
+[actuators]
+force = [1, 9]
+[motion.m]
+x = [-0.5, 0.5]
+)toml",
+                           "bead");
+}
+
+TEST(PublicFace, ProvesThatForcesHoldALoad) {
+  const regulus::test::TemporaryDirectory folder;
+  const std::string proof = folder.path() / "proof";
+  const regulus::LoadFinding found =
+      regulus::check_load(bead(), "push", interpreted(), nullptr, proof);
+  EXPECT_EQ(found.verdict, regulus::FeasibilityVerdict::kFeasible) << found.report;
+  EXPECT_EQ(found.variables, std::vector<std::string>{"x"});
+  EXPECT_EQ(found.certificate, proof);
+  EXPECT_EQ(regulus::verify(proof).outcome, regulus::ProofOutcome::kVerified);
+  const regulus::LoadFinding other =
+      regulus::check_load(bead().range("x", "-0.7", "0.7"), "", interpreted());
+  EXPECT_EQ(other.verdict, regulus::FeasibilityVerdict::kInfeasible) << other.report;
+  EXPECT_THAT(other.json, testing::HasSubstr("\"witness\""));
+}
+
+TEST(PublicFace, PavesAMotionUnderALoad) {
+  double held = 0;
+  regulus::LocateLoadOptions options{.search = interpreted(), .resolution = "1/256"};
+  options.on_box = [&](regulus::ForceClaim claim, std::span<const Interval> box) {
+    if (claim == regulus::ForceClaim::kFeasible) held += box[0].hi - box[0].lo;
+  };
+  const regulus::LoadPaving paving = regulus::locate_load(bead().range("x", "-1", "1"), options);
+  EXPECT_LE(held, 1.2);
+  EXPECT_GE(held, 1.15);
+  EXPECT_LE(paving.feasible.lo, 0.6);
+  EXPECT_NEAR(paving.feasible.lo, held / 2, 1e-9);
+  options.on_box = [](regulus::ForceClaim, std::span<const Interval>) {
+    throw std::runtime_error("enough");
+  };
+  EXPECT_THROW(static_cast<void>(regulus::locate_load(bead(), options)), std::runtime_error);
+}
+
 }  // namespace
