@@ -74,6 +74,8 @@ class ComponentRun {
     double gap = settings_.gap;
     for (int round = 0; round <= kMostRefinements; ++round) {
       run(question, gap);
+      // A proof of any bound shows that everything is defined at every pose.
+      if (result_.proved && is_zero_where_defined()) return zero();
       const std::optional<double> width = relative_gap(&result_, &result_);
       result_.is_closed = width && *width <= settings_.gap;
       if (result_.is_closed || !width || !closed_) break;
@@ -107,14 +109,17 @@ class ComponentRun {
   [[nodiscard]] ex signed_value(const ex& value) const { return result_.component.sign * value; }
 
   /// A row that no twist of the set moves, such as a constraint's, has the speed 0 as an expression.
-  /// This is about every pose only if nothing can be undefined there.
-  [[nodiscard]] bool is_zero_everywhere() const {
+  [[nodiscard]] bool is_zero_where_defined() const {
     const Model& model = bordered_.request.model;
     const Motion& motion = bordered_.request.motion;
     return result_.component.kind == QuantityKind::kSpeed && settings_.certificate.empty() &&
-           motion.constraints.empty() && motion.must_be_defined.empty() &&
-           model.must_be_defined.empty() && model.matrix.rows() == 1 &&
+           motion.constraints.empty() && motion.reach.empty() && model.matrix.rows() == 1 &&
            GiNaC::is_a<GiNaC::numeric>(model.matrix(0, 0));
+  }
+  /// Nothing can be undefined.
+  [[nodiscard]] bool is_zero_everywhere() const {
+    return is_zero_where_defined() && bordered_.request.motion.must_be_defined.empty() &&
+           bordered_.request.model.must_be_defined.empty();
   }
   [[nodiscard]] ComponentBound zero() {
     result_.proved = result_.attained = end_at(0);

@@ -216,5 +216,23 @@ TEST(ALimit, IsKeptExceededOrTouched) {
   EXPECT_NE(verdict("3"), LimitVerdict::kWithin);  // it is attained
 }
 
+/// The first row has the scale 1/(x + 3), which must be defined; the second one is not moved at all.
+TEST(KnownBound, IsZeroForARowThatNoTwistMoves) {
+  std::string text = kShear;
+  text.replace(text.find("velocity = [1, 1]"), 17, "velocity = [1, 0]");
+  const Bound bound = bound_of(request_of(text.c_str()), {.quantity = "speed", .row = "2"}, 0.01);
+  ASSERT_EQ(bound.components.size(), 1U);
+  const ComponentBound& speed = bound.components.front();
+  ASSERT_TRUE(speed.proved && speed.attained && speed.place);
+  EXPECT_EQ(speed.proved->approx, 0);
+  EXPECT_EQ(speed.attained->approx, 0);
+  EXPECT_TRUE(speed.is_closed);
+  EXPECT_EQ(speed.place->pose, "every pose");
+  // With x = -3 among the poses, nothing is claimed.
+  text.replace(text.find("x = [0, 2]"), 10, "x = [-3, 2]");
+  const Bound none = bound_of(request_of(text.c_str()), {.quantity = "speed", .row = "2"}, 0.01);
+  EXPECT_FALSE(none.components.front().proved);
+}
+
 }  // namespace
 }  // namespace regulus::test
