@@ -9,13 +9,21 @@
 
 namespace regulus::verifier {
 
-/// Compares the value at a place of the file with a value that the certificate states.
-using CompareValue = std::function<void(const std::string& place, const std::string& stated)>;
+/// The steps of a comparison with a model file.
+struct LoadComparer {
+  /// Compares the value at a place of the file with a value that the certificate states; a value that
+  /// it does not state is 0.
+  std::function<void(const std::string& place, const std::string& stated)> compare;
+  /// A value that the certificate states has been compared, as a part of others.
+  std::function<void(const std::string& stated)> note;
+  /// A place of the file cannot be compared.
+  std::function<void(const std::string& place)> leave_out;
+};
 
-/// Calls `compare` for every value of [actuators] force and of [load.NAME]. For a range it adds its
-/// ends, "wrench-lower 0" and "wrench-upper 0", to the stated values, and calls `note` with the
-/// middle and the spread, which follow from them.
-void compare_load(Question& question, const WrittenValues& values, const CompareValue& compare,
-                  const std::function<void(const std::string& stated)>& note);
+/// Compares every value of [actuators] force and of [load.NAME]. For a range it adds its ends,
+/// "wrench-lower 0" and "wrench-upper 0", to the stated values. Returns false if there is no such
+/// load in the file.
+[[nodiscard]] bool compare_load(Question& question, const WrittenValues& values,
+                                const LoadComparer& comparer);
 
 }  // namespace regulus::verifier

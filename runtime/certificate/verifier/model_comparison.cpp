@@ -326,10 +326,15 @@ class Comparison {
 
   void compare_load_lines() {
     const Scope none;
-    compare_load(
-        q_, values_,
+    const LoadComparer comparer{
         [&](const std::string& place, const std::string& stated) { compare(place, stated, none); },
-        [&](const std::string& stated) { used_.insert(stated); });
+        [&](const std::string& stated) { used_.insert(stated); },
+        [&](const std::string& place) {
+          leave_out(place, values_.at(place), "the columns of the matrix have no names here");
+        }};
+    if (!compare_load(q_, values_, comparer))
+      throw OtherModel("the certificate is not about " + options_.model_name +
+                       ": it has no load '" + q_.load->name + "'");
   }
 
   void compare_range(const std::string& place, const std::string& rest) {

@@ -5,10 +5,14 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <fstream>
 #include <random>
+#include <sstream>
 
-#include "codegen/feasibility/feasibility_run.hpp"
+#include "codegen/feasibility/force_certificate.hpp"
 #include "codegen/support/errors.hpp"
+#include "runtime/certificate/verifier/verify.hpp"
+#include "tests/support/temporary_directory.hpp"
 
 namespace regulus::test {
 namespace {
@@ -34,6 +38,21 @@ Answer ask(const std::string& text, unsigned threads = 1, std::uint64_t boxes = 
   return {run_forces(
               forces, settings, [](auto, auto) {}, nullptr),
           forces.forces};
+}
+
+/// Returns the certificate of a check; empty if it claims nothing.
+std::string certificate_of(const std::string& text, unsigned threads) {
+  const TemporaryDirectory folder;
+  const std::string path = folder.path() / "proof";
+  PreparedForces forces = prepared(text);
+  FeasibilitySettings settings = settings_of(forces, nullptr);
+  settings.threads = threads;
+  settings.max_boxes = 3000;
+  ForceCertificate certificate(path, forces, false);
+  certificate.finish(run_forces(
+      forces, settings, [](auto, auto) {}, certificate.observer()));
+  std::ifstream file(path);
+  return {std::istreambuf_iterator<char>(file), {}};
 }
 
 FeasibilityVerdict verdict(const std::string& text) { return ask(text).result.verdict; }
@@ -263,6 +282,23 @@ TEST(Feasibility, AgreesWithEveryFacetOfRandomCableRobots) {
   EXPECT_GE(verdicts[0], 10);
   EXPECT_GE(verdicts[1], 10);
   EXPECT_LE(verdicts[2], 6);
+}
+
+/// The verifier chooses forces of its own, by another method.
+TEST(Feasibility, IsProvedAgainForRandomCableRobots) {
+  std::mt19937 random(13);
+  int proofs = 0;
+  for (int trial = 0; trial < 30; ++trial) {
+    const std::string text = random_robot(random).text();
+    const std::string certificate = certificate_of(text, 1);
+    EXPECT_EQ(certificate, certificate_of(text, 3));
+    if (certificate.empty()) continue;
+    std::istringstream file(certificate);
+    const verifier::Verification v = verifier::verify(file);
+    EXPECT_EQ(v.outcome, verifier::Outcome::kVerified) << v.reason << text;
+    ++proofs;
+  }
+  EXPECT_GE(proofs, 20);
 }
 
 TEST(Feasibility, IsTheSameForAnyNumberOfThreads) {

@@ -154,6 +154,32 @@ TEST(LoadCertificate, IsNotThatOfAnotherLoadOrOtherLimits) {
   }
 }
 
+/// A smaller load is another load, even if a line is missing.
+TEST(LoadCertificate, IsNotThatOfASmallerLoad) {
+  const std::string certificate = proof_of(kPlate, "m", "pull", false).certificate;
+  std::string without = certificate;
+  const std::size_t ball = without.find("wrench-ball");
+  without.erase(ball, without.find('\n', ball) + 1 - ball);
+  std::string other_name = certificate;
+  other_name.replace(other_name.find("load pull"), 9, "load push");
+  for (const std::string& changed : {without, other_name}) {
+    EXPECT_EQ(verified(changed).outcome, verifier::Outcome::kVerified);
+    const verifier::Verification v = verified(changed, kPlate);
+    EXPECT_EQ(v.outcome, verifier::Outcome::kRejected);
+    EXPECT_NE(v.reason.find("the certificate is not about"), std::string::npos) << v.reason;
+  }
+}
+
+/// Without names of columns, this reader does not know which component a force is.
+TEST(LoadCertificate, SaysWhatItCouldNotCompare) {
+  std::string text = bead();
+  text.erase(text.find("twist = "), std::string_view("twist = [\"v_x\"]\n").size());
+  const verifier::Verification v = verified(proof_of(text, "m", "push", false).certificate, text);
+  EXPECT_EQ(v.outcome, verifier::Outcome::kVerified) << v.reason;
+  ASSERT_FALSE(v.uncompared.empty());
+  EXPECT_NE(v.uncompared.front().find("load.push.force"), std::string::npos);
+}
+
 /// The numbers of a certificate about a bead, and its leaves.
 struct Claim {
   std::string verdict;
