@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "codegen/certificate/verification_report.hpp"
 
+#include <algorithm>
 #include <nlohmann/json.hpp>
 
 namespace regulus::inline certificate {
@@ -27,6 +28,10 @@ nlohmann::ordered_json json_verification(const VerificationRequest& request,
                                    {"leaves", v.leaves},
                                    {"boxes", v.boxes},
                                    {"note", v.note}};
+  const bool is_paving =
+      std::ranges::any_of(v.paved, [](std::uint64_t count) { return count > 0; });
+  for (std::size_t i = 0; is_paving && i < v.paved.size(); ++i)
+    report["paved"][verifier::kPavedWords[i]] = v.paved[i];
   report["certificate"] = request.path;
   report["model_file"] = nullptr;
   if (!request.model.empty()) report["model_file"] = request.model;

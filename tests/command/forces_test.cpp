@@ -115,6 +115,9 @@ TEST_F(ForcesCommandTest, WritesProofsThatBothVerifiersAccept) {
   EXPECT_EQ(verdicts({"check", model_}, "x=-0.5:0.5"), "VERIFIED\nVERIFIED\n");
   EXPECT_EQ(verdicts({"check", model_}, "x=-0.7:0.7"), "VERIFIED\nVERIFIED\n");
   EXPECT_EQ(verdicts({"locate", model_}, "x=-0.7:0.7"), "VERIFIED\nVERIFIED\n");
+  const json paving = json::parse(run({"verify", proof, "--json"}).output);
+  EXPECT_GT(paving["paved"]["feasible"], 0);
+  EXPECT_GT(paving["paved"]["infeasible"], 0);
   const CommandResult coq = run_command(
       {REGULUS_BINARY_DIR "/bin/regulus-verify", "--coq", folder_.path() / "proof.v", proof});
   EXPECT_NE(coq.exit_code, 0);

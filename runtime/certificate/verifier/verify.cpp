@@ -52,12 +52,10 @@ std::string at_line(const Lines& lines, const std::string& why) {
 
 /// Returns "448 feasible, 139 infeasible, 407 undecided"; empty if it is not a paving.
 std::string describe_paved(const Verification& v) {
-  constexpr std::array kWords{format::kFeasibleLeaf, format::kInfeasibleLeaf,
-                              format::kUndecidedLeaf, format::kOutsideLeaf};
   std::string text;
-  for (std::size_t i = 0; i < kWords.size(); ++i)
+  for (std::size_t i = 0; i < kPavedWords.size(); ++i)
     if (v.paved[i] > 0)
-      text += (text.empty() ? "" : ", ") + std::to_string(v.paved[i]) + ' ' + kWords[i];
+      text += (text.empty() ? "" : ", ") + std::to_string(v.paved[i]) + ' ' + kPavedWords[i];
   return text;
 }
 

@@ -50,6 +50,10 @@ struct Options {
   std::function<void(const Verification&)> progress;
 };
 
+/// The claims of a paving's leaves, in the order of LeafClaim.
+inline constexpr std::array kPavedWords{format::kFeasibleLeaf, format::kInfeasibleLeaf,
+                                        format::kUndecidedLeaf, format::kOutsideLeaf};
+
 struct Verification {
   Outcome outcome = Outcome::kUnfinished;
   std::string reason;  ///< of kRejected and kUnfinished
@@ -58,9 +62,8 @@ struct Verification {
   std::size_t pieces = 0;  ///< of a trajectory; 0: the motion is not one
   std::size_t shards = 0;  ///< of an index; 0: the proof is in one file
   std::uint64_t leaves = 0;
-  std::uint64_t boxes = 0;  ///< into which the leaves were cut
-  /// Of a paving: the leaves that are feasible, infeasible, undecided, outside.
-  std::array<std::uint64_t, 4> paved{};
+  std::uint64_t boxes = 0;                                ///< into which the leaves were cut
+  std::array<std::uint64_t, kPavedWords.size()> paved{};  ///< of a paving: its leaves by claim
   std::size_t numbers = 0;               ///< values of the model file that were compared
   std::vector<std::string> differences;  ///< those that options have set to other values
   std::vector<std::string> uncompared;   ///< values and lines that could not be compared
