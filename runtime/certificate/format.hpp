@@ -16,6 +16,8 @@ inline constexpr const char* kSingularity = "SINGULARITY";
 inline constexpr const char* kOppositeSigns = "opposite-signs";
 inline constexpr const char* kSmallDeterminant = "small-determinant";
 inline constexpr const char* kAlwaysSingular = "always-singular";
+inline constexpr const char* kLostRank = "lost-rank";
+inline constexpr char kExactValue = '=';  ///< begins a coordinate that is a constant expression
 // Claims about forces within limits that hold a load.
 inline constexpr const char* kFeasible = "FEASIBLE";
 inline constexpr const char* kInfeasible = "INFEASIBLE";

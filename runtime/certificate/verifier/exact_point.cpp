@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "runtime/certificate/verifier/exact_point.hpp"
 
+#include "runtime/certificate/verifier/exact_rank.hpp"
 #include "runtime/certificate/verifier/univariate.hpp"
 
 namespace regulus::verifier {
@@ -10,7 +11,7 @@ constexpr std::uint64_t kProducts = 1 << 20;
 constexpr std::uint64_t kProductsOfConstraint = 1 << 16;
 
 std::vector<NodeId> coordinates(Question& q, const ClaimedPoint& point) {
-  std::vector<NodeId> result = point.ends;
+  std::vector<NodeId> result = point.values;
   for (std::size_t k = 0; k < result.size(); ++k)
     if (result[k] == kNoNode && is_thin(point.box[k]))
       result[k] = q.graph.number(rational_of(point.box[k].lo));
@@ -37,6 +38,17 @@ bool ExactPoint::is_singular() {
     Rational size;
     fmpq_abs(size.get(), p.constant().get());
     return (size - alpha.constant()).sign() <= 0;
+  } catch (const TooLarge&) {
+    return false;
+  }
+}
+
+/// det AᵀA is the sum of the squares of all minors of as many rows as A has columns.
+bool ExactPoint::has_lost_rank() {
+  try {
+    const std::vector<NodeId> gram = gram_matrix(q_);
+    algebra_.find_units(gram);
+    return algebra_.vanishes(algebra_.determinant(gram, q_.columns));
   } catch (const TooLarge&) {
     return false;
   }

@@ -21,7 +21,8 @@ std::vector<NodeId> rows_of(const Question& q, const std::vector<std::size_t>& r
   return result;
 }
 
-/// Returns AᵀA.
+}  // namespace
+
 std::vector<NodeId> gram_matrix(Question& q) {
   std::vector<NodeId> result;
   for (std::size_t i = 0; i < q.columns; ++i)
@@ -36,8 +37,6 @@ std::vector<NodeId> gram_matrix(Question& q) {
     }
   return result;
 }
-
-}  // namespace
 
 bool ExactRank::is_full(const Box& box, const Box& middle) {
   ExactDeterminant* const minor = minor_at(middle);

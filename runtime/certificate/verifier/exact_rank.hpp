@@ -11,6 +11,9 @@
 
 namespace regulus::verifier {
 
+/// Returns AᵀA, row-major, in new nodes of the question's graph.
+[[nodiscard]] std::vector<NodeId> gram_matrix(Question& question);
+
 class ExactRank {
  public:
   /// Adds to the question's graph. Requires more rows than columns.

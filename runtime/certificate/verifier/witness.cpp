@@ -24,8 +24,11 @@ class WitnessChecker {
 
   void check() {
     if (q_.load) return check_shortage();
-    if (q_.rows != q_.columns) throw Rejection("a singularity is shown for square matrices only");
     const std::string reason = next_line();
+    if (reason == std::string("reason ") + format::kLostRank) return check_lost_rank();
+    if (q_.rows != q_.columns)
+      throw Rejection("for a matrix with more rows than columns, expected 'reason " +
+                      std::string(format::kLostRank) + "'");
     if (reason == std::string("reason ") + format::kOppositeSigns) return check_signs();
     if (reason == std::string("reason ") + format::kSmallDeterminant) return check_small();
     if (reason == std::string("reason ") + format::kAlwaysSingular) return check_always();
@@ -39,7 +42,8 @@ class WitnessChecker {
     return lines_.text();
   }
 
-  /// Reads `point SIGN X …`: X is a number or LO:HI; at a singular point also the end of a range.
+  /// Reads `point SIGN X …`: X is a number or LO:HI; at a singular point also the end of a range, or
+  /// an expression that is its exact value.
   ClaimedPoint read_point(std::string_view sign) {
     const auto words = words_of(next_line());
     if (words.size() != q_.variables.size() + 2 || words[0] != "point" || words[1] != sign)
@@ -49,9 +53,13 @@ class WitnessChecker {
     Box in_ranges;  // has a value of the range in place of each end
     for (std::size_t k = 0; k < q_.variables.size(); ++k) {
       const std::string_view word = words[k + 2];
-      const NodeId end = sign == "0" ? end_of_range(k, word) : kNoNode;
-      result.ends.push_back(end);
-      result.box.push_back(end == kNoNode ? read_coordinate(word) : enclosure_of(k, end));
+      const bool is_exact = sign == "0" && word.starts_with(format::kExactValue);
+      const NodeId end = sign == "0" && !is_exact ? end_of_range(k, word) : kNoNode;
+      const NodeId value = is_exact ? parse(word.substr(1), {}, q_.graph) : end;
+      result.values.push_back(value);
+      result.box.push_back(is_exact         ? enclosure_of(value)
+                           : end == kNoNode ? read_coordinate(word)
+                                            : enclosure_of(k, end));
       in_ranges.push_back(end == kNoNode ? result.box.back() : some_value(k));
     }
     if (certain_outside(q_, variety_, in_ranges))
@@ -82,6 +90,12 @@ class WitnessChecker {
   [[nodiscard]] Interval enclosure_of(std::size_t k, NodeId end) const {
     const auto value = evaluate(q_.graph, {end}, {}, kBitsOfEnd);
     return value ? (*value)[0].enclosure() : variety_.outer[k];
+  }
+
+  [[nodiscard]] Interval enclosure_of(NodeId number) const {
+    const auto value = evaluate(q_.graph, {number}, {}, kBitsOfEnd);
+    if (!value) throw Rejection("a coordinate has no value");
+    return (*value)[0].enclosure();
   }
 
   [[nodiscard]] Interval some_value(std::size_t k) const {
@@ -129,6 +143,16 @@ class WitnessChecker {
       if (mag(size) <= variety_.alpha.lo && is_within_constraints(point, *values)) return;
     }
     throw Unfinished("the determinant at the point is not certainly at most alpha");
+  }
+
+  void check_lost_rank() {
+    if (q_.has_threshold) throw Rejection("a lost rank is no proof about a threshold");
+    const ClaimedPoint point = read_point("0");
+    read_end();
+    if (!is_defined_within_constraints(point))
+      throw Unfinished("the matrix is not certainly defined at the point, within the constraints");
+    if (!ExactPoint(q_, point).has_lost_rank())
+      throw Unfinished("exact algebra does not find the rank to be lost at the point");
   }
 
   /// One point at which the determinant is 0 is enough for the claim.
