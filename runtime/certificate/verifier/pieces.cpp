@@ -102,9 +102,6 @@ class PieceChecker {
     if (!waypoints_->obstacle().empty())
       result_.uncompared.push_back("the " + std::to_string(count) +
                                    " lines 'piece' of the certificate: " + waypoints_->obstacle());
-    else if (waypoints_->is_about_ends())
-      result_.uncompared.push_back(
-          "the slopes of the spline at the way-points, which follow from all of them");
   }
 
   [[nodiscard]] double seconds() const {

@@ -3,17 +3,25 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 
 #include "runtime/certificate/verifier/algebra.hpp"
+#include "runtime/certificate/verifier/derivative.hpp"
 #include "runtime/certificate/verifier/evaluation.hpp"
 #include "runtime/certificate/verifier/input_file.hpp"
 #include "runtime/certificate/verifier/model_comparison.hpp"
+#include "runtime/certificate/verifier/spline.hpp"
 
 namespace regulus::verifier {
 namespace {
 
 constexpr std::size_t kMostBytes = std::size_t{1} << 28;
 constexpr std::uint64_t kProducts = 1 << 14;
+/// Values of s at which two expressions are compared if algebra does not decide, and their bits.
+constexpr int kPlacesOnPiece = 16;
+constexpr long kBitsOnPiece = 2048;
+/// The slopes of a spline may differ by this part of the largest.
+constexpr double kSlopePrecision = 1e-9;
 
 /// A length in micrometres, or an angle in degrees or in radians.
 struct Unit {
@@ -44,6 +52,17 @@ NodeId degree(Graph& graph) {
   return graph.add(Op::kDivide, graph.add(Op::kPi), whole(graph, 180));
 }
 
+/// True if their difference cannot be told from 0 at any of some values of s.
+bool is_equal_at_points(const Question& q, NodeId difference) {
+  for (int k = 0; k <= kPlacesOnPiece; ++k) {
+    const std::vector<Ball> s(std::max<std::size_t>(q.variables.size(), 1),
+                              Ball(point(double(k) / kPlacesOnPiece), kBitsOnPiece));
+    const auto value = evaluate(q.graph, {difference}, s, kBitsOnPiece);
+    if (!value || arb_contains_zero((*value)[0].get()) == 0) return false;
+  }
+  return true;
+}
+
 /// True if the expressions are equal for all values of the variables.
 bool is_equal(Question& q, NodeId a, NodeId b) {
   if (a == b) return true;
@@ -56,6 +75,20 @@ bool is_equal(Question& q, NodeId a, NodeId b) {
   } catch (const TooLarge&) {
     throw Unfinished("a way-point has numbers that are too long to be compared");
   }
+}
+
+/// The same for arcs, whose angles the certificate may write in another form.
+bool is_equal_arc(Question& q, NodeId a, NodeId b) {
+  return is_equal(q, a, b) || is_equal_at_points(q, q.graph.add(Op::kSubtract, a, b));
+}
+
+double approx(const Rational& x) { return fmpq_get_d(x.get()); }
+
+double approx(const std::string& decimal) {
+  Graph graph;
+  const auto value = exact_value(graph, number_of_toml(decimal, graph));
+  if (!value) throw Unfinished("a way-point has a number without a value");
+  return approx(*value);
 }
 
 /// Returns an expression with a number in the place of every variable.
@@ -98,16 +131,23 @@ WaypointComparison::WaypointComparison(const WrittenValues& model, const std::st
     interpolation_ = *written;
   if (const std::string* written = text_at(model, place + "waypoints"); file_.empty() && written)
     file_ = written->starts_with('/') ? *written : folder_of(model_name) + *written;
-  if (file_.empty())
-    obstacle_ = "the motion names no file of way-points";
-  else if (is_program(file_))
-    obstacle_ = "they are those of moves in G-code, which this reader does not know";
+  if (file_.empty()) obstacle_ = "the motion names no file of way-points";
   if (!obstacle_.empty()) return;
   std::string text;
   try {
     text = read_text(file_, kMostBytes);
   } catch (const std::runtime_error& why) {
     throw Unfinished(std::string("the way-points cannot be read: ") + why.what());
+  }
+  read(text);
+}
+
+void WaypointComparison::read(const std::string& text) {
+  is_program_ = is_program(file_);
+  if (is_program_) {
+    moves_ = read_program(text);
+    for (const char* name : {"x", "y", "z"}) column_.emplace_back(name, 0);
+    return;
   }
   table_ = read_waypoint_table(text);
   find_columns();
@@ -130,7 +170,7 @@ const std::size_t* WaypointComparison::column(const std::string& name) const {
 /// Returns the unit of the parameter in the model, as far as a factor needs it.
 std::string WaypointComparison::unit_of_model(const std::string& parameter) const {
   if (const std::string* unit = text_at(model_, "pose." + parameter)) return *unit;
-  const bool is_turned = is_angle(table_.columns[*column(parameter)].unit);
+  const bool is_turned = !is_program_ && is_angle(table_.columns[*column(parameter)].unit);
   for (const char* table : {"gough", "legs", "serial"})
     if (const std::string* unit =
             text_at(model_, std::string(table) + (is_turned ? ".angle_unit" : ".unit")))
@@ -166,8 +206,25 @@ NodeId WaypointComparison::slope(Graph& graph, std::size_t row,
   return scaled(graph, number_of_toml(table_.rows[row].cells[*derivative], graph), parameter);
 }
 
-NodeId WaypointComparison::expected(Question& q, std::size_t piece,
-                                    const std::string& parameter) const {
+/// Returns nullptr if segment k takes the time from k to k + 1.
+const std::size_t* WaypointComparison::time_column(const Question& q) const {
+  const std::size_t* time = nullptr;
+  for (const char* name : {"time", "t"})
+    if (column(name) != nullptr && !q.stated.contains(std::string("pose ") + name))
+      time = column(name);
+  return time;
+}
+
+NodeId WaypointComparison::duration(Question& q, std::size_t piece) const {
+  const std::size_t* time = time_column(q);
+  if (time == nullptr) return whole(q.graph, 1);
+  return q.graph.add(Op::kSubtract, number_of_toml(table_.rows[piece + 1].cells[*time], q.graph),
+                     number_of_toml(table_.rows[piece].cells[*time], q.graph));
+}
+
+/// Returns Hermite's cubic between two rows; the slopes are per segment.
+NodeId WaypointComparison::hermite(Question& q, std::size_t piece, const std::string& parameter,
+                                   NodeId first_slope, NodeId last_slope) const {
   Graph& graph = q.graph;
   const auto plus = [&graph](NodeId a, NodeId b) { return graph.add(Op::kAdd, a, b); };
   const auto minus = [&graph](NodeId a, NodeId b) { return graph.add(Op::kSubtract, a, b); };
@@ -175,29 +232,86 @@ NodeId WaypointComparison::expected(Question& q, std::size_t piece,
   const NodeId s = graph.add(Op::kVariable, 0);
   const NodeId first = cell(graph, piece, parameter), last = cell(graph, piece + 1, parameter);
   const NodeId rise = minus(last, first);
-  if (interpolation_ == "linear") return plus(first, times(rise, s));
-  const std::size_t* time = nullptr;
-  for (const char* name : {"time", "t"})
-    if (column(name) != nullptr && !q.stated.contains(std::string("pose ") + name))
-      time = column(name);
-  if (time == nullptr) throw Unfinished("the way-points have no times");
-  const NodeId step = minus(number_of_toml(table_.rows[piece + 1].cells[*time], graph),
-                            number_of_toml(table_.rows[piece].cells[*time], graph));
-  const NodeId begin = times(step, slope(graph, piece, parameter));
-  const NodeId end = times(step, slope(graph, piece + 1, parameter));
-  // Hermite's cubic with these ends and slopes.
   const NodeId square =
-      minus(minus(times(whole(graph, 3), rise), times(whole(graph, 2), begin)), end);
-  const NodeId cube = minus(plus(begin, end), times(whole(graph, 2), rise));
-  return plus(first, times(s, plus(begin, times(s, plus(square, times(s, cube))))));
+      minus(minus(times(whole(graph, 3), rise), times(whole(graph, 2), first_slope)), last_slope);
+  const NodeId cube = minus(plus(first_slope, last_slope), times(whole(graph, 2), rise));
+  return plus(first, times(s, plus(first_slope, times(s, plus(square, times(s, cube))))));
+}
+
+/// For straight segments and given derivatives.
+NodeId WaypointComparison::expected(Question& q, std::size_t piece,
+                                    const std::string& parameter) const {
+  Graph& graph = q.graph;
+  if (interpolation_ == "linear") {
+    const NodeId first = cell(graph, piece, parameter), last = cell(graph, piece + 1, parameter);
+    const NodeId rise = graph.add(Op::kSubtract, last, first);
+    return graph.add(Op::kAdd, first, graph.add(Op::kMultiply, rise, graph.add(Op::kVariable, 0)));
+  }
+  if (time_column(q) == nullptr) throw Unfinished("the way-points have no times");
+  const NodeId step = duration(q, piece);
+  return hermite(q, piece, parameter,
+                 graph.add(Op::kMultiply, step, slope(graph, piece, parameter)),
+                 graph.add(Op::kMultiply, step, slope(graph, piece + 1, parameter)));
+}
+
+NodeId WaypointComparison::place_of_program(Graph& graph, std::size_t piece,
+                                            const std::string& parameter) const {
+  const std::string unit = unit_of_model(parameter);
+  if (length_of(unit) == 0)
+    throw Unfinished("the unit of " + parameter + " in the model, '" + unit + "', is no length");
+  const NodeId place = place_on_move(graph, moves_[piece], std::size_t(parameter[0] - 'x'));
+  const Rational factor = Rational(length_of("mm")) / Rational(length_of(unit));
+  return graph.add(Op::kMultiply, graph.number(factor), place);
+}
+
+const std::vector<double>& WaypointComparison::spline_slopes(const Question& q,
+                                                             const std::string& parameter) const {
+  const auto known = slopes_.find(parameter);
+  if (known != slopes_.end()) return known->second;
+  const std::size_t* time = time_column(q);
+  std::vector<double> times, values;
+  for (const WaypointTable::Row& row : table_.rows) {
+    times.push_back(time == nullptr ? double(times.size()) : approx(row.cells[*time]));
+    values.push_back(approx(row.cells[*column(parameter)]));
+  }
+  return slopes_.emplace(parameter, approx_spline_slopes(times, values)).first->second;
+}
+
+/// The trajectory has rounded slopes. A piece is compared exactly with the cubic that has its own
+/// slopes at the ends, and these with the slopes of the spline.
+bool WaypointComparison::is_spline(Question& q, std::size_t piece,
+                                   const std::string& parameter) const {
+  Graph& graph = q.graph;
+  const NodeId stated = q.stated.at("pose " + parameter).node;
+  const NodeId derivative = Differentiator(graph, 0).of(stated);
+  const std::vector<double>& slopes = spline_slopes(q, parameter);
+  double largest = 0;
+  for (const double slope : slopes) largest = std::max(largest, std::fabs(slope));
+  const NodeId step = duration(q, piece);
+  const NodeId unit = graph.add(Op::kMultiply, step, scaled(graph, whole(graph, 1), parameter));
+  std::array<NodeId, 2> of_segment{};
+  for (const std::size_t end : {0, 1}) {
+    of_segment[end] = derivative == kNoNode ? whole(graph, 0) : at(q, derivative, long(end));
+    const auto slope = exact_value(graph, graph.add(Op::kDivide, of_segment[end], unit));
+    if (!slope) return false;
+    if (!(std::fabs(approx(*slope) - slopes[piece + end]) <= kSlopePrecision * largest))
+      return false;
+  }
+  return is_equal(q, stated, hermite(q, piece, parameter, of_segment[0], of_segment[1]));
 }
 
 bool WaypointComparison::agrees(Question& q, std::size_t piece,
                                 const std::string& parameter) const {
   const NodeId stated = q.stated.at("pose " + parameter).node;
-  if (!is_about_ends()) return is_equal(q, stated, expected(q, piece, parameter));
-  return is_equal(q, at(q, stated, 0), cell(q.graph, piece, parameter)) &&
-         is_equal(q, at(q, stated, 1), cell(q.graph, piece + 1, parameter));
+  if (is_program_) return is_equal_arc(q, stated, place_of_program(q.graph, piece, parameter));
+  if (interpolation_ == "cubic") return is_spline(q, piece, parameter);
+  return is_equal(q, stated, expected(q, piece, parameter));
+}
+
+std::string WaypointComparison::describe_lines(std::size_t piece) const {
+  if (is_program_) return "move of line " + std::to_string(moves_[piece].line);
+  return "way from line " + std::to_string(table_.rows[piece].line) + " to line " +
+         std::to_string(table_.rows[piece + 1].line);
 }
 
 std::size_t WaypointComparison::compare(Question& q, std::size_t piece) const {
@@ -207,9 +321,8 @@ std::size_t WaypointComparison::compare(Question& q, std::size_t piece) const {
   if (!is_along_s) throw OtherModel("the parameter of a piece does not go from 0 to 1");
   if (const std::string other = other_parameter(q, piece); !other.empty())
     throw OtherModel("the certificate is not about " + file_ + ": its piece " +
-                     std::to_string(piece + 1) + " is not the way from line " +
-                     std::to_string(table_.rows[piece].line) + " to line " +
-                     std::to_string(table_.rows[piece + 1].line) + ", where " + other + " differs");
+                     std::to_string(piece + 1) + " is not the " + describe_lines(piece) +
+                     ", where " + other + " differs");
   return std::size_t(std::count_if(column_.begin(), column_.end(), [&q](const auto& c) {
     return q.stated.contains("pose " + c.first);
   }));
@@ -225,7 +338,8 @@ void WaypointComparison::require_some_piece(Question& q) const {
   for (std::size_t k = 0; k < pieces(); ++k)
     if (other_parameter(q, k).empty()) return static_cast<void>(compare(q, k));
   throw OtherModel("the certificate is not about " + file_ +
-                   ": its piece is not the way between two lines");
+                   (is_program_ ? ": its piece is none of the moves"
+                                : ": its piece is not the way between two lines"));
 }
 
 std::vector<std::string> WaypointComparison::compared_keys(const Question& q) const {

@@ -1,11 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
-// Compares the pieces of a trajectory with the table of way-points that a model file names. The
-// reader of tables shares nothing with the front end.
+// Compares the pieces of a trajectory with the table of way-points, or the program in G-code, that a
+// model file names. The readers of both share nothing with the front end.
 #pragma once
 
+#include <map>
 #include <string>
 #include <vector>
 
+#include "runtime/certificate/verifier/gcode.hpp"
 #include "runtime/certificate/verifier/model_file.hpp"
 #include "runtime/certificate/verifier/question.hpp"
 
@@ -39,12 +41,12 @@ class WaypointComparison {
   [[nodiscard]] const std::string& file() const noexcept { return file_; }
   /// Returns the reason why the pieces cannot be compared; empty: they can.
   [[nodiscard]] const std::string& obstacle() const noexcept { return obstacle_; }
-  [[nodiscard]] std::size_t pieces() const noexcept { return table_.rows.size() - 1; }
-  /// True if only the ends of each piece are compared: a spline has slopes of its own.
-  [[nodiscard]] bool is_about_ends() const noexcept { return interpolation_ == "cubic"; }
+  [[nodiscard]] std::size_t pieces() const noexcept {
+    return is_program_ ? moves_.size() : table_.rows.size() - 1;
+  }
 
-  /// Compares the commanded poses of the question about a piece with the table: at every s of
-  /// [0, 1], or at both ends. Throws OtherModel.
+  /// Compares the commanded poses of the question about a piece with the file, at every s of [0, 1].
+  /// A spline's slopes are compared with those that approx_spline_slopes() finds. Throws OtherModel.
   ///
   /// Ensures   returns the number of compared pose parameters.
   std::size_t compare(Question& question, std::size_t piece) const;
@@ -59,18 +61,36 @@ class WaypointComparison {
   [[nodiscard]] NodeId cell(Graph& graph, std::size_t row, const std::string& parameter) const;
   [[nodiscard]] NodeId slope(Graph& graph, std::size_t row, const std::string& parameter) const;
   [[nodiscard]] NodeId scaled(Graph& graph, NodeId number, const std::string& parameter) const;
+  [[nodiscard]] const std::size_t* time_column(const Question& question) const;
+  [[nodiscard]] NodeId duration(Question& question, std::size_t piece) const;
   [[nodiscard]] NodeId expected(Question& question, std::size_t piece,
                                 const std::string& parameter) const;
+  [[nodiscard]] NodeId hermite(Question& question, std::size_t piece, const std::string& parameter,
+                               NodeId first_slope, NodeId last_slope) const;
+  [[nodiscard]] NodeId place_of_program(Graph& graph, std::size_t piece,
+                                        const std::string& parameter) const;
+  [[nodiscard]] const std::vector<double>& spline_slopes(const Question& question,
+                                                         const std::string& parameter) const;
+  [[nodiscard]] bool is_spline(Question& question, std::size_t piece,
+                               const std::string& parameter) const;
+  /// Returns the lines of the file between which the piece is: "line 3 to line 4".
+  [[nodiscard]] std::string describe_lines(std::size_t piece) const;
   /// Returns the name of a pose parameter that differs; empty if none does.
   [[nodiscard]] std::string other_parameter(Question& question, std::size_t piece) const;
   [[nodiscard]] bool agrees(Question& question, std::size_t piece,
                             const std::string& parameter) const;
+  void read(const std::string& text);
   void find_columns();
 
   const WrittenValues& model_;
   std::string file_, interpolation_ = "linear", obstacle_;
   WaypointTable table_;
-  std::vector<std::pair<std::string, std::size_t>> column_;  ///< by name
+  bool is_program_ = false;
+  std::vector<ProgramMove> moves_;  ///< of a program
+  /// The names in the file, and their columns in a table.
+  std::vector<std::pair<std::string, std::size_t>> column_;
+  /// By parameter, in the units of the table; found when they are asked for.
+  mutable std::map<std::string, std::vector<double>> slopes_;
 };
 
 }  // namespace regulus::verifier
