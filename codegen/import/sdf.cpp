@@ -4,7 +4,9 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <map>
 
+#include "codegen/import/exact_pose.hpp"
 #include "codegen/import/read_pose.hpp"
 #include "codegen/import/sdf_frames.hpp"
 #include "codegen/model/names.hpp"
@@ -33,7 +35,10 @@ class SdfReader {
     for (const XmlElement& link : model.children("link")) read_link(link);
     for (const XmlElement& frame : model.children("frame"))
       frames_.declare(frame, frame.attribute("attached_to", "__model__"));
-    for (const XmlElement& joint : model.children("joint")) frames_.declare(joint, child_of(joint));
+    for (const XmlElement& joint : model.children("joint")) {
+      frames_.declare(joint, child_of(joint));
+      types_.emplace(joint.attribute("name"), type_of(joint.attribute("type")));
+    }
     for (const XmlElement& element : model.children())
       if (element.name() == "joint")
         read_joint(element);
@@ -132,8 +137,39 @@ class SdfReader {
     if (const auto old = axis->child("use_parent_model_frame");
         old && old->text() != "0" && old->text() != "false")
       turn_axis(joint, frames_.placement("__model__", element), element);
-    if (axis->child("mimic")) joint.mimics = axis->child("mimic")->attribute("joint", "another");
+    if (const auto mimic = axis->child("mimic")) read_mimic(*mimic, joint);
     read_limits(*axis, joint);
+  }
+
+  /// multiplier · (q − reference) + offset, q being the value of the other joint.
+  void read_mimic(const XmlElement& mimic, ImportedJoint& joint) {
+    joint.mimics = mimic.required("joint");
+    if (mimic.attribute("axis", "axis") != "axis") return;  // the second axis of a joint of two
+    const std::string of = " of the mimic of joint " + in_quotes(joint.name);
+    const auto number = [&](const char* name, JointType type) {
+      const auto given = mimic.child(name);
+      if (!given) return whole(0);
+      const std::string word = one_word(given->text());
+      const XmlPlace place = given->place(name + of);
+      return type == JointType::kPrismatic ? numbers_.length(word, place)
+                                           : numbers_.angle(word, AngleUnit::kRadian, place);
+    };
+    FollowingRule& rule = joint.rule.emplace();
+    if (const auto given = mimic.child("multiplier"))
+      rule.multiplier =
+          numbers_.component(one_word(given->text()), given->place("multiplier" + of));
+    const auto leader = types_.find(joint.mimics);
+    const ExactNumber reference =
+        number("reference", leader == types_.end() ? joint.type : leader->second);
+    rule.offset = number("offset", joint.type);
+    if (!reference.is_zero())
+      rule.offset = number_of(rule.offset.value - rule.multiplier.value * reference.value);
+  }
+
+  /// Returns the text without white space around it.
+  static std::string one_word(const std::string& text) {
+    const auto words = words_of(text);
+    return words.size() == 1 ? std::string(words.front()) : text;
   }
 
   /// From another frame into that of the joint.
@@ -159,8 +195,7 @@ class SdfReader {
       }
     const XmlPlace place = limit->place("the limit of joint " + in_quotes(joint.name));
     const auto number = [&](const std::string& text) {
-      const auto words = words_of(text);
-      const std::string word(words.size() == 1 ? words.front() : text);
+      const std::string word = one_word(text);
       return joint.type == JointType::kPrismatic ? numbers_.length(word, place)
                                                  : numbers_.angle(word, AngleUnit::kRadian, place);
     };
@@ -171,6 +206,7 @@ class SdfReader {
 
   NumberReader& numbers_;
   SdfFrames frames_;
+  std::map<std::string, JointType> types_;  ///< of the joints, by name
   Mechanism result_;
 };
 

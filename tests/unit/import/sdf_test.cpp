@@ -54,6 +54,45 @@ TEST(Sdf, HasTheTwistsOfItsFrames) {
   }
 }
 
+/// Joint j follows joint i.
+std::string followed(const std::string& type, const std::string& mimic) {
+  const auto joint = [](const std::string& name, const std::string& kind, const char* parent,
+                        const char* child, const std::string& more) {
+    return "<joint name='" + name + "' type='" + kind + "'><parent>" + parent + "</parent><child>" +
+           child + "</child><axis><xyz>0 1 0</xyz>" + more + "</axis></joint>";
+  };
+  return "<sdf version='1.11'><model name='m'><link name='a'/><link name='b'><pose>1 0 0 0 0 "
+         "0</pose></link><link name='c'><pose>2 0 0 0 0 0</pose></link>" +
+         joint("j", "revolute", "b", "c", mimic) + joint("i", type, "a", "b", "") +
+         "</model></sdf>";
+}
+
+TEST(Sdf, ReadsJointsThatFollowOthers) {
+  EXPECT_THAT(imported(followed("revolute", "<mimic joint='i'/>")).model,
+              HasSubstr("{ mimic = \"i\", "));
+  EXPECT_THAT(
+      imported(
+          followed("revolute",
+                   "<mimic joint='i'><multiplier> -2 </multiplier><offset>0.1</offset></mimic>"))
+          .model,
+      HasSubstr("{ mimic = \"i\", multiplier = -2, offset = 0.1, "));
+  // 1/2·(q − 0.6) + 0.1.
+  const std::string rule =
+      "<mimic joint='i' axis='axis'><multiplier>0.5</multiplier><offset>0.1</offset>"
+      "<reference>0.6</reference></mimic>";
+  EXPECT_THAT(imported(followed("prismatic", rule)).model,
+              HasSubstr("multiplier = 0.5, offset = -0.2, "));
+  EXPECT_THAT(imported(followed("revolute",
+                                "<mimic joint='i'><multiplier>2</multiplier><reference>"
+                                "1.5707963267948966</reference></mimic>"))
+                  .model,
+              HasSubstr("multiplier = 2, offset = \"-pi\", "));
+  for (const char* bad :
+       {"<mimic/>", "<mimic joint='i' axis='axis2'/>", "<mimic joint='k'/>", "<mimic joint='j'/>",
+        "<mimic joint='i'><multiplier>two</multiplier></mimic>"})
+    EXPECT_THROW(static_cast<void>(imported(followed("revolute", bad))), std::runtime_error) << bad;
+}
+
 TEST(Sdf, HasItsRanges) {
   const std::string model = imported(robot_text("arm.sdf")).model;
   EXPECT_THAT(model, HasSubstr("pan = [\"-pi\", \"pi\"] # turns without end"));
