@@ -1,83 +1,46 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Damages texts, each seed in another way.
 #pragma once
 
-#include <random>
-#include <string>
-#include <vector>
+#include "tests/support/damage.hpp"
 
 namespace regulus::test {
 
-inline const std::vector<std::string> kSplices = {"\"",
-                                                  "<",
-                                                  ">",
-                                                  "/>",
-                                                  "'",
-                                                  "&",
-                                                  "&#0;",
-                                                  "<!--",
-                                                  "-->",
-                                                  "<![CDATA[",
-                                                  "0",
-                                                  "-",
-                                                  ".",
-                                                  "e9",
-                                                  "nan",
-                                                  "1e999",
-                                                  "${x}",
-                                                  " ",
-                                                  "\n",
-                                                  "\xff",
-                                                  "<joint",
-                                                  "<link name=\"x\"/>",
-                                                  "xyz=\"0 0 0\"",
-                                                  "fixed",
-                                                  "prismatic",
-                                                  "mimic",
-                                                  "1e-300",
-                                                  "0.1 0.2 0.3",
-                                                  "</joint>",
-                                                  "base_link",
-                                                  "<body>",
-                                                  "<joint/>"};
+/// What robot files may be damaged with.
+inline const std::vector<std::string> kRobotSplices = {"\"",
+                                                       "<",
+                                                       ">",
+                                                       "/>",
+                                                       "'",
+                                                       "&",
+                                                       "&#0;",
+                                                       "<!--",
+                                                       "-->",
+                                                       "<![CDATA[",
+                                                       "0",
+                                                       "-",
+                                                       ".",
+                                                       "e9",
+                                                       "nan",
+                                                       "1e999",
+                                                       "${x}",
+                                                       " ",
+                                                       "\n",
+                                                       "\xff",
+                                                       "<joint",
+                                                       "<link name=\"x\"/>",
+                                                       "xyz=\"0 0 0\"",
+                                                       "fixed",
+                                                       "prismatic",
+                                                       "mimic",
+                                                       "1e-300",
+                                                       "0.1 0.2 0.3",
+                                                       "</joint>",
+                                                       "base_link",
+                                                       "<body>",
+                                                       "<joint/>"};
 
-class Damage {
- public:
-  explicit Damage(unsigned seed) : random_(seed) {}
-
-  std::string done_to(std::string text) {
-    for (std::size_t edits = 1 + pick(3); edits-- > 0;) edit(text);
-    return text;
-  }
-
- private:
-  std::size_t pick(std::size_t count) {
-    return std::uniform_int_distribution<std::size_t>(0, count - 1)(random_);
-  }
-
-  void edit(std::string& text) {
-    const std::size_t at = pick(text.size()), length = 1 + pick(12);
-    const std::string& splice = kSplices[pick(kSplices.size())];
-    switch (pick(5)) {
-      case 0:
-        text.erase(at, length);
-        break;
-      case 1:
-        text.insert(at, splice);
-        break;
-      case 2:
-        text.insert(pick(text.size()), text.substr(at, 8 * length));
-        break;
-      case 3:
-        text[at] = static_cast<char>(pick(256));
-        break;
-      default:
-        text.replace(at, length, splice);
-    }
-    if (text.empty()) text.assign(1, 'x');
-  }
-
-  std::mt19937_64 random_;
-};
+inline std::string damaged_robot(unsigned seed, const std::string& text) {
+  return Damage(seed, kRobotSplices).done_to(text);
+}
 
 }  // namespace regulus::test

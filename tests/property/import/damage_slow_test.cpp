@@ -41,7 +41,7 @@ void read(const std::string& text, Counts& counts) try {
 void read_damaged(const std::vector<std::string>& files) {
   Counts counts;
   for (unsigned seed = 0; seed < kFiles; ++seed) {
-    const std::string text = Damage(seed).done_to(robot_text(files[seed % files.size()]));
+    const std::string text = damaged_robot(seed, robot_text(files[seed % files.size()]));
     const auto start = std::chrono::steady_clock::now();
     read(text, counts);
     const std::chrono::duration<double> seconds = std::chrono::steady_clock::now() - start;

@@ -32,7 +32,7 @@ void expect_answers(const std::string& text, unsigned trials) {
   ASSERT_EQ(answer(text), Answer::kModel);
   unsigned models = 0, refused = 0;
   for (unsigned seed = 0; seed < trials; ++seed) {
-    const Answer given = answer(Damage(seed).done_to(text));
+    const Answer given = answer(damaged_robot(seed, text));
     models += given == Answer::kModel;
     refused += given == Answer::kBadFile;
   }

@@ -9,6 +9,7 @@
 
 #include "codegen/model/model_file.hpp"
 #include "codegen/support/errors.hpp"
+#include "tests/support/damage.hpp"
 #include "tests/support/example_model.hpp"
 
 namespace regulus {
@@ -20,46 +21,6 @@ const std::vector<std::string> kSplices = {
     "1e999", "x",   "phi",  "[gough]",    "[[matrix]]", "\n",     "\xff",  "\\",
     "#",     "'''", "true", "1979-05-27", "sqrt(",      "a2",     "rho_1", "regulus = 1\n",
     "value", "^-1", "/0",   "\"1/x\"",    "pi",         "x/(x-x)"};
-
-class Mutator {
- public:
-  explicit Mutator(unsigned seed) : random_(seed) {}
-
-  std::string mutate(std::string text) {
-    const int edits = 1 + pick(3);
-    for (int i = 0; i < edits; ++i) edit(text);
-    return text;
-  }
-
- private:
-  int pick(std::size_t count) {
-    return static_cast<int>(std::uniform_int_distribution<std::size_t>(0, count - 1)(random_));
-  }
-
-  void edit(std::string& text) {
-    const auto at = static_cast<std::size_t>(pick(text.size()));
-    const auto length = static_cast<std::size_t>(1 + pick(12));
-    switch (pick(5)) {
-      case 0:
-        text.erase(at, length);
-        break;
-      case 1:
-        text.insert(at, kSplices[static_cast<std::size_t>(pick(kSplices.size()))]);
-        break;
-      case 2:
-        text.insert(static_cast<std::size_t>(pick(text.size())), text.substr(at, 5 * length));
-        break;
-      case 3:
-        text[at] = static_cast<char>(pick(256));
-        break;
-      default:
-        text.replace(at, length, kSplices[static_cast<std::size_t>(pick(kSplices.size()))]);
-    }
-    if (text.empty()) text.assign(1, 'x');
-  }
-
-  std::mt19937_64 random_;
-};
 
 /// Returns whether the text was accepted; any other exception escapes and fails the test.
 bool accepted(const std::string& text) try {
@@ -79,7 +40,7 @@ bool accepted(const std::string& text) try {
 void expect_only_input_errors(const std::string& text, unsigned trials) {
   unsigned models = 0;
   for (unsigned seed = 0; seed < trials; ++seed) {
-    const std::string mutant = Mutator(seed).mutate(text);
+    const std::string mutant = test::Damage(seed, kSplices).done_to(text);
     SCOPED_TRACE(mutant);
     EXPECT_NO_THROW(models += accepted(mutant));
   }
