@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "codegen/engine/arb_oracle.hpp"
+#include "codegen/engine/exact_place.hpp"
 #include "codegen/program/rational_bounds.hpp"
 #include "codegen/symbolic/determinant.hpp"
 #include "codegen/symbolic/evaluate.hpp"
@@ -134,6 +135,12 @@ bool ExactAlgebra::is_singular_at(std::span<const Interval> point,
   return values && is_at_most_alpha(f, *values, preparation_.stages->request().motion.alpha);
 } catch (...) {
   return false;  // one more way of not knowing
+}
+
+std::optional<ExactPlace> ExactAlgebra::find_singular(std::span<const Interval> box) noexcept try {
+  return find_exact_place(preparation_, box);
+} catch (...) {
+  return std::nullopt;  // one more way of not knowing
 }
 
 AlgebraOracle::Determinant ExactAlgebra::determinant(std::span<const Interval> point) noexcept try {

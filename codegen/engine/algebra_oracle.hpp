@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// For models that are singular at every pose ("architecturally"): no search can show that.
+// For singular points that are known exactly, and for models that are singular at every pose ("architecturally"): no search can show that.
 #pragma once
 
 #include "codegen/engine/pipeline.hpp"
@@ -29,6 +29,10 @@ class ExactAlgebra final : public AlgebraOracle {
   /// changed: the stages do not have their ends.
   [[nodiscard]] bool is_singular_at(std::span<const Interval> point,
                                     std::span<const PlaceInRange> places) noexcept override;
+
+  /// See exact_place.hpp.
+  [[nodiscard]] std::optional<ExactPlace> find_singular(
+      std::span<const Interval> box) noexcept override;
 
  private:
   const PreparedSearch& preparation_;

@@ -16,17 +16,16 @@ namespace regulus::inline engine {
 
 namespace {
 
-/// Runs a search; with more digits and exact algebra if there is a determinant.
+/// Runs a search with exact algebra; with more digits if there is a determinant.
 template <class Search>
 Result with_oracle(PreparedSearch& preparation, const SearchOptions& search, Settings& settings,
                    Search run) {
   std::optional<ArbOracle> oracle;
   ExactAlgebra algebra(preparation);
-  if (preparation.matrix) {
+  if (preparation.matrix)
     settings.oracle =
         &oracle.emplace(*preparation.matrix, preparation.labels.rows, search.precision);
-    settings.algebra = &algebra;
-  }
+  if (!preparation.stopped) settings.algebra = &algebra;
   ClosedFormBounds closed_form(*preparation.stages);
   if (search.filters.empty()) settings.closed_form = &closed_form;
   Result result = run();

@@ -49,9 +49,42 @@ std::optional<double> approx_scale(const PreparedSearch& p, const Witness& witne
   return matrix.approx_hadamard(closest(witness).variables, has_row_scales(p, witness));
 }
 
+/// "pi/2", "-5*pi/12", "7/10"; requires a number.
+std::string text_of(const ExactNumber& number) {
+  const std::string divisor = number.denominator == 1 ? "" : fmt::format("/{}", number.denominator);
+  if (number.of_pi == 0 || number.numerator == 0) return std::to_string(number.numerator) + divisor;
+  if (number.numerator == 1) return "pi" + divisor;
+  return number.numerator == -1 ? "-pi" + divisor
+                                : fmt::format("{}*pi{}", number.numerator, divisor);
+}
+
+/// Returns the coordinates that are known exactly and need not be doubles, by variable.
+Json json_exact(const PreparedSearch& p, const WitnessPoint& point) {
+  Json exact = Json::object();
+  for (std::size_t k = 0; k < point.numbers.size(); ++k)
+    if (point.numbers[k].denominator > 0)
+      exact[p.labels.variables[k].name] = text_of(point.numbers[k]);
+  return exact;
+}
+
+std::string format_exact_values(const PreparedSearch& p, const WitnessPoint& point) {
+  std::string words;
+  for (std::size_t k = 0; k < point.numbers.size(); ++k)
+    if (point.numbers[k].denominator > 0)
+      words += fmt::format("{}{} = {}", words.empty() ? "" : ", ", p.labels.variables[k].name,
+                           text_of(point.numbers[k]));
+  return words.empty() ? words : fmt::format("           exactly {}\n", words);
+}
+
+std::string format_lost_rank(const PreparedSearch& p) {
+  return fmt::format("           its rank is less than {} there, by exact algebra\n",
+                     p.labels.columns);
+}
+
 std::string format_proof(const PreparedSearch& p, const Witness& witness,
                          const InverseJacobian& matrix) {
   const WitnessPoint& point = closest(witness);
+  if (p.labels.rows != p.labels.columns) return format_lost_rank(p);
   const bool crossed = witness.points.size() == 2;
   const std::optional<double> scale = approx_scale(p, witness, matrix);
   const std::string line = fmt::format(
@@ -69,10 +102,13 @@ std::string format_proof(const PreparedSearch& p, const Witness& witness,
 }  // namespace
 
 Json json_point(const PreparedSearch& p, const WitnessPoint& point) {
-  return {{"parameters", json_parameters(p, point.variables)},
-          {"pose", json_pose(p, point.pose)},
-          {"uncertain", json_uncertain(p, point.variables)},
-          {"determinant", json_interval(point.determinant)}};
+  const bool has_determinant = p.labels.rows == p.labels.columns;
+  Json report = {{"parameters", json_parameters(p, point.variables)},
+                 {"pose", json_pose(p, point.pose)},
+                 {"uncertain", json_uncertain(p, point.variables)},
+                 {"determinant", has_determinant ? json_interval(point.determinant) : Json()}};
+  if (!point.numbers.empty()) report["exact"] = json_exact(p, point);
+  return report;
 }
 
 Json json_witness(const PreparedSearch& p, const Result& result) {
@@ -101,7 +137,8 @@ std::string format_witness(const PreparedSearch& p, const Result& result) {
   const WitnessPoint& point = closest(witness);
   const InverseJacobian matrix(p);
   std::string lines = fmt::format("witness    {}\n", describe_place(p, point.variables)) +
-                      format_pose(p, point.pose) + format_uncertain_values(p, point.variables) +
+                      format_exact_values(p, point) + format_pose(p, point.pose) +
+                      format_uncertain_values(p, point.variables) +
                       format_proof(p, witness, matrix);
   if (!witness.near) return lines;
   return lines + format_degeneracy(p, matrix.approx_degeneracy(point.variables));

@@ -22,6 +22,7 @@ namespace {
 
 const char* word_of(Reason reason) noexcept {
   if (reason == Reason::kSmallDeterminant) return format::kSmallDeterminant;
+  if (reason == Reason::kLostRank) return format::kLostRank;
   return reason == Reason::kAlwaysSingular ? format::kAlwaysSingular : format::kOppositeSigns;
 }
 
@@ -37,6 +38,19 @@ std::string hexadecimal(double x) {
   char text[32];
   std::snprintf(text, sizeof text, "%a", x);
   return text;
+}
+
+std::string text_of(const ExactNumber& number) {
+  return format::kExactValue + std::to_string(number.numerator) +
+         (number.of_pi != 0 ? "*pi/" : "/") + std::to_string(number.denominator);
+}
+
+std::string coordinate(const WitnessPoint& point, std::size_t k) {
+  if (!point.places.empty() && point.places[k] != PlaceInRange::kInside)
+    return word_of(point.places[k]);
+  if (!point.numbers.empty() && point.numbers[k].denominator > 0) return text_of(point.numbers[k]);
+  const Interval& x = point.variables[k];
+  return hexadecimal(x.lo) + (x.hi != x.lo ? ':' + hexadecimal(x.hi) : "");
 }
 
 /// Makes a new file beside `path`, with a name that no other file has. It has the usual permissions
@@ -168,12 +182,7 @@ void CertificateWriter::on_leaf(const OpenBox& box, Rule rule, const Proof&) noe
 
 void CertificateWriter::write_point(const WitnessPoint& point, const char* sign) {
   std::string line = std::string("point ") + sign;
-  for (std::size_t k = 0; k < point.variables.size(); ++k) {
-    const Interval& x = point.variables[k];
-    const PlaceInRange place = point.places.empty() ? PlaceInRange::kInside : point.places[k];
-    line += ' ' + (place == PlaceInRange::kInside ? hexadecimal(x.lo) : word_of(place));
-    if (place == PlaceInRange::kInside && x.hi != x.lo) line += ':' + hexadecimal(x.hi);
-  }
+  for (std::size_t k = 0; k < point.variables.size(); ++k) line += ' ' + coordinate(point, k);
   put(line + '\n');
 }
 

@@ -63,6 +63,7 @@ regulus_check_reason word_of(Reason reason) noexcept {
     case Reason::kBadProblem:
     case Reason::kSeemsSingular:
     case Reason::kStalled:
+    case Reason::kLostRank:
       break;
   }
   return REGULUS_CHECK_BAD_RANGES;

@@ -142,8 +142,25 @@ class ClosedForm {
 /// The place of a coordinate in the range of its variable. An end need not be a double.
 enum class PlaceInRange : std::uint8_t { kInside, kLowerEnd, kUpperEnd };
 
+/// The number numerator/denominator, times pi if `of_pi` is not 0; none if the denominator is 0.
+struct ExactNumber {
+  std::int32_t numerator = 0, denominator = 0, of_pi = 0;
+
+  friend bool operator==(const ExactNumber&, const ExactNumber&) = default;
+};
+
+/// A point whose coordinates are known exactly.
+struct ExactPlace {
+  /// By variable: encloses the coordinate, within the outer range.
+  std::vector<Interval> variables;
+  /// By variable: an end of its range, or kInside.
+  std::vector<PlaceInRange> places;
+  /// By variable, if it is inside its range: its value. None: the double of `variables`.
+  std::vector<ExactNumber> numbers;
+};
+
 /// Knows the model's expressions themselves, not only their bounds. Only the thread that called the
-/// search uses it, for square matrices only.
+/// search uses it.
 ///
 /// A search asks about the determinant once, in its conclusion, if three conditions hold: nothing
 /// was proved except, perhaps, that at one point the determinant is at most the threshold; no box
@@ -162,13 +179,14 @@ class AlgebraOracle {
   AlgebraOracle& operator=(const AlgebraOracle&) = delete;
   virtual ~AlgebraOracle() = default;
 
-  /// `point`: a point of the variety, inside the constraints, where A is certainly defined.
+  /// For square matrices. `point`: a point of the variety, inside the constraints, where A is
+  /// certainly defined.
   ///
   /// Ensures   kVanishes only if det A is the zero function of the kernel's variables, by an exact
   ///           identity between the expressions that are its entries.
   [[nodiscard]] virtual Determinant determinant(std::span<const Interval> point) noexcept = 0;
 
-  /// `point` encloses one point: its coordinate is the end of a range itself if `places` says so,
+  /// For square matrices. `point` encloses one point: its coordinate is the end of a range itself if `places` says so,
   /// otherwise the double.
   ///
   /// Requires  the matrix, the row scales and the pose are certainly defined all over `point`.
@@ -177,6 +195,17 @@ class AlgebraOracle {
                                             std::span<const PlaceInRange> places) noexcept {
     static_cast<void>(point), static_cast<void>(places);
     return false;
+  }
+
+  /// Looks for a singular point, first near the middle of `box`, then elsewhere in the variety.
+  ///
+  /// Ensures   at the returned point, which lies within all ranges, A has less than full column rank
+  ///           if it is defined there, by an exact identity between numbers. It may violate
+  ///           constraints.
+  [[nodiscard]] virtual std::optional<ExactPlace> find_singular(
+      std::span<const Interval> box) noexcept {
+    static_cast<void>(box);
+    return std::nullopt;
   }
 };
 

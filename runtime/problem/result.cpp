@@ -41,6 +41,8 @@ const char* describe(Reason reason) noexcept {
       return "memory is exhausted";
     case Reason::kBadProblem:
       return "the problem cannot be searched";
+    case Reason::kLostRank:
+      return "a point where the matrix loses rank, by exact algebra";
     case Reason::kStalled:
       return "boxes are certified so slowly that the search would not end";
     case Reason::kEmptyVariety:

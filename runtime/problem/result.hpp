@@ -32,6 +32,7 @@ enum class Reason : std::uint8_t {
   kEmptyVariety,   ///< the constraints exclude every pose: there is nothing to claim
   kSeemsSingular,  ///< the determinant seems to vanish at every pose, but nothing proves this
   kStalled,        ///< boxes are certified so slowly that the search would not end
+  kLostRank,       ///< a point where a matrix with more rows than columns has not full rank
 };
 
 /// Tells if the constraints leave any pose of the variety.
@@ -64,11 +65,14 @@ struct WitnessPoint {
   /// Empty, or for each variable: if the point is at an end of its range, which is not the double
   /// next to it. The interval in `variables` encloses that end.
   std::vector<PlaceInRange> places{};
-  Interval determinant;  ///< of A for opposite signs, of J⁻¹ for a small determinant
+  /// Empty, or for each variable: the number that the interval in `variables` encloses.
+  std::vector<ExactNumber> numbers{};
+  /// Of A for opposite signs, of J⁻¹ for a small determinant; no meaning for a lost rank.
+  Interval determinant;
   std::vector<Interval> pose;
 };
 
-/// Two points of opposite signs, or one of small determinant.
+/// Two points of opposite signs, or one of small determinant or lost rank.
 struct Witness {
   std::vector<WitnessPoint> points;
   /// The point with the smallest determinant of all tested on the way to the zero. Exhaustive

@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "runtime/witness/pose_search.hpp"
+#include "runtime/witness/witness_search.hpp"
 
 namespace regulus {
 namespace {
@@ -75,6 +76,21 @@ void ask_algebra(Result& result, const Problem& problem, const Settings& setting
   }
 }
 
+/// A singularity that is touched and not crossed, or a lost rank, has no change of sign. It may still
+/// be at a place that is known exactly.
+void look_for_exact_place(Result& result, const Problem& problem, const Settings& settings) {
+  if (settings.algebra == nullptr || result.verdict != Verdict::kPossibleProblem) return;
+  if (was_cut_short(result) || result.blocking_box.size() != problem.outer.size()) return;
+  WitnessSearch search(problem, settings);
+  search.look_for_exact_place(result.blocking_box);
+  if (!search.found()) return;
+  result.verdict = Verdict::kSingularity;
+  result.reason = search.reason();
+  result.witness = search.witness();
+  result.blocking_box.clear();
+  inhabit(result, result.witness->points.front().variables);
+}
+
 }  // namespace
 
 bool certified_somewhere(const Statistics& statistics) noexcept {
@@ -97,6 +113,7 @@ void complete(Result& result, const Problem& problem, const Settings& settings) 
     return;
   }
   ask_algebra(result, problem, settings);
+  look_for_exact_place(result, problem, settings);
 }
 
 }  // namespace regulus

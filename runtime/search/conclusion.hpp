@@ -18,7 +18,8 @@ namespace regulus {
 /// - to POSSIBLE PROBLEM, kEmptyVariety, if the constraints exclude every pose;
 /// - to SINGULARITY, kAlwaysSingular, if Settings::algebra says that det A is the zero function
 ///   and a point of the variety is certainly inside the constraints and defined: the witness.
-///   AlgebraOracle has the conditions under which a search asks it.
+///   AlgebraOracle has the conditions under which a search asks it;
+/// - to SINGULARITY, if it finds a singular place that it knows exactly.
 ///
 /// Requires  verdict, reason, statistics and stopped_by are those of a search of the problem;
 ///           rounding to nearest.

@@ -20,6 +20,7 @@ bool has_reason(Rule rule) noexcept { return rule == Rule::kBlocked || rule == R
 void put(ByteWriter& to, const WitnessPoint& point) {
   to.put_list(std::span<const Interval>(point.variables));
   to.put_list(std::span<const PlaceInRange>(point.places));
+  to.put_list(std::span<const ExactNumber>(point.numbers));
   to.put(point.determinant);
   to.put_list(std::span<const Interval>(point.pose));
 }
@@ -28,6 +29,7 @@ WitnessPoint take_point(ByteReader& from) {
   WitnessPoint point;
   point.variables = from.take_list<Interval>();
   point.places = from.take_list<PlaceInRange>();
+  point.numbers = from.take_list<ExactNumber>();
   point.determinant = from.take<Interval>();
   point.pose = from.take_list<Interval>();
   return point;

@@ -16,15 +16,23 @@ constexpr std::size_t kStartsFromBlocked = 9;
 constexpr std::uint64_t kFirstDescent = 4;
 constexpr unsigned kFewVariables = 4;
 
+/// A matrix with more rows than columns has no determinant whose sign changes. The number of boxes
+/// at which to look for an exact place for the first time, and the factor from one time to the next.
+constexpr std::uint64_t kFirstExactPlace = 8192, kNextExactPlace = 16;
+
 }  // namespace
 
 void WitnessSchedule::look_after(const Decisions& batch, SearchState& state) noexcept {
   LaneMask undecided = batch.uncertified;
   const std::uint64_t boxes = state.statistics.boxes;
   if (undecided == 0 || boxes < state.next_descent) return;
+  std::size_t lane = 0;
+  while (!has_lane(undecided, lane)) ++lane;
+  if (!is_square()) return look_for_exact_place(batch.open(lane).box, state);
   if (problem_.kernel->constraints > 0) {
     undecided &= batch.inside;
     if (undecided == 0) return;
+    while (!has_lane(undecided, lane)) ++lane;
     state.next_descent = boxes + 1 + boxes / 8;
   } else if (boxes < kFirstDescent && problem_.kernel->variables > kFewVariables) {
     state.next_descent = kFirstDescent;
@@ -32,8 +40,6 @@ void WitnessSchedule::look_after(const Decisions& batch, SearchState& state) noe
   } else {
     look_at_all_corners(state);
   }
-  std::size_t lane = 0;
-  while (!has_lane(undecided, lane)) ++lane;
   witness_.descend(batch.open(lane).box);
   look_at_exact_ends(batch.open(lane).box);
 }
@@ -41,6 +47,7 @@ void WitnessSchedule::look_after(const Decisions& batch, SearchState& state) noe
 void WitnessSchedule::look_from(std::span<const Interval> box, SearchState& state) noexcept {
   const std::uint64_t boxes = state.statistics.boxes;
   if (boxes < state.next_descent) return;
+  if (!is_square()) return look_for_exact_place(box, state);
   if (problem_.kernel->constraints > 0)
     state.next_descent = boxes + 1 + boxes / 8;
   else
@@ -51,11 +58,23 @@ void WitnessSchedule::look_from(std::span<const Interval> box, SearchState& stat
 
 void WitnessSchedule::look_in(std::span<const Interval> box, std::uint64_t blocked,
                               SearchState& state) noexcept {
-  if (blocked > kMaxDescentsFromBlocked) return;
+  if (blocked > kMaxDescentsFromBlocked || !is_square()) return;
   if (problem_.kernel->constraints == 0 && state.next_descent <= kFirstDescent)
     look_at_all_corners(state);
   witness_.descend(box, blocked == 1 ? kStartsFromBlocked : 1);
   look_at_exact_ends(box);
+}
+
+bool WitnessSchedule::is_square() const noexcept {
+  return problem_.kernel->rows == problem_.kernel->columns;
+}
+
+/// Also sets the next time. The conclusion of the search looks once more, near a box that blocks.
+void WitnessSchedule::look_for_exact_place(std::span<const Interval> box,
+                                           SearchState& state) noexcept {
+  const std::uint64_t boxes = state.statistics.boxes;
+  state.next_descent = std::max(kNextExactPlace * boxes, kFirstExactPlace);
+  if (boxes >= kFirstExactPlace) witness_.look_for_exact_place(box);
 }
 
 /// Looks at them once, and sets the next time to go downhill.

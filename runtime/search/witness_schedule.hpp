@@ -15,7 +15,7 @@ namespace regulus {
 /// Without constraints: at some corners after the first box, which costs no more than a box does; at
 /// all corners of the variety and then downhill, if the number of boxes reaches four or four times
 /// the number of the last time. With constraints: downhill from boxes inside them, since a segment
-/// can be certified only there.
+/// can be certified only there. A matrix with more rows than columns: for an exact place, seldom.
 class WitnessSchedule {
  public:
   /// Both must outlive this object.
@@ -36,6 +36,8 @@ class WitnessSchedule {
   void look_in(std::span<const Interval> box, std::uint64_t blocked, SearchState& state) noexcept;
 
  private:
+  [[nodiscard]] bool is_square() const noexcept;
+  void look_for_exact_place(std::span<const Interval> box, SearchState& state) noexcept;
   void look_at_all_corners(SearchState& state) noexcept;
   void look_at_exact_ends(std::span<const Interval> box) noexcept;
 

@@ -3,6 +3,7 @@
 // At both the determinant may have one sign, and be 0 at the end. Bounds in doubles show if that is
 // possible; exact algebra shows if it is so.
 #include <algorithm>
+#include <utility>
 
 #include "runtime/witness/witness_search.hpp"
 
@@ -25,19 +26,25 @@ void WitnessSearch::place_at(std::size_t variable, PlaceInRange place) noexcept 
                                                       : Interval(outer.lo, inner->lo);
 }
 
-/// Tests the point in box_ exactly, if the model is defined and the constraints hold there.
-void WitnessSearch::try_exactly() noexcept {
+/// Returns true if the model is defined and the constraints hold all over box_, which is loaded.
+bool WitnessSearch::holds_box() noexcept {
   points_.clear();
   points_.load(0, box_);
   evaluate_points(1);
   LaneMask defined = points_.certain_inside() & points_.certain_posed() & 1U;
   static_cast<void>(points_.product({}, defined));
-  if (defined == 0) return;
+  return defined != 0;
+}
+
+/// Tests the point in box_ exactly, if the model is defined and the constraints hold there.
+void WitnessSearch::try_exactly() noexcept {
+  if (!holds_box()) return;
   const Interval determinant = enclose_at(0, scaled_, Effort::kAll);
   const Interval small(-problem_.alpha.hi, problem_.alpha.hi);
   const std::optional<Interval> left = intersect(determinant, small);
   if (!left || !algebra_->is_singular_at(box_, places_)) return;
   std::copy(box_.begin(), box_.end(), at_ends_.begin());
+  numbers_.clear();
   determinant_at_ends_ = *left;
   reason_ = Reason::kSmallDeterminant;
   found_ = found_at_ends_ = true;
@@ -70,9 +77,24 @@ void WitnessSearch::look_at_ends(std::span<const Interval> box) noexcept {
   if (at_end) try_exactly();
 }
 
+void WitnessSearch::look_for_exact_place(std::span<const Interval> box) noexcept {
+  if (found_ || algebra_ == nullptr || !uses_descents_ || scaled_) return;
+  std::optional<ExactPlace> place = algebra_->find_singular(box);
+  if (!place) return;
+  std::copy(place->variables.begin(), place->variables.end(), box_.begin());
+  if (!holds_box()) return;
+  at_ends_ = std::move(place->variables);
+  places_ = std::move(place->places);
+  numbers_ = std::move(place->numbers);
+  determinant_at_ends_ = Interval(0.0);
+  reason_ = square_ ? Reason::kSmallDeterminant : Reason::kLostRank;
+  found_ = found_at_ends_ = true;
+}
+
 void WitnessSearch::report_ends(WitnessPoint& into) {
   into.variables = at_ends_;
   into.places = places_;
+  into.numbers = numbers_;
   into.determinant = determinant_at_ends_;
   copy_pose(into.variables, into.pose);
 }

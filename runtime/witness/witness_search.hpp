@@ -62,6 +62,11 @@ class WitnessSearch {
   /// Looks at the point with the ends of ranges that `box` reaches; elsewhere at its middle.
   void look_at_ends(std::span<const Interval> box) noexcept;
 
+  /// Looks for a point whose coordinates are known exactly and where exact algebra shows that the
+  /// matrix is singular, first near the middle of `box`. Takes up to a second; without a threshold
+  /// only.
+  void look_for_exact_place(std::span<const Interval> box) noexcept;
+
   /// Forgets all results and searches inside `box` alone: in its middle, downhill, at its corners.
   /// Returns found().
   bool look_inside(std::span<const Interval> box) noexcept;
@@ -72,7 +77,7 @@ class WitnessSearch {
 
   /// Returns how many points the proof has, and where one of them is. Requires found(); n entries.
   [[nodiscard]] std::size_t points() const noexcept {
-    return reason_ == Reason::kSmallDeterminant ? 1 : 2;
+    return reason_ == Reason::kOppositeSigns ? 2 : 1;
   }
   void copy_point(std::size_t index, std::span<Interval> variables) const noexcept;
 
@@ -111,6 +116,7 @@ class WitnessSearch {
                                      const std::vector<double>& to) noexcept;
   void place_at(std::size_t variable, PlaceInRange place) noexcept;
   void try_exactly() noexcept;
+  [[nodiscard]] bool holds_box() noexcept;
 
   void load_piece(std::size_t lane, const std::vector<double>& from, const std::vector<double>& to,
                   Interval part) noexcept;
@@ -174,6 +180,7 @@ class WitnessSearch {
   bool small_known_ = false, small_fresh_ = false;
   unsigned small_tries_ = 0;
   std::vector<PlaceInRange> places_;  ///< of box_, if it was made for exact algebra
+  std::vector<ExactNumber> numbers_;  ///< the same; empty: there are none
   std::vector<Interval> at_ends_;     ///< the point that was found there
   Interval determinant_at_ends_;
   bool found_ = false, found_at_ends_ = false;

@@ -65,10 +65,11 @@ class ImportedArm : public testing::TestWithParam<Region> {
   std::string model_;
 };
 
-/// No sign changes where the Jacobian of seven joints loses rank.
+/// No sign changes where the Jacobian of seven joints loses rank. The singular poses of the Panda have
+/// no simple angles.
 TEST_P(ImportedArm, IsSingularWithinItsLimits) {
-  const bool seven = GetParam().ranges.size() == 5;
-  EXPECT_EQ(verdict({}), seven ? "POSSIBLE PROBLEM\n" : "SINGULARITY\n");
+  const bool is_found = GetParam().arm != "panda";
+  EXPECT_EQ(verdict({}), is_found ? "SINGULARITY\n" : "POSSIBLE PROBLEM\n");
 }
 
 TEST_P(ImportedArm, IsRegularAwayFromTheSingularPoses) {

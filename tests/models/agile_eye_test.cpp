@@ -80,7 +80,9 @@ TEST(AgileEye, IsCertifiedFreeAllButAroundItsCurves) {
 TEST(AgileEye, MovesByItselfAlongACurve) {
   EXPECT_EQ(robot().check({"self_motion"})["claim"],
             "the full 3×3 matrix is singular at every pose of the variety");
-  EXPECT_EQ(robot().verdict({"near_a_curve", "--max-boxes", "2000"}), "possible-problem");
+  const auto report = robot().check({"near_a_curve", "--max-boxes", "2000"});
+  EXPECT_EQ(report["verdict"], "singularity");
+  EXPECT_EQ(report["witness"]["points"][0]["exact"]["psi"], "pi/2");
   EXPECT_EQ(robot().verdict({"wide"}), "no-singularity");
 }
 

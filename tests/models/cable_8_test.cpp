@@ -53,9 +53,13 @@ TEST(Cable8, LosesItsRankOnALine) {
   EXPECT_NEAR(gram(0, 2.5) / gram(1, 4), 0, 1e-12);
   EXPECT_GT(gram(0.01, 2.5) / gram(1, 4), 1e-8);
   const auto report = robot().check({"low", "--max-boxes", "3000"});
-  EXPECT_EQ(report["verdict"], "possible-problem");
-  EXPECT_NEAR(report["nearest_singular"]["pose"]["z"][0].get<double>(), 2.5, 1e-6);
-  EXPECT_NEAR(report["nearest_singular"]["pose"]["x"][0].get<double>(), 0, 1e-6);
+  EXPECT_EQ(report["verdict"], "singularity");
+  const auto& point = report["witness"]["points"][0];
+  EXPECT_EQ(point["pose"]["z"], (std::vector<double>{2.5, 2.5}));
+  EXPECT_EQ(point["pose"]["x"], (std::vector<double>{0, 0}));
+  EXPECT_TRUE(point["determinant"].is_null());
+  EXPECT_EQ(robot().verdict({"low", "--range", "x=1e-7:1", "--max-boxes", "3000"}),
+            "no-singularity");
 }
 
 TEST(Cable8, IsCertifiedFreeAllButAroundThatLine) {

@@ -148,7 +148,11 @@ TEST(UnitEvents, AreReadAsTheyWereWritten) {
   leaf.rule = Rule::kWitness;
   leaf.reason = Reason::kOppositeSigns;
   leaf.determinant = Interval(1, 2);
-  leaf.witness = Witness{{{{Interval(3)}, {PlaceInRange::kLowerEnd}, Interval(4), {}}}, {}};
+  WitnessPoint point;
+  point.variables = {Interval(3)};
+  point.places = {PlaceInRange::kLowerEnd};
+  point.numbers = {{1, 2, 1}};
+  leaf.witness = Witness{{point}, {}};
   tree.set_leaf(halves + 1, leaf);
   std::vector<BoxId> open;
   const std::string bytes = tree.events(2, open);
@@ -162,7 +166,8 @@ TEST(UnitEvents, AreReadAsTheyWereWritten) {
   EXPECT_EQ(read.rule, Rule::kWitness);
   EXPECT_EQ(read.reason, Reason::kOppositeSigns);
   EXPECT_EQ(read.determinant, leaf.determinant);
-  EXPECT_EQ(read.witness->points.at(0).places, leaf.witness->points[0].places);
+  EXPECT_EQ(read.witness->points.at(0).places, point.places);
+  EXPECT_EQ(read.witness->points.at(0).numbers, point.numbers);
   EXPECT_EQ(take_event(reader, settings).kind, UnitEvent::Kind::kOpen);
   EXPECT_TRUE(reader.at_end());
   for (std::size_t size = 0; size < bytes.size(); ++size) {
