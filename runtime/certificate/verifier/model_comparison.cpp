@@ -27,7 +27,8 @@ class Comparison {
         options_(options),
         result_(result),
         values_(read_model_values(options.model_text)),
-        used_(compared.begin(), compared.end()) {
+        compared_(compared.begin(), compared.end()),
+        used_(compared_) {
     find_degrees();
   }
 
@@ -308,10 +309,16 @@ class Comparison {
         compare(at->first, "error " + rest.substr(6), none, "tube " + rest.substr(6));
       else if (rest.starts_with("constraints["))
         compare(at->first, "constraint " + rest.substr(12, rest.size() - 13), q_.commanded);
-      else
+      else if (!is_replaced(rest))
         compare_range(at->first, rest.starts_with("parameters.") ? rest.substr(11) : rest);
     }
     compare_reach(is_within_reach);
+  }
+
+  /// True for what way-points take the place of: parameters, and the pose parameters that they give.
+  [[nodiscard]] bool is_replaced(const std::string& rest) const {
+    return !compared_.empty() && (rest.starts_with("parameters.") ||
+                                  compared_.contains("pose " + rest.substr(0, rest.find('['))));
   }
 
   /// Each line `reach` is that of a root of the model, which was checked when it was read. A question
@@ -382,6 +389,7 @@ class Comparison {
   const WrittenValues values_;
   std::map<std::string, NodeId, std::less<>> actual_lets_, commanded_lets_;
   std::set<std::string, std::less<>> degrees_;  ///< pose parameters in that unit
+  const std::set<std::string> compared_;        ///< the keys that are compared elsewhere
   std::set<std::string> used_;                  ///< keys of what the certificate states
   int depth_ = 0, lets_ = 0;
 };
