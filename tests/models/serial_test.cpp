@@ -1,11 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Arms by their joints: the twin of one with a written matrix, and their known singular poses.
 #include <algorithm>
+#include <fstream>
 #include <functional>
 #include <sstream>
 
 #include "tests/models/jacobian.hpp"
 #include "tests/models/paving.hpp"
+#include "tests/support/temporary_directory.hpp"
 
 namespace regulus::test {
 namespace {
@@ -42,6 +44,36 @@ TEST(SerialArms, SayInTheirClaimWhichMatrixTheyMean) {
 }
 
 /// Of the arm with three parallel axes: elbow, wrist, shoulder.
+/// No sign changes where the Jacobian of seven joints loses rank: exact algebra shows it.
+TEST(SerialArms, OfSevenJointsAreSingularWithTheElbowStretched) {
+  const ShippedModel arm("seven_joints");
+  const TemporaryDirectory folder;
+  const std::string proof = folder.path() / "proof.txt";
+  const auto report = arm.check({"stretched", "--certificate", proof});
+  EXPECT_EQ(report["verdict"], "singularity");
+  const auto& point = report["witness"]["points"][0];
+  EXPECT_EQ(point["parameters"]["q4"], (std::vector<double>{0, 0}));
+  EXPECT_TRUE(point["determinant"].is_null());
+  const std::string verify = REGULUS_BINARY_DIR "/bin/regulus-verify";
+  EXPECT_EQ(run_command({verify, proof}).output, "VERIFIED\n");
+  std::stringstream text;
+  text << std::ifstream(proof).rdbuf();
+  std::string other = text.str();
+  other.replace(other.rfind("0x0p+0"), 6, "0x1p-99");
+  std::ofstream(proof) << other;
+  EXPECT_NE(run_command({verify, proof}).output, "VERIFIED\n");
+  EXPECT_EQ(arm.report("locate", {"stretched"})["verdict"], "singularity");
+}
+
+/// Shoulder and wrist lose a direction together where q2 = q6 = 0.
+TEST(SerialArms, OfSevenJointsAreSafeUpToTheirSingularPoses) {
+  const ShippedModel arm("seven_joints");
+  EXPECT_EQ(arm.verdict({"table", "--range", "q2=0:80*deg", "--range", "q6=0:120*deg"}),
+            "singularity");
+  EXPECT_EQ(arm.verdict({"table", "--range", "q2=1*deg:80*deg", "--range", "q6=0:120*deg"}),
+            "no-singularity");
+}
+
 TEST(SerialArms, HaveTheFactorsOfThreeParallelAxes) {
   const ShippedModel arm("three_parallel_axes");
   Poses poses;
