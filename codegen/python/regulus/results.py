@@ -119,7 +119,7 @@ class Check(Result):
     @property
     def witness(self) -> Optional[dict[str, Any]]:
         """The proof of a singularity: points with enclosures of parameters, pose, uncertain values
-        and determinant. None after other verdicts.
+        and determinant (None for more rows than columns). None after other verdicts.
         """
         found: Optional[dict[str, Any]] = self.json["witness"]
         return found

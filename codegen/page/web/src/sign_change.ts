@@ -22,13 +22,15 @@ export function readWitness(text: string, question: Question): Witness {
       const values = line.split(" ").slice(2);
       if (values.length !== question.variables.length)
         throw new Damage("the witness has a wrong number of values");
-      return values.map((value, k) => readCoordinate(value, question.variables[k].range));
+      return values.map((value, k) => readCoordinate(value, question, k));
     });
   if (points.length === 0) throw new Damage("the witness has no point");
   return { reason, points };
 }
 
-function readCoordinate(text: string, range: Interval): Interval {
+function readCoordinate(text: string, question: Question, variable: number): Interval {
+  const { range } = question.variables[variable];
+  if (text.startsWith("=")) return question.constant(text.slice(1));
   if (text === "lower") return point(range.lo);
   if (text === "upper") return point(range.hi);
   const ends = text.split(":").map((end) => point(readEnd(end)));
