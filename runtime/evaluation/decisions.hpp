@@ -79,14 +79,31 @@ class Decisions {
   void keep_proofs(Batch& batch) noexcept {
     std::copy_n(batch.preconditioner().data(), points_, preconditioner_.get());
     std::copy_n(batch.vector().data(), order_, vector_.get());
-    preconditioner = preconditioner_.get();
-    vector = vector_.get();
+    refer_to(preconditioner_.get(), vector_.get());
+  }
+  /// Takes the proofs from there, where entries lie as in Proof; the arguments are of lane 0.
+  void refer_to(const double* preconditioner, const double* vector) noexcept {
+    for (std::size_t lane = 0; lane < kLanes; ++lane) {
+      preconditioner_of_[lane] = preconditioner + lane;
+      vector_of_[lane] = vector + lane;
+    }
+  }
+  /// Copies the decision about the same box in a lane of another object, which must have kept its
+  /// proofs, and must keep them as long as this object needs them.
+  void take(std::size_t lane, const Decisions& from, std::size_t there) noexcept {
+    decision[lane] = from.decision[there];
+    copy_lane(from.uncertified, there, uncertified, lane);
+    copy_lane(from.inside, there, inside, lane);
+    copy_lane(from.midpoint_determinants.lanes, there, midpoint_determinants.lanes, lane);
+    midpoint_determinants.approx[lane] = from.midpoint_determinants.approx[there];
+    preconditioner_of_[lane] = from.preconditioner_of_[there];
+    vector_of_[lane] = from.vector_of_[there];
   }
   [[nodiscard]] Proof proof(std::size_t lane) const noexcept {
     const Decision& d = decision[lane];
     Proof proof;
-    proof.preconditioner = preconditioner + lane;
-    if (d.order > 0) proof.vector = vector + lane, proof.order = d.order;
+    proof.preconditioner = preconditioner_of_[lane];
+    if (d.order > 0) proof.vector = vector_of_[lane], proof.order = d.order;
     if (d.witness) proof.witness = &*d.witness;
     proof.reason = d.reason;
     proof.determinant = d.determinant;
@@ -99,15 +116,19 @@ class Decisions {
   LaneMask uncertified = 0;  ///< neither outside nor certified by a test
   LaneMask inside = 0;       ///< certainly inside all constraints
   MidpointDeterminants midpoint_determinants;
-  std::uint64_t probes = 0;                ///< determinants computed in search of a witness
-  const double* preconditioner = nullptr;  ///< as in Proof, of lane 0
-  const double* vector = nullptr;
+  std::uint64_t probes = 0;  ///< determinants computed in search of a witness
 
  private:
+  static void copy_lane(LaneMask from, std::size_t there, LaneMask& to, std::size_t lane) noexcept {
+    to = (to & ~(1U << lane)) | (from >> there & 1U) << lane;
+  }
+
   std::size_t variables_, points_, order_, count_ = 0;
   std::vector<Interval> boxes_;
   OpenBox open_[kLanes];
   AlignedBuffer preconditioner_, vector_;
+  const double* preconditioner_of_[kLanes] = {};
+  const double* vector_of_[kLanes] = {};
 };
 
 }  // namespace regulus

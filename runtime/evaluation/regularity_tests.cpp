@@ -245,8 +245,7 @@ TestSequence tests_of_method(const Problem& problem, const Settings& settings,
     if (structure.empty()) add_first_order<HMatrixTest>(tests, use.natural, mean_value, alpha);
     if (structure.is_known())
       tests.push_back(std::make_unique<HMatrixTest>(Rule::kSecondOrder, alpha));
-    if (structure.is_known() && !structure.empty() && alpha == 0.0 && use.orthants)
-      tests.push_back(std::make_unique<OrthantTest>());
+    if (tests_learn(problem, settings, structure)) tests.push_back(std::make_unique<OrthantTest>());
     // If quantities touch one row only, bounds that do not use this are far wider as a rule.
     if (!structure.empty()) add_first_order<FirstOrderTest>(tests, use.natural, mean_value, alpha);
     if (kernel.rows == kernel.columns && kernel.columns <= kMaxFallback)
@@ -271,6 +270,12 @@ TestSequence tests_of_method(const Problem& problem, const Settings& settings,
 }
 
 }  // namespace
+
+bool tests_learn(const Problem& problem, const Settings& settings,
+                 const RowStructure& structure) noexcept {
+  return settings.method == Method::kAuto && settings.ingredients.orthants &&
+         problem.alpha.hi == 0.0 && structure.is_known() && !structure.empty();
+}
 
 TestSequence make_tests(const Problem& problem, const Settings& settings,
                         const RowStructure& structure) {

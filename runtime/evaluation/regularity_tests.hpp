@@ -37,4 +37,8 @@ using TestSequence = std::vector<std::unique_ptr<RegularityTest>>;
 [[nodiscard]] TestSequence make_tests(const Problem& problem, const Settings& settings,
                                       const RowStructure& structure);
 
+/// Returns true if one of these tests is tried or not, depending on how it did on earlier boxes.
+[[nodiscard]] bool tests_learn(const Problem& problem, const Settings& settings,
+                               const RowStructure& structure) noexcept;
+
 }  // namespace regulus

@@ -75,9 +75,10 @@ void Decider::decide(Decisions& decisions, bool keep_proofs) {
   decisions.inside = undecided != 0 ? batch_.certain_inside() : 0;
   if (looks_at_midpoints_)
     decisions.midpoint_determinants = approx_midpoint_determinants(batch_, lanes, scaled_);
-  decisions.preconditioner = batch_.preconditioner().data();
-  decisions.vector = batch_.vector().data();
-  if (keep_proofs) decisions.keep_proofs(batch_);
+  if (keep_proofs)
+    decisions.keep_proofs(batch_);
+  else
+    decisions.refer_to(batch_.preconditioner().data(), batch_.vector().data());
   decisions.decided = true;
 }
 

@@ -73,7 +73,7 @@ Round::~Round() = default;
 
 Decisions* Round::append() noexcept try {
   if (size_ == batches_.size())
-    batches_.push_back(std::make_unique<Decisions>(*problem_.kernel, deciders_.front()->order()));
+    batches_.push_back(std::make_unique<Decisions>(*problem_.kernel, order()));
   Decisions* next = batches_[size_++].get();
   next->clear();
   return next;
@@ -116,6 +116,10 @@ bool Round::decide(const AdaptiveThreshold& threshold) noexcept {
   for (std::size_t i = 0; i < size_; ++i)
     if (!batch(i).decided) decide(*deciders_.front(), i);
   return !memory_exhausted_;
+}
+
+bool Round::decide(Foresight& foresight) noexcept {
+  return size_ == 1 && foresight.decide(batch(0), *deciders_.front());
 }
 
 }  // namespace regulus

@@ -12,6 +12,7 @@
 #include <vector>
 
 #include "runtime/search/decider.hpp"
+#include "runtime/search/foresight.hpp"
 
 namespace regulus {
 
@@ -36,6 +37,11 @@ class Round {
   /// Ensures   false: memory was exhausted, and some batches are undecided.
   [[nodiscard]] bool decide(const AdaptiveThreshold& threshold) noexcept;
 
+  /// Decides a batch that is alone, if it was foreseen; false: it is undecided.
+  [[nodiscard]] bool decide(Foresight& foresight) noexcept;
+
+  /// Returns the order of the vectors that prove regularity.
+  [[nodiscard]] std::size_t order() const noexcept { return deciders_.front()->order(); }
   [[nodiscard]] const Bisector& bisector() const noexcept { return deciders_.front()->bisector(); }
 
  private:

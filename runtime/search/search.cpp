@@ -34,10 +34,12 @@ Search::Search(const Problem& problem, const Settings& settings)
       structure_(find_row_structure(problem, settings)),
       record_(problem, settings),
       round_(problem, settings, structure_),
+      foresight_(problem, settings, structure_, round_.order()),
       loop_(*this, record_.frontier, round_.bisector(), problem.kernel->variables) {}
 
 Result Search::run(std::span<const OpenBox> open, const SearchState& state, Observer* observer) {
   closed_form_made_ = false;
+  foresight_.begin(open, state);
   record_.begin(open, state, round_.bisector(), observer);
   round_.begin(record_.deadline());
   loop_.run();
@@ -74,7 +76,8 @@ bool Search::begin_round() noexcept {
 std::size_t Search::decide_round() noexcept {
   make_closed_form();
   load_round();
-  if (!round_.decide(record_.state.threshold)) stop_at_undecided_batch();
+  if (!round_.decide(foresight_) && !round_.decide(record_.state.threshold))
+    stop_at_undecided_batch();
   return round_.size();
 }
 
@@ -125,6 +128,7 @@ void Search::load(Decisions& batch) noexcept {
   Frontier& frontier = record_.frontier;
   while (batch.count() < settings_.batch && !frontier.empty()) {
     batch.add(from_end ? frontier.end() : frontier.top());
+    foresight_.note_box(batch.open(batch.count() - 1));
     from_end ? frontier.pop_end() : frontier.pop();
     ++record_.state.statistics.boxes;
   }
@@ -169,6 +173,12 @@ void Search::leave(Decisions& batch, std::size_t lane) noexcept {
 bool Search::splits(const OpenBox& box) noexcept {
   if (record_.exhausted()) record_.observer().on_open(box);
   return !record_.exhausted();
+}
+
+BoxId Search::number(const OpenBox& parent, std::uint32_t variable, double at) noexcept {
+  const BoxId first = record_.split(parent, variable, at);
+  foresight_.note_split(parent, variable, first);
+  return first;
 }
 
 void Search::lose(const OpenBox& first, const OpenBox& second) noexcept {

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "runtime/search/branch_and_prune.hpp"
+#include "runtime/search/foresight.hpp"
 #include "runtime/search/round.hpp"
 #include "runtime/search/search_record.hpp"
 
@@ -37,9 +38,7 @@ class Search {
   void give_back(Decisions& batch) noexcept;
   void settle(Decisions& batch, std::size_t lane) noexcept;
   [[nodiscard]] bool splits(const OpenBox& box) noexcept;
-  [[nodiscard]] BoxId number(const OpenBox& parent, std::uint32_t variable, double at) noexcept {
-    return record_.split(parent, variable, at);
-  }
+  [[nodiscard]] BoxId number(const OpenBox& parent, std::uint32_t variable, double at) noexcept;
   void lose(const OpenBox& first, const OpenBox& second) noexcept;
   void end_round() noexcept { record_.tell_progress(); }
 
@@ -57,6 +56,7 @@ class Search {
   const RowStructure structure_;
   SearchRecord record_;
   Round round_;
+  Foresight foresight_;
   BranchAndPrune<Search> loop_;
   bool closed_form_made_ = false;
 };

@@ -3,10 +3,13 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <deque>
+#include <limits>
 #include <optional>
 
 #include "codegen/engine/choices.hpp"
+#include "tests/bench/measure/clocks.hpp"
 #include "tests/bench/search/prepared.hpp"
 
 namespace regulus::bench {
@@ -132,6 +135,17 @@ Section rows_of(const SearchCase& which) {
   Section section = search_heading();
   add_case(which, section);
   return section;
+}
+
+double least_microseconds(const SearchCase& which, std::size_t runs) {
+  TimedSearch search(which, on(best_isa()));
+  double least = std::numeric_limits<double>::infinity();
+  for (std::size_t run = 0; run < runs; ++run) {
+    const double start = thread_seconds();
+    search.run();
+    least = std::min(least, thread_seconds() - start);
+  }
+  return 1e6 * least;
 }
 
 Section engine_rows() {

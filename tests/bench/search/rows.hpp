@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <cstddef>
+
 #include "tests/bench/report/row.hpp"
 
 namespace regulus::bench {
@@ -11,6 +13,9 @@ namespace regulus::bench {
 /// Times the same for one problem that is not from the paper.
 struct SearchCase;
 [[nodiscard]] Section rows_of(const SearchCase& which);
+
+/// Runs nothing but one search, on the best instruction set; returns the least time of a run.
+[[nodiscard]] double least_microseconds(const SearchCase& which, std::size_t runs);
 
 /// Compares the product K·J⁻¹ formed symbolically with the product formed from numbers.
 [[nodiscard]] Section product_rows();
