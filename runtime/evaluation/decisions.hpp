@@ -39,6 +39,13 @@ struct MidpointDeterminants {
 [[nodiscard]] MidpointDeterminants approx_midpoint_determinants(Batch& batch, LaneMask lanes,
                                                                 bool scaled) noexcept;
 
+/// What is known about a box that must be split. It proves nothing.
+struct Recollection {
+  std::uint32_t variable = 0;       ///< to split
+  bool inside = false;              ///< certainly inside all constraints
+  std::optional<double> at_middle;  ///< of MidpointDeterminants
+};
+
 class Decisions {
  public:
   /// Makes room for a problem of that size, and for v of that order.
@@ -98,6 +105,22 @@ class Decisions {
     midpoint_determinants.approx[lane] = from.midpoint_determinants.approx[there];
     preconditioner_of_[lane] = from.preconditioner_of_[there];
     vector_of_[lane] = from.vector_of_[there];
+  }
+  /// Requires  the box must be split.
+  [[nodiscard]] Recollection recollection(std::size_t lane) const noexcept {
+    Recollection seen{decision[lane].variable, has_lane(inside, lane), std::nullopt};
+    if (has_lane(midpoint_determinants.lanes, lane))
+      seen.at_middle = midpoint_determinants.approx[lane];
+    return seen;
+  }
+  void recall(std::size_t lane, const Recollection& seen) noexcept {
+    decision[lane] = {};
+    decision[lane].kind = Decision::Kind::kSplit;
+    decision[lane].variable = seen.variable;
+    copy_lane(1, 0, uncertified, lane);
+    copy_lane(seen.inside, 0, inside, lane);
+    copy_lane(seen.at_middle.has_value(), 0, midpoint_determinants.lanes, lane);
+    midpoint_determinants.approx[lane] = seen.at_middle.value_or(0.0);
   }
   [[nodiscard]] Proof proof(std::size_t lane) const noexcept {
     const Decision& d = decision[lane];

@@ -219,7 +219,12 @@ struct SparseRows {
 /// Sums for a block of a product's rows and columns, in registers.
 template <unsigned kRows, unsigned kAtOnce>
 struct Block {
-  Pack x[kRows][kAtOnce] = {};
+  Pack x[kRows][kAtOnce];
+
+  REGULUS_LANE_INLINE Block() noexcept {
+    for (unsigned r = 0; r < kRows; ++r)
+      for (unsigned c = 0; c < kAtOnce; ++c) x[r][c] = Pack::of(0.0);
+  }
 
   /// Calls visit(r, c, sum) for each sum.
   template <typename Visit>
@@ -230,6 +235,10 @@ struct Block {
   REGULUS_LANE_INLINE void read(PackArray matrix, unsigned stride) noexcept {
     for (unsigned r = 0; r < kRows; ++r)
       for (unsigned c = 0; c < kAtOnce; ++c) x[r][c] = matrix[r * stride + c];
+  }
+  REGULUS_LANE_INLINE void write(PackArray matrix, unsigned stride) const noexcept {
+    for (unsigned r = 0; r < kRows; ++r)
+      for (unsigned c = 0; c < kAtOnce; ++c) matrix.put(r * stride + c, x[r][c]);
   }
   /// Adds AB, for the columns of B from its first one on.
   REGULUS_LANE_INLINE void add_product(const SparseRows& A, PackArray B, unsigned stride) noexcept {

@@ -34,7 +34,7 @@ class Bounding {
     for (unsigned w = 0; w < wides_; ++w) read_wide(plan_.wide[w], w);
     for (double* sum : {w_.sum_d.x, w_.sum_D.x}) raise({sum}, n_ * n_, kManyTerms);
     raise({w_.sum_DK.x}, n_ * s_, kManyTerms);
-    for (unsigned k = 0; k < plan_.pairs; ++k) add_pair(plan_.pair[k], k);
+    add_pairs();
     bound_defect();
     for (unsigned g = 0; g < plan_.groups; ++g) {
       const PlanRange& members = plan_.group[g].members;
@@ -73,7 +73,7 @@ class Bounding {
         PackArray{w_.e.x}.put(e,
                               raised(larger(magnitude(lo - one), magnitude(hi - one)), kOneTerm));
       }
-    for (double* sum : {w_.sum_d.x, w_.sum_D.x, w_.magnitude_of_B.x, w_.P.x}) clear({sum}, n_ * n_);
+    for (double* sum : {w_.sum_d.x, w_.sum_D.x, w_.magnitude_of_B.x}) clear({sum}, n_ * n_);
     for (double* sum : {w_.weight.x, w_.weight_of_g.x, w_.rest.x, w_.same_row.x, w_.sum_DK.x})
       clear({sum}, n_ * s_);
     clear({w_.R_of_wide.x}, (1 + wides_) * s_ * s_);
@@ -87,7 +87,7 @@ class Bounding {
     for (unsigned k = wide.first.begin; k < wide.first.end; ++k) {
       const SecondOrderPlan::Entry& entry = plan_.entries[k];
       const Middle d = moved(in_.first, entry.at);
-      const unsigned e = entry.row * n_ + entry.column;
+      const unsigned e = entry.place;
       D.put(e, d.middle);
       PackArray{w_.sum_d.x}.add_fused(e, d.distance, radius_of_p);
       PackArray{w_.sum_D.x}.add_fused(e, magnitude(d.middle), radius_of_p);
@@ -111,43 +111,74 @@ class Bounding {
     return PackArray{w_.D.x} + wide * n_ * n_;
   }
 
-  /// Adds Σ_pq of r_pr_q·|B_pq − D_pD_q − D_qD_p|, or r_p²·|½B_pp − D_pD_p|, to P.
-  REGULUS_LANE_INLINE void add_pair(const SecondOrderPlan::Pair& pair, unsigned index) noexcept {
+  /// Adds Σ_pq of r_pr_q·|B_pq − D_pD_q − D_qD_p|, or r_p²·|½B_pp − D_pD_p|, to P. A block of P
+  /// stays in registers over all pairs.
+  REGULUS_LANE_INLINE void add_pairs() noexcept {
+    for_each_block(
+        n_, n_,
+        [&]<unsigned kRows, unsigned kAtOnce>(unsigned i, unsigned j)
+            __attribute__((always_inline)) {
+              Block<kRows, kAtOnce> P;
+              for (unsigned k = 0; k < plan_.pairs; ++k) add_pair(plan_.pair[k], k, i, j, P);
+              P.write(PackArray{w_.P.x} + (i * n_ + j), n_);
+            });
+  }
+
+  template <unsigned kRows, unsigned kAtOnce>
+  REGULUS_LANE_INLINE void add_pair(const SecondOrderPlan::Pair& pair, unsigned index, unsigned i,
+                                    unsigned j, Block<kRows, kAtOnce>& P) noexcept {
     const SecondOrderPlan::Wide &p = plan_.wide[pair.p], &q = plan_.wide[pair.q];
     const Pack weight = product_ru(radius(p.variable), radius(q.variable));
     const bool curved = pair.second.size() > 0;
-    if (curved)
-      for (double* x : {w_.pair_sum.x, w_.pair_radius.x}) clear({x}, n_ * n_);
-    for (unsigned e = pair.second.begin; e < pair.second.end; ++e)
-      add_second(plan_.entries[e], pair.p == pair.q ? 0.5 : 1.0, weight);
-    const PackArray share = PackArray{w_.pairs.x} + index * n_ * n_;
-    for_each_block(
-        n_, n_,
-        [&]<unsigned kRows, unsigned kAtOnce>(unsigned i,
-                                              unsigned j) __attribute__((always_inline)) {
-          Block<kRows, kAtOnce> sum;
-          if (curved) sum.read(PackArray{w_.pair_sum.x} + (i * n_ + j), n_);
-          sum.add_product(rows_of(pair.p, i), derivative(pair.q) + j, n_);
-          if (pair.p != pair.q) sum.add_product(rows_of(pair.q, i), derivative(pair.p) + j, n_);
-          sum.for_each([&](unsigned r, unsigned c, const Pack& x) __attribute__((always_inline)) {
-            const unsigned e = (i + r) * n_ + j + c;
-            Pack of_pair = magnitude(x) * weight;
-            if (curved) of_pair = of_pair + PackArray{w_.pair_radius.x}[e];
-            share.put(e, of_pair);
-            PackArray{w_.P.x}.add(e, of_pair);
-          });
-        });
+    Block<kRows, kAtOnce> sum;
+    if (curved) read_second(pair, weight, i, j, sum);
+    sum.add_product(rows_of(pair.p, i), derivative(pair.q) + j, n_);
+    if (pair.p != pair.q) sum.add_product(rows_of(pair.q, i), derivative(pair.p) + j, n_);
+    const PackArray share = PackArray{w_.pairs.x} + (index * n_ + i) * n_ + j;
+    for (unsigned r = 0; r < kRows; ++r)
+      for (unsigned c = 0; c < kAtOnce; ++c) {
+        Pack of_pair = magnitude(sum.x[r][c]) * weight;
+        if (curved) of_pair = of_pair + PackArray{w_.pair_radius.x}[r * n_ + j + c];
+        share.put(r * n_ + c, of_pair);
+        P.x[r][c] = P.x[r][c] + of_pair;
+      }
   }
 
-  REGULUS_LANE_INLINE void add_second(const SecondOrderPlan::Entry& entry, double share,
-                                      const Pack& weight) noexcept {
+  /// Reads −B_pq or −½B_pp, at their middles, and stores what their radii add.
+  template <unsigned kRows, unsigned kAtOnce>
+  REGULUS_LANE_INLINE void read_second(const SecondOrderPlan::Pair& pair, const Pack& weight,
+                                       unsigned i, unsigned j,
+                                       Block<kRows, kAtOnce>& sum) noexcept {
+    const double share = pair.p == pair.q ? 0.5 : 1.0;
+    const Pack part = weight * Pack::of(share), sign = Pack::of(-share);
+    const PackArray radius = PackArray{w_.pair_radius.x} + j;
+    if (pair.second.size() == n_ * n_) {
+      const SecondOrderPlan::Entry* entry = plan_.entries + pair.second.begin + i * n_ + j;
+      for (unsigned r = 0; r < kRows; ++r)
+        for (unsigned c = 0; c < kAtOnce; ++c)
+          sum.x[r][c] = sign * second(entry[r * n_ + c], part, radius + (r * n_ + c));
+      return;
+    }
+    const PackArray middle = PackArray{w_.pair_sum.x} + j;
+    for (const PackArray& x : {middle, radius})
+      for (unsigned r = 0; r < kRows; ++r) clear(x + r * n_, kAtOnce);
+    const unsigned* starts = plan_.starts + pair.starts + i;
+    for (unsigned e = starts[0]; e < starts[kRows]; ++e) {
+      const SecondOrderPlan::Entry& entry = plan_.entries[e];
+      const unsigned at = entry.place - (i * n_ + j);
+      if (entry.column - j < kAtOnce) middle.put(at, sign * second(entry, part, radius + at));
+    }
+    sum.read(middle, n_);
+  }
+
+  /// Returns the middle of a derivative; stores what its radius adds.
+  [[nodiscard]] REGULUS_LANE_INLINE Pack second(const SecondOrderPlan::Entry& entry,
+                                                const Pack& part, PackArray radius) noexcept {
     const Middle b = middle_of(in_.second, entry.at);
-    const Pack part = weight * Pack::of(share);
-    const Pack radius = product_ru(raised(b.distance, kOneTerm), part);
-    const unsigned e = entry.row * n_ + entry.column;
-    PackArray{w_.pair_sum.x}.put(e, Pack::of(-share) * b.middle);
-    PackArray{w_.pair_radius.x}.put(e, radius);
-    PackArray{w_.magnitude_of_B.x}.add(e, magnitude(b.middle) * part + radius);
+    const Pack of_radius = product_ru(raised(b.distance, kOneTerm), part);
+    radius.put(0, of_radius);
+    PackArray{w_.magnitude_of_B.x}.add(entry.place, magnitude(b.middle) * part + of_radius);
+    return b.middle;
   }
 
   /// Returns the rows of D_p from row i on.
@@ -218,7 +249,8 @@ class Bounding {
     Rows rows{of_first, u.first.size(), {w_.K.x}, s_};
     for_each_block(
         s_, [&]<unsigned kAtOnce>(unsigned j) __attribute__((always_inline)) {
-          Pack sum[kAtOnce] = {};
+          Pack sum[kAtOnce];
+          for (Pack& x : sum) x = Pack::of(0.0);
           add_products<kAtOnce>(center, rows, j, sum);
           for (unsigned c = 0; c < kAtOnce; ++c) value(0, j + c, sum[c]);
         });
@@ -229,7 +261,8 @@ class Bounding {
       rows.matrix = PackArray{w_.DK.x} + p * n_ * s_;
       for_each_block(
           s_, [&]<unsigned kAtOnce>(unsigned j) __attribute__((always_inline)) {
-            Pack sum[kAtOnce] = {};
+            Pack sum[kAtOnce];
+            for (Pack& x : sum) x = Pack::of(0.0);
             add_products<kAtOnce>(PackArray{w_.slope.x} + p * n_, moved, j, sum);
             subtract_products<kAtOnce>(center, rows, j, sum);
             for (unsigned c = 0; c < kAtOnce; ++c) value(1 + p, j + c, sum[c]);

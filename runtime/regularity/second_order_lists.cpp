@@ -19,6 +19,10 @@ SecondOrderLists::SecondOrderLists(const DerivativeLists& lists, const RowStruct
   list_rows(lists, structure);
 }
 
+SecondOrderPlan::Entry SecondOrderLists::entry_of(const DerivativePlace& d, std::size_t at) const {
+  return {narrow(d.row), narrow(d.column), narrow(at), narrow(d.row * columns_ + d.column)};
+}
+
 PlanRange SecondOrderLists::add_entries(const Entries& entries) {
   const unsigned begin = narrow(entries_.size());
   entries_.insert(entries_.end(), entries.begin(), entries.end());
@@ -48,7 +52,7 @@ void SecondOrderLists::list_wide(const DerivativeLists& lists, const RowStructur
     for (std::size_t at = 0; at < lists.first.size(); ++at) {
       const DerivativePlace& d = lists.first[at];
       if (d.first != variable) continue;
-      first.push_back({narrow(d.row), narrow(d.column), narrow(at)});
+      first.push_back(entry_of(d, at));
     }
     wide_.push_back({narrow(variable), range, add_entries(first)});
   }
@@ -59,12 +63,19 @@ void SecondOrderLists::list_pairs(const DerivativeLists& lists, const RowStructu
   for (std::size_t at = 0; at < lists.second.size(); ++at) {
     const DerivativePlace& d = lists.second[at];
     if (structure.touches_one_row(d.first) || structure.touches_one_row(d.second)) continue;
-    second[{wide_index(d.first), wide_index(d.second)}].push_back(
-        {narrow(d.row), narrow(d.column), narrow(at)});
+    second[{wide_index(d.first), wide_index(d.second)}].push_back(entry_of(d, at));
   }
   for (std::size_t p = 0; p < wide_.size(); ++p)
-    for (std::size_t q = p; q < wide_.size(); ++q)
-      pairs_.push_back({narrow(p), narrow(q), add_entries(second[{p, q}])});
+    for (std::size_t q = p; q < wide_.size(); ++q) {
+      Entries& entries = second[{p, q}];
+      std::ranges::sort(entries, {}, [](const Entry& e) { return std::pair(e.row, e.column); });
+      const unsigned starts = narrow(starts_.size());
+      for (unsigned row = 0; row <= columns_; ++row) {
+        const auto first = std::ranges::lower_bound(entries, row, {}, &Entry::row);
+        starts_.push_back(narrow(entries_.size()) + static_cast<unsigned>(first - entries.begin()));
+      }
+      pairs_.push_back({narrow(p), narrow(q), add_entries(entries), starts});
+    }
 }
 
 void SecondOrderLists::list_rows(const DerivativeLists& lists, const RowStructure& structure) {
@@ -78,11 +89,11 @@ void SecondOrderLists::list_rows(const DerivativeLists& lists, const RowStructur
   };
   for (std::size_t at = 0; at < lists.row_first.size(); ++at) {
     const DerivativePlace& d = lists.row_first[at];
-    find(d.first).first.push_back({narrow(d.row), narrow(d.column), narrow(at)});
+    find(d.first).first.push_back(entry_of(d, at));
   }
   for (std::size_t at = 0; at < lists.row_second.size(); ++at) {
     const DerivativePlace& d = lists.row_second[at];
-    const Entry entry{narrow(d.row), narrow(d.column), narrow(at)};
+    const Entry entry = entry_of(d, at);
     const bool first_is_wide = !structure.touches_one_row(d.first);
     const bool second_is_wide = !structure.touches_one_row(d.second);
     RowVariable& u = find(second_is_wide ? d.first : d.second);
@@ -142,6 +153,7 @@ SecondOrderPlan SecondOrderLists::plan() const noexcept {
   plan.weighs_row_variables = false;
   plan.touched = touched_.data();
   plan.columns = columns_of_D_.data();
+  plan.starts = starts_.data();
   plan.entries = entries_.data();
   plan.wide = wide_.data();
   plan.pair = pairs_.data();

@@ -52,11 +52,12 @@ class SecondOrderLists {
   void list_rows(const DerivativeLists& lists, const RowStructure& structure);
   void group_rows(const RowStructure& structure, std::vector<RowVariable>& variables);
   void add_row_variable(const RowVariable& variable);
+  [[nodiscard]] Entry entry_of(const DerivativePlace& d, std::size_t at) const;
   PlanRange add_entries(const Entries& entries);
   [[nodiscard]] std::size_t wide_index(std::size_t variable) const;
 
   std::size_t rows_, columns_, variables_;
-  std::vector<unsigned> touched_, columns_of_D_;
+  std::vector<unsigned> touched_, columns_of_D_, starts_;
   Entries entries_;
   std::vector<SecondOrderPlan::Wide> wide_;
   std::vector<SecondOrderPlan::Pair> pairs_;

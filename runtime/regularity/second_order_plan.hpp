@@ -17,9 +17,9 @@ struct PlanRange {
 };
 
 struct SecondOrderPlan {
-  /// One listed derivative: `at` in its list.
+  /// One listed derivative: `at` in its list, `place` in a matrix with columns_of_A columns.
   struct Entry {
-    unsigned row, column, at;
+    unsigned row, column, at, place;
   };
   struct Wide {
     unsigned variable;
@@ -28,7 +28,8 @@ struct SecondOrderPlan {
   };
   struct Pair {
     unsigned p, q;     ///< of wide variables, p ≤ q
-    PlanRange second;  ///< in `entries`
+    PlanRange second;  ///< in `entries`, row by row, column by column
+    unsigned starts;   ///< in `starts`: where each row begins in `entries`, and the last one ends
   };
   struct SameRow {
     unsigned variable;
@@ -51,6 +52,7 @@ struct SecondOrderPlan {
   bool weighs_row_variables;  ///< true if their impact is needed
   const unsigned* touched;    ///< rows, by slot
   const unsigned* columns;
+  const unsigned* starts;
   const Entry* entries;
   const Wide* wide;
   const Pair* pair;
@@ -68,7 +70,7 @@ struct SecondOrderWork {
   PointArray e, sum_d, sum_D;        // n×n
   PointArray magnitude_of_B;         // n×n: ½ Σ_pq of |∂_p∂_qB|
   PointArray linear, rounding, P;    // n×n
-  PointArray pair_sum, pair_radius;  // n×n: of one pair
+  PointArray pair_sum, pair_radius;  // a few rows of n: of one pair
   PointArray pairs;                  // n×n for each pair: what it adds to P
   PointArray weight, weight_of_g;    // s×n: Σ_k Δ_k of |w̄_k|, of Σ_p r_p|g_kp|
   PointArray same_row;               // s×n: Σ_jk Δ_jΔ_k|∂_j∂_kA| within a row

@@ -3,14 +3,15 @@
 
 #include <algorithm>
 #include <new>
+#include <utility>
 
 #include "runtime/evaluation/regularity_tests.hpp"
 
 namespace regulus {
 namespace {
 
-/// Numbers up to here are those of boxes that may be among the first kMost.
-constexpr std::size_t kIds = 2 * Foresight::kMost + 1;
+/// Numbers below are those of boxes that may be among the first Course::kMost.
+constexpr std::size_t kIds = 2 * Course::kMost + 1;
 
 /// Tests that learn from one box for another, and tests that are not ours, must be asked in the
 /// order of the search. The paper's order needs one box at a time.
@@ -25,30 +26,44 @@ bool decides_each_box_alone(const Problem& problem, const Settings& settings,
 Foresight::Foresight(const Problem& problem, const Settings& settings,
                      const RowStructure& structure, std::size_t order)
     : problem_(problem),
+      settings_(settings),
       order_(order),
       applies_(decides_each_box_alone(problem, settings, structure)),
       of_id_(applies_ ? kIds : 0),
       place_(applies_ ? kIds : 0),
-      box_(problem.kernel->variables) {}
+      foreseen_(applies_ ? Course::kMost : 0) {
+  for (Foreseen& next : foreseen_) next.box.resize(problem.kernel->variables);
+}
+
+void Foresight::learn_from(const Foresight& other) noexcept {
+  *now_ = other.notes_ ? *other.now_ : *other.last_;
+  now_->forget_splits();
+  notes_ = applies_;
+}
 
 void Foresight::begin(std::span<const OpenBox> open, const SearchState& state) noexcept {
-  if (notes_) last_ = now_;
+  if (notes_) std::swap(last_, now_);
   notes_ = applies_ && open.size() == 1 && open[0].id == 0 && state.next_id == 1;
-  now_.size = ahead_ = 0;
+  const bool has_closed_form = settings_.closed_form != nullptr;
+  if (has_closed_form != had_closed_form_) last_->forget_splits();
+  had_closed_form_ = has_closed_form;
+  now_->size = ahead_ = used_batches_ = 0;
   // A search of one box has no lane to spare for it.
-  foresees_ = notes_ && last_.size > 1;
+  foresees_ = notes_ && last_->size > 1;
 }
 
 void Foresight::note_box(const OpenBox& box) noexcept {
   if (!notes_) return;
-  if (now_.size == kMost || box.id >= kIds) {
+  if (now_->size == Course::kMost || box.id >= kIds) {
     foresees_ = false;
     return;
   }
-  const std::size_t place = now_.size++;
+  const std::size_t place = now_->size++;
   place_[box.id] = static_cast<std::uint32_t>(place);
-  now_.step[place] = of_id_[box.id];
-  foresees_ = foresees_ && place < last_.size && now_.step[place] == last_.step[place];
+  id_[place] = box.id;
+  now_->step[place] = of_id_[box.id];
+  now_->split[place].reset();
+  foresees_ = foresees_ && place < last_->size && now_->step[place] == last_->step[place];
 }
 
 void Foresight::note_split(const OpenBox& parent, std::uint32_t variable, BoxId first) noexcept {
@@ -57,55 +72,80 @@ void Foresight::note_split(const OpenBox& parent, std::uint32_t variable, BoxId 
   of_id_[first + 1] = {place_[parent.id], variable, true};
 }
 
-Decisions* Foresight::room_for_batch(std::size_t batch) noexcept try {
-  if (batch == batches_.size())
+Decisions* Foresight::room_for_batch() noexcept try {
+  if (used_batches_ == batches_.size())
     batches_.push_back(std::make_unique<Decisions>(*problem_.kernel, order_));
-  batches_[batch]->clear();
-  return batches_[batch].get();
+  Decisions* batch = batches_[used_batches_++].get();
+  batch->clear();
+  return batch;
 } catch (const std::bad_alloc&) {
   return nullptr;
 }
 
-/// Adds the box of a step; false: its parent has no such halves.
-bool Foresight::add(const Step& step, Decisions& batch) noexcept {
-  Decisions& of_parent = *batches_[step.parent / kLanes];
-  const OpenBox& parent = of_parent.open(step.parent % kLanes);
-  std::copy(parent.box.begin(), parent.box.end(), box_.begin());
-  const std::optional<Halves> halves = bisect(box_[step.variable]);
+/// Returns false if its parent has no such half.
+bool Foresight::derive_box(std::size_t place) noexcept {
+  Foreseen& next = foreseen_[place];
+  next.batch = nullptr;
+  if (place == 0) {
+    std::copy(problem_.outer.begin(), problem_.outer.end(), next.box.begin());
+    next.depth = 0;
+    return true;
+  }
+  const Course::Step& step = last_->step[place];
+  const Foreseen& parent = foreseen_[step.parent];
+  const std::optional<Halves> halves = bisect(parent.box[step.variable]);
   if (!halves) return false;
-  box_[step.variable] = step.second ? halves->right : halves->left;
-  batch.add({0, parent.depth + 1, box_});
+  std::copy(parent.box.begin(), parent.box.end(), next.box.begin());
+  next.box[step.variable] = step.second ? halves->right : halves->left;
+  next.depth = parent.depth + 1;
   return true;
 }
 
-/// Decides the next eight boxes of the last search.
-bool Foresight::decide_ahead(Decider& decider) noexcept {
-  Decisions* batch = room_for_batch(ahead_ / kLanes);
+/// Decides the next eight boxes of the last search that were not split.
+bool Foresight::foresee(Decider& decider) noexcept {
+  Decisions* batch = room_for_batch();
   if (batch == nullptr) return false;
-  const std::size_t end = std::min(ahead_ + kLanes, last_.size);
-  for (std::size_t place = ahead_; place < end; ++place) {
-    if (place == 0)
-      batch->add({0, 0, problem_.outer});
-    else if (!add(last_.step[place], *batch))
-      return false;
+  for (; ahead_ < last_->size && batch->count() < kLanes; ++ahead_) {
+    if (!derive_box(ahead_)) return false;
+    Foreseen& next = foreseen_[ahead_];
+    if (last_->split[ahead_]) continue;
+    next.batch = batch;
+    next.lane = batch->count();
+    batch->add({0, next.depth, next.box});
   }
-  decider.decide(*batch, true);
-  ahead_ = end;
+  if (batch->count() > 0) decider.decide(*batch, true);
   return true;
+}
+
+bool Foresight::take(Decisions& asked, std::size_t lane, std::size_t place) noexcept {
+  const OpenBox& box = asked.open(lane);
+  const Foreseen& known = foreseen_[place];
+  if (box.depth != known.depth || !std::ranges::equal(box.box, known.box)) return false;
+  known.batch != nullptr ? asked.take(lane, *known.batch, known.lane)
+                         : asked.recall(lane, *last_->split[place]);
+  return true;
+}
+
+std::optional<std::size_t> Foresight::place_of(const OpenBox& box) const noexcept {
+  if (!notes_ || box.id >= kIds) return std::nullopt;
+  const std::size_t place = place_[box.id];
+  if (place >= now_->size || id_[place] != box.id) return std::nullopt;
+  return place;
 }
 
 bool Foresight::decide(Decisions& asked, Decider& decider) noexcept {
-  if (!foresees_) return false;
-  const std::size_t first = now_.size - asked.count();
-  while (ahead_ < now_.size && foresees_) foresees_ = decide_ahead(decider);
-  for (std::size_t lane = 0; lane < asked.count() && foresees_; ++lane) {
-    const Decisions& ahead = *batches_[(first + lane) / kLanes];
-    const OpenBox &box = asked.open(lane), &foreseen = ahead.open((first + lane) % kLanes);
-    foresees_ = box.depth == foreseen.depth && std::ranges::equal(box.box, foreseen.box);
-    if (foresees_) asked.take(lane, ahead, (first + lane) % kLanes);
-  }
+  while (foresees_ && ahead_ < now_->size) foresees_ = foresee(decider);
+  for (std::size_t lane = 0; lane < asked.count() && foresees_; ++lane)
+    foresees_ = take(asked, lane, *place_of(asked.open(lane)));
   asked.decided = foresees_;
   return foresees_;
+}
+
+void Foresight::learn(const Decisions& batch) noexcept {
+  for (std::size_t lane = 0; batch.decided && lane < batch.count(); ++lane)
+    if (batch.decision[lane].kind == Decision::Kind::kSplit)
+      if (const auto place = place_of(batch.open(lane)))
+        now_->split[*place] = batch.recollection(lane);
 }
 
 }  // namespace regulus

@@ -1,12 +1,15 @@
 // SPDX-License-Identifier: Apache-2.0
-// The boxes that a search took last time, decided before it asks for them.
+// What a search has taught, used by the next one.
 //
 // The first rounds of a search have fewer boxes than a batch has lanes, and a batch takes as long
-// with one box as with eight. So the next search of the same robot decides eight boxes together in
+// with one box as with eight. So the next search of the same robot decides eight boxes together, in
 // the order in which the last one took them. Each box is derived by halving from the root of the
 // new search. A decision is used only for the very box that it is about, and decisions do not
 // depend on their neighbours (decisions.hpp). So a search with foresight has the same result as one
 // without; a wrong guess costs time only.
+//
+// If the problem is the same, too, boxes that were split will be split again, as nothing that they
+// depend on has changed. Only leaves are decided then: all that a verdict rests on is proved anew.
 #pragma once
 
 #include <array>
@@ -18,14 +21,35 @@
 
 namespace regulus {
 
-class Foresight {
- public:
-  /// A search that takes no more than so many boxes is foreseen to its end.
+/// Boxes in the order in which a search took them: a root, and halves of earlier ones.
+struct Course {
+  /// A search that takes no more boxes is foreseen to its end.
   static constexpr std::size_t kMost = 64;
 
-  /// `order`: of the vectors that prove regularity. The problem must outlive this object.
+  struct Step {
+    std::uint32_t parent = 0;  ///< its place in the order
+    std::uint32_t variable = 0;
+    bool second = false;
+    friend bool operator==(const Step&, const Step&) = default;
+  };
+  std::array<Step, kMost> step;
+  std::array<std::optional<Recollection>, kMost> split;  ///< of boxes that were split
+  std::size_t size = 0;
+
+  /// Keeps the order alone, for another problem.
+  void forget_splits() noexcept { split.fill(std::nullopt); }
+};
+
+class Foresight {
+ public:
+  /// `order`: of the vectors that prove regularity. Problem and settings must outlive this object.
   Foresight(const Problem& problem, const Settings& settings, const RowStructure& structure,
             std::size_t order);
+  Foresight(const Foresight&) = delete;
+  Foresight& operator=(const Foresight&) = delete;
+
+  /// Takes what a search of another problem has taught, with as many variables.
+  void learn_from(const Foresight& other) noexcept;
 
   /// Starts a search of these boxes, with what the last one from a root has taught.
   void begin(std::span<const OpenBox> open, const SearchState& state) noexcept;
@@ -39,35 +63,41 @@ class Foresight {
   /// Rounding  to nearest.
   [[nodiscard]] bool decide(Decisions& asked, Decider& decider) noexcept;
 
+  /// Learns from decisions about boxes that were noted.
+  void learn(const Decisions& batch) noexcept;
+
  private:
-  /// One box: a half of an earlier one.
-  struct Step {
-    std::uint32_t parent = 0;  ///< its place in the order
-    std::uint32_t variable = 0;
-    bool second = false;
-    friend bool operator==(const Step&, const Step&) = default;
-  };
-  /// Boxes in the order in which a search took them. The first is its root.
-  struct Course {
-    std::array<Step, kMost> step;
-    std::size_t size = 0;
+  /// A foreseen box, and where its decision is; in no batch if it was split last time.
+  struct Foreseen {
+    std::vector<Interval> box;
+    std::uint32_t depth = 0;
+    const Decisions* batch = nullptr;
+    std::size_t lane = 0;
   };
 
-  [[nodiscard]] bool decide_ahead(Decider& decider) noexcept;
-  [[nodiscard]] Decisions* room_for_batch(std::size_t batch) noexcept;
-  [[nodiscard]] bool add(const Step& step, Decisions& batch) noexcept;
+  [[nodiscard]] std::optional<std::size_t> place_of(const OpenBox& box) const noexcept;
+  [[nodiscard]] bool foresee(Decider& decider) noexcept;
+  [[nodiscard]] bool derive_box(std::size_t place) noexcept;
+  [[nodiscard]] bool take(Decisions& asked, std::size_t lane, std::size_t place) noexcept;
+  [[nodiscard]] Decisions* room_for_batch() noexcept;
 
   const Problem& problem_;
+  const Settings& settings_;
   const std::size_t order_;
   const bool applies_;
-  Course last_, now_;
-  bool notes_ = false;                ///< the search began at a root
-  bool foresees_ = false;             ///< as long as it goes the way of the last one
-  std::size_t ahead_ = 0;             ///< boxes of last_ that are decided
-  std::vector<Step> of_id_;           ///< by the number of the box
-  std::vector<std::uint32_t> place_;  ///< in now_, by the number of the box
-  std::vector<Interval> box_;
-  std::vector<std::unique_ptr<Decisions>> batches_;  ///< eight boxes of last_ each
+  bool notes_ = false;     ///< the search began at a root
+  bool foresees_ = false;  ///< as long as it goes the way of the last one
+  bool had_closed_form_ = false;
+  std::array<Course, 2> courses_;
+  Course* last_ = &courses_[0];
+  Course* now_ = &courses_[1];
+  std::vector<Course::Step> of_id_;        ///< by the number of a box
+  std::vector<std::uint32_t> place_;       ///< in now_, by the number of a box
+  std::array<BoxId, Course::kMost> id_{};  ///< by the place in now_
+  std::vector<Foreseen> foreseen_;         ///< the first ahead_ boxes of last_
+  std::size_t ahead_ = 0;
+  std::vector<std::unique_ptr<Decisions>> batches_;
+  std::size_t used_batches_ = 0;
 };
 
 }  // namespace regulus

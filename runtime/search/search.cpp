@@ -37,6 +37,8 @@ Search::Search(const Problem& problem, const Settings& settings)
       foresight_(problem, settings, structure_, round_.order()),
       loop_(*this, record_.frontier, round_.bisector(), problem.kernel->variables) {}
 
+void Search::learn_from(const Search& other) noexcept { foresight_.learn_from(other.foresight_); }
+
 Result Search::run(std::span<const OpenBox> open, const SearchState& state, Observer* observer) {
   closed_form_made_ = false;
   foresight_.begin(open, state);
@@ -78,6 +80,7 @@ std::size_t Search::decide_round() noexcept {
   load_round();
   if (!round_.decide(foresight_) && !round_.decide(record_.state.threshold))
     stop_at_undecided_batch();
+  for (std::size_t i = 0; i < round_.size(); ++i) foresight_.learn(round_.batch(i));
   return round_.size();
 }
 

@@ -19,6 +19,10 @@ class Search {
   Search(const Search&) = delete;
   Search& operator=(const Search&) = delete;
 
+  /// Takes what searches of another problem have taught; it changes the time of the next, not its
+  /// result.
+  void learn_from(const Search& other) noexcept;
+
   /// Does the work of Solver::resume. The result depends on nothing but the problem, the settings,
   /// the boxes and the state.
   ///

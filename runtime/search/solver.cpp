@@ -51,8 +51,15 @@ Search& Solver::search_for(const Problem& problem, const Settings& settings) {
   if (fits)
     kept_->settings = settings;
   else
-    kept_ = std::make_unique<Kept>(problem, settings);
+    keep(std::make_unique<Kept>(problem, settings));
   return kept_->search;
+}
+
+/// Searches of one robot resemble each other.
+void Solver::keep(std::unique_ptr<Kept> next) noexcept {
+  if (kept_ != nullptr && kept_->problem.kernel->variables == next->problem.kernel->variables)
+    next->search.learn_from(kept_->search);
+  kept_ = std::move(next);
 }
 
 Result Solver::resume(const Problem& problem, const Settings& settings,

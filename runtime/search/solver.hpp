@@ -45,6 +45,7 @@ class Solver {
 
  private:
   struct Kept;
+  void keep(std::unique_ptr<Kept> next) noexcept;
   [[nodiscard]] Search& search_for(const Problem& problem, const Settings& settings);
 
   std::unique_ptr<Kept> kept_;

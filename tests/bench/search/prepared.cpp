@@ -29,6 +29,8 @@ TimedSearch::TimedSearch(const SearchCase& which, const SearchOptions& options)
 
 void TimedSearch::run() { result_ = solver_.solve(preparation_.problem(), settings_); }
 
+void TimedSearch::run_anew() { result_ = solve(preparation_.problem(), settings_); }
+
 const Statistics& TimedSearch::statistics() const {
   if (result_.verdict == Verdict::kPossibleProblem)
     throw std::logic_error(fmt::format("no proof: {}", describe(result_.reason)));

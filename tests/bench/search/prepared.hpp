@@ -26,7 +26,10 @@ class TimedSearch {
   TimedSearch(const SearchCase& which, const SearchOptions& options);
 
   Settings& settings() noexcept { return settings_; }
+  /// Uses one solver for all runs: it knows the question.
   void run();
+  /// Uses a new one: it must be set up, and knows nothing.
+  void run_anew();
 
   /// Returns those of the last run. Throws std::logic_error if that run proved nothing, because a
   /// time without a verdict cannot be compared.

@@ -2,6 +2,8 @@
 // A solver that is used again tells its observer the same as a new one, to the last bit.
 #include <gtest/gtest.h>
 
+#include <utility>
+
 #include "tests/support/exact.hpp"
 #include "tests/support/gough_kernel.hpp"
 #include "tests/support/search_events.hpp"
@@ -73,6 +75,45 @@ TEST(KeptSolver, TakesNewRangesAndThresholds) {
       Solver fresh;
       EXPECT_EQ(events_of(kept, c, alpha), events_of(fresh, c, alpha)) << end << ' ' << alpha;
     }
+}
+
+/// A function without zeros whose enclosures need many boxes, and the number of its evaluations.
+struct CountedKernel {
+  std::size_t evaluations = 0;
+  FunctionKernel kernel{2, 1, 1, [this](const Values& x) {
+                          ++evaluations;
+                          return Values{x[0] * x[0] - x[0] * x[1] + x[1] * x[1] + 0.3};
+                        }};
+};
+
+TEST(KeptSolver, DecidesOnlyTheLeavesOfASearchThatItKnows) {
+  CountedKernel counted;
+  Solver solver;
+  const Problem problem = problem_over(counted.kernel, {{-1, 1}, {-1, 1.5}});
+  const Result first = solver.solve(problem, {});
+  const std::size_t at_first = std::exchange(counted.evaluations, 0);
+  const Result second = solver.solve(problem, {});
+  EXPECT_EQ(first.verdict, Verdict::kNoSingularity);
+  EXPECT_EQ(second.statistics.boxes, first.statistics.boxes);
+  EXPECT_GT(first.statistics.boxes, 16U);
+  EXPECT_LT(3 * counted.evaluations, 2 * at_first);
+}
+
+TEST(KeptSolver, FindsTheSameOverAnotherRangeWithLittleMoreWork) {
+  CountedKernel counted;
+  Solver kept;
+  static_cast<void>(kept.solve(problem_over(counted.kernel, {{-1, 1}, {-1, 1.5}}), {}));
+  for (const double end : {1.25, 1.5, 4.0, -0.875}) {
+    const Problem problem = problem_over(counted.kernel, {{-1, 1}, {-1, end}});
+    SearchEvents with, without;
+    Solver fresh;
+    counted.evaluations = 0;
+    static_cast<void>(fresh.solve(problem, {}, &without));
+    const std::size_t of_fresh = std::exchange(counted.evaluations, 0);
+    static_cast<void>(kept.solve(problem, {}, &with));
+    EXPECT_EQ(with.text, without.text) << end;
+    EXPECT_LE(counted.evaluations, of_fresh + of_fresh / 2) << end;
+  }
 }
 
 TEST(KeptSolver, TakesNewBudgets) {
