@@ -14,8 +14,9 @@ namespace regulus::bench {
 struct SearchCase;
 [[nodiscard]] Section rows_of(const SearchCase& which);
 
-/// Runs nothing but one search, on the best instruction set; returns the least time of a run.
-[[nodiscard]] double least_microseconds(const SearchCase& which, std::size_t runs);
+/// Runs nothing but one search, on the best instruction set, by one solver or by a new one each time;
+/// returns the least time of a run.
+[[nodiscard]] double least_microseconds(const SearchCase& which, std::size_t runs, bool anew);
 
 /// Compares the product K·J⁻¹ formed symbolically with the product formed from numbers.
 [[nodiscard]] Section product_rows();
