@@ -12,6 +12,7 @@ constexpr std::uint32_t kStallCheck = 12;
 /// The splits between two boxes on which every test is tried. A test that stopped being useful
 /// elsewhere may be the only one that can certify a box, of any size.
 constexpr std::uint32_t kEveryTest = 4;
+static_assert(kStallCheck % kEveryTest == 0);
 
 /// After so many splits, an undecided box justifies the cost of its determinant in closed form.
 constexpr std::uint32_t kClosedFormDepth = 11;
@@ -66,7 +67,8 @@ void Decider::decide(Decisions& decisions, bool keep_proofs) {
     for_each_lane(undecided, [this](std::size_t lane) { split_or_look_inside(lane); });
   } else {
     undecided = leave_by_every_test(leave_certified(lanes));
-    const LaneMask hopeless = hopeless_under_uncertainty(undecided);
+    LaneMask hopeless = 0;
+    undecided = leave_where_poses_stall(undecided, hopeless);
     for_each_lane(undecided, [this, hopeless](std::size_t lane) {
       split_or_block(lane, has_lane(hopeless, lane));
     });
@@ -256,26 +258,47 @@ bool Decider::certified_by_oracle(std::size_t lane) noexcept {
   return determinant && batch_.certain_above_threshold(lane, mig(*determinant));
 }
 
-/// The tests fail at the middle of the box, as a single pose, for the whole of the uncertainty. No
-/// box around that pose can do better, except by the rounding of K. Tested at intervals only.
-LaneMask Decider::hopeless_under_uncertainty(LaneMask lanes) noexcept {
-  if (!keeps_uncertainty_whole_ || !settings_.ingredients.stall) return 0;
+/// No box around a pose can do better than the pose, except by the rounding of K: if the usual tests
+/// fail at the middle of a box, as a single pose, it takes the longest ones to certify the box. If
+/// these fail at the pose, too, for the whole of the uncertainty, the box is hopeless. Both are
+/// tested at intervals only.
+LaneMask Decider::leave_where_poses_stall(LaneMask lanes, LaneMask& hopeless) noexcept {
+  hopeless = 0;
+  if (!keeps_uncertainty_whole_ || !settings_.ingredients.stall) return lanes;
   std::size_t asked[kLanes], count = 0;
   for_each_lane(lanes, [&](std::size_t lane) {
-    if (out_->open(lane).depth % kStallCheck != kStallCheck - 1) return;
+    if (out_->open(lane).depth % kEveryTest != kEveryTest - 1) return;
     load_center(lane, problem_.kernel->motion_variables, count);
     asked[count++] = lane;
   });
-  if (count == 0) return 0;
+  if (count == 0) return lanes;
   center_.seal(count);
-  LaneMask left = center_.loaded() & ~center_.certain_outside();
-  TestBudget every;
-  every.anyway = left;
+  const auto at_boxes = [&asked](LaneMask centers) {
+    LaneMask boxes = 0;
+    for_each_lane(centers, [&](std::size_t center) { boxes |= 1U << asked[center]; });
+    return boxes;
+  };
+  const LaneMask usual = left_at_centers(center_.loaded() & ~center_.certain_outside(), false);
+  LaneMask checked = 0;
+  for_each_lane(usual, [&](std::size_t center) {
+    if (out_->open(asked[center]).depth % kStallCheck == kStallCheck - 1) checked |= 1U << center;
+  });
+  hopeless = at_boxes(left_at_centers(checked, true));
+  const LaneMask stalled = at_boxes(usual) & ~hopeless & ~out_->budget.last;
+  if (stalled == 0) return lanes;
+  out_->budget.anyway |= stalled;
+  out_->budget.last |= stalled;
+  return (lanes & ~stalled) | leave_certified(stalled);
+}
+
+/// Returns the lanes of center_ that no test certifies.
+LaneMask Decider::left_at_centers(LaneMask centers, bool longest) noexcept {
+  TestBudget budget;
+  budget.anyway = centers;
+  budget.last = longest ? centers : 0;
   for (const auto& test : tests_)
-    if (left != 0) left &= ~test->certify(center_, left, every);
-  LaneMask hopeless = 0;
-  for_each_lane(left, [&](std::size_t center) { hopeless |= 1U << asked[center]; });
-  return hopeless;
+    if (centers != 0) centers &= ~test->certify(center_, centers, budget);
+  return centers;
 }
 
 }  // namespace regulus

@@ -49,7 +49,8 @@ class Decider {
   [[nodiscard]] bool undefined_at_middle(std::size_t lane) noexcept;
   [[nodiscard]] bool certified_by_determinant(std::size_t lane) noexcept;
   [[nodiscard]] bool certified_by_oracle(std::size_t lane) noexcept;
-  [[nodiscard]] LaneMask hopeless_under_uncertainty(LaneMask lanes) noexcept;
+  [[nodiscard]] LaneMask leave_where_poses_stall(LaneMask lanes, LaneMask& hopeless) noexcept;
+  [[nodiscard]] LaneMask left_at_centers(LaneMask centers, bool longest) noexcept;
 
   const Problem& problem_;
   const Settings& settings_;

@@ -27,10 +27,9 @@ class Comparison {
         options_(options),
         result_(result),
         values_(read_model_values(options.model_text)),
+        degrees_(poses_in_degrees(values_)),
         compared_(compared.begin(), compared.end()),
-        used_(compared_) {
-    find_degrees();
-  }
+        used_(compared_) {}
 
   void run() {
     compare_geometry();
@@ -43,23 +42,6 @@ class Comparison {
   }
 
  private:
-  /// Finds the pose parameters whose unit is degrees.
-  void find_degrees() {
-    constexpr std::string_view kPose = "pose.";
-    const auto is_degrees = [](const WrittenValue& unit) {
-      return unit.text == "deg" || unit.text == "°";
-    };
-    for (auto at = values_.lower_bound(kPose); at != values_.end() && at->first.starts_with(kPose);
-         ++at)
-      if (is_degrees(at->second)) degrees_.insert(at->first.substr(kPose.size()));
-    for (const char* unit : {"gough.angle_unit", "legs.angle_unit"}) {
-      const auto given = values_.find(unit);
-      if (given == values_.end() || !is_degrees(given->second)) continue;
-      for (const char* name : {"psi", "theta", "phi", "roll", "pitch", "yaw"})
-        degrees_.insert(name);
-    }
-  }
-
   /// Returns the expression of a value in the file, whose names are those of `scope` and of [let].
   NodeId node_of(const WrittenValue& written, const Scope& scope, bool is_in_degrees) {
     if (!written.is_string) return number_of_toml(written.text, q_.graph);
@@ -387,10 +369,10 @@ class Comparison {
   const Options& options_;
   Verification& result_;
   const WrittenValues values_;
+  const Names degrees_;  ///< pose parameters in that unit
   std::map<std::string, NodeId, std::less<>> actual_lets_, commanded_lets_;
-  std::set<std::string, std::less<>> degrees_;  ///< pose parameters in that unit
-  const std::set<std::string> compared_;        ///< the keys that are compared elsewhere
-  std::set<std::string> used_;                  ///< keys of what the certificate states
+  const std::set<std::string> compared_;  ///< the keys that are compared elsewhere
+  std::set<std::string> used_;            ///< keys of what the certificate states
   int depth_ = 0, lets_ = 0;
 };
 

@@ -229,4 +229,21 @@ NodeId number_of_toml(std::string_view text, Graph& graph) {
   return negative ? graph.add(Op::kNegate, node) : node;
 }
 
+Names poses_in_degrees(const WrittenValues& values) {
+  constexpr std::string_view kPose = "pose.";
+  const auto is_degrees = [](const WrittenValue& unit) {
+    return unit.text == "deg" || unit.text == "°";
+  };
+  Names names;
+  for (auto at = values.lower_bound(kPose); at != values.end() && at->first.starts_with(kPose);
+       ++at)
+    if (is_degrees(at->second)) names.insert(at->first.substr(kPose.size()));
+  for (const char* unit : {"gough.angle_unit", "legs.angle_unit"}) {
+    const auto given = values.find(unit);
+    if (given != values.end() && is_degrees(given->second))
+      names.insert({"psi", "theta", "phi", "roll", "pitch", "yaw"});
+  }
+  return names;
+}
+
 }  // namespace regulus::verifier

@@ -4,6 +4,7 @@
 #pragma once
 
 #include <map>
+#include <set>
 #include <string>
 #include <string_view>
 
@@ -26,5 +27,10 @@ using WrittenValues = std::map<std::string, WrittenValue, std::less<>>;
 /// Returns the number that a TOML number denotes; underscores, signs and 0x, 0o, 0b are allowed.
 /// Throws Unfinished for another text.
 [[nodiscard]] NodeId number_of_toml(std::string_view text, Graph& graph);
+
+using Names = std::set<std::string, std::less<>>;
+
+/// Returns the pose parameters whose unit is degrees.
+[[nodiscard]] Names poses_in_degrees(const WrittenValues& values);
 
 }  // namespace regulus::verifier

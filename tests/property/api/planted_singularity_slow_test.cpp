@@ -33,5 +33,13 @@ TEST(PlantedSingularity, IsFoundInNearlyAllModels) {
   expect_most_plants<RandomMatrixModel>("matrices", 51);
 }
 
+TEST(RandomHexapods, AreNearlyAllDecided) {
+  for (const char* shape : {"box", "ball"})
+    for (const char* motion : {"pose", "box"}) {
+      const Decided decided = decide_hexapods(16, 100, shape, motion);
+      EXPECT_GE(decided.certified + decided.refuted, 98) << shape << ", " << motion;
+    }
+}
+
 }  // namespace
 }  // namespace regulus::test

@@ -39,6 +39,8 @@ TEST_P(SinglePose, IsNeverDecidedWorseThanABoxAroundIt) {
     }
     if (pose.verdict == Verdict::kPossibleProblem) {
       EXPECT_EQ(pose.result.reason, Reason::kUncertainty) << model;
+    } else {
+      EXPECT_NE(box.verdict, Verdict::kPossibleProblem) << model;
     }
   }
 }
