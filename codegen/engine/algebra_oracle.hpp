@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// For singular points that are known exactly, and for models that are singular at every pose ("architecturally"): no search can show that.
+// For singular points that are known exactly, and for models that are singular at every pose
+// ("architecturally"): no search by bounds can show either.
 #pragma once
 
 #include "codegen/engine/pipeline.hpp"

@@ -186,8 +186,8 @@ class AlgebraOracle {
   ///           identity between the expressions that are its entries.
   [[nodiscard]] virtual Determinant determinant(std::span<const Interval> point) noexcept = 0;
 
-  /// For square matrices. `point` encloses one point: its coordinate is the end of a range itself if `places` says so,
-  /// otherwise the double.
+  /// For square matrices. `point` encloses one point: its coordinate is the end of a range itself if
+  /// `places` says so, otherwise the double.
   ///
   /// Requires  the matrix, the row scales and the pose are certainly defined all over `point`.
   /// Ensures   true only if |det J⁻¹| ≤ α at that point, if α > 0; det A = 0 there, if α = 0.
