@@ -24,7 +24,7 @@ namespace {
 
 constexpr unsigned kFiles = 100'000;
 
-constexpr const char* kModel = R"(regulus = 1
+constexpr const char* kGantry = R"(regulus = 1
 name = "gantry"
 [pose]
 x = "mm"
@@ -93,7 +93,7 @@ class DamagedTrajectories : public testing::Test {
   }
 
   TemporaryDirectory folder_;
-  const Model model_ = parse_model(kModel, "gantry.toml");
+  const Model model_ = parse_model(kGantry, "gantry.toml");
   Counts counts_;
 };
 
