@@ -290,7 +290,7 @@ TEST_F(FileTrouble, ACheckpointIsRefusedWhereItWouldBeIgnored) {
   const CommandResult bound =
       regulus({"bound", kPlanar, "regular", "determinant", "--checkpoint-every", "1"});
   EXPECT_EQ(bound.exit_code, 64);
-  EXPECT_THAT(bound.errors, HasSubstr("each end is saved"));
+  EXPECT_THAT(bound.errors, HasSubstr("each search is saved"));
 }
 
 }  // namespace
