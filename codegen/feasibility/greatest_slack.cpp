@@ -101,10 +101,11 @@ class DualTableau {
     }
   }
 
+  /// An artificial variable that stays has no multiplier.
   [[nodiscard]] GreatestSlack result() {
     GreatestSlack found{{}, 0, std::vector<double>(unknowns_)};
     for (std::size_t d = 0; d < equations_; ++d)
-      found.multipliers[basis_[d]] = std::fmax(0, at(d, width_ - 1));
+      if (basis_[d] < unknowns_) found.multipliers[basis_[d]] = std::fmax(0, at(d, width_ - 1));
     for (std::size_t d = 0; d + 1 < equations_; ++d)
       found.z.push_back(-at(equations_, unknowns_ + d));
     found.s = -at(equations_, width_ - 2);
