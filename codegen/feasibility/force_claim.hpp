@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What can be said about forces: of a motion, and of a box.
+// These claims about forces are made for a motion, or for one box.
 #pragma once
 
 #include <cstdint>

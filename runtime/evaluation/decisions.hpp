@@ -39,7 +39,7 @@ struct MidpointDeterminants {
 [[nodiscard]] MidpointDeterminants approx_midpoint_determinants(Batch& batch, LaneMask lanes,
                                                                 bool scaled) noexcept;
 
-/// What is known about a box that must be split. It proves nothing.
+/// Keeps what an earlier search found out about a box that must be split. It proves nothing.
 struct Recollection {
   std::uint32_t variable = 0;       ///< to split
   bool inside = false;              ///< certainly inside all constraints

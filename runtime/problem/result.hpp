@@ -67,7 +67,7 @@ struct WitnessPoint {
   std::vector<PlaceInRange> places{};
   /// Empty, or for each variable: the number that the interval in `variables` encloses.
   std::vector<ExactNumber> numbers{};
-  /// Of A for opposite signs, of J⁻¹ for a small determinant; no meaning for a lost rank.
+  /// This is det A for opposite signs, det J⁻¹ for a small determinant. A lost rank has none.
   Interval determinant;
   std::vector<Interval> pose;
 };

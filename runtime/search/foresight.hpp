@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What a search has taught, used by the next one.
+// A search uses what the last one has taught.
 //
 // The first rounds of a search have fewer boxes than a batch has lanes, and a batch takes as long
 // with one box as with eight. So the next search of the same robot decides eight boxes together, in

@@ -103,7 +103,7 @@ struct Question {
   std::vector<NodeId> constraints;     ///< each ≤ 0 in the variety
   bool is_within_reach = false;        ///< the first ones exclude poses with a negative root
   bool has_threshold = false;          ///< alpha is not written as 0
-  /// Of a claim about forces. The matrix is then J⁻¹: the scales are in its rows.
+  /// A claim about forces has this. The matrix is then J⁻¹, with the scales in its rows.
   std::optional<LoadLines> load;
 
   // For the comparison with a model file.

@@ -5,7 +5,7 @@
 
 namespace regulus::test {
 
-/// What robot files may be damaged with.
+/// Damage inserts these texts into robot files.
 inline const std::vector<std::string> kRobotSplices = {"\"",
                                                        "<",
                                                        ">",
