@@ -9,6 +9,8 @@
 #include <optional>
 #include <utility>
 
+#include "runtime/certificate/verifier/rounding.hpp"
+
 namespace regulus::verifier {
 namespace {
 
@@ -148,6 +150,22 @@ Ball determinant(const std::vector<double>& A, std::size_t order, long bits) {
   std::vector<Ball> balls;
   for (const double x : A) balls.emplace_back(point(x), bits);
   return determinant(balls, order, bits);
+}
+
+/// With G = XᵀX of order c and of mean eigenvalue m, the square of the norm is at most m + (((c −
+/// 1)/c)(‖G‖² − c·m²))^½, the norm being Frobenius's. Entries of G err by less than 2⁻⁴⁹ tr G.
+double spectral_norm(const std::vector<double>& X, std::size_t rows, std::size_t c) {
+  double trace = 0.0, squares = 0.0;
+  for (std::size_t a = 0; a < c; ++a)
+    for (std::size_t b = 0; b < c; ++b) {
+      double entry = 0.0;
+      for (std::size_t row = 0; row < rows; ++row) entry += X[row * c + a] * X[row * c + b];
+      if (a == b) trace += entry;
+      squares += entry * entry;
+    }
+  const double order = double(c), mean = trace / order;
+  const double spread = std::max(squares - trace * mean, 0.0) + kRounding * trace * trace;
+  return inflate(std::sqrt(inflate(mean + std::sqrt(inflate((order - 1) / order * spread)))));
 }
 
 }  // namespace regulus::verifier

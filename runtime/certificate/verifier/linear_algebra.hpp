@@ -26,4 +26,7 @@ using Matrix = std::vector<double>;
 [[nodiscard]] Ball determinant(const std::vector<Ball>& A, std::size_t order, long bits);
 [[nodiscard]] Ball determinant(const std::vector<double>& A, std::size_t order, long bits);
 
+/// Returns an upper bound of the spectral norm of a rows×c matrix.
+[[nodiscard]] double spectral_norm(const std::vector<double>& X, std::size_t rows, std::size_t c);
+
 }  // namespace regulus::verifier

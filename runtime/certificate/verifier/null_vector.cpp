@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
-// The search for y ≠ 0 with y_s = Σ_k δ_k(b_k + c_k)·y: branch and prune over directions. If b
-// dominates, this comes arbitrarily close to the critical spread of the quantities: the δ_k of one
-// row are independent of those of the others, so the bound is attained for a single y.
+// The search for y ≠ 0 with y_s = −Σ_k δ_k(b_k + c_k)·y − Σ_jk δ_jδ_k(b_jk + c_jk)·y: branch and
+// prune over directions. If b dominates, this comes close to the critical spread of the quantities:
+// the δ_k of one row are independent of those of the others, so the bounds are attained for a single
+// y.
 #include <algorithm>
 
 #include "runtime/certificate/verifier/rounding.hpp"
@@ -11,7 +12,7 @@ namespace regulus::verifier {
 namespace {
 
 /// Most boxes of directions for one box. A single pose cannot be split: it is worth more.
-constexpr std::size_t kMostDirections = 400, kMostDirectionsOfAPose = 100'000;
+constexpr std::size_t kMostDirections = 4000, kMostDirectionsOfAPose = 100'000;
 constexpr double kNarrowest = 0x1p-20;    ///< relative to v
 constexpr double kOutward = 1 + 0x1p-20;  ///< covers roundings of middles: radii are no smaller
 
@@ -45,23 +46,15 @@ bool TouchedRows::has_no_null_vector(const std::vector<double>& v) const {
 }
 
 bool TouchedRows::has_no_null_vector(Directions& y) const {
-  const auto estimate = [&](const Coefficient& k) {
-    Estimate x{0.0, 0.0};
-    for (std::size_t s = 0; s < order(); ++s) {
-      const double middle = std::fabs(y.middle[s]), b = std::fabs(k.b[s]);
-      x.middle += k.b[s] * y.middle[s];
-      x.radius += b * (y.radius[s] + kRounding * middle) + k.S[s] * (middle + y.radius[s]);
-    }
-    return x;
-  };
-  std::vector<double> most(order(), 0.0);
-  add_bounds(estimate, most);
+  const Effects x = effects(y);
   for (std::size_t s = 0; s < order(); ++s) {
-    const double middle = y.middle[s], radius = y.radius[s], bound = inflate(most[s]);
-    if (down(std::fabs(middle)) - radius > bound) return true;
-    // A null vector can have y_s only in [−bound, bound].
-    const double lo = std::max(down(middle - radius), -bound);
-    const double hi = std::min(up(middle + radius), bound);
+    const double middle = y.middle[s], radius = y.radius[s];
+    // A null vector can have y_s only between these bounds: it is −(Σ δ_kx_k + Σ δ_jδ_kx_jk), or
+    // Σ δ_kx_k − Σ δ_jδ_kx_jk with −δ in the place of δ.
+    double lo = down(middle - radius), hi = up(middle + radius);
+    if (lo < 0.0) lo = std::max(lo, -bound_of_row(s, x, 1.0));
+    if (hi > 0.0) hi = std::min(hi, bound_of_row(s, x, -1.0));
+    if (lo > hi) return true;
     const double rest = 0.5 * kOutward * up(hi - lo) + 0x1p-50 * (std::fabs(lo) + std::fabs(hi));
     if (rest < 0.9 * radius) y.middle[s] = 0.5 * lo + 0.5 * hi, y.radius[s] = rest;
   }

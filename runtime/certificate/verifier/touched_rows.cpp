@@ -22,6 +22,7 @@ TouchedRows::TouchedRows(Question& question, const Variety& variety,
   find_quantities();
   find_groups();
   find_products();
+  find_couplings();
   std::vector<NodeId> middle, over;
   for (const Quantity& quantity : quantities_) {
     middle.insert(middle.end(), quantity.w.begin(), quantity.w.end());
@@ -83,7 +84,7 @@ void TouchedRows::find_products() {
   for (std::size_t a = 0; a < groups_.size(); ++a)
     for (std::size_t b = 0; b <= a; ++b) {
       if (groups_[a].slot != groups_[b].slot) continue;
-      Products products{a, b, {}};
+      Products products{a, b, {}, false};
       for (std::size_t i = 0; i < groups_[a].members.size(); ++i)
         for (std::size_t j = 0; j < (a == b ? i + 1 : groups_[b].members.size()); ++j) {
           const Quantity& first = quantities_[groups_[a].members[i]];
@@ -110,7 +111,7 @@ void TouchedRows::find_groups() {
     if (same != groups_.end())
       same->members.push_back(k);
     else
-      groups_.push_back({slot, ball, {k}});
+      groups_.push_back({slot, ball, {k}, false});
   }
 }
 
@@ -237,27 +238,6 @@ void TouchedRows::bound(Coefficient& k, const MovingInverse& inverse) {
     k.S[s] = inflate(k.S[s]);
   }
 }
-
-namespace {
-
-/// Returns an upper bound of the spectral norm: with G = XᵀX of order c and of mean eigenvalue m,
-/// its square is at most m + (((c − 1)/c)(‖G‖² − c·m²))^½, the norm being Frobenius's. Entries of G
-/// err by less than 2⁻⁴⁹ tr G.
-double spectral_norm(const std::vector<double>& X, std::size_t rows, std::size_t c) {
-  double trace = 0.0, squares = 0.0;
-  for (std::size_t a = 0; a < c; ++a)
-    for (std::size_t b = 0; b < c; ++b) {
-      double entry = 0.0;
-      for (std::size_t row = 0; row < rows; ++row) entry += X[row * c + a] * X[row * c + b];
-      if (a == b) trace += entry;
-      squares += entry * entry;
-    }
-  const double order = double(c), mean = trace / order;
-  const double spread = std::max(squares - trace * mean, 0.0) + kRounding * trace * trace;
-  return inflate(std::sqrt(inflate(mean + std::sqrt(inflate((order - 1) / order * spread)))));
-}
-
-}  // namespace
 
 /// Bounds |Σ δ_kx_k| over the values of the group. If a split has cut a ball, the box around the
 /// rest of the ball is used.

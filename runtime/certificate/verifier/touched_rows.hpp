@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // The rows of A that are touched by quantities of one row each. Let A be regular with these
-// quantities at the middles of their ranges. It stays regular if no y ≠ 0 has y_s = Σ_k δ_k(b_k +
-// c_k)·y + Σ_jk δ_jδ_k(b_jk + c_jk)·y for all s, summed over the quantities of the s-th row touched
+// quantities at the middles of their ranges. It stays regular if no y ≠ 0 has y_s = −Σ_k δ_k(b_k +
+// c_k)·y − Σ_jk δ_jδ_k(b_jk + c_jk)·y for all s, summed over the quantities of the s-th row touched
 // and their products, with |c| ≤ S.
 // PROOF.md, "The test", 2, derives this.
 #pragma once
@@ -52,6 +52,7 @@ class TouchedRows {
     std::size_t slot;
     std::optional<std::size_t> ball;
     std::vector<std::size_t> members;  ///< of quantities_
+    bool is_coupled = false;           ///< single: in a coupling; ball: with one other
   };
   /// The product of two quantities of one row.
   struct Product {
@@ -63,11 +64,23 @@ class TouchedRows {
   struct Products {
     std::size_t first, second;  ///< of groups_
     std::vector<Product> members;
+    bool is_coupled = false;  ///< in a coupling, or of coupled balls
+  };
+  /// Single quantities of a row that are bounded together with their products: `ends` at ends of
+  /// their ranges, all combinations of which are tried.
+  struct Coupling {
+    std::size_t slot;
+    std::vector<std::size_t> ends, followers;  ///< of groups_
+    std::vector<std::size_t> products;         ///< of products_: each of an end and a follower
   };
   /// |x − middle| ≤ radius.
   struct Estimate {
     double middle, radius;
     [[nodiscard]] double magnitude() const noexcept { return std::fabs(middle) + radius; }
+  };
+  /// The coefficients times y, for groups_ and for products_.
+  struct Effects {
+    std::vector<std::vector<Estimate>> groups, products;
   };
   /// A box of vectors y.
   struct Directions {
@@ -77,6 +90,10 @@ class TouchedRows {
   void find_quantities();
   void find_groups();
   void find_products();
+  void find_couplings();
+  [[nodiscard]] Coupling find_coupling(std::size_t slot);
+  void pair_balls();
+  [[nodiscard]] std::size_t products_between(std::size_t a, std::size_t b) const;
   void resize(Coefficient& coefficient) const;
   void bound_K(const MovingInverse& inverse, const Domination& domination);
   [[nodiscard]] bool bound_quantity(Quantity& quantity, const MovingInverse& inverse);
@@ -89,6 +106,17 @@ class TouchedRows {
   [[nodiscard]] bool is_ball(const Group& group) const { return group.ball && whole_[*group.ball]; }
   [[nodiscard]] double bound_of(const Group& group, const std::vector<Estimate>& x) const;
   [[nodiscard]] double bound_of(const Products& products, const std::vector<Estimate>& x) const;
+  /// Bounds Σ δ_kx_k + sign·Σ δ_jδ_kx_jk over the quantities of a row.
+  [[nodiscard]] double bound_of_row(std::size_t slot, const Effects& x, double sign) const;
+  [[nodiscard]] double bound_of(const Coupling& coupling, const Effects& x, double sign) const;
+  /// The same of two balls.
+  [[nodiscard]] double bound_of_balls(const Products& products, const Effects& x,
+                                      const std::vector<Estimate>& of_products, double sign) const;
+  [[nodiscard]] bool are_coupled_balls(const Products& products) const {
+    return products.is_coupled && is_ball(groups_[products.first]) &&
+           is_ball(groups_[products.second]);
+  }
+  [[nodiscard]] Effects effects(const Directions& y) const;
   [[nodiscard]] double spread(const Group& group, std::size_t place) const {
     return r_[quantities_[group.members[place]].variable];
   }
@@ -102,6 +130,7 @@ class TouchedRows {
   std::vector<Quantity> quantities_;
   std::vector<Group> groups_;
   std::vector<Products> products_;
+  std::vector<Coupling> couplings_;
   std::optional<Evaluation> at_middle_, over_box_;
 
   // For one box; matrices are n×slots, except T.
