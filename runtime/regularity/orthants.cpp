@@ -11,7 +11,7 @@ namespace {
 
 constexpr unsigned kMaxOrthantCells = kMaxOrthantRows << (kMaxOrthantRows - 1);
 
-/// Tests cells by halves.
+/// Tests cells by halves. How many it takes for a cell does not depend on the other cells.
 class PartsOfCells {
  public:
   PartsOfCells(const OrthantProblem& problem, unsigned halvings) noexcept
@@ -20,15 +20,14 @@ class PartsOfCells {
   /// Tests up to eight cells. `remaining` becomes one of them if it may contain a ρ.
   [[nodiscard]] bool certain_empty(const OrthantCell* cells, unsigned count,
                                    OrthantCell& remaining) noexcept {
-    count_ = 0;
-    for (unsigned c = 0; c < count; ++c) push_whole(cells[c]);
-    while (count_ > 0) {
-      const unsigned alive = test_last();
-      for (unsigned lane = 0; lane < kLanes; ++lane) {
-        if ((alive >> lane & 1U) == 0 || push_halves(eight_[lane])) continue;
-        remaining = {eight_[lane].orthant, fixed_row(eight_[lane])};
-        return false;
-      }
+    OrthantPart parts[kLanes];
+    for (unsigned lane = 0; lane < kLanes; ++lane)
+      parts[lane] = whole(cells[lane < count ? lane : 0]);
+    const unsigned alive = test(parts, count);
+    for (unsigned lane = 0; lane < count; ++lane) {
+      if ((alive >> lane & 1U) == 0 || certain_empty(parts[lane])) continue;
+      remaining = cells[lane];
+      return false;
     }
     return true;
   }
@@ -37,22 +36,34 @@ class PartsOfCells {
   static constexpr unsigned kMostWaiting = 512;
   static constexpr double kNarrowest = 0x1p-20;  ///< of ζ
 
-  void push_whole(const OrthantCell& cell) noexcept {
-    OrthantPart& part = waiting_[count_++];
+  [[nodiscard]] OrthantPart whole(const OrthantCell& cell) const noexcept {
+    OrthantPart part;
     part.orthant = cell.orthant;
     for (unsigned j = 0; j < p_.rows; ++j) {
       part.low[j] = cell.fixed == j ? p_.scale[j] : 0.0;
       part.high[j] = p_.scale[j];
     }
+    return part;
   }
 
-  /// Takes up to eight parts from the end, and reduces them. Returns those that may contain a ρ.
-  unsigned test_last() noexcept {
-    const unsigned taken = std::min(count_, unsigned{kLanes});
-    count_ -= taken;
-    for (unsigned lane = 0; lane < kLanes; ++lane)
-      eight_[lane] = waiting_[count_ + (lane < taken ? lane : 0)];
-    return regularity_backend().remaining_parts(p_, eight_) & ((1U << taken) - 1);
+  /// Reduces eight parts. Returns those of the first `count` that may contain a ρ.
+  [[nodiscard]] unsigned test(OrthantPart* parts, unsigned count) const noexcept {
+    return regularity_backend().remaining_parts(p_, parts) & ((1U << count) - 1);
+  }
+
+  [[nodiscard]] bool certain_empty(const OrthantPart& part) noexcept {
+    count_ = 0;
+    bool halved = push_halves(part);
+    while (halved && count_ > 0) {
+      OrthantPart parts[kLanes];
+      const unsigned taken = std::min(count_, unsigned{kLanes});
+      count_ -= taken;
+      for (unsigned lane = 0; lane < kLanes; ++lane)
+        parts[lane] = waiting_[count_ + (lane < taken ? lane : 0)];
+      for_each_lane(static_cast<LaneMask>(test(parts, taken)),
+                    [&](std::size_t lane) { halved = halved && push_halves(parts[lane]); });
+    }
+    return halved;
   }
 
   /// Returns false if the part must not be halved.
@@ -74,15 +85,9 @@ class PartsOfCells {
     return (part.high[j] - part.low[j]) / p_.scale[j];
   }
 
-  [[nodiscard]] unsigned fixed_row(const OrthantPart& part) const noexcept {
-    unsigned row = 0;
-    while (row + 1 < p_.rows && part.low[row] < p_.scale[row]) ++row;
-    return row;
-  }
-
   const OrthantProblem& p_;
   unsigned halvings_, count_ = 0;
-  OrthantPart waiting_[kMostWaiting], eight_[kLanes];
+  OrthantPart waiting_[kMostWaiting];
 };
 
 }  // namespace

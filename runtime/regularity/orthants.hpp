@@ -33,13 +33,23 @@
 // with H_jk in an enclosure of ∂_j∂_kA_l over the box. With H̄_jk in its middle, H_jkᵀv =
 // −H̄_jkᵀ(Ev + K(t)ρ) + (H_jk − H̄_jk)ᵀv, so the terms Δ_jΔ_k|c_jkᵀρ|, c_jk ≈ H̄_jkᵀK₀, replace what
 // S has for them; S keeps Δ_jΔ_k times |H̄_jk|ᵀΣ_p r_p|D_pK₀| in M, and |H̄_jk|ᵀP + |H_jk − H̄_jk|ᵀ
-// in Q. For points in two balls, |Σ_jk δ_jδ_k x_jk| ≤ ρ_1ρ_2‖x‖₂, and within one ball
-// ½|Σ_jk δ_jδ_k x_jk| ≤ ½ρ²‖x‖_F. With G = xᵀx, 3×3 and of mean eigenvalue m = tr G/3, ‖x‖₂² ≤ m +
-// (⅔(‖G‖_F² − 3m²))^½: the eigenvalues have the mean m and the variance ⅓‖G‖_F² − m². Pair forms cost several times as much, so they are used on demand.
+// in Q. Within one ball ½|Σ_jk δ_jδ_k x_jk| ≤ ½ρ²‖x‖_F. Other products and what they multiply make
+// one term: with σ = sign ρ_l and −σδ in the place of δ,
 //
-// If there are only uncertain quantities (one pose), this comes within about two per cent of the
-// true limit, and the H-matrix test within ten to twenty.
+//     |ρ_l| ≤ max over δ of Σ_k δ_k c_kᵀρ − σ Σ_{j<k} δ_jδ_k c_jkᵀρ.
+//
+// This is sublinear in ρ, so a bound at m and G for the rest bound it over the cell. It is attained
+// at ends of ranges: those of up to three quantities are tried, and for each choice the others
+// contribute magnitudes. For points in two balls see coupled_lanes.hpp. If a ball has products with
+// several others, |Σ_jk δ_jδ_k x_jk| ≤ ρ_1ρ_2‖x‖₂. Product forms cost several times as much, so they
+// are used on demand.
+//
+// If there are only uncertain quantities (one pose), in ranges, and the cells are halved, this
+// decides which limit is the true one: rows do not share quantities, and by continuity ρ_l takes
+// every value up to f_l. The H-matrix test comes within ten to twenty per cent of it.
 #pragma once
+
+#include <cstdint>
 
 #include "runtime/regularity/lanes.hpp"
 
@@ -48,15 +58,24 @@ namespace regulus {
 /// More rows would make too many cells, n·2^(n−1).
 inline constexpr unsigned kMaxOrthantRows = 8;
 inline constexpr unsigned kMaxOrthantForms = 256;
+/// Of a coupled term: quantities whose ends are tried, and others; of a ball.
+inline constexpr unsigned kMaxEndsTried = 3, kMaxCoupled = 8, kMaxOfBall = 3;
+inline constexpr unsigned kMaxCoupledForms = kMaxEndsTried * (kMaxCoupled + 1) + kMaxCoupled;
 
 /// The problem of one box.
 struct OrthantProblem {
-  /// Terms of f_l: one form with its weight, Δ_k or Δ_jΔ_k, or several whose norm has the weight
-  /// (balls): the Euclidean norm, or the spectral norm of a 3×3 matrix, row-major.
+  /// A term of f_l.
   struct Term {
-    unsigned begin, end;  ///< forms
+    enum class Kind : std::uint8_t {
+      kNorm,    ///< weight·|x|, or weight times the Euclidean norm of several forms
+      kMatrix,  ///< weight times the spectral norm of a 3×3 matrix, row-major
+      kRanges,  ///< max over |s_i| ≤ 1, |t_j| ≤ 1 of sᵀx + tᵀy − σ·tᵀZs
+      kBalls,   ///< the same over ‖s‖ ≤ 1, ‖t‖ ≤ 1; weights are in the forms
+    };
+    unsigned begin, end;  ///< forms; of the last two kinds: x, y, Z row-major
     double weight;
-    bool is_matrix = false;
+    Kind kind = Kind::kNorm;
+    unsigned first = 0, second = 0;  ///< entries of x, of y
   };
 
   unsigned rows = 0, terms = 0;
@@ -64,8 +83,10 @@ struct OrthantProblem {
   double form[kMaxOrthantForms * kMaxOrthantRows];  ///< c_k, exact as they are
   Term term[kMaxOrthantForms];
   double slack[kMaxOrthantRows * kMaxOrthantRows];  ///< S, bounds
-  double reach[kMaxOrthantRows * kMaxOrthantRows];  ///< G_lj ≥ Σ_k Δ_k|c_kj|, of balls the norm
-  double scale[kMaxOrthantRows];                    ///< ζ
+  /// G_lj: the sum over the terms of the weight times the norm of the forms' j-th coefficients;
+  /// |·|₁ of kRanges, ‖x‖ + ‖y‖ + ‖Z‖_F of kBalls. So f_l(ρ + r) ≤ f_l(ρ) + (G|r|)_l + (S|r|)_l.
+  double reach[kMaxOrthantRows * kMaxOrthantRows];
+  double scale[kMaxOrthantRows];  ///< ζ
 };
 
 /// Bit j − 1 of `orthant` is set if ρ_j < 0; ρ₀ ≥ 0. |ρ_l| = ζ_l for l = fixed.
@@ -79,8 +100,8 @@ struct OrthantPart {
   double low[kMaxOrthantRows], high[kMaxOrthantRows];
 };
 
-/// `hint` is a cell that is likely to remain. If a cell remains, it becomes the new hint. At most
-/// `halvings` parts are halved.
+/// `hint` is a cell that is likely to remain. If a cell remains, it becomes the new hint. The result
+/// does not depend on it. At most `halvings` parts are halved.
 ///
 /// Requires  rows ≤ kMaxOrthantRows; S + γG for the rounding of |c_kᵀm| is in `slack`.
 /// Ensures   true only if every cell is empty.

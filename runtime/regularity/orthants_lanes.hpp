@@ -5,16 +5,11 @@
 // raised. m = ±(a + b)/2 is within an ulp of b; r is increased by that.
 #pragma once
 
-#include "runtime/regularity/orthants.hpp"
-#include "runtime/regularity/pack_lanes.hpp"
+#include "runtime/regularity/coupled_lanes.hpp"
 
 namespace regulus::orthants {
 inline namespace REGULUS_LANES_ISA {
 
-using namespace lanes::REGULUS_LANES_ISA;
-
-inline constexpr double kFewTerms = raise_factor(16);
-inline constexpr double kManyTerms = raise_factor(std::size_t{1} << 16);
 inline constexpr unsigned kMaxSteps = 16;
 
 class Cells {
@@ -53,24 +48,28 @@ class Cells {
       }
   }
 
-  /// Returns the parts that may contain a ρ, one bit each.
+  /// Returns the parts that may contain a ρ, one bit each. What becomes of a part does not depend on
+  /// the others.
   REGULUS_LANE_INLINE unsigned remaining() noexcept {
     unsigned alive = kAllLanes;
-    for (unsigned step = 0; step < kMaxSteps; ++step) {
+    active_ = kAllLanes;
+    keep_active(alive);
+    for (unsigned step = 0; step < kMaxSteps && active_ != 0; ++step) {
       take_middle();
-      double gain = 0.0;
+      gained_ = 0;
       for (unsigned l = 0; l < n_; ++l) {
         f_[l] = bound(l);
-        alive &= ~less_lanes(f_[l], low_[l]);
+        alive &= ~(less_lanes(f_[l], low_[l]) & active_);
       }
-      if (alive == 0) return 0;
-      for (unsigned l = 0; l < n_; ++l) raise_lows(l, alive, gain);
+      keep_active(alive);
+      if (active_ == 0) break;
+      for (unsigned l = 0; l < n_; ++l) raise_lows(l);
       for (unsigned l = 0; l < n_; ++l) {
-        gain = larger_gain(gain, high_[l] - f_[l], l, alive);
-        high_[l] = smaller_of(high_[l], f_[l]);
+        note_gain(high_[l] - f_[l], l);
+        high_[l] = if_active(smaller_of(high_[l], f_[l]), high_[l]);
+        alive &= ~(less_lanes(high_[l], low_[l]) & active_);
       }
-      for (unsigned l = 0; l < n_; ++l) alive &= ~less_lanes(high_[l], low_[l]);
-      if (alive == 0 || gain < kWorthwhile) break;
+      keep_active(alive & gained_);
     }
     return alive;
   }
@@ -83,16 +82,17 @@ class Cells {
     return (orthant << 1 >> j & 1U) != 0 ? -1.0 : 1.0;
   }
 
-  REGULUS_LANE_INLINE static Pack smaller_of(const Pack& a, const Pack& b) noexcept {
-    return select_less(b, a, b, a);
+  REGULUS_LANE_INLINE void note_gain(const Pack& change, unsigned j) noexcept {
+    gained_ |= ~less_lanes(change, Pack::of(kWorthwhile * p_.scale[j]));
   }
 
-  REGULUS_LANE_INLINE double larger_gain(double gain, const Pack& change, unsigned j,
-                                         unsigned alive) const noexcept {
-    for (unsigned l = 0; l < kLanes; ++l)
-      if ((alive >> l & 1U) != 0 && change.lane(l) > gain * p_.scale[j])
-        gain = change.lane(l) / p_.scale[j];
-    return gain;
+  REGULUS_LANE_INLINE Pack if_active(const Pack& changed, const Pack& same) const noexcept {
+    return select_less(Pack::of(0.0), is_active_, changed, same);
+  }
+
+  REGULUS_LANE_INLINE void keep_active(unsigned lanes) noexcept {
+    active_ &= lanes;
+    for (unsigned l = 0; l < kLanes; ++l) is_active_.lane(l) = (active_ >> l & 1U) != 0 ? 1.0 : 0.0;
   }
 
   REGULUS_LANE_INLINE void take_middle() noexcept {
@@ -110,51 +110,37 @@ class Cells {
       }
   }
 
-  /// Bounds Δ|x| or ρ‖x‖ of one term from above; x: the forms at the middle, plus −c_kj·change.
-  REGULUS_LANE_INLINE Pack of_term(const OrthantProblem::Term& term, unsigned j,
+  /// Bounds one term of f_l from above, for the forms at the middle, plus −c_kj·change.
+  REGULUS_LANE_INLINE Pack of_term(const OrthantProblem::Term& term, unsigned l, unsigned j,
                                    const Pack& change) const noexcept {
+    using Kind = OrthantProblem::Term::Kind;
     const auto moved = [&](unsigned k) __attribute__((always_inline)) {
-      Pack x = value_[k];
-      x.subtract_fused(Pack::of(p_.form[k * n_ + j]), change);
+      Pack x = value_[term.begin + k];
+      x.subtract_fused(Pack::of(p_.form[(term.begin + k) * n_ + j]), change);
       return x;
     };
-    if (term.end - term.begin == 1) return magnitude(moved(term.begin)) * Pack::of(term.weight);
-    if (term.is_matrix) {
-      Pack x[9];
-      for (unsigned k = 0; k < 9; ++k) x[k] = moved(term.begin + k);
-      return raised(square_root(largest_eigenvalue(x)), kFewTerms) * Pack::of(term.weight);
-    }
-    Pack squares = Pack::of(0.0);
-    for (unsigned k = term.begin; k < term.end; ++k) {
-      const Pack x = moved(k);
-      squares.add_fused(x, x);
-    }
-    return raised(square_root(raised(squares, kFewTerms)), kFewTerms) * Pack::of(term.weight);
-  }
-
-  /// Bounds the largest eigenvalue of G = xᵀx from above, 3×3. An entry of G errs by a few ulps of
-  /// tr G, so ‖G‖_F² − 3m² errs by far less than 2^-44 (tr G)².
-  REGULUS_LANE_INLINE static Pack largest_eigenvalue(const Pack* x) noexcept {
-    Pack trace = Pack::of(0.0), squares = Pack::of(0.0);
-    for (unsigned a = 0; a < 3; ++a)
-      for (unsigned b = 0; b <= a; ++b) {
-        Pack entry = Pack::of(0.0);
-        for (unsigned row = 0; row < 3; ++row) entry.add_fused(x[3 * row + a], x[3 * row + b]);
-        if (a == b) trace = trace + entry;
-        squares.add_fused(a == b ? entry : entry + entry, entry);
+    const unsigned count = term.end - term.begin;
+    if (count == 1) return magnitude(moved(0)) * Pack::of(term.weight);
+    if (term.kind == Kind::kNorm) {
+      Pack squares = Pack::of(0.0);
+      for (unsigned k = 0; k < count; ++k) {
+        const Pack x = moved(k);
+        squares.add_fused(x, x);
       }
-    const Pack third = trace * Pack::of(1.0 / 3.0), spread = squares - third * trace;
-    const Pack variance = select_less(Pack::of(0.0), spread, spread, Pack::of(0.0)) +
-                          trace * trace * Pack::of(0x1p-44);
-    const Pack deviation = square_root(raised(variance * Pack::of(2.0 / 3.0), kFewTerms));
-    return raised(third + deviation, kFewTerms);
+      return raised(square_root(raised(squares, kFewTerms)), kFewTerms) * Pack::of(term.weight);
+    }
+    Pack x[kMaxCoupledForms];
+    for (unsigned k = 0; k < count; ++k) x[k] = moved(k);
+    if (term.kind == Kind::kRanges) return bound_ranges(x, term.first, term.second, sign_[l]);
+    if (term.kind == Kind::kBalls) return bound_balls(x, term.first, term.second, sign_[l]);
+    return raised(square_root(SpectralBound(x, 3, 3).largest), kFewTerms) * Pack::of(term.weight);
   }
 
   /// Bounds f_l over the cell from above.
   REGULUS_LANE_INLINE Pack bound(unsigned l) const noexcept {
     Pack sum = Pack::of(0.0);
     for (unsigned t = first(l); t < first(l + 1); ++t)
-      sum = sum + of_term(p_.term[t], 0, Pack::of(0.0));
+      sum = sum + of_term(p_.term[t], l, 0, Pack::of(0.0));
     for (unsigned j = 0; j < n_; ++j) {
       sum.add_fused(Pack::of(p_.reach[l * n_ + j]), radius_[j]);
       sum.add_fused(Pack::of(p_.slack[l * n_ + j]), high_[j]);
@@ -166,7 +152,8 @@ class Cells {
   REGULUS_LANE_INLINE Pack bound_at_low(unsigned l, unsigned j) const noexcept {
     Pack sum = Pack::of(0.0);
     const Pack change = sign_[j] * (Pack::of(0.5) * (high_[j] - from_[j]));
-    for (unsigned t = first(l); t < first(l + 1); ++t) sum = sum + of_term(p_.term[t], j, change);
+    for (unsigned t = first(l); t < first(l + 1); ++t)
+      sum = sum + of_term(p_.term[t], l, j, change);
     for (unsigned i = 0; i < n_; ++i) {
       const Pack radius = i == j ? high_[j] * Pack::of(0x1p-50) : radius_[i];
       sum.add_fused(Pack::of(p_.reach[l * n_ + i]), radius);
@@ -175,12 +162,20 @@ class Cells {
     return raised(sum, kManyTerms);
   }
 
-  REGULUS_LANE_INLINE void raise_lows(unsigned l, unsigned alive, double& gain) noexcept {
-    if ((less_lanes(Pack::of(0.0), low_[l]) & alive) == 0) return;  // |ρ_l| may be anything
+  /// Bounds bound_at_low from below, roughly: no term changes by more than its reach.
+  REGULUS_LANE_INLINE Pack least_at_low(unsigned l, unsigned j) const noexcept {
+    const double slope = p_.reach[l * n_ + j] + p_.slack[l * n_ + j];
+    return f_[l] - Pack::of(slope) * (high_[j] - from_[j]);
+  }
+
+  REGULUS_LANE_INLINE void raise_lows(unsigned l) noexcept {
+    if ((less_lanes(Pack::of(0.0), low_[l]) & active_) == 0) return;  // |ρ_l| may be anything
     for (unsigned j = 0; j < n_; ++j) {
       if (j == l) continue;
-      const Pack at_low = bound_at_low(l, j);
-      if ((less_lanes(at_low, low_[l]) & alive) == 0) continue;
+      const Pack least = least_at_low(l, j);
+      if ((less_lanes(least, low_[l]) & active_) == 0) continue;
+      const Pack at_low = select_less(least, low_[l], bound_at_low(l, j), f_[l]);
+      if ((less_lanes(at_low, low_[l]) & active_) == 0) continue;
       // A part θ of the interval from there to high is excluded: the chord is below low_l.
       // Rounding: θ and the sum are lowered by more than their few roundings can have raised them.
       const Pack part = (low_[l] - at_low) / (f_[l] - at_low);
@@ -188,8 +183,8 @@ class Cells {
           smaller_of(select_less(at_low, low_[l], part, Pack::of(0.0)), Pack::of(1.0));
       const Pack change = usable * (high_[j] - from_[j]) * Pack::of(1.0 - 0x1p-40);
       const Pack low = (from_[j] + change) * Pack::of(1.0 - 0x1p-50);
-      gain = larger_gain(gain, low - low_[j], j, alive);
-      low_[j] = select_less(low_[j], low, low, low_[j]);
+      note_gain(low - low_[j], j);
+      low_[j] = if_active(select_less(low_[j], low, low, low_[j]), low_[j]);
     }
   }
 
@@ -203,6 +198,9 @@ class Cells {
   Pack from_[kMaxOrthantRows];  ///< low_ when the middle was taken
   Pack middle_[kMaxOrthantRows], radius_[kMaxOrthantRows], f_[kMaxOrthantRows];
   Pack value_[kMaxOrthantForms];
+  unsigned active_ = 0;  ///< lanes that still change
+  Pack is_active_;       ///< 1 or 0
+  unsigned gained_ = 0;  ///< lanes that became worthwhile smaller in this step
 };
 
 inline void possible(const OrthantProblem& problem, unsigned first, unsigned* lanes) noexcept {

@@ -17,6 +17,12 @@ static_assert(kStallCheck % kEveryTest == 0);
 /// After so many splits, an undecided box justifies the cost of its determinant in closed form.
 constexpr std::uint32_t kClosedFormDepth = 11;
 
+/// After so many splits, forms for products of uncertain quantities save more boxes than they cost,
+/// in boxes that are not too far beyond the threshold of costly tests.
+constexpr std::uint32_t kProductsDepth = 15;
+constexpr double kReachOfProducts = 0.15;
+constexpr unsigned kFewHalvings = 32;
+
 bool is_point(std::span<const Interval> box) noexcept {
   return std::all_of(box.begin(), box.end(), [](const Interval& x) { return x.lo == x.hi; });
 }
@@ -35,6 +41,8 @@ Decider::Decider(const Problem& problem, const Settings& settings, const RowStru
       looks_at_midpoints_(!settings.exhaustive && settings.ingredients.midpoints &&
                           problem.kernel->rows == problem.kernel->columns),
       scaled_(problem.alpha.hi > 0.0),
+      tries_products_(!scaled_ && structure.is_known() && !structure.empty() &&
+                      settings.method == Method::kAuto && settings.ingredients.orthants),
       batch_(problem, settings, structure),
       center_(problem, settings, keeps_uncertainty_whole_ ? structure : no_structure_),
       tests_(make_tests(problem, settings, structure)),
@@ -141,7 +149,7 @@ LaneMask Decider::leave_certified(LaneMask lanes) noexcept {
     });
     lanes &= ~certified;
   }
-  return leave_by_closed_form(lanes);
+  return leave_by_products(leave_by_closed_form(lanes));
 }
 
 /// A test that stopped being useful elsewhere may be the only one for a box that is not split any
@@ -164,6 +172,21 @@ LaneMask Decider::leave_by_closed_form(LaneMask lanes) noexcept {
     const std::optional<Interval> determinant = settings_.closed_form->enclose(out_->box_of(lane));
     if (!determinant || !batch_.certain_above_threshold(lane, mig(*determinant))) return;
     leave(lane, Rule::kClosedForm);
+    rest &= ~(1U << lane);
+  });
+  return rest;
+}
+
+/// For boxes of a long search that the orthants without such forms narrowly leave.
+LaneMask Decider::leave_by_products(LaneMask lanes) noexcept {
+  if (!tries_products_) return lanes;
+  LaneMask rest = lanes;
+  for_each_lane(lanes & out_->budget.anyway & ~out_->budget.last, [&](std::size_t lane) {
+    if (out_->open(lane).depth < kProductsDepth || !has_lane(batch_.certain_posed(), lane)) return;
+    const double beyond = batch_.approx_spectral_radius(lane) - out_->budget.threshold.value();
+    if (!(beyond < kReachOfProducts)) return;
+    if (batch_.certain_by_orthants(1U << lane, kFewHalvings) == 0) return;
+    leave(lane, Rule::kOrthants);
     rest &= ~(1U << lane);
   });
   return rest;

@@ -37,6 +37,7 @@ class Decider {
   [[nodiscard]] LaneMask leave_certified(LaneMask lanes) noexcept;
   [[nodiscard]] LaneMask leave_by_every_test(LaneMask lanes) noexcept;
   [[nodiscard]] LaneMask leave_by_closed_form(LaneMask lanes) noexcept;
+  [[nodiscard]] LaneMask leave_by_products(LaneMask lanes) noexcept;
   [[nodiscard]] LaneMask leave_small(LaneMask lanes);
   [[nodiscard]] LaneMask at_minimum_width(LaneMask lanes) noexcept;
   [[nodiscard]] std::size_t vector_order(Rule rule) const noexcept;
@@ -54,7 +55,7 @@ class Decider {
 
   const Problem& problem_;
   const Settings& settings_;
-  const bool keeps_uncertainty_whole_, looks_at_midpoints_, scaled_;
+  const bool keeps_uncertainty_whole_, looks_at_midpoints_, scaled_, tries_products_;
   const RowStructure no_structure_;
   Batch batch_;
   Batch center_;  ///< asked for regularity only if uncertain quantities are kept whole
