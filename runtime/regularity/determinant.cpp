@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <utility>
 
+#include "runtime/regularity/upward_elimination.hpp"
+
 namespace regulus {
 namespace {
 
@@ -115,6 +117,7 @@ Interval enclose_determinant(const LaneMatrix& M) noexcept {
 }
 
 Interval enclose_determinant_by_elimination(const LaneMatrix& M) noexcept {
+  if (const auto determinant = enclose_determinant_upward(M)) return *determinant;
   LaneMatrix work = M;
   Interval product(1.0);
   for (std::size_t k = 0; k < M.n; ++k) {

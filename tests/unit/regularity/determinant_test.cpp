@@ -3,7 +3,11 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
+#include <random>
+
 #include "runtime/regularity/rohn.hpp"
+#include "runtime/regularity/upward_elimination.hpp"
 #include "tests/support/lane_arrays.hpp"
 
 namespace regulus {
@@ -47,6 +51,56 @@ TEST(Determinant, EliminationOfManyRowsWithoutPivotIsTheWholeLine) {
   M.n = kMaxExpansion + 1;
   M.entries.fill(Interval(-1, 1));
   EXPECT_EQ(enclose_determinant_by_elimination(M), kEntire);
+}
+
+/// Elimination in the arithmetic of Interval; nullopt if a pivot before the last one contains 0.
+std::optional<Interval> eliminate_by_intervals(LaneMatrix M) {
+  Interval product(1.0);
+  for (std::size_t k = 0; k < M.n; ++k) {
+    std::size_t pivot = k;
+    for (std::size_t i = k + 1; i < M.n; ++i)
+      if (mig(M.at(i, k)) > mig(M.at(pivot, k))) pivot = i;
+    if (k + 1 < M.n && mig(M.at(pivot, k)) == 0.0) return std::nullopt;
+    for (std::size_t j = 0; j < M.n && pivot != k; ++j) std::swap(M.at(pivot, j), M.at(k, j));
+    if (pivot != k) product = -product;
+    product = product * M.at(k, k);
+    for (std::size_t i = k + 1; i < M.n; ++i) {
+      const Interval factor = M.at(i, k) / M.at(k, k);
+      for (std::size_t j = k + 1; j < M.n; ++j) M.at(i, j) = M.at(i, j) - factor * M.at(k, j);
+    }
+  }
+  return product;
+}
+
+TEST(Determinant, TheRoundingOfTheProcessorGivesTheBoundsOfIntervals) {
+  std::mt19937_64 random(7);
+  std::uniform_real_distribution<double> value(-1, 1);
+  int bounded = 0;
+  for (int round = 0; round < 20'000; ++round) {
+    LaneMatrix M;
+    M.n = 1 + random() % 8;
+    const double width =
+        random() % 3 == 0 ? 0.0 : std::ldexp(1.0, -static_cast<int>(random() % 60));
+    const double size = std::ldexp(1.0, static_cast<int>(random() % 60) - 30);
+    for (std::size_t e = 0; e < M.n * M.n; ++e) {
+      const double x = random() % 5 == 0 ? 0.0 : size * value(random);
+      M.entries[e] = Interval(x, x + size * width * std::fabs(value(random)));
+    }
+    const std::optional<Interval> expected = eliminate_by_intervals(M);
+    const std::optional<Interval> actual = enclose_determinant_upward(M);
+    ASSERT_EQ(actual.has_value(), expected.has_value()) << round;
+    if (!expected) continue;
+    ++bounded;
+    ASSERT_EQ(*actual, *expected) << round;
+  }
+  EXPECT_GT(bounded, 5000);
+}
+
+TEST(Determinant, TheRoundingOfTheProcessorBoundsNoInfinity) {
+  const LaneMatrix huge = matrix(2, {1e300, 1.0, 1.0, 1e300});
+  EXPECT_EQ(enclose_determinant_upward(huge), std::nullopt);
+  EXPECT_EQ(enclose_determinant_upward(matrix(1, {{1.0, HUGE_VAL}})), std::nullopt);
+  EXPECT_EQ(certain_sign(enclose_determinant_by_elimination(huge)), 1);
 }
 
 TEST(Determinant, ExpansionFollowsTheNarrowestLine) {
