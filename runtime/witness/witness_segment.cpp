@@ -19,13 +19,23 @@ constexpr std::size_t kMaxHalvings = 30;
 /// several points.
 constexpr std::size_t kMaxCloseIn = 60, kHalvingsALook = 3;
 
-/// Plain doubles tell the signs for so many halvings, and for more as a rule; in so many looks.
-constexpr std::size_t kMaxLeap = 36;
+/// Plain doubles tell the signs until the determinants at the ends of the segment are about as large
+/// as so many widths of their enclosures; in so many looks.
+constexpr double kSafeWidths = 16.0;
+constexpr std::size_t kMaxLeap = 48;
 constexpr unsigned kMaxLooks = 6;
 
 /// The first step away from a point whose sign is not known, as a part of the way to the next point
 /// with a known sign, and the growth of the steps.
 constexpr double kNearest = 0x1p-48, kGrowth = 16.0;
+
+/// Returns for how many halvings the signs of determinants in plain doubles are safe to use.
+std::size_t safe_halvings(const Interval& positive, const Interval& negative) noexcept {
+  const double width = std::max(positive.hi - positive.lo, negative.hi - negative.lo);
+  const double widths = (mid(positive) - mid(negative)) / (kSafeWidths * width);
+  if (!(widths >= 1.0)) return 0;
+  return std::min(kMaxLeap, static_cast<std::size_t>(std::ilogb(std::min(widths, 0x1p60))));
+}
 
 }  // namespace
 
@@ -141,9 +151,10 @@ bool WitnessSearch::narrow_by_signs(ApproxZero& zero) noexcept {
 /// multiple of kHalvingsALook.
 std::size_t WitnessSearch::leap_to_zero() noexcept {
   ApproxZero zero(mid(positive_.determinant), mid(negative_.determinant));
-  for (unsigned look = 0; look < kMaxLooks && zero.approx_halvings(kMaxLeap) < kMaxLeap; ++look)
+  const std::size_t most = safe_halvings(positive_.determinant, negative_.determinant);
+  for (unsigned look = 0; look < kMaxLooks && zero.approx_halvings(most) < most; ++look)
     if (!narrow_by_signs(zero)) break;
-  std::size_t halvings = zero.approx_halvings(kMaxLeap);
+  std::size_t halvings = zero.approx_halvings(most);
   halvings -= halvings % kHalvingsALook;
   double from = 0.0, to = 1.0;  // as parts of the way; exact
   for (std::size_t k = 0; k < halvings; ++k) {
