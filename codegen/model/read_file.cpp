@@ -15,7 +15,8 @@
 namespace regulus::inline model {
 namespace {
 
-constexpr std::uint64_t kPart = std::uint64_t{1} << 20;
+/// Of what is read at once: most files are small, and memory that is not used costs time, too.
+constexpr std::uint64_t kLeastPart = 1 << 14, kMostPart = 1 << 20;
 
 class Opened {
  public:
@@ -52,7 +53,8 @@ class Opened {
     std::string bytes;
     while (bytes.size() < most) {
       const std::size_t had = bytes.size();
-      bytes.resize(had + std::min(kPart, most - had));
+      const std::uint64_t part = std::clamp<std::uint64_t>(had, kLeastPart, kMostPart);
+      bytes.resize(had + std::min(part, most - had));
       const ssize_t count = ::read(descriptor_, bytes.data() + had, bytes.size() - had);
       const int error = errno;
       bytes.resize(had + static_cast<std::size_t>(std::max<ssize_t>(count, 0)));
