@@ -40,6 +40,7 @@ constexpr NamedSection kSections[] = {
     {"compile", compile_rows},
     {"counts", count_rows},
     {"completeness", completeness_rows},
+    {"margins", margin_rows},
     {"page", page_rows},
 };
 

@@ -8,4 +8,7 @@ namespace regulus::bench {
 /// Counts random models that are decided, with and without a singularity that is known to be there.
 [[nodiscard]] Section completeness_rows();
 
+/// Compares both ends of margins.
+[[nodiscard]] Section margin_rows();
+
 }  // namespace regulus::bench
