@@ -3,7 +3,10 @@
 
 #include <gtest/gtest.h>
 
+#include <random>
 #include <string>
+
+#include "runtime/files/sha256_blocks.hpp"
 
 namespace regulus {
 namespace {
@@ -46,6 +49,22 @@ TEST(Sha256, IsTheSameOfBytesThatComeInPieces) {
       digest.add(std::string_view(bytes).substr(at, piece));
     }
     EXPECT_EQ(digest.text(), sha256(bytes)) << piece;
+  }
+}
+
+TEST(Sha256, IsTheSameWithAndWithoutInstructionsOfTheProcessor) {
+  if (!sha256_blocks::has_instructions()) GTEST_SKIP() << "this processor has none";
+  std::mt19937 random(5);
+  for (std::size_t blocks = 0; blocks < 40; ++blocks) {
+    std::string bytes;
+    while (bytes.size() < blocks * sha256_blocks::kBlockBytes)
+      bytes += static_cast<char>(random() & 0xffU);
+    sha256_blocks::State portable;
+    for (std::uint32_t& word : portable) word = random();
+    sha256_blocks::State instructed = portable;
+    sha256_blocks::compress_portably(portable, bytes);
+    sha256_blocks::compress_by_instructions(instructed, bytes);
+    EXPECT_EQ(instructed, portable) << blocks;
   }
 }
 
