@@ -95,14 +95,18 @@ bool find_whole(PartList& list, PartStore* store, const ObjectCache& cache, Comp
   return true;
 }
 
-/// Gives the known parts their code. Returns the others.
+enum class Missing { kCompile, kGiveUp };
+
+/// Gives the known parts their code. Returns the others; only the first of them if `what` is
+/// kGiveUp.
 std::vector<std::size_t> find_known(PartList& list, PartStore* store,
-                                    const std::optional<ObjectCache>& cache,
+                                    const std::optional<ObjectCache>& cache, Missing what,
                                     CompileReport& report) {
   const Timer timer(report.cache_seconds);
   std::vector<std::size_t> missing;
   std::string note;
   for (std::size_t i = 0; i < list.names.size(); ++i) {
+    if (what == Missing::kGiveUp && !missing.empty()) break;
     if (store)
       if (auto known = store->find(list.names[i])) {
         list.codes[i] = std::move(*known);
@@ -206,8 +210,6 @@ std::shared_ptr<const ProgramInMemory> load(const machine::PackKernel& program,
   throw CompileError(error.what(), {}, {});
 }
 
-enum class Missing { kCompile, kGiveUp };
-
 std::optional<CompiledKernel> make_kernel(const machine::PackKernel& program,
                                           const CompileOptions& options, Missing what) {
   machine::require_no_fault(program);
@@ -220,7 +222,7 @@ std::optional<CompiledKernel> make_kernel(const machine::PackKernel& program,
     const auto cache = open_cache(options, report);
     const bool whole = cache && find_whole(list, options.parts, *cache, report);
     std::vector<std::size_t> missing;
-    if (!whole) missing = find_known(list, options.parts, cache, report);
+    if (!whole) missing = find_known(list, options.parts, cache, what, report);
     if (!missing.empty() && what == Missing::kGiveUp) return std::nullopt;
     if (!missing.empty()) compile_missing(list, missing, compiler, options.isa, report);
     loaded = load(program, list, options.isa, report);
