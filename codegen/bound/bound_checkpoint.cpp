@@ -4,9 +4,11 @@
 #include <algorithm>
 
 #include "codegen/bound/quantity_report.hpp"
+#include "codegen/model/ginac_text.hpp"
 #include "codegen/model/read_file.hpp"
 #include "codegen/report/question_report.hpp"
 #include "codegen/support/errors.hpp"
+#include "codegen/trajectory/trajectory_report.hpp"
 #include "runtime/files/atomic_file.hpp"
 
 namespace regulus::inline bounding {
@@ -153,6 +155,11 @@ Json checkpointed_question(const Request& request, const Quantity& quantity,
   Json question = json_question(request, search);
   question.erase("options");  // they change how long it takes
   question["quantity"] = json_quantity(request.model, quantity);
+  if (!request.motion.trajectory) return question;
+  question["waypoints"] = json_waypoints(*request.motion.trajectory);
+  question["waypoints"].erase("file");
+  for (const GiNaC::ex& error : request.motion.error)
+    question["tube"].push_back(formula_text(error));
   return question;
 }
 

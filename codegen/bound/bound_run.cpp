@@ -9,11 +9,12 @@
 #include "codegen/bound/bracket_topic.hpp"
 #include "codegen/bound/fastest_twist.hpp"
 #include "codegen/bound/norm_of_part.hpp"
+#include "codegen/bound/reference.hpp"
+#include "codegen/bound/way_bound.hpp"
 #include "codegen/engine/search_run.hpp"
 #include "codegen/engine/settings.hpp"
 #include "codegen/margin/prepared_margin.hpp"
 #include "codegen/model/certain_sign.hpp"
-#include "codegen/model/decimal.hpp"
 #include "codegen/model/ginac_text.hpp"
 #include "codegen/model/sign.hpp"
 #include "codegen/quantity/approx_values.hpp"
@@ -27,8 +28,7 @@ namespace {
 
 using GiNaC::ex;
 
-constexpr int kPlaces = 8;        ///< where the quantity is evaluated beforehand
-constexpr double kBeyond = 1.01;  ///< an end of the bracket that is certainly singular
+constexpr int kPlaces = 8;  ///< where the quantity is evaluated beforehand
 constexpr int kMostRefinements = 3;
 /// Seconds of a search, if all components together have as much: enough for an attained end.
 constexpr double kLeastSearch = 0.5;
@@ -42,13 +42,6 @@ std::string in_file_name(std::string label) {
 
 std::string certificate_of(const Component& c, const std::string& certificate) {
   return certificate.empty() ? certificate : certificate + certificate_suffix(c);
-}
-
-/// Returns (proved − attained)/larger of the two; nullopt unless there are both.
-std::optional<double> relative_gap(const ComponentBound* attained, const ComponentBound* proved) {
-  if (!attained || !proved || !attained->attained || !proved->proved) return std::nullopt;
-  const double a = attained->attained->approx, p = proved->proved->approx;
-  return std::abs(a - p) / std::max({std::abs(a), std::abs(p), 1e-300});
 }
 
 /// Brackets one component, or compares it with a limit.
@@ -70,7 +63,7 @@ class ComponentRun {
   ComponentBound bracket() {
     choose_reference();
     if (is_zero_everywhere()) return zero();
-    MarginQuestion question = whole_question();
+    MarginQuestion question = question_beyond(bordered_, sampled_);
     double gap = settings_.gap;
     for (int round = 0; round <= kMostRefinements; ++round) {
       run(question, gap);
@@ -98,23 +91,12 @@ class ComponentRun {
   }
 
  private:
-  [[nodiscard]] bool is_direct() const {
-    const QuantityKind kind = result_.component.kind;
-    return kind == QuantityKind::kSigmaMin || kind == QuantityKind::kDeterminant;
-  }
   [[nodiscard]] std::string certificate() const {
     return certificate_of(result_.component, settings_.certificate);
   }
-  /// Returns sign·value.
-  [[nodiscard]] ex signed_value(const ex& value) const { return result_.component.sign * value; }
-
-  /// A row that no twist of the set moves, such as a constraint's, has the speed 0 as an expression.
   [[nodiscard]] bool is_zero_where_defined() const {
-    const Model& model = bordered_.request.model;
-    const Motion& motion = bordered_.request.motion;
-    return result_.component.kind == QuantityKind::kSpeed && settings_.certificate.empty() &&
-           motion.constraints.empty() && motion.reach.empty() && model.matrix.rows() == 1 &&
-           GiNaC::is_a<GiNaC::numeric>(model.matrix(0, 0));
+    return settings_.certificate.empty() &&
+           bounding::is_zero_where_defined(bordered_, result_.component);
   }
   /// Nothing can be undefined.
   [[nodiscard]] bool is_zero_everywhere() const {
@@ -122,32 +104,19 @@ class ComponentRun {
            bordered_.request.model.must_be_defined.empty();
   }
   [[nodiscard]] ComponentBound zero() {
-    result_.proved = result_.attained = end_at(0);
-    result_.place.emplace().pose = "every pose";
-    result_.is_closed = true;
+    set_zero(result_);
     return std::move(result_);
   }
 
-  /// Chooses y below the largest value, so that the bound is y + 1/R with R > 0.
   void choose_reference() {
     bordered_ = border(request_, result_.component);
     if (bordered_.parameter.empty()) return;
-    const std::vector<double> values = approx_values(bordered_, kPlaces);
-    if (values.empty()) return;
-    double extreme = is_direct() ? std::ranges::min(values) : std::ranges::max(values);
-    if (!result_.component.is_absolute && extreme <= 0) {
-      topic_.reference = extreme == 0 ? -1 : 2 * extreme;
-      reference_ = shortest_decimal(topic_.reference);
-      bordered_ = border(request_, result_.component, reference_);
-      extreme = extreme == 0 ? 1 : -extreme;
-    }
-    if (extreme > 0) sampled_ = is_direct() ? extreme : 1 / extreme;
-  }
-
-  [[nodiscard]] MarginQuestion whole_question() const {
-    std::optional<MarginValue> high;
-    if (sampled_) high = decimal_value(short_decimal_above(kBeyond * *sampled_));
-    return question_of(bordered_, decimal_value(0), std::move(high));
+    const Reference reference =
+        bounding::choose_reference(result_.component, approx_values(bordered_, kPlaces));
+    sampled_ = reference.sampled;
+    topic_.reference = reference.approx;
+    reference_ = reference.value();
+    if (reference.approx != 0) bordered_ = border(request_, result_.component, reference_);
   }
 
   void tell_workers(const MarginQuestion& question) {
@@ -206,7 +175,7 @@ class ComponentRun {
   void set_proved(const MarginValue& value) {
     certified_ = value;
     if (bordered_.is_reciprocal && value.exact.is_zero()) return;
-    const BoundEnd end = end_at(bound_at(value));
+    const BoundEnd end = end_at(bound_at(bordered_, result_.component, value));
     if (std::isfinite(end.approx)) result_.proved = end;
   }
 
@@ -218,12 +187,7 @@ class ComponentRun {
       result_.place->values.clear();  // it is singular under every load
       return;
     }
-    result_.attained = end_at(bound_at(step.value));
-  }
-
-  /// Returns the bound on q that regularity up to a value of r means.
-  [[nodiscard]] ex bound_at(const MarginValue& value) const {
-    return bordered_.is_reciprocal ? signed_value(reference_ + 1 / value.exact) : value.exact;
+    result_.attained = end_at(bound_at(bordered_, result_.component, step.value));
   }
 
   void search_at(PreparedMargin& margin, const MarginValue& value,
@@ -275,6 +239,12 @@ class ComponentRun {
   bool closed_ = false;
   ComponentBound result_;
 };
+
+ComponentBound bound_variety(const Request& request, const Component& component, std::size_t number,
+                             const BoundSettings& settings, double seconds, double left) {
+  ComponentRun run(request, component, number, settings, seconds, left);
+  return settings.limit ? run.compare() : run.bracket();
+}
 
 /// Compares exact numbers; approximately only if their difference has no certain sign.
 bool is_beyond(const BoundEnd& end, const BoundEnd& other, bool below) {
@@ -339,10 +309,7 @@ LimitVerdict Bound::verdict() const {
 
 Bound bound_quantity(const Request& request, Quantity quantity, const BoundSettings& settings,
                      const BoundListener& listener) {
-  if (request.motion.trajectory)
-    throw UsageError(
-        "bound: a motion along way-points cannot be bounded yet; give the motion a "
-        "formula, or ranges");
+  const bool is_along_way = request.motion.trajectory != nullptr;
   Bound bound{std::move(quantity), {}};
   Stopwatch watch;
   double left = settings.search.time_limit, forming = settings.forming_limit;
@@ -350,8 +317,10 @@ Bound bound_quantity(const Request& request, Quantity quantity, const BoundSetti
   for (std::size_t i = 0; i < components.size(); ++i) {
     // Each component has an equal part of the time that is left.
     const double share = left / double(components.size() - i);
-    ComponentRun run(request, components[i], i, settings, share, std::max(left, forming));
-    bound.components.push_back(settings.limit ? run.compare() : run.bracket());
+    const double most = std::max(left, forming);
+    bound.components.push_back(
+        is_along_way ? bound_along_way(request, components[i], settings, share, most)
+                     : bound_variety(request, components[i], i, settings, share, most));
     // A certificate is of the end that the component's own search found.
     if (!settings.limit && settings.certificate.empty())
       use_freedoms(bound.components.back(), bound, request.model, settings.gap);

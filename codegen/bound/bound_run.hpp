@@ -67,7 +67,8 @@ using BoundListener = std::function<void(const ComponentBound&)>;
 /// Bounds every component of `quantity`, one after the other.
 ///
 /// Requires  the quantity is of request.model.
-/// Throws    UsageError for a motion along way-points, and the exceptions of prepare().
+/// Throws    UsageError for options that a motion along way-points does not have; the exceptions of
+///           prepare().
 [[nodiscard]] Bound bound_quantity(const Request& request, Quantity quantity,
                                    const BoundSettings& settings, const BoundListener& listener);
 

@@ -27,9 +27,16 @@ Request along_parameter(const Request& request, const GiNaC::realsymbol& s) {
   Request result = request;
   result.motion.waypoints.reset();
   result.motion.trajectory = nullptr;
-  result.motion.parameters = {{s, s.get_name(), "1", {0, 1}}};
+  result.motion.parameters.insert(result.motion.parameters.begin(), {s, s.get_name(), "1", {0, 1}});
   result.motion.pose.clear();
   return result;
+}
+
+/// Appends the pose parameters that no piece gives.
+void append_added_poses(Motion& motion, const Motion& declared) {
+  const std::size_t given = declared.trajectory->pieces.front().pose.size();
+  for (std::size_t i = given; i < declared.pose.size(); ++i)
+    motion.pose.push_back(declared.pose[i]);
 }
 
 /// A coefficient that some piece has, as a symbol of the common question.
@@ -40,7 +47,7 @@ struct Slot {
 
 std::vector<Slot> slots_of(const Model& model, const Trajectory& trajectory) {
   std::vector<Slot> slots;
-  for (std::size_t i = 0; i < model.pose.size(); ++i)
+  for (std::size_t i = 0; i < trajectory.pieces.front().pose.size(); ++i)
     for (std::size_t c = 0; c < kPieceCoefficients; ++c) {
       const bool is_needed = std::ranges::any_of(trajectory.pieces, [&](const TrajectoryPiece& p) {
         return !coefficient(p.pose[i], c).is_zero();
@@ -82,6 +89,7 @@ Request piece_request(const Request& request, std::size_t piece) {
   Request result = along_parameter(request, s);
   for (const PieceOfPose& p : request.motion.trajectory->pieces.at(piece).pose)
     result.motion.pose.push_back(expression_of(p, s));
+  append_added_poses(result.motion, request.motion);
   return result;
 }
 
@@ -91,7 +99,7 @@ CertifiedQuestion trajectory_question(const Request& request,
   const std::vector<Slot> slots = slots_of(request.model, trajectory);
   const GiNaC::realsymbol s(unused_name(request.model, "s"));
   Request common = along_parameter(request, s);
-  std::vector<PieceOfPose> pose(request.model.pose.size());
+  std::vector<PieceOfPose> pose(trajectory.pieces.front().pose.size());
   for (const Slot& slot : slots) {
     PieceOfPose& p = pose[slot.parameter];
     if (slot.coefficient < p.power.size())
@@ -100,6 +108,7 @@ CertifiedQuestion trajectory_question(const Request& request,
       (slot.coefficient == 4 ? p.cosine : slot.coefficient == 5 ? p.sine : p.turn) = slot.symbol;
   }
   for (const PieceOfPose& p : pose) common.motion.pose.push_back(expression_of(p, s));
+  append_added_poses(common.motion, request.motion);
   CertifiedQuestion question = certified_question(common, uncertain);
   const std::size_t poses = question.text.find("\npose ");
   question.text.insert(poses + 1, piece_lines(slots, trajectory));

@@ -11,7 +11,8 @@
 
 namespace regulus::inline certificate {
 
-/// Returns the question about one piece alone: its parameter s ranges over [0, 1].
+/// Returns the question about one piece alone: its first parameter s ranges over [0, 1], and the
+/// parameters of the motion follow.
 [[nodiscard]] Request piece_request(const Request& request, std::size_t piece);
 
 /// Returns the question about all pieces (FORMAT.md, `piecewise`).

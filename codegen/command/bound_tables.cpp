@@ -35,6 +35,7 @@ void CommandTables::add_bound() {
   bound_command = app.add_subcommand(
       "bound", "Bracket the largest force, error, speed or other quantity, over every pose");
   add_model_options(*bound_command, bound.model);
+  add_waypoint_options(*bound_command, bound.model);
   add_bound_options(*bound_command, bound);
   add_search_options(*bound_command, bound.search);
   bound_command->get_option("--time-limit")->default_str("60");
@@ -51,6 +52,7 @@ void CommandTables::add_datasheet() {
   datasheet_command = app.add_subcommand(
       "datasheet", "Bracket every quantity that the model has data for, in one table");
   add_model_options(*datasheet_command, datasheet.model);
+  add_waypoint_options(*datasheet_command, datasheet.model);
   datasheet_command
       ->add_option("--gap", datasheet.gap,
                    "Stop when each bracket is at most this part of its larger end")

@@ -204,7 +204,10 @@ void MarginRequest::require_growth() const {
   const bool is_path = nominal_.motion.trajectory != nullptr;
   if (question_.quantity == MarginQuantity::kScale && is_path)
     throw UsageError("--scale: a motion along way-points has no ranges; use --tube p=LO:HI");
-  if (question_.quantity == MarginQuantity::kParameter && is_path)
+  // A bound adds its parameter to those of the pieces.
+  const bool is_added = std::ranges::any_of(
+      nominal_.motion.parameters, [this](const auto& p) { return p.name == question_.groups; });
+  if (question_.quantity == MarginQuantity::kParameter && is_path && !is_added)
     throw UsageError("--grow: a motion along way-points has no ranges; use --tube p=LO:HI");
   if (question_.quantity == MarginQuantity::kScale) require_box_variety(nominal_);
   if (question_.quantity == MarginQuantity::kParameter) {

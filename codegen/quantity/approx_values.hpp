@@ -15,4 +15,7 @@ namespace regulus::inline quantity {
 /// none.
 [[nodiscard]] std::vector<double> approx_values(const Bordered& bordered, int places);
 
+/// Returns the same, but singular values themselves; also of |det J⁻¹|.
+[[nodiscard]] std::vector<double> better_values(const Bordered& bordered, int places);
+
 }  // namespace regulus::quantity

@@ -83,7 +83,7 @@ class Border {
     model.pose.push_back({r, bordered_.parameter, "1"});
     motion.parameters.push_back({r, bordered_.parameter, "1", {0, 1}});
     motion.pose.emplace_back(r);
-    motion.error.emplace_back(0);
+    motion.error.resize(model.pose.size(), 0);
   }
 
   matrix matrix_of(QuantityKind kind) {

@@ -56,10 +56,10 @@ struct Bordered {
   unsigned rows_of_inverse = 0;  ///< of a singular value: the rows of J⁻¹; otherwise 0
 };
 
-/// Returns the question, with r in [0, 1] or [−1, 1].
+/// Returns the question, with r in [0, 1] or [−1, 1]. Along way-points r is a parameter of the motion
+/// beside that of the pieces.
 ///
-/// Requires  `component` is of request.model, whose motion is not along way-points; reference = 0
-///           if the component is absolute.
+/// Requires  `component` is of request.model; reference = 0 if the component is absolute.
 /// Ensures   row scales, threshold and notes of the model are gone.
 [[nodiscard]] Bordered border(const Request& request, const Component& component,
                               const GiNaC::ex& reference = 0);

@@ -1,7 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "codegen/quantity/sample_point.hpp"
 
+#include <algorithm>
 #include <cmath>
+
+#include "codegen/model/trajectory.hpp"
 
 namespace regulus::inline quantity {
 
@@ -22,9 +25,22 @@ GiNaC::exmap SamplePoints::pose_at(bool in_the_middle) {
     point[p.symbol] = (p.range.lo + t * (p.range.hi - p.range.lo)).evalf();
   }
   const GiNaC::exmap parameters = point;
+  const std::vector<ex> pieces =
+      motion.trajectory ? poses_of_piece(in_the_middle) : std::vector<ex>();
   for (std::size_t i = 0; i < request_.model.pose.size(); ++i)
-    point[request_.model.pose[i].symbol] = motion.pose[i].subs(parameters).evalf();
+    point[request_.model.pose[i].symbol] =
+        i < pieces.size() ? pieces[i] : motion.pose[i].subs(parameters).evalf();
   return point;
+}
+
+std::vector<ex> SamplePoints::poses_of_piece(bool in_the_middle) {
+  const std::vector<TrajectoryPiece>& pieces = request_.motion.trajectory->pieces;
+  const double t = in_the_middle ? 0.5 : uniform_(random_);
+  const double s = in_the_middle ? 0.5 : uniform_(random_);
+  const auto k = std::min(std::size_t(t * double(pieces.size())), pieces.size() - 1);
+  std::vector<ex> poses;
+  for (const PieceOfPose& p : pieces[k].pose) poses.push_back(expression_of(p, ex(s)).evalf());
+  return poses;
 }
 
 void SamplePoints::add_uncertain(GiNaC::exmap& point, bool in_the_middle) {

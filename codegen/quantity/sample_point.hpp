@@ -27,6 +27,8 @@ class SamplePoints {
 
  private:
   [[nodiscard]] GiNaC::exmap pose_at(bool in_the_middle);
+  /// Returns the pose on some piece of a trajectory, or in the middle of the one in the middle.
+  [[nodiscard]] std::vector<GiNaC::ex> poses_of_piece(bool in_the_middle);
 
   const Request& request_;
   std::minstd_rand random_{1};

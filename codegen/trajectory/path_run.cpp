@@ -37,7 +37,8 @@ void PathRun::search_all() {
     return end(0, check_.hull.stopped->interrupted ? Reason::kInterrupted : Reason::kTimeBudget);
   settings_.time_limit = std::max(0.0, seconds_left());
   if (find_fault(check_.hull.problem(), settings_)) return end(0, Reason::kBadProblem);
-  const PathSearchOptions options{uncertain_names(check_.hull.labels).size(), wants_trees_,
+  const PathSearchOptions options{check_.request.motion.parameters.size(),
+                                  uncertain_names(check_.hull.labels).size(), wants_trees_,
                                   check_.hull.labels.reach};
   check_.path = search_path(path, check_.hull.problem(), settings_, options);
   check_.seconds.search = check_.path.statistics.seconds;
@@ -86,7 +87,7 @@ bool PathRun::is_cut_short(const Result& result) const {
          (result.stopped_by == Reason::kTimeBudget && seconds_left() <= 0);
 }
 
-TrajectoryCheck begin_check(Request request, double model_seconds, SearchOptions& search) {
+void settle_options(SearchOptions& search) {
   if (!search.filters.empty())
     throw UsageError("--filter: a motion along way-points is searched without filters");
   if (search.uncertainty != Uncertainty::kElements)
@@ -95,6 +96,10 @@ TrajectoryCheck begin_check(Request request, double model_seconds, SearchOptions
         "option out");
   // A piece is decided by few boxes, so that a compiler would not pay.
   if (search.engine == Engine::kAuto) search.engine = Engine::kInterpreted;
+}
+
+TrajectoryCheck begin_check(Request request, double model_seconds, SearchOptions& search) {
+  settle_options(search);
   TrajectoryCheck check;
   check.request = std::move(request);
   check.engine = search.engine;

@@ -41,6 +41,10 @@ class PathRun {
   bool has_ended_ = false;
 };
 
+/// Chooses the engine of searches along way-points. Throws UsageError for options that a motion
+/// along way-points does not have.
+void settle_options(SearchOptions& search);
+
 /// Returns the check of a request that took `model_seconds` to read. Throws UsageError for options
 /// that a motion along way-points does not have.
 [[nodiscard]] TrajectoryCheck begin_check(Request request, double model_seconds,

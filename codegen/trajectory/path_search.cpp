@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "codegen/trajectory/path_search.hpp"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <chrono>
 
@@ -16,19 +14,7 @@ namespace {
 
 using Clock = std::chrono::steady_clock;
 
-/// A piece that needs more is left to a search of its own, which can also find a singularity.
-constexpr std::uint32_t kMostBoxesOfAPiece = 2048;
-constexpr double kShortestPart = 0x1p-24;
 constexpr std::size_t kMostBatches = 64;
-
-/// A part of the trajectory that is not decided yet.
-struct Part {
-  std::size_t piece = 0, pieces = 1;  ///< a group of pieces has neither number nor errors
-  BoxId id = 0;
-  std::uint32_t depth = 0;
-  double begin = 0, end = 1;     ///< of s
-  std::vector<Interval> errors;  ///< by moving parameter; empty: all
-};
 
 class PathSearch {
  public:
@@ -41,34 +27,25 @@ class PathSearch {
         structure_(find_row_structure(problem, settings)),
         round_(problem, settings, structure_),
         claims_(problem, options.reach),
+        parts_(path, problem, {options.added, options.uncertain}, options.wants_trees),
         box_(problem.outer),
         boxes_(path.pieces()),
-        next_id_(path.pieces(), 1),
         blocked_(path.pieces(), false) {
     result_.certified.assign(path.pieces(), true);
     result_.leaves.resize(path.pieces());
-    if (options.wants_trees) result_.trees.resize(path.pieces());
-    number_errors();
   }
 
   PathSearchResult run() {
     round_.begin(deadline());
-    std::size_t all = 1;
-    while (all < path_.pieces()) all *= 2;
-    open_.push_back({0, all, 0, 0, 0, 1, {}});
+    open_.push_back(parts_.whole());
     while (!open_.empty() && !must_stop()) decide_round();
-    for (const Part& part : open_) leave_open(part);
+    for (const PathPart& part : open_) leave_open(part);
+    result_.trees = parts_.take_trees();
     result_.statistics.seconds = seconds();
     return std::move(result_);
   }
 
  private:
-  /// In a certificate, variables are s, the uncertain quantities, and the control errors.
-  void number_errors() {
-    std::size_t next = 1 + options_.uncertain;
-    for (const Interval& error : path_.errors()) error_number_.push_back(error.hi > 0 ? next++ : 0);
-  }
-
   [[nodiscard]] double seconds() const {
     return std::chrono::duration<double>(Clock::now() - start_).count();
   }
@@ -90,8 +67,8 @@ class PathSearch {
     return result_.stopped_by.has_value();
   }
 
-  void leave_open(const Part& part) {
-    const std::size_t end = std::min(part.piece + part.pieces, path_.pieces());
+  void leave_open(const PathPart& part) {
+    const std::size_t end = parts_.end_of(part);
     std::fill(result_.certified.begin() + std::ptrdiff_t(part.piece),
               result_.certified.begin() + std::ptrdiff_t(end), false);
   }
@@ -104,9 +81,9 @@ class PathSearch {
     }
     if (!round_.decide(threshold_)) result_.stopped_by = Reason::kMemory;
     std::size_t at = 0;
-    std::vector<Part> taken = std::move(taken_);
+    std::vector<PathPart> taken = std::move(taken_);
     taken_.clear();
-    std::vector<Part> halves;
+    std::vector<PathPart> halves;
     for (std::size_t i = 0; i < round_.size(); ++i) {
       Decisions& batch = round_.batch(i);
       for (std::size_t t = 0; batch.decided && t < batch.budget.trials; ++t)
@@ -130,10 +107,10 @@ class PathSearch {
       Decisions* batch = round_.append();
       if (batch == nullptr) return;
       while (!open_.empty() && batch->count() < kLanes) {
-        Part part = std::move(open_.back());
+        PathPart part = std::move(open_.back());
         open_.pop_back();
-        if (part.pieces == 1 && blocked_[part.piece]) continue;
-        load_box(part);
+        if ((part.pieces == 1 && blocked_[part.piece]) || is_skipped(part)) continue;
+        parts_.load_box(part, box_);
         batch->add({part.id, part.depth, box_});
         taken_.push_back(std::move(part));
         ++result_.statistics.boxes;
@@ -141,94 +118,43 @@ class PathSearch {
     }
   }
 
-  /// A part lies in the ranges of the problem as well as in its own hull.
-  void load_box(const Part& part) {
-    for (std::size_t m = 0; m < path_.moving().size(); ++m) {
-      const Interval poses = commanded(part, m) + error_of(part, m);
-      box_[m] = intersect(poses, problem_.outer[m]).value_or(problem_.outer[m]);
-    }
+  [[nodiscard]] bool is_skipped(const PathPart& part) const {
+    if (options_.skipped == nullptr) return false;
+    const std::size_t end = parts_.end_of(part);
+    const auto first = options_.skipped->begin();
+    return std::all_of(first + std::ptrdiff_t(part.piece), first + std::ptrdiff_t(end),
+                       [](bool skipped) { return skipped; });
   }
 
-  [[nodiscard]] Interval commanded(const Part& part, std::size_t m) const {
-    return part.pieces > 1 ? path_.over_pieces(part.piece, part.pieces, m)
-                           : path_.over(part.piece, m, part.begin, part.end);
-  }
-
-  [[nodiscard]] Interval error_of(const Part& part, std::size_t m) const {
-    return part.errors.empty() ? path_.errors()[m] : part.errors[m];
-  }
-
-  void settle(Part& part, const Decision& decision, std::vector<Part>& halves) {
+  void settle(PathPart& part, const Decision& decision, std::vector<PathPart>& halves) {
     const bool is_leaf = decision.kind == Decision::Kind::kLeaf;
     if (is_leaf && decision.rule != Rule::kBlocked) return certify(part, decision.rule);
-    if (part.pieces > 1) return split_group(part, halves);
-    if (is_leaf || ++boxes_[part.piece] > kMostBoxesOfAPiece) return block(part);
-    split(part, decision.variable, halves);
+    if (part.pieces > 1) return parts_.split_group(part, halves);
+    if (is_leaf || ++boxes_[part.piece] > options_.most_boxes) return block(part);
+    if (!parts_.split(part, decision.variable, halves)) block(part);
   }
 
-  void certify(const Part& part, Rule rule) {
+  void certify(const PathPart& part, Rule rule) {
     ++result_.statistics.leaves[static_cast<std::size_t>(rule)];
-    const std::size_t end = std::min(part.piece + part.pieces, path_.pieces());
+    const std::size_t end = parts_.end_of(part);
     const Claim claim = claim_of_leaf(part, rule);
     for (std::size_t k = part.piece; k < end; ++k) {
       result_.leaves[k].within |= claim == Claim::kFree;
       result_.leaves[k].outside |= claim == Claim::kOutside;
       result_.leaves[k].out_of_reach |= claim == Claim::kUnreachable;
     }
-    if (!options_.wants_trees) return;
-    for (std::size_t k = part.piece; k < end; ++k) {
-      result_.trees[k].lines += fmt::format("l {} {}\n", part.id, certificate_word(rule));
-      ++result_.trees[k].leaves;
-    }
+    parts_.leaf(part, certificate_word(rule));
   }
 
-  [[nodiscard]] Claim claim_of_leaf(const Part& part, Rule rule) {
+  [[nodiscard]] Claim claim_of_leaf(const PathPart& part, Rule rule) {
     if (rule != Rule::kOutside) return Claim::kFree;
-    load_box(part);
+    parts_.load_box(part, box_);
     return claims_.of(box_, rule);
   }
 
-  void block(const Part& part) {
+  void block(const PathPart& part) {
     blocked_[part.piece] = true;
     result_.certified[part.piece] = false;
-  }
-
-  static void split_group(const Part& part, std::size_t pieces, std::vector<Part>& halves) {
-    const std::size_t half = part.pieces / 2;
-    halves.push_back({part.piece, half, 0, 0, 0, 1, {}});
-    if (part.piece + half < pieces) halves.push_back({part.piece + half, half, 0, 0, 0, 1, {}});
-  }
-  void split_group(const Part& part, std::vector<Part>& halves) const {
-    split_group(part, path_.pieces(), halves);
-  }
-
-  /// Splits what makes that pose parameter wide: the part of the path, or its control error.
-  void split(Part& part, std::size_t variable, std::vector<Part>& halves) {
-    const Interval path = commanded(part, variable), error = error_of(part, variable);
-    const bool in_error = error.hi - error.lo > path.hi - path.lo;
-    const auto parts = in_error ? bisect(error) : bisect(Interval(part.begin, part.end));
-    if (!parts || (!in_error && part.end - part.begin < kShortestPart)) return block(part);
-    Part first = part, second = std::move(part);
-    if (in_error) {
-      if (first.errors.empty()) {
-        first.errors.assign(path_.errors().begin(), path_.errors().end());
-        second.errors = first.errors;
-      }
-      first.errors[variable] = parts->left;
-      second.errors[variable] = parts->right;
-    } else {
-      first.end = second.begin = parts->left.hi;
-    }
-    const std::size_t number = in_error ? error_number_[variable] : 0;
-    BoxId& next = next_id_[first.piece];
-    if (options_.wants_trees)
-      result_.trees[first.piece].lines +=
-          fmt::format("s {} {} {:a}\n", first.id, number, parts->left.hi);
-    first.id = next++;
-    second.id = next++;
-    ++first.depth, ++second.depth;
-    halves.push_back(std::move(first));
-    halves.push_back(std::move(second));
   }
 
   const PathBounds& path_;
@@ -240,12 +166,11 @@ class PathSearch {
   Round round_;
   AdaptiveThreshold threshold_;
   LeafClaims claims_;
+  PathParts parts_;
   std::vector<Interval> box_;
   std::vector<std::uint32_t> boxes_;  ///< evaluated in each piece
-  std::vector<BoxId> next_id_;
   std::vector<bool> blocked_;
-  std::vector<std::size_t> error_number_;  ///< of a moving parameter's error in a certificate
-  std::vector<Part> open_, taken_;
+  std::vector<PathPart> open_, taken_;
   PathSearchResult result_;
 };
 

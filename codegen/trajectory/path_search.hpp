@@ -2,27 +2,20 @@
 // Searches all pieces of a trajectory with one kernel, whose variables are the pose parameters.
 //
 // A box of the kernel is the hull of a part of the trajectory and of the control errors around it.
-// Parts are groups of pieces, pieces, and parts of pieces, split in s and in the errors. If every
-// part is certified, so is the trajectory: each of its poses lies in some box. Nothing is concluded
+// Parts are groups of pieces, pieces, and parts of pieces, split in s, in the errors and in the
+// parameters that the motion has beside s. If every part is certified, so is the trajectory: each of its poses lies in some box. Nothing is concluded
 // from a box that is not certified, because it contains poses beside the trajectory.
 #pragma once
 
 #include <cstdint>
 #include <optional>
-#include <string>
 #include <vector>
 
-#include "codegen/trajectory/path_bounds.hpp"
+#include "codegen/trajectory/path_parts.hpp"
 #include "runtime/problem/problem.hpp"
 #include "runtime/problem/result.hpp"
 
 namespace regulus::inline trajectory {
-
-/// The tree of a piece as lines of a certificate (FORMAT.md).
-struct PieceTree {
-  std::string lines;
-  std::uint64_t leaves = 0;
-};
 
 /// The kinds of leaves that a piece has.
 struct PieceLeaves {
@@ -43,17 +36,23 @@ struct PathSearchResult {
   std::size_t stopped_at = 0;  ///< a piece that was not reached then
 };
 
+/// A piece that needs more is left to a search of its own, which can also find a singularity.
+inline constexpr std::uint32_t kMostBoxesOfPiece = 2048;
+
 struct PathSearchOptions {
+  std::size_t added = 0;      ///< parameters of the motion beside s
   std::size_t uncertain = 0;  ///< the uncertain quantities of a certificate
   bool wants_trees = false;
   std::size_t reach = 0;  ///< the first constraints of the kernel, which are those of reach
+  std::uint32_t most_boxes = kMostBoxesOfPiece;  ///< of each piece
+  const std::vector<bool>* skipped = nullptr;    ///< by piece; null: none. They count as certified
 };
 
-/// Requires  find_fault finds no fault. `problem`: its motion variables are path.moving() in order, and its ranges contain the whole
-/// path with its errors.
+/// Requires  find_fault finds no fault. `problem`: its motion variables are path.moving() in order,
+///           then `added` ones, and its ranges contain the whole path with its errors.
 ///
 /// Ensures   a piece is certified only if the claim holds at all of its poses with all errors, for
-///           all values of the uncertain quantities. The result does not depend on the threads.
+///           all values of the added parameters and of the uncertain quantities. The result does not depend on the threads.
 [[nodiscard]] PathSearchResult search_path(const PathBounds& path, const Problem& problem,
                                            const Settings& settings,
                                            const PathSearchOptions& options);

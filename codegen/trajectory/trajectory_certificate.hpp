@@ -18,6 +18,8 @@ class TrajectoryCertificate {
   /// The same as those of CertificateFile.
   [[nodiscard]] std::string line() const;
   void add_to(nlohmann::ordered_json& report) const;
+  /// Returns the reason why there is none; empty if it was written, or not wanted.
+  [[nodiscard]] const std::string& obstacle() const noexcept { return obstacle_; }
 
  private:
   void write_safe(const TrajectoryCheck& check);

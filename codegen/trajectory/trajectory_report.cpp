@@ -39,41 +39,16 @@ std::optional<Interval> parameter_of(const DecidingPiece& deciding) {
   return std::nullopt;
 }
 
-/// Approximate: for people.
-std::optional<double> time_of(const TrajectoryCheck& check) {
-  const TrajectoryPiece& piece = trajectory_of(check).pieces[check.deciding->index];
-  const auto s = parameter_of(*check.deciding);
-  if (!s) return std::nullopt;
+/// Approximate: for people; nullopt if the file has no times.
+std::optional<double> time_of(const Trajectory& trajectory, const TrajectoryPiece& piece,
+                              const std::optional<Interval>& s) {
+  if (!s || !trajectory.has_time) return std::nullopt;
   const double begin = approx(piece.begin), end = approx(piece.end);
   return begin + mid(*s) * (end - begin);
 }
 
 std::string time_text(const Trajectory& trajectory, double time) {
   return fmt::format("t = {:.6g}{}", time, unit_suffix(trajectory.time_unit));
-}
-
-std::string format_path(const TrajectoryCheck& check) {
-  const Trajectory& t = trajectory_of(check);
-  std::string line = fmt::format("path       {} segment{}, {}", t.pieces.size(),
-                                 t.pieces.size() == 1 ? "" : "s", t.interpolation);
-  if (t.has_time)
-    line += fmt::format(", t in [{:.6g}, {:.6g}]{}", approx(t.pieces.front().begin),
-                        approx(t.pieces.back().end), unit_suffix(t.time_unit));
-  line += fmt::format(", {}\n", t.file);
-  for (const std::string& note : t.notes) line += fmt::format("note       {}\n", note);
-  return line;
-}
-
-std::string format_tube(const TrajectoryCheck& check) {
-  std::string words;
-  const Motion& motion = check.request.motion;
-  for (std::size_t i = 0; i < motion.error.size(); ++i)
-    if (!motion.error[i].is_zero()) {
-      const PoseParameter& p = check.request.model.pose[i];
-      words += fmt::format("{}{} ±{:.6g}{}", words.empty() ? "" : ", ", p.name,
-                           enclose_constant(motion.error[i], p.name).hi, unit_suffix(p.unit));
-    }
-  return words.empty() ? "" : fmt::format("tube       {}\n", words);
 }
 
 std::string format_uncertain_count(const TrajectoryCheck& check) {
@@ -87,15 +62,6 @@ std::string lines_text(const TrajectoryPiece& piece) {
   return piece.first_line == piece.last_line
              ? fmt::format("line {}", piece.first_line)
              : fmt::format("lines {} and {}", piece.first_line, piece.last_line);
-}
-
-/// "segment 417, t = 3.21 s (way.csv, lines 418 and 419)"
-std::string describe_segment(const TrajectoryCheck& check) {
-  const Trajectory& t = trajectory_of(check);
-  const TrajectoryPiece& piece = t.pieces[check.deciding->index];
-  std::string text = fmt::format("segment {}", check.deciding->index + 1);
-  if (const auto time = time_of(check); time && t.has_time) text += ", " + time_text(t, *time);
-  return text + fmt::format(" ({}, {})", t.file, lines_text(piece));
 }
 
 /// Returns the number of segments on which the constraints allow no pose.
@@ -121,24 +87,63 @@ std::string format_excluded(const TrajectoryCheck& check) {
 
 Json json_segment(const TrajectoryCheck& check) {
   if (!check.deciding) return nullptr;
-  const Trajectory& t = trajectory_of(check);
-  const TrajectoryPiece& piece = t.pieces[check.deciding->index];
-  Json segment{{"segment", check.deciding->index + 1},
-               {"lines", {piece.first_line, piece.last_line}}};
-  const auto time = time_of(check);
-  if (time && t.has_time) segment["time"] = *time;
-  if (const auto s = parameter_of(*check.deciding)) segment["s"] = json_interval(*s);
-  return segment;
+  return json_segment(trajectory_of(check), check.deciding->index, parameter_of(*check.deciding));
 }
 
 }  // namespace
+
+std::string format_path(const Trajectory& t) {
+  std::string line = fmt::format("path       {} segment{}, {}", t.pieces.size(),
+                                 t.pieces.size() == 1 ? "" : "s", t.interpolation);
+  if (t.has_time)
+    line += fmt::format(", t in [{:.6g}, {:.6g}]{}", approx(t.pieces.front().begin),
+                        approx(t.pieces.back().end), unit_suffix(t.time_unit));
+  line += fmt::format(", {}\n", t.file);
+  for (const std::string& note : t.notes) line += fmt::format("note       {}\n", note);
+  return line;
+}
+
+std::string format_tube(const Model& model, const Motion& motion) {
+  std::string words;
+  for (std::size_t i = 0; i < motion.error.size(); ++i)
+    if (!motion.error[i].is_zero()) {
+      const PoseParameter& p = model.pose[i];
+      words += fmt::format("{}{} ±{:.6g}{}", words.empty() ? "" : ", ", p.name,
+                           enclose_constant(motion.error[i], p.name).hi, unit_suffix(p.unit));
+    }
+  return words.empty() ? "" : fmt::format("tube       {}\n", words);
+}
+
+Json json_waypoints(const Trajectory& t) {
+  return {{"file", t.file},
+          {"sha256", t.sha256},
+          {"interpolation", t.interpolation},
+          {"segments", t.pieces.size()}};
+}
+
+std::string describe_segment(const Trajectory& trajectory, std::size_t piece,
+                             const std::optional<Interval>& s) {
+  const TrajectoryPiece& p = trajectory.pieces[piece];
+  std::string text = fmt::format("segment {}", piece + 1);
+  if (const auto time = time_of(trajectory, p, s)) text += ", " + time_text(trajectory, *time);
+  return text + fmt::format(" ({}, {})", trajectory.file, lines_text(p));
+}
+
+Json json_segment(const Trajectory& trajectory, std::size_t piece,
+                  const std::optional<Interval>& s) {
+  const TrajectoryPiece& p = trajectory.pieces[piece];
+  Json segment{{"segment", piece + 1}, {"lines", {p.first_line, p.last_line}}};
+  if (const auto time = time_of(trajectory, p, s)) segment["time"] = *time;
+  if (s) segment["s"] = json_interval(*s);
+  return segment;
+}
 
 std::string format_deciding_piece(const TrajectoryCheck& check) {
   if (!check.deciding) return "";
   const DecidingPiece& d = *check.deciding;
   std::string text =
       fmt::format("{}{}\n", check.verdict == Verdict::kSingularity ? "singular   " : "blocked    ",
-                  describe_segment(check));
+                  describe_segment(trajectory_of(check), d.index, parameter_of(d)));
   if (!d.preparation) return text;
   text += format_witness(*d.preparation, d.result);
   if (!d.result.blocking_box.empty())
@@ -154,7 +159,9 @@ std::string describe_trajectory_claim(const TrajectoryCheck& check) {
       fmt::format("every {} of the {} segment{}", describe_poses(check),
                   trajectory_of(check).pieces.size(),
                   trajectory_of(check).pieces.size() == 1 ? "" : "s") +
-      (format_tube(check).empty() ? "" : " and of the tube around them") +
+      (format_tube(check.request.model, check.request.motion).empty()
+           ? ""
+           : " and of the tube around them") +
       (uncertain_count(p) == 0 ? "" : " and every value of the uncertain quantities");
   const bool threshold = p.variety.alpha.hi > 0;
   if (check.verdict == Verdict::kNoSingularity)
@@ -172,8 +179,8 @@ std::string format_trajectory_question(const TrajectoryCheck& check, SearchOptio
   const Statistics& statistics = check.path.statistics;
   std::string text =
       fmt::format("model      {}\nmotion     {}\n", p.labels.model, p.labels.motion) +
-      format_path(check) + format_tube(check) + format_uncertain_count(check) +
-      format_method(p, search, search.method, statistics.boxes);
+      format_path(trajectory_of(check)) + format_tube(check.request.model, check.request.motion) +
+      format_uncertain_count(check) + format_method(p, search, search.method, statistics.boxes);
   text += fmt::format("boxes      {} evaluated, at most {} waiting; {} segment{} searched alone\n",
                       statistics.boxes, statistics.max_frontier, check.searched_alone,
                       check.searched_alone == 1 ? "" : "s");
@@ -194,10 +201,7 @@ void add_trajectory_question(Json& report, const TrajectoryCheck& check,
   report["model_file"] = p.model_file;
   report["model_sha256"] = p.labels.model_sha256;
   report["motion"] = p.labels.motion;
-  report["waypoints"] = {{"file", t.file},
-                         {"sha256", t.sha256},
-                         {"interpolation", t.interpolation},
-                         {"segments", t.pieces.size()}};
+  report["waypoints"] = json_waypoints(t);
   report["notes"] = t.notes;
   report["matrix"] = name(p.labels.matrix_kind);
   report["alpha"] = mid(p.variety.alpha);

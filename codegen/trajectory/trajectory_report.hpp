@@ -9,6 +9,20 @@
 
 namespace regulus::inline trajectory {
 
+/// Returns a line with the number of segments, the interpolation and the file, and its notes.
+[[nodiscard]] std::string format_path(const Trajectory& trajectory);
+/// Returns a line with the control errors; nothing if there are none.
+[[nodiscard]] std::string format_tube(const Model& model, const Motion& motion);
+/// Returns the file for programs.
+[[nodiscard]] nlohmann::ordered_json json_waypoints(const Trajectory& trajectory);
+/// Returns "segment 417, t = 3.21 s (way.csv, lines 418 and 419)". `s`: of the place on the piece,
+/// nullopt if it is not known.
+[[nodiscard]] std::string describe_segment(const Trajectory& trajectory, std::size_t piece,
+                                           const std::optional<Interval>& s);
+/// Returns the same for programs.
+[[nodiscard]] nlohmann::ordered_json json_segment(const Trajectory& trajectory, std::size_t piece,
+                                                  const std::optional<Interval>& s);
+
 /// Returns the lines for people, without the verdict.
 [[nodiscard]] std::string format_trajectory(const TrajectoryCheck& check,
                                             const SearchOptions& search);

@@ -12,10 +12,10 @@ Request hull_request(const Request& request, const PathBounds& path) {
   motion.waypoints.reset();
   motion.trajectory = nullptr;
   motion.parameters.clear();
+  const std::vector<MotionParameter>& added = request.motion.parameters;
   motion.error.assign(hull.model.pose.size(), 0);
   const std::vector<PieceOfPose>& first = request.motion.trajectory->pieces.front().pose;
-  motion.pose.clear();
-  for (const PieceOfPose& piece : first) motion.pose.push_back(piece.power[0]);
+  for (std::size_t i = 0; i < first.size(); ++i) motion.pose[i] = first[i].power[0];
   for (std::size_t m = 0; m < path.moving().size(); ++m) {
     const PoseParameter& p = hull.model.pose[path.moving()[m]];
     const Interval range = path.over_pieces(0, path.pieces(), m) + path.errors()[m];
@@ -27,6 +27,7 @@ Request hull_request(const Request& request, const PathBounds& path) {
         {p.symbol, p.name, p.unit, {exact_value(range.lo), exact_value(range.hi)}});
     motion.pose[path.moving()[m]] = p.symbol;
   }
+  motion.parameters.insert(motion.parameters.end(), added.begin(), added.end());
   return hull;
 }
 

@@ -8,7 +8,7 @@
 namespace regulus::inline trajectory {
 
 /// Returns the question about the box around the whole path and its control errors: its parameters
-/// are the moving pose parameters, and it has no errors of its own.
+/// are the moving pose parameters, then those of the motion, and it has no errors of its own.
 [[nodiscard]] Request hull_request(const Request& request, const PathBounds& path);
 
 }  // namespace regulus::trajectory

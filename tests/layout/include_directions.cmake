@@ -40,7 +40,7 @@ set(codegen/picture              ${codegen/report} codegen/report)
 set(codegen/margin               ${codegen/report} codegen/report codegen/certificate)
 set(codegen/trajectory           ${codegen/margin} codegen/margin)
 set(codegen/quantity             codegen/support codegen/model)
-set(codegen/bound                ${codegen/margin} codegen/margin codegen/quantity)
+set(codegen/bound                ${codegen/trajectory} codegen/trajectory codegen/quantity)
 set(codegen/feasibility          ${codegen/bound} codegen/bound)
 set(codegen/page                 ${codegen/bound} codegen/bound codegen/trajectory)
 set(codegen/api                  ${codegen/bound} codegen/bound codegen/feasibility codegen/trajectory codegen/import codegen/robot runtime/certificate/verifier
