@@ -4,8 +4,10 @@
 #include <nlohmann/json.hpp>
 
 #include "codegen/api/algebra_lock.hpp"
+#include "codegen/bound/bound_run.hpp"
 #include "codegen/feasibility/feasibility_report.hpp"
 #include "codegen/feasibility/force_certificate.hpp"
+#include "codegen/feasibility/way_forces.hpp"
 #include "codegen/report/paving_options.hpp"
 #include "codegen/support/earlier_outputs.hpp"
 #include "codegen/support/stopwatch.hpp"
@@ -54,6 +56,33 @@ class SearchOfLoad {
   ForceCertificate certificate_;
 };
 
+/// Returns nullopt unless the motion is along way-points.
+std::optional<LoadFinding> check_load_along_waypoints(const Question& question,
+                                                      const std::string& load,
+                                                      const SearchOptions& search,
+                                                      const std::atomic<bool>* interrupt,
+                                                      const std::string& certificate) {
+  const ModelOptions& model = question.options();
+  const std::string text = model_text(model);
+  if (model.waypoints.empty() && text.find("waypoints") == std::string::npos) return std::nullopt;
+  Request request = read_request(text, model);
+  if (!request.motion.trajectory) return std::nullopt;
+  refuse_threshold(model);
+  const WayForces found =
+      check_forces_along_way(std::move(request), 0, load, search, !certificate.empty(), interrupt);
+  LoadFinding finding;
+  if (!certificate.empty()) finding.no_certificate = certify_way_forces(certificate, found);
+  if (!certificate.empty() && finding.no_certificate.empty()) finding.certificate = certificate;
+  const nlohmann::ordered_json report = json_way_forces(found);
+  finding.verdict = found.verdict;
+  if (report["claim"].is_string()) finding.claim = report["claim"];
+  if (report["reason"].is_string()) finding.reason = report["reason"];
+  finding.report = format_way_forces(found);
+  finding.json = report.dump(2);
+  finding.boxes = found.boxes;
+  return finding;
+}
+
 void set_aside(const Question& question, const std::string& certificate) {
   set_earlier_outputs_aside(question.options().path, {{"certificate", certificate, true}});
 }
@@ -66,6 +95,10 @@ LoadFinding check_load(const Question& question, const std::string& load,
   const AlgebraLock lock;
   Stopwatch watch;
   set_aside(question, certificate);
+  if (auto along = check_load_along_waypoints(question, load, options, interrupt, certificate)) {
+    along->seconds = watch.lap();
+    return std::move(*along);
+  }
   SearchOfLoad search(question, load, options, certificate, interrupt, false);
   const FeasibilityResult result = search.run(settings_of(search.prepared(), interrupt),
                                               [](std::span<const Interval>, ForceClaim) {});

@@ -5,17 +5,21 @@
 #include <iostream>
 #include <nlohmann/json.hpp>
 
+#include "codegen/bound/bound_run.hpp"
 #include "codegen/command/answer.hpp"
 #include "codegen/command/commands.hpp"
 #include "codegen/command/interrupt.hpp"
 #include "codegen/command/lines_file.hpp"
+#include "codegen/command/read_trajectory.hpp"
 #include "codegen/feasibility/feasibility_report.hpp"
 #include "codegen/feasibility/force_certificate.hpp"
+#include "codegen/feasibility/way_forces.hpp"
 #include "codegen/report/paving_options.hpp"
 #include "codegen/report/progress.hpp"
 #include "codegen/support/earlier_outputs.hpp"
 #include "codegen/support/errors.hpp"
 #include "codegen/support/exit_code.hpp"
+#include "codegen/support/stopwatch.hpp"
 #include "runtime/problem/observers.hpp"
 
 namespace regulus::inline command {
@@ -71,6 +75,34 @@ FeasibilityResult search_and_certify(PreparedForces& prepared, const Feasibility
   return result;
 }
 
+int check_along_way(const CheckCommand& command, Request request, double model_seconds) {
+  InterruptGuard interrupt;
+  interrupt.begin_search();
+  const std::string& path = command.certificate;
+  const WayForces found =
+      check_forces_along_way(std::move(request), model_seconds, *command.load, command.search,
+                             !path.empty(), &interrupt.requested());
+  const std::string obstacle = path.empty() ? "" : certify_way_forces(path, found);
+  if (!command.output.quiet) {
+    std::cerr << format_way_forces(found);
+    if (!path.empty())
+      std::cerr << "certificate " << (obstacle.empty() ? path : "none: " + obstacle) << '\n';
+  }
+  const int code = exit_code_of(found.verdict);
+  if (command.output.json) {
+    nlohmann::ordered_json report = json_way_forces(found);
+    if (!path.empty())
+      report["certificate"] =
+          obstacle.empty() ? nlohmann::ordered_json(path) : nlohmann::ordered_json(nullptr);
+    if (!obstacle.empty()) report["certificate_obstacle"] = obstacle;
+    std::cout << report.dump(command.output.json_indent) << '\n';
+  } else {
+    print_answer(name(found.verdict), code);
+  }
+  std::cout.flush();
+  return code;
+}
+
 /// Paves the variety; returns the exit code.
 int pave_forces(const LocateCommand& command, PreparedForces& prepared, InterruptGuard& interrupt) {
   const PavingOptions options =
@@ -108,6 +140,10 @@ int pave_forces(const LocateCommand& command, PreparedForces& prepared, Interrup
 std::optional<int> run_force_check(const CheckCommand& command) {
   if (!command.load) return std::nullopt;
   refuse_cluster(command.search);
+  refuse_threshold(command.model);
+  Stopwatch watch;
+  if (std::optional<Request> request = read_trajectory(command.model))
+    return check_along_way(command, std::move(*request), watch.lap());
   InterruptGuard interrupt;
   PreparedForces prepared = prepare_forces(command.model, *command.load, command.search,
                                            forming_watch(command.output, &interrupt.requested()));

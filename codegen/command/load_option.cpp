@@ -14,9 +14,8 @@ struct ForeignOption {
 
 constexpr const char* kOneMethod = "with --load there is one method";
 
-constexpr std::array<ForeignOption, 16> kForeign = {
+constexpr std::array<ForeignOption, 15> kForeign = {
     {{"--alpha", "forces have no threshold; change the limits in [actuators]"},
-     {"--waypoints", "the forces along way-points cannot be searched yet"},
      {"--shard-size", "a proof with --load stays in one file"},
      {"--checkpoint", "a search with --load cannot be continued; divide the ranges instead"},
      {"--checkpoint-every", "a search with --load cannot be continued; divide the ranges instead"},

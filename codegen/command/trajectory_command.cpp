@@ -7,6 +7,7 @@
 #include "codegen/command/end_command.hpp"
 #include "codegen/command/interrupt.hpp"
 #include "codegen/command/lines_file.hpp"
+#include "codegen/command/read_trajectory.hpp"
 #include "codegen/margin/margin_report.hpp"
 #include "codegen/margin/prepared_margin.hpp"
 #include "codegen/report/paving_options.hpp"
@@ -19,9 +20,6 @@
 
 namespace regulus::inline command {
 
-namespace {
-
-/// Returns the request of a motion along way-points; nullopt for another motion.
 std::optional<Request> read_trajectory(const ModelOptions& options) {
   const std::string text = model_text(options);
   // Most models have no way-points: then the model need not be read before the cache is asked.
@@ -29,6 +27,8 @@ std::optional<Request> read_trajectory(const ModelOptions& options) {
   Request request = read_request(text, options);
   return request.motion.trajectory ? std::optional(std::move(request)) : std::nullopt;
 }
+
+namespace {
 
 void refuse_what_locate_lacks(const LocateCommand& command) {
   if (!command.certificate.empty())

@@ -63,15 +63,6 @@ std::string describe_uncertain(const PreparedSearch& p) {
   return uncertain_count(p) > 0 ? ", for every value of the uncertain quantities" : "";
 }
 
-/// Returns "within [1, 500] N", or "within their limits" if these differ.
-std::string describe_limits(const PreparedForces& prepared) {
-  const auto& limits = prepared.forces.certain;
-  const bool same = std::ranges::all_of(limits, [&](Interval x) { return x == limits.front(); });
-  if (!same) return "within their limits";
-  return fmt::format("within [{:.6g}, {:.6g}]{}", limits.front().lo, limits.front().hi,
-                     unit_suffix(prepared.force_unit));
-}
-
 std::string describe_claim_of_all(const PreparedForces& prepared) {
   const PreparedSearch& p = prepared.preparation;
   return fmt::format("at every {}{}, forces {} hold every wrench of {}", describe_pose(p),
@@ -80,22 +71,8 @@ std::string describe_claim_of_all(const PreparedForces& prepared) {
 
 std::string format_witness_of(const PreparedForces& prepared, const ForceWitness& witness) {
   const PreparedSearch& p = prepared.preparation;
-  const Shortage& s = witness.shortage;
-  std::string text = fmt::format("at         {}\n", describe_place(p, witness.variables));
-  text += format_uncertain_values(p, witness.variables);
-  text += fmt::format("           {} has a wrench that no forces {} hold,\n", prepared.load,
-                      describe_limits(prepared));
-  text += fmt::format("           near the corner ({})\n",
-                      short_numbers(middles(prepared.forces.corners[s.corner])));
-  text += fmt::format("           {}\n", format_direction(s));
-  return text;
-}
-
-std::string describe_reason(const PreparedForces& prepared, const FeasibilityResult& result) {
-  if (result.reason == Reason::kUncertainty && uncertain_count(prepared.preparation) == 0)
-    return "at one pose the forces are too near their limits, or the matrix is too near to losing "
-           "rank";
-  return describe(result.reason);
+  return fmt::format("at         {}\n", describe_place(p, witness.variables)) +
+         format_uncertain_values(p, witness.variables) + format_shortage(prepared, witness);
 }
 
 std::string format_reason(const PreparedForces& prepared, const FeasibilityResult& result) {
@@ -108,6 +85,33 @@ std::string format_reason(const PreparedForces& prepared, const FeasibilityResul
   if (result.verdict == FeasibilityVerdict::kFeasible && !result.is_inhabited)
     text += "warning    no pose was found that certainly meets the constraints\n";
   return text;
+}
+
+}  // namespace
+
+std::string describe_limits(const PreparedForces& prepared) {
+  const auto& limits = prepared.forces.certain;
+  const bool same = std::ranges::all_of(limits, [&](Interval x) { return x == limits.front(); });
+  if (!same) return "within their limits";
+  return fmt::format("within [{:.6g}, {:.6g}]{}", limits.front().lo, limits.front().hi,
+                     unit_suffix(prepared.force_unit));
+}
+
+std::string format_shortage(const PreparedForces& prepared, const ForceWitness& witness) {
+  const Shortage& s = witness.shortage;
+  std::string text = fmt::format("           {} has a wrench that no forces {} hold,\n",
+                                 prepared.load, describe_limits(prepared));
+  text += fmt::format("           near the corner ({})\n",
+                      short_numbers(middles(prepared.forces.corners[s.corner])));
+  text += fmt::format("           {}\n", format_direction(s));
+  return text;
+}
+
+std::string describe_reason(const PreparedForces& prepared, const FeasibilityResult& result) {
+  if (result.reason == Reason::kUncertainty && uncertain_count(prepared.preparation) == 0)
+    return "at one pose the forces are too near their limits, or the matrix is too near to losing "
+           "rank";
+  return describe(result.reason);
 }
 
 Json json_witness_of(const PreparedForces& prepared, const ForceWitness& witness) {
@@ -129,13 +133,17 @@ Json json_limits(const PreparedForces& prepared) {
   return limits;
 }
 
-Json json_verdict(FeasibilityVerdict verdict) {
-  return verdict == FeasibilityVerdict::kFeasible     ? "feasible"
-         : verdict == FeasibilityVerdict::kInfeasible ? "infeasible"
-                                                      : "possible-problem";
+const char* json_word(FeasibilityVerdict verdict) noexcept {
+  switch (verdict) {
+    case FeasibilityVerdict::kFeasible:
+      return "feasible";
+    case FeasibilityVerdict::kInfeasible:
+      return "infeasible";
+    case FeasibilityVerdict::kPossibleProblem:
+      break;
+  }
+  return "possible-problem";
 }
-
-}  // namespace
 
 const char* name(ForceClaim claim) noexcept {
   switch (claim) {
@@ -208,7 +216,7 @@ Json json_forces(const PreparedForces& prepared, const FeasibilityResult& result
   const PreparedSearch& p = prepared.preparation;
   const bool undecided = result.verdict == FeasibilityVerdict::kPossibleProblem;
   Json report = {{"load", prepared.load},
-                 {"verdict", json_verdict(result.verdict)},
+                 {"verdict", json_word(result.verdict)},
                  {"reason", undecided ? Json(describe_reason(prepared, result)) : Json(nullptr)},
                  {"claim", result.verdict == FeasibilityVerdict::kFeasible
                                ? Json(describe_claim_of_all(prepared))

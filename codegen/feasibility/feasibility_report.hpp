@@ -14,6 +14,20 @@ namespace regulus::inline feasibility {
 /// Returns the claim about a box, as a sentence.
 [[nodiscard]] std::string describe_claim(const PreparedForces& prepared, ForceClaim claim);
 
+/// Returns "within [1, 500] N", or "within their limits" if these differ.
+[[nodiscard]] std::string describe_limits(const PreparedForces& prepared);
+/// Returns the lines about a place where a load is not held.
+[[nodiscard]] std::string format_shortage(const PreparedForces& prepared,
+                                          const ForceWitness& witness);
+/// Returns why neither answer was shown.
+[[nodiscard]] std::string describe_reason(const PreparedForces& prepared,
+                                          const FeasibilityResult& result);
+[[nodiscard]] nlohmann::ordered_json json_witness_of(const PreparedForces& prepared,
+                                                     const ForceWitness& witness);
+[[nodiscard]] nlohmann::ordered_json json_limits(const PreparedForces& prepared);
+/// Returns "feasible", "infeasible" or "possible-problem".
+[[nodiscard]] const char* json_word(FeasibilityVerdict verdict) noexcept;
+
 /// Adds up the volumes of boxes by their claims.
 class ForceVolumes {
  public:

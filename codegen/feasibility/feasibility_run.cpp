@@ -26,8 +26,12 @@ PreparedForces prepare_forces(const ModelOptions& model, const std::string& load
   Request request = read_request(model);
   if (request.motion.trajectory)
     throw UsageError(
-        "--load: the forces along way-points cannot be searched yet; give the motion a formula, or "
-        "ranges");
+        "--load: a motion along way-points is not paved; regulus check --load decides about it");
+  return prepare_forces(std::move(request), stopwatch.lap(), load, search, std::move(watch));
+}
+
+PreparedForces prepare_forces(Request request, double model_seconds, const std::string& load,
+                              const SearchOptions& search, FormingWatch watch) {
   if (request.model.matrix_kind != MatrixKind::kInverse)
     throw UsageError(
         "--load: the matrix of a serial robot is its Jacobian in a frame of its own, so it has no "
@@ -40,7 +44,7 @@ PreparedForces prepare_forces(const ModelOptions& model, const std::string& load
   prepared.search = search;
   prepared.request = request;
   prepared.request.motion.alpha = 0;
-  prepared.preparation = prepare(with_scaled_rows(std::move(request)), stopwatch.lap(),
+  prepared.preparation = prepare(with_scaled_rows(std::move(request)), model_seconds,
                                  with_derivatives(search), std::move(watch));
   prepared.scaling = prepared.preparation.stages->formulation().scaling;
   prepared.problem = prepared.preparation.problem();

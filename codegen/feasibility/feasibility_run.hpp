@@ -33,6 +33,12 @@ struct PreparedForces {
 ///           for a threshold, which would be ignored; the exceptions of prepare().
 [[nodiscard]] PreparedForces prepare_forces(const ModelOptions& model, const std::string& load,
                                             const SearchOptions& search, FormingWatch watch);
+/// Overload for a request that has been read in `model_seconds`.
+///
+/// Requires  its motion is not along way-points.
+[[nodiscard]] PreparedForces prepare_forces(Request request, double model_seconds,
+                                            const std::string& load, const SearchOptions& search,
+                                            FormingWatch watch);
 
 /// Returns the settings of a search within the rest of the time.
 [[nodiscard]] FeasibilitySettings settings_of(const PreparedForces& prepared,

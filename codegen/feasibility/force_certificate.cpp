@@ -34,6 +34,23 @@ const char* word_of(Rule rule) noexcept {
 
 }  // namespace
 
+std::string force_split_line(const Split& split) {
+  return fmt::format("s {} {} {:a}\n", split.parent, split.variable, split.at);
+}
+
+std::string force_leaf_line(BoxId box, Rule rule) {
+  return fmt::format("l {} {}\n", box, word_of(rule));
+}
+
+std::string force_witness_lines(const ForceWitness& witness) {
+  std::string lines = fmt::format("reason {}\npoint 0", format::kShortage);
+  for (const Interval& x : witness.variables)
+    lines += is_thin(x) ? fmt::format(" {:a}", x.lo) : fmt::format(" {:a}:{:a}", x.lo, x.hi);
+  lines += "\ndirection";
+  for (const double y : witness.shortage.direction) lines += fmt::format(" {:a}", y);
+  return lines + "\nend\n";
+}
+
 ForceCertificate::ForceCertificate(const std::string& path, const PreparedForces& prepared,
                                    bool paves)
     : path_(path), paves_(paves) {
@@ -61,25 +78,16 @@ void ForceCertificate::put(const std::string& text) {
 }
 
 void ForceCertificate::on_split(const OpenBox&, const Split& split) noexcept try {
-  put(fmt::format("s {} {} {:a}\n", split.parent, split.variable, split.at));
+  put(force_split_line(split));
 } catch (const std::exception&) {
   failure_ = std::current_exception();
 }
 
 void ForceCertificate::on_leaf(const OpenBox& box, Rule rule, const Proof&) noexcept try {
   ++leaves_;
-  put(fmt::format("l {} {}\n", box.id, word_of(rule)));
+  put(force_leaf_line(box.id, rule));
 } catch (const std::exception&) {
   failure_ = std::current_exception();
-}
-
-void ForceCertificate::write_witness(const ForceWitness& witness) {
-  lines_ = fmt::format("reason {}\npoint 0", format::kShortage);
-  for (const Interval& x : witness.variables)
-    lines_ += is_thin(x) ? fmt::format(" {:a}", x.lo) : fmt::format(" {:a}:{:a}", x.lo, x.hi);
-  lines_ += "\ndirection";
-  for (const double y : witness.shortage.direction) lines_ += fmt::format(" {:a}", y);
-  lines_ += "\nend\n";
 }
 
 void ForceCertificate::finish(const FeasibilityResult& result) {
@@ -95,7 +103,7 @@ void ForceCertificate::finish(const FeasibilityResult& result) {
   if (is_infeasible) {
     failure_ = nullptr;
     open(format::kInfeasible);
-    write_witness(*result.witness);
+    lines_ = force_witness_lines(*result.witness);
   } else {
     lines_ += fmt::format("end {}\n", leaves_);
   }

@@ -14,6 +14,12 @@
 
 namespace regulus::inline feasibility {
 
+/// Returns the lines of a certificate for a split and for a leaf.
+[[nodiscard]] std::string force_split_line(const Split& split);
+[[nodiscard]] std::string force_leaf_line(BoxId box, Rule rule);
+/// Returns the lines of the proof of INFEASIBLE.
+[[nodiscard]] std::string force_witness_lines(const ForceWitness& witness);
+
 /// Writes the tree of a search while it runs: of FEASIBLE, or of a paving. For INFEASIBLE the
 /// witness takes its place.
 class ForceCertificate final : public Observer {
@@ -38,7 +44,6 @@ class ForceCertificate final : public Observer {
  private:
   void put(const std::string& text);
   void open(const std::string& verdict);
-  void write_witness(const ForceWitness& witness);
 
   std::string path_;
   bool paves_;
