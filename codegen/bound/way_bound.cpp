@@ -26,9 +26,10 @@ namespace {
 
 using GiNaC::ex;
 
-constexpr std::size_t kMostSamples = 16;  ///< pieces where the quantity is evaluated beforehand
+constexpr std::size_t kMostSamples = 8;  ///< pieces where the quantity is evaluated beforehand
 constexpr int kPlacesOfPiece = 2;
 constexpr int kMostRefinements = 3;
+constexpr const char* kNoTime = "no search was likely to end within the time left";
 
 void refuse_workers(const SearchOptions& search) {
   if (search.workers != nullptr)
@@ -60,6 +61,10 @@ class WayBound {
   }
 
   ComponentBound bracket() {
+    if (left_ <= 0) {
+      result_.reason = kNoTime;
+      return std::move(result_);
+    }
     choose_reference();
     if (settings_.certificate.empty() && is_zero_where_defined(bordered_, result_.component) &&
         bordered_.request.motion.must_be_defined.empty() &&
@@ -176,9 +181,8 @@ class WayBound {
     result_.is_empty = pieces.is_empty();
     const bool interrupted = settings_.interrupt != nullptr && *settings_.interrupt;
     result_.reason = interrupted ? "the run was interrupted"
-                     : result_.is_closed || result_.is_unbounded || pieces.is_closed()
-                         ? ""
-                         : "no search was likely to end within the time left";
+                     : result_.is_closed || result_.is_unbounded || pieces.is_closed() ? ""
+                                                                                       : kNoTime;
     PieceWitness* witness = pieces.witness();
     if (witness == nullptr) return;
     witness->margin->request.replan(witness->margin->prepared, witness->step.value);

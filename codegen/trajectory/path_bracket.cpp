@@ -23,6 +23,8 @@ constexpr std::ptrdiff_t kMostUndecided = 8;
 constexpr std::uint32_t kFewBoxes = 64;  ///< of a piece
 /// A guess takes milliseconds.
 constexpr std::size_t kMostGuesses = 16;
+/// Seconds of a first search, if all components together have as much.
+constexpr double kLeastSearch = 0.5;
 /// Some end is better than none.
 constexpr int kHalvings = 12;
 
@@ -35,6 +37,7 @@ PathBracket::PathBracket(const Request& request, const Request& alone,
       question_(question),
       settings_(std::move(settings)),
       path_(*request.motion.trajectory, request.motion.error),
+      deadline_(settings_.search.time_limit),
       certified_(path_.pieces()),
       excluded_(path_.pieces(), false),
       undecided_(path_.pieces(), false) {
@@ -44,11 +47,17 @@ PathBracket::PathBracket(const Request& request, const Request& alone,
   hull_.emplace(question, hull_request(request, path_), 0, forming,
                 forming_watch(settings_.output, settings_.interrupt));
   seconds_ = hull_->prepared.seconds_spent();
+  grant_least_time();
 }
 
-double PathBracket::seconds_left() const {
-  const std::chrono::duration<double> spent = std::chrono::steady_clock::now() - start_;
-  return std::max(0.0, settings_.search.time_limit - spent.count());
+double PathBracket::elapsed() const {
+  return std::chrono::duration<double>(std::chrono::steady_clock::now() - start_).count();
+}
+
+double PathBracket::seconds_left() const { return std::max(0.0, deadline_ - elapsed()); }
+
+void PathBracket::grant_least_time() {
+  deadline_ = std::max(deadline_, elapsed() + std::min(kLeastSearch, settings_.forming_limit));
 }
 
 bool PathBracket::must_stop() const {
@@ -117,6 +126,7 @@ void PathBracket::close(double gap) {
     std::vector<std::size_t> all(path_.pieces());
     for (std::size_t k = 0; k < all.size(); ++k) all[k] = k;
     bracket_piece(most_promising(all), question_.high, gap);
+    grant_least_time();
   }
   while (!must_stop() && std::ranges::count(undecided_, true) < kMostUndecided) {
     const std::optional<MarginValue> value = target(gap);
@@ -170,6 +180,7 @@ void PathBracket::bracket_piece(std::size_t piece, std::optional<MarginValue> hi
       std::make_unique<PreparedMargin>(question, piece_request(alone_, piece), 0, forming,
                                        forming_watch(settings_.output, settings_.interrupt));
   seconds_ += margin->prepared.seconds_spent();
+  if (!witness_) grant_least_time();
   margin->settings.interrupt = settings_.interrupt;
   margin->settings.time_limit = margin->prepared.stopped ? 0 : seconds_left() / 2;
   MarginCertificates none("", margin->request, margin->prepared.labels);

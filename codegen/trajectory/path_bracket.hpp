@@ -29,7 +29,9 @@ struct PieceWitness {
 
 struct PathBracketSettings {
   SearchOptions search;  ///< its time limit is that of all searches
-  double forming_limit;  ///< seconds to form a matrix
+  /// Seconds to form a matrix. Without its matrix nothing is known, so this may be more than the
+  /// time limit; then the first searches after it get a little time, too.
+  double forming_limit = 0;
   OutputOptions output;
   const std::atomic<bool>* interrupt = nullptr;
   /// Returns roughly the value at which a piece becomes singular; nullopt if it cannot.
@@ -67,7 +69,9 @@ class PathBracket {
 
  private:
   [[nodiscard]] bool must_stop() const;
+  [[nodiscard]] double elapsed() const;
   [[nodiscard]] double seconds_left() const;
+  void grant_least_time();
   [[nodiscard]] std::optional<MarginValue> target(double gap) const;
   [[nodiscard]] bool is_certified(std::size_t piece, double value) const;
   [[nodiscard]] std::vector<std::size_t> open_pieces(double value) const;
@@ -83,6 +87,7 @@ class PathBracket {
   PathBracketSettings settings_;
   const PathBounds path_;
   const std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
+  double deadline_;  ///< seconds since then
   std::optional<PreparedMargin> hull_;
   std::vector<std::optional<double>> certified_;  ///< by piece: the largest value
   std::vector<bool> excluded_;                    ///< by piece: no pose remains
