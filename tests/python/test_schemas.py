@@ -130,6 +130,7 @@ LIMIT = ("--quantity", "sigma-max", "--limit", "2")
         ("bound", ("bound", "orthoglide", "cube", "force", "--gap", "0.3")),
         ("bound", ("bound", "orthoglide", "cube", "x*y", "--gap", "0.3")),
         ("bound", ("bound", "orthoglide", "cube", "speed", "--limit", "20/3")),
+        ("bound", ("bound", "planar_3rpr", "regular", "x*y", "--waypoints", "{way}")),
         ("datasheet", ("datasheet", "orthoglide", "cube", "--gap", "0.5")),
     ],
 )

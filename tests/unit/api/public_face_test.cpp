@@ -310,6 +310,29 @@ TEST(PublicFace, ProvesThatForcesHoldALoad) {
   EXPECT_THAT(other.json, testing::HasSubstr("\"witness\""));
 }
 
+/// At x the forces give at most 10x + 8 and at least 10x − 8, and the load is within ±2.
+TEST(PublicFace, BoundsAndHoldsALoadAlongWayPoints) {
+  const regulus::test::TemporaryDirectory folder;
+  const std::string way = folder.path() / "way.csv", proof = folder.path() / "proof";
+  std::ofstream(way) << "t,x\n0,-0.5\n1,0.25\n2,0.5\n";
+  const regulus::LoadFinding held =
+      regulus::check_load(bead().waypoints(way), "push", interpreted(), nullptr, proof);
+  EXPECT_EQ(held.verdict, regulus::FeasibilityVerdict::kFeasible) << held.report;
+  EXPECT_EQ(regulus::verify(proof).outcome, regulus::ProofOutcome::kVerified);
+  regulus::BoundOptions options;
+  options.quantity.quantity = "x";
+  options.search = interpreted();
+  options.search.time_limit = 60;
+  const regulus::BoundFinding most = regulus::bound(bead().waypoints(way), options);
+  ASSERT_TRUE(most.proved) << most.report;
+  EXPECT_GE(*most.proved, 0.5);
+  EXPECT_LE(*most.proved, 0.51);
+  std::ofstream(way) << "t,x\n0,-0.5\n1,0.25\n2,0.75\n";
+  const regulus::LoadFinding lost = regulus::check_load(bead().waypoints(way), "", interpreted());
+  EXPECT_EQ(lost.verdict, regulus::FeasibilityVerdict::kInfeasible) << lost.report;
+  EXPECT_THAT(lost.report, testing::HasSubstr("segment 2, t = "));
+}
+
 TEST(PublicFace, PavesAMotionUnderALoad) {
   double held = 0;
   regulus::LocateLoadOptions options{.search = interpreted(), .resolution = "1/256"};
