@@ -166,6 +166,18 @@ def test_a_load_is_answered_as_by_the_command(command, tmp_path):
         cable.check_load("hall", "weigth")
 
 
+def test_bounds_and_loads_follow_way_points(command, tmp_path):
+    way = tmp_path / "way.csv"
+    way.write_text("x,y,z,roll,pitch,yaw\n0,0,5,0,0,0\n1,1,5.5,0,0,0\n")
+    cable = rg.load("cable_8")
+    words = ["hall", "--waypoints", str(way), "--tube", "x=0.01"]
+    expected = command("check", cable.path, *words, "--load", "weight")
+    found = cable.check_load("hall", "weight", waypoints=way, tube={"x": "0.01"})
+    assert found.verdict == expected["verdict"] and found.claim == expected["claim"]
+    most = cable.bound("hall", "x + y", waypoints=way, tube={"x": "0.01"})
+    assert most.attained <= 2.01 <= most.proved and most.closed
+
+
 def test_a_paving_of_a_load_covers_the_motion(tmp_path):
     cable = rg.load("cable_8")
     proof = tmp_path / "proof"

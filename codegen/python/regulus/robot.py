@@ -246,6 +246,8 @@ class Robot:
         *,
         range: Optional[Mapping[str, Range]] = None,
         tolerance: Optional[Mapping[str, Number]] = None,
+        tube: Union[None, Number, Mapping[str, Number]] = None,
+        waypoints: Optional[Path] = None,
         certificate: Optional[Path] = None,
         **options: Any,
     ) -> LoadCheck:
@@ -257,7 +259,7 @@ class Robot:
         The others and the errors are as for check(); of the options, threads, time_limit, max_boxes,
         engine, isa and use_cache have an effect. The `result` of an interrupt is a LoadCheck.
         """
-        question = Question(self, motion, range, tolerance)
+        question = Question(self, motion, range, tolerance, None, tube, waypoints)
         question.set_options(options)
 
         def result(finding: Any) -> LoadCheck:
@@ -399,6 +401,8 @@ class Robot:
         gap: Number = "0.01",
         range: Optional[Mapping[str, Range]] = None,
         tolerance: Optional[Mapping[str, Number]] = None,
+        tube: Union[None, Number, Mapping[str, Number]] = None,
+        waypoints: Optional[Path] = None,
         **options: Any,
     ) -> Bound:
         """Brackets the largest value of a quantity over a motion, or compares it with a limit.
@@ -418,7 +422,7 @@ class Robot:
         The default of `time_limit` is 60 seconds. The others and the errors are as for check(); the
         `result` of an interrupt is a Bound.
         """
-        question = Question(self, motion, range, tolerance)
+        question = Question(self, motion, range, tolerance, None, tube, waypoints)
         question.set_options({"time_limit": 60, **options})
         of = question.texts.of
 
