@@ -90,12 +90,14 @@ std::optional<MarginValue> PathBracket::certified() const {
   return least ? std::optional(decimal_value(*least)) : std::nullopt;
 }
 
-/// Without a witness, the largest certified value: the pieces seem to have none.
-std::optional<MarginValue> PathBracket::target(double gap) const {
+/// Without a witness, the largest certified value: the pieces seem to have none. Without both, any
+/// value: the constraints seem to exclude every pose.
+MarginValue PathBracket::target(double gap) const {
   if (witness_) return decimal_value(witness_->step.value.approx * (1 - kPartOfGap * gap));
   double most = 0;
   for (const std::optional<double>& value : certified_) most = std::max(most, value.value_or(0));
-  return most > 0 ? std::optional(decimal_value(most)) : std::nullopt;
+  if (most > 0) return decimal_value(most);
+  return question_.high.value_or(decimal_value(1));
 }
 
 /// Guesses at some pieces, then nearer and nearer to the best of them.
@@ -129,15 +131,15 @@ void PathBracket::close(double gap) {
     grant_least_time();
   }
   while (!must_stop() && std::ranges::count(undecided_, true) < kMostUndecided) {
-    const std::optional<MarginValue> value = target(gap);
-    if (!value || (witness_ && witness_->step.value.approx == 0)) break;
+    if (witness_ && witness_->step.value.approx == 0) break;
+    const MarginValue value = target(gap);
     // Few boxes show most pieces to be below the largest value. The others are worth more only once
     // a piece that seemed to be above it was not.
-    if (searched_.value != value->approx)
-      search_together(*value, kFewBoxes);
+    if (searched_.value != value.approx)
+      search_together(value, kFewBoxes);
     else if (searched_.most_boxes == kFewBoxes)
-      search_together(*value, kMostBoxesOfPiece);
-    const std::vector<std::size_t> open = open_pieces(value->approx);
+      search_together(value, kMostBoxesOfPiece);
+    const std::vector<std::size_t> open = open_pieces(value.approx);
     if (open.empty()) {
       is_closed_ = witness_ && std::ranges::count(undecided_, true) == 0;
       break;
@@ -206,13 +208,13 @@ void PathBracket::keep(std::size_t piece, std::unique_ptr<PreparedMargin> margin
 
 /// Searches at smaller and smaller values while a piece is not certified above 0.
 void PathBracket::certify_lower() {
-  std::optional<MarginValue> value = target(0);
+  MarginValue value = target(0);
   const bool is_singular = witness_ && witness_->step.value.approx == 0;
-  for (int i = 0; i < kHalvings && value && !is_singular && !must_stop(); ++i) {
+  for (int i = 0; i < kHalvings && !is_singular && !must_stop(); ++i) {
     const std::optional<MarginValue> known = certified();
     if (is_empty() || (known && known->approx > 0)) return;
-    value = decimal_value(value->approx / 2);
-    search_together(*value, kMostBoxesOfPiece);
+    value = decimal_value(value.approx / 2);
+    search_together(value, kMostBoxesOfPiece);
   }
 }
 

@@ -72,7 +72,7 @@ class PathBracket {
   [[nodiscard]] double elapsed() const;
   [[nodiscard]] double seconds_left() const;
   void grant_least_time();
-  [[nodiscard]] std::optional<MarginValue> target(double gap) const;
+  [[nodiscard]] MarginValue target(double gap) const;
   [[nodiscard]] bool is_certified(std::size_t piece, double value) const;
   [[nodiscard]] std::vector<std::size_t> open_pieces(double value) const;
   [[nodiscard]] std::size_t most_promising(const std::vector<std::size_t>& pieces) const;

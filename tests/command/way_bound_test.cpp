@@ -332,6 +332,25 @@ TEST_F(WayBoundTest, ShowsTheSegmentThatDoesNotHoldALoad) {
   EXPECT_TRUE(report["segment"]["segment"].is_number());
 }
 
+TEST_F(WayBoundTest, SaysThatTheConstraintsLeaveNoPose) {
+  std::string text = kShear;
+  text.replace(text.find("waypoints = \"way.csv\"\n"), 0, "constraints = [\"x + 1\"]\n");
+  const std::string model = file("empty.toml", text);
+  const CommandResult r = regulus({"bound", model, "way", "speed", "--leg", "1"});
+  EXPECT_EQ(r.output, "NO POSE REMAINS\n") << r.errors;
+  EXPECT_EQ(r.exit_code, 2);
+}
+
+/// The largest speed of leg 1 is 1 + x, and the constraint ends at x = 1.5, on the last segment.
+TEST_F(WayBoundTest, LeavesOutPosesThatTheConstraintsExclude) {
+  std::string text = kShear;
+  text.replace(text.find("waypoints = \"way.csv\"\n"), 0, "constraints = [\"x - 1.5\"]\n");
+  const json found =
+      bound({file("part.toml", text), "way", "speed", "--leg", "1", "--gap", "1e-4"});
+  EXPECT_GE(double(found["proved"]), 2.5);
+  EXPECT_LE(double(found["proved"]), 2.501);
+}
+
 TEST_F(WayBoundTest, RefusesByName) {
   const CommandResult paving = regulus({"locate", cart_, "way", "--load", "weight"});
   EXPECT_NE(paving.exit_code, 0);

@@ -5,10 +5,13 @@
 
 #include <Eigen/Dense>
 #include <cmath>
+#include <fstream>
 #include <random>
 
 #include "codegen/bound/bound_run.hpp"
 #include "codegen/model/model_file.hpp"
+#include "codegen/model/trajectory.hpp"
+#include "tests/support/temporary_directory.hpp"
 
 namespace regulus::test {
 namespace {
@@ -24,7 +27,8 @@ struct RandomModel {
   std::array<std::array<std::array<int, 4>, 3>, 3> coefficients{};
   std::array<int, 3> rho{};  ///< ρ = rho + x²
   std::array<double, 3> load{}, spread{};
-  double radius = 0;  ///< of the force; 0: a box
+  std::vector<std::array<double, 2>> way;  ///< x and y of way-points; empty: a box
+  double radius = 0;                       ///< of the force; 0: a box
   double tolerance = 0;
 
   explicit RandomModel(unsigned seed) : random(seed) {
@@ -86,8 +90,28 @@ struct RandomModel {
     Eigen::Vector3d w, v, error;
   };
 
+  /// Returns x and y of a place.
+  std::array<double, 2> pose() {
+    if (way.empty()) return {uniform(-1, 1), uniform(0, 1)};
+    const auto segment = static_cast<std::size_t>(pick(0, static_cast<int>(way.size()) - 2));
+    const double s = uniform(0, 1);
+    const auto &from = way[segment], &to = way[segment + 1];
+    return {from[0] + s * (to[0] - from[0]), from[1] + s * (to[1] - from[1])};
+  }
+
+  /// Chooses way-points, and returns the text of their file.
+  std::string choose_way() {
+    std::string text = "x,y\n";
+    for (int k = 0; k < 6; ++k) {
+      way.push_back({pick(-8, 8) / 8.0, pick(0, 8) / 8.0});
+      text += std::to_string(way.back()[0]) + ',' + std::to_string(way.back()[1]) + '\n';
+    }
+    return text;
+  }
+
   Place place() {
-    const double x = uniform(-1, 1), y = uniform(0, 1), a = uniform(1 - tolerance, 1 + tolerance);
+    const auto [x, y] = pose();
+    const double a = uniform(1 - tolerance, 1 + tolerance);
     Place p;
     for (int i = 0; i < 3; ++i)
       for (int j = 0; j < 3; ++j) {
@@ -205,6 +229,27 @@ TEST_P(RandomModels, HaveNoValueBeyondABracket) {
     }
   }
   // A bracket about 0, or of a quantity that is nearly the same at many poses, needs more time.
+  EXPECT_GE(closed, all * 2 / 5) << "of " << all;
+}
+
+TEST_P(RandomModels, HaveNoValueBeyondABracketAlongWayPoints) {
+  const TemporaryDirectory folder;
+  const std::string file = folder.path() / "way.csv";
+  int closed = 0, all = 0;
+  for (unsigned seed = 1; seed <= kModels / 2; ++seed) {
+    RandomModel model(seed);
+    std::ofstream(file) << model.choose_way();
+    SCOPED_TRACE(model.text());
+    Request request;
+    request.model = parse_model(model.text(), "random.toml");
+    request.motion = request.model.motions.front();
+    follow_waypoints(request.model, request.motion, file);
+    const Bound bound = bound_of(request, GetParam());
+    for (const ComponentBound& c : bound.components) {
+      closed += agrees(model, c) ? 1 : 0;
+      ++all;
+    }
+  }
   EXPECT_GE(closed, all * 2 / 5) << "of " << all;
 }
 
