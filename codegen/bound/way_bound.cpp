@@ -28,7 +28,7 @@ using GiNaC::ex;
 
 constexpr std::size_t kMostSamples = 8;  ///< pieces where the quantity is evaluated beforehand
 constexpr int kPlacesOfPiece = 2;
-constexpr int kMostRefinements = 3;
+constexpr int kMostRounds = 3;
 constexpr const char* kNoTime = "no search was likely to end within the time left";
 
 void refuse_workers(const SearchOptions& search) {
@@ -78,7 +78,7 @@ class WayBound {
     if (!bordered_.parameter.empty()) alone.model.matrix = bordered_.plain;
     PathBracket pieces(bordered_.request, alone, question, path_settings());
     double gap = settings_.gap;
-    for (int round = 0; round <= kMostRefinements; ++round) {
+    for (int round = 0; round <= kMostRounds; ++round) {
       pieces.close(gap);
       set_ends(pieces);
       const std::optional<double> width = relative_gap(&result_, &result_);

@@ -19,7 +19,7 @@ constexpr double kPartOfGap = 0.9;
 /// The part of the gap that the bracket of a piece may have, so that it is closed at that value.
 constexpr double kPartOfPiece = 0.5;
 /// After so many pieces without an answer, no more are searched alone.
-constexpr std::ptrdiff_t kMostUndecided = 8;
+constexpr std::ptrdiff_t kMostWithoutAnswer = 8;
 constexpr std::uint32_t kFewBoxes = 64;  ///< of a piece
 /// A guess takes milliseconds.
 constexpr std::size_t kMostGuesses = 16;
@@ -130,7 +130,7 @@ void PathBracket::close(double gap) {
     bracket_piece(most_promising(all), question_.high, gap);
     grant_least_time();
   }
-  while (!must_stop() && std::ranges::count(undecided_, true) < kMostUndecided) {
+  while (!must_stop() && std::ranges::count(undecided_, true) < kMostWithoutAnswer) {
     if (witness_ && witness_->step.value.approx == 0) break;
     const MarginValue value = target(gap);
     // Few boxes show most pieces to be below the largest value. The others are worth more only once
