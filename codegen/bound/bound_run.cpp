@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "codegen/bound/bound_certificate.hpp"
 #include "codegen/bound/bracket_topic.hpp"
 #include "codegen/bound/fastest_twist.hpp"
 #include "codegen/bound/norm_of_part.hpp"
@@ -64,6 +65,7 @@ class ComponentRun {
     choose_reference();
     if (is_zero_everywhere()) return zero();
     MarginQuestion question = question_beyond(bordered_, sampled_);
+    question.certified = certified();
     double gap = settings_.gap;
     for (int round = 0; round <= kMostRefinements; ++round) {
       run(question, gap);
@@ -83,7 +85,8 @@ class ComponentRun {
   ComponentBound compare() {
     bordered_ = border_at_limit(request_, result_.component, *settings_.limit);
     reference_ = bordered_.reference;
-    const MarginQuestion question = question_at_limit(bordered_);
+    MarginQuestion question = question_at_limit(bordered_);
+    question.certified = certified();
     PreparedMargin margin = prepared(question);
     MarginCertificates certificates(certificate(), margin.request, margin.prepared.labels);
     search_at(margin, *question.high, certificates);
@@ -117,6 +120,15 @@ class ComponentRun {
     topic_.reference = reference.approx;
     reference_ = reference.value();
     if (reference.approx != 0) bordered_ = border(request_, result_.component, reference_);
+  }
+
+  /// The certificate states the model, the quantity and the bound that the range of r means.
+  [[nodiscard]] CertifiedAbout certified() const {
+    return [this](const Request& grown, const std::set<std::string>& uncertain) {
+      const Motion& motion = grown.motion;
+      const ex end = bordered_.parameter.empty() ? motion.alpha : motion.parameters.back().range.hi;
+      return certified_bound(request_, result_.component, bordered_, end, uncertain);
+    };
   }
 
   void tell_workers(const MarginQuestion& question) {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "codegen/bound/bracket_topic.hpp"
 
+#include "codegen/bound/bound_certificate.hpp"
 #include "codegen/model/decimal.hpp"
 #include "codegen/model/sign.hpp"
 #include "runtime/cluster/bytes.hpp"
@@ -73,6 +74,13 @@ MarginQuestion question_within_limit(MarginQuestion question, const Component& c
                                      const ex& limit) {
   question.about = [component, limit](const Request& grown) {
     return border_at_limit(grown, component, limit).request;
+  };
+  question.certified = [component, limit](const Request& grown,
+                                          const std::set<std::string>& uncertain) {
+    const Bordered bordered = border_at_limit(grown, component, limit);
+    const Motion& motion = bordered.request.motion;
+    const ex end = bordered.parameter.empty() ? motion.alpha : motion.parameters.back().range.hi;
+    return certified_bound(grown, component, bordered, end, uncertain);
   };
   return question;
 }

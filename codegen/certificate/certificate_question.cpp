@@ -173,13 +173,16 @@ std::set<std::string> uncertain_names(const Request& request) {
   return names;
 }
 
+format::ClaimedSet claimed_set(const Request& request, const std::set<std::string>& uncertain) {
+  const GiNaC::matrix& matrix = request.model.matrix;
+  return {matrix.rows(), matrix.cols(), uncertain.size() + control_errors(request.motion),
+          expression_text(request.motion.alpha) != "0", !request.motion.reach.empty()};
+}
+
 CertifiedQuestion certified_question(const Request& request,
                                      const std::set<std::string>& uncertain) {
   require_distinct_names(request);
-  const GiNaC::matrix& matrix = request.model.matrix;
-  const format::ClaimedSet set{
-      matrix.rows(), matrix.cols(), uncertain.size() + control_errors(request.motion),
-      expression_text(request.motion.alpha) != "0", !request.motion.reach.empty()};
+  const format::ClaimedSet set = claimed_set(request, uncertain);
   return {QuestionText(request, uncertain).text(), format::describe_claim(set, false),
           format::describe_claim(set, true)};
 }

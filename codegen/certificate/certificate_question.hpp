@@ -6,6 +6,7 @@
 #include <string>
 
 #include "codegen/engine/pipeline.hpp"
+#include "runtime/certificate/format.hpp"
 #include "runtime/certificate/writer.hpp"
 
 namespace regulus::inline certificate {
@@ -15,6 +16,10 @@ namespace regulus::inline certificate {
 
 /// Returns the constants of a robot that have a tolerance, or lie in a ball.
 [[nodiscard]] std::set<std::string> uncertain_names(const Request& request);
+
+/// Returns the set that a claim is about. `uncertain`: as for certified_question.
+[[nodiscard]] format::ClaimedSet claimed_set(const Request& request,
+                                             const std::set<std::string>& uncertain);
 
 /// `uncertain`: the constants of the robot that vary; some of them may have a spread of 0.
 ///

@@ -9,8 +9,8 @@
 
 namespace regulus::inline certificate {
 
-std::string load_lines(const Model& model, const VectorSet& load) {
-  std::string text = "load " + load.name + '\n';
+std::string vector_lines(const VectorSet& load) {
+  std::string text;
   for (const GeometryParameter& c : load.entries) {
     const GiNaC::ex spread = c.ball < 0 ? c.tolerance : GiNaC::ex(0);
     text += "wrench " + expression_text(c.value) + " +- " + expression_text(spread) + '\n';
@@ -20,6 +20,11 @@ std::string load_lines(const Model& model, const VectorSet& load) {
     for (const std::size_t member : ball.members) text += ' ' + std::to_string(member + 1);
     text += '\n';
   }
+  return text;
+}
+
+std::string load_lines(const Model& model, const VectorSet& load) {
+  std::string text = "load " + load.name + '\n' + vector_lines(load);
   for (const Range& limit : model.actuators.force)
     text += "limits " + expression_text(limit.lo) + " : " + expression_text(limit.hi) + '\n';
   return text;
@@ -35,12 +40,7 @@ CertifiedLoad certified_load(const Request& request, const std::set<std::string>
   const CertifiedQuestion question = request.motion.trajectory
                                          ? trajectory_question(request, uncertain)
                                          : certified_question(request, uncertain);
-  const auto errors = std::ranges::count_if(
-      request.motion.error, [](const GiNaC::ex& error) { return !error.is_zero(); });
-  return {
-      question.text + load_lines(request.model, load),
-      {request.model.matrix.rows(), request.model.matrix.cols(),
-       uncertain.size() + static_cast<std::size_t>(errors), false, !request.motion.reach.empty()}};
+  return {question.text + load_lines(request.model, load), claimed_set(request, uncertain)};
 }
 
 std::string certificate_obstacle(const CertifiedLoad& question) {

@@ -10,6 +10,9 @@
 
 namespace regulus::inline certificate {
 
+/// Returns the lines `wrench` and `wrench-ball` of a load or a set of twists.
+[[nodiscard]] std::string vector_lines(const VectorSet& set);
+
 /// Returns the lines about the load and the limits (FORMAT.md, "Forces within limits").
 ///
 /// Requires  the model has limits of force.

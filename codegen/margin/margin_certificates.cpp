@@ -41,7 +41,7 @@ std::vector<OutputFile> MarginCertificates::files(const std::string& path) {
 }
 
 CertifiedQuestion MarginCertificates::question_at(const MarginValue& value) const {
-  return certified_question(request_.at(value), uncertain_);
+  return request_.certified_at(value, uncertain_);
 }
 
 Observer* MarginCertificates::watch(const MarginValue& value) {

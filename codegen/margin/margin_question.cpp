@@ -5,6 +5,7 @@
 
 #include <algorithm>
 
+#include "codegen/certificate/certificate_question.hpp"
 #include "codegen/formulation/variable_ranges.hpp"
 #include "codegen/model/certain_sign.hpp"
 #include "codegen/model/constants.hpp"
@@ -240,6 +241,12 @@ void MarginRequest::require_plain_tube() const {
 Request MarginRequest::at(const MarginValue& value) const {
   Request request = grown_to(value);
   return question_.about ? question_.about(request) : request;
+}
+
+CertifiedQuestion MarginRequest::certified_at(const MarginValue& value,
+                                              const std::set<std::string>& uncertain) const {
+  if (question_.certified) return question_.certified(grown_to(value), uncertain);
+  return certified_question(at(value), uncertain);
 }
 
 Request MarginRequest::grown_to(const MarginValue& value) const {

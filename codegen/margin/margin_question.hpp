@@ -7,10 +7,12 @@
 
 #include <functional>
 #include <optional>
+#include <set>
 #include <string>
 #include <vector>
 
 #include "codegen/engine/pipeline.hpp"
+#include "runtime/certificate/writer.hpp"
 
 namespace regulus::inline bracketing {
 
@@ -31,6 +33,11 @@ struct MarginValue {
 /// quantity/bordered.hpp.
 using QuestionAbout = std::function<Request(const Request&)>;
 
+/// Returns the question of a certificate about a motion and tolerances that have grown.
+/// `uncertain`: as for certified_question.
+using CertifiedAbout =
+    std::function<CertifiedQuestion(const Request&, const std::set<std::string>& uncertain)>;
+
 /// LO:HI, or LO: if HI must be found.
 struct MarginQuestion {
   MarginQuantity quantity = MarginQuantity::kTolerance;
@@ -38,8 +45,9 @@ struct MarginQuestion {
   bool is_two_sided = false;  ///< a parameter grows to [−v, v]; otherwise from its low end to v
   MarginValue low;
   std::optional<MarginValue> high;
-  std::string limit{};    ///< "force in leg 3 < 20", what must hold; empty: no singularity
-  QuestionAbout about{};  ///< that the limit holds; empty: the request itself
+  std::string limit{};         ///< "force in leg 3 < 20", what must hold; empty: no singularity
+  QuestionAbout about{};       ///< that the limit holds; empty: the request itself
+  CertifiedAbout certified{};  ///< about the bound of a quantity; empty: about regularity
 };
 
 /// Returns the value at which the kernel is formed. The kernel is the same at all values except 0,
@@ -66,6 +74,9 @@ class MarginRequest {
   [[nodiscard]] const Request& nominal() const noexcept { return nominal_; }
   /// Returns the question at a value: about the request that has grown.
   [[nodiscard]] Request at(const MarginValue& value) const;
+  /// Returns the question of a certificate at a value.
+  [[nodiscard]] CertifiedQuestion certified_at(const MarginValue& value,
+                                               const std::set<std::string>& uncertain) const;
   /// Sets ranges and threshold at `value`, for variables that were formed at another value.
   ///
   /// Ensures   the variety of `p` is that of `value`. Its formulation and its kernel do not change:

@@ -109,11 +109,12 @@ class Border {
   }
 
   /// Combines the columns of B that have a transposed matrix.
-  [[nodiscard]] matrix with_combined_columns(QuantityKind kind) const {
+  [[nodiscard]] matrix with_combined_columns(QuantityKind kind) {
     const matrix& B = bordered_.plain;
     const bool of_deflection = kind == QuantityKind::kDeflection;
     if (!of_deflection && kind != QuantityKind::kSigmaMin) return B;
-    const auto C = inverse_columns(bordered_.request, of_deflection ? M() : in_one_unit());
+    const auto& C = bordered_.combination =
+        inverse_columns(bordered_.request, of_deflection ? M() : in_one_unit());
     if (!C) return B;
     matrix result = B;
     const unsigned m = C->rows(), first = of_deflection ? B.cols() - m : 0;
@@ -174,7 +175,7 @@ class Border {
   /// Replaces the balls of a set by their centres; returns the largest m_i·d of the points d of balls
   /// about 0. Does nothing if r has both signs, or if a norm would be an absolute value, whose
   /// derivative jumps.
-  [[nodiscard]] ex take_balls(VectorSet& set, unsigned i) const {
+  [[nodiscard]] ex take_balls(VectorSet& set, unsigned i) {
     const auto is_smooth = [&](const ToleranceBall& ball) {
       return std::ranges::count_if(ball.members, [&](std::size_t k) {
                return !M()(i, static_cast<unsigned>(k)).is_zero();
@@ -182,6 +183,7 @@ class Border {
     };
     if (bordered_.is_two_sided || !std::ranges::all_of(set.balls, is_smooth)) return 0;
     ex spread = 0;
+    bordered_.has_norms = !set.balls.empty();
     for (const ToleranceBall& ball : set.balls) {
       spread += ball.radius * norm_of(i, ball.members);
       for (const std::size_t k : ball.members) {

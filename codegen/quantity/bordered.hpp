@@ -36,6 +36,7 @@
 // C = diag(1 for a velocity, 1/L for an angular velocity), L the characteristic length.
 #pragma once
 
+#include <optional>
 #include <string>
 
 #include "codegen/model/request.hpp"
@@ -54,6 +55,8 @@ struct Bordered {
   bool is_reciprocal = true;     ///< the bound is y + 1/R; otherwise it is R
   bool is_absolute = false;      ///< of |q|
   unsigned rows_of_inverse = 0;  ///< of a singular value: the rows of J⁻¹; otherwise 0
+  bool has_norms = false;        ///< of a speed: the balls of the twist enter as norms
+  std::optional<GiNaC::matrix> combination{};  ///< of the columns, inverse_columns.hpp
 };
 
 /// Returns the question, with r in [0, 1] or [−1, 1]. Along way-points r is a parameter of the motion

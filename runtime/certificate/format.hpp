@@ -32,6 +32,20 @@ inline constexpr const char* kLowerEnd = "lower";  ///< a coordinate that is the
 inline constexpr const char* kUpperEnd = "upper";
 inline constexpr const char* kEndOfRoot = "-";  ///< in a shard: the end of a range of box 0
 
+// The quantities of a claim about a bound, and its sides.
+inline constexpr const char* kForce = "force";
+inline constexpr const char* kError = "error";
+inline constexpr const char* kSpeed = "speed";
+inline constexpr const char* kSigmaMin = "sigma-min";
+inline constexpr const char* kSigmaMax = "sigma-max";
+inline constexpr const char* kCondition = "condition";
+inline constexpr const char* kDeflection = "deflection";
+inline constexpr const char* kDeterminant = "determinant";
+inline constexpr const char* kExpression = "expression";
+inline constexpr const char* kAbsolute = "absolute";
+inline constexpr const char* kLargest = "largest";
+inline constexpr const char* kLeast = "least";
+
 // Limits: a file beyond them is not a certificate. So reading takes bounded memory and stack.
 inline constexpr std::uint64_t kMaxBytes = std::uint64_t{1} << 32;  ///< of a file
 inline constexpr std::size_t kLongestLine = 1 << 20;
@@ -88,6 +102,49 @@ struct ClaimedSet {
   if (verdict == kFeasible) return describe_place(set, true) + " of the variety" + held;
   return describe_place(set, true) + " of the variety in a leaf '" + kFeasibleLeaf + "'" + held +
          "; in a leaf '" + kInfeasibleLeaf + "'" + not_held;
+}
+
+/// A bound of a quantity, in the words of its lines.
+struct ClaimedBound {
+  std::string quantity;  ///< kForce, …
+  std::string side;      ///< kAbsolute, kLargest or kLeast
+  std::string row;       ///< "3"; empty if the quantity has none
+  std::string columns;   ///< "4", or "1 2 3" for the norm of these components; empty if it has none
+  std::string set;       ///< the name of the load or the twist; empty if it has none
+  std::string expression;
+  std::string bound;  ///< empty: the quantity has no bound
+};
+
+/// Returns "force in row 3 under the load payload", for example.
+[[nodiscard]] inline std::string describe_quantity(const ClaimedBound& b) {
+  const bool is_norm = b.columns.find(' ') != std::string::npos;
+  const std::string components = is_norm ? "norm of components " : "component ";
+  if (b.quantity == kForce) return "force in row " + b.row + " under the load " + b.set;
+  if (b.quantity == kSpeed) return "speed of row " + b.row + " for the twist " + b.set;
+  if (b.quantity == kError)
+    return components + b.columns + " of the pose error by the errors of the motors";
+  if (b.quantity == kDeflection)
+    return components + b.columns + " of the deflection under the load " + b.set;
+  const std::string matrix = "J^-1 with the factors of its columns";
+  if (b.quantity == kSigmaMin) return "least singular value of " + matrix;
+  if (b.quantity == kSigmaMax) return "largest singular value of " + matrix;
+  if (b.quantity == kCondition)
+    return "condition number by row " + b.row + " and component " + b.columns + " of " + matrix;
+  return b.quantity == kDeterminant ? "|det J^-1|" : b.expression;
+}
+
+/// Returns a claim about a bound in words; `set`: of the matrix of the model.
+[[nodiscard]] inline std::string describe_bound_claim(const ClaimedSet& set, const ClaimedBound& b,
+                                                      bool is_attained) {
+  const std::string name = describe_quantity(b);
+  const std::string value = b.side == kAbsolute ? '|' + name + '|' : name;
+  const std::string vectors =
+      b.set.empty() ? "" : std::string(is_attained ? " and some" : " and every") + " vector of it";
+  const std::string place = ' ' + describe_place(set, !is_attained) + " of the variety" + vectors;
+  if (b.bound.empty()) return value + " has no bound: the matrix of the model is singular" + place;
+  const char* const beyond =
+      is_attained ? (b.side == kLeast ? " <= " : " >= ") : (b.side == kLeast ? " > " : " < ");
+  return value + beyond + b.bound + place;
 }
 
 /// Returns a claim about singularity in words. Nothing but these functions words a claim.

@@ -188,6 +188,18 @@ NodeId Graph::add(Op op, int a, int b) {
   return place->second;
 }
 
+void Graph::renumber_variables(const std::vector<int>& numbers) {
+  std::vector<NodeId> variables;
+  for (std::size_t i = 0; i < nodes_.size(); ++i)
+    if (nodes_[i].op == Op::kVariable) variables.push_back(NodeId(i));
+  for (const NodeId id : variables) known_.erase({Op::kVariable, nodes_[std::size_t(id)].a, 0});
+  for (const NodeId id : variables) {
+    int& number = nodes_[std::size_t(id)].a;
+    number = numbers.at(std::size_t(number));
+    known_.emplace(std::tuple{Op::kVariable, number, 0}, id);
+  }
+}
+
 NodeId Graph::number(std::string_view text) {
   if (const auto known = numbers_.find(text); known != numbers_.end()) return known->second;
   const auto [digits, exponent] = decimal_parts(text);

@@ -85,6 +85,8 @@ class Graph {
   /// Adds a decimal such as 12, 0.5 or 1e-3, exactly.
   [[nodiscard]] NodeId number(std::string_view digits);
   [[nodiscard]] NodeId number(const Rational& value);
+  /// Gives variable k the number numbers[k]; all differ.
+  void renumber_variables(const std::vector<int>& numbers);
   /// Call it after reading the file: from now on too many operations throw Unfinished.
   void end_of_file() noexcept { is_read_ = true; }
 

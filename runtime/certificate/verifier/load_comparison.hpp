@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Which values of a model file are those of a certificate's load and limits of forces.
+// Which values of a model file are those of a certificate's load and limits of forces, or of its
+// quantity.
 #pragma once
 
 #include <functional>
@@ -18,6 +19,10 @@ struct LoadComparer {
   std::function<void(const std::string& stated)> note;
   /// A place of the file cannot be compared.
   std::function<void(const std::string& place)> leave_out;
+  /// The certificate states a value that the file does not have. Throws OtherModel.
+  std::function<void(const std::string& stated)> refuse;
+  /// Returns true if the stated value has been compared or noted.
+  std::function<bool(const std::string& stated)> is_compared;
 };
 
 /// Compares every value of [actuators] force and of [load.NAME]. For a range it adds its ends,
@@ -25,5 +30,10 @@ struct LoadComparer {
 /// load in the file.
 [[nodiscard]] bool compare_load(Question& question, const WrittenValues& values,
                                 const LoadComparer& comparer);
+
+/// Compares every value of [load.NAME] or [twist.NAME], of [actuators] error and stiffness, and
+/// characteristic_length, if the quantity of the claim depends on it. Returns the same.
+[[nodiscard]] bool compare_quantity(Question& question, const WrittenValues& values,
+                                    const LoadComparer& comparer);
 
 }  // namespace regulus::verifier

@@ -3,8 +3,8 @@
 
 #include <algorithm>
 
+#include "runtime/certificate/verifier/constant_lines.hpp"
 #include "runtime/certificate/verifier/evaluation.hpp"
-#include "runtime/certificate/verifier/proof.hpp"
 
 namespace regulus::verifier {
 namespace {
@@ -13,71 +13,22 @@ constexpr long kBits = 128;
 
 class LoadReader {
  public:
-  LoadReader(Lines& lines, Question& q) : lines_(lines), q_(q), load_(*q.load) {}
+  LoadReader(Lines& lines, Question& q) : lines_(lines, q), q_(q), load_(*q.load) {}
 
   void read() {
     if (q_.has_threshold) throw Rejection("a claim about forces has no threshold");
-    load_.name = rest_of("load");
-    for (std::size_t j = 0; j < q_.columns; ++j) read_wrench(j);
-    for (advance(); lines_.text().starts_with("wrench-ball "); advance()) read_ball();
+    load_.name = lines_.take("load");
+    lines_.read_set(load_);
     for (std::size_t i = 0; i < q_.rows; ++i) {
-      const auto [least, largest] = two_parts("limits", " : ");
-      load_.least.push_back(constant("least", i, least));
-      load_.largest.push_back(constant("largest", i, largest));
-      advance();
+      const auto [least, largest] = lines_.two_parts("limits", " : ");
+      load_.least.push_back(lines_.constant("least", i, least));
+      load_.largest.push_back(lines_.constant("largest", i, largest));
+      lines_.advance();
     }
     scale_rows();
   }
 
  private:
-  void advance() {
-    if (!lines_.next()) throw Rejection("the file ends before the proof");
-  }
-
-  [[nodiscard]] std::string_view rest_of(std::string_view key) const {
-    const std::string_view line = lines_.text();
-    if (!line.starts_with(key) || line.size() <= key.size() || line[key.size()] != ' ')
-      throw Rejection("expected a line '" + std::string(key) + " …'");
-    return line.substr(key.size() + 1);
-  }
-
-  [[nodiscard]] std::pair<std::string_view, std::string_view> two_parts(
-      std::string_view key, std::string_view mark) const {
-    const std::string_view text = rest_of(key);
-    const std::size_t at = text.find(mark);
-    if (at == std::string_view::npos)
-      throw Rejection("expected '" + std::string(key) + " E" + std::string(mark) + "E'");
-    return {text.substr(0, at), text.substr(at + mark.size())};
-  }
-
-  NodeId constant(const char* kind, std::size_t number, std::string_view text) {
-    const NodeId node = parse(text, {}, q_.graph);
-    q_.stated.emplace(std::string(kind) + ' ' + std::to_string(number),
-                      StatedValue{node, lines_.number(), std::string(text)});
-    return node;
-  }
-
-  void read_wrench(std::size_t column) {
-    advance();
-    const auto [middle, spread] = two_parts("wrench", " +- ");
-    load_.middle.push_back(constant("wrench", column, middle));
-    load_.spread.push_back(constant("wrench-spread", column, spread));
-  }
-
-  /// Reads `wrench-ball RADIUS in 4 5 6`: numbers of components, from 1.
-  void read_ball() {
-    if (load_.balls.size() == q_.columns) throw Rejection("there are too many balls");
-    const auto [radius, members] = two_parts("wrench-ball", " in ");
-    WrenchBall ball{constant("wrench-ball", load_.balls.size(), radius), {}};
-    for (const std::string_view word : words_of(members)) {
-      const std::size_t number = read_count(word, q_.columns);
-      if (number == 0 || (!ball.members.empty() && ball.members.back() >= number - 1))
-        throw Rejection("a ball has numbers of components in rising order, from 1");
-      ball.members.push_back(number - 1);
-    }
-    load_.balls.push_back(std::move(ball));
-  }
-
   /// The matrix becomes J⁻¹. It is defined only where the scales are.
   void scale_rows() {
     if (q_.scale.empty()) return;
@@ -87,7 +38,7 @@ class LoadReader {
     q_.scale.clear();
   }
 
-  Lines& lines_;
+  ConstantLines lines_;
   Question& q_;
   LoadLines& load_;
 };

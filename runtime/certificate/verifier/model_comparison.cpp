@@ -37,7 +37,7 @@ class Comparison {
     compare_legs();
     compare_matrix();
     compare_motion();
-    if (q_.load) compare_load_lines();
+    if (q_.load || q_.quantity) compare_load_lines();
     list_uncompared();
   }
 
@@ -283,8 +283,8 @@ class Comparison {
       if (rest == "waypoints" || rest == "interpolation") continue;  // waypoints.hpp
       if (rest == "where")
         is_within_reach = true;
-      else if (rest == "alpha" && q_.load)
-        continue;  // forces have no threshold
+      else if (rest == "alpha" && (q_.load || q_.quantity))
+        continue;  // forces and bounds have no threshold
       else if (rest == "alpha")
         compare(at->first, "alpha ", none, "alpha");
       else if (rest.starts_with("error."))
@@ -320,10 +320,21 @@ class Comparison {
         [&](const std::string& stated) { used_.insert(stated); },
         [&](const std::string& place) {
           leave_out(place, values_.at(place), "the columns of the matrix have no names here");
-        }};
-    if (!compare_load(q_, values_, comparer))
-      throw OtherModel("the certificate is not about " + options_.model_name +
-                       ": it has no load '" + q_.load->name + "'");
+        },
+        [&](const std::string& stated) { refuse(stated); },
+        [&](const std::string& stated) { return used_.contains(stated); }};
+    if (q_.load ? !compare_load(q_, values_, comparer) : !compare_quantity(q_, values_, comparer))
+      throw OtherModel("the certificate is not about " + options_.model_name + ": it has no " +
+                       (q_.load ? "load '" + q_.load->name
+                                : q_.quantity->set_kind + " '" + q_.quantity->set->name) +
+                       "'");
+  }
+
+  [[noreturn]] void refuse(const std::string& stated) const {
+    const StatedValue& value = q_.stated.at(stated);
+    throw OtherModel("the certificate is not about " + options_.model_name + ": line " +
+                     std::to_string(value.line) + " states '" + shortened(value.text) +
+                     "', which the file does not have");
   }
 
   void compare_range(const std::string& place, const std::string& rest) {

@@ -8,8 +8,10 @@
 #include <optional>
 #include <sstream>
 
+#include "runtime/certificate/verifier/bordered_matrix.hpp"
 #include "runtime/certificate/verifier/model_comparison.hpp"
 #include "runtime/certificate/verifier/proof.hpp"
+#include "runtime/certificate/verifier/quantity_lines.hpp"
 #include "runtime/certificate/verifier/single_values.hpp"
 #include "runtime/certificate/verifier/tree_reader.hpp"
 #include "runtime/certificate/verifier/waypoints.hpp"
@@ -62,6 +64,7 @@ class PieceChecker {
     if (k == 0) describe(question);
     question.graph.end_of_file();
     if (!options_.model_text.empty()) compare(question, k);
+    if (question.quantity) border(question);
     const Variety variety = enclose_variety(question);
     put_in_single_values(question);
     if (options_.time_limit > 0) rest_.time_limit = options_.time_limit - seconds();
@@ -78,6 +81,7 @@ class PieceChecker {
     result_.model = question.model;
     result_.sha256 = question.sha256;
     result_.motion = question.motion;
+    describe_bound(question, result_);
   }
 
   void compare(Question& question, std::size_t k) {

@@ -21,6 +21,11 @@ Shown check_tree_of_piece(Lines& lines, Question& question, const Variety& varie
 void check_witness(Lines& lines, Question& question, const Variety& variety, const Options& options,
                    const Verification& counts);
 
+/// Shows that the matrix of the model is regular all along the segment between two points, or at the
+/// point if they are one. Throws Unfinished. `question`: after border().
+void require_regular_model(const Question& question, const Variety& variety, const Box& from,
+                           const Box& to, WorkClock& clock);
+
 /// Returns the double that a C99 hexadecimal or a decimal text denotes. Throws Rejection for
 /// another text, and for a number that is not finite.
 [[nodiscard]] double read_double(std::string_view text);

@@ -7,6 +7,7 @@
 
 #include "runtime/certificate/verifier/algebra.hpp"
 #include "runtime/certificate/verifier/load_lines.hpp"
+#include "runtime/certificate/verifier/quantity_lines.hpp"
 
 namespace regulus::verifier {
 namespace {
@@ -44,6 +45,7 @@ class QuestionReader {
     read_model();
     read_motion();
     if (q_.load) read_load_lines(lines_, q_);
+    if (!q_.load && is("quantity")) read_quantity_lines(lines_, q_);
     if (lines_.text() != "proof") throw Rejection("expected the line 'proof'");
     if (claim != q_.claim())
       throw Rejection("the claim is not about this matrix and set: expected '" + q_.claim() + "'");
@@ -330,6 +332,7 @@ format::ClaimedSet Question::claimed_set() const {
 
 std::string Question::claim() const {
   if (load) return format::describe_load_claim(claimed_set(), load->verdict);
+  if (quantity) return quantity->claim;
   return format::describe_claim(claimed_set(), singular);
 }
 

@@ -67,14 +67,42 @@ struct WrenchBall {
   std::vector<std::size_t> members;
 };
 
-/// The load of a claim about forces, and the limits of the forces: constant expressions. The load is
-/// the set of all sums of a wrench within the spreads of the middles and a vector of each ball.
-struct LoadLines {
-  std::string verdict;  ///< FEASIBLE, INFEASIBLE or PAVING
+/// A load or a set of twists: all sums of a vector within the spreads of the middles and a vector of
+/// each ball. Constant expressions.
+struct VectorSetLines {
   std::string name;
   std::vector<NodeId> middle, spread;  ///< by column
   std::vector<WrenchBall> balls;
+};
+
+/// The load of a claim about forces, and the limits of the forces: constant expressions.
+struct LoadLines : VectorSetLines {
+  std::string verdict;                 ///< FEASIBLE, INFEASIBLE or PAVING
   std::vector<NodeId> least, largest;  ///< by row
+};
+
+/// A quantity and its bound: FORMAT.md, "Bounds of quantities". Numbers are constant expressions.
+struct QuantityLines {
+  std::string kind;                  ///< format::kForce, …
+  std::string side;                  ///< format::kAbsolute, kLargest or kLeast
+  std::size_t row = 0;               ///< from 0
+  std::vector<std::size_t> columns;  ///< from 0; several: the norm of these components
+  std::string set_kind;              ///< "load" or "twist"
+  std::optional<VectorSetLines> set;
+  bool has_norms = false;          ///< of a speed: the balls of the set enter as norms
+  std::vector<NodeId> errors;      ///< of the motors, by row
+  std::vector<NodeId> stiffness;   ///< by row
+  std::vector<NodeId> factors;     ///< by column: C of J⁻¹C
+  std::vector<Rational> combined;  ///< a regular matrix, row-major; empty: none
+  NodeId expression = kNoNode;
+  std::vector<NodeId> expression_defined;
+  NodeId reference = kNoNode;  ///< y
+  NodeId bound = kNoNode;      ///< kNoNode: there is none, as the matrix of the model is singular
+  std::string claim;           ///< in words
+
+  /// After border(): the matrix of the model, and its shape.
+  std::vector<NodeId> model_matrix;
+  std::size_t model_rows = 0, model_columns = 0;
 };
 
 /// An expression with its line.
@@ -105,11 +133,15 @@ struct Question {
   bool has_threshold = false;          ///< alpha is not written as 0
   /// A claim about forces has this. The matrix is then J⁻¹, with the scales in its rows.
   std::optional<LoadLines> load;
+  /// A claim about a bound has this. The matrix and the variables are those of the model, until
+  /// border() puts in those of the bound.
+  std::optional<QuantityLines> quantity;
 
   // For the comparison with a model file.
   /// The stated values, by kind and name: "alpha ", "lower x", "upper x", "value a", "spread a",
   /// "pose x", "error x", "entry 0", "scale 0", "constraint 0", "reach 0", "wrench 0",
-  /// "wrench-spread 0", "wrench-ball 0", "least 0", "largest 0".
+  /// "wrench-spread 0", "wrench-ball 0", "least 0", "largest 0", "motor-error 0", "stiffness 0",
+  /// "factor 0".
   std::map<std::string, StatedValue, std::less<>> stated;
   Scope actual;     ///< names of constants and of poses with their errors
   Scope commanded;  ///< names of parameters, constants and commanded poses

@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "runtime/certificate/verifier/verify.hpp"
 
+#include "runtime/certificate/verifier/bordered_matrix.hpp"
 #include "runtime/certificate/verifier/model_comparison.hpp"
 #include "runtime/certificate/verifier/pieces.hpp"
 #include "runtime/certificate/verifier/proof.hpp"
+#include "runtime/certificate/verifier/quantity_lines.hpp"
 #include "runtime/certificate/verifier/shards.hpp"
 #include "runtime/certificate/verifier/single_values.hpp"
 #include "runtime/certificate/verifier/usual_environment.hpp"
@@ -26,7 +28,8 @@ void compare(Question& question, const Options& options, Verification& result) {
 void check(Lines& lines, Question& question, const Options& options, Verification& result) {
   lines.keep();
   read_question(lines, question);
-  if (question.is_index && (question.is_piecewise || question.singular || question.load))
+  if (question.is_index &&
+      (question.is_piecewise || question.singular || question.load || question.quantity))
     throw Rejection("an index is for a proof of NO SINGULARITY about one piece");
   if (question.is_piecewise) return check_pieces(lines, options, result);
   const std::vector<std::string> head = lines.take_kept();
@@ -36,6 +39,8 @@ void check(Lines& lines, Question& question, const Options& options, Verificatio
   result.motion = question.motion;
   question.graph.end_of_file();
   if (!options.model_text.empty()) compare(question, options, result);
+  describe_bound(question, result);
+  if (question.quantity) border(question);
   const Variety variety = enclose_variety(question);
   put_in_single_values(question);
   if (question.is_index)
@@ -92,6 +97,7 @@ std::string describe(const Verification& v) {
   line("sha256", v.sha256);
   line("motion", v.motion);
   line("claim", v.claim);
+  line("bound", v.bound);
   if (v.pieces > 0) line("pieces", std::to_string(v.pieces) + " of a trajectory");
   if (v.shards > 0) line("shards", std::to_string(v.shards));
   if (v.leaves > 0)

@@ -58,6 +58,7 @@ struct Verification {
   Outcome outcome = Outcome::kUnfinished;
   std::string reason;  ///< of kRejected and kUnfinished
   std::string claim;   ///< empty if it could not be read
+  std::string bound;   ///< the number of a bound as a decimal, or that the claim has none
   std::string model, sha256, motion;
   std::size_t pieces = 0;  ///< of a trajectory; 0: the motion is not one
   std::size_t shards = 0;  ///< of an index; 0: the proof is in one file

@@ -3,6 +3,7 @@
 // segment between them, on which the model is defined and no constraint is violated.
 #include <algorithm>
 
+#include "runtime/certificate/verifier/bordered_matrix.hpp"
 #include "runtime/certificate/verifier/exact_determinant.hpp"
 #include "runtime/certificate/verifier/exact_point.hpp"
 #include "runtime/certificate/verifier/proof.hpp"
@@ -115,6 +116,13 @@ class WitnessChecker {
     if (next_line() != "path segment") throw Rejection("expected 'path segment'");
     check_segment(positive, negative);
     read_end();
+    require_value(positive, negative);
+  }
+
+  /// The quantity of a bound must have a value where the matrix of the bound is singular.
+  void require_value(const Box& from, const Box& to) {
+    if (q_.quantity && needs_regular_model(*q_.quantity))
+      require_regular_model(q_, variety_, from, to, clock_);
   }
 
   void require_sign(const Box& point, int sign) {
@@ -133,6 +141,7 @@ class WitnessChecker {
   void check_small() {
     const ClaimedPoint point = read_point("0");
     read_end();
+    require_value(point.box, point.box);
     if (is_singular_exactly(point)) return;
     for (long bits = 64; bits <= options_.max_bits; bits *= 2) {
       clock_.tick();
@@ -149,6 +158,7 @@ class WitnessChecker {
     if (q_.has_threshold) throw Rejection("a lost rank is no proof about a threshold");
     const ClaimedPoint point = read_point("0");
     read_end();
+    require_value(point.box, point.box);
     if (!is_defined_within_constraints(point))
       throw Unfinished("the matrix is not certainly defined at the point, within the constraints");
     if (!ExactPoint(q_, point).has_lost_rank())
@@ -159,6 +169,7 @@ class WitnessChecker {
   void check_always() {
     const ClaimedPoint point = read_point("0");
     read_end();
+    require_value(point.box, point.box);
     if (is_singular_exactly(point)) return;
     throw Unfinished(
         obstacle_.empty()
