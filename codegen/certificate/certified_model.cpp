@@ -41,10 +41,12 @@ struct Stated {
   std::vector<StatedRange> ranges;            ///< in their order, which is that of the variables
   std::map<std::string, std::string> spread;  ///< of each constant of the robot that varies
   std::map<std::string, std::string> errors;  ///< of each pose parameter
-  bool is_about_load;
+  bool is_without_threshold;                  ///< forces and quantities
 
   explicit Stated(const CertificateHead& certificate)
-      : alpha(certificate.value("alpha")), is_about_load(!certificate.value("load").empty()) {
+      : alpha(certificate.value("alpha")),
+        is_without_threshold(!certificate.value("load").empty() ||
+                             !certificate.value("quantity").empty()) {
     for (const std::string& line : certificate.lines()) {
       if (const auto text = value_of(line, "parameter"); !text.empty()) {
         const auto [name, range] = parted(text, " in ");
@@ -103,6 +105,7 @@ class CertificateOverrides {
 
   /// Returns the lines about the load and the limits, if the certificate is about forces.
   [[nodiscard]] std::string load_of(const CertificateHead& certificate) const {
+    if (!certificate.value("quantity").empty()) return "";
     const std::string_view name = certificate.value("load");
     for (const VectorSet& load : request_.model.loads)
       if (load.name == name) return load_lines(request_.model, load);
@@ -194,7 +197,7 @@ class CertificateOverrides {
   }
 
   void change_threshold() {
-    if (stated_.is_about_load) request_.motion.alpha = 0;  // forces have no threshold
+    if (stated_.is_without_threshold) request_.motion.alpha = 0;
     const std::string before = expression_text(request_.motion.alpha);
     if (stated_.alpha == before) return;
     set_alpha(request_.motion, stated_.alpha);
@@ -270,6 +273,16 @@ std::string line_difference(const NumberedLine& found, const std::string& expect
                      shortened(found.text), shortened(expected));
 }
 
+/// Returns the lines up to those of a quantity: what they state is compared with the model file by the
+/// verifier.
+std::vector<std::string> without_quantity(std::vector<std::string> lines) {
+  const auto is_quantity = [](const std::string& line) {
+    return !value_of(line, "quantity").empty();
+  };
+  lines.erase(std::ranges::find_if(lines, is_quantity), lines.end());
+  return lines;
+}
+
 /// Describes the first difference; empty if there is none.
 std::string first_difference(const std::vector<std::string>& certificate,
                              const std::string& question) {
@@ -309,7 +322,7 @@ ModelConfirmation confirm_model(const CertificateHead& certificate, const std::s
     const Stated stated(certificate);
     const CertificateOverrides changed(read_request(text, options), stated);
     const std::string difference =
-        first_difference(certificate.lines(), changed.question(certificate));
+        first_difference(without_quantity(certificate.lines()), changed.question(certificate));
     if (!difference.empty()) return refused(difference);
     ModelConfirmation confirmed{"", changed.differences(), changed.options()};
     confirmed.options.motion = options.motion;

@@ -20,7 +20,7 @@ struct ModelConfirmation {
   ModelOptions options;
 };
 
-/// Ensures   without a refusal, every line of the question is the one that `--certificate` writes
+/// Ensures   without a refusal, every line of the question up to a line `quantity` is the one that `--certificate` writes
 ///           for this file, with the motion that the question names and the ranges, tolerances and
 ///           threshold that it states. It may only have more conditions without names.
 ///           `waypoints`: the file that the option --waypoints named; empty: none.

@@ -202,6 +202,9 @@ void adopt_report(const EarlierRun& run, ModelOptions& options) {
 void adopt_certificate(const EarlierRun& run, ModelOptions& options) {
   std::istringstream text(read_start(run.path, CertificateHead::kLongestHead, Readable::kFile));
   const CertificateHead head(text);
+  if (!head.value("quantity").empty())
+    throw InputError::statement(run.path, 0, "it is the certificate of a bound",
+                                "give a certificate of check, locate or margin");
   if (options.motion.empty()) options.motion = head.value("motion");
   if (head.lines().empty() || has_changes(options)) return;
   const ModelConfirmation confirmed = confirm_model(head, options.path, options.waypoints);

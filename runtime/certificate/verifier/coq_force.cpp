@@ -3,10 +3,12 @@
 
 #include <algorithm>
 #include <string_view>
+#include <utility>
 
 #include "runtime/certificate/verifier/coq_question.hpp"
 #include "runtime/certificate/verifier/infix_reader.hpp"
 #include "runtime/certificate/verifier/proof.hpp"
+#include "runtime/certificate/verifier/quantity_lines.hpp"
 
 namespace regulus::verifier {
 namespace {
@@ -231,10 +233,128 @@ class ForceReader {
   bool has_row_ = false;
 };
 
+/// Reads the lines of a certificate that states its quantity.
+class ClaimedForceReader {
+ public:
+  ClaimedForceReader(const Question& question, const std::vector<std::string>& lines)
+      : q_(question), claimed_(*question.quantity), lines_(lines) {
+    if (claimed_.kind != format::kForce) refuse_force("it bounds another quantity");
+    if (q_.singular) refuse_force("its claim is that a value is attained");
+    if (!is_zero_number(q_.graph, claimed_.reference))
+      refuse_force("there is no theorem yet about a largest force below 0 or a least one above 0");
+    force_.row = claimed_.row;
+    force_.is_two_sided =
+        claimed_.side == format::kAbsolute && !is_symmetric(q_.graph, *claimed_.set);
+    for (const std::string& line : lines_) read(line);
+    write_question();
+  }
+
+  ForceQuestion take() { return std::move(force_); }
+
+ private:
+  void read(const std::string& line) {
+    std::string_view rest = line;
+    const std::string_view key = take_until(rest, " ");
+    if (key == "scale" && scales_++ == force_.row) scale_ = rest;
+    if (key == "wrench")
+      middles_.emplace_back(take_until(rest, " +- ")), spreads_.emplace_back(rest);
+    if (key == "wrench-ball") read_ball(rest);
+    if (key == "bound") force_.limit = of_side(std::string(rest));
+  }
+
+  void read_ball(std::string_view rest) {
+    const std::string radius(take_until(rest, " in "));
+    balls_.emplace_back();
+    for (const std::string_view word : words_of(rest)) {
+      const std::size_t component = read_count(word, q_.columns) - 1;
+      spreads_[component] = radius;
+      balls_.back().push_back(component);
+    }
+  }
+
+  [[nodiscard]] std::string of_side(const std::string& value) const {
+    return claimed_.side == format::kLeast ? "-(" + value + ')' : value;
+  }
+
+  [[nodiscard]] std::string name_of(std::size_t component) const {
+    std::string name = "load_" + claimed_.set->name + '_' + std::to_string(component + 1);
+    std::replace(name.begin(), name.end(), '-', '_');
+    return free_name(std::move(name));
+  }
+
+  [[nodiscard]] std::string free_name(std::string name) const {
+    while (
+        std::ranges::any_of(lines_, [&](const std::string& line) { return contains(line, name); }))
+      name += '_';
+    return name;
+  }
+
+  /// Returns w/s for a component of the load.
+  [[nodiscard]] std::string over_scale(const std::string& w) const {
+    return scale_.empty() ? w : w + '*' + name_of_factor();
+  }
+
+  [[nodiscard]] std::string name_of_factor() const {
+    return free_name("factor_" + std::to_string(force_.row + 1));
+  }
+
+  /// Returns the line that gives 1/s its name.
+  [[nodiscard]] std::string line_of_factor() const {
+    if (scale_.empty()) return "";
+    const std::vector<Operand> factors = split(scale_, "*/");
+    const bool is_reciprocal =
+        factors.size() == 2 && factors[0].text == "1" && factors[1].operation == '/';
+    return "let " + name_of_factor() + " = " +
+           (is_reciprocal ? factors[1].text : "1/(" + scale_ + ')') + '\n';
+  }
+
+  /// Writes the lines of the load among those of the constants, and the claim about the matrix.
+  void write_question() {
+    std::string uncertain;
+    std::size_t added = 0;
+    for (std::size_t k = 0; k < middles_.size(); ++k) {
+      const bool varies = spreads_[k] != "0";
+      const std::string name = varies ? name_of(k) : '(' + middles_[k] + ')';
+      if (varies)
+        ++added,
+            uncertain += "uncertain " + name + " = " + middles_[k] + " +- " + spreads_[k] + '\n';
+      force_.load.push_back(middles_[k] == "0" && !varies ? "0" : of_side(over_scale(name)));
+    }
+    for (const auto& ball : balls_) {
+      if (spreads_[ball.front()] == "0") continue;
+      uncertain += "ball";
+      for (const std::size_t k : ball) uncertain += ' ' + name_of(k);
+      uncertain += '\n';
+    }
+    format::ClaimedSet set = q_.claimed_set();
+    set.uncertain += added;
+    for (const std::string& line : lines_) {
+      if (line.starts_with("quantity ")) break;
+      if (line.starts_with("pose ") || line.starts_with("let ") || line.starts_with("matrix "))
+        force_.question += std::exchange(uncertain, "");
+      if (line.starts_with("matrix ")) force_.question += line_of_factor();
+      force_.question +=
+          line.starts_with("claim ") ? "claim " + format::describe_claim(set, false) : line;
+      force_.question += '\n';
+    }
+    force_.question += "proof\n";
+  }
+
+  const Question& q_;
+  const QuantityLines& claimed_;
+  const std::vector<std::string>& lines_;
+  std::vector<std::string> middles_, spreads_;  ///< by component of the load
+  std::vector<std::vector<std::size_t>> balls_;
+  std::string scale_;  ///< of the row
+  std::size_t scales_ = 0;
+  ForceQuestion force_;
+};
+
 }  // namespace
 
-ForceQuestion split_force(const Question& bordered, const std::vector<std::string>& lines) {
-  return ForceReader(bordered, lines).take();
+ForceQuestion split_force(const Question& question, const std::vector<std::string>& lines) {
+  if (question.quantity) return ClaimedForceReader(question, lines).take();
+  return ForceReader(question, lines).take();
 }
 
 std::string describe(const ForceQuestion& force) {

@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
-// The certificate of the bound of a force, as `regulus bound` writes it: its matrix is that of the
-// robot, but for one row m, which is m - r·v. Here r is the last parameter, and v is the load,
-// divided by the scale of the row. If the matrix is regular for each r up to R, the force of the row
+// The certificate of the bound of a force, as `regulus bound` writes it: the question of the robot,
+// and the lines of the quantity. Let one row m of the matrix become m - r·v, where v is the load,
+// divided by the scale of the row. If that matrix is regular for each r up to R, the force of the row
 // is below 1/R. Forces.v has the proof; it builds the matrix anew, so nothing here is trusted.
+// Certificates of earlier versions have this matrix itself, and r as their last parameter.
 #pragma once
 
 #include <string>
@@ -20,9 +21,9 @@ struct ForceQuestion {
   bool is_two_sided = false;      ///< r is in [-R, R], and |force| < limit
 };
 
-/// Takes r out of the lines of a certificate, which are those of `bordered`. Throws Unfinished, with
-/// the reason, if they are not those of a force.
-[[nodiscard]] ForceQuestion split_force(const Question& bordered,
+/// Takes the quantity, or r, out of the lines of a certificate, which are those of `question`. Throws
+/// Unfinished, with the reason, if they are not those of a force.
+[[nodiscard]] ForceQuestion split_force(const Question& question,
                                         const std::vector<std::string>& lines);
 
 /// Returns the bound in words.

@@ -163,6 +163,10 @@ std::string read_and_write(Lines& lines, CoqStatement statement) {
     throw Unfinished("a claim about forces within limits cannot be written as a theorem");
   if (statement == CoqStatement::kForce) return force(question, lines.take_kept());
   if (question.is_piecewise) return trajectory(lines);
+  if (question.quantity)
+    throw Unfinished(
+        "a claim about the bound of a quantity is no theorem about a matrix; --force writes the "
+        "theorem about a force");
   const CoqQuestion coq = coq_question(lines.take_kept(), question);
   if (question.singular) return heading(question) + coq.text + singular_theorem(lines, question);
   return heading(question) + coq.text + method(coq) + regular_theorem(question, false);
