@@ -118,13 +118,13 @@ TEST_F(BoundCertificateTest, IsOfTheLimitThatWasAsked) {
 
 TEST_F(BoundCertificateTest, OfAMarginIsOfTheLimit) {
   const CommandResult r =
-      run({"regulus", "margin", model_, "--quantity", "sigma-max", "--limit", "3/2", "--scale",
-           "0.5:20", "--gap", "0.01", "--certificate", proof_});
+      run({"regulus", "margin", model_, "--quantity", "sigma-max", "--limit", "1.02", "--scale",
+           "0.5:3.5", "--gap", "0.01", "--certificate", proof_});
   ASSERT_EQ(r.exit_code, 0) << r.errors;
   for (const char* end : {".safe", ".singular"}) {
     const CommandResult verified = run({"regulus-verify", proof_ + end});
     EXPECT_EQ(verified.output, "VERIFIED\n") << verified.errors;
-    EXPECT_THAT(verified.errors, HasSubstr(" 3/2 at "));
+    EXPECT_THAT(verified.errors, HasSubstr(" 51/50 at "));
   }
 }
 
