@@ -3,6 +3,7 @@
 
 #include <algorithm>
 
+#include "runtime/certificate/verifier/evaluation.hpp"
 #include "runtime/certificate/verifier/quantity_lines.hpp"
 #include "runtime/certificate/verifier/short_terms.hpp"
 
@@ -47,10 +48,10 @@ class Border {
   }
 
  private:
-  /// The bound of |det J⁻¹| is the threshold.
+  /// The bound of |det J⁻¹| is the threshold. A threshold of 0 is one, too: scales must not be 0.
   void take_threshold() {
     q_.alpha = c_.bound;
-    q_.has_threshold = !t_.is_zero(c_.bound);
+    q_.has_threshold = true;
   }
 
   NodeId add_variable(const std::string& name, VariableKind kind, NodeId lo, NodeId hi) {
@@ -233,17 +234,30 @@ class Border {
     for (std::size_t k = 0; k < c_.model_columns; ++k)
       along = t_.sum(along, t_.product(A(i, k), v[k]));
     NodeId spread = t_.zero;
-    for (const WrenchBall& ball : c_.set->balls)
-      if (c_.has_norms) spread = t_.sum(spread, t_.product(ball.radius, norm_of_row(i, ball)));
+    for (const WrenchBall& ball : c_.set->balls) {
+      if (!c_.has_norms) break;
+      require_nonnegative(ball.radius);
+      spread = t_.sum(spread, t_.product(ball.radius, norm_of_row(i, ball)));
+    }
     const NodeId s = scale(i);
     if (!t_.is_positive(s)) spread = t_.quotient(t_.product(spread, t_.add(Op::kAbs, s)), s);
     single(t_.difference(nominal(t_.reciprocal(s)),
                          t_.product(r_, t_.sum(t_.signed_by(sign_, along), spread))));
   }
 
+  /// The radius of a ball without variables is in no range that could be empty.
+  void require_nonnegative(NodeId radius) const {
+    constexpr long kBits = 128;
+    const auto value = evaluate(q_.graph, {radius}, {}, kBits);
+    if (!value || arb_is_nonnegative((*value)[0].get()) == 0)
+      throw Rejection("the radius of a ball is not certainly positive or 0");
+  }
+
   NodeId norm_of_row(std::size_t i, const WrenchBall& ball) {
     NodeId sum = t_.zero;
-    for (const std::size_t k : ball.members) sum = t_.sum(sum, t_.square(A(i, k)));
+    // Entries may have no value for another reason: √x² stays as it is.
+    for (const std::size_t k : ball.members)
+      if (!t_.is_zero(A(i, k))) sum = t_.sum(sum, q_.graph.add(Op::kPower, A(i, k), 2));
     return t_.is_zero(sum) ? sum : t_.add(Op::kSqrt, sum);
   }
 
@@ -252,6 +266,7 @@ class Border {
     const Nodes w = vector_of_set();
     const std::size_t n = c_.model_rows, k = c_.columns.front();
     set_order(2 * n);
+    q_.defined.insert(q_.defined.end(), c_.stiffness.begin(), c_.stiffness.end());
     for (std::size_t i = 0; i < n; ++i) {
       for (std::size_t j = 0; j < n; ++j) {
         B(i, j) = A(i, j);

@@ -27,14 +27,21 @@ class ShortTerms {
   [[nodiscard]] NodeId quotient(NodeId x, NodeId y) const {
     return is_zero(x) ? zero : product(x, reciprocal(y));
   }
-  /// Returns 1/x; b for x = 1/b.
+  /// Returns 1/x. Requires, as do square() and its callers: x and 1/x must have values for other
+  /// reasons, because a/(b/c) = ac/b and √x² = x have them elsewhere, too.
   [[nodiscard]] NodeId reciprocal(NodeId x) const {
     const Node node = graph_.nodes()[std::size_t(x)];
-    if (node.op == Op::kDivide && node.a == one) return node.b;
+    if (node.op == Op::kDivide) return product(node.b, reciprocal(node.a));
+    if (node.op == Op::kMultiply) return product(reciprocal(node.a), reciprocal(node.b));
     return x == one ? one : graph_.add(Op::kDivide, one, x);
   }
   [[nodiscard]] NodeId square(NodeId x) const {
-    return is_zero(x) || x == one ? x : graph_.add(Op::kPower, x, 2);
+    const Node node = graph_.nodes()[std::size_t(x)];
+    if (is_zero(x) || x == one) return x;
+    if (node.op == Op::kSqrt) return node.a;
+    if (node.op == Op::kMultiply) return product(square(node.a), square(node.b));
+    if (node.op == Op::kDivide) return product(square(node.a), reciprocal(square(node.b)));
+    return graph_.add(Op::kPower, x, 2);
   }
   [[nodiscard]] NodeId signed_by(int sign, NodeId x) const {
     return sign > 0 || is_zero(x) ? x : graph_.add(Op::kNegate, x);

@@ -191,6 +191,30 @@ TEST_F(ADamagedBound, OfAScaleOfNoSignUsesItsMagnitude) {
   EXPECT_NE(verified(text()).outcome, Outcome::kVerified) << text();
 }
 
+TEST_F(ADamagedBound, HasNoNegativeRadius) {
+  claim_.kind = "speed";
+  claim_.side = "largest";
+  claim_.has_norms = true;
+  claim_.radius = 1;
+  claim_.bound = 100;
+  EXPECT_EQ(verified(text()).outcome, Outcome::kVerified) << verified(text()).reason;
+  for (const char* radius : {"-1", "-1/3*sqrt(2)"})
+    EXPECT_EQ(
+        verified(with(text(), "wrench-ball 1 in", std::string("wrench-ball ") + radius + " in"))
+            .outcome,
+        Outcome::kRejected);
+}
+
+/// det J⁻¹ is 0 with a scale, though the matrix in the file is regular.
+TEST_F(ADamagedBound, OfADeterminantIsAboutItsScales) {
+  claim_.kind = "determinant";
+  claim_.side = "least";
+  claim_.bound = 0;
+  EXPECT_EQ(verified(text()).outcome, Outcome::kVerified) << verified(text()).reason;
+  claim_.scale[1] = 0;
+  EXPECT_NE(verified(text(), kFewBoxes).outcome, Outcome::kVerified);
+}
+
 /// Earlier versions wrote the matrix of the bound alone.
 TEST(AnOldBoundCertificate, ProvesNoNumber) {
   const verifier::Verification v = verified(
