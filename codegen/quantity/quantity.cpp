@@ -175,9 +175,11 @@ class Components {
     Component c;
     c.kind = kind;
     c.unit = quantity_.unit;
-    const bool has_sign = options_.least || options_.is_signed || kind == QuantityKind::kExpression;
+    // The least singular value is a least value without --min, too.
+    const bool is_least = options_.least && kind != QuantityKind::kSigmaMin;
+    const bool has_sign = is_least || options_.is_signed || kind == QuantityKind::kExpression;
     c.is_absolute = !has_sign;
-    c.sign = options_.least ? -1 : 1;
+    c.sign = is_least ? -1 : 1;
     return c;
   }
 

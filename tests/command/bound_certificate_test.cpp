@@ -116,6 +116,16 @@ TEST_F(BoundCertificateTest, IsOfTheLimitThatWasAsked) {
   EXPECT_THAT(r.errors, HasSubstr("|force in row 1 under the load any| < sqrt(7) at every pose"));
 }
 
+TEST_F(BoundCertificateTest, OfALeastSingularValueIsTheSameWithItsOption) {
+  for (const std::vector<std::string>& side : {std::vector<std::string>{}, {"--min"}}) {
+    std::vector<std::string> words{"regulus", "bound", model_,          "sigma-min",
+                                   "--limit", "0.4",   "--certificate", proof_};
+    words.insert(words.end(), side.begin(), side.end());
+    EXPECT_EQ(run(words).output, "WITHIN\n");
+    EXPECT_EQ(verify(".safe").output, "VERIFIED\n");
+  }
+}
+
 TEST_F(BoundCertificateTest, OfAMarginIsOfTheLimit) {
   const CommandResult r =
       run({"regulus", "margin", model_, "--quantity", "sigma-max", "--limit", "1.02", "--scale",
