@@ -14,7 +14,7 @@ namespace {
 
 using GiNaC::ex;
 
-const char* word_of(QuantityKind kind) {
+const char* name_of_quantity(QuantityKind kind) {
   switch (kind) {
     case QuantityKind::kForce:
       return format::kForce;
@@ -55,7 +55,7 @@ class BoundText {
       : model_(model), c_(component), bordered_(bordered) {}
 
   std::string text(const ex& end) {
-    put("quantity", words_.quantity = word_of(c_.kind));
+    put("quantity", words_.quantity = name_of_quantity(c_.kind));
     put("side", words_.side = side_of(c_));
     const QuantityKind kind = c_.kind;
     const bool is_condition = kind == QuantityKind::kCondition;

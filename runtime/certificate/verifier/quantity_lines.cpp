@@ -15,7 +15,7 @@ namespace {
 
 constexpr long kBitsOfDecimal = 128;
 
-bool is_one_of(std::string_view word, std::initializer_list<const char*> words) {
+bool is_word_of(std::string_view word, std::initializer_list<const char*> words) {
   return std::find(words.begin(), words.end(), word) != words.end();
 }
 
@@ -84,7 +84,7 @@ class QuantityReader {
 
  private:
   [[nodiscard]] bool is_of(std::initializer_list<const char*> kinds) const {
-    return is_one_of(quantity_.kind, kinds);
+    return is_word_of(quantity_.kind, kinds);
   }
 
   /// Only some sides of a quantity have a meaning.

@@ -9,8 +9,8 @@
 namespace regulus::verifier {
 namespace {
 
-constexpr std::size_t kMostPieces = 1 << 10;
-constexpr double kShortestPiece = 0x1p-40;
+constexpr std::size_t kMostRegularPieces = 1 << 10;
+constexpr double kShortestRegularPiece = 0x1p-40;
 
 Box box_around(const Box& from, const Box& to, Interval part) {
   Box box(from.size());
@@ -37,7 +37,7 @@ void require_regular_model(const Question& question, const Variety& variety, con
     waiting.pop_back();
     clock.tick();
     if (test.decide(box_around(from, to, part)) == RegularityTest::Answer::kRegular) continue;
-    if (pieces == kMostPieces || part.hi - part.lo < kShortestPiece)
+    if (pieces == kMostRegularPieces || part.hi - part.lo < kShortestRegularPiece)
       throw Unfinished(
           "the matrix of the model is not certainly regular at the points of the witness, so that "
           "the quantity may have no value there");

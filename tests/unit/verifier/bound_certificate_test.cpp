@@ -26,7 +26,7 @@ verifier::Verification verified(const std::string& text, std::uint64_t most_boxe
 }
 
 /// Returns a text in which the first `from` after `begin` is `to`.
-std::string with(std::string text, const std::string& from, const std::string& to) {
+std::string replaced(std::string text, const std::string& from, const std::string& to) {
   const std::size_t at = text.find(from);
   EXPECT_NE(at, std::string::npos) << from;
   return text.replace(at, from.size(), to);
@@ -34,8 +34,8 @@ std::string with(std::string text, const std::string& from, const std::string& t
 
 /// Swaps the signs of the two points.
 std::string swapped(std::string text) {
-  return with(with(with(std::move(text), "point +", "point ?"), "point -", "point +"), "point ?",
-              "point -");
+  return replaced(replaced(replaced(std::move(text), "point +", "point ?"), "point -", "point +"),
+                  "point ?", "point -");
 }
 
 Outcome verified_witness(const BoundClaim& claim, const Place& place) {
@@ -142,7 +142,7 @@ TEST_F(ADamagedBound, IsRejectedWithoutALine) {
 
 TEST_F(ADamagedBound, MayCombineColumnsByARegularMatrixOnly) {
   const auto combined = [&](const std::string& rows) {
-    return verified(with(text(), "reference", rows + "reference")).outcome;
+    return verified(replaced(text(), "reference", rows + "reference")).outcome;
   };
   EXPECT_EQ(combined("combined 1 1/2\ncombined -1/3 1\n"), Outcome::kVerified);
   EXPECT_EQ(combined("combined 1 2\ncombined 1/2 1\n"), Outcome::kRejected);
@@ -168,7 +168,7 @@ TEST_F(ADamagedBound, IsRejectedForWordsThatMeanNothing) {
       {"bound ", "unbounded "},
       {"alpha 0", "alpha 1/2"}};
   for (const auto& [from, to] : damages)
-    EXPECT_EQ(verified(with(text(), from, to)).outcome, Outcome::kRejected) << to;
+    EXPECT_EQ(verified(replaced(text(), from, to)).outcome, Outcome::kRejected) << to;
 }
 
 TEST_F(ADamagedBound, NeverHasAValueWhereTheModelIsSingular) {
@@ -200,7 +200,7 @@ TEST_F(ADamagedBound, HasNoNegativeRadius) {
   EXPECT_EQ(verified(text()).outcome, Outcome::kVerified) << verified(text()).reason;
   for (const char* radius : {"-1", "-1/3*sqrt(2)"})
     EXPECT_EQ(
-        verified(with(text(), "wrench-ball 1 in", std::string("wrench-ball ") + radius + " in"))
+        verified(replaced(text(), "wrench-ball 1 in", std::string("wrench-ball ") + radius + " in"))
             .outcome,
         Outcome::kRejected);
 }
