@@ -2,18 +2,13 @@
 // Evaluates a kernel over eight boxes and decides about the forces there.
 #pragma once
 
-#include <array>
 #include <cstdint>
 #include <optional>
 #include <span>
 #include <vector>
 
+#include "codegen/engine/box_matrices.hpp"
 #include "codegen/feasibility/force_test.hpp"
-#include "codegen/formulation/scaling.hpp"
-#include "runtime/interval/lanes.hpp"
-#include "runtime/kernel/call.hpp"
-#include "runtime/problem/problem.hpp"
-#include "runtime/regularity/aligned_buffer.hpp"
 
 namespace regulus::inline feasibility {
 
@@ -50,30 +45,11 @@ class BoxForces {
   [[nodiscard]] std::vector<BoxOutcome> decide(std::span<const std::vector<Interval>> boxes);
 
  private:
-  using Box = std::vector<Interval>;
-
-  void load(AlignedBuffer& to, std::size_t lane, std::span<const Interval> box) const;
-  /// Returns the lanes in which the function is defined.
-  LaneMask call(regulus_function function, const AlignedBuffer& boxes, AlignedBuffer& out) const;
-  void evaluate(std::span<const Box> boxes);
-  [[nodiscard]] Interval center_of(const Interval& x, std::size_t variable) const;
-  [[nodiscard]] Box nominal_point(const Box& center) const;
-  [[nodiscard]] std::vector<Interval> entries(const AlignedBuffer& values, std::size_t lane,
-                                              std::size_t matrix) const;
-  [[nodiscard]] BoxMatrix matrix_of(const Box& box, std::size_t lane) const;
-  [[nodiscard]] BoxOutcome outcome(const Box& box, std::size_t lane);
+  [[nodiscard]] BoxOutcome outcome(std::size_t lane);
   void look_at_center(std::size_t lane, const ForceDecision& decision, BoxOutcome& outcome);
-  /// Removes the lanes in which some constraint may be positive.
-  [[nodiscard]] LaneMask certain_inside(LaneMask lanes) const;
 
-  const ForceQuestion question_;
-  const Kernel kernel_;
-  const std::size_t variables_, parameters_, entries_;
   const ForceTest test_;
-  std::vector<Box> centers_;
-  AlignedBuffer boxes_, center_boxes_, points_;
-  AlignedBuffer center_values_, slopes_, point_values_, constraints_;
-  LaneMask center_defined_ = 0, slopes_defined_ = 0, point_defined_ = 0, outside_ = 0, inside_ = 0;
+  BoxMatrices matrices_;
 };
 
 }  // namespace regulus::feasibility

@@ -36,17 +36,11 @@
 #include <span>
 #include <vector>
 
+#include "codegen/engine/box_matrices.hpp"
 #include "codegen/feasibility/force_problem.hpp"
 #include "codegen/feasibility/left_inverse.hpp"
 
 namespace regulus::inline feasibility {
-
-/// A over a box X × G.
-struct BoxMatrix {
-  std::vector<Interval> center;  ///< encloses A(c) for every value of G, row-major
-  std::vector<Interval> slopes;  ///< encloses ∂_kA over X × G, k by k; empty: `center` is A over X
-  std::vector<double> radius;    ///< |x_k − c_k| is at most that, k by k; empty if there are none
-};
 
 /// The proof that no forces hold a load.
 struct Shortage {
