@@ -52,7 +52,7 @@ void BoxMatrices::evaluate(std::span<const Box> boxes) {
   for (std::size_t lane = 0; lane < kLanes; ++lane) {
     const std::size_t from = std::min(lane, boxes.size() - 1);
     Box joined = boxes[from];
-    for (std::size_t v = 0; has_slopes() && v < expanded_; ++v) {
+    for (std::size_t v = 0; has_centers() && v < expanded_; ++v) {
       centers_[from][v] = center_of(boxes[from][v], v);
       joined[v] = hull(joined[v], centers_[from][v]);
     }
@@ -69,7 +69,7 @@ void BoxMatrices::evaluate(std::span<const Box> boxes) {
   }
   inside_ = certain_inside();
   center_defined_ = call(functions().matrix, center_boxes_, center_values_);
-  slopes_defined_ = call(functions().matrix_derivatives, boxes_, slopes_);
+  slopes_defined_ = has_slopes() ? call(functions().matrix_derivatives, boxes_, slopes_) : 0;
   point_defined_ = call(functions().matrix, points_, point_values_);
 }
 
@@ -123,11 +123,19 @@ BoxMatrix BoxMatrices::matrix(std::size_t lane) const {
   for (std::size_t k = 0; k < expanded_; ++k) {
     const Entries slope = entries(slopes_, lane, k);
     matrix.slopes.insert(matrix.slopes.end(), slope.begin(), slope.end());
-    // A centre that is not thin is all of the box: the only value of the parameter is no double.
-    const Interval& center = centers_[lane][k];
-    matrix.radius.push_back(is_thin(center) ? mag(boxes_given_[lane][k] - center) : 0);
   }
+  matrix.radius = radius(lane);
   return matrix;
+}
+
+/// A centre that is not thin is all of the box: the only value of the variable is no double.
+std::vector<double> BoxMatrices::radius(std::size_t lane) const {
+  std::vector<double> radius;
+  for (std::size_t k = 0; k < expanded_; ++k) {
+    const Interval& center = centers_[lane][k];
+    radius.push_back(is_thin(center) ? mag(boxes_given_[lane][k] - center) : 0);
+  }
+  return radius;
 }
 
 BoxMatrices::Entries BoxMatrices::matrix_at_point(std::size_t lane) const {
@@ -144,6 +152,18 @@ std::vector<std::optional<BoxMatrices::Entries>> BoxMatrices::at(std::span<const
   for (std::size_t lane = 0; lane < points.size(); ++lane)
     if (is_inhabited(lane)) result[lane] = matrix_at_point(lane);
   return result;
+}
+
+std::vector<Interval> BoxMatrices::pose_at(const Box& point) {
+  if (functions().pose == nullptr) return {};
+  const std::size_t count = functions().pose_parameters;
+  AlignedBuffer values(2 * kLanes * std::max<std::size_t>(count, 1));
+  for (std::size_t lane = 0; lane < kLanes; ++lane) load(points_, lane, point);
+  static_cast<void>(call(functions().pose, points_, values));
+  std::vector<Interval> pose;
+  for (std::size_t q = 0; q < count; ++q)
+    pose.emplace_back(values[lower_at(q, 0)], values[upper_at(q, 0)]);
+  return pose;
 }
 
 }  // namespace regulus::engine

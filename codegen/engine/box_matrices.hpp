@@ -27,7 +27,7 @@ class BoxMatrices {
   using Box = std::vector<Interval>;
   using Entries = std::vector<Interval>;
 
-  /// `expanded`: the number of variables, from the first, with slopes. `scaling`: of the kernel's
+  /// `expanded`: the number of variables, from the first, with a centre. `scaling`: of the kernel's
   /// matrix; the results are those of the model's. Both objects must outlive this one.
   BoxMatrices(const Problem& problem, const MatrixScaling& scaling, std::size_t expanded);
 
@@ -44,6 +44,12 @@ class BoxMatrices {
   /// True if the point of the box certainly meets the constraints, and the matrix is defined there.
   [[nodiscard]] bool is_inhabited(std::size_t lane) const;
   [[nodiscard]] bool has_slopes() const { return functions().matrix_derivatives != nullptr; }
+  /// Returns the radius of each expanded variable about the centre.
+  [[nodiscard]] std::vector<double> radius(std::size_t lane) const;
+  /// The centres, and the boxes joined with them, as the kernel takes them.
+  [[nodiscard]] const AlignedBuffer& center_lanes() const { return center_boxes_; }
+  [[nodiscard]] const AlignedBuffer& box_lanes() const { return boxes_; }
+  [[nodiscard]] const Kernel& kernel() const { return kernel_; }
   /// Requires  is_defined(lane).
   [[nodiscard]] BoxMatrix matrix(std::size_t lane) const;
   /// Returns the centre, with the middles of the ranges of the variables that are not expanded.
@@ -55,6 +61,8 @@ class BoxMatrices {
   /// Returns the matrix at each of 1…8 points; nullopt if it is not certainly defined, or if the
   /// point does not certainly meet the constraints. Forgets the boxes.
   [[nodiscard]] std::vector<std::optional<Entries>> at(std::span<const Box> points);
+  /// Encloses the pose at a point; empty if the kernel does not compute it.
+  [[nodiscard]] std::vector<Interval> pose_at(const Box& point);
 
  private:
   [[nodiscard]] const regulus_kernel& functions() const { return kernel_.functions(); }
@@ -65,6 +73,9 @@ class BoxMatrices {
   /// Returns the lanes of `points_` that certainly meet the constraints.
   [[nodiscard]] LaneMask certain_inside();
   [[nodiscard]] bool has_constraints() const;
+  [[nodiscard]] bool has_centers() const {
+    return has_slopes() || functions().expansion != nullptr;
+  }
   [[nodiscard]] Interval center_of(const Interval& x, std::size_t variable) const;
   [[nodiscard]] Box nominal_point(const Box& center) const;
   [[nodiscard]] Entries entries(const AlignedBuffer& values, std::size_t lane,
