@@ -8,6 +8,7 @@
 
 #include "codegen/bound/bound_certificate.hpp"
 #include "codegen/bound/bracket_topic.hpp"
+#include "codegen/bound/condition_run.hpp"
 #include "codegen/bound/fastest_twist.hpp"
 #include "codegen/bound/norm_of_part.hpp"
 #include "codegen/bound/reference.hpp"
@@ -254,6 +255,8 @@ class ComponentRun {
 
 ComponentBound bound_variety(const Request& request, const Component& component, std::size_t number,
                              const BoundSettings& settings, double seconds, double left) {
+  if (component.kind == QuantityKind::kCondition2)
+    return bound_condition_number(request, component, settings, seconds, left);
   ComponentRun run(request, component, number, settings, seconds, left);
   return settings.limit ? run.compare() : run.bracket();
 }
@@ -322,6 +325,7 @@ LimitVerdict Bound::verdict() const {
 Bound bound_quantity(const Request& request, Quantity quantity, const BoundSettings& settings,
                      const BoundListener& listener) {
   const bool is_along_way = request.motion.trajectory != nullptr;
+  refuse_unsupported(request, quantity, settings, settings.checkpoint != nullptr);
   Bound bound{std::move(quantity), {}};
   Stopwatch watch;
   double left = settings.search.time_limit, forming = settings.forming_limit;

@@ -44,6 +44,7 @@ class Questions {
     if (!model_.actuators.error.empty()) add("error");
     add("sigma-min");
     add("sigma-max");
+    add("condition").norm = "2";
     add("condition");
     add("determinant");
   }

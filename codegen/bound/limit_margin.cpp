@@ -133,6 +133,10 @@ LimitMargin limit_margin(const Request& request, const MarginQuestion& question,
     throw UsageError(
         "margin: a motion along way-points has no margin within a limit; give the "
         "motion a formula, or ranges");
+  if (quantity.kind == QuantityKind::kCondition2)
+    throw UsageError(
+        "--norm 2: margin cannot use this condition number yet; compare with the limit at one size "
+        "after another, by regulus bound --limit");
   if (question.quantity == MarginQuantity::kAlpha)
     throw UsageError("--alpha: a limit has no threshold; let a tolerance, --scale or --grow grow");
   if (question.quantity == MarginQuantity::kTube)

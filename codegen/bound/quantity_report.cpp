@@ -14,8 +14,10 @@ using Json = nlohmann::ordered_json;
 
 /// Returns the word of the command line; of an expression its name.
 std::string word_of(const Quantity& quantity) {
+  const QuantityKind kind =
+      quantity.kind == QuantityKind::kCondition2 ? QuantityKind::kCondition : quantity.kind;
   for (const std::string& word : quantity_words())
-    if (kind_of(word) == quantity.kind) return word;
+    if (kind_of(word) == kind) return word;
   return quantity.name;
 }
 
@@ -34,6 +36,8 @@ Json json_quantity(const Model& model, const Quantity& quantity) {
               {"least", quantity.is_least},
               {"signed", !first.is_absolute},
               {"components", Json::array()}};
+  if (quantity.kind == QuantityKind::kCondition) object["norm"] = "max";
+  if (quantity.kind == QuantityKind::kCondition2) object["norm"] = "2";
   for (const Component& c : quantity.components) object["components"].push_back(c.label);
   if (first.set != nullptr)
     object[quantity.kind == QuantityKind::kSpeed ? "twist" : "load"] = json_vector_set(*first.set);

@@ -8,6 +8,7 @@
 #include "codegen/bound/bound_question.hpp"
 #include "codegen/bound/bound_report.hpp"
 #include "codegen/bound/bound_run.hpp"
+#include "codegen/bound/condition_run.hpp"
 #include "codegen/command/answer.hpp"
 #include "codegen/command/commands.hpp"
 #include "codegen/command/interrupt.hpp"
@@ -49,6 +50,7 @@ int run_bound(const BoundCommand& given) {
   settings.certificate = command.certificate;
   if (settings.limit && !command.checkpoint.empty())
     throw UsageError("--checkpoint: with --limit there is one search and no bracket to continue");
+  refuse_unsupported(request, quantity, settings, !command.checkpoint.empty());
   set_earlier_outputs_aside(command.model.path, certificate_files(quantity, command.certificate));
   InterruptGuard interrupt;
   settings.interrupt = &interrupt.requested();

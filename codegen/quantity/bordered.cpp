@@ -6,6 +6,7 @@
 #include "codegen/model/constants.hpp"
 #include "codegen/model/twist.hpp"
 #include "codegen/quantity/inverse_columns.hpp"
+#include "codegen/quantity/inverse_in_one_unit.hpp"
 
 namespace regulus::inline quantity {
 namespace {
@@ -29,6 +30,7 @@ class Border {
   Border(const Request& request, const Component& component, const ex& reference)
       : component_(component),
         twist_(twist_of(request.model)),
+        scales_(column_scales(request.model)),
         y_(reference),
         bordered_{request, {}, {}, reference} {}
 
@@ -101,6 +103,8 @@ class Border {
         return condition();
       case QuantityKind::kDeflection:
         return deflection();
+      case QuantityKind::kCondition2:
+        throw InternalError("the condition number in the 2-norm has no matrix B(r)");
       case QuantityKind::kDeterminant:
       case QuantityKind::kExpression:
         break;
@@ -253,9 +257,8 @@ class Border {
   /// Returns M·C.
   matrix in_one_unit() const {
     matrix A = M();
-    for (unsigned j = 0; j < twist_.size(); ++j)
-      if (twist_[j].kind == TwistComponent::Kind::kAngular && model().characteristic_length)
-        for (unsigned i = 0; i < A.rows(); ++i) A(i, j) /= *model().characteristic_length;
+    for (unsigned i = 0; i < A.rows(); ++i)
+      for (unsigned j = 0; j < A.cols(); ++j) A(i, j) *= scales_[j];
     return A;
   }
 
@@ -329,6 +332,7 @@ class Border {
 
   const Component& component_;
   std::vector<TwistComponent> twist_;  ///< before r is a pose parameter
+  std::vector<ex> scales_;             ///< C
   ex y_;
   Bordered bordered_;
   ex r_;

@@ -62,7 +62,8 @@ struct Bordered {
 /// Returns the question, with r in [0, 1] or [−1, 1]. Along way-points r is a parameter of the motion
 /// beside that of the pieces.
 ///
-/// Requires  `component` is of request.model; reference = 0 if the component is absolute.
+/// Requires  `component` is of request.model; reference = 0 if the component is absolute. It is not
+///           kCondition2, which has no such matrix.
 /// Ensures   row scales, threshold and notes of the model are gone.
 [[nodiscard]] Bordered border(const Request& request, const Component& component,
                               const GiNaC::ex& reference = 0);

@@ -22,6 +22,8 @@ struct QuantityWord {
   const char* description;
 };
 
+constexpr const char* kCondition2 = "condition number of J^-1 in the 2-norm";
+
 constexpr std::array<QuantityWord, 8> kWords{{
     {"force", QuantityKind::kForce, "force"},
     {"error", QuantityKind::kError, "error of the pose"},
@@ -64,6 +66,7 @@ class Components {
     quantity_.kind = kind;
     for (const QuantityWord& known : kWords)
       if (known.kind == kind) quantity_.name = known.description;
+    if (kind == QuantityKind::kCondition2) quantity_.name = kCondition2;
     refuse_foreign_options();
     if (kind != QuantityKind::kSpeed) require_inverse();
     switch (kind) {
@@ -83,6 +86,7 @@ class Components {
         break;
       case QuantityKind::kSigmaMin:
       case QuantityKind::kSigmaMax:
+      case QuantityKind::kCondition2:
         require_one_unit();
         add_one(kind);
         break;
@@ -133,6 +137,9 @@ class Components {
     refuse(!options_.load.empty() && !loads, "load");
     refuse(!options_.twist.empty() && quantity_.kind != QuantityKind::kSpeed, "twist");
     refuse(options_.is_signed && !signs, "signed");
+    const bool norms =
+        quantity_.kind == QuantityKind::kCondition || quantity_.kind == QuantityKind::kCondition2;
+    refuse(!options_.norm.empty() && !norms, "norm");
     refuse(options_.least && !signs && !expression && quantity_.kind != QuantityKind::kSigmaMin,
            "min");
   }
@@ -149,12 +156,13 @@ class Components {
           fmt::format("{}: the matrix of a serial robot is its Jacobian in a frame of "
                       "its own; bound an expression of the model instead",
                       options_.quantity));
-    const bool any_shape =
-        quantity_.kind == QuantityKind::kSigmaMin || quantity_.kind == QuantityKind::kSigmaMax;
+    const bool any_shape = quantity_.kind == QuantityKind::kSigmaMin ||
+                           quantity_.kind == QuantityKind::kSigmaMax ||
+                           quantity_.kind == QuantityKind::kCondition2;
     if (rows != columns && !any_shape)
       throw UsageError(
           fmt::format("{}: the {}×{} matrix is not square, so it has no inverse; "
-                      "sigma-min, sigma-max and speed can be bounded",
+                      "sigma-min, sigma-max, speed and condition --norm 2 can be bounded",
                       options_.quantity, rows, columns));
   }
 
@@ -288,6 +296,12 @@ class Components {
   Quantity quantity_;
 };
 
+std::optional<QuantityKind> with_norm(std::optional<QuantityKind> kind, const std::string& norm) {
+  if (!norm.empty() && norm != "2" && norm != "max")
+    throw UsageError(fmt::format("--norm: found {}, expected 2 or max", in_quotes(norm)));
+  return kind == QuantityKind::kCondition && norm == "2" ? QuantityKind::kCondition2 : kind;
+}
+
 }  // namespace
 
 std::vector<std::string> quantity_words() {
@@ -304,7 +318,7 @@ std::optional<QuantityKind> kind_of(const std::string& word) {
 
 Quantity quantity_of(const Model& model, const QuantityOptions& options) {
   Components components(model, options);
-  const std::optional<QuantityKind> kind = kind_of(options.quantity);
+  const std::optional<QuantityKind> kind = with_norm(kind_of(options.quantity), options.norm);
   Quantity quantity = kind ? components.of(*kind) : components.of_expression();
   for (Component& c : quantity.components)
     if (c.unit.empty()) c.unit = quantity.unit;

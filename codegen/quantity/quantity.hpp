@@ -18,6 +18,7 @@ enum class QuantityKind {
   kSigmaMin,     ///< the least singular value of J⁻¹
   kSigmaMax,     ///< the largest
   kCondition,    ///< ‖J⁻¹‖·‖J‖ in the maximum norm
+  kCondition2,   ///< σ_max/σ_min of J⁻¹, the condition number in the 2-norm
   kDeflection,   ///< of the pose under a load, by the stiffness of the motors
   kDeterminant,  ///< the least |det J⁻¹|
   kExpression,
@@ -32,6 +33,7 @@ struct QuantityOptions {
   std::string freedom{};   ///< name of a column, "position" or "rotation"; empty: every column
   bool least = false;      ///< the least value in the place of the largest
   bool is_signed = false;  ///< the largest value with its sign, not the largest absolute value
+  std::string norm{};      ///< of a condition number: "2" or "max"; empty: "max"
 };
 
 /// The part of the pose that a component is about, if it is not a single column.
@@ -71,8 +73,9 @@ struct Quantity {
 
 /// Returns the components that the options ask for. `model` must outlive the result.
 ///
-/// Throws    UsageError if the model has no such load, twist, row or column, if a stiffness or an
-///           error is missing, or if its matrix is not square where an inverse is needed.
+/// Throws    UsageError if the model has no such load, twist, row or column, if there is no such norm,
+///           if a stiffness or an error is missing, or if its matrix is not square where an inverse
+///           is needed.
 ///
 /// Requires  for an expression: Model::asked is set.
 [[nodiscard]] Quantity quantity_of(const Model& model, const QuantityOptions& options);

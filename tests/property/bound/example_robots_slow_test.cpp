@@ -174,6 +174,8 @@ class Values {
       case QuantityKind::kCondition:
         return in_one_unit_.row(row).cwiseAbs().sum() * inverse_.row(column).cwiseAbs().sum() /
                machine_.to_one_unit(column);
+      case QuantityKind::kCondition2:
+        return singular_values().maxCoeff() / singular_values().minCoeff();
       case QuantityKind::kDeterminant:
         return std::abs(J_.determinant());
       default:

@@ -157,6 +157,8 @@ double value_of(const Component& c, const RandomModel::Place& p) {
       return singular(0);
     case QuantityKind::kCondition:
       return in_one_unit.row(row).lpNorm<1>() * inverse_in_one_unit.row(column).lpNorm<1>();
+    case QuantityKind::kCondition2:
+      return singular(0) / singular(2);
     case QuantityKind::kDeflection: {
       const Eigen::Vector3d force = inverse.transpose() * p.w;
       q = (inverse * force.cwiseQuotient(Eigen::Vector3d(2, 3, 4)))(column);
@@ -209,7 +211,10 @@ bool agrees(RandomModel& model, const ComponentBound& bound) {
 std::string name_of(const testing::TestParamInfo<QuantityOptions>& info) {
   std::string name = info.param.quantity;
   std::erase(name, '-');
-  return name + (info.param.least ? "Least" : info.param.is_signed ? "Signed" : "");
+  return name + info.param.norm +
+         (info.param.least       ? "Least"
+          : info.param.is_signed ? "Signed"
+                                 : "");
 }
 
 class RandomModels : public testing::TestWithParam<QuantityOptions> {};
@@ -261,6 +266,7 @@ INSTANTIATE_TEST_SUITE_P(
         QuantityOptions{.quantity = "speed"}, QuantityOptions{.quantity = "speed", .least = true},
         QuantityOptions{.quantity = "error"}, QuantityOptions{.quantity = "sigma-min"},
         QuantityOptions{.quantity = "sigma-max"}, QuantityOptions{.quantity = "condition"},
+        QuantityOptions{.quantity = "condition", .norm = "2"},
         QuantityOptions{.quantity = "deflection"},
         QuantityOptions{.quantity = "deflection", .is_signed = true},
         QuantityOptions{.quantity = "determinant"}),

@@ -1,0 +1,192 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "codegen/bound/condition_run.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "codegen/bound/condition_search.hpp"
+#include "codegen/certificate/certificate_question.hpp"
+#include "codegen/engine/search_run.hpp"
+#include "codegen/engine/settings.hpp"
+#include "codegen/formulation/variety.hpp"
+#include "codegen/quantity/inverse_in_one_unit.hpp"
+#include "codegen/report/progress.hpp"
+#include "codegen/report/report_parts.hpp"
+#include "codegen/support/errors.hpp"
+#include "runtime/problem/observers.hpp"
+
+namespace regulus::inline bounding {
+namespace {
+
+/// Seconds of a search, if there are as many: enough for an attained end.
+constexpr double kLeastSearch = 0.5;
+
+/// Returns the number itself, as a fraction.
+GiNaC::ex exact_number(double x) {
+  int exponent = 0;
+  const double fraction = std::frexp(x, &exponent);
+  return GiNaC::numeric(static_cast<long>(std::ldexp(fraction, 53))) *
+         GiNaC::pow(GiNaC::ex(2), exponent - 53);
+}
+
+/// With more variables the second derivatives of Taylor's expansion are too many.
+constexpr std::size_t kMostExpanded = 12;
+
+/// The kernel needs the entries of the matrix and the expansion of K·A, in which every quantity is
+/// treated alike; of a model with many uncertain quantities, only derivatives of the entries.
+SearchOptions options_of_kernel(SearchOptions search, const Request& request) {
+  const bool expands =
+      uncertain_names(request).size() + request.motion.parameters.size() +
+          std::size_t(std::ranges::count_if(request.motion.error,
+                                            [](const GiNaC::ex& e) { return !e.is_zero(); })) <=
+      kMostExpanded;
+  search.method = expands ? Method::kAuto : Method::kReg;
+  search.entries = expands ? Entries::kNatural : Entries::kDerivatives;
+  search.uncertainty = Uncertainty::kElements;
+  for (const char* ingredient : {"columns", "rows"})
+    if (std::ranges::find(search.without, ingredient) == search.without.end())
+      search.without.emplace_back(ingredient);
+  return search;
+}
+
+/// True if Taylor's expansion was formed: not if it was too costly.
+bool is_expanded(const regulus_kernel& kernel) {
+  if (kernel.expansion == nullptr) return false;
+  const int* rows = kernel.expansion->row_of_variable;
+  return rows != nullptr && std::all_of(rows, rows + kernel.variables, [](int r) { return r < 0; });
+}
+
+class ConditionRun {
+ public:
+  ConditionRun(const Request& request, const Component& component, const BoundSettings& settings,
+               double seconds, double left)
+      : request_(request), settings_(settings), seconds_(std::max(seconds, 1e-3)), left_(left) {
+    result_.component = component;
+    SearchOptions forming = options_of_kernel(settings.search, request);
+    forming.time_limit = std::max(left, 1e-3);
+    const Request scaled = inverse_in_one_unit(request);
+    const FormingWatch watch = forming_watch(settings.output, settings.interrupt);
+    prepared_ = prepare(scaled, 0, forming, watch);
+    if (forming.method == Method::kAuto && !prepared_.stopped &&
+        !is_expanded(*prepared_.problem().kernel)) {
+      forming.method = Method::kReg;
+      forming.entries = Entries::kDerivatives;
+      prepared_ = prepare(scaled, 0, forming, watch);
+    }
+  }
+
+  ComponentBound run() {
+    const MatrixScaling scaling = prepared_.stages->formulation().scaling;
+    const Problem problem = prepared_.problem();
+    SearchDisplay display(settings_.output);
+    const ConditionResult found =
+        search_condition({problem, scaling}, search_settings(), display.observer());
+    prepared_.seconds.search = found.seconds;
+    result_.boxes = found.boxes;
+    result_.seconds += prepared_.seconds_spent();
+    result_.is_empty = found.is_empty;
+    result_.is_unbounded = found.is_singular;
+    if (found.attained && !result_.place)
+      result_.place = place_of(
+          found.attained->variables,
+          BoxMatrices(problem, scaling, problem.outer.size()).pose_at(found.attained->variables));
+    if (settings_.limit)
+      set_verdict(found);
+    else
+      set_ends(found);
+    return std::move(result_);
+  }
+
+ private:
+  [[nodiscard]] ConditionSettings search_settings() {
+    ConditionSettings settings;
+    settings.threads = settings_from(settings_.search).threads;
+    settings.gap = settings_.gap;
+    if (settings_.limit) settings.limit = enclose_constant(*settings_.limit, "--limit");
+    if (settings_.search.max_boxes != 0) settings.max_boxes = settings_.search.max_boxes;
+    const double least = std::min(kLeastSearch, seconds_left(prepared_, left_));
+    settings.time_limit =
+        prepared_.stopped ? 0 : std::max(seconds_left(prepared_, seconds_), least);
+    settings.interrupt = settings_.interrupt;
+    settings.is_singular = [this](double seconds) { return has_singular_pose(seconds); };
+    return settings;
+  }
+
+  /// Searches for a singular pose, as `check` does.
+  bool has_singular_pose(double seconds) {
+    if (!(seconds > 0) || prepared_.stopped) return false;
+    SearchOptions search = settings_.search;
+    search.time_limit = seconds;
+    Request request = request_;
+    request.motion.alpha = 0;
+    PreparedSearch prepared = prepare(std::move(request), 0, search,
+                                      forming_watch(settings_.output, settings_.interrupt));
+    const Settings settings = settings_of(prepared, search, settings_.interrupt);
+    const Result result = run_search(prepared, search, settings);
+    result_.boxes += result.statistics.boxes;
+    result_.seconds += prepared.seconds_spent();
+    if (result.verdict != Verdict::kSingularity) return false;
+    result_.place = attained_place(prepared, result, "");
+    return true;
+  }
+
+  [[nodiscard]] AttainedPlace place_of(const std::vector<Interval>& variables,
+                                       const std::vector<Interval>& pose) const {
+    Result result;
+    result.witness.emplace().points.push_back({variables, {}, {}, {}, pose});
+    return attained_place(prepared_, result, "");
+  }
+
+  void set_verdict(const ConditionResult& found) {
+    const Interval limit = enclose_constant(*settings_.limit, "--limit");
+    const bool is_exceeded =
+        found.is_singular || (found.attained && found.attained->shown.condition >= limit.hi);
+    if (is_exceeded)
+      result_.verdict = LimitVerdict::kExceeded;
+    else if (found.is_closed && found.proved <= limit.lo)
+      result_.verdict = LimitVerdict::kWithin;
+    else if (!found.is_empty)
+      result_.reason = describe(found.reason);
+  }
+
+  void set_ends(const ConditionResult& found) {
+    if (found.is_singular || found.is_empty) return;
+    if (std::isfinite(found.proved)) result_.proved = end_at(exact_number(found.proved));
+    if (found.attained) result_.attained = end_at(exact_number(found.attained->shown.condition));
+    result_.is_closed = found.is_closed && found.attained.has_value();
+    if (!result_.is_closed) result_.reason = describe(found.reason);
+  }
+
+  const Request& request_;
+  const BoundSettings& settings_;
+  const double seconds_, left_;
+  PreparedSearch prepared_;
+  ComponentBound result_;
+};
+
+}  // namespace
+
+void refuse_unsupported(const Request& request, const Quantity& quantity,
+                        const BoundSettings& settings, bool has_checkpoint) {
+  if (quantity.kind != QuantityKind::kCondition2) return;
+  if (request.motion.trajectory)
+    throw UsageError(
+        "condition --norm 2: a motion along way-points cannot be bounded yet; give the motion a "
+        "formula, or ranges");
+  if (has_checkpoint)
+    throw UsageError("--checkpoint: the search of condition --norm 2 saves none; leave it out");
+  if (!settings.certificate.empty())
+    throw UsageError(
+        "--certificate: a bound of condition --norm 2 has no certificate yet; bound sigma-max and "
+        "sigma-min, which have one each");
+  if (settings.search.workers != nullptr)
+    throw UsageError(
+        "condition --norm 2: this question runs on one machine; use regulus, with --threads");
+}
+
+ComponentBound bound_condition_number(const Request& request, const Component& component,
+                                      const BoundSettings& settings, double seconds, double left) {
+  return ConditionRun(request, component, settings, seconds, left).run();
+}
+
+}  // namespace regulus::bounding

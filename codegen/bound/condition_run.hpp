@@ -1,0 +1,25 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Brackets the condition number in the 2-norm, which is no question of regularity.
+#pragma once
+
+#include "codegen/bound/bound_run.hpp"
+
+namespace regulus::inline bounding {
+
+/// Throws    UsageError if the quantity is a condition number in the 2-norm and the settings ask for
+///           what its search does not have: way-points, a checkpoint, a certificate, processes of a
+///           cluster.
+void refuse_unsupported(const Request& request, const Quantity& quantity,
+                        const BoundSettings& settings, bool has_checkpoint);
+
+/// Brackets κ, or compares it with the limit of `settings`. `seconds`: for the search; `left`: to form
+/// the matrix.
+///
+/// Requires  component.kind is kCondition2; refuse_unsupported() has not thrown.
+/// Throws    the exceptions of prepare().
+[[nodiscard]] ComponentBound bound_condition_number(const Request& request,
+                                                    const Component& component,
+                                                    const BoundSettings& settings, double seconds,
+                                                    double left);
+
+}  // namespace regulus::bounding

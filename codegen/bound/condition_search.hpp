@@ -1,0 +1,65 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Branch and bound: the largest condition number of a matrix over a variety, in the 2-norm.
+#pragma once
+
+#include <atomic>
+#include <cstdint>
+#include <functional>
+#include <limits>
+#include <optional>
+#include <vector>
+
+#include "codegen/bound/condition_test.hpp"
+#include "runtime/problem/observer.hpp"
+#include "runtime/problem/result.hpp"
+
+namespace regulus::inline bounding {
+
+/// The question for a kernel of the matrix with derivatives of its entries.
+struct ConditionQuestion {
+  const Problem& problem;
+  const MatrixScaling& scaling;  ///< of the kernel's matrix
+};
+
+struct ConditionSettings {
+  unsigned threads = 1;             ///< at least 1; only the time depends on it
+  double gap = 0.01;                ///< stop when the bracket is at most this part of its upper end
+  std::optional<Interval> limit{};  ///< stop when κ < limit is decided; it encloses the limit
+  std::uint64_t max_boxes = std::numeric_limits<std::uint64_t>::max();
+  double time_limit = std::numeric_limits<double>::infinity();  ///< seconds
+  const std::atomic<bool>* interrupt = nullptr;
+  /// Boxes are not split in a variable narrower than this part of its range.
+  double min_relative_width = 0x1p-44;
+  /// Decides if some pose of the variety is singular. It is asked at most once, if after some time
+  /// no bound is known. It gets the number of seconds that are left.
+  std::function<bool(double seconds)> is_singular{};
+};
+
+/// A pose of the variety and values of the uncertain quantities, with vectors that show κ there.
+struct ConditionWitness {
+  std::vector<Interval> variables;  ///< thin, or enclosing the only value
+  StretchedVectors shown;
+};
+
+struct ConditionResult {
+  double proved = kInfinity;  ///< κ < proved at every pose, for every uncertain value
+  std::optional<ConditionWitness> attained{};
+  bool is_singular = false;  ///< ConditionSettings::is_singular said so, or `attained` shows it
+  bool is_closed = false;    ///< the bracket is as narrow as wanted, or the limit is decided
+  bool is_empty = false;     ///< the constraints exclude every pose
+  Reason reason = Reason::kAllBoxesCertified;  ///< why it is not closed
+  std::uint64_t boxes = 0;
+  double seconds = 0;
+};
+
+/// Splits the box with the largest bound, again and again.
+///
+/// The boxes of a round are decided by several threads and concluded in order, so the result does
+/// not depend on the threads. `progress` may be null.
+///
+/// Requires  the matrix of the kernel is m×n, m ≥ n, and is that whose κ is asked.
+[[nodiscard]] ConditionResult search_condition(const ConditionQuestion& question,
+                                               const ConditionSettings& settings,
+                                               Observer* progress);
+
+}  // namespace regulus::bounding

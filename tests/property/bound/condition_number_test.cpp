@@ -1,0 +1,297 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Condition numbers in the 2-norm against closed forms, and against singular values of random
+// matrices in boxes that come from a library of their own.
+#include <fmt/format.h>
+#include <gtest/gtest.h>
+
+#include <Eigen/Dense>
+#include <cmath>
+#include <random>
+
+#include "codegen/bound/bound_run.hpp"
+#include "codegen/bound/condition_test.hpp"
+#include "codegen/model/model_file.hpp"
+#include "codegen/support/errors.hpp"
+
+namespace regulus::test {
+namespace {
+
+/// The text of a model with a motion in x and y, perhaps with more lines in front of its matrix.
+std::string model_with(const std::string& rows, const std::string& motion,
+                       const std::string& more = "") {
+  return fmt::format(
+      "regulus = 1\nname = \"test\"\n{}\n[pose]\nx = \"1\"\ny = \"1\"\n[geometry]\na = {{ value = "
+      "2, "
+      "tolerance = 0.5 }}\n[matrix]\nrows = {}\n[motion.m]\n{}\n",
+      more, rows, motion);
+}
+
+Request request_of(const std::string& text) {
+  Model model = parse_model(text, "model.toml");
+  Motion motion = model.motions.front();
+  return {std::move(model), std::move(motion)};
+}
+
+BoundSettings settings_with(double gap) {
+  BoundSettings settings;
+  settings.gap = gap;
+  settings.search.engine = Engine::kInterpreted;
+  settings.search.threads = 1;
+  settings.search.time_limit = 60;
+  settings.output.quiet = true;
+  return settings;
+}
+
+ComponentBound condition_of(const std::string& text, const BoundSettings& settings) {
+  const Request request = request_of(text);
+  Quantity quantity = quantity_of(request.model, {.quantity = "condition", .norm = "2"});
+  return bound_quantity(request, std::move(quantity), settings, [](const ComponentBound&) {})
+      .components.front();
+}
+
+void expect_bracket(const std::string& text, double value, double gap = 1e-9) {
+  const ComponentBound bound = condition_of(text, settings_with(gap));
+  ASSERT_TRUE(bound.attained && bound.proved) << text << bound.reason;
+  EXPECT_TRUE(bound.is_closed) << text << bound.reason;
+  EXPECT_LE(bound.attained->approx, value * (1 + 1e-14)) << text;
+  EXPECT_GE(bound.proved->approx, value * (1 - 1e-14)) << text;
+  EXPECT_NEAR(bound.attained->approx, value, 2 * gap * value) << text;
+  EXPECT_NEAR(bound.proved->approx, value, 2 * gap * value) << text;
+}
+
+TEST(ConditionNumber, MeetsClosedForms) {
+  expect_bracket(model_with(R"m([[1, "x"], [0, 1]])m", "x = [0, 2]\ny = 0"),
+                 std::pow(1 + std::sqrt(2.0), 2));
+  expect_bracket(model_with(R"m([["x", 0], [0, "y"]])m", "x = [1, 2]\ny = [3, 10]"), 10);
+  expect_bracket(model_with(R"m([["x"]])m", "x = [1, 2]\ny = 0"), 1);
+  // More rows than columns.
+  expect_bracket(model_with(R"m([["x", 0], [0, "y"], [0, 1]])m", "x = [1, 2]\ny = [3, 10]"),
+                 std::sqrt(101.0));
+  // An uncertain quantity.
+  expect_bracket(model_with(R"m([["a", 0], [0, 1]])m", "x = [0, 1]\ny = 0"), 2.5);
+  // A length that an angle counts as.
+  expect_bracket(model_with(R"m([[1, 0], [0, "x"]])m" + std::string("\ntwist = [\"v_x\", \"w\"]"),
+                            "x = [8, 10]\ny = 0", "characteristic_length = 2"),
+                 5);
+  // Scales of rows, and of entries that are far apart.
+  expect_bracket(
+      model_with(R"m([["x*y", 0], [0, "3*x"]])m" + std::string("\nrow_scale = [\"1/x\", \"2/x\"]"),
+                 "x = [1, 2]\ny = [1, 2]"),
+      6);
+  expect_bracket(model_with(R"m([["1e9*x", 0], [0, "1e9*y"]])m", "x = [1, 2]\ny = [1, 3]"), 3);
+}
+
+/// An arm with two links of length 1: κ depends on the angle of the elbow alone.
+TEST(ConditionNumber, IsThatOfAnArm) {
+  const char* arm =
+      R"m([["-sin(x) - sin(x + y)", "-sin(x + y)"], ["cos(x) + cos(x + y)", "cos(x + y)"]])m";
+  const double trace = 3 + 2 * std::cos(0.5), determinant = std::sin(0.5);
+  const double value =
+      (trace + std::sqrt(trace * trace - 4 * determinant * determinant)) / (2 * determinant);
+  expect_bracket(model_with(arm, "x = \"3/10\"\ny = [0.5, 1.5]"), value);
+  expect_bracket(model_with(arm, "x = [0, 1]\ny = [0.5, 1.5]"), value, 1e-3);
+}
+
+TEST(ConditionNumber, KeepsToTheConstraints) {
+  expect_bracket(
+      model_with(R"m([["x", 0], [0, 1]])m", "x = [-2, 2]\ny = 0\nconstraints = [\"1/2 - x^2\"]"), 2,
+      1e-6);
+  const ComponentBound empty = condition_of(
+      model_with(R"m([["x", 0], [0, 1]])m", "x = [1, 2]\ny = 0\nconstraints = [\"x + 1\"]"),
+      settings_with(0.01));
+  EXPECT_TRUE(empty.is_empty);
+  EXPECT_FALSE(empty.proved || empty.attained || empty.is_closed);
+}
+
+TEST(ConditionNumber, IsUnboundedWhereTheMatrixIsSingular) {
+  for (const char* range : {"x = [-1, 1]\ny = 0", "x = [-1, 2.3]\ny = [0, 1]"}) {
+    const ComponentBound bound =
+        condition_of(model_with(R"([["x + y^2", 0], ["y", 1]])", range), settings_with(0.01));
+    EXPECT_TRUE(bound.is_unbounded) << range;
+    EXPECT_TRUE(bound.place) << range;
+    EXPECT_FALSE(bound.proved || bound.is_closed) << range;
+  }
+}
+
+TEST(ConditionNumber, ClaimsNothingWhereTheMatrixIsNotDefined) {
+  BoundSettings settings = settings_with(0.01);
+  settings.search.max_boxes = 5000;
+  const ComponentBound bound = condition_of(
+      model_with(R"m([["1 + 0*sqrt(x)", 0], [0, "1/x"]])m", "x = [0, 1]\ny = 0"), settings);
+  EXPECT_FALSE(bound.proved);
+  EXPECT_FALSE(bound.is_closed);
+}
+
+TEST(ConditionNumber, IsComparedWithALimit) {
+  const auto verdict = [](const char* limit) {
+    BoundSettings settings = settings_with(0.01);
+    settings.limit = GiNaC::ex(limit, GiNaC::lst{});
+    return condition_of(model_with(R"m([[1, "x"], [0, 1]])m", "x = [0, 2]\ny = 0"), settings)
+        .verdict;
+  };
+  EXPECT_EQ(verdict("5829/1000"), LimitVerdict::kWithin);
+  EXPECT_EQ(verdict("5828/1000"), LimitVerdict::kExceeded);
+}
+
+TEST(ConditionNumber, DoesNotDependOnThreads) {
+  const std::string text = model_with(R"m([["x", "y*a"], ["y - x", "sin(x) + 2"]])m",
+                                      "x = [1, 2]\ny = [\"-1/2\", \"1/2\"]");
+  BoundSettings settings = settings_with(1e-3);
+  const ComponentBound one = condition_of(text, settings);
+  settings.search.threads = 3;
+  const ComponentBound three = condition_of(text, settings);
+  ASSERT_TRUE(one.proved && three.proved);
+  EXPECT_TRUE(one.proved->exact.is_equal(three.proved->exact));
+  EXPECT_TRUE(one.attained->exact.is_equal(three.attained->exact));
+  EXPECT_EQ(one.place->pose, three.place->pose);
+  EXPECT_EQ(one.boxes, three.boxes);
+}
+
+TEST(ConditionNumber, RefusesWhatItDoesNotHave) {
+  const Request request = request_of(model_with(R"m([[1, 0], [0, 1]])m", "x = [0, 2]\ny = 0"));
+  EXPECT_THROW(
+      static_cast<void>(quantity_of(request.model, {.quantity = "condition", .norm = "3"})),
+      UsageError);
+  EXPECT_THROW(
+      static_cast<void>(quantity_of(request.model, {.quantity = "sigma-max", .norm = "2"})),
+      UsageError);
+  BoundSettings settings = settings_with(0.01);
+  settings.certificate = "proof";
+  EXPECT_THROW(condition_of(model_with(R"m([[1, 0], [0, 1]])m", "x = [0, 2]\ny = 0"), settings),
+               UsageError);
+}
+
+double condition(const Eigen::MatrixXd& A) {
+  const Eigen::VectorXd values = Eigen::JacobiSVD<Eigen::MatrixXd>(A).singularValues();
+  return values[0] / values[values.size() - 1];
+}
+
+/// A random matrix with random slopes over a random box.
+struct RandomBox {
+  std::mt19937 random;
+  std::size_t columns, rows, parameters;
+  BoxMatrix box;
+
+  explicit RandomBox(unsigned seed) : random(seed) {
+    columns = 1 + random() % 5;
+    rows = columns + random() % 3;
+    parameters = random() % 5;
+    for (std::size_t e = 0; e < rows * columns; ++e)
+      box.center.push_back(around(uniform(-1, 1) + (e / columns == e % columns ? 2 : 0), 1e-6));
+    for (std::size_t e = 0; e < parameters * rows * columns; ++e)
+      box.slopes.push_back(around(uniform(-1, 1), uniform(0, 0.1)));
+    const double size = std::pow(10, uniform(-4, -0.5));
+    for (std::size_t k = 0; k < parameters; ++k) box.radius.push_back(uniform(0, size));
+  }
+
+  double uniform(double lo, double hi) {
+    return std::uniform_real_distribution<double>(lo, hi)(random);
+  }
+  /// Often an end of the range.
+  double pick(const Interval& range) {
+    const unsigned where = random() % 4;
+    return where == 0 ? range.lo : where == 1 ? range.hi : uniform(range.lo, range.hi);
+  }
+  static Interval around(double middle, double radius) {
+    return {middle - radius, middle + radius};
+  }
+
+  Eigen::MatrixXd sample() {
+    Eigen::MatrixXd A(rows, columns);
+    std::vector<double> shift;
+    for (const double r : box.radius) shift.push_back(pick({-r, r}));
+    for (std::size_t e = 0; e < rows * columns; ++e) {
+      double entry = pick(box.center[e]);
+      for (std::size_t k = 0; k < parameters; ++k)
+        entry += pick(box.slopes[k * rows * columns + e]) * shift[k];
+      A(Eigen::Index(e / columns), Eigen::Index(e % columns)) = entry;
+    }
+    return A;
+  }
+};
+
+TEST(ConditionNumber, OfNoMatrixInABoxIsBeyondItsBound) {
+  int bounded = 0;
+  for (unsigned seed = 1; seed <= 400; ++seed) {
+    RandomBox random(seed);
+    const auto rotated = rotate(random.box, random.rows, random.columns);
+    ASSERT_TRUE(rotated);
+    const double upper = bound_condition(*rotated).upper;
+    bounded += std::isfinite(upper);
+    for (int i = 0; i < 100; ++i)
+      ASSERT_LE(condition(random.sample()), upper * (1 + 1e-12)) << seed;
+  }
+  EXPECT_GT(bounded, 200);
+}
+
+TEST(ConditionNumber, OfAMatrixIsShownByItsVectors) {
+  for (unsigned seed = 1; seed <= 200; ++seed) {
+    RandomBox random(seed);
+    const Eigen::MatrixXd A = random.sample();
+    std::vector<Interval> entries;
+    for (Eigen::Index e = 0; e < A.size(); ++e) entries.emplace_back(A(e / A.cols(), e % A.cols()));
+    const double shown = attained_condition(entries, random.rows, random.columns).condition;
+    EXPECT_LE(shown, condition(A) * (1 + 1e-12)) << seed;
+    EXPECT_GE(shown, condition(A) * (1 - 1e-10)) << seed;
+  }
+}
+
+/// A random matrix of sines, squares and an uncertain a; the same as text and as numbers.
+struct RandomModel {
+  std::mt19937 random;
+  std::size_t columns, rows;
+  std::vector<std::array<int, 5>> coefficients;
+
+  explicit RandomModel(unsigned seed) : random(seed) {
+    columns = 2 + random() % 2;
+    rows = columns + random() % 2;
+    for (std::size_t e = 0; e < rows * columns; ++e) {
+      const auto pick = [&] { return int(random() % 5) - 2; };
+      coefficients.push_back(
+          {pick() + (e / columns == e % columns ? 9 : 0), pick(), pick(), pick(), pick()});
+    }
+  }
+  [[nodiscard]] std::string text() const {
+    std::string matrix = "[";
+    for (std::size_t e = 0; e < coefficients.size(); ++e) {
+      const auto& c = coefficients[e];
+      matrix += fmt::format("{}\"{} + ({})*x + ({})*sin(y) + ({})*x*y + ({})*a*x\"{}",
+                            e % columns == 0 ? "[" : ", ", c[0], c[1], c[2], c[3], c[4],
+                            e % columns == columns - 1 ? "], " : "");
+    }
+    return model_with(matrix + "]", "x = [0, 1]\ny = [-1, 1]");
+  }
+  [[nodiscard]] Eigen::MatrixXd at(double x, double y, double a) const {
+    Eigen::MatrixXd A(rows, columns);
+    for (std::size_t e = 0; e < coefficients.size(); ++e) {
+      const auto& c = coefficients[e];
+      A(Eigen::Index(e / columns), Eigen::Index(e % columns)) =
+          c[0] + c[1] * x + c[2] * std::sin(y) + c[3] * x * y + c[4] * a * x;
+    }
+    return A;
+  }
+};
+
+TEST(ConditionNumber, OfNoPoseOfARandomModelLeavesItsBracket) {
+  for (unsigned seed = 1; seed <= 12; ++seed) {
+    RandomModel model(seed);
+    const ComponentBound bound = condition_of(model.text(), settings_with(0.01));
+    if (bound.is_unbounded) continue;
+    ASSERT_TRUE(bound.proved && bound.attained) << seed;
+    double most = 0;
+    std::uniform_real_distribution<double> unit(0, 1);
+    for (int i = 0; i < 10000; ++i) {
+      const auto place = [&] {
+        const unsigned where = model.random() % 3;
+        return where < 2 ? double(where) : unit(model.random);
+      };
+      const double x = place(), y = 2 * place() - 1, a = 1.5 + place();
+      most = std::max(most, condition(model.at(x, y, a)));
+    }
+    EXPECT_LE(most, bound.proved->approx * (1 + 1e-12)) << seed;
+    EXPECT_GE(bound.attained->approx, 0.98 * most) << seed;
+  }
+}
+
+}  // namespace
+}  // namespace regulus::test
