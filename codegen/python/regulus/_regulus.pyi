@@ -166,6 +166,7 @@ class QuantityOptions:
         freedom: str,
         least: bool,
         signed: bool,
+        norm: str,
     ) -> None: ...
 
 class PreparedQuestion:

@@ -102,8 +102,11 @@ def _quantity(
     freedom: str,
     least: bool,
     signed: bool,
+    norm: Union[str, int] = "",
 ) -> _regulus.QuantityOptions:
-    return _regulus.QuantityOptions(quantity, load, twist, str(leg), freedom, least, signed)
+    return _regulus.QuantityOptions(
+        quantity, load, twist, str(leg), freedom, least, signed, str(norm)
+    )
 
 
 def _with_partial(stop: KeyboardInterrupt, make: Any) -> None:
@@ -397,6 +400,7 @@ class Robot:
         freedom: str = "",
         least: bool = False,
         signed: bool = False,
+        norm: Union[str, int] = "",
         limit: Optional[Number] = None,
         gap: Number = "0.01",
         range: Optional[Mapping[str, Range]] = None,
@@ -416,6 +420,7 @@ class Robot:
             freedom: of an error or a deflection: the name of a column, "position" or "rotation".
             least: the least value, with its sign.
             signed: the largest value with its sign, not the largest absolute value.
+            norm: of a condition number: 2, the largest singular value divided by the least, or "max".
             limit: compare with this value.
             gap: the bracket is closed when it is at most this part of its larger end.
 
@@ -434,7 +439,7 @@ class Robot:
                 _regulus.bound(
                     question.question,
                     question.options,
-                    _quantity(quantity, load, twist, leg, freedom, least, signed),
+                    _quantity(quantity, load, twist, leg, freedom, least, signed, norm),
                     "" if limit is None else of(limit),
                     of(gap),
                 )
