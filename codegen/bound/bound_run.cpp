@@ -255,8 +255,11 @@ class ComponentRun {
 
 ComponentBound bound_variety(const Request& request, const Component& component, std::size_t number,
                              const BoundSettings& settings, double seconds, double left) {
+  const auto other = [&](const Component& c, const BoundSettings& of, double share) {
+    return bound_variety(request, c, 0, of, share, share);
+  };
   if (component.kind == QuantityKind::kCondition2)
-    return bound_condition_number(request, component, settings, seconds, left);
+    return bound_condition_number(request, component, settings, seconds, left, other);
   ComponentRun run(request, component, number, settings, seconds, left);
   return settings.limit ? run.compare() : run.bracket();
 }

@@ -20,6 +20,8 @@ namespace {
 
 /// Seconds of a search, if there are as many: enough for an attained end.
 constexpr double kLeastSearch = 0.5;
+/// Of the bounds of singular values whose ratio is a bound of κ.
+constexpr double kGapOfExtremes = 0.01;
 
 /// Returns the number itself, as a fraction.
 GiNaC::ex exact_number(double x) {
@@ -59,8 +61,12 @@ bool is_expanded(const regulus_kernel& kernel) {
 class ConditionRun {
  public:
   ConditionRun(const Request& request, const Component& component, const BoundSettings& settings,
-               double seconds, double left)
-      : request_(request), settings_(settings), seconds_(std::max(seconds, 1e-3)), left_(left) {
+               double seconds, double left, const OtherBound& other)
+      : request_(request),
+        settings_(settings),
+        other_(other),
+        seconds_(std::max(seconds, 1e-3)),
+        left_(left) {
     result_.component = component;
     SearchOptions forming = options_of_kernel(settings.search, request);
     forming.time_limit = std::max(left, 1e-3);
@@ -108,13 +114,36 @@ class ConditionRun {
     settings.time_limit =
         prepared_.stopped ? 0 : std::max(seconds_left(prepared_, seconds_), least);
     settings.interrupt = settings_.interrupt;
-    settings.is_singular = [this](double seconds) { return has_singular_pose(seconds); };
+    settings.ask = [this](double seconds) { return hint(seconds); };
     return settings;
+  }
+
+  ConditionHint hint(double seconds) {
+    ConditionHint hint;
+    if (!(seconds > 0) || prepared_.stopped) return hint;
+    hint.is_singular = has_singular_pose(seconds / 2);
+    if (hint.is_singular) return hint;
+    const std::optional<Interval> largest = extreme("sigma-max", seconds / 8);
+    const std::optional<Interval> least = extreme("sigma-min", seconds / 8);
+    if (largest && least && least->lo > 0) hint.upper = div_ru(largest->hi, least->lo);
+    return hint;
+  }
+
+  /// Encloses the proved bound of the largest or the least singular value at all poses.
+  std::optional<Interval> extreme(const char* quantity, double seconds) {
+    BoundSettings settings = settings_;
+    settings.limit.reset();
+    settings.gap = kGapOfExtremes;
+    const Quantity asked = quantity_of(request_.model, {.quantity = quantity});
+    const ComponentBound bound = other_(asked.components.front(), settings, seconds);
+    result_.boxes += bound.boxes;
+    result_.seconds += bound.seconds;
+    if (!bound.proved) return std::nullopt;
+    return enclose_constant(bound.proved->exact, quantity);
   }
 
   /// Searches for a singular pose, as `check` does.
   bool has_singular_pose(double seconds) {
-    if (!(seconds > 0) || prepared_.stopped) return false;
     SearchOptions search = settings_.search;
     search.time_limit = seconds;
     Request request = request_;
@@ -159,6 +188,7 @@ class ConditionRun {
 
   const Request& request_;
   const BoundSettings& settings_;
+  const OtherBound& other_;
   const double seconds_, left_;
   PreparedSearch prepared_;
   ComponentBound result_;
@@ -185,8 +215,9 @@ void refuse_unsupported(const Request& request, const Quantity& quantity,
 }
 
 ComponentBound bound_condition_number(const Request& request, const Component& component,
-                                      const BoundSettings& settings, double seconds, double left) {
-  return ConditionRun(request, component, settings, seconds, left).run();
+                                      const BoundSettings& settings, double seconds, double left,
+                                      const OtherBound& other) {
+  return ConditionRun(request, component, settings, seconds, left, other).run();
 }
 
 }  // namespace regulus::bounding

@@ -12,14 +12,18 @@ namespace regulus::inline bounding {
 void refuse_unsupported(const Request& request, const Quantity& quantity,
                         const BoundSettings& settings, bool has_checkpoint);
 
+/// Brackets another quantity of the same question, in so many seconds.
+using OtherBound =
+    std::function<ComponentBound(const Component&, const BoundSettings&, double seconds)>;
+
 /// Brackets κ, or compares it with the limit of `settings`. `seconds`: for the search; `left`: to form
-/// the matrix.
+/// the matrix; `other`: for singular values.
 ///
 /// Requires  component.kind is kCondition2; refuse_unsupported() has not thrown.
 /// Throws    the exceptions of prepare().
 [[nodiscard]] ComponentBound bound_condition_number(const Request& request,
                                                     const Component& component,
                                                     const BoundSettings& settings, double seconds,
-                                                    double left);
+                                                    double left, const OtherBound& other);
 
 }  // namespace regulus::bounding

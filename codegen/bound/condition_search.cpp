@@ -18,8 +18,8 @@ using Box = std::vector<Interval>;
 
 /// The boxes that are split in a round, whatever the number of threads.
 constexpr std::size_t kParentsOfRound = 32;
-/// If no bound is known after so many boxes, a singular pose is likely.
-constexpr std::uint64_t kBoxesBeforeDoubt = 4096;
+/// If no bound is known after so many boxes, a singular pose is likely, or one that is nearly so.
+constexpr std::uint64_t kBoxesBeforeDoubt = 1024;
 
 /// The result for one box.
 struct BoxFinding {
@@ -147,10 +147,12 @@ class ConditionSearch {
   }
   /// κ is below that everywhere.
   [[nodiscard]] double proved() const {
-    return open_.empty() ? settled_ : std::max(settled_, open_.top().upper);
+    const double upper = open_.empty() ? settled_ : std::max(settled_, open_.top().upper);
+    return std::min(upper, known_);
   }
   /// Returns true if a box with this bound need not be split.
   [[nodiscard]] bool is_low(double upper) const {
+    upper = std::min(upper, known_);
     if (settings_.limit) return upper <= settings_.limit->lo;
     return std::isfinite(upper) && upper - attained() <= settings_.gap * upper;
   }
@@ -167,14 +169,16 @@ class ConditionSearch {
       return stop(Reason::kInterrupted), true;
     if (result_.boxes >= settings_.max_boxes) return stop(Reason::kBoxBudget), true;
     if (seconds() >= settings_.time_limit) return stop(Reason::kTimeBudget), true;
-    if (result_.boxes >= kBoxesBeforeDoubt && proved() == kInfinity) ask_for_singularity();
-    return result_.is_singular;
+    if (result_.boxes >= kBoxesBeforeDoubt && proved() == kInfinity) ask();
+    return result_.is_singular || is_settled();
   }
 
-  void ask_for_singularity() {
-    if (has_asked_ || !settings_.is_singular || result_.reason == Reason::kInterrupted) return;
+  void ask() {
+    if (has_asked_ || !settings_.ask || result_.reason == Reason::kInterrupted) return;
     has_asked_ = true;
-    result_.is_singular = settings_.is_singular(settings_.time_limit - seconds());
+    const ConditionHint hint = settings_.ask(settings_.time_limit - seconds());
+    result_.is_singular = hint.is_singular;
+    known_ = hint.upper;
   }
 
   void begin_round() { children_.clear(), boxes_.clear(); }
@@ -265,13 +269,9 @@ class ConditionSearch {
   }
 
   void finish() {
-    if (result_.is_singular || attained() == kInfinity) {
-      result_.is_singular = true;
-      result_.proved = kInfinity;
-    } else {
-      result_.proved = is_out_of_memory_ ? kInfinity : proved();
-      if (result_.proved == kInfinity) ask_for_singularity();
-    }
+    if (attained() == kInfinity) result_.is_singular = true;
+    if (!result_.is_singular && proved() == kInfinity) ask();
+    result_.proved = result_.is_singular || is_out_of_memory_ ? kInfinity : proved();
     result_.is_empty = open_.empty() && is_empty_;
     const bool is_exceeded = settings_.limit && attained() >= settings_.limit->hi;
     result_.is_closed = !result_.is_empty && (is_exceeded || is_low(result_.proved));
@@ -292,7 +292,8 @@ class ConditionSearch {
   std::vector<Box> boxes_;         ///< theirs
   std::vector<BoxFinding> findings_;
   BoxId next_id_ = 1;
-  double settled_ = 0;  ///< the largest bound of all boxes that are not split any more
+  double known_ = kInfinity;  ///< κ is below that everywhere
+  double settled_ = 0;        ///< the largest bound of all boxes that are not split any more
   bool is_empty_ = true, has_asked_ = false;
   std::atomic<bool> is_out_of_memory_ = false;
   const Clock::time_point start_ = Clock::now();

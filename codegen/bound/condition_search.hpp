@@ -21,6 +21,12 @@ struct ConditionQuestion {
   const MatrixScaling& scaling;  ///< of the kernel's matrix
 };
 
+/// What is known about κ from elsewhere.
+struct ConditionHint {
+  bool is_singular = false;  ///< proved: at some pose of the variety
+  double upper = kInfinity;  ///< proved: κ is below that everywhere
+};
+
 struct ConditionSettings {
   unsigned threads = 1;             ///< at least 1; only the time depends on it
   double gap = 0.01;                ///< stop when the bracket is at most this part of its upper end
@@ -30,9 +36,9 @@ struct ConditionSettings {
   const std::atomic<bool>* interrupt = nullptr;
   /// Boxes are not split in a variable narrower than this part of its range.
   double min_relative_width = 0x1p-44;
-  /// Decides if some pose of the variety is singular. It is asked at most once, if after some time
-  /// no bound is known. It gets the number of seconds that are left.
-  std::function<bool(double seconds)> is_singular{};
+  /// Answers in another way what the search does not find out. It is asked at most once, if after
+  /// some boxes no bound is known. It gets the number of seconds that are left.
+  std::function<ConditionHint(double seconds)> ask{};
 };
 
 /// A pose of the variety and values of the uncertain quantities, with vectors that show κ there.
@@ -44,7 +50,7 @@ struct ConditionWitness {
 struct ConditionResult {
   double proved = kInfinity;  ///< κ < proved at every pose, for every uncertain value
   std::optional<ConditionWitness> attained{};
-  bool is_singular = false;  ///< ConditionSettings::is_singular said so, or `attained` shows it
+  bool is_singular = false;  ///< proved by ConditionSettings::ask or by `attained`
   bool is_closed = false;    ///< the bracket is as narrow as wanted, or the limit is decided
   bool is_empty = false;     ///< the constraints exclude every pose
   Reason reason = Reason::kAllBoxesCertified;  ///< why it is not closed
