@@ -69,6 +69,36 @@ TEST_F(BoundCommandTest, TakesTheMotionOrTheOnlyOne) {
             run({"bound", model_, "speed", "--quiet"}).output);
 }
 
+/// κ₂ = (1 + √2)² at x = 2.
+TEST_F(BoundCommandTest, KnowsTheConditionNumberInTheTwoNorm) {
+  const std::vector<std::string> question = {"bound", model_, "condition", "--norm", "2"};
+  const auto with = [&](std::initializer_list<std::string> more) {
+    std::vector<std::string> words = question;
+    words.insert(words.end(), more);
+    return run(words);
+  };
+  const CommandResult r = with({"--gap", "1e-6", "--json"});
+  ASSERT_EQ(r.exit_code, 0) << r.errors;
+  const json report = json::parse(r.output);
+  const double value = std::pow(1 + std::sqrt(2.0), 2);
+  EXPECT_LE(report["attained"], value);
+  EXPECT_GE(report["proved"], value);
+  EXPECT_NEAR(report["attained"], value, 1e-4);
+  EXPECT_NEAR(report["proved"], value, 1e-4);
+  EXPECT_EQ(report["quantity"]["kind"], "condition");
+  EXPECT_EQ(report["quantity"]["norm"], "2");
+  EXPECT_EQ(with({"--limit", "5.9"}).output, "WITHIN\n");
+  EXPECT_EQ(with({"--limit", "5.8"}).exit_code, 1);
+  EXPECT_EQ(with({"--certificate", folder_.path() / "proof"}).exit_code, 64);
+  EXPECT_EQ(with({"--checkpoint", folder_.path() / "state"}).exit_code, 64);
+  EXPECT_EQ(run({"bound", model_, "condition", "--norm", "3"}).exit_code, 64);
+  EXPECT_EQ(run({"bound", model_, "speed", "--norm", "2"}).exit_code, 64);
+  const CommandResult margin = run({"margin", model_, "--scale", "0:1", "--quantity", "condition",
+                                    "--norm", "2", "--limit", "9"});
+  EXPECT_EQ(margin.exit_code, 64);
+  EXPECT_THAT(margin.errors, HasSubstr("regulus bound --limit"));
+}
+
 TEST_F(BoundCommandTest, ComparesWithALimit) {
   const CommandResult within = run({"bound", model_, "speed", "--limit", "3.1"});
   EXPECT_EQ(within.output, "WITHIN\n");
