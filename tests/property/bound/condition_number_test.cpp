@@ -81,6 +81,29 @@ TEST(ConditionNumber, MeetsClosedForms) {
   expect_bracket(model_with(R"m([["1e9*x", 0], [0, "1e9*y"]])m", "x = [1, 2]\ny = [1, 3]"), 3);
 }
 
+/// The kernel's rows are scaled by powers of two.
+TEST(ConditionNumber, IsThatOfTheMatrixAsWritten) {
+  BoundSettings settings = settings_with(0.01);
+  settings.search.max_boxes = 2000;
+  const ComponentBound bound = condition_of(
+      model_with(R"m([["1e7*x", "1e7*y"], ["y", "-x"]])m", "x = [1, 2]\ny = [1, 3]"), settings);
+  ASSERT_TRUE(bound.attained && bound.proved);
+  EXPECT_NEAR(bound.attained->approx, 1e7, 1);
+  EXPECT_GE(bound.proved->approx, 1e7);
+  EXPECT_LE(bound.proved->approx, 1e8);
+}
+
+/// With so many quantities there is no expansion to second order.
+TEST(ConditionNumber, TakesManyUncertainQuantities) {
+  std::string text = model_with(R"m([["a + SUM", 0], [0, "x"]])m", "x = [1, 2]\ny = 0");
+  std::string sum = "b_1";
+  for (int i = 2; i <= 12; ++i) sum += fmt::format(" + b_{}", i);
+  text.replace(text.find("SUM"), 3, sum);
+  text.insert(text.find("[matrix]"),
+              "b = { value = [1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1], tolerance = 0.5 }\n");
+  expect_bracket(text, 20.5);
+}
+
 /// An arm with two links of length 1: κ depends on the angle of the elbow alone.
 TEST(ConditionNumber, IsThatOfAnArm) {
   const char* arm =
