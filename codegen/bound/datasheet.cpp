@@ -125,6 +125,7 @@ class DatasheetRun {
       refine(known, left_ / double(open));
       --open;
     }
+    use_singular_values();
     return std::move(bounds_);
   }
 
@@ -156,6 +157,30 @@ class DatasheetRun {
     for (std::size_t i = 0; i < found.components.size(); ++i)
       keep_better(known.components[places[i]], std::move(found.components[i]),
                   known.quantity.is_least);
+  }
+
+  /// The condition number is below the largest singular value of all poses by the least.
+  void use_singular_values() {
+    const ComponentBound* largest = only_component(QuantityKind::kSigmaMax);
+    const ComponentBound* least = only_component(QuantityKind::kSigmaMin);
+    ComponentBound* condition = only_component(QuantityKind::kCondition2);
+    if (!condition || !largest || !least || condition->is_unbounded) return;
+    if (!largest->proved || !least->proved) return;
+    if (certain_sign(least->proved->exact) != CertainSign::kPositive) return;
+    const ex ratio = largest->proved->exact / least->proved->exact;
+    if (condition->proved && is_at_most(condition->proved->exact, ratio)) return;
+    condition->proved = end_at(ratio);
+    const double above = condition->proved->approx;
+    condition->is_closed =
+        condition->attained && above - condition->attained->approx <= settings_.gap * above;
+    if (condition->is_closed) condition->reason.clear();
+  }
+
+  /// Returns nullptr if the quantity was not bounded.
+  ComponentBound* only_component(QuantityKind kind) {
+    for (Bound& bound : bounds_)
+      if (bound.quantity.kind == kind && !bound.components.empty()) return &bound.components[0];
+    return nullptr;
   }
 
   static constexpr double kFirstSeconds = 0.25;  ///< for each component
