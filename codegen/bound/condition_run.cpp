@@ -19,7 +19,7 @@ namespace regulus::inline bounding {
 namespace {
 
 /// Seconds of a search, if there are as many: enough for an attained end.
-constexpr double kLeastSearch = 0.5;
+constexpr double kLeastConditionSearch = 0.5;
 /// Of the bounds of singular values whose ratio is a bound of κ.
 constexpr double kGapOfExtremes = 0.01;
 
@@ -110,7 +110,7 @@ class ConditionRun {
     settings.gap = settings_.gap;
     if (settings_.limit) settings.limit = enclose_constant(*settings_.limit, "--limit");
     if (settings_.search.max_boxes != 0) settings.max_boxes = settings_.search.max_boxes;
-    const double least = std::min(kLeastSearch, seconds_left(prepared_, left_));
+    const double least = std::min(kLeastConditionSearch, seconds_left(prepared_, left_));
     settings.time_limit =
         prepared_.stopped ? 0 : std::max(seconds_left(prepared_, seconds_), least);
     settings.interrupt = settings_.interrupt;
