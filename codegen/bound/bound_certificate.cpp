@@ -33,6 +33,7 @@ const char* name_of_quantity(QuantityKind kind) {
     case QuantityKind::kDeterminant:
       return format::kDeterminant;
     case QuantityKind::kExpression:
+    case QuantityKind::kCondition2:  // has no certificate
       break;
   }
   return format::kExpression;

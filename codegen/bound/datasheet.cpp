@@ -31,7 +31,10 @@ bool is_symmetric(const std::vector<Range>& ranges) {
 /// The questions of a datasheet, in the order of its rows.
 class Questions {
  public:
-  explicit Questions(const Model& model) : model_(model) { collect(); }
+  explicit Questions(const Request& request)
+      : model_(request.model), is_along_way_(request.motion.trajectory != nullptr) {
+    collect();
+  }
 
   std::vector<QuantityOptions> all;
 
@@ -44,7 +47,7 @@ class Questions {
     if (!model_.actuators.error.empty()) add("error");
     add("sigma-min");
     add("sigma-max");
-    add("condition").norm = "2";
+    if (!is_along_way_) add("condition").norm = "2";
     add("condition");
     add("determinant");
   }
@@ -70,6 +73,7 @@ class Questions {
   }
 
   const Model& model_;
+  const bool is_along_way_;
 };
 
 /// Returns the limits of a component, as a range of q; nullopt if the model has none.
@@ -212,7 +216,7 @@ Datasheet make_datasheet(const Request& request, const BoundSettings& settings,
                          const BoundListener& listener) {
   Datasheet sheet;
   std::vector<Quantity> quantities;
-  for (const QuantityOptions& question : Questions(request.model).all) try {
+  for (const QuantityOptions& question : Questions(request).all) try {
       Quantity quantity = quantity_of(request.model, question);
       if (quantity.kind == QuantityKind::kCondition && quantity.components.size() > kMostPairs)
         throw UsageError(fmt::format("condition: {} pairs of a row and a column; bound it alone",
