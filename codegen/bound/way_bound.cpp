@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "codegen/bound/bound_certificate.hpp"
 #include "codegen/bound/bracket_topic.hpp"
 #include "codegen/bound/fastest_twist.hpp"
 #include "codegen/bound/reference.hpp"
@@ -30,6 +31,10 @@ constexpr std::size_t kMostSamples = 8;  ///< pieces where the quantity is evalu
 constexpr int kPlacesOfPiece = 2;
 constexpr int kMostRounds = 3;
 constexpr const char* kNoTime = "no search was likely to end within the time left";
+
+/// Of the matrix that was searched: for all pieces together they are combined, where
+/// inverse_columns.hpp does so; a single piece is bracketed without.
+enum class Columns { kCombined, kPlain };
 
 void refuse_workers(const SearchOptions& search) {
   if (search.workers != nullptr)
@@ -108,7 +113,9 @@ class WayBound {
     const bool is_singular = check.verdict == Verdict::kSingularity;
     if (!certificate_.empty())
       result_.certificates =
-          TrajectoryCertificate(certificate_ + (is_singular ? ".singular" : ".safe"), check).line();
+          TrajectoryCertificate(certificate_ + (is_singular ? ".singular" : ".safe"), check,
+                                certified_at(bordered_.request, Columns::kCombined))
+              .line();
     return std::move(result_);
   }
 
@@ -220,15 +227,28 @@ class WayBound {
     result_.seconds += check.seconds;
   }
 
+  /// The certificate states the model, the quantity and the bound that the range of r in `bordered`
+  /// means.
+  [[nodiscard]] CertifiedMotion certified_at(const Request& bordered, Columns columns) const {
+    const Motion& motion = bordered.motion;
+    const ex end = bordered_.parameter.empty() ? motion.alpha : motion.parameters.back().range.hi;
+    Bordered searched = bordered_;
+    if (columns == Columns::kPlain) searched.combination.reset();
+    return {request_,
+            [this, end, searched](const Request& along, const std::set<std::string>& uncertain) {
+              return certified_bound(along, result_.component, searched, end, uncertain);
+            }};
+  }
+
   /// Writes a proof of each end: of all pieces, and of the pose on one of them.
   void certify(const MarginQuestion& question, PathBracket& pieces) {
     std::string safe = "none for the safe end: no safe value was found";
     if (const std::optional<MarginValue> certified = pieces.certified()) {
-      const TrajectoryCheck check =
-          check_trajectory(MarginRequest(bordered_.request, question).at(*certified), 0, search_,
-                           true, settings_.interrupt);
+      const Request proved = MarginRequest(bordered_.request, question).at(*certified);
+      const TrajectoryCheck check = check_trajectory(proved, 0, search_, true, settings_.interrupt);
       add(check);
-      const TrajectoryCertificate written(certificate_ + ".safe", check);
+      const TrajectoryCertificate written(certificate_ + ".safe", check,
+                                          certified_at(proved, Columns::kCombined));
       safe = written.obstacle().empty()
                  ? fmt::format("{}.safe: safe at {}", certificate_, certified->text)
                  : "none for the safe end: " + written.obstacle();
@@ -241,8 +261,10 @@ class WayBound {
     if (witness == nullptr) return "none for the singular end: no singularity was found";
     const std::string path = certificate_ + ".singular";
     const PreparedMargin& margin = *witness->margin;
-    CertifiedQuestion question = certified_question(margin.request.at(witness->step.value),
-                                                    uncertain_names(margin.prepared.labels));
+    CertifiedQuestion question =
+        certified_at(margin.request.at(witness->step.value), Columns::kPlain)
+            .about(piece_request(request_, witness->piece),
+                   uncertain_names(margin.prepared.labels));
     const std::string obstacle = certificate_obstacle(question);
     if (!obstacle.empty()) return "none for the singular end: " + obstacle;
     try {

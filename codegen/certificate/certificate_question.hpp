@@ -2,6 +2,7 @@
 // The question of a certificate: model and motion as they were read, before any rewriting.
 #pragma once
 
+#include <functional>
 #include <set>
 #include <string>
 
@@ -28,6 +29,11 @@ namespace regulus::inline certificate {
 /// the same name.
 [[nodiscard]] CertifiedQuestion certified_question(const Request& request,
                                                    const std::set<std::string>& uncertain);
+/// Returns what a certificate asks about a motion and tolerances, which may have grown: whether it is
+/// regular, or the bound of a quantity. `uncertain`: as for certified_question.
+using CertifiedAbout =
+    std::function<CertifiedQuestion(const Request&, const std::set<std::string>& uncertain)>;
+
 /// Returns why the verifier could not read a certificate of this question, whatever its proof: the
 /// question is beyond the limits of the format. Empty if it can.
 [[nodiscard]] std::string certificate_obstacle(const CertifiedQuestion& question);

@@ -93,8 +93,15 @@ Request piece_request(const Request& request, std::size_t piece) {
   return result;
 }
 
+CertifiedAbout is_regular() {
+  return [](const Request& request, const std::set<std::string>& uncertain) {
+    return certified_question(request, uncertain);
+  };
+}
+
 CertifiedQuestion trajectory_question(const Request& request,
-                                      const std::set<std::string>& uncertain) {
+                                      const std::set<std::string>& uncertain,
+                                      const CertifiedAbout& about) {
   const Trajectory& trajectory = *request.motion.trajectory;
   const std::vector<Slot> slots = slots_of(request.model, trajectory);
   const GiNaC::realsymbol s(unused_name(request.model, "s"));
@@ -109,7 +116,7 @@ CertifiedQuestion trajectory_question(const Request& request,
   }
   for (const PieceOfPose& p : pose) common.motion.pose.push_back(expression_of(p, s));
   append_added_poses(common.motion, request.motion);
-  CertifiedQuestion question = certified_question(common, uncertain);
+  CertifiedQuestion question = about(common, uncertain);
   const std::size_t poses = question.text.find("\npose ");
   question.text.insert(poses + 1, piece_lines(slots, trajectory));
   return question;

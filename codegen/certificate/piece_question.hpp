@@ -5,6 +5,7 @@
 #include <set>
 #include <string>
 
+#include "codegen/certificate/certificate_question.hpp"
 #include "codegen/model/request.hpp"
 #include "codegen/model/trajectory.hpp"
 #include "runtime/certificate/writer.hpp"
@@ -15,8 +16,12 @@ namespace regulus::inline certificate {
 /// parameters of the motion follow.
 [[nodiscard]] Request piece_request(const Request& request, std::size_t piece);
 
+/// Returns the question whether a matrix is regular.
+[[nodiscard]] CertifiedAbout is_regular();
+
 /// Returns the question about all pieces (FORMAT.md, `piecewise`).
 [[nodiscard]] CertifiedQuestion trajectory_question(const Request& request,
-                                                    const std::set<std::string>& uncertain);
+                                                    const std::set<std::string>& uncertain,
+                                                    const CertifiedAbout& about = is_regular());
 
 }  // namespace regulus::certificate

@@ -7,12 +7,11 @@
 
 #include <functional>
 #include <optional>
-#include <set>
 #include <string>
 #include <vector>
 
+#include "codegen/certificate/certificate_question.hpp"
 #include "codegen/engine/pipeline.hpp"
-#include "runtime/certificate/writer.hpp"
 
 namespace regulus::inline bracketing {
 
@@ -32,11 +31,6 @@ struct MarginValue {
 /// Returns the question of regularity about a motion and tolerances that have grown; see
 /// quantity/bordered.hpp.
 using QuestionAbout = std::function<Request(const Request&)>;
-
-/// Returns the question of a certificate about a motion and tolerances that have grown.
-/// `uncertain`: as for certified_question.
-using CertifiedAbout =
-    std::function<CertifiedQuestion(const Request&, const std::set<std::string>& uncertain)>;
 
 /// LO:HI, or LO: if HI must be found.
 struct MarginQuestion {

@@ -16,21 +16,26 @@
 namespace regulus::inline trajectory {
 
 TrajectoryCertificate::TrajectoryCertificate(std::string path, const TrajectoryCheck& check)
+    : TrajectoryCertificate(std::move(path), check, {check.request, is_regular()}) {}
+
+TrajectoryCertificate::TrajectoryCertificate(std::string path, const TrajectoryCheck& check,
+                                             const CertifiedMotion& motion)
     : path_(std::move(path)) {
   if (path_.empty()) return;
   if (check.verdict == Verdict::kNoSingularity)
-    write_safe(check);
+    write_safe(check, motion);
   else if (check.verdict == Verdict::kSingularity)
-    write_singular(check);
+    write_singular(check, motion);
   else
     obstacle_ = "POSSIBLE PROBLEM claims nothing that could be proved";
 }
 
-void TrajectoryCertificate::write_safe(const TrajectoryCheck& check) {
+void TrajectoryCertificate::write_safe(const TrajectoryCheck& check,
+                                       const CertifiedMotion& motion) {
   const auto uncertain = uncertain_names(check.hull.labels);
-  obstacle_ = certificate_obstacle(certified_question(piece_request(check.request, 0), uncertain));
+  obstacle_ = certificate_obstacle(motion.about(piece_request(motion.request, 0), uncertain));
   if (!obstacle_.empty()) return;
-  const CertifiedQuestion question = trajectory_question(check.request, uncertain);
+  const CertifiedQuestion question = trajectory_question(motion.request, uncertain, motion.about);
   try {
     AtomicFile file(path_, fmt::format("{}.{}.new", path_, ::getpid()));
     file.write(fmt::format("{}\nverdict {}\nclaim {}\n{}proof\n", format::kMagic,
@@ -48,11 +53,18 @@ void TrajectoryCertificate::write_safe(const TrajectoryCheck& check) {
   written_ = true;
 }
 
-void TrajectoryCertificate::write_singular(const TrajectoryCheck& check) {
-  CertificateFile file(path_, *check.deciding->preparation);
-  file.finish(check.deciding->result);
-  written_ = file.written();
-  if (!written_) obstacle_ = "the question cannot be written as a certificate";
+void TrajectoryCertificate::write_singular(const TrajectoryCheck& check,
+                                           const CertifiedMotion& motion) {
+  const DecidingPiece& piece = *check.deciding;
+  CertifiedQuestion question = motion.about(piece_request(motion.request, piece.index),
+                                            uncertain_names(piece.preparation->labels));
+  obstacle_ = certificate_obstacle(question);
+  if (!obstacle_.empty()) return;
+  try {
+    written_ = CertificateWriter(path_, std::move(question)).finish(piece.result);
+  } catch (const std::runtime_error& error) {
+    throw FileError(error.what());
+  }
 }
 
 std::string TrajectoryCertificate::line() const {

@@ -5,15 +5,24 @@
 #include <nlohmann/json_fwd.hpp>
 #include <string>
 
+#include "codegen/certificate/piece_question.hpp"
 #include "codegen/trajectory/trajectory_run.hpp"
 
 namespace regulus::inline trajectory {
+
+/// What a certificate says about the motion of a request, if it is not the question of the check.
+struct CertifiedMotion {
+  const Request& request;
+  CertifiedAbout about;
+};
 
 class TrajectoryCertificate {
  public:
   /// An empty `path` means no certificate. Writes the proof of the verdict: of all pieces, or the
   /// singular pose on one of them. Throws FileError.
   TrajectoryCertificate(std::string path, const TrajectoryCheck& check);
+  TrajectoryCertificate(std::string path, const TrajectoryCheck& check,
+                        const CertifiedMotion& motion);
 
   /// The same as those of CertificateFile.
   [[nodiscard]] std::string line() const;
@@ -22,8 +31,8 @@ class TrajectoryCertificate {
   [[nodiscard]] const std::string& obstacle() const noexcept { return obstacle_; }
 
  private:
-  void write_safe(const TrajectoryCheck& check);
-  void write_singular(const TrajectoryCheck& check);
+  void write_safe(const TrajectoryCheck& check, const CertifiedMotion& motion);
+  void write_singular(const TrajectoryCheck& check, const CertifiedMotion& motion);
 
   std::string path_, obstacle_;
   bool written_ = false;

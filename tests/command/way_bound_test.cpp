@@ -257,11 +257,15 @@ TEST_F(WayBoundTest, ProvesBothEndsInCertificates) {
 
   std::ifstream input(proof + ".leg_1.safe");
   const std::string text{std::istreambuf_iterator<char>(input), {}};
-  const std::size_t range = text.find("parameter r in ");
-  ASSERT_NE(range, std::string::npos);
-  std::string wider = text;
-  wider.insert(wider.find('\n', range), " * 2");
-  EXPECT_FALSE(proves(file("wider", wider)));
+  const std::size_t line = text.find("\nbound ") + 7;
+  ASSERT_NE(line, std::string::npos + 7);
+  const std::string number = text.substr(line, text.find('\n', line) - line);
+  std::string larger = text;
+  larger.replace(line, number.size(), number + " + 1000");
+  const std::size_t claim = larger.find("> " + number + " at every pose");
+  ASSERT_NE(claim, std::string::npos);
+  larger.replace(claim + 2, number.size(), number + " + 1000");
+  EXPECT_FALSE(proves(file("larger", larger)));
   std::string shorter = text;
   const std::size_t leaf = shorter.rfind("\nl ");
   shorter.erase(leaf, shorter.find('\n', leaf + 1) - leaf);
@@ -270,6 +274,21 @@ TEST_F(WayBoundTest, ProvesBothEndsInCertificates) {
   std::string moved = text;
   moved.replace(last, text.find('\n', last + 1) - last, "\npiece 2 | 0 | 0 | 1");
   EXPECT_FALSE(proves(file("moved", moved)));
+}
+
+TEST_F(WayBoundTest, ProvesItsNumbers) {
+  const std::string proof = path("number");
+  const CommandResult r = regulus({"bound", cart_, "way", "sigma-min", "--certificate", proof});
+  EXPECT_EQ(r.exit_code, 0) << r.errors;
+  for (const char* end : {".safe", ".singular"}) {
+    const CommandResult ours = regulus({"verify", proof + end, "--model", cart_});
+    EXPECT_EQ(ours.exit_code, 0) << end << ours.errors;
+    EXPECT_THAT(ours.errors, HasSubstr("bound      about"));
+    const CommandResult other =
+        run_command({REGULUS_BINARY_DIR "/bin/regulus-verify", proof + end, "--model", cart_});
+    EXPECT_EQ(other.exit_code, 0) << end << other.errors;
+    EXPECT_THAT(other.errors, HasSubstr("least singular value"));
+  }
 }
 
 TEST_F(WayBoundTest, ThreadsAndCheckpointsChangeNothing) {
