@@ -203,7 +203,8 @@ void PathBracket::keep(std::size_t piece, std::unique_ptr<PreparedMargin> margin
   undecided_[piece] = !found.closed && !excluded_[piece];
   if (!found.refuted) return;
   if (witness_ && witness_->step.value.approx <= found.refuted->value.approx) return;
-  witness_ = std::make_unique<PieceWitness>(piece, std::move(margin), std::move(*found.refuted));
+  witness_ = std::make_unique<PieceWitness>(
+      PieceWitness{piece, std::move(margin), std::move(*found.refuted)});
 }
 
 /// Searches at smaller and smaller values while a piece is not certified above 0.

@@ -20,9 +20,7 @@ class PathSearch {
  public:
   PathSearch(const PathBounds& path, const Problem& problem, const Settings& settings,
              const PathSearchOptions& options)
-      : path_(path),
-        problem_(problem),
-        settings_(settings),
+      : settings_(settings),
         options_(options),
         structure_(find_row_structure(problem, settings)),
         round_(problem, settings, structure_),
@@ -157,8 +155,6 @@ class PathSearch {
     result_.certified[part.piece] = false;
   }
 
-  const PathBounds& path_;
-  const Problem& problem_;
   const Settings& settings_;
   const PathSearchOptions& options_;
   const Clock::time_point start_ = Clock::now();
