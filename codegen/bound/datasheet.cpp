@@ -120,7 +120,10 @@ class DatasheetRun {
     for (std::size_t i = 0; i < quantities.size() && !is_interrupted(); ++i) {
       const double most = left_ / double(quantities.size() - i);
       const double little = kFirstSeconds * double(quantities[i].components.size());
-      bounds_.push_back(bound(std::move(quantities[i]), std::min(little, most)));
+      // A matrix that takes long to form leaves time for the quantities after it.
+      const bool is_last = i + 1 == quantities.size();
+      const double forming = is_last ? left_ : kPartToForm * left_;
+      bounds_.push_back(bound(std::move(quantities[i]), std::min(little, most), forming));
     }
     std::size_t open = std::size_t(
         std::ranges::count_if(bounds_, [](const Bound& bound) { return !bound.is_closed(); }));
@@ -138,10 +141,10 @@ class DatasheetRun {
   }
 
  private:
-  Bound bound(Quantity quantity, double seconds) {
+  Bound bound(Quantity quantity, double seconds, double forming) {
     BoundSettings part = settings_;
     part.search.time_limit = seconds;
-    part.forming_limit = left_;
+    part.forming_limit = forming;
     Bound found = bound_quantity(request_, std::move(quantity), part, listener_);
     left_ -= watch_.lap();
     return found;
@@ -157,7 +160,7 @@ class DatasheetRun {
         open.components.push_back(c.component);
         places.push_back(i);
       }
-    Bound found = bound(std::move(open), seconds);
+    Bound found = bound(std::move(open), seconds, left_);
     for (std::size_t i = 0; i < found.components.size(); ++i)
       keep_better(known.components[places[i]], std::move(found.components[i]),
                   known.quantity.is_least);
@@ -188,6 +191,7 @@ class DatasheetRun {
   }
 
   static constexpr double kFirstSeconds = 0.25;  ///< for each component
+  static constexpr double kPartToForm = 0.5;     ///< of the time that is left
 
   const Request& request_;
   const BoundSettings& settings_;
