@@ -20,7 +20,7 @@ namespace {
 
 /// Seconds of a search, if there are as many: enough for an attained end.
 constexpr double kLeastConditionSearch = 0.5;
-/// Of the bounds of singular values whose ratio is a bound of κ.
+/// The gap of the bounds of singular values whose ratio is a bound of κ.
 constexpr double kGapOfExtremes = 0.01;
 
 /// Returns the number itself, as a fraction.

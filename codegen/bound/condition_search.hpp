@@ -21,7 +21,7 @@ struct ConditionQuestion {
   const MatrixScaling& scaling;  ///< of the kernel's matrix
 };
 
-/// What is known about κ from elsewhere.
+/// Facts about κ that a search starts with.
 struct ConditionHint {
   bool is_singular = false;  ///< proved: at some pose of the variety
   double upper = kInfinity;  ///< proved: κ is below that everywhere

@@ -53,7 +53,7 @@ class RotatedBoxes {
   [[nodiscard]] BoxMatrices& matrices() noexcept { return matrices_; }
 
  private:
-  /// What is known about K in one lane.
+  /// The facts about K in one lane.
   struct Factor {
     std::optional<SingularVectors> vectors{};
     double error = kInfinity;  ///< e·|Û⁻¹|

@@ -32,8 +32,8 @@ constexpr int kPlacesOfPiece = 2;
 constexpr int kMostRounds = 3;
 constexpr const char* kNoTime = "no search was likely to end within the time left";
 
-/// Of the matrix that was searched: for all pieces together they are combined, where
-/// inverse_columns.hpp does so; a single piece is bracketed without.
+/// The search of all pieces combines the columns of the matrix, where inverse_columns.hpp does so; a
+/// single piece is bracketed without.
 enum class Columns { kCombined, kPlain };
 
 void refuse_workers(const SearchOptions& search) {

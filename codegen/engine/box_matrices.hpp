@@ -35,7 +35,7 @@ class BoxMatrices {
   /// Rounding  outward; MXCSR at nearest.
   void evaluate(std::span<const Box> boxes);
 
-  // What follows is about the boxes of the last evaluate(), by lane.
+  // The functions below are about the boxes of the last evaluate(), by lane.
 
   /// True if some constraint excludes every pose of the box.
   [[nodiscard]] bool is_outside(std::size_t lane) const { return has_lane(outside_, lane); }

@@ -15,7 +15,7 @@
 namespace regulus::inline model {
 namespace {
 
-/// Of what is read at once: most files are small, and memory that is not used costs time, too.
+/// A file is read in parts of these sizes: most are small, and memory that is not used costs time, too.
 constexpr std::uint64_t kLeastPart = 1 << 14, kMostPart = 1 << 20;
 
 class Opened {

@@ -10,7 +10,7 @@
 
 namespace regulus::inline trajectory {
 
-/// What a certificate says about the motion of a request, if it is not the question of the check.
+/// The motion of a certificate and its question, if it is not that of the check.
 struct CertifiedMotion {
   const Request& request;
   CertifiedAbout about;

@@ -9,7 +9,7 @@ namespace regulus {
 
 class OrthantTerms {
  public:
-  /// What becomes of products of two uncertain quantities of a row.
+  /// The treatment of products of two uncertain quantities of a row.
   enum class Products : std::uint8_t {
     kBounded,  ///< in S
     kForms,    ///< their first part in forms, the rest in S

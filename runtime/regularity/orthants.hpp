@@ -58,7 +58,7 @@ namespace regulus {
 /// More rows would make too many cells, n·2^(n−1).
 inline constexpr unsigned kMaxOrthantRows = 8;
 inline constexpr unsigned kMaxOrthantForms = 256;
-/// Of a coupled term: quantities whose ends are tried, and others; of a ball.
+/// The most quantities of a coupled term: those whose ends are tried, the others, and those of a ball.
 inline constexpr unsigned kMaxEndsTried = 3, kMaxCoupled = 8, kMaxOfBall = 3;
 inline constexpr unsigned kMaxCoupledForms = kMaxEndsTried * (kMaxCoupled + 1) + kMaxCoupled;
 

@@ -201,7 +201,7 @@ double TouchedRows::bound_of_balls(const Products& products, const Effects& x,
     for (std::size_t i = 0; i < s.size(); ++i) shifted[i] = s[i] + c * h[i];
     const double length = norm(shifted), size = of_s + c * norm(Z) * of_t;
     together = std::min(together, inflate(length + 0.5 * c * q + 0.5 / c) + kRounding * size);
-    // Where the derivative in c is 0.
+    // The derivative in c is 0 there.
     const double slope = std::inner_product(h.begin(), h.end(), shifted.begin(), 0.0) / length;
     c = 1.0 / std::sqrt(q + 2.0 * slope);
   }
