@@ -190,10 +190,13 @@ class ConditionSearch {
     const std::optional<std::size_t> variable = choose(parent);
     if (!variable) {
       if (parent.upper > settled_) stop(parent.is_undefined ? Reason::kUndefined : Reason::kWidth);
-      settled_ = std::max(settled_, parent.upper);
-      return;
+      return settle(parent);
     }
     const Halves halves = *bisect(parent.box[*variable]);
+    if (progress_ != nullptr)
+      progress_->on_split({parent.id, 0, parent.box},
+                          {parent.id, static_cast<std::uint32_t>(*variable), halves.left.hi,
+                           next_id_});
     Box upper = parent.box;
     parent.box[*variable] = halves.left;
     upper[*variable] = halves.right;
@@ -254,18 +257,27 @@ class ConditionSearch {
 
   void conclude(std::size_t i) {
     BoxFinding& finding = findings_[i];
-    if (finding.is_outside) return;
+    OpenBox& child = children_[i];
+    if (finding.is_outside) return leave(child, Rule::kOutside);
     is_empty_ = false;
     if (finding.attained && finding.attained->shown.condition > attained())
       result_.attained = std::move(finding.attained);
-    OpenBox& child = children_[i];
     child.upper = std::min(child.upper, finding.bound.upper);
     child.impact = std::move(finding.bound.impact);
     child.is_undefined = finding.is_undefined;
     if (is_low(child.upper))
-      settled_ = std::max(settled_, child.upper);
+      settle(child);
     else
       open_.push(std::move(child));
+  }
+
+  /// The box keeps its bound.
+  void settle(const OpenBox& box) {
+    settled_ = std::max(settled_, box.upper);
+    leave(box, Rule::kSecondOrder);
+  }
+  void leave(const OpenBox& box, Rule rule) {
+    if (progress_ != nullptr) progress_->on_leaf({box.id, 0, box.box}, rule, {});
   }
 
   void finish() {
@@ -277,6 +289,7 @@ class ConditionSearch {
     result_.is_closed = !result_.is_empty && (is_exceeded || is_low(result_.proved));
     result_.seconds = seconds();
     if (progress_ == nullptr) return;
+    for (; !open_.empty(); open_.pop()) leave(open_.top(), Rule::kSecondOrder);
     Result result;
     result.statistics = statistics();
     progress_->on_finish(result);
