@@ -32,8 +32,9 @@ const char* name_of_quantity(QuantityKind kind) {
       return format::kDeflection;
     case QuantityKind::kDeterminant:
       return format::kDeterminant;
+    case QuantityKind::kCondition2:
+      return format::kCondition2;
     case QuantityKind::kExpression:
-    case QuantityKind::kCondition2:  // has no certificate
       break;
   }
   return format::kExpression;
@@ -44,8 +45,8 @@ const char* side_of(const Component& c) {
   if (c.kind == QuantityKind::kSigmaMin || c.kind == QuantityKind::kDeterminant)
     return format::kLeast;
   const bool is_norm = c.kind == QuantityKind::kError && c.part != PosePart::kColumn;
-  if (is_norm || c.kind == QuantityKind::kSigmaMax || c.kind == QuantityKind::kCondition)
-    return format::kLargest;
+  const bool is_ratio = c.kind == QuantityKind::kCondition || c.kind == QuantityKind::kCondition2;
+  if (is_norm || is_ratio || c.kind == QuantityKind::kSigmaMax) return format::kLargest;
   if (c.is_absolute) return format::kAbsolute;
   return c.sign < 0 ? format::kLeast : format::kLargest;
 }
@@ -67,7 +68,8 @@ class BoundText {
     if (c_.set != nullptr) write_set();
     if (kind == QuantityKind::kError) put_each("motor-error", model_.actuators.error);
     if (kind == QuantityKind::kDeflection) put_each("stiffness", model_.actuators.stiffness);
-    if (is_condition || kind == QuantityKind::kSigmaMin || kind == QuantityKind::kSigmaMax)
+    if (is_condition || kind == QuantityKind::kCondition2 || kind == QuantityKind::kSigmaMin ||
+        kind == QuantityKind::kSigmaMax)
       write_factors();
     if (bordered_.combination) write_combination();
     if (kind == QuantityKind::kExpression) write_expression();

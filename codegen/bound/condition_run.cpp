@@ -4,11 +4,13 @@
 #include <algorithm>
 #include <cmath>
 
+#include "codegen/bound/condition_certificate.hpp"
 #include "codegen/bound/condition_search.hpp"
 #include "codegen/certificate/certificate_question.hpp"
 #include "codegen/engine/search_run.hpp"
 #include "codegen/engine/settings.hpp"
 #include "codegen/formulation/variety.hpp"
+#include "codegen/model/expression_parser.hpp"
 #include "codegen/quantity/inverse_in_one_unit.hpp"
 #include "codegen/report/progress.hpp"
 #include "codegen/report/report_parts.hpp"
@@ -23,12 +25,21 @@ constexpr double kLeastConditionSearch = 0.5;
 /// The gap of the bounds of singular values whose ratio is a bound of κ.
 constexpr double kGapOfExtremes = 0.01;
 
+constexpr int kDigitsOfEnd = 12;
+
 /// Returns the number itself, as a fraction.
 GiNaC::ex exact_number(double x) {
   int exponent = 0;
   const double fraction = std::frexp(x, &exponent);
   return GiNaC::numeric(static_cast<long>(std::ldexp(fraction, 53))) *
          GiNaC::pow(GiNaC::ex(2), exponent - 53);
+}
+
+/// Returns a decimal that is not above, or not below, the number: shorter in a report and in a
+/// certificate than the number itself.
+BoundEnd decimal_end(double x, RoundTo side) {
+  const std::string text = rounded_text(end_at(exact_number(x)), side, kDigitsOfEnd);
+  return end_at(parse_constant(text, {.file = "", .key = ""}).value);
 }
 
 /// With more variables the second derivatives of Taylor's expansion are too many.
@@ -85,10 +96,16 @@ class ConditionRun {
     const MatrixScaling scaling = prepared_.stages->formulation().scaling;
     const Problem problem = prepared_.problem();
     SearchDisplay display(settings_.output);
+    certificate_.emplace(certificate_path(), request_, result_.component,
+                         uncertain_names(prepared_.labels));
+    std::vector<Observer*> watching;
+    for (Observer* observer : {certificate_->observer(), display.observer()})
+      if (observer != nullptr) watching.push_back(observer);
+    Observers observers(std::move(watching));
     const ConditionResult found =
-        search_condition({problem, scaling}, search_settings(), display.observer());
+        search_condition({problem, scaling}, search_settings(), &observers);
     prepared_.seconds.search = found.seconds;
-    result_.boxes = found.boxes;
+    result_.boxes += found.boxes;
     result_.seconds += prepared_.seconds_spent();
     result_.is_empty = found.is_empty;
     result_.is_unbounded = found.is_singular;
@@ -100,10 +117,35 @@ class ConditionRun {
       set_verdict(found);
     else
       set_ends(found);
+    certify(found);
+    result_.certificates = certificate_->lines();
     return std::move(result_);
   }
 
  private:
+  [[nodiscard]] std::string certificate_path() const {
+    return settings_.certificate.empty()
+               ? ""
+               : settings_.certificate + certificate_suffix(result_.component);
+  }
+
+  /// Of a comparison, the certificate is about the limit.
+  void certify(const ConditionResult& found) {
+    const auto end = [this](const std::optional<BoundEnd>& own, LimitVerdict verdict) {
+      if (!settings_.limit) return own;
+      return result_.verdict == verdict ? std::optional(end_at(*settings_.limit)) : std::nullopt;
+    };
+    if (found.attained && found.attained->shown.condition == kInfinity)
+      certificate_->show_singular(found.attained->variables);
+    const auto attained = end(result_.attained, LimitVerdict::kExceeded);
+    if (attained && !found.is_singular) certificate_->attain(*attained, found.attained->variables);
+    const auto proved = end(result_.proved, LimitVerdict::kWithin);
+    if (proved && found.is_by_hint)
+      certificate_->note_ratio();
+    else if (proved)
+      certificate_->prove(*proved);
+  }
+
   [[nodiscard]] ConditionSettings search_settings() {
     ConditionSettings settings;
     settings.threads = settings_from(settings_.search).threads;
@@ -133,6 +175,7 @@ class ConditionRun {
   std::optional<Interval> extreme(const char* quantity, double seconds) {
     BoundSettings settings = settings_;
     settings.limit.reset();
+    settings.certificate.clear();
     settings.gap = kGapOfExtremes;
     const Quantity asked = quantity_of(request_.model, {.quantity = quantity});
     const ComponentBound bound = other_(asked.components.front(), settings, seconds);
@@ -156,6 +199,7 @@ class ConditionRun {
     result_.seconds += prepared.seconds_spent();
     if (result.verdict != Verdict::kSingularity) return false;
     result_.place = attained_place(prepared, result, "");
+    certificate_->show_singular(result, uncertain_names(prepared.labels));
     return true;
   }
 
@@ -180,8 +224,9 @@ class ConditionRun {
 
   void set_ends(const ConditionResult& found) {
     if (found.is_singular || found.is_empty) return;
-    if (std::isfinite(found.proved)) result_.proved = end_at(exact_number(found.proved));
-    if (found.attained) result_.attained = end_at(exact_number(found.attained->shown.condition));
+    if (std::isfinite(found.proved)) result_.proved = decimal_end(found.proved, RoundTo::kAbove);
+    if (found.attained)
+      result_.attained = decimal_end(found.attained->shown.condition, RoundTo::kBelow);
     result_.is_closed = found.is_closed && found.attained.has_value();
     if (!result_.is_closed) result_.reason = describe(found.reason);
   }
@@ -191,6 +236,7 @@ class ConditionRun {
   const OtherBound& other_;
   const double seconds_, left_;
   PreparedSearch prepared_;
+  std::optional<ConditionCertificate> certificate_;
   ComponentBound result_;
 };
 
@@ -205,10 +251,6 @@ void refuse_unsupported(const Request& request, const Quantity& quantity,
         "formula, or ranges");
   if (has_checkpoint)
     throw UsageError("--checkpoint: the search of condition --norm 2 saves none; leave it out");
-  if (!settings.certificate.empty())
-    throw UsageError(
-        "--certificate: a bound of condition --norm 2 has no certificate yet; bound sigma-max and "
-        "sigma-min, which have one each");
   if (settings.search.workers != nullptr)
     throw UsageError(
         "condition --norm 2: this question runs on one machine; use regulus, with --threads");

@@ -7,8 +7,7 @@
 namespace regulus::inline bounding {
 
 /// Throws    UsageError if the quantity is a condition number in the 2-norm and the settings ask for
-///           what its search does not have: way-points, a checkpoint, a certificate, processes of a
-///           cluster.
+///           what its search does not have: way-points, a checkpoint, processes of a cluster.
 void refuse_unsupported(const Request& request, const Quantity& quantity,
                         const BoundSettings& settings, bool has_checkpoint);
 

@@ -146,9 +146,9 @@ class ConditionSearch {
     return result_.attained ? result_.attained->shown.condition : 0;
   }
   /// κ is below that everywhere.
-  [[nodiscard]] double proved() const {
-    const double upper = open_.empty() ? settled_ : std::max(settled_, open_.top().upper);
-    return std::min(upper, known_);
+  [[nodiscard]] double proved() const { return std::min(proved_by_boxes(), known_); }
+  [[nodiscard]] double proved_by_boxes() const {
+    return open_.empty() ? settled_ : std::max(settled_, open_.top().upper);
   }
   /// Returns true if a box with this bound need not be split.
   [[nodiscard]] bool is_low(double upper) const {
@@ -194,9 +194,9 @@ class ConditionSearch {
     }
     const Halves halves = *bisect(parent.box[*variable]);
     if (progress_ != nullptr)
-      progress_->on_split({parent.id, 0, parent.box},
-                          {parent.id, static_cast<std::uint32_t>(*variable), halves.left.hi,
-                           next_id_});
+      progress_->on_split(
+          {parent.id, 0, parent.box},
+          {parent.id, static_cast<std::uint32_t>(*variable), halves.left.hi, next_id_});
     Box upper = parent.box;
     parent.box[*variable] = halves.left;
     upper[*variable] = halves.right;
@@ -284,6 +284,7 @@ class ConditionSearch {
     if (attained() == kInfinity) result_.is_singular = true;
     if (!result_.is_singular && proved() == kInfinity) ask();
     result_.proved = result_.is_singular || is_out_of_memory_ ? kInfinity : proved();
+    result_.is_by_hint = known_ < proved_by_boxes();
     result_.is_empty = open_.empty() && is_empty_;
     const bool is_exceeded = settings_.limit && attained() >= settings_.limit->hi;
     result_.is_closed = !result_.is_empty && (is_exceeded || is_low(result_.proved));

@@ -49,6 +49,7 @@ struct ConditionWitness {
 
 struct ConditionResult {
   double proved = kInfinity;  ///< κ < proved at every pose, for every uncertain value
+  bool is_by_hint = false;    ///< `proved` is ConditionHint::upper, and not shown by the boxes
   std::optional<ConditionWitness> attained{};
   bool is_singular = false;  ///< proved by ConditionSettings::ask or by `attained`
   bool is_closed = false;    ///< the bracket is as narrow as wanted, or the limit is decided
@@ -61,7 +62,8 @@ struct ConditionResult {
 /// Splits the box with the largest bound, again and again.
 ///
 /// The boxes of a round are decided by several threads and concluded in order, so the result does
-/// not depend on the threads. `progress` may be null.
+/// not depend on the threads. `progress` may be null. It receives every split before those below it,
+/// and every box that is not split as a leaf, with the rule kOutside or kSecondOrder.
 ///
 /// Requires  the matrix of the kernel is m×n, m ≥ n, and is that whose κ is asked.
 [[nodiscard]] ConditionResult search_condition(const ConditionQuestion& question,

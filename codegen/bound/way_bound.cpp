@@ -265,7 +265,7 @@ class WayBound {
         certified_at(margin.request.at(witness->step.value), Columns::kPlain)
             .about(piece_request(request_, witness->piece),
                    uncertain_names(margin.prepared.labels));
-    const std::string obstacle = certificate_obstacle(question);
+    const std::string obstacle = certificate_obstacle(question, true);
     if (!obstacle.empty()) return "none for the singular end: " + obstacle;
     try {
       static_cast<void>(CertificateWriter(path, std::move(question)).finish(witness->step.result));

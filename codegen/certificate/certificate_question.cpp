@@ -187,8 +187,8 @@ CertifiedQuestion certified_question(const Request& request,
           format::describe_claim(set, true)};
 }
 
-std::string certificate_obstacle(const CertifiedQuestion& question) {
-  return obstacle_of_head(head_of(question, false));
+std::string certificate_obstacle(const CertifiedQuestion& question, bool singular) {
+  return obstacle_of_head(head_of(question, singular));
 }
 
 std::string obstacle_of_head(const std::string& head) {

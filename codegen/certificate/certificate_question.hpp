@@ -35,8 +35,9 @@ using CertifiedAbout =
     std::function<CertifiedQuestion(const Request&, const std::set<std::string>& uncertain)>;
 
 /// Returns why the verifier could not read a certificate of this question, whatever its proof: the
-/// question is beyond the limits of the format. Empty if it can.
-[[nodiscard]] std::string certificate_obstacle(const CertifiedQuestion& question);
+/// question is beyond the limits of the format. Empty if it can. `singular`: with that verdict.
+[[nodiscard]] std::string certificate_obstacle(const CertifiedQuestion& question,
+                                               bool singular = false);
 /// The same for a certificate up to its proof.
 [[nodiscard]] std::string obstacle_of_head(const std::string& head);
 /// Returns, for a report, why the verifier may not finish a proof of this question: its own

@@ -56,7 +56,8 @@ Observer* MarginCertificates::watch(const MarginValue& value) {
 
 void MarginCertificates::finish(const MarginValue& value, const Result& result) {
   if (!wanted()) return;
-  if (obstacle_.empty()) obstacle_ = certificate_obstacle(question_at(value));
+  if (obstacle_.empty())
+    obstacle_ = certificate_obstacle(question_at(value), result.verdict == Verdict::kSingularity);
   if (!obstacle_.empty()) return;
   if (result.verdict == Verdict::kNoSingularity) {
     with_file([&] { static_cast<void>(search_->finish(result)); });

@@ -58,7 +58,7 @@ void TrajectoryCertificate::write_singular(const TrajectoryCheck& check,
   const DecidingPiece& piece = *check.deciding;
   CertifiedQuestion question = motion.about(piece_request(motion.request, piece.index),
                                             uncertain_names(piece.preparation->labels));
-  obstacle_ = certificate_obstacle(question);
+  obstacle_ = certificate_obstacle(question, true);
   if (!obstacle_.empty()) return;
   try {
     written_ = CertificateWriter(path_, std::move(question)).finish(piece.result);

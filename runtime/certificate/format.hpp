@@ -39,12 +39,15 @@ inline constexpr const char* kSpeed = "speed";
 inline constexpr const char* kSigmaMin = "sigma-min";
 inline constexpr const char* kSigmaMax = "sigma-max";
 inline constexpr const char* kCondition = "condition";
+inline constexpr const char* kCondition2 = "condition-2";  ///< in the 2-norm
 inline constexpr const char* kDeflection = "deflection";
 inline constexpr const char* kDeterminant = "determinant";
 inline constexpr const char* kExpression = "expression";
 inline constexpr const char* kAbsolute = "absolute";
 inline constexpr const char* kLargest = "largest";
 inline constexpr const char* kLeast = "least";
+
+inline constexpr const char* kRatio = "ratio";  ///< the reason of an attained condition number
 
 // Limits: a file beyond them is not a certificate. So reading takes bounded memory and stack.
 inline constexpr std::uint64_t kMaxBytes = std::uint64_t{1} << 32;  ///< of a file
@@ -130,6 +133,7 @@ struct ClaimedBound {
   if (b.quantity == kSigmaMax) return "largest singular value of " + matrix;
   if (b.quantity == kCondition)
     return "condition number by row " + b.row + " and component " + b.columns + " of " + matrix;
+  if (b.quantity == kCondition2) return "condition number in the 2-norm of " + matrix;
   return b.quantity == kDeterminant ? "|det J^-1|" : b.expression;
 }
 

@@ -96,6 +96,50 @@ TEST_F(BoundCertificateTest, ProvesTheNumberOfEachQuantity) {
   }
 }
 
+TEST_F(BoundCertificateTest, ProvesAConditionNumberInTheTwoNorm) {
+  const std::vector<std::string> words{"regulus", "bound",     model_, "condition",     "--norm",
+                                       "2",       "--threads", "1",    "--certificate", proof_};
+  const CommandResult r = run(words);
+  ASSERT_EQ(r.exit_code, 0) << r.errors;
+  EXPECT_THAT(r.errors, HasSubstr(".safe: below "));
+  EXPECT_THAT(r.errors, HasSubstr(".singular: attains "));
+  expect_verified("");
+  EXPECT_THAT(
+      verify(".safe").errors,
+      HasSubstr("condition number in the 2-norm of J^-1 with the factors of its columns < "));
+}
+
+TEST_F(BoundCertificateTest, OfAConditionNumberInTheTwoNormIsOfTheLimit) {
+  for (const auto& [limit, verdict, end] :
+       {std::tuple{"3", "WITHIN\n", ".safe"}, std::tuple{"6/5", "EXCEEDED\n", ".singular"}}) {
+    EXPECT_EQ(run({"regulus", "bound", model_, "condition", "--norm", "2", "--limit", limit,
+                   "--certificate", proof_})
+                  .output,
+              verdict);
+    const CommandResult r = verify(end);
+    EXPECT_EQ(r.output, "VERIFIED\n") << r.errors;
+    EXPECT_THAT(r.errors, testing::ContainsRegex(std::string("(>=|<) ") + limit + " at "));
+  }
+}
+
+/// The witness of the last one is a pose where a vector is certainly lost, or two poses.
+TEST_F(BoundCertificateTest, OfASingularMatrixSaysThatThereIsNoBound) {
+  for (const char* entry : {"x - 1", "x^2 - 2"})
+    for (const auto& [words, label] :
+         {std::pair{std::vector<std::string>{"error"}, ".v"},
+          std::pair{std::vector<std::string>{"force", "--leg", "1"}, ".leg_1"},
+          std::pair{std::vector<std::string>{"condition", "--norm", "2"}, ""}}) {
+      change("[0, 2]]", std::string("[0, \"") + entry + "\"]]");
+      std::vector<std::string> all{"regulus", "bound", model_, "--certificate", proof_};
+      all.insert(all.end(), words.begin(), words.end());
+      const CommandResult r = run(all);
+      EXPECT_THAT(r.output, testing::StartsWith("UNBOUNDED")) << r.errors;
+      const CommandResult proof = verify(std::string(label) + ".singular");
+      EXPECT_EQ(proof.output, "VERIFIED\n") << proof.errors << r.errors;
+      EXPECT_THAT(proof.errors, HasSubstr("has no bound"));
+    }
+}
+
 TEST_F(BoundCertificateTest, ProvesASignedNumberAndALeastOne) {
   for (const char* side : {"--signed", "--min"})
     for (const char* quantity : {"force", "speed", "deflection"}) {

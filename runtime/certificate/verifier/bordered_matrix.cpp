@@ -22,6 +22,7 @@ class Border {
     c_.model_columns = q_.columns;
     if (c_.kind == format::kDeterminant) return take_threshold();
     A_ = q_.matrix;
+    if (c_.kind == format::kCondition2) return is_about_ratio(c_) ? take_ratio() : void();
     sign_ = c_.side == format::kLeast && c_.kind != format::kSigmaMin ? -1 : 1;
     parameters_ =
         std::size_t(std::count_if(q_.variables.begin(), q_.variables.end(), [](const Variable& v) {
@@ -38,16 +39,30 @@ class Border {
     order_variables();
     q_.matrix = std::move(B_);
     q_.rows = q_.columns = order_;
-    // B may have a value where s has none, or is 0.
+    q_.defined.insert(q_.defined.end(), c_.expression_defined.begin(), c_.expression_defined.end());
+    take_scales();
+  }
+
+ private:
+  /// A matrix may have a value where s has none, or is 0.
+  void take_scales() {
     for (const NodeId s : q_.scale) {
       q_.defined.push_back(s);
       q_.defined.push_back(t_.reciprocal(s));
     }
-    q_.defined.insert(q_.defined.end(), c_.expression_defined.begin(), c_.expression_defined.end());
     q_.scale.clear();
   }
 
- private:
+  /// X itself.
+  void take_ratio() {
+    take_one_unit();
+    for (std::size_t e = 0; e < A_.size(); ++e)
+      q_.matrix[e] = t_.product(scale(e / q_.columns), A_[e]);
+    c_.row_scales = q_.scale;
+    c_.unscaled = A_;
+    take_scales();
+  }
+
   /// The bound of |det J⁻¹| is the threshold. A threshold of 0 is one, too: scales must not be 0.
   void take_threshold() {
     q_.alpha = c_.bound;
@@ -346,6 +361,10 @@ class Border {
 };
 
 }  // namespace
+
+bool is_about_ratio(const QuantityLines& quantity) {
+  return quantity.kind == format::kCondition2 && quantity.bound != kNoNode;
+}
 
 void border(Question& question) { Border(question).build(); }
 

@@ -1,36 +1,25 @@
 // SPDX-License-Identifier: Apache-2.0
-// Proves leaves of claims about forces that hold a load, in smaller boxes if necessary.
+// Proves leaves of claims about forces that hold a load.
 #pragma once
 
 #include "runtime/certificate/verifier/load_test.hpp"
-#include "runtime/certificate/verifier/prover.hpp"
+#include "runtime/certificate/verifier/splitting_prover.hpp"
 
 namespace regulus::verifier {
 
-class LoadProver final : public Prover {
+class LoadProver final : public SplittingProver {
  public:
   LoadProver(Question& question, const Variety& variety, const Options& options, WorkClock& clock)
-      : q_(question),
-        variety_(variety),
-        options_(options),
-        clock_(clock),
-        test_(question, variety) {}
-
-  void begin(bool looks_for_points) override;
-  void prove(const Box& box, LeafClaim claim) override;
+      : SplittingProver(question, variety, options, clock), test_(question, variety) {}
 
  private:
-  void look_for_point();
-  void look_for_contradiction(const Box& box, LoadTest::Claim claim);
+  [[nodiscard]] BoxAnswer decide(const Box& box, LeafClaim claim) override;
+  [[nodiscard]] std::optional<std::size_t> variable_to_split(const Box& box) const override {
+    return test_.variable_to_split(box);
+  }
+  [[nodiscard]] std::string contradiction(const Box& point, LeafClaim claim) override;
 
-  const Question& q_;
-  const Variety& variety_;
-  const Options& options_;
-  WorkClock& clock_;
   LoadTest test_;
-  std::vector<Box> waiting_;
-  bool looks_for_points_ = true;
-  int points_tried_ = 0;
 };
 
 }  // namespace regulus::verifier

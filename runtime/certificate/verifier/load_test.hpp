@@ -5,7 +5,7 @@
 
 #include "runtime/certificate/verifier/load_lines.hpp"
 #include "runtime/certificate/verifier/middle_forces.hpp"
-#include "runtime/certificate/verifier/outside.hpp"
+#include "runtime/certificate/verifier/slopes.hpp"
 
 namespace regulus::verifier {
 
@@ -19,31 +19,17 @@ class LoadTest {
     kNotHeld,  ///< at every point some wrench of the load is held by no forces within the limits
     kOutside,  ///< no point of the box is in the variety
   };
-  enum class Answer {
-    kOutside,  ///< no point of the box is in the variety
-    kProved,
-    kOpen,  ///< not shown
-  };
-  [[nodiscard]] Answer decide(const Box& box, Claim claim);
+  [[nodiscard]] BoxAnswer decide(const Box& box, Claim claim);
 
   /// After kOpen: returns the variable that is best to split; nullopt if none can be split.
-  [[nodiscard]] std::optional<std::size_t> variable_to_split(const Box& box) const;
+  [[nodiscard]] std::optional<std::size_t> variable_to_split(const Box& box) const {
+    return variable_of_impact(variety_, box, impact_);
+  }
   [[nodiscard]] const Box& middle() const noexcept { return middle_.point; }
 
  private:
   using Intervals = std::vector<Interval>;
 
-  /// The derivative of an entry by a variable, where it is not 0.
-  struct Slope {
-    std::size_t row, column;
-    NodeId node;
-  };
-  struct SlopesOf {
-    std::size_t variable;
-    std::vector<Slope> entries;
-  };
-
-  void differentiate();
   [[nodiscard]] bool enclose(const Box& box);
   [[nodiscard]] bool find_inverse();
   void bound_error();
@@ -57,7 +43,7 @@ class LoadTest {
   [[nodiscard]] Interval possible_along(const std::vector<double>& direction);
   [[nodiscard]] Interval along(std::size_t row, const std::vector<double>& direction) const;
 
-  [[nodiscard]] const Interval& A(std::size_t i, std::size_t j) const { return A_[i * n_ + j]; }
+  [[nodiscard]] Interval A(std::size_t i, std::size_t j) const { return slopes_.entry(i, j); }
   [[nodiscard]] double K(std::size_t j, std::size_t i) const { return K_[i * n_ + j]; }
 
   Question& q_;
@@ -65,17 +51,11 @@ class LoadTest {
   const LoadBounds bounds_;
   const std::size_t m_, n_;
   std::vector<double> weight_;  ///< half of the range of each force; 0: the force is given
-  std::vector<SlopesOf> slopes_;
-  Evaluation defined_;
-  std::optional<Evaluation> at_middle_, over_box_;
+  MatrixSlopes slopes_;
   Outside outside_;
 
   // For one box.
   Middle middle_;
-  Intervals A_;                            ///< at the middle; without slopes: over the box
-  std::vector<std::vector<Interval>> dA_;  ///< by slopes_ and their entries
-  std::vector<double> radius_;             ///< by slopes_
-  bool has_slopes_ = false;
   ScaledRows scaled_;
   Matrix K_;                   ///< columns × rows
   std::vector<double> error_;  ///< P: |K·A − I| ≤ P, row by row

@@ -6,6 +6,13 @@
 
 namespace regulus::verifier {
 
+/// The answer of a test of a claim about a box.
+enum class BoxAnswer {
+  kOutside,  ///< no point of the box is in the variety
+  kProved,
+  kOpen,  ///< not shown
+};
+
 /// Shows that no point of a box is in the variety.
 class Outside {
  public:

@@ -73,7 +73,7 @@ class QuantityReader {
     if (is_of({format::kForce, format::kSpeed, format::kDeflection})) read_set();
     if (is_of({format::kError})) quantity_.errors = lines_.list("motor-error", q_.rows);
     if (is_of({format::kDeflection})) quantity_.stiffness = lines_.list("stiffness", q_.rows);
-    if (is_of({format::kSigmaMin, format::kSigmaMax, format::kCondition}))
+    if (is_of({format::kSigmaMin, format::kSigmaMax, format::kCondition, format::kCondition2}))
       quantity_.factors = lines_.list("factor", q_.columns);
     if (is_of({format::kSigmaMin, format::kDeflection}) && lines_.is("combined")) read_combined();
     if (is_of({format::kExpression})) read_expression();
@@ -96,7 +96,7 @@ class QuantityReader {
       is_known = is_signed || is_of({format::kError});
     else if (quantity_.side == format::kLargest)
       is_known = is_signed || is_of({format::kError, format::kSigmaMax, format::kCondition,
-                                     format::kExpression});
+                                     format::kCondition2, format::kExpression});
     else if (quantity_.side == format::kLeast)
       is_known = is_signed || is_of({format::kSigmaMin, format::kDeterminant, format::kExpression});
     if (!is_known)
@@ -191,8 +191,8 @@ class QuantityReader {
     if (!is_free && !is_zero(quantity_.reference))
       throw Rejection("this quantity has the reference 0");
     if (lines_.is("unbounded") && q_.singular) {
-      const bool needs_inverse =
-          is_of({format::kForce, format::kError, format::kDeflection, format::kCondition});
+      const bool needs_inverse = is_of({format::kForce, format::kError, format::kDeflection,
+                                        format::kCondition, format::kCondition2});
       if (!needs_inverse) throw Rejection("this quantity has a value where the matrix is singular");
       return lines_.advance();
     }
@@ -200,10 +200,10 @@ class QuantityReader {
     quantity_.bound = parse(words_.bound, {}, q_.graph);
   }
 
-  /// Only the speed of a motor, singular values and expressions need no inverse.
+  /// Only the speed of a motor, singular values, their ratio and expressions need no inverse.
   void require_shape() const {
-    const bool any_shape =
-        is_of({format::kSpeed, format::kSigmaMin, format::kSigmaMax, format::kExpression});
+    const bool any_shape = is_of({format::kSpeed, format::kSigmaMin, format::kSigmaMax,
+                                  format::kCondition2, format::kExpression});
     if (!any_shape && q_.rows != q_.columns)
       throw Rejection("the matrix is not square, so it has no inverse");
   }

@@ -103,6 +103,8 @@ struct QuantityLines {
   /// After border(): the matrix of the model, and its shape.
   std::vector<NodeId> model_matrix;
   std::size_t model_rows = 0, model_columns = 0;
+  /// The same, if is_about_ratio(): the matrix is diag(row_scales)·unscaled; no scales: it is unscaled.
+  std::vector<NodeId> row_scales, unscaled;
 };
 
 /// An expression with its line.

@@ -109,7 +109,11 @@ void put_in_single_values(Question& q) {
   Rewriting rewriting(q);
   for (auto* roots : {&q.matrix, &q.scale, &q.defined, &q.motion_defined, &q.constraints})
     rewriting.rewrite(*roots);
-  if (q.quantity) rewriting.rewrite(q.quantity->model_matrix);
+  if (q.quantity) {
+    rewriting.rewrite(q.quantity->model_matrix);
+    rewriting.rewrite(q.quantity->row_scales);
+    rewriting.rewrite(q.quantity->unscaled);
+  }
 }
 
 }  // namespace regulus::verifier

@@ -7,6 +7,7 @@
 #include "runtime/certificate/verifier/exact_determinant.hpp"
 #include "runtime/certificate/verifier/exact_point.hpp"
 #include "runtime/certificate/verifier/proof.hpp"
+#include "runtime/certificate/verifier/ratio.hpp"
 #include "runtime/certificate/verifier/shortage.hpp"
 #include "runtime/certificate/verifier/work_clock.hpp"
 
@@ -25,6 +26,7 @@ class WitnessChecker {
 
   void check() {
     if (q_.load) return check_shortage();
+    if (q_.quantity && is_about_ratio(*q_.quantity)) return check_ratio();
     const std::string reason = next_line();
     if (reason == std::string("reason ") + format::kLostRank) return check_lost_rank();
     if (q_.rows != q_.columns)
@@ -230,6 +232,23 @@ class WitnessChecker {
         throw Rejection("along this direction, forces within the limits give what the load needs");
     }
     throw Unfinished("it is not certain that the load needs more than the forces can give");
+  }
+
+  /// Shows with two vectors that the condition number at a point is at least the bound.
+  void check_ratio() {
+    const std::string reason = next_line();
+    if (reason != std::string("reason ") + format::kRatio)
+      throw Rejection("expected 'reason " + std::string(format::kRatio) + "'");
+    const ClaimedPoint point = read_point("0");
+    read_end();
+    if (!is_defined_within_constraints(point))
+      throw Unfinished("the matrix is not certainly defined at the point, within the constraints");
+    for (long bits = 64; bits <= options_.max_bits; bits *= 2) {
+      clock_.tick();
+      const auto values = values_over(q_, point.box, bits);
+      if (values && has_ratio(q_, values->matrix, bits)) return;
+    }
+    throw Unfinished("the condition number at the point is not certainly as large as the bound");
   }
 
   std::vector<double> read_direction() {

@@ -12,6 +12,8 @@
 #include "codegen/bound/condition_test.hpp"
 #include "codegen/model/model_file.hpp"
 #include "codegen/support/errors.hpp"
+#include "tests/support/certificates.hpp"
+#include "tests/support/temporary_directory.hpp"
 
 namespace regulus::test {
 namespace {
@@ -178,10 +180,6 @@ TEST(ConditionNumber, RefusesWhatItDoesNotHave) {
   EXPECT_THROW(
       static_cast<void>(quantity_of(request.model, {.quantity = "sigma-max", .norm = "2"})),
       UsageError);
-  BoundSettings settings = settings_with(0.01);
-  settings.certificate = "proof";
-  EXPECT_THROW(condition_of(model_with(R"m([[1, 0], [0, 1]])m", "x = [0, 2]\ny = 0"), settings),
-               UsageError);
 }
 
 double condition(const Eigen::MatrixXd& A) {
@@ -314,6 +312,44 @@ TEST(ConditionNumber, OfNoPoseOfARandomModelLeavesItsBracket) {
     EXPECT_LE(most, bound.proved->approx * (1 + 1e-12)) << seed;
     EXPECT_GE(bound.attained->approx, 0.98 * most) << seed;
   }
+}
+
+/// Returns a certificate with another number, in its line and in its words.
+std::string with_number(std::string text, double value) {
+  const std::size_t at = text.find("\nbound ") + 7;
+  const std::string old = text.substr(at, text.find('\n', at) - at);
+  for (std::size_t place = 0; (place = text.find(' ' + old, place)) != std::string::npos;)
+    text.replace(place + 1, old.size(), fmt::format("{:.12f}", value));
+  return text;
+}
+
+TEST(ConditionNumber, OfARandomModelIsProvedByItsCertificates) {
+  const TemporaryDirectory directory;
+  verifier::Options effort;
+  effort.max_boxes = 1000;
+  int proved = 0, refused = 0;
+  for (unsigned seed = 1; seed <= 12; ++seed) {
+    BoundSettings settings = settings_with(0.01);
+    settings.certificate = (directory.path() / "proof").string();
+    const ComponentBound bound = condition_of(RandomModel(seed).text(), settings);
+    const std::string attained = contents(settings.certificate + ".singular");
+    EXPECT_EQ(verify_text(attained, effort).outcome, verifier::Outcome::kVerified) << seed;
+    if (bound.is_unbounded) continue;
+    const std::string safe = contents(settings.certificate + ".safe");
+    const verifier::Verification v = verify_text(safe, effort);
+    EXPECT_EQ(v.outcome, verifier::Outcome::kVerified) << seed << ' ' << v.reason;
+    EXPECT_LE(v.boxes, 3 * v.leaves) << seed;
+    proved += v.outcome == verifier::Outcome::kVerified;
+    for (const double part : {1.0, 0.999, 0.9}) {
+      refused += verify_text(with_number(safe, part * bound.attained->approx), effort).outcome !=
+                 verifier::Outcome::kVerified;
+      // A larger number than any pose has is not attained.
+      refused += verify_text(with_number(attained, bound.proved->approx / part), effort).outcome !=
+                 verifier::Outcome::kVerified;
+    }
+  }
+  EXPECT_GT(proved, 6);
+  EXPECT_EQ(refused, 6 * proved);
 }
 
 }  // namespace

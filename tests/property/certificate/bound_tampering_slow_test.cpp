@@ -3,6 +3,8 @@
 // than an attained value.
 #include <fmt/format.h>
 
+#include <cmath>
+
 #include "codegen/bound/bound_run.hpp"
 #include "codegen/model/model_file.hpp"
 #include "tests/property/certificate/certificate_tampering.hpp"
@@ -54,11 +56,10 @@ Proofs proofs_of(const QuantityOptions& quantity) {
   return {contents(path + ".safe"), contents(path + ".singular")};
 }
 
-/// The line "parameter r in LO : HI".
-struct RangeLine {
+/// The line "bound E".
+struct BoundLine {
   std::size_t begin = 0, end = 0;
-  double high = 0;
-  bool is_two_sided = false;
+  double value = 0;
 };
 
 double number(const std::string& text) {
@@ -67,39 +68,35 @@ double number(const std::string& text) {
                                     : std::stod(text) / std::stod(text.substr(slash + 1));
 }
 
-std::optional<RangeLine> range_line(const std::string& text) {
-  RangeLine line;
-  line.begin = text.find("\nparameter r in ") + 1;
+std::optional<BoundLine> bound_line(const std::string& text) {
+  BoundLine line;
+  line.begin = text.find("\nbound ") + 1;
   line.end = text.find('\n', line.begin);
   if (line.begin == 0 || line.end == std::string::npos) return std::nullopt;
-  const std::string range = text.substr(line.begin + 15, line.end - line.begin - 15);
-  const std::size_t colon = range.find(" : ");
-  if (colon == std::string::npos) return std::nullopt;
   try {
-    line.high = number(range.substr(colon + 3));
+    line.value = number(text.substr(line.begin + 6, line.end - line.begin - 6));
   } catch (const std::exception&) {
     return std::nullopt;
   }
-  line.is_two_sided = range.starts_with("-");
   return line;
 }
 
-/// Returns the certificate with a larger range of r, that is, for a smaller bound.
-std::string with_range(const std::string& text, double high) {
-  const RangeLine line = *range_line(text);
-  const long millionths = std::lround(high * 1e6);
-  return text.substr(0, line.begin) +
-         fmt::format("parameter r in {} : {}/1000000",
-                     line.is_two_sided ? fmt::format("-{}/1000000", millionths) : "0", millionths) +
-         text.substr(line.end);
+/// Returns the certificate of another bound, in its line and in its words.
+std::string with_bound(const std::string& text, double value) {
+  const BoundLine line = *bound_line(text);
+  const std::string old = text.substr(line.begin + 6, line.end - line.begin - 6);
+  const std::string changed = fmt::format("{}/1000000000", std::llround(value * 1e9));
+  const std::string claim = ' ' + old + " at every";
+  std::string result = text.substr(0, line.begin) + "bound " + changed + text.substr(line.end);
+  return result.replace(result.find(claim), claim.size(), ' ' + changed + " at every");
 }
 
-/// Returns the question without the range of r; nullopt if that cannot be read.
+/// Returns the question without its claim and its bound; nullopt if that cannot be read.
 std::optional<std::string> rest_of_question(const std::string& text) {
-  const auto line = range_line(text);
-  if (!line) return std::nullopt;
-  return text.substr(0, line->begin) +
-         text.substr(line->end, text.find("\nproof") - std::min(line->end, text.find("\nproof")));
+  const auto line = bound_line(text);
+  const std::size_t model = text.find("\nmodel "), proof = text.find("\nproof");
+  if (!line || model == std::string::npos || proof < line->end) return std::nullopt;
+  return text.substr(model, line->begin - model) + text.substr(line->end, proof - line->end);
 }
 
 struct Asked {
@@ -112,13 +109,15 @@ class BoundTampering : public testing::TestWithParam<Asked> {};
 
 TEST_P(BoundTampering, NeverLeadsToASmallerBoundThatIsVerified) {
   const Proofs proofs = proofs_of(GetParam().options);
-  ASSERT_TRUE(range_line(proofs.safe) && range_line(proofs.singular));
+  ASSERT_TRUE(bound_line(proofs.safe) && bound_line(proofs.singular));
   ASSERT_EQ(verify_text(proofs.safe, little_effort()).outcome, verifier::Outcome::kVerified);
-  const double singular = range_line(proofs.singular)->high;
+  const double attained = bound_line(proofs.singular)->value;
+  // Of a least value, a larger bound claims more.
+  const double beyond = bound_line(proofs.safe)->value > attained ? -1 : 1;
   RandomSource random(19);
   for (int change = 0; change < 60; ++change) {
-    const double high = singular * (1.000001 + 0.05 * change);
-    const std::string changed = with_range(proofs.safe, high);
+    const double value = attained + beyond * std::abs(attained) * (1e-6 + 0.01 * change);
+    const std::string changed = with_bound(proofs.safe, value);
     EXPECT_NE(verify_text(changed, little_effort()).outcome, verifier::Outcome::kVerified)
         << changed;
   }
@@ -127,9 +126,19 @@ TEST_P(BoundTampering, NeverLeadsToASmallerBoundThatIsVerified) {
     if (change % 2 == 0) changed = with_one_byte_changed(changed, random);
     if (!judge(proofs.safe, changed, random)) continue;
     if (rest_of_question(changed) == rest_of_question(proofs.safe)) {
-      EXPECT_LT(range_line(changed)->high, singular) << changed;
+      EXPECT_LT(beyond * (bound_line(changed)->value - attained), 0) << changed;
     }
   }
+}
+
+/// The changes themselves are read: a bound that claims less is verified.
+TEST_P(BoundTampering, MayClaimLess) {
+  const Proofs proofs = proofs_of(GetParam().options);
+  const double safe = bound_line(proofs.safe)->value;
+  const double beyond = safe > bound_line(proofs.singular)->value ? -1 : 1;
+  const verifier::Verification v =
+      verify_text(with_bound(proofs.safe, safe - beyond * 0.01 * std::abs(safe)), little_effort());
+  EXPECT_EQ(v.outcome, verifier::Outcome::kVerified) << v.reason;
 }
 
 INSTANTIATE_TEST_SUITE_P(
@@ -139,7 +148,8 @@ INSTANTIATE_TEST_SUITE_P(
                     Asked{{.quantity = "speed", .row = "1"}},
                     Asked{{.quantity = "error", .freedom = "v_x"}},
                     Asked{{.quantity = "deflection", .freedom = "v_x"}},
-                    Asked{{.quantity = "sigma-max"}}, Asked{{.quantity = "sigma-min"}}));
+                    Asked{{.quantity = "sigma-max"}}, Asked{{.quantity = "sigma-min"}},
+                    Asked{{.quantity = "condition", .norm = "2"}}));
 
 }  // namespace
 }  // namespace regulus::test

@@ -41,14 +41,17 @@ std::string swapped(std::string text) {
 Outcome verified_witness(const BoundClaim& claim, const Place& place) {
   const std::string head = head_of(claim, true), witness = witness_of(claim, place);
   const Outcome first = verified(head + witness).outcome;
-  return first == Outcome::kVerified ? first : verified(head + swapped(witness)).outcome;
+  const bool has_signs = claim.kind != "condition-2";
+  return first == Outcome::kVerified || !has_signs ? first
+                                                   : verified(head + swapped(witness)).outcome;
 }
 
 /// Sets the bound `factor` times as far from the reference as the extreme; y is below the extreme.
 void set_bound(BoundClaim& claim, double extreme, double factor) {
   const double q = claim.sign() * extreme;
   const bool may_have_reference = claim.side != "absolute" && claim.kind != "error" &&
-                                  claim.kind != "condition" && !claim.kind.starts_with("sigma");
+                                  !claim.kind.starts_with("condition") &&
+                                  !claim.kind.starts_with("sigma");
   claim.reference = may_have_reference ? std::floor(q) - 1 : 0;
   claim.bound = claim.is_direct()
                     ? extreme / factor

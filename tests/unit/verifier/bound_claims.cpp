@@ -126,6 +126,8 @@ double value_at(const BoundClaim& c, const Place& place) {
     q = (std::abs(A[c.row][0]) + std::abs(A[c.row][1])) * product(inverse(A)[c.column], w);
   }
   if (c.kind.starts_with("sigma")) q = singular_value(with_factors(c, J), c.kind == "sigma-max");
+  if (c.kind == "condition-2")
+    q = singular_value(with_factors(c, J), true) / singular_value(with_factors(c, J), false);
   if (c.has_norms) q += c.sign() * c.radius * std::hypot(J[c.row][0], J[c.row][1]);
   return c.side == "absolute" ? std::abs(q) : q;
 }
@@ -151,7 +153,7 @@ BoundClaim random_claim(std::mt19937& random) {
   using Words = std::vector<const char*>;
   BoundClaim c;
   c.kind = pick(Words{"force", "force", "speed", "error", "deflection", "condition", "sigma-min",
-                      "sigma-max", "expression"});
+                      "sigma-max", "condition-2", "expression"});
   c.is_norm = c.kind == "error" && random() % 2 == 0;
   const bool is_signed = has_set(c);
   c.side = is_signed                         ? pick(Words{"absolute", "largest", "least"})
@@ -191,7 +193,8 @@ std::string head_of(const BoundClaim& c, bool is_attained) {
     text += fmt::format("motor-error {}\n", c.errors[k]);
   for (std::size_t k = 0; k < 2 && c.kind == "deflection"; ++k)
     text += fmt::format("stiffness {}\n", c.stiffness[k]);
-  for (std::size_t k = 0; k < 2 && (c.kind == "condition" || c.kind.starts_with("sigma")); ++k)
+  for (std::size_t k = 0; k < 2 && (c.kind.starts_with("condition") || c.kind.starts_with("sigma"));
+       ++k)
     text += fmt::format("factor {}\n", c.factor[k]);
   if (c.kind == "expression") text += "expression x^2 - x\n";
   return text + fmt::format("reference {}\nbound {}\nproof\n", c.reference, words.bound);
@@ -199,9 +202,10 @@ std::string head_of(const BoundClaim& c, bool is_attained) {
 
 std::string proof_of(const BoundClaim&) { return "l 0 h-matrix\nend 1\n"; }
 
-/// Which of the two points has the positive determinant is not known here.
+/// Which of two points has the positive determinant is not known here.
 std::string witness_of(const BoundClaim& c, const Place& place) {
   constexpr double kBeside = 1e-6;
+  if (c.kind == "condition-2") return fmt::format("reason ratio\npoint 0 {:a}\nend\n", place.x);
   const double q = c.sign() * value_at(c, place);
   const double r = c.is_direct() ? std::abs(q) : 1 / (q - c.reference);
   const double end = c.is_direct() ? c.bound : 1 / (c.sign() * c.bound - c.reference);

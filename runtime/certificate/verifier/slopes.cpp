@@ -1,0 +1,70 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "runtime/certificate/verifier/slopes.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "runtime/certificate/verifier/derivative.hpp"
+#include "runtime/certificate/verifier/rounding.hpp"
+
+namespace regulus::verifier {
+namespace {
+
+constexpr double kNarrowestSplit = 0x1p-44;  ///< of a range, relative to the variety's
+
+}  // namespace
+
+MatrixSlopes::MatrixSlopes(Question& question)
+    : q_(question),
+      defined_(question, join({&question.matrix, &question.defined, &question.motion_defined})) {
+  std::vector<NodeId> roots;
+  for (std::size_t k = 0; k < question.variables.size(); ++k) {
+    Differentiator by(question.graph, k);
+    SlopesOf slopes{k, {}};
+    for (std::size_t e = 0; e < question.matrix.size(); ++e)
+      if (const NodeId node = by.of(question.matrix[e]); node != kNoNode) {
+        slopes.entries.push_back({e / question.columns, e % question.columns, node});
+        roots.push_back(node);
+      }
+    if (!slopes.entries.empty()) slopes_.push_back(std::move(slopes));
+  }
+  at_middle_.emplace(q_, q_.matrix);
+  over_box_.emplace(q_, roots);
+}
+
+bool MatrixSlopes::run(const Box& box, const Middle& middle) {
+  if (!defined_.run(box)) return false;
+  has_slopes_ = over_box_->run(box) && at_middle_->run(middle.point);
+  A_.clear(), dA_.clear(), radius_.clear();
+  for (const NodeId entry : q_.matrix)
+    A_.push_back(has_slopes_ ? at_middle_->value(entry) : defined_.value(entry));
+  for (const SlopesOf& slopes : of()) {
+    dA_.emplace_back();
+    for (const Slope& slope : slopes.entries) dA_.back().push_back(over_box_->value(slope.node));
+    radius_.push_back(middle.radius[slopes.variable]);
+    if (!is_moderate(dA_.back())) return false;
+  }
+  return is_moderate(A_) && is_moderate(radius_);
+}
+
+std::optional<std::size_t> variable_of_impact(const Variety& variety, const Box& box,
+                                              const std::vector<double>& impact) {
+  const bool has_impact = std::any_of(impact.begin(), impact.end(),
+                                      [](double x) { return x > 0.0 && std::isfinite(x); });
+  std::optional<std::size_t> best;
+  double most = 0.0;
+  for (std::size_t k = 0; k < box.size(); ++k) {
+    const Interval x = box[k], root = variety.outer[k];
+    const double middle = mid(x), width = (x.hi - x.lo) / (root.hi - root.lo);
+    if (!(x.lo < middle && middle < x.hi && width > kNarrowestSplit)) continue;
+    const double score = has_impact ? impact[k] : width;
+    if (score > most) best = k, most = score;
+  }
+  return best;
+}
+
+bool is_moderate(const std::vector<Interval>& values) {
+  return std::all_of(values.begin(), values.end(), [](Interval x) { return mag(x) <= kLargest; });
+}
+
+}  // namespace regulus::verifier
