@@ -18,10 +18,11 @@ using Json = nlohmann::ordered_json;
 
 constexpr const char* kFormat = "regulus_bracket_checkpoint";
 constexpr int kFormatVersion = 2;
-constexpr std::uint64_t kLargest = 64 << 20;
+constexpr const char* kSearchState = "search";
+constexpr std::uint64_t kLargest = std::uint64_t{4} << 30;
 
 [[noreturn]] void refuse(const std::string& path, const std::string& why) {
-  throw InputError::statement(path, 0, "the brackets cannot continue from this file: " + why,
+  throw InputError::statement(path, 0, "the bounds cannot continue from this file: " + why,
                               "name another file, or delete this one to start again");
 }
 
@@ -30,7 +31,7 @@ Json read_content(const std::string& path, const std::string& text, const Json& 
   const Json content = Json::parse(text, nullptr, false);
   if (!content.is_object() || !content.contains(kFormat) || !content.contains("question") ||
       !content.contains("brackets") || !content["brackets"].is_object())
-    refuse(path, "it is not a checkpoint of brackets, or it is damaged");
+    refuse(path, "it is not a checkpoint of bounds, or it is damaged");
   if (content[kFormat] != kFormatVersion) refuse(path, "another version of Regulus wrote it");
   if (content["question"] != question) refuse(path, "it is about another question");
   return content;
@@ -141,6 +142,17 @@ std::unique_ptr<EarlierSearches> BoundCheckpoint::searches_of(const MarginQuesti
   return std::make_unique<Searches>(
       *this, label + " from " + reference + ", " + bracket.low.text + ":" + high);
 }
+
+Json BoundCheckpoint::search_state() const {
+  return content_.contains(kSearchState) ? content_[kSearchState] : Json();
+}
+
+void BoundCheckpoint::keep_search_state(Json state) {
+  content_[kSearchState] = std::move(state);
+  save();
+}
+
+void BoundCheckpoint::refuse(const std::string& why) const { bounding::refuse(path_, why); }
 
 void BoundCheckpoint::save() try {
   AtomicFile file(path_, path_ + ".new");

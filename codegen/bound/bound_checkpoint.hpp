@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The option --checkpoint of brackets: the outcomes of the searches of earlier runs, in a file.
+// The option --checkpoint of bounds: the outcomes of the searches of earlier runs, in a file.
 #pragma once
 
 #include <memory>
@@ -28,6 +28,12 @@ class BoundCheckpoint {
   [[nodiscard]] std::unique_ptr<EarlierSearches> searches_of(const MarginQuestion& bracket,
                                                              const std::string& label,
                                                              const std::string& reference);
+
+  /// Returns the state of the search of a bound that is no bracket of searches; null: there is none.
+  [[nodiscard]] nlohmann::ordered_json search_state() const;
+  void keep_search_state(nlohmann::ordered_json state);
+  /// Throws InputError, with the name of the file.
+  [[noreturn]] void refuse(const std::string& why) const;
 
  private:
   class Searches;

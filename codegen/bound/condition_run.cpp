@@ -5,7 +5,7 @@
 #include <cmath>
 
 #include "codegen/bound/condition_certificate.hpp"
-#include "codegen/bound/condition_search.hpp"
+#include "codegen/bound/condition_checkpoint.hpp"
 #include "codegen/certificate/certificate_question.hpp"
 #include "codegen/engine/search_run.hpp"
 #include "codegen/engine/settings.hpp"
@@ -102,8 +102,8 @@ class ConditionRun {
     for (Observer* observer : {certificate_->observer(), display.observer()})
       if (observer != nullptr) watching.push_back(observer);
     Observers observers(std::move(watching));
-    const ConditionResult found =
-        search_condition({problem, scaling}, search_settings(), &observers);
+    const ConditionResult found = search_with_checkpoint({problem, scaling}, search_settings(),
+                                                         &observers, settings_.checkpoint);
     prepared_.seconds.search = found.seconds;
     result_.boxes += found.boxes;
     result_.seconds += prepared_.seconds_spent();
@@ -176,6 +176,7 @@ class ConditionRun {
     BoundSettings settings = settings_;
     settings.limit.reset();
     settings.certificate.clear();
+    settings.checkpoint = nullptr;  // it is of this search
     settings.gap = kGapOfExtremes;
     const Quantity asked = quantity_of(request_.model, {.quantity = quantity});
     const ComponentBound bound = other_(asked.components.front(), settings, seconds);
@@ -219,7 +220,7 @@ class ConditionRun {
     else if (found.is_closed && found.proved <= limit.lo)
       result_.verdict = LimitVerdict::kWithin;
     else if (!found.is_empty)
-      result_.reason = describe(found.reason);
+      result_.reason = describe_end(found);
   }
 
   void set_ends(const ConditionResult& found) {
@@ -228,7 +229,7 @@ class ConditionRun {
     if (found.attained)
       result_.attained = decimal_end(found.attained->shown.condition, RoundTo::kBelow);
     result_.is_closed = found.is_closed && found.attained.has_value();
-    if (!result_.is_closed) result_.reason = describe(found.reason);
+    if (!result_.is_closed) result_.reason = describe_end(found);
   }
 
   const Request& request_;
@@ -243,14 +244,12 @@ class ConditionRun {
 }  // namespace
 
 void refuse_unsupported(const Request& request, const Quantity& quantity,
-                        const BoundSettings& settings, bool has_checkpoint) {
+                        const BoundSettings& settings) {
   if (quantity.kind != QuantityKind::kCondition2) return;
   if (request.motion.trajectory)
     throw UsageError(
         "condition --norm 2: a motion along way-points cannot be bounded yet; give the motion a "
         "formula, or ranges");
-  if (has_checkpoint)
-    throw UsageError("--checkpoint: the search of condition --norm 2 saves none; leave it out");
   if (settings.search.workers != nullptr)
     throw UsageError(
         "condition --norm 2: this question runs on one machine; use regulus, with --threads");

@@ -7,9 +7,9 @@
 namespace regulus::inline bounding {
 
 /// Throws    UsageError if the quantity is a condition number in the 2-norm and the settings ask for
-///           what its search does not have: way-points, a checkpoint, processes of a cluster.
+///           what its search does not have: way-points, processes of a cluster.
 void refuse_unsupported(const Request& request, const Quantity& quantity,
-                        const BoundSettings& settings, bool has_checkpoint);
+                        const BoundSettings& settings);
 
 /// Brackets another quantity of the same question, in so many seconds.
 using OtherBound =

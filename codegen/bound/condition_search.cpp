@@ -4,109 +4,45 @@
 #include <algorithm>
 #include <chrono>
 #include <cmath>
-#include <memory>
-#include <new>
 #include <queue>
-#include <thread>
 
-#include "runtime/interval/floating_point_scope.hpp"
+#include "codegen/bound/condition_proofs.hpp"
 
 namespace regulus::inline bounding {
 namespace {
 
-using Box = std::vector<Interval>;
+using Box = BoxJudges::Box;
 
 /// The boxes that are split in a round, whatever the number of threads.
 constexpr std::size_t kParentsOfRound = 32;
 /// If no bound is known after so many boxes, a singular pose is likely, or one that is nearly so.
 constexpr std::uint64_t kBoxesBeforeDoubt = 1024;
-
-/// The result for one box.
-struct BoxFinding {
-  bool is_outside = false, is_undefined = false;
-  ConditionBound bound{};
-  std::optional<ConditionWitness> attained{};
-};
-
-/// Decides boxes. Each thread has its own.
-class BoxJudge {
- public:
-  explicit BoxJudge(const ConditionQuestion& question)
-      : problem_(question.problem),
-        rows_(question.problem.kernel->rows),
-        columns_(question.problem.kernel->columns),
-        rotated_(question.problem, question.scaling),
-        matrices_(rotated_.matrices()) {}
-
-  /// `attained`: a smaller κ is of no use.
-  void judge(std::span<const Box> boxes, std::span<BoxFinding> findings, double attained) {
-    rotated_.evaluate(boxes);
-    std::vector<Box> points;
-    std::vector<std::size_t> of;
-    for (std::size_t lane = 0; lane < boxes.size(); ++lane) {
-      BoxFinding& finding = findings[lane];
-      finding.is_outside = matrices_.is_outside(lane);
-      if (finding.is_outside) continue;
-      const std::optional<RotatedBox> rotated = rotated_.rotated(lane);
-      finding.is_undefined = !rotated;
-      if (rotated) finding.bound = bound_condition(*rotated);
-      if (matrices_.is_inhabited(lane))
-        keep(finding, matrices_.point(lane), matrices_.matrix_at_point(lane), attained);
-      if (finding.bound.growth.empty() || !(finding.bound.upper > attained)) continue;
-      points.push_back(corner(boxes[lane], matrices_.point(lane), finding.bound.growth));
-      of.push_back(lane);
-    }
-    if (points.empty()) return;
-    const auto matrices = matrices_.at(points);
-    for (std::size_t i = 0; i < points.size(); ++i)
-      if (matrices[i]) keep(findings[of[i]], points[i], *matrices[i], attained);
-  }
-
- private:
-  /// Returns the corner of the box in whose direction κ grows.
-  [[nodiscard]] Box corner(const Box& box, Box point, const std::vector<double>& growth) const {
-    for (std::size_t v = 0; v < point.size(); ++v) {
-      const std::optional<Interval>& inner = problem_.inner[v];
-      if (!inner || growth[v] == 0 || std::isnan(growth[v])) continue;
-      point[v] = std::clamp(growth[v] > 0 ? box[v].hi : box[v].lo, inner->lo, inner->hi);
-    }
-    return point;
-  }
-
-  void keep(BoxFinding& finding, const Box& point, std::span<const Interval> A, double attained) {
-    StretchedVectors shown = attained_condition(A, rows_, columns_);
-    const double known = finding.attained ? finding.attained->shown.condition : attained;
-    if (shown.condition > known) finding.attained.emplace(ConditionWitness{point, shown});
-  }
-
-  const Problem& problem_;
-  const std::size_t rows_, columns_;
-  RotatedBoxes rotated_;
-  BoxMatrices& matrices_;
-};
+/// Seconds between two saves: a tenth of the time so far, within these bounds.
+constexpr double kSoonestSave = 0.25, kLatestSave = 10;
+/// Saving takes at most this part of the time.
+constexpr double kPartForSaving = 0.05;
 
 class ConditionSearch {
  public:
   ConditionSearch(const ConditionQuestion& question, const ConditionSettings& settings,
                   Observer* progress)
-      : problem_(question.problem), settings_(settings), progress_(progress) {
-    const unsigned most = unsigned(2 * kParentsOfRound / kLanes);
-    for (unsigned t = 0; t < std::clamp(settings.threads, 1U, most); ++t)
-      judges_.push_back(std::make_unique<BoxJudge>(question));
+      : problem_(question.problem),
+        settings_(settings),
+        progress_(progress),
+        judges_(question, settings.threads, 2 * kParentsOfRound) {
     for (const Interval& range : problem_.outer) ranges_.push_back(width_ru(range));
   }
 
   ConditionResult run() {
     announce();
-    begin_round();
-    add_child({0, kInfinity, problem_.outer, {}});
-    finish_round();
-    while (!must_stop()) {
-      begin_round();
-      while (!open_.empty() && children_.size() < 2 * kParentsOfRound && !is_settled())
-        split_largest();
-      finish_round();
-    }
+    if (settings_.from != nullptr)
+      result_.is_continued = continue_from(*settings_.from);
+    else
+      decide_root();
+    if (result_.is_continued)
+      search();
+    else
+      open_.push(root());
     finish();
     return std::move(result_);
   }
@@ -124,7 +60,29 @@ class ConditionSearch {
       return a.upper < b.upper || (a.upper == b.upper && a.id > b.id);
     }
   };
+  struct OpenBoxes : std::priority_queue<OpenBox> {
+    [[nodiscard]] const std::vector<OpenBox>& in_any_order() const { return c; }
+  };
   using Clock = std::chrono::steady_clock;
+
+  [[nodiscard]] OpenBox root() const { return {0, kInfinity, problem_.outer, {}}; }
+
+  void decide_root() {
+    begin_round();
+    add_child(root());
+    finish_round();
+  }
+
+  void search() {
+    while (!must_stop()) {
+      begin_round();
+      while (!open_.empty() && children_.size() < 2 * kParentsOfRound && !is_settled())
+        split_largest();
+      finish_round();
+      save_now_and_then();
+    }
+    save();
+  }
 
   void announce() {
     if (progress_ == nullptr) return;
@@ -164,45 +122,58 @@ class ConditionSearch {
     if (attained() == kInfinity || result_.is_singular) return true;
     if (settings_.limit && attained() >= settings_.limit->hi) return true;
     if (is_settled() || (!is_low(settled_) && open_.top().upper <= settled_)) return true;
-    if (is_out_of_memory_) return stop(Reason::kMemory), true;
-    if (settings_.interrupt != nullptr && *settings_.interrupt)
-      return stop(Reason::kInterrupted), true;
+    if (is_disturbed()) return true;
     if (result_.boxes >= settings_.max_boxes) return stop(Reason::kBoxBudget), true;
-    if (seconds() >= settings_.time_limit) return stop(Reason::kTimeBudget), true;
+    if (is_late()) return true;
     if (result_.boxes >= kBoxesBeforeDoubt && proved() == kInfinity) ask();
     return result_.is_singular || is_settled();
   }
 
+  [[nodiscard]] bool is_disturbed() {
+    if (is_out_of_memory_) return stop(Reason::kMemory), true;
+    if (settings_.interrupt != nullptr && *settings_.interrupt)
+      return stop(Reason::kInterrupted), true;
+    return false;
+  }
+  [[nodiscard]] bool is_late() {
+    if (seconds() >= settings_.time_limit) return stop(Reason::kTimeBudget), true;
+    return false;
+  }
+
+  /// A later run asks again if there was no answer: it may have more time.
   void ask() {
     if (has_asked_ || !settings_.ask || result_.reason == Reason::kInterrupted) return;
     has_asked_ = true;
     const ConditionHint hint = settings_.ask(settings_.time_limit - seconds());
     result_.is_singular = hint.is_singular;
     known_ = hint.upper;
+    if (hint.is_singular || hint.upper < kInfinity) state_.was_told = true;
   }
 
   void begin_round() { children_.clear(), boxes_.clear(); }
 
-  /// A box that cannot be split keeps its bound.
   void split_largest() {
     OpenBox parent = open_.top();
     open_.pop();
     const std::optional<std::size_t> variable = choose(parent);
-    if (!variable) {
-      if (parent.upper > settled_) stop(parent.is_undefined ? Reason::kUndefined : Reason::kWidth);
-      return settle(parent);
-    }
-    const Halves halves = *bisect(parent.box[*variable]);
-    if (progress_ != nullptr)
-      progress_->on_split(
-          {parent.id, 0, parent.box},
-          {parent.id, static_cast<std::uint32_t>(*variable), halves.left.hi, next_id_});
+    if (!variable) return give_up(parent);
+    const BoxId lower = next_id_;
+    const Halves halves = split(parent.id, parent.box, *variable);
     Box upper = parent.box;
     parent.box[*variable] = halves.left;
     upper[*variable] = halves.right;
-    add_child({next_id_, parent.upper, std::move(parent.box), {}});
-    add_child({next_id_ + 1, parent.upper, std::move(upper), {}});
+    add_child({lower, parent.upper, std::move(parent.box), {}});
+    add_child({lower + 1, parent.upper, std::move(upper), {}});
+  }
+
+  Halves split(BoxId id, const Box& box, std::size_t variable) {
+    const Halves halves = *bisect(box[variable]);
+    if (progress_ != nullptr)
+      progress_->on_split({id, 0, box},
+                          {id, static_cast<std::uint32_t>(variable), halves.left.hi, next_id_});
+    if (settings_.save) state_.add_split(id, variable);
     next_id_ += 2;
+    return halves;
   }
 
   void add_child(OpenBox child) {
@@ -228,40 +199,17 @@ class ConditionSearch {
   void finish_round() {
     findings_.assign(boxes_.size(), {});
     result_.boxes += boxes_.size();
-    judge_round();
+    if (!judges_.judge(boxes_, findings_, attained())) is_out_of_memory_ = true;
     for (std::size_t i = 0; i < boxes_.size(); ++i) conclude(i);
     if (progress_ != nullptr) progress_->on_progress(statistics(), open_.size());
-  }
-
-  void judge_round() {
-    std::atomic<std::size_t> next = 0;
-    const double known = attained();
-    const auto work = [&](BoxJudge& judge) noexcept {
-      const FloatingPointScope nearest(FloatingPointRounding::kNearest);
-      for (std::size_t at; (at = kLanes * next++) < boxes_.size();) {
-        const std::size_t count = std::min(kLanes, boxes_.size() - at);
-        try {
-          judge.judge(std::span<const Box>(boxes_).subspan(at, count),
-                      std::span(findings_).subspan(at, count), known);
-        } catch (const std::bad_alloc&) {
-          is_out_of_memory_ = true;
-        }
-      }
-    };
-    const std::size_t batches = (boxes_.size() + kLanes - 1) / kLanes;
-    std::vector<std::jthread> others;
-    for (std::size_t t = 1; t < std::min(judges_.size(), batches); ++t)
-      others.emplace_back([&work, this, t] { work(*judges_[t]); });
-    work(*judges_.front());
   }
 
   void conclude(std::size_t i) {
     BoxFinding& finding = findings_[i];
     OpenBox& child = children_[i];
-    if (finding.is_outside) return leave(child, Rule::kOutside);
+    if (finding.is_outside) return exclude(child);
     is_empty_ = false;
-    if (finding.attained && finding.attained->shown.condition > attained())
-      result_.attained = std::move(finding.attained);
+    attain(child.id, finding.attained);
     child.upper = std::min(child.upper, finding.bound.upper);
     child.impact = std::move(finding.bound.impact);
     child.is_undefined = finding.is_undefined;
@@ -271,13 +219,95 @@ class ConditionSearch {
       open_.push(std::move(child));
   }
 
+  void attain(BoxId box, std::optional<ConditionWitness>& witness) {
+    if (!witness || !(witness->shown.condition > attained())) return;
+    result_.attained = std::move(witness);
+    state_.attained = box;
+  }
+
+  void exclude(const OpenBox& box) {
+    if (settings_.save) state_.add_outside(box.id);
+    leave(box, Rule::kOutside);
+  }
   /// The box keeps its bound.
   void settle(const OpenBox& box) {
     settled_ = std::max(settled_, box.upper);
+    if (settings_.save) state_.add_settled(box.id, box.upper);
     leave(box, Rule::kSecondOrder);
+  }
+  /// The box cannot be split.
+  void give_up(const OpenBox& box) {
+    if (box.upper > settled_) stop(box.is_undefined ? Reason::kUndefined : Reason::kWidth);
+    settle(box);
   }
   void leave(const OpenBox& box, Rule rule) {
     if (progress_ != nullptr) progress_->on_leaf({box.id, 0, box.box}, rule, {});
+  }
+
+  /// Returns false if it had to stop before.
+  bool continue_from(const ConditionState& from) {
+    const ConditionTree tree(from, problem_.outer);
+    result_.boxes = tree.size();
+    auto proved =
+        prove_again(tree, from.attained, judges_, [this] { return is_disturbed() || is_late(); });
+    if (!proved && !is_disturbed() && !is_late()) {
+      is_out_of_memory_ = true;
+      stop(Reason::kMemory);
+    }
+    if (!proved) return false;
+    if (from.attained) attain(*from.attained, proved->attained);
+    if (from.was_told) ask();
+    state_.was_told = from.was_told;
+    repeat(tree, proved->leaves);
+    saved_ = seconds();
+    return true;
+  }
+
+  /// Tells of the splits and leaves in their order.
+  void repeat(const ConditionTree& tree, std::vector<ProvedLeaf>& proved) {
+    std::size_t leaf = 0;
+    for (const ConditionTree::Step& step : tree.steps())
+      if (step.variable)
+        split(step.box, tree.box(step.box), *step.variable);
+      else
+        conclude_again({step.box, kInfinity, tree.box(step.box), {}}, proved[leaf++], true);
+    for (; leaf < proved.size(); ++leaf) {
+      const BoxId id = tree.leaves()[leaf].box;
+      conclude_again({id, kInfinity, tree.box(id), {}}, proved[leaf], false);
+    }
+    if (progress_ != nullptr) progress_->on_progress(statistics(), open_.size());
+  }
+
+  /// With another gap, a box may be split that was not split any more.
+  void conclude_again(OpenBox box, ProvedLeaf& proved, bool was_settled) {
+    if (proved.is_outside) return exclude(box);
+    is_empty_ = false;
+    box.upper = proved.upper;
+    box.impact = std::move(proved.impact);
+    box.is_undefined = proved.is_undefined;
+    if (was_settled && is_low(box.upper)) return settle(box);
+    if (was_settled && !choose(box)) return give_up(box);
+    open_.push(std::move(box));
+  }
+
+  void save_now_and_then() {
+    const double now = seconds();
+    const double pause = std::max(std::clamp(now / 10, kSoonestSave, kLatestSave),
+                                  seconds_of_save_ / kPartForSaving);
+    if (now - saved_ >= pause) save();
+  }
+
+  void save() {
+    if (!settings_.save || is_out_of_memory_) return;
+    const double start = seconds();
+    std::vector<const OpenBox*> open;
+    for (const OpenBox& box : open_.in_any_order()) open.push_back(&box);
+    std::ranges::sort(open, {}, &OpenBox::id);
+    state_.open.clear();
+    for (const OpenBox* box : open) state_.add_open(box->id, box->upper);
+    settings_.save(state_);
+    saved_ = seconds();
+    seconds_of_save_ = saved_ - start;
   }
 
   void finish() {
@@ -299,17 +329,18 @@ class ConditionSearch {
   const Problem& problem_;
   const ConditionSettings& settings_;
   Observer* progress_;
-  std::vector<std::unique_ptr<BoxJudge>> judges_;
+  BoxJudges judges_;
   std::vector<double> ranges_;
-  std::priority_queue<OpenBox> open_;
+  OpenBoxes open_;
   std::vector<OpenBox> children_;  ///< of the round, in the order of their numbers
   std::vector<Box> boxes_;         ///< theirs
   std::vector<BoxFinding> findings_;
   BoxId next_id_ = 1;
   double known_ = kInfinity;  ///< κ is below that everywhere
   double settled_ = 0;        ///< the largest bound of all boxes that are not split any more
-  bool is_empty_ = true, has_asked_ = false;
-  std::atomic<bool> is_out_of_memory_ = false;
+  bool is_empty_ = true, has_asked_ = false, is_out_of_memory_ = false;
+  ConditionState state_;  ///< without its open boxes
+  double saved_ = 0, seconds_of_save_ = 0;
   const Clock::time_point start_ = Clock::now();
   ConditionResult result_;
 };

@@ -9,17 +9,12 @@
 #include <optional>
 #include <vector>
 
-#include "codegen/bound/condition_test.hpp"
+#include "codegen/bound/condition_judge.hpp"
+#include "codegen/bound/condition_state.hpp"
 #include "runtime/problem/observer.hpp"
 #include "runtime/problem/result.hpp"
 
 namespace regulus::inline bounding {
-
-/// The question for a kernel of the matrix with derivatives of its entries.
-struct ConditionQuestion {
-  const Problem& problem;
-  const MatrixScaling& scaling;  ///< of the kernel's matrix
-};
 
 /// Facts about κ that a search starts with.
 struct ConditionHint {
@@ -39,12 +34,9 @@ struct ConditionSettings {
   /// Answers in another way what the search does not find out. It is asked at most once, if after
   /// some boxes no bound is known. It gets the number of seconds that are left.
   std::function<ConditionHint(double seconds)> ask{};
-};
-
-/// A pose of the variety and values of the uncertain quantities, with vectors that show κ there.
-struct ConditionWitness {
-  std::vector<Interval> variables;  ///< thin, or enclosing the only value
-  StretchedVectors shown;
+  const ConditionState* from = nullptr;  ///< continue from there
+  /// Called between rounds, now and then and when the search stops.
+  std::function<void(const ConditionState&)> save{};
 };
 
 struct ConditionResult {
@@ -54,9 +46,10 @@ struct ConditionResult {
   bool is_singular = false;  ///< proved by ConditionSettings::ask or by `attained`
   bool is_closed = false;    ///< the bracket is as narrow as wanted, or the limit is decided
   bool is_empty = false;     ///< the constraints exclude every pose
+  bool is_continued = true;  ///< false: it stopped before the facts of `from` were proved again
   Reason reason = Reason::kAllBoxesCertified;  ///< why it is not closed
-  std::uint64_t boxes = 0;
-  double seconds = 0;
+  std::uint64_t boxes = 0;                     ///< with those of `from`
+  double seconds = 0;                          ///< of this run
 };
 
 /// Splits the box with the largest bound, again and again.
@@ -64,8 +57,14 @@ struct ConditionResult {
 /// The boxes of a round are decided by several threads and concluded in order, so the result does
 /// not depend on the threads. `progress` may be null. It receives every split before those below it,
 /// and every box that is not split as a leaf, with the rule kOutside or kSecondOrder.
+/// A search that continues tells it first of all splits and leaves that were made before, in their
+/// order.
+///
+/// Nothing in the result rests on the numbers of `from`. From a state of the same question the search
+/// goes on as if it had not stopped, with the same boxes and the same result.
 ///
 /// Requires  the matrix of the kernel is m×n, m ≥ n, and is that whose κ is asked.
+/// Throws    ConditionStateError if `from` is no state of a search with these variables.
 [[nodiscard]] ConditionResult search_condition(const ConditionQuestion& question,
                                                const ConditionSettings& settings,
                                                Observer* progress);

@@ -27,6 +27,11 @@ constexpr const char* kBoundCertificate =
     "Write two proofs for each leg or freedom: FILE.leg_3.safe proves that no value is beyond the "
     "bracket, FILE.leg_3.singular that its other end is attained";
 
+constexpr const char* kBoundCheckpoint =
+    "Save the outcome of each search to FILE when it ends (of condition --norm 2 the search "
+    "itself, "
+    "about every ten seconds); if FILE exists, continue from it, and prove again what it says";
+
 }  // namespace
 
 void CommandTables::add_bound() {
@@ -42,6 +47,7 @@ void CommandTables::add_bound() {
   add_certificate_option(*bound_command, bound.certificate, kBoundCertificate);
   refuse_shard_option(*bound_command);
   add_bracket_checkpoint(*bound_command, bound.checkpoint);
+  bound_command->get_option("--checkpoint")->description(kBoundCheckpoint);
   add_output_options(*bound_command, bound.output);
   bound_command->footer(kBoundFooter);
 }

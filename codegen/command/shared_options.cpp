@@ -171,12 +171,14 @@ void add_bracket_checkpoint(CLI::App& app, std::string& path) {
                  "Save the outcome of each search to FILE when it ends; if FILE exists, continue "
                  "from it, and prove the ends of each bracket again")
       ->type_name("FILE");
-  app.add_option_function<std::string>("--checkpoint-every",
-                                       [](const std::string&) {
-                                         throw CLI::ValidationError(
-                                             "--checkpoint-every",
-                                             "each search is saved as soon as it ends");
-                                       })
+  app.add_option_function<std::string>(
+         "--checkpoint-every",
+         [](const std::string&) {
+           throw CLI::ValidationError(
+               "--checkpoint-every",
+               "a bound needs no interval: each search is saved when it ends, or about every "
+               "ten seconds");
+         })
       ->group("");
 }
 

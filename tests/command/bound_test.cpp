@@ -90,7 +90,6 @@ TEST_F(BoundCommandTest, KnowsTheConditionNumberInTheTwoNorm) {
   EXPECT_EQ(with({"--limit", "5.9"}).output, "WITHIN\n");
   EXPECT_EQ(with({"--limit", "5.8"}).exit_code, 1);
   EXPECT_EQ(with({"--certificate", folder_.path() / "proof"}).exit_code, 64);
-  EXPECT_EQ(with({"--checkpoint", folder_.path() / "state"}).exit_code, 64);
   EXPECT_EQ(run({"bound", model_, "condition", "--norm", "3"}).exit_code, 64);
   EXPECT_EQ(run({"bound", model_, "speed", "--norm", "2"}).exit_code, 64);
   const CommandResult margin = run({"margin", model_, "--scale", "0:1", "--quantity", "condition",
@@ -287,7 +286,7 @@ TEST_F(BoundCheckpointTest, OfAnotherQuestionOrDamagedIsRefused) {
   std::ofstream(file_) << "{";
   const CommandResult damaged = ask({});
   EXPECT_EQ(damaged.exit_code, 65);
-  EXPECT_THAT(damaged.errors, HasSubstr("not a checkpoint of brackets, or it is damaged"));
+  EXPECT_THAT(damaged.errors, HasSubstr("not a checkpoint of bounds, or it is damaged"));
 }
 
 }  // namespace

@@ -1,0 +1,332 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// A search of a condition number that is stopped and continued, from true states and from others.
+#include "codegen/bound/condition_search.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <regex>
+
+#include "codegen/engine/pipeline.hpp"
+#include "codegen/model/model_file.hpp"
+#include "codegen/quantity/inverse_in_one_unit.hpp"
+#include "tests/support/damage.hpp"
+#include "tests/support/search_events.hpp"
+
+namespace regulus::test {
+namespace {
+
+/// A rotation with scales of its rows: κ₂ = 5 + (x + z)/8, so no box is much better than others.
+constexpr const char* kTurned = R"toml(regulus = 1
+name = "turn"
+[pose]
+x = "1"
+y = "1"
+z = "1"
+[matrix]
+rows = [["cos(x)*cos(y)", "cos(x)*sin(y)*sin(z) - sin(x)*cos(z)", "cos(x)*sin(y)*cos(z) + sin(x)*sin(z)"],
+        ["2*sin(x)*cos(y)", "2*sin(x)*sin(y)*sin(z) + 2*cos(x)*cos(z)", "2*sin(x)*sin(y)*cos(z) - 2*cos(x)*sin(z)"],
+        ["-(5 + (x + z)/8)*sin(y)", "(5 + (x + z)/8)*cos(y)*sin(z)", "(5 + (x + z)/8)*cos(y)*cos(z)"]]
+[motion.m]
+x = [0, 1]
+y = [0, 1]
+z = [0, 1]
+constraints = ["x + y - 3/2"]
+)toml";
+constexpr double kTurnedCondition = 5.25;
+
+/// Undefined near x = 0, so no box there has a bound.
+std::string undefined_at_an_end() {
+  std::string text = kTurned;
+  const std::string first = "cos(x)*cos(y)";
+  return text.replace(text.find(first), first.size(), first + " + sqrt(x)/10^20");
+}
+
+/// Small boxes at the corner (2, 10) have bounds that differ by roundings, in either direction.
+constexpr const char* kSheared = R"toml(regulus = 1
+name = "shear"
+[pose]
+x = "1"
+y = "1"
+[matrix]
+rows = [["x/3", "y/7 + x*x/9"], [0, "y"]]
+[motion.m]
+x = [1, 2]
+y = [3, 10]
+)toml";
+
+struct Ended {
+  ConditionResult result;
+  std::string events;
+  ConditionState saved;
+  int saves = 0;
+};
+
+class TestMatrix {
+ public:
+  explicit TestMatrix(const std::string& text, Method method = Method::kReg,
+                      Entries entries = Entries::kDerivatives) {
+    Model model = parse_model(text, "test.toml");
+    Motion motion = model.motions.front();
+    SearchOptions search;
+    search.engine = Engine::kInterpreted;
+    search.method = method;
+    search.entries = entries;
+    search.without = {"columns", "rows"};
+    prepared_.emplace(
+        prepare(inverse_in_one_unit({std::move(model), std::move(motion)}), 0, search));
+    scaling_ = prepared_->stages->formulation().scaling;
+  }
+
+  [[nodiscard]] Ended run(ConditionSettings settings, const ConditionState* from = nullptr) const {
+    Ended ended;
+    SearchEvents events;
+    const Problem problem = prepared_->problem();
+    settings.from = from;
+    settings.save = [&](const ConditionState& state) { ended.saved = state, ++ended.saves; };
+    ended.result = search_condition({problem, scaling_}, settings, &events);
+    ended.events = events.text;
+    return ended;
+  }
+
+ private:
+  std::optional<PreparedSearch> prepared_;
+  MatrixScaling scaling_;
+};
+
+ConditionSettings settings_with_gap(double gap, unsigned threads = 1) {
+  ConditionSettings settings;
+  settings.gap = gap;
+  settings.threads = threads;
+  return settings;
+}
+
+void expect_same(const Ended& one, const Ended& other) {
+  EXPECT_EQ(one.result.proved, other.result.proved);
+  EXPECT_EQ(one.result.boxes, other.result.boxes);
+  EXPECT_EQ(one.result.reason, other.result.reason);
+  EXPECT_EQ(one.result.is_closed, other.result.is_closed);
+  EXPECT_EQ(one.result.is_singular, other.result.is_singular);
+  ASSERT_EQ(one.result.attained.has_value(), other.result.attained.has_value());
+  if (one.result.attained) {
+    EXPECT_EQ(one.result.attained->variables, other.result.attained->variables);
+    EXPECT_EQ(one.result.attained->shown.condition, other.result.attained->shown.condition);
+    EXPECT_EQ(one.result.attained->shown.most, other.result.attained->shown.most);
+    EXPECT_EQ(one.result.attained->shown.least, other.result.attained->shown.least);
+  }
+  EXPECT_TRUE(one.events == other.events);
+  EXPECT_EQ(one.saved.steps, other.saved.steps);
+  EXPECT_EQ(one.saved.open, other.saved.open);
+  EXPECT_EQ(one.saved.attained, other.saved.attained);
+}
+
+/// Stops at each number of boxes and continues.
+Ended run_with_stops(const TestMatrix& matrix, const ConditionSettings& settings,
+                     std::initializer_list<std::uint64_t> stops) {
+  std::optional<ConditionState> state;
+  for (const std::uint64_t stop : stops) {
+    ConditionSettings until = settings;
+    until.max_boxes = stop;
+    Ended ended = matrix.run(until, state ? &*state : nullptr);
+    EXPECT_FALSE(ended.result.is_closed) << stop;
+    state = std::move(ended.saved);
+  }
+  return matrix.run(settings, &*state);
+}
+
+TEST(ContinuedConditionSearch, EndsLikeOneWithoutAStop) {
+  for (const auto& [method, entries] :
+       {std::pair{Method::kReg, Entries::kDerivatives}, {Method::kAuto, Entries::kNatural}}) {
+    const TestMatrix matrix(kTurned, method, entries);
+    const ConditionSettings settings = settings_with_gap(0.06);
+    const Ended whole = matrix.run(settings);
+    ASSERT_TRUE(whole.result.is_closed);
+    ASSERT_GT(whole.result.boxes, 1000U);
+    EXPECT_GE(whole.result.proved, kTurnedCondition);
+    expect_same(run_with_stops(matrix, settings, {1}), whole);
+    expect_same(run_with_stops(matrix, settings, {2, 3, 70, 71, 300, 800}), whole);
+    expect_same(run_with_stops(matrix, settings_with_gap(0.06, 2), {40, 500, 900}), whole);
+    expect_same(matrix.run(settings, &whole.saved), whole);
+  }
+}
+
+/// The bound of a box may be that of a box above it.
+TEST(ContinuedConditionSearch, KnowsTheBoundsOfBoxesAbove) {
+  const TestMatrix matrix(kSheared);
+  ConditionSettings settings = settings_with_gap(0);
+  settings.max_boxes = 1200;
+  expect_same(run_with_stops(matrix, settings, {300, 700}), matrix.run(settings));
+}
+
+TEST(ContinuedConditionSearch, DoesNotSplitWhatCannotBeSplit) {
+  const TestMatrix matrix(kTurned);
+  ConditionSettings settings = settings_with_gap(0.01);
+  settings.min_relative_width = 0.2;
+  const Ended whole = matrix.run(settings);
+  EXPECT_EQ(whole.result.reason, Reason::kWidth);
+  expect_same(run_with_stops(matrix, settings, {60, 200}), whole);
+  expect_same(matrix.run(settings, &whole.saved), whole);
+}
+
+TEST(ContinuedConditionSearch, GoesOnWithAnotherGapOrLimit) {
+  const TestMatrix matrix(kTurned);
+  const Ended wide = matrix.run(settings_with_gap(0.2));
+  const Ended narrow = matrix.run(settings_with_gap(0.05), &wide.saved);
+  EXPECT_TRUE(narrow.result.is_closed);
+  EXPECT_GE(narrow.result.proved, kTurnedCondition);
+  EXPECT_LE(narrow.result.proved, kTurnedCondition / 0.95);
+  EXPECT_GT(narrow.result.boxes, wide.result.boxes);
+  ConditionSettings compared = settings_with_gap(0.01);
+  compared.limit = Interval(5.6);
+  const Ended within = matrix.run(compared, &wide.saved);
+  EXPECT_TRUE(within.result.is_closed);
+  EXPECT_LE(within.result.proved, 5.6);
+}
+
+TEST(ContinuedConditionSearch, ClaimsNothingIfItStopsTooEarly) {
+  const TestMatrix matrix(kTurned);
+  const Ended whole = matrix.run(settings_with_gap(0.1));
+  ConditionSettings settings = settings_with_gap(0.1);
+  settings.time_limit = 0;
+  std::atomic<bool> interrupt = true;
+  for (const bool is_interrupted : {false, true}) {
+    if (is_interrupted) settings.interrupt = &interrupt;
+    const Ended stopped = matrix.run(settings, &whole.saved);
+    EXPECT_FALSE(stopped.result.is_continued || stopped.result.is_closed);
+    EXPECT_FALSE(stopped.result.attained);
+    EXPECT_EQ(stopped.result.proved, kInfinity);
+    EXPECT_EQ(stopped.result.reason, is_interrupted ? Reason::kInterrupted : Reason::kTimeBudget);
+    EXPECT_EQ(stopped.saves, 0);  // the file keeps what it has
+  }
+}
+
+TEST(ContinuedConditionSearch, AsksAgainWhatItWasTold) {
+  const TestMatrix matrix(undefined_at_an_end());
+  int asked = 0;
+  ConditionSettings settings = settings_with_gap(0.01);
+  settings.max_boxes = 2500;
+  settings.ask = [&](double) { return ++asked, ConditionHint{false, 8}; };
+  const Ended whole = matrix.run(settings);
+  EXPECT_EQ(asked, 1);
+  EXPECT_EQ(whole.result.proved, 8);
+  EXPECT_TRUE(whole.saved.was_told);
+  expect_same(run_with_stops(matrix, settings, {500, 1100, 1800}), whole);
+  asked = 0;
+  expect_same(matrix.run(settings, &whole.saved), whole);
+  EXPECT_EQ(asked, 1);
+  // The answer counts even if the boxes have bounds by now.
+  settings.ask = [](double) { return ConditionHint{false, 5.3}; };
+  const TestMatrix defined(kTurned);
+  ConditionState told = defined.run(settings_with_gap(0.2)).saved;
+  told.was_told = true;
+  EXPECT_EQ(defined.run(settings, &told).result.proved, 5.3);
+  // Without the answer, the bound is not known.
+  settings.ask = [](double) { return ConditionHint{}; };
+  EXPECT_EQ(matrix.run(settings, &whole.saved).result.proved, kInfinity);
+  settings.ask = [](double) { return ConditionHint{true, kInfinity}; };
+  const Ended singular = matrix.run(settings);
+  EXPECT_TRUE(singular.result.is_singular);
+  expect_same(matrix.run(settings, &singular.saved), singular);
+}
+
+/// The lower end of the bracket is below κ₂, its upper end above.
+void expect_no_claim_beyond(const ConditionResult& result, const std::string& text) {
+  EXPECT_GE(result.proved, kTurnedCondition) << text;
+  if (!result.attained) return;
+  EXPECT_LE(result.attained->shown.condition, kTurnedCondition) << text;
+}
+
+TEST(ContinuedConditionSearch, DoesNotBelieveNumbers) {
+  const TestMatrix matrix(kTurned);
+  const ConditionSettings settings = settings_with_gap(0.1);
+  const Ended whole = matrix.run(settings);
+  const auto lie = [&](const char* pattern, const char* by) {
+    ConditionState state = whole.saved;
+    for (std::string* text : {&state.steps, &state.open})
+      *text = std::regex_replace(*text, std::regex(pattern), by);
+    const Ended ended = matrix.run(settings, &state);
+    expect_no_claim_beyond(ended.result, by);
+    EXPECT_TRUE(ended.result.is_closed) << by;
+    EXPECT_EQ(ended.result.boxes, whole.result.boxes) << by;
+  };
+  lie("=\\S+", "=0x0p+0");
+  lie("=\\S+", "=inf");
+  lie("(\\d+)-", "$1=0x0p+0");
+  ConditionState state = whole.saved;
+  state.steps = std::regex_replace(state.steps, std::regex("=\\S+"), "-");
+  for (const BoxId box : {BoxId{0}, whole.result.boxes - 1}) {
+    state.attained = box;
+    expect_no_claim_beyond(matrix.run(settings, &state).result, std::to_string(box));
+  }
+}
+
+TEST(ContinuedConditionSearch, TakesAnyTreeOfTheVariety) {
+  const TestMatrix matrix(kTurned);
+  ConditionSettings settings = settings_with_gap(0.1);
+  settings.max_boxes = 300;
+  const ConditionState saved = matrix.run(settings).saved;
+  settings.max_boxes = 20000;
+  std::mt19937 random(7);
+  for (int i = 0; i < 100; ++i) {
+    ConditionState state = saved;
+    for (std::size_t at = 0; (at = state.steps.find(':', at + 1)) != std::string::npos;)
+      if (random() % 10 == 0) state.steps[at + 1] = char('0' + random() % 3);
+    const ConditionResult result = matrix.run(settings, &state).result;
+    expect_no_claim_beyond(result, state.steps);
+    EXPECT_TRUE(result.is_closed);
+  }
+}
+
+TEST(ContinuedConditionSearch, OfADamagedStateIsRefusedOrRight) {
+  const TestMatrix matrix(kTurned);
+  ConditionSettings settings = settings_with_gap(0.1);
+  settings.max_boxes = 300;
+  const ConditionState saved = matrix.run(settings).saved;
+  settings.max_boxes = 400;
+  const std::vector<std::string> splices{
+      " ",         "=", "-", "0:1 ", ":2", "7", "inf", "0x1p+0 ", "0xnan", "99999999999999999999",
+      "63=0x1p+2 "};
+  int refused = 0, right = 0;
+  for (unsigned seed = 0; seed < 800; ++seed) {
+    ConditionState state = saved;
+    std::string& text = seed % 3 == 0 ? state.open : state.steps;
+    text = Damage(seed, splices).done_to(text);
+    try {
+      expect_no_claim_beyond(matrix.run(settings, &state).result, text);
+      ++right;
+    } catch (const ConditionStateError&) {
+      ++refused;
+    }
+  }
+  EXPECT_GT(refused, 200);
+  EXPECT_GT(right, 10);
+}
+
+TEST(ConditionTree, TilesTheVariety) {
+  const std::vector<Interval> root{{0, 1}, {-1, 3}};
+  const ConditionTree tree({"0:1 1:0 2- 3=0x1p+1 ", "4=inf ", BoxId{3}, false}, root);
+  EXPECT_EQ(tree.size(), 5U);
+  ASSERT_EQ(tree.leaves().size(), 3U);
+  EXPECT_EQ(tree.box(0), root);
+  EXPECT_EQ(tree.box(2), (std::vector<Interval>{{0, 1}, {1, 3}}));
+  EXPECT_EQ(tree.box(3), (std::vector<Interval>{{0, 0.5}, {-1, 1}}));
+  EXPECT_EQ(tree.box(4), (std::vector<Interval>{{0.5, 1}, {-1, 1}}));
+}
+
+TEST(ConditionTree, RefusesOtherTexts) {
+  const auto make = [](const char* steps, const char* open, std::optional<BoxId> attained = {}) {
+    return ConditionTree({steps, open, attained, false}, {{0, 1}, {1, std::nextafter(1, 2)}});
+  };
+  EXPECT_NO_THROW(make("0:0", "1=inf 2=0x1p+0"));
+  for (const char* steps : {"", "0:2", "0:0 0:0", "3:0 0:0", "0:0 1=0x1p+0 1-", "0:0 1~", "0:0 1-x",
+                            "0:-1", "x", ":", "-", "0:0 1=1.5", "0:0 1=-0x1p+0", "0:0 1=0xnan"})
+    EXPECT_THROW(make(steps, "2=inf"), ConditionStateError) << steps;
+  EXPECT_THROW(make("0:0", "1=inf"), ConditionStateError);
+  EXPECT_THROW(make("0:0", "1=inf 2=inf 2=inf"), ConditionStateError);
+  EXPECT_THROW(make("0:0", "1=inf 2-"), ConditionStateError);
+  EXPECT_THROW(make("0:0", "1=inf 2=inf", 3), ConditionStateError);
+  EXPECT_THROW(static_cast<void>(make("0:1", "1=inf 2=inf").box(1)), ConditionStateError);
+}
+
+}  // namespace
+}  // namespace regulus::test
