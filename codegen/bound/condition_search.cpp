@@ -208,7 +208,6 @@ class ConditionSearch {
     BoxFinding& finding = findings_[i];
     OpenBox& child = children_[i];
     if (finding.is_outside) return exclude(child);
-    is_empty_ = false;
     attain(child.id, finding.attained);
     child.upper = std::min(child.upper, finding.bound.upper);
     child.impact = std::move(finding.bound.impact);
@@ -231,6 +230,7 @@ class ConditionSearch {
   }
   /// The box keeps its bound.
   void settle(const OpenBox& box) {
+    is_empty_ = false;
     settled_ = std::max(settled_, box.upper);
     if (settings_.save) state_.add_settled(box.id, box.upper);
     leave(box, Rule::kSecondOrder);
@@ -281,7 +281,6 @@ class ConditionSearch {
   /// With another gap, a box may be split that was not split any more.
   void conclude_again(OpenBox box, ProvedLeaf& proved, bool was_settled) {
     if (proved.is_outside) return exclude(box);
-    is_empty_ = false;
     box.upper = proved.upper;
     box.impact = std::move(proved.impact);
     box.is_undefined = proved.is_undefined;

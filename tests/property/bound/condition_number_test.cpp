@@ -126,6 +126,13 @@ TEST(ConditionNumber, KeepsToTheConstraints) {
       settings_with(0.01));
   EXPECT_TRUE(empty.is_empty);
   EXPECT_FALSE(empty.proved || empty.attained || empty.is_closed);
+  // Only small boxes are certainly outside.
+  const ComponentBound narrow = condition_of(
+      model_with(R"m([["x", 0], [0, "y"]])m",
+                 "x = [1, 2]\ny = [1, 2]\nconstraints = [\"x - y\", \"y - x + 1/10\"]"),
+      settings_with(0.01));
+  EXPECT_TRUE(narrow.is_empty);
+  EXPECT_FALSE(narrow.proved || narrow.attained || narrow.is_closed);
 }
 
 TEST(ConditionNumber, IsUnboundedWhereTheMatrixIsSingular) {
