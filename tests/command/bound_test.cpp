@@ -89,7 +89,6 @@ TEST_F(BoundCommandTest, KnowsTheConditionNumberInTheTwoNorm) {
   EXPECT_EQ(report["quantity"]["norm"], "2");
   EXPECT_EQ(with({"--limit", "5.9"}).output, "WITHIN\n");
   EXPECT_EQ(with({"--limit", "5.8"}).exit_code, 1);
-  EXPECT_EQ(with({"--certificate", folder_.path() / "proof"}).exit_code, 64);
   EXPECT_EQ(run({"bound", model_, "condition", "--norm", "3"}).exit_code, 64);
   EXPECT_EQ(run({"bound", model_, "speed", "--norm", "2"}).exit_code, 64);
   const CommandResult margin = run({"margin", model_, "--scale", "0:1", "--quantity", "condition",

@@ -137,7 +137,7 @@ TEST_P(BoundTampering, MayClaimLess) {
   const double safe = bound_line(proofs.safe)->value;
   const double beyond = safe > bound_line(proofs.singular)->value ? -1 : 1;
   const verifier::Verification v =
-      verify_text(with_bound(proofs.safe, safe - beyond * 0.01 * std::abs(safe)), little_effort());
+      verify_text(with_bound(proofs.safe, safe - beyond * 1e-6 * std::abs(safe)), little_effort());
   EXPECT_EQ(v.outcome, verifier::Outcome::kVerified) << v.reason;
 }
 
