@@ -32,6 +32,8 @@ class BoxJudges::Judge {
       const std::optional<RotatedBox> rotated = rotated_.rotated(lane);
       finding.is_undefined = !rotated;
       if (rotated) finding.bound = bound_condition(*rotated);
+      // Perhaps constraints exclude the box: all variables must become small to show it.
+      if (!matrices_.is_inhabited(lane)) finding.bound.impact.clear();
       if (attained == kInfinity) continue;
       if (matrices_.is_inhabited(lane))
         keep(finding, matrices_.point(lane), matrices_.matrix_at_point(lane), attained);
