@@ -9,10 +9,11 @@ namespace regulus::verifier {
 namespace {
 
 constexpr long kFirstBits = 64;
-/// Exact algebra begins after this many boxes of a leaf. For a small matrix its cost is
-/// negligible.
+/// Exact algebra begins after this many boxes of a leaf.
 constexpr std::uint64_t kBoxesBeforeAlgebra = 64;
+/// For a matrix of at most this order it is tried at once, until so many boxes were too much for it.
 constexpr std::size_t kSmallOrder = 3;
+constexpr int kMostUselessAlgebra = 4;
 constexpr int kMostPointsTried = 64;
 constexpr std::size_t kProbeBits = 7, kProbes = 1 << kProbeBits;
 
@@ -50,6 +51,7 @@ LeafProver::LeafProver(Question& question, const Variety& variety, const Options
 void LeafProver::begin(bool looks_for_points) {
   boxes_ = 0;
   uses_algebra_ = has_met_variety_ = false;
+  useless_algebra_ = 0;
   has_met_point_ = q_.constraints.empty() && q_.balls.empty();
   looks_for_points_ = looks_for_points;
   points_tried_ = sign_ = 0;
@@ -85,22 +87,30 @@ void LeafProver::prove(const Box& box, LeafClaim) {
 /// Shows that determinants, multiplied out, are not 0 anywhere in a box.
 bool LeafProver::is_regular_exactly(const Box& box, std::uint64_t boxes_of_leaf) {
   if (!test_.is_defined() || is_exact_too_large_) return false;
-  if (!uses_algebra_ && q_.columns > kSmallOrder && boxes_of_leaf < kBoxesBeforeAlgebra &&
+  const bool is_cheap = q_.columns <= kSmallOrder && useless_algebra_ < kMostUselessAlgebra;
+  if (!uses_algebra_ && !is_cheap && boxes_of_leaf < kBoxesBeforeAlgebra &&
       test_.variable_to_split(box))
     return false;
-  uses_algebra_ = true;
   try {
-    if (q_.rows == q_.columns) {
-      if (!exact_) exact_.emplace(q_, variety_, options_.max_bits);
-      return exact_->exceeds_threshold(box);
-    }
-    if (!exact_rank_) exact_rank_.emplace(q_, variety_, options_.max_bits);
-    return exact_rank_->is_full(box, test_.middle());
+    const bool is_proved = is_proved_by_algebra(box);
+    // What algebra does not prove is halved, and mostly the other tests prove the halves.
+    useless_algebra_ += !is_proved;
+    uses_algebra_ = uses_algebra_ || is_proved || !is_cheap;
+    return is_proved;
   } catch (const Unfinished&) {
     // Too many operations in the forms or their derivatives; the other tests continue.
     is_exact_too_large_ = true;
     return false;
   }
+}
+
+bool LeafProver::is_proved_by_algebra(const Box& box) {
+  if (q_.rows == q_.columns) {
+    if (!exact_) exact_.emplace(q_, variety_, options_.max_bits);
+    return exact_->exceeds_threshold(box);
+  }
+  if (!exact_rank_) exact_rank_.emplace(q_, variety_, options_.max_bits);
+  return exact_rank_->is_full(box, test_.middle());
 }
 
 /// Tries the middles of the first boxes as points. A claim about no point at all has no value.

@@ -19,6 +19,7 @@ class LeafProver final : public Prover {
 
  private:
   [[nodiscard]] bool is_regular_exactly(const Box& box, std::uint64_t boxes_of_leaf);
+  [[nodiscard]] bool is_proved_by_algebra(const Box& box);
   void look_for_point();
   [[noreturn]] void give_up(const Box& leaf, const std::string& why);
   void look_for_contradiction();
@@ -35,6 +36,7 @@ class LeafProver final : public Prover {
   std::vector<Box> waiting_;
   bool is_exact_too_large_ = false;
   bool uses_algebra_ = false;  ///< since begin(), some leaf needed it
+  int useless_algebra_ = 0;    ///< since begin(), boxes that it did not prove
   bool looks_for_points_ = true;
   int points_tried_ = 0;
 };
