@@ -21,9 +21,7 @@ class ConditionProver final : public SplittingProver {
     return test_.variable_to_split(box);
   }
   [[nodiscard]] std::string contradiction(const Box& point, LeafClaim /*claim*/) override {
-    return test_.exceeds_at(point)
-               ? "at the middle of a part of it the condition number is not below the bound"
-               : "";
+    return test_.exceeds_at(point) ? "the condition number is not below the bound" : "";
   }
 
   ConditionTest test_;

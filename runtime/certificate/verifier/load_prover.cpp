@@ -16,12 +16,11 @@ BoxAnswer LoadProver::decide(const Box& box, LeafClaim claim) {
 }
 
 std::string LoadProver::contradiction(const Box& point, LeafClaim claim) {
-  if (claim == LeafClaim::kOutside) return "the middle of a part of it is in the variety";
+  if (claim == LeafClaim::kOutside) return "there is a pose of the variety";
   const bool is_held = test_of(claim) == LoadTest::Claim::kHeld;
   const LoadTest::Claim opposite = is_held ? LoadTest::Claim::kNotHeld : LoadTest::Claim::kHeld;
   if (test_.decide(point, opposite) != BoxAnswer::kProved) return "";
-  return is_held ? "at the middle of a part of it some wrench is held by no forces"
-                 : "at the middle of a part of it every wrench is held";
+  return is_held ? "some wrench is held by no forces" : "every wrench is held";
 }
 
 }  // namespace regulus::verifier

@@ -1,10 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "runtime/certificate/verifier/splitting_prover.hpp"
 
+#include <algorithm>
+
 namespace regulus::verifier {
 namespace {
 
 constexpr int kMostMiddlesTried = 64;
+constexpr std::size_t kCornerBits = 7, kCorners = 1 << kCornerBits;
 
 }  // namespace
 
@@ -25,6 +28,7 @@ void SplittingProver::prove(const Box& box, LeafClaim claim) {
     ++boxes_;
     const auto give_up = [&](const std::string& why) {
       look_for_contradiction(part, claim);
+      look_at_corners(box, claim);
       throw Unfinished(why);
     };
     if (boxes_ > options_.max_boxes || boxes_ - before > options_.max_boxes_per_leaf)
@@ -62,7 +66,26 @@ void SplittingProver::look_for_contradiction(const Box& box, LeafClaim claim) {
   place_middle(variety_, box, middle);
   if (!is_certain_point(q_, variety_, middle.point)) return;
   if (const std::string why = contradiction(middle.point, claim); !why.empty())
-    throw Rejection(why);
+    throw Rejection("at the middle of a part of it " + why);
+}
+
+/// The same at corners of a leaf, where extreme values often are.
+void SplittingProver::look_at_corners(const Box& leaf, LeafClaim claim) {
+  for (std::size_t corner = 0; corner < kCorners; ++corner) {
+    Box point = leaf;
+    bool is_inside = true;
+    for (std::size_t k = 0; k < leaf.size(); ++k)
+      if (const auto& inner = variety_.inner[k]) {
+        const bool upper = ((corner >> (k % kCornerBits)) & 1) != 0;
+        const double x = std::clamp(upper ? leaf[k].hi : leaf[k].lo, inner->lo, inner->hi);
+        is_inside = is_inside && contains(leaf[k], x);
+        point[k] = verifier::point(x);
+      }
+    if (!is_inside) continue;
+    if (!is_certain_point(q_, variety_, point)) continue;
+    if (const std::string why = contradiction(point, claim); !why.empty())
+      throw Rejection("at a corner of it " + why);
+  }
 }
 
 }  // namespace regulus::verifier

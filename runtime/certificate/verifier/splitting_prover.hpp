@@ -20,12 +20,13 @@ class SplittingProver : public Prover {
   [[nodiscard]] virtual BoxAnswer decide(const Box& box, LeafClaim claim) = 0;
   /// After BoxAnswer::kOpen: the variable that is best to split; nullopt if none can be split.
   [[nodiscard]] virtual std::optional<std::size_t> variable_to_split(const Box& box) const = 0;
-  /// Returns words for a claim that is false at a point of the variety; empty if this is not shown.
+  /// Returns why a claim is false at a point of the variety; empty if this is not shown.
   [[nodiscard]] virtual std::string contradiction(const Box& point, LeafClaim claim) = 0;
 
  private:
   void look_for_point(const Box& box);
   void look_for_contradiction(const Box& box, LeafClaim claim);
+  void look_at_corners(const Box& leaf, LeafClaim claim);
 
   const Question& q_;
   const Variety& variety_;
