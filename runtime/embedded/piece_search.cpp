@@ -13,6 +13,10 @@ namespace {
 /// The number of boxes after which a piece is searched for a witness by other means than midpoints.
 constexpr unsigned kFirstDescent = 4;
 
+/// Widths of pieces that are tried as easy ones: the least one is a ten-thousandth of the ranges.
+constexpr unsigned kEasyWidths = 32;
+constexpr double kNextEasyWidth = 0.75;
+
 /// Witnesses may lie anywhere in the ranges, which are exact here. The coordinates of a point in a
 /// ball are an exception: the range is a side of the box around it, so a witness covers the range.
 std::vector<std::optional<Interval>> witness_ranges(const regulus_kernel& kernel,
@@ -77,7 +81,7 @@ PieceSearch::PieceSearch(const regulus_kernel& kernel, std::span<const Interval>
     : problem_(make_problem(kernel, ranges, alpha)),
       structure_(find_row_structure(sound(problem_, settings_, max_boxes), settings_)),
       max_boxes_(max_boxes),
-      decider_(problem_, settings_, structure_),
+      decider_(problem_, settings_, structure_, true),
       batch_(kernel, decider_.order()),
       witness_(problem_, settings_, false),
       frontier_(kernel.variables, most_open_boxes(kernel.motion_variables, settings_, max_boxes)),
@@ -88,6 +92,35 @@ PieceSearch::PieceSearch(const regulus_kernel& kernel, std::span<const Interval>
   // This check makes everything that is initialised on first use, and shows how to split.
   static_cast<void>(check({problem_.outer.data(), kernel.motion_variables}));
   learns_splits_ = false;
+  const RoundingScope scope(REGULUS_ROUND_NEAREST);
+  learn_easy_widths();
+}
+
+/// Returns true if this easy test suffices for eight boxes of this relative width, along a diagonal
+/// of the ranges.
+bool PieceSearch::all_easy(std::size_t test, double width) noexcept {
+  batch_.clear();
+  for (std::size_t i = 0; i < kLanes; ++i) {
+    const double at = (1.0 - width) * double(i) / double(kLanes - 1);
+    std::copy(problem_.outer.begin(), problem_.outer.end(), half_.begin());
+    for (std::size_t k = 0; k < kernel().motion_variables; ++k) {
+      const Interval whole = problem_.outer[k];
+      const double lo = std::clamp(whole.lo + at * (whole.hi - whole.lo), whole.lo, whole.hi);
+      half_[k] = {lo, std::clamp(lo + width * (whole.hi - whole.lo), lo, whole.hi)};
+    }
+    batch_.add({0, 0, half_});
+  }
+  return decider_.all_easy(test, batch_);
+}
+
+/// Finds the width of pieces for which an easy test pays. It costs a fraction of what it saves, so a
+/// rough answer is good enough. Not inlined, for the same reason as search().
+[[gnu::noinline]] void PieceSearch::learn_easy_widths() noexcept {
+  for (std::size_t t = 0; t < decider_.easy_tests(); ++t) {
+    double width = 1.0;
+    for (unsigned i = 0; i < kEasyWidths && easy_width_[t] == 0.0; ++i, width *= kNextEasyWidth)
+      if (all_easy(t, width)) easy_width_[t] = width;
+  }
 }
 
 /// Not inlined, so that no floating-point work moves out of the rounding scope of its caller.
@@ -168,7 +201,11 @@ bool PieceSearch::begin_round() noexcept {
 std::size_t PieceSearch::decide_round() noexcept {
   batch_.clear();
   for (; batch_.count() < kLanes && boxes_ < max_boxes_ && !frontier_.empty(); ++boxes_) {
-    batch_.add(frontier_.top());
+    const OpenBox box = frontier_.top();
+    const double width = decider_.bisector().approx_relative_width(box.box);
+    for (std::size_t t = 0; t < easy_width_.size(); ++t)
+      if (width <= easy_width_[t]) batch_.easy[t] |= 1U << batch_.count();
+    batch_.add(box);
     frontier_.pop();
   }
   batch_.budget.threshold = threshold_;

@@ -30,6 +30,8 @@ class PieceSearch {
 
  private:
   [[nodiscard]] Check search(std::span<const Interval> piece) noexcept;
+  void learn_easy_widths() noexcept;
+  [[nodiscard]] bool all_easy(std::size_t test, double width) noexcept;
   void load_frontier(std::span<const Interval> piece) noexcept;
   void push(std::span<const Interval> box) noexcept;
   void push_parts(std::size_t split) noexcept;
@@ -61,6 +63,7 @@ class PieceSearch {
   std::array<std::uint32_t, kFirstSplits> first_splits_{};  ///< variables, of the whole ranges
   std::size_t known_splits_ = 0;
   bool learns_splits_ = true;
+  std::array<double, kMaxEasyTests> easy_width_{};  ///< relative: boxes up to it are easy
   std::vector<Interval> half_, piece_, places_;
   Check check_;  ///< the current one
   unsigned boxes_ = 0;

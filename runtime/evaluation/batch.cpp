@@ -18,7 +18,8 @@ Interval enclose_both_ways(const LaneMatrix& M) noexcept {
 
 }  // namespace
 
-Batch::Batch(const Problem& problem, const Settings& settings, const RowStructure& structure)
+Batch::Batch(const Problem& problem, const Settings& settings, const RowStructure& structure,
+             bool for_easy_boxes)
     : alpha_(problem.alpha),
       plan_(make_plan(problem, settings)),
       order_(problem.kernel->columns + structure.rows.size()),
@@ -35,7 +36,8 @@ Batch::Batch(const Problem& problem, const Settings& settings, const RowStructur
               plan_, order_),
       vector_(order_ * kLanes),
       candidate_vector_(order_ * kLanes) {
-  if (structure.is_known()) expansion_.emplace(lanes_, midpoint_, product_, structure, plan_);
+  if (structure.is_known())
+    expansion_.emplace(lanes_, midpoint_, product_, structure, plan_, for_easy_boxes);
 }
 
 void Batch::clear() noexcept {

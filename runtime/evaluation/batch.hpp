@@ -17,7 +17,8 @@ namespace regulus {
 class Batch {
  public:
   /// `problem` must be free of faults; its kernels and `structure` must outlive this object.
-  Batch(const Problem& problem, const Settings& settings, const RowStructure& structure);
+  Batch(const Problem& problem, const Settings& settings, const RowStructure& structure,
+        bool for_easy_boxes = false);
   Batch(const Batch&) = delete;
   Batch& operator=(const Batch&) = delete;
 
@@ -81,6 +82,8 @@ class Batch {
   [[nodiscard]] ConstPointMatrix mean_value_bounds() noexcept { return first_order_.mean_value(); }
   /// Requires  the structure is known. The same holds for the next three.
   [[nodiscard]] ConstPointMatrix second_order_bounds() noexcept { return expansion_->bounds(); }
+  /// Requires  the structure is known; for_easy_boxes.
+  [[nodiscard]] ConstPointMatrix motion_bounds() noexcept { return expansion_->motion_bounds(); }
   /// Returns the lanes in which they are defined.
   [[nodiscard]] LaneMask expanded() noexcept { return expansion_->defined(); }
   [[nodiscard]] LaneNumbers moving_determinant_ru() noexcept {

@@ -5,6 +5,7 @@
 #pragma once
 
 #include <algorithm>
+#include <array>
 #include <optional>
 #include <span>
 #include <vector>
@@ -14,6 +15,9 @@
 #include "runtime/problem/observer.hpp"
 
 namespace regulus {
+
+/// Tests for boxes that are probably decided by less than the usual tests (regularity_tests.hpp).
+inline constexpr std::size_t kMaxEasyTests = 2;
 
 /// The decision about one box.
 struct Decision {
@@ -60,9 +64,10 @@ class Decisions {
   void clear() noexcept {
     count_ = 0;
     budget = {};
+    easy = {};
     forget_attempt();
   }
-  /// Keeps the boxes and the threshold of their budget.
+  /// Keeps the boxes, which of them are easy, and the threshold of their budget.
   void forget_attempt() noexcept {
     decided = false;
     budget.anyway = budget.last = 0;
@@ -134,6 +139,7 @@ class Decisions {
   }
 
   bool decided = false;
+  std::array<LaneMask, kMaxEasyTests> easy{};  ///< where make_easy_tests()[i] probably suffices
   TestBudget budget;
   Decision decision[kLanes];
   LaneMask uncertified = 0;  ///< neither outside nor certified by a test

@@ -30,7 +30,7 @@ AlignedBuffer room_for(const regulus_derivatives& derivatives) {
 
 ExpansionEvaluator::ExpansionEvaluator(const BoxLanes& lanes, MidpointEvaluator& midpoint,
                                        ProductEvaluator& product, const RowStructure& structure,
-                                       const EvaluationPlan& plan)
+                                       const EvaluationPlan& plan, bool for_easy_boxes)
     : lanes_(lanes),
       midpoint_(midpoint),
       product_(product),
@@ -38,8 +38,9 @@ ExpansionEvaluator::ExpansionEvaluator(const BoxLanes& lanes, MidpointEvaluator&
       expansion_(*kernel_.expansion),
       structure_(structure),
       second_order_(listed_derivatives(kernel_), structure,
-                    SecondOrderOptions{.moves = plan.moves_preconditioner,
-                                       .weighs_row_variables = plan.weighs_row_variables}),
+                    SecondOrderOptions{
+                        .moving = plan.moves_preconditioner ? SecondOrderOptions::kAllVariables : 0,
+                        .weighs_row_variables = plan.weighs_row_variables}),
       point_(2 * lanes.variables() * kLanes),
       radius_(lanes.variables() * kLanes),
       center_product_(2 * std::size_t{kernel_.columns} * kernel_.columns * kLanes),
@@ -47,7 +48,12 @@ ExpansionEvaluator::ExpansionEvaluator(const BoxLanes& lanes, MidpointEvaluator&
       second_(room_for(expansion_.second)),
       row_first_(room_for(expansion_.row_first)),
       row_second_(room_for(expansion_.row_second)),
-      bounds_(order() * order() * kLanes) {}
+      bounds_(order() * order() * kLanes) {
+  const SecondOrderOptions options{.moving = kernel_.motion_variables, .keeps_shares = false};
+  if (!for_easy_boxes) return;
+  along_motion_.emplace(listed_derivatives(kernel_), structure, options);
+  motion_bounds_ = AlignedBuffer(order() * order() * kLanes);
+}
 
 /// Loads the point of expansion, and the distances from it to the ends of the box.
 void ExpansionEvaluator::load_expansion_point() noexcept {
@@ -87,7 +93,9 @@ SecondOrderInput ExpansionEvaluator::input() noexcept {
           .radius = ConstPointVector(radius_.get(), lanes_.variables())};
 }
 
-void ExpansionEvaluator::compute() noexcept {
+/// Calls the functions of the kernel that the bounds use.
+void ExpansionEvaluator::call_kernel() noexcept {
+  if (!called_.begin()) return;
   load_expansion_point();
   const ConstIntervalVector point(point_.get(), lanes_.variables());
   LaneMask defined = midpoint_.preconditioned() & ~point_outside_contract_;
@@ -100,21 +108,31 @@ void ExpansionEvaluator::compute() noexcept {
   // Any function of the kernel reports where A is not defined.
   if (expansion_.second.function == nullptr && expansion_.row_second.function == nullptr)
     static_cast<void>(product_.product({}, defined));
-  const PointMatrix T(bounds_.get(), order(), order());
-  second_order_.bound_ru(input(), T);
   defined_ = defined;
-  for_each_lane(kAllLanes & ~defined, [&](std::size_t lane) {
+}
+
+void ExpansionEvaluator::compute(SecondOrderBounds& second_order, PointMatrix T) noexcept {
+  call_kernel();
+  second_order.bound_ru(input(), T);
+  for_each_lane(kAllLanes & ~defined_, [&](std::size_t lane) {
     for (std::size_t e = 0; e < T.size(); ++e) T.at(e, lane) = kInfinity;
   });
 }
 
 ConstPointMatrix ExpansionEvaluator::bounds() noexcept {
-  if (computed_.begin()) compute();
-  return ConstPointMatrix(bounds_.get(), order(), order());
+  const PointMatrix T(bounds_.get(), order(), order());
+  if (computed_.begin()) compute(second_order_, T);
+  return T;
+}
+
+ConstPointMatrix ExpansionEvaluator::motion_bounds() noexcept {
+  const PointMatrix T(motion_bounds_.get(), order(), order());
+  if (computed_along_motion_.begin()) compute(*along_motion_, T);
+  return T;
 }
 
 LaneMask ExpansionEvaluator::defined() noexcept {
-  static_cast<void>(bounds());
+  call_kernel();
   return defined_;
 }
 

@@ -62,6 +62,20 @@ class HMatrixTest final : public RegularityTest {
   double alpha_;
 };
 
+/// An HMatrixTest for bounds that cost half of those of Rule::kSecondOrder. Their |det K(t)| is not
+/// known: α = 0 only.
+class MotionTest final : public RegularityTest {
+ public:
+  MotionTest() noexcept : RegularityTest(Rule::kSecondOrder) {}
+
+  LaneMask certify(Batch& batch, LaneMask lanes, TestBudget& /*budget*/) noexcept override {
+    const std::size_t n = batch.order();
+    lanes &= certain_h_matrix(batch.motion_bounds(), batch.candidate_vector(n));
+    batch.keep_vector(lanes, n);
+    return above_threshold(batch, lanes, [](std::size_t) { return 1.0; });
+  }
+};
+
 /// Tests the same T, direction by direction, if its spectral radius exceeds 1 only slightly. It
 /// shows regularity, but no distance from singularity: α = 0 only.
 class OrthantTest final : public RegularityTest {
@@ -222,6 +236,13 @@ class FilterTest final : public RegularityTest {
   double alpha_;
 };
 
+/// Returns true if a quantity that is not a motion parameter touches several rows.
+bool has_wide_uncertainty(const regulus_kernel& kernel, const RowStructure& structure) noexcept {
+  for (std::size_t k = kernel.motion_variables; k < kernel.variables; ++k)
+    if (!structure.touches_one_row(k)) return true;
+  return false;
+}
+
 bool with_rohn(Method method) noexcept {
   return method == Method::kRegRohn || method == Method::kKjRohn || method == Method::kJkRohn;
 }
@@ -275,6 +296,18 @@ bool tests_learn(const Problem& problem, const Settings& settings,
                  const RowStructure& structure) noexcept {
   return settings.method == Method::kAuto && settings.ingredients.orthants &&
          problem.alpha.hi == 0.0 && structure.is_known() && !structure.empty();
+}
+
+TestSequence make_easy_tests(const Problem& problem, const Settings& settings,
+                             const RowStructure& structure) {
+  TestSequence tests;
+  if (settings.method != Method::kAuto || !structure.is_known() || structure.empty()) return tests;
+  if (settings.ingredients.natural)
+    tests.push_back(std::make_unique<HMatrixTest>(Rule::kHMatrix, problem.alpha.hi));
+  if (settings.ingredients.moving && problem.alpha.hi == 0.0 &&
+      has_wide_uncertainty(*problem.kernel, structure))
+    tests.push_back(std::make_unique<MotionTest>());
+  return tests;
 }
 
 TestSequence make_tests(const Problem& problem, const Settings& settings,

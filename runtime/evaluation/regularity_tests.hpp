@@ -37,6 +37,11 @@ using TestSequence = std::vector<std::unique_ptr<RegularityTest>>;
 [[nodiscard]] TestSequence make_tests(const Problem& problem, const Settings& settings,
                                       const RowStructure& structure);
 
+/// Returns tests for small boxes, at most kMaxEasyTests; each costs a fraction of the next one, and
+/// the last one of the first of make_tests(). They use a batch for easy boxes.
+[[nodiscard]] TestSequence make_easy_tests(const Problem& problem, const Settings& settings,
+                                           const RowStructure& structure);
+
 /// Returns true if one of these tests is tried or not, depending on how it did on earlier boxes.
 [[nodiscard]] bool tests_learn(const Problem& problem, const Settings& settings,
                                const RowStructure& structure) noexcept;

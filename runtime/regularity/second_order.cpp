@@ -18,7 +18,9 @@ SecondOrderBounds::SecondOrderBounds(const DerivativeLists& lists, const RowStru
       numbers_(lists_.packs() * kLanes),
       plan_(lists_.plan()),
       work_(lists_.work(numbers_)) {
-  plan_.moves = options.moves;
+  while (plan_.moving > 0 && plan_.wide[plan_.moving - 1].variable >= options.moving)
+    --plan_.moving;
+  plan_.keeps_shares = options.keeps_shares;
   plan_.weighs_row_variables = options.weighs_row_variables;
 }
 

@@ -48,9 +48,12 @@
 namespace regulus {
 
 struct SecondOrderOptions {
-  /// If false, D_p = 0 and g_kp = 0; the derivation allows any values. K and w_k then keep their
-  /// values at t₀, and P is of first order.
-  bool moves = true;
+  static constexpr std::size_t kAllVariables = static_cast<std::size_t>(-1);
+  /// K and w_k move with the variables before this one. For others D_p = 0 and g_kp = 0; the
+  /// derivation allows any values. P is then of first order in them.
+  std::size_t moving = kAllVariables;
+  /// True if approx_impact is called.
+  bool keeps_shares = true;
   /// True if approx_impact must also estimate variables with a row.
   bool weighs_row_variables = false;
 };
@@ -92,6 +95,8 @@ class SecondOrderBounds {
                                              unsigned halvings, OrthantCell& hint) const noexcept;
 
   /// Computes roughly what each variable adds to yᵀTv, after bound_ru.
+  ///
+  /// Requires  keeps_shares.
   void approx_impact(const SecondOrderInput& input, PerronVectors vectors,
                      PointVector impact) const noexcept;
 

@@ -22,10 +22,10 @@ inline Pack form(PackArray y, PackArray M, PackArray v, unsigned rows, unsigned 
   return sum;
 }
 
-/// If K does not move, P consists of the first derivatives.
+/// Where K does not move, P consists of the first derivatives.
 inline void add_first_order(const SecondOrderPlan& plan, const SecondOrderInput& input, PackArray y,
                             PackArray v, PackArray result) noexcept {
-  for (unsigned p = 0; p < plan.wides; ++p) {
+  for (unsigned p = plan.moving; p < plan.wides; ++p) {
     const SecondOrderPlan::Wide& wide = plan.wide[p];
     const Pack radius = Pack::load(input.radius.data() + wide.variable * kLanes);
     Pack sum = Pack::of(0.0);
@@ -72,7 +72,7 @@ inline void impact(const SecondOrderPlan& plan, const SecondOrderInput& input,
       of_variable(plan.pair[k].p).add(0, share);
       of_variable(plan.pair[k].q).add(0, share);
     }
-  if (!plan.moves) add_first_order(plan, input, through_P, v, result);
+  add_first_order(plan, input, through_P, v, result);
   if (!plan.weighs_row_variables) return;
   for (unsigned g = 0; g < plan.groups; ++g)
     for (unsigned k = plan.group[g].members.begin; k < plan.group[g].members.end; ++k) {

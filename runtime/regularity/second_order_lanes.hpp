@@ -23,7 +23,7 @@ class Bounding : PairBounding {
  public:
   REGULUS_LANE_INLINE Bounding(const SecondOrderPlan& plan, const SecondOrderInput& input,
                                const SecondOrderWork& work) noexcept
-      : PairBounding(plan, input, work), s_(plan.slots), wides_(plan.wides) {}
+      : PairBounding(plan, input, work), s_(plan.slots), wides_(plan.wides), moving_(plan.moving) {}
 
   REGULUS_LANE_INLINE void run(PointMatrix T) noexcept {
     read_center();
@@ -41,13 +41,6 @@ class Bounding : PairBounding {
   }
 
  private:
-  /// Returns the coefficient by which K(t) or w_k(t) moves, and the rest of the derivative.
-  [[nodiscard]] REGULUS_LANE_INLINE Middle moved(ConstIntervalVector intervals,
-                                                 unsigned at) const noexcept {
-    if (plan_.moves) return middle_of(intervals, at);
-    return {Pack::of(0.0), largest_of(intervals, at)};
-  }
-
   /// Reads K₀ at the touched rows, and e; sets all sums to zero.
   REGULUS_LANE_INLINE void read_center() noexcept {
     for (unsigned i = 0; i < n_; ++i)
@@ -68,17 +61,23 @@ class Bounding : PairBounding {
     for (double* sum : {w_.sum_d.x, w_.sum_D.x, w_.magnitude_of_B.x}) clear({sum}, n_ * n_);
     for (double* sum : {w_.weight.x, w_.weight_of_g.x, w_.rest.x, w_.same_row.x, w_.sum_DK.x})
       clear({sum}, n_ * s_);
-    clear({w_.R_of_wide.x}, (1 + wides_) * s_ * s_);
+    clear({w_.R_of_wide.x}, (1 + moving_) * s_ * s_);
   }
 
-  /// Reads D_p, adds Σ_p r_p|d_p|, and computes D_pK₀ to nearest.
+  /// Reads D_p, adds Σ_p r_p|d_p|, and computes D_pK₀ to nearest. Leaves both 0 if K does not move.
   REGULUS_LANE_INLINE void read_wide(const SecondOrderPlan::Wide& wide, unsigned index) noexcept {
     const Pack radius_of_p = radius(wide.variable);
+    if (index >= moving_) {
+      for (unsigned k = wide.first.begin; k < wide.first.end; ++k)
+        PackArray{w_.sum_d.x}.add_fused(plan_.entries[k].place,
+                                        largest_of(in_.first, plan_.entries[k].at), radius_of_p);
+      return;
+    }
     const PackArray D = derivative(index);
     clear(D, n_ * n_);
     for (unsigned k = wide.first.begin; k < wide.first.end; ++k) {
       const SecondOrderPlan::Entry& entry = plan_.entries[k];
-      const Middle d = moved(in_.first, entry.at);
+      const Middle d = middle_of(in_.first, entry.at);
       const unsigned e = entry.place;
       D.put(e, d.middle);
       PackArray{w_.sum_d.x}.add_fused(e, d.distance, radius_of_p);
@@ -120,9 +119,11 @@ class Bounding : PairBounding {
                       kManyTerms));
   }
 
-  /// Reads w̄_k and g_kp, entry by entry; adds the remainder of the row to `rest`.
+  /// Reads w̄_k and g_kp, entry by entry; adds the remainder of the row to `rest`, and calls
+  /// add_slope(column, |g_kp|, r_pΔ).
+  template <typename AddSlope>
   REGULUS_LANE_INLINE void read_row_variable(const SecondOrderPlan::RowVariable& u,
-                                             const Pack& range) noexcept {
+                                             const Pack& range, AddSlope&& add_slope) noexcept {
     const PackArray rest = PackArray{w_.rest.x} + u.slot * n_,
                     same_row = PackArray{w_.same_row.x} + u.slot * n_;
     for (unsigned k = u.first.begin; k < u.first.end; ++k) {
@@ -131,34 +132,41 @@ class Bounding : PairBounding {
       PackArray{w_.center.x}.put(k - u.first.begin, x.middle);
       rest.add_fused(entry.column, x.distance, range);
     }
-    for (unsigned p = 0; p < wides_; ++p) {
+    for (unsigned p = 0; p < moving_; ++p) {
       const PlanRange& mixed = plan_.mixed[u.mixed + p];
       const Pack weight = PackArray{w_.weight_of_value.x}[1 + p];
       for (unsigned k = mixed.begin; k < mixed.end; ++k) {
         const SecondOrderPlan::Entry& entry = plan_.entries[k];
-        const Middle g = moved(in_.row_second, entry.at);
+        const Middle g = middle_of(in_.row_second, entry.at);
         PackArray{w_.slope.x}.put(p * n_ + k - mixed.begin, g.middle);
         rest.add_fused(entry.column, g.distance, weight);
+        add_slope(entry.column, magnitude(g.middle), weight);
       }
     }
+    for (unsigned p = moving_; p < wides_; ++p)
+      add_magnitudes(plan_.mixed[u.mixed + p], PackArray{w_.weight_of_value.x}[1 + p], rest);
     for (unsigned o = u.same_row.begin; o < u.same_row.end; ++o) {
       const SecondOrderPlan::SameRow& other = plan_.same_rows[o];
-      const Pack weight = product_ru(radius(other.variable), range);
-      for (unsigned k = other.second.begin; k < other.second.end; ++k) {
-        const SecondOrderPlan::Entry& entry = plan_.entries[k];
-        same_row.add_fused(entry.column, largest_of(in_.row_second, entry.at), weight);
-      }
+      add_magnitudes(other.second, product_ru(radius(other.variable), range), same_row);
     }
   }
 
-  /// w̄_kᵀK₀ or, for each p, (g_kpᵀ − w̄_kᵀD_p)K₀, at the touched rows: value(0 or 1 + p, slot).
+  /// Adds the largest magnitudes of second derivatives of a row to its sums.
+  REGULUS_LANE_INLINE void add_magnitudes(const PlanRange& second, const Pack& weight,
+                                          PackArray sums) noexcept {
+    for (unsigned k = second.begin; k < second.end; ++k) {
+      const SecondOrderPlan::Entry& entry = plan_.entries[k];
+      sums.add_fused(entry.column, largest_of(in_.row_second, entry.at), weight);
+    }
+  }
+
+  /// w̄_kᵀK₀ or, for each p, (g_kpᵀ − w̄_kᵀD_p)K₀, at the touched rows: value(0 or 1 + p, slot). The
+  /// latter is 0 if K does not move.
   template <typename Value>
   REGULUS_LANE_INLINE void multiply_row_variable(const SecondOrderPlan::RowVariable& u,
                                                  Value&& value) noexcept {
-    unsigned of_first[kMaxTerms], of_mixed[kMaxTerms];
-    list_columns(plan_, u.first, of_first);
     const PackArray center{w_.center.x};
-    Rows rows{of_first, u.first.size(), {w_.K.x}, s_};
+    Rows rows{plan_.columns_of_entries + u.first.begin, u.first.size(), {w_.K.x}, s_};
     for_each_block(
         s_, [&]<unsigned kAtOnce>(unsigned j) __attribute__((always_inline)) {
           Pack sum[kAtOnce];
@@ -166,10 +174,9 @@ class Bounding : PairBounding {
           add_products<kAtOnce>(center, rows, j, sum);
           for (unsigned c = 0; c < kAtOnce; ++c) value(0, j + c, sum[c]);
         });
-    for (unsigned p = 0; p < wides_; ++p) {
+    for (unsigned p = 0; p < moving_; ++p) {
       const PlanRange& mixed = plan_.mixed[u.mixed + p];
-      list_columns(plan_, mixed, of_mixed);
-      const Rows moved{of_mixed, mixed.size(), {w_.K.x}, s_};
+      const Rows moved{plan_.columns_of_entries + mixed.begin, mixed.size(), {w_.K.x}, s_};
       rows.matrix = PackArray{w_.DK.x} + p * n_ * s_;
       for_each_block(
           s_, [&]<unsigned kAtOnce>(unsigned j) __attribute__((always_inline)) {
@@ -195,19 +202,17 @@ class Bounding : PairBounding {
     const SecondOrderPlan::RowVariable& u = plan_.row_variables[index];
     const Pack range = radius(u.variable);
     weigh(range);
-    read_row_variable(u, range);
+    const PackArray weight_of_g = PackArray{w_.weight_of_g.x} + u.slot * n_;
+    read_row_variable(
+        u,
+        range, [&](unsigned column, const Pack& g, const Pack& by) __attribute__((always_inline)) {
+          weight_of_g.add_fused(column, g, by);
+        });
     const PackArray weight{w_.weight_of_value.x};
     for (unsigned k = u.first.begin; k < u.first.end; ++k)
       (PackArray{w_.weight.x} + u.slot * n_)
           .add_fused(plan_.entries[k].column, magnitude(PackArray{w_.center.x}[k - u.first.begin]),
                      range);
-    for (unsigned p = 0; p < wides_; ++p) {
-      const PlanRange& mixed = plan_.mixed[u.mixed + p];
-      for (unsigned k = mixed.begin; k < mixed.end; ++k)
-        (PackArray{w_.weight_of_g.x} + u.slot * n_)
-            .add_fused(plan_.entries[k].column,
-                       magnitude(PackArray{w_.slope.x}[p * n_ + k - mixed.begin]), weight[1 + p]);
-    }
     const PackArray R = PackArray{w_.R_of_wide.x} + u.slot * s_,
                     own = PackArray{w_.R_of_row.x} + index * s_;
     const PackArray forms = PackArray{w_.forms.x} + index * s_;
@@ -224,17 +229,17 @@ class Bounding : PairBounding {
   /// Minkowski's inequality, it also holds for the weights and for the additions for rounding.
   REGULUS_LANE_INLINE void bound_ball(const SecondOrderPlan::Group& group) noexcept {
     const PackArray R{w_.group_R.x}, lower{w_.group_lower.x};
-    clear(R, (1 + wides_) * s_);
-    clear(lower, (1 + wides_) * n_);
+    clear(R, (1 + moving_) * s_);
+    clear(lower, (1 + moving_) * n_);
     Pack range = Pack::of(0.0);
     for (unsigned k = group.members.begin; k < group.members.end; ++k)
       range = larger(range, radius(plan_.row_variables[k].variable));
     weigh(range);
     for (unsigned k = group.members.begin; k < group.members.end; ++k) {
       const SecondOrderPlan::RowVariable& u = plan_.row_variables[k];
-      read_row_variable(u, range);
+      read_row_variable(u, range, [](unsigned, const Pack&, const Pack&) {});
       add_squares(plan_, u.first, {w_.center.x}, lower);
-      for (unsigned p = 0; p < wides_; ++p)
+      for (unsigned p = 0; p < moving_; ++p)
         add_squares(plan_, plan_.mixed[u.mixed + p], PackArray{w_.slope.x} + p * n_,
                     lower + (1 + p) * n_);
       const PackArray forms = PackArray{w_.forms.x} + k * s_;
@@ -245,14 +250,14 @@ class Bounding : PairBounding {
           });
       if (plan_.weighs_row_variables) clear(PackArray{w_.R_of_row.x} + k * s_, s_);
     }
-    take_roots(R, (1 + wides_) * s_);
-    take_roots(lower, (1 + wides_) * n_);
+    take_roots(R, (1 + moving_) * s_);
+    take_roots(lower, (1 + moving_) * n_);
     add_ball(group.slot);
   }
 
   REGULUS_LANE_INLINE void add_ball(unsigned slot) noexcept {
     const PackArray R{w_.group_R.x}, lower{w_.group_lower.x}, weight{w_.weight_of_value.x};
-    for (unsigned p = 0; p <= wides_; ++p) {
+    for (unsigned p = 0; p <= moving_; ++p) {
       const PackArray weights = PackArray{p == 0 ? w_.weight.x : w_.weight_of_g.x} + slot * n_;
       for (unsigned j = 0; j < n_; ++j) weights.add_fused(j, lower[p * n_ + j], weight[p]);
       for (unsigned j = 0; j < s_; ++j)
@@ -287,7 +292,7 @@ class Bounding : PairBounding {
     clear(rounding, s_);
     for (unsigned j = 0; j < s_; ++j) {
       Pack sum = Pack::of(0.0);
-      for (unsigned p = 1; p <= wides_; ++p)
+      for (unsigned p = 1; p <= moving_; ++p)
         sum = sum + PackArray{w_.R_of_wide.x}[(p * s_ + i) * s_ + j];
       row.put(j, sum);
     }
@@ -325,9 +330,7 @@ class Bounding : PairBounding {
     }
   }
 
-  static constexpr unsigned kMaxTerms = 16;
-
-  const unsigned s_, wides_;
+  const unsigned s_, wides_, moving_;
 };
 
 inline void bound(const SecondOrderPlan& plan, const SecondOrderInput& input,

@@ -26,6 +26,7 @@ SecondOrderPlan::Entry SecondOrderLists::entry_of(const DerivativePlace& d, std:
 PlanRange SecondOrderLists::add_entries(const Entries& entries) {
   const unsigned begin = narrow(entries_.size());
   entries_.insert(entries_.end(), entries.begin(), entries.end());
+  for (const Entry& entry : entries) columns_of_entries_.push_back(entry.column);
   return {begin, narrow(entries_.size())};
 }
 
@@ -149,12 +150,14 @@ SecondOrderPlan SecondOrderLists::plan() const noexcept {
   plan.wides = narrow(wide_.size());
   plan.pairs = narrow(pairs_.size());
   plan.groups = narrow(groups_.size());
-  plan.moves = true;
+  plan.moving = plan.wides;
+  plan.keeps_shares = false;
   plan.weighs_row_variables = false;
   plan.touched = touched_.data();
   plan.columns = columns_of_D_.data();
   plan.starts = starts_.data();
   plan.entries = entries_.data();
+  plan.columns_of_entries = columns_of_entries_.data();
   plan.wide = wide_.data();
   plan.pair = pairs_.data();
   plan.mixed = mixed_.data();

@@ -57,7 +57,7 @@ class SecondOrderLists {
   [[nodiscard]] std::size_t wide_index(std::size_t variable) const;
 
   std::size_t rows_, columns_, variables_;
-  std::vector<unsigned> touched_, columns_of_D_, starts_;
+  std::vector<unsigned> touched_, columns_of_D_, starts_, columns_of_entries_;
   Entries entries_;
   std::vector<SecondOrderPlan::Wide> wide_;
   std::vector<SecondOrderPlan::Pair> pairs_;

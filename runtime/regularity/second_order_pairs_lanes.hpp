@@ -25,6 +25,11 @@ class PairBounding {
     return PackArray{w_.D.x} + wide * n_ * n_;
   }
 
+  /// Returns true if D_pD_q is not 0.
+  [[nodiscard]] REGULUS_LANE_INLINE bool moves(const SecondOrderPlan::Pair& pair) const noexcept {
+    return pair.q < plan_.moving;
+  }
+
   /// Returns the rows of D_p from row i on.
   [[nodiscard]] REGULUS_LANE_INLINE SparseRows rows_of(unsigned p, unsigned i) const noexcept {
     const PlanRange& columns = plan_.wide[p].columns;
@@ -34,17 +39,33 @@ class PairBounding {
   /// Adds Σ_pq of r_pr_q·|B_pq − D_pD_q − D_qD_p|, or r_p²·|½B_pp − D_pD_p|, to P. A block of P
   /// stays in registers over all pairs.
   REGULUS_LANE_INLINE void add_pairs() noexcept {
+    if (!plan_.keeps_shares)
+      for (unsigned k = 0; k < plan_.pairs; ++k)
+        if (!moves(plan_.pair[k])) add_fixed_pair(plan_.pair[k]);
     for_each_block(
         n_, n_,
         [&]<unsigned kRows, unsigned kAtOnce>(unsigned i, unsigned j)
             __attribute__((always_inline)) {
               Block<kRows, kAtOnce> P;
-              for (unsigned k = 0; k < plan_.pairs; ++k) add_pair(plan_.pair[k], k, i, j, P);
+              P.read(PackArray{w_.magnitude_of_B.x} + (i * n_ + j), n_);
+              for (unsigned k = 0; k < plan_.pairs; ++k)
+                if (plan_.keeps_shares || moves(plan_.pair[k])) add_pair(plan_.pair[k], k, i, j, P);
               P.write(PackArray{w_.P.x} + (i * n_ + j), n_);
             });
   }
 
  private:
+  /// Adds r_pr_q·|B_pq| or ½r_p²·|B_pp| to the sum of magnitudes, where P begins.
+  REGULUS_LANE_INLINE void add_fixed_pair(const SecondOrderPlan::Pair& pair) noexcept {
+    const Pack weight =
+        product_ru(radius(plan_.wide[pair.p].variable), radius(plan_.wide[pair.q].variable));
+    const Pack part = weight * Pack::of(pair.p == pair.q ? 0.5 : 1.0);
+    for (unsigned k = pair.second.begin; k < pair.second.end; ++k) {
+      const SecondOrderPlan::Entry& entry = plan_.entries[k];
+      PackArray{w_.magnitude_of_B.x}.add_fused(entry.place, largest_of(in_.second, entry.at), part);
+    }
+  }
+
   template <unsigned kRows, unsigned kAtOnce>
   REGULUS_LANE_INLINE void add_pair(const SecondOrderPlan::Pair& pair, unsigned index, unsigned i,
                                     unsigned j, Block<kRows, kAtOnce>& P) noexcept {
@@ -53,14 +74,16 @@ class PairBounding {
     const bool curved = pair.second.size() > 0;
     Block<kRows, kAtOnce> sum;
     if (curved) read_second(pair, weight, i, j, sum);
-    sum.add_product(rows_of(pair.p, i), derivative(pair.q) + j, n_);
-    if (pair.p != pair.q) sum.add_product(rows_of(pair.q, i), derivative(pair.p) + j, n_);
+    if (moves(pair)) {
+      sum.add_product(rows_of(pair.p, i), derivative(pair.q) + j, n_);
+      if (pair.p != pair.q) sum.add_product(rows_of(pair.q, i), derivative(pair.p) + j, n_);
+    }
     const PackArray share = PackArray{w_.pairs.x} + (index * n_ + i) * n_ + j;
     for (unsigned r = 0; r < kRows; ++r)
       for (unsigned c = 0; c < kAtOnce; ++c) {
         Pack of_pair = magnitude(sum.x[r][c]) * weight;
         if (curved) of_pair = of_pair + PackArray{w_.pair_radius.x}[r * n_ + j + c];
-        share.put(r * n_ + c, of_pair);
+        if (plan_.keeps_shares) share.put(r * n_ + c, of_pair);
         P.x[r][c] = P.x[r][c] + of_pair;
       }
   }

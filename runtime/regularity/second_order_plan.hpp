@@ -48,13 +48,15 @@ struct SecondOrderPlan {
   };
 
   unsigned rows, columns_of_A, slots, wides, pairs, groups;
-  bool moves;                 ///< true if K(t) and w_k(t) move
-  bool weighs_row_variables;  ///< true if their impact is needed
+  unsigned moving;            ///< K(t) and w_k(t) move with so many of the first wide variables
+  bool keeps_shares;          ///< true if impacts are needed
+  bool weighs_row_variables;  ///< true if those of variables with a row are needed, too
   const unsigned* touched;    ///< rows, by slot
   const unsigned* columns;
   const unsigned* starts;
   const Entry* entries;
-  const Wide* wide;
+  const unsigned* columns_of_entries;
+  const Wide* wide;  ///< in the order of the variables
   const Pair* pair;
   const PlanRange* mixed;
   const SameRow* same_rows;

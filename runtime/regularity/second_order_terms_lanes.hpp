@@ -45,11 +45,6 @@ REGULUS_LANE_INLINE void clear(PackArray array, unsigned count) noexcept {
 REGULUS_LANE_INLINE void raise(PackArray array, unsigned count, double factor) noexcept {
   for (unsigned e = 0; e < count; ++e) array.put(e, raised(array[e], factor));
 }
-REGULUS_LANE_INLINE void list_columns(const SecondOrderPlan& plan, const PlanRange& range,
-                                      unsigned* columns) noexcept {
-  for (unsigned k = range.begin; k < range.end; ++k)
-    columns[k - range.begin] = plan.entries[k].column;
-}
 REGULUS_LANE_INLINE void add_squares(const SecondOrderPlan& plan, const PlanRange& range,
                                      PackArray x, PackArray sums) noexcept {
   for (unsigned k = range.begin; k < range.end; ++k)

@@ -33,7 +33,8 @@ bool cannot_be_halved(std::span<const Interval> box) noexcept {
 
 }  // namespace
 
-Decider::Decider(const Problem& problem, const Settings& settings, const RowStructure& structure)
+Decider::Decider(const Problem& problem, const Settings& settings, const RowStructure& structure,
+                 bool tries_easy_tests)
     : problem_(problem),
       settings_(settings),
       keeps_uncertainty_whole_(problem.kernel->variables > problem.kernel->motion_variables &&
@@ -43,11 +44,12 @@ Decider::Decider(const Problem& problem, const Settings& settings, const RowStru
       scaled_(problem.alpha.hi > 0.0),
       tries_products_(!scaled_ && structure.is_known() && !structure.empty() &&
                       settings.method == Method::kAuto && settings.ingredients.orthants),
-      batch_(problem, settings, structure),
+      batch_(problem, settings, structure, tries_easy_tests),
       center_(problem, settings, keeps_uncertainty_whole_ ? structure : no_structure_),
       tests_(make_tests(problem, settings, structure)),
       bisector_(problem, settings),
       middle_(problem.kernel->variables) {
+  if (tries_easy_tests) easy_tests_ = make_easy_tests(problem, settings, structure);
   if (settings.exhaustive) box_witness_.emplace(problem, settings);
   batch_.clear();
   batch_.load(0, problem.outer);
@@ -55,17 +57,27 @@ Decider::Decider(const Problem& problem, const Settings& settings, const RowStru
   batch_.learn_from_root();
 }
 
-/// Steps 5–30 of Algorithm 1.
-void Decider::decide(Decisions& decisions, bool keep_proofs) {
+void Decider::load(Decisions& decisions) noexcept {
   out_ = &decisions;
   decisions.forget_attempt();
   batch_.clear();
-  for (std::size_t lane = 0; lane < decisions.count(); ++lane) {
+  for (std::size_t lane = 0; lane < decisions.count(); ++lane)
     batch_.load(lane, decisions.box_of(lane));
+  batch_.seal(decisions.count());
+}
+
+bool Decider::all_easy(std::size_t test, Decisions& decisions) noexcept {
+  load(decisions);
+  const LaneMask lanes = batch_.loaded();
+  return easy_tests_[test]->certify(batch_, lanes, decisions.budget) == lanes;
+}
+
+/// Steps 5–30 of Algorithm 1.
+void Decider::decide(Decisions& decisions, bool keep_proofs) {
+  load(decisions);
+  for (std::size_t lane = 0; lane < decisions.count(); ++lane)
     if (decisions.open(lane).depth % kEveryTest == kEveryTest - 1)
       decisions.budget.anyway |= 1U << lane;
-  }
-  batch_.seal(decisions.count());
 
   const LaneMask lanes = leave_outside(batch_.loaded());
   LaneMask undecided = 0;
@@ -74,7 +86,7 @@ void Decider::decide(Decisions& decisions, bool keep_proofs) {
     undecided = (lanes & ~leavable) | leave_small(leave_by_every_test(leave_certified(leavable)));
     for_each_lane(undecided, [this](std::size_t lane) { split_or_look_inside(lane); });
   } else {
-    undecided = leave_by_every_test(leave_certified(lanes));
+    undecided = leave_by_every_test(leave_certified(leave_easy(lanes)));
     LaneMask hopeless = 0;
     undecided = leave_where_poses_stall(undecided, hopeless);
     for_each_lane(undecided, [this, hopeless](std::size_t lane) {
@@ -136,17 +148,27 @@ LaneMask Decider::leave_outside(LaneMask lanes) noexcept {
   return lanes & ~outside;
 }
 
+LaneMask Decider::leave_easy(LaneMask lanes) noexcept {
+  for (std::size_t t = 0; t < easy_tests_.size(); ++t)
+    if ((lanes & out_->easy[t]) != 0) lanes &= ~leave_by(*easy_tests_[t], lanes & out_->easy[t]);
+  return lanes;
+}
+
+/// Returns the lanes that the test certifies.
+LaneMask Decider::leave_by(RegularityTest& test, LaneMask lanes) noexcept {
+  const LaneMask certified = test.certify(batch_, lanes, out_->budget) & lanes;
+  const std::size_t order = vector_order(test.rule());
+  for_each_lane(certified, [&](std::size_t lane) { leave(lane, test.rule(), order); });
+  return certified;
+}
+
 /// Filters are the last tests.
 LaneMask Decider::leave_certified(LaneMask lanes) noexcept {
   const std::size_t ours = tests_.size() - settings_.filters.size();
   for (std::size_t t = 0; t < tests_.size() && lanes != 0; ++t) {
-    const auto& test = tests_[t];
-    const LaneMask certified = test->certify(batch_, lanes, out_->budget) & lanes;
-    const std::size_t order = vector_order(test->rule());
-    for_each_lane(certified, [&](std::size_t lane) {
-      leave(lane, test->rule(), order);
-      if (t >= ours) out_->decision[lane].filter = t - ours;
-    });
+    const LaneMask certified = leave_by(*tests_[t], lanes);
+    if (t >= ours)
+      for_each_lane(certified, [&](std::size_t lane) { out_->decision[lane].filter = t - ours; });
     lanes &= ~certified;
   }
   return leave_by_products(leave_by_closed_form(lanes));

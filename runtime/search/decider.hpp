@@ -15,8 +15,10 @@ namespace regulus {
 
 class Decider {
  public:
-  /// All three must outlive this object.
-  Decider(const Problem& problem, const Settings& settings, const RowStructure& structure);
+  /// All three must outlive this object. tries_easy_tests: uses the lanes that `decisions` marks
+  /// as easy.
+  Decider(const Problem& problem, const Settings& settings, const RowStructure& structure,
+          bool tries_easy_tests = false);
 
   /// Decides the boxes of `decisions`, 1…8. Their proofs refer to this object until its next call,
   /// unless `keep_proofs` is true.
@@ -27,13 +29,20 @@ class Decider {
   void decide(Decisions& decisions, bool keep_proofs);
 
   [[nodiscard]] const Bisector& bisector() const noexcept { return bisector_; }
+  /// Returns the number of tests for easy boxes.
+  [[nodiscard]] std::size_t easy_tests() const noexcept { return easy_tests_.size(); }
+  /// Returns true if this test for easy boxes certifies all of these.
+  [[nodiscard]] bool all_easy(std::size_t test, Decisions& decisions) noexcept;
   /// Returns the entries of v.
   [[nodiscard]] std::size_t order() const noexcept { return batch_.order(); }
 
  private:
+  void load(Decisions& decisions) noexcept;
   void leave(std::size_t lane, Rule rule, std::size_t order = 0) noexcept;
   void leave_with_witness(std::size_t lane);
   [[nodiscard]] LaneMask leave_outside(LaneMask lanes) noexcept;
+  [[nodiscard]] LaneMask leave_by(RegularityTest& test, LaneMask lanes) noexcept;
+  [[nodiscard]] LaneMask leave_easy(LaneMask lanes) noexcept;
   [[nodiscard]] LaneMask leave_certified(LaneMask lanes) noexcept;
   [[nodiscard]] LaneMask leave_by_every_test(LaneMask lanes) noexcept;
   [[nodiscard]] LaneMask leave_by_closed_form(LaneMask lanes) noexcept;
@@ -59,7 +68,7 @@ class Decider {
   const RowStructure no_structure_;
   Batch batch_;
   Batch center_;  ///< asked for regularity only if uncertain quantities are kept whole
-  TestSequence tests_;
+  TestSequence tests_, easy_tests_;
   Bisector bisector_;
   std::optional<BoxWitness> box_witness_;  ///< for an exhaustive search
   std::vector<Interval> middle_;

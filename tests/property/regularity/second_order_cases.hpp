@@ -204,9 +204,9 @@ struct Bounds {
   LaneNumbers lower, moving;
   bool regular;
 
-  Bounds(const Family& f, const Inputs& in, bool moves = true,
+  Bounds(const Family& f, const Inputs& in, const SecondOrderOptions& options = {},
          const RegularityBackend& backend = regularity_backend()) {
-    SecondOrderBounds bounds(in.lists, f.structure(), {.moves = moves}, backend);
+    SecondOrderBounds bounds(in.lists, f.structure(), options, backend);
     T.resize(bounds.order() * bounds.order() * kLanes);
     v.resize(bounds.order() * kLanes);
     const SecondOrderInput input = in.input();

@@ -24,7 +24,10 @@ TEST(SecondOrder, ClaimsHoldForExactMembers) {
     const Inputs in(random, f);
     const Isa isa = kAllIsas[static_cast<std::size_t>(round) / 3 % kAllIsas.size()];
     if (!supported(isa)) continue;
-    const Bounds bounds(f, in, round % 3 != 0, regularity_backend(isa));
+    // K moves with t₀ and t₁, with t₀, or not at all.
+    const SecondOrderOptions options{.moving = kWide - static_cast<std::size_t>(round) % 3,
+                                     .keeps_shares = random.one_in(2)};
+    const Bounds bounds(f, in, options, regularity_backend(isa));
     ++(bounds.regular ? certified : refused);
     for (int sample = 0; sample < 12; ++sample) {
       const Exact det = determinant(product_with_K(f, in, f.at(f.member(random))), f.n);
@@ -42,6 +45,41 @@ TEST(SecondOrder, ClaimsHoldForExactMembers) {
   EXPECT_GT(certified, 80);
   EXPECT_GT(refused, 80);
   EXPECT_GT(moving, 500);
+}
+
+/// The matrix is 1 plus one monomial of the family, which is `least` where it is least.
+Family one_monomial(Random& random, std::size_t part, bool of_row, double least) {
+  Family f(random, 1, 0);
+  f.radius.assign(f.variables, 0.5);
+  for (std::vector<double>& coefficient : f.A) coefficient[0] = 0.0;
+  for (auto& w : f.w)
+    for (std::vector<double>& coefficient : w) coefficient[0] = 0.0;
+  f.A[0][0] = 1.0;
+  const std::size_t degree = of_row ? (part == 0   ? 1
+                                       : part == 2 ? 3
+                                                   : 2)
+                                    : (part < 3   ? 1
+                                       : part < 5 ? 2
+                                                  : 3);
+  (of_row ? f.w[1][part] : f.A[part])[0] = std::ldexp(least, static_cast<int>(degree));
+  return f;
+}
+
+/// Random members hardly ever need a term that is small beside the others.
+TEST(SecondOrder, NoTermIsLeftOut) {
+  Random random(26);
+  for (const bool of_row : {false, true})
+    for (std::size_t part = of_row ? 0 : 1; part < (of_row ? 5U : 6U); ++part)
+      for (const std::size_t moving : {std::size_t{0}, std::size_t{1}, kWide})
+        for (const bool keeps_shares : {false, true}) {
+          const SecondOrderOptions options{.moving = moving, .keeps_shares = keeps_shares};
+          const auto regular = [&](double least) {
+            const Family f = one_monomial(random, part, of_row, least);
+            return Bounds(f, Inputs(random, f, 0.0), options).regular;
+          };
+          EXPECT_FALSE(regular(-1.0)) << of_row << ' ' << part << ' ' << moving;
+          EXPECT_TRUE(regular(-0.1)) << of_row << ' ' << part << ' ' << moving;
+        }
 }
 
 TEST(SecondOrder, ABallIsBoundedBetterThanTheBoxAroundIt) {
@@ -70,7 +108,7 @@ TEST(SecondOrder, WithoutMovingKeepsThePreconditionerWhereItIs) {
   for (int round = 0; round < 20; ++round) {
     Family f(random, 3, 0);
     const Inputs in(random, f);
-    for (const double moving : Bounds(f, in, false).moving.of)
+    for (const double moving : Bounds(f, in, {.moving = 0}).moving.of)
       EXPECT_EQ(moving, std::nextafter(1.0, 2.0));
   }
 }
