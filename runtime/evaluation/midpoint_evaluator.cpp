@@ -2,27 +2,12 @@
 #include "runtime/evaluation/midpoint_evaluator.hpp"
 
 #include <cmath>
-#include <cstdint>
 
+#include "runtime/regularity/backend.hpp"
 #include "runtime/regularity/determinant.hpp"
 #include "runtime/regularity/midpoint_inverse.hpp"
 
 namespace regulus {
-namespace {
-
-/// Returns the lanes in which no entry exceeds the limit or is NaN.
-LaneMask lanes_within(ConstPointMatrix x, double limit) noexcept {
-  std::int64_t beyond[kLanes] = {};
-  for (std::size_t e = 0; e < x.size(); ++e)
-    for (std::size_t lane = 0; lane < kLanes; ++lane)
-      beyond[lane] |= -std::int64_t{!(std::fabs(x.at(e, lane)) <= limit)};
-  LaneMask within = 0;
-  for (std::size_t lane = 0; lane < kLanes; ++lane)
-    if (beyond[lane] == 0) within |= 1U << lane;
-  return within;
-}
-
-}  // namespace
 
 MidpointEvaluator::MidpointEvaluator(const BoxLanes& lanes)
     : lanes_(lanes),
@@ -34,14 +19,12 @@ MidpointEvaluator::MidpointEvaluator(const BoxLanes& lanes)
 
 void MidpointEvaluator::compute() noexcept {
   defined_ = lanes_.call(lanes_.kernel().matrix, lanes_.thin(), nullptr, matrix_.get());
-  for (std::size_t e = 0; e < rows_ * columns_; ++e)
-    for (std::size_t lane = 0; lane < kLanes; ++lane)
-      approx_matrix_[point_at(e, lane)] =
-          0.5 * matrix_[lower_at(e, lane)] + 0.5 * matrix_[upper_at(e, lane)];
+  const RegularityBackend& backend = regularity_backend();
+  const PointMatrix A(approx_matrix_.get(), rows_, columns_);
+  backend.take_middles(ConstIntervalMatrix(matrix_.get(), rows_, columns_), A);
   const PointMatrix K(preconditioner_.get(), columns_, rows_);
-  const LaneMask failed = approx_inverse(ConstPointMatrix(approx_matrix_.get(), rows_, columns_), K,
-                                         approx_determinant_);
-  preconditioned_ = defined_ & ~failed & lanes_within(K, kMaxPointMagnitude);
+  const LaneMask failed = approx_inverse(A, K, approx_determinant_);
+  preconditioned_ = defined_ & ~failed & backend.within(K, kMaxPointMagnitude);
   for_each_lane(kAllLanes & ~preconditioned_, [&K](std::size_t lane) {
     for (std::size_t e = 0; e < K.size(); ++e) K.at(e, lane) = 0.0;
   });

@@ -63,6 +63,13 @@ struct RegularityBackend {
 
   /// Inverts in place, approximately; not finite if there is no inverse. Determinants to nearest.
   void (*invert)(PointMatrix matrix, LaneNumbers& determinant) noexcept;
+  /// Rounds each row to a grid of 28 bits. Returns the lanes in which a row is too small for it, or
+  /// an entry is not finite.
+  LaneMask (*round_rows_to_grid)(PointMatrix matrix) noexcept;
+  /// Returns the lanes in which no magnitude exceeds the limit; NaN does not count.
+  LaneMask (*within)(ConstPointMatrix matrix, double limit) noexcept;
+  /// ½lo + ½hi.
+  void (*take_middles)(ConstIntervalMatrix matrix, PointMatrix middles) noexcept;
 
   // second_order_lanes.hpp, second_order_impact_lanes.hpp
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Gauss–Jordan in place with row pivoting, eight matrices at a time. Lanes differ in their pivots:
-// a row with a larger one is exchanged with the pivot row in those lanes only.
+// a row with a larger one is exchanged with the pivot row in those lanes only. Then the rounding to a
+// grid, and the middles to invert.
 #pragma once
 
 #include "runtime/regularity/lanes.hpp"
@@ -50,6 +51,54 @@ inline void invert(PointMatrix matrix, LaneNumbers& determinant) noexcept {
       for (unsigned row = 0; row < n; ++row)
         exchange(a, row * n + k, row * n + i, small[k * n + i], large[k * n + i]);
   product.store(determinant.of);
+}
+
+/// Returns the power of two below x > 0 that is normal; else 0 or ∞.
+REGULUS_LANE_INLINE Pack power_below(const Pack& x) noexcept {
+  constexpr std::uint64_t kExponent = 0x7ff0000000000000;
+  Pack power;
+  for (unsigned p = 0; p < Pack::kParts; ++p)
+    power.part[p] = elementary::from_bits(elementary::to_bits(x.part[p]) & kExponent);
+  return power;
+}
+
+/// Rounds each row to a grid. With 2^L the power of two below the greatest entry, the grid is
+/// 2^(L−27): adding and subtracting 1.5·2^52 times the grid leaves the nearest multiple of the grid,
+/// or the next one in another rounding mode. Returns the lanes in which a row is too small for a
+/// grid, or an entry is not finite.
+inline LaneMask round_rows_to_grid(PointMatrix matrix) noexcept {
+  const PackArray a = packs_of(matrix);
+  const Pack zero = Pack::of(0.0), least = Pack::of(0x1p-800);
+  Pack nothing = zero;  // 0, or NaN after an entry that is not finite
+  LaneMask without = 0;
+  for (unsigned i = 0; i < matrix.rows(); ++i) {
+    const PackArray row = a + i * matrix.columns();
+    Pack greatest = zero;
+    for (unsigned j = 0; j < matrix.columns(); ++j) greatest = larger(magnitude(row[j]), greatest);
+    const Pack anchor = power_below(greatest) * Pack::of(0x1.8p25);
+    for (unsigned j = 0; j < matrix.columns(); ++j) {
+      const Pack rounded = (row[j] + anchor) - anchor;
+      row.put(j, rounded);
+      nothing = nothing + rounded * zero;
+    }
+    without |= less_lanes(zero, greatest) & less_lanes(greatest, least);
+  }
+  return without | (kAllLanes & ~less_lanes(nothing, Pack::of(1.0)));
+}
+
+/// Returns the lanes in which no magnitude exceeds the limit; NaN does not count.
+inline LaneMask within(ConstPointMatrix matrix, double limit) noexcept {
+  const PackArray a = packs_of(matrix);
+  Pack greatest = Pack::of(0.0);
+  for (unsigned e = 0; e < matrix.size(); ++e) greatest = larger(magnitude(a[e]), greatest);
+  return kAllLanes & ~less_lanes(Pack::of(limit), greatest);
+}
+
+inline void take_middles(ConstIntervalMatrix matrix, PointMatrix middles) noexcept {
+  const PackArray bounds{const_cast<double*>(matrix.data())}, a = packs_of(middles);
+  const Pack half = Pack::of(0.5);
+  for (unsigned e = 0; e < matrix.size(); ++e)
+    a.put(e, half * bounds[2 * e] + half * bounds[2 * e + 1]);
 }
 
 }  // namespace REGULUS_LANES_ISA

@@ -6,8 +6,10 @@
 #include <algorithm>
 #include <cfenv>
 #include <cmath>
+#include <limits>
 #include <vector>
 
+#include "runtime/regularity/backend.hpp"
 #include "tests/support/lane_arrays.hpp"
 
 namespace regulus {
@@ -142,6 +144,38 @@ TEST(MidpointInverse, InvertsTallMatricesFromTheLeftInMixedUnits) {
         scaled_K[point_at(j * m + p, l)] *= 1e7;
       }
     EXPECT_LT(residual(scaled_K, scaled_A, m, n, l), 1e-6);
+  }
+}
+
+/// Rows of the same matrices, with entries that are not finite, tiny, or 0.
+TEST(MidpointInverse, InstructionSetsRoundAlike) {
+  constexpr std::size_t n = 3;
+  constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
+  constexpr double rows[kLanes][n] = {{1, -0x1.23456789abcdfp-3, 3e-9},
+                                      {0, -0.0, 0},
+                                      {1, kNaN, 2},
+                                      {kInfinity, 1, 1},
+                                      {0x1p-801, 0x1p-900, 0},
+                                      {-0x1.8p-800, 0x1p-820, 1e-300},
+                                      {-1e300, 1e284, 7},
+                                      {5e-324, 0, -1}};
+  for (const Isa isa : kAllIsas) {
+    if (!supported(isa)) continue;
+    const RegularityBackend& backend = regularity_backend(isa);
+    std::vector<double> rounded(n * kLanes), expected(n * kLanes);
+    for (std::size_t lane = 0; lane < kLanes; ++lane)
+      for (std::size_t j = 0; j < n; ++j)
+        rounded[point_at(j, lane)] = expected[point_at(j, lane)] = rows[lane][j];
+    const PointMatrix row(rounded.data(), 1, n), same(expected.data(), 1, n);
+    EXPECT_EQ(backend.within(row, 1e299), 0b10110111U) << static_cast<int>(isa);
+    EXPECT_EQ(backend.round_rows_to_grid(row), 0b00011100U) << static_cast<int>(isa);
+    EXPECT_EQ(regularity_backend(Isa::kPortable).round_rows_to_grid(same), 0b00011100U);
+    for (const std::size_t lane : {0U, 1U, 5U, 6U, 7U})
+      for (std::size_t j = 0; j < n; ++j)
+        EXPECT_EQ(rounded[point_at(j, lane)], expected[point_at(j, lane)])
+            << static_cast<int>(isa) << ' ' << lane;
+    // 28 bits below the greatest entry.
+    EXPECT_EQ(rounded[point_at(1, 0)], std::round(std::ldexp(rows[0][1], 27)) * 0x1p-27);
   }
 }
 
