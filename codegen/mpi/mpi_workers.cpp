@@ -75,7 +75,7 @@ void MpiWorkers::await_ranks(const Settings& settings) {
 }
 
 void MpiWorkers::begin(const Problem& problem, const Settings& settings,
-                       const cluster::Learned& learned) {
+                       const cluster::Learned& learned, const cluster::MakeDecider& make) {
   tell_topic();
   await_ranks(settings);
   const auto threads_of_others = [this] {
@@ -89,7 +89,7 @@ void MpiWorkers::begin(const Problem& problem, const Settings& settings,
   named_.clear();
   told_at_ = now();
   told_boxes_ = 0;
-  local_.begin(problem, settings, learned);
+  local_.begin(problem, settings, learned, make);
   places_.clear();
   first_worker_.assign(ranks_.size(), 0);
   for (auto slot = static_cast<unsigned>(first_thread_works_ ? 0 : 1); slot < local_.count();
@@ -165,9 +165,10 @@ void MpiWorkers::tell_progress() {
   const std::uint64_t boxes = progress_.boxes - told_boxes_;
   told_at_ += seconds;
   told_boxes_ = progress_.boxes;
-  fmt::print(stderr, "regulus-mpi: {} boxes, {:.3g} boxes/s, {:.2f} % decided, {}\n",
-             progress_.boxes, static_cast<double>(boxes) / seconds, 100 * progress_.decided,
-             describe());
+  const std::string decided =
+      progress_.decided ? fmt::format("{:.2f} % decided, ", 100 * *progress_.decided) : "";
+  fmt::print(stderr, "regulus-mpi: {} boxes, {:.3g} boxes/s, {}{}\n", progress_.boxes,
+             static_cast<double>(boxes) / seconds, decided, describe());
 }
 
 std::string MpiWorkers::describe() const {

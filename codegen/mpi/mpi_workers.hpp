@@ -33,8 +33,8 @@ class MpiWorkers final : public cluster::Workers {
   void turn_to(std::string topic) override { topic_ = std::move(topic); }
   /// Waits until each rank has prepared the question, but not beyond the limit of time: ranks that
   /// are not ready then get no work. Throws InternalError with the name of a rank that cannot.
-  void begin(const Problem& problem, const Settings& settings,
-             const cluster::Learned& learned) override;
+  void begin(const Problem& problem, const Settings& settings, const cluster::Learned& learned,
+             const cluster::MakeDecider& make) override;
   void end() noexcept override;
   [[nodiscard]] std::size_t count() const override;
   [[nodiscard]] double seconds_of_grant() const override;

@@ -52,7 +52,7 @@ class Service {
     decide_for_another(*prepared_, search_, description,
                        [&](const Problem& problem, const Settings& settings) {
                          ThreadWorkers threads(threads_);
-                         threads.begin(problem, settings, description.learned);
+                         threads.begin(problem, settings, description.learned, nullptr);
                          decide_units(threads);
                        });
   }

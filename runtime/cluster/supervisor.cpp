@@ -27,6 +27,9 @@ constexpr std::uint64_t kMaxUnitsOfGrant = 8;
 /// An answer may take so many times as long as the longest one so far.
 constexpr double kPatienceFactor = 8.0;
 
+/// The place of a unit begins with four bytes.
+constexpr std::size_t kMaxUnitsOfSearch = 0xffffffff;
+
 std::string first_place(std::size_t number) {
   std::string place;
   for (int shift = 24; shift >= 0; shift -= 8)
@@ -51,11 +54,17 @@ double Supervisor::Pace::seconds_for(std::size_t workers) noexcept {
 
 Supervisor::Supervisor(std::vector<Unit> units, std::size_t workers, const Pace& pace)
     : pace_(pace), workers_(workers) {
-  for (std::size_t i = 0; i < units.size(); ++i) {
-    waiting_.insert(first_place(i), units[i]);
-    units_[first_place(i)].unit = std::move(units[i]);
-  }
+  add(std::move(units));
   for (std::size_t i = 0; i < workers; ++i) idle_.insert(i);
+}
+
+void Supervisor::add(std::vector<Unit> units) {
+  for (Unit& unit : units) {
+    if (next_unit_ > kMaxUnitsOfSearch) throw std::length_error("a search has too many units");
+    const Place place = first_place(next_unit_++);
+    waiting_.insert(place, unit);
+    units_[place].unit = std::move(unit);
+  }
 }
 
 std::optional<Supervisor::Decided> Supervisor::first() const {

@@ -50,6 +50,9 @@ class Supervisor {
 
   Supervisor(std::vector<Unit> units, std::size_t workers, const Pace& pace);
 
+  /// Adds units, which come after all others in order.
+  void add(std::vector<Unit> units);
+
   /// Throws MalformedMessage and Disagreement.
   void receive(std::size_t worker, std::string_view answer, double now);
 
@@ -106,6 +109,7 @@ class Supervisor {
 
   const Pace pace_;
   std::map<Place, Entry> units_;
+  std::size_t next_unit_ = 0;  ///< of those that no other unit left
   WaitingUnits waiting_;
   std::map<std::uint64_t, Sent> sent_;
   std::uint64_t next_grant_ = 1;

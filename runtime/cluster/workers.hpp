@@ -3,9 +3,12 @@
 // processes of a cluster, or a simulation of either.
 #pragma once
 
+#include <functional>
+#include <memory>
 #include <optional>
 #include <string>
 
+#include "runtime/cluster/unit.hpp"
 #include "runtime/problem/observer.hpp"
 
 namespace regulus::cluster {
@@ -16,10 +19,13 @@ struct Learned {
   WitnessCandidates candidates;
 };
 
+/// Makes a decider of units for one thread of this process.
+using MakeDecider = std::function<std::unique_ptr<UnitDecider>()>;
+
 /// The state of a search, for people.
 struct Progress {
   std::uint64_t boxes = 0;         ///< evaluated, of the units that are in order
-  double decided = 0;              ///< part of the whole box, roughly, 0 … 1
+  std::optional<double> decided;   ///< part of the whole box, roughly, 0 … 1, if it is known
   std::size_t waiting = 0;         ///< units that no worker has
   std::vector<std::size_t> still;  ///< workers that did not answer in time
 };
@@ -40,8 +46,10 @@ class Workers {
   /// The next searches are about a matrix that their caller names in words of its own. Workers that
   /// have no kernel of it form one before such a search begins.
   virtual void turn_to(std::string topic) { static_cast<void>(topic); }
-  /// Prepares the workers for the units of a search. The arguments live until end().
-  virtual void begin(const Problem& problem, const Settings& settings, const Learned& learned) = 0;
+  /// Prepares the workers for the units of a search. The arguments live until end(). `make`: if the
+  /// units are not those of Algorithm 1; other processes know it from the topic.
+  virtual void begin(const Problem& problem, const Settings& settings, const Learned& learned,
+                     const MakeDecider& make) = 0;
   /// The search is over: workers give up their units.
   virtual void end() noexcept = 0;
 

@@ -5,6 +5,8 @@
 #include <system_error>
 #include <utility>
 
+#include "runtime/search/unit_search.hpp"
+
 namespace regulus {
 namespace {
 
@@ -12,6 +14,24 @@ namespace {
 constexpr double kSecondsOfGrant = 0.05;
 
 constexpr std::chrono::milliseconds kLongestWait{20};
+
+/// Decides the units of Algorithm 1.
+class ThreadSearch final : public cluster::UnitDecider {
+ public:
+  ThreadSearch(const Problem& problem, const Settings& settings, const RowStructure& structure,
+               const cluster::Learned& learned, const std::atomic<bool>& stop,
+               ThreadWorkers::Clock::time_point deadline)
+      : witness_(problem, settings, false),
+        search_(problem, settings, structure, learned, witness_, stop, deadline) {}
+
+  [[nodiscard]] std::optional<std::string> decide(const cluster::Unit& unit) override {
+    return search_.decide(unit);
+  }
+
+ private:
+  WitnessSearch witness_;
+  UnitSearch search_;
+};
 
 }  // namespace
 
@@ -21,14 +41,20 @@ double ThreadWorkers::now() const {
   return std::chrono::duration<double>(Clock::now().time_since_epoch()).count();
 }
 
-void ThreadWorkers::begin(const Problem& problem, const Settings& settings,
-                          const cluster::Learned& learned) {
-  stop_ = false;
+cluster::MakeDecider ThreadWorkers::unit_searches(const Problem& problem, const Settings& settings,
+                                                  const cluster::Learned& learned) {
   structure_.emplace(find_row_structure(problem, settings));
-  const auto add = [&] {
-    places_.push_back(
-        std::make_unique<Place>(problem, settings, *structure_, learned, stop_, deadline_));
+  return [&, this] {
+    return std::make_unique<ThreadSearch>(problem, settings, *structure_, learned, stop_,
+                                          deadline_);
   };
+}
+
+void ThreadWorkers::begin(const Problem& problem, const Settings& settings,
+                          const cluster::Learned& learned, const cluster::MakeDecider& make) {
+  stop_ = false;
+  const cluster::MakeDecider decider = make ? make : unit_searches(problem, settings, learned);
+  const auto add = [&] { places_.push_back(std::make_unique<Place>(Place{decider()})); };
   add();
   try {
     while (places_.size() < threads_) add();
@@ -81,7 +107,7 @@ void ThreadWorkers::work_while_granted(std::size_t number) {
     if (stop_) return;
     static_cast<void>(take_grants(place));
     lock.unlock();
-    std::optional<std::string> answer = place.worker.step(place.search, [this] { return now(); });
+    std::optional<std::string> answer = place.worker.step(*place.decider, [this] { return now(); });
     lock.lock();
     if (!answer) continue;
     outbox_.push_back({number, std::move(*answer)});
@@ -118,7 +144,7 @@ std::optional<cluster::Received> ThreadWorkers::receive(bool wait) {
   }
   if (!has_work) return std::nullopt;
   lock.unlock();
-  std::optional<std::string> answer = own.worker.step(own.search, [this] { return now(); });
+  std::optional<std::string> answer = own.worker.step(*own.decider, [this] { return now(); });
   if (!answer) return std::nullopt;
   return cluster::Received{0, std::move(*answer)};
 }

@@ -14,7 +14,6 @@
 #include "runtime/cluster/worker.hpp"
 #include "runtime/cluster/workers.hpp"
 #include "runtime/problem/row_structure.hpp"
-#include "runtime/search/unit_search.hpp"
 
 namespace regulus {
 
@@ -31,8 +30,8 @@ class ThreadWorkers final : public cluster::Workers {
 
   /// If memory or threads for some of the workers cannot be had, there are fewer.
   /// Errors    std::bad_alloc if there is not even memory for one.
-  void begin(const Problem& problem, const Settings& settings,
-             const cluster::Learned& learned) override;
+  void begin(const Problem& problem, const Settings& settings, const cluster::Learned& learned,
+             const cluster::MakeDecider& make) override;
   void end() noexcept override;
   [[nodiscard]] std::size_t count() const override { return places_.size(); }
   [[nodiscard]] double seconds_of_grant() const override;
@@ -47,18 +46,13 @@ class ThreadWorkers final : public cluster::Workers {
  private:
   /// All that one worker has.
   struct Place {
-    Place(const Problem& problem, const Settings& settings, const RowStructure& structure,
-          const cluster::Learned& learned, const std::atomic<bool>& stop,
-          Clock::time_point deadline)
-        : witness(problem, settings, false),
-          search(problem, settings, structure, learned, witness, stop, deadline) {}
-
-    WitnessSearch witness;
-    UnitSearch search;
-    cluster::Worker worker;
-    std::deque<std::string> inbox;  ///< guarded by mutex_
+    std::unique_ptr<cluster::UnitDecider> decider;
+    cluster::Worker worker{};
+    std::deque<std::string> inbox{};  ///< guarded by mutex_
   };
 
+  [[nodiscard]] cluster::MakeDecider unit_searches(const Problem& problem, const Settings& settings,
+                                                   const cluster::Learned& learned);
   void start_threads() noexcept;
   void work(std::size_t place) noexcept;
   void work_while_granted(std::size_t place);

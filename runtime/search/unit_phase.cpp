@@ -10,6 +10,7 @@
 #include "runtime/search/thread_workers.hpp"
 #include "runtime/search/unit_events.hpp"
 #include "runtime/search/unit_groups.hpp"
+#include "runtime/search/unit_search.hpp"
 
 namespace regulus {
 namespace {
@@ -87,7 +88,7 @@ std::vector<cluster::Unit> UnitPhase::units() const {
 void UnitPhase::run() {
   cut_frontier();
   save_units();
-  workers_.begin(record_.problem, record_.settings, learned_);
+  workers_.begin(record_.problem, record_.settings, learned_, nullptr);
   supervisor_.emplace(units(), workers_.count(),
                       cluster::Supervisor::Pace{workers_.seconds_of_grant(), kPatience});
   restore_early();

@@ -32,12 +32,16 @@ class SimulatedWorkers final : public cluster::Workers {
   SimulatedWorkers(std::size_t count, const Troubles& troubles, unsigned seed, KnownOutcomes& known)
       : troubles_(troubles), random_(seed), known_(known), workers_(count), dead_until_(count) {}
 
-  void begin(const Problem& problem, const Settings& settings,
-             const cluster::Learned& learned) override {
+  void begin(const Problem& problem, const Settings& settings, const cluster::Learned& learned,
+             const cluster::MakeDecider& make) override {
     search_key_ = std::hash<std::string>()(cluster::write_search(problem, settings, learned));
+    if (make) {
+      decider_ = make();
+      return;
+    }
     structure_.emplace(find_row_structure(problem, settings));
     witness_ = std::make_unique<WitnessSearch>(problem, settings, false);
-    search_ =
+    decider_ =
         std::make_unique<UnitSearch>(problem, settings, *structure_, learned, *witness_, stop_);
   }
   void end() noexcept override {}
@@ -90,7 +94,7 @@ class SimulatedWorkers final : public cluster::Workers {
       key.put(of_.search_key_);
       put(key, unit);
       const auto [found, added] = of_.known_.try_emplace(key.bytes());
-      if (added) found->second = of_.search_->decide(unit).value();
+      if (added) found->second = of_.decider_->decide(unit).value();
       of_.busy_ += of_.uniform() * kLongestUnit;
       return found->second;
     }
@@ -134,7 +138,7 @@ class SimulatedWorkers final : public cluster::Workers {
   std::size_t search_key_ = 0;
   std::optional<RowStructure> structure_;
   std::unique_ptr<WitnessSearch> witness_;
-  std::unique_ptr<UnitSearch> search_;
+  std::unique_ptr<cluster::UnitDecider> decider_;
   const std::atomic<bool> stop_ = false;
   std::priority_queue<Event> events_;
   std::uint64_t next_ = 0;

@@ -15,7 +15,7 @@ std::string key_of(const cluster::Unit& unit) {
 }  // namespace
 
 void RecordingWorkers::begin(const Problem& problem, const Settings& settings,
-                             const cluster::Learned& learned) {
+                             const cluster::Learned& learned, const cluster::MakeDecider&) {
   settings_ = &settings;
   structure_.emplace(find_row_structure(problem, settings));
   witness_ = std::make_unique<WitnessSearch>(problem, settings, false);

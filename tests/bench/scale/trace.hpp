@@ -32,8 +32,8 @@ class RecordingWorkers final : public cluster::Workers, public cluster::UnitDeci
  public:
   explicit RecordingWorkers(Trace& trace) : trace_(trace) {}
 
-  void begin(const Problem& problem, const Settings& settings,
-             const cluster::Learned& learned) override;
+  void begin(const Problem& problem, const Settings& settings, const cluster::Learned& learned,
+             const cluster::MakeDecider&) override;
   void end() noexcept override {}
   [[nodiscard]] std::size_t count() const override { return 1; }
   [[nodiscard]] double seconds_of_grant() const override { return 0.05; }

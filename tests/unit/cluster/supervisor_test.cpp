@@ -110,6 +110,25 @@ TEST(Supervisor, RefusesTwoOutcomesOfOneUnit) {
   EXPECT_THROW(supervisor.receive(first[1].worker, write_answer(other), 14), Disagreement);
 }
 
+TEST(Supervisor, TakesMoreUnitsWhileAnswersAreLate) {
+  Supervisor supervisor({unit_of(0)}, 2, {.seconds = 1, .patience = 10});
+  const auto first = supervisor.grant_work(0);
+  const auto second = supervisor.grant_work(11);
+  supervisor.receive(second.at(0).worker, answer_to(second[0].grant), 12);
+  EXPECT_THAT(taken(supervisor), ElementsAre(0));
+  supervisor.add({unit_of(0.5), unit_of(-1)});
+  const auto third = supervisor.grant_work(12);
+  ASSERT_EQ(third.size(), 2U);
+  for (const auto& grant : third) EXPECT_NE(grant.worker, first[0].worker) << "it stands still";
+  // The answer to the first grant says nothing about the new units.
+  supervisor.receive(first[0].worker, answer_to(first[0].grant), 13);
+  EXPECT_FALSE(supervisor.first());
+  supervisor.receive(third[1].worker, answer_to(third[1].grant), 14);
+  EXPECT_FALSE(supervisor.first());
+  supervisor.receive(third[0].worker, answer_to(third[0].grant), 14);
+  EXPECT_THAT(taken(supervisor), ElementsAre(0.5));
+}
+
 TEST(Supervisor, AnswersThatItDoesNotExpectChangeNothing) {
   Supervisor supervisor({unit_of(0), unit_of(0)}, 1, {});
   const auto grants = supervisor.grant_work(0);
