@@ -7,8 +7,8 @@
 namespace regulus::inline bounding {
 namespace {
 
-/// So many that the threads are busy most of the time.
-constexpr std::size_t kDecidedAtOnce = 512;
+/// So many that the threads and workers are busy most of the time.
+constexpr std::size_t kDecidedAtOnce = 2048;
 
 class TreeProof {
  public:

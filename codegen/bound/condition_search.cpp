@@ -13,8 +13,9 @@ namespace {
 
 using Box = BoxJudges::Box;
 
-/// The boxes that are split in a round, whatever the number of threads.
-constexpr std::size_t kParentsOfRound = 32;
+/// The boxes that are split in a round, whatever the number of threads: a part of those that are
+/// open, so that few of them are split in vain, within these bounds.
+constexpr std::size_t kPartOfOpen = 8, kFewestParents = 32, kMostParents = 1024;
 /// If no bound is known after so many boxes, a singular pose is likely, or one that is nearly so.
 constexpr std::uint64_t kBoxesBeforeDoubt = 1024;
 /// Seconds between two saves: a tenth of the time so far, within these bounds.
@@ -29,7 +30,9 @@ class ConditionSearch {
       : problem_(question.problem),
         settings_(settings),
         progress_(progress),
-        judges_(question, settings.threads, 2 * kParentsOfRound) {
+        judges_(question, settings.threads, 2 * kMostParents,
+                {settings.workers, settings.boxes_before_workers, settings.time_limit,
+                 settings.interrupt}) {
     for (const Interval& range : problem_.outer) ranges_.push_back(width_ru(range));
   }
 
@@ -76,8 +79,9 @@ class ConditionSearch {
   void search() {
     while (!must_stop()) {
       begin_round();
-      while (!open_.empty() && children_.size() < 2 * kParentsOfRound && !is_settled())
-        split_largest();
+      const std::size_t children =
+          2 * std::clamp(open_.size() / kPartOfOpen, kFewestParents, kMostParents);
+      while (!open_.empty() && children_.size() < children && !is_settled()) split_largest();
       finish_round();
       save_now_and_then();
     }
@@ -88,6 +92,7 @@ class ConditionSearch {
     if (progress_ == nullptr) return;
     Settings settings;
     settings.time_limit = settings_.time_limit;
+    settings.workers = settings_.workers;
     progress_->on_start(problem_, settings);
   }
 

@@ -37,6 +37,9 @@ struct ConditionSettings {
   const ConditionState* from = nullptr;  ///< continue from there
   /// Called between rounds, now and then and when the search stops.
   std::function<void(const ConditionState&)> save{};
+  /// Decide boxes, too; null: only the threads do. Only the time depends on it.
+  cluster::Workers* workers = nullptr;
+  std::uint64_t boxes_before_workers = BoxSharing{}.boxes_before;
 };
 
 struct ConditionResult {
@@ -54,8 +57,8 @@ struct ConditionResult {
 
 /// Splits the box with the largest bound, again and again.
 ///
-/// The boxes of a round are decided by several threads and concluded in order, so the result does
-/// not depend on the threads. `progress` may be null. It receives every split before those below it,
+/// The boxes of a round are decided by several threads, or by workers, and concluded in order, so the
+/// result does not depend on them. `progress` may be null. It receives every split before those below it,
 /// and every box that is not split as a leaf, with the rule kOutside or kSecondOrder.
 /// A search that continues tells it first of all splits and leaves that were made before, in their
 /// order.
@@ -64,7 +67,8 @@ struct ConditionResult {
 /// goes on as if it had not stopped, with the same boxes and the same result.
 ///
 /// Requires  the matrix of the kernel is m×n, m ≥ n, and is that whose κ is asked.
-/// Throws    ConditionStateError if `from` is no state of a search with these variables.
+/// Throws    ConditionStateError if `from` is no state of a search with these variables; the
+///           exceptions of the workers.
 [[nodiscard]] ConditionResult search_condition(const ConditionQuestion& question,
                                                const ConditionSettings& settings,
                                                Observer* progress);
