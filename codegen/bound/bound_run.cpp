@@ -328,7 +328,7 @@ LimitVerdict Bound::verdict() const {
 Bound bound_quantity(const Request& request, Quantity quantity, const BoundSettings& settings,
                      const BoundListener& listener) {
   const bool is_along_way = request.motion.trajectory != nullptr;
-  refuse_unsupported(request, quantity, settings);
+  refuse_unsupported(request, quantity);
   Bound bound{std::move(quantity), {}};
   Stopwatch watch;
   double left = settings.search.time_limit, forming = settings.forming_limit;

@@ -30,6 +30,7 @@ std::optional<MarginValue> value_of(std::optional<double> end) {
 
 std::string write_topic(const BracketTopic& topic) {
   cluster::ByteWriter bytes;
+  bytes.put(topic.kind);
   bytes.put(std::uint64_t{topic.component});
   bytes.put(topic.reference);
   bytes.put(topic.low);
@@ -41,6 +42,8 @@ std::string write_topic(const BracketTopic& topic) {
 BracketTopic read_topic(std::string_view text) {
   cluster::ByteReader bytes(text);
   BracketTopic topic;
+  topic.kind = bytes.take<TopicKind>();
+  if (topic.kind > TopicKind::kMatrixWithSlopes) throw cluster::MalformedMessage();
   topic.component = bytes.take<std::uint64_t>();
   topic.reference = bytes.take<double>();
   topic.low = bytes.take<double>();

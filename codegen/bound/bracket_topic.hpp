@@ -2,6 +2,7 @@
 // The matrix that the searches of a bracket are about, so that other processes can form it, too.
 #pragma once
 
+#include <cstdint>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -11,12 +12,20 @@
 
 namespace regulus::inline bounding {
 
+/// The kernel that searches need.
+enum class TopicKind : std::uint8_t {
+  kBracket,           ///< of a bordered matrix
+  kExpandedMatrix,    ///< of the matrix itself, with Taylor's expansion (condition_kernel.hpp)
+  kMatrixWithSlopes,  ///< the same, with slopes of its entries
+};
+
 /// The question of the searches of one bracket, for a process that has the same model and words.
 struct BracketTopic {
   std::size_t component = 0;  ///< its number in the quantity
   double reference = 0;       ///< y of quantity/bordered.hpp
   double low = 0;             ///< the ends of the bracket
   std::optional<double> high{};
+  TopicKind kind = TopicKind::kBracket;  ///< another one: nothing else matters
 };
 
 [[nodiscard]] std::string write_topic(const BracketTopic& topic);

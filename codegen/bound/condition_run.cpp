@@ -6,12 +6,11 @@
 
 #include "codegen/bound/condition_certificate.hpp"
 #include "codegen/bound/condition_checkpoint.hpp"
+#include "codegen/bound/condition_kernel.hpp"
 #include "codegen/certificate/certificate_question.hpp"
 #include "codegen/engine/search_run.hpp"
 #include "codegen/engine/settings.hpp"
-#include "codegen/formulation/variety.hpp"
 #include "codegen/model/expression_parser.hpp"
-#include "codegen/quantity/inverse_in_one_unit.hpp"
 #include "codegen/report/progress.hpp"
 #include "codegen/report/report_parts.hpp"
 #include "codegen/support/errors.hpp"
@@ -42,33 +41,6 @@ BoundEnd decimal_end(double x, RoundTo side) {
   return end_at(parse_constant(text, {.file = "", .key = ""}).value);
 }
 
-/// With more variables the second derivatives of Taylor's expansion are too many.
-constexpr std::size_t kMostExpanded = 12;
-
-/// The kernel needs the entries of the matrix and the expansion of K·A, in which every quantity is
-/// treated alike; of a model with many uncertain quantities, only derivatives of the entries.
-SearchOptions options_of_kernel(SearchOptions search, const Request& request) {
-  const bool expands =
-      uncertain_names(request).size() + request.motion.parameters.size() +
-          std::size_t(std::ranges::count_if(request.motion.error,
-                                            [](const GiNaC::ex& e) { return !e.is_zero(); })) <=
-      kMostExpanded;
-  search.method = expands ? Method::kAuto : Method::kReg;
-  search.entries = expands ? Entries::kNatural : Entries::kDerivatives;
-  search.uncertainty = Uncertainty::kElements;
-  for (const char* ingredient : {"columns", "rows"})
-    if (std::ranges::find(search.without, ingredient) == search.without.end())
-      search.without.emplace_back(ingredient);
-  return search;
-}
-
-/// True if Taylor's expansion was formed: not if it was too costly.
-bool is_expanded(const regulus_kernel& kernel) {
-  if (kernel.expansion == nullptr) return false;
-  const int* rows = kernel.expansion->row_of_variable;
-  return rows != nullptr && std::all_of(rows, rows + kernel.variables, [](int r) { return r < 0; });
-}
-
 class ConditionRun {
  public:
   ConditionRun(const Request& request, const Component& component, const BoundSettings& settings,
@@ -79,17 +51,10 @@ class ConditionRun {
         seconds_(std::max(seconds, 1e-3)),
         left_(left) {
     result_.component = component;
-    SearchOptions forming = options_of_kernel(settings.search, request);
+    SearchOptions forming = settings.search;
     forming.time_limit = std::max(left, 1e-3);
-    const Request scaled = inverse_in_one_unit(request);
-    const FormingWatch watch = forming_watch(settings.output, settings.interrupt);
-    prepared_ = prepare(scaled, 0, forming, watch);
-    if (forming.method == Method::kAuto && !prepared_.stopped &&
-        !is_expanded(*prepared_.problem().kernel)) {
-      forming.method = Method::kReg;
-      forming.entries = Entries::kDerivatives;
-      prepared_ = prepare(scaled, 0, forming, watch);
-    }
+    kernel_ =
+        form_condition_kernel(request, forming, forming_watch(settings.output, settings.interrupt));
   }
 
   ComponentBound run() {
@@ -157,6 +122,8 @@ class ConditionRun {
         prepared_.stopped ? 0 : std::max(seconds_left(prepared_, seconds_), least);
     settings.interrupt = settings_.interrupt;
     settings.ask = [this](double seconds) { return hint(seconds); };
+    settings.workers = settings_.search.workers;
+    if (settings.workers != nullptr) settings.workers->turn_to(write_topic(topic_of(kernel_)));
     return settings;
   }
 
@@ -176,7 +143,8 @@ class ConditionRun {
     BoundSettings settings = settings_;
     settings.limit.reset();
     settings.certificate.clear();
-    settings.checkpoint = nullptr;  // it is of this search
+    settings.checkpoint = nullptr;      // it is of this search
+    settings.search.workers = nullptr;  // the same
     settings.gap = kGapOfExtremes;
     const Quantity asked = quantity_of(request_.model, {.quantity = quantity});
     const ComponentBound bound = other_(asked.components.front(), settings, seconds);
@@ -190,6 +158,7 @@ class ConditionRun {
   bool has_singular_pose(double seconds) {
     SearchOptions search = settings_.search;
     search.time_limit = seconds;
+    search.workers = nullptr;  // they have another kernel
     Request request = request_;
     request.motion.alpha = 0;
     PreparedSearch prepared = prepare(std::move(request), 0, search,
@@ -236,23 +205,20 @@ class ConditionRun {
   const BoundSettings& settings_;
   const OtherBound& other_;
   const double seconds_, left_;
-  PreparedSearch prepared_;
+  ConditionKernel kernel_;
+  PreparedSearch& prepared_ = kernel_.prepared;
   std::optional<ConditionCertificate> certificate_;
   ComponentBound result_;
 };
 
 }  // namespace
 
-void refuse_unsupported(const Request& request, const Quantity& quantity,
-                        const BoundSettings& settings) {
+void refuse_unsupported(const Request& request, const Quantity& quantity) {
   if (quantity.kind != QuantityKind::kCondition2) return;
   if (request.motion.trajectory)
     throw UsageError(
         "condition --norm 2: a motion along way-points cannot be bounded yet; give the motion a "
         "formula, or ranges");
-  if (settings.search.workers != nullptr)
-    throw UsageError(
-        "condition --norm 2: this question runs on one machine; use regulus, with --threads");
 }
 
 ComponentBound bound_condition_number(const Request& request, const Component& component,

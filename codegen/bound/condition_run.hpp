@@ -6,10 +6,9 @@
 
 namespace regulus::inline bounding {
 
-/// Throws    UsageError if the quantity is a condition number in the 2-norm and the settings ask for
-///           what its search does not have: way-points, processes of a cluster.
-void refuse_unsupported(const Request& request, const Quantity& quantity,
-                        const BoundSettings& settings);
+/// Throws    UsageError if the quantity is a condition number in the 2-norm and the motion follows
+///           way-points, which its search does not have.
+void refuse_unsupported(const Request& request, const Quantity& quantity);
 
 /// Brackets another quantity of the same question, in so many seconds.
 using OtherBound =

@@ -50,7 +50,7 @@ int run_bound(const BoundCommand& given) {
   settings.certificate = command.certificate;
   if (settings.limit && !command.checkpoint.empty() && quantity.kind != QuantityKind::kCondition2)
     throw UsageError("--checkpoint: with --limit there is one search and no bracket to continue");
-  refuse_unsupported(request, quantity, settings);
+  refuse_unsupported(request, quantity);
   set_earlier_outputs_aside(command.model.path, certificate_files(quantity, command.certificate));
   InterruptGuard interrupt;
   settings.interrupt = &interrupt.requested();

@@ -13,6 +13,7 @@
 
 #include "codegen/bound/bound_question.hpp"
 #include "codegen/bound/bracket_topic.hpp"
+#include "codegen/bound/condition_kernel.hpp"
 #include "codegen/command/commands.hpp"
 #include "codegen/command/run_command_line.hpp"
 #include "codegen/engine/settings.hpp"
@@ -63,32 +64,35 @@ bool has_topics(const CommandLine& line) {
   return line.bound || (line.margin && !line.margin->limit.empty());
 }
 
-PreparedSearch prepare_topic_of(const CommandLine& line, const BracketTopic& topic) {
+RankQuestion prepare_topic_of(const CommandLine& line, const BracketTopic& topic) {
   if (line.bound) {
     const BoundCommand bound = with_quantity(*line.bound);
     const BoundQuestion question = read_bound_question(bound.model, bound.quantity, bound.limit);
-    return std::move(
+    if (is_about_condition(topic))
+      return {prepare_condition(topic, question.request, bound.search), true};
+    return {std::move(
         prepare_topic(topic, question.request, question.quantity, question.limit, bound.search)
-            .prepared);
+            .prepared)};
   }
   MarginCommand margin = *line.margin;
   const MarginQuestion question = take_question(margin.model, margin.size);
   const Request request = read_asked(margin.model, margin.quantity);
   const Quantity quantity = quantity_of(request.model, margin.quantity);
   const GiNaC::ex limit = read_limit(margin.limit, quantity);
-  return std::move(
-      prepare_topic(topic, request, question, quantity, limit, margin.search).prepared);
+  return {
+      std::move(prepare_topic(topic, request, question, quantity, limit, margin.search).prepared)};
 }
 
-PreparedSearch prepare_question(const CommandLine& line, std::optional<std::string_view> topic) {
+RankQuestion prepare_question(const CommandLine& line, std::optional<std::string_view> topic) {
   if (topic) return prepare_topic_of(line, read_topic(*topic));
-  if (line.check) return prepare(line.check->model, line.check->search);
-  if (line.locate) return prepare(line.locate->model, line.locate->search);
+  if (line.check) return {prepare(line.check->model, line.check->search)};
+  if (line.locate) return {prepare(line.locate->model, line.locate->search)};
   const MarginCommand& margin = *line.margin;
   ModelOptions model = margin.model;
   const MarginQuestion question = take_question(model, margin.size);
-  return std::move(
-      PreparedMargin(question, read_request(model), 0, compiled_first(margin.search), {}).prepared);
+  return {
+      std::move(PreparedMargin(question, read_request(model), 0, compiled_first(margin.search), {})
+                    .prepared)};
 }
 
 /// The work of rank 0. Other ranks have been told to begin.

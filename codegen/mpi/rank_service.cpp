@@ -5,6 +5,7 @@
 #include <optional>
 #include <utility>
 
+#include "codegen/bound/condition_units.hpp"
 #include "codegen/engine/search_run.hpp"
 #include "codegen/engine/settings.hpp"
 #include "codegen/mpi/rank_messages.hpp"
@@ -24,10 +25,10 @@ class Service {
         threads_(settings_from(search).threads) {}
 
   void prepare(std::optional<std::string_view> topic) {
-    prepared_.reset();
-    prepared_.emplace(prepare_question_(topic));
+    question_.reset();
+    question_.emplace(prepare_question_(topic));
     // Rank 0 may have prepared it in time, and this kernel is for reports only.
-    if (prepared_->stopped)
+    if (question_->prepared.stopped)
       throw InternalError("the time limit was reached before the question was prepared");
     communicator_.send(0, Tag::kReady, write_ready(threads_));
   }
@@ -48,13 +49,25 @@ class Service {
     const ForSearch begin = read_for_search(bytes);
     const cluster::SearchDescription description = cluster::read_search(begin.bytes);
     number_ = begin.search;
-    if (!prepared_) throw InternalError("a search begins before its question is known");
-    decide_for_another(*prepared_, search_, description,
+    if (!question_) throw InternalError("a search begins before its question is known");
+    if (question_->is_condition) return bound_conditions(description);
+    decide_for_another(question_->prepared, search_, description,
                        [&](const Problem& problem, const Settings& settings) {
                          ThreadWorkers threads(threads_);
                          threads.begin(problem, settings, description.learned, nullptr);
                          decide_units(threads);
                        });
+  }
+
+  void bound_conditions(const cluster::SearchDescription& description) {
+    const Problem problem = question_->prepared.problem();
+    if (problem.outer != description.problem.outer || problem.inner != description.problem.inner)
+      throw InternalError("the ranks have prepared different questions");
+    const MatrixScaling scaling = question_->prepared.stages->formulation().scaling;
+    ThreadWorkers threads(threads_);
+    threads.begin(problem, description.settings, description.learned,
+                  condition_deciders({problem, scaling}));
+    decide_units(threads);
   }
 
   void decide_units(ThreadWorkers& threads) {
@@ -89,7 +102,7 @@ class Service {
 
   Communicator& communicator_;
   const PrepareQuestion& prepare_question_;
-  std::optional<PreparedSearch> prepared_;
+  std::optional<RankQuestion> question_;
   const SearchOptions& search_;
   const unsigned threads_;
   std::uint32_t number_ = 0;

@@ -10,8 +10,14 @@
 
 namespace regulus::inline mpi {
 
+/// The question of the next searches.
+struct RankQuestion {
+  PreparedSearch prepared;
+  bool is_condition = false;  ///< its units are those of bound/condition_units.hpp
+};
+
 /// Prepares the question of the command line, or that of a topic (see Workers::turn_to).
-using PrepareQuestion = std::function<PreparedSearch(std::optional<std::string_view> topic)>;
+using PrepareQuestion = std::function<RankQuestion(std::optional<std::string_view> topic)>;
 
 /// Prepares questions and decides units of them for rank 0, until rank 0 dismisses this rank. Errors
 /// go to rank 0. `has_topics`: the first question comes from rank 0, as those after it.

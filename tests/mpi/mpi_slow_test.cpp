@@ -87,5 +87,28 @@ TEST(KilledJobs, GoOnToTheSameBracket) {
     EXPECT_TRUE(text_of(file("many") + end) == text_of(file("one") + end)) << end;
 }
 
+TEST(KilledJobs, GoOnToTheSameConditionNumber) {
+  const TemporaryDirectory directory;
+  const auto file = [&](const char* name) { return (directory.path() / name).string(); };
+  const Words bound = long_condition(file("turn.toml"), "1e-3");
+  const CommandResult one = run_command(one_thread(joined(bound, {"--certificate", file("one")})));
+  ASSERT_EQ(one.exit_code, 0) << one.errors;
+  const Words many = joined(bound, {"--certificate", file("many"), "--checkpoint", file("saved")});
+  std::mt19937 random(3);
+  for (int kill = 0; kill < 20; ++kill) {
+    RunningCommand job(ranks(2 + static_cast<int>(random() % 3), many));
+    ::usleep(static_cast<useconds_t>(500'000 + random() % 4'000'000));
+    kill_some(job, random);
+    static_cast<void>(job.wait());
+    ::usleep(300'000);
+  }
+  CommandResult last;
+  for (int tries = 0; tries < 10 && last.exit_code != 0; ++tries)
+    last = run_command(ranks(4, many));
+  EXPECT_EQ(last.output, one.output) << last.errors;
+  for (const char* end : {".safe", ".singular"})
+    EXPECT_TRUE(text_of(file("many") + end) == text_of(file("one") + end)) << end;
+}
+
 }  // namespace
 }  // namespace regulus::test

@@ -131,6 +131,51 @@ TEST_F(Ranks, BoundAQuantityAsOneThreadDoes) {
   }
 }
 
+/// Returns the files that a search of a condition number with this name leaves.
+std::string files_of_condition(const std::string& name) {
+  return text_of(name + ".safe") + text_of(name + ".singular") + text_of(name + ".checkpoint");
+}
+
+Words saved_as(const std::string& name) {
+  return {"--certificate", name, "--checkpoint", name + ".checkpoint"};
+}
+
+TEST_F(Ranks, BoundAConditionNumberAsOneThreadDoes) {
+  const Words bound = long_condition(file("turn.toml"), "6e-3");
+  const CommandResult one = run_command(one_thread(joined(bound, saved_as(file("one")))));
+  ASSERT_EQ(one.exit_code, 0) << one.errors;
+  const std::string expected = files_of_condition(file("one"));
+  EXPECT_GT(expected.size(), 1'000'000U);
+  for (const int count : {1, 2, 4}) {
+    const std::string name = file(std::to_string(count));
+    const CommandResult many =
+        run_command(ranks(count, joined(bound, joined(saved_as(name), {"--threads", "2"}))));
+    EXPECT_EQ(many.exit_code, 0) << many.errors;
+    EXPECT_EQ(many.output, one.output);
+    EXPECT_TRUE(files_of_condition(name) == expected) << count << " ranks";
+  }
+}
+
+TEST_F(Ranks, ContinueASearchOfAConditionNumber) {
+  const Words bound = long_condition(file("turn.toml"), "6e-3");
+  const CommandResult one = run_command(one_thread(joined(bound, saved_as(file("one")))));
+  ASSERT_EQ(one.exit_code, 0) << one.errors;
+  const Words many = joined(bound, saved_as(file("many")));
+  EXPECT_EQ(run_command(ranks(2, joined(many, {"--max-boxes", "25000"}))).exit_code, 2);
+  const CommandResult last = run_command(ranks(3, many));
+  EXPECT_EQ(last.output, one.output) << last.errors;
+  EXPECT_TRUE(files_of_condition(file("many")) == files_of_condition(file("one")));
+}
+
+/// The bounds of singular values, which it asks for, are searches of rank 0 alone.
+TEST_F(Ranks, FindASingularPoseWhenTheyBoundAConditionNumber) {
+  const Words bound = {"bound", model("planar_3rpr"), "crossing", "condition", "--norm", "2"};
+  const CommandResult one = run_command(one_thread(bound));
+  const CommandResult many = run_command(ranks(2, bound));
+  EXPECT_EQ(many.output, one.output) << many.errors;
+  EXPECT_EQ(many.exit_code, one.exit_code);
+}
+
 TEST_F(Ranks, FindTheLargestSizeWithinALimitAsOneThreadDoes) {
   const Words margin = {"margin",     model("orthoglide"), "factors_2", "--grow", "edge=0.5:0.7",
                         "--quantity", "sigma-max",         "--limit",   "2",      "--gap",

@@ -91,6 +91,18 @@ TEST(ATopic, ReadsAsItWasWritten) {
   }
 }
 
+TEST(ATopic, NamesItsKind) {
+  for (const TopicKind kind :
+       {TopicKind::kBracket, TopicKind::kExpandedMatrix, TopicKind::kMatrixWithSlopes}) {
+    BracketTopic topic;
+    topic.kind = kind;
+    EXPECT_EQ(read_topic(write_topic(topic)).kind, kind);
+  }
+  BracketTopic unknown;
+  unknown.kind = TopicKind(3);
+  EXPECT_THROW(static_cast<void>(read_topic(write_topic(unknown))), cluster::MalformedMessage);
+}
+
 TEST(ATopic, ThatIsDamagedOrOfAnotherQuantityIsRefused) {
   const std::string bytes = write_topic({7, 0, 0, {}});
   for (std::size_t size = 0; size < bytes.size(); ++size)
