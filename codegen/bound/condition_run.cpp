@@ -127,6 +127,7 @@ class ConditionRun {
     return settings;
   }
 
+  /// Its seconds are seconds of the search that asks.
   ConditionHint hint(double seconds) {
     ConditionHint hint;
     if (!(seconds > 0) || prepared_.stopped) return hint;
@@ -149,7 +150,6 @@ class ConditionRun {
     const Quantity asked = quantity_of(request_.model, {.quantity = quantity});
     const ComponentBound bound = other_(asked.components.front(), settings, seconds);
     result_.boxes += bound.boxes;
-    result_.seconds += bound.seconds;
     if (!bound.proved) return std::nullopt;
     return enclose_constant(bound.proved->exact, quantity);
   }
@@ -166,7 +166,6 @@ class ConditionRun {
     const Settings settings = settings_of(prepared, search, settings_.interrupt);
     const Result result = run_search(prepared, search, settings);
     result_.boxes += result.statistics.boxes;
-    result_.seconds += prepared.seconds_spent();
     if (result.verdict != Verdict::kSingularity) return false;
     result_.place = attained_place(prepared, result, "");
     certificate_->show_singular(result, uncertain_names(prepared.labels));
