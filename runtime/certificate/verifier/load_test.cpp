@@ -21,8 +21,7 @@ double plus_ru(double x, double y) { return up(x + y); }
 }  // namespace
 
 LoadTest::LoadTest(Question& question, const Variety& variety)
-    : q_(question),
-      variety_(variety),
+    : variety_(variety),
       bounds_(enclose_load(question)),
       m_(question.rows),
       n_(question.columns),

@@ -46,7 +46,6 @@ class LoadTest {
   [[nodiscard]] Interval A(std::size_t i, std::size_t j) const { return slopes_.entry(i, j); }
   [[nodiscard]] double K(std::size_t j, std::size_t i) const { return K_[i * n_ + j]; }
 
-  Question& q_;
   const Variety& variety_;
   const LoadBounds bounds_;
   const std::size_t m_, n_;
