@@ -94,7 +94,7 @@ class ConditionRun {
                : settings_.certificate + certificate_suffix(result_.component);
   }
 
-  /// Of a comparison, the certificate is about the limit.
+  /// The certificate of a comparison is about the limit.
   void certify(const ConditionResult& found) {
     const auto end = [this](const std::optional<BoundEnd>& own, LimitVerdict verdict) {
       if (!settings_.limit) return own;

@@ -22,7 +22,7 @@ inline Pack form(PackArray y, PackArray M, PackArray v, unsigned rows, unsigned 
   return sum;
 }
 
-/// Where K does not move, P consists of the first derivatives.
+/// P consists of the first derivatives where K does not move.
 inline void add_first_order(const SecondOrderPlan& plan, const SecondOrderInput& input, PackArray y,
                             PackArray v, PackArray result) noexcept {
   for (unsigned p = plan.moving; p < plan.wides; ++p) {

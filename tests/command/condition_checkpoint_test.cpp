@@ -13,30 +13,13 @@
 #include "tests/support/command.hpp"
 #include "tests/support/damage.hpp"
 #include "tests/support/temporary_directory.hpp"
+#include "tests/support/turn_model.hpp"
 
 namespace regulus::test {
 namespace {
 
 using nlohmann::json;
 using testing::HasSubstr;
-
-/// A rotation with scales of its rows: κ₂ = 5 at every pose, which takes many boxes.
-constexpr const char* kTurn = R"toml(regulus = 1
-name = "turn"
-[pose]
-x = "1"
-y = "1"
-z = "1"
-[matrix]
-rows = [["cos(x)*cos(y)", "cos(x)*sin(y)*sin(z) - sin(x)*cos(z)", "cos(x)*sin(y)*cos(z) + sin(x)*sin(z)"],
-        ["2*sin(x)*cos(y)", "2*sin(x)*sin(y)*sin(z) + 2*cos(x)*cos(z)", "2*sin(x)*sin(y)*cos(z) - 2*cos(x)*sin(z)"],
-        ["-5*sin(y)", "5*cos(y)*sin(z)", "5*cos(y)*cos(z)"]]
-[motion.m]
-x = [0, 1]
-y = [0, 1]
-z = [0, 1]
-constraints = ["x + y - 3/2"]
-)toml";
 
 class ConditionCheckpointTest : public testing::Test {
  protected:

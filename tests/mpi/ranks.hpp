@@ -13,6 +13,7 @@
 
 #include "tests/support/command.hpp"
 #include "tests/support/temporary_directory.hpp"
+#include "tests/support/turn_model.hpp"
 
 namespace regulus::test {
 
@@ -49,24 +50,6 @@ inline Words long_bound() {
   return {"bound", model("robot_1"), "table4_5", "error",        "--freedom",
           "w_x",   "--gap",          "0.03",     "--time-limit", "600"};
 }
-
-/// A rotation with scales of its rows: κ₂ = 5 at every pose, which takes many boxes.
-inline constexpr const char* kTurn = R"toml(regulus = 1
-name = "turn"
-[pose]
-x = "1"
-y = "1"
-z = "1"
-[matrix]
-rows = [["cos(x)*cos(y)", "cos(x)*sin(y)*sin(z) - sin(x)*cos(z)", "cos(x)*sin(y)*cos(z) + sin(x)*sin(z)"],
-        ["2*sin(x)*cos(y)", "2*sin(x)*sin(y)*sin(z) + 2*cos(x)*cos(z)", "2*sin(x)*sin(y)*cos(z) - 2*cos(x)*sin(z)"],
-        ["-5*sin(y)", "5*cos(y)*sin(z)", "5*cos(y)*cos(z)"]]
-[motion.m]
-x = [0, 1]
-y = [0, 1]
-z = [0, 1]
-constraints = ["x + y - 3/2"]
-)toml";
 
 /// Writes the model to a file. Returns the search of its condition number, of more than 16 384 boxes.
 inline Words long_condition(const std::string& file, const std::string& gap) {

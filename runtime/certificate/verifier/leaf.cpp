@@ -93,7 +93,7 @@ bool LeafProver::is_regular_exactly(const Box& box, std::uint64_t boxes_of_leaf)
     return false;
   try {
     const bool is_proved = is_proved_by_algebra(box);
-    // What algebra does not prove is halved, and mostly the other tests prove the halves.
+    // The box is halved otherwise, and mostly the other tests prove the halves.
     useless_algebra_ += !is_proved;
     uses_algebra_ = uses_algebra_ || is_proved || !is_cheap;
     return is_proved;

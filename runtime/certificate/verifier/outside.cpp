@@ -2,11 +2,13 @@
 #include "runtime/certificate/verifier/outside.hpp"
 
 #include <algorithm>
+#include <cmath>
 
 namespace regulus::verifier {
 namespace {
 
 constexpr long kBitsOfPoint = 64;
+constexpr double kNarrowestSplit = 0x1p-44;  ///< of a range, relative to the variety's
 
 }  // namespace
 
@@ -57,6 +59,22 @@ std::vector<NodeId> join(std::initializer_list<const std::vector<NodeId>*> lists
   std::vector<NodeId> result;
   for (const auto* list : lists) result.insert(result.end(), list->begin(), list->end());
   return result;
+}
+
+std::optional<std::size_t> variable_of_impact(const Variety& variety, const Box& box,
+                                              const std::vector<double>& impact) {
+  const bool has_impact = std::any_of(impact.begin(), impact.end(),
+                                      [](double x) { return x > 0.0 && std::isfinite(x); });
+  std::optional<std::size_t> best;
+  double most = 0.0;
+  for (std::size_t k = 0; k < box.size(); ++k) {
+    const Interval x = box[k], root = variety.outer[k];
+    const double middle = mid(x), width = (x.hi - x.lo) / (root.hi - root.lo);
+    if (!(x.lo < middle && middle < x.hi && width > kNarrowestSplit)) continue;
+    const double score = has_impact ? impact[k] : width;
+    if (score > most) best = k, most = score;
+  }
+  return best;
 }
 
 std::pair<Box, Box> halves(const Box& box, std::size_t k) {

@@ -48,6 +48,11 @@ void place_middle(const Variety& variety, const Box& box, Middle& middle);
 /// Returns all the roots of several lists.
 [[nodiscard]] std::vector<NodeId> join(std::initializer_list<const std::vector<NodeId>*> lists);
 
+/// Returns the variable of the greatest impact that can be split; if no impact is positive, that of
+/// the widest part of its range; nullopt if none can be split.
+[[nodiscard]] std::optional<std::size_t> variable_of_impact(const Variety& variety, const Box& box,
+                                                            const std::vector<double>& impact);
+
 /// Splits variable k of a box at its middle.
 [[nodiscard]] std::pair<Box, Box> halves(const Box& box, std::size_t k);
 

@@ -15,8 +15,6 @@ constexpr long kBits = 64;
 /// If their part is below this, the ranges of moving variables do not keep the box open.
 constexpr double kNoImpact = 0.02;
 
-constexpr double kNarrowest = 0x1p-44;  ///< of a range, relative to the variety's
-
 /// Returns the motion parameters, even if they touch only one row, because they are split; and all
 /// other variables that touch several rows.
 std::vector<std::size_t> moving_variables(Question& q) {
@@ -177,19 +175,7 @@ std::vector<double> RegularityTest::impacts() const {
 }
 
 std::optional<std::size_t> RegularityTest::variable_to_split(const Box& box) const {
-  const std::vector<double> impact = impacts();
-  const bool has_impact =
-      std::any_of(impact.begin(), impact.end(), [](double x) { return x > 0.0; });
-  std::optional<std::size_t> best;
-  double most = 0.0;
-  for (std::size_t k = 0; k < box.size(); ++k) {
-    const Interval x = box[k], root = variety_.outer[k];
-    const double middle = mid(x), width = (x.hi - x.lo) / (root.hi - root.lo);
-    if (!(x.lo < middle && middle < x.hi && width > kNarrowest)) continue;
-    const double score = has_impact ? impact[k] : width;
-    if (score > most) best = k, most = score;
-  }
-  return best;
+  return variable_of_impact(variety_, box, impacts());
 }
 
 int RegularityTest::sign_at_middle() const {

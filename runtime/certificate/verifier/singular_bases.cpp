@@ -11,7 +11,7 @@ namespace {
 using Doubles = std::vector<double>;
 
 constexpr int kMostSweeps = 30;
-/// Of m unit vectors, one is at least so far from the span of fewer than m ≤ 64 vectors.
+/// The span of fewer than m ≤ 64 vectors is at least so far from one of the m unit vectors.
 constexpr double kLeastPart = 0.1;
 
 bool are_finite(const Doubles& numbers) {

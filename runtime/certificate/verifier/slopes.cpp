@@ -2,18 +2,11 @@
 #include "runtime/certificate/verifier/slopes.hpp"
 
 #include <algorithm>
-#include <cmath>
 
 #include "runtime/certificate/verifier/derivative.hpp"
 #include "runtime/certificate/verifier/rounding.hpp"
 
 namespace regulus::verifier {
-namespace {
-
-constexpr double kNarrowestSplit = 0x1p-44;  ///< of a range, relative to the variety's
-
-}  // namespace
-
 MatrixSlopes::MatrixSlopes(Question& question)
     : q_(question),
       defined_(question, join({&question.matrix, &question.defined, &question.motion_defined})) {
@@ -45,22 +38,6 @@ bool MatrixSlopes::run(const Box& box, const Middle& middle) {
     if (!is_moderate(dA_.back())) return false;
   }
   return is_moderate(A_) && is_moderate(radius_);
-}
-
-std::optional<std::size_t> variable_of_impact(const Variety& variety, const Box& box,
-                                              const std::vector<double>& impact) {
-  const bool has_impact = std::any_of(impact.begin(), impact.end(),
-                                      [](double x) { return x > 0.0 && std::isfinite(x); });
-  std::optional<std::size_t> best;
-  double most = 0.0;
-  for (std::size_t k = 0; k < box.size(); ++k) {
-    const Interval x = box[k], root = variety.outer[k];
-    const double middle = mid(x), width = (x.hi - x.lo) / (root.hi - root.lo);
-    if (!(x.lo < middle && middle < x.hi && width > kNarrowestSplit)) continue;
-    const double score = has_impact ? impact[k] : width;
-    if (score > most) best = k, most = score;
-  }
-  return best;
 }
 
 bool is_moderate(const std::vector<Interval>& values) {

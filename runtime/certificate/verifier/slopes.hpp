@@ -54,11 +54,6 @@ class MatrixSlopes {
   std::vector<double> radius_;
 };
 
-/// Returns the variable of the greatest impact that can be split; if no impact is positive, that of
-/// the widest part of its range; nullopt if none can be split.
-[[nodiscard]] std::optional<std::size_t> variable_of_impact(const Variety& variety, const Box& box,
-                                                            const std::vector<double>& impact);
-
 /// Returns true if all are within the limit of rounding.hpp.
 [[nodiscard]] bool is_moderate(const std::vector<Interval>& values);
 

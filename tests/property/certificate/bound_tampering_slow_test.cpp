@@ -112,7 +112,7 @@ TEST_P(BoundTampering, NeverLeadsToASmallerBoundThatIsVerified) {
   ASSERT_TRUE(bound_line(proofs.safe) && bound_line(proofs.singular));
   ASSERT_EQ(verify_text(proofs.safe, little_effort()).outcome, verifier::Outcome::kVerified);
   const double attained = bound_line(proofs.singular)->value;
-  // Of a least value, a larger bound claims more.
+  // A larger bound of a least value claims more.
   const double beyond = bound_line(proofs.safe)->value > attained ? -1 : 1;
   RandomSource random(19);
   for (int change = 0; change < 60; ++change) {
