@@ -6,10 +6,12 @@
 #include <nlohmann/json.hpp>
 
 #include "codegen/api/algebra_lock.hpp"
+#include "codegen/api/proof_fields.hpp"
 #include "codegen/bound/bound_question.hpp"
 #include "codegen/bound/bound_report.hpp"
 #include "codegen/bound/bound_run.hpp"
 #include "codegen/margin/prepared_margin.hpp"
+#include "codegen/support/earlier_outputs.hpp"
 
 namespace regulus::inline api {
 namespace {
@@ -44,6 +46,8 @@ BoundFinding finding_of(const Request& request, const Bound& bound, const BoundS
     finding.report += format_component(component, settings.limit.has_value());
   finding.report += bound_report(request, bound, settings);
   finding.json = report.dump(2);
+  for (const ComponentBound& component : bound.components)
+    add_ends(component.proofs, component.component.label, finding);
   return finding;
 }
 
@@ -59,6 +63,9 @@ BoundFinding bound(const Question& asked, const BoundOptions& options,
   settings.search = options.search;
   settings.output = {.json = false, .quiet = true};
   settings.interrupt = interrupt;
+  settings.certificate = options.certificate;
+  set_earlier_outputs_aside(asked.options().path,
+                            certificate_files(question.quantity, options.certificate));
   const Bound bound = bound_quantity(question.request, std::move(question.quantity), settings,
                                      [](const ComponentBound&) {});
   return finding_of(question.request, bound, settings);

@@ -5,6 +5,7 @@
 #include <atomic>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "codegen/api/margin.hpp"
 #include "codegen/api/question.hpp"
@@ -19,6 +20,7 @@ struct BoundOptions {
   std::string limit{};  ///< compare with it; empty: bracket the value
   std::string gap =
       "0.01";  ///< the bracket is closed when it is at most this part of its larger end
+  std::string certificate{};  ///< FILE of the proofs FILE.COMPONENT.safe and .singular; empty: none
 };
 
 enum class BoundVerdict { kBracket, kWithin, kExceeded, kUndecided };
@@ -30,9 +32,10 @@ struct BoundFinding {
   std::optional<double> attained, proved;
   bool closed = false;  ///< as narrow as requested
   std::string unit;
-  std::string result;  ///< "BETWEEN 21.12 AND 21.29 N (leg 3)"
-  std::string report;  ///< the lines that precede the result on a terminal
-  std::string json;    ///< the report that --json prints
+  std::string result;                      ///< "BETWEEN 21.12 AND 21.29 N (leg 3)"
+  std::string report;                      ///< the lines that precede the result on a terminal
+  std::string json;                        ///< the report that --json prints
+  std::vector<CertifiedEnd> certificates;  ///< two for each component, if they were wanted
 };
 
 /// Threads and errors as check().

@@ -4,12 +4,14 @@
 #include <nlohmann/json.hpp>
 
 #include "codegen/api/algebra_lock.hpp"
+#include "codegen/api/proof_fields.hpp"
 #include "codegen/certificate/certificate_file.hpp"
 #include "codegen/engine/search_run.hpp"
 #include "codegen/engine/settings.hpp"
 #include "codegen/report/report.hpp"
 #include "codegen/support/earlier_outputs.hpp"
 #include "codegen/support/stopwatch.hpp"
+#include "codegen/trajectory/read_trajectory.hpp"
 #include "codegen/trajectory/trajectory_certificate.hpp"
 #include "codegen/trajectory/trajectory_report.hpp"
 #include "runtime/certificate/format.hpp"
@@ -18,18 +20,6 @@ namespace regulus::inline api {
 namespace {
 
 using Json = nlohmann::ordered_json;
-
-/// Adds the report, and what it says about a certificate.
-template <class Certificate>
-void describe(const Certificate& certificate, Json report, Finding& finding) {
-  certificate.add_to(report);
-  finding.report += certificate.line();
-  if (const auto file = report.find("certificate"); file != report.end() && file->is_string())
-    finding.certificate = *file;
-  else
-    finding.no_certificate = report.value("certificate_obstacle", "");
-  finding.json = report.dump(2);
-}
 
 Finding check_along_waypoints(Request request, double model_seconds, const SearchOptions& search,
                               const std::atomic<bool>* interrupt, const std::string& path) {
@@ -45,7 +35,7 @@ Finding check_along_waypoints(Request request, double model_seconds, const Searc
   finding.report = format_trajectory(check, search);
   Json report = json_trajectory(check, search);
   finding.claim = report["claim"];
-  describe(certificate, std::move(report), finding);
+  add_proof(certificate, std::move(report), finding);
   return finding;
 }
 
@@ -54,12 +44,10 @@ std::optional<Finding> check_if_along_waypoints(const ModelOptions& model,
                                                 const SearchOptions& search,
                                                 const std::atomic<bool>* interrupt,
                                                 const std::string& certificate) {
-  const std::string text = model_text(model);
-  if (model.waypoints.empty() && text.find("waypoints") == std::string::npos) return std::nullopt;
   Stopwatch watch;
-  Request request = read_request(text, model);
-  if (!request.motion.trajectory) return std::nullopt;
-  return check_along_waypoints(std::move(request), watch.lap(), search, interrupt, certificate);
+  std::optional<Request> request = read_trajectory(model);
+  if (!request) return std::nullopt;
+  return check_along_waypoints(std::move(*request), watch.lap(), search, interrupt, certificate);
 }
 
 Finding check_variety(const ModelOptions& model, const SearchOptions& search,
@@ -76,9 +64,7 @@ Finding check_variety(const ModelOptions& model, const SearchOptions& search,
   finding.report = text_report(prepared, search, finding.result, nearest);
   for (const VariableLabel& variable : prepared.labels.variables)
     finding.variables.push_back(variable.name);
-  describe(certificate, json_report(prepared, search, finding.result, nearest), finding);
-  if (!path.empty() && finding.certificate.empty() && finding.no_certificate.empty())
-    finding.no_certificate = "POSSIBLE PROBLEM claims nothing that could be proved";
+  add_proof(certificate, json_report(prepared, search, finding.result, nearest), finding);
   return finding;
 }
 

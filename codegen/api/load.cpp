@@ -4,13 +4,14 @@
 #include <nlohmann/json.hpp>
 
 #include "codegen/api/algebra_lock.hpp"
-#include "codegen/bound/bound_run.hpp"
+#include "codegen/engine/refusals.hpp"
 #include "codegen/feasibility/feasibility_report.hpp"
 #include "codegen/feasibility/force_certificate.hpp"
 #include "codegen/feasibility/way_forces.hpp"
 #include "codegen/report/paving_options.hpp"
 #include "codegen/support/earlier_outputs.hpp"
 #include "codegen/support/stopwatch.hpp"
+#include "codegen/trajectory/read_trajectory.hpp"
 
 namespace regulus::inline api {
 namespace {
@@ -62,14 +63,10 @@ std::optional<LoadFinding> check_load_along_waypoints(const Question& question,
                                                       const SearchOptions& search,
                                                       const std::atomic<bool>* interrupt,
                                                       const std::string& certificate) {
-  const ModelOptions& model = question.options();
-  const std::string text = model_text(model);
-  if (model.waypoints.empty() && text.find("waypoints") == std::string::npos) return std::nullopt;
-  Request request = read_request(text, model);
-  if (!request.motion.trajectory) return std::nullopt;
-  refuse_threshold(model);
+  std::optional<Request> request = read_trajectory(question.options());
+  if (!request) return std::nullopt;
   const WayForces found =
-      check_forces_along_way(std::move(request), 0, load, search, !certificate.empty(), interrupt);
+      check_forces_along_way(std::move(*request), 0, load, search, !certificate.empty(), interrupt);
   LoadFinding finding;
   if (!certificate.empty()) finding.no_certificate = certify_way_forces(certificate, found);
   if (!certificate.empty() && finding.no_certificate.empty()) finding.certificate = certificate;
@@ -94,6 +91,7 @@ LoadFinding check_load(const Question& question, const std::string& load,
                        const std::string& certificate) {
   const AlgebraLock lock;
   Stopwatch watch;
+  refuse_changed(Asked::kLoad, question.options(), options);
   set_aside(question, certificate);
   if (auto along = check_load_along_waypoints(question, load, options, interrupt, certificate)) {
     along->seconds = watch.lap();
@@ -111,6 +109,7 @@ LoadPaving locate_load(const Question& question, const LocateLoadOptions& option
                        const std::atomic<bool>* interrupt) {
   const AlgebraLock lock;
   Stopwatch watch;
+  refuse_changed(Asked::kLoad, question.options(), options.search);
   set_aside(question, options.certificate);
   SearchOfLoad search(question, options.load, options.search, options.certificate, interrupt, true);
   PreparedForces& prepared = search.prepared();

@@ -4,11 +4,19 @@
 #include <nlohmann/json.hpp>
 
 #include "codegen/api/algebra_lock.hpp"
+#include "codegen/api/proof_fields.hpp"
+#include "codegen/certificate/certificate_file.hpp"
 #include "codegen/engine/paving_verdict.hpp"
+#include "codegen/engine/refusals.hpp"
 #include "codegen/engine/search_run.hpp"
 #include "codegen/engine/settings.hpp"
 #include "codegen/report/paving_options.hpp"
 #include "codegen/report/paving_report.hpp"
+#include "codegen/support/earlier_outputs.hpp"
+#include "codegen/support/stopwatch.hpp"
+#include "codegen/trajectory/read_trajectory.hpp"
+#include "codegen/trajectory/trajectory_paving.hpp"
+#include "runtime/certificate/format.hpp"
 #include "runtime/problem/observers.hpp"
 #include "runtime/search/leaf_claims.hpp"
 #include "runtime/search/workspace.hpp"
@@ -55,20 +63,30 @@ class BoxListener final : public Observer {
   std::exception_ptr thrown_;
 };
 
-}  // namespace
+void set_fractions(const Volumes& volumes, Paving& found) {
+  const auto fraction = [&volumes](Claim claim) { return volumes.fraction(volumes.of(claim)); };
+  found.free = fraction(Claim::kFree);
+  found.singular = fraction(Claim::kSingular);
+  found.undecided = fraction(Claim::kUndecided);
+  found.outside = fraction(Claim::kOutside);
+  found.unreachable = fraction(Claim::kUnreachable);
+}
 
-Paving locate(const Question& question, const LocateOptions& options,
-              const std::atomic<bool>* interrupt) {
-  const AlgebraLock lock;
+Paving pave_variety(const Question& question, const LocateOptions& options,
+                    const std::atomic<bool>* interrupt) {
   const SearchOptions& search = options.search;
   ModelOptions model = question.options();
-  model.separates_reach = true;
+  // A certificate is about all poses of the motion.
+  model.separates_reach = options.certificate.empty();
   PreparedSearch prepared = prepare(model, search, FormingWatch{.interrupt = interrupt});
   const PavingOptions paving = resolve_paving(options.resolution, search, prepared);
   const Problem problem = prepared.problem();
   Volumes volumes(problem, prepared.labels.reach);
   BoxListener listener(options, interrupt, problem, prepared.labels.reach);
-  Observers observers({&volumes, &listener});
+  CertificateFile certificate(options.certificate, prepared);
+  std::vector<Observer*> watching = {&volumes, &listener};
+  if (certificate.observer() != nullptr) watching.push_back(certificate.observer());
+  Observers observers(std::move(watching));
   Settings settings = settings_of(prepared, search, &listener.stop());
   require_paving(paving, settings);
   Paving found;
@@ -80,17 +98,55 @@ Paving locate(const Question& question, const LocateOptions& options,
     found.workspace = volumes.workspace_fraction();
   }
   keep_poses_out_of_reach(prepared, volumes, found.result);
+  certificate.finish(found.result);
   found.verdict = found.result.verdict;
-  found.free = volumes.fraction(volumes.of(Claim::kFree));
-  found.singular = volumes.fraction(volumes.of(Claim::kSingular));
-  found.undecided = volumes.fraction(volumes.of(Claim::kUndecided));
-  found.outside = volumes.fraction(volumes.of(Claim::kOutside));
-  found.unreachable = volumes.fraction(volumes.of(Claim::kUnreachable));
+  set_fractions(volumes, found);
   found.report = paving_report(prepared, search, paving, volumes, found.result);
-  found.json = json_paving_summary(prepared, search, paving, volumes, found.result).dump(2);
+  add_proof(certificate, json_paving_summary(prepared, search, paving, volumes, found.result),
+            found);
   for (const VariableLabel& variable : prepared.labels.variables)
     found.variables.push_back(variable.name);
   return found;
+}
+
+Paving pave_path(Request request, double model_seconds, const LocateOptions& options,
+                 const std::atomic<bool>* interrupt) {
+  const PathPaving paving = pave_trajectory(
+      std::move(request), model_seconds, options.search,
+      options.resolution.empty() ? kPathResolution : read_resolution(options.resolution),
+      interrupt);
+  Paving found;
+  found.verdict = found.result.verdict = paving.check.verdict;
+  found.result.reason = paving.check.reason;
+  found.result.statistics = paving.check.path.statistics;
+  for (Interval* fraction :
+       {&found.free, &found.singular, &found.undecided, &found.outside, &found.unreachable})
+    *fraction = {0, 1};
+  for (const PathStretch& stretch : paving.stretches)
+    found.stretches.push_back({stretch.claim, stretch.begin.piece + 1, stretch.end.piece + 1,
+                               stretch.begin.s, stretch.end.s,
+                               json_stretch(paving, stretch).dump()});
+  found.report = format_path_paving(paving, options.search);
+  found.json = json_path_paving(paving, options.search).dump(2);
+  return found;
+}
+
+}  // namespace
+
+Paving locate(const Question& question, const LocateOptions& options,
+              const std::atomic<bool>* interrupt) {
+  const AlgebraLock lock;
+  Stopwatch watch;
+  ModelOptions model = question.options();
+  model.separates_reach = true;
+  std::optional<Request> along = read_trajectory(model);
+  if (!along) {
+    set_earlier_outputs_aside(model.path,
+                              {{"certificate", options.certificate, true, format::kShardsEnding}});
+    return pave_variety(question, options, interrupt);
+  }
+  refuse(Asked::kPathPaving, "certificate", !options.certificate.empty());
+  return pave_path(std::move(*along), watch.lap(), options, interrupt);
 }
 
 }  // namespace regulus::api

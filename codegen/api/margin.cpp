@@ -4,11 +4,15 @@
 #include <nlohmann/json.hpp>
 
 #include "codegen/api/algebra_lock.hpp"
+#include "codegen/api/proof_fields.hpp"
 #include "codegen/bound/bound_question.hpp"
+#include "codegen/bound/bound_run.hpp"
 #include "codegen/bound/limit_margin.hpp"
+#include "codegen/engine/refusals.hpp"
 #include "codegen/margin/margin_report.hpp"
 #include "codegen/margin/prepared_margin.hpp"
 #include "codegen/report/output_options.hpp"
+#include "codegen/support/earlier_outputs.hpp"
 #include "codegen/trajectory/trajectory_margin.hpp"
 
 namespace regulus::inline api {
@@ -24,8 +28,10 @@ MarginFinding margin_of_limit(ModelOptions model, const MarginOptions& options,
                               const MarginQuestion& question, LimitMarginSettings settings) {
   if (options.limit.empty() || options.quantity.quantity.empty())
     throw UsageError("margin: quantity and limit need each other");
+  const std::string path = model.path;
   const Request request = read_asked(std::move(model), options.quantity);
   Quantity quantity = quantity_of(request.model, options.quantity);
+  set_earlier_outputs_aside(path, certificate_files(quantity, options.certificate));
   settings.limit = read_limit(options.limit, quantity);
   const LimitMargin found =
       limit_margin(request, question, std::move(quantity), settings, [](const MarginStep&) {});
@@ -36,6 +42,7 @@ MarginFinding margin_of_limit(ModelOptions model, const MarginOptions& options,
   finding.bracket = describe_limit_bracket(question, found);
   finding.report = limit_margin_report(request, question, found, settings);
   finding.json = json_limit_margin(request, question, found, settings).dump(2);
+  for (const ComponentMargin& c : found.components) add_ends(c.proofs, c.component.label, finding);
   return finding;
 }
 
@@ -68,16 +75,19 @@ MarginFinding margin_of_regularity(Request request, const MarginQuestion& questi
   PreparedMargin margin(question, std::move(request), 0, compiled_first(options.search),
                         FormingWatch{.interrupt = interrupt});
   margin.settings.interrupt = interrupt;
-  MarginCertificates none({}, margin.request, margin.prepared.labels);
+  MarginCertificates certificates(options.certificate, margin.request, margin.prepared.labels);
   const Margin found = MarginRun(margin.prepared, question, margin.request, margin.search, kQuiet,
-                                 margin.settings, gap, none, [](const MarginStep&) {})
+                                 margin.settings, gap, certificates, [](const MarginStep&) {})
                            .run();
   margin.prepared.seconds.search = found.seconds;
   MarginFinding finding = finding_of(question, found);
-  finding.report = margin_report(margin.prepared, margin.search, question, found);
-  finding.json =
-      json_margin(margin.prepared, margin.search, margin.request.nominal(), question, found, gap)
-          .dump(2);
+  const EndProofs proofs = certificates.proofs();
+  finding.report = margin_report(margin.prepared, margin.search, question, found) + proofs.lines();
+  nlohmann::ordered_json report =
+      json_margin(margin.prepared, margin.search, margin.request.nominal(), question, found, gap);
+  proofs.add_to(report);
+  finding.json = report.dump(2);
+  add_ends(proofs, "", finding);
   return finding;
 }
 
@@ -96,13 +106,17 @@ MarginFinding margin(const Question& asked, const MarginOptions& options,
     settings.gap = gap;
     settings.search = options.search;
     settings.output = kQuiet;
+    settings.certificate = options.certificate;
     settings.interrupt = interrupt;
     return margin_of_limit(std::move(model), options, question, std::move(settings));
   }
   Request request = read_request(model);
-  return request.motion.trajectory
-             ? margin_along_waypoints(std::move(request), question, options, interrupt)
-             : margin_of_regularity(std::move(request), question, options, interrupt);
+  if (request.motion.trajectory) {
+    refuse(Asked::kPathMargin, "certificate", !options.certificate.empty());
+    return margin_along_waypoints(std::move(request), question, options, interrupt);
+  }
+  set_earlier_outputs_aside(model.path, MarginCertificates::files(options.certificate));
+  return margin_of_regularity(std::move(request), question, options, interrupt);
 }
 
 }  // namespace regulus::api

@@ -6,6 +6,7 @@
 #include <atomic>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "codegen/api/question.hpp"
 #include "codegen/engine/options.hpp"
@@ -25,12 +26,21 @@ struct MarginOptions {
   std::string gap = "0.01";    ///< the bracket is closed when (b - a)/b is at most this
   QuantityOptions quantity{};  ///< what must keep `limit`; empty: no singularity
   std::string limit{};         ///< every value is below it (a least value: above); empty: none
+  std::string certificate{};   ///< FILE of the proofs FILE.safe and FILE.singular; empty: none
 
   [[nodiscard]] static SearchOptions for_a_minute() {
     SearchOptions options;
     options.time_limit = 60;
     return options;
   }
+};
+
+/// The proof of one end of a bracket.
+struct CertifiedEnd {
+  std::string component;       ///< "leg 3"; empty if the quantity has only one
+  bool is_safe = true;         ///< of the values that are safe; otherwise of the witness
+  std::string certificate;     ///< its file; empty: none
+  std::string no_certificate;  ///< why there is none
 };
 
 struct MarginFinding {
@@ -42,9 +52,10 @@ struct MarginFinding {
   std::string bracket;  ///< "SAFE UP TO 0.119, NOT AT 0.134", "WITHIN UP TO …, EXCEEDED AT …"
   std::string report;   ///< the lines that precede the bracket on a terminal
   std::string json;     ///< the report that --json prints
+  std::vector<CertifiedEnd> certificates;  ///< two for each component, if they were wanted
 };
 
-/// Threads and errors as check().
+/// A motion along way-points has no certificates. Threads and errors as check().
 [[nodiscard]] MarginFinding margin(const Question& question, const MarginOptions& options,
                                    const std::atomic<bool>* interrupt = nullptr);
 

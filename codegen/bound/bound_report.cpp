@@ -180,6 +180,7 @@ Json json_component(const ComponentBound& c, bool has_limit) {
   object["place"] = c.place ? c.place->json : Json(nullptr);
   object["boxes"] = c.boxes;
   object["seconds"] = json_seconds(c.seconds);
+  c.proofs.add_to(object);
   return object;
 }
 
@@ -233,7 +234,7 @@ std::string bound_report(const Request& request, const Bound& bound,
     if (proved) text += format_claim(request, bound, *proved);
     if (attained) text += format_place("attained", *attained);
   }
-  for (const ComponentBound& c : bound.components) text += c.certificates;
+  for (const ComponentBound& c : bound.components) text += c.proofs.lines();
   text += fmt::format("boxes      {} evaluated\n", boxes_of(bound));
   text += format_time(seconds_of(bound));
   if (const auto gap = bound.gap(); gap && !settings.limit)

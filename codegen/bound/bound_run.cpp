@@ -182,7 +182,7 @@ class ComponentRun {
                      : closed_ || result_.is_unbounded
                          ? ""
                          : "no search was likely to end within the time left";
-    result_.certificates = certificates.lines();
+    result_.proofs = certificates.proofs();
   }
 
   void set_proved(const MarginValue& value) {
@@ -216,7 +216,7 @@ class ComponentRun {
     margin.prepared.seconds.search = result.statistics.seconds;
     add(margin.prepared, result.statistics.boxes);
     result_.is_empty = result.occupancy == Occupancy::kEmpty;
-    result_.certificates = certificates.lines();
+    result_.proofs = certificates.proofs();
     if (result.verdict == Verdict::kNoSingularity) result_.verdict = LimitVerdict::kWithin;
     if (result.verdict == Verdict::kSingularity) {
       result_.verdict = LimitVerdict::kExceeded;

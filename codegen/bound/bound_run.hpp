@@ -31,7 +31,7 @@ struct ComponentBound {
   std::string reason;  ///< why it is not closed, or not decided; otherwise empty
   std::uint64_t boxes = 0;
   StageSeconds seconds;
-  std::string certificates;  ///< lines of the report
+  EndProofs proofs;
 };
 
 struct BoundSettings {

@@ -94,7 +94,7 @@ void ConditionCertificate::prove(const BoundEnd& end) {
     proved.verdict = Verdict::kNoSingularity;
     static_cast<void>(writer.finish(proved));
   });
-  safe_ = fmt::format("{}{}: below {}\n", path_, kSafeEnding, rounded_text(end, RoundTo::kAbove));
+  safe_ = {path_ + kSafeEnding, "below " + rounded_text(end, RoundTo::kAbove)};
 }
 
 void ConditionCertificate::attain(const BoundEnd& end, const std::vector<Interval>& variables) {
@@ -108,8 +108,7 @@ void ConditionCertificate::attain(const BoundEnd& end, const std::vector<Interva
              fmt::format("{}\nverdict {}\nclaim {}\n{}proof\nreason {}\n{}\nend\n", format::kMagic,
                          format::kSingularity, question.singularity, question.text, format::kRatio,
                          point));
-  singular_ =
-      fmt::format("{}{}: attains {}\n", path_, kAttainedEnding, rounded_text(end, RoundTo::kBelow));
+  singular_ = {path_ + kAttainedEnding, "attains " + rounded_text(end, RoundTo::kBelow)};
 }
 
 void ConditionCertificate::show_singular(const Result& result,
@@ -135,18 +134,19 @@ void ConditionCertificate::write_singular(const Result& result,
     CertificateWriter writer(path_ + kAttainedEnding, std::move(question));
     static_cast<void>(writer.finish(result));
   });
-  singular_ = fmt::format("{}{}: the matrix is singular\n", path_, kAttainedEnding);
+  singular_ = {path_ + kAttainedEnding, "the matrix is singular"};
 }
 
-std::string ConditionCertificate::lines() const {
-  if (path_.empty()) return "";
-  if (!obstacle_.empty()) return "certificate none: " + obstacle_ + '\n';
-  const std::string no_upper =
-      is_ratio_ ? "it is the ratio of the bounds of sigma-max and sigma-min, which have one each\n"
-                : "no bound was proved\n";
-  return "certificate " + (safe_.empty() ? "none for the upper end: " + no_upper : safe_) +
-         "           " +
-         (singular_.empty() ? "none for the attained end: no pose shows it\n" : singular_);
+EndProofs ConditionCertificate::proofs() const {
+  const auto end = [this](const EndProof& proof, const char* why_none) -> EndProof {
+    if (!proof.file.empty()) return proof;
+    return {{}, obstacle_.empty() ? why_none : obstacle_};
+  };
+  const char* no_upper =
+      is_ratio_ ? "it is the ratio of the bounds of sigma-max and sigma-min, which have one each"
+                : "no bound was proved";
+  return {!path_.empty(), end(safe_, no_upper), end(singular_, "no pose shows it"), "upper",
+          "attained"};
 }
 
 }  // namespace regulus::bounding

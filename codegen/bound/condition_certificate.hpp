@@ -8,6 +8,7 @@
 
 #include "codegen/bound/bound_number.hpp"
 #include "codegen/engine/pipeline.hpp"
+#include "codegen/margin/end_proofs.hpp"
 #include "codegen/quantity/quantity.hpp"
 #include "runtime/certificate/writer.hpp"
 
@@ -41,8 +42,8 @@ class ConditionCertificate final : public Observer {
   /// The upper end is the ratio of the bounds of singular values.
   void note_ratio() noexcept { is_ratio_ = true; }
 
-  /// Returns a line of the report for each end; empty if none was wanted.
-  [[nodiscard]] std::string lines() const;
+  /// Returns what has been written, for the reports.
+  [[nodiscard]] EndProofs proofs() const;
 
  private:
   struct Event {
@@ -65,8 +66,8 @@ class ConditionCertificate final : public Observer {
   const std::set<std::string> uncertain_;
   std::vector<Event> events_;
   bool is_out_of_memory_ = false, is_ratio_ = false;
-  std::string safe_, singular_;  ///< lines of the report
-  std::string obstacle_;         ///< why this question can have no certificate
+  EndProof safe_, singular_;  ///< without a file: not written
+  std::string obstacle_;      ///< why this question can have no certificate
 };
 
 }  // namespace regulus::bounding

@@ -83,7 +83,7 @@ class ConditionRun {
     else
       set_ends(found);
     certify(found);
-    result_.certificates = certificate_->lines();
+    result_.proofs = certificate_->proofs();
     return std::move(result_);
   }
 

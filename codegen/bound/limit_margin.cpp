@@ -82,7 +82,7 @@ class LimitMarginRun {
     }
     margin.prepared.seconds.search = result.margin.seconds;
     result.seconds = margin.prepared.seconds_spent();
-    result.certificates = certificates.lines();
+    result.proofs = certificates.proofs();
     keep_lower(found_.whole.refuted, result.margin.refuted);
     found_.components.push_back(std::move(result));
   }

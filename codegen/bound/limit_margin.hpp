@@ -30,7 +30,7 @@ struct ComponentMargin {
   Margin margin;
   std::optional<AttainedPlace> exceeded;  ///< where the limit is exceeded at the refuted value
   StageSeconds seconds;
-  std::string certificates;  ///< lines of the report
+  EndProofs proofs;
 };
 
 /// The brackets of the components of a quantity.

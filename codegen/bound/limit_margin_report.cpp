@@ -38,13 +38,15 @@ Json json_component(const ComponentMargin& c) {
   const auto text = [](const std::optional<MarginStep>& step) {
     return step ? Json(step->value.text) : Json(nullptr);
   };
-  return {{"label", c.component.label},
-          {"within", text(c.margin.certified)},
-          {"exceeded", text(c.margin.refuted)},
-          {"closed", c.margin.closed},
-          {"place", c.exceeded ? c.exceeded->json : Json(nullptr)},
-          {"boxes", c.margin.boxes},
-          {"seconds", json_seconds(c.seconds)}};
+  Json object = {{"label", c.component.label},
+                 {"within", text(c.margin.certified)},
+                 {"exceeded", text(c.margin.refuted)},
+                 {"closed", c.margin.closed},
+                 {"place", c.exceeded ? c.exceeded->json : Json(nullptr)},
+                 {"boxes", c.margin.boxes},
+                 {"seconds", json_seconds(c.seconds)}};
+  c.proofs.add_to(object);
+  return object;
 }
 
 }  // namespace
@@ -87,7 +89,7 @@ std::string limit_margin_report(const Request& request, const MarginQuestion& qu
                         c->exceeded->pose, c->exceeded->values);
   if (margin.whole.gap)
     text += fmt::format("gap        {:.3g} % of the upper end\n", 100 * *margin.whole.gap);
-  for (const ComponentMargin& c : margin.components) text += c.certificates;
+  for (const ComponentMargin& c : margin.components) text += c.proofs.lines();
   return text;
 }
 

@@ -110,12 +110,7 @@ class WayBound {
           place_of(check.deciding->index, *check.deciding->preparation, check.deciding->result);
     }
     if (check.verdict == Verdict::kPossibleProblem) result_.reason = reason_of(check);
-    const bool is_singular = check.verdict == Verdict::kSingularity;
-    if (!certificate_.empty())
-      result_.certificates =
-          TrajectoryCertificate(certificate_ + (is_singular ? ".singular" : ".safe"), check,
-                                certified_at(bordered_.request, Columns::kCombined))
-              .line();
+    if (!certificate_.empty()) certify_comparison(check);
     return std::move(result_);
   }
 
@@ -242,23 +237,39 @@ class WayBound {
 
   /// Writes a proof of each end: of all pieces, and of the pose on one of them.
   void certify(const MarginQuestion& question, PathBracket& pieces) {
-    std::string safe = "none for the safe end: no safe value was found";
-    if (const std::optional<MarginValue> certified = pieces.certified()) {
-      const Request proved = MarginRequest(bordered_.request, question).at(*certified);
-      const TrajectoryCheck check = check_trajectory(proved, 0, search_, true, settings_.interrupt);
-      add(check);
-      const TrajectoryCertificate written(certificate_ + ".safe", check,
-                                          certified_at(proved, Columns::kCombined));
-      safe = written.obstacle().empty()
-                 ? fmt::format("{}.safe: safe at {}", certificate_, certified->text)
-                 : "none for the safe end: " + written.obstacle();
-    }
-    result_.certificates = "certificate " + safe + "\n           " + certify_witness(pieces) + '\n';
+    result_.proofs = {true, {{}, "no safe value was found"}, proof_of_witness(pieces)};
+    const std::optional<MarginValue> certified = pieces.certified();
+    if (!certified) return;
+    const Request proved = MarginRequest(bordered_.request, question).at(*certified);
+    const TrajectoryCheck check = check_trajectory(proved, 0, search_, true, settings_.interrupt);
+    add(check);
+    const std::string path = certificate_ + ".safe";
+    const TrajectoryCertificate written(path, check, certified_at(proved, Columns::kCombined));
+    result_.proofs.safe = proof_in(path, written, "safe at " + certified->text);
   }
 
-  [[nodiscard]] std::string certify_witness(PathBracket& pieces) const {
+  /// Writes a proof of the one end that a comparison has found.
+  void certify_comparison(const TrajectoryCheck& check) {
+    const bool is_singular = check.verdict == Verdict::kSingularity;
+    const std::string path = certificate_ + (is_singular ? ".singular" : ".safe");
+    const TrajectoryCertificate written(path, check,
+                                        certified_at(bordered_.request, Columns::kCombined));
+    const std::string limit = formula_text(*settings_.limit);
+    result_.proofs = {true, {{}, "the limit is exceeded"}, {{}, "no pose exceeds the limit"}};
+    EndProof& end = is_singular ? result_.proofs.singular : result_.proofs.safe;
+    end = proof_in(path, written, (is_singular ? "exceeds " : "within ") + limit);
+    if (check.verdict == Verdict::kPossibleProblem) result_.proofs.singular = end;
+  }
+
+  static EndProof proof_in(const std::string& path, const TrajectoryCertificate& written,
+                           const std::string& words) {
+    if (!written.obstacle().empty()) return {{}, written.obstacle()};
+    return {path, words};
+  }
+
+  [[nodiscard]] EndProof proof_of_witness(PathBracket& pieces) const {
     const PieceWitness* witness = pieces.witness();
-    if (witness == nullptr) return "none for the singular end: no singularity was found";
+    if (witness == nullptr) return {{}, "no singularity was found"};
     const std::string path = certificate_ + ".singular";
     const PreparedMargin& margin = *witness->margin;
     CertifiedQuestion question =
@@ -266,14 +277,14 @@ class WayBound {
             .about(piece_request(request_, witness->piece),
                    uncertain_names(margin.prepared.labels));
     const std::string obstacle = certificate_obstacle(question, true);
-    if (!obstacle.empty()) return "none for the singular end: " + obstacle;
+    if (!obstacle.empty()) return {{}, obstacle};
     try {
       static_cast<void>(CertificateWriter(path, std::move(question)).finish(witness->step.result));
     } catch (const std::runtime_error& error) {
       throw FileError(error.what());
     }
-    return fmt::format("{}: singular at {}, on segment {}", path, witness->step.value.text,
-                       witness->piece + 1);
+    return {path, fmt::format("singular at {}, on segment {}", witness->step.value.text,
+                              witness->piece + 1)};
   }
 
   const Request& request_;

@@ -65,6 +65,7 @@ void CertificateFile::finish(const Result& result) {
   } catch (const std::runtime_error& error) {
     throw FileError(error.what());
   }
+  if (!written_) obstacle_ = "POSSIBLE PROBLEM claims nothing that could be proved";
   std::error_code ignored;
   if (written_ && std::filesystem::file_size(writer_->path(), ignored) > format::kMaxBytes)
     note_ = "it is larger than the " + std::to_string(format::kMaxBytes) +
@@ -73,8 +74,7 @@ void CertificateFile::finish(const Result& result) {
 
 std::string CertificateFile::line() const {
   if (!obstacle_.empty()) return "certificate none: " + obstacle_ + '\n';
-  if (!writer_) return "";
-  if (!written_) return "certificate none: POSSIBLE PROBLEM claims nothing that could be proved\n";
+  if (!written_) return "";
   return "certificate " + writer_->path() + '\n' +
          (note_.empty() ? "" : "           " + note_ + '\n');
 }

@@ -41,7 +41,7 @@ class CertificateFile {
   std::optional<FileLock> lock_;  ///< of a file that several runs write
   std::optional<CertificateWriter> writer_;
   bool written_ = false;
-  std::string obstacle_;  ///< why there can be no certificate of this question
+  std::string obstacle_;  ///< why there is none
   /// The reasons why the verifier may not finish: for each verdict, and for the one reached.
   std::string doubt_safe_, doubt_singular_, note_;
 };

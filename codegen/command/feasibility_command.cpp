@@ -10,7 +10,6 @@
 #include "codegen/command/commands.hpp"
 #include "codegen/command/interrupt.hpp"
 #include "codegen/command/lines_file.hpp"
-#include "codegen/command/read_trajectory.hpp"
 #include "codegen/feasibility/feasibility_report.hpp"
 #include "codegen/feasibility/force_certificate.hpp"
 #include "codegen/feasibility/way_forces.hpp"
@@ -20,6 +19,7 @@
 #include "codegen/support/errors.hpp"
 #include "codegen/support/exit_code.hpp"
 #include "codegen/support/stopwatch.hpp"
+#include "codegen/trajectory/read_trajectory.hpp"
 #include "runtime/problem/observers.hpp"
 
 namespace regulus::inline command {
@@ -140,7 +140,6 @@ int pave_forces(const LocateCommand& command, PreparedForces& prepared, Interrup
 std::optional<int> run_force_check(const CheckCommand& command) {
   if (!command.load) return std::nullopt;
   refuse_cluster(command.search);
-  refuse_threshold(command.model);
   Stopwatch watch;
   if (std::optional<Request> request = read_trajectory(command.model))
     return check_along_way(command, std::move(*request), watch.lap());

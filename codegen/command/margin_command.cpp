@@ -46,11 +46,11 @@ int run_margin(const MarginCommand& given) {
   margin.prepared.seconds.search = found.seconds;
   if (!quiet)
     std::cerr << margin_report(margin.prepared, margin.search, question, found)
-              << certificates.lines();
+              << certificates.proofs().lines();
   if (command.output.json) {
     nlohmann::ordered_json report =
         json_margin(margin.prepared, margin.search, margin.request.nominal(), question, found, gap);
-    certificates.add_to(report);
+    certificates.proofs().add_to(report);
     std::cout << report.dump(command.output.json_indent) << '\n';
   } else {
     print_answer(describe_bracket(question, found), exit_code_of_margin(question, found));

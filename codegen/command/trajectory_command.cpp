@@ -7,12 +7,13 @@
 #include "codegen/command/end_command.hpp"
 #include "codegen/command/interrupt.hpp"
 #include "codegen/command/lines_file.hpp"
-#include "codegen/command/read_trajectory.hpp"
+#include "codegen/engine/refusals.hpp"
 #include "codegen/margin/margin_report.hpp"
 #include "codegen/margin/prepared_margin.hpp"
 #include "codegen/report/paving_options.hpp"
 #include "codegen/support/errors.hpp"
 #include "codegen/support/stopwatch.hpp"
+#include "codegen/trajectory/read_trajectory.hpp"
 #include "codegen/trajectory/trajectory_certificate.hpp"
 #include "codegen/trajectory/trajectory_margin.hpp"
 #include "codegen/trajectory/trajectory_paving.hpp"
@@ -20,24 +21,12 @@
 
 namespace regulus::inline command {
 
-std::optional<Request> read_trajectory(const ModelOptions& options) {
-  const std::string text = model_text(options);
-  // Most models have no way-points: then the model need not be read before the cache is asked.
-  if (options.waypoints.empty() && text.find("waypoints") == std::string::npos) return std::nullopt;
-  Request request = read_request(text, options);
-  return request.motion.trajectory ? std::optional(std::move(request)) : std::nullopt;
-}
-
 namespace {
 
 void refuse_what_locate_lacks(const LocateCommand& command) {
-  if (!command.certificate.empty())
-    throw UsageError(
-        "--certificate: there is no proof of the stretches of a motion along way-points; regulus "
-        "check --certificate proves the whole motion");
-  if (!command.pictures.files.empty() || !command.pictures.axes.empty())
-    throw UsageError(
-        "--picture: a motion along way-points is not drawn; --output FILE has its stretches");
+  refuse_option(Asked::kPathPaving, "certificate", !command.certificate.empty());
+  refuse_option(Asked::kPathPaving, "picture",
+                !command.pictures.files.empty() || !command.pictures.axes.empty());
 }
 
 }  // namespace
@@ -46,10 +35,8 @@ std::optional<int> run_trajectory_check(const CheckCommand& command) {
   Stopwatch watch;
   std::optional<Request> request = read_trajectory(command.model);
   if (!request) return std::nullopt;
-  if (!command.checkpoint.path.empty())
-    throw UsageError("--checkpoint: a motion along way-points cannot be continued");
-  if (command.shard_size > 0)
-    throw UsageError("--shard-size: the proof of a motion along way-points is one file");
+  refuse_option(Asked::kPathCheck, "checkpoint", !command.checkpoint.path.empty());
+  refuse_option(Asked::kPathCheck, "shard-size", command.shard_size > 0);
   InterruptGuard interrupt;
   interrupt.begin_search();
   const double model_seconds = watch.lap();
@@ -106,10 +93,7 @@ std::optional<int> run_trajectory_locate(const LocateCommand& command) {
 
 int run_trajectory_margin(const MarginCommand& command, const MarginQuestion& question,
                           Request request) {
-  if (!command.certificate.empty())
-    throw UsageError(
-        "--certificate: margin writes no proof about a motion along way-points; regulus check "
-        "--certificate proves it at one value");
+  refuse_option(Asked::kPathMargin, "certificate", !command.certificate.empty());
   InterruptGuard interrupt;
   interrupt.begin_search();
   const bool quiet = command.output.quiet;

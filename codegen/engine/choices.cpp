@@ -28,9 +28,10 @@ constexpr Choice<Engine> kEngines[] = {{"auto", Engine::kAuto},
 [[noreturn]] void refuse(const char* option, std::string_view word,
                          const std::vector<std::string>& words) {
   const std::string meant = nearest(word, words);
-  throw UsageError(std::string(option) + ": there is no " + in_quotes(word) +
-                   (meant.empty() ? "" : "; did you mean " + in_quotes(meant) + "?") +
-                   " It can be " + alternatives(words));
+  throw UsageError(
+      std::string(option) + ": there is no " + in_quotes(word) +
+      (meant.empty() ? "; it can be " : "; did you mean " + in_quotes(meant) + "? It can be ") +
+      alternatives(words));
 }
 
 template <class Value>

@@ -2,6 +2,7 @@
 #include "codegen/feasibility/feasibility_run.hpp"
 
 #include "codegen/bound/bound_run.hpp"
+#include "codegen/engine/refusals.hpp"
 #include "codegen/engine/search_run.hpp"
 #include "codegen/engine/settings.hpp"
 #include "codegen/support/errors.hpp"
@@ -21,7 +22,7 @@ SearchOptions with_derivatives(SearchOptions search) {
 
 PreparedForces prepare_forces(const ModelOptions& model, const std::string& load,
                               const SearchOptions& search, FormingWatch watch) {
-  refuse_threshold(model);
+  refuse_changed(Asked::kLoad, model, search);
   Stopwatch stopwatch;
   Request request = read_request(model);
   if (request.motion.trajectory)

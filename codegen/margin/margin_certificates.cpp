@@ -1,10 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "codegen/margin/margin_certificates.hpp"
 
-#include <fmt/format.h>
-
-#include <nlohmann/json.hpp>
-
 #include "codegen/certificate/certificate_question.hpp"
 #include "codegen/support/errors.hpp"
 
@@ -73,25 +69,14 @@ void MarginCertificates::finish(const MarginValue& value, const Result& result) 
   search_.reset();
 }
 
-std::string MarginCertificates::lines() const {
-  if (!wanted()) return "";
-  if (!obstacle_.empty()) return "certificate none: " + obstacle_ + '\n';
-  const auto proved = [](const Proved& end, const char* words) {
-    return fmt::format("{}: {} {}\n", end.file, words, end.value);
+EndProofs MarginCertificates::proofs() const {
+  const auto end = [this](const std::optional<Proved>& proved, const char* words,
+                          const char* why_none) -> EndProof {
+    if (proved) return {proved->file, std::string(words) + ' ' + proved->value};
+    return {{}, obstacle_.empty() ? why_none : obstacle_};
   };
-  return "certificate " +
-         (safe_ ? proved(*safe_, "safe at") : "none for the safe end: no safe value was found\n") +
-         "           " +
-         (singular_ ? proved(*singular_, "singular at")
-                    : "none for the singular end: no singularity was found\n");
-}
-
-void MarginCertificates::add_to(nlohmann::ordered_json& report) const {
-  if (!wanted()) return;
-  const auto file = [](const std::optional<Proved>& end) {
-    return end ? nlohmann::ordered_json(end->file) : nlohmann::ordered_json(nullptr);
-  };
-  report["certificates"] = {{"safe", file(safe_)}, {"singular", file(singular_)}};
+  return {wanted(), end(safe_, "safe at", "no safe value was found"),
+          end(singular_, "singular at", "no singularity was found")};
 }
 
 }  // namespace regulus::bracketing

@@ -2,12 +2,12 @@
 // The option --certificate of `regulus margin`: a proof of each end of the bracket.
 #pragma once
 
-#include <nlohmann/json_fwd.hpp>
 #include <optional>
 #include <set>
 #include <string>
 #include <vector>
 
+#include "codegen/margin/end_proofs.hpp"
 #include "codegen/margin/margin_question.hpp"
 #include "codegen/support/earlier_outputs.hpp"
 #include "runtime/certificate/writer.hpp"
@@ -32,10 +32,8 @@ class MarginCertificates {
   /// Throws FileError.
   void finish(const MarginValue& value, const Result& result);
 
-  /// Returns a line of the report for each end; empty if none was wanted.
-  [[nodiscard]] std::string lines() const;
-  /// Adds the key `certificates` to a JSON report: the files, null for an unknown end.
-  void add_to(nlohmann::ordered_json& report) const;
+  /// Returns what has been written, for the reports.
+  [[nodiscard]] EndProofs proofs() const;
 
  private:
   struct Proved {

@@ -78,6 +78,11 @@ void bind_load_findings(py::module_& module) {
                              [](const LoadPavingWithBoxes& p) { return p.paving.finding.json; })
       .def_property_readonly(
           "certificate", [](const LoadPavingWithBoxes& p) { return p.paving.finding.certificate; })
+      .def_property_readonly(
+          "no_certificate",
+          [](const LoadPavingWithBoxes& p) { return p.paving.finding.no_certificate; })
+      .def_property_readonly("stretches",
+                             [](const LoadPavingWithBoxes&) { return std::vector<std::string>(); })
       .def("claims",
            [](const LoadPavingWithBoxes& p) {
              return py::array_t<std::uint8_t>(static_cast<py::ssize_t>(p.claims.size()),

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // regulus._regulus: regulus/regulus.hpp for Python. Numbers are exact texts here; the package around
 // it (regulus/) makes them of Python's numbers, and reads the reports.
-#include <pybind11/numpy.h>
 #include <pybind11/pybind11.h>
 #include <pybind11/stl.h>
 
@@ -9,24 +8,13 @@
 #include "codegen/engine/choices.hpp"
 #include "codegen/python/calls.hpp"
 #include "codegen/python/loads.hpp"
+#include "codegen/python/pavings.hpp"
 #include "regulus/version.hpp"
 
 namespace regulus::inline python {
 namespace {
 
 namespace py = pybind11;
-
-const char* word_of_verdict(Verdict verdict) {
-  switch (verdict) {
-    case Verdict::kNoSingularity:
-      return "no-singularity";
-    case Verdict::kSingularity:
-      return "singularity";
-    case Verdict::kPossibleProblem:
-      break;
-  }
-  return "possible-problem";
-}
 
 const char* word_of_outcome(ProofOutcome outcome) {
   switch (outcome) {
@@ -52,28 +40,6 @@ const char* word_of_bound(BoundVerdict verdict) {
       break;
   }
   return "";
-}
-
-/// The paving with its boxes: `bounds` has the lower and the upper bound of each variable.
-struct PavingWithBoxes {
-  Paving paving;
-  std::vector<std::uint8_t> claims;
-  std::vector<double> bounds;
-};
-
-PavingWithBoxes locate_boxes(const Question& question, const SearchOptions& search,
-                             const std::string& resolution, const std::atomic<bool>& interrupt) {
-  PavingWithBoxes found;
-  LocateOptions options{.search = search, .resolution = resolution};
-  options.on_box = [&found](Claim claim, std::span<const Interval> box) {
-    found.claims.push_back(static_cast<std::uint8_t>(claim));
-    for (const Interval& range : box) {
-      found.bounds.push_back(range.lo);
-      found.bounds.push_back(range.hi);
-    }
-  };
-  found.paving = locate(question, options, &interrupt);
-  return found;
 }
 
 /// A prepared question that the algebra thread makes, uses and destroys.
@@ -225,34 +191,6 @@ void bind_findings(py::module_& module) {
       .def_readonly("json", &Confirmation::json);
 }
 
-/// Copies the boxes as an array of the shape (boxes, variables, 2).
-py::array_t<double> array_of_bounds(const PavingWithBoxes& p) {
-  const auto variables = static_cast<py::ssize_t>(p.paving.variables.size());
-  const auto boxes = static_cast<py::ssize_t>(p.claims.size());
-  return py::array_t<double>(std::vector<py::ssize_t>{boxes, variables, 2}, p.bounds.data());
-}
-
-void bind_pavings(py::module_& module) {
-  py::class_<PavingWithBoxes>(module, "PavingFinding")
-      .def_property_readonly(
-          "verdict", [](const PavingWithBoxes& p) { return word_of_verdict(p.paving.verdict); })
-      .def_property_readonly(
-          "reason", [](const PavingWithBoxes& p) { return describe(p.paving.result.reason); })
-      .def_property_readonly("variables",
-                             [](const PavingWithBoxes& p) { return p.paving.variables; })
-      .def_property_readonly("report", [](const PavingWithBoxes& p) { return p.paving.report; })
-      .def_property_readonly("json", [](const PavingWithBoxes& p) { return p.paving.json; })
-      .def("claims",
-           [](const PavingWithBoxes& p) {
-             return py::array_t<std::uint8_t>(static_cast<py::ssize_t>(p.claims.size()),
-                                              p.claims.data());
-           })
-      .def("bounds", array_of_bounds);
-  module.attr("CLAIMS") =
-      py::make_tuple(name(Claim::kFree), name(Claim::kSingular), name(Claim::kUndecided),
-                     name(Claim::kOutside), name(Claim::kUnreachable));
-}
-
 void bind_prepared(py::module_& module) {
   py::class_<PreparedHandle>(module, "PreparedQuestion")
       .def("check", check_prepared, py::arg("question"), py::arg("max_boxes") = 0,
@@ -272,38 +210,31 @@ void bind_searches(py::module_& module) {
       },
       py::arg("question"), py::arg("options"), py::arg("certificate") = "");
   module.def(
-      "locate",
-      [](const Question& question, const SearchOptions& options, const std::string& resolution) {
-        return run_there([=](const std::atomic<bool>& interrupt) {
-          return locate_boxes(question, options, resolution, interrupt);
-        });
-      },
-      py::arg("question"), py::arg("options"), py::arg("resolution") = "");
-  module.def(
       "margin",
       [](const Question& question, const SearchOptions& search, const std::string& tolerance,
          const std::string& alpha, const std::string& scale, const std::string& parameter,
-         const std::string& gap, const QuantityOptions& quantity, const std::string& limit) {
-        const MarginOptions options{search,    tolerance, alpha,    scale,
-                                    parameter, gap,       quantity, limit};
+         const std::string& gap, const QuantityOptions& quantity, const std::string& limit,
+         const std::string& path) {
+        const MarginOptions options{search, tolerance, alpha, scale, parameter,
+                                    gap,    quantity,  limit, path};
         return run_there([=](const std::atomic<bool>& interrupt) {
           return margin(question, options, &interrupt);
         });
       },
       py::arg("question"), py::arg("options"), py::arg("tolerance"), py::arg("alpha"),
-      py::arg("scale"), py::arg("parameter"), py::arg("gap"), py::arg("quantity"),
-      py::arg("limit"));
+      py::arg("scale"), py::arg("parameter"), py::arg("gap"), py::arg("quantity"), py::arg("limit"),
+      py::arg("certificate") = "");
   module.def(
       "bound",
       [](const Question& question, const SearchOptions& search, const QuantityOptions& quantity,
-         const std::string& limit, const std::string& gap) {
-        const BoundOptions options{search, quantity, limit, gap};
+         const std::string& limit, const std::string& gap, const std::string& path) {
+        const BoundOptions options{search, quantity, limit, gap, path};
         return run_there([=](const std::atomic<bool>& interrupt) {
           return bound(question, options, &interrupt);
         });
       },
       py::arg("question"), py::arg("options"), py::arg("quantity"), py::arg("limit"),
-      py::arg("gap"));
+      py::arg("gap"), py::arg("certificate") = "");
 }
 
 void bind_files(py::module_& module) {

@@ -71,6 +71,18 @@ if(foreign)
   fail("libregulus-runtime.a needs more than the C++ library:\n" "${foreign}")
 endif()
 
+# Whatever of ours an object in the libraries needs, one of the libraries has.
+file(GLOB libraries ${PREFIX}/lib/libregulus-*.a)
+run(symbols nm --undefined-only --no-demangle ${libraries})
+string(REGEX MATCHALL "_Z[A-Za-z0-9_]*7regulus[A-Za-z0-9_.]*" missing "${symbols}")
+run(symbols nm --defined-only --no-demangle ${libraries})
+string(REGEX MATCHALL "_Z[A-Za-z0-9_]*7regulus[A-Za-z0-9_.]*" there "${symbols}")
+list(REMOVE_DUPLICATES missing)
+list(REMOVE_ITEM missing ${there})
+if(missing)
+  fail("the libraries do not define what they use:\n" "${missing}")
+endif()
+
 # The command finds its compiler where it is now.
 set(ENV{XDG_CACHE_HOME} ${WORK_DIR}/cache)
 run(verdict ${PREFIX}/bin/regulus check ${PREFIX}/share/regulus/models/planar_3rpr.toml regular

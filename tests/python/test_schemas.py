@@ -116,6 +116,8 @@ def test_reports_are_accepted_and_state_the_question(arguments):
 
 
 WAY = "t,x,y,phi\n0,0,14,0\n1,1,15,0.01\n2,2,16,0\n"
+WAYS = ("--waypoints", "{way}")
+PROOF = ("--certificate", "{proof}")
 LIMIT = ("--quantity", "sigma-max", "--limit", "2")
 
 
@@ -132,16 +134,61 @@ LIMIT = ("--quantity", "sigma-max", "--limit", "2")
         ("bound", ("bound", "orthoglide", "cube", "speed", "--limit", "20/3")),
         ("bound", ("bound", "planar_3rpr", "regular", "x*y", "--waypoints", "{way}")),
         ("datasheet", ("datasheet", "orthoglide", "cube", "--gap", "0.5")),
+        ("path_paving", ("locate", "planar_3rpr", "regular", "--waypoints", "{way}")),
+        ("path_margin", ("margin", "planar_3rpr", "regular", "--tube", "x=0:1", *WAYS)),
+        ("bound", ("bound", "planar_3rpr", "regular", "x*y", "--limit", "3", *WAYS, *PROOF)),
+        ("bound", ("bound", "planar_3rpr", "regular", "x*y", "--limit", "300", *WAYS, *PROOF)),
+        ("bound", ("bound", "orthoglide", "cube", "condition", "--norm", "2", "--gap", "0.3")),
+        ("forces", ("check", "cable_8", "hall", "--load", "weight")),
+        ("forces", ("locate", "cable_8", "hall", "--load", "weight", "--resolution", "1/2")),
     ],
 )
 def test_every_report_is_accepted_and_states_the_question(kind, arguments, tmp_path):
     way = tmp_path / "way.csv"
     way.write_text(WAY)
-    report = printed(*(word.replace("{way}", str(way)) for word in arguments))
+    proof = str(tmp_path / "proof")
+    named = {"{way}": str(way), "{proof}": proof}
+    report = printed(*(named.get(word, word) for word in arguments))
     assert errors(report_of(kind), report) == [] and errors(REPORT, report) == []
     question = report["question"]
     assert question["model_sha256"] == report["model_sha256"]
     assert question["motion"] == arguments[2] and question["options"]["threads"] >= 1
+
+
+@pytest.mark.parametrize(
+    "kind, arguments",
+    [
+        ("check", ("check", "planar_3rpr", "regular")),
+        ("path", ("check", "planar_3rpr", "regular", *WAYS)),
+        ("paving", ("locate", "planar_3rpr", "regular", "--resolution", "1/2")),
+        ("margin", ("margin", "planar_3rpr", "regular", "--tolerance", "base=0:", "--gap", "0.5")),
+        ("limit_margin", ("margin", "orthoglide", "factors_2", "--grow", "edge=0.1:", *LIMIT)),
+        ("bound", ("bound", "orthoglide", "cube", "force", "--gap", "0.3")),
+        ("bound", ("bound", "orthoglide", "cube", "speed", "--limit", "20/3")),
+        ("bound", ("bound", "orthoglide", "cube", "condition", "--norm", "2", "--gap", "0.3")),
+        ("bound", ("bound", "planar_3rpr", "regular", "x*y", *WAYS)),
+        ("bound", ("bound", "planar_3rpr", "regular", "x*y", "--limit", "3", *WAYS)),
+        ("forces", ("check", "cable_8", "hall", "--load", "weight")),
+        ("forces", ("locate", "cable_8", "hall", "--load", "weight", "--resolution", "1/2")),
+    ],
+)
+def test_every_report_names_its_proofs_or_says_why_there_is_none(kind, arguments, tmp_path):
+    way = tmp_path / "way.csv"
+    way.write_text(WAY)
+    named = {"{way}": str(way)}
+    words = [named.get(word, word) for word in arguments]
+    report = printed(*words, "--certificate", str(tmp_path / "proof"))
+    assert errors(report_of(kind), report) == [] and errors(REPORT, report) == []
+    written = {str(p) for p in tmp_path.iterdir()} - {str(way)}
+    said = set()
+    for part in [report, *report.get("components", [])]:
+        if "certificate" in part:
+            assert part["certificate"] or part["certificate_obstacle"]
+            said.add(part["certificate"])
+        for end, file in part.get("certificates", {}).items():
+            assert file or part["certificate_obstacles"][end]
+            said.add(file)
+    assert said - {None} == written
 
 
 def test_the_exact_question_asks_the_same_again():

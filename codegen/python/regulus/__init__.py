@@ -10,7 +10,15 @@ float is the double that it is.
 """
 
 from ._regulus import VERSION as __version__
-from .errors import CompileError, FileError, InputError, InternalError, RegulusError, UsageError
+from .errors import (
+    ArgumentTypeError,
+    CompileError,
+    FileError,
+    InputError,
+    InternalError,
+    RegulusError,
+    UsageError,
+)
 from .families import gough, serial
 from .sympy_models import from_sympy
 from .paving import LoadPaving, Paving
@@ -18,6 +26,7 @@ from .results import Bound, Certificate, Check, LoadCheck, Margin, PreparedCheck
 from .robot import Prepared, Robot, from_urdf, load, verify
 
 __all__ = [
+    "ArgumentTypeError",
     "Bound",
     "Certificate",
     "Check",

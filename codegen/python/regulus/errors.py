@@ -3,12 +3,23 @@
 
 from __future__ import annotations
 
+import re
 from typing import Any
 
+_ARGUMENTS = {"filter": "filters", "no-cache": "use_cache=False"}
 
-def _of_python(text: object) -> object:
-    """Names an argument of Python, where the message names an option of the command."""
-    return text[2:] if isinstance(text, str) and text.startswith("--") else text
+
+def _argument(option: re.Match[str]) -> str:
+    return _ARGUMENTS.get(option[1], option[1].replace("-", "_"))
+
+
+def _of_python(text: Any) -> Any:
+    """Names arguments and functions of Python, where a message names the command's."""
+    if not isinstance(text, str):
+        return text
+    text = re.sub(r"`?\bregulus (check|locate|margin|bound|verify)\b`?", r"\1()", text)
+    text = re.sub(r"^(MOTION|QUANTITY): ", lambda place: place[0].lower(), text)
+    return re.sub(r"(?<![\w-])--([a-z][a-z0-9-]*)", _argument, text)
 
 
 class RegulusError(Exception):
@@ -35,11 +46,11 @@ class InputError(RegulusError, ValueError):
         remedy: str = "",
         symbol: str = "",
     ) -> None:
-        super().__init__(message)
+        super().__init__(_of_python(message))
         self.file = file
         self.line = line
         self.problem = problem
-        self.remedy = remedy
+        self.remedy = _of_python(remedy)
         self.symbol = symbol
 
     def __reduce__(self) -> tuple[Any, ...]:
@@ -50,10 +61,14 @@ class InputError(RegulusError, ValueError):
 
 
 class UsageError(RegulusError, ValueError):
-    """An argument that does not fit the model: an unknown motion, for example."""
+    """A wrong argument: an unknown motion, for example, or a number that is not finite."""
 
     def __init__(self, *words: object) -> None:
         super().__init__(*map(_of_python, words))
+
+
+class ArgumentTypeError(UsageError, TypeError):
+    """An argument of the wrong type: a list for a number, for example."""
 
 
 class FileError(RegulusError, OSError):

@@ -5,6 +5,7 @@ from __future__ import annotations
 
 from typing import Any, Mapping, Optional, Sequence, Union
 
+from .errors import UsageError
 from .numbers import Number, Texts
 from .robot import Range, Robot
 from .toml import Writer, motion_tables, quoted
@@ -103,7 +104,7 @@ def serial(
 def _joint(writer: Writer, number: int, joint: Any) -> str:
     if not isinstance(joint, Mapping):
         if len(joint) != 4:
-            raise ValueError(f"joint {number} has {len(joint)} numbers; give (a, alpha, d, theta)")
+            raise UsageError(f"joint {number} has {len(joint)} numbers; give (a, alpha, d, theta)")
         joint = dict(zip(("a", "alpha", "d", "theta"), joint))
     entries = {"name": f"q{number}", **joint}
     words = ("name", "type")

@@ -13,6 +13,8 @@ from decimal import Decimal
 from fractions import Fraction
 from typing import TYPE_CHECKING, Any, Union
 
+from .errors import ArgumentTypeError, UsageError
+
 if TYPE_CHECKING:
     import sympy
 
@@ -42,13 +44,15 @@ class Texts:
         Decimal, a constant of SymPy, a float.
 
         Raises:
-            TypeError: for what is no number. A bool is none.
-            ValueError: for infinities and NaN.
+            ArgumentTypeError: for what is no number. A bool is none.
+            UsageError: for infinities and NaN.
         """
         if isinstance(value, str):
             return value
+        if getattr(value, "ndim", None) == 0 and hasattr(value, "item"):
+            value = value.item()
         if isinstance(value, bool):
-            raise TypeError(f"{value} is a bool; give a number, or a text such as '0.1'")
+            raise ArgumentTypeError(f"{value} is a bool; give a number, or a text such as '0.1'")
         if _is_of_sympy(value):
             from .sympy_models import constant_text
 
@@ -58,19 +62,21 @@ class Texts:
         if isinstance(value, numbers.Rational):
             return _text_of_fraction(Fraction(value))
         if isinstance(value, numbers.Real):
+            if math.isfinite(value) and float(value) != value:
+                raise UsageError(f"{value!r} is not a double; give a text or a Fraction")
             return self._of_float(float(value))
-        raise TypeError(
+        raise ArgumentTypeError(
             f"{value!r} is a {type(value).__name__}; give a number, or a text such as '0.1'"
         )
 
     def _of_decimal(self, value: Decimal) -> str:
         if not value.is_finite():
-            raise ValueError(f"{value} is not a finite number")
+            raise UsageError(f"{value} is not a finite number")
         return str(value).lower()
 
     def _of_float(self, value: float) -> str:
         if not math.isfinite(value):
-            raise ValueError(f"{value} is not a finite number")
+            raise UsageError(f"{value} is not a finite number")
         decimal = repr(value)
         if Fraction(decimal) == Fraction(value):
             return _text_of_fraction(Fraction(value))

@@ -3,10 +3,12 @@
 
 from __future__ import annotations
 
+import json
 import math
 from typing import TYPE_CHECKING, Any, Optional
 
 from . import _regulus
+from .errors import UsageError
 from .results import Result, _places, _table, _words
 
 if TYPE_CHECKING:
@@ -61,6 +63,10 @@ class Paving(Result):
             each variable its lower and upper bound, in its unit. The boxes cover the motion and
             overlap at most in their sides. Uncertain quantities come after the motion parameters.
         variables: the names of the variables.
+        stretches: of a motion along way-points, which has no boxes: dicts, as `regulus locate
+            --output` writes them, with `kind` (one of CLAIMS), `segments`, `lines` and `time`.
+        certificate: the file of the proof; None if there is none.
+        no_certificate: why there is none, if one was wanted.
     """
 
     _known: tuple[str, ...] = CLAIMS
@@ -71,6 +77,9 @@ class Paving(Result):
         self.reason: str = finding.reason
         self.variables: list[str] = list(finding.variables)
         self.boxes = _array_of(finding, self._known)
+        self.stretches: list[dict[str, Any]] = [json.loads(s) for s in finding.stretches]
+        self.certificate: Optional[str] = finding.certificate or None
+        self.no_certificate: str = finding.no_certificate
 
     @property
     def claims(self) -> numpy.typing.NDArray[Any]:
@@ -79,14 +88,28 @@ class Paving(Result):
 
     @property
     def fractions(self) -> dict[str, list[float]]:
-        """Proved bounds [lower, upper] of the part of the motion's ranges with each claim."""
+        """Proved bounds [lower, upper] of the part of the motion's ranges with each claim.
+
+        Raises:
+            UsageError: for a motion along way-points; json["share"] has approximate shares.
+        """
+        self._require_boxes()
         report = self.json
         return {claim: report[claim]["fraction"] for claim in CLAIMS}
 
+    def _require_boxes(self) -> None:
+        if self.stretches:
+            raise UsageError("a motion along way-points has no boxes; see stretches")
+
     def __repr__(self) -> str:
+        if self.stretches:
+            return f"<{_words(self.verdict)}: {len(self.stretches)} stretches>"
         return f"<{_words(self.verdict)}: {len(self.boxes)} boxes of {', '.join(self.variables)}>"
 
     def _repr_html_(self) -> str:
+        if self.stretches:
+            shares = [(claim, f"{100 * share:.3g} %") for claim, share in self.json["share"].items()]
+            return _table(_words(self.verdict), self.verdict, shares)
         fractions = [
             (claim, f"{(self.claims == claim).sum()} boxes")
             for claim in self._known
@@ -121,7 +144,7 @@ class Paving(Result):
         given = dict(at or {})
         for name in given:
             if name not in self.variables or name in axes:
-                raise ValueError(f"at: {name!r} is not a variable that is not drawn")
+                raise UsageError(f"at: {name!r} is not a variable that is not drawn")
         for name in self.variables:
             if name not in axes:
                 lo, hi = self._range(name)
@@ -143,10 +166,11 @@ class Paving(Result):
                 there; by default in the middle of each range.
 
         Raises:
-            ValueError: for variables that the paving does not have.
+            UsageError: for variables that the paving does not have.
         """
         from matplotlib import pyplot
 
+        self._require_boxes()
         across = self._across(axes)
         place = self._middle(across, at)
         ax = pyplot.gca() if ax is None else ax
@@ -189,7 +213,7 @@ class Paving(Result):
         for name in axes:
             if name not in self.variables:
                 known = ", ".join(self.variables)
-                raise ValueError(f"axes: no variable {name!r}; this paving has: {known}")
+                raise UsageError(f"axes: no variable {name!r}; this paving has: {known}")
         return list(axes)
 
     def _sides(
@@ -215,7 +239,6 @@ class LoadPaving(Paving):
 
     def __init__(self, finding: Any, notes: list[str]) -> None:
         super().__init__(finding, notes)
-        self.certificate: Optional[str] = finding.certificate or None
 
     @property
     def fractions(self) -> dict[str, list[float]]:

@@ -223,6 +223,13 @@ class Margin(Result):
         self.closed: bool = finding.closed
         self.bracket: str = finding.bracket
 
+    @property
+    def certificates(self) -> list[str]:
+        """The files of the proofs that were written, two for each component."""
+        report = self.json
+        parts = [report, *report.get("components", [])]
+        return [file for p in parts for file in (p.get("certificates") or {}).values() if file]
+
     def __repr__(self) -> str:
         return f"<{self.bracket}>"
 
@@ -252,6 +259,13 @@ class Bound(Result):
         self.closed: bool = finding.closed
         self.verdict: str = finding.verdict
         self.result: str = finding.result
+
+    @property
+    def certificates(self) -> list[str]:
+        """The files of the proofs that were written, two for each component."""
+        report = self.json
+        parts = [report, *report.get("components", [])]
+        return [file for p in parts for file in (p.get("certificates") or {}).values() if file]
 
     def __repr__(self) -> str:
         return f"<{self.result}>"

@@ -8,13 +8,24 @@ import os
 from typing import Any, Mapping, Optional, Sequence, Tuple, Union
 
 from . import _regulus
-from .errors import FileError, UsageError
+from .arguments import (
+    count_of,
+    elements_of,
+    mapping_of,
+    option_of,
+    optional_path,
+    path_of,
+    seconds_of,
+    text_of,
+    words_of,
+)
+from .errors import ArgumentTypeError, FileError, UsageError
 from .numbers import Number, Texts
 from .paving import LoadPaving, Paving
 from .results import Bound, Check, LoadCheck, Margin, Path, PreparedCheck, Verification
 
 Range = Union[Number, Tuple[Number, Number], Sequence[Number]]
-"""(lower, upper), or one value."""
+"""(lower, upper) as a tuple, a list or an array of NumPy, or one value."""
 
 _LARGEST_MODEL = 4 << 20  # bytes
 
@@ -34,29 +45,30 @@ class Question:
     ) -> None:
         self._arguments = (robot, motion, range, tolerance, alpha, tube, waypoints)
         self.robot = robot
-        self.waypoints = "" if waypoints is None else os.fspath(waypoints)
+        self.waypoints = optional_path("waypoints", waypoints)
         self._options: dict[str, Any] = {}
         self.options = _regulus.SearchOptions()
         self.options.engine = "auto"
         self.texts = Texts()
         self.question: _regulus.Question = _regulus.Question(
-            robot.text, robot.path or robot.name, motion
+            robot.text, robot.path or robot.name, text_of("motion", motion)
         )
-        for name, ends in (range or {}).items():
+        for name, ends in mapping_of("range", range).items():
             self.question.range(name, *self._ends(name, ends))
-        for groups, value in (tolerance or {}).items():
+        for groups, value in mapping_of("tolerance", tolerance).items():
             self.question.tolerance(groups, self.texts.of(value))
         if alpha is not None:
             self.question.alpha(self.texts.of(alpha))
         if waypoints is not None:
-            self.question.waypoints(os.fspath(waypoints))
+            self.question.waypoints(self.waypoints)
         self._set_tube(tube)
 
     def _ends(self, name: str, ends: Range) -> tuple[str, str]:
-        if isinstance(ends, (tuple, list)):
-            if len(ends) != 2:
-                raise UsageError(f"range: {name!r} has {len(ends)} numbers; give (lower, upper)")
-            return self.texts.of(ends[0]), self.texts.of(ends[1])
+        pair = elements_of(ends)
+        if pair is not None:
+            if len(pair) != 2:
+                raise UsageError(f"range: {name!r} has {len(pair)} numbers; give (lower, upper)")
+            return self.texts.of(pair[0]), self.texts.of(pair[1])
         value = self.texts.of(ends)
         return value, value
 
@@ -65,7 +77,7 @@ class Question:
             return
         if not isinstance(tube, Mapping):
             tube = {"": tube}
-        for names, error in tube.items():
+        for names, error in mapping_of("tube", tube).items():
             self.question.tube(names, self.texts.of(error))
 
     def set_options(self, options: Mapping[str, Any]) -> None:
@@ -75,8 +87,8 @@ class Question:
                 continue
             if not hasattr(self.options, name):
                 known = ", ".join(n for n in dir(self.options) if not n.startswith("_"))
-                raise TypeError(f"unknown option {name!r}; the options are: {known}")
-            setattr(self.options, name, value)
+                raise ArgumentTypeError(f"unknown option {name!r}; the options are: {known}")
+            setattr(self.options, name, option_of(name, value))
             self._options[name] = value
 
     def prove(self, path: str) -> str:
@@ -94,6 +106,10 @@ class Question:
         self.set_options(state[1])
 
 
+def _number_or_word(name: str, value: Union[str, int]) -> str:
+    return value if isinstance(value, str) else str(count_of(name, value))
+
+
 def _quantity(
     quantity: str,
     load: str,
@@ -104,8 +120,15 @@ def _quantity(
     signed: bool,
     norm: Union[str, int] = "",
 ) -> _regulus.QuantityOptions:
+    words = {"quantity": quantity, "load": load, "twist": twist, "freedom": freedom}
+    for name, word in words.items():
+        text_of(name, word)
+    for name, flag in {"least": least, "signed": signed}.items():
+        if not isinstance(flag, bool):
+            raise ArgumentTypeError(f"{name}: found {flag!r}; give True or False")
     return _regulus.QuantityOptions(
-        quantity, load, twist, str(leg), freedom, least, signed, str(norm)
+        quantity, load, twist, _number_or_word("leg", leg), freedom, least, signed,
+        _number_or_word("norm", norm),
     )
 
 
@@ -134,8 +157,8 @@ class Robot:
         Raises:
             InputError: with file and line, if the text is not a model.
         """
-        self.text = text
-        self.path = os.fspath(path)
+        self.text = text_of("text", text)
+        self.path = path_of("path", path)
         self.name = "robot"
         self.notes = list(notes)
         question = _regulus.Question(text, self.path or self.name)
@@ -204,7 +227,7 @@ class Robot:
         def result(finding: Any) -> Check:
             return Check(question, finding, question.texts.notes)
 
-        path = "" if certificate is None else os.fspath(certificate)
+        path = optional_path("certificate", certificate)
         try:
             return result(_regulus.check(question.question, question.options, path))
         except KeyboardInterrupt as stop:
@@ -219,6 +242,9 @@ class Robot:
         range: Optional[Mapping[str, Range]] = None,
         tolerance: Optional[Mapping[str, Number]] = None,
         alpha: Optional[Number] = None,
+        tube: Union[None, Number, Mapping[str, Number]] = None,
+        waypoints: Optional[Path] = None,
+        certificate: Optional[Path] = None,
         **options: Any,
     ) -> Paving:
         """Paves a motion with boxes that are proved free, proved singular, or undecided.
@@ -227,17 +253,20 @@ class Robot:
             resolution: boxes are split until each side is at most this part of its range, in
                 (0, 1]; by default between 1/512 for one range and 1/4 for six.
 
-        The others and the errors are as for check(); the `result` of an interrupt is a Paving.
+        A motion along way-points is divided into `stretches`, and has no boxes; by default
+        `resolution` is then 1/512 of a segment. The others and the errors are as for check(); the
+        `result` of an interrupt is a Paving.
         """
-        question = Question(self, motion, range, tolerance, alpha)
+        question = Question(self, motion, range, tolerance, alpha, tube, waypoints)
         question.set_options(options)
 
         def result(finding: Any) -> Paving:
             return Paving(finding, question.texts.notes)
 
         text = question.texts.of(resolution)
+        path = optional_path("certificate", certificate)
         try:
-            return result(_regulus.locate(question.question, question.options, text))
+            return result(_regulus.locate(question.question, question.options, text, path))
         except KeyboardInterrupt as stop:
             _with_partial(stop, result)
             raise
@@ -268,9 +297,13 @@ class Robot:
         def result(finding: Any) -> LoadCheck:
             return LoadCheck(finding, question.texts.notes)
 
-        path = "" if certificate is None else os.fspath(certificate)
+        path = optional_path("certificate", certificate)
         try:
-            return result(_regulus.check_load(question.question, load, question.options, path))
+            return result(
+                _regulus.check_load(
+                    question.question, text_of("load", load), question.options, path
+                )
+            )
         except KeyboardInterrupt as stop:
             _with_partial(stop, result)
             raise
@@ -297,8 +330,9 @@ class Robot:
         def result(finding: Any) -> LoadPaving:
             return LoadPaving(finding, question.texts.notes)
 
+        text_of("load", load)
         text = question.texts.of(resolution)
-        path = "" if certificate is None else os.fspath(certificate)
+        path = optional_path("certificate", certificate)
         try:
             return result(
                 _regulus.locate_load(question.question, load, question.options, text, path)
@@ -325,6 +359,9 @@ class Robot:
         freedom: str = "",
         least: bool = False,
         signed: bool = False,
+        tube: Union[None, Number, Mapping[str, Number]] = None,
+        waypoints: Optional[Path] = None,
+        certificate: Optional[Path] = None,
         **options: Any,
     ) -> Margin:
         """Brackets the largest safe tolerance, threshold or size of a motion.
@@ -343,31 +380,34 @@ class Robot:
             quantity: what must keep the limit, as for bound(), with load, twist, leg, freedom,
                 least and signed.
             limit: every value is below it; with `least`, and of sigma-min and determinant, above.
+            certificate: FILE; the proofs are FILE.safe and FILE.singular, of a leg FILE.leg_3.safe.
 
         An upper end of None is looked for. The default of `time_limit` is 60 seconds. The others
         and the errors are as for check(); the `result` of an interrupt is a Margin.
         """
         if isinstance(tolerance, str):
             tolerance = {tolerance: (0, None)}
-        asked = {k: v for k, v in (tolerance or {}).items() if isinstance(v, (tuple, list))}
-        fixed = {k: v for k, v in (tolerance or {}).items() if k not in asked}
-        question = Question(self, motion, range, fixed)
+        tolerance = mapping_of("tolerance", tolerance)
+        asked = {k: v for k, v in tolerance.items() if elements_of(v) is not None}
+        fixed = {k: v for k, v in tolerance.items() if k not in asked}
+        question = Question(self, motion, range, fixed, None, tube, waypoints)
         question.set_options({"time_limit": 60, **options})
         of = question.texts.of
 
         def bracket(ends: Any) -> str:
             if ends is None:
                 return ""
-            if not isinstance(ends, (tuple, list)) or len(ends) != 2:
+            pair = elements_of(ends)
+            if pair is None or len(pair) != 2:
                 raise UsageError(f"margin: found {ends!r}; give (lower, upper)")
-            return f"{of(ends[0])}:{'' if ends[1] is None else of(ends[1])}"
+            return f"{of(pair[0])}:{'' if pair[1] is None else of(pair[1])}"
 
         def result(finding: Any) -> Margin:
             return Margin(finding, question.texts.notes)
 
         if len(asked) > 1:
             raise UsageError("margin: several tolerances are asked; join their groups: 'a,b'")
-        if grow is not None and len(grow) != 1:
+        if grow is not None and len(mapping_of("grow", grow)) != 1:
             raise UsageError("margin: grow names one parameter: {'R': (lower, upper)}")
         growing = "".join(f"{name}={bracket(ends)}" for name, ends in (grow or {}).items())
         tolerances = "".join(f"{groups}={bracket(ends)}" for groups, ends in asked.items())
@@ -383,6 +423,7 @@ class Robot:
                     of(gap),
                     _quantity(quantity, load, twist, leg, freedom, least, signed),
                     "" if limit is None else of(limit),
+                    optional_path("certificate", certificate),
                 )
             )
         except KeyboardInterrupt as stop:
@@ -407,6 +448,7 @@ class Robot:
         tolerance: Optional[Mapping[str, Number]] = None,
         tube: Union[None, Number, Mapping[str, Number]] = None,
         waypoints: Optional[Path] = None,
+        certificate: Optional[Path] = None,
         **options: Any,
     ) -> Bound:
         """Brackets the largest value of a quantity over a motion, or compares it with a limit.
@@ -423,6 +465,7 @@ class Robot:
             norm: of a condition number: 2, the largest singular value divided by the least, or "max".
             limit: compare with this value.
             gap: the bracket is closed when it is at most this part of its larger end.
+            certificate: FILE; the proofs are FILE.safe and FILE.singular, of a leg FILE.leg_3.safe.
 
         The default of `time_limit` is 60 seconds. The others and the errors are as for check(); the
         `result` of an interrupt is a Bound.
@@ -442,6 +485,7 @@ class Robot:
                     _quantity(quantity, load, twist, leg, freedom, least, signed, norm),
                     "" if limit is None else of(limit),
                     of(gap),
+                    optional_path("certificate", certificate),
                 )
             )
         except KeyboardInterrupt as stop:
@@ -466,10 +510,10 @@ class Robot:
     def write(self, path: Path) -> None:
         """Writes the model file. Raises FileError."""
         try:
-            with open(path, "wb") as file:
+            with open(path_of("path", path), "wb") as file:
                 file.write(self.text.encode("utf-8"))
         except OSError as error:
-            raise FileError(f"cannot write {os.fspath(path)!r}: {error.strerror}") from error
+            raise FileError(f"cannot write {path!r}: {error.strerror}") from error
 
     def __eq__(self, other: object) -> bool:
         return isinstance(other, Robot) and (self.text, self.path) == (other.text, other.path)
@@ -509,7 +553,8 @@ class Prepared:
         self._alpha = alpha
         self._options = dict(options)
         self._limits = {
-            name: self._options.get(name) or 0 for name in ("max_boxes", "time_limit", "threads")
+            name: option_of(name, self._options.get(name) or 0)
+            for name in ("max_boxes", "time_limit", "threads")
         }
         question = Question(robot, motion, range, tolerance, alpha)
         question.set_options(self._options)
@@ -535,13 +580,13 @@ class Prepared:
         question = Question(
             self.robot,
             self.motion,
-            {**(self._range or {}), **(range or {})},
-            {**(self._tolerance or {}), **(tolerance or {})},
+            {**(self._range or {}), **mapping_of("range", range)},
+            {**(self._tolerance or {}), **mapping_of("tolerance", tolerance)},
             self._alpha if alpha is None else alpha,
         )
         limits = dict(self._limits)
         given = {"max_boxes": max_boxes, "time_limit": time_limit, "threads": threads}
-        limits.update({name: value for name, value in given.items() if value is not None})
+        limits.update({n: option_of(n, value) for n, value in given.items() if value is not None})
 
         def result(finding: Any) -> PreparedCheck:
             return PreparedCheck(question, finding, question.texts.notes, self._prepared, limits)
@@ -599,7 +644,7 @@ def load(path: Path) -> Robot:
     Raises:
         FileError: if there is no such file; InputError: with file and line.
     """
-    found = _find_model(os.fspath(path))
+    found = _find_model(path_of("path", path))
     try:
         with open(found, "rb") as file:
             # One byte more than allowed, so that it is refused in terms of the model.
@@ -634,12 +679,12 @@ def verify(
     """
     return Verification(
         _regulus.verify(
-            os.fspath(path),
-            "" if model is None else os.fspath(model),
-            "" if waypoints is None else os.fspath(waypoints),
-            threads,
-            time_limit,
-            max_boxes,
+            path_of("path", path),
+            optional_path("model", model),
+            optional_path("waypoints", waypoints),
+            count_of("threads", threads, 1, 1024),
+            seconds_of("time_limit", time_limit),
+            count_of("max_boxes", max_boxes),
         )
     )
 
@@ -667,8 +712,12 @@ def from_urdf(
     Raises:
         InputError: with file and line; UsageError; FileError.
     """
-    file = os.fspath(path)
     model, report = _regulus.import_file(
-        file, base, tip, list(cuts), list(actuated), Texts().of(snap)
+        path_of("path", path),
+        text_of("base", base),
+        text_of("tip", tip),
+        words_of("cuts", cuts),
+        words_of("actuated", actuated),
+        Texts().of(snap),
     )
     return Robot(model, notes=report.splitlines())

@@ -6,6 +6,7 @@ from __future__ import annotations
 from fractions import Fraction
 from typing import Any, Iterable, Mapping, Optional, Sequence, Tuple, Union
 
+from .errors import ArgumentTypeError, UsageError
 from .numbers import Number, Texts
 from .robot import Range, Robot
 from .toml import Writer, motion_tables
@@ -63,7 +64,7 @@ class _Printer:
     def _symbol(self, name: str) -> str:
         if self._symbols is not None and name not in self._symbols:
             known = ", ".join(sorted(self._symbols))
-            raise ValueError(f"the symbol {name} is not declared; pose and geometry have: {known}")
+            raise UsageError(f"the symbol {name} is not declared; pose and geometry have: {known}")
         return name
 
     def _sum(self, e: Any) -> str:
@@ -97,13 +98,13 @@ class _Printer:
         if e.exp.is_negative and e.exp.is_number:
             return f"1/{self._within(e.base ** -e.exp, _POWER)}", _PRODUCT
         if not isinstance(e.exp, sympy.Rational):
-            raise ValueError(f"{e}: an exponent is a rational number in a model")
+            raise UsageError(f"{e}: an exponent is a rational number in a model")
         return f"{self._within(e.base, _ATOM)}^{self._within(e.exp, _ATOM)}", _POWER
 
     def _function(self, e: Any) -> str:
         name = type(e).__name__
         if name not in _FUNCTIONS:
-            raise ValueError(
+            raise UsageError(
                 f"{e}: models do not have {name}; they have sqrt, {', '.join(_FUNCTIONS).lower()}"
             )
         return f"{name.lower()}({', '.join(self.text(a) for a in e.args)})"
@@ -112,7 +113,7 @@ class _Printer:
 def constant_text(value: Any, texts: Texts) -> str:
     """Returns a constant of SymPy, such as Rational(1, 3) or pi/12, as a text of a model."""
     if not getattr(value, "is_number", False):
-        raise TypeError(f"{value} is no constant")
+        raise ArgumentTypeError(f"{value} is no constant")
     return _Printer(texts, symbols=()).text(value)
 
 
@@ -151,7 +152,7 @@ def from_sympy(
         source: who published the numbers.
 
     Raises:
-        ValueError: for a symbol that is not declared or a function that models do not have.
+        UsageError: for a symbol that is not declared or a function that models do not have.
         InputError: if the model has another mistake.
     """
     texts = Texts()

@@ -7,6 +7,7 @@ import json
 import re
 from typing import Any, Mapping, Sequence, Tuple, Union
 
+from .errors import UsageError
 from .numbers import Number, Texts
 
 _INTEGER = re.compile(r"-?\d{1,18}$")
@@ -58,7 +59,7 @@ class Writer:
             self.line(name, self.number(value))
             return
         if len(value) != 2:
-            raise ValueError(f"geometry: {name!r} has {len(value)} numbers; give (value, tolerance)")
+            raise UsageError(f"geometry: {name!r} has {len(value)} numbers; give (value, tolerance)")
         self.line(
             name,
             f"{{ value = {self.number(value[0])}, tolerance = {self.number(value[1])}, "

@@ -1,0 +1,33 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <nlohmann/json.hpp>
+#include <string>
+
+#include "codegen/api/margin.hpp"
+#include "codegen/margin/end_proofs.hpp"
+
+namespace regulus::inline api {
+
+/// Adds what a certificate says to a report and to a finding; the finding's `json` is the report.
+template <class Certificate, class Finding>
+void add_proof(const Certificate& certificate, nlohmann::ordered_json report, Finding& finding) {
+  certificate.add_to(report);
+  finding.report += certificate.line();
+  if (const auto file = report.find("certificate"); file != report.end() && file->is_string())
+    finding.certificate = *file;
+  else
+    finding.no_certificate = report.value("certificate_obstacle", "");
+  finding.json = report.dump(2);
+}
+
+/// Adds the proofs of a component's ends to a finding; nothing if none were wanted.
+template <class Finding>
+void add_ends(const EndProofs& proofs, const std::string& component, Finding& finding) {
+  if (!proofs.wanted) return;
+  for (const EndProof* end : {&proofs.safe, &proofs.singular})
+    finding.certificates.push_back({component, end == &proofs.safe, end->file,
+                                    end->file.empty() ? end->words : std::string()});
+}
+
+}  // namespace regulus::api
