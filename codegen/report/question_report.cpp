@@ -137,7 +137,8 @@ std::size_t control_errors(const ReportLabels& labels) {
 
 Json json_groups(const ReportLabels& labels) {
   Json groups = Json::array();
-  for (const auto& [group, count] : count_groups(labels).all())
+  const Counts counts = count_groups(labels);
+  for (const auto& [group, count] : counts.all())
     groups.push_back({{"group", group}, {"kind", "geometry"}, {"quantities", count}});
   if (const std::size_t errors = control_errors(labels); errors > 0)
     groups.push_back({{"group", ""}, {"kind", "control"}, {"quantities", errors}});
@@ -217,7 +218,8 @@ Json json_vector_set(const VectorSet& set) {
 
 std::string describe_groups(const ReportLabels& labels) {
   std::vector<std::string> words;
-  for (const auto& [group, count] : count_groups(labels).all())
+  const Counts counts = count_groups(labels);
+  for (const auto& [group, count] : counts.all())
     words.push_back(group.empty() ? fmt::format("{} without a group", count)
                                   : fmt::format("{} of {}", count, group));
   if (const std::size_t errors = control_errors(labels); errors > 0)
