@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <nlohmann/json.hpp>
+#include <sstream>
 
 #include "tests/support/cached_command.hpp"
 
@@ -102,6 +103,40 @@ TEST(Claims, NameTheGroupsOfUncertainQuantities) {
             json::parse("[{\"group\": \"base\", \"kind\": \"geometry\", \"quantities\": 18},"
                         "{\"group\": \"platform\", \"kind\": \"geometry\", \"quantities\": 18},"
                         "{\"group\": \"\", \"kind\": \"control\", \"quantities\": 6}]"));
+}
+
+/// The lines of the question without those about the file and its names.
+std::vector<std::string> question_of(const std::string& model, const std::string& certificate) {
+  EXPECT_EQ(run_command({kCommand, "check", model, "here", "--certificate", certificate}).exit_code,
+            0);
+  std::vector<std::string> lines;
+  std::istringstream text(file_contents(certificate));
+  for (std::string line; std::getline(text, line);) {
+    const std::string word = line.substr(0, line.find(' '));
+    if (word != "claim" && word != "model" && word != "sha256" && word != "constant")
+      lines.push_back(line);
+  }
+  return lines;
+}
+
+TEST(Certificates, OfNumbersNamesAndExpressionsStateTheSameQuestion) {
+  const TemporaryDirectory directory;
+  const std::string model = directory.path() / "legs.toml", proof = directory.path() / "proof";
+  const auto question = [&](const std::string& crank, const std::string& base) {
+    std::string text =
+        "regulus = 1\nname = \"legs\"\n[geometry]\nL = 120\n[legs]\nbase_tolerance = 0.1\n"
+        "crank_tolerance = 0.1\nrod_tolerance = 0.1\n";
+    text += "[[legs.leg]]\ntype = \"RRR\"\nbase = [0, 0]\nplatform = [-30, -20]\ncrank = " + crank +
+            "\nrod = 150\nmode = \"+\"\n[[legs.leg]]\ntype = \"RPR\"\nbase = [" + base +
+            ", 0]\nplatform = [30, -20]\n[[legs.leg]]\ntype = \"PRR\"\nbase = [0, 300]\n"
+            "platform = [0, 40]\naxis = [1, 0]\nrod = 160\nmode = \"-\"\n"
+            "[motion.here]\nx = [140, 150]\ny = [165, 175]\nphi = 0\n";
+    write_file(model, text);
+    return question_of(model, proof);
+  };
+  const std::vector<std::string> written = question("120", "300");
+  EXPECT_EQ(question("\"L\"", "\"2*L + 60\""), written);
+  EXPECT_EQ(question("\"2*L*cos(60deg)\"", "\"5*L/2\""), written);
 }
 
 }  // namespace
