@@ -144,7 +144,9 @@ ModelOptions PreparedQuestion::Parts::options_of(const Question& question) const
 
 Request PreparedQuestion::Parts::request_of(const Question& question) const {
   Request request = nominal;
-  apply_changes(request, options_of(question));
+  const ModelOptions asked = options_of(question);
+  apply_changes(request, asked);
+  stay_within_limits(request, asked);
   return request;
 }
 

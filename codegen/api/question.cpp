@@ -64,6 +64,11 @@ Question& Question::waypoints(const std::string& file) {
   return *this;
 }
 
+Question& Question::beyond_limits() {
+  options_->beyond_limits = true;
+  return *this;
+}
+
 Question& Question::alpha(const std::string& threshold) {
   options_->alpha = threshold;
   return *this;

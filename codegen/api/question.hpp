@@ -42,6 +42,8 @@ class Question {
   Question& tube(const std::string& parameters, const std::string& error);
   /// Follows the way-points of a file instead of the motion's own poses.
   Question& waypoints(const std::string& file);
+  /// Lets the question leave the limits of an arm's joints.
+  Question& beyond_limits();
   /// Sets the threshold that |det J⁻¹| must exceed.
   Question& alpha(const std::string& threshold);
 

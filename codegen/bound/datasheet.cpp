@@ -201,6 +201,14 @@ class DatasheetRun {
   std::vector<Bound> bounds_;
 };
 
+/// Names the quantities that the model has no data for.
+void add_without_data(const Model& model, std::vector<std::string>& left_out) {
+  if (model.loads.empty()) left_out.emplace_back("force and deflection: the model has no [load]");
+  if (model.twists.empty()) left_out.emplace_back("speed: the model has no [twist]");
+  if (model.actuators.error.empty())
+    left_out.emplace_back("error: the model has no error in [actuators]");
+}
+
 }  // namespace
 
 LimitState limit_state(const Model& model, const ComponentBound& c) {
@@ -229,6 +237,7 @@ Datasheet make_datasheet(const Request& request, const BoundSettings& settings,
     } catch (const UsageError& error) {
       sheet.left_out.emplace_back(error.what());
     }
+  if (quantities.empty()) add_without_data(request.model, sheet.left_out);
   DatasheetRun run(request, settings, listener);
   sheet.bounds = run.run(std::move(quantities));
   sheet.is_interrupted = run.is_interrupted();

@@ -122,7 +122,9 @@ constexpr const char* kMeaning =
 }  // namespace
 
 std::string text_datasheet(const Request& request, const Datasheet& sheet) {
-  std::string text = format_rows(rows_of(request.model, sheet), "", "  ", false);
+  const std::vector<Row> rows = rows_of(request.model, sheet);
+  std::string text =
+      rows.empty() ? "no quantity of this model is bounded\n" : format_rows(rows, "", "  ", false);
   for (const std::string& reason : sheet.left_out) text += "not bounded: " + reason + '\n';
   return text;
 }

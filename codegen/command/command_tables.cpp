@@ -154,7 +154,8 @@ void add_margin_options(CLI::App& app, MarginCommand& command) {
 }
 
 void add_explain_options(CLI::App& app, ExplainCommand& command) {
-  app.add_flag("--all", command.all_entries, "Show every entry, not only the first of each kind");
+  app.add_flag("--all", command.all_entries,
+               "Show every entry, not only the first of each kind, and each in full");
   app.add_option(
          "--stage", command.stage,
          "What to show: all forms, only the matrix, only the occurrences, or the C++ text of the "

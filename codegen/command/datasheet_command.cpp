@@ -16,7 +16,8 @@ namespace regulus::inline command {
 namespace {
 
 int exit_code_of(const Model& model, const Datasheet& sheet) {
-  bool is_closed = !sheet.is_interrupted;
+  // A sheet without a row answers nothing.
+  bool is_closed = !sheet.is_interrupted && !sheet.bounds.empty();
   for (const Bound& bound : sheet.bounds) {
     is_closed = is_closed && bound.is_closed();
     for (const ComponentBound& c : bound.components)

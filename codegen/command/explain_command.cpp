@@ -15,6 +15,8 @@ namespace {
 Explanation forms(const ExplainCommand& command) {
   ExplainOptions options;
   options.all_entries = command.all_entries;
+  constexpr std::size_t kWhole = std::size_t{1} << 28;  // what a terminal or a file can still hold
+  if (command.all_entries) options.longest = kWhole;
   options.part = command.stage == "matrix"        ? ExplainPart::kMatrix
                  : command.stage == "occurrences" ? ExplainPart::kOccurrences
                                                   : ExplainPart::kAll;

@@ -75,6 +75,8 @@ void add_model_changes(CLI::App& app, ModelOptions& options) {
       ->type_name("GROUP=E");
   app.add_option("--alpha", options.alpha, "Threshold: certify |det J^-1| > A instead of full rank")
       ->type_name("A");
+  app.add_flag("--beyond-limits", options.beyond_limits,
+               "Let the question leave the limits of the joints, which the model file gives");
 }
 
 void add_generate_options(CLI::App& app, GenerateCommand& command) {

@@ -1,7 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "codegen/command/run_command_line.hpp"
 
+#include <functional>
 #include <iostream>
+#include <memory>
+#include <set>
 #include <utility>
 
 #include "codegen/command/commands.hpp"
@@ -22,9 +25,18 @@ void find(std::string& model, bool quiet) {
   if (model != typed && !quiet) std::cerr << "file       " << model << '\n';
 }
 
+/// Returns what prints each warning once, under --quiet too: a command may read its model twice.
+std::function<void(const std::string&)> warner() {
+  return [given = std::make_shared<std::set<std::string>>()](const std::string& warning) {
+    if (given->insert(warning).second) std::cerr << "warning    " << warning << '\n';
+  };
+}
+
 void find_models(CommandLine& line) {
   const auto find_in = [](auto& command, bool quiet = false) {
-    if (command && !command->model.text) find(command->model.path, quiet);
+    if (!command) return;
+    command->model.warn = warner();
+    if (!command->model.text) find(command->model.path, quiet);
   };
   if (line.check) find_in(line.check, line.check->output.quiet);
   if (line.locate) find_in(line.locate, line.locate->output.quiet);

@@ -39,7 +39,7 @@ std::optional<ProblemCache::Found> ProblemCache::find_shared(const Request& requ
   problem.labels = std::move(labels);
   problem.variety = enclose_variety(request.model, request.motion, natural.variables);
   if (!fits(problem, found->program)) return std::nullopt;
-  static_cast<void>(cache_.write(question_, to_text(problem)));
+  if (problem.labels.notes.empty()) static_cast<void>(cache_.write(question_, to_text(problem)));
   return found;
 }
 
@@ -67,7 +67,9 @@ void ProblemCache::keep(WarmStart problem, const machine::PackKernel& program) c
   problem.program_key = sha256(bytes);
   problem.identity = program.identity;
   const std::string text = to_text(problem), shared = std::string(kShared) + text;
-  std::vector<ObjectCache::NamedObject> entries{{problem.program_key, bytes}, {question_, text}};
+  std::vector<ObjectCache::NamedObject> entries{{problem.program_key, bytes}};
+  // A question with notes is read each time, so that they are given each time.
+  if (problem.labels.notes.empty()) entries.push_back({question_, text});
   if (!forms_.empty()) entries.push_back({forms_, shared});
   static_cast<void>(cache_.write(entries));
 }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "codegen/engine/report_labels.hpp"
 
+#include <algorithm>
 #include <set>
 
 #include "codegen/symbolic/measure.hpp"
@@ -17,6 +18,13 @@ std::set<std::string> variables_in_use(const Formulation& f) {
   return names;
 }
 
+/// Returns the group of a constant; nothing for other variables.
+std::string group_of(const Model& model, const Variable& variable) {
+  if (variable.kind != VariableKind::kGeometry) return {};
+  const auto at = std::ranges::find(model.geometry, variable.name, &GeometryParameter::name);
+  return at == model.geometry.end() ? std::string() : at->group;
+}
+
 }  // namespace
 
 ReportLabels report_labels(const Request& request, const Formulation& formulation) {
@@ -26,6 +34,7 @@ ReportLabels report_labels(const Request& request, const Formulation& formulatio
   subject.motion = request.motion.name;
   subject.matrix_kind = request.model.matrix_kind;
   subject.matrix_notes = request.model.matrix_notes;
+  subject.notes = request.notes;
   subject.rows = formulation.rows;
   subject.columns = formulation.columns;
   if (formulation.rows == formulation.columns)
@@ -39,7 +48,8 @@ ReportLabels report_labels(const Request& request, const Formulation& formulatio
   const std::set<std::string> used = variables_in_use(formulation);
   const bool has_matrix = !formulation.natural_matrix.empty();
   for (const Variable& v : formulation.variables)
-    subject.variables.push_back({v.name, v.unit, v.kind, has_matrix && !used.contains(v.name)});
+    subject.variables.push_back({v.name, v.unit, v.kind, has_matrix && !used.contains(v.name),
+                                 group_of(request.model, v), v.ball >= 0});
   return subject;
 }
 

@@ -22,6 +22,8 @@ struct VariableLabel {
   std::string unit;
   VariableKind kind = VariableKind::kMotion;
   bool is_idle = false;  ///< neither the matrix nor a constraint depends on it
+  std::string group{};   ///< of a constant of the geometry; empty: none
+  bool in_ball = false;  ///< its point varies in a ball
 };
 
 /// The labels of the search in a report.
@@ -31,6 +33,7 @@ struct ReportLabels {
   std::string motion;
   MatrixKind matrix_kind = MatrixKind::kInverse;
   std::vector<std::string> matrix_notes;  ///< as in Model
+  std::vector<std::string> notes;         ///< as in Request; a question with notes is not cached
   int rows = 0;
   int columns = 0;
   std::string where;                      ///< as name(Motion::where)

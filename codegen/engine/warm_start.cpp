@@ -16,14 +16,15 @@ namespace {
 using Json = nlohmann::json;
 
 /// Increase it if the meaning of the text of a warm start changes.
-constexpr int kFormat = 7;
+constexpr int kFormat = 8;
 
 /// The path of the file does not matter: its text is in the key.
 void add(KeyParts& parts, const ModelOptions& options) {
   // All members are named: a new one does not compile until it is in the key.
   const auto& [path, motion, ranges, tolerances, alpha, waypoints, tubes, text, asked,
-               separates_reach] = options;
+               separates_reach, beyond_limits, warn] = options;
   static_cast<void>(path);
+  static_cast<void>(warn);
   static_cast<void>(text);
   parts.add(motion);
   parts.add(ranges);
@@ -33,6 +34,7 @@ void add(KeyParts& parts, const ModelOptions& options) {
   parts.add(tubes);
   parts.add(asked);
   parts.add(separates_reach);
+  parts.add(beyond_limits);
 }
 
 std::string hexadecimal(double bound) { return fmt::format("{:a}", bound); }
@@ -135,6 +137,8 @@ Json json_of(const VariableLabel& label, const Interval& outer,
           {"unit", label.unit},
           {"kind", static_cast<int>(label.kind)},
           {"idle", label.is_idle},
+          {"group", label.group},
+          {"ball", label.in_ball},
           {"outer", json_of(outer)},
           {"inner", inner ? json_of(*inner) : Json(nullptr)}};
 }
@@ -177,9 +181,9 @@ bool fits(const BallProgram& matrix, const WarmStart& problem) {
 }
 
 void read_variable(const Json& json, WarmStart& problem) {
-  problem.labels.variables.push_back({json.at("name"), json.at("unit"),
-                                      VariableKind(count_of(json.at("kind"))),
-                                      json.at("idle").get<bool>()});
+  problem.labels.variables.push_back(
+      {json.at("name"), json.at("unit"), VariableKind(count_of(json.at("kind"))),
+       json.at("idle").get<bool>(), json.at("group"), json.at("ball").get<bool>()});
   problem.variety.outer.push_back(interval_of(json.at("outer")));
   auto& inner = problem.variety.inner.emplace_back();
   if (!json.at("inner").is_null()) inner = interval_of(json.at("inner"));

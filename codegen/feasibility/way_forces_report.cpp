@@ -88,8 +88,9 @@ std::string format_way_forces(const WayForces& found) {
                      format_path(trajectory_of(found)) +
                      format_tube(found.request.model, found.request.motion);
   text += uncertain == 0 ? "uncertain  nothing: geometry is taken as exact\n"
-                         : fmt::format("uncertain  {} {} of the geometry\n", uncertain,
-                                       uncertain == 1 ? "quantity" : "quantities");
+                         : fmt::format("uncertain  {} {} of the geometry: {}\n", uncertain,
+                                       uncertain == 1 ? "quantity" : "quantities",
+                                       describe_groups(hull.preparation.labels));
   text += fmt::format("load       {}, forces {}\n", hull.load, describe_limits(hull));
   text += fmt::format("boxes      {} evaluated; {} segment{} searched alone\n", found.boxes,
                       found.searched_alone, found.searched_alone == 1 ? "" : "s");

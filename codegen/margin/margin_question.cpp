@@ -11,6 +11,7 @@
 #include "codegen/model/constants.hpp"
 #include "codegen/model/decimal.hpp"
 #include "codegen/model/ginac_text.hpp"
+#include "codegen/model/joint_limits.hpp"
 #include "codegen/model/overrides.hpp"
 #include "codegen/model/sign.hpp"
 
@@ -155,6 +156,7 @@ MarginValue forming_value(const MarginQuestion& question) {
 
 MarginQuestion take_question(ModelOptions& model, const GrowingSize& size) {
   MarginQuestion question;
+  question.beyond_limits = model.beyond_limits;
   int ranges = 0;
   auto& tolerances = model.tolerances;
   for (std::size_t i = tolerances.size(); i-- > 0;) {
@@ -216,11 +218,33 @@ void MarginRequest::require_growth() const {
     require_parameter(request, question_);
   }
   if (question_.quantity == MarginQuantity::kTube) require_plain_tube();
+  const bool ranges_grow = question_.quantity == MarginQuantity::kScale ||
+                           question_.quantity == MarginQuantity::kParameter;
+  if (ranges_grow && !question_.beyond_limits && !nominal_.model.limits.empty()) require_limits();
   if (question_.quantity == MarginQuantity::kAlpha &&
       nominal_.model.matrix.rows() != nominal_.model.matrix.cols())
     throw UsageError(
         "--alpha: the matrix is not square, so it has no determinant; use --tolerance, --scale or "
         "--grow");
+}
+
+/// Ranges that grow do not leave the limits of the joints, unless the question says that they may.
+void MarginRequest::require_limits() const {
+  const char* const option = question_.quantity == MarginQuantity::kScale ? "--scale" : "--grow";
+  if (!question_.high) {
+    const bool is_free = question_.quantity == MarginQuantity::kParameter &&
+                         std::ranges::none_of(nominal_.model.pose, [this](const auto& p) {
+                           return p.name == question_.groups;
+                         });
+    if (is_free) return;
+    throw UsageError(std::string(option) +
+                     ": the joints of this robot have limits, and LO: has no end; write LO:HI, or "
+                     "leave the limits by the option beyond-limits");
+  }
+  const Request grown = grown_to(*question_.high);
+  if (const auto found = find_excursion(grown.model, grown.motion))
+    throw UsageError(std::string(option) + ": at " + question_.high->text + ", " + found->sentence +
+                     "; write a smaller HI, or leave the limits by the option beyond-limits");
 }
 
 /// Values between the ends are decimals, which are in the unit of the pose parameter.

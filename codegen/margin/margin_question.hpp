@@ -36,7 +36,8 @@ using QuestionAbout = std::function<Request(const Request&)>;
 struct MarginQuestion {
   MarginQuantity quantity = MarginQuantity::kTolerance;
   std::string groups;  ///< of a tolerance; the name of a parameter; those of a tube, or empty
-  bool is_two_sided = false;  ///< a parameter grows to [−v, v]; otherwise from its low end to v
+  bool is_two_sided = false;   ///< a parameter grows to [−v, v]; otherwise from its low end to v
+  bool beyond_limits = false;  ///< the ranges may leave the limits of the joints
   MarginValue low;
   std::optional<MarginValue> high;
   std::string limit{};         ///< "force in leg 3 < 20", what must hold; empty: no singularity
@@ -82,6 +83,7 @@ class MarginRequest {
   [[nodiscard]] Request grown_to(const MarginValue& value) const;
   void require_growth() const;
   void require_plain_tube() const;
+  void require_limits() const;
 
   Request nominal_;
   MarginQuestion question_;

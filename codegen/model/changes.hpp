@@ -9,4 +9,8 @@ namespace regulus::inline model {
 /// Throws UsageError.
 void apply_changes(Request& request, const ModelOptions& options);
 
+/// Refuses a motion that leaves the limits of the joints, or adds a note if the options allow it.
+/// Throws InputError.
+void stay_within_limits(Request& request, const ModelOptions& options);
+
 }  // namespace regulus::model

@@ -3,14 +3,18 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
+#include <optional>
 
+#include "codegen/model/expression_parser.hpp"
 #include "codegen/model/ginac_text.hpp"
+#include "codegen/model/sign.hpp"
 
 namespace regulus::inline model {
 namespace {
 
-/// Just above 2π; a note needs no proof.
-GiNaC::numeric one_turn() { return {62832, 10000}; }
+/// Just above 2π, as files round it; a warning needs no proof.
+constexpr double kOneTurn = 6.2832;
 
 bool is_plain(const GiNaC::ex& e) { return e.info(GiNaC::info_flags::rational); }
 
@@ -26,19 +30,22 @@ bool is_like_degrees(std::string_view unit) noexcept {
   return std::ranges::find(kOthers, unit) != kOthers.end();
 }
 
-std::vector<std::string> notes_about_angles(const Motion& motion, MatrixKind kind) {
-  const int turns = kind == MatrixKind::kInverse ? 1 : 4;
-  std::vector<std::string> notes;
-  for (const MotionParameter& p : motion.parameters) {
-    if (p.unit != "rad" || !is_plain(p.range.lo) || !is_plain(p.range.hi)) continue;
-    const GiNaC::ex width = p.range.hi - p.range.lo;
-    if (!(GiNaC::ex_to<GiNaC::numeric>(width) > GiNaC::numeric(turns) * one_turn())) continue;
-    const std::string lo = formula_text(p.range.lo), hi = formula_text(p.range.hi);
-    notes.push_back(p.name + " ranges over " + formula_text(width) +
-                    " rad, more than a turn; if degrees are meant, write [\"" + lo + "deg\", \"" +
-                    hi + "deg\"]");
+void warn_about_angle(std::vector<std::string>& warnings, const Range& range, std::string_view unit,
+                      const Place& place) {
+  if (unit != "rad" && !is_in_degrees(unit)) return;
+  const bool in_degrees = is_in_degrees(unit);
+  for (const GiNaC::ex& end : {range.hi, range.lo}) {
+    const std::optional<double> value = approx_value(end);
+    if (!value || std::fabs(*value) <= (in_degrees ? 360 : kOneTurn)) continue;
+    const std::string shown = formula_text(end);
+    std::string warning =
+        place.file.empty() ? "" : place.file + ":" + std::to_string(place.line) + ": ";
+    warning += place.key + " is " + shown + (in_degrees ? " deg" : " rad") + ", more than a turn";
+    if (!in_degrees && is_plain(end))
+      warning += "; if degrees are meant, write \"" + shown + "deg\"";
+    warnings.push_back(std::move(warning));
+    return;
   }
-  return notes;
 }
 
 }  // namespace regulus::model

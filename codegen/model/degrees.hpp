@@ -14,6 +14,8 @@
 
 namespace regulus::inline model {
 
+struct Place;
+
 /// The meaning of numbers that stand alone.
 enum class NumberUnit { kPlain, kDegrees };
 
@@ -29,9 +31,9 @@ enum class NumberUnit { kPlain, kDegrees };
 /// True for a unit that may be meant as degrees but is not the one that is known: "degrees".
 [[nodiscard]] bool is_like_degrees(std::string_view unit) noexcept;
 
-/// Returns a note for each angle in radians with a range of plain numbers that is wider than a
-/// turn, because degrees may be meant. The joints of an arm may turn four times.
-[[nodiscard]] std::vector<std::string> notes_about_angles(const Motion& motion,
-                                                          MatrixKind kind = MatrixKind::kInverse);
+/// Adds a warning, with the line, if an end of the range is an angle beyond a turn: degrees may be
+/// meant.
+void warn_about_angle(std::vector<std::string>& warnings, const Range& range, std::string_view unit,
+                      const Place& place);
 
 }  // namespace regulus::model

@@ -4,6 +4,7 @@
 #include "codegen/model/certain_sign.hpp"
 #include "codegen/model/constants.hpp"
 #include "codegen/model/exact_algebra.hpp"
+#include "codegen/model/quantities.hpp"
 
 namespace regulus::inline model {
 namespace {
@@ -29,7 +30,7 @@ void LegGeometry::read_tolerances() {
     const TomlEntry given = toml.optional(legs_, group.key);
     if (!given.node) continue;
     group.tolerance = checked_nonnegative(constant(given), toml.place(given));
-    group.given = true;
+    group.given = given;
   }
   if (const TomlEntry shape = toml.optional(legs_, "tolerance_shape"); shape.node)
     balls_ = choice(
@@ -37,51 +38,46 @@ void LegGeometry::read_tolerances() {
         std::array{std::pair{std::string("box"), false}, std::pair{std::string("ball"), true}});
 }
 
+void LegGeometry::require_uses() const {
+  for (const Group& group : groups_)
+    require_use(reading_.toml, group.given, group.tolerance, group.is_used, group.quantities);
+}
+
 FormulaPoint LegGeometry::point(const TomlEntry& list, LegGroup kind, const std::string& number) {
   const auto values = elements(list, coordinates_);
-  const Group& of = group(kind);
+  Group& of = group(kind);
   FormulaPoint result;
   ToleranceBall ball{.members = {}, .radius = of.tolerance, .group = of.name};
   const int index = balls_ ? static_cast<int>(reading_.model.balls.size()) : -1;
   for (std::size_t i = 0; i < coordinates_; ++i) {
-    const std::size_t before = reading_.model.geometry.size();
-    result[i] = quantity(values[i], of.letter + number + "_" + kCoordinates[i], of, index);
-    if (reading_.model.geometry.size() > before) ball.members.push_back(before);
+    ball.members.push_back(reading_.model.geometry.size());
+    result[i] = quantity(values[i], read_quantity(reading_, values[i]),
+                         of.letter + number + "_" + kCoordinates[i], of, index);
   }
-  if (balls_ && !ball.members.empty()) reading_.model.balls.push_back(std::move(ball));
+  if (balls_) reading_.model.balls.push_back(std::move(ball));
   return result;
 }
 
 Formula LegGeometry::length(const TomlEntry& entry, LegGroup kind, const std::string& number) {
-  const ParsedExpression term = reading_.toml.expression(entry, reading_.names);
-  if (term.constant && certain_sign(term.value) != CertainSign::kPositive)
+  const ParsedExpression term = read_quantity(reading_, entry);
+  if (certain_sign(nominal_value(reading_.model, term.value)) != CertainSign::kPositive)
     reading_.toml.reject(entry, "a length that is not positive", "a rod has a positive length");
-  return quantity(entry, group(kind).letter + number, group(kind), -1);
+  return quantity(entry, term, group(kind).letter + number, group(kind), -1);
 }
 
-Formula LegGeometry::quantity(const TomlEntry& entry, const std::string& name, const Group& of,
-                              int ball) {
-  const ParsedExpression term = reading_.toml.expression(entry, reading_.names);
-  const Place place = reading_.toml.place(entry);
-  reading_.count(term, entry);
-  append(reading_.model.must_be_defined, term.must_be_defined);
-  if (!term.constant) {
-    reading_.names.declare(name, term, place);
-    return unplaced(name);
-  }
-  const GiNaC::realsymbol symbol(name);
-  reading_.names.declare(name, variable(symbol), place);
-  reading_.model.geometry.push_back({symbol, name, term.value, of.tolerance, of.name, ball});
+Formula LegGeometry::quantity(const TomlEntry& entry, const ParsedExpression& value,
+                              const std::string& name, Group& of, int ball) {
+  of.is_used = true;
+  declare_quantity(reading_, entry, name, value, {of.tolerance, of.name, ball});
   return unplaced(name);
 }
 
 LegAxis LegGeometry::axis(const TomlEntry& list, const std::string& number) {
   Point v = {0, 0, 0};
-  bool exact = !group(LegGroup::kAxis).given;
+  bool exact = group(LegGroup::kAxis).given.node == nullptr;
   const auto values = elements(list, coordinates_);
   for (std::size_t i = 0; i < coordinates_; ++i) {
-    const ParsedExpression term = reading_.toml.expression(values[i], reading_.names);
-    append(reading_.model.must_be_defined, term.must_be_defined);
+    const ParsedExpression term = read_quantity(reading_, values[i]);
     exact = exact && term.constant;
     v[i] = term.value;
   }
@@ -115,8 +111,8 @@ Point LegGeometry::unit(const TomlEntry& list, const Point& v) const {
   return reduced(scaled(1 / GiNaC::sqrt(square), v));
 }
 
-ParsedExpression LegGeometry::constant(const TomlEntry& entry) {
-  ParsedExpression term = reading_.toml.constant(entry);
+ParsedExpression LegGeometry::constant(const TomlEntry& entry, NumberUnit unit) {
+  ParsedExpression term = reading_.toml.constant(entry, unit);
   append(reading_.model.must_be_defined, term.must_be_defined);
   return term;
 }

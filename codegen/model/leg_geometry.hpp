@@ -14,8 +14,8 @@ namespace regulus::inline model {
 /// Quantities of one kind, with one tolerance.
 enum class LegGroup : std::size_t { kBase, kPlatform, kCrank, kRod, kAxis };
 
-/// Reads geometry. A number becomes a parameter of the model's geometry in the group of its kind; an
-/// expression of names becomes a name.
+/// Reads geometry. Each coordinate and each length becomes a parameter of the model's geometry in the
+/// group of its kind, however it is written.
 class LegGeometry {
  public:
   LegGeometry(ModelReading& reading, const TomlEntry& legs) : reading_(reading), legs_(legs) {}
@@ -24,6 +24,8 @@ class LegGeometry {
   [[nodiscard]] static std::vector<std::string> keys();
 
   void read_tolerances();
+  /// Refuses tolerances that no leg has a quantity for.
+  void require_uses() const;
   void set_coordinates(std::size_t count) { coordinates_ = count; }
 
   // `number`: of the leg, the end of the names.
@@ -36,7 +38,8 @@ class LegGeometry {
 
   /// Returns a unit vector of exact numbers.
   [[nodiscard]] FormulaPoint direction(const TomlEntry& list);
-  [[nodiscard]] ParsedExpression constant(const TomlEntry& entry);
+  [[nodiscard]] ParsedExpression constant(const TomlEntry& entry,
+                                          NumberUnit unit = NumberUnit::kPlain);
   [[nodiscard]] std::vector<TomlEntry> elements(const TomlEntry& list, std::size_t count) const;
 
  private:
@@ -44,22 +47,25 @@ class LegGeometry {
     const char* name;    ///< of the group
     const char* letter;  ///< of its parameters
     const char* key;
+    const char* quantities;  ///< in messages
     GiNaC::ex tolerance = 0;
-    bool given = false;
+    TomlEntry given{};
+    bool is_used = false;
   };
 
   [[nodiscard]] Group& group(LegGroup kind) { return groups_[std::size_t(kind)]; }
-  [[nodiscard]] Formula quantity(const TomlEntry& entry, const std::string& name,
-                                 const Group& group, int ball);
+  /// Declares the quantity, and returns its name.
+  [[nodiscard]] Formula quantity(const TomlEntry& entry, const ParsedExpression& value,
+                                 const std::string& name, Group& group, int ball);
   [[nodiscard]] Point unit(const TomlEntry& list, const Point& v) const;
 
   ModelReading& reading_;
   const TomlEntry& legs_;
-  std::array<Group, 5> groups_ = {{{"base", "a", "base_tolerance"},
-                                   {"platform", "b", "platform_tolerance"},
-                                   {"cranks", "crank_", "crank_tolerance"},
-                                   {"rods", "rod_", "rod_tolerance"},
-                                   {"axes", "n", "axis_tolerance"}}};
+  std::array<Group, 5> groups_ = {{{"base", "a", "base_tolerance", "joint of the base"},
+                                   {"platform", "b", "platform_tolerance", "joint of the platform"},
+                                   {"cranks", "crank_", "crank_tolerance", "crank"},
+                                   {"rods", "rod_", "rod_tolerance", "rod"},
+                                   {"axes", "n", "axis_tolerance", "axis"}}};
   bool balls_ = false;
   std::size_t coordinates_ = 3;
 };

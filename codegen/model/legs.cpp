@@ -203,7 +203,7 @@ class LegWriter {
     if (!robot_.planar && leg_.axis.across) {
       const auto& [f, g] = *leg_.axis.across;
       const Formula ef = let("f", dot(e_, f)), eg = let("g", dot(e_, g));
-      q = let("q", squared(ef) + squared(eg));
+      q = let("across_", squared(ef) + squared(eg));
       const Formula k = write_root(e2, q, N);
       const Formula u = crank * (k * ef - signed_by_mode(w_) * eg) / q;
       const Formula v = crank * (k * eg + signed_by_mode(w_) * ef) / q;
@@ -213,7 +213,7 @@ class LegWriter {
         N = let("norm_", squared_norm(n));
         N_root = sqrt(N);
         along = let("en", dot(e_, n));
-        q = let("q", N * e2 - squared(along));
+        q = let("across_", N * e2 - squared(along));
         e_across = minus(times(N, e_), times(along, n));
         n_cross_e = cross(n, e_);
       }

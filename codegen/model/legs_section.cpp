@@ -44,6 +44,7 @@ class LegsReader {
     for (const TomlEntry& leg : legs) read_type(leg);
     read_pose();
     for (std::size_t i = 0; i < legs.size(); ++i) read_leg(legs[i], i);
+    geometry_.require_uses();
     make_model(legs);
   }
 
@@ -248,9 +249,14 @@ class LegsReader {
     const TomlEntry given = optional(entry, "range");
     if (!given.node || leg.actuated == 0) return;
     const auto ends = geometry_.elements(given, 2);
-    const ParsedExpression lo = geometry_.constant(ends[0]), hi = geometry_.constant(ends[1]);
-    const Range range = checked_range(lo, hi, toml_.place(given));
+    const bool in_degrees = is_angle(leg) && is_in_degrees(angle_unit_);
+    const NumberUnit unit = in_degrees ? NumberUnit::kDegrees : NumberUnit::kPlain;
+    const ParsedExpression lo = geometry_.constant(ends[0], unit),
+                           hi = geometry_.constant(ends[1], unit);
+    Range range = checked_range(lo, hi, toml_.place(given));
     if (is_angle(leg)) {
+      warn_about_angle(reading_.model.warnings, range, angle_unit_, toml_.place(given));
+      if (in_degrees) range = {range.lo * one_degree(), range.hi * one_degree()};
       const CertainSign sign = certain_sign(range.hi - range.lo - 2 * GiNaC::Pi);
       if (sign != CertainSign::kNegative)
         toml_.reject(given, "the range of an angle is not shown to be less than a turn",

@@ -122,6 +122,7 @@ struct Motion {
   /// If it is set, `pose` only has the values of pose parameters that the file does not give.
   std::optional<WaypointSource> waypoints{};
   std::shared_ptr<const Trajectory> trajectory{};  ///< the pieces of the file, once it is read
+  std::vector<std::string> warnings{};  ///< what may have been meant otherwise, with the line
 };
 
 /// The meaning of a model's matrix.
@@ -171,6 +172,9 @@ struct Model {
   std::optional<AskedExpression> asked;      ///< by an option of the command line
   std::shared_ptr<const Drawing> drawing{};  ///< null: the model gives no points to draw
   std::vector<Motion> motions;
+  /// Of the joints, in the order of `pose`; empty: the file gives none. Questions stay within them.
+  std::vector<Range> limits{};
+  std::vector<std::string> warnings{};  ///< what may have been meant otherwise, with the line
 };
 
 }  // namespace regulus::model

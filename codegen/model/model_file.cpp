@@ -8,6 +8,7 @@
 #include <system_error>
 
 #include "codegen/model/constants.hpp"
+#include "codegen/model/joint_limits.hpp"
 #include "codegen/model/names.hpp"
 #include "codegen/model/read_file.hpp"
 #include "codegen/model/sections.hpp"
@@ -170,6 +171,8 @@ Model parse_model(std::string_view text, const std::string& name_for_errors,
   const TomlEntry motions = reading.toml.optional(root, "motion");
   if (motions.node || reading.model.motions.empty())
     read_motions(reading, reading.toml.required(root, "motion"));
+  if (reading.model.matrix_kind != MatrixKind::kInverse)
+    reading.model.limits = limits_of_joints(reading.model);
   reading.model.must_be_defined = distinct(reading.model.must_be_defined);
   reading.model.sha256 = sha256(text);
   return std::move(reading.model);

@@ -119,8 +119,8 @@ class MotionReader {
         toml_.reject(parameter,
                      in_quotes(parameter.key) + " is declared twice, here as " + parameter.path,
                      "choose another name");
-      motion_.parameters.push_back({GiNaC::realsymbol(parameter.key), parameter.key, "1",
-                                    range(parameter, NumberUnit::kPlain)});
+      motion_.parameters.push_back(
+          {GiNaC::realsymbol(parameter.key), parameter.key, "1", range(parameter, "1")});
     }
     if (motion_.parameters.empty())
       toml_.refuse(parameters, "no parameter in " + parameters.path,
@@ -132,7 +132,7 @@ class MotionReader {
     for (const PoseParameter& p : reading_.model.pose) {
       const TomlEntry given = toml_.required(entry_, p.name);
       if (given.node->is_array())
-        motion_.parameters.push_back({p.symbol, p.name, p.unit, range(given, number_unit(p.unit))});
+        motion_.parameters.push_back({p.symbol, p.name, p.unit, range(given, p.unit)});
     }
   }
 
@@ -168,6 +168,8 @@ class MotionReader {
     const ParsedExpression term = toml_.expression(given, names, number_unit(unit));
     if (term.constant && !approx_value(term.value))
       toml_.refuse(given, "a finite number, a range or an expression");
+    if (term.constant)
+      warn_about_angle(motion_.warnings, {term.value, term.value}, unit, toml_.place(given));
     return recorded(term, given);
   }
 
@@ -179,7 +181,10 @@ class MotionReader {
     for (const TomlEntry& given : toml_.entries(error, names)) {
       const auto at = std::ranges::find(names, given.key) - names.begin();
       const std::size_t i = static_cast<std::size_t>(at);
-      motion_.error[i] = nonnegative(given, number_unit(reading_.model.pose[i].unit));
+      const std::string& unit = reading_.model.pose[i].unit;
+      motion_.error[i] = nonnegative(given, number_unit(unit));
+      warn_about_angle(motion_.warnings, {motion_.error[i], motion_.error[i]}, unit,
+                       toml_.place(given));
     }
   }
 
@@ -213,16 +218,18 @@ class MotionReader {
     if (alpha.node) motion_.alpha = nonnegative(alpha, NumberUnit::kPlain);
   }
 
-  Range range(const TomlEntry& entry, NumberUnit unit) {
+  Range range(const TomlEntry& entry, const std::string& unit) {
     const auto ends = toml_.elements(entry, "a range [lower, upper]");
     if (ends.size() != 2)
       toml_.refuse(entry, std::to_string(ends.size()) + " numbers in " + entry.path,
                    "a range [lower, upper]");
-    const ParsedExpression lo = toml_.constant(ends[0], unit);
-    const ParsedExpression hi = toml_.constant(ends[1], unit);
+    const ParsedExpression lo = toml_.constant(ends[0], number_unit(unit));
+    const ParsedExpression hi = toml_.constant(ends[1], number_unit(unit));
     append(motion_.must_be_defined, lo.must_be_defined);
     append(motion_.must_be_defined, hi.must_be_defined);
-    return checked_range(lo, hi, toml_.place(entry));
+    const Range result = checked_range(lo, hi, toml_.place(entry));
+    warn_about_angle(motion_.warnings, result, unit, toml_.place(entry));
+    return result;
   }
 
   GiNaC::ex nonnegative(const TomlEntry& entry, NumberUnit unit) {

@@ -45,13 +45,13 @@ std::vector<std::string> split(std::string_view list) {
   return parts;
 }
 
-/// Returns the unit of a range; that of no parameter is plain.
-NumberUnit unit_of(const Model& model, const Motion& motion, const std::string& parameter) {
+/// Returns the unit of a range; none for an unknown parameter.
+std::string unit_of(const Model& model, const Motion& motion, const std::string& parameter) {
   for (const MotionParameter& p : motion.parameters)
-    if (p.name == parameter) return number_unit(p.unit);
+    if (p.name == parameter) return p.unit;
   for (const PoseParameter& p : model.pose)
-    if (p.name == parameter) return number_unit(p.unit);
-  return NumberUnit::kPlain;
+    if (p.name == parameter) return p.unit;
+  return "1";
 }
 
 /// Frees a pose parameter that the motion holds constant.
@@ -86,8 +86,13 @@ void set_range(const Model& model, Motion& motion, const std::string& parameter,
   const auto at = std::ranges::find(motion.parameters, parameter, &MotionParameter::name);
   if (motion.waypoints)
     refuse("a motion along way-points has no ranges", "use --tube for errors around it", parameter);
-  const Range range = parse_range(text, {.file = "", .key = parameter}, motion.must_be_defined,
-                                  unit_of(model, motion, parameter));
+  const std::string unit = unit_of(model, motion, parameter);
+  const Place place{.file = "", .key = parameter};
+  const Range range = parse_range(text, place, motion.must_be_defined, number_unit(unit));
+  std::erase_if(motion.warnings, [&](const std::string& warning) {
+    return warning.find("." + parameter + " is ") != std::string::npos;
+  });
+  warn_about_angle(motion.warnings, range, unit, place);
   if (at != motion.parameters.end())
     at->range = range;
   else if (!free_constant(model, motion, parameter, range))

@@ -1,7 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "codegen/model/request.hpp"
 
+#include <algorithm>
+
 #include "codegen/model/changes.hpp"
+#include "codegen/model/joint_limits.hpp"
 #include "codegen/model/model_file.hpp"
 #include "codegen/model/overrides.hpp"
 #include "codegen/model/reach.hpp"
@@ -15,6 +18,24 @@ Assignment split_assignment(const std::string& text, const char* option) {
     throw UsageError(std::string(option) + ": found '" + text + "', expected NAME=VALUE");
   return {text.substr(0, equals), text.substr(equals + 1)};
 }
+
+namespace {
+
+void take_notes(Request& request, const ModelOptions& options) {
+  const auto add = [&](const std::vector<std::string>& more) {
+    for (const std::string& note : more)
+      if (std::ranges::find(request.notes, note) == request.notes.end())
+        request.notes.push_back(note);
+  };
+  add(request.model.warnings);
+  add(request.motion.warnings);
+  if (request.motion.trajectory) add(request.motion.trajectory->warnings);
+  stay_within_limits(request, options);
+  if (options.warn)
+    for (const std::string& note : request.notes) options.warn(note);
+}
+
+}  // namespace
 
 std::string model_text(const ModelOptions& options) {
   return options.text ? *options.text : read_model_text(options.path);
@@ -34,6 +55,16 @@ void apply_changes(Request& request, const ModelOptions& options) {
     from_option("--alpha", [&] { set_alpha(request.motion, options.alpha); });
 }
 
+void stay_within_limits(Request& request, const ModelOptions& options) {
+  const std::optional<Excursion> found = find_excursion(request.model, request.motion);
+  if (!found) return;
+  if (!options.beyond_limits)
+    throw InputError::statement(
+        found->file.empty() ? options.path : found->file, found->line, found->sentence,
+        "stay within them, or leave them by the option beyond-limits", found->joint);
+  request.notes.push_back("the question leaves the limits of joints: " + found->sentence);
+}
+
 Request read_request(const ModelOptions& options) {
   return read_request(model_text(options), options);
 }
@@ -51,6 +82,7 @@ Request read_request(std::string_view text, const ModelOptions& options) {
     from_option("--tube", [&] { set_tube(request.model, request.motion, tube); });
   if (options.separates_reach && request.motion.where == Where::kEverywhere)
     restrict_to_reach(request.model, request.motion);
+  take_notes(request, options);
   return request;
 }
 

@@ -2,6 +2,7 @@
 // A model and one of its motions, with the changes that a command line makes to them.
 #pragma once
 
+#include <functional>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -26,12 +27,17 @@ struct ModelOptions {
   /// Restrict every motion to the poses within reach. It does not change Motion::where: a search
   /// must say itself that the others are not safe.
   bool separates_reach = false;
+  bool beyond_limits = false;  ///< the question may leave the limits of the joints
+  /// Receives each note of the request as soon as it is read; empty: nothing.
+  std::function<void(const std::string&)> warn{};
 };
 
 /// A model and the motion in question, with the changes of the command line applied.
 struct Request {
   Model model;
   Motion motion;
+  /// What may have been meant otherwise, and limits that the question leaves.
+  std::vector<std::string> notes{};
 };
 
 /// Returns the text of the model. Throws FileError.

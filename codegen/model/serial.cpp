@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "codegen/model/constant_rank.hpp"
+#include "codegen/model/degrees.hpp"
 #include "codegen/model/determinant_factors.hpp"
 #include "codegen/model/joint_screws.hpp"
 #include "codegen/model/names.hpp"
@@ -191,6 +192,28 @@ Model serial_model(Model model, const Serial& robot) {
   describe_rows(model, robot, kept);
   describe_variables(model, robot, best.link);
   return model;
+}
+
+void set_angles_in_degrees(Model& model) {
+  GiNaC::exmap angle;
+  for (PoseParameter& p : model.pose) {
+    if (p.unit != "rad") continue;
+    angle[p.symbol] = p.symbol * one_degree();
+    p.unit = "deg";
+  }
+  const auto in_degrees = [&angle](const ex& e) {
+    return e.subs(angle, GiNaC::subs_options::no_pattern);
+  };
+  for (GiNaC::matrix* matrix : {&model.matrix, model.jacobian ? &*model.jacobian : nullptr}) {
+    if (matrix == nullptr) continue;
+    for (unsigned i = 0; i < matrix->rows(); ++i)
+      for (unsigned j = 0; j < matrix->cols(); ++j) (*matrix)(i, j) = in_degrees((*matrix)(i, j));
+  }
+  Drawing drawing = *model.drawing;
+  for (Drawing::Part& part : drawing.parts)
+    for (Point& point : part.points)
+      for (ex& coordinate : point) coordinate = in_degrees(coordinate);
+  model.drawing = std::make_shared<Drawing>(std::move(drawing));
 }
 
 }  // namespace regulus::model

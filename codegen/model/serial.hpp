@@ -62,4 +62,10 @@ constexpr std::size_t kMostJoints = 12;
 /// Ensures   full column rank of the matrix at a pose ⇔ rank J = min(rows that remain, joints).
 [[nodiscard]] Model serial_model(Model model, const Serial& robot);
 
+/// Makes the pose parameters of joints that turn numbers of degrees. Their ranges, if the model has
+/// some, stay as they are.
+///
+/// Requires  no expression of the model but those of serial_model depends on them.
+void set_angles_in_degrees(Model& model);
+
 }  // namespace regulus::model

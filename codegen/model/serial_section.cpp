@@ -3,6 +3,8 @@
 #include <optional>
 
 #include "codegen/model/constants.hpp"
+#include "codegen/model/exact_orientation.hpp"
+#include "codegen/model/quantities.hpp"
 #include "codegen/model/rotation.hpp"
 #include "codegen/model/sections.hpp"
 #include "codegen/model/serial.hpp"
@@ -22,11 +24,12 @@ enum class Convention {
 
 enum class JointType { kRevolute, kPrismatic, kFixed };
 
-/// A quantity with a tolerance of its own: the name of its parameter, its group.
+/// The quantities of one kind, with one tolerance.
 struct Tolerance {
   ex value = 0;
   const char* group = "";
-  bool given = false;
+  TomlEntry given{};
+  bool is_used = false;
 };
 
 Placement translation(const ex& x, const ex& y, const ex& z) {
@@ -44,16 +47,22 @@ class SerialReader {
       : reading_(reading), toml_(reading.toml), entry_(entry) {}
 
   void read() {
-    static const std::array<std::string, 6> kKeys = {"unit", "convention",       "joints",
-                                                     "tool", "length_tolerance", "angle_tolerance"};
+    static const std::array<std::string, 7> kKeys = {
+        "unit", "angle_unit",       "convention",     "joints",
+        "tool", "length_tolerance", "angle_tolerance"};
     (void)toml_.entries(entry_, kKeys);
     if (const TomlEntry unit = toml_.optional(entry_, "unit"); unit.node)
       robot_.unit = toml_.label(unit);
+    if (const TomlEntry unit = toml_.optional(entry_, "angle_unit"); unit.node)
+      in_degrees_ = choice(
+          toml_, unit,
+          std::array{std::pair{std::string("rad"), false}, std::pair{std::string("deg"), true}});
     read_convention();
-    length_ = tolerance("length_tolerance", "lengths");
-    angle_ = tolerance("angle_tolerance", "angles");
+    read_tolerances();
     const TomlEntry joints = toml_.required(entry_, "joints");
     for (const TomlEntry& joint : toml_.elements(joints, "a list of joints")) read_joint(joint);
+    require_use(toml_, length_.given, length_.value, length_.is_used, "length of a joint");
+    require_use(toml_, angle_.given, angle_.value, angle_.is_used, "angle of a joint");
     const TomlEntry tool = toml_.optional(entry_, "tool");
     robot_.tool = tool.node ? compose_as_written(pending_, read_tool(tool)) : pending_;
     find_leaders();
@@ -72,13 +81,24 @@ class SerialReader {
                             std::pair{std::string("modified-dh"), Convention::kModifiedDh}});
   }
 
-  Tolerance tolerance(const char* key, const char* group) {
+  void read_tolerances() {
+    length_ = tolerance("length_tolerance", "lengths", NumberUnit::kPlain);
+    angle_ = tolerance("angle_tolerance", "angles", angles());
+    warn_about_angle(reading_.model.warnings, {angle_.value, angle_.value}, angle_unit(),
+                     toml_.place(angle_.given));
+    if (in_degrees_) angle_.value *= one_degree();
+  }
+
+  Tolerance tolerance(const char* key, const char* group, NumberUnit unit) {
     const TomlEntry given = toml_.optional(entry_, key);
     if (!given.node) return {};
-    const ParsedExpression term = toml_.constant(given);
+    const ParsedExpression term = toml_.constant(given, unit);
     append(reading_.model.must_be_defined, term.must_be_defined);
-    return {checked_nonnegative(term, toml_.place(given)), group, true};
+    return {checked_nonnegative(term, toml_.place(given)), group, given};
   }
+
+  NumberUnit angles() const { return in_degrees_ ? NumberUnit::kDegrees : NumberUnit::kPlain; }
+  std::string angle_unit() const { return in_degrees_ ? "deg" : "rad"; }
 
   void read_joint(const TomlEntry& joint) {
     ++index_;
@@ -129,14 +149,29 @@ class SerialReader {
     SerialJoint& follower = robot_.joints.back();
     follower.name = "a follower of " + toml_.name(mimic);
     follower.follows =
-        Following{0, constant_or(joint, "multiplier", 1), constant_or(joint, "offset", 0)};
+        Following{0, constant_or(joint, "multiplier", 1, NumberUnit::kPlain), read_offset(joint)};
     leaders_.emplace_back(robot_.joints.size() - 1, mimic);
   }
 
-  ex constant_or(const TomlEntry& table, const std::string& key, const ex& otherwise) {
+  /// Returns a length, or an angle in radians. It has no tolerance of its own.
+  ex read_offset(const TomlEntry& joint) {
+    const bool turns = robot_.joints.back().kind == JointKind::kRevolute;
+    const TomlEntry given = toml_.optional(joint, "offset");
+    const ex offset = constant_or(joint, "offset", 0, turns ? angles() : NumberUnit::kPlain);
+    const Tolerance& tolerance = turns ? angle_ : length_;
+    if (!offset.is_zero() && !tolerance.value.is_zero())
+      toml_.reject(given, tolerance.given.path + " does not apply to " + given.path,
+                   "write the offset as a part of the joint's place, or remove the tolerance");
+    if (!turns) return offset;
+    warn_about_angle(reading_.model.warnings, {offset, offset}, angle_unit(), toml_.place(given));
+    return in_degrees_ ? offset * one_degree() : offset;
+  }
+
+  ex constant_or(const TomlEntry& table, const std::string& key, const ex& otherwise,
+                 NumberUnit unit) {
     const TomlEntry given = toml_.optional(table, key);
     if (!given.node) return otherwise;
-    const ParsedExpression term = toml_.constant(given);
+    const ParsedExpression term = toml_.constant(given, unit);
     append(reading_.model.must_be_defined, term.must_be_defined);
     return term.value;
   }
@@ -147,9 +182,16 @@ class SerialReader {
       if (leader == robot_.joints.end())
         toml_.reject(mimic, "no joint of the list has the name '" + toml_.name(mimic) + "'",
                      "name a joint that follows no other");
-      robot_.joints[follower].follows->leader =
-          static_cast<std::size_t>(leader - robot_.joints.begin());
+      Following& follows = *robot_.joints[follower].follows;
+      follows.leader = static_cast<std::size_t>(leader - robot_.joints.begin());
+      if (in_degrees_)
+        follows.multiplier *= degrees_in(robot_.joints[follower]) / degrees_in(*leader);
     }
+  }
+
+  /// The angle that one unit of the joint's value is; 1 for a length.
+  static ex degrees_in(const SerialJoint& joint) {
+    return joint.kind == JointKind::kRevolute ? one_degree() : ex(1);
   }
 
   JointType read_type(const TomlEntry& joint) {
@@ -169,10 +211,10 @@ class SerialReader {
   }
 
   void read_dh(const TomlEntry& joint, Placement& before, Placement& after) {
-    const ex a = quantity(toml_.optional(joint, "a"), "a", length_);
-    const ex alpha = quantity(toml_.optional(joint, "alpha"), "alpha", angle_);
-    const ex d = quantity(toml_.optional(joint, "d"), "d", length_);
-    const ex theta = quantity(toml_.optional(joint, "theta"), "theta", angle_);
+    const ex a = length(toml_.optional(joint, "a"), "a");
+    const ex alpha = angle(toml_.optional(joint, "alpha"), "alpha");
+    const ex d = length(toml_.optional(joint, "d"), "d");
+    const ex theta = angle(toml_.optional(joint, "theta"), "theta");
     const Placement across = compose(turn_x(alpha), translation(a, 0, 0));
     const Placement along = compose(turn_z(theta), translation(0, 0, d));
     const bool modified = convention_ == Convention::kModifiedDh;
@@ -181,14 +223,15 @@ class SerialReader {
   }
 
   Placement read_origin_joint(const TomlEntry& joint, Point& axis) {
-    if (const TomlEntry given = toml_.optional(joint, "axis"); given.node) axis = read_axis(given);
+    if (const TomlEntry given = toml_.optional(joint, "axis"); given.node)
+      axis = read_unit_vector(reading_, given);
     return read_origin(joint);
   }
 
   Placement read_origin(const TomlEntry& table) {
     Placement origin;
     if (const TomlEntry xyz = toml_.optional(table, "xyz"); xyz.node)
-      origin.p = quantities(xyz, {"x", "y", "z"}, length_);
+      origin.p = quantities(xyz, {"x", "y", "z"}, &SerialReader::length);
     const TomlEntry rpy = toml_.optional(table, "rpy");
     const TomlEntry quaternion = toml_.optional(table, "quaternion");
     const TomlEntry rotation = toml_.optional(table, "rotation");
@@ -196,109 +239,59 @@ class SerialReader {
       toml_.reject(table, "more than one orientation in " + table.path,
                    "keep one of rpy, quaternion and rotation");
     if (rpy.node) {
-      const Point angles = quantities(rpy, {"roll", "pitch", "yaw"}, angle_);
-      origin.R = rotation_roll_pitch_yaw(angles[0], angles[1], angles[2]);
+      const Point turns = quantities(rpy, {"roll", "pitch", "yaw"}, &SerialReader::angle);
+      origin.R = rotation_roll_pitch_yaw(turns[0], turns[1], turns[2]);
     }
-    if (quaternion.node) origin.R = read_quaternion(quaternion);
-    if (rotation.node) origin.R = read_rotation(rotation);
+    for (const TomlEntry& exact : {quaternion, rotation})
+      if (exact.node && !angle_.value.is_zero())
+        toml_.reject(exact, "angle_tolerance does not apply to " + exact.path,
+                     "write the orientation as rpy, or remove angle_tolerance");
+    if (quaternion.node) origin.R = read_quaternion(reading_, quaternion);
+    if (rotation.node) origin.R = read_rotation(reading_, rotation);
     return origin;
   }
 
-  std::vector<TomlEntry> elements(const TomlEntry& list, std::size_t count) {
-    const std::string expected = std::to_string(count) + " numbers";
-    auto found = toml_.elements(list, expected);
-    if (found.size() != count)
-      toml_.refuse(list, std::to_string(found.size()) + " numbers in " + list.path, expected);
-    return found;
-  }
-
   Point quantities(const TomlEntry& list, const std::array<const char*, 3>& names,
-                   const Tolerance& tolerance) {
-    const auto values = elements(list, 3);
+                   ex (SerialReader::*one)(const TomlEntry&, const std::string&)) {
+    const auto values = elements_of(toml_, list, 3);
     Point result;
-    for (std::size_t i = 0; i < 3; ++i) result[i] = quantity(values[i], names[i], tolerance);
+    for (std::size_t i = 0; i < 3; ++i) result[i] = (this->*one)(values[i], names[i]);
     return result;
   }
 
-  /// A length or an angle, 0 if it is not given. With a tolerance it becomes a parameter.
-  ex quantity(const TomlEntry& given, const std::string& name, const Tolerance& tolerance) {
-    if (!given.node) return 0;
-    const ParsedExpression term = toml_.expression(given, reading_.names);
-    reading_.count(term, given);
-    append(reading_.model.must_be_defined, term.must_be_defined);
-    if (!tolerance.given || !term.constant) return term.value;
-    const std::string parameter = name + "_" + std::to_string(index_);
-    const GiNaC::realsymbol symbol(parameter);
-    reading_.names.declare(parameter, variable(symbol), toml_.place(given));
-    reading_.model.geometry.push_back(
-        {symbol, parameter, term.value, tolerance.value, tolerance.group});
-    return symbol;
+  // A length or an angle is 0 if it is not given.
+
+  ex length(const TomlEntry& given, const std::string& name) {
+    return given.node ? quantity(given, read_quantity(reading_, given), name, length_) : ex(0);
   }
 
-  std::vector<ex> constants(const TomlEntry& list, std::size_t count) {
-    std::vector<ex> result;
-    for (const TomlEntry& given : elements(list, count)) {
-      const ParsedExpression term = toml_.constant(given);
-      append(reading_.model.must_be_defined, term.must_be_defined);
-      result.push_back(term.value);
-    }
-    return result;
+  ex angle(const TomlEntry& given, const std::string& name) {
+    return given.node ? quantity(given, read_angle(reading_, given, in_degrees_), name, angle_)
+                      : ex(0);
   }
 
-  /// Returns the sum of the squares; refuses a vector that is not proved to differ from zero.
-  ex squared_length(const TomlEntry& list, const std::vector<ex>& v) {
-    ex square = 0;
-    for (const ex& component : v) square += pow(component, 2);
-    square = reduced(square);
-    if (!is_certainly_nonzero(square))
-      toml_.reject(list, list.path + " is zero, or cannot be told from zero",
-                   "it must have a direction");
-    return square;
-  }
-
-  Point read_axis(const TomlEntry& list) {
-    const std::vector<ex> v = constants(list, 3);
-    const ex length = GiNaC::sqrt(squared_length(list, v));
-    return reduced(Point{v[0] / length, v[1] / length, v[2] / length});
-  }
-
-  GiNaC::matrix read_quaternion(const TomlEntry& list) {
-    const std::vector<ex> q = constants(list, 4);
-    const ex square = squared_length(list, q);
-    GiNaC::matrix R = scaled_rotation_quaternion(q[0], q[1], q[2], q[3]);
-    for (unsigned i = 0; i < 3; ++i)
-      for (unsigned j = 0; j < 3; ++j) R(i, j) = reduced(reduced(R(i, j)) / square);
-    return R;
-  }
-
-  GiNaC::matrix read_rotation(const TomlEntry& list) {
-    const auto rows = toml_.elements(list, "3 rows of 3 numbers");
-    if (rows.size() != 3)
-      toml_.refuse(list, std::to_string(rows.size()) + " rows in " + list.path, "3 rows");
-    GiNaC::matrix R(3, 3);
-    for (unsigned i = 0; i < 3; ++i) {
-      const std::vector<ex> row = constants(rows[i], 3);
-      for (unsigned j = 0; j < 3; ++j) R(i, j) = row[j];
-    }
-    const GiNaC::matrix product = R.mul(R.transpose());
-    bool rotation = is_certainly_zero(R.determinant() - 1);
-    for (unsigned i = 0; i < 3; ++i)
-      for (unsigned j = 0; j < 3; ++j)
-        rotation = rotation && is_certainly_zero(product(i, j) - (i == j ? 1 : 0));
-    if (!rotation)
-      toml_.reject(list, list.path + " is not proved to be a rotation",
-                   "its numbers must be exact; rpy and quaternion always give a rotation");
-    return R;
+  /// With a tolerance it becomes a parameter.
+  ex quantity(const TomlEntry& given, const ParsedExpression& term, const std::string& name,
+              Tolerance& tolerance) {
+    if (!tolerance.given.node) return term.value;
+    tolerance.is_used = true;
+    return declare_quantity(reading_, given, name + "_" + std::to_string(index_), term,
+                            {tolerance.value, tolerance.group})
+        .value;
   }
 
   void read_range(const TomlEntry& joint) {
     const TomlEntry range = toml_.optional(joint, "range");
     if (!range.node) return;
-    const auto ends = elements(range, 2);
-    const ParsedExpression lo = toml_.constant(ends[0]), hi = toml_.constant(ends[1]);
+    const auto ends = elements_of(toml_, range, 2);
+    const bool turns = robot_.joints.back().kind == JointKind::kRevolute;
+    const NumberUnit unit = turns ? angles() : NumberUnit::kPlain;
+    const ParsedExpression lo = toml_.constant(ends[0], unit), hi = toml_.constant(ends[1], unit);
     append(limits_.must_be_defined, lo.must_be_defined);
     append(limits_.must_be_defined, hi.must_be_defined);
     ranges_.push_back(checked_range(lo, hi, toml_.place(range)));
+    if (turns)
+      warn_about_angle(reading_.model.warnings, ranges_.back(), angle_unit(), toml_.place(range));
   }
 
   /// The tool does not change the rank; a mistake in it is a mistake in the file.
@@ -324,9 +317,13 @@ class SerialReader {
   void make_model() {
     reading_.model = serial_model(std::move(reading_.model), robot_);
     Model& model = reading_.model;
-    for (std::size_t j = 0; j < model.pose.size(); ++j)
-      reading_.names.declare(model.pose[j].name, variable(model.pose[j].symbol),
-                             toml_.place(places_[j]));
+    if (in_degrees_) set_angles_in_degrees(model);
+    for (std::size_t j = 0; j < model.pose.size(); ++j) {
+      const PoseParameter& p = model.pose[j];
+      reading_.names.declare(
+          p.name, is_in_degrees(p.unit) ? angle_in_degrees(p.symbol) : variable(p.symbol),
+          toml_.place(places_[j]));
+    }
     if (ranges_.empty()) return;
     limits_.name = "limits";
     for (std::size_t j = 0; j < model.pose.size(); ++j) {
@@ -343,6 +340,7 @@ class SerialReader {
   const TomlEntry& entry_;
   Serial robot_;
   Convention convention_ = Convention::kOrigins;
+  bool in_degrees_ = false;  ///< numbers of angles are
   Tolerance length_, angle_;
   int index_ = 0;                  ///< of the joint, from 1, fixed ones included
   Placement pending_;              ///< since the last joint that moves

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 
+#include "codegen/model/degrees.hpp"
 #include "codegen/model/determinant_factors.hpp"
 #include "codegen/model/ginac_text.hpp"
 
@@ -16,11 +17,23 @@ std::string usual_name(const std::vector<std::size_t>& joints, std::size_t count
   return count >= 5 && joints.front() + 2 == count ? "wrist" : "elbow";
 }
 
+/// Returns the Jacobian with the angles themselves in the place of their numbers of degrees.
+GiNaC::matrix in_radians(const Model& model) {
+  GiNaC::matrix J = model.jacobian.value_or(model.matrix);
+  GiNaC::exmap degrees;
+  for (const PoseParameter& p : model.pose)
+    if (is_in_degrees(p.unit)) degrees[p.symbol] = p.symbol / one_degree();
+  for (unsigned i = 0; i < J.rows(); ++i)
+    for (unsigned j = 0; j < J.cols(); ++j)
+      J(i, j) = J(i, j).subs(degrees, GiNaC::subs_options::no_pattern);
+  return J;
+}
+
 }  // namespace
 
 std::vector<SingularFactor> singular_factors(const Model& model) {
   if (model.matrix_kind != MatrixKind::kForward) return {};
-  const auto blocks = determinant_blocks(model.jacobian.value_or(model.matrix), model.pose);
+  const auto blocks = determinant_blocks(in_radians(model), model.pose);
   std::vector<SingularFactor> result;
   for (const DeterminantBlock& block : blocks) {
     if (!block.is_factored) return {};

@@ -38,6 +38,7 @@ struct Trajectory {
   std::string time_unit;
   std::vector<TrajectoryPiece> pieces;  ///< at least one
   std::vector<std::string> notes;       ///< what may have been meant otherwise
+  std::vector<std::string> warnings{};  ///< the same, of angles beyond a turn; with the line
 };
 
 /// Returns the expression of a pose parameter in s, without terms whose coefficients are 0.

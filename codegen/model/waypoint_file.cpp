@@ -7,6 +7,7 @@
 
 #include "codegen/model/decimal.hpp"
 #include "codegen/model/degrees.hpp"
+#include "codegen/model/expression_parser.hpp"
 #include "codegen/model/names.hpp"
 #include "codegen/model/read_file.hpp"
 #include "codegen/model/sign.hpp"
@@ -179,6 +180,7 @@ class WaypointReader {
     if (!degrees && p.unit != "rad") return;
     const double half_turn = degrees ? 180 : M_PI;
     const double scale = approx_value(course.factor).value_or(1);
+    warn_about_turns(p, course, half_turn / scale);
     for (std::size_t k = 0; k + 1 < course.values.size(); ++k) {
       const double step = numeric(course.values[k + 1] - course.values[k]).to_double() * scale;
       if (std::abs(step) < half_turn) continue;
@@ -187,6 +189,17 @@ class WaypointReader {
                               std::to_string(table_.rows[k + 1].line) +
                               "; the trajectory turns all the way");
       return;
+    }
+  }
+
+  /// Warns of the first angle of a column that is beyond a turn.
+  void warn_about_turns(const PoseParameter& p, const Course& course, double half_turn) {
+    const std::size_t before = result_.warnings.size();
+    for (std::size_t k = 0; k < course.values.size() && result_.warnings.size() == before; ++k) {
+      if (std::abs(course.values[k].to_double()) < 2 * half_turn) continue;
+      const ex value = course.values[k] * course.factor;
+      warn_about_angle(result_.warnings, {value, value}, p.unit,
+                       {result_.file, table_.rows[k].line, p.name});
     }
   }
 

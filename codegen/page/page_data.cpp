@@ -46,6 +46,7 @@ std::vector<std::string> commands_to_prove_again(const ModelOptions& model) {
   for (const std::string& tolerance : model.tolerances)
     check += " --tolerance " + shell_word(tolerance);
   if (!model.alpha.empty()) check += " --alpha " + shell_word(model.alpha);
+  if (model.beyond_limits) check += " --beyond-limits";
   for (const std::string& tube : model.tubes) check += " --tube " + shell_word(tube);
   const std::string way =
       model.waypoints.empty() ? "" : " --waypoints " + shell_word(model.waypoints);

@@ -122,6 +122,7 @@ void bind_questions(py::module_& module) {
       .def(
           "tube", [](Question& q, const std::string& p, const std::string& e) { q.tube(p, e); },
           py::arg("parameters"), py::arg("error"))
+      .def("beyond_limits", [](Question& q) { q.beyond_limits(); })
       .def(
           "waypoints", [](Question& q, const std::string& file) { q.waypoints(file); },
           py::arg("file"))

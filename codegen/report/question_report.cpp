@@ -105,6 +105,46 @@ void add_exact(const AskedQuestion& asked, Json& question) {
   }
 }
 
+/// Words, each with the number of times it was added, in the order of first occurrence.
+class Counts {
+ public:
+  void add(const std::string& word) {
+    const auto at = std::ranges::find(counts_, word, &Count::first);
+    if (at == counts_.end())
+      counts_.emplace_back(word, 1);
+    else
+      ++at->second;
+  }
+
+  using Count = std::pair<std::string, std::size_t>;
+  [[nodiscard]] const std::vector<Count>& all() const noexcept { return counts_; }
+
+ private:
+  std::vector<Count> counts_;
+};
+
+Counts count_groups(const ReportLabels& labels) {
+  Counts groups;
+  for (const VariableLabel& v : labels.variables)
+    if (v.kind == VariableKind::kGeometry) groups.add(v.group);
+  return groups;
+}
+
+std::size_t control_errors(const ReportLabels& labels) {
+  return std::size_t(
+      std::ranges::count(labels.variables, VariableKind::kControl, &VariableLabel::kind));
+}
+
+Json json_groups(const ReportLabels& labels) {
+  Json groups = Json::array();
+  const Counts counts = count_groups(labels);
+  for (const auto& [group, count] : counts.all())
+    groups.push_back({{"group", group}, {"kind", "geometry"}, {"quantities", count}});
+  if (const std::size_t errors = control_errors(labels); errors > 0)
+    groups.push_back({{"group", ""}, {"kind", "control"}, {"quantities", errors}});
+  return groups;
+}
+
 Json json_asked(const AskedQuestion& asked, const SearchOptions& search) {
   const ReportLabels& labels = asked.labels;
   Json ranges = Json::object(), uncertain = Json::array();
@@ -117,6 +157,7 @@ Json json_asked(const AskedQuestion& asked, const SearchOptions& search) {
                 {"motion", labels.motion},
                 {"ranges", ranges},
                 {"uncertain", uncertain},
+                {"groups", json_groups(labels)},
                 {"alpha", json_interval(asked.variety.alpha)},
                 {"where", labels.where},
                 {"constraints", labels.constraints}};
@@ -129,12 +170,10 @@ Json json_asked(const AskedQuestion& asked, const SearchOptions& search) {
 /// Returns "base ±0.05": six digits, for people.
 std::string describe_tolerance(const PreparedSearch& p, std::size_t index) {
   const VariableLabel& variable = p.labels.variables[index];
-  const GeometryParameter* const constant = constant_of(p.stages->request(), variable);
   const Interval& range = p.variety.outer[index];
-  const bool has_group = constant != nullptr && !constant->group.empty();
-  return fmt::format("{} ±{:.6g}{}{}", has_group ? constant->group : variable.name,
+  return fmt::format("{} ±{:.6g}{}{}", variable.group.empty() ? variable.name : variable.group,
                      (range.hi - range.lo) / 2, unit_suffix(variable.unit),
-                     constant != nullptr && constant->ball >= 0 ? " in balls" : "");
+                     variable.in_ball ? " in balls" : "");
 }
 
 /// The question about way-points has the constants and errors of any pose; their file has the poses.
@@ -177,13 +216,24 @@ Json json_vector_set(const VectorSet& set) {
   return {{"name", set.name}, {"entries", members}};
 }
 
-std::string describe_tolerances(const PreparedSearch& p) {
+std::string describe_groups(const ReportLabels& labels) {
   std::vector<std::string> words;
-  for (std::size_t i = 0; i < p.labels.variables.size(); ++i) {
-    if (is_motion(p.labels.variables[i])) continue;
-    const std::string one = describe_tolerance(p, i);
-    if (std::ranges::find(words, one) == words.end()) words.push_back(one);
-  }
+  const Counts counts = count_groups(labels);
+  for (const auto& [group, count] : counts.all())
+    words.push_back(group.empty() ? fmt::format("{} without a group", count)
+                                  : fmt::format("{} of {}", count, group));
+  if (const std::size_t errors = control_errors(labels); errors > 0)
+    words.push_back(fmt::format("{} control error{}", errors, errors == 1 ? "" : "s"));
+  return fmt::format("{}", fmt::join(words, ", "));
+}
+
+std::string describe_tolerances(const PreparedSearch& p) {
+  Counts tolerances;
+  for (std::size_t i = 0; i < p.labels.variables.size(); ++i)
+    if (!is_motion(p.labels.variables[i])) tolerances.add(describe_tolerance(p, i));
+  std::vector<std::string> words;
+  for (const auto& [tolerance, count] : tolerances.all())
+    words.push_back(count == 1 ? tolerance : fmt::format("{} of {}", count, tolerance));
   const std::size_t left = words.size() > kDescribed ? words.size() - kDescribed : 0;
   words.resize(words.size() - left);
   return fmt::format("{}{}", fmt::join(words, ", "),

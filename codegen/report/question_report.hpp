@@ -28,7 +28,10 @@ namespace regulus::inline report {
 /// of a member of a ball "radius_exact".
 [[nodiscard]] nlohmann::ordered_json json_vector_set(const VectorSet& set);
 
-/// Returns "base ±0.05, platform ±0.1 in balls": the groups of uncertain quantities.
+/// Returns "18 of base, 6 control errors": how many quantities of each group are uncertain.
+[[nodiscard]] std::string describe_groups(const ReportLabels& labels);
+
+/// Returns "18 of base ±0.05, 18 of platform ±0.1 in balls": the groups of uncertain quantities.
 ///
 /// Requires  some quantity is uncertain.
 [[nodiscard]] std::string describe_tolerances(const PreparedSearch& preparation);

@@ -81,10 +81,11 @@ std::string claim(const PreparedSearch& p, const Result& result) {
   const std::size_t uncertain = uncertain_count(p);
   const std::string pose = describe_pose(p);
   const std::string set =
-      uncertain == 0 ? fmt::format("every {}", pose)
-      : uncertain == 1
-          ? fmt::format("every {} and every value of the uncertain quantity", pose)
-          : fmt::format("every {} and every value of the {} uncertain quantities", pose, uncertain);
+      uncertain == 0   ? fmt::format("every {}", pose)
+      : uncertain == 1 ? fmt::format("every {} and every value of the uncertain quantity ({})",
+                                     pose, describe_groups(p.labels))
+                       : fmt::format("every {} and every value of the {} uncertain quantities ({})",
+                                     pose, uncertain, describe_groups(p.labels));
   switch (result.verdict) {
     case Verdict::kNoSingularity:
       return (threshold
@@ -113,7 +114,7 @@ Json json_report(const PreparedSearch& p, const SearchOptions& search, const Res
   report["nonempty"] = json_occupancy(result);
   report["model"] = p.labels.model;
   report["model_file"] = p.model_file;
-  report["notes"] = notes_about(p);
+  report["notes"] = p.labels.notes;
   report["model_sha256"] = p.labels.model_sha256;
   report["motion"] = p.labels.motion;
   report["where"] = p.labels.where;

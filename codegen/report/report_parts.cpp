@@ -9,7 +9,6 @@
 #include <limits>
 #include <numbers>
 
-#include "codegen/model/degrees.hpp"
 #include "codegen/report/question_report.hpp"
 
 namespace regulus::inline report {
@@ -107,10 +106,11 @@ constexpr std::size_t kListed = 8;
 std::string format_uncertain(const PreparedSearch& p) {
   const std::size_t count = uncertain_count(p);
   if (count == 0) return "uncertain  nothing: geometry and control are taken as exact\n";
-  std::string line = fmt::format("uncertain  {} {}", count, count == 1 ? "quantity" : "quantities");
-  if (count <= kListed) return line + '\n' + format_variable(p, false);
-  // Searches at several tolerances have one report.
-  return p.is_replanned ? line + '\n' : line + ": " + describe_tolerances(p) + '\n';
+  const std::string line = fmt::format(
+      "uncertain  {} {}: {}\n", count, count == 1 ? "quantity" : "quantities",
+      // Searches at several tolerances have one report.
+      count <= kListed || p.is_replanned ? describe_groups(p.labels) : describe_tolerances(p));
+  return count <= kListed ? line + format_variable(p, false) : line;
 }
 
 /// "x = 3, y = [4, 5]": of the motion parameters or of the other variables.
@@ -288,26 +288,7 @@ std::string format_where(const PreparedSearch& p) {
 
 std::string format_question(const PreparedSearch& p) {
   return fmt::format("model      {}\nmotion     {}\n", p.labels.model, p.labels.motion) +
-         format_variable(p, true) + format_where(p) + format_notes(p) + format_matrix_notes(p) +
-         format_uncertain(p);
-}
-
-std::vector<std::string> notes_about(const PreparedSearch& p) {
-  bool is_wide = false;
-  for (std::size_t k = 0; k < p.labels.variables.size(); ++k) {
-    const Interval& range = p.variety.outer[k];
-    is_wide = is_wide || (p.labels.variables[k].unit == "rad" && range.hi - range.lo > 6);
-  }
-  // The request is only read if there may be a note.
-  if (!is_wide) return {};
-  const Request& request = p.stages->request();
-  return notes_about_angles(request.motion, request.model.matrix_kind);
-}
-
-std::string format_notes(const PreparedSearch& p) {
-  std::string lines;
-  for (const std::string& note : notes_about(p)) lines += fmt::format("note       {}\n", note);
-  return lines;
+         format_variable(p, true) + format_where(p) + format_matrix_notes(p) + format_uncertain(p);
 }
 
 std::string describe_without(const SearchOptions& search) {

@@ -73,9 +73,6 @@ namespace regulus::inline report {
 
 /// Returns the lines about model, motion, matrix and uncertain quantities.
 [[nodiscard]] std::string format_question(const PreparedSearch& preparation);
-/// Returns what the user may have meant otherwise: an angle in radians that is wider than a turn.
-[[nodiscard]] std::vector<std::string> notes_about(const PreparedSearch& preparation);
-[[nodiscard]] std::string format_notes(const PreparedSearch& preparation);
 /// Returns the line about method and engine, after a search of `boxes`.
 [[nodiscard]] std::string format_method(const PreparedSearch& preparation,
                                         const SearchOptions& search, Method method,

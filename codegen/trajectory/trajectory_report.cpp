@@ -54,8 +54,8 @@ std::string time_text(const Trajectory& trajectory, double time) {
 std::string format_uncertain_count(const TrajectoryCheck& check) {
   const std::size_t count = uncertain_count(check.hull);
   if (count == 0) return "uncertain  nothing: geometry is taken as exact\n";
-  return fmt::format("uncertain  {} {} of the geometry\n", count,
-                     count == 1 ? "quantity" : "quantities");
+  return fmt::format("uncertain  {} {} of the geometry: {}\n", count,
+                     count == 1 ? "quantity" : "quantities", describe_groups(check.hull.labels));
 }
 
 std::string lines_text(const TrajectoryPiece& piece) {

@@ -85,6 +85,11 @@ class Question:
         for name, value in options.items():
             if value is None:
                 continue
+            if name == "beyond_limits":
+                if value:
+                    self.question.beyond_limits()
+                self._options[name] = value
+                continue
             if not hasattr(self.options, name):
                 known = ", ".join(n for n in dir(self.options) if not n.startswith("_"))
                 raise ArgumentTypeError(f"unknown option {name!r}; the options are: {known}")
@@ -215,7 +220,7 @@ class Robot:
             certificate: a file for the proof.
             options: those of the command: threads, time_limit (seconds), max_boxes, method, engine,
                 determinant, bisect, uncertainty, entries, isa, precision, use_cache, filters,
-                without, symbolic_budget.
+                without, symbolic_budget, beyond_limits (the joints may leave their limits).
 
         Raises:
             InputError: for the model; UsageError: for the arguments; FileError.

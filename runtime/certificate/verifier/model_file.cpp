@@ -229,12 +229,28 @@ NodeId number_of_toml(std::string_view text, Graph& graph) {
   return negative ? graph.add(Op::kNegate, node) : node;
 }
 
+namespace {
+
+bool is_degrees(const WrittenValue& unit) { return unit.text == "deg" || unit.text == "°"; }
+
+/// Adds the joints of [serial] that turn, if its angles are in degrees.
+void add_joints_in_degrees(const WrittenValues& values, Names& names) {
+  const auto unit = values.find("serial.angle_unit");
+  if (unit == values.end() || !is_degrees(unit->second)) return;
+  for (const auto& [place, value] : values) {
+    if (!place.starts_with("serial.joints[") || !place.ends_with("].name")) continue;
+    const std::string joint = place.substr(0, place.size() - std::string_view("name").size());
+    const auto type = values.find(joint + "type");
+    if (type == values.end() || type->second.text != "prismatic") names.insert(value.text);
+  }
+}
+
+}  // namespace
+
 Names poses_in_degrees(const WrittenValues& values) {
   constexpr std::string_view kPose = "pose.";
-  const auto is_degrees = [](const WrittenValue& unit) {
-    return unit.text == "deg" || unit.text == "°";
-  };
   Names names;
+  add_joints_in_degrees(values, names);
   for (auto at = values.lower_bound(kPose); at != values.end() && at->first.starts_with(kPose);
        ++at)
     if (is_degrees(at->second)) names.insert(at->first.substr(kPose.size()));

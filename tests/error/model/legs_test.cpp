@@ -125,5 +125,35 @@ TEST(LegsRefusal, ANameThatALegHas) {
                        "choose another name");
 }
 
+TEST(LegsRefusal, LengthsThatAreNotPositiveHoweverTheyAreWritten) {
+  for (const char* text : {"crank = -1", "crank = \"-1\"", "crank = \"L\"", "crank = \"2*L + 1\"",
+                           "crank = \"L*cos(0)\"", "crank = \"L + 1\""}) {
+    const std::string model = changed(kRobot, "crank = 1", text) + "[geometry]\nL = -1\n";
+    expect_refused(model, 4, "a length that is not positive", "a rod has a positive length");
+    expect_refused(changed(model, "L = -1", "L = { value = -1, tolerance = 0.1 }"), 4,
+                   "a length that is not positive", "a rod has a positive length");
+  }
+}
+
+TEST(LegsRefusal, PartsThatDependOnThePoseOrHaveNoValue) {
+  expect_refused_robot("base = [1, 0]", "base = [\"x\", 0]", 13, "depends on the pose",
+                       "constants of [geometry]");
+  expect_refused_robot("crank = 1", "crank = \"1 + r11\"", 4, "depends on the pose",
+                       "constants of [geometry]");
+  const std::string model = changed(kRobot, "crank = 1", "crank = \"1/(L - 2)\"");
+  expect_refused(model + "[geometry]\nL = 2\n", 4, "has no value", "correct the expression");
+  expect_refused(changed(model, "1/(L - 2)", "sqrt(-L)") + "[geometry]\nL = 2\n", 4, "has no value",
+                 "correct the expression");
+}
+
+TEST(LegsRefusal, TolerancesOfWhatNoLegHas) {
+  const std::string legs =
+      "[legs]\n[[legs.leg]]\ntype = \"RPR\"\nbase = [0, 0]\nplatform = [0, 0]\n";
+  for (const char* key : {"crank_tolerance", "rod_tolerance", "axis_tolerance"})
+    expect_refused("regulus = 1\nname = \"robot\"\n" +
+                       changed(legs, "[legs]\n", std::string("[legs]\n") + key + " = 0.1\n"),
+                   4, std::string("legs.") + key + " applies to nothing", "remove it");
+}
+
 }  // namespace
 }  // namespace regulus

@@ -125,5 +125,34 @@ TEST(SerialRefusal, AMatrixOfTooManyTerms) {
                      "quaternion");
 }
 
+TEST(SerialRefusal, TolerancesThatDoNotReachAValue) {
+  const std::string head = "regulus = 1\nname = \"arm\"\n[serial]\n";
+  const std::string zero = "[motion.zero]\nq1 = 0\nq2 = 0\n";
+  const std::string arm = "joints = [{ name = \"q1\" }, { name = \"q2\", xyz = [1, 0, 0] }]\n";
+  expect_refused(head + "angle_tolerance = 0.1\n" + arm + zero, 4,
+                 "serial.angle_tolerance applies to nothing", "remove it");
+  expect_refused(
+      head + "length_tolerance = 0.1\njoints = [{ name = \"q1\" }, { name = \"q2\" }]\n" + zero, 4,
+      "serial.length_tolerance applies to nothing", "remove it");
+  expect_refused(head +
+                     "angle_tolerance = 0.1\njoints = [{ name = \"q1\" },\n{ name = \"q2\", "
+                     "quaternion = [1, 0, 0, 0] }]\n" +
+                     zero,
+                 6, "angle_tolerance does not apply", "write the orientation as rpy");
+  expect_refused(head +
+                     "angle_tolerance = 0.1\njoints = [{ name = \"q1\" }, { name = \"q2\" },\n"
+                     "{ mimic = \"q1\", offset = 1, rpy = [1, 0, 0] }]\n" +
+                     zero,
+                 6, "serial.angle_tolerance does not apply to", "a part of the joint's place");
+}
+
+TEST(SerialRefusal, NamesOfRadiansAmongDegrees) {
+  expect_refused(
+      "regulus = 1\nname = \"arm\"\n[geometry]\nA = \"90deg\"\n[serial]\nangle_unit = "
+      "\"deg\"\nconvention = \"standard-dh\"\njoints = [{ name = \"q1\", a = 1, alpha = "
+      "\"A\" }]\n[motion.zero]\nq1 = 0\n",
+      8, "is a number of degrees", "numbers of degrees, too");
+}
+
 }  // namespace
 }  // namespace regulus

@@ -99,17 +99,20 @@ TEST(Degrees, GiveASixLeggedPlatformTheSameMatrix) {
       EXPECT_TRUE((degrees.matrix(i, j).subs(same) - radians.matrix(i, j)).expand().is_zero());
 }
 
-TEST(Degrees, AreSuggestedForAPlainRangeOfMoreThanATurn) {
-  EXPECT_THAT(notes_about_angles(motion_of(model_text("rad", "phi", "[-15, 15]"))),
-              ElementsAre(HasSubstr("write [\"-15deg\", \"15deg\"]")));
-  EXPECT_THAT(notes_about_angles(motion_of(model_text("rad", "phi", "[-3, 3]"))), IsEmpty());
-  const Motion joint = motion_of(model_text("rad", "phi", "[-6.3, 6.3]"));
-  EXPECT_THAT(notes_about_angles(joint), testing::SizeIs(1));
-  EXPECT_THAT(notes_about_angles(joint, MatrixKind::kForward), IsEmpty());
-  EXPECT_THAT(
-      notes_about_angles(motion_of(model_text("rad", "phi", "[\"-720*deg\", \"720*deg\"]"))),
-      IsEmpty());
-  EXPECT_THAT(notes_about_angles(motion_of(model_text("deg", "cos(phi)", "[-15, 15]"))), IsEmpty());
+TEST(Degrees, AnAngleBeyondATurnGetsAWarningWithItsLine) {
+  EXPECT_THAT(motion_of(model_text("rad", "phi", "[-15, 15]")).warnings,
+              ElementsAre("m:10: motion.a.phi is 15 rad, more than a turn; if degrees are meant, "
+                          "write \"15deg\""));
+  EXPECT_THAT(motion_of(model_text("rad", "phi", "-90")).warnings,
+              ElementsAre(HasSubstr("m:10: motion.a.phi is -90 rad")));
+  EXPECT_THAT(motion_of(model_text("rad", "phi", "0", "error = { phi = 7 }")).warnings,
+              ElementsAre(HasSubstr("m:11: motion.a.error.phi is 7 rad")));
+  EXPECT_THAT(motion_of(model_text("rad", "phi", "[-6.2832, 6.28]")).warnings, IsEmpty());
+  EXPECT_THAT(motion_of(model_text("rad", "phi", "[\"-720*deg\", 0]")).warnings,
+              ElementsAre(testing::EndsWith("rad, more than a turn")));
+  EXPECT_THAT(motion_of(model_text("deg", "cos(phi)", "[-15, 361]")).warnings,
+              ElementsAre(testing::EndsWith("is 361 deg, more than a turn")));
+  EXPECT_THAT(motion_of(model_text("deg", "cos(phi)", "[-360, 360]")).warnings, IsEmpty());
 }
 
 }  // namespace
