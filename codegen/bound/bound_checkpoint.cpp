@@ -155,7 +155,7 @@ void BoundCheckpoint::keep_search_state(Json state) {
 void BoundCheckpoint::refuse(const std::string& why) const { bounding::refuse(path_, why); }
 
 void BoundCheckpoint::save() try {
-  AtomicFile file(path_, path_ + ".new");
+  AtomicFile file(path_);
   file.write(content_.dump(2) + "\n");
   file.put_in_place_durably();
 } catch (const std::exception& error) {

@@ -18,7 +18,7 @@ namespace regulus::inline command {
 namespace {
 
 void write_page(const std::string& path, const std::string& text) try {
-  AtomicFile file(path, path + ".partial");
+  AtomicFile file(path);
   file.write(text);
   file.put_in_place();
 } catch (const std::system_error& error) {

@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "codegen/cpp/write_files.hpp"
 
-#include <unistd.h>
-
 #include <system_error>
 
 #include "codegen/support/errors.hpp"
@@ -29,7 +27,7 @@ auto name_in_errors(const fs::path& path, Write write) {
 
 AtomicFile written_beside(const fs::path& path, const std::string& text) {
   return name_in_errors(path, [&] {
-    AtomicFile file(path, path.string() + ".part" + std::to_string(::getpid()));
+    AtomicFile file(path.string());
     file.write(text);
     return file;
   });

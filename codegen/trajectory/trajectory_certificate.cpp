@@ -37,7 +37,7 @@ void TrajectoryCertificate::write_safe(const TrajectoryCheck& check,
   if (!obstacle_.empty()) return;
   const CertifiedQuestion question = trajectory_question(motion.request, uncertain, motion.about);
   try {
-    AtomicFile file(path_, fmt::format("{}.{}.new", path_, ::getpid()));
+    AtomicFile file(path_);
     file.write(fmt::format("{}\nverdict {}\nclaim {}\n{}proof\n", format::kMagic,
                            format::kNoSingularity, question.no_singularity, question.text));
     std::uint64_t leaves = 0;
