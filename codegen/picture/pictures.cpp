@@ -15,7 +15,7 @@ auto with_file(const std::string& name, Step step) {
   try {
     return step();
   } catch (const std::system_error& error) {
-    throw FileError("cannot write " + name + ": it cannot " + error.what());
+    throw FileError(name + " cannot " + error.what());
   }
 }
 
