@@ -248,7 +248,7 @@ class WayBound {
       const TrajectoryCheck check = check_trajectory(proved, 0, search_, true, settings_.interrupt);
       add(check);
       const TrajectoryCertificate written(certificate_ + ".safe", check,
-                                          certified_at(proved, Columns::kCombined));
+                                          certified_at(proved, Columns::kCombined), settings_.held);
       safe = written.obstacle().empty()
                  ? fmt::format("{}.safe: safe at {}", certificate_, certified->text)
                  : "none for the safe end: " + written.obstacle();
@@ -267,11 +267,7 @@ class WayBound {
                    uncertain_names(margin.prepared.labels));
     const std::string obstacle = certificate_obstacle(question, true);
     if (!obstacle.empty()) return "none for the singular end: " + obstacle;
-    try {
-      static_cast<void>(CertificateWriter(path, std::move(question)).finish(witness->step.result));
-    } catch (const std::runtime_error& error) {
-      throw FileError(error.what());
-    }
+    trajectory::certify_witness(path, std::move(question), witness->step.result, settings_.held);
     return fmt::format("{}: singular at {}, on segment {}", path, witness->step.value.text,
                        witness->piece + 1);
   }
