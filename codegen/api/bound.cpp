@@ -10,6 +10,7 @@
 #include "codegen/bound/bound_report.hpp"
 #include "codegen/bound/bound_run.hpp"
 #include "codegen/margin/prepared_margin.hpp"
+#include "codegen/report/report_text.hpp"
 
 namespace regulus::inline api {
 namespace {
@@ -43,7 +44,7 @@ BoundFinding finding_of(const Request& request, const Bound& bound, const BoundS
   for (const ComponentBound& component : bound.components)
     finding.report += format_component(component, settings.limit.has_value());
   finding.report += bound_report(request, bound, settings);
-  finding.json = report.dump(2);
+  finding.json = report_text(report, 2);
   return finding;
 }
 

@@ -8,6 +8,7 @@
 #include "codegen/engine/search_run.hpp"
 #include "codegen/engine/settings.hpp"
 #include "codegen/report/report.hpp"
+#include "codegen/report/report_text.hpp"
 #include "codegen/support/earlier_outputs.hpp"
 #include "codegen/support/stopwatch.hpp"
 #include "codegen/trajectory/trajectory_certificate.hpp"
@@ -28,7 +29,7 @@ void describe(const Certificate& certificate, Json report, Finding& finding) {
     finding.certificate = *file;
   else
     finding.no_certificate = report.value("certificate_obstacle", "");
-  finding.json = report.dump(2);
+  finding.json = report_text(report, 2);
 }
 
 Finding check_along_waypoints(Request request, double model_seconds, const SearchOptions& search,
@@ -89,7 +90,7 @@ Finding check(const Question& question, const SearchOptions& options,
   const AlgebraLock lock;
   Stopwatch watch;
   const ModelOptions& model = question.options();
-  set_earlier_outputs_aside(model.path,
+  set_earlier_outputs_aside({model.path, model.waypoints},
                             {{"certificate", certificate, true, format::kShardsEnding}});
   std::optional<Finding> finding = check_if_along_waypoints(model, options, interrupt, certificate);
   if (!finding) finding = check_variety(model, options, interrupt, certificate);

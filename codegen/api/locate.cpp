@@ -9,6 +9,7 @@
 #include "codegen/engine/settings.hpp"
 #include "codegen/report/paving_options.hpp"
 #include "codegen/report/paving_report.hpp"
+#include "codegen/report/report_text.hpp"
 #include "runtime/problem/observers.hpp"
 #include "runtime/search/leaf_claims.hpp"
 #include "runtime/search/workspace.hpp"
@@ -87,7 +88,7 @@ Paving locate(const Question& question, const LocateOptions& options,
   found.outside = volumes.fraction(volumes.of(Claim::kOutside));
   found.unreachable = volumes.fraction(volumes.of(Claim::kUnreachable));
   found.report = paving_report(prepared, search, paving, volumes, found.result);
-  found.json = json_paving_summary(prepared, search, paving, volumes, found.result).dump(2);
+  found.json = report_text(json_paving_summary(prepared, search, paving, volumes, found.result), 2);
   for (const VariableLabel& variable : prepared.labels.variables)
     found.variables.push_back(variable.name);
   return found;

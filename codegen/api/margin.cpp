@@ -9,6 +9,7 @@
 #include "codegen/margin/margin_report.hpp"
 #include "codegen/margin/prepared_margin.hpp"
 #include "codegen/report/output_options.hpp"
+#include "codegen/report/report_text.hpp"
 #include "codegen/trajectory/trajectory_margin.hpp"
 
 namespace regulus::inline api {
@@ -35,7 +36,7 @@ MarginFinding margin_of_limit(ModelOptions model, const MarginOptions& options,
   finding.closed = found.whole.closed;
   finding.bracket = describe_limit_bracket(question, found);
   finding.report = limit_margin_report(request, question, found, settings);
-  finding.json = json_limit_margin(request, question, found, settings).dump(2);
+  finding.json = report_text(json_limit_margin(request, question, found, settings), 2);
   return finding;
 }
 
@@ -57,7 +58,7 @@ MarginFinding margin_along_waypoints(Request request, const MarginQuestion& ques
                                                       interrupt, [](const MarginStep&) {});
   MarginFinding finding = finding_of(question, found.margin);
   finding.report = format_trajectory_margin(found, question, options.search);
-  finding.json = json_trajectory_margin(found, question, options.search, gap).dump(2);
+  finding.json = report_text(json_trajectory_margin(found, question, options.search, gap), 2);
   return finding;
 }
 
@@ -75,9 +76,9 @@ MarginFinding margin_of_regularity(Request request, const MarginQuestion& questi
   margin.prepared.seconds.search = found.seconds;
   MarginFinding finding = finding_of(question, found);
   finding.report = margin_report(margin.prepared, margin.search, question, found);
-  finding.json =
-      json_margin(margin.prepared, margin.search, margin.request.nominal(), question, found, gap)
-          .dump(2);
+  finding.json = report_text(
+      json_margin(margin.prepared, margin.search, margin.request.nominal(), question, found, gap),
+      2);
   return finding;
 }
 

@@ -34,13 +34,9 @@ AtomicStream::AtomicStream(const std::string& name) : std::ostream(nullptr), buf
   rdbuf(&buffer_);
 }
 
-void AtomicStream::require_written() {
+void AtomicStream::put_in_place() {
   flush();
   if (buffer_.failure) std::rethrow_exception(buffer_.failure);
-}
-
-void AtomicStream::put_in_place() {
-  require_written();
   buffer_.file.put_in_place_durably();
 }
 

@@ -17,8 +17,6 @@ class AtomicStream : public std::ostream {
   /// Throws    as AtomicFile.
   explicit AtomicStream(const std::string& name);
 
-  /// Throws    std::system_error if something could not be written. The stream writes no more then.
-  void require_written();
   /// Throws    std::system_error, also for what could not be written before.
   void put_in_place();
 
