@@ -2,6 +2,7 @@
 #include "codegen/feasibility/force_certificate.hpp"
 
 #include <fmt/format.h>
+
 #include <nlohmann/json.hpp>
 #include <system_error>
 
