@@ -11,6 +11,7 @@
 #include "codegen/bound/bound_report.hpp"
 #include "codegen/bound/bound_run.hpp"
 #include "codegen/margin/prepared_margin.hpp"
+#include "codegen/report/report_text.hpp"
 #include "codegen/support/earlier_outputs.hpp"
 
 namespace regulus::inline api {
@@ -45,7 +46,7 @@ BoundFinding finding_of(const Request& request, const Bound& bound, const BoundS
   for (const ComponentBound& component : bound.components)
     finding.report += format_component(component, settings.limit.has_value());
   finding.report += bound_report(request, bound, settings);
-  finding.json = report.dump(2);
+  finding.json = report_text(report, 2);
   for (const ComponentBound& component : bound.components)
     add_ends(component.proofs, component.component.label, finding);
   return finding;

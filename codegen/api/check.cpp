@@ -9,6 +9,7 @@
 #include "codegen/engine/search_run.hpp"
 #include "codegen/engine/settings.hpp"
 #include "codegen/report/report.hpp"
+#include "codegen/report/report_text.hpp"
 #include "codegen/support/earlier_outputs.hpp"
 #include "codegen/support/stopwatch.hpp"
 #include "codegen/trajectory/read_trajectory.hpp"
@@ -75,7 +76,7 @@ Finding check(const Question& question, const SearchOptions& options,
   const AlgebraLock lock;
   Stopwatch watch;
   const ModelOptions& model = question.options();
-  set_earlier_outputs_aside(model.path,
+  set_earlier_outputs_aside({model.path, model.waypoints},
                             {{"certificate", certificate, true, format::kShardsEnding}});
   std::optional<Finding> finding = check_if_along_waypoints(model, options, interrupt, certificate);
   if (!finding) finding = check_variety(model, options, interrupt, certificate);

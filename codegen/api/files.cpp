@@ -9,6 +9,7 @@
 #include "codegen/model/read_file.hpp"
 #include "codegen/model/request.hpp"
 #include "codegen/report/model_report.hpp"
+#include "codegen/report/report_text.hpp"
 
 namespace regulus::inline api {
 
@@ -38,8 +39,7 @@ Confirmation verify(const std::string& path, const VerifyOptions& options) {
   const verifier::Verification& verification = verified.verification;
   // Labels are untrusted bytes.
   return {outcome_of(verified), verification.claim, verification.reason,
-          json_verification(request, verified)
-              .dump(2, ' ', false, nlohmann::ordered_json::error_handler_t::replace)};
+          report_text(json_verification(request, verified), 2)};
 }
 
 Imported import_file(const std::string& path, const ImportOptions& options) {
@@ -52,7 +52,7 @@ std::string describe_model(const Question& question) {
   const ModelOptions& options = question.options();
   Model model = parse_model(model_text(options), options.path);
   model.path = options.path;
-  return json_model(model).dump();
+  return report_text(json_model(model));
 }
 
 }  // namespace regulus::api

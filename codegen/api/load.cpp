@@ -9,6 +9,7 @@
 #include "codegen/feasibility/force_certificate.hpp"
 #include "codegen/feasibility/way_forces.hpp"
 #include "codegen/report/paving_options.hpp"
+#include "codegen/report/report_text.hpp"
 #include "codegen/support/earlier_outputs.hpp"
 #include "codegen/support/stopwatch.hpp"
 #include "codegen/trajectory/read_trajectory.hpp"
@@ -42,7 +43,7 @@ class SearchOfLoad {
     if (report["claim"].is_string()) finding.claim = report["claim"];
     if (report["reason"].is_string()) finding.reason = report["reason"];
     finding.report = format_forces(prepared_, result, volumes) + certificate_.line();
-    finding.json = report.dump(2);
+    finding.json = report_text(report, 2);
     for (const VariableLabel& variable : prepared_.preparation.labels.variables)
       finding.variables.push_back(variable.name);
     finding.boxes = result.boxes;
@@ -75,13 +76,14 @@ std::optional<LoadFinding> check_load_along_waypoints(const Question& question,
   if (report["claim"].is_string()) finding.claim = report["claim"];
   if (report["reason"].is_string()) finding.reason = report["reason"];
   finding.report = format_way_forces(found);
-  finding.json = report.dump(2);
+  finding.json = report_text(report, 2);
   finding.boxes = found.boxes;
   return finding;
 }
 
 void set_aside(const Question& question, const std::string& certificate) {
-  set_earlier_outputs_aside(question.options().path, {{"certificate", certificate, true}});
+  const ModelOptions& model = question.options();
+  set_earlier_outputs_aside({model.path, model.waypoints}, {{"certificate", certificate, true}});
 }
 
 }  // namespace

@@ -12,6 +12,7 @@
 #include "codegen/engine/settings.hpp"
 #include "codegen/report/paving_options.hpp"
 #include "codegen/report/paving_report.hpp"
+#include "codegen/report/report_text.hpp"
 #include "codegen/support/earlier_outputs.hpp"
 #include "codegen/support/stopwatch.hpp"
 #include "codegen/trajectory/read_trajectory.hpp"
@@ -125,9 +126,9 @@ Paving pave_path(Request request, double model_seconds, const LocateOptions& opt
   for (const PathStretch& stretch : paving.stretches)
     found.stretches.push_back({stretch.claim, stretch.begin.piece + 1, stretch.end.piece + 1,
                                stretch.begin.s, stretch.end.s,
-                               json_stretch(paving, stretch).dump()});
+                               report_text(json_stretch(paving, stretch))});
   found.report = format_path_paving(paving, options.search);
-  found.json = json_path_paving(paving, options.search).dump(2);
+  found.json = report_text(json_path_paving(paving, options.search), 2);
   return found;
 }
 

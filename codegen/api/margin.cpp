@@ -12,6 +12,7 @@
 #include "codegen/margin/margin_report.hpp"
 #include "codegen/margin/prepared_margin.hpp"
 #include "codegen/report/output_options.hpp"
+#include "codegen/report/report_text.hpp"
 #include "codegen/support/earlier_outputs.hpp"
 #include "codegen/trajectory/trajectory_margin.hpp"
 
@@ -41,7 +42,7 @@ MarginFinding margin_of_limit(ModelOptions model, const MarginOptions& options,
   finding.closed = found.whole.closed;
   finding.bracket = describe_limit_bracket(question, found);
   finding.report = limit_margin_report(request, question, found, settings);
-  finding.json = json_limit_margin(request, question, found, settings).dump(2);
+  finding.json = report_text(json_limit_margin(request, question, found, settings), 2);
   for (const ComponentMargin& c : found.components) add_ends(c.proofs, c.component.label, finding);
   return finding;
 }
@@ -64,7 +65,7 @@ MarginFinding margin_along_waypoints(Request request, const MarginQuestion& ques
                                                       interrupt, [](const MarginStep&) {});
   MarginFinding finding = finding_of(question, found.margin);
   finding.report = format_trajectory_margin(found, question, options.search);
-  finding.json = json_trajectory_margin(found, question, options.search, gap).dump(2);
+  finding.json = report_text(json_trajectory_margin(found, question, options.search, gap), 2);
   return finding;
 }
 
@@ -86,7 +87,7 @@ MarginFinding margin_of_regularity(Request request, const MarginQuestion& questi
   nlohmann::ordered_json report =
       json_margin(margin.prepared, margin.search, margin.request.nominal(), question, found, gap);
   proofs.add_to(report);
-  finding.json = report.dump(2);
+  finding.json = report_text(report, 2);
   add_ends(proofs, "", finding);
   return finding;
 }

@@ -12,6 +12,7 @@
 #include "codegen/model/changes.hpp"
 #include "codegen/report/question_report.hpp"
 #include "codegen/report/report.hpp"
+#include "codegen/report/report_text.hpp"
 #include "codegen/support/stopwatch.hpp"
 
 namespace regulus::inline api {
@@ -216,7 +217,7 @@ void PreparedQuestion::describe(const Question& question, Finding& finding,
   finding.report = text_report(prepared, search, finding.result, nearest);
   nlohmann::ordered_json report = json_report(prepared, search, finding.result, nearest);
   report["question"] = json_question(parts_->request_of(question), search);
-  finding.json = report.dump(2);
+  finding.json = report_text(report, 2);
 }
 
 }  // namespace regulus::api

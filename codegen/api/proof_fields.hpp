@@ -6,6 +6,7 @@
 
 #include "codegen/api/margin.hpp"
 #include "codegen/margin/end_proofs.hpp"
+#include "codegen/report/report_text.hpp"
 
 namespace regulus::inline api {
 
@@ -18,7 +19,7 @@ void add_proof(const Certificate& certificate, nlohmann::ordered_json report, Fi
     finding.certificate = *file;
   else
     finding.no_certificate = report.value("certificate_obstacle", "");
-  finding.json = report.dump(2);
+  finding.json = report_text(report, 2);
 }
 
 /// Adds the proofs of a component's ends to a finding; nothing if none were wanted.

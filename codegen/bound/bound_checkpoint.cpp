@@ -2,11 +2,13 @@
 #include "codegen/bound/bound_checkpoint.hpp"
 
 #include <algorithm>
+#include <system_error>
 
 #include "codegen/bound/quantity_report.hpp"
 #include "codegen/model/ginac_text.hpp"
 #include "codegen/model/read_file.hpp"
 #include "codegen/report/question_report.hpp"
+#include "codegen/report/report_text.hpp"
 #include "codegen/support/errors.hpp"
 #include "codegen/trajectory/trajectory_report.hpp"
 #include "runtime/files/atomic_file.hpp"
@@ -122,7 +124,8 @@ class BoundCheckpoint::Searches final : public EarlierSearches {
   std::string bracket_;
 };
 
-BoundCheckpoint::BoundCheckpoint(std::string path, const Json& question) : path_(std::move(path)) {
+BoundCheckpoint::BoundCheckpoint(std::string path, const Json& asked) : path_(std::move(path)) {
+  const Json question = Json::parse(report_text(asked));  // as the file has it
   try {
     lock_.emplace(path_);
   } catch (const std::runtime_error& error) {
@@ -132,7 +135,12 @@ BoundCheckpoint::BoundCheckpoint(std::string path, const Json& question) : path_
   content_ =
       text ? read_content(path_, *text, question)
            : Json{{kFormat, kFormatVersion}, {"question", question}, {"brackets", Json::object()}};
-  if (!text) save();
+  if (text) return;
+  try {
+    write();
+  } catch (const std::system_error& error) {
+    throw FileError("the checkpoint " + path_ + " cannot " + error.what());
+  }
 }
 
 std::unique_ptr<EarlierSearches> BoundCheckpoint::searches_of(const MarginQuestion& bracket,
@@ -154,12 +162,21 @@ void BoundCheckpoint::keep_search_state(Json state) {
 
 void BoundCheckpoint::refuse(const std::string& why) const { bounding::refuse(path_, why); }
 
-void BoundCheckpoint::save() try {
-  AtomicFile file(path_, path_ + ".new");
-  file.write(content_.dump(2) + "\n");
+void BoundCheckpoint::write() const {
+  AtomicFile file(path_);
+  file.write(report_text(content_, 2) + "\n");
   file.put_in_place_durably();
+}
+
+void BoundCheckpoint::save() try {
+  write();
+  failure_.clear();
 } catch (const std::exception& error) {
-  throw FileError("the checkpoint " + path_ + ": " + error.what());
+  failure_ = error.what();
+}
+
+std::string BoundCheckpoint::line() const {
+  return failure_.empty() ? "" : "checkpoint " + path_ + " cannot " + failure_ + '\n';
 }
 
 Json checkpointed_question(const Request& request, const Quantity& quantity,

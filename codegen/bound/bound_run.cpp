@@ -89,7 +89,8 @@ class ComponentRun {
     MarginQuestion question = question_at_limit(bordered_);
     question.certified = certified();
     PreparedMargin margin = prepared(question);
-    MarginCertificates certificates(certificate(), margin.request, margin.prepared.labels);
+    MarginCertificates certificates(certificate(), margin.request, margin.prepared.labels,
+                                    settings_.held);
     search_at(margin, *question.high, certificates);
     return std::move(result_);
   }
@@ -163,7 +164,8 @@ class ComponentRun {
 
   void run(const MarginQuestion& question, double gap) {
     PreparedMargin margin = prepared(question);
-    MarginCertificates certificates(certificate(), margin.request, margin.prepared.labels);
+    MarginCertificates certificates(certificate(), margin.request, margin.prepared.labels,
+                                    settings_.held);
     std::unique_ptr<EarlierSearches> earlier;
     if (settings_.checkpoint != nullptr)
       earlier = settings_.checkpoint->searches_of(question, result_.component.label,

@@ -41,7 +41,8 @@ struct BoundSettings {
   double forming_limit = 0;  ///< seconds to form matrices; 0: the time limit. Without its matrix a
                              ///< component has no end at all, so this may be more than its share
   OutputOptions output;
-  std::string certificate;  ///< files, without their endings; empty: none
+  std::string certificate;    ///< files, without their endings; empty: none
+  HeldFiles* held = nullptr;  ///< where they wait for the end of the run; null: nowhere
   BoundCheckpoint* checkpoint = nullptr;
   const std::atomic<bool>* interrupt = nullptr;
 };

@@ -29,7 +29,7 @@ void reporting_failures(const Action& action) {
 }
 
 void write_file(const std::string& path, const std::string& text) try {
-  AtomicFile file(path, path + ".new");
+  AtomicFile file(path);
   file.write(text);
   file.put_in_place_durably();
 } catch (const std::system_error& error) {

@@ -71,7 +71,7 @@ class LimitMarginRun {
                           forming_watch(settings_.output, settings_.interrupt));
     margin.settings.interrupt = settings_.interrupt;
     MarginCertificates certificates(certificate_of(component), margin.request,
-                                    margin.prepared.labels);
+                                    margin.prepared.labels, settings_.held);
     MarginRun run(margin.prepared, question, margin.request, margin.search, settings_.output,
                   margin.settings, settings_.gap, certificates, listener_, earlier.get());
     result.margin = run.run();

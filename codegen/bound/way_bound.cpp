@@ -244,7 +244,8 @@ class WayBound {
     const TrajectoryCheck check = check_trajectory(proved, 0, search_, true, settings_.interrupt);
     add(check);
     const std::string path = certificate_ + ".safe";
-    const TrajectoryCertificate written(path, check, certified_at(proved, Columns::kCombined));
+    const TrajectoryCertificate written(path, check, certified_at(proved, Columns::kCombined),
+                                        settings_.held);
     result_.proofs.safe = proof_in(path, written, "safe at " + certified->text);
   }
 
@@ -252,8 +253,8 @@ class WayBound {
   void certify_comparison(const TrajectoryCheck& check) {
     const bool is_singular = check.verdict == Verdict::kSingularity;
     const std::string path = certificate_ + (is_singular ? ".singular" : ".safe");
-    const TrajectoryCertificate written(path, check,
-                                        certified_at(bordered_.request, Columns::kCombined));
+    const TrajectoryCertificate written(
+        path, check, certified_at(bordered_.request, Columns::kCombined), settings_.held);
     const std::string limit = formula_text(*settings_.limit);
     result_.proofs = {true, {{}, "the limit is exceeded"}, {{}, "no pose exceeds the limit"}};
     EndProof& end = is_singular ? result_.proofs.singular : result_.proofs.safe;
@@ -278,11 +279,7 @@ class WayBound {
                    uncertain_names(margin.prepared.labels));
     const std::string obstacle = certificate_obstacle(question, true);
     if (!obstacle.empty()) return {{}, obstacle};
-    try {
-      static_cast<void>(CertificateWriter(path, std::move(question)).finish(witness->step.result));
-    } catch (const std::runtime_error& error) {
-      throw FileError(error.what());
-    }
+    trajectory::certify_witness(path, std::move(question), witness->step.result, settings_.held);
     return {path, fmt::format("singular at {}, on segment {}", witness->step.value.text,
                               witness->piece + 1)};
   }

@@ -8,6 +8,7 @@
 #include <string_view>
 
 #include "codegen/support/exit_code.hpp"
+#include "codegen/support/visible_text.hpp"
 
 namespace regulus::inline command {
 namespace {
@@ -27,6 +28,8 @@ bool takes_colours(int file) {
   return (forbidden == nullptr || *forbidden == '\0') && terminal != nullptr && *terminal != '\0' &&
          std::string_view(terminal) != "dumb" && ::isatty(file) != 0;
 }
+
+void print_report(const std::string& text) { std::cerr << visible(text, true); }
 
 void print_answer(const std::string& text, int exit_code) {
   if (takes_colours(STDOUT_FILENO))

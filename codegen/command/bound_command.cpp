@@ -10,10 +10,11 @@
 #include "codegen/bound/bound_run.hpp"
 #include "codegen/bound/condition_run.hpp"
 #include "codegen/command/answer.hpp"
+#include "codegen/command/command_files.hpp"
 #include "codegen/command/commands.hpp"
 #include "codegen/command/interrupt.hpp"
 #include "codegen/margin/prepared_margin.hpp"
-#include "codegen/support/earlier_outputs.hpp"
+#include "codegen/report/report_text.hpp"
 #include "codegen/support/errors.hpp"
 #include "codegen/support/exit_code.hpp"
 
@@ -51,10 +52,14 @@ int run_bound(const BoundCommand& given) {
   if (settings.limit && !command.checkpoint.empty() && quantity.kind != QuantityKind::kCondition2)
     throw UsageError("--checkpoint: with --limit there is one search and no bracket to continue");
   refuse_unsupported(request, quantity);
-  set_earlier_outputs_aside(command.model.path, certificate_files(quantity, command.certificate));
+  std::vector<OutputFile> outputs = certificate_files(quantity, command.certificate);
+  outputs.push_back(checkpoint_file(command.checkpoint));
+  set_earlier_outputs_aside(input_files(command.model, command.search), outputs);
   InterruptGuard interrupt;
   settings.interrupt = &interrupt.requested();
   interrupt.begin_search();
+  HeldFiles held;
+  settings.held = &held;
   std::optional<BoundCheckpoint> checkpoint;
   if (!command.checkpoint.empty()) {
     checkpoint.emplace(command.checkpoint,
@@ -70,9 +75,12 @@ int run_bound(const BoundCommand& given) {
       bound_quantity(request, std::move(quantity), settings, [&](const ComponentBound& component) {
         if (!quiet) std::cerr << format_component(component, settings.limit.has_value());
       });
-  if (!quiet) std::cerr << bound_report(request, bound, settings);
+  held.put_in_place();
+  if (!quiet) print_report(bound_report(request, bound, settings));
+  if (checkpoint) print_report(checkpoint->line());
   if (command.output.json)
-    std::cout << json_bound(request, bound, settings).dump(command.output.json_indent) << '\n';
+    std::cout << report_text(json_bound(request, bound, settings), command.output.json_indent)
+              << '\n';
   else
     print_answer(describe_bound(bound, settings), exit_code_of(bound, settings));
   std::cout.flush();

@@ -5,6 +5,7 @@
 #include "codegen/analysis/least_singular.hpp"
 #include "codegen/certificate/certificate_file.hpp"
 #include "codegen/command/answer.hpp"
+#include "codegen/command/command_files.hpp"
 #include "codegen/command/commands.hpp"
 #include "codegen/command/end_command.hpp"
 #include "codegen/command/interrupt.hpp"
@@ -13,7 +14,7 @@
 #include "codegen/engine/settings.hpp"
 #include "codegen/report/progress.hpp"
 #include "codegen/report/report.hpp"
-#include "codegen/support/earlier_outputs.hpp"
+#include "codegen/report/report_text.hpp"
 #include "runtime/certificate/format.hpp"
 #include "runtime/problem/observers.hpp"
 
@@ -40,12 +41,12 @@ Result search_and_report(const CheckCommand& command, PreparedSearch& preparatio
   checkpoint.finish(result, certificate.writer());
   const auto nearest = nearest_singular(preparation, result);
   if (!command.output.quiet)
-    std::cerr << text_report(preparation, command.search, result, nearest) << certificate.line()
-              << checkpoint.line();
+    print_report(text_report(preparation, command.search, result, nearest) + certificate.line() +
+                 checkpoint.line());
   if (command.output.json) {
     nlohmann::ordered_json report = json_report(preparation, command.search, result, nearest);
     certificate.add_to(report);
-    std::cout << report.dump(command.output.json_indent) << '\n';
+    std::cout << report_text(report, command.output.json_indent) << '\n';
   } else {
     print_answer(name(result.verdict), exit_code_of(result.verdict));
   }
@@ -55,8 +56,9 @@ Result search_and_report(const CheckCommand& command, PreparedSearch& preparatio
 }  // namespace
 
 int run_check(const CheckCommand& command) {
-  set_earlier_outputs_aside(command.model.path,
-                            {{"--certificate", command.certificate, true, format::kShardsEnding}});
+  set_earlier_outputs_aside(input_files(command.model, command.search),
+                            {{"--certificate", command.certificate, true, format::kShardsEnding},
+                             checkpoint_file(command.checkpoint.path)});
   if (const auto code = run_force_check(command)) return *code;
   if (const auto code = run_trajectory_check(command)) return *code;
   InterruptGuard interrupt;

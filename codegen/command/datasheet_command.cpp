@@ -10,6 +10,7 @@
 #include "codegen/command/commands.hpp"
 #include "codegen/command/interrupt.hpp"
 #include "codegen/margin/prepared_margin.hpp"
+#include "codegen/report/report_text.hpp"
 #include "codegen/support/exit_code.hpp"
 
 namespace regulus::inline command {
@@ -29,7 +30,8 @@ int exit_code_of(const Model& model, const Datasheet& sheet) {
 void print(const DatasheetCommand& command, const Request& request, const Datasheet& sheet,
            const BoundSettings& settings) {
   if (command.output.json)
-    std::cout << json_datasheet(request, sheet, settings).dump(command.output.json_indent) << '\n';
+    std::cout << report_text(json_datasheet(request, sheet, settings), command.output.json_indent)
+              << '\n';
   else if (command.markdown)
     std::cout << markdown_datasheet(request, sheet);
   else

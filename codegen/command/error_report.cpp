@@ -5,6 +5,7 @@
 #include <nlohmann/json.hpp>
 #include <string_view>
 
+#include "codegen/report/report_text.hpp"
 #include "codegen/support/errors.hpp"
 
 namespace regulus::inline command {
@@ -46,7 +47,7 @@ std::string json_error(const std::exception& error, ExitCode code) {
     object["symbol"] = input->symbol();
   }
   const nlohmann::ordered_json report = {{"error", object}};
-  return report.dump(-1, ' ', false, nlohmann::ordered_json::error_handler_t::replace);
+  return report_text(report);
 }
 
 }  // namespace regulus::command

@@ -6,6 +6,7 @@
 #include "codegen/engine/pipeline.hpp"
 #include "codegen/formulation/explain.hpp"
 #include "codegen/model/model_file.hpp"
+#include "codegen/report/report_text.hpp"
 #include "codegen/support/exit_code.hpp"
 
 namespace regulus::inline command {
@@ -52,7 +53,7 @@ int run_explain(const ExplainCommand& command, const std::string& typed) {
                                   {"stage", command.stage},
                                   {"text", explained.text}};
     if (!kernel) report["scaling"] = json_scaling(explained.scaling);
-    std::cout << report.dump(command.output.json_indent) << '\n';
+    std::cout << report_text(report, command.output.json_indent) << '\n';
   } else {
     std::cout << explained.text;
   }

@@ -15,6 +15,7 @@
 #include "codegen/feasibility/way_forces.hpp"
 #include "codegen/report/paving_options.hpp"
 #include "codegen/report/progress.hpp"
+#include "codegen/report/report_text.hpp"
 #include "codegen/support/earlier_outputs.hpp"
 #include "codegen/support/errors.hpp"
 #include "codegen/support/exit_code.hpp"
@@ -47,11 +48,11 @@ int print_forces(const PreparedForces& prepared, const FeasibilityResult& result
                  const ForceVolumes* volumes, const ForceCertificate& certificate,
                  const OutputOptions& output, bool to_error) {
   const int code = exit_code_of(result.verdict);
-  if (!output.quiet) std::cerr << format_forces(prepared, result, volumes) << certificate.line();
+  if (!output.quiet) print_report(format_forces(prepared, result, volumes) + certificate.line());
   if (output.json) {
     nlohmann::ordered_json report = json_forces(prepared, result, volumes);
     certificate.add_to(report);
-    std::cout << report.dump(output.json_indent) << '\n';
+    std::cout << report_text(report, output.json_indent) << '\n';
   } else if (!to_error) {
     print_answer(name(result.verdict), code);
   } else if (!output.quiet) {
@@ -84,9 +85,9 @@ int check_along_way(const CheckCommand& command, Request request, double model_s
                              !path.empty(), &interrupt.requested());
   const std::string obstacle = path.empty() ? "" : certify_way_forces(path, found);
   if (!command.output.quiet) {
-    std::cerr << format_way_forces(found);
+    print_report(format_way_forces(found));
     if (!path.empty())
-      std::cerr << "certificate " << (obstacle.empty() ? path : "none: " + obstacle) << '\n';
+      print_report("certificate " + (obstacle.empty() ? path : "none: " + obstacle) + '\n');
   }
   const int code = exit_code_of(found.verdict);
   if (command.output.json) {
@@ -95,7 +96,7 @@ int check_along_way(const CheckCommand& command, Request request, double model_s
       report["certificate"] =
           obstacle.empty() ? nlohmann::ordered_json(path) : nlohmann::ordered_json(nullptr);
     if (!obstacle.empty()) report["certificate_obstacle"] = obstacle;
-    std::cout << report.dump(command.output.json_indent) << '\n';
+    std::cout << report_text(report, command.output.json_indent) << '\n';
   } else {
     print_answer(name(found.verdict), code);
   }
@@ -110,7 +111,7 @@ int pave_forces(const LocateCommand& command, PreparedForces& prepared, Interrup
   LinesFile lines(command);
   const auto write = [&](const nlohmann::ordered_json& line) {
     if (!lines.wanted()) return;
-    lines.stream() << line.dump() << '\n';
+    lines.stream() << report_text(line) << '\n';
     if (!lines.stream()) interrupt.request();
   };
   ForceVolumes volumes(prepared.problem);
@@ -128,9 +129,7 @@ int pave_forces(const LocateCommand& command, PreparedForces& prepared, Interrup
       },
       certificate, command.output);
   write(json_forces(prepared, result, &volumes));
-  lines.stream().flush();
-  if (lines.wanted() && !lines.stream()) throw FileError("cannot write " + lines.name());
-  lines.require_in_place();
+  lines.finish();
   return print_forces(prepared, result, &volumes, certificate, command.output,
                       lines.is_standard_output());
 }

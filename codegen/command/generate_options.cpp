@@ -10,7 +10,9 @@
 
 #include "codegen/cpp/write_files.hpp"
 #include "codegen/jit/object_file.hpp"
+#include "codegen/report/report_text.hpp"
 #include "codegen/support/errors.hpp"
+#include "codegen/support/write_file.hpp"
 
 namespace regulus::inline command {
 namespace {
@@ -114,14 +116,12 @@ void generate_files(const GenerateCommand& command, const Request& request,
   std::vector<GeneratedFile> files = generate(request, options);
   if (command.object) add_objects(files, options);
   const std::filesystem::path folder = command.folder;
+  const std::string dependencies =
+      command.dependencies.empty() ? "" : dependency_text(folder, files, request.model.path);
   write_files(folder, files);
-  if (!command.dependencies.empty())
-    write_file(command.dependencies, dependency_text(folder, files, request.model.path));
+  if (!command.dependencies.empty()) write_file(command.dependencies, dependencies);
   if (command.json)
-    std::cout << json_list(options.name, folder, files)
-                     .dump(command.json_indent, ' ', false,
-                           nlohmann::json::error_handler_t::replace)
-              << '\n';
+    std::cout << report_text(json_list(options.name, folder, files), command.json_indent) << '\n';
   else if (!command.quiet)
     for (const GeneratedFile& file : files) std::cout << (folder / file.name).string() << '\n';
   if (!std::cout.flush()) throw FileError("standard output cannot be written");

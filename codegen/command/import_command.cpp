@@ -2,11 +2,13 @@
 #include <iostream>
 #include <nlohmann/json.hpp>
 
+#include "codegen/command/answer.hpp"
 #include "codegen/command/commands.hpp"
-#include "codegen/cpp/write_files.hpp"
 #include "codegen/import/import.hpp"
 #include "codegen/model/read_file.hpp"
+#include "codegen/report/report_text.hpp"
 #include "codegen/support/errors.hpp"
+#include "codegen/support/write_file.hpp"
 
 namespace regulus::inline command {
 
@@ -27,10 +29,10 @@ int run_import(const ImportCommand& command) {
   const Imported imported = import_robot(text, command.path, command.options);
   if (!command.output.empty()) write_file(command.output, imported.model);
   if (command.json) {
-    std::cout << json_of(imported, command.output).dump() << std::endl;
+    std::cout << report_text(json_of(imported, command.output)) << std::endl;
     return 0;
   }
-  if (!command.quiet) std::cerr << imported.report();
+  if (!command.quiet) print_report(imported.report());
   if (command.output.empty()) std::cout << imported.model << std::flush;
   return 0;
 }

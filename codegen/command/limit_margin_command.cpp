@@ -7,10 +7,11 @@
 #include "codegen/bound/bound_run.hpp"
 #include "codegen/bound/limit_margin.hpp"
 #include "codegen/command/answer.hpp"
+#include "codegen/command/command_files.hpp"
 #include "codegen/command/commands.hpp"
 #include "codegen/command/interrupt.hpp"
 #include "codegen/margin/margin_report.hpp"
-#include "codegen/support/earlier_outputs.hpp"
+#include "codegen/report/report_text.hpp"
 #include "codegen/support/exit_code.hpp"
 
 namespace regulus::inline command {
@@ -51,10 +52,14 @@ std::optional<int> run_limit_margin(const MarginCommand& given) {
   const Request request = read_asked(command.model, command.quantity);
   Quantity quantity = quantity_of(request.model, command.quantity);
   settings.limit = read_limit(command.limit, quantity);
-  set_earlier_outputs_aside(command.model.path, certificate_files(quantity, command.certificate));
+  std::vector<OutputFile> outputs = certificate_files(quantity, command.certificate);
+  outputs.push_back(checkpoint_file(command.checkpoint));
+  set_earlier_outputs_aside(input_files(command.model, command.search), outputs);
   InterruptGuard interrupt;
   settings.interrupt = &interrupt.requested();
   interrupt.begin_search();
+  HeldFiles held;
+  settings.held = &held;
   std::optional<BoundCheckpoint> checkpoint;
   if (!command.checkpoint.empty()) {
     checkpoint.emplace(command.checkpoint, question_of(request, question, quantity, command));
@@ -66,11 +71,13 @@ std::optional<int> run_limit_margin(const MarginCommand& given) {
                                           [quiet](const MarginStep& step) {
                                             if (!quiet) std::cerr << format_step(step);
                                           });
-  if (!quiet) std::cerr << limit_margin_report(request, question, margin, settings);
+  held.put_in_place();
+  if (!quiet) print_report(limit_margin_report(request, question, margin, settings));
+  if (checkpoint) print_report(checkpoint->line());
   if (command.output.json)
-    std::cout
-        << json_limit_margin(request, question, margin, settings).dump(command.output.json_indent)
-        << '\n';
+    std::cout << report_text(json_limit_margin(request, question, margin, settings),
+                             command.output.json_indent)
+              << '\n';
   else
     print_answer(describe_limit_bracket(question, margin),
                  exit_code_of_bracket(question, margin.whole));

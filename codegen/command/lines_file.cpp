@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "codegen/command/lines_file.hpp"
 
+#include <system_error>
+
 #include "codegen/support/errors.hpp"
 
 namespace regulus::inline command {
@@ -11,27 +13,27 @@ std::string chosen(const LocateCommand& command) {
   return command.lines.empty() && print ? std::string("-") : command.lines;
 }
 
+template <class Step>
+void with_reason(const std::string& name, Step step) {
+  try {
+    step();
+  } catch (const std::system_error& error) {
+    throw FileError(name + " cannot " + error.what());
+  }
+}
+
 }  // namespace
 
 LinesFile::LinesFile(const LocateCommand& command) : name_(chosen(command)) {
   if (name_ == "-" && command.output.json)
     throw UsageError("--json and --output - both write to standard output; use one of them");
   if (name_.empty() || name_ == "-") return;
-  file_.open(name_);
-  if (!file_) throw FileError("cannot write " + name_);
-  opened_ = identity();
+  with_reason(name_, [&] { file_.emplace(name_); });
 }
 
-void LinesFile::require_in_place() const {
-  const std::pair<dev_t, ino_t> none;
-  if (wanted() && !is_standard_output() && (opened_ == none || identity() != opened_))
-    throw FileError(name_ + " was removed during the run");
-}
-
-std::pair<dev_t, ino_t> LinesFile::identity() const {
-  struct stat status {};
-  return ::stat(name_.c_str(), &status) == 0 ? std::pair(status.st_dev, status.st_ino)
-                                             : std::pair<dev_t, ino_t>();
+void LinesFile::finish() {
+  if (file_) return with_reason(name_, [&] { file_->put_in_place(); });
+  if (wanted() && !stream().flush()) throw FileError("cannot write " + name());
 }
 
 }  // namespace regulus::command

@@ -2,18 +2,17 @@
 // The file of the JSON lines of `regulus locate`.
 #pragma once
 
-#include <sys/stat.h>
-
-#include <fstream>
 #include <iostream>
+#include <optional>
 #include <string>
-#include <utility>
 
 #include "codegen/command/command_line.hpp"
+#include "runtime/files/atomic_stream.hpp"
 
 namespace regulus::inline command {
 
-/// The output of the JSON lines: a file, standard output, or nothing.
+/// The output of the JSON lines: a file, which appears when it is complete, standard output, or
+/// nothing.
 class LinesFile {
  public:
   /// Throws UsageError and FileError.
@@ -24,17 +23,13 @@ class LinesFile {
   [[nodiscard]] std::string name() const {
     return is_standard_output() ? "standard output" : name_;
   }
-  /// Throws    FileError if the file is no longer at its path.
-  void require_in_place() const;
-  [[nodiscard]] std::ostream& stream() { return is_standard_output() ? std::cout : file_; }
+  [[nodiscard]] std::ostream& stream() { return file_ ? *file_ : std::cout; }
+  /// The lines are complete. Throws FileError, with the reason, if one could not be written.
+  void finish();
 
  private:
-  /// Returns the identity of the file that has the name now.
-  [[nodiscard]] std::pair<dev_t, ino_t> identity() const;
-
   std::string name_;
-  std::ofstream file_;
-  std::pair<dev_t, ino_t> opened_;
+  std::optional<AtomicStream> file_;
 };
 
 }  // namespace regulus::command

@@ -8,6 +8,7 @@
 #include "codegen/model/installed_models.hpp"
 #include "codegen/model/model_file.hpp"
 #include "codegen/report/model_report.hpp"
+#include "codegen/report/report_text.hpp"
 
 namespace regulus::inline command {
 namespace {
@@ -29,7 +30,7 @@ int list_installed(const ListCommand& command) {
   }
   const std::string folder = model_folder().string();
   if (command.json)
-    std::cout << Json{{"folder", folder}, {"models", all}}.dump() << '\n';
+    std::cout << report_text({{"folder", folder}, {"models", all}}) << '\n';
   else
     std::cout << (text.empty() ? "no models in " + folder + '\n' : text);
   return 0;
@@ -46,7 +47,7 @@ std::string names_of_motions(const Model& model) {
 int run_list(const ListCommand& command) {
   if (command.path.empty()) return list_installed(command);
   const Model model = load_model(command.path);
-  std::cout << (command.json    ? json_model(model).dump() + '\n'
+  std::cout << (command.json    ? report_text(json_model(model)) + '\n'
                 : command.quiet ? names_of_motions(model)
                                 : format_model(model));
   return 0;

@@ -6,6 +6,7 @@
 
 #include "codegen/certificate/certificate_file.hpp"
 #include "codegen/command/answer.hpp"
+#include "codegen/command/command_files.hpp"
 #include "codegen/command/commands.hpp"
 #include "codegen/command/end_command.hpp"
 #include "codegen/command/interrupt.hpp"
@@ -18,7 +19,7 @@
 #include "codegen/report/paving_report.hpp"
 #include "codegen/report/paving_writer.hpp"
 #include "codegen/report/progress.hpp"
-#include "codegen/support/earlier_outputs.hpp"
+#include "codegen/report/report_text.hpp"
 #include "codegen/support/errors.hpp"
 #include "runtime/certificate/format.hpp"
 #include "runtime/problem/observers.hpp"
@@ -74,13 +75,13 @@ Result pave_and_report(const LocateCommand& command, PreparedSearch& preparation
   auto summary = json_paving_summary(preparation, command.search, options, volumes, result);
   certificate.add_to(summary);
   if (writer) writer->finish(summary, lines.name());
-  lines.require_in_place();
+  lines.finish();
   pictures.draw(volumes);
   if (!command.output.quiet)
-    std::cerr << paving_report(preparation, command.search, options, volumes, result)
-              << certificate.line();
+    print_report(paving_report(preparation, command.search, options, volumes, result) +
+                 certificate.line());
   if (command.output.json)
-    std::cout << summary.dump(command.output.json_indent) << '\n';
+    std::cout << report_text(summary, command.output.json_indent) << '\n';
   else if (!lines.is_standard_output())
     print_answer(name(result.verdict), exit_code_of(result.verdict));
   else if (!command.output.quiet)
@@ -92,7 +93,7 @@ Result pave_and_report(const LocateCommand& command, PreparedSearch& preparation
 
 int run_locate(const LocateCommand& command) {
   for (const std::string& picture : command.pictures.files) require_picture_format(picture);
-  set_earlier_outputs_aside(command.model.path, outputs_of(command));
+  set_earlier_outputs_aside(input_files(command.model, command.search), outputs_of(command));
   if (const std::optional<int> code = run_force_locate(command)) return *code;
   if (const std::optional<int> code = run_trajectory_locate(command)) return *code;
   InterruptGuard interrupt;

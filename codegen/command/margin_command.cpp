@@ -3,12 +3,13 @@
 #include <nlohmann/json.hpp>
 
 #include "codegen/command/answer.hpp"
+#include "codegen/command/command_files.hpp"
 #include "codegen/command/commands.hpp"
 #include "codegen/command/interrupt.hpp"
 #include "codegen/margin/margin_report.hpp"
 #include "codegen/margin/prepared_margin.hpp"
 #include "codegen/report/progress.hpp"
-#include "codegen/support/earlier_outputs.hpp"
+#include "codegen/report/report_text.hpp"
 #include "codegen/support/exit_code.hpp"
 
 namespace regulus::inline command {
@@ -26,7 +27,8 @@ int run_margin(const MarginCommand& given) {
   MarginCommand command = given;
   const double gap = read_gap(command.gap);
   const MarginQuestion question = take_question(command.model, command.size);
-  set_earlier_outputs_aside(command.model.path, MarginCertificates::files(command.certificate));
+  set_earlier_outputs_aside(input_files(command.model, command.search),
+                            MarginCertificates::files(command.certificate));
   Request request = read_request(command.model);
   if (request.motion.trajectory)
     return run_trajectory_margin(command, question, std::move(request));
@@ -37,21 +39,24 @@ int run_margin(const MarginCommand& given) {
   interrupt.begin_search();
 
   const bool quiet = command.output.quiet;
-  MarginCertificates certificates(command.certificate, margin.request, margin.prepared.labels);
+  HeldFiles held;
+  MarginCertificates certificates(command.certificate, margin.request, margin.prepared.labels,
+                                  &held);
   MarginRun run(margin.prepared, question, margin.request, margin.search, command.output,
                 margin.settings, gap, certificates, [quiet](const MarginStep& step) {
                   if (!quiet) std::cerr << format_step(step);
                 });
   const Margin found = run.run();
+  held.put_in_place();
   margin.prepared.seconds.search = found.seconds;
   if (!quiet)
-    std::cerr << margin_report(margin.prepared, margin.search, question, found)
-              << certificates.proofs().lines();
+    print_report(margin_report(margin.prepared, margin.search, question, found) +
+                 certificates.proofs().lines());
   if (command.output.json) {
     nlohmann::ordered_json report =
         json_margin(margin.prepared, margin.search, margin.request.nominal(), question, found, gap);
     certificates.proofs().add_to(report);
-    std::cout << report.dump(command.output.json_indent) << '\n';
+    std::cout << report_text(report, command.output.json_indent) << '\n';
   } else {
     print_answer(describe_bracket(question, found), exit_code_of_margin(question, found));
   }

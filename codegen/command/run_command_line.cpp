@@ -4,7 +4,9 @@
 #include <functional>
 #include <iostream>
 #include <memory>
+#include <new>
 #include <set>
+#include <system_error>
 #include <utility>
 
 #include "codegen/command/commands.hpp"
@@ -13,6 +15,7 @@
 #include "codegen/model/request.hpp"
 #include "codegen/support/errors.hpp"
 #include "codegen/support/exit_code.hpp"
+#include "codegen/support/visible_text.hpp"
 #include "codegen/symbolic/determinant.hpp"
 
 namespace regulus::inline command {
@@ -22,7 +25,7 @@ namespace {
 void find(std::string& model, bool quiet) {
   if (model.empty()) return;
   const std::string typed = std::exchange(model, find_model(model));
-  if (model != typed && !quiet) std::cerr << "file       " << model << '\n';
+  if (model != typed && !quiet) std::cerr << "file       " << visible(model) << '\n';
 }
 
 /// Returns what prints each warning once, under --quiet too: a command may read its model twice.
@@ -50,6 +53,17 @@ void find_models(CommandLine& line) {
   if (line.list) find(line.list->path, true);
 }
 
+FileError no_memory() {
+  return FileError(
+      "there is not enough memory; raise its limit (see ulimit -v), or use fewer --threads");
+}
+
+/// True if there was no room for the stack of a thread, for example.
+bool is_want_of_memory(const std::system_error& error) {
+  return error.code() == std::errc::resource_unavailable_try_again ||
+         error.code() == std::errc::not_enough_memory;
+}
+
 }  // namespace
 
 int run_command_line(CommandLine line, const std::string& typed) {
@@ -71,7 +85,7 @@ int run_command_line(CommandLine line, const std::string& typed) {
 
 int report_errors(const std::function<int()>& run, const std::string& where, ErrorFormat format) {
   const auto complain = [&](const std::exception& error, ExitCode code, const char* lead = "") {
-    std::cerr << where << lead << error.what() << '\n';
+    std::cerr << where << lead << visible(error.what(), true) << '\n';
     if (format == ErrorFormat::kJson) std::cout << json_error(error, code) << std::endl;
     return static_cast<int>(code);
   };
@@ -86,13 +100,18 @@ int report_errors(const std::function<int()>& run, const std::string& where, Err
   } catch (const FileError& error) {
     return complain(error, kFileError);
   } catch (const NoCompiler& error) {
-    return complain(error, kInternalFault,
+    return complain(error, kFileError,
                     "no compiler is available; use --engine interpreted, which needs none: ");
   } catch (const CompileError& error) {
     const int code =
         complain(error, kInternalFault, "internal error: the generated kernel did not compile\n");
     if (!error.text().empty()) std::cerr << "--- the text ---\n" << error.text();
     return code;
+  } catch (const std::bad_alloc&) {
+    return complain(no_memory(), kFileError);
+  } catch (const std::system_error& error) {
+    if (is_want_of_memory(error)) return complain(no_memory(), kFileError);
+    return complain(error, kInternalFault, "internal error: ");
   } catch (const std::exception& error) {
     return complain(error, kInternalFault, "internal error: ");
   }

@@ -11,6 +11,7 @@
 #include "codegen/margin/margin_report.hpp"
 #include "codegen/margin/prepared_margin.hpp"
 #include "codegen/report/paving_options.hpp"
+#include "codegen/report/report_text.hpp"
 #include "codegen/support/errors.hpp"
 #include "codegen/support/stopwatch.hpp"
 #include "codegen/trajectory/read_trajectory.hpp"
@@ -45,11 +46,11 @@ std::optional<int> run_trajectory_check(const CheckCommand& command) {
                        !command.certificate.empty(), &interrupt.requested());
   const TrajectoryCertificate certificate(command.certificate, check);
   if (!command.output.quiet)
-    std::cerr << format_trajectory(check, command.search) << certificate.line();
+    print_report(format_trajectory(check, command.search) + certificate.line());
   if (command.output.json) {
     nlohmann::ordered_json report = json_trajectory(check, command.search);
     certificate.add_to(report);
-    std::cout << report.dump(command.output.json_indent) << '\n';
+    std::cout << report_text(report, command.output.json_indent) << '\n';
   } else {
     print_answer(name(check.verdict), exit_code_of(check.verdict));
   }
@@ -76,15 +77,14 @@ std::optional<int> run_trajectory_locate(const LocateCommand& command) {
   const nlohmann::ordered_json summary = json_path_paving(paving, command.search);
   if (lines.wanted()) {
     for (const PathStretch& stretch : paving.stretches)
-      lines.stream() << json_stretch(paving, stretch).dump() << '\n';
-    lines.stream() << nlohmann::ordered_json{{"summary", summary}}.dump() << '\n';
-    if (!lines.stream().flush()) throw FileError("cannot write " + lines.name());
-    lines.require_in_place();
+      lines.stream() << report_text(json_stretch(paving, stretch)) << '\n';
+    lines.stream() << report_text({{"summary", summary}}) << '\n';
+    lines.finish();
   }
   const std::string verdict = std::string(name(paving.check.verdict)) + '\n';
-  if (!command.output.quiet) std::cerr << format_path_paving(paving, command.search);
+  if (!command.output.quiet) print_report(format_path_paving(paving, command.search));
   if (command.output.json)
-    std::cout << summary.dump(command.output.json_indent) << '\n';
+    std::cout << report_text(summary, command.output.json_indent) << '\n';
   else if (!lines.is_standard_output() || !command.output.quiet)
     (lines.is_standard_output() ? std::cerr : std::cout) << verdict;
   std::cout.flush();
@@ -104,10 +104,10 @@ int run_trajectory_margin(const MarginCommand& command, const MarginQuestion& qu
                            [quiet](const MarginStep& step) {
                              if (!quiet) std::cerr << format_step(step);
                            });
-  if (!quiet) std::cerr << format_trajectory_margin(found, question, command.search);
+  if (!quiet) print_report(format_trajectory_margin(found, question, command.search));
   if (command.output.json)
-    std::cout << json_trajectory_margin(found, question, command.search, gap)
-                     .dump(command.output.json_indent)
+    std::cout << report_text(json_trajectory_margin(found, question, command.search, gap),
+                             command.output.json_indent)
               << '\n';
   else
     std::cout << describe_bracket(question, found.margin) << '\n';

@@ -7,6 +7,7 @@
 #include "codegen/certificate/verification_report.hpp"
 #include "codegen/command/answer.hpp"
 #include "codegen/command/commands.hpp"
+#include "codegen/report/report_text.hpp"
 
 namespace regulus::inline command {
 namespace {
@@ -56,12 +57,10 @@ int run_verify(const VerifyCommand& command, const VerifiedPart& part) {
   if (request.options.progress) std::cerr << "\r\033[K";
   const Verification& verification = verified.verification;
   if (!command.output.quiet)
-    std::cerr << verifier::describe(verification) << model_lines(command, verified);
+    print_report(verifier::describe(verification) + model_lines(command, verified));
   if (command.output.json)
     // Labels are untrusted bytes.
-    std::cout << json_verification(request, verified)
-                     .dump(command.output.json_indent, ' ', false,
-                           nlohmann::ordered_json::error_handler_t::replace)
+    std::cout << report_text(json_verification(request, verified), command.output.json_indent)
               << '\n';
   else
     print_answer(verifier::name(verification.outcome), static_cast<int>(verification.outcome));

@@ -1,11 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "codegen/cpp/write_files.hpp"
 
-#include <unistd.h>
-
 #include <system_error>
 
 #include "codegen/support/errors.hpp"
+#include "codegen/support/visible_text.hpp"
 #include "runtime/files/atomic_file.hpp"
 
 namespace regulus::inline cpp {
@@ -29,7 +28,7 @@ auto name_in_errors(const fs::path& path, Write write) {
 
 AtomicFile written_beside(const fs::path& path, const std::string& text) {
   return name_in_errors(path, [&] {
-    AtomicFile file(path, path.string() + ".part" + std::to_string(::getpid()));
+    AtomicFile file(path.string());
     file.write(text);
     return file;
   });
@@ -37,6 +36,9 @@ AtomicFile written_beside(const fs::path& path, const std::string& text) {
 
 /// Escapes a path for a rule of a makefile.
 std::string escaped(const std::string& path) {
+  if (path.find('\n') != std::string::npos)
+    throw FileError("--depfile: a rule cannot name a file whose path has a line break; rename " +
+                    visible(path));
   std::string text;
   for (const char c : path) {
     if (c == ' ' || c == '#') text += '\\';
@@ -59,11 +61,6 @@ void write_files(const fs::path& folder, const std::vector<GeneratedFile>& files
   }
   for (std::size_t i = 0; i < files.size(); ++i)
     name_in_errors(folder / files[i].name, [&] { waiting[i].put_in_place(); });
-}
-
-void write_file(const fs::path& path, const std::string& text) {
-  AtomicFile file = written_beside(path, text);
-  name_in_errors(path, [&] { file.put_in_place(); });
 }
 
 std::string dependency_text(const fs::path& folder, const std::vector<GeneratedFile>& files,

@@ -16,10 +16,9 @@ namespace regulus::inline cpp {
 /// Throws    FileError.
 void write_files(const std::filesystem::path& folder, const std::vector<GeneratedFile>& files);
 
-/// Writes one file in the same way.
-void write_file(const std::filesystem::path& path, const std::string& text);
-
 /// Returns the rule for `make` and Ninja that the files in the folder depend on the input.
+///
+/// Throws    FileError for a path with a line break, which no rule can name.
 [[nodiscard]] std::string dependency_text(const std::filesystem::path& folder,
                                           const std::vector<GeneratedFile>& files,
                                           const std::string& input);

@@ -2,7 +2,6 @@
 #include "codegen/feasibility/force_certificate.hpp"
 
 #include <fmt/format.h>
-#include <unistd.h>
 
 #include <nlohmann/json.hpp>
 #include <system_error>
@@ -63,7 +62,7 @@ ForceCertificate::ForceCertificate(const std::string& path, const PreparedForces
 
 void ForceCertificate::open(const std::string& verdict) try {
   file_.reset();
-  file_.emplace(path_, fmt::format("{}.{}.new", path_, ::getpid()));
+  file_.emplace(path_);
   file_->write(question_.head(verdict));
 } catch (const std::system_error& error) {
   fail(path_, error.what());

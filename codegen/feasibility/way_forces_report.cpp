@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <fmt/format.h>
-#include <unistd.h>
 
 #include <algorithm>
 #include <nlohmann/json.hpp>
@@ -71,7 +70,7 @@ std::string format_deciding(const WayForces& found) {
 }
 
 void write(const std::string& path, const std::string& text) try {
-  AtomicFile file(path, fmt::format("{}.{}.new", path, ::getpid()));
+  AtomicFile file(path);
   file.write(text);
   file.put_in_place_durably();
 } catch (const std::system_error& error) {

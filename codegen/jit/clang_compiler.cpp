@@ -56,7 +56,9 @@ CompiledObject ClangCompiler::compile(const Compilation& compilation) const {
                                       compilation.passes.c_str(),
                                       compilation.optimises_code ? 1 : 0};
   const regulus_clang_sink sink = sink_into(result);
-  if (compile_text(&request, &sink) != 0) result.object.clear();
+  const int code = compile_text(&request, &sink);
+  require_memory(code);
+  if (code != 0) result.object.clear();
   return result;
 }
 

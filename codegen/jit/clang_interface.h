@@ -6,7 +6,10 @@
 #include <stddef.h>
 
 /// Changes with every incompatible change of this file; the loader refuses another number.
-enum { REGULUS_CLANG_INTERFACE = 6 };
+enum { REGULUS_CLANG_INTERFACE = 7 };
+
+/// What a compilation returns if memory ran out, which says nothing about the text.
+enum { REGULUS_CLANG_NO_MEMORY = 2 };
 
 /// Bytes with a length; `data` is also followed by a zero.
 typedef struct regulus_bytes {

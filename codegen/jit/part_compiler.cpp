@@ -41,7 +41,9 @@ CompiledObjects PartCompiler::compile(const std::vector<std::string_view>& parts
   for (const std::string_view part : parts) bytes.push_back(bytes_of(part));
   const regulus_parts_request request{bytes.data(), bytes.size(), bytes_of(name(isa))};
   const regulus_clang_sink sink = sink_into(result);
-  if (compile_parts(&request, &sink) != 0) result.objects.clear();
+  const int code = compile_parts(&request, &sink);
+  require_memory(code);
+  if (code != 0) result.objects.clear();
   return result;
 }
 

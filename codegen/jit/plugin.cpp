@@ -74,4 +74,9 @@ void* open_plugin(const std::filesystem::path& plugin, const char* symbol, doubl
   return function;
 }
 
+void require_memory(int code) {
+  if (code == REGULUS_CLANG_NO_MEMORY)
+    throw CompilerUnavailable("there is not enough memory to compile (see ulimit -v)");
+}
+
 }  // namespace regulus::jit

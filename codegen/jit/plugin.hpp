@@ -11,7 +11,7 @@
 
 namespace regulus::inline jit {
 
-/// The plugin cannot be opened: the installation is incomplete.
+/// The plugin cannot be opened, because the installation is incomplete, or memory ran out.
 class CompilerUnavailable : public std::runtime_error {
  public:
   using std::runtime_error::runtime_error;
@@ -29,6 +29,9 @@ class CompilerUnavailable : public std::runtime_error {
 /// Throws    CompilerUnavailable.
 [[nodiscard]] void* open_plugin(const std::filesystem::path& plugin, const char* symbol,
                                 double& seconds);
+
+/// Throws    CompilerUnavailable if that is what a compilation returned.
+void require_memory(int code);
 
 /// Sets the default floating-point environment for its lifetime, whatever the caller or the
 /// compiler sets.

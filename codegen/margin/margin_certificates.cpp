@@ -23,8 +23,8 @@ void with_file(Action action) {
 }  // namespace
 
 MarginCertificates::MarginCertificates(std::string path, const MarginRequest& request,
-                                       const ReportLabels& subject)
-    : path_(std::move(path)), request_(request), uncertain_(uncertain_names(subject)) {
+                                       const ReportLabels& subject, HeldFiles* held)
+    : path_(std::move(path)), request_(request), uncertain_(uncertain_names(subject)), held_(held) {
   if (!wanted()) return;
   // Checked before the first search, which may take long.
   for (const char* ending : {kSafe, kSingular})
@@ -46,8 +46,19 @@ Observer* MarginCertificates::watch(const MarginValue& value) {
   search_.reset();
   obstacle_ = certificate_obstacle(question);
   if (!obstacle_.empty()) return nullptr;
-  with_file([&] { search_.emplace(path_ + kSafe, std::move(question)); });
-  return &*search_;
+  with_file(
+      [&] { search_ = std::make_shared<CertificateWriter>(path_ + kSafe, std::move(question)); });
+  return search_.get();
+}
+
+void MarginCertificates::finish(std::shared_ptr<CertificateWriter> writer,
+                                const Result& result) const {
+  bool claims = false;
+  with_file([&] { claims = writer->complete(result); });
+  const std::string path = writer->path();
+  if (claims)
+    hold_or_put(held_, path,
+                [writer = std::move(writer)] { with_file([&] { writer->put_in_place(); }); });
 }
 
 void MarginCertificates::finish(const MarginValue& value, const Result& result) {
@@ -56,14 +67,15 @@ void MarginCertificates::finish(const MarginValue& value, const Result& result) 
     obstacle_ = certificate_obstacle(question_at(value), result.verdict == Verdict::kSingularity);
   if (!obstacle_.empty()) return;
   if (result.verdict == Verdict::kNoSingularity) {
-    with_file([&] { static_cast<void>(search_->finish(result)); });
+    finish(std::move(search_), result);
     safe_ = {path_ + kSafe, value.text};
   }
   if (result.verdict == Verdict::kSingularity) {
+    std::shared_ptr<CertificateWriter> writer;
     with_file([&] {
-      CertificateWriter writer(path_ + kSingular, question_at(value));
-      static_cast<void>(writer.finish(result));
+      writer = std::make_shared<CertificateWriter>(path_ + kSingular, question_at(value));
     });
+    finish(std::move(writer), result);
     singular_ = {path_ + kSingular, value.text};
   }
   search_.reset();

@@ -2,6 +2,7 @@
 // The option --certificate of `regulus margin`: a proof of each end of the bracket.
 #pragma once
 
+#include <memory>
 #include <optional>
 #include <set>
 #include <string>
@@ -10,16 +11,18 @@
 #include "codegen/margin/end_proofs.hpp"
 #include "codegen/margin/margin_question.hpp"
 #include "codegen/support/earlier_outputs.hpp"
+#include "codegen/support/held_files.hpp"
 #include "runtime/certificate/writer.hpp"
 
 namespace regulus::inline bracketing {
 
-/// FILE.safe and FILE.singular. Each file is replaced as a whole if its end of the bracket moves.
-/// So it is always a proof of an end, though perhaps not of the last one.
+/// FILE.safe and FILE.singular: proofs of the ends at which the run stops.
 class MarginCertificates {
  public:
-  /// `path` empty: none are wanted. Throws FileError if a file cannot be created there.
-  MarginCertificates(std::string path, const MarginRequest& request, const ReportLabels& subject);
+  /// `path` empty: none are wanted. `held`: where the proofs wait for the end of the run; null: each
+  /// is put in place at once. Throws FileError if a file cannot be created there.
+  MarginCertificates(std::string path, const MarginRequest& request, const ReportLabels& subject,
+                     HeldFiles* held = nullptr);
 
   /// Returns the files of `path`; none if it is empty.
   [[nodiscard]] static std::vector<OutputFile> files(const std::string& path);
@@ -42,11 +45,13 @@ class MarginCertificates {
   };
 
   [[nodiscard]] CertifiedQuestion question_at(const MarginValue& value) const;
+  void finish(std::shared_ptr<CertificateWriter> writer, const Result& result) const;
 
   std::string path_;
   const MarginRequest& request_;
   std::set<std::string> uncertain_;
-  std::optional<CertificateWriter> search_;
+  HeldFiles* held_;
+  std::shared_ptr<CertificateWriter> search_;
   std::optional<Proved> safe_, singular_;
   std::string obstacle_;  ///< why this question can have no certificate
 };

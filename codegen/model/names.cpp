@@ -5,6 +5,7 @@
 #include <numeric>
 
 #include "codegen/model/real_functions.hpp"
+#include "codegen/support/visible_text.hpp"
 
 namespace regulus::inline model {
 namespace {
@@ -105,10 +106,8 @@ std::string in_quotes(std::string_view text) {
 }
 
 bool is_label(std::string_view text) noexcept {
-  return text.size() <= kLongestLabel && std::ranges::none_of(text, [](char c) {
-           const auto byte = static_cast<unsigned char>(c);
-           return byte < 0x20 || byte == 0x7f || byte == '\\';
-         });
+  return text.size() <= kLongestLabel && text.find('\\') == std::string_view::npos &&
+         visible(text) == text;
 }
 
 }  // namespace regulus::model

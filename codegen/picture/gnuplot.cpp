@@ -4,23 +4,18 @@
 #include <fcntl.h>
 #include <sys/mman.h>
 #include <sys/socket.h>
-#include <sys/stat.h>
 #include <unistd.h>
 
 #include <array>
 #include <cerrno>
-#include <cstring>
 #include <string_view>
 #include <system_error>
 
 #include "codegen/support/errors.hpp"
+#include "codegen/support/file_descriptor.hpp"
 
 namespace regulus::inline picture {
 namespace {
-
-FileError system_error(const std::string& what, int error) {
-  return FileError(what + ": " + std::strerror(error));
-}
 
 FileError cannot_start(const std::system_error& error) {
   if (error.code() != std::errc::no_such_file_or_directory)
@@ -29,31 +24,44 @@ FileError cannot_start(const std::system_error& error) {
       "gnuplot, which draws the pictures, was not found. On Debian: apt-get install gnuplot-nox");
 }
 
+AtomicFile opened(const std::string& picture) try {
+  return AtomicFile(picture);
+} catch (const std::system_error& error) {
+  throw FileError(picture + " cannot " + error.what());
+}
+
+/// A gnuplot that could not write all of a picture reports nothing.
+bool is_whole(const std::string& drawing, const std::string& file) {
+  const std::string_view ending = file.ends_with(".png")   ? "IEND\xae\x42\x60\x82"
+                                  : file.ends_with(".pdf") ? "%%EOF"
+                                                           : "</svg>";
+  const std::size_t end = drawing.find_last_not_of(" \n\r") + 1;
+  return std::string_view(drawing).substr(0, end).ends_with(ending);
+}
+
 }  // namespace
 
-Gnuplot::Gnuplot(const std::string& picture) : picture_(picture) {
-  constexpr int kWriting = O_WRONLY | O_CREAT | O_CLOEXEC;
-  file_ = open(picture.c_str(), kWriting | O_EXCL, 0666);
-  leaves_nothing_ = file_ >= 0;
-  if (file_ < 0) file_ = open(picture.c_str(), kWriting, 0666);
-  if (file_ < 0) throw system_error("cannot write " + picture, errno);
-  std::array<int, 2> ends{-1, -1};
-  drawing_ = memfd_create("gnuplot-drawing", MFD_CLOEXEC);
-  errors_ = memfd_create("gnuplot-errors", MFD_CLOEXEC);
-  const bool opened = drawing_ >= 0 && errors_ >= 0 &&
-                      socketpair(AF_UNIX, SOCK_STREAM | SOCK_CLOEXEC, 0, ends.data()) == 0;
-  const int error = errno;
-  input_ = ends[0];
+Gnuplot::Gnuplot(const std::string& picture) : picture_(picture), file_(opened(picture)) {
   try {
-    if (!opened) throw std::system_error(error, std::generic_category());
-    process_.emplace(std::vector<std::string>{"gnuplot"},
-                     StandardStreams{ends[1], drawing_, errors_});
+    start();
   } catch (const std::system_error& failure) {
-    if (ends[1] >= 0) close(ends[1]);
     close_all();
     throw cannot_start(failure);
   }
-  close(ends[1]);
+}
+
+/// -d: a file ~/.gnuplot or gnuplotrc could send the picture elsewhere.
+void Gnuplot::start() {
+  std::array<int, 2> ends{-1, -1};
+  drawing_ = memfd_create("gnuplot-drawing", MFD_CLOEXEC);
+  errors_ = memfd_create("gnuplot-errors", MFD_CLOEXEC);
+  if (drawing_ < 0 || errors_ < 0 ||
+      socketpair(AF_UNIX, SOCK_STREAM | SOCK_CLOEXEC, 0, ends.data()) != 0)
+    throw std::system_error(errno, std::generic_category());
+  input_ = ends[0];
+  const FileDescriptor other_end(ends[1]);
+  process_.emplace(std::vector<std::string>{"gnuplot", "-d"},
+                   StandardStreams{other_end.get(), drawing_, errors_});
 }
 
 Gnuplot::~Gnuplot() {
@@ -62,12 +70,8 @@ Gnuplot::~Gnuplot() {
   close_all();
 }
 
-/// If no picture was drawn, no empty file remains, and an earlier picture is unchanged.
 void Gnuplot::close_all() noexcept {
-  struct stat status {};
-  if (leaves_nothing_ && fstat(file_, &status) == 0 && status.st_nlink > 0)
-    unlink(picture_.c_str());
-  for (const int descriptor : {file_, input_, drawing_, errors_})
+  for (const int descriptor : {input_, drawing_, errors_})
     if (descriptor >= 0) close(descriptor);
 }
 
@@ -94,33 +98,36 @@ void Gnuplot::draw(const std::string& commands) {
   shutdown(input_, SHUT_WR);
   if (process_->wait() != 0 || !sent)
     throw FileError("gnuplot could not draw " + picture_ + complaint());
-  write_picture();
+  const std::string picture = drawing();
+  if (!is_whole(picture, picture_))
+    throw FileError("gnuplot did not finish " + picture_ +
+                    "; look for a limit of file size (ulimit -f) or of memory" + complaint());
+  try {
+    file_.write(picture);
+    file_.put_in_place();
+  } catch (const std::system_error& error) {
+    throw FileError(picture_ + " cannot " + error.what());
+  }
 }
 
-void Gnuplot::write_picture() {
-  struct stat before {};
-  if (fstat(file_, &before) == 0 && S_ISREG(before.st_mode) && ftruncate(file_, 0) != 0)
-    throw system_error("cannot write " + picture_, errno);
+/// Returns what gnuplot has drawn; a part of it is found to be incomplete.
+std::string Gnuplot::drawing() const {
+  std::string picture;
   std::array<char, 65536> part{};
-  for (off_t at = 0;;) {
-    const ssize_t size = pread(drawing_, part.data(), part.size(), at);
-    if (size == 0) break;
-    const ssize_t written = size < 0 ? -1 : write(file_, part.data(), std::size_t(size));
-    if (written < 0 && errno == EINTR) continue;
-    if (written <= 0) throw system_error("cannot write " + picture_, errno);
-    at += written;
+  for (;;) {
+    const ssize_t size = pread(drawing_, part.data(), part.size(), off_t(picture.size()));
+    if (size < 0 && errno == EINTR) continue;
+    if (size <= 0) return picture;
+    picture.append(part.data(), std::size_t(size));
   }
-  struct stat status {};
-  if (fstat(file_, &status) != 0 || status.st_nlink == 0)
-    throw FileError(picture_ + " was removed before it was drawn");
-  leaves_nothing_ = false;
 }
 
 std::string Gnuplot::quoted(const std::string& text) {
   std::string result = "'";
   for (const char c : text) {
     if (static_cast<unsigned char>(c) < 0x20 || c == 0x7f) continue;
-    result += c == '\'' ? "''" : std::string(1, c);
+    if (c == '>' && result.ends_with("]]")) result += "\u200b";
+    result += c == '\'' ? "'.quote.'" : std::string(1, c);
   }
   return result + "'";
 }

@@ -126,7 +126,8 @@ std::string picture_commands(const std::string& file, const PreparedSearch& p,
                              const PictureOptions& options, const Volumes& volumes,
                              const std::deque<Canvas>& canvases) {
   const Grid grid = grid_of(canvases.size());
-  return "set encoding utf8\n" + terminal(file, grid) + "newline = \"\\n\"\n" + "set xlabel " +
+  return "set encoding utf8\n" + terminal(file, grid) + "newline = \"\\n\"\n" +
+         Gnuplot::kQuoteCommand + "set xlabel " +
          Gnuplot::quoted(axis_of(p, options.drawn[0]).label()) +
          "\nset key at screen 0.5, screen 0.02 center bottom horizontal Left reverse samplen 1.5 " +
          key_title(options) +

@@ -15,7 +15,7 @@ auto with_file(const std::string& name, Step step) {
   try {
     return step();
   } catch (const std::system_error& error) {
-    throw FileError("cannot write " + name + ": it cannot " + error.what());
+    throw FileError(name + " cannot " + error.what());
   }
 }
 
@@ -33,7 +33,7 @@ Pictures::Pictures(const PictureRequest& request, const PavingOptions& paving,
 
 void Pictures::open(const std::string& file) {
   if (is_grid_file(file))
-    grids_.push_back({file, with_file(file, [&] { return AtomicFile(file, file + ".partial"); })});
+    grids_.push_back({file, with_file(file, [&] { return AtomicFile(file); })});
   else
     drawings_.push_back({file, std::make_unique<Gnuplot>(file)});
 }

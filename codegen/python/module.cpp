@@ -9,6 +9,7 @@
 #include "codegen/python/calls.hpp"
 #include "codegen/python/loads.hpp"
 #include "codegen/python/pavings.hpp"
+#include "codegen/support/write_file.hpp"
 #include "regulus/version.hpp"
 
 namespace regulus::inline python {
@@ -260,6 +261,10 @@ void bind_files(py::module_& module) {
       },
       py::arg("path"), py::arg("base"), py::arg("tip"), py::arg("cuts"), py::arg("actuated"),
       py::arg("snap"));
+  module.def(
+      "write_file",
+      [](const py::bytes& path, const std::string& text) { write_file(std::string(path), text); },
+      py::arg("path"), py::arg("text"));
   module.def(
       "describe_model",
       [](const Question& question) {

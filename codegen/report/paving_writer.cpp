@@ -3,6 +3,7 @@
 
 #include "codegen/report/paving_report.hpp"
 #include "codegen/report/report_parts.hpp"
+#include "codegen/report/report_text.hpp"
 #include "codegen/report/undefined_report.hpp"
 #include "codegen/report/witness_report.hpp"
 #include "codegen/support/errors.hpp"
@@ -25,7 +26,7 @@ Json json_determinant(const std::optional<Interval>& determinant) {
 }  // namespace
 
 void PavingWriter::write(const Json& line) {
-  out_ << line.dump() << '\n';
+  out_ << report_text(line) << '\n';
   if (!out_) failed_ = true;
 }
 
@@ -84,8 +85,7 @@ void PavingWriter::on_open(const OpenBox& box) noexcept {
 
 void PavingWriter::finish(const Json& summary, const std::string& file) {
   if (!failed_) write({{"summary", summary}});
-  out_.flush();
-  if (failed_ || !out_) throw FileError("cannot write " + file);
+  if (failed_ && out_) throw FileError(file + " cannot be written: not enough memory");
 }
 
 }  // namespace regulus::report

@@ -22,7 +22,8 @@ class PavingWriter final : public Observer {
   void on_leaf(const OpenBox& box, Rule rule, const Proof& proof) noexcept override;
   void on_open(const OpenBox& box) noexcept override;
 
-  /// Writes the last line. Throws FileError if this or any line before it could not be written.
+  /// Writes the last line. Throws FileError if a line is missing for another reason than that which
+  /// the stream has.
   void finish(const nlohmann::ordered_json& summary, const std::string& file);
 
  private:

@@ -6,7 +6,6 @@
 #include <algorithm>
 #include <charconv>
 #include <filesystem>
-#include <fstream>
 #include <iostream>
 #include <nlohmann/json.hpp>
 
@@ -19,10 +18,12 @@
 #include "codegen/model/request.hpp"
 #include "codegen/quantity/quantity.hpp"
 #include "codegen/report/report_parts.hpp"
+#include "codegen/report/report_text.hpp"
 #include "codegen/shell/kept_options.hpp"
 #include "codegen/shell/shell_words.hpp"
 #include "codegen/shell/text_editor.hpp"
 #include "codegen/support/exit_code.hpp"
+#include "codegen/support/write_file.hpp"
 #include "regulus/version.hpp"
 
 namespace regulus::inline shell {
@@ -140,14 +141,14 @@ int ShellSession::load(const Words& words) {
   const auto names = motion_names(*asked_.model);
   say(fmt::format("{}: {}×{}, motions {}", asked_.model->name, asked_.model->matrix.rows(),
                   asked_.model->matrix.cols(), listed(names)),
-      Json{{"model", asked_.model->name}, {"path", asked_.path}, {"motions", names}}.dump());
+      report_text({{"model", asked_.model->name}, {"path", asked_.path}, {"motions", names}}));
   return 0;
 }
 
 int ShellSession::motions(const Words&) {
   require_model();
   const auto names = motion_names(*asked_.model);
-  say(fmt::format("{}", fmt::join(names, "\n")), Json{{"motions", names}}.dump());
+  say(fmt::format("{}", fmt::join(names, "\n")), report_text({{"motions", names}}));
   return 0;
 }
 
@@ -164,9 +165,7 @@ int ShellSession::motion(const Words& words) {
 int ShellSession::save(const Words& words) {
   require_model();
   if (words.size() != 2) refuse(rest_of(words, 0), "save FILE");
-  std::ofstream file(words[1], std::ios::binary);
-  file << asked_.text;
-  if (!file.flush()) throw FileError("cannot write " + words[1]);
+  write_file(words[1], asked_.text);
   return 0;
 }
 
@@ -225,11 +224,10 @@ int ShellSession::prepare_again() {
       p.cache == "hit" ? "unchanged or known"
       : functions == 0 ? "interpreted"
                        : fmt::format("{} of {} functions compiled", p.parts.compiled, functions);
-  say(format_time(spent) + "kernel     " + kernel, Json{{"seconds", json_seconds(spent)},
-                                                        {"cache", p.cache},
-                                                        {"functions", functions},
-                                                        {"compiled", p.parts.compiled}}
-                                                       .dump());
+  say(format_time(spent) + "kernel     " + kernel, report_text({{"seconds", json_seconds(spent)},
+                                                                {"cache", p.cache},
+                                                                {"functions", functions},
+                                                                {"compiled", p.parts.compiled}}));
   return 0;
 }
 
@@ -262,7 +260,7 @@ int ShellSession::show(const Words& words) {
 }
 
 int ShellSession::history(const Words&) {
-  say(fmt::format("{}", fmt::join(history_, "\n")), Json{{"history", history_}}.dump());
+  say(fmt::format("{}", fmt::join(history_, "\n")), report_text({{"history", history_}}));
   return 0;
 }
 
@@ -294,7 +292,7 @@ int ShellSession::help(const Words& words) {
   for (const Entry& entry : table())
     if (words.size() > 1 && words[1] == entry.name) text = help_about(entry);
   if (text.empty()) reject("unknown command " + in_quotes(words[1]), kListCommands);
-  say(text, Json{{"help", text}}.dump());
+  say(text, report_text({{"help", text}}));
   return 0;
 }
 

@@ -8,6 +8,7 @@
 #include "codegen/model/names.hpp"
 #include "codegen/model/request.hpp"
 #include "codegen/report/model_report.hpp"
+#include "codegen/report/report_text.hpp"
 #include "codegen/shell/kept_options.hpp"
 #include "codegen/shell/shell_session.hpp"
 #include "codegen/shell/shell_words.hpp"
@@ -96,7 +97,7 @@ int ShellSession::show_settings() {
     text += fmt::format("\n{}{}{}", s.option, s.value.empty() ? "" : " ", s.value);
     json["settings"].push_back({{"option", s.option}, {"value", s.value}});
   }
-  say(text, json.dump());
+  say(text, report_text(json));
   return 0;
 }
 

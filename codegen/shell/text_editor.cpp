@@ -1,15 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "codegen/shell/text_editor.hpp"
 
-#include <unistd.h>
-
 #include <cstdlib>
-#include <filesystem>
 #include <fstream>
 #include <iterator>
 
 #include "codegen/support/errors.hpp"
+#include "codegen/support/scratch_folder.hpp"
 #include "codegen/support/subprocess.hpp"
+#include "codegen/support/write_file.hpp"
 
 namespace regulus::inline shell {
 namespace {
@@ -17,20 +16,7 @@ namespace {
 /// A file only for its owner, with the extension that editors know for model files.
 class DraftFile {
  public:
-  explicit DraftFile(const std::string& text) {
-    std::error_code error;
-    const std::filesystem::path folder = std::filesystem::temp_directory_path(error);
-    path_ = ((error ? "/tmp" : folder) / "regulus-XXXXXX.toml").string();
-    const int file = mkstemps(path_.data(), 5);
-    if (file < 0) throw FileError("cannot write " + path_);
-    close(file);
-    std::ofstream stream(path_, std::ios::binary);
-    stream << text;
-    if (!stream.flush()) throw FileError("cannot write " + path_);
-  }
-  ~DraftFile() { unlink(path_.c_str()); }
-  DraftFile(const DraftFile&) = delete;
-  DraftFile& operator=(const DraftFile&) = delete;
+  explicit DraftFile(const std::string& text) { write_file(path_, text); }
 
   [[nodiscard]] const std::string& path() const noexcept { return path_; }
   [[nodiscard]] std::string text() const {
@@ -41,7 +27,8 @@ class DraftFile {
   }
 
  private:
-  std::string path_;
+  const ScratchFolder folder_;
+  const std::string path_ = folder_.path() / "model.toml";
 };
 
 std::string editor() {

@@ -2,20 +2,62 @@
 #include "codegen/support/earlier_outputs.hpp"
 
 #include <filesystem>
+#include <map>
 #include <system_error>
 
 #include "codegen/support/errors.hpp"
+#include "runtime/files/atomic_file.hpp"
+#include "runtime/files/temporary.hpp"
 
 namespace regulus::inline support {
 namespace {
 
 namespace fs = std::filesystem;
 
-void require_other_file(const std::string& model, const OutputFile& output) {
+/// Returns every name that the run, or an earlier one, gives to a file or a folder of this output.
+std::vector<std::string> names_of(const OutputFile& output) {
+  const std::string& path = output.path;
+  if (output.continues) return {path, path + ".lock"};
+  const std::string old = path + kEarlierEnding;
+  std::vector<std::string> names = {path, old};
+  if (output.must_be_file) names.insert(names.end(), {path + ".partial", path + ".lock"});
+  if (!output.parts_ending.empty())
+    names.insert(names.end(), {path + output.parts_ending, old + output.parts_ending});
+  return names;
+}
+
+std::string canonical(const std::string& path) {
   std::error_code none;
-  if (!model.empty() && fs::equivalent(model, output.path, none))
-    throw UsageError(output.option + ": " + output.path +
-                     " is the model file; name another file to write");
+  return fs::weakly_canonical(fs::absolute(path, none), none).string();
+}
+
+/// Links to it are the same file.
+void require_no_input(const std::vector<std::string>& inputs, const OutputFile& output) {
+  std::error_code none;
+  for (const std::string& name : names_of(output))
+    for (const std::string& input : inputs)
+      if (!input.empty() &&
+          (fs::equivalent(input, name, none) || canonical(input) == canonical(name)))
+        throw UsageError(output.option + ": this run reads " + name +
+                         "; name another file to write");
+}
+
+/// `taken`: the names of other outputs, with their options; those of this one are added.
+void require_own_names(const OutputFile& output, std::map<std::string, std::string>& taken) {
+  for (const std::string& name : names_of(output))
+    if (const auto other = taken.find(canonical(name)); other != taken.end())
+      throw UsageError(other->second + " and " + output.option + ": both would write " + name +
+                       "; name two files");
+  for (const std::string& name : names_of(output)) taken.emplace(canonical(name), output.option);
+}
+
+/// Returns those that are files; a device may have any number of outputs.
+std::vector<OutputFile> files_of(const std::vector<OutputFile>& outputs) {
+  std::vector<OutputFile> files;
+  for (const OutputFile& output : outputs)
+    if (!output.path.empty() && (output.must_be_file || !is_stream(output.path)))
+      files.push_back(output);
+  return files;
 }
 
 [[noreturn]] void fail(const OutputFile& output, const std::string& folder,
@@ -39,7 +81,7 @@ void remove_parts(const OutputFile& output, const std::string& folder) {
 /// Moves or removes the parts of an earlier file, before that file is moved.
 void set_parts_aside(const OutputFile& output, bool file_exists) {
   const std::string folder = output.path + output.parts_ending;
-  const std::string old = output.path + ".old" + output.parts_ending;
+  const std::string old = output.path + kEarlierEnding + output.parts_ending;
   if (!file_exists) return remove_parts(output, folder);
   remove_parts(output, old);
   std::error_code error;
@@ -53,25 +95,28 @@ void set_aside(const OutputFile& output) {
   const fs::file_status status = fs::status(output.path, error);
   if (!output.parts_ending.empty()) set_parts_aside(output, fs::is_regular_file(status));
   if (!fs::exists(status)) return;
-  if (!fs::is_regular_file(status)) {
-    if (output.must_be_file)
-      throw FileError(output.option + ": " + output.path +
-                      " is not a regular file; name another file to write");
-    return;
-  }
-  fs::rename(output.path, output.path + ".old", error);
+  if (is_stream(output.path) || !fs::is_regular_file(status))
+    throw FileError(output.option + ": " + output.path +
+                    " is not a regular file; name another file to write");
+  const std::string old = output.path + kEarlierEnding;
+  fs::rename(output.path, old, error);
   if (error)
     throw FileError(output.option + ": the earlier file " + output.path + " cannot be renamed to " +
-                    output.path + ".old: " + error.message());
+                    old + ": " + error.message());
 }
 
 }  // namespace
 
-void set_earlier_outputs_aside(const std::string& model, const std::vector<OutputFile>& outputs) {
-  for (const OutputFile& output : outputs)
-    if (!output.path.empty()) require_other_file(model, output);
-  for (const OutputFile& output : outputs)
-    if (!output.path.empty()) set_aside(output);
+void set_earlier_outputs_aside(const std::vector<std::string>& inputs,
+                               const std::vector<OutputFile>& outputs) {
+  const std::vector<OutputFile> files = files_of(outputs);
+  std::map<std::string, std::string> taken;
+  for (const OutputFile& output : files) {
+    require_no_input(inputs, output);
+    require_own_names(output, taken);
+  }
+  for (const OutputFile& output : files)
+    if (!output.continues) set_aside(output);
 }
 
 }  // namespace regulus::support

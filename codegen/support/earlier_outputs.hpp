@@ -13,6 +13,8 @@ struct OutputFile {
   bool must_be_file = false;  ///< not a device: the file is put in place by a rename
   /// The file may have a folder of numbered parts beside it: the ending of the folder's name.
   std::string parts_ending = {};
+  /// The run goes on with the file of an earlier one, which is not renamed.
+  bool continues = false;
 };
 
 /// Renames the files of earlier runs, FILE to FILE.old. So the proof or the picture of an earlier
@@ -24,7 +26,11 @@ struct OutputFile {
 ///
 /// Call it before anything else is done. Devices and pipes stay as they are. An existing FILE.old
 /// is replaced.
-/// Throws    FileError when a file cannot be moved, or a folder of parts has other files, UsageError when it is the model file.
-void set_earlier_outputs_aside(const std::string& model, const std::vector<OutputFile>& outputs);
+///
+/// Throws    FileError when a file cannot be moved, or a folder of parts has other files; UsageError,
+///           before anything is moved, when two outputs, or an output and a file of `inputs`, would
+///           use one name. Empty paths are none.
+void set_earlier_outputs_aside(const std::vector<std::string>& inputs,
+                               const std::vector<OutputFile>& outputs);
 
 }  // namespace regulus::support

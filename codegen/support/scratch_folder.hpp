@@ -2,22 +2,23 @@
 #pragma once
 
 #include <filesystem>
+#include <optional>
+
+#include "runtime/files/temporary.hpp"
 
 namespace regulus::inline support {
 
-/// A folder of this object alone in the folder for temporary files; it is removed at the end.
+/// A folder of this object alone in the folder for temporary files; it is removed at the end. Those
+/// of processes that were killed are removed by the next one.
 class ScratchFolder {
  public:
   /// Throws    FileError.
   ScratchFolder();
-  ~ScratchFolder();
-  ScratchFolder(const ScratchFolder&) = delete;
-  ScratchFolder& operator=(const ScratchFolder&) = delete;
 
-  [[nodiscard]] const std::filesystem::path& path() const noexcept { return path_; }
+  [[nodiscard]] std::filesystem::path path() const { return folder_->path(); }
 
  private:
-  std::filesystem::path path_;
+  std::optional<TemporaryFolder> folder_;
 };
 
 }  // namespace regulus::support

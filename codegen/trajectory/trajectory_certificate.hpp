@@ -6,6 +6,7 @@
 #include <string>
 
 #include "codegen/certificate/piece_question.hpp"
+#include "codegen/support/held_files.hpp"
 #include "codegen/trajectory/trajectory_run.hpp"
 
 namespace regulus::inline trajectory {
@@ -19,10 +20,10 @@ struct CertifiedMotion {
 class TrajectoryCertificate {
  public:
   /// An empty `path` means no certificate. Writes the proof of the verdict: of all pieces, or the
-  /// singular pose on one of them. Throws FileError.
+  /// singular pose on one of them. `held`: where it waits for the end of the run. Throws FileError.
   TrajectoryCertificate(std::string path, const TrajectoryCheck& check);
   TrajectoryCertificate(std::string path, const TrajectoryCheck& check,
-                        const CertifiedMotion& motion);
+                        const CertifiedMotion& motion, HeldFiles* held = nullptr);
 
   /// The same as those of CertificateFile.
   [[nodiscard]] std::string line() const;
@@ -35,7 +36,13 @@ class TrajectoryCertificate {
   void write_singular(const TrajectoryCheck& check, const CertifiedMotion& motion);
 
   std::string path_, obstacle_;
+  HeldFiles* held_ = nullptr;
   bool written_ = false;
 };
+
+/// Writes the proof of a verdict that has a witness. Returns false if it claims nothing. Throws
+/// FileError.
+bool certify_witness(const std::string& path, CertifiedQuestion question, const Result& result,
+                     HeldFiles* held);
 
 }  // namespace regulus::trajectory

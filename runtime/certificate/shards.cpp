@@ -1,11 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "runtime/certificate/shards.hpp"
 
-#include <fcntl.h>
-#include <unistd.h>
-
 #include <cstdio>
-#include <filesystem>
 #include <fstream>
 #include <map>
 #include <optional>
@@ -17,11 +13,10 @@
 #include "runtime/certificate/proof_tree.hpp"
 #include "runtime/files/atomic_file.hpp"
 #include "runtime/files/sha256.hpp"
+#include "runtime/files/temporary.hpp"
 
 namespace regulus {
 namespace {
-
-namespace fs = std::filesystem;
 
 /// A box that waits.
 struct Waiting {
@@ -43,7 +38,7 @@ void put(std::string& text, const std::optional<double>& end) {
 /// A file that is written in parts, with its length and hash.
 class ShardOutput {
  public:
-  explicit ShardOutput(const std::string& path) : file_(path, path + ".new") {}
+  explicit ShardOutput(const std::string& path) : file_(path) {}
 
   void put(std::string_view text) {
     part_ += text;
@@ -170,45 +165,16 @@ void ShardCutter::write_shard(std::size_t shard) {
   index_ += "shard " + std::to_string(shard) + ' ' + leaves + ' ' + file.close() + '\n';
 }
 
-std::string partial_folder(const std::string& path) {
-  return path + format::kShardsEnding + ".partial";
-}
-
-/// Makes the names in a folder safe on the disk.
-void sync_folder(const fs::path& folder) {
-  const std::string name = folder.empty() ? "." : folder.string();
-  const int descriptor = ::open(name.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC);
-  const bool synced = descriptor >= 0 && ::fsync(descriptor) == 0;
-  const int error = errno;
-  if (descriptor >= 0) ::close(descriptor);
-  if (!synced) throw std::system_error(error, std::generic_category(), "be written to " + name);
-}
-
 }  // namespace
 
 std::string write_shards(const std::string& certificate, const std::string& path,
-                         std::uint64_t size) {
-  const std::string partial = partial_folder(path);
-  try {
-    remove_partial_shards(path);
-    fs::create_directory(partial);
-    std::string index = ShardCutter(certificate, partial, size).write();
-    sync_folder(partial);
-    fs::rename(partial, path + format::kShardsEnding);
-    sync_folder(fs::path(path).parent_path());
-    return index;
-  } catch (const fs::filesystem_error& error) {
-    remove_partial_shards(path);
-    throw std::runtime_error("be cut: " + error.path1().string() + ": " + error.code().message());
-  } catch (...) {
-    remove_partial_shards(path);
-    throw;
-  }
-}
-
-void remove_partial_shards(const std::string& path) noexcept {
-  std::error_code ignored;
-  fs::remove_all(partial_folder(path), ignored);
+                         std::uint64_t size) try {
+  TemporaryFolder folder(path + format::kShardsEnding);
+  std::string index = ShardCutter(certificate, folder.path(), size).write();
+  folder.put_in_place_durably(path + format::kShardsEnding);
+  return index;
+} catch (const std::system_error& error) {
+  throw std::runtime_error("be cut: " + path + format::kShardsEnding + " cannot " + error.what());
 }
 
 }  // namespace regulus

@@ -17,7 +17,4 @@ namespace regulus {
 [[nodiscard]] std::string write_shards(const std::string& certificate, const std::string& path,
                                        std::uint64_t size);
 
-/// Removes what a run that was killed has left of such a folder.
-void remove_partial_shards(const std::string& path) noexcept;
-
 }  // namespace regulus

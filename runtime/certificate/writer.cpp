@@ -9,13 +9,14 @@
 #include <cinttypes>
 #include <cstring>
 #include <new>
-#include <random>
 #include <stdexcept>
+#include <system_error>
 #include <utility>
 
 #include "runtime/certificate/format.hpp"
 #include "runtime/certificate/shards.hpp"
 #include "runtime/files/atomic_file.hpp"
+#include "runtime/files/temporary.hpp"
 
 namespace regulus {
 namespace {
@@ -53,20 +54,21 @@ std::string coordinate(const WitnessPoint& point, std::size_t k) {
   return hexadecimal(x.lo) + (x.hi != x.lo ? ':' + hexadecimal(x.hi) : "");
 }
 
-/// Makes a new file beside `path`, with a name that no other file has. It has the usual permissions
-/// of this user's files; mkstemp would let only the owner read it. The name is in `made`.
-int make_beside(const std::string& path, std::string& made) {
-  constexpr int kTries = 100;
-  std::random_device random;
-  for (int tries = 0; tries < kTries; ++tries) {
-    char ending[16];
-    std::snprintf(ending, sizeof ending, ".%08x", random());
-    made = path + ending;
-    const int flags = O_RDWR | O_CREAT | O_EXCL | O_CLOEXEC;
-    const int descriptor = ::open(made.c_str(), flags, 0666);
-    if (descriptor >= 0 || errno != EEXIST) return descriptor;
-  }
-  return -1;
+/// A file that a user or another program made is not continued: a search only continues its own.
+void require_own(int descriptor, const std::string& name) {
+  struct stat status {};
+  const bool is_known = ::fstat(descriptor, &status) == 0;
+  const char* const why = !is_known || !S_ISREG(status.st_mode) ? "it is not a regular file"
+                          : status.st_uid != ::geteuid()        ? "it belongs to another user"
+                          : status.st_nlink > 1                 ? "it has another name, too"
+                                                                : nullptr;
+  if (why != nullptr) throw std::runtime_error(name + " cannot be continued: " + why);
+}
+
+/// Renames an unfinished proof that no checkpoint continues.
+bool set_aside(const std::string& name) noexcept {
+  return ::access(name.c_str(), F_OK) != 0 ||
+         std::rename(name.c_str(), (name + kEarlierEnding).c_str()) == 0;
 }
 
 }  // namespace
@@ -104,14 +106,16 @@ const char* certificate_word(Rule rule) noexcept {
 
 CertificateWriter::CertificateWriter(std::string path, CertifiedQuestion question)
     : path_(std::move(path)), question_(std::move(question)) {
-  const int descriptor = make_beside(path_, temporary_);
-  check(descriptor >= 0, "be created");
-  file_.reset(fdopen(descriptor, "w"));
-  if (!file_) {
-    ::close(descriptor);
-    ::unlink(temporary_.c_str());
+  sweep_temporaries(path_);
+  int descriptor = -1;
+  try {
+    Temporary made = make_temporary_file(path_);
+    temporary_ = std::move(made.name);
+    descriptor = made.descriptor;
+  } catch (const std::system_error& error) {
+    throw std::runtime_error("the certificate " + path_ + " cannot " + error.what());
   }
-  check(file_ != nullptr, "be created");
+  open(descriptor, "be created");
 }
 
 CertificateWriter::CertificateWriter(std::string path, CertifiedQuestion question, Partial partial)
@@ -121,13 +125,26 @@ CertificateWriter::CertificateWriter(std::string path, CertifiedQuestion questio
       leaves_(partial.leaves),
       stays_(true),
       continues_(partial.length.has_value()) {
-  const int mode = O_RDWR | O_NOFOLLOW | O_CLOEXEC | (continues_ ? 0 : O_CREAT | O_TRUNC);
-  const int descriptor = ::open(temporary_.c_str(), mode, 0666);
+  if (!continues_) check(set_aside(temporary_), "be created, because an earlier one stays");
+  const int mode = O_RDWR | O_NOFOLLOW | O_CLOEXEC | (continues_ ? 0 : O_CREAT | O_EXCL);
+  open(::open(temporary_.c_str(), mode, 0666), continues_ ? "be continued" : "be created");
+  if (continues_) continue_at(*partial.length);
+}
+
+/// Takes the descriptor.
+void CertificateWriter::open(int descriptor, const char* what) {
   file_.reset(descriptor < 0 ? nullptr : fdopen(descriptor, "r+"));
-  if (!file_ && descriptor >= 0) ::close(descriptor);
-  check(file_ != nullptr, continues_ ? "be continued" : "be created");
-  if (!continues_) return;
-  const auto length = static_cast<off_t>(*partial.length);
+  if (!file_ && descriptor >= 0) {
+    ::close(descriptor);
+    if (!continues_) ::unlink(temporary_.c_str());
+  }
+  check(file_ != nullptr, what);
+}
+
+void CertificateWriter::continue_at(std::uint64_t bytes) {
+  const int descriptor = fileno(file_.get());
+  const auto length = static_cast<off_t>(bytes);
+  require_own(descriptor, temporary_);
   struct stat status {};
   check(::fstat(descriptor, &status) == 0, "be continued");
   if (status.st_size < length)
@@ -205,6 +222,12 @@ std::optional<std::uint64_t> CertificateWriter::sync() noexcept {
 }
 
 bool CertificateWriter::finish(const Result& result) {
+  if (!complete(result)) return false;
+  put_in_place();
+  return true;
+}
+
+bool CertificateWriter::complete(const Result& result) {
   if (result.verdict == Verdict::kPossibleProblem) return false;
   if (result.verdict == Verdict::kSingularity) {
     check(std::fflush(file_.get()) == 0 && ftruncate(fileno(file_.get()), 0) == 0 &&
@@ -220,24 +243,27 @@ bool CertificateWriter::finish(const Result& result) {
   check(std::fflush(file_.get()) == 0 && std::ferror(file_.get()) == 0 &&
             fsync(fileno(file_.get())) == 0,
         "be written");
-  put_in_place(result.verdict == Verdict::kNoSingularity);
-  in_place_ = true;
+  is_safe_ = result.verdict == Verdict::kNoSingularity;
   return true;
 }
 
-void CertificateWriter::put_in_place(bool is_safe) {
+void CertificateWriter::put_in_place() {
   struct stat status {};
   check(::fstat(fileno(file_.get()), &status) == 0, "be put in its place");
   const bool is_cut =
-      is_safe && shard_size_ > 0 && static_cast<std::uint64_t>(status.st_size) > shard_size_;
-  if (is_cut) return put_index_in_place();
-  check(std::rename(temporary_.c_str(), path_.c_str()) == 0, "be put in its place");
+      is_safe_ && shard_size_ > 0 && static_cast<std::uint64_t>(status.st_size) > shard_size_;
+  if (is_cut)
+    put_index_in_place();
+  else
+    check(std::rename(temporary_.c_str(), path_.c_str()) == 0, "be put in its place");
+  sync_folder_of(path_);
+  in_place_ = true;
 }
 
 /// The index comes last. So it exists only if all shards do.
 void CertificateWriter::put_index_in_place() try {
   const std::string index = write_shards(temporary_, path_, shard_size_);
-  AtomicFile file(path_, temporary_ + ".index");
+  AtomicFile file(path_);
   file.write(index);
   file.put_in_place_durably();
   ::unlink(temporary_.c_str());

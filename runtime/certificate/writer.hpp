@@ -39,7 +39,8 @@ class CertificateWriter final : public Observer {
     std::optional<std::uint64_t> length;
     std::uint64_t leaves = 0;
   };
-  /// Throws std::runtime_error also if the file is shorter than that.
+  /// An unfinished proof that is not continued is renamed to partial_file(path).old. Throws
+  /// std::runtime_error also if the file is shorter than that, or of another user.
   CertificateWriter(std::string path, CertifiedQuestion question, Partial partial);
   /// A proof of NO SINGULARITY that has more bytes is cut into shards of about this size.
   void set_shard_size(std::uint64_t bytes) noexcept { shard_size_ = bytes; }
@@ -54,6 +55,9 @@ class CertificateWriter final : public Observer {
   ///
   /// Ensures   false for POSSIBLE PROBLEM, which claims nothing: no file is written.
   [[nodiscard]] bool finish(const Result& result);
+  /// The two steps of finish(): the complete file has its temporary name until put_in_place().
+  [[nodiscard]] bool complete(const Result& result);
+  void put_in_place();
 
   /// Makes the text so far safe on the disk and returns its length; nullopt if that fails.
   [[nodiscard]] std::optional<std::uint64_t> sync() noexcept;
@@ -67,7 +71,8 @@ class CertificateWriter final : public Observer {
     void operator()(std::FILE* file) const noexcept { std::fclose(file); }
   };
 
-  void put_in_place(bool is_safe);
+  void open(int descriptor, const char* what);
+  void continue_at(std::uint64_t bytes);
   void put_index_in_place();
   void write_head(const char* verdict, const std::string& claim);
   void write_witness(const Result& result);
@@ -81,6 +86,7 @@ class CertificateWriter final : public Observer {
   std::unique_ptr<std::FILE, Close> file_;
   std::uint64_t leaves_ = 0;
   std::uint64_t shard_size_ = 0;  ///< 0: the proof stays in one file
+  bool is_safe_ = false;          ///< of a complete file: it proves NO SINGULARITY
   bool in_place_ = false;
   bool stays_ = false;      ///< after the destructor
   bool continues_ = false;  ///< a file that already has its head

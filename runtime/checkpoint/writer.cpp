@@ -13,10 +13,6 @@
 namespace regulus {
 namespace {
 
-/// Opens the new checkpoint. Its temporary name is always the same, so that a process that was
-/// killed leaves at most one such file.
-AtomicFile open_beside(const std::string& path) { return {path, path + ".new"}; }
-
 /// Calls `write`, with the checkpoint's name in its errors.
 template <class Write>
 void name_in_errors(const std::string& path, Write write) {
@@ -37,7 +33,7 @@ CheckpointWriter::CheckpointWriter(std::string path, CheckpointedQuestion questi
       certificate_(std::move(certificate)) {}
 
 void CheckpointWriter::require_writable() const {
-  name_in_errors(path_, [&] { open_beside(path_); });
+  name_in_errors(path_, [&] { AtomicFile file(path_); });
 }
 
 bool CheckpointWriter::wants_pause() noexcept { return Clock::now() - last_ >= interval_; }
@@ -68,7 +64,7 @@ void CheckpointWriter::save(const SearchState& state, const OpenBoxes& open) {
   }
   const std::string text = write_checkpoint(question_, state, open, certificate);
   name_in_errors(path_, [&] {
-    AtomicFile file = open_beside(path_);
+    AtomicFile file(path_);
     file.write(text);
     file.put_in_place_durably();
   });

@@ -9,20 +9,38 @@
 #include <cerrno>
 #include <cstdio>
 #include <cstring>
+#include <optional>
 #include <stdexcept>
+#include <string_view>
 
 namespace regulus {
 namespace {
 
-[[noreturn]] void fail(const std::string& path) {
-  throw std::runtime_error(path + " cannot be locked: " + std::strerror(errno));
+/// Before the number of the process.
+constexpr std::string_view kMark = "regulus lock ";
+constexpr std::size_t kMostBytes = 40;
+
+[[noreturn]] void fail(const std::string& path, const std::string& why) {
+  throw std::runtime_error(path + " cannot be locked: " + why);
 }
 
-/// Returns the process that wrote its number there; empty if it cannot be read.
-std::string owner_in(int descriptor) {
-  char text[24] = {};
-  const ssize_t size = ::pread(descriptor, text, sizeof text - 1, 0);
-  return size > 0 ? " (process " + std::string(text, static_cast<std::size_t>(size)) + ")" : "";
+/// Returns the number of the process that wrote the file, which may be empty; nullopt if it is
+/// another program's.
+std::optional<std::string> owner_in(int descriptor) {
+  struct stat status {};
+  char bytes[kMostBytes + 1];
+  const ssize_t size = ::pread(descriptor, bytes, sizeof bytes, 0);
+  if (size < 0 || ::fstat(descriptor, &status) != 0 || !S_ISREG(status.st_mode) ||
+      status.st_nlink > 1)
+    return std::nullopt;
+  if (size == 0) return "";
+  std::string_view text(bytes, static_cast<std::size_t>(size));
+  if (!text.starts_with(kMark) || !text.ends_with('\n') || text.size() > kMostBytes)
+    return std::nullopt;
+  text = text.substr(kMark.size(), text.size() - kMark.size() - 1);
+  if (text.empty() || text.find_first_not_of("0123456789") != std::string_view::npos)
+    return std::nullopt;
+  return std::string(text);
 }
 
 /// Returns true if a descriptor and a path are still the same file.
@@ -34,38 +52,60 @@ bool is_file_at(int descriptor, const std::string& path) noexcept {
 }
 
 void write_owner(int descriptor) noexcept {
-  char text[24];
-  const int size = std::snprintf(text, sizeof text, "%ld", static_cast<long>(::getpid()));
-  // For people only: a process that cannot write it still holds the lock.
+  char text[kMostBytes + 1];
+  const int size =
+      std::snprintf(text, sizeof text, "%s%ld\n", kMark.data(), static_cast<long>(::getpid()));
+  // For people, and for the next run: a process that cannot write it still holds the lock.
   if (::ftruncate(descriptor, 0) != 0 || ::pwrite(descriptor, text, std::size_t(size), 0) < 0)
     errno = 0;
 }
 
+/// Opens a file that may be another program's, so nothing is changed. O_NONBLOCK: a pipe opens at
+/// once.
+int open_lock(const std::string& path) noexcept {
+  constexpr int kOpening = O_RDWR | O_NOFOLLOW | O_NONBLOCK | O_CLOEXEC;
+  for (;;) {
+    const int made = ::open(path.c_str(), kOpening | O_CREAT | O_EXCL, 0666);
+    if (made >= 0 || errno != EEXIST) return made;
+    const int found = ::open(path.c_str(), kOpening);
+    if (found >= 0 || errno != ENOENT) return found;
+  }
+}
+
 }  // namespace
 
-/// The previous holder may remove the file between our opening it and our locking it. Then our lock
-/// protects nothing, and we must make another file.
 FileLock::FileLock(const std::string& path) : path_(path + ".lock") {
-  for (;;) {
-    descriptor_ = ::open(path_.c_str(), O_RDWR | O_CREAT | O_NOFOLLOW | O_CLOEXEC, 0666);
-    if (descriptor_ < 0) fail(path);
-    if (::flock(descriptor_, LOCK_EX | LOCK_NB) != 0) {
-      const int error = errno;
-      const std::string owner = owner_in(descriptor_);
+  do {
+    if (descriptor_ >= 0) ::close(descriptor_);
+    descriptor_ = open_lock(path_);
+    if (descriptor_ < 0) fail(path, path_ + ": " + std::strerror(errno));
+    try {
+      take(path);
+    } catch (...) {
       ::close(descriptor_);
-      errno = error;
-      if (error != EWOULDBLOCK) fail(path);
-      throw std::runtime_error(path + " is in use by another run" + owner);
+      throw;
     }
-    if (is_file_at(descriptor_, path_)) break;
-    ::close(descriptor_);
-  }
+    // The previous holder may remove the file between our opening it and our locking it. Then our
+    // lock protects nothing, and we must make another file.
+  } while (!is_file_at(descriptor_, path_));
   write_owner(descriptor_);
+}
+
+void FileLock::take(const std::string& path) const {
+  const bool is_taken = ::flock(descriptor_, LOCK_EX | LOCK_NB) != 0;
+  const int error = is_taken ? errno : 0;
+  const std::optional<std::string> owner = owner_in(descriptor_);
+  if (!owner)
+    fail(path, path_ + " is a file of another program; choose another name, or move that file");
+  if (error == EWOULDBLOCK)
+    throw std::runtime_error(path + " is in use by another run" +
+                             (owner->empty() ? "" : " (process " + *owner + ")"));
+  if (is_taken) fail(path, path_ + ": " + std::strerror(error));
 }
 
 /// Removes it first: no other process can hold the lock of this file until it is closed.
 FileLock::~FileLock() {
-  ::unlink(path_.c_str());
+  if (is_file_at(descriptor_, path_)) ::unlink(path_.c_str());
   ::close(descriptor_);
 }
 

@@ -106,12 +106,12 @@ TEST_F(InShards, AnEarlierProofGoesAsideWithItsShards) {
 }
 
 TEST_F(InShards, NothingOfARunThatWasKilledRemains) {
-  for (const char* folder : {"proof.shards", "proof.shards.partial"}) {
+  for (const char* folder : {"proof.shards", "proof.shards.0123abcd.regulus"}) {
     fs::create_directory(file(folder));
     std::ofstream(file(folder) + "/1") << "stale";
   }
   ASSERT_EQ(check_into("proof", "4kiB").exit_code, 0);
-  EXPECT_FALSE(fs::exists(file("proof.shards.partial")));
+  EXPECT_FALSE(fs::exists(file("proof.shards.0123abcd.regulus")));
   EXPECT_FALSE(fs::exists(file("proof.old.shards")));
   EXPECT_EQ(verify(file("proof")).output, "VERIFIED\n");
 }

@@ -108,7 +108,45 @@ TEST_F(PictureFile, MayHoldBoxesInSpace) {
       draw("boxes.vtu", {kPlanar, "crossing", "--resolution", "1/4", "--max-boxes", "8"});
   EXPECT_THAT(grid, AllOf(HasSubstr("<VTKFile type=\"UnstructuredGrid\""),
                           HasSubstr("z is phi rad"), HasSubstr("Name=\"claim\"")));
-  EXPECT_FALSE(std::filesystem::exists(folder_.path() / "boxes.vtu.partial"));
+  EXPECT_EQ(std::distance(std::filesystem::directory_iterator(folder_.path()), {}), 1);
+}
+
+/// Gnuplot reports nothing about what it could not write.
+TEST_F(PictureFile, IsWholeOrNotThere) {
+  for (const std::string name : {"part.svg", "part.png", "part.pdf"}) {
+    const std::string file = (folder_.path() / name).string();
+    const CommandResult result = run_command({"/bin/sh", "-c",
+                                              "ulimit -f 4; exec \"$0\" locate \"$1\" crossing "
+                                              "--quiet --output /dev/null --picture \"$2\"",
+                                              kCommand, kPlanar, file});
+    EXPECT_EQ(result.exit_code, 74);
+    EXPECT_THAT(result.errors, HasSubstr("gnuplot did not finish " + file));
+    EXPECT_FALSE(std::filesystem::exists(file));
+  }
+}
+
+TEST_F(PictureFile, DoesNotDependOnTheSettingsOfTheUser) {
+  const std::string usual = draw("usual.svg", {kPlanar, "crossing"});
+  std::ofstream(folder_.path() / ".gnuplot") << "set output '/dev/null'\n";
+  const std::string file = (folder_.path() / "own.svg").string();
+  EXPECT_EQ(run_command({"/usr/bin/env", "HOME=" + folder_.path().string(), kCommand, "locate",
+                         kPlanar, "crossing", "--quiet", "--picture", file})
+                .exit_code,
+            1);
+  std::ostringstream text;
+  text << std::ifstream(file).rdbuf();
+  EXPECT_EQ(text.str(), usual);
+}
+
+TEST_F(PictureFile, MayHaveAnyNameInIt) {
+  const std::string path = (folder_.path() / "name.toml").string();
+  std::ofstream(path) << "regulus = 1\nname = \"'a''b]]><c>'&\"\nsource = \"a test\"\n"
+                         "[pose]\nx = \"m\"\n[matrix]\nrows = [[\"x\"], [\"x - 1\"]]\n"
+                         "[motion.m]\nx = [-1, 2]\n";
+  const std::string svg = draw("name.svg", {path});
+  EXPECT_EQ(result_.exit_code, 0) << result_.errors;
+  EXPECT_THAT(svg, AllOf(HasSubstr("'a''b]]"), Not(HasSubstr("b]]>"))));
+  EXPECT_THAT(draw("name.png", {path}), StartsWith("\x89PNG"));
 }
 
 TEST_F(PictureFile, RefusesWhatCannotBeDrawn) {

@@ -36,6 +36,28 @@ def test_gough_is_checked_as_its_text_is(tmp_path):
     assert found.verdict in ("no-singularity", "singularity")
 
 
+def test_a_robot_is_written_whole_or_not_at_all(tmp_path):
+    import resource
+    import signal
+
+    robot = rg.load("planar_3rpr")
+    path = tmp_path / "robot.toml"
+    path.write_text("the one before")
+    limits = resource.getrlimit(resource.RLIMIT_FSIZE)
+    handler = signal.signal(signal.SIGXFSZ, signal.SIG_IGN)
+    try:
+        resource.setrlimit(resource.RLIMIT_FSIZE, (512, limits[1]))
+        with pytest.raises(rg.FileError, match="robot.toml cannot be written: File too large"):
+            robot.write(path)
+    finally:
+        resource.setrlimit(resource.RLIMIT_FSIZE, limits)
+        signal.signal(signal.SIGXFSZ, handler)
+    assert path.read_text() == "the one before"
+    robot.write(path)
+    assert path.read_text() == robot.text
+    assert [file.name for file in tmp_path.iterdir()] == ["robot.toml"]
+
+
 def test_serial_is_the_robot_of_the_model_file():
     shipped = rg.load("puma_560_serial")
     robot = rg.serial(

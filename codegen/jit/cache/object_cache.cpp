@@ -7,11 +7,9 @@
 
 #include <algorithm>
 #include <cerrno>
-#include <cstdio>
 #include <cstring>
 #include <ctime>
 #include <memory>
-#include <random>
 #include <set>
 #include <span>
 #include <system_error>
@@ -19,13 +17,12 @@
 
 #include "codegen/jit/cache/cache_entry.hpp"
 #include "runtime/files/atomic_file.hpp"
+#include "runtime/files/temporary.hpp"
 
 namespace regulus::inline jit {
 namespace {
 
 constexpr std::string_view kEntrySuffix = ".object";
-constexpr std::string_view kTemporarySuffix = ".temporary";
-constexpr std::time_t kTemporaryLifetime = 3600;
 constexpr off_t kMaximumEntrySize = off_t{1} << 28;
 
 /// To look at all entries takes long if they are many, so it is done only after this part of the
@@ -60,22 +57,13 @@ std::string read_all(int descriptor, std::size_t size) {
   return bytes;
 }
 
-std::string temporary_name() {
-  std::random_device random;
-  char name[64];
-  std::snprintf(name, sizeof name, "%lld-%08x%08x", static_cast<long long>(::getpid()), random(),
-                random());
-  return std::string(name).append(kTemporarySuffix);
-}
-
 struct DirectoryFile {
   std::string name;
   std::uint64_t size;
   std::time_t used;
 };
 
-/// Returns the regular files of the directory whose name ends in `suffix`.
-std::vector<DirectoryFile> list_files(int directory, std::string_view suffix) {
+std::vector<DirectoryFile> list_entries(int directory) {
   std::vector<DirectoryFile> files;
   FileDescriptor copy(::openat(directory, ".", O_RDONLY | O_DIRECTORY | O_CLOEXEC));
   DIR* opened = copy ? ::fdopendir(copy.get()) : nullptr;
@@ -84,19 +72,12 @@ std::vector<DirectoryFile> list_files(int directory, std::string_view suffix) {
   const std::unique_ptr<DIR, int (*)(DIR*)> stream(opened, ::closedir);
   while (const dirent* item = ::readdir(stream.get())) {
     struct stat status {};
-    if (!std::string_view(item->d_name).ends_with(suffix)) continue;
+    if (!std::string_view(item->d_name).ends_with(kEntrySuffix)) continue;
     if (::fstatat(directory, item->d_name, &status, AT_SYMLINK_NOFOLLOW) == 0 &&
         S_ISREG(status.st_mode))
       files.push_back({item->d_name, static_cast<std::uint64_t>(status.st_size), status.st_mtime});
   }
   return files;
-}
-
-/// Removes files of processes that ended while they were writing.
-void remove_abandoned(int directory) {
-  const std::time_t now = std::time(nullptr);
-  for (const DirectoryFile& file : list_files(directory, kTemporarySuffix))
-    if (file.used < now - kTemporaryLifetime) ::unlinkat(directory, file.name.c_str(), 0);
 }
 
 /// Adds the bytes of new entries to those written since the last sweep. Returns true if a sweep is
@@ -118,7 +99,7 @@ bool is_sweep_due(int directory, std::uint64_t bytes, std::uint64_t limit) {
 }
 
 void evict_down_to(int directory, std::uint64_t limit, const std::set<std::string>& kept) {
-  auto files = list_files(directory, kEntrySuffix);
+  auto files = list_entries(directory);
   std::uint64_t total = 0;
   for (const DirectoryFile& file : files) total += file.size;
   if (total <= limit) return;
@@ -171,7 +152,7 @@ std::string ObjectCache::write(const std::vector<NamedObject>& objects) const {
   }
   const int directory = directory_.descriptor.get();
   if (written.empty() || !is_sweep_due(directory, bytes, limit_)) return reason;
-  remove_abandoned(directory);
+  sweep_temporary_files(directory);
   evict_down_to(directory, limit_ - limit_ / kSweepsPerLimit, written);
   return reason;
 }
@@ -183,7 +164,7 @@ std::string ObjectCache::write_entry(const NamedObject& named) const {
   const CacheEntryHeader header = make_cache_entry_header(key, object);
   if (sizeof header + object.size() > limit_) return "the object is larger than the whole cache";
   try {
-    AtomicFile file(entry_name(key), temporary_name(), 0600, directory);
+    AtomicFile file(entry_name(key), 0600, directory);
     file.write({reinterpret_cast<const char*>(&header), sizeof header});
     file.write(object);
     file.put_in_place();

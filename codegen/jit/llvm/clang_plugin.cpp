@@ -2,6 +2,7 @@
 // The in-process C++ compiler: it compiles any text to a relocatable object, with the Clang front
 // end and the LLVM code generator. The program opens it for a text that the cache does not have.
 #include <chrono>
+#include <new>
 #include <utility>
 
 #include "codegen/jit/llvm/code_generator.hpp"
@@ -45,7 +46,7 @@ extern "C" [[gnu::visibility("default")]] int regulus_clang_interface(void) {
 }
 
 extern "C" [[gnu::visibility("default")]] int regulus_clang_compile(
-    const regulus_clang_request* request, const regulus_clang_sink* sink) {
+    const regulus_clang_request* request, const regulus_clang_sink* sink) try {
   using namespace regulus::plugin;
   initialise_llvm();
   const FileSystem files = make_file_system(*request);
@@ -59,4 +60,6 @@ extern "C" [[gnu::visibility("default")]] int regulus_clang_compile(
   sink->seconds(sink->state, seconds);
   sink->object(sink->state, {object.data(), object.size()});
   return 0;
+} catch (const std::bad_alloc&) {
+  return REGULUS_CLANG_NO_MEMORY;
 }

@@ -14,6 +14,7 @@
 #include <cstdio>
 #include <cstdlib>
 #include <mutex>
+#include <new>
 #include <utility>
 
 namespace regulus::inline jit::plugin {
@@ -26,6 +27,9 @@ void end_on_fatal_error(void*, const char* reason, bool) {
   std::_Exit(70);
 }
 
+/// LLVM's own handler ends the process, and with it the answer that the interpreter would find.
+void throw_bad_alloc(void*, const char*, bool) { throw std::bad_alloc(); }
+
 }  // namespace
 
 void initialise_llvm() {
@@ -33,6 +37,8 @@ void initialise_llvm() {
   std::call_once(once, [] {
     llvm::remove_fatal_error_handler();  // that of the other plugin, which does the same
     llvm::install_fatal_error_handler(end_on_fatal_error);
+    llvm::remove_bad_alloc_error_handler();
+    llvm::install_bad_alloc_error_handler(throw_bad_alloc);
     LLVMInitializeX86TargetInfo();
     LLVMInitializeX86Target();
     LLVMInitializeX86TargetMC();

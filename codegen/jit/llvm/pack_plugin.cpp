@@ -10,9 +10,11 @@
 #include <atomic>
 #include <chrono>
 #include <future>
+#include <new>
 #include <stdexcept>
 #include <string>
 #include <string_view>
+#include <system_error>
 #include <thread>
 #include <utility>
 #include <vector>
@@ -124,8 +126,12 @@ Result compile_all(const regulus_parts_request& request) {
   const std::size_t useful = 1 + request.part_count / kPartsPerThread;
   const std::size_t processors = std::max(1u, std::thread::hardware_concurrency());
   std::vector<std::future<regulus_clang_seconds>> others;
-  while (others.size() + 1 < std::min({useful, processors, kMaxThreads}))
-    others.push_back(std::async(std::launch::async, work));
+  try {
+    while (others.size() + 1 < std::min({useful, processors, kMaxThreads}))
+      others.push_back(std::async(std::launch::async, work));
+  } catch (const std::system_error&) {
+    // No room for another stack: the threads that there are do it.
+  }
   result.seconds = work();
   for (auto& other : others) (void)other.get();
   return result;
@@ -147,6 +153,8 @@ extern "C" [[gnu::visibility("default")]] int regulus_parts_compile(
   for (const plugin::Object& object : result.objects)
     sink->object(sink->state, {object.data(), object.size()});
   return 0;
+} catch (const std::bad_alloc&) {
+  return REGULUS_CLANG_NO_MEMORY;
 } catch (const std::exception& error) {
   const std::string_view reason = error.what();
   sink->diagnostics(sink->state, {reason.data(), reason.size()});

@@ -513,12 +513,8 @@ class Robot:
         return Prepared(self, motion, range, tolerance, alpha, options)
 
     def write(self, path: Path) -> None:
-        """Writes the model file. Raises FileError."""
-        try:
-            with open(path_of("path", path), "wb") as file:
-                file.write(self.text.encode("utf-8"))
-        except OSError as error:
-            raise FileError(f"cannot write {path!r}: {error.strerror}") from error
+        """Writes the model file: the whole of it, or nothing. Raises FileError."""
+        _regulus.write_file(os.fsencode(path_of("path", path)), self.text)
 
     def __eq__(self, other: object) -> bool:
         return isinstance(other, Robot) and (self.text, self.path) == (other.text, other.path)

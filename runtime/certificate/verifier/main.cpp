@@ -126,7 +126,7 @@ int verify(Usage& usage) {
 }
 
 void write_file(const std::string& name, const std::string& text) try {
-  regulus::AtomicFile output(name, name + ".new");
+  regulus::AtomicFile output(name);
   output.write(text);
   output.put_in_place();
 } catch (const std::system_error& error) {

@@ -43,6 +43,7 @@ TEST(AFile, MustEndInAWholeLine) {
 
 TEST(AFile, HoldsTextOnly) {
   expect_rejected(scalar_question("x\t") + kOneLeaf, "control character");
+  expect_rejected(scalar_question("x\xe2\x80\xae") + kOneLeaf, "control character");
   expect_rejected(std::string(format::kLongestLine + 2, 'x') + "\n", "too long");
 }
 

@@ -10,6 +10,7 @@
 #include <iterator>
 
 #include "codegen/support/errors.hpp"
+#include "codegen/support/write_file.hpp"
 #include "tests/support/temporary_directory.hpp"
 
 namespace regulus {
@@ -73,6 +74,14 @@ TEST(WriteFiles, SaysWhenTheDiskIsFull) {
   setrlimit(RLIMIT_FSIZE, &before);
   std::signal(SIGXFSZ, handler);
   EXPECT_EQ(entries(temporary.path()), 0U);
+}
+
+TEST(DependencyText, NamesNoPathWithALineBreak) {
+  EXPECT_THAT(
+      [] {
+        static_cast<void>(dependency_text("out", {{"a.h", ""}}, "m\n.toml"));
+      },
+      ThrowsMessage<FileError>(HasSubstr("rename m\\x0a.toml")));
 }
 
 TEST(DependencyText, EscapesWhatMakeWouldRead) {

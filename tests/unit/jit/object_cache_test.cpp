@@ -12,6 +12,7 @@
 #include <fstream>
 #include <vector>
 
+#include "runtime/files/temporary.hpp"
 #include "tests/support/cache_entries.hpp"
 #include "tests/support/temporary_directory.hpp"
 
@@ -98,25 +99,21 @@ TEST_F(ObjectCacheTest, StaysWithinItsLimitAlthoughItSeldomLooksAtAllEntries) {
 TEST_F(ObjectCacheTest, LooksAtAllEntriesOnlyAfterMuchWasWritten) {
   const ObjectCache cache(path_);
   EXPECT_EQ(cache.write(kKey, "object"), "");
-  const auto abandoned = path_ / "1-0.temporary";
+  const auto abandoned = path_ / "1.object.00000001.regulus";
   std::ofstream(abandoned) << "x";
-  const timespec old[2] = {{1000, 0}, {1000, 0}};
-  ASSERT_EQ(::utimensat(AT_FDCWD, abandoned.c_str(), old, 0), 0);
   EXPECT_EQ(cache.write(kOtherKey, "object"), "");
   EXPECT_TRUE(std::filesystem::exists(abandoned));
 }
 
 TEST_F(ObjectCacheTest, RemovesWhatInterruptedWritersLeft) {
   const ObjectCache cache(path_);
-  const auto abandoned = path_ / "1-0.temporary";
-  const auto in_use = path_ / "2-0.temporary";
+  const auto abandoned = path_ / "1.object.00000001.regulus";
   std::ofstream(abandoned) << "x";
-  std::ofstream(in_use) << "x";
-  const timespec old[2] = {{1000, 0}, {1000, 0}};
-  ASSERT_EQ(::utimensat(AT_FDCWD, abandoned.c_str(), old, 0), 0);
+  const Temporary in_use = make_temporary_file(path_ / "2.object");
   EXPECT_EQ(cache.write(kKey, "object"), "");
   EXPECT_FALSE(std::filesystem::exists(abandoned));
-  EXPECT_TRUE(std::filesystem::exists(in_use));
+  EXPECT_TRUE(std::filesystem::exists(in_use.name));
+  ::close(in_use.descriptor);
 }
 
 /// Each value repeats one character, so that a mixture of two writers is visible.

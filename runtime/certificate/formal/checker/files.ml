@@ -14,8 +14,10 @@ let read name =
 
 (* A file is there whole, or not at all. *)
 let write name text =
-  let partial = name ^ ".new" in
-  let channel = open_out_bin partial in
+  let partial, channel =
+    Filename.open_temp_file ~mode:[ Open_binary ] ~perms:0o666 ~temp_dir:(Filename.dirname name)
+      (Filename.basename name ^ ".") ".regulus"
+  in
   output_string channel text;
   close_out channel;
   Sys.rename partial name

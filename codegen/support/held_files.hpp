@@ -1,0 +1,37 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <functional>
+#include <map>
+#include <string>
+
+namespace regulus::inline support {
+
+/// Complete files that wait under temporary names for the end of a run. A run that is killed leaves
+/// none of them, and none of an end that a later search would have moved.
+class HeldFiles {
+ public:
+  using Step = std::function<void()>;
+
+  /// `put_in_place` owns the file. It replaces an earlier one of the same name, which is removed.
+  void hold(const std::string& path, Step put_in_place) { files_[path] = std::move(put_in_place); }
+
+  /// Throws    what the steps throw.
+  void put_in_place() {
+    for (const auto& [path, step] : files_) step();
+    files_.clear();
+  }
+
+ private:
+  std::map<std::string, Step> files_;
+};
+
+/// Holds a file, or puts it in place at once if there is no run to wait for.
+inline void hold_or_put(HeldFiles* held, const std::string& path, HeldFiles::Step put_in_place) {
+  if (held != nullptr)
+    held->hold(path, std::move(put_in_place));
+  else
+    put_in_place();
+}
+
+}  // namespace regulus::support
