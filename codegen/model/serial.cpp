@@ -174,17 +174,17 @@ std::vector<ex> joint_values(const Model& model, const Serial& robot) {
   return values;
 }
 
-Model serial_model(Model model, const Serial& robot) {
+Model serial_model(Model model, const Serial& robot, WorkMeter* meter) {
   for (const SerialJoint& j : robot.joints)
     if (!j.follows)
       model.pose.push_back(
           {GiNaC::realsymbol(j.name), j.name, j.kind == JointKind::kRevolute ? "rad" : robot.unit});
-  const auto budget = std::make_shared<TermBudget>();
+  const auto budget = std::make_shared<TermBudget>(meter);
   const JointGroups merged = parallel_groups(robot, budget), single = single_groups(robot, budget);
   std::vector<const JointGroups*> choices = {&merged};
   if (single.count != merged.count) choices.push_back(&single);
   const Candidate best = best_candidate(robot, choices);
-  const std::vector<std::size_t> kept = independent_rows(best.rows);
+  const std::vector<std::size_t> kept = independent_rows(best.rows, meter);
   set_matrix(model, robot, best.rows, kept);
   factor_matrix(model);
   model.drawing = std::make_shared<Drawing>(serial_drawing(model, robot));

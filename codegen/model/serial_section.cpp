@@ -322,7 +322,7 @@ class SerialReader {
   }
 
   void make_model() {
-    reading_.model = serial_model(std::move(reading_.model), robot_);
+    reading_.model = serial_model(std::move(reading_.model), robot_, &reading_.meter);
     Model& model = reading_.model;
     for (std::size_t j = 0; j < model.pose.size(); ++j)
       reading_.names.declare(model.pose[j].name, variable(model.pose[j].symbol),
