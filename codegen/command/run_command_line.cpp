@@ -13,6 +13,7 @@
 #include "codegen/jit/jit.hpp"
 #include "codegen/model/installed_models.hpp"
 #include "codegen/model/request.hpp"
+#include "codegen/program/work_meter.hpp"
 #include "codegen/support/errors.hpp"
 #include "codegen/support/exit_code.hpp"
 #include "codegen/support/visible_text.hpp"
@@ -64,6 +65,19 @@ bool is_want_of_memory(const std::system_error& error) {
          error.code() == std::errc::not_enough_memory;
 }
 
+/// The answer of a run that ended before there was a question, as while a model was read.
+int report_stop(const FormingStopped& stopped, ErrorFormat format) {
+  const char* const reason = stopped.interrupted
+                                 ? "it was interrupted while the model was read"
+                                 : "the time limit was reached while the model was read";
+  std::cerr << "claim      none: " << reason << '\n';
+  if (format == ErrorFormat::kJson)
+    std::cout << R"({"verdict":"possible-problem","reason":")" << reason << "\"}\n";
+  else
+    std::cout << "POSSIBLE PROBLEM\n";
+  return kPossibleProblem;
+}
+
 }  // namespace
 
 int run_command_line(CommandLine line, const std::string& typed) {
@@ -107,6 +121,8 @@ int report_errors(const std::function<int()>& run, const std::string& where, Err
         complain(error, kInternalFault, "internal error: the generated kernel did not compile\n");
     if (!error.text().empty()) std::cerr << "--- the text ---\n" << error.text();
     return code;
+  } catch (const FormingStopped& stopped) {
+    return report_stop(stopped, format);
   } catch (const std::bad_alloc&) {
     return complain(no_memory(), kFileError);
   } catch (const std::system_error& error) {

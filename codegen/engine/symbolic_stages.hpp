@@ -39,7 +39,7 @@ class SymbolicStages {
   [[nodiscard]] const Formulation& formulation();
   [[nodiscard]] const Module& module();
 
-  /// From now on `watch` may stop the stages after the reading of the model.
+  /// From now on `watch` may stop the stages, and the reading of the model.
   void watch(FormingWatch watch) { watch_ = std::move(watch); }
   [[nodiscard]] const FormingWatch& watch() const noexcept { return watch_; }
   /// From now on the forms are only the variables and sizes, which takes no time; the kernel is

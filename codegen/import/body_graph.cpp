@@ -23,13 +23,13 @@ model::Point moved(const Placement& frame, const model::Point& x) {
   return reduced(sum(times(frame.R, x), frame.p));
 }
 
-/// Apart by more than a file's rounding.
-bool are_apart(const model::Point& a, const model::Point& b) {
+/// The distance of two points; 0 within a file's rounding.
+double gap_between(const model::Point& a, const model::Point& b) {
   constexpr double kRounding = 1e-6;
-  double most = 0;
-  for (std::size_t i = 0; i < 3; ++i)
-    most = std::max(most, std::fabs(number_of(reduced(a[i] - b[i])).approx()));
-  return most > kRounding;
+  std::array<double, 3> d{};
+  for (std::size_t i = 0; i < 3; ++i) d.at(i) = number_of(reduced(a[i] - b[i])).approx();
+  const double gap = std::hypot(d[0], d[1], d[2]);
+  return gap > kRounding ? gap : 0;
 }
 
 model::Point exact(const std::array<ExactNumber, 3>& v) {
@@ -97,11 +97,11 @@ void BodyGraph::connect(const Mechanism& mechanism) {
     const Placement frame = compose(placements_.at(joint.parent), placement_of(joint.origin));
     connections_.push_back({joint.name, kind_of(joint), body_.at(joint.parent),
                             body_.at(joint.child), frame.p,
-                            reduced(times(frame.R, exact(joint.axis))), joint.line, false});
+                            reduced(times(frame.R, exact(joint.axis))), joint.line});
   }
   for (const ImportedLoop& loop : mechanism.loops) {
     const model::Point point = moved(placements_.at(loop.first), exact(loop.anchor));
-    const bool open = loop.origins_meet && are_apart(point, placements_.at(loop.second).p);
+    const double gap = loop.origins_meet ? gap_between(point, placements_.at(loop.second).p) : 0;
     connections_.push_back({loop.type,
                             loop.type == "connect" ? ConnectionKind::kBall : ConnectionKind::kOther,
                             body_.at(loop.first),
@@ -109,7 +109,7 @@ void BodyGraph::connect(const Mechanism& mechanism) {
                             point,
                             {},
                             loop.line,
-                            open});
+                            gap});
   }
 }
 

@@ -21,7 +21,7 @@ struct Connection {
   model::Point point;                 ///< in the frame of the world
   model::Point axis;                  ///< of a revolute or prismatic joint
   int line = 0;
-  bool open = false;  ///< its two sides are apart with every joint at zero
+  double gap = 0;  ///< between its two sides with every joint at zero, beyond rounding
 };
 
 class BodyGraph {

@@ -69,6 +69,19 @@ class ChainFinder {
     return links.size() > kMost ? text + fmt::format(" and {} more", links.size() - kMost) : text;
   }
 
+  /// The links with the number of joints before them, the most first: an arm before its fingers.
+  static std::string listed_with_joints(const std::vector<std::string>& links,
+                                        const std::map<std::string, Joints>& ends) {
+    const auto joints = [&ends](const std::string& link) {
+      return std::ranges::count_if(ends.at(link), [](const ImportedJoint* j) { return moves(*j); });
+    };
+    std::vector<std::string> sorted = links;
+    std::ranges::stable_sort(sorted, std::ranges::greater{}, joints);
+    for (std::string& link : sorted)
+      link += fmt::format(" ({} joint{})", joints(link), joints(link) == 1 ? "" : "s");
+    return listed(sorted);
+  }
+
   const std::string& known(const std::string& link, const char* option) const {
     if (!mechanism_.has_link(link))
       throw UsageError(fmt::format(
@@ -139,7 +152,7 @@ class ChainFinder {
           fmt::format("several links are the last of a chain of joints: {}; choose the "
                       "tip of the arm with --tip LINK, which may also be a link before "
                       "these{}; if the robot closes a loop there, give it with --cut LINK=LINK",
-                      listed(tips), describe_fork(chain.base, tips)));
+                      listed_with_joints(tips, ends), describe_fork(chain.base, tips)));
     chain.joints = ends.at(tips.front());
     chain.tip = tips.front();
   }

@@ -151,7 +151,7 @@ Tables tables_of(Mechanism& mechanism, const std::string& file, const ImportOpti
   if (!options.actuated.empty())
     throw UsageError("--actuated: only a robot with loops has joints that are not driven");
   const Chain chain = find_arm(mechanism, file, options);
-  return {serial_text(chain, identifiers, mechanism.notes), chain_line(chain)};
+  return {serial_text(chain, file, identifiers, mechanism.notes), chain_line(chain)};
 }
 
 /// Adds loops "LINK=LINK": the origins of the two frames are one point.

@@ -13,7 +13,7 @@ struct ImportOptions {
   std::string base{}, tip{};            ///< links; empty: the only one that can be meant
   std::vector<std::string> cuts{};      ///< "LINK=LINK": loops that the file does not have
   std::vector<std::string> actuated{};  ///< driven joints of a robot with loops; empty: the usual
-  std::string snap = "1e-9";            ///< numbers move by at most this much
+  std::string snap = "1e-8";            ///< numbers move by at most this much
 };
 
 /// Notes for the user on how a model came about, under one title: "read", "robot", "matrix",

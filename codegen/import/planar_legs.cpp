@@ -132,10 +132,14 @@ class PlanarFinder {
     std::size_t body = from;
     for (std::size_t steps = 0; steps < kLongestWalk; ++steps) {
       const Connection& next = graph_.connections()[connection];
-      if (next.open)
-        throw InputError::statement(file_, next.line,
-                                    "the loop is open where it was cut, with every joint at zero",
-                                    "draw the robot closed, or describe it with [legs]");
+      if (next.gap > 0)
+        throw InputError::statement(
+            file_, next.line,
+            fmt::format(
+                "the loop is open where it was cut, with every joint at zero: the links are "
+                "{:.4g} m apart",
+                next.gap),
+            "draw the robot closed, or describe it with [legs]");
       add(joints, next);
       body = next.first == body ? next.second : next.first;
       if (body == to) return joints;

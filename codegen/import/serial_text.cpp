@@ -7,6 +7,7 @@
 #include <map>
 #include <span>
 
+#include "codegen/import/joint_ranges.hpp"
 #include "codegen/model/names.hpp"
 #include "codegen/model/written.hpp"
 
@@ -74,20 +75,6 @@ std::string joint_text(const ImportedJoint& joint, const std::string& name) {
   return text + (joint.mimics.empty() ? " },\n" : " }, # " + in_quotes(joint.name) + "\n");
 }
 
-struct Limits {
-  JointLimits range;
-  std::string remark;
-};
-
-Limits limits_of(const ImportedJoint& joint, std::vector<std::string>& notes) {
-  if (joint.limits) return {*joint.limits, ""};
-  const JointLimits turn{twelfths_of_pi(-12), twelfths_of_pi(12)};
-  if (joint.type == JointType::kContinuous) return {turn, " # turns without end"};
-  notes.push_back(fmt::format("joint {} has no limits: {} is assumed; correct it in the model",
-                              in_quotes(joint.name), turns(joint) ? "one turn" : "-1 to 1"));
-  return {turns(joint) ? turn : JointLimits{whole(-1), whole(1)}, " # assumed: the file has none"};
-}
-
 }  // namespace
 
 std::string toml_number(const ExactNumber& number) {
@@ -96,7 +83,7 @@ std::string toml_number(const ExactNumber& number) {
   return plain && number.text.size() <= kMostDigits ? number.text : "\"" + number.text + "\"";
 }
 
-std::string serial_text(const Chain& chain, Identifiers& identifiers,
+std::string serial_text(const Chain& chain, const std::string& file, Identifiers& identifiers,
                         std::vector<std::string>& notes) {
   std::string joints, limits, home;
   bool home_is_allowed = true;
@@ -109,7 +96,7 @@ std::string serial_text(const Chain& chain, Identifiers& identifiers,
     const std::string name = moves(*joint) ? names.at(leads ? joint->name : joint->mimics) : "";
     joints += joint_text(*joint, name);
     if (!moves(*joint) || !leads) continue;
-    const auto [range, remark] = limits_of(*joint, notes);
+    const auto [range, remark] = range_of(*joint, chain, file, notes);
     limits += fmt::format("{} = [{}, {}]{}\n", name, toml_number(range.lower),
                           toml_number(range.upper), remark);
     home += name + " = 0\n";

@@ -13,8 +13,10 @@ namespace regulus::inline model {
 /// are the same numbers at all poses and for all values of the geometry. So the matrix of these rows
 /// has the same rank everywhere.
 ///
-/// Ensures   proved by exact algebra; all rows if a number there cannot be told from zero.
+/// Ensures   proved by exact algebra; all rows if a number there cannot be told from zero, or if the
+///           numbers become too long.
+/// Throws    what `meter`, if it is not null, throws.
 [[nodiscard]] std::vector<std::size_t> independent_rows(
-    const std::vector<std::vector<JointPolynomial>>& rows);
+    const std::vector<std::vector<JointPolynomial>>& rows, WorkMeter* meter = nullptr);
 
 }  // namespace regulus::model

@@ -19,6 +19,8 @@ ex TermBudget::counted(const ex& coefficient) {
   ex result = reduced(coefficient);
   const std::size_t terms = GiNaC::is_a<GiNaC::add>(result) ? result.nops() : 1;
   spent_ += terms;
+  constexpr std::size_t kSteps = 100;  // of algebra, of the order of those that a meter counts
+  spend(meter_, kSteps * terms);
   if (spent_ > kMost || terms > kMostOfCoefficient)
     throw Refusal{
         "an arm whose matrix has too many terms",
@@ -112,13 +114,13 @@ ex JointPolynomial::expression(const std::vector<ex>& joints) const {
     for (std::size_t j = 0; j < joints.size(); ++j) {
       const std::size_t group = groups_->of_joint[j];
       if (group == JointGroups::kNone)
-        term *= pow(joints[j], key[j]);
+        term *= key[j] == 0 ? ex(1) : pow(joints[j], key[j]);  // GiNaC has no 0^0
       else
         angles[group] += key[j] * joints[j];
     }
+    // Followers can turn their leader's angle back: the sum is 0 then, and so is its sine.
     for (std::size_t g = 0; g < angles.size(); ++g)
-      if (!angles[g].is_zero())
-        term *= key[joints.size() + g] != 0 ? GiNaC::sin(angles[g]) : GiNaC::cos(angles[g]);
+      term *= key[joints.size() + g] != 0 ? GiNaC::sin(angles[g]) : GiNaC::cos(angles[g]);
     result += term;
   }
   return result;

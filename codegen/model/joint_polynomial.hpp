@@ -10,6 +10,8 @@
 #include <memory>
 #include <vector>
 
+#include "codegen/program/work_meter.hpp"
+
 namespace regulus::inline model {
 
 /// Counts the terms that are formed, so that a hostile model ends with a message.
@@ -18,12 +20,16 @@ class TermBudget {
   static constexpr std::size_t kMost = 200'000;
   static constexpr std::size_t kMostOfCoefficient = 200;
 
+  /// `meter`: null, or it outlives this object.
+  explicit TermBudget(WorkMeter* meter = nullptr) : meter_(meter) {}
+
   /// Returns the coefficient, reduced.
   ///
-  /// Throws    Refusal if it has too many terms, or all so far have.
+  /// Throws    Refusal if it has too many terms, or all so far have; what the meter throws.
   [[nodiscard]] GiNaC::ex counted(const GiNaC::ex& coefficient);
 
  private:
+  WorkMeter* meter_;
   std::size_t spent_ = 0;
 };
 

@@ -147,7 +147,7 @@ std::string read_model_text(const std::filesystem::path& path) {
 }
 
 Model parse_model(std::string_view text, const std::string& name_for_errors,
-                  const std::string& asked) {
+                  const std::string& asked, const FormingWatch* watch) {
   static const std::array<std::string, 16> kKeys = {
       "regulus",  "name",  "source",    "pose",
       "geometry", "let",   "matrix",    "gough",
@@ -159,7 +159,11 @@ Model parse_model(std::string_view text, const std::string& name_for_errors,
         "a model file has at most " + std::to_string(kLargestModelFile) + " bytes");
   const UsualArithmetic scope;
   const toml::table document = parse_toml(text, name_for_errors);
-  ModelReading reading{TomlReader(name_for_errors, text)};
+  // A reading has no progress to show.
+  const FormingWatch limits =
+      watch != nullptr ? FormingWatch{watch->deadline, watch->interrupt} : FormingWatch{};
+  ModelReading reading{.toml = TomlReader(name_for_errors, text),
+                       .meter = WorkMeter(WorkMeter::kNoLimit, &limits)};
   const TomlEntry root{.key = {}, .path = {}, .node = &document, .line = 1};
   (void)reading.toml.entries(root, kKeys);
 

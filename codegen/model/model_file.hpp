@@ -7,6 +7,7 @@
 #include <string_view>
 
 #include "codegen/model/model.hpp"
+#include "codegen/program/work_meter.hpp"
 
 namespace regulus::inline model {
 
@@ -20,9 +21,10 @@ constexpr std::size_t kLargestModelFile = std::size_t{4} << 20;
 [[nodiscard]] Model load_model(const std::filesystem::path& path);
 
 /// Overload for text that has been read; `path` stays empty. `asked`: an expression in the names of
-/// the model, for Model::asked; empty: none. Throws UsageError for a mistake in it.
+/// the model, for Model::asked; empty: none. Throws UsageError for a mistake in it, FormingStopped if
+/// `watch` stops the reading.
 [[nodiscard]] Model parse_model(std::string_view text, const std::string& name_for_errors,
-                                const std::string& asked = {});
+                                const std::string& asked = {}, const FormingWatch* watch = nullptr);
 
 /// Returns the bytes of a model file; for a file that is too large, a few more than
 /// kLargestModelFile. Throws FileError if it cannot be read.

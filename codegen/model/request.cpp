@@ -65,13 +65,14 @@ void stay_within_limits(Request& request, const ModelOptions& options) {
   request.notes.push_back("the question leaves the limits of joints: " + found->sentence);
 }
 
-Request read_request(const ModelOptions& options) {
-  return read_request(model_text(options), options);
+Request read_request(const ModelOptions& options, const FormingWatch* watch) {
+  return read_request(model_text(options), options, watch);
 }
 
-Request read_request(std::string_view text, const ModelOptions& options) {
+Request read_request(std::string_view text, const ModelOptions& options,
+                     const FormingWatch* watch) {
   Request request;
-  request.model = parse_model(text, options.path, options.asked);
+  request.model = parse_model(text, options.path, options.asked, watch);
   request.model.path = options.path;
   from_option("MOTION", [&] { request.motion = find_motion(request.model, options.motion); });
   apply_changes(request, options);

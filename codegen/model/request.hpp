@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "codegen/model/model.hpp"
+#include "codegen/program/work_meter.hpp"
 #include "codegen/support/errors.hpp"
 
 namespace regulus::inline model {
@@ -43,10 +44,13 @@ struct Request {
 /// Returns the text of the model. Throws FileError.
 [[nodiscard]] std::string model_text(const ModelOptions& options);
 
-/// Throws InputError or FileError for the file, UsageError for the options.
-[[nodiscard]] Request read_request(const ModelOptions& options);
+/// Throws InputError or FileError for the file, UsageError for the options, FormingStopped if `watch`
+/// stops the reading.
+[[nodiscard]] Request read_request(const ModelOptions& options,
+                                   const FormingWatch* watch = nullptr);
 /// Overload for a file that has been read.
-[[nodiscard]] Request read_request(std::string_view text, const ModelOptions& options);
+[[nodiscard]] Request read_request(std::string_view text, const ModelOptions& options,
+                                   const FormingWatch* watch = nullptr);
 
 struct Assignment {
   std::string name, value;

@@ -12,6 +12,7 @@
 #include "codegen/model/model.hpp"
 #include "codegen/model/names.hpp"
 #include "codegen/model/toml_reader.hpp"
+#include "codegen/program/work_meter.hpp"
 
 namespace regulus::inline model {
 
@@ -27,10 +28,12 @@ struct ModelReading {
   double size = 0;  ///< of the expressions so far
   /// Each ≤ 0 where the actuated joints of [legs] are within their ranges.
   std::vector<ParsedExpression> joint_ranges{};
+  WorkMeter meter{WorkMeter::kNoLimit};
 
   /// Adds up the sizes; refuses the entry that makes the model too large.
   void count(const ParsedExpression& term, const TomlEntry& entry) {
     size += term.size;
+    meter.spend(static_cast<std::uint64_t>(term.size));
     if (size > kMaxModelSize)
       toml.refuse(entry, "a model too large at " + entry.path,
                   "at most 5 million operations in all, named sub-expressions included");

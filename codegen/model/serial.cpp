@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <limits>
+#include <sstream>
 #include <utility>
 
 #include "codegen/model/constant_rank.hpp"
@@ -10,6 +11,7 @@
 #include "codegen/model/determinant_factors.hpp"
 #include "codegen/model/joint_screws.hpp"
 #include "codegen/model/names.hpp"
+#include "codegen/model/nearly_singular.hpp"
 #include "codegen/model/serial_drawing.hpp"
 
 namespace regulus::inline model {
@@ -126,6 +128,19 @@ void describe_variables(Model& model, const Serial& robot, std::size_t link) {
     model.matrix_notes.push_back("its rank does not depend on " + enumeration(absent));
 }
 
+/// 1.5708 in the place of pi/2 can make a matrix regular that is meant to be singular.
+void describe_nearness(Model& model, const std::vector<std::size_t>& rows) {
+  const auto velocities = std::ranges::count_if(rows, [](std::size_t row) { return row < 3; });
+  const auto ratio =
+      approx_nearly_singular(model, model.jacobian.value_or(model.matrix), std::size_t(velocities));
+  if (!ratio) return;
+  std::ostringstream text;
+  text.precision(2);
+  text << "nearly singular at all poses that were tried: |det| is at most " << *ratio
+       << " of the product of the columns' lengths; a number of the file may be rounded";
+  model.matrix_notes.push_back(text.str());
+}
+
 /// The column of each joint, or of the joint that it follows.
 std::vector<unsigned> joint_columns(const Serial& robot) {
   std::vector<unsigned> columns(robot.joints.size());
@@ -175,21 +190,22 @@ std::vector<ex> joint_values(const Model& model, const Serial& robot) {
   return values;
 }
 
-Model serial_model(Model model, const Serial& robot) {
+Model serial_model(Model model, const Serial& robot, WorkMeter* meter) {
   for (const SerialJoint& j : robot.joints)
     if (!j.follows)
       model.pose.push_back(
           {GiNaC::realsymbol(j.name), j.name, j.kind == JointKind::kRevolute ? "rad" : robot.unit});
-  const auto budget = std::make_shared<TermBudget>();
+  const auto budget = std::make_shared<TermBudget>(meter);
   const JointGroups merged = parallel_groups(robot, budget), single = single_groups(robot, budget);
   std::vector<const JointGroups*> choices = {&merged};
   if (single.count != merged.count) choices.push_back(&single);
   const Candidate best = best_candidate(robot, choices);
-  const std::vector<std::size_t> kept = independent_rows(best.rows);
+  const std::vector<std::size_t> kept = independent_rows(best.rows, meter);
   set_matrix(model, robot, best.rows, kept);
   factor_matrix(model);
   model.drawing = std::make_shared<Drawing>(serial_drawing(model, robot));
   describe_rows(model, robot, kept);
+  describe_nearness(model, kept);
   describe_variables(model, robot, best.link);
   return model;
 }

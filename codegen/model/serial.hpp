@@ -9,6 +9,7 @@
 
 #include "codegen/model/model.hpp"
 #include "codegen/model/placement.hpp"
+#include "codegen/program/work_meter.hpp"
 
 namespace regulus::inline model {
 
@@ -58,9 +59,9 @@ constexpr std::size_t kMostJoints = 12;
 /// Model::jacobian, and `matrix` has the factors on its diagonal (determinant_factors.hpp).
 ///
 /// Requires  1 to kMostJoints joints; origins and axes are constants or depend on `model.geometry`.
-/// Throws    Refusal if the matrix has too many terms.
+/// Throws    Refusal if the matrix has too many terms; what `meter`, if it is not null, throws.
 /// Ensures   full column rank of the matrix at a pose ⇔ rank J = min(rows that remain, joints).
-[[nodiscard]] Model serial_model(Model model, const Serial& robot);
+[[nodiscard]] Model serial_model(Model model, const Serial& robot, WorkMeter* meter = nullptr);
 
 /// Makes the pose parameters of joints that turn numbers of degrees. Their ranges, if the model has
 /// some, stay as they are.

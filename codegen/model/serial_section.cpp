@@ -315,7 +315,7 @@ class SerialReader {
   }
 
   void make_model() {
-    reading_.model = serial_model(std::move(reading_.model), robot_);
+    reading_.model = serial_model(std::move(reading_.model), robot_, &reading_.meter);
     Model& model = reading_.model;
     if (in_degrees_) set_angles_in_degrees(model);
     for (std::size_t j = 0; j < model.pose.size(); ++j) {

@@ -21,7 +21,7 @@ set(runtime/certificate          ${runtime/embedded} runtime/files)
 set(runtime/certificate/verifier runtime/files)
 
 set(codegen/support              runtime/files)
-set(codegen/model                codegen/support runtime/files)
+set(codegen/model                codegen/support codegen/program runtime/files)
 set(codegen/import               codegen/support codegen/model runtime/files)
 set(codegen/robot                codegen/support codegen/model)
 set(codegen/program              codegen/support runtime/files runtime/interval runtime/kernel)

@@ -697,7 +697,7 @@ def from_urdf(
     tip: str = "",
     cuts: Sequence[str] = (),
     actuated: Sequence[str] = (),
-    snap: Number = "1e-9",
+    snap: Number = "1e-8",
 ) -> Robot:
     """Reads a URDF, MJCF or SDF file as a robot: an arm, or a platform on six legs.
 

@@ -122,9 +122,11 @@ TEST(AFiveBar, EndsInAPoint) {
 }
 
 TEST(AClosedMechanism, IsDescribedIfItIsNotKnown) {
-  EXPECT_THAT(refusal(with(kFiveBar, "<origin xyz=\"0 -0.3 0.4\"/>", "<origin xyz=\"0 0 0.4\"/>"),
-                      {.cuts = {"b_end=d_end"}}),
-              HasSubstr("the loop is open where it was cut"));
+  EXPECT_THAT(
+      refusal(with(kFiveBar, "<origin xyz=\"0 -0.3 0.4\"/>", "<origin xyz=\"0 0 0.4\"/>"),
+              {.cuts = {"b_end=d_end"}}),
+      HasSubstr("the loop is open where it was cut, with every joint at zero: the links are 0.3 m "
+                "apart"));
   EXPECT_THAT(refusal(with(kFiveBar, "<axis xyz=\"-1 0 0\"/>", "<axis xyz=\"0 1 0\"/>"),
                       {.cuts = {"b_end=d_end"}}),
               AllOf(HasSubstr("a closed mechanism that is not known: 5 bodies, 1 loop; of "

@@ -8,6 +8,7 @@
 
 #include "codegen/import/import.hpp"
 #include "codegen/model/model_file.hpp"
+#include "codegen/support/errors.hpp"
 #include "tests/support/robots/robot_file.hpp"
 #include "tests/support/serial/model_twists.hpp"
 
@@ -100,6 +101,56 @@ TEST(Urdf, TakesOneTurnWhereLimitsAreMissing) {
   EXPECT_THAT(arm.report(), HasSubstr("joint 'second' has no limits: one turn is assumed"));
   EXPECT_THAT(imported(arm_with(second("<axis xyz='0 1 0'/>", "continuous"))).model,
               HasSubstr("second = [\"-pi\", \"pi\"] # turns without end"));
+}
+
+/// a, then 'lead' and a joint that follows it.
+std::string follower_arm(const std::string& leader, const std::string& follower,
+                         const std::string& inside, const std::string& limits = {}) {
+  return "<robot name='r'><link name='a'/><link name='b'/><link name='c'/><joint name='lead' "
+         "type='" +
+         leader + "'><parent link='a'/><child link='b'/><axis xyz='0 0 1'/>" + limits +
+         "</joint>\n<joint name='back' type='" + follower +
+         "'><parent link='b'/><child link='c'/><axis xyz='0 1 0'/><origin xyz='1 0 0'/>" +
+         "<mimic joint='lead' " + inside + "</joint></robot>";
+}
+
+TEST(Urdf, CountsTheTurnsAfterWhichAFollowerRepeats) {
+  EXPECT_THAT(
+      imported(follower_arm("continuous", "continuous", "multiplier='0.5'/>")).model,
+      HasSubstr("lead = [\"-2*pi\", \"2*pi\"] # turns without end: those that follow repeat "
+                "after 2 turns"));
+  EXPECT_THAT(imported(follower_arm("continuous", "continuous", "multiplier='-3'/>")).model,
+              HasSubstr("lead = [\"-pi\", \"pi\"] # turns without end\n"));
+  const Imported never = imported(follower_arm("continuous", "prismatic", "multiplier='0.1'/>"));
+  EXPECT_THAT(never.model, HasSubstr("# assumed: one turn of a joint that turns without end"));
+  EXPECT_THAT(never.report(), HasSubstr("'lead' turns without end, and a joint that follows it"));
+}
+
+std::string refusal(const std::string& text) try {
+  return imported(text).model;
+} catch (const InputError& error) {
+  return error.what();
+}
+
+TEST(Urdf, KeepsFollowersWithinTheirLimits) {
+  const std::string limits = "<limit lower='-2' upper='1'/>";
+  EXPECT_THAT(
+      imported(follower_arm("continuous", "revolute", "multiplier='-2' offset='0.5'/>" + limits))
+          .model,
+      HasSubstr("lead = [-0.25, 1.25] # within the limits of 'back'"));
+  EXPECT_THAT(
+      imported(follower_arm("revolute", "revolute", "multiplier='-2' offset='0.5'/>" + limits,
+                            "<limit lower='-1' upper='1'/>"))
+          .model,
+      HasSubstr("lead = [-0.25, 1] # within the limits of 'back'"));
+  EXPECT_THAT(imported(follower_arm("revolute", "revolute", "/>" + limits,
+                                    "<limit lower='-1' upper='0.5'/>"))
+                  .model,
+              HasSubstr("lead = [-1, 0.5]\n"));
+  for (const char* rule : {"multiplier='1'/>", "multiplier='0' offset='1.5'/>"})
+    EXPECT_THAT(refusal(follower_arm("revolute", "revolute", rule + limits,
+                                     "<limit lower='2' upper='3'/>")),
+                HasSubstr("joint 'back' follows joint 'lead' and is outside its own limits"));
 }
 
 TEST(Urdf, MakesNamesThatModelsMayUse) {
@@ -239,7 +290,7 @@ TEST(Urdf, DoesNotChooseBetweenFingers) {
     static_cast<void>(imported(hand));
     FAIL() << "a finger became the tip";
   } catch (const std::runtime_error& error) {
-    EXPECT_THAT(error.what(), HasSubstr("left, right"));
+    EXPECT_THAT(error.what(), HasSubstr("left (3 joints), right (3 joints)"));
     EXPECT_THAT(error.what(), HasSubstr("such as c, behind which they part"));
   }
 }
