@@ -30,6 +30,13 @@ std::optional<Request> read_trajectory(const ModelOptions& options) {
 
 namespace {
 
+/// Other ranks would wait, while the first one does all the work.
+void refuse_ranks(const SearchOptions& search) {
+  if (search.workers != nullptr)
+    throw UsageError(
+        "a motion along way-points is searched on one machine; use regulus, with --threads");
+}
+
 void refuse_what_locate_lacks(const LocateCommand& command) {
   if (!command.certificate.empty())
     throw UsageError(
@@ -46,6 +53,7 @@ std::optional<int> run_trajectory_check(const CheckCommand& command) {
   Stopwatch watch;
   std::optional<Request> request = read_trajectory(command.model);
   if (!request) return std::nullopt;
+  refuse_ranks(command.search);
   if (!command.checkpoint.path.empty())
     throw UsageError("--checkpoint: a motion along way-points cannot be continued");
   if (command.shard_size > 0)
@@ -77,6 +85,7 @@ std::optional<int> run_trajectory_locate(const LocateCommand& command) {
   model.separates_reach = true;
   std::optional<Request> request = read_trajectory(model);
   if (!request) return std::nullopt;
+  refuse_ranks(command.search);
   refuse_what_locate_lacks(command);
   LinesFile lines(command);
   InterruptGuard interrupt;
@@ -106,6 +115,7 @@ std::optional<int> run_trajectory_locate(const LocateCommand& command) {
 
 int run_trajectory_margin(const MarginCommand& command, const MarginQuestion& question,
                           Request request) {
+  refuse_ranks(command.search);
   if (!command.certificate.empty())
     throw UsageError(
         "--certificate: margin writes no proof about a motion along way-points; regulus check "
