@@ -198,11 +198,11 @@ int main(int argc, char** argv) {
   setenv("NO_COLOR", "1", 1);
   Communicator communicator;
   std::fesetenv(FE_DFL_ENV);
-  return report_errors(
+  return communicator.end(report_errors(
       [&] {
         const Start start = begin_together(communicator, {argv, argv + argc});
         if (!start.exit_code) return run_together(communicator, start);
         return communicator.is_first() ? *start.exit_code : 0;
       },
-      kName);
+      kName));
 }
