@@ -177,6 +177,10 @@ TEST(Command, SaysWhichNumberAnOptionTakes) {
                 HasSubstr("found '" + std::string(value) + "', expected a size from 4096 to"));
   }
   EXPECT_THAT(message("--checkpoint-every", "-1"), HasSubstr("a number of seconds, 0 or more"));
+  const CommandResult verify =
+      run_command({REGULUS_BINARY_DIR "/bin/regulus-verify", "none", "--threads", "0"});
+  EXPECT_EQ(verify.exit_code, 64);
+  EXPECT_THAT(verify.errors, HasSubstr("--threads: found '0', expected a whole number from 1"));
 }
 
 TEST(Command, SaysWhichWordIsMistyped) {
