@@ -166,7 +166,8 @@ void MpiWorkers::show(const cluster::Progress& progress) {
 void MpiWorkers::name_those_that_stand_still() {
   std::set<unsigned> late;
   for (const std::size_t worker : progress_.still)
-    if (named_.insert(worker).second) late.insert(places_.at(worker).rank);
+    if (named_.insert(worker).second && !ranks_[places_.at(worker).rank].is_still)
+      late.insert(places_.at(worker).rank);
   name_late(late, "others do its work");
 }
 

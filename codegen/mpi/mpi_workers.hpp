@@ -44,7 +44,7 @@ class MpiWorkers final : public cluster::Workers {
   /// Throws InternalError with the name of a rank that cannot go on.
   [[nodiscard]] std::optional<cluster::Received> receive() override;
   [[nodiscard]] double now() const override { return local_.now(); }
-  /// Names a worker that stands still, once in a search; and every ten seconds, if wanted, tells how
+  /// Names a rank that stands still, once; and every ten seconds, if wanted, tells how
   /// far the search is.
   void show(const cluster::Progress& progress) override;
   [[nodiscard]] std::string describe() const override;
