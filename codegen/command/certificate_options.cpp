@@ -3,6 +3,7 @@
 
 #include <CLI/CLI.hpp>
 
+#include "codegen/command/number_check.hpp"
 #include "runtime/certificate/format.hpp"
 
 namespace regulus::inline command {
@@ -18,8 +19,7 @@ void add_shard_option(CLI::App& app, std::uint64_t& size) {
                  "Cut a proof of NO SINGULARITY that is larger than SIZE into files of about SIZE, "
                  "such as 64MB, in the folder FILE.shards; FILE is then their index")
       ->type_name("SIZE")
-      ->transform(CLI::AsSizeValue(true))
-      ->check(CLI::Range(format::kLeastShardSize, format::kMaxBytes, "SIZE from 4kiB to 4GiB"))
+      ->transform(size_in_bytes(format::kLeastShardSize, format::kMaxBytes))
       ->needs("--certificate");
 }
 
@@ -48,15 +48,15 @@ void add_verify_options(CLI::App& app, VerifyCommand& command) {
       ->type_name("MODEL");
   app.add_option("--time-limit", command.time_limit,
                  "Stop after S seconds; the answer is then UNFINISHED")
-      ->check(CLI::PositiveNumber)
+      ->check(positive_seconds())
       ->type_name("S");
   app.add_option("--max-boxes", command.max_boxes,
                  "Evaluate at most N boxes for all leaves together; default 4194304")
-      ->check(CLI::PositiveNumber)
+      ->check(whole_number(1))
       ->type_name("N");
   app.add_option("--threads", command.threads,
                  "Prove leaves by N threads; the answer is the same for any N")
-      ->check(CLI::Range(1U, 1024U))
+      ->check(whole_number(1, 1024))
       ->type_name("N")
       ->capture_default_str();
   app.add_flag("--json", command.output.json,

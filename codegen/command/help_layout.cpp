@@ -140,9 +140,6 @@ std::string without_check(const std::string& type) {
   const std::size_t at = type.find(':');
   if (at == std::string::npos) return type;
   if (type.compare(at + 1, 1, "{") == 0) return type.substr(at + 1);
-  for (const char* check : {":POSITIVE", ":NONNEGATIVE", ":INT in", ":UINT in"})
-    if (const std::size_t begin = type.find(check); begin != std::string::npos)
-      return type.substr(0, begin);
   return type;
 }
 

@@ -15,7 +15,7 @@ namespace regulus::inline command {
 /// Gives every option of a command that --help shows its group.
 void group_options(CLI::App& command);
 
-/// Returns "S" of "S:POSITIVE", the text of CLI11 for a checked value; of a choice "{a,b}".
+/// Returns the text of CLI11 for a value; of a choice "{a,b}".
 [[nodiscard]] std::string without_check(const std::string& type);
 
 /// Returns command lines that show what a command is for, each with a line about it; empty for the

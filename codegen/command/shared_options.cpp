@@ -5,6 +5,7 @@
 
 #include <algorithm>
 
+#include "codegen/command/number_check.hpp"
 #include "codegen/engine/choices.hpp"
 #include "codegen/engine/ingredients.hpp"
 #include "codegen/model/names.hpp"
@@ -78,7 +79,7 @@ void add_method_options(CLI::App& app, Method& method, std::uint64_t& budget) {
                  "Limit on the terms of the polynomial of --method closed-form; the default takes "
                  "about one "
                  "second")
-      ->check(CLI::PositiveNumber)
+      ->check(whole_number(1))
       ->type_name("TERMS")
       ->capture_default_str();
 }
@@ -122,18 +123,19 @@ void add_search_options(CLI::App& app, SearchOptions& options) {
              "Instruction set of the kernel; default: the best of this processor");
   app.add_option("--threads", options.threads, "Use N threads; default: one for each processor")
       ->type_name("N")
-      ->check(CLI::Range(1U, kMaxThreads));
+      ->check(whole_number(1, kMaxThreads));
   app.add_option(
          "--max-boxes", options.max_boxes,
          "Evaluate at most N boxes; the search may stop up to an eighth earlier, because it "
          "evaluates boxes in rounds")
+      ->check(whole_number(1))
       ->type_name("N");
   app.add_option("--time-limit", options.time_limit, "Stop after S seconds")
-      ->check(CLI::PositiveNumber)
+      ->check(positive_seconds())
       ->type_name("S");
   app.add_option("--precision", options.precision,
                  "Limit on the bits of precision that are used if doubles cannot decide")
-      ->check(CLI::Range(53L, 1L << 20))
+      ->check(whole_number(53, 1U << 20))
       ->type_name("BITS")
       ->capture_default_str();
   app.add_flag_callback(
@@ -152,7 +154,7 @@ void add_checkpoint_options(CLI::App& app, CheckpointOptions& options) {
       ->type_name("FILE");
   app.add_option("--checkpoint-every", options.interval, "Seconds between two saves; default 10")
       ->type_name("S")
-      ->check(CLI::NonNegativeNumber);
+      ->check(number_from_zero("a number of seconds"));
 }
 
 /// Adds options of `check` that are refused with a reason, and not as unknown options.

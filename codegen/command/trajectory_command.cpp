@@ -24,6 +24,13 @@ namespace regulus::inline command {
 
 namespace {
 
+/// Other ranks would wait, while the first one does all the work.
+void refuse_ranks(const SearchOptions& search) {
+  if (search.workers != nullptr)
+    throw UsageError(
+        "a motion along way-points is searched on one machine; use regulus, with --threads");
+}
+
 void refuse_what_locate_lacks(const LocateCommand& command) {
   refuse_option(Asked::kPathPaving, "certificate", !command.certificate.empty());
   refuse_option(Asked::kPathPaving, "picture",
@@ -36,6 +43,7 @@ std::optional<int> run_trajectory_check(const CheckCommand& command) {
   Stopwatch watch;
   std::optional<Request> request = read_trajectory(command.model);
   if (!request) return std::nullopt;
+  refuse_ranks(command.search);
   refuse_option(Asked::kPathCheck, "checkpoint", !command.checkpoint.path.empty());
   refuse_option(Asked::kPathCheck, "shard-size", command.shard_size > 0);
   InterruptGuard interrupt;
@@ -65,6 +73,7 @@ std::optional<int> run_trajectory_locate(const LocateCommand& command) {
   model.separates_reach = true;
   std::optional<Request> request = read_trajectory(model);
   if (!request) return std::nullopt;
+  refuse_ranks(command.search);
   refuse_what_locate_lacks(command);
   LinesFile lines(command);
   InterruptGuard interrupt;
@@ -93,6 +102,7 @@ std::optional<int> run_trajectory_locate(const LocateCommand& command) {
 
 int run_trajectory_margin(const MarginCommand& command, const MarginQuestion& question,
                           Request request) {
+  refuse_ranks(command.search);
   refuse_option(Asked::kPathMargin, "certificate", !command.certificate.empty());
   InterruptGuard interrupt;
   interrupt.begin_search();

@@ -8,6 +8,7 @@
 #include "codegen/engine/arb_oracle.hpp"
 #include "codegen/engine/closed_form_bounds.hpp"
 #include "codegen/support/errors.hpp"
+#include "codegen/support/stopwatch.hpp"
 #include "runtime/problem/observers.hpp"
 #include "runtime/search/solver.hpp"
 #include "runtime/witness/point_witness.hpp"
@@ -49,6 +50,7 @@ Result run_search(PreparedSearch& preparation, const SearchOptions& search, Sett
   Observers observers(std::move(watching));
   const Problem problem = preparation.problem();
   const double before = preparation.stages->seconds();
+  Stopwatch watch;
   const Method method = settings.method;
   if (preparation.stopped) {
     settings.time_limit = 0;
@@ -60,8 +62,10 @@ Result run_search(PreparedSearch& preparation, const SearchOptions& search, Sett
                            : solver.solve(problem, settings, &observers);
   });
   result.method = method;
+  // The search has ended its own count when the stages serve its conclusion.
+  const double earlier = from != nullptr ? from->state.statistics.seconds : 0;
   const double spent_by_stages = preparation.stages->seconds() - before;
-  preparation.seconds.search = result.statistics.seconds - spent_by_stages;
+  preparation.seconds.search = earlier + std::max(0.0, watch.lap() - spent_by_stages);
   return result;
 }
 

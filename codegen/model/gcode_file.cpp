@@ -4,11 +4,11 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <map>
 #include <optional>
 #include <set>
 
 #include "codegen/model/decimal.hpp"
+#include "codegen/model/gcode_block.hpp"
 #include "codegen/model/names.hpp"
 #include "codegen/model/read_file.hpp"
 #include "codegen/model/units.hpp"
@@ -21,7 +21,13 @@ namespace {
 
 using GiNaC::ex;
 using GiNaC::numeric;
-using Words = std::vector<std::pair<char, numeric>>;
+
+/// The mode before the first word G0 to G3, and after G80.
+constexpr int kNoMotion = -1;
+
+/// An arc turns by at least 1 over this, in radians, and misses a whole turn by as much: controllers
+/// take ends that are nearer to each other for a whole turn.
+constexpr int kFinestTurn = 1'000'000;
 
 /// Two coordinates in the plane of an arc, relative to its centre.
 struct Arm {
@@ -40,19 +46,19 @@ class GcodeReader {
     result_.sha256 = sha256(text);
     result_.interpolation = "G-code";
     find_axes();
-    std::string_view rest = text;
-    if (rest.starts_with("\xEF\xBB\xBF")) rest.remove_prefix(3);
-    while (!rest.empty() && !ended_) {
-      const std::size_t end = std::min(rest.find('\n'), rest.size());
-      ++line_;
-      run(words_of(rest.substr(0, end)));
-      rest.remove_prefix(std::min(end + 1, rest.size()));
+    GcodeText lines(file_, text);
+    while (!ended_) {
+      const std::optional<GcodeBlock> block = lines.next();
+      if (!block) break;
+      run(*block);
     }
     if (result_.pieces.empty())
       fail("the program has no move after x, y and z are known",
            "begin with a move to a whole position, such as G0 X0 Y0 Z50");
     if (has_rapid_)
       result_.notes.push_back("G0 is taken as a straight line; some controllers move otherwise");
+    if (!names_unit_)
+      result_.notes.push_back("the program has no G20 or G21: its lengths are taken as mm");
     if (!ignored_.empty()) {
       const std::vector<std::string> words(ignored_.begin(), ignored_.end());
       result_.notes.push_back("words without an effect on the path: " + enumeration(words));
@@ -84,106 +90,54 @@ class GcodeReader {
     }
   }
 
-  Words words_of(std::string_view line) const {
-    Words words;
-    for (std::size_t at = 0; at < line.size();) {
-      const char c = line[at];
-      if (c == ';') break;
-      if (c == '(') {
-        at = line.find(')', at);
-        if (at == std::string_view::npos) fail("a comment is not closed", "write ( and )");
-        ++at;
-      } else if (c == ' ' || c == '\t' || c == '\r' || c == '%' || c == '/') {
-        ++at;
-      } else {
-        at = read_word(line, at, words);
-      }
-    }
-    return words;
-  }
-
-  std::size_t read_word(std::string_view line, std::size_t at, Words& words) const {
-    const char c = line[at];
-    const char letter = 'a' <= c && c <= 'z' ? char(c - 'a' + 'A') : c;
-    std::size_t begin = at + 1;
-    while (begin < line.size() && line[begin] == ' ') ++begin;
-    std::size_t end = line.find_first_not_of("+-.0123456789", begin);
-    end = std::min(end, line.size());
-    const auto value = signed_decimal(line.substr(begin, end - begin));
-    if (letter < 'A' || letter > 'Z' || !value)
-      fail("found " + in_quotes(line.substr(at, 20)) + ", which is not a letter and a number",
-           "write words such as G1 X10.5; parameters and expressions are not read");
-    words.emplace_back(letter, *value);
-    return end;
-  }
-
-  void run(const Words& words) {
-    std::map<char, numeric> given;
-    for (const auto& [letter, value] : words) {
-      if (letter == 'G') {
-        set_mode(value);
-      } else if (letter == 'M') {
-        ignored_.insert(shown(letter, value));
-        ended_ = ended_ || value == 2 || value == 30;
-      } else if (std::string_view("FSTNPHDEOQL").find(letter) != std::string_view::npos) {
-        ignored_.insert(std::string(1, letter));
-      } else if (std::string_view("XYZIJKR").find(letter) != std::string_view::npos) {
-        if (!given.emplace(letter, value).second)
-          fail(std::string("the word ") + letter + " is given twice", "give it once");
-      } else {
-        fail(std::string("the axis ") + letter + " is not moved by this reader",
-             "use a table of way-points for motions that turn the platform");
-      }
-    }
-    if (!given.empty() && !skips_) move(given);
-    skips_ = false;
-  }
-
-  static std::string shown(char letter, const numeric& value) {
-    const double number = value.to_double();
-    const long tenths = std::lround(10 * number);
-    return std::string(1, letter) + std::to_string(tenths / 10) +
-           (tenths % 10 == 0 ? "" : "." + std::to_string(tenths % 10));
-  }
-
-  void set_mode(const numeric& value) {
-    const std::string word = shown('G', value);
-    if (word == "G0" || word == "G1" || word == "G2" || word == "G3")
-      mode_ = word[1] - '0';
-    else if (word == "G17" || word == "G18" || word == "G19")
+  /// RS274/NGC, "order of execution": dwell, plane, units, distance, motion, end.
+  void run(const GcodeBlock& block) {
+    line_ = block.line;
+    ignored_.insert(block.without_effect.begin(), block.without_effect.end());
+    if (const std::string word = block.mode(GcodeGroup::kPlane); !word.empty())
       plane_ = word == "G17" ? 0 : word == "G18" ? 1 : 2;
-    else if (word == "G20" || word == "G21")
-      unit_ = word == "G20" ? numeric(254, 10) : numeric(1);
-    else if (word == "G90" || word == "G91")
+    if (const std::string word = block.mode(GcodeGroup::kUnits); !word.empty())
+      unit_ = word == "G20" ? numeric(254, 10) : numeric(1), names_unit_ = true;
+    if (const std::string word = block.mode(GcodeGroup::kDistance); !word.empty())
       is_relative_ = word == "G91";
-    else if (word == "G90.1" || word == "G91.1")
+    if (const std::string word = block.mode(GcodeGroup::kCentres); !word.empty())
       has_absolute_centres_ = word == "G90.1";
-    else if (word == "G4")
-      skips_ = true, ignored_.insert(word);
-    else if (kWithoutEffect.contains(word))
-      ignored_.insert(word);
-    else
-      fail("the word " + word + " changes the path in a way that is not read",
-           "write the path in absolute or relative moves G0 to G3 alone");
+    if (const std::string word = block.mode(GcodeGroup::kMotion); !word.empty())
+      mode_ = word == "G80" ? kNoMotion : word[1] - '0';
+    move(block);
+    const std::string stop = block.mode(GcodeGroup::kStop);
+    ended_ = stop == "M2" || stop == "M30";
   }
 
-  void move(const std::map<char, numeric>& given) {
+  void move(const GcodeBlock& block) {
+    const auto is_given = [&block](char letter) { return block.has(letter); };
+    const bool has_axis = std::ranges::any_of(std::string_view("XYZ"), is_given);
+    const bool has_centre = std::ranges::any_of(std::string_view("IJK"), is_given);
+    const bool begins_arc = !block.mode(GcodeGroup::kMotion).empty() && mode_ >= 2;
+    if (!has_axis && !has_centre && !begins_arc) return;
+    if (mode_ == kNoMotion)
+      fail("coordinates are given where no move is in force", "write G0, G1, G2 or G3 before them");
+    if (has_centre && mode_ < 2) fail("a straight move has no centre", "delete I, J and K");
+    const auto target = target_of(block);
+    const bool is_first = !std::ranges::all_of(position_, [](const auto& p) { return bool(p); });
+    if (is_first && mode_ >= 2)
+      fail("an arc begins at an unknown position", "begin with a move such as G0 X0 Y0 Z50");
+    if (!is_first) mode_ < 2 ? add_line(target) : add_arc(target, block);
+    position_ = target;
+  }
+
+  [[nodiscard]] std::array<std::optional<numeric>, 3> target_of(const GcodeBlock& block) const {
     std::array<std::optional<numeric>, 3> target = position_;
     for (std::size_t axis = 0; axis < 3; ++axis) {
-      const auto word = given.find("XYZ"[axis]);
-      if (word == given.end()) continue;
+      const auto word = block.numbers.find("XYZ"[axis]);
+      if (word == block.numbers.end()) continue;
       const numeric value = word->second * unit_;
       if (is_relative_ && !position_[axis])
         fail("a relative move begins at an unknown position",
              "begin with G90 and a whole position");
       target[axis] = is_relative_ ? numeric(*position_[axis] + value) : value;
     }
-    const auto is_known = [](const auto& p) { return p[0] && p[1] && p[2]; };
-    const bool is_first = !is_known(position_);
-    if (is_first && mode_ >= 2)
-      fail("an arc begins at an unknown position", "begin with a move such as G0 X0 Y0 Z50");
-    if (!is_first) mode_ < 2 ? add_line(target) : add_arc(target, given);
-    position_ = target;
+    return target;
   }
 
   TrajectoryPiece& add_piece() {
@@ -220,19 +174,32 @@ class GcodeReader {
     return kAxes[std::size_t(plane_)];
   }
 
-  void add_arc(const std::array<std::optional<numeric>, 3>& target,
-               const std::map<char, numeric>& given) {
+  /// Returns the coordinates of the centre in the plane of the axes a and b.
+  [[nodiscard]] std::array<numeric, 2> centre_of(const GcodeBlock& block, std::size_t a,
+                                                 std::size_t b, std::size_t c) const {
+    const bool has_first = block.has("IJK"[a]), has_second = block.has("IJK"[b]);
+    if (block.has("IJK"[c]))
+      fail(std::string("the word ") + "IJK"[c] + " is given for an arc in another plane",
+           "write the plane, G17, G18 or G19, before the arc");
+    if (!has_first && !has_second)
+      fail("the centre of the arc is not given", "write it with I, J or K");
+    if (has_absolute_centres_ && !(has_first && has_second))
+      fail("G90.1 needs both coordinates of the centre", "write both");
+    std::array<numeric, 2> centre;
+    for (const auto& [axis, k] : {std::pair(a, 0U), std::pair(b, 1U)}) {
+      const auto word = block.numbers.find("IJK"[axis]);
+      const numeric given = word == block.numbers.end() ? numeric(0) : word->second * unit_;
+      centre[k] = has_absolute_centres_ ? given : numeric(*position_[axis] + given);
+    }
+    return centre;
+  }
+
+  void add_arc(const std::array<std::optional<numeric>, 3>& target, const GcodeBlock& block) {
+    if (block.has('P'))
+      fail("the word P on the line of an arc makes further turns, also beside G4",
+           "write G4 on a line of its own");
     const auto [a, b, c] = axes();
-    const auto centre = [&](std::size_t axis) -> numeric {
-      const auto word = given.find("IJK"[axis]);
-      const numeric base = has_absolute_centres_ ? numeric(0) : *position_[axis];
-      if (word == given.end()) return has_absolute_centres_ ? *position_[axis] : base;
-      return base + word->second * unit_;
-    };
-    if (given.contains('R') || !(given.contains("IJK"[a]) || given.contains("IJK"[b])))
-      fail("the centre of the arc is not given",
-           "write it with I, J or K; the radius R leaves two circles");
-    const numeric x = centre(a), y = centre(b);
+    const auto [x, y] = centre_of(block, a, b, c);
     const Arm from{*position_[a] - x, *position_[b] - y}, to{*target[a] - x, *target[b] - y};
     require_circle(from, to);
     TrajectoryPiece& piece = add_piece();
@@ -262,7 +229,7 @@ class GcodeReader {
     const double last = std::sqrt(to.square().to_double());
     if (from.square().is_zero() || to.square().is_zero())
       fail("the arc has a radius of 0", "correct its centre");
-    if (std::abs(first - last) > std::max(0.01, 1e-3 * first))
+    if (!(std::abs(first - last) <= std::max(0.01, 1e-3 * first)))
       fail("the ends of the arc are not equally far from its centre: " + std::to_string(first) +
                " mm and " + std::to_string(last) + " mm",
            "correct its centre; I, J and K are relative to the begin of the arc unless G90.1");
@@ -272,6 +239,9 @@ class GcodeReader {
   [[nodiscard]] ex turn_between(const Arm& from, const Arm& to) const {
     const numeric cross = from.x * to.y - from.y * to.x, dot = from.x * to.x + from.y * to.y;
     const bool is_clockwise = mode_ == 2;
+    if (!cross.is_zero() && dot.is_positive() && GiNaC::abs(cross) * kFinestTurn < dot)
+      fail("the ends of the arc are too near to each other to tell it from a whole turn",
+           "write equal ends for a whole turn, or a straight move");
     if (cross.is_zero() && dot.is_positive()) return ex(is_clockwise ? -2 : 2) * ex(GiNaC::Pi);
     if (cross.is_zero()) return ex(is_clockwise ? -1 : 1) * ex(GiNaC::Pi);
     const ex angle = GiNaC::atan2(cross, dot);
@@ -284,9 +254,6 @@ class GcodeReader {
     throw InputError::statement(file_, line_, problem, remedy);
   }
 
-  const std::set<std::string> kWithoutEffect = {"G40", "G49", "G54", "G61", "G64",
-                                                "G80", "G94", "G95", "G96", "G97"};
-
   const Model& model_;
   const Motion& motion_;
   const std::string& file_;
@@ -297,8 +264,8 @@ class GcodeReader {
   std::set<std::string> ignored_;
   std::array<std::optional<numeric>, 3> position_;  ///< in mm
   numeric unit_ = 1;                                ///< in mm
-  int mode_ = 0, plane_ = 0, line_ = 0;
-  bool is_relative_ = false, has_absolute_centres_ = false, has_rapid_ = false, skips_ = false,
+  int mode_ = kNoMotion, plane_ = 0, line_ = 0;
+  bool is_relative_ = false, has_absolute_centres_ = false, has_rapid_ = false, names_unit_ = false,
        ended_ = false;
 };
 

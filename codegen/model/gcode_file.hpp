@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Reads the path of a program in G-code (RS-274): moves of the position x, y, z.
+// Reads the path of a program in G-code (RS274/NGC, LinuxCNC): moves of the position x, y, z.
 #pragma once
 
 #include <string>
@@ -19,8 +19,8 @@ namespace regulus::inline model {
 /// Ensures   an arc is exactly a circle about the written centre if both ends are equally far from
 ///           it; otherwise the difference, at most 0.01 mm or 1/1000 of the radius, is added
 ///           linearly, as both ends are kept.
-/// Errors    InputError with the line for every word that would change the path and is not
-///           understood (offsets, compensation of the tool, homing); FileError.
+/// Errors    InputError with the line for every word that is not known to have no effect on the path
+///           (gcode_block.hpp); FileError.
 [[nodiscard]] Trajectory read_gcode(const Model& model, const Motion& motion,
                                     const std::string& file);
 

@@ -6,6 +6,7 @@
 #include <algorithm>
 
 #include "codegen/engine/build_id.hpp"
+#include "codegen/support/errors.hpp"
 #include "runtime/cluster/bytes.hpp"
 
 namespace regulus::inline mpi {
@@ -49,6 +50,12 @@ Agreement read_agreement(std::string_view text) {
   agreement.isa = reader.take<Isa>();
   agreement.refusal = reader.take_text();
   return agreement;
+}
+
+bool refuse_silence(const std::vector<unsigned>& ranks, double seconds) {
+  if (seconds >= kSecondsOfPatience)
+    throw InternalError(describe_silent(ranks) + "; the job ends before its search");
+  return false;
 }
 
 std::string name_of(std::size_t rank, const RankIdentity& identity) {
@@ -98,8 +105,8 @@ Agreement compare(const std::vector<RankIdentity>& ranks, std::optional<Isa> wan
 Agreement agree(Communicator& communicator, std::optional<Isa> wanted,
                 std::vector<RankIdentity>& ranks) {
   const RankIdentity own{host_name(), build_id(), best_isa()};
-  for (const std::string& text : communicator.gather(write_identity(own)))
-    ranks.push_back(read_identity(text));
+  for (const auto& text : communicator.gather(write_identity(own), refuse_silence))
+    ranks.push_back(read_identity(*text));
   const Agreement decision = ranks.empty() ? Agreement{} : compare(ranks, wanted);
   return read_agreement(communicator.broadcast(write_agreement(decision)));
 }

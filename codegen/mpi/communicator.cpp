@@ -2,15 +2,19 @@
 #include "codegen/mpi/communicator.hpp"
 
 #include <mpi.h>
+#include <unistd.h>
 
 #include <algorithm>
 #include <chrono>
+#include <csignal>
+#include <cstdio>
+#include <cstdlib>
 #include <limits>
-#include <numeric>
 #include <thread>
 #include <utility>
 
 #include "codegen/support/errors.hpp"
+#include "codegen/support/exit_code.hpp"
 
 namespace regulus::inline mpi {
 namespace {
@@ -28,18 +32,31 @@ unsigned ask(int (*function)(MPI_Comm, int*)) {
   return static_cast<unsigned>(number);
 }
 
+/// MPI begins when all ranks do, and does not tell which one does not.
+constexpr unsigned kSecondsOfStart = 120;
+
+extern "C" void end_start(int) {
+  constexpr char kText[] = "regulus-mpi: a rank does not start within 120 s; the job ends\n";
+  [[maybe_unused]] const auto written = ::write(STDERR_FILENO, kText, sizeof kText - 1);
+  std::_Exit(kInternalFault);
+}
+
 }  // namespace
 
 struct Communicator::Sending {
-  std::string bytes;
+  Text bytes;
   MPI_Request request = MPI_REQUEST_NULL;
 };
 
 Communicator::Communicator() {
   int provided = 0;
+  std::signal(SIGALRM, end_start);
+  ::alarm(kSecondsOfStart);
   MPI_Init_thread(nullptr, nullptr, MPI_THREAD_FUNNELED, &provided);
+  ::alarm(0);
   rank_ = ask(MPI_Comm_rank);
   size_ = ask(MPI_Comm_size);
+  texts_.resize(size_);
 }
 
 Communicator::~Communicator() {
@@ -47,27 +64,64 @@ Communicator::~Communicator() {
   MPI_Finalize();
 }
 
-std::string Communicator::broadcast(std::string text) {
-  int size = is_first() ? count_of(text) : 0;
-  MPI_Bcast(&size, 1, MPI_INT, 0, MPI_COMM_WORLD);
-  text.resize(static_cast<std::size_t>(size));
-  MPI_Bcast(text.data(), size, MPI_BYTE, 0, MPI_COMM_WORLD);
+// With messages between two ranks and not with the collective calls of MPI, which end only if all
+// ranks take part, and do not tell which one does not.
+
+std::string Communicator::await_text(unsigned rank) {
+  Patience patience;
+  while (texts_[rank].empty())
+    if (!try_receive()) patience.wait();
+  std::string text = std::move(texts_[rank].front());
+  texts_[rank].pop_front();
   return text;
 }
 
-std::vector<std::string> Communicator::gather(const std::string& text) {
-  const int size = count_of(text);
-  std::vector<int> sizes(size_), places(size_);
-  MPI_Gather(&size, 1, MPI_INT, sizes.data(), 1, MPI_INT, 0, MPI_COMM_WORLD);
-  std::exclusive_scan(sizes.begin(), sizes.end(), places.begin(), 0);
-  std::string all(static_cast<std::size_t>(places.back() + sizes.back()), '\0');
-  MPI_Gatherv(text.data(), size, MPI_BYTE, all.data(), sizes.data(), places.data(), MPI_BYTE, 0,
-              MPI_COMM_WORLD);
-  std::vector<std::string> texts;
-  for (unsigned i = 0; is_first() && i < size_; ++i)
-    texts.push_back(
-        all.substr(static_cast<std::size_t>(places[i]), static_cast<std::size_t>(sizes[i])));
-  return texts;
+std::string Communicator::broadcast(std::string text) {
+  if (!is_first()) return await_text(0);
+  const auto shared = std::make_shared<const std::string>(std::move(text));
+  for (unsigned rank = 1; rank < size_; ++rank) send_shared(rank, Tag::kText, shared);
+  return *shared;
+}
+
+std::vector<unsigned> Communicator::silent() const {
+  std::vector<unsigned> ranks;
+  for (unsigned rank = 1; rank < size_; ++rank)
+    if (texts_[rank].empty()) ranks.push_back(rank);
+  return ranks;
+}
+
+std::vector<std::optional<std::string>> Communicator::gather(const std::string& text,
+                                                             const Silence& silence) {
+  if (!is_first()) {
+    send(0, Tag::kText, text);
+    return {};
+  }
+  const auto begin = std::chrono::steady_clock::now();
+  const auto seconds = [begin] {
+    return std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
+  };
+  Patience patience;
+  while (!silent().empty()) {
+    if (silence(silent(), seconds())) break;
+    if (!try_receive()) patience.wait();
+  }
+  std::vector<std::optional<std::string>> all = {text};
+  for (unsigned rank = 1; rank < size_; ++rank) {
+    const bool is_lost = texts_[rank].empty();
+    all.push_back(is_lost ? std::nullopt : std::optional(await_text(rank)));
+    if (is_lost) lost_.insert(rank);
+  }
+  return all;
+}
+
+int Communicator::end(int exit_code) {
+  if (!lost_.empty()) abort(exit_code);
+  static_cast<void>(gather({}, [&](const std::vector<unsigned>& ranks, double seconds) {
+    if (seconds < kSecondsOfPatience) return false;
+    std::fprintf(stderr, "regulus-mpi: %s; the job ends without\n", describe_silent(ranks).c_str());
+    abort(exit_code);
+  }));
+  return exit_code;
 }
 
 void Communicator::forget_sent() {
@@ -79,15 +133,27 @@ void Communicator::forget_sent() {
 }
 
 void Communicator::send(unsigned rank, Tag tag, std::string bytes) {
+  send_shared(rank, tag, std::make_shared<const std::string>(std::move(bytes)));
+}
+
+void Communicator::send_shared(unsigned rank, Tag tag, Text bytes) {
   forget_sent();
   auto sending = std::make_unique<Sending>();
   sending->bytes = std::move(bytes);
-  MPI_Isend(sending->bytes.data(), count_of(sending->bytes), MPI_BYTE, static_cast<int>(rank),
+  MPI_Isend(sending->bytes->data(), count_of(*sending->bytes), MPI_BYTE, static_cast<int>(rank),
             static_cast<int>(tag), MPI_COMM_WORLD, &sending->request);
   sending_.push_back(std::move(sending));
 }
 
 std::optional<Message> Communicator::try_receive() {
+  for (;;) {
+    std::optional<Message> message = try_receive_any();
+    if (!message || message->tag != Tag::kText) return message;
+    texts_[message->rank].push_back(std::move(message->bytes));
+  }
+}
+
+std::optional<Message> Communicator::try_receive_any() {
   int found = 0, size = 0;
   MPI_Message handle{};
   MPI_Status status{};
@@ -111,6 +177,13 @@ Message Communicator::receive() {
 void Communicator::abort(int exit_code) {
   MPI_Abort(MPI_COMM_WORLD, exit_code);
   std::abort();
+}
+
+std::string describe_silent(const std::vector<unsigned>& ranks) {
+  std::string text = ranks.size() == 1 ? "rank " : "ranks ";
+  for (std::size_t i = 0; i < ranks.size(); ++i)
+    text += (i == 0 ? "" : ", ") + std::to_string(ranks[i]);
+  return text + (ranks.size() == 1 ? " does not answer" : " do not answer");
 }
 
 void Patience::wait() noexcept {

@@ -15,6 +15,7 @@
 #include "codegen/bound/bracket_topic.hpp"
 #include "codegen/bound/condition_kernel.hpp"
 #include "codegen/command/commands.hpp"
+#include "codegen/command/read_trajectory.hpp"
 #include "codegen/command/run_command_line.hpp"
 #include "codegen/engine/settings.hpp"
 #include "codegen/margin/prepared_margin.hpp"
@@ -113,6 +114,16 @@ int lead(Communicator& communicator, CommandLine& line, const std::vector<RankId
   return code;
 }
 
+/// Before the other ranks form the matrix. The question of `margin` refuses them when it is read.
+void refuse_waypoints(const CommandLine& line, const std::string& text) {
+  if (!line.check && !line.locate) return;
+  ModelOptions model = line.check ? line.check->model : line.locate->model;
+  model.text = text;
+  if (read_trajectory(model))
+    throw UsageError(
+        "a motion along way-points is searched on one machine; use regulus, with --threads");
+}
+
 /// Reads the model once for all ranks, so that all have the same. Mistakes in the words are reported
 /// before the other ranks begin. Returns the start of all ranks.
 Start read_start(CommandLine& line) {
@@ -127,6 +138,7 @@ Start read_start(CommandLine& line) {
           static_cast<void>(settings_from(command.search));
           start.model = model_text(command.model);
         });
+        refuse_waypoints(line, start.model);
         return 0;
       },
       kName);
@@ -198,11 +210,11 @@ int main(int argc, char** argv) {
   setenv("NO_COLOR", "1", 1);
   Communicator communicator;
   std::fesetenv(FE_DFL_ENV);
-  return report_errors(
+  return communicator.end(report_errors(
       [&] {
         const Start start = begin_together(communicator, {argv, argv + argc});
         if (!start.exit_code) return run_together(communicator, start);
         return communicator.is_first() ? *start.exit_code : 0;
       },
-      kName);
+      kName));
 }

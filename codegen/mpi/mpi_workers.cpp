@@ -4,7 +4,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <chrono>
 #include <cstdio>
 #include <utility>
 
@@ -19,8 +18,6 @@ namespace {
 /// With more other ranks, rank 0 is busy enough with their messages.
 constexpr unsigned kFewRanks = 16;
 
-constexpr std::chrono::seconds kLongestFarewell{60};
-
 constexpr double kSecondsBetweenLines = 10.0;
 
 }  // namespace
@@ -34,6 +31,7 @@ MpiWorkers::MpiWorkers(Communicator& communicator, const std::vector<std::string
       tells_(tells) {
   for (std::size_t i = 0; i < hosts.size(); ++i) ranks_[i].host = hosts[i];
   ranks_[0].threads = threads;
+  asked_at_ = now();
 }
 
 std::string MpiWorkers::name_of(unsigned rank) const {
@@ -49,6 +47,7 @@ void MpiWorkers::tell_all(Tag tag, const std::string& bytes) {
 }
 
 void MpiWorkers::take_ready(const Message& message) {
+  ranks_[message.rank].is_still = false;
   if (message.tag == Tag::kError) fail(message);
   if (message.tag == Tag::kReady) ranks_[message.rank].threads = read_ready(message.bytes);
 }
@@ -58,20 +57,31 @@ void MpiWorkers::tell_topic() {
   told_topic_ = topic_;
   for (unsigned rank = 1; rank < ranks_.size(); ++rank) ranks_[rank].threads = 0;
   tell_all(Tag::kTopic, *topic_);
+  asked_at_ = now();
 }
 
 void MpiWorkers::await_ranks(const Settings& settings) {
-  const auto is_ready = [](const Rank& rank) { return rank.threads > 0; };
+  const auto is_ready = [](const Rank& rank) { return rank.threads > 0 || rank.is_still; };
   Patience patience;
-  const double began = now();
+  const double began = now(), patience_seconds = std::max(kSecondsOfPatience, began - asked_at_);
   while (!std::all_of(ranks_.begin(), ranks_.end(), is_ready)) {
     if (settings.interrupt != nullptr && *settings.interrupt) return;
     if (now() - began >= settings.time_limit) return;
+    if (now() - began >= patience_seconds) {
+      std::set<unsigned> late;
+      for (unsigned rank = 0; rank < ranks_.size(); ++rank)
+        if (!is_ready(ranks_[rank])) late.insert(rank);
+      return name_late(late, "others do its work");
+    }
     if (const std::optional<Message> message = communicator_.try_receive())
       take_ready(*message);
     else
       patience.wait();
   }
+}
+
+unsigned MpiWorkers::threads_of(unsigned rank) const {
+  return ranks_[rank].is_still ? 0 : ranks_[rank].threads;
 }
 
 void MpiWorkers::begin(const Problem& problem, const Settings& settings,
@@ -80,7 +90,7 @@ void MpiWorkers::begin(const Problem& problem, const Settings& settings,
   await_ranks(settings);
   const auto threads_of_others = [this] {
     unsigned threads = 0;
-    for (std::size_t rank = 1; rank < ranks_.size(); ++rank) threads += ranks_[rank].threads;
+    for (unsigned rank = 1; rank < ranks_.size(); ++rank) threads += threads_of(rank);
     return threads;
   };
   first_thread_works_ = communicator_.size() <= kFewRanks || threads_of_others() == 0;
@@ -97,7 +107,7 @@ void MpiWorkers::begin(const Problem& problem, const Settings& settings,
     places_.push_back({0, slot});
   for (unsigned rank = 1; rank < ranks_.size(); ++rank) {
     first_worker_[rank] = places_.size();
-    for (unsigned slot = 0; slot < ranks_[rank].threads; ++slot) places_.push_back({rank, slot});
+    for (unsigned slot = 0; slot < threads_of(rank); ++slot) places_.push_back({rank, slot});
   }
   tell_all(Tag::kSearch, write_for_search(search_, 0, write_search(problem, settings, learned)));
 }
@@ -147,17 +157,26 @@ std::optional<cluster::Received> MpiWorkers::receive() {
 
 void MpiWorkers::show(const cluster::Progress& progress) {
   progress_ = progress;
+  name_those_that_stand_still();
   if (!tells_) return;
   if (told_boxes_ == 0) told_boxes_ = progress.boxes;
-  name_those_that_stand_still();
   if (now() - told_at_ >= kSecondsBetweenLines) tell_progress();
 }
 
 void MpiWorkers::name_those_that_stand_still() {
+  std::set<unsigned> late;
   for (const std::size_t worker : progress_.still)
-    if (named_.insert(worker).second)
-      fmt::print(stderr, "regulus-mpi: {} does not answer; others do its work\n",
-                 name_of(places_.at(worker).rank));
+    if (named_.insert(worker).second && !ranks_[places_.at(worker).rank].is_still)
+      late.insert(places_.at(worker).rank);
+  name_late(late, "others do its work");
+}
+
+/// A rank that stands still gets no work of the next searches until it sends something.
+void MpiWorkers::name_late(const std::set<unsigned>& ranks, const char* consequence) {
+  for (const unsigned rank : ranks) {
+    ranks_[rank].is_still = rank > 0;
+    fmt::print(stderr, "regulus-mpi: {} does not answer; {}\n", name_of(rank), consequence);
+  }
 }
 
 void MpiWorkers::tell_progress() {
@@ -182,15 +201,17 @@ std::string MpiWorkers::describe() const {
 bool MpiWorkers::dismiss() {
   if (std::exchange(dismissed_, true)) return true;
   tell_all(Tag::kQuit, {});
-  std::size_t left = ranks_.size() - 1;
-  const auto begin = std::chrono::steady_clock::now();
+  std::set<unsigned> left;
+  for (unsigned rank = 1; rank < ranks_.size(); ++rank) left.insert(rank);
+  const double begin = now();
   Patience patience;
-  while (left > 0 && std::chrono::steady_clock::now() - begin < kLongestFarewell) {
+  while (!left.empty() && now() - begin < kSecondsOfPatience) {
     const std::optional<Message> message = communicator_.try_receive();
     if (!message) patience.wait();
-    if (message && message->tag == Tag::kBye) --left;
+    if (message && message->tag == Tag::kBye) left.erase(message->rank);
   }
-  return left == 0;
+  name_late(left, "the job ends without it");
+  return left.empty();
 }
 
 }  // namespace regulus::mpi

@@ -16,7 +16,8 @@ namespace regulus::inline mpi {
 /// The knowledge of rank 0 about the others before a search.
 struct Rank {
   std::string host;
-  unsigned threads = 0;  ///< 0: it is not ready yet
+  unsigned threads = 0;   ///< 0: it is not ready yet
+  bool is_still = false;  ///< it did not answer in time, and sent nothing since
 };
 
 /// The threads of all ranks as workers, for rank 0. With many ranks, its first thread only brings
@@ -31,8 +32,9 @@ class MpiWorkers final : public cluster::Workers {
 
   /// Ranks form the matrix of a topic only when a search about it is long enough for them.
   void turn_to(std::string topic) override { topic_ = std::move(topic); }
-  /// Waits until each rank has prepared the question, but not beyond the limit of time: ranks that
-  /// are not ready then get no work. Throws InternalError with the name of a rank that cannot.
+  /// Waits until each rank has prepared the question, but not beyond the limit of time, nor beyond
+  /// kSecondsOfPatience or the time that this rank took: ranks that are not ready then are named and
+  /// get no work. Throws InternalError with the name of a rank that cannot.
   void begin(const Problem& problem, const Settings& settings, const cluster::Learned& learned,
              const cluster::MakeDecider& make) override;
   void end() noexcept override;
@@ -42,12 +44,13 @@ class MpiWorkers final : public cluster::Workers {
   /// Throws InternalError with the name of a rank that cannot go on.
   [[nodiscard]] std::optional<cluster::Received> receive() override;
   [[nodiscard]] double now() const override { return local_.now(); }
-  /// Names a worker that stands still, once; and every ten seconds, if wanted, tells how far the
-  /// search is.
+  /// Names a rank that stands still, once; and every ten seconds, if wanted, tells how
+  /// far the search is.
   void show(const cluster::Progress& progress) override;
   [[nodiscard]] std::string describe() const override;
 
-  /// Lets all ranks end, once, and waits for it. Returns false if one does not within a minute.
+  /// Lets all ranks end, once, and waits for it. Returns false if one does not within
+  /// kSecondsOfPatience, and names it.
   [[nodiscard]] bool dismiss();
 
  private:
@@ -61,9 +64,12 @@ class MpiWorkers final : public cluster::Workers {
   void take_ready(const Message& message);
   [[nodiscard]] std::optional<cluster::Received> take(const Message& message);
   [[nodiscard]] std::string name_of(unsigned rank) const;
+  /// Returns the threads that get work.
+  [[nodiscard]] unsigned threads_of(unsigned rank) const;
   [[noreturn]] void fail(const Message& message) const;
   void tell_all(Tag tag, const std::string& bytes);
   void name_those_that_stand_still();
+  void name_late(const std::set<unsigned>& ranks, const char* consequence);
   void tell_progress();
 
   Communicator& communicator_;
@@ -80,7 +86,7 @@ class MpiWorkers final : public cluster::Workers {
   const bool tells_;
   cluster::Progress progress_;
   std::set<std::size_t> named_;  ///< workers that stood still
-  double told_at_ = 0;
+  double told_at_ = 0, asked_at_ = 0;
   std::uint64_t told_boxes_ = 0;
 };
 

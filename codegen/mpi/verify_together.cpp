@@ -2,6 +2,8 @@
 #include "codegen/mpi/verify_together.hpp"
 
 #include <csignal>
+#include <cstdio>
+#include <optional>
 #include <utility>
 
 #include "codegen/command/commands.hpp"
@@ -44,8 +46,9 @@ ShardProof take_proof(ByteReader& from) {
 /// would wait for ever.
 class Exchange {
  public:
-  Exchange(Communicator& communicator, const std::vector<RankIdentity>& ranks)
-      : communicator_(communicator), ranks_(ranks) {}
+  /// `limit`: of the time of each rank's proofs, in seconds; 0: there is none.
+  Exchange(Communicator& communicator, const std::vector<RankIdentity>& ranks, double limit)
+      : communicator_(communicator), ranks_(ranks), limit_(limit) {}
 
   void run(std::vector<ShardProof>& proofs) {
     done_ = true;
@@ -53,8 +56,9 @@ class Exchange {
     own.put_text("");
     for (std::size_t i = communicator_.rank(); i < proofs.size(); i += communicator_.size())
       put(own, proofs[i]);
-    const std::vector<std::string> all = communicator_.gather(own.bytes());
-    for (std::size_t rank = 1; rank < all.size(); ++rank) take(all[rank], rank, proofs);
+    const auto all = gather(own.bytes());
+    for (std::size_t rank = 1; rank < all.size(); ++rank)
+      all[rank] ? take(*all[rank], rank, proofs) : miss(rank, "it does not answer", proofs);
   }
 
   /// A rank that has no proofs says why.
@@ -62,24 +66,39 @@ class Exchange {
     if (std::exchange(done_, true)) return;
     ByteWriter own;
     own.put_text(why.empty() ? "it does not read an index there" : why);
-    static_cast<void>(communicator_.gather(own.bytes()));
+    static_cast<void>(gather(own.bytes()));
   }
 
  private:
   void take(std::string_view bytes, std::size_t rank, std::vector<ShardProof>& proofs) const {
     ByteReader reader(bytes);
     const std::string failure(reader.take_text());
-    for (std::size_t i = rank; i < proofs.size(); i += communicator_.size()) {
-      if (!reader.at_end())
-        proofs[i] = take_proof(reader);
-      else
-        proofs[i].reason = "rank " + std::to_string(rank) + " on " + ranks_[rank].host +
-                           " has not proved it" + (failure.empty() ? "" : ": " + failure);
-    }
+    miss(rank, failure, proofs);
+    for (std::size_t i = rank; i < proofs.size() && !reader.at_end(); i += communicator_.size())
+      proofs[i] = take_proof(reader);
+  }
+
+  void miss(std::size_t rank, const std::string& failure, std::vector<ShardProof>& proofs) const {
+    for (std::size_t i = rank; i < proofs.size(); i += communicator_.size())
+      proofs[i].reason = "rank " + std::to_string(rank) + " on " + ranks_[rank].host +
+                         " has not proved it" + (failure.empty() ? "" : ": " + failure);
+  }
+
+  /// A rank may be at work for long. It is named now and then, and given up after the limit of time.
+  std::vector<std::optional<std::string>> gather(const std::string& own) {
+    double named = 0;
+    return communicator_.gather(own, [&](const std::vector<unsigned>& ranks, double seconds) {
+      if (limit_ > 0 && seconds >= limit_ + kSecondsOfPatience) return true;
+      if (seconds - named < kSecondsOfPatience) return false;
+      named = seconds;
+      std::fprintf(stderr, "regulus-mpi: %s yet\n", describe_silent(ranks).c_str());
+      return false;
+    });
   }
 
   Communicator& communicator_;
   const std::vector<RankIdentity>& ranks_;
+  const double limit_;
   bool done_ = false;
 };
 
@@ -95,7 +114,7 @@ void unblock_signals() {
 int verify_together(Communicator& communicator, const VerifyCommand& command,
                     const std::vector<RankIdentity>& ranks) {
   unblock_signals();
-  Exchange exchange(communicator, ranks);
+  Exchange exchange(communicator, ranks, command.time_limit.value_or(0));
   const VerifiedPart part{communicator.rank(), communicator.size(),
                           [&exchange](std::vector<ShardProof>& proofs) { exchange.run(proofs); }};
   int code = 0;

@@ -156,6 +156,33 @@ TEST(Command, RefusesWrongUseWith64) {
     EXPECT_EQ(regulus(words).exit_code, 64) << testing::PrintToString(words);
 }
 
+TEST(Command, SaysWhichNumberAnOptionTakes) {
+  const auto message = [](const std::string& option, const std::string& value) {
+    const CommandResult result =
+        regulus({"check", kPlanar, "regular", "--certificate", "/dev/null/none", option, value});
+    EXPECT_EQ(result.exit_code, 64) << option << ' ' << value;
+    EXPECT_LT(result.errors.size(), 160U) << result.errors;
+    return result.errors;
+  };
+  for (const char* value : {"0", "-1", "nan", "inf", "1e999", "x", "1s", ""})
+    EXPECT_THAT(message("--time-limit", value),
+                HasSubstr("--time-limit: found '" + std::string(value) +
+                          "', expected a number of seconds above 0"));
+  for (const char* value : {"0", "-1", "1.5", "1e3", "99999999999999999999", "x"}) {
+    EXPECT_THAT(message("--max-boxes", value), HasSubstr("expected a whole number from 1 on"));
+    EXPECT_THAT(message("--symbolic-budget", value), HasSubstr("whole number from 1 on"));
+    EXPECT_THAT(message("--threads", value), HasSubstr("expected a whole number from 1 to 1024"));
+    EXPECT_THAT(message("--precision", value), HasSubstr("whole number from 53 to 1048576"));
+    EXPECT_THAT(message("--shard-size", value),
+                HasSubstr("found '" + std::string(value) + "', expected a size from 4096 to"));
+  }
+  EXPECT_THAT(message("--checkpoint-every", "-1"), HasSubstr("a number of seconds, 0 or more"));
+  const CommandResult verify =
+      run_command({REGULUS_BINARY_DIR "/bin/regulus-verify", "none", "--threads", "0"});
+  EXPECT_EQ(verify.exit_code, 64);
+  EXPECT_THAT(verify.errors, HasSubstr("--threads: found '0', expected a whole number from 1"));
+}
+
 TEST(Command, SaysWhichWordIsMistyped) {
   const CommandResult command = regulus({"chek", "robot_1", "--json"});
   EXPECT_EQ(command.exit_code, 64);

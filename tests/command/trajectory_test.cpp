@@ -179,13 +179,17 @@ TEST_F(Trajectories, OfGcodeAreComparedWithTheProgram) {
   ASSERT_EQ(run.output, "NO SINGULARITY\n") << run.errors;
   EXPECT_EQ(answer("%", ""), "VERIFIED\n");
   EXPECT_EQ(answer("M30\nX5", "X0"), "VERIFIED\n");
-  for (const char* change : {"Z550|Z550.001", "g3|g2", "80.004|80.003", "G91 |", "K-5.5|K-5.4",
-                             "G18|", "G20|", "M30|", "j0|j.002", "G91 G1|G91 G3 I-40"})
+  for (const char* change : {"Z550|Z550.001", "g3|g2", "80.004|80.003", "K-5.5|K-5.4", "G20|",
+                             "M30|", "j0|j.002", "G91 G1|G91 G3 I-40"})
     EXPECT_EQ(answer(std::string(change).substr(0, std::string(change).find('|')),
                      std::string(change).substr(std::string(change).find('|') + 1)),
               "REJECTED\n")
         << change;
   EXPECT_EQ(answer("g3", "g5"), "UNFINISHED\n");
+  EXPECT_EQ(answer("G91 ", ""), "UNFINISHED\n");  // the ends of the arc are no longer on a circle
+  EXPECT_EQ(answer("G18", ""), "UNFINISHED\n");   // K is no coordinate of the plane
+  EXPECT_EQ(answer("F100", "G64"), "UNFINISHED\n");
+  EXPECT_EQ(answer("F100", "G4 P1 F100"), "VERIFIED\n");
 }
 
 /// Slopes that are not those of the natural spline make another trajectory.

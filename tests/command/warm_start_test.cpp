@@ -76,6 +76,23 @@ TEST_F(WarmCommand, RecognisesWhatIsAlwaysSingularAsTheColdOneDid) {
   expect_warm({"check", model}, first);
 }
 
+/// A pose that is exactly singular: the conclusion reads the model, which the cache left out before.
+TEST_F(WarmCommand, CountsNoTimeTwice) {
+  std::string sum = "sin(x + 1)";
+  for (int k = 2; k < 60; ++k) {
+    const std::string number = std::to_string(k);
+    sum += " + sin(x + " + number + ")^2*cos(y*" + number + ")";
+  }
+  const std::string path = model_file(
+      text_of_model("[\"(x - 1)*(" + sum + ")\", \"(y - 1)*r\"], [\"y\", \"x\"]", "1", "1"));
+  for (const char* run : {"cold", "warm"}) {
+    const json report = command_.report({"check", path});
+    EXPECT_EQ(report["verdict"], "singularity");
+    for (const auto& [stage, seconds] : report["seconds"].items())
+      EXPECT_GE(seconds.get<double>(), 0) << stage << ", " << run;
+  }
+}
+
 TEST_F(WarmCommand, LooksForTheNearestSingularityAsTheColdOneDid) {
   const std::string three_legs =
       R"toml(["1", "x - 1/3"], ["y + 2/3", "sin(x - 1/3)"], ["r", "3*y + 2"])toml";

@@ -36,6 +36,35 @@ TEST(SixtyFourRanks, GiveTheCertificateOfOneThread) {
   EXPECT_TRUE(text_of(file("many")) == text_of(file("one")));
 }
 
+/// Returns the process that mpirun started as this rank; 0: there is none yet.
+pid_t process_of(int rank, const RunningCommand& job) {
+  const std::string wanted = "OMPI_COMM_WORLD_RANK=" + std::to_string(rank);
+  for (const pid_t child : children_of(job.pid())) {
+    std::ifstream file("/proc/" + std::to_string(child) + "/environ");
+    for (std::string variable; std::getline(file, variable, '\0');)
+      if (variable == wanted) return child;
+  }
+  return 0;
+}
+
+/// The others do its work, and the job ends with the verdict.
+TEST(StoppedRanks, AreNamedAndDoNotKeepTheJob) {
+  const TemporaryDirectory directory;
+  const Words check = {
+      "check", model("robot_2"), "table5_30",     "--method",
+      "reg",   "--quiet",        "--certificate", (directory.path() / "proof").string()};
+  RunningCommand job(ranks(3, check));
+  // Rank 0 writes when all ranks have agreed.
+  for (int i = 0; i < 60'000 && std::filesystem::is_empty(directory.path()); ++i) ::usleep(1000);
+  const pid_t stopped = process_of(2, job);
+  if (stopped == 0) GTEST_SKIP() << "the launcher does not name its ranks";
+  ASSERT_EQ(::kill(stopped, SIGSTOP), 0);
+  const CommandResult result = job.wait();
+  EXPECT_EQ(result.output, "NO SINGULARITY\n");
+  EXPECT_EQ(result.exit_code, 0);
+  EXPECT_THAT(result.errors, testing::ContainsRegex("rank 2 on .* does not answer; the job ends"));
+}
+
 TEST(KilledJobs, GoOnToTheSameCertificate) {
   const TemporaryDirectory directory;
   const auto file = [&](const char* name) { return (directory.path() / name).string(); };

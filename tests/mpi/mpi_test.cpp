@@ -215,6 +215,21 @@ TEST_F(Ranks, RefuseAFilter) {
   EXPECT_EQ(result.exit_code, 64);
 }
 
+/// Rank 0 would do all the work, while the others wait.
+TEST_F(Ranks, RefuseWayPoints) {
+  std::ofstream(file("path.nc")) << "G21 G0 X80 Y0 Z550\nG1 X-80\n";
+  for (const Words& command : {Words{"check"}, Words{"locate", "--output", file("boxes")},
+                               Words{"margin", "--tube", "x=0:1"}}) {
+    const CommandResult result = run_command(
+        ranks(2, joined({command[0], model("robot_1"), "T1", "--waypoints", file("path.nc")},
+                        Words(command.begin() + 1, command.end()))));
+    EXPECT_EQ(result.exit_code, 64) << result.errors;
+    EXPECT_EQ(result.output, "");
+    EXPECT_THAT(result.errors, HasSubstr("a motion along way-points is searched on one machine"));
+  }
+  EXPECT_FALSE(std::filesystem::exists(file("boxes")));
+}
+
 TEST_F(Ranks, RefuseACheckpointThatAnotherJobUses) {
   RunningCommand first(
       ranks(2, {"check", model("robot_1"), "table4_5", "--method", "reg", "--checkpoint",

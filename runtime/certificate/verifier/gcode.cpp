@@ -2,8 +2,11 @@
 #include "runtime/certificate/verifier/gcode.hpp"
 
 #include <algorithm>
+#include <cmath>
+#include <initializer_list>
 #include <optional>
 #include <string>
+#include <utility>
 
 namespace regulus::verifier {
 namespace {
@@ -11,8 +14,64 @@ namespace {
 constexpr std::size_t kMostDigitsOfWord = 400;
 constexpr std::string_view kDigits = "0123456789";
 
-/// Words of G that change no path, times ten.
-constexpr long kWithoutEffect[] = {400, 490, 540, 610, 640, 800, 940, 950, 960, 970};
+/// The modal groups of RS274/NGC; a line has at most one word of each.
+enum Group : std::size_t {
+  kMotion,
+  kPlane,
+  kUnits,
+  kDistance,
+  kCentres,
+  kStop,
+  kDwell,
+  kRadius,
+  kLength,
+  kOrigin,
+  kPathControl,
+  kFeed,
+  kSpindleMode,
+  kSpindle,
+  kCoolant,
+  kOverrides,
+  kGroups
+};
+
+struct Member {
+  Group group;
+  std::initializer_list<long> words;  ///< times ten
+};
+
+/// All words G, and all words M, that are known; the groups behind kStop, M0 and M1 change no path.
+/// See "G Codes" and "M Codes" of LinuxCNC, and NISTIR 6556.
+const Member* find_member(bool is_g, long word) {
+  static constexpr Member kWordsG[] = {{kMotion, {0, 10, 20, 30, 800}},
+                                       {kPlane, {170, 180, 190}},
+                                       {kUnits, {200, 210}},
+                                       {kDistance, {900, 910}},
+                                       {kCentres, {901, 911}},
+                                       {kDwell, {40}},
+                                       {kRadius, {400}},
+                                       {kLength, {490}},
+                                       {kOrigin, {540}},
+                                       {kPathControl, {610}},
+                                       {kFeed, {940, 950}},
+                                       {kSpindleMode, {960, 970}}};
+  static constexpr Member kWordsM[] = {{kStop, {0, 10, 20, 300}},
+                                       {kSpindle, {30, 40, 50}},
+                                       {kCoolant, {70, 80, 90}},
+                                       {kOverrides, {480, 490}}};
+  const auto find = [word](const auto& members) -> const Member* {
+    for (const Member& member : members)
+      if (std::find(member.words.begin(), member.words.end(), word) != member.words.end())
+        return &member;
+    return nullptr;
+  };
+  return is_g ? find(kWordsG) : find(kWordsM);
+}
+
+constexpr long kNoMotion = 800;
+
+bool is_blank(char c) { return c == ' ' || c == '\t'; }
+char capital(char c) { return char('a' <= c && c <= 'z' ? c - 'a' + 'A' : c); }
 
 /// Reads a program line by line and keeps the state of the machine.
 class ProgramReader {
@@ -22,7 +81,7 @@ class ProgramReader {
     while (!text.empty() && !ended_) {
       const std::size_t end = std::min(text.find('\n'), text.size());
       ++line_;
-      read_line(text.substr(0, end));
+      begin_line(text.substr(0, end));
       text.remove_prefix(std::min(end + 1, text.size()));
     }
     if (moves_.empty()) stop("the program has no move from a known position");
@@ -34,30 +93,64 @@ class ProgramReader {
     throw Unfinished("line " + std::to_string(line_) + " of the program: " + why);
   }
 
-  void read_line(std::string_view line) {
+  /// A line of a percent sign alone ends a program that began with one.
+  void begin_line(std::string_view line) {
+    if (line.ends_with('\r')) line.remove_suffix(1);
+    while (!line.empty() && is_blank(line.front())) line.remove_prefix(1);
+    while (!line.empty() && is_blank(line.back())) line.remove_suffix(1);
+    if (line.empty()) return;
+    if (line.find('\r') != std::string_view::npos) stop("a carriage return is inside of the line");
+    const bool is_first = std::exchange(is_first_, false);
+    if (line == "%") {
+      if (!is_first && !is_framed_) stop("a percent sign ends what none began");
+      ended_ = is_framed_;
+      is_framed_ = true;
+      return;
+    }
+    read_words(line);
+    execute();
+  }
+
+  void read_words(std::string_view line) {
     words_.fill(std::nullopt);
-    bool pauses = false;
-    for (std::size_t at = 0; at < line.size() && line[at] != ';';) {
-      if (line[at] == '(') {
-        at = line.find(')', at);
-        if (at == std::string_view::npos) stop("a comment is not closed");
+    modes_.fill(std::nullopt);
+    if (line.front() == '/')
+      stop("a switch of the controller decides about a line that begins with /");
+    for (std::size_t at = 0; at < line.size();) {
+      if (is_blank(line[at])) {
         ++at;
-      } else if (std::string_view(" \t\r%/").find(line[at]) != std::string_view::npos) {
-        ++at;
+      } else if (line[at] == '(' || line[at] == ';') {
+        at = behind_comment(line, at);
       } else {
-        const char letter =
-            char('a' <= line[at] && line[at] <= 'z' ? line[at] - 'a' + 'A' : line[at]);
-        const Rational value = read_number(line, ++at);
-        take(letter, value, pauses);
+        const bool is_first = at == 0;
+        const char letter = capital(line[at]);
+        const std::size_t begin = ++at;
+        const Rational value = read_number(line, at);
+        const std::string_view number = line.substr(begin, at - begin);
+        if (letter != 'N')
+          take(letter, value, number);
+        else if (!is_first || number.find_first_of("+-.") != std::string_view::npos)
+          stop("N is not the number of a line");
       }
     }
-    if (!pauses && std::any_of(words_.begin(), words_.end(), [](const auto& w) { return bool(w); }))
-      move();
+  }
+
+  std::size_t behind_comment(std::string_view line, std::size_t at) const {
+    const bool is_closed = line[at] == '(';
+    const std::size_t end = is_closed ? line.find(')', at) : line.size();
+    if (end == std::string_view::npos) stop("a comment is not closed");
+    std::string_view comment = line.substr(at + 1, end - at - 1);
+    if (is_closed && comment.find('(') != std::string_view::npos) stop("a comment is in a comment");
+    while (!comment.empty() && is_blank(comment.front())) comment.remove_prefix(1);
+    std::string name(comment.substr(0, std::min(comment.find(','), comment.size())));
+    std::transform(name.begin(), name.end(), name.begin(), capital);
+    if (name == "PY" || name == "ABORT") stop("a comment acts on the program");
+    return is_closed ? end + 1 : end;
   }
 
   /// Reads from `at`, and moves it behind the number.
   Rational read_number(std::string_view line, std::size_t& at) const {
-    at = std::min(line.find_first_not_of(' ', at), line.size());
+    while (at < line.size() && is_blank(line[at])) ++at;
     const std::size_t end = std::min(line.find_first_not_of("+-.0123456789", at), line.size());
     std::string text(line.substr(at, end - at));
     at = end;
@@ -76,46 +169,57 @@ class ProgramReader {
     return is_negative ? Rational(-1) * value : value;
   }
 
-  void take(char letter, const Rational& value, bool& pauses) {
-    constexpr std::string_view kOfPath = "XYZIJK";
-    if (letter == 'G') {
-      const long word = tenths(value);
-      pauses = pauses || word == 40;
-      if (word != 40) set_mode(word);
-    } else if (letter == 'M') {
-      ended_ = ended_ || value == Rational(2) || value == Rational(30);
-    } else if (const std::size_t k = kOfPath.find(letter); k != std::string_view::npos) {
-      if (words_[k]) stop("a word is given twice");
-      words_[k] = value;
-    } else if (std::string_view("FSTNPHDEOQL").find(letter) == std::string_view::npos) {
-      stop(std::string("the word ") + letter + " is not known");
+  void take(char letter, const Rational& value, std::string_view number) {
+    if (letter == 'G' || letter == 'M') {
+      const long word = tenths(letter, value, number);
+      const Member* member = find_member(letter == 'G', word);
+      if (member == nullptr) stop_at(letter, number);
+      if (modes_[member->group]) stop("two words of one modal group");
+      modes_[member->group] = word;
+      return;
     }
+    const std::size_t k = kLetters.find(letter);
+    if (k == std::string_view::npos) stop_at(letter, number);
+    if (words_[k]) stop(std::string("the word ") + letter + " is given twice");
+    if (k >= kFirstWithoutEffect && value.sign() < 0) stop_at(letter, number);
+    if (letter == 'T' && !value.is_integer()) stop_at(letter, number);
+    words_[k] = value;
   }
 
-  [[nodiscard]] long tenths(const Rational& value) const {
+  [[noreturn]] void stop_at(char letter, std::string_view number) const {
+    stop("the word " + (letter + std::string(number.substr(0, 20))) + " is not known");
+  }
+
+  [[nodiscard]] long tenths(char letter, const Rational& value, std::string_view number) const {
     const Rational result = value * Rational(10);
-    if (!result.is_integer() || result.sign() < 0 || result.bits() > 20)
-      stop("a word G is not known");
+    if (!result.is_integer() || result.sign() < 0 || result.bits() > 20) stop_at(letter, number);
     return fmpz_get_si(fmpq_numref(result.get()));
   }
 
-  void set_mode(long word) {
-    if (word == 0 || word == 10 || word == 20 || word == 30)
-      mode_ = word / 10;
-    else if (word == 170 || word == 180 || word == 190)
-      plane_ = word / 10;
-    else if (word == 200 || word == 210)
-      unit_ = word == 200 ? Rational(127) / Rational(5) : Rational(1);
-    else if (word == 900 || word == 910)
-      is_relative_ = word == 910;
-    else if (word == 901 || word == 911)
-      has_absolute_centres_ = word == 901;
-    else if (std::find(std::begin(kWithoutEffect), std::end(kWithoutEffect), word) ==
-             std::end(kWithoutEffect))
-      stop("a word G is not known");
+  [[nodiscard]] bool has(char letter) const { return bool(words_[kLetters.find(letter)]); }
+  [[nodiscard]] bool has_one_of(std::string_view letters) const {
+    return std::any_of(letters.begin(), letters.end(), [this](char c) { return has(c); });
   }
 
+  /// The words of a line act in the order of execution of RS274/NGC, not in that of the line.
+  void execute() {
+    if (bool(modes_[kDwell]) != has('P')) stop("G4 and P do not belong together");
+    if (has('D') && modes_[kSpindleMode] != 960) stop("the word D belongs to no G96");
+    plane_ = modes_[kPlane].value_or(plane_);
+    if (modes_[kUnits]) unit_ = modes_[kUnits] == 200 ? Rational(127) / Rational(5) : Rational(1);
+    is_relative_ = modes_[kDistance].value_or(is_relative_ ? 910 : 900) == 910;
+    has_absolute_centres_ = modes_[kCentres].value_or(has_absolute_centres_ ? 901 : 911) == 901;
+    mode_ = modes_[kMotion].value_or(mode_);
+    const bool begins_arc = modes_[kMotion] && is_arc();
+    if (begins_arc || has_one_of("XYZIJK")) move();
+    ended_ = modes_[kStop] && *modes_[kStop] >= 20;
+  }
+
+  [[nodiscard]] bool is_arc() const { return mode_ == 20 || mode_ == 30; }
+
   void move() {
+    if (mode_ == kNoMotion) stop("coordinates are given where no move is in force");
+    if (!is_arc() && has_one_of("IJK")) stop("a straight move has a centre");
     std::array<std::optional<Rational>, 3> target = position_;
     for (std::size_t axis = 0; axis < 3; ++axis) {
       if (!words_[axis]) continue;
@@ -124,8 +228,9 @@ class ProgramReader {
       target[axis] = is_relative_ ? *position_[axis] + value : value;
     }
     const bool is_known = position_[0] && position_[1] && position_[2];
-    if (!is_known && mode_ >= 2) stop("an arc begins at an unknown position");
-    if (is_known && (mode_ >= 2 || !(target == position_))) add(target);
+    if (is_arc() && has('P')) stop("the word P of an arc makes further turns");
+    if (!is_known && is_arc()) stop("an arc begins at an unknown position");
+    if (is_known && (is_arc() || !(target == position_))) add(target);
     position_ = target;
   }
 
@@ -136,35 +241,43 @@ class ProgramReader {
       move.from[axis] = *position_[axis];
       move.to[axis] = *target[axis];
     }
-    move.is_arc = mode_ >= 2;
+    move.is_arc = is_arc();
     if (move.is_arc) set_arc(move);
     moves_.push_back(std::move(move));
   }
 
   void set_arc(ProgramMove& move) const {
-    move.is_clockwise = mode_ == 2;
-    if (plane_ == 18) move.axes = {2, 0, 1};
-    if (plane_ == 19) move.axes = {1, 2, 0};
-    bool is_given = false;
+    move.is_clockwise = mode_ == 20;
+    if (plane_ == 180) move.axes = {2, 0, 1};
+    if (plane_ == 190) move.axes = {1, 2, 0};
+    if (words_[3 + move.axes[2]]) stop("the centre of an arc is outside of its plane");
+    int given = 0;
     for (std::size_t k = 0; k < 2; ++k) {
       const std::size_t axis = move.axes[k];
       const std::optional<Rational>& word = words_[3 + axis];
-      is_given = is_given || word;
-      if (!word)
-        move.centre[k] = move.from[axis];
-      else
-        move.centre[k] = *word * unit_ + (has_absolute_centres_ ? Rational(0) : move.from[axis]);
+      given += word ? 1 : 0;
+      move.centre[k] = has_absolute_centres_ ? Rational(0) : move.from[axis];
+      if (word) move.centre[k] = move.centre[k] + *word * unit_;
     }
-    if (!is_given) stop("the centre of an arc is not given");
+    if (given < (has_absolute_centres_ ? 2 : 1)) stop("the centre of an arc is not given");
+    require_circle(move);
   }
 
+  void require_circle(const ProgramMove& move) const;
+
+  /// The letters that a line may have, each once; those from F on change no path.
+  static constexpr std::string_view kLetters = "XYZIJKFSTPD";
+  static constexpr std::size_t kFirstWithoutEffect = 6;
+
   std::vector<ProgramMove> moves_;
-  std::array<std::optional<Rational>, 3> position_;  ///< in mm
-  std::array<std::optional<Rational>, 6> words_;     ///< of the line: X, Y, Z, I, J, K
-  Rational unit_{1};                                 ///< in mm
-  long mode_ = 0, plane_ = 17;
+  std::array<std::optional<Rational>, 3> position_;             ///< in mm
+  std::array<std::optional<Rational>, kLetters.size()> words_;  ///< of the line, by kLetters
+  std::array<std::optional<long>, kGroups> modes_;              ///< of the line, times ten
+  Rational unit_{1};                                            ///< in mm
+  long mode_ = kNoMotion, plane_ = 170;
   std::size_t line_ = 0;
   bool is_relative_ = false, has_absolute_centres_ = false, ended_ = false;
+  bool is_first_ = true, is_framed_ = false;
 };
 
 /// The arc of a move, relative to its centre.
@@ -179,7 +292,24 @@ struct Arc {
 
   [[nodiscard]] Rational cross() const { return from_x * to_y - from_y * to_x; }
   [[nodiscard]] Rational dot() const { return from_x * to_x + from_y * to_y; }
+  [[nodiscard]] Rational first_square() const { return from_x * from_x + from_y * from_y; }
+  [[nodiscard]] Rational last_square() const { return to_x * to_x + to_y * to_y; }
 };
+
+/// Controllers refuse radii that differ too much, and make a whole turn if the ends are very near to
+/// each other.
+void ProgramReader::require_circle(const ProgramMove& move) const {
+  const Arc arc(move);
+  if (arc.first_square().is_zero() || arc.last_square().is_zero()) stop("an arc has a radius of 0");
+  const double first = std::sqrt(fmpq_get_d(arc.first_square().get()));
+  const double last = std::sqrt(fmpq_get_d(arc.last_square().get()));
+  if (!(std::fabs(first - last) <= std::max(0.01, 1e-3 * first)))
+    stop("the ends of an arc are not equally far from its centre");
+  const Rational cross = arc.cross();
+  const Rational size = cross.sign() < 0 ? Rational(-1) * cross : cross;
+  if (size.sign() != 0 && (arc.dot() - size * Rational(1'000'000)).sign() > 0)
+    stop("an arc cannot be told from a whole turn");
+}
 
 /// Returns the angle of the arc: from 0 to 2·pi, or from −2·pi to 0 if it is clockwise, and not 0.
 NodeId turn_of(Graph& graph, const Arc& arc, bool is_clockwise) {
@@ -195,9 +325,7 @@ NodeId turn_of(Graph& graph, const Arc& arc, bool is_clockwise) {
 
 /// Returns 1 − |from|/|to|.
 NodeId miss_of(Graph& graph, const Arc& arc) {
-  const Rational from = arc.from_x * arc.from_x + arc.from_y * arc.from_y;
-  const Rational to = arc.to_x * arc.to_x + arc.to_y * arc.to_y;
-  if (from.is_zero() || to.is_zero()) throw Unfinished("an arc of the program has a radius of 0");
+  const Rational from = arc.first_square(), to = arc.last_square();
   if (from == to) return graph.number(Rational(0));
   return graph.add(Op::kSubtract, graph.number(Rational(1)),
                    graph.add(Op::kSqrt, graph.number(from / to)));

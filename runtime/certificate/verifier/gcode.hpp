@@ -19,8 +19,8 @@ struct ProgramMove {
   std::array<Rational, 2> centre;
 };
 
-/// Returns the moves from the line on where x, y and z are known. Throws Unfinished, with the line,
-/// for a word that it does not understand.
+/// Returns the moves of RS274/NGC from the line on where x, y and z are known. Throws Unfinished, with
+/// the line, for every word that is not known to have no effect on the path.
 [[nodiscard]] std::vector<ProgramMove> read_program(std::string_view text);
 
 /// Returns a coordinate in mm as an expression of the variable 0, which goes from 0 to 1. If the ends

@@ -53,6 +53,7 @@ struct Usage {
   std::string certificate, model, coq;
   Options options;
   bool help = false, quiet = false, is_force = false;
+  std::string mistake;  ///< about a word that is not understood
 };
 
 template <class Number>
@@ -60,6 +61,19 @@ bool read_number(const std::string& text, Number& value) {
   const char* last = text.data() + text.size();
   const auto [end, error] = std::from_chars(text.data(), last, value);
   return error == std::errc() && end == last && value > 0;
+}
+
+/// Returns what is wrong with a word that is not understood.
+std::string mistake_in(const std::string& word, const std::string& next) {
+  const auto expected = [&](const std::string& number) {
+    return word + ": found '" + next + "', expected " + number;
+  };
+  if (word == "--time-limit") return expected("a number of seconds above 0");
+  if (word == "--threads")
+    return expected("a whole number from 1 to " + std::to_string(kMostThreads));
+  if (word == "--max-boxes") return expected("a whole number from 1 on");
+  return word.starts_with("-") ? "'" + word + "' is no option, or lacks its value"
+                               : "'" + word + "' is a second certificate";
 }
 
 /// Returns false if the words are not understood.
@@ -91,6 +105,7 @@ bool read_usage(const std::vector<std::string>& words, Usage& usage) {
     } else if (!word.starts_with("-") && usage.certificate.empty()) {
       usage.certificate = word;
     } else {
+      usage.mistake = mistake_in(word, next);
       return false;
     }
   }
@@ -158,7 +173,10 @@ int write_coq(const Usage& usage) {
 int main(int argc, char** argv) {
   Usage usage;
   if (!read_usage({argv + 1, argv + argc}, usage)) {
-    std::cerr << kHelp;
+    if (!usage.mistake.empty())
+      std::cerr << "regulus-verify: " << usage.mistake << "; --help lists the options\n";
+    else
+      std::cerr << kHelp;
     return kUsageError;
   }
   if (usage.help) {

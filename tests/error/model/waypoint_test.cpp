@@ -198,13 +198,64 @@ TEST(Gcode, TurnsClockwiseAndAllTheWay) {
 
 TEST(Gcode, RefusesWhatItDoesNotRead) {
   EXPECT_THAT(gcode_refusal("G0 X1\nG1 X2\n"), HasSubstr("no move after x, y and z are known"));
-  EXPECT_THAT(gcode_refusal("G0 X0 Y0 Z0\nG28\n"), HasSubstr(":2: the word G28 changes the path"));
+  EXPECT_THAT(gcode_refusal("G0 X0 Y0 Z0\nG28\n"),
+              HasSubstr(":2: the word G28 is not one of those that are read"));
   EXPECT_THAT(gcode_refusal("G0 X0 Y0 Z0\nG2 X1 Y1 R1\n"), HasSubstr("the radius R leaves two"));
   EXPECT_THAT(gcode_refusal("G0 X10 Y0 Z0\nG2 X0 Y12 I-10\n"),
               HasSubstr("not equally far from its centre"));
   EXPECT_THAT(gcode_refusal("G0 X0 Y0 Z0 A5\n"), HasSubstr("the axis A"));
   EXPECT_THAT(gcode_refusal("G0 X0 Y0 Z#5\n"), HasSubstr("not a letter and a number"));
   EXPECT_THAT(gcode_refusal("G91\nG1 X1 Y1 Z1\n"), HasSubstr("begins at an unknown position"));
+}
+
+/// RS274/NGC: the words of a line act in one order, and each that could move is obeyed or refused.
+TEST(Gcode, MovesOnALineThatDwells) {
+  for (const char* line : {"G4 P1 G1 X-5", "X-5 G4 P1", "G1 X-5 G4 P1"})
+    EXPECT_EQ(read(std::string("G1 X0 Y0 Z5\n") + line + "\n", ".nc", "held", "linear", kPoint)
+                  .pieces.size(),
+              1U)
+        << line;
+}
+
+TEST(Gcode, NamesTheWordAndTheLineThatItRefuses) {
+  const auto refusal = [](const std::string& line) {
+    return gcode_refusal("G0 X0 Y0 Z0\nX9\n" + line + "\nX1\n");
+  };
+  EXPECT_THAT(refusal("M98 P1000"), HasSubstr(":3: the word M98 calls a part of the program"));
+  EXPECT_THAT(refusal("G3 I-3 P2"), HasSubstr(":3: the word P belongs to no G4; that of an arc"));
+  EXPECT_THAT(refusal("G4 P2 G3 I-3"), HasSubstr(":3: the word P on the line of an arc"));
+  EXPECT_THAT(refusal("G64 P.1"), HasSubstr(":3: the word G64 lets the controller round"));
+  EXPECT_THAT(refusal("G1.04 X1"), HasSubstr(":3: the word G1.04 is not one of those"));
+  EXPECT_THAT(refusal("M3.7"), HasSubstr(":3: the word M3.7 is not one of those"));
+  EXPECT_THAT(refusal("G80 X1"), HasSubstr(":3: coordinates are given where no move is in force"));
+  EXPECT_THAT(refusal("G0 G1 X1"), HasSubstr(":3: the words G0 and G1 cannot be on one line"));
+  EXPECT_THAT(refusal("G2 I1 K1"),
+              HasSubstr(":3: the word K is given for an arc in another plane"));
+  EXPECT_THAT(refusal("G90.1 G2 X1 I1"), HasSubstr(":3: G90.1 needs both coordinates"));
+  EXPECT_THAT(refusal("G1 X1 I1"), HasSubstr(":3: a straight move has no centre"));
+  EXPECT_THAT(refusal("/G1 X1"), HasSubstr(":3: a line that begins with / is left out if"));
+  EXPECT_THAT(refusal("G1 X1\rG1 Y1"), HasSubstr(":3: a carriage return is inside of the line"));
+  EXPECT_THAT(refusal("%"), HasSubstr(":3: a line % ends a program that no line % began"));
+  EXPECT_THAT(refusal("O100"), HasSubstr(":3: the word O calls, repeats or leaves out"));
+  EXPECT_THAT(refusal("G4"), HasSubstr(":3: G4 has no time"));
+  EXPECT_THAT(refusal("G3 Y.000001 I-3"), HasSubstr(":3: the ends of the arc are too near"));
+  for (const char* line :
+       {"G53 X1", "G92 X1", "G10 L2", "G43 H1", "G41 D1", "G81 R1", "G55",   "#1=5", "X[1]",
+        "X1*71",  "M6",     "M104",   "E1",     "L1",     "(py,1)", "(a(b)", "G93",  "N1 N2",
+        "N-1",    "X1 X2",  "F-1",    "T1.5",   "G98",    "G5",     "G68"})
+    EXPECT_THAT(refusal(line), HasSubstr("way.nc:3: ")) << line;
+}
+
+TEST(Gcode, EndsWithTheSecondPercent) {
+  EXPECT_EQ(read("%\nG0 X0 Y0 Z0\nX1\n%\nX2\n", ".nc", "held", "linear", kPoint).pieces.size(), 1U);
+}
+
+TEST(Gcode, SaysThatLengthsAreInMillimetresIfNothingSaysIt) {
+  const auto notes = [](const std::string& unit) {
+    return read(unit + "G0 X0 Y0 Z0\nX1\n", ".nc", "held", "linear", kPoint).notes;
+  };
+  EXPECT_THAT(notes(""), testing::Contains(HasSubstr("no G20 or G21")));
+  EXPECT_THAT(notes("G21 "), testing::Not(testing::Contains(HasSubstr("no G20 or G21"))));
 }
 
 TEST(Gcode, SaysHowFarAnArcMissesItsEnd) {

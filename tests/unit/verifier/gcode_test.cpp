@@ -25,12 +25,22 @@ double place(const ProgramMove& move, std::size_t axis, double s) {
 
 TEST(Program, HasLinesInMillimetres) {
   const auto moves =
-      read_program("G20 G90\nX1 Y2 Z-.5\n\nG1 X2 ; on\n(away) G91 Y-1 G21\nX0\nM2\nX9");
+      read_program("G20 G90\nG0 X1 Y2 Z-.5\n\nG1 X2 ; on\n(away) G91 Y-1 G21\nX0\nM2\nX9");
   ASSERT_EQ(moves.size(), 2U);
   EXPECT_EQ(moves[0].line, 4U);
   EXPECT_DOUBLE_EQ(place(moves[0], 0, 0.5), 1.5 * 25.4);
   EXPECT_DOUBLE_EQ(place(moves[0], 2, 0.5), -0.5 * 25.4);
   EXPECT_DOUBLE_EQ(place(moves[1], 1, 1), 2 * 25.4 - 1);
+}
+
+/// RS274/NGC: the words of a line act in one order, whatever theirs is.
+TEST(Program, MovesOnALineThatDwells) {
+  for (const char* line : {"G4 P1 G1 X-5", "X-5 G4 P1", "G1 X-5 G4 P1"})
+    EXPECT_EQ(read_program(std::string("G1 X0 Y0 Z5\n") + line).size(), 1U) << line;
+}
+
+TEST(Program, EndsWithTheSecondPercent) {
+  EXPECT_EQ(read_program("%\nG0 X0 Y0 Z0\nX1\n%\nX2\n").size(), 1U);
 }
 
 TEST(Program, HasArcsInBothDirections) {
@@ -64,9 +74,57 @@ TEST(Program, KeepsBothEndsOfAnArc) {
   EXPECT_NEAR(place(moves[0], 0, 1), -10.005, 1e-12);
 }
 
+/// Lines that nobody should obey in part.
+constexpr const char* kUnknown[] = {"G5 X1",
+                                    "G43 X1",
+                                    "A5",
+                                    "X1 X2",
+                                    "X",
+                                    "X1.2.3",
+                                    "G2 X1 Y1 R5",
+                                    "G2 X1",
+                                    "G91.5",
+                                    "G1.23",
+                                    "(open",
+                                    "#1=5",
+                                    "X[1]",
+                                    "G-1",
+                                    "X--1",
+                                    "M98 P1000",
+                                    "G3 I-2 P2",
+                                    "G1.04 X1",
+                                    "M3.7",
+                                    "G80 X1",
+                                    "G0 G1 X1",
+                                    "G2 I1 K1",
+                                    "G90.1 G2 X1 I1",
+                                    "I1",
+                                    "/X1",
+                                    "X1\rY1",
+                                    "%",
+                                    "O1",
+                                    "G4",
+                                    "P1",
+                                    "G53 X1",
+                                    "G92 X1",
+                                    "G64",
+                                    "G55",
+                                    "G43 H1",
+                                    "X1*71",
+                                    "M6",
+                                    "E1",
+                                    "L1",
+                                    "(py,1)",
+                                    "(a(b)",
+                                    "G93",
+                                    "N-1",
+                                    "F-1",
+                                    "T1.5",
+                                    "G3 Y.000001 I-3",
+                                    "G2 X9 Y9 I1"};
+
 TEST(Program, IsNotReadIfAWordIsNotKnown) {
-  for (const char* line : {"G5 X1", "G43 X1", "A5", "X1 X2", "X", "X1.2.3", "G2 X1 Y1 R5", "G2 X1",
-                           "G91.5", "G1.23", "(open", "#1=5", "X[1]", "G-1", "X--1"})
+  for (const char* line : kUnknown)
     EXPECT_THROW(static_cast<void>(read_program("G0 X0 Y0 Z0\nG1 X5\n" + std::string(line) + "\n")),
                  Unfinished)
         << line;
