@@ -8,6 +8,7 @@
 #include "codegen/jit/jit.hpp"
 #include "codegen/model/installed_models.hpp"
 #include "codegen/model/request.hpp"
+#include "codegen/program/work_meter.hpp"
 #include "codegen/support/errors.hpp"
 #include "codegen/support/exit_code.hpp"
 #include "codegen/symbolic/determinant.hpp"
@@ -36,6 +37,19 @@ void find_models(CommandLine& line) {
   find_in(line.generate);
   if (line.verify) find(line.verify->model, line.verify->output.quiet);
   if (line.list) find(line.list->path, true);
+}
+
+/// The answer of a run that ended before there was a question, as while a model was read.
+int report_stop(const FormingStopped& stopped, ErrorFormat format) {
+  const char* const reason = stopped.interrupted
+                                 ? "it was interrupted while the model was read"
+                                 : "the time limit was reached while the model was read";
+  std::cerr << "claim      none: " << reason << '\n';
+  if (format == ErrorFormat::kJson)
+    std::cout << R"({"verdict":"possible-problem","reason":")" << reason << "\"}\n";
+  else
+    std::cout << "POSSIBLE PROBLEM\n";
+  return kPossibleProblem;
 }
 
 }  // namespace
@@ -81,6 +95,8 @@ int report_errors(const std::function<int()>& run, const std::string& where, Err
         complain(error, kInternalFault, "internal error: the generated kernel did not compile\n");
     if (!error.text().empty()) std::cerr << "--- the text ---\n" << error.text();
     return code;
+  } catch (const FormingStopped& stopped) {
+    return report_stop(stopped, format);
   } catch (const std::exception& error) {
     return complain(error, kInternalFault, "internal error: ");
   }
