@@ -157,6 +157,8 @@ CertifiedQuestion certified_bound(const Request& request, const Component& compo
   std::set<std::string> own;
   for (const GeometryParameter& g : plain.model.geometry)
     if (uncertain.contains(g.name)) own.insert(g.name);
+  for (const PoseParameter& p : plain.model.pose)
+    if (uncertain.contains(p.name)) own.insert(p.name);
   CertifiedQuestion question = certified_question(plain, own);
   BoundText bound(plain.model, component, bordered);
   question.text += bound.text(end);

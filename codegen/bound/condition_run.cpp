@@ -58,11 +58,12 @@ class ConditionRun {
   }
 
   ComponentBound run() {
+    certificate_.emplace(certificate_path(), request_, result_.component,
+                         uncertain_names(prepared_.labels));
+    if (prepared_.stopped) return stopped();
     const MatrixScaling scaling = prepared_.stages->formulation().scaling;
     const Problem problem = prepared_.problem();
     SearchDisplay display(settings_.output);
-    certificate_.emplace(certificate_path(), request_, result_.component,
-                         uncertain_names(prepared_.labels));
     std::vector<Observer*> watching;
     for (Observer* observer : {certificate_->observer(), display.observer()})
       if (observer != nullptr) watching.push_back(observer);
@@ -92,6 +93,15 @@ class ConditionRun {
     return settings_.certificate.empty()
                ? ""
                : settings_.certificate + certificate_suffix(result_.component);
+  }
+
+  /// Without a matrix there are no boxes to decide.
+  ComponentBound stopped() {
+    result_.seconds += prepared_.seconds_spent();
+    result_.reason = regulus::describe(prepared_.stopped->interrupted ? Reason::kInterrupted
+                                                                      : Reason::kTimeBudget);
+    result_.certificates = certificate_->lines();
+    return std::move(result_);
   }
 
   /// The certificate of a comparison is about the limit.

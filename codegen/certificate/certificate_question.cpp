@@ -81,7 +81,9 @@ class QuestionText {
     for (std::size_t i = 0; i < model_.pose.size(); ++i) {
       const ex error = motion_.error.empty() ? ex(0) : motion_.error[i];
       put("pose", model_.pose[i].name + " = " + expression_text(motion_.pose[i]) +
-                      (error.is_zero() ? "" : " +- " + expression_text(error)));
+                      (error.is_zero() && !uncertain_.contains(model_.pose[i].name)
+                           ? ""
+                           : " +- " + expression_text(error)));
     }
   }
 
@@ -121,9 +123,13 @@ void require_distinct_names(const Request& request) {
   for (const MotionParameter& q : request.motion.parameters) note(q.name, q.symbol);
 }
 
-std::size_t control_errors(const Motion& motion) {
-  return std::size_t(
-      std::ranges::count_if(motion.error, [](const ex& error) { return !error.is_zero(); }));
+/// Counts the control errors of pose parameters that are not in `uncertain`.
+std::size_t other_errors(const Request& request, const std::set<std::string>& uncertain) {
+  std::size_t count = 0;
+  for (std::size_t i = 0; i < request.motion.error.size(); ++i)
+    if (!request.motion.error[i].is_zero() && !uncertain.contains(request.model.pose[i].name))
+      ++count;
+  return count;
 }
 
 /// Returns a certificate up to its proof.
@@ -175,7 +181,7 @@ std::set<std::string> uncertain_names(const Request& request) {
 
 format::ClaimedSet claimed_set(const Request& request, const std::set<std::string>& uncertain) {
   const GiNaC::matrix& matrix = request.model.matrix;
-  return {matrix.rows(), matrix.cols(), uncertain.size() + control_errors(request.motion),
+  return {matrix.rows(), matrix.cols(), uncertain.size() + other_errors(request, uncertain),
           expression_text(request.motion.alpha) != "0", !request.motion.reach.empty()};
 }
 

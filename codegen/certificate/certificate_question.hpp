@@ -22,7 +22,9 @@ namespace regulus::inline certificate {
 [[nodiscard]] format::ClaimedSet claimed_set(const Request& request,
                                              const std::set<std::string>& uncertain);
 
-/// `uncertain`: the constants of the robot that vary; some of them may have a spread of 0.
+/// `uncertain`: the constants of the robot that vary; some of them may have a spread of 0. A pose
+/// parameter in it is a variable of the search even if its control error is 0; the others are if
+/// their error is not 0.
 ///
 /// Ensures   the same bytes for the same model file and options, in every process.
 /// Throws UsageError if the model's names do not fit into a certificate because two things have

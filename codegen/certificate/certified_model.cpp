@@ -41,6 +41,7 @@ struct Stated {
   std::vector<StatedRange> ranges;            ///< in their order, which is that of the variables
   std::map<std::string, std::string> spread;  ///< of each constant of the robot that varies
   std::map<std::string, std::string> errors;  ///< of each pose parameter
+  std::set<std::string> with_error;           ///< the pose parameters with an error, which may be 0
   bool is_without_threshold;                  ///< forces and quantities
 
   explicit Stated(const CertificateHead& certificate)
@@ -57,7 +58,9 @@ struct Stated {
         spread[parted(text, " = ").first] = parted(text, " +- ").second;
       if (const auto text = value_of(line, "pose"); !text.empty()) {
         const std::string error = parted(text, " +- ").second;
-        errors[parted(text, " = ").first] = error.empty() ? "0" : error;
+        const std::string name = parted(text, " = ").first;
+        errors[name] = error.empty() ? "0" : error;
+        if (!error.empty()) with_error.insert(name);
       }
     }
   }
@@ -91,6 +94,8 @@ class CertificateOverrides {
     for (const GeometryParameter& g : request_.model.geometry)
       if (stated_.spread.contains(g.name) || !spread_of(request_.model, g).is_zero())
         uncertain.insert(g.name);
+    for (const PoseParameter& p : request_.model.pose)
+      if (stated_.with_error.contains(p.name)) uncertain.insert(p.name);
     return question_of(certificate, uncertain) + load_of(certificate);
   }
 

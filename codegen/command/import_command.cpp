@@ -4,11 +4,11 @@
 
 #include "codegen/command/answer.hpp"
 #include "codegen/command/commands.hpp"
+#include "codegen/command/import_output.hpp"
 #include "codegen/import/import.hpp"
 #include "codegen/model/read_file.hpp"
 #include "codegen/report/report_text.hpp"
 #include "codegen/support/errors.hpp"
-#include "codegen/support/write_file.hpp"
 
 namespace regulus::inline command {
 
@@ -27,7 +27,7 @@ nlohmann::ordered_json json_of(const Imported& imported, const std::string& outp
 int run_import(const ImportCommand& command) {
   const std::string text = read_file(command.path, kLargestImport, Readable::kStream);
   const Imported imported = import_robot(text, command.path, command.options);
-  if (!command.output.empty()) write_file(command.output, imported.model);
+  if (!command.output.empty()) write_imported(command.output, imported.model);
   if (command.json) {
     std::cout << report_text(json_of(imported, command.output)) << std::endl;
     return 0;

@@ -5,6 +5,8 @@
 #include <time.h>
 #include <unistd.h>
 
+#include <iostream>
+
 namespace regulus::inline command {
 namespace {
 
@@ -40,6 +42,7 @@ InterruptGuard::InterruptGuard() : watched_(watched_signals()) {
 }
 
 InterruptGuard::~InterruptGuard() {
+  std::cout.flush();  // an answer is safe before a signal may end the process again
   ending_ = true;
   pthread_kill(watcher_.native_handle(), SIGUSR1);
   watcher_.join();

@@ -63,7 +63,6 @@ PageTexts PageRun::texts() const {
   return {.title = fmt::format("{}, {}: {}", report.value("model", ""), report.value("motion", ""),
                                verdict_words(verdict)),
           .verdict = verdict_words(verdict),
-          .verdict_class = verdict,
           .claim = report.value("claim", ""),
           .report = text_,
           .data = json_text(data_)};

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "codegen/engine/pipeline.hpp"
 
+#include <algorithm>
 #include <functional>
 
 #include "codegen/cpp/emit.hpp"
@@ -187,7 +188,7 @@ void give_up(PreparedSearch& p, const Request& request, const SearchOptions& sea
   make_kernel(p, interpreted, {});
 }
 
-/// Runs every stage, one after the other.
+/// Runs every stage, one after the other. Throws FormingStopped.
 void prepare_anew(PreparedSearch& p, const SearchOptions& search, const Keep& keep) {
   const Request& request = p.stages->request();
   Stopwatch watch;
@@ -195,14 +196,27 @@ void prepare_anew(PreparedSearch& p, const SearchOptions& search, const Keep& ke
   p.seconds.model += watch.lap();
   require_sound_rounding(self_test(Isa::kPortable));
   p.seconds.compile += watch.lap();
-  const double before = p.stages->symbolic_seconds();
+  form(p, request);
+  make_kernel(p, search, keep);
+}
+
+double seconds_before_the_search(const PreparedSearch& p) {
+  const StageSeconds spent = p.seconds_spent();
+  return spent.model + spent.symbolic + spent.emit + spent.compile;
+}
+
+/// Runs `stages`. If they are stopped, leaves what a report needs.
+void prepare_until_stopped(PreparedSearch& p, const SearchOptions& search,
+                           const std::function<void()>& stages) {
+  Stopwatch watch;
+  const double before = seconds_before_the_search(p);
   try {
-    form(p, request);
-    make_kernel(p, search, keep);
+    stages();
   } catch (const FormingStopped& stopped) {
+    const Request& request = p.stages->request();
     p.stopped = stopped;
     // The stopped stage has not reported its time.
-    p.seconds.symbolic = watch.lap() - (p.stages->symbolic_seconds() - before);
+    p.seconds.symbolic += std::max(0.0, watch.lap() - (seconds_before_the_search(p) - before));
     give_up(p, request, search);
   }
   // From here on the search checks the time, and reports must be complete.
@@ -237,7 +251,7 @@ std::optional<ProblemCache::Found> find_in(ProblemCache& cache, PreparedSearch& 
 }
 
 /// Takes the kernel from the cache: as machine code, or as a program for an engine that may
-/// interpret. Returns false if it is not there.
+/// interpret. Returns false if it is not there. Throws FormingStopped.
 bool take_from(ProblemCache& cache, PreparedSearch& p, const SearchOptions& search) try {
   std::optional<ProblemCache::Found> found = find_in(cache, p, search);
   if (!found) return false;
@@ -277,13 +291,12 @@ PreparedSearch prepare(const ModelOptions& model, const SearchOptions& search,
   p.stages = std::make_unique<SymbolicStages>(std::move(text), model, functions);
   p.stages->watch(within_time_limit(std::move(forming), search));
   p.seconds.model = watch.lap();
-  if (cache && take_from(*cache, p, search)) {
-    p.stages->watch({});
-  } else {
+  prepare_until_stopped(p, search, [&] {
+    if (cache && take_from(*cache, p, search)) return;
     prepare_anew(p, search, [&](const machine::PackKernel& program) {
       if (cache) cache->keep({p.labels, p.variety, p.matrix, {}, {}}, program);
     });
-  }
+  });
   if (cache && p.cache_note.empty()) p.cache_note = cache->note();
   return p;
 }
@@ -295,7 +308,8 @@ PreparedSearch prepare(Request request, double model_seconds, const SearchOption
   p.stages =
       std::make_unique<SymbolicStages>(std::move(request), model_seconds, functions_for(search));
   p.stages->watch(within_time_limit(std::move(forming), search));
-  prepare_anew(p, search, [](const machine::PackKernel&) {});
+  prepare_until_stopped(p, search,
+                        [&] { prepare_anew(p, search, [](const machine::PackKernel&) {}); });
   return p;
 }
 

@@ -26,6 +26,8 @@ MarginCertificates::MarginCertificates(std::string path, const MarginRequest& re
                                        const ReportLabels& subject, HeldFiles* held)
     : path_(std::move(path)), request_(request), uncertain_(uncertain_names(subject)), held_(held) {
   if (!wanted()) return;
+  // At the value 0, too, the search has a variable for each of them.
+  uncertain_.merge(request_.with_control_errors());
   // Checked before the first search, which may take long.
   for (const char* ending : {kSafe, kSingular})
     with_file([&] { const CertificateWriter probe(path_ + ending, {}); });

@@ -273,6 +273,14 @@ CertifiedQuestion MarginRequest::certified_at(const MarginValue& value,
   return certified_question(at(value), uncertain);
 }
 
+std::set<std::string> MarginRequest::with_control_errors() const {
+  const Request formed = grown_to(forming_value(question_));
+  std::set<std::string> names;
+  for (std::size_t i = 0; i < formed.motion.error.size(); ++i)
+    if (!formed.motion.error[i].is_zero()) names.insert(formed.model.pose[i].name);
+  return names;
+}
+
 Request MarginRequest::grown_to(const MarginValue& value) const {
   Request request = nominal_;
   switch (question_.quantity) {

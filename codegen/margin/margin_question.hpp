@@ -72,6 +72,8 @@ class MarginRequest {
   /// Returns the question of a certificate at a value.
   [[nodiscard]] CertifiedQuestion certified_at(const MarginValue& value,
                                                const std::set<std::string>& uncertain) const;
+  /// Returns the pose parameters whose control errors are variables of the search, at every value.
+  [[nodiscard]] std::set<std::string> with_control_errors() const;
   /// Sets ranges and threshold at `value`, for variables that were formed at another value.
   ///
   /// Ensures   the variety of `p` is that of `value`. Its formulation and its kernel do not change:

@@ -13,9 +13,9 @@
 namespace regulus::inline page {
 namespace {
 
-constexpr std::array<const char*, 7> kPlaces = {
-    "@REGULUS_TITLE@",  "@REGULUS_VERDICT@", "@REGULUS_CLASS@", "@REGULUS_CLAIM@",
-    "@REGULUS_REPORT@", "@REGULUS_SHA256@",  "@REGULUS_DATA@"};
+constexpr std::array<const char*, 6> kPlaces = {"@REGULUS_TITLE@",  "@REGULUS_VERDICT@",
+                                                "@REGULUS_CLAIM@",  "@REGULUS_REPORT@",
+                                                "@REGULUS_SHA256@", "@REGULUS_DATA@"};
 
 std::string replaced(std::string_view text,
                      const std::array<std::pair<char, const char*>, 5>& references) {
@@ -73,13 +73,10 @@ PageTemplate::PageTemplate(std::string text) : text_(std::move(text)) {
 
 std::string PageTemplate::fill(const PageTexts& texts) const {
   const std::string data = json_for_html(texts.data);
-  const std::array<std::string, kPlaces.size()> values = {html_text(texts.title),
-                                                          html_text(texts.verdict),
-                                                          html_text(texts.verdict_class),
-                                                          html_text(texts.claim),
-                                                          html_text(texts.report),
-                                                          sha256(data),
-                                                          data};
+  const std::array<std::string, kPlaces.size()> values = {
+      html_text(texts.title), html_text(texts.verdict),
+      html_text(texts.claim), html_text(texts.report),
+      sha256(data),           data};
   std::string page;
   // From left to right, so that a value is never taken for a place.
   for (std::size_t at = 0; at < text_.size();) {

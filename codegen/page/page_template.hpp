@@ -10,8 +10,7 @@ namespace regulus::inline page {
 /// The texts of a page. They may be any UTF-8: fill() makes them safe in HTML.
 struct PageTexts {
   std::string title;
-  std::string verdict;        ///< "NO SINGULARITY"
-  std::string verdict_class;  ///< "no-singularity"
+  std::string verdict;  ///< "NO SINGULARITY"
   std::string claim;
   std::string report;  ///< the lines of the report, for readers without scripts
   std::string data;    ///< JSON in ASCII

@@ -149,15 +149,24 @@ Json json_nearest(const PreparedSearch& p, const LeastSingular& nearest) {
                  {"parameters", json_parameters(p, nearest.variables)},
                  {"pose", json_pose(p, nearest.pose)},
                  {"uncertain", json_uncertain(p, nearest.variables)}};
+  if (nearest.share) report["hadamard_share"] = *nearest.share;
   report.update(json_degeneracy(p, nearest.degeneracy));
   return report;
 }
 
 std::string format_nearest(const PreparedSearch& p, const std::optional<LeastSingular>& nearest) {
   if (!nearest) return "";
-  const std::string lines =
+  const std::string place =
       fmt::format("nearest    {}\n", describe_short_place(p, nearest->variables)) +
-      format_short_pose(p, nearest->pose) + format_uncertain_values(p, nearest->variables) +
+      format_short_pose(p, nearest->pose) + format_uncertain_values(p, nearest->variables);
+  if (nearest->share)
+    return place + fmt::format(
+                       "           almost singular there: |det| of the balanced matrix is about "
+                       "{:.2g} of what its "
+                       "rows allow (Hadamard)\n",
+                       *nearest->share);
+  const std::string lines =
+      place +
       fmt::format(
           "           the least singular value met, about {:.2g} of the largest; this proves "
           "nothing\n",

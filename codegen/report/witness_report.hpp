@@ -23,7 +23,8 @@ namespace regulus::inline report {
 /// Returns an empty text without a witness.
 [[nodiscard]] std::string format_witness(const PreparedSearch& preparation, const Result& result);
 
-/// Returns the place where a matrix is nearest to losing rank, if nothing could be proved.
+/// Returns the place where a matrix is nearest to losing rank, if nothing could be proved or if it is
+/// almost singular there.
 [[nodiscard]] nlohmann::ordered_json json_nearest(const PreparedSearch& preparation,
                                                   const LeastSingular& nearest);
 [[nodiscard]] std::string format_nearest(const PreparedSearch& preparation,

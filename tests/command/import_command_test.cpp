@@ -5,6 +5,7 @@
 
 #include <filesystem>
 #include <fstream>
+#include <iterator>
 #include <string>
 #include <vector>
 
@@ -102,6 +103,40 @@ TEST(ImportCommand, HasAnExitCodeForEachKindOfMistake) {
   EXPECT_EQ(
       run_command({kRegulus, "import", robot_path("ur5e.urdf"), "-o", directory.path()}).exit_code,
       74);
+}
+
+std::string contents(const std::string& path) {
+  std::ifstream file(path);
+  return {std::istreambuf_iterator<char>(file), {}};
+}
+
+TEST(ImportCommand, NeverOverwritesAModelThatAPersonHasEdited) {
+  const TemporaryDirectory directory;
+  const std::string model = directory.path() / "arm.toml";
+  const auto import = [&] {
+    return run_command({kRegulus, "import", robot_path("ur5e.urdf"), "-o", model, "--quiet"});
+  };
+  ASSERT_EQ(import().exit_code, 0);
+  const std::string written = contents(model);
+  EXPECT_EQ(import().exit_code, 0);
+  EXPECT_EQ(contents(model + ".old"), written);
+
+  std::ofstream(model, std::ios::app) << "# my motion\n";
+  const CommandResult refused = import();
+  EXPECT_EQ(refused.exit_code, 74);
+  EXPECT_THAT(refused.errors, HasSubstr("arm.toml was not written by regulus import, or was edited "
+                                        "since; move it, or name another file"));
+  EXPECT_EQ(contents(model), written + "# my motion\n");
+
+  // Moved to a name that the next run would replace.
+  std::filesystem::rename(model, model + ".old");
+  EXPECT_EQ(import().exit_code, 0);
+  EXPECT_EQ(import().exit_code, 74);
+  EXPECT_EQ(contents(model + ".old"), written + "# my motion\n");
+
+  std::ofstream(model) << "another file\n";
+  EXPECT_EQ(import().exit_code, 74);
+  EXPECT_EQ(contents(model), "another file\n");
 }
 
 TEST(ImportCommand, MakesAPlatformOfAHexapod) {

@@ -109,5 +109,33 @@ TEST_F(Redundant, OnAPathIsGivenInPoseParametersToo) {
   EXPECT_NEAR(mid(nearest->pose[1]), -2.0 / 3, 1e-8);
 }
 
+/// |det| = x, and the rows have lengths of about 1.
+TEST(AlmostSingular, IsNamedAfterNoSingularity) {
+  const test::TemporaryDirectory directory;
+  const std::string path = directory.path() / "near.toml";
+  std::ofstream(path) << R"toml(regulus = 1
+name = "near"
+[pose]
+x = "1"
+[matrix]
+rows = [["1", "x"], ["1", "0"]]
+[motion.near]
+x = [1e-8, 1]
+[motion.far]
+x = [0.1, 1]
+)toml";
+  const auto check = [&](const char* motion) {
+    return test::run_command({REGULUS_BINARY_DIR "/bin/regulus", "check", path, motion});
+  };
+  const test::CommandResult near = check("near");
+  EXPECT_EQ(near.output, "NO SINGULARITY\n");
+  EXPECT_THAT(near.errors, AllOf(HasSubstr("nearest    x = "), HasSubstr("almost singular there")));
+  const json report = json::parse(test::run_command({REGULUS_BINARY_DIR "/bin/regulus", "check",
+                                                     path, "near", "--json", "--quiet"})
+                                      .output);
+  EXPECT_LT(report["nearest_singular"]["hadamard_share"], 1e-6);
+  EXPECT_THAT(check("far").errors, testing::Not(HasSubstr("nearest")));
+}
+
 }  // namespace
 }  // namespace regulus

@@ -72,6 +72,33 @@ class MarginCertificate : public testing::Test {
   std::string model_ = directory_.path() / "bowl.toml";
 };
 
+/// det = x² + y², so the robot is singular without any error if the motion meets the origin.
+TEST_F(MarginCertificate, ProvesTheEndsOfATubeAt0) {
+  write_file(model_, R"(regulus = 1
+name = "cart"
+[pose]
+x = "1"
+y = "1"
+[matrix]
+rows = [["x", "y"], ["-y", "x"]]
+[motion.crossing]
+x = 0
+y = [-1, 1]
+[motion.beside]
+x = 1
+y = [-1, 1]
+error = { y = 0.1 }
+)");
+  static_cast<void>(report({"crossing", "--tube", "x=0:1"}));
+  EXPECT_EQ(verified("singular")["outcome"], "verified");
+  EXPECT_EQ(run_command({REGULUS_BINARY_DIR "/bin/regulus-verify", "--model", model_,
+                         file("ends.singular")})
+                .output,
+            "VERIFIED\n");
+  static_cast<void>(report({"beside", "--tube", "x=0:1e-9", "--max-boxes", "1000"}));
+  EXPECT_EQ(verified("safe")["outcome"], "verified");
+}
+
 TEST_F(MarginCertificate, ProvesBothEndsOfATolerance) {
   expect_both_ends({"small", "--tolerance", "a=0:0.9"}, "tolerance a ");
   EXPECT_EQ(files(), 3U) << "the model and two certificates";

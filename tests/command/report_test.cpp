@@ -63,7 +63,14 @@ TEST_F(AReport, HasTheVerdictTheProofAndTheModel) {
   EXPECT_THAT(data["question"].get<std::string>(), HasSubstr("parameter x in -1 : 1\n"));
   EXPECT_THAT(data["again"][0].get<std::string>(), HasSubstr("wide_15 --range x=-1:1"));
   EXPECT_EQ(data["drawing"]["parts"].size(), 8U);
-  EXPECT_THAT(text_of(page_), HasSubstr(">NO SINGULARITY</h1>"));
+}
+
+TEST_F(AReport, SaysThatItIsNotCheckedUntilItsProgramHasProvedIt) {
+  EXPECT_EQ(report({kModels + "orthoglide.toml", "cube", "--quiet"}).exit_code, 0);
+  const std::string page = text_of(page_);
+  EXPECT_THAT(page, HasSubstr("<h1 id=\"verdict\" class=\"unchecked\">NO SINGULARITY</h1>"));
+  EXPECT_THAT(page,
+              HasSubstr(">Not checked yet: the proof in this page has not been run here.</p>"));
 }
 
 TEST_F(AReport, HasWhatElseIsAsked) {

@@ -20,6 +20,7 @@ test("A page makes no request and no message, and proves its verdict again", asy
   const { page, faults } = await open(browser, safe);
   assert.equal(await textOf(page, "#verdict"), "NO SINGULARITY");
   assert.equal(await secondProof(page), "RE-PROVED IN THIS BROWSER: 3 of 3 boxes");
+  assert.equal(await page.$eval("#verdict", (line) => line.className), "no-singularity");
   await requireAccessible(page, "light");
   assert.deepEqual(faults, []);
 });
@@ -335,6 +336,17 @@ test("A damaged page claims nothing", async (browser) => {
     assert.match(claim, reason, name);
     assert.equal(again, "", name);
   }
+});
+
+test("A page whose program was damaged says that nothing has been checked", async (browser) => {
+  const html = readFileSync(safe, "utf8");
+  const damaged = html.replace(/(<script>)/, "$1;");
+  assert.notEqual(damaged, html);
+  const file = `${work}/damaged_program.html`;
+  writeFileSync(file, damaged);
+  const { page } = await open(browser, file);
+  assert.match(await textOf(page, "#again"), /^Not checked yet/);
+  assert.equal(await page.$eval("#verdict", (line) => line.className), "unchecked");
 });
 
 test("A false claim is not proved again", async (browser) => {

@@ -3,6 +3,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <cstdlib>
 #include <filesystem>
 #include <fstream>
 #include <nlohmann/json.hpp>
@@ -104,6 +105,19 @@ TEST_F(FormingStop, HappensInEachStage) {
       EXPECT_THAT(text_report(preparation_, search_, result),
                   HasSubstr("forms      none: interrupted before the search"));
     }
+}
+
+/// The cache is looked at between the reading of the model and the other stages.
+TEST_F(FormingStop, ProvesNothingWithAnEmptyCache) {
+  setenv("XDG_CACHE_HOME", (directory_.path() / "cache").c_str(), 1);
+  search_.engine = Engine::kAuto;
+  search_.use_cache = true;
+  search_.time_limit = 1e-9;
+  const Result result = searched({});
+  unsetenv("XDG_CACHE_HOME");
+  ASSERT_TRUE(preparation_.stopped);
+  EXPECT_EQ(result.reason, Reason::kTimeBudget);
+  EXPECT_GE(preparation_.seconds.symbolic, 0);
 }
 
 /// A search with the remaining kernel could prove nothing, even if one began.

@@ -11,20 +11,19 @@ namespace regulus::test {
 namespace {
 
 const std::string kTemplate =
-    "<title>@REGULUS_TITLE@</title><h1 class=\"@REGULUS_CLASS@\">@REGULUS_VERDICT@</h1>"
+    "<title>@REGULUS_TITLE@</title><h1>@REGULUS_VERDICT@</h1>"
     "<p>@REGULUS_CLAIM@</p><pre>@REGULUS_REPORT@</pre>"
     "<script id=\"@REGULUS_SHA256@\">@REGULUS_DATA@</script>";
 
 TEST(APageTemplate, TakesTextsThatLookLikeHtmlOrLikePlaces) {
   const std::string page = PageTemplate(kTemplate).fill({.title = "<b>@REGULUS_DATA@&\"'",
                                                          .verdict = "NO SINGULARITY",
-                                                         .verdict_class = "no-singularity",
                                                          .claim = "@REGULUS_CLAIM@",
                                                          .report = "</pre>",
                                                          .data = R"({"a":"</script>&"})"});
   const std::string data = R"({"a":"\u003c/script\u003e\u0026"})";
   EXPECT_EQ(page,
-            "<title>&lt;b&gt;@REGULUS_DATA@&amp;&quot;&#39;</title><h1 class=\"no-singularity\">"
+            "<title>&lt;b&gt;@REGULUS_DATA@&amp;&quot;&#39;</title><h1>"
             "NO SINGULARITY</h1><p>@REGULUS_CLAIM@</p><pre>&lt;/pre&gt;</pre><script id=\"" +
                 sha256(data) + "\">" + data + "</script>");
 }

@@ -135,6 +135,12 @@ export function verdictPart(data: PageData, question: Question): HTMLElement {
   );
 }
 
+/** Gives the verdict its colour: only one that this browser has proved has it, or one that claims nothing. */
+function colour(verdict: keyof typeof WORDS): void {
+  const line = document.getElementById("verdict");
+  if (line) line.className = verdict;
+}
+
 function say(text: string, state: string): void {
   const line = document.getElementById("again");
   if (!line) return;
@@ -142,10 +148,12 @@ function say(text: string, state: string): void {
   line.className = state;
 }
 
-function summary({ proved, total, undecided, outside }: Progress): void {
+function summary(verdict: keyof typeof WORDS, { proved, total, undecided, outside }: Progress): void {
   if (outside === total) say("NOT RE-PROVED: every box is outside the constraints, so that no pose remains.", "partly");
-  else if (undecided === 0) say(`RE-PROVED IN THIS BROWSER: ${proved} of ${total} boxes`, "proved");
-  else if (proved === 0) say("NOT RE-PROVED: the simpler test of this page decides no box; regulus verify has more tests.", "partly");
+  else if (undecided === 0) {
+    colour(verdict);
+    say(`RE-PROVED IN THIS BROWSER: ${proved} of ${total} boxes`, "proved");
+  } else if (proved === 0) say("NOT RE-PROVED: the simpler test of this page decides no box; regulus verify has more tests.", "partly");
   else
     say(`RE-PROVED IN THIS BROWSER: ${proved} of ${total} boxes. The simpler test of this page does not decide the other ${undecided}; regulus verify has more tests.`, "partly");
 }
@@ -171,13 +179,13 @@ function* proveTrees(questionOf: (piece: number) => Question, trees: readonly Tr
 }
 
 /** Proves in slices of a few milliseconds. */
-function proveInSlices(work: Generator<Progress, Progress>): void {
+function proveInSlices(verdict: keyof typeof WORDS, work: Generator<Progress, Progress>): void {
   const step = (): void => {
     const until = performance.now() + 25;
     try {
       for (;;) {
         const next = work.next();
-        if (next.done) return summary(next.value);
+        if (next.done) return summary(verdict, next.value);
         if (performance.now() > until) {
           say(`Proving again: ${next.value.proved} of ${next.value.total} boxes …`, "working");
           break;
@@ -198,15 +206,23 @@ function withoutCertificate({ certificate_note, sources }: PageData): string {
 
 /** Proves the verdict again, and says in the page's header how far it came. */
 export function proveAgain(data: PageData, question: Question, certificate: Certificate | null): void {
-  if (data.report.verdict === "possible-problem") return say("Nothing is claimed, so there is nothing to prove again.", "partly");
+  const { verdict } = data.report;
+  if (verdict === "possible-problem") {
+    colour(verdict);
+    return say("Nothing is claimed, so there is nothing to prove again.", "partly");
+  }
   if (!certificate) return say(`NOT RE-PROVED: this page has no certificate. ${withoutCertificate(data)}`, "partly");
-  if (certificate.tree) return proveInSlices(proveTree(question, certificate.tree));
-  if (certificate.trees) return proveInSlices(proveTrees((piece) => new Question(data.question, piece), certificate.trees));
+  if (certificate.tree) return proveInSlices(verdict, proveTree(question, certificate.tree));
+  if (certificate.trees) return proveInSlices(verdict, proveTrees((piece) => new Question(data.question, piece), certificate.trees));
   const { witnessed } = certificate;
   const witness = readWitness(certificate.proof, witnessed);
-  if (witness.reason === "small-determinant" && proveSmallDeterminant(witnessed, witness.points[0]))
+  if (witness.reason === "small-determinant" && proveSmallDeterminant(witnessed, witness.points[0])) {
+    colour(verdict);
     return say("RE-PROVED IN THIS BROWSER: the determinant is certainly within the threshold at a pose next to the witness.", "proved");
+  }
   const found = witness.reason === "always-singular" ? null : proveSignChange(witnessed, witness.points[0]);
-  if (found) say("RE-PROVED IN THIS BROWSER: the determinant has certain, opposite signs at two poses near the witness, and is defined between them.", "proved");
-  else say("NOT RE-PROVED: this needs more digits or algebra than this page has; regulus verify has them.", "partly");
+  if (found) {
+    colour(verdict);
+    say("RE-PROVED IN THIS BROWSER: the determinant has certain, opposite signs at two poses near the witness, and is defined between them.", "proved");
+  } else say("NOT RE-PROVED: this needs more digits or algebra than this page has; regulus verify has them.", "partly");
 }
