@@ -65,7 +65,7 @@ BoundFinding bound(const Question& asked, const BoundOptions& options,
   settings.output = {.json = false, .quiet = true};
   settings.interrupt = interrupt;
   settings.certificate = options.certificate;
-  set_earlier_outputs_aside(asked.options().path,
+  set_earlier_outputs_aside({asked.options().path, asked.options().waypoints},
                             certificate_files(question.quantity, options.certificate));
   const Bound bound = bound_quantity(question.request, std::move(question.quantity), settings,
                                      [](const ComponentBound&) {});

@@ -142,7 +142,7 @@ Paving locate(const Question& question, const LocateOptions& options,
   model.separates_reach = true;
   std::optional<Request> along = read_trajectory(model);
   if (!along) {
-    set_earlier_outputs_aside(model.path,
+    set_earlier_outputs_aside({model.path, model.waypoints},
                               {{"certificate", options.certificate, true, format::kShardsEnding}});
     return pave_variety(question, options, interrupt);
   }

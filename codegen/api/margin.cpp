@@ -32,7 +32,7 @@ MarginFinding margin_of_limit(ModelOptions model, const MarginOptions& options,
   const std::string path = model.path;
   const Request request = read_asked(std::move(model), options.quantity);
   Quantity quantity = quantity_of(request.model, options.quantity);
-  set_earlier_outputs_aside(path, certificate_files(quantity, options.certificate));
+  set_earlier_outputs_aside({path}, certificate_files(quantity, options.certificate));
   settings.limit = read_limit(options.limit, quantity);
   const LimitMargin found =
       limit_margin(request, question, std::move(quantity), settings, [](const MarginStep&) {});
@@ -116,7 +116,8 @@ MarginFinding margin(const Question& asked, const MarginOptions& options,
     refuse(Asked::kPathMargin, "certificate", !options.certificate.empty());
     return margin_along_waypoints(std::move(request), question, options, interrupt);
   }
-  set_earlier_outputs_aside(model.path, MarginCertificates::files(options.certificate));
+  set_earlier_outputs_aside({model.path, model.waypoints},
+                            MarginCertificates::files(options.certificate));
   return margin_of_regularity(std::move(request), question, options, interrupt);
 }
 

@@ -100,7 +100,7 @@ class ConditionRun {
     result_.seconds += prepared_.seconds_spent();
     result_.reason = regulus::describe(prepared_.stopped->interrupted ? Reason::kInterrupted
                                                                       : Reason::kTimeBudget);
-    result_.certificates = certificate_->lines();
+    result_.proofs = certificate_->proofs();
     return std::move(result_);
   }
 

@@ -38,7 +38,7 @@ void write_imported(const std::string& path, const std::string& model) {
   require_own(path, "move it, or name another file");
   if (std::filesystem::is_regular_file(path))
     require_own(path + ".old", "the earlier model would replace it: move it");
-  set_earlier_outputs_aside("", {{"-o", path}});
+  set_earlier_outputs_aside({}, {{"-o", path}});
   write_file(path, sealed(model));
 }
 
