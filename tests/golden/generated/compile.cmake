@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 # Compiles every source in generated/ with the flags that its head names, every warning an error, and
-# nothing to include but the headers of runtime/. The large kernels are read only: the text is what is
-# tested, and the small one shows that it can be compiled, too.
+# nothing to include but the headers of runtime/. One instruction set is compiled whole; of the others
+# the text is checked.
 cmake_minimum_required(VERSION 3.25)
 file(REMOVE_RECURSE ${WORK_DIR})
 file(MAKE_DIRECTORY ${WORK_DIR}/include/runtime)
@@ -24,7 +24,7 @@ endfunction()
 
 file(GLOB sources ${SOURCE_DIR}/generated/*/*.cpp)
 list(LENGTH sources count)
-if(count LESS 12 OR NOT EXISTS ${SOURCE_DIR}/generated/robot_1_T1/robot_1_T1.cpp)
+if(count LESS 4 OR NOT EXISTS ${SOURCE_DIR}/generated/robot_1_wide_15/robot_1_wide_15.cpp)
   message(FATAL_ERROR "generated/ holds ${count} sources")
 endif()
 execute_process(COMMAND ${COMPILER} -dumpmachine OUTPUT_VARIABLE machine)
@@ -37,7 +37,7 @@ foreach(source IN LISTS sources)
   endforeach()
   if(machine MATCHES "^x86_64" OR NOT isa MATCHES "^avx")
     set(extent -fsyntax-only)
-    if(source MATCHES "robot_1_T1")
+    if(isa STREQUAL "portable")
       set(extent -O0)
     endif()
     compile(${source} -std=c++20 ${extent} ${REGULUS_FLOATING_POINT_FLAGS} ${REGULUS_ISA_FLAGS_${isa}})

