@@ -42,7 +42,7 @@ void expect_answers(const std::string& text, unsigned trials) {
 
 TEST(DamagedUrdf, IsReadOrRefused) { expect_answers(robot_text("mh5.urdf"), 3000); }
 
-TEST(DamagedMjcf, IsReadOrRefused) { expect_answers(robot_text("arm.mjcf"), 3000); }
+TEST(DamagedMjcf, IsReadOrRefused) { expect_answers(robot_text("arm.mjcf"), 100); }
 
 TEST(DamagedSdf, IsReadOrRefused) { expect_answers(robot_text("arm.sdf"), 3000); }
 
