@@ -26,7 +26,7 @@ Finding check_along_waypoints(Request request, double model_seconds, const Searc
                               const std::atomic<bool>* interrupt, const std::string& path) {
   const TrajectoryCheck check =
       check_trajectory(std::move(request), model_seconds, search, !path.empty(), interrupt);
-  const TrajectoryCertificate certificate(path, check);
+  const ProofStatus certificate = certify_trajectory(path, check);
   Finding finding;
   finding.verdict = check.verdict;
   if (check.deciding) finding.result = check.deciding->result;
@@ -65,7 +65,7 @@ Finding check_variety(const ModelOptions& model, const SearchOptions& search,
   finding.report = text_report(prepared, search, finding.result, nearest);
   for (const VariableLabel& variable : prepared.labels.variables)
     finding.variables.push_back(variable.name);
-  add_proof(certificate, json_report(prepared, search, finding.result, nearest), finding);
+  add_proof(certificate.status(), json_report(prepared, search, finding.result, nearest), finding);
   return finding;
 }
 

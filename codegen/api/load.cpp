@@ -4,12 +4,12 @@
 #include <nlohmann/json.hpp>
 
 #include "codegen/api/algebra_lock.hpp"
+#include "codegen/api/proof_fields.hpp"
 #include "codegen/engine/refusals.hpp"
 #include "codegen/feasibility/feasibility_report.hpp"
 #include "codegen/feasibility/force_certificate.hpp"
 #include "codegen/feasibility/way_forces.hpp"
 #include "codegen/report/paving_options.hpp"
-#include "codegen/report/report_text.hpp"
 #include "codegen/support/earlier_outputs.hpp"
 #include "codegen/support/stopwatch.hpp"
 #include "codegen/trajectory/read_trajectory.hpp"
@@ -37,19 +37,15 @@ class SearchOfLoad {
 
   [[nodiscard]] LoadFinding finding(const FeasibilityResult& result, const ForceVolumes* volumes) {
     nlohmann::ordered_json report = json_forces(prepared_, result, volumes);
-    certificate_.add_to(report);
     LoadFinding finding;
     finding.verdict = result.verdict;
     if (report["claim"].is_string()) finding.claim = report["claim"];
     if (report["reason"].is_string()) finding.reason = report["reason"];
-    finding.report = format_forces(prepared_, result, volumes) + certificate_.line();
-    finding.json = report_text(report, 2);
+    finding.report = format_forces(prepared_, result, volumes);
     for (const VariableLabel& variable : prepared_.preparation.labels.variables)
       finding.variables.push_back(variable.name);
     finding.boxes = result.boxes;
-    if (report.contains("certificate") && report["certificate"].is_string())
-      finding.certificate = report["certificate"];
-    finding.no_certificate = report.value("certificate_obstacle", "");
+    add_proof(certificate_.status(), std::move(report), finding);
     return finding;
   }
 
@@ -69,15 +65,13 @@ std::optional<LoadFinding> check_load_along_waypoints(const Question& question,
   const WayForces found =
       check_forces_along_way(std::move(*request), 0, load, search, !certificate.empty(), interrupt);
   LoadFinding finding;
-  if (!certificate.empty()) finding.no_certificate = certify_way_forces(certificate, found);
-  if (!certificate.empty() && finding.no_certificate.empty()) finding.certificate = certificate;
-  const nlohmann::ordered_json report = json_way_forces(found);
+  nlohmann::ordered_json report = json_way_forces(found);
   finding.verdict = found.verdict;
   if (report["claim"].is_string()) finding.claim = report["claim"];
   if (report["reason"].is_string()) finding.reason = report["reason"];
   finding.report = format_way_forces(found);
-  finding.json = report_text(report, 2);
   finding.boxes = found.boxes;
+  add_proof(certify_way_forces(certificate, found), std::move(report), finding);
   return finding;
 }
 

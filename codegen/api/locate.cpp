@@ -103,8 +103,8 @@ Paving pave_variety(const Question& question, const LocateOptions& options,
   found.verdict = found.result.verdict;
   set_fractions(volumes, found);
   found.report = paving_report(prepared, search, paving, volumes, found.result);
-  add_proof(certificate, json_paving_summary(prepared, search, paving, volumes, found.result),
-            found);
+  add_proof(certificate.status(),
+            json_paving_summary(prepared, search, paving, volumes, found.result), found);
   for (const VariableLabel& variable : prepared.labels.variables)
     found.variables.push_back(variable.name);
   return found;

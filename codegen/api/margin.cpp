@@ -116,8 +116,7 @@ MarginFinding margin(const Question& asked, const MarginOptions& options,
     refuse(Asked::kPathMargin, "certificate", !options.certificate.empty());
     return margin_along_waypoints(std::move(request), question, options, interrupt);
   }
-  set_earlier_outputs_aside({model.path, model.waypoints},
-                            MarginCertificates::files(options.certificate));
+  set_earlier_outputs_aside({model.path, model.waypoints}, EndProofs::files(options.certificate));
   return margin_of_regularity(std::move(request), question, options, interrupt);
 }
 

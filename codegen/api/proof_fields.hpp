@@ -5,29 +5,27 @@
 #include <string>
 
 #include "codegen/api/margin.hpp"
-#include "codegen/margin/end_proofs.hpp"
+#include "codegen/certificate/proof_status.hpp"
 #include "codegen/report/report_text.hpp"
 
 namespace regulus::inline api {
 
 /// Adds what a certificate says to a report and to a finding; the finding's `json` is the report.
-template <class Certificate, class Finding>
-void add_proof(const Certificate& certificate, nlohmann::ordered_json report, Finding& finding) {
-  certificate.add_to(report);
-  finding.report += certificate.line();
-  if (const auto file = report.find("certificate"); file != report.end() && file->is_string())
-    finding.certificate = *file;
-  else
-    finding.no_certificate = report.value("certificate_obstacle", "");
+template <class Finding>
+void add_proof(const ProofStatus& proof, nlohmann::ordered_json report, Finding& finding) {
+  proof.add_to(report);
+  finding.report += proof.line();
+  if (proof.is_written()) finding.certificate = proof.path();
+  finding.no_certificate = proof.obstacle();
   finding.json = report_text(report, 2);
 }
 
 /// Adds the proofs of a component's ends to a finding; nothing if none were wanted.
 template <class Finding>
 void add_ends(const EndProofs& proofs, const std::string& component, Finding& finding) {
-  if (!proofs.wanted) return;
-  for (const EndProof* end : {&proofs.safe, &proofs.singular})
-    finding.certificates.push_back({component, end == &proofs.safe, end->file,
+  if (!proofs.are_wanted()) return;
+  for (const EndProof* end : {&proofs.safe(), &proofs.singular()})
+    finding.certificates.push_back({component, end == &proofs.safe(), end->file,
                                     end->file.empty() ? end->words : std::string()});
 }
 

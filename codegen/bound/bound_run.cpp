@@ -369,7 +369,7 @@ std::vector<OutputFile> certificate_files(const Quantity& quantity,
                                           const std::string& certificate) {
   std::vector<OutputFile> files;
   for (const Component& c : quantity.components)
-    for (const OutputFile& file : MarginCertificates::files(certificate_of(c, certificate)))
+    for (const OutputFile& file : EndProofs::files(certificate_of(c, certificate)))
       files.push_back(file);
   return files;
 }

@@ -59,7 +59,7 @@ class ConditionRun {
 
   ComponentBound run() {
     certificate_.emplace(certificate_path(), request_, result_.component,
-                         uncertain_names(prepared_.labels));
+                         uncertain_names(prepared_.labels), settings_.held);
     if (prepared_.stopped) return stopped();
     const MatrixScaling scaling = prepared_.stages->formulation().scaling;
     const Problem problem = prepared_.problem();

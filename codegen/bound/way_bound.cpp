@@ -237,51 +237,49 @@ class WayBound {
 
   /// Writes a proof of each end: of all pieces, and of the pose on one of them.
   void certify(const MarginQuestion& question, PathBracket& pieces) {
-    result_.proofs = {true, {{}, "no safe value was found"}, proof_of_witness(pieces)};
+    result_.proofs = EndProofs(certificate_, settings_.held, kNoSafeProof, kNoSingularProof);
+    if (const PieceWitness* witness = pieces.witness()) certify_witness(*witness);
     const std::optional<MarginValue> certified = pieces.certified();
     if (!certified) return;
     const Request proved = MarginRequest(bordered_.request, question).at(*certified);
     const TrajectoryCheck check = check_trajectory(proved, 0, search_, true, settings_.interrupt);
     add(check);
-    const std::string path = certificate_ + ".safe";
-    const TrajectoryCertificate written(path, check, certified_at(proved, Columns::kCombined),
-                                        settings_.held);
-    result_.proofs.safe = proof_in(path, written, "safe at " + certified->text);
+    const ProofStatus written =
+        certify_trajectory(result_.proofs.safe_file(), check,
+                           certified_at(proved, Columns::kCombined), settings_.held);
+    if (written.is_written())
+      result_.proofs.set_safe("safe at " + certified->text);
+    else
+      result_.proofs.set_no_safe(written.obstacle());
   }
 
   /// Writes a proof of the one end that a comparison has found.
   void certify_comparison(const TrajectoryCheck& check) {
+    EndProofs& proofs = result_.proofs = EndProofs(
+        certificate_, settings_.held, "the limit is exceeded", "no pose exceeds the limit");
     const bool is_singular = check.verdict == Verdict::kSingularity;
-    const std::string path = certificate_ + (is_singular ? ".singular" : ".safe");
-    const TrajectoryCertificate written(
-        path, check, certified_at(bordered_.request, Columns::kCombined), settings_.held);
+    const ProofStatus written =
+        certify_trajectory(is_singular ? proofs.singular_file() : proofs.safe_file(), check,
+                           certified_at(bordered_.request, Columns::kCombined), settings_.held);
     const std::string limit = formula_text(*settings_.limit);
-    result_.proofs = {true, {{}, "the limit is exceeded"}, {{}, "no pose exceeds the limit"}};
-    EndProof& end = is_singular ? result_.proofs.singular : result_.proofs.safe;
-    end = proof_in(path, written, (is_singular ? "exceeds " : "within ") + limit);
-    if (check.verdict == Verdict::kPossibleProblem) result_.proofs.singular = end;
+    if (written.is_written())
+      return is_singular ? proofs.set_singular("exceeds " + limit)
+                         : proofs.set_safe("within " + limit);
+    const bool is_open = check.verdict == Verdict::kPossibleProblem;
+    if (is_open || !is_singular) proofs.set_no_safe(written.obstacle());
+    if (is_open || is_singular) proofs.set_no_singular(written.obstacle());
   }
 
-  static EndProof proof_in(const std::string& path, const TrajectoryCertificate& written,
-                           const std::string& words) {
-    if (!written.obstacle().empty()) return {{}, written.obstacle()};
-    return {path, words};
-  }
-
-  [[nodiscard]] EndProof proof_of_witness(PathBracket& pieces) const {
-    const PieceWitness* witness = pieces.witness();
-    if (witness == nullptr) return {{}, "no singularity was found"};
-    const std::string path = certificate_ + ".singular";
-    const PreparedMargin& margin = *witness->margin;
-    CertifiedQuestion question =
-        certified_at(margin.request.at(witness->step.value), Columns::kPlain)
-            .about(piece_request(request_, witness->piece),
-                   uncertain_names(margin.prepared.labels));
-    const std::string obstacle = certificate_obstacle(question, true);
-    if (!obstacle.empty()) return {{}, obstacle};
-    trajectory::certify_witness(path, std::move(question), witness->step.result, settings_.held);
-    return {path, fmt::format("singular at {}, on segment {}", witness->step.value.text,
-                              witness->piece + 1)};
+  void certify_witness(const PieceWitness& witness) {
+    const PreparedMargin& margin = *witness.margin;
+    const CertifiedQuestion question =
+        certified_at(margin.request.at(witness.step.value), Columns::kPlain)
+            .about(piece_request(request_, witness.piece), uncertain_names(margin.prepared.labels));
+    std::string obstacle = certificate_obstacle(question, true);
+    if (!obstacle.empty()) return result_.proofs.set_no_singular(std::move(obstacle));
+    result_.proofs.write_singular(
+        question.head(true), witness_lines(witness.step.result),
+        fmt::format("singular at {}, on segment {}", witness.step.value.text, witness.piece + 1));
   }
 
   const Request& request_;

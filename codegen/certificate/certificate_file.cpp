@@ -2,11 +2,9 @@
 #include "codegen/certificate/certificate_file.hpp"
 
 #include <filesystem>
-#include <nlohmann/json.hpp>
 #include <numeric>
 
 #include "codegen/certificate/certificate_question.hpp"
-#include "codegen/support/errors.hpp"
 #include "runtime/certificate/format.hpp"
 #include "runtime/certificate/verifier/verify.hpp"
 
@@ -34,57 +32,38 @@ std::string doubt_of(const Statistics& statistics) {
 }  // namespace
 
 CertificateFile::CertificateFile(const std::string& path, const PreparedSearch& preparation,
-                                 const std::optional<CertificateWriter::Partial>& partial,
-                                 std::uint64_t shard_size) {
-  if (path.empty()) return;
+                                 const std::optional<ProofFile::Partial>& partial,
+                                 std::uint64_t shard_size)
+    : status_(path) {
+  if (!status_.is_wanted()) return;
   CertifiedQuestion question = certified_question(preparation);
-  obstacle_ = certificate_obstacle(question);
-  if (!obstacle_.empty()) return;
+  status_.set_obstacle(certificate_obstacle(question));
+  if (!status_.obstacle().empty()) return;
   doubt_safe_ = certificate_doubt(question, false);
   doubt_singular_ = certificate_doubt(question, true);
-  try {
+  with_file_errors([&] {
     if (partial) {
       lock_.emplace(path);
       writer_.emplace(path, std::move(question), *partial);
     } else {
       writer_.emplace(path, std::move(question));
     }
-    writer_->set_shard_size(shard_size);
-  } catch (const std::runtime_error& error) {
-    throw FileError(error.what());
-  }
+  });
+  writer_->file().set_shard_size(shard_size);
 }
 
 void CertificateFile::finish(const Result& result) {
   if (!writer_) return;
+  if (!with_file_errors([&] { return writer_->finish(result); }))
+    return status_.set_obstacle(kNothingClaimed);
   const bool singular = result.verdict == Verdict::kSingularity;
-  note_ = singular ? doubt_singular_ : doubt_safe_;
-  if (note_.empty() && !singular) note_ = doubt_of(result.statistics);
-  try {
-    written_ = writer_->finish(result);
-  } catch (const std::runtime_error& error) {
-    throw FileError(error.what());
-  }
-  if (!written_) obstacle_ = "POSSIBLE PROBLEM claims nothing that could be proved";
+  std::string note = singular ? doubt_singular_ : doubt_safe_;
+  if (note.empty() && !singular) note = doubt_of(result.statistics);
   std::error_code ignored;
-  if (written_ && std::filesystem::file_size(writer_->path(), ignored) > format::kMaxBytes)
-    note_ = "it is larger than the " + std::to_string(format::kMaxBytes) +
-            " bytes that the verifier reads";
-}
-
-std::string CertificateFile::line() const {
-  if (!obstacle_.empty()) return "certificate none: " + obstacle_ + '\n';
-  if (!written_) return "";
-  return "certificate " + writer_->path() + '\n' +
-         (note_.empty() ? "" : "           " + note_ + '\n');
-}
-
-void CertificateFile::add_to(nlohmann::ordered_json& report) const {
-  if (!writer_ && obstacle_.empty()) return;
-  report["certificate"] = nullptr;
-  if (written_) report["certificate"] = writer_->path();
-  if (!obstacle_.empty()) report["certificate_obstacle"] = obstacle_;
-  if (written_ && !note_.empty()) report["certificate_note"] = note_;
+  if (std::filesystem::file_size(writer_->path(), ignored) > format::kMaxBytes)
+    note = "it is larger than the " + std::to_string(format::kMaxBytes) +
+           " bytes that the verifier reads";
+  status_.set_written(std::move(note));
 }
 
 }  // namespace regulus::certificate

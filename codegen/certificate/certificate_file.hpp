@@ -2,10 +2,10 @@
 // The option --certificate.
 #pragma once
 
-#include <nlohmann/json_fwd.hpp>
 #include <optional>
 #include <string>
 
+#include "codegen/certificate/proof_status.hpp"
 #include "codegen/engine/pipeline.hpp"
 #include "runtime/certificate/writer.hpp"
 #include "runtime/files/file_lock.hpp"
@@ -16,9 +16,9 @@ class CertificateFile {
  public:
   /// An empty `path` means no certificate. Throws FileError, before the search, if the file cannot
   /// be made. `partial`: for a search that may be continued, or that continues an earlier one.
-  /// `shard_size`: as CertificateWriter::set_shard_size.
+  /// `shard_size`: as ProofFile::set_shard_size.
   CertificateFile(const std::string& path, const PreparedSearch& preparation,
-                  const std::optional<CertificateWriter::Partial>& partial = std::nullopt,
+                  const std::optional<ProofFile::Partial>& partial = std::nullopt,
                   std::uint64_t shard_size = 0);
 
   /// Returns the observer of the search; nullptr if no certificate is wanted, or none can be made.
@@ -27,23 +27,15 @@ class CertificateFile {
   /// Moves the file to its final name if the verdict claims something. Throws FileError.
   void finish(const Result& result);
 
-  /// Returns nullptr if no certificate is wanted.
-  [[nodiscard]] CertificateWriter* writer() noexcept { return writer_ ? &*writer_ : nullptr; }
-  [[nodiscard]] bool written() const noexcept { return written_; }
-  /// Returns lines of the report; empty if no certificate was wanted.
-  [[nodiscard]] std::string line() const;
-  /// Adds the key `certificate` to a JSON report: the file, or null if none could be written. Also
-  /// adds `certificate_obstacle`, the reason why there is none, and `certificate_note`, the reason
-  /// why the verifier may not finish.
-  void add_to(nlohmann::ordered_json& report) const;
+  /// Returns nullptr if no certificate is wanted, or none can be made.
+  [[nodiscard]] ProofFile* file() noexcept { return writer_ ? &writer_->file() : nullptr; }
+  [[nodiscard]] const ProofStatus& status() const noexcept { return status_; }
 
  private:
   std::optional<FileLock> lock_;  ///< of a file that several runs write
   std::optional<CertificateWriter> writer_;
-  bool written_ = false;
-  std::string obstacle_;  ///< why there is none
-  /// The reasons why the verifier may not finish: for each verdict, and for the one reached.
-  std::string doubt_safe_, doubt_singular_, note_;
+  ProofStatus status_;
+  std::string doubt_safe_, doubt_singular_;  ///< why the verifier may not finish, by verdict
 };
 
 }  // namespace regulus::certificate

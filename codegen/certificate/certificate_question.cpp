@@ -132,14 +132,6 @@ std::size_t other_errors(const Request& request, const std::set<std::string>& un
   return count;
 }
 
-/// Returns a certificate up to its proof.
-std::string head_of(const CertifiedQuestion& question, bool singular) {
-  return std::string(format::kMagic) + "\nverdict " +
-         (singular ? format::kSingularity : format::kNoSingularity) + "\nclaim " +
-         (singular ? question.singularity : question.no_singularity) + '\n' + question.text +
-         "proof\n";
-}
-
 /// Returns e such that every number of the question is below 2^(e + 1) in magnitude. Numbers that
 /// were used only in operations between numbers are not there any more.
 int largest_exponent(const verifier::Question& q) {
@@ -194,7 +186,7 @@ CertifiedQuestion certified_question(const Request& request,
 }
 
 std::string certificate_obstacle(const CertifiedQuestion& question, bool singular) {
-  return obstacle_of_head(head_of(question, singular));
+  return obstacle_of_head(question.head(singular));
 }
 
 std::string obstacle_of_head(const std::string& head) {
@@ -210,7 +202,7 @@ std::string obstacle_of_head(const std::string& head) {
 }
 
 std::string certificate_doubt(const CertifiedQuestion& question, bool singular) {
-  std::istringstream text(head_of(question, singular)), again(head_of(question, singular));
+  std::istringstream text(question.head(singular)), again(question.head(singular));
   verifier::Lines lines(text);
   verifier::Question read;
   verifier::read_question(lines, read);

@@ -32,20 +32,20 @@ Result search_and_report(const CheckCommand& command, PreparedSearch& preparatio
   // The certificate comes first, so that its bytes are safe before a checkpoint refers to them.
   std::vector<Observer*> watching;
   if (certificate.observer() != nullptr) watching.push_back(certificate.observer());
-  if (Observer* saving = checkpoint.observer(certificate.writer())) watching.push_back(saving);
+  if (Observer* saving = checkpoint.observer(certificate.file())) watching.push_back(saving);
   SearchDisplay display(command.output);
   if (display.observer() != nullptr) watching.push_back(display.observer());
   Observers observers(std::move(watching));
   Result result = run_search(preparation, command.search, settings, &observers, checkpoint.found());
   certificate.finish(result);
-  checkpoint.finish(result, certificate.writer());
+  checkpoint.finish(result, certificate.file());
   const auto nearest = nearest_singular(preparation, result);
   if (!command.output.quiet)
-    print_report(text_report(preparation, command.search, result, nearest) + certificate.line() +
-                 checkpoint.line());
+    print_report(text_report(preparation, command.search, result, nearest) +
+                 certificate.status().line() + checkpoint.line());
   if (command.output.json) {
     nlohmann::ordered_json report = json_report(preparation, command.search, result, nearest);
-    certificate.add_to(report);
+    certificate.status().add_to(report);
     std::cout << report_text(report, command.output.json_indent) << '\n';
   } else {
     print_answer(name(result.verdict), exit_code_of(result.verdict));

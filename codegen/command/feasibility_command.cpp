@@ -48,10 +48,11 @@ int print_forces(const PreparedForces& prepared, const FeasibilityResult& result
                  const ForceVolumes* volumes, const ForceCertificate& certificate,
                  const OutputOptions& output, bool to_error) {
   const int code = exit_code_of(result.verdict);
-  if (!output.quiet) print_report(format_forces(prepared, result, volumes) + certificate.line());
+  if (!output.quiet)
+    print_report(format_forces(prepared, result, volumes) + certificate.status().line());
   if (output.json) {
     nlohmann::ordered_json report = json_forces(prepared, result, volumes);
-    certificate.add_to(report);
+    certificate.status().add_to(report);
     std::cout << report_text(report, output.json_indent) << '\n';
   } else if (!to_error) {
     print_answer(name(result.verdict), code);
@@ -83,19 +84,12 @@ int check_along_way(const CheckCommand& command, Request request, double model_s
   const WayForces found =
       check_forces_along_way(std::move(request), model_seconds, *command.load, command.search,
                              !path.empty(), &interrupt.requested());
-  const std::string obstacle = path.empty() ? "" : certify_way_forces(path, found);
-  if (!command.output.quiet) {
-    print_report(format_way_forces(found));
-    if (!path.empty())
-      print_report("certificate " + (obstacle.empty() ? path : "none: " + obstacle) + '\n');
-  }
+  const ProofStatus certificate = certify_way_forces(path, found);
+  if (!command.output.quiet) print_report(format_way_forces(found) + certificate.line());
   const int code = exit_code_of(found.verdict);
   if (command.output.json) {
     nlohmann::ordered_json report = json_way_forces(found);
-    if (!path.empty())
-      report["certificate"] =
-          obstacle.empty() ? nlohmann::ordered_json(path) : nlohmann::ordered_json(nullptr);
-    if (!obstacle.empty()) report["certificate_obstacle"] = obstacle;
+    certificate.add_to(report);
     std::cout << report_text(report, command.output.json_indent) << '\n';
   } else {
     print_answer(name(found.verdict), code);

@@ -73,13 +73,13 @@ Result pave_and_report(const LocateCommand& command, PreparedSearch& preparation
 
   certificate.finish(result);
   auto summary = json_paving_summary(preparation, command.search, options, volumes, result);
-  certificate.add_to(summary);
+  certificate.status().add_to(summary);
   if (writer) writer->finish(summary, lines.name());
   lines.finish();
   pictures.draw(volumes);
   if (!command.output.quiet)
     print_report(paving_report(preparation, command.search, options, volumes, result) +
-                 certificate.line());
+                 certificate.status().line());
   if (command.output.json)
     std::cout << report_text(summary, command.output.json_indent) << '\n';
   else if (!lines.is_standard_output())

@@ -28,7 +28,7 @@ int run_margin(const MarginCommand& given) {
   const double gap = read_gap(command.gap);
   const MarginQuestion question = take_question(command.model, command.size);
   set_earlier_outputs_aside(input_files(command.model, command.search),
-                            MarginCertificates::files(command.certificate));
+                            EndProofs::files(command.certificate));
   Request request = read_request(command.model);
   if (request.motion.trajectory)
     return run_trajectory_margin(command, question, std::move(request));

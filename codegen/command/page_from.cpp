@@ -99,7 +99,9 @@ void PageRun::take_certificate(const EarlierRun& run) {
   if (data_.report["verdict"] != json_verdict(head))
     refuse(run.path, "the verdict of this certificate is not that of the report of check",
            "give files of the same run");
-  take_proof({{"certificate", run.path}}, run.path);
+  ProofStatus proof(run.path);
+  proof.set_written();
+  take_proof(proof);
   if (v.shards > 0) {
     data_.certificate.clear();
     data_.certificate_note = "its proof is in several files; `regulus verify` reads them";

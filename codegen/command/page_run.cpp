@@ -117,15 +117,13 @@ void PageRun::search(PreparedSearch& p) {
   const auto nearest = nearest_singular(p, result_);
   text_ = text_report(p, command_.search, result_, nearest);
   data_.report = regulus::json_report(p, command_.search, result_, nearest);
-  nlohmann::ordered_json about;
-  certificate.add_to(about);
-  take_proof(about, file);
+  take_proof(certificate.status());
 }
 
-void PageRun::take_proof(const nlohmann::ordered_json& about, const std::string& file) {
-  data_.certificate_note = about.value("certificate_obstacle", "");
-  if (!about["certificate"].is_string()) return;
-  data_.certificate = read_start(file, kLongestProof + 1, Readable::kFile);
+void PageRun::take_proof(const ProofStatus& proof) {
+  data_.certificate_note = proof.obstacle();
+  if (!proof.is_written()) return;
+  data_.certificate = read_start(proof.path(), kLongestProof + 1, Readable::kFile);
   if (data_.certificate.size() <= kLongestProof) return;
   data_.certificate.clear();
   data_.certificate_note =
@@ -140,10 +138,7 @@ void PageRun::check_way(Request request, double model_seconds) {
   set_question(data_, found.request, uncertain, model_);
   const ScratchFolder scratch;
   const std::string file = scratch.path() / "certificate";
-  const TrajectoryCertificate certificate(file, found);
-  nlohmann::ordered_json about;
-  certificate.add_to(about);
-  take_proof(about, file);
+  take_proof(certify_trajectory(file, found));
   text_ = format_trajectory(found, command_.search);
   data_.report = json_trajectory(found, command_.search);
   if (found.deciding && found.deciding->preparation)

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "codegen/certificate/certificate_head.hpp"
+#include "codegen/certificate/proof_status.hpp"
 #include "codegen/certificate/verify_file.hpp"
 #include "codegen/command/interrupt.hpp"
 #include "codegen/command/report_options.hpp"
@@ -60,7 +61,7 @@ class PageRun {
   void check();
   void check_way(Request request, double model_seconds);
   void search(PreparedSearch& preparation);
-  void take_proof(const nlohmann::ordered_json& about, const std::string& file);
+  void take_proof(const ProofStatus& proof);
   void pave();
   void pave_way(Request request);
   void bound(const std::string& quantity);

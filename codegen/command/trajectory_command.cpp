@@ -52,7 +52,7 @@ std::optional<int> run_trajectory_check(const CheckCommand& command) {
   const TrajectoryCheck check =
       check_trajectory(std::move(*request), model_seconds, command.search,
                        !command.certificate.empty(), &interrupt.requested());
-  const TrajectoryCertificate certificate(command.certificate, check);
+  const ProofStatus certificate = certify_trajectory(command.certificate, check);
   if (!command.output.quiet)
     print_report(format_trajectory(check, command.search) + certificate.line());
   if (command.output.json) {

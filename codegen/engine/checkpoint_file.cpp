@@ -71,20 +71,20 @@ CheckpointFile::CheckpointFile(const CheckpointOptions& options, const PreparedS
   }
 }
 
-std::optional<CertificateWriter::Partial> CheckpointFile::partial(const std::string& certificate) {
+std::optional<ProofFile::Partial> CheckpointFile::partial(const std::string& certificate) {
   if (!wanted()) return std::nullopt;
-  if (!found_ || certificate.empty()) return CertificateWriter::Partial{};
+  if (!found_ || certificate.empty()) return ProofFile::Partial{};
   if (!found_->certificate)
     throw InputError::statement(path_, 0, "the checkpoint is of a search without --certificate",
                                 "leave out --certificate, or delete the checkpoint to start again");
   require_undamaged(certificate);
-  return CertificateWriter::Partial{found_->certificate->length, leaves_of(*found_)};
+  return ProofFile::Partial{found_->certificate->length, leaves_of(*found_)};
 }
 
 /// The writer reports a file that is missing or too short.
 void CheckpointFile::require_undamaged(const std::string& certificate) {
   const CertificateSoFar& expected = *found_->certificate;
-  const std::string file = CertificateWriter::partial_file(certificate);
+  const std::string file = ProofFile::partial_file(certificate);
   digest_.emplace(file);
   const auto found = digest_->of_first(expected.length);
   if (!found || expected.sha256.empty() || *found == expected.sha256) return;
@@ -93,11 +93,11 @@ void CheckpointFile::require_undamaged(const std::string& certificate) {
       "delete both files to start again");
 }
 
-Observer* CheckpointFile::observer(CertificateWriter* certificate) {
+Observer* CheckpointFile::observer(ProofFile* certificate) {
   if (!wanted()) return nullptr;
   CheckpointWriter::Certificate sync;
   if (certificate != nullptr) {
-    if (!digest_) digest_.emplace(CertificateWriter::partial_file(certificate->path()));
+    if (!digest_) digest_.emplace(ProofFile::partial_file(certificate->path()));
     sync = [this, certificate]() -> std::optional<CertificateSoFar> {
       const auto length = certificate->sync();
       const auto sha256 = length ? digest_->of_first(*length) : std::nullopt;
@@ -116,7 +116,7 @@ Observer* CheckpointFile::observer(CertificateWriter* certificate) {
   return &*writer_;
 }
 
-void CheckpointFile::finish(const Result& result, CertificateWriter* certificate) {
+void CheckpointFile::finish(const Result& result, ProofFile* certificate) {
   if (!writer_) return;
   kept_ = result.verdict == Verdict::kPossibleProblem && result.stopped_by.has_value();
   if (kept_ && !writer_->failure().empty()) throw FileError(writer_->failure());

@@ -27,15 +27,15 @@ class CheckpointFile {
   [[nodiscard]] const Checkpoint* found() const noexcept { return found_ ? &*found_ : nullptr; }
   /// Returns the state from which the certificate continues; nullopt without a checkpoint. Throws
   /// InputError if a certificate is wanted and the checkpoint has none, or one with other bytes.
-  [[nodiscard]] std::optional<CertificateWriter::Partial> partial(const std::string& certificate);
+  [[nodiscard]] std::optional<ProofFile::Partial> partial(const std::string& certificate);
 
   /// Returns the observer that saves the search, after it has made the certificate safe; nullptr
   /// without a checkpoint.
-  [[nodiscard]] Observer* observer(CertificateWriter* certificate);
+  [[nodiscard]] Observer* observer(ProofFile* certificate);
 
   /// Call it after the search: it keeps the file if the search may continue, and removes it
   /// otherwise. Throws FileError if a search that may continue could not be saved.
-  void finish(const Result& result, CertificateWriter* certificate);
+  void finish(const Result& result, ProofFile* certificate);
   /// Returns a line of the report, or an empty text.
   [[nodiscard]] std::string line() const;
 

@@ -3,16 +3,13 @@
 
 #include <fmt/format.h>
 
-#include <nlohmann/json.hpp>
-#include <system_error>
-
 #include "codegen/certificate/certificate_question.hpp"
-#include "codegen/support/errors.hpp"
+#include "codegen/certificate/piece_question.hpp"
+#include "codegen/trajectory/trajectory_certificate.hpp"
+#include "runtime/certificate/writer.hpp"
 
 namespace regulus::inline feasibility {
 namespace {
-
-constexpr std::size_t kPart = 1 << 16;  ///< bytes that are written at one time
 
 const char* word_of(Rule rule) noexcept {
   switch (rule) {
@@ -27,105 +24,86 @@ const char* word_of(Rule rule) noexcept {
   }
 }
 
-[[noreturn]] void fail(const std::string& path, const std::string& why) {
-  throw FileError("the certificate " + path + " cannot " + why);
-}
-
-}  // namespace
-
-std::string force_split_line(const Split& split) {
-  return fmt::format("s {} {} {:a}\n", split.parent, split.variable, split.at);
-}
-
-std::string force_leaf_line(BoxId box, Rule rule) {
-  return fmt::format("l {} {}\n", box, word_of(rule));
-}
-
-std::string force_witness_lines(const ForceWitness& witness) {
+std::string shortage_lines(const ForceWitness& witness) {
   std::string lines = fmt::format("reason {}\npoint 0", format::kShortage);
-  for (const Interval& x : witness.variables)
-    lines += is_thin(x) ? fmt::format(" {:a}", x.lo) : fmt::format(" {:a}:{:a}", x.lo, x.hi);
+  for (const Interval& x : witness.variables) lines += ' ' + coordinate_text(x);
   lines += "\ndirection";
   for (const double y : witness.shortage.direction) lines += fmt::format(" {:a}", y);
   return lines + "\nend\n";
 }
 
+std::set<std::string> uncertain_of(const PreparedForces& prepared) {
+  return uncertain_names(prepared.preparation.labels);
+}
+
+/// Returns the reason why there is no proof; empty if it was written.
+std::string write_feasible(const std::string& path, const WayForces& found) {
+  const PreparedForces& hull = found.hull;
+  const VectorSet& load = choose_load(found.request.model, hull.load);
+  std::string obstacle = certificate_obstacle(
+      certified_load(piece_request(found.request, 0), uncertain_of(hull), load));
+  if (!obstacle.empty()) return obstacle;
+  const CertifiedLoad question = certified_load(found.request, uncertain_of(hull), load);
+  write_pieces(path, question.head(format::kFeasible), found.trees, word_of);
+  return "";
+}
+
+std::string write_infeasible(const std::string& path, const PreparedForces& piece,
+                             const ForceWitness& witness) {
+  const CertifiedLoad question = certified_load(piece.request, uncertain_of(piece), piece.set());
+  std::string obstacle = certificate_obstacle(question);
+  if (!obstacle.empty()) return obstacle;
+  write_witness(path, question.head(format::kInfeasible), shortage_lines(witness), nullptr);
+  return "";
+}
+
+}  // namespace
+
 ForceCertificate::ForceCertificate(const std::string& path, const PreparedForces& prepared,
                                    bool paves)
-    : path_(path), paves_(paves) {
-  if (path_.empty()) return;
-  question_ = certified_load(prepared.request, uncertain_names(prepared.preparation.labels),
-                             prepared.set());
-  obstacle_ = certificate_obstacle(question_);
-  if (obstacle_.empty()) open(paves ? format::kPaving : format::kFeasible);
+    : paves_(paves), status_(path) {
+  if (!status_.is_wanted()) return;
+  question_ = certified_load(prepared.request, uncertain_of(prepared), prepared.set());
+  status_.set_obstacle(certificate_obstacle(question_));
+  if (!status_.obstacle().empty()) return;
+  with_file_errors([&] { file_.emplace(path); });
+  file_->begin(question_.head(paves ? format::kPaving : format::kFeasible));
 }
 
-void ForceCertificate::open(const std::string& verdict) try {
-  file_.reset();
-  file_.emplace(path_);
-  file_->write(question_.head(verdict));
-} catch (const std::system_error& error) {
-  fail(path_, error.what());
+void ForceCertificate::on_split(const OpenBox&, const Split& split) noexcept {
+  file_->split(split);
 }
 
-/// A failure is reported at the end.
-void ForceCertificate::put(const std::string& text) {
-  lines_ += text;
-  if (lines_.size() < kPart || failure_) return;
-  file_->write(lines_);
-  lines_.clear();
-}
-
-void ForceCertificate::on_split(const OpenBox&, const Split& split) noexcept try {
-  put(force_split_line(split));
-} catch (const std::exception&) {
-  failure_ = std::current_exception();
-}
-
-void ForceCertificate::on_leaf(const OpenBox& box, Rule rule, const Proof&) noexcept try {
-  ++leaves_;
-  put(force_leaf_line(box.id, rule));
-} catch (const std::exception&) {
-  failure_ = std::current_exception();
+void ForceCertificate::on_leaf(const OpenBox& box, Rule rule, const Proof&) noexcept {
+  file_->leaf(box.id, word_of(rule));
 }
 
 void ForceCertificate::finish(const FeasibilityResult& result) {
   if (!file_) return;
-  const bool is_infeasible = !paves_ && result.verdict == FeasibilityVerdict::kInfeasible;
-  const bool claims =
-      paves_ ? !result.is_empty : result.verdict != FeasibilityVerdict::kPossibleProblem;
-  if (!claims) {
-    obstacle_ = paves_ ? "the constraints exclude every pose"
-                       : "POSSIBLE PROBLEM claims nothing that could be proved";
-    return file_.reset();
-  }
-  if (is_infeasible) {
-    failure_ = nullptr;
-    open(format::kInfeasible);
-    lines_ = force_witness_lines(*result.witness);
-  } else {
-    lines_ += fmt::format("end {}\n", leaves_);
-  }
-  try {
-    if (failure_) std::rethrow_exception(failure_);
-    file_->write(lines_);
-    file_->put_in_place_durably();
-  } catch (const std::system_error& error) {
-    fail(path_, error.what());
-  }
-  is_written_ = true;
+  if (paves_ && result.is_empty) return status_.set_obstacle("the constraints exclude every pose");
+  if (!paves_ && result.verdict == FeasibilityVerdict::kPossibleProblem)
+    return status_.set_obstacle(kNothingClaimed);
+  with_file_errors([&] {
+    if (!paves_ && result.verdict == FeasibilityVerdict::kInfeasible)
+      file_->finish_with(question_.head(format::kInfeasible), shortage_lines(*result.witness));
+    else
+      file_->finish();
+  });
+  status_.set_written();
 }
 
-std::string ForceCertificate::line() const {
-  if (path_.empty()) return "";
-  return is_written_ ? "certificate " + path_ + '\n' : "certificate none: " + obstacle_ + '\n';
-}
-
-void ForceCertificate::add_to(nlohmann::ordered_json& report) const {
-  if (path_.empty()) return;
-  report["certificate"] = nullptr;
-  if (is_written_) report["certificate"] = path_;
-  if (!is_written_) report["certificate_obstacle"] = obstacle_;
+ProofStatus certify_way_forces(const std::string& path, const WayForces& found) {
+  ProofStatus status(path);
+  if (!status.is_wanted()) return status;
+  if (found.verdict == FeasibilityVerdict::kPossibleProblem)
+    status.set_obstacle(kNothingClaimed);
+  else if (found.verdict == FeasibilityVerdict::kFeasible)
+    status.set_obstacle(write_feasible(path, found));
+  else
+    status.set_obstacle(
+        write_infeasible(path, *found.deciding->prepared, *found.deciding->result.witness));
+  if (status.obstacle().empty()) status.set_written();
+  return status;
 }
 
 }  // namespace regulus::feasibility

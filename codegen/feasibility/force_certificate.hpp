@@ -2,23 +2,16 @@
 // The option --certificate of `regulus check --load` and `regulus locate --load`.
 #pragma once
 
-#include <exception>
-#include <nlohmann/json_fwd.hpp>
 #include <optional>
 #include <string>
 
 #include "codegen/certificate/load_question.hpp"
+#include "codegen/certificate/proof_status.hpp"
 #include "codegen/feasibility/feasibility_run.hpp"
-#include "runtime/files/atomic_file.hpp"
-#include "runtime/problem/observer.hpp"
+#include "codegen/feasibility/way_forces.hpp"
+#include "runtime/certificate/proof_file.hpp"
 
 namespace regulus::inline feasibility {
-
-/// Returns the lines of a certificate for a split and for a leaf.
-[[nodiscard]] std::string force_split_line(const Split& split);
-[[nodiscard]] std::string force_leaf_line(BoxId box, Rule rule);
-/// Returns the lines of the proof of INFEASIBLE.
-[[nodiscard]] std::string force_witness_lines(const ForceWitness& witness);
 
 /// Writes the tree of a search while it runs: of FEASIBLE, or of a paving. For INFEASIBLE the
 /// witness takes its place.
@@ -36,24 +29,17 @@ class ForceCertificate final : public Observer {
   /// Puts the file in its place if the result claims something. Throws FileError.
   void finish(const FeasibilityResult& result);
 
-  /// Returns lines of the report; empty if no certificate was wanted.
-  [[nodiscard]] std::string line() const;
-  /// Adds the keys `certificate` and `certificate_obstacle` to a JSON report.
-  void add_to(nlohmann::ordered_json& report) const;
+  [[nodiscard]] const ProofStatus& status() const noexcept { return status_; }
 
  private:
-  void put(const std::string& text);
-  void open(const std::string& verdict);
-
-  std::string path_;
-  bool paves_;
+  const bool paves_;
+  ProofStatus status_;
   CertifiedLoad question_;
-  std::optional<AtomicFile> file_;
-  std::string lines_;  ///< not yet in the file
-  std::uint64_t leaves_ = 0;
-  std::exception_ptr failure_;  ///< the reason why a part of the file is missing
-  std::string obstacle_;
-  bool is_written_ = false;
+  std::optional<ProofFile> file_;
 };
+
+/// Writes the proof of a verdict along way-points: of all pieces, or of the pose on one of them. An
+/// empty `path` means no certificate. Throws FileError.
+[[nodiscard]] ProofStatus certify_way_forces(const std::string& path, const WayForces& found);
 
 }  // namespace regulus::feasibility

@@ -5,11 +5,9 @@
 
 #include <algorithm>
 #include <chrono>
-#include <new>
 
 #include "codegen/certificate/certificate_question.hpp"
 #include "codegen/certificate/piece_question.hpp"
-#include "codegen/feasibility/force_certificate.hpp"
 #include "codegen/model/trajectory.hpp"
 #include "codegen/support/errors.hpp"
 #include "codegen/trajectory/path_run.hpp"
@@ -22,29 +20,6 @@ namespace {
 /// A piece that needs more is searched alone.
 constexpr std::uint32_t kMostForceBoxesOfPiece = 256;
 constexpr std::size_t kMostUndecidedPieces = 8;
-
-/// Keeps splits and leaves of one piece as lines of a certificate.
-class LinesOfPiece final : public Observer {
- public:
-  explicit LinesOfPiece(PieceTree& tree) : tree_(tree) { tree_ = {}; }
-  void on_split(const OpenBox&, const Split& split) noexcept override try {
-    tree_.lines += force_split_line(split);
-  } catch (const std::bad_alloc&) {
-    is_whole_ = false;
-  }
-  void on_leaf(const OpenBox& box, Rule rule, const Proof&) noexcept override try {
-    tree_.lines += force_leaf_line(box.id, rule);
-    ++tree_.leaves;
-  } catch (const std::bad_alloc&) {
-    is_whole_ = false;
-  }
-  /// False if there was no memory for a line.
-  [[nodiscard]] bool is_whole() const noexcept { return is_whole_; }
-
- private:
-  PieceTree& tree_;
-  bool is_whole_ = true;
-};
 
 class WayForceRun {
  public:
@@ -139,7 +114,7 @@ class WayForceRun {
     if (outcome.kind == Kind::kHeld || outcome.kind == Kind::kOutside) {
       const bool held = outcome.kind == Kind::kHeld;
       for (std::size_t k = part.piece; held && k < parts.end_of(part); ++k) is_within_[k] = true;
-      return parts.leaf(part, held ? format::kFeasibleLeaf : format::kOutsideLeaf);
+      return parts.leaf(part, held ? Rule::kHMatrix : Rule::kOutside);
     }
     if (part.pieces > 1) return parts.split_group(part, open);
     const bool is_lost =
@@ -162,11 +137,10 @@ class WayForceRun {
         prepare_forces(piece_request(found_.request, k), 0, load_, search_, watch);
     FeasibilitySettings settings = settings_of(piece, interrupt_);
     settings.time_limit = std::min(settings.time_limit, seconds_left());
-    PieceTree none;
-    LinesOfPiece lines(wants_trees_ ? found_.trees[k] : none);
+    TreeKept* const tree = wants_trees_ ? &found_.trees[k] : nullptr;
+    if (tree != nullptr) tree->clear();
     FeasibilityResult result = run_forces(
-        piece, settings, [](std::span<const Interval>, ForceClaim) {}, &lines);
-    if (!lines.is_whole()) throw std::bad_alloc();
+        piece, settings, [](std::span<const Interval>, ForceClaim) {}, tree);
     found_.boxes += result.boxes;
     found_.seconds += piece.preparation.seconds_spent();
     conclude(k, std::move(piece), std::move(result));

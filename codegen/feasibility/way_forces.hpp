@@ -32,7 +32,7 @@ struct WayForces {
   FeasibilityVerdict verdict = FeasibilityVerdict::kPossibleProblem;
   Reason reason = Reason::kAllBoxesCertified;
   std::optional<DecidingForces> deciding;  ///< none for FEASIBLE
-  std::vector<PieceTree> trees;            ///< by piece, if they are wanted
+  std::vector<TreeKept> trees;             ///< by piece, if they are wanted
   std::size_t searched_alone = 0;
   std::size_t excluded = 0;  ///< pieces without a pose that the constraints allow
   std::uint64_t boxes = 0;
@@ -54,9 +54,5 @@ struct WayForces {
 /// Returns the report but for the verdict.
 [[nodiscard]] std::string format_way_forces(const WayForces& found);
 [[nodiscard]] nlohmann::ordered_json json_way_forces(const WayForces& found);
-
-/// Writes the proof of the verdict: of all pieces, or of the pose on one of them. Returns why there
-/// is none; empty if it was written. Throws FileError.
-[[nodiscard]] std::string certify_way_forces(const std::string& path, const WayForces& found);
 
 }  // namespace regulus::feasibility

@@ -3,20 +3,14 @@
 
 #include <algorithm>
 #include <nlohmann/json.hpp>
-#include <system_error>
 
 #include "codegen/certificate/certificate_question.hpp"
-#include "codegen/certificate/load_question.hpp"
-#include "codegen/certificate/piece_question.hpp"
 #include "codegen/feasibility/feasibility_report.hpp"
-#include "codegen/feasibility/force_certificate.hpp"
 #include "codegen/feasibility/way_forces.hpp"
 #include "codegen/model/trajectory.hpp"
 #include "codegen/report/question_report.hpp"
 #include "codegen/report/report_parts.hpp"
-#include "codegen/support/errors.hpp"
 #include "codegen/trajectory/trajectory_report.hpp"
-#include "runtime/files/atomic_file.hpp"
 
 namespace regulus::inline feasibility {
 namespace {
@@ -69,14 +63,6 @@ std::string format_deciding(const WayForces& found) {
   return text;
 }
 
-void write(const std::string& path, const std::string& text) try {
-  AtomicFile file(path);
-  file.write(text);
-  file.put_in_place_durably();
-} catch (const std::system_error& error) {
-  throw FileError("the certificate " + path + " cannot " + error.what());
-}
-
 }  // namespace
 
 std::string format_way_forces(const WayForces& found) {
@@ -87,9 +73,8 @@ std::string format_way_forces(const WayForces& found) {
                      format_path(trajectory_of(found)) +
                      format_tube(found.request.model, found.request.motion);
   text += uncertain == 0 ? "uncertain  nothing: geometry is taken as exact\n"
-                         : fmt::format("uncertain  {} {} of the geometry: {}\n", uncertain,
-                                       uncertain == 1 ? "quantity" : "quantities",
-                                       describe_groups(hull.preparation.labels));
+                         : fmt::format("uncertain  {} {} of the geometry\n", uncertain,
+                                       uncertain == 1 ? "quantity" : "quantities");
   text += fmt::format("load       {}, forces {}\n", hull.load, describe_limits(hull));
   text += fmt::format("boxes      {} evaluated; {} segment{} searched alone\n", found.boxes,
                       found.searched_alone, found.searched_alone == 1 ? "" : "s");
@@ -138,31 +123,6 @@ Json json_way_forces(const WayForces& found) {
   report["question"] = json_question(found.request, found.hull.search);
   report["seconds"] = json_seconds(found.seconds);
   return report;
-}
-
-std::string certify_way_forces(const std::string& path, const WayForces& found) {
-  if (found.verdict == FeasibilityVerdict::kPossibleProblem)
-    return "POSSIBLE PROBLEM claims nothing that could be proved";
-  const bool feasible = found.verdict == FeasibilityVerdict::kFeasible;
-  const PreparedForces& asked = feasible ? found.hull : *found.deciding->prepared;
-  const Request& request = feasible ? found.request : asked.request;
-  const std::set<std::string> uncertain = uncertain_names(asked.preparation.labels);
-  const VectorSet& load = choose_load(request.model, asked.load);
-  std::string obstacle = certificate_obstacle(
-      certified_load(feasible ? piece_request(request, 0) : request, uncertain, load));
-  if (!obstacle.empty()) return obstacle;
-  const CertifiedLoad question = certified_load(request, uncertain, load);
-  std::string text = question.head(feasible ? format::kFeasible : format::kInfeasible);
-  std::uint64_t leaves = 0;
-  for (const PieceTree& tree : found.trees) {
-    if (!feasible) break;
-    text += "tree\n" + tree.lines;
-    leaves += tree.leaves;
-  }
-  text += feasible ? fmt::format("end {}\n", leaves)
-                   : force_witness_lines(*found.deciding->result.witness);
-  write(path, text);
-  return "";
 }
 
 }  // namespace regulus::feasibility

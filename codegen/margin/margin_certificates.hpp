@@ -3,15 +3,11 @@
 #pragma once
 
 #include <memory>
-#include <optional>
 #include <set>
 #include <string>
-#include <vector>
 
-#include "codegen/margin/end_proofs.hpp"
+#include "codegen/certificate/proof_status.hpp"
 #include "codegen/margin/margin_question.hpp"
-#include "codegen/support/earlier_outputs.hpp"
-#include "codegen/support/held_files.hpp"
 #include "runtime/certificate/writer.hpp"
 
 namespace regulus::inline bracketing {
@@ -21,13 +17,9 @@ class MarginCertificates {
  public:
   /// `path` empty: none are wanted. `held`: where the proofs wait for the end of the run; null: each
   /// is put in place at once. Throws FileError if a file cannot be created there.
-  MarginCertificates(std::string path, const MarginRequest& request, const ReportLabels& subject,
-                     HeldFiles* held = nullptr);
+  MarginCertificates(const std::string& path, const MarginRequest& request,
+                     const ReportLabels& subject, HeldFiles* held = nullptr);
 
-  /// Returns the files of `path`; none if it is empty.
-  [[nodiscard]] static std::vector<OutputFile> files(const std::string& path);
-
-  [[nodiscard]] bool wanted() const noexcept { return !path_.empty(); }
   /// Returns the observer of a search at this value; nullptr if none is wanted. It replaces the
   /// previous one.
   [[nodiscard]] Observer* watch(const MarginValue& value);
@@ -35,25 +27,16 @@ class MarginCertificates {
   /// Throws FileError.
   void finish(const MarginValue& value, const Result& result);
 
-  /// Returns what has been written, for the reports.
-  [[nodiscard]] EndProofs proofs() const;
+  [[nodiscard]] const EndProofs& proofs() const noexcept { return proofs_; }
 
  private:
-  struct Proved {
-    std::string file;
-    std::string value;
-  };
-
   [[nodiscard]] CertifiedQuestion question_at(const MarginValue& value) const;
-  void finish(std::shared_ptr<CertificateWriter> writer, const Result& result) const;
+  [[nodiscard]] bool is_refused(const CertifiedQuestion& question, bool singular);
 
-  std::string path_;
+  EndProofs proofs_;
   const MarginRequest& request_;
   std::set<std::string> uncertain_;
-  HeldFiles* held_;
   std::shared_ptr<CertificateWriter> search_;
-  std::optional<Proved> safe_, singular_;
-  std::string obstacle_;  ///< why this question can have no certificate
 };
 
 }  // namespace regulus::bracketing

@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "codegen/trajectory/path_parts.hpp"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 
 namespace regulus::inline trajectory {
@@ -25,7 +23,7 @@ PathParts::PathParts(const PathBounds& path, const Problem& problem, const PathV
     number_.push_back(1 + k);
     ranges_.push_back(problem.outer[path.moving().size() + k]);
   }
-  if (wants_trees) trees_.resize(path.pieces());
+  if (wants_trees) trees_ = std::vector<TreeKept>(path.pieces());
 }
 
 PathPart PathParts::whole() const {
@@ -76,10 +74,10 @@ bool PathParts::split(PathPart& part, std::size_t variable, std::vector<PathPart
   } else {
     first.end = second.begin = parts->left.hi;
   }
-  if (wants_trees_)
-    trees_[first.piece].lines +=
-        fmt::format("s {} {} {:a}\n", first.id, in_error ? number_[variable] : 0, parts->left.hi);
   BoxId& next = next_id_[first.piece];
+  const std::size_t number = in_error ? number_[variable] : 0;
+  if (wants_trees_)
+    trees_[first.piece].split({first.id, std::uint32_t(number), parts->left.hi, next});
   first.id = next++;
   second.id = next++;
   ++first.depth, ++second.depth;
@@ -88,12 +86,9 @@ bool PathParts::split(PathPart& part, std::size_t variable, std::vector<PathPart
   return true;
 }
 
-void PathParts::leaf(const PathPart& part, const char* word) {
+void PathParts::leaf(const PathPart& part, Rule rule) {
   if (!wants_trees_) return;
-  for (std::size_t k = part.piece; k < end_of(part); ++k) {
-    trees_[k].lines += fmt::format("l {} {}\n", part.id, word);
-    ++trees_[k].leaves;
-  }
+  for (std::size_t k = part.piece; k < end_of(part); ++k) trees_[k].leaf(part.id, rule);
 }
 
 }  // namespace regulus::trajectory

@@ -3,20 +3,13 @@
 #pragma once
 
 #include <cstdint>
-#include <string>
 #include <vector>
 
 #include "codegen/trajectory/path_bounds.hpp"
-#include "runtime/problem/observer.hpp"
+#include "runtime/certificate/tree_kept.hpp"
 #include "runtime/problem/problem.hpp"
 
 namespace regulus::inline trajectory {
-
-/// The tree of a piece as lines of a certificate (FORMAT.md).
-struct PieceTree {
-  std::string lines;
-  std::uint64_t leaves = 0;
-};
 
 /// A part of the trajectory that is not decided yet.
 struct PathPart {
@@ -55,9 +48,9 @@ class PathParts {
   /// Returns   false if the part is too small; then it is as it was.
   [[nodiscard]] bool split(PathPart& part, std::size_t variable, std::vector<PathPart>& halves);
   /// Notes a leaf in the tree of each of its pieces.
-  void leaf(const PathPart& part, const char* word);
+  void leaf(const PathPart& part, Rule rule);
   /// Returns the trees by piece; none unless they are wanted.
-  [[nodiscard]] std::vector<PieceTree> take_trees() { return std::move(trees_); }
+  [[nodiscard]] std::vector<TreeKept> take_trees() { return std::move(trees_); }
 
  private:
   [[nodiscard]] Interval commanded(const PathPart& part, std::size_t m) const;
@@ -69,7 +62,7 @@ class PathParts {
   std::vector<std::size_t> number_;  ///< of an error or an added parameter in a certificate
   std::vector<Interval> ranges_;     ///< of all control errors and added parameters
   std::vector<BoxId> next_id_;
-  std::vector<PieceTree> trees_;
+  std::vector<TreeKept> trees_;
 };
 
 }  // namespace regulus::trajectory

@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <chrono>
 
-#include "runtime/certificate/writer.hpp"
 #include "runtime/problem/row_structure.hpp"
 #include "runtime/search/leaf_claims.hpp"
 #include "runtime/search/round.hpp"
@@ -141,7 +140,7 @@ class PathSearch {
       result_.leaves[k].outside |= claim == Claim::kOutside;
       result_.leaves[k].out_of_reach |= claim == Claim::kUnreachable;
     }
-    parts_.leaf(part, certificate_word(rule));
+    parts_.leaf(part, rule);
   }
 
   [[nodiscard]] Claim claim_of_leaf(const PathPart& part, Rule rule) {

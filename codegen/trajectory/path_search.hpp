@@ -30,7 +30,7 @@ struct PieceLeaves {
 struct PathSearchResult {
   std::vector<bool> certified;      ///< by piece
   std::vector<PieceLeaves> leaves;  ///< by piece
-  std::vector<PieceTree> trees;     ///< by piece; empty unless they are wanted
+  std::vector<TreeKept> trees;      ///< by piece; empty unless they are wanted
   Statistics statistics;
   std::optional<Reason> stopped_by;
   std::size_t stopped_at = 0;  ///< a piece that was not reached then

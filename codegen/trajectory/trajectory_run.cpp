@@ -1,13 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "codegen/trajectory/trajectory_run.hpp"
 
-#include <fmt/format.h>
-
-#include <new>
-
 #include "codegen/engine/search_run.hpp"
 #include "codegen/trajectory/path_run.hpp"
-#include "runtime/certificate/writer.hpp"
 #include "runtime/search/conclusion.hpp"
 
 namespace regulus::inline trajectory {
@@ -15,32 +10,6 @@ namespace {
 
 /// After so many pieces without an answer, no more are searched for a singularity.
 constexpr std::size_t kMostUndecided = 8;
-
-/// Keeps splits and leaves as lines of a certificate.
-class TreeLines final : public Observer {
- public:
-  explicit TreeLines(PieceTree& tree) : tree_(tree) { tree_ = {}; }
-  void on_split(const OpenBox&, const Split& split) noexcept override {
-    append([&] { return fmt::format("s {} {} {:a}\n", split.parent, split.variable, split.at); });
-  }
-  void on_leaf(const OpenBox& box, Rule rule, const Proof&) noexcept override {
-    append([&] { return fmt::format("l {} {}\n", box.id, certificate_word(rule)); });
-    ++tree_.leaves;
-  }
-  /// False if there was no memory for a line.
-  [[nodiscard]] bool is_whole() const noexcept { return is_whole_; }
-
- private:
-  template <class Format>
-  void append(Format format) noexcept try {
-    tree_.lines += format();
-  } catch (const std::bad_alloc&) {
-    is_whole_ = false;
-  }
-
-  bool is_whole_ = true;
-  PieceTree& tree_;
-};
 
 class TrajectoryRun {
  public:
@@ -68,11 +37,10 @@ class TrajectoryRun {
   void search_alone(std::size_t k) {
     ++check_.searched_alone;
     auto preparation = run_.prepare_piece(k);
-    PieceTree none;
-    TreeLines lines(wants_trees_ ? check_.path.trees[k] : none);
-    Result result = run_search(*preparation, search_, run_.settings_of_piece(*preparation), &lines);
+    TreeKept* const tree = wants_trees_ ? &check_.path.trees[k] : nullptr;
+    if (tree != nullptr) tree->clear();
+    Result result = run_search(*preparation, search_, run_.settings_of_piece(*preparation), tree);
     run_.add(*preparation, result.statistics);
-    if (wants_trees_ && !lines.is_whole()) throw std::bad_alloc();
     if (result.verdict == Verdict::kNoSingularity || result.reason == Reason::kEmptyVariety) {
       note_certified(k, result);
       return;
