@@ -36,6 +36,12 @@ const Polynomial& Algebra::of(NodeId id) {
   // Operands come first, so the recursion is not as deep as the expression.
   for (const NodeId part : ingredients(graph_, {id})) {
     if (known_.contains(part)) continue;
+    if (taken_.contains(part)) {
+      known_.emplace(part, Polynomial::atom(number_of(
+                               {Atom::Kind::kVariable, Op::kVariable, -1 - part, {}, {}},
+                               key_of({"n", std::to_string(part)}))));
+      continue;
+    }
     const Node node = graph_.nodes()[std::size_t(part)];
     if (node.op == Op::kVariable && std::size_t(node.a) < values_.size() &&
         values_[std::size_t(node.a)] != kNoNode) {
@@ -205,6 +211,19 @@ bool Algebra::vanishes(Polynomial p) {
   return p.is_zero();
 }
 
+bool Algebra::is_constant(const PowerProduct& powers) const {
+  return std::all_of(powers.begin(), powers.end(), [this](const auto& factor) {
+    const Atom& atom = atoms_[std::size_t(factor.first)];
+    if (atom.kind == Atom::Kind::kVariable) return false;
+    return is_constant(atom.argument) && is_constant(atom.second);
+  });
+}
+
+bool Algebra::is_constant(const Polynomial& p) const {
+  return std::all_of(p.terms().begin(), p.terms().end(),
+                     [this](const auto& term) { return is_constant(term.first); });
+}
+
 /// Computes the minors of the first rows, by the set of their columns.
 Polynomial Algebra::determinant(const std::vector<NodeId>& matrix, std::size_t order) {
   if (order > kMostOrder) throw TooLarge("exact algebra takes too large a matrix");
@@ -250,7 +269,7 @@ NodeId Algebra::expression_of_atom(int number) {
   const Atom atom = atoms_[std::size_t(number)];
   switch (atom.kind) {
     case Atom::Kind::kVariable:
-      return graph_.add(Op::kVariable, atom.number);
+      return atom.number < 0 ? -1 - atom.number : graph_.add(Op::kVariable, atom.number);
     case Atom::Kind::kPi:
       return graph_.add(Op::kPi);
     case Atom::Kind::kPower:

@@ -5,6 +5,7 @@
 
 #include <map>
 #include <optional>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -69,6 +70,14 @@ class Algebra {
   /// has one unit for all of `roots`. Call it before `of`, or not at all.
   void find_units(const std::vector<NodeId>& roots);
 
+  /// From now on the node is a variable of its own. What is 0 then is 0 for each value of the node.
+  /// Call it before `of` and `find_units`.
+  void take_as_variable(NodeId id) { taken_.insert(id); }
+
+  /// Ensures   true only if no atom of p depends on a variable.
+  [[nodiscard]] bool is_constant(const PowerProduct& powers) const;
+  [[nodiscard]] bool is_constant(const Polynomial& p) const;
+
  private:
   [[nodiscard]] Polynomial compute(const Node& node);
   [[nodiscard]] Polynomial sum(const Polynomial& x, const Polynomial& y, long factor);
@@ -108,6 +117,7 @@ class Algebra {
   std::vector<Atom> atoms_;
   std::map<std::string, int> numbers_;
   std::map<NodeId, Polynomial> known_;
+  std::set<NodeId> taken_;  ///< nodes that are variables
   std::map<PowerProduct, Rational> units_;  ///< the denominators of the units of angles
   bool finding_ = false;
 };

@@ -1,0 +1,246 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "runtime/certificate/verifier/joint_chain.hpp"
+
+#include <algorithm>
+
+#include "runtime/certificate/verifier/algebra.hpp"
+#include "runtime/certificate/verifier/evaluation.hpp"
+
+namespace regulus::verifier {
+namespace {
+
+constexpr std::string_view kJoints = "serial.joints[";
+
+std::string joint_place(std::size_t index) {
+  return std::string(kJoints) + std::to_string(index) + "].";
+}
+
+std::string text_at(const WrittenValues& values, const std::string& place,
+                    const std::string& otherwise) {
+  const auto found = values.find(place);
+  return found == values.end() ? otherwise : found->second.text;
+}
+
+std::size_t count_joints(const WrittenValues& values) {
+  std::size_t count = 0;
+  for (auto at = values.lower_bound(kJoints); at != values.end() && at->first.starts_with(kJoints);
+       ++at)
+    count = std::max(count, std::size_t(std::atoi(at->first.c_str() + kJoints.size())) + 1);
+  return count;
+}
+
+bool slides(const WrittenValues& values, const std::string& joint) {
+  const std::string type = text_at(values, joint + "type", "revolute");
+  if (type != "revolute" && type != "continuous" && type != "prismatic" && type != "fixed")
+    throw Unfinished("the joint type '" + type + "' is not known");
+  return type == "prismatic";
+}
+
+/// The tolerance of all lengths, or of all angles.
+struct Tolerance {
+  std::string key, option;
+};
+const Tolerance kLengths{"serial.length_tolerance", "tolerance lengths"};
+const Tolerance kAngles{"serial.angle_tolerance", "tolerance angles"};
+
+class ChainReader {
+ public:
+  explicit ChainReader(SectionComparer& comparer)
+      : comparer_(comparer),
+        q_(comparer.question()),
+        values_(comparer.values()),
+        algebra_(q_.graph) {}
+
+  std::vector<ChainJoint> read() {
+    require_known_keys();
+    const std::vector<ChainName> names = chain_names(values_);
+    PlacementNodes since = algebra_.at_rest();
+    const std::string convention = text_at(values_, "serial.convention", "origins");
+    for (std::size_t i = 0; i < count_joints(values_); ++i) {
+      joint_ = joint_place(i);
+      number_ = std::to_string(i + 1);
+      VectorNodes axis = {algebra_.number(0), algebra_.number(0), algebra_.number(1)};
+      PlacementNodes before = algebra_.at_rest(), after = before;
+      if (convention == "origins")
+        read_origin(before, axis);
+      else if (convention == "standard-dh")
+        before = along(), after = across();
+      else if (convention == "modified-dh")
+        before = algebra_.product(across(), along());
+      else
+        throw Unfinished("the convention '" + convention + "' is not known");
+      since = algebra_.product(since, before);
+      if (text_at(values_, joint_ + "type", "") != "fixed") {
+        chain_.push_back({slides(values_, joint_), since, axis});
+        read_motion(chain_.back(), names);
+        since = algebra_.at_rest();
+      }
+      since = algebra_.product(since, after);
+    }
+    return std::move(chain_);
+  }
+
+ private:
+  [[nodiscard]] bool has(const std::string& key) const {
+    const auto at = values_.lower_bound(joint_ + key);
+    return at != values_.end() &&
+           (at->first == joint_ + key || at->first.starts_with(joint_ + key + '['));
+  }
+
+  /// A key that this reader does not know could have a meaning.
+  void require_known_keys() const {
+    static const std::set<std::string, std::less<>> kOfJoints{
+        "name",       "type",     "range", "mimic", "multiplier", "offset", "xyz",  "rpy",
+        "quaternion", "rotation", "axis",  "a",     "alpha",      "d",      "theta"},
+        kOfTable{"unit", "convention", "joints", "tool", "length_tolerance", "angle_tolerance"};
+    constexpr std::string_view kTable = "serial.";
+    for (auto at = values_.lower_bound(kTable);
+         at != values_.end() && at->first.starts_with(kTable); ++at) {
+      const auto name_at = [&](std::size_t begin) {
+        return at->first.substr(begin, at->first.find_first_of(".[", begin) - begin);
+      };
+      const std::size_t joint = at->first.find("].");
+      const bool is_known =
+          at->first.starts_with(kJoints)
+              ? joint != std::string::npos && kOfJoints.contains(name_at(joint + 2))
+              : kOfTable.contains(name_at(kTable.size()));
+      if (!is_known)
+        throw Unfinished("line " + std::to_string(at->second.line) + ": " + at->first +
+                         " is not known");
+    }
+  }
+
+  /// Returns a constant of the file. It does not depend on the pose.
+  NodeId constant(const std::string& place) {
+    const NodeId node = comparer_.expression_at(place, q_.actual);
+    for (const NodeId part : ingredients(q_.graph, {node})) {
+      const Node& known = q_.graph.nodes()[std::size_t(part)];
+      if (known.op == Op::kVariable &&
+          q_.variables[std::size_t(known.a)].kind != VariableKind::kUncertain)
+        throw Unfinished(place + " depends on the pose");
+    }
+    comparer_.expect_defined(comparer_.place_of(place), node);
+    return node;
+  }
+
+  /// Returns a length or an angle. With a tolerance it is a constant that the certificate states.
+  NodeId quantity(const std::string& place, const std::string& name, const Tolerance& tolerance) {
+    const NodeId written = constant(place);
+    if (!values_.contains(tolerance.key)) return written;
+    const std::string own = name + '_' + number_;
+    const FilePlace from = comparer_.place_of(place), of_spread = comparer_.place_of(tolerance.key);
+    const bool is_stated = q_.stated.contains("value " + own);
+    if (is_stated) comparer_.compare(from, written, "value " + own);
+    comparer_.compare(of_spread, constant(tolerance.key), "spread " + own, tolerance.option);
+    return is_stated ? q_.actual.at(own) : written;
+  }
+
+  NodeId quantity_or_zero(const std::string& key, const Tolerance& tolerance) {
+    return has(key) ? quantity(joint_ + key, key, tolerance) : algebra_.number(0);
+  }
+
+  // Denavit and Hartenberg.
+
+  PlacementNodes across() {
+    const NodeId a = quantity_or_zero("a", kLengths), alpha = quantity_or_zero("alpha", kAngles);
+    return {algebra_.turn(0, alpha), {a, algebra_.number(0), algebra_.number(0)}};
+  }
+  PlacementNodes along() {
+    const NodeId d = quantity_or_zero("d", kLengths), theta = quantity_or_zero("theta", kAngles);
+    return {algebra_.turn(2, theta), {algebra_.number(0), algebra_.number(0), d}};
+  }
+
+  // Origins.
+
+  std::string element(const std::string& key, std::size_t i) const {
+    return joint_ + key + '[' + std::to_string(i) + ']';
+  }
+
+  VectorNodes quantities(const std::string& key, const std::array<const char*, 3>& names,
+                         const Tolerance& tolerance) {
+    VectorNodes result{};
+    for (std::size_t i = 0; i < 3; ++i) result[i] = quantity(element(key, i), names[i], tolerance);
+    return result;
+  }
+
+  void read_origin(PlacementNodes& origin, VectorNodes& axis) {
+    if (has("axis")) {
+      for (std::size_t i = 0; i < 3; ++i) axis[i] = constant(element("axis", i));
+      axis = algebra_.unit(axis);
+    }
+    if (has("xyz")) origin.p = quantities("xyz", {"x", "y", "z"}, kLengths);
+    if (has("rpy")) {
+      const VectorNodes rpy = quantities("rpy", {"roll", "pitch", "yaw"}, kAngles);
+      origin.R =
+          algebra_.product(algebra_.turn(2, rpy[2]),
+                           algebra_.product(algebra_.turn(1, rpy[1]), algebra_.turn(0, rpy[0])));
+    }
+    if (has("quaternion")) {
+      std::array<NodeId, 4> q{};
+      for (std::size_t i = 0; i < 4; ++i) q[i] = constant(element("quaternion", i));
+      origin.R = algebra_.turn_of_quaternion(q);
+    }
+    if (has("rotation")) origin.R = read_rotation();
+  }
+
+  MatrixNodes read_rotation() {
+    MatrixNodes R{};
+    for (std::size_t i = 0; i < 3; ++i)
+      for (std::size_t j = 0; j < 3; ++j)
+        R[i][j] = constant(element("rotation", i) + '[' + std::to_string(j) + ']');
+    const MatrixNodes product = algebra_.product(R, algebra_.transposed(R));
+    bool is_rotation = is_equal(algebra_.dot(R[0], algebra_.cross(R[1], R[2])), 1);
+    for (std::size_t i = 0; i < 3; ++i)
+      for (std::size_t j = 0; j < 3; ++j)
+        is_rotation = is_rotation && is_equal(product[i][j], i == j ? 1 : 0);
+    if (!is_rotation) throw Unfinished(joint_ + "rotation is not shown to be a rotation");
+    return R;
+  }
+
+  bool is_equal(NodeId node, long number) {
+    return comparer_.equality(node, algebra_.number(number)) == Equality::kEqual;
+  }
+
+  // The variable.
+
+  void read_motion(ChainJoint& joint, const std::vector<ChainName>& names) {
+    const std::string name =
+        text_at(values_, joint_ + "mimic", text_at(values_, joint_ + "name", ""));
+    const auto leader = std::ranges::find(names, name, &ChainName::name);
+    const auto pose = q_.actual.find(name);
+    if (leader == names.end() || pose == q_.actual.end())
+      throw Unfinished("the certificate has no pose parameter for " + joint_);
+    joint.column = std::size_t(leader - names.begin());
+    joint.rate = has("multiplier") ? constant(joint_ + "multiplier") : algebra_.number(1);
+    const NodeId offset = has("offset") ? constant(joint_ + "offset") : algebra_.number(0);
+    joint.value = algebra_.sum(algebra_.product(joint.rate, pose->second), offset);
+  }
+
+  SectionComparer& comparer_;
+  Question& q_;
+  const WrittenValues& values_;
+  GraphAlgebra algebra_;
+  std::string joint_, number_;  ///< its place, and its number from 1
+  std::vector<ChainJoint> chain_;
+};
+
+}  // namespace
+
+std::vector<ChainName> chain_names(const WrittenValues& values) {
+  std::vector<ChainName> names;
+  for (std::size_t i = 0; i < count_joints(values); ++i) {
+    const std::string joint = joint_place(i);
+    const auto name = values.find(joint + "name");
+    if (name == values.end() || text_at(values, joint + "type", "") == "fixed") continue;
+    const std::string range = joint + "range";
+    names.push_back(
+        {name->second.text, slides(values, joint), values.contains(range + "[0]") ? range : ""});
+  }
+  return names;
+}
+
+std::vector<ChainJoint> read_chain(SectionComparer& comparer) {
+  return ChainReader(comparer).read();
+}
+
+}  // namespace regulus::verifier
