@@ -15,26 +15,35 @@ constexpr std::uint64_t kProductsOfDeterminants = 1 << 23;
 constexpr long kBits = 512;
 constexpr int kPoints = 6;
 
+/// Six rows.
 std::vector<NodeId> entries_of(const TwistColumns& twists) {
-  std::vector<NodeId> result;  // six rows
+  std::vector<NodeId> result;
   for (std::size_t row = 0; row < 6; ++row)
     for (const TwistNodes& t : twists)
       result.push_back(row < 3 ? t.velocity[row] : t.spin[row - 3]);
   return result;
 }
 
-/// The Jacobian from one point of one link, and the certificate's matrix.
+/// The Jacobian from one point of one link.
+struct Seen {
+  std::vector<NodeId> jacobian;
+  std::vector<NodeId> chain;  ///< the same, with a column for each follower, for any pose
+};
+
+/// It beside the certificate's matrix.
 class View {
  public:
-  View(Question& q, std::vector<NodeId> jacobian, std::size_t joints, std::uint64_t products)
+  View(Question& q, const Seen& seen, std::size_t joints, std::uint64_t products)
       : q_(q),
         joints_(joints),
-        jacobian_(std::move(jacobian)),
+        jacobian_(seen.jacobian),
+        chain_(seen.chain),
         budget_(products),
         algebra_(q.graph, none_, Algebra::Form::kFull, budget_) {
     for (const auto& [name, node] : q_.actual)
       if (depends_on_variables(node)) algebra_.take_as_variable(node);
     std::vector<NodeId> roots = jacobian_;
+    roots.insert(roots.end(), chain_.begin(), chain_.end());
     roots.insert(roots.end(), q_.matrix.begin(), q_.matrix.end());
     algebra_.find_units(roots);
   }
@@ -52,7 +61,7 @@ class View {
       if (next == 6) return false;
       kept[next++] = true;
     }
-    return are_enough(kept);
+    return are_enough(kept, is_transposed);
   }
 
   /// Returns the rows of the Jacobian that do not depend on earlier ones; nullopt: unknown.
@@ -112,9 +121,10 @@ class View {
   }
 
   PolynomialRow row_of(std::size_t row) {
+    const std::size_t joints = chain_.size() / 6;
     PolynomialRow result;
-    for (std::size_t j = 0; j < joints_; ++j)
-      result.push_back(algebra_.of(jacobian_[row * joints_ + j]));
+    for (std::size_t j = 0; j < joints; ++j)
+      result.push_back(algebra_.of(chain_[row * joints + j]));
     return result;
   }
 
@@ -129,18 +139,15 @@ class View {
     return true;
   }
 
-  bool are_enough(const std::vector<bool>& kept) {
+  /// Returns true if the other rows are combinations of these. If there are more joints than rows,
+  /// no row must be a combination of others, either.
+  bool are_enough(const std::vector<bool>& kept, bool is_transposed) {
+    using Answer = ConstantSpan::Answer;
     ConstantSpan span(q_.graph, algebra_);
-    bool all = true;
-    for (std::size_t row = 0; row < 6; ++row) {
-      if (!kept[row]) continue;
-      const auto answer = span.add(row_of(row));
-      if (answer == ConstantSpan::Answer::kDependent) return false;
-      all = all && answer == ConstantSpan::Answer::kIndependent;
-    }
     for (std::size_t row = 0; row < 6; ++row)
-      if (!kept[row] && (!all || span.add(row_of(row)) != ConstantSpan::Answer::kDependent))
-        return false;
+      if (kept[row] && span.add(row_of(row)) == Answer::kDependent && is_transposed) return false;
+    for (std::size_t row = 0; row < 6; ++row)
+      if (!kept[row] && span.add(row_of(row)) != Answer::kDependent) return false;
     return true;
   }
 
@@ -155,7 +162,7 @@ class View {
 
   Question& q_;
   const std::size_t joints_;
-  const std::vector<NodeId> jacobian_, none_;
+  const std::vector<NodeId> jacobian_, chain_, none_;
   AlgebraBudget budget_;
   Algebra algebra_;
 };
@@ -167,7 +174,11 @@ class ArmComparison {
       : comparer_(comparer),
         q_(comparer.question()),
         joints_(columns),
-        chain_view_(comparer, chain, columns) {}
+        free_chain_(chain),
+        chain_view_(comparer, chain, columns),
+        free_view_(comparer, free_chain_, columns) {
+    for (ChainJoint& joint : free_chain_) joint.value = joint.free_value;
+  }
 
   void run() {
     const FilePlace from{"serial.joints", 0, "the joints of an arm"};
@@ -186,11 +197,12 @@ class ArmComparison {
  private:
   bool is_shown() {
     for (const std::size_t link : chain_view_.links()) {
-      const TwistColumns twists = chain_view_.twists(link);
+      const TwistColumns twists = chain_view_.with_followers(chain_view_.twists(link));
+      const TwistColumns of_chain = free_view_.twists(link);
       for (const VectorNodes& point : chain_view_.points(link)) {
-        std::vector<NodeId> jacobian = entries_of(chain_view_.moved_to(twists, point));
-        if (is_direct(jacobian)) return true;
-        views_.push_back(std::move(jacobian));
+        views_.push_back({entries_of(chain_view_.moved_to(twists, point)),
+                          entries_of(free_view_.moved_to(of_chain, point))});
+        if (is_direct()) return true;
       }
     }
     if (q_.rows != joints_ || q_.columns != joints_) return false;
@@ -198,12 +210,12 @@ class ArmComparison {
     return std::ranges::any_of(order_, [this](const Sized& view) { return has_determinant(view); });
   }
 
-  /// Also notes how large the Jacobian is in this view.
-  bool is_direct(const std::vector<NodeId>& jacobian) try {
-    View view(q_, jacobian, joints_, kProductsOfView);
+  /// Also notes how large the Jacobian is in the last view.
+  bool is_direct() try {
+    View view(q_, views_.back(), joints_, kProductsOfView);
     if (view.has_rows_of_matrix()) return true;
     const auto rows = view.independent_rows();
-    if (rows && rows->size() == joints_) order_.push_back({view.terms(), views_.size(), *rows});
+    if (rows && rows->size() == joints_) order_.push_back({view.terms(), views_.size() - 1, *rows});
     return false;
   } catch (const TooLarge& why) {
     obstacle_ = why.what();
@@ -224,14 +236,16 @@ class ArmComparison {
     return false;
   }
 
+  bool is_refuted() { return has_other_determinant() || has_other_products(); }
+
   /// Finds two points at which the determinants certainly have different ratios.
-  bool is_refuted() {
+  bool has_other_determinant() {
     if (q_.rows != joints_ || q_.columns != joints_ || order_.empty()) return false;
     const Sized& best = order_.front();
     std::vector<NodeId> jacobian;
     for (const std::size_t row : best.rows)
       for (std::size_t j = 0; j < joints_; ++j)
-        jacobian.push_back(views_[best.view][row * joints_ + j]);
+        jacobian.push_back(views_[best.view].jacobian[row * joints_ + j]);
     std::vector<std::pair<Ball, Ball>> determinants;
     for (int number = 0; number < kPoints; ++number) {
       const std::vector<Ball> at = point(number);
@@ -246,6 +260,44 @@ class ArmComparison {
       if (q_.has_threshold && is_another_size(now)) return true;
     }
     return false;
+  }
+
+  /// If all six rows are there: ω_i·ω_j and v_i·ω_j + ω_i·v_j do not depend on frame and point.
+  bool has_other_products() {
+    const bool is_transposed = q_.columns == 6 && q_.rows == joints_ && joints_ > 6;
+    if (views_.empty() ||
+        (!is_transposed && (q_.rows != 6 || q_.columns != joints_ || joints_ == 6)))
+      return false;
+    for (int number = 0; number < kPoints; ++number) {
+      const std::vector<Ball> at = point(number);
+      const auto ours = evaluate(q_.graph, views_.front().jacobian, at, kBits);
+      auto theirs = evaluate(q_.graph, q_.matrix, at, kBits);
+      if (!ours || !theirs) continue;
+      if (is_transposed) {
+        const std::vector<Ball> rows = *theirs;
+        for (std::size_t e = 0; e < rows.size(); ++e) (*theirs)[e % 6 * joints_ + e / 6] = rows[e];
+      }
+      for (std::size_t i = 0; i < joints_; ++i)
+        for (std::size_t j = i; j < joints_; ++j)
+          for (const std::size_t first : {0, 3}) {
+            const Ball a = product(*ours, i, j, first), b = product(*theirs, i, j, first);
+            if (arb_overlaps(a.get(), b.get()) == 0) return true;
+          }
+    }
+    return false;
+  }
+
+  /// With `first` 3: ω_i·ω_j, with 0: v_i·ω_j + ω_i·v_j.
+  Ball product(const std::vector<Ball>& J, std::size_t i, std::size_t j, std::size_t first) const {
+    Ball result;
+    for (std::size_t k = 0; k < 3; ++k) {
+      const auto at = [&](std::size_t row, std::size_t column) {
+        return J[(row + k) * joints_ + column].get();
+      };
+      arb_addmul(result.get(), at(first, i), at(3, j), kBits);
+      if (first == 0) arb_addmul(result.get(), at(3, i), at(0, j), kBits);
+    }
+    return result;
   }
 
   static bool is_another_ratio(const std::pair<Ball, Ball>& x, const std::pair<Ball, Ball>& y) {
@@ -283,8 +335,9 @@ class ArmComparison {
   SectionComparer& comparer_;
   Question& q_;
   const std::size_t joints_;
-  ChainView chain_view_;
-  std::vector<std::vector<NodeId>> views_;
+  std::vector<ChainJoint> free_chain_;
+  ChainView chain_view_, free_view_;
+  std::vector<Seen> views_;
   std::vector<Sized> order_;
   int tried_ = 0;
   std::string obstacle_;

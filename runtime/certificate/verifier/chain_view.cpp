@@ -44,12 +44,20 @@ TwistNodes ChainView::twist(const ChainJoint& joint, const VectorNodes& axis,
 }
 
 TwistColumns ChainView::twists(std::size_t link) {
-  TwistColumns columns(columns_, {algebra_.zero(), algebra_.zero()});
+  TwistColumns result;
   for (std::size_t j = 0; j < chain_.size(); ++j) {
     const PlacementNodes frame = from_link(link, j);
-    const TwistNodes own = twist(chain_[j], algebra_.product(frame.R, chain_[j].axis), frame.p);
+    result.push_back(twist(chain_[j], algebra_.product(frame.R, chain_[j].axis), frame.p));
+  }
+  return result;
+}
+
+TwistColumns ChainView::with_followers(const TwistColumns& twists) {
+  TwistColumns columns(columns_, {algebra_.zero(), algebra_.zero()});
+  for (std::size_t j = 0; j < chain_.size(); ++j) {
     TwistNodes& column = columns[chain_[j].column];
-    column = {algebra_.sum(column.velocity, own.velocity), algebra_.sum(column.spin, own.spin)};
+    column = {algebra_.sum(column.velocity, twists[j].velocity),
+              algebra_.sum(column.spin, twists[j].spin)};
   }
   return columns;
 }

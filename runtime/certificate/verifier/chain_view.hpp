@@ -14,7 +14,6 @@ struct TwistNodes {
   VectorNodes velocity, spin;
 };
 
-/// The twist of the tool for each joint that follows no other, at unit speed.
 using TwistColumns = std::vector<TwistNodes>;
 
 class ChainView {
@@ -28,10 +27,13 @@ class ChainView {
 
   /// Returns the links, 0 for the base, those in the middle first.
   [[nodiscard]] std::vector<std::size_t> links() const;
-  /// Returns the twists in the frame of a link, its origin being the reference point.
+  /// Returns the twist of the tool for each joint of the chain in the frame of a link, its origin
+  /// being the reference point, where the joint that it follows, or itself, has unit speed.
   [[nodiscard]] TwistColumns twists(std::size_t link);
   /// Returns the same twists, the reference point being `point`.
   [[nodiscard]] TwistColumns moved_to(const TwistColumns& twists, const VectorNodes& point);
+  /// Returns the sums of the twists of each joint that follows no other and of its followers.
+  [[nodiscard]] TwistColumns with_followers(const TwistColumns& twists);
   /// Returns points that are fixed in the frame of a link: its origin, that of the next joint, and
   /// where the axes of neighbouring joints meet.
   [[nodiscard]] std::vector<VectorNodes> points(std::size_t link);

@@ -43,6 +43,12 @@ struct Tolerance {
 const Tolerance kLengths{"serial.length_tolerance", "tolerance lengths"};
 const Tolerance kAngles{"serial.angle_tolerance", "tolerance angles"};
 
+bool depends_on_variables(const Graph& graph, NodeId node) {
+  return std::ranges::any_of(ingredients(graph, {node}), [&](NodeId part) {
+    return graph.nodes()[std::size_t(part)].op == Op::kVariable;
+  });
+}
+
 class ChainReader {
  public:
   explicit ChainReader(SectionComparer& comparer)
@@ -214,6 +220,10 @@ class ChainReader {
     joint.rate = has("multiplier") ? constant(joint_ + "multiplier") : algebra_.number(1);
     const NodeId offset = has("offset") ? constant(joint_ + "offset") : algebra_.number(0);
     joint.value = algebra_.sum(algebra_.product(joint.rate, pose->second), offset);
+    const NodeId variable = q_.graph.add(Op::kVariable, int(q_.variables.size() + joint.column));
+    const bool is_free = depends_on_variables(q_.graph, pose->second);
+    joint.free_value =
+        is_free ? joint.value : algebra_.sum(algebra_.product(joint.rate, variable), offset);
   }
 
   SectionComparer& comparer_;
