@@ -175,12 +175,9 @@ class ChainReader {
       axis = algebra_.unit(axis);
     }
     if (has("xyz")) origin.p = quantities("xyz", {"x", "y", "z"}, kLengths);
-    if (has("rpy")) {
-      const VectorNodes rpy = quantities("rpy", {"roll", "pitch", "yaw"}, kAngles);
+    if (has("rpy"))
       origin.R =
-          algebra_.product(algebra_.turn(2, rpy[2]),
-                           algebra_.product(algebra_.turn(1, rpy[1]), algebra_.turn(0, rpy[0])));
-    }
+          algebra_.turn_of_roll_pitch_yaw(quantities("rpy", {"roll", "pitch", "yaw"}, kAngles));
     if (has("quaternion")) {
       std::array<NodeId, 4> q{};
       for (std::size_t i = 0; i < 4; ++i) q[i] = constant(element("quaternion", i));

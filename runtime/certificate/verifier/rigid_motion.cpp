@@ -129,19 +129,35 @@ MatrixNodes GraphAlgebra::turn(const VectorNodes& a, NodeId angle) {
   return result;
 }
 
-/// x ↦ q·x·q⁻¹, column by column: w²x + 2w(v × x) + 2v(v·x) − (v·v)x, by |q|².
-MatrixNodes GraphAlgebra::turn_of_quaternion(const std::array<NodeId, 4>& q) {
+/// |q|²·(q·x·q⁻¹), column by column: w²x + 2w(v × x) + 2v(v·x) − (v·v)x.
+MatrixNodes GraphAlgebra::scaled_turn(const std::array<NodeId, 4>& q) {
   const NodeId w = q[0], two = number(2);
   const VectorNodes v = {q[1], q[2], q[3]};
-  const NodeId vv = dot(v, v), norm = sum(square(w), vv), along = difference(square(w), vv);
+  const NodeId along = difference(square(w), dot(v, v));
   MatrixNodes columns = identity();
   for (std::size_t j = 0; j < 3; ++j) {
     const VectorNodes x = identity()[j];
     const VectorNodes turned = sum(scaled(along, x), scaled(product(two, w), cross(v, x)));
     columns[j] = sum(turned, scaled(product(two, v[j]), v));
-    for (NodeId& entry : columns[j]) entry = quotient(entry, norm);
   }
   return transposed(columns);
+}
+
+NodeId GraphAlgebra::squared_norm(const std::array<NodeId, 4>& q) {
+  const VectorNodes v = {q[1], q[2], q[3]};
+  return sum(square(q[0]), dot(v, v));
+}
+
+MatrixNodes GraphAlgebra::turn_of_quaternion(const std::array<NodeId, 4>& q) {
+  const NodeId norm = squared_norm(q);
+  MatrixNodes result = scaled_turn(q);
+  for (VectorNodes& row : result)
+    for (NodeId& entry : row) entry = quotient(entry, norm);
+  return result;
+}
+
+MatrixNodes GraphAlgebra::turn_of_roll_pitch_yaw(const VectorNodes& rpy) {
+  return product(turn(2, rpy[2]), product(turn(1, rpy[1]), turn(0, rpy[0])));
 }
 
 PlacementNodes GraphAlgebra::at_rest() { return {identity(), zero()}; }

@@ -55,8 +55,13 @@ class GraphAlgebra {
   [[nodiscard]] MatrixNodes turn(std::size_t axis, NodeId angle);
   /// Returns the rotation by an angle about a unit vector.
   [[nodiscard]] MatrixNodes turn(const VectorNodes& axis, NodeId angle);
-  /// Returns the rotation of q/|q|, q = (w, x, y, z).
+  /// Returns |q|² times the rotation of q/|q|, q = (w, x, y, z).
+  [[nodiscard]] MatrixNodes scaled_turn(const std::array<NodeId, 4>& q);
+  [[nodiscard]] NodeId squared_norm(const std::array<NodeId, 4>& q);
+  /// Returns the rotation of q/|q|.
   [[nodiscard]] MatrixNodes turn_of_quaternion(const std::array<NodeId, 4>& q);
+  /// Returns the rotation Rz(yaw)·Ry(pitch)·Rx(roll).
+  [[nodiscard]] MatrixNodes turn_of_roll_pitch_yaw(const VectorNodes& rpy);
 
   [[nodiscard]] PlacementNodes at_rest();
   /// Returns x ↦ first(second(x)).
