@@ -2,6 +2,7 @@
 #include "runtime/certificate/verifier/section_reading.hpp"
 
 #include "runtime/certificate/verifier/gough_reading.hpp"
+#include "runtime/certificate/verifier/legs_reading.hpp"
 #include "runtime/certificate/verifier/serial_reading.hpp"
 
 namespace regulus::verifier {
@@ -17,6 +18,7 @@ bool has_table(const WrittenValues& values, std::string_view table) {
 std::unique_ptr<SectionReading> read_section(const WrittenValues& values) {
   if (has_table(values, "serial.")) return serial_reading(values);
   if (has_table(values, "gough.")) return gough_reading(values);
+  if (has_table(values, "legs.")) return legs_reading(values);
   return nullptr;
 }
 
