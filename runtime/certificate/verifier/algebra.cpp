@@ -36,10 +36,8 @@ const Polynomial& Algebra::of(NodeId id) {
   // Operands come first, so the recursion is not as deep as the expression.
   for (const NodeId part : ingredients(graph_, {id})) {
     if (known_.contains(part)) continue;
-    if (taken_.contains(part)) {
-      known_.emplace(part, Polynomial::atom(number_of(
-                               {Atom::Kind::kVariable, Op::kVariable, -1 - part, {}, {}},
-                               key_of({"n", std::to_string(part)}))));
+    if (const auto own = std::find(whole_.begin(), whole_.end(), part); own != whole_.end()) {
+      known_.emplace(part, variable(-1 - int(own - whole_.begin())));
       continue;
     }
     const Node node = graph_.nodes()[std::size_t(part)];
@@ -65,8 +63,7 @@ Polynomial Algebra::compute(const Node& node) {
     case Op::kPi:
       return Polynomial::atom(number_of({Atom::Kind::kPi, Op::kPi, 0, {}, {}}, "pi"));
     case Op::kVariable:
-      return Polynomial::atom(number_of({Atom::Kind::kVariable, Op::kVariable, node.a, {}, {}},
-                                        key_of({"v", std::to_string(node.a)})));
+      return variable(node.a);
     case Op::kNegate:
       return a().scaled(Rational(-1));
     case Op::kAdd:
@@ -84,6 +81,11 @@ Polynomial Algebra::compute(const Node& node) {
     default:
       return function(node.op, a());
   }
+}
+
+Polynomial Algebra::variable(int number) {
+  return Polynomial::atom(number_of({Atom::Kind::kVariable, Op::kVariable, number, {}, {}},
+                                    key_of({"v", std::to_string(number)})));
 }
 
 Polynomial Algebra::sum(const Polynomial& x, const Polynomial& y, long factor) {
@@ -191,24 +193,23 @@ Polynomial Algebra::reduced(const Polynomial& p) {
   return result;
 }
 
-/// Multiplies by each divisor as often as it occurs. The last divisor comes first, because the
-/// divisors in a divisor are earlier atoms.
-bool Algebra::vanishes(Polynomial p) {
+/// The last divisor comes first, because the divisors in a divisor are earlier atoms.
+Polynomial Algebra::cleared(Polynomial p) {
   for (int number = int(atoms_.size()); !p.is_zero() && number-- > 0;) {
     int most = 0;
     for (const auto& [powers, factor] : p.terms())
       for (const auto& [other, exponent] : powers)
         if (other == number) most = std::max(most, -exponent);
     if (most == 0) continue;
-    Polynomial cleared;
+    Polynomial whole;
     for (const auto& [powers, factor] : p.terms()) {
       Polynomial term;
       term.add(multiply(powers, {{number, most}}), factor);
-      cleared.add(reduced(term));
+      whole.add(reduced(term));
     }
-    p = std::move(cleared);
+    p = std::move(whole);
   }
-  return p.is_zero();
+  return p;
 }
 
 bool Algebra::is_constant(const PowerProduct& powers) const {

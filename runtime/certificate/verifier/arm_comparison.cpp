@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include "runtime/certificate/verifier/constant_rows.hpp"
+#include "runtime/certificate/verifier/equality.hpp"
 #include "runtime/certificate/verifier/evaluation.hpp"
 #include "runtime/certificate/verifier/linear_algebra.hpp"
 
@@ -40,8 +41,10 @@ class View {
         chain_(seen.chain),
         budget_(products),
         algebra_(q.graph, none_, Algebra::Form::kFull, budget_) {
-    for (const auto& [name, node] : q_.actual)
-      if (depends_on_variables(node)) algebra_.take_as_variable(node);
+    // Two that are one number may be one expression, which also occurs elsewhere.
+    std::vector<NodeId> poses = poses_as_variables(q_);
+    std::erase_if(poses, [&](NodeId pose) { return !depends_on_variables(q_.graph, pose); });
+    algebra_.keep_whole(poses);
     std::vector<NodeId> roots = jacobian_;
     roots.insert(roots.end(), chain_.begin(), chain_.end());
     roots.insert(roots.end(), q_.matrix.begin(), q_.matrix.end());
@@ -113,13 +116,6 @@ class View {
   }
 
  private:
-  bool depends_on_variables(NodeId node) {
-    const auto parts = ingredients(q_.graph, {node});
-    return std::any_of(parts.begin(), parts.end(), [this](NodeId part) {
-      return q_.graph.nodes()[std::size_t(part)].op == Op::kVariable;
-    });
-  }
-
   PolynomialRow row_of(std::size_t row) {
     const std::size_t joints = chain_.size() / 6;
     PolynomialRow result;

@@ -70,7 +70,7 @@ TwistColumns ChainView::moved_to(const TwistColumns& twists, const VectorNodes& 
 }
 
 bool ChainView::is_zero(NodeId node) {
-  return comparer_.equality(node, algebra_.number(0)) == Equality::kEqual;
+  return equality(comparer_.question(), node, algebra_.number(0)) == Equality::kEqual;
 }
 
 /// An axis a through 0, and b through p: s·a = p + t·b.
@@ -81,7 +81,8 @@ std::optional<ChainView::Meeting> ChainView::meeting(std::size_t first) {
   const VectorNodes b = algebra_.product(other.origin.R, other.axis);
   const VectorNodes normal = algebra_.cross(a, b);
   const NodeId square = algebra_.dot(normal, normal);
-  if (comparer_.equality(square, algebra_.number(0)) != Equality::kDifferent) return std::nullopt;
+  if (equality(comparer_.question(), square, algebra_.number(0)) != Equality::kDifferent)
+    return std::nullopt;
   if (!is_zero(algebra_.dot(p, normal))) return std::nullopt;
   const auto along = [&](const VectorNodes& across) {
     return algebra_.quotient(algebra_.dot(algebra_.cross(p, across), normal), square);

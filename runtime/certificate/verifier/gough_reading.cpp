@@ -69,6 +69,7 @@ class GoughReading final : public SectionReading {
     for (std::size_t axis = 0; axis < 3; ++axis) {
       const std::string place =
           list + '[' + std::to_string(leg) + "][" + std::to_string(axis) + ']';
+      if (!comparer.values().contains(place)) throw Unfinished("the file has no " + place);
       names.push_back(std::string(1, letter) + std::to_string(leg + 1) + '_' + kAxes[axis]);
       comparer.compare(comparer.place_of(place),
                        comparer.expression_at(place, comparer.question().actual),

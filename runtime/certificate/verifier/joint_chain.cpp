@@ -43,12 +43,6 @@ struct Tolerance {
 const Tolerance kLengths{"serial.length_tolerance", "tolerance lengths"};
 const Tolerance kAngles{"serial.angle_tolerance", "tolerance angles"};
 
-bool depends_on_variables(const Graph& graph, NodeId node) {
-  return std::ranges::any_of(ingredients(graph, {node}), [&](NodeId part) {
-    return graph.nodes()[std::size_t(part)].op == Op::kVariable;
-  });
-}
-
 class ChainReader {
  public:
   explicit ChainReader(SectionComparer& comparer)
@@ -118,6 +112,7 @@ class ChainReader {
 
   /// Returns a constant of the file. It does not depend on the pose.
   NodeId constant(const std::string& place) {
+    if (!values_.contains(place)) throw Unfinished("the file has no " + place);
     const NodeId node = comparer_.expression_at(place, q_.actual);
     for (const NodeId part : ingredients(q_.graph, {node})) {
       const Node& known = q_.graph.nodes()[std::size_t(part)];
@@ -201,7 +196,7 @@ class ChainReader {
   }
 
   bool is_equal(NodeId node, long number) {
-    return comparer_.equality(node, algebra_.number(number)) == Equality::kEqual;
+    return equality(q_, node, algebra_.number(number)) == Equality::kEqual;
   }
 
   // The variable.
@@ -232,6 +227,12 @@ class ChainReader {
 };
 
 }  // namespace
+
+bool depends_on_variables(const Graph& graph, NodeId node) {
+  return std::ranges::any_of(ingredients(graph, {node}), [&](NodeId part) {
+    return graph.nodes()[std::size_t(part)].op == Op::kVariable;
+  });
+}
 
 std::vector<ChainName> chain_names(const WrittenValues& values) {
   std::vector<ChainName> names;

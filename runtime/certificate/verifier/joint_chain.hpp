@@ -32,6 +32,8 @@ struct ChainName {
 /// Returns the joints that follow no other, in their order: the pose parameters.
 [[nodiscard]] std::vector<ChainName> chain_names(const WrittenValues& values);
 
+[[nodiscard]] bool depends_on_variables(const Graph& graph, NodeId node);
+
 /// Reads every joint that moves; compares every length and angle that has a tolerance with the
 /// certificate's. Throws Unfinished for a table that it does not understand.
 [[nodiscard]] std::vector<ChainJoint> read_chain(SectionComparer& comparer);

@@ -9,16 +9,11 @@
 #include <string_view>
 #include <vector>
 
+#include "runtime/certificate/verifier/equality.hpp"
 #include "runtime/certificate/verifier/model_file.hpp"
 #include "runtime/certificate/verifier/question.hpp"
 
 namespace regulus::verifier {
-
-enum class Equality {
-  kEqual,      ///< exact algebra shows it
-  kDifferent,  ///< so does a non-zero polynomial of independent atoms, or a point
-  kUnknown,
-};
 
 /// A part of a model file: "legs.leg[0].rod", its line, and the text that a message shows.
 struct FilePlace {
@@ -65,8 +60,6 @@ class SectionComparer {
   virtual void leave_out(const FilePlace& from, const std::string& why) = 0;
   /// Throws OtherModel: the file has this, and the certificate has something else.
   [[noreturn]] virtual void refuse(const FilePlace& from, const std::string& stated) = 0;
-
-  [[nodiscard]] virtual Equality equality(NodeId a, NodeId b) = 0;
 };
 
 /// A pose parameter and its unit.
