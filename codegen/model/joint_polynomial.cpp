@@ -116,9 +116,9 @@ ex JointPolynomial::expression(const std::vector<ex>& joints) const {
       else
         angles[group] += key[j] * joints[j];
     }
+    // Followers can turn their leader's angle back: the sum is 0 then, and so is its sine.
     for (std::size_t g = 0; g < angles.size(); ++g)
-      if (!angles[g].is_zero())
-        term *= key[joints.size() + g] != 0 ? GiNaC::sin(angles[g]) : GiNaC::cos(angles[g]);
+      term *= key[joints.size() + g] != 0 ? GiNaC::sin(angles[g]) : GiNaC::cos(angles[g]);
     result += term;
   }
   return result;

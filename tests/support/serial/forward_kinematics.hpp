@@ -73,17 +73,17 @@ struct Twist {
   Vec velocity{}, spin{};
 };
 
-/// Central differences of the tool's frame.
-inline std::vector<Twist> difference_twists(const std::vector<ChainJoint>& chain,
-                                            const std::vector<double>& q) {
+/// Central differences of a frame, which is a function of the joints.
+template <typename FrameOf>
+std::vector<Twist> difference_twists(const FrameOf& frame_of, const std::vector<double>& q) {
   constexpr double kStep = 1e-6;
-  const Mat R = tool_frame(chain, q).R;
+  const Mat R = frame_of(q).R;
   std::vector<Twist> twists;
   for (std::size_t j = 0; j < q.size(); ++j) {
     std::vector<double> up = q, down = q;
     up[j] += kStep;
     down[j] -= kStep;
-    const Frame a = tool_frame(chain, up), b = tool_frame(chain, down);
+    const Frame a = frame_of(up), b = frame_of(down);
     Mat rate{};  // dR/dq · Rᵀ, skew
     for (std::size_t i = 0; i < 3; ++i)
       for (std::size_t k = 0; k < 3; ++k)
@@ -94,6 +94,12 @@ inline std::vector<Twist> difference_twists(const std::vector<ChainJoint>& chain
                        (rate[1][0] - rate[0][1]) / 2}});
   }
   return twists;
+}
+
+/// Of the tool's frame.
+inline std::vector<Twist> difference_twists(const std::vector<ChainJoint>& chain,
+                                            const std::vector<double>& q) {
+  return difference_twists([&chain](const auto& at) { return tool_frame(chain, at); }, q);
 }
 
 /// The products of two columns that no change of frame or reference point changes: ω·ω', and

@@ -7,6 +7,7 @@
 #include <random>
 #include <string>
 
+#include "codegen/model/joint_polynomial.hpp"
 #include "codegen/model/model_file.hpp"
 #include "codegen/model/singular_factors.hpp"
 #include "tests/support/serial/model_twists.hpp"
@@ -292,6 +293,44 @@ TEST(Serial, AddsTheColumnsOfJointsThatFollow) {
       twists[0].spin[i] -= 2 * all[2].spin[i];
     }
     expect_same_arm(model_twists(model, q), twists);
+  }
+}
+
+/// sin(q2)·cos(q3), which is (sin(q2 + q3) + sin(q2 - q3))/2, with values whose sum or difference is 0.
+TEST(JointPolynomials, HaveNoSineOfAnglesThatAddToZero) {
+  const JointGroups parallel{{0, 0}, 1, std::make_shared<TermBudget>()};
+  const JointPolynomial product = JointPolynomial(parallel, 1).times_sine(0).times_cosine(1);
+  const GiNaC::realsymbol q("q");
+  for (const int multiplier : {-1, 0, 1}) {
+    const GiNaC::ex got = product.expression({q, multiplier * q});
+    EXPECT_NEAR(evaluate(got, {{"q", 0.3}}), std::sin(0.3) * std::cos(multiplier * 0.3), 1e-15)
+        << multiplier;
+  }
+}
+
+/// A parallelogram keeps the direction of the wrist: its joint turns back what q2 and q3 turn.
+TEST(Serial, HasTheTwistsOfAParallelogram) {
+  const Model model = parsed(
+      "joints = [{ name = \"q1\" }, { name = \"q2\", xyz = [0.3, 0, 0.7], axis = [0, 1, 0] },\n"
+      "{ mimic = \"q2\", multiplier = -1, xyz = [0, 0, 0.9], axis = [0, 1, 0] },\n"
+      "{ name = \"q3\", axis = [0, 1, 0] }, { mimic = \"q3\", multiplier = -1, xyz = [1.1, 0, 0], "
+      "axis = [0, 1, 0] },\n"
+      "{ name = \"q4\", xyz = [0.2, 0, 0] }, { name = \"q5\", axis = [1, 0, 0] }]\n",
+      5);
+  const std::vector<ChainJoint> chain = {{.axis = {0, 0, 1}},
+                                         {.origin = {.p = {0.3, 0, 0.7}}, .axis = {0, 1, 0}},
+                                         {.origin = {.p = {0, 0, 0.9}}, .axis = {0, 1, 0}},
+                                         {.axis = {0, 1, 0}},
+                                         {.origin = {.p = {1.1, 0, 0}}, .axis = {0, 1, 0}},
+                                         {.origin = {.p = {0.2, 0, 0}}, .axis = {0, 0, 1}},
+                                         {.axis = {1, 0, 0}}};
+  const auto frame = [&chain](const std::vector<double>& q) {
+    return tool_frame(chain, {q[0], q[1], -q[1], q[2], -q[2], q[3], q[4]});
+  };
+  std::mt19937 random(17);
+  for (int pose = 0; pose < 20; ++pose) {
+    const auto q = random_pose(random, 5);
+    expect_same_arm(model_twists(model, q), difference_twists(frame, q));
   }
 }
 
