@@ -92,6 +92,7 @@ class Algebra {
   [[nodiscard]] Polynomial root_of_integer(const fmpz_t x);
   [[nodiscard]] Polynomial magnitude(const Polynomial& x);
   [[nodiscard]] Polynomial exponential(const Polynomial& x);
+  [[nodiscard]] Polynomial odd_function(Op op, const Polynomial& x);
   [[nodiscard]] Polynomial function(Op op, const Polynomial& x);
   [[nodiscard]] Polynomial angle_of_two(const Polynomial& y, const Polynomial& x);
 

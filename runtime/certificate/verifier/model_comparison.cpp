@@ -109,6 +109,8 @@ class ModelComparison {
   /// Returns false if the section that describes the robot was not compared.
   bool compare_robot() {
     if (section_) {
+      if (has_below(values_, "matrix.") || has_below(values_, "pose."))
+        comparer_.leave_out({"[matrix] or [pose]", 0, ""}, "the robot is described twice");
       section_->compare(comparer_);
       return true;
     }

@@ -119,7 +119,7 @@ void QuestionComparer::compare(const FilePlace& from, NodeId value, const std::s
                                  shortened(found.text) + "' in line " + std::to_string(found.line) +
                                  " of the certificate are equal");
     case Equality::kEqual:
-      ++result_.numbers;
+      result_.numbers += from.line > 0;
   }
 }
 
