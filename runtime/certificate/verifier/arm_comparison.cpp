@@ -179,13 +179,13 @@ class ArmComparison {
   void run() {
     const FilePlace from{"serial.joints", 0, "the joints of an arm"};
     if (q_.load) return comparer_.leave_out(from, "an arm has no forces of motors");
-    if (!q_.scale.empty()) comparer_.refuse(from, "scale 0");
+    if (!q_.scale.empty()) comparer_.refuse(from, "row scales");
     if (is_shown()) {
       for (std::size_t e = 0; e < q_.matrix.size(); ++e)
         comparer_.note_compared("entry " + std::to_string(e));
       return;
     }
-    if (is_refuted()) comparer_.refuse(from, "entry 0");
+    if (is_refuted()) comparer_.refuse(from, "a matrix that is not that of their Jacobian");
     comparer_.leave_out(
         from, obstacle_.empty() ? "the matrix is not shown to be the Jacobian's" : obstacle_);
   }

@@ -110,7 +110,8 @@ class LegsReading final : public SectionReading {
             of_motors ? at.motor() : LegRow{algebra.zero(), at.moment(), algebra.number(1)};
         compare_row(comparer, {place(i), 0, of_motors ? "a motor's row" : "a moment"}, row++, one);
       }
-    if (row != q.rows) comparer.refuse({"legs", 0, std::to_string(row) + " rows"}, "entry 0");
+    if (row != q.rows)
+      comparer.refuse({"legs", 0, std::to_string(row) + " rows"}, std::to_string(q.rows) + " rows");
   }
 
  private:
@@ -298,7 +299,8 @@ class LegsReading final : public SectionReading {
     if (orientation_ != "point" && !is_planar_)
       entries.insert(entries.end(), one.moment.begin(), one.moment.end());
     const Question& q = comparer.question();
-    if (entries.size() != q.columns || row >= q.rows) comparer.refuse(from, "entry 0");
+    if (entries.size() != q.columns || row >= q.rows)
+      comparer.refuse(from, "a matrix of another shape");
     for (std::size_t j = 0; j < entries.size(); ++j)
       comparer.compare(from, entries[j], "entry " + std::to_string(row * q.columns + j));
     comparer.compare(from, one.scale, "scale " + std::to_string(row));
