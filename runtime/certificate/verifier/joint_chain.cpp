@@ -3,8 +3,8 @@
 
 #include <algorithm>
 
-#include "runtime/certificate/verifier/algebra.hpp"
 #include "runtime/certificate/verifier/evaluation.hpp"
+#include "runtime/certificate/verifier/section_values.hpp"
 
 namespace regulus::verifier {
 namespace {
@@ -36,12 +36,8 @@ bool slides(const WrittenValues& values, const std::string& joint) {
   return type == "prismatic";
 }
 
-/// The tolerance of all lengths, or of all angles.
-struct Tolerance {
-  std::string key, option;
-};
-const Tolerance kLengths{"serial.length_tolerance", "tolerance lengths"};
-const Tolerance kAngles{"serial.angle_tolerance", "tolerance angles"};
+const SectionTolerance kLengths{"serial.length_tolerance", "tolerance lengths"};
+const SectionTolerance kAngles{"serial.angle_tolerance", "tolerance angles", true};
 
 class ChainReader {
  public:
@@ -49,7 +45,9 @@ class ChainReader {
       : comparer_(comparer),
         q_(comparer.question()),
         values_(comparer.values()),
-        algebra_(q_.graph) {}
+        algebra_(q_.graph),
+        in_degrees_(is_arm_in_degrees(comparer.values())),
+        section_(comparer, in_degrees_) {}
 
   std::vector<ChainJoint> read() {
     require_known_keys();
@@ -92,7 +90,8 @@ class ChainReader {
     static const std::set<std::string, std::less<>> kOfJoints{
         "name",       "type",     "range", "mimic", "multiplier", "offset", "xyz",  "rpy",
         "quaternion", "rotation", "axis",  "a",     "alpha",      "d",      "theta"},
-        kOfTable{"unit", "convention", "joints", "tool", "length_tolerance", "angle_tolerance"};
+        kOfTable{"unit",      "convention", "joints", "tool", "length_tolerance", "angle_tolerance",
+                 "angle_unit"};
     constexpr std::string_view kTable = "serial.";
     for (auto at = values_.lower_bound(kTable);
          at != values_.end() && at->first.starts_with(kTable); ++at) {
@@ -110,33 +109,15 @@ class ChainReader {
     }
   }
 
-  /// Returns a constant of the file. It does not depend on the pose.
-  NodeId constant(const std::string& place) {
-    if (!values_.contains(place)) throw Unfinished("the file has no " + place);
-    const NodeId node = comparer_.expression_at(place, q_.actual);
-    for (const NodeId part : ingredients(q_.graph, {node})) {
-      const Node& known = q_.graph.nodes()[std::size_t(part)];
-      if (known.op == Op::kVariable &&
-          q_.variables[std::size_t(known.a)].kind != VariableKind::kUncertain)
-        throw Unfinished(place + " depends on the pose");
-    }
-    comparer_.expect_defined(comparer_.place_of(place), node);
-    return node;
+  NodeId quantity(const std::string& place, const std::string& name,
+                  const SectionTolerance& tolerance) {
+    // Without a tolerance it is no constant of its own.
+    if (!values_.contains(tolerance.key))
+      return tolerance.is_angle ? section_.angle(place) : section_.constant(place);
+    return section_.quantity(place, name + '_' + number_, tolerance);
   }
 
-  /// Returns a length or an angle. With a tolerance it is a constant that the certificate states.
-  NodeId quantity(const std::string& place, const std::string& name, const Tolerance& tolerance) {
-    const NodeId written = constant(place);
-    if (!values_.contains(tolerance.key)) return written;
-    const std::string own = name + '_' + number_;
-    const FilePlace from = comparer_.place_of(place), of_spread = comparer_.place_of(tolerance.key);
-    const bool is_stated = q_.stated.contains("value " + own);
-    if (is_stated) comparer_.compare(from, written, "value " + own);
-    comparer_.compare(of_spread, constant(tolerance.key), "spread " + own, tolerance.option);
-    return is_stated ? q_.actual.at(own) : written;
-  }
-
-  NodeId quantity_or_zero(const std::string& key, const Tolerance& tolerance) {
+  NodeId quantity_or_zero(const std::string& key, const SectionTolerance& tolerance) {
     return has(key) ? quantity(joint_ + key, key, tolerance) : algebra_.number(0);
   }
 
@@ -158,7 +139,7 @@ class ChainReader {
   }
 
   VectorNodes quantities(const std::string& key, const std::array<const char*, 3>& names,
-                         const Tolerance& tolerance) {
+                         const SectionTolerance& tolerance) {
     VectorNodes result{};
     for (std::size_t i = 0; i < 3; ++i) result[i] = quantity(element(key, i), names[i], tolerance);
     return result;
@@ -166,7 +147,7 @@ class ChainReader {
 
   void read_origin(PlacementNodes& origin, VectorNodes& axis) {
     if (has("axis")) {
-      for (std::size_t i = 0; i < 3; ++i) axis[i] = constant(element("axis", i));
+      for (std::size_t i = 0; i < 3; ++i) axis[i] = section_.constant(element("axis", i));
       axis = algebra_.unit(axis);
     }
     if (has("xyz")) origin.p = quantities("xyz", {"x", "y", "z"}, kLengths);
@@ -175,7 +156,7 @@ class ChainReader {
           algebra_.turn_of_roll_pitch_yaw(quantities("rpy", {"roll", "pitch", "yaw"}, kAngles));
     if (has("quaternion")) {
       std::array<NodeId, 4> q{};
-      for (std::size_t i = 0; i < 4; ++i) q[i] = constant(element("quaternion", i));
+      for (std::size_t i = 0; i < 4; ++i) q[i] = section_.constant(element("quaternion", i));
       origin.R = algebra_.turn_of_quaternion(q);
     }
     if (has("rotation")) origin.R = read_rotation();
@@ -185,7 +166,7 @@ class ChainReader {
     MatrixNodes R{};
     for (std::size_t i = 0; i < 3; ++i)
       for (std::size_t j = 0; j < 3; ++j)
-        R[i][j] = constant(element("rotation", i) + '[' + std::to_string(j) + ']');
+        R[i][j] = section_.constant(element("rotation", i) + '[' + std::to_string(j) + ']');
     const MatrixNodes product = algebra_.product(R, algebra_.transposed(R));
     bool is_rotation = is_equal(algebra_.dot(R[0], algebra_.cross(R[1], R[2])), 1);
     for (std::size_t i = 0; i < 3; ++i)
@@ -209,19 +190,38 @@ class ChainReader {
     if (leader == names.end() || pose == q_.actual.end())
       throw Unfinished("the certificate has no pose parameter for " + joint_);
     joint.column = std::size_t(leader - names.begin());
-    joint.rate = has("multiplier") ? constant(joint_ + "multiplier") : algebra_.number(1);
-    const NodeId offset = has("offset") ? constant(joint_ + "offset") : algebra_.number(0);
-    joint.value = algebra_.sum(algebra_.product(joint.rate, pose->second), offset);
+    const NodeId multiplier =
+        has("multiplier") ? section_.constant(joint_ + "multiplier") : algebra_.number(1);
+    const auto value = [&](NodeId leading) { return value_of(joint, multiplier, leading); };
+    joint.rate = algebra_.product(multiplier, units_of(joint, leader->slides));
+    joint.value = value(pose->second);
     const NodeId variable = q_.graph.add(Op::kVariable, int(q_.variables.size() + joint.column));
-    const bool is_free = depends_on_variables(q_.graph, pose->second);
-    joint.free_value =
-        is_free ? joint.value : algebra_.sum(algebra_.product(joint.rate, variable), offset);
+    joint.free_value = depends_on_variables(q_.graph, pose->second) ? joint.value : value(variable);
+  }
+
+  /// Returns multiplier·q + offset, which may be a number of degrees, as a length or an angle.
+  NodeId value_of(const ChainJoint& joint, NodeId multiplier, NodeId leading) {
+    NodeId value = algebra_.product(multiplier, leading);
+    const std::string offset = joint_ + "offset";
+    if (values_.contains(offset))
+      value = algebra_.sum(
+          value, joint.slides ? section_.constant(offset) : section_.number_of_angle(offset));
+    return joint.slides ? value : section_.in_radians(value);
+  }
+
+  /// The speed of a joint is one of lengths or radians, as its leader's.
+  NodeId units_of(const ChainJoint& joint, bool leader_slides) {
+    const NodeId one = algebra_.number(1);
+    if (!in_degrees_ || joint.slides == leader_slides) return one;
+    return joint.slides ? algebra_.quotient(one, algebra_.degrees(one)) : algebra_.degrees(one);
   }
 
   SectionComparer& comparer_;
   Question& q_;
   const WrittenValues& values_;
   GraphAlgebra algebra_;
+  const bool in_degrees_;
+  SectionValues section_;
   std::string joint_, number_;  ///< its place, and its number from 1
   std::vector<ChainJoint> chain_;
 };
@@ -232,6 +232,11 @@ bool depends_on_variables(const Graph& graph, NodeId node) {
   return std::ranges::any_of(ingredients(graph, {node}), [&](NodeId part) {
     return graph.nodes()[std::size_t(part)].op == Op::kVariable;
   });
+}
+
+bool is_arm_in_degrees(const WrittenValues& values) {
+  const std::string unit = text_at(values, "serial.angle_unit", "rad");
+  return unit != "rad";
 }
 
 std::vector<ChainName> chain_names(const WrittenValues& values) {

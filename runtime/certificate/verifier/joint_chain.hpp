@@ -32,6 +32,9 @@ struct ChainName {
 /// Returns the joints that follow no other, in their order: the pose parameters.
 [[nodiscard]] std::vector<ChainName> chain_names(const WrittenValues& values);
 
+/// Returns true if numbers of angles are degrees.
+[[nodiscard]] bool is_arm_in_degrees(const WrittenValues& values);
+
 [[nodiscard]] bool depends_on_variables(const Graph& graph, NodeId node);
 
 /// Reads every joint that moves; compares every length and angle that has a tolerance with the

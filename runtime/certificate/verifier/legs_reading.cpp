@@ -4,9 +4,9 @@
 
 #include <algorithm>
 
-#include "runtime/certificate/verifier/evaluation.hpp"
 #include "runtime/certificate/verifier/leg_rows.hpp"
 #include "runtime/certificate/verifier/orientation_reading.hpp"
+#include "runtime/certificate/verifier/section_values.hpp"
 
 namespace regulus::verifier {
 namespace {
@@ -31,15 +31,16 @@ constexpr std::array<LegType, 12> kTypes = {{{"RPR", LegKind::kTelescopic, true,
                                              {"PSS", LegKind::kSlider, false, false},
                                              {"linear-delta", LegKind::kSlider, false, true}}};
 
-/// Quantities of one kind: the letters of their names, the key of their tolerance, and its option.
+/// Quantities of one kind: the letters of their names.
 struct Group {
-  std::string letters, tolerance, option;
+  std::string letters;
+  SectionTolerance tolerance;
 };
-const Group kBase{"a", "legs.base_tolerance", "tolerance base"};
-const Group kPlatform{"b", "legs.platform_tolerance", "tolerance platform"};
-const Group kCranks{"crank_", "legs.crank_tolerance", "tolerance cranks"};
-const Group kRods{"rod_", "legs.rod_tolerance", "tolerance rods"};
-const Group kAxisGroup{"n", "legs.axis_tolerance", "tolerance axes"};
+const Group kBase{"a", {"legs.base_tolerance", "tolerance base"}};
+const Group kPlatform{"b", {"legs.platform_tolerance", "tolerance platform"}};
+const Group kCranks{"crank_", {"legs.crank_tolerance", "tolerance cranks"}};
+const Group kRods{"rod_", {"legs.rod_tolerance", "tolerance rods"}};
+const Group kAxisGroup{"n", {"legs.axis_tolerance", "tolerance axes"}};
 
 class LegsReading final : public SectionReading {
  public:
@@ -151,11 +152,8 @@ class LegsReading final : public SectionReading {
     return list + '[' + std::to_string(i) + ']';
   }
 
-  NodeId written(const std::string& place, SectionComparer& comparer) {
-    if (!values_.contains(place)) throw Unfinished("the file has no " + place);
-    const NodeId node = comparer.expression_at(place, comparer.question().actual);
-    comparer.expect_defined(comparer.place_of(place), node);
-    return node;
+  NodeId written(const std::string& place, SectionComparer& comparer) const {
+    return SectionValues(comparer, is_in_degrees_).constant(place);
   }
 
   /// Returns true if the value has no names of the robot's constants.
@@ -169,18 +167,8 @@ class LegsReading final : public SectionReading {
   }
 
   NodeId quantity(const std::string& place, const std::string& name, const Group& group,
-                  SectionComparer& comparer) {
-    const NodeId node = written(place, comparer);
-    const Question& q = comparer.question();
-    const bool is_stated = q.stated.contains("value " + name);
-    if (is_stated) comparer.compare(comparer.place_of(place), node, "value " + name);
-    if (is_stated || values_.contains(group.tolerance))
-      comparer.compare(comparer.place_of(group.tolerance),
-                       values_.contains(group.tolerance)
-                           ? comparer.expression_at(group.tolerance, q.actual)
-                           : comparer.question().graph.number("0"),
-                       "spread " + name, group.option);
-    return is_stated ? q.actual.at(name) : node;
+                  SectionComparer& comparer, std::vector<std::string>* names = nullptr) const {
+    return SectionValues(comparer, is_in_degrees_).quantity(place, name, group.tolerance, names);
   }
 
   VectorNodes point(const std::string& list, const std::string& number, const Group& group,
@@ -189,8 +177,7 @@ class LegsReading final : public SectionReading {
     std::vector<std::string> names;
     for (std::size_t i = 0; i < axes(); ++i) {
       const std::string name = group.letters + number + '_' + kAxes[i];
-      result[i] = quantity(element(list, i), name, group, comparer);
-      if (comparer.question().stated.contains("value " + name)) names.push_back(name);
+      result[i] = quantity(element(list, i), name, group, comparer, &names);
     }
     if (!names.empty() && text("legs.tolerance_shape", "box") == "ball")
       comparer.expect_ball(comparer.place_of("legs.tolerance_shape"), names);
@@ -206,7 +193,7 @@ class LegsReading final : public SectionReading {
   /// An axis of numbers without a tolerance is taken by its direction alone.
   void read_axis(LegValues& leg, const std::string& list, const std::string& number,
                  SectionComparer& comparer, GraphAlgebra& algebra) {
-    bool is_exact = !values_.contains(kAxisGroup.tolerance);
+    bool is_exact = !values_.contains(kAxisGroup.tolerance.key);
     for (std::size_t i = 0; i < axes(); ++i)
       is_exact = is_exact && is_number(element(list, i), comparer);
     if (is_exact) {
@@ -221,6 +208,7 @@ class LegsReading final : public SectionReading {
   const LegValues& values_of(std::size_t index, SectionComparer& comparer, GraphAlgebra& algebra) {
     const auto known = legs_.find(index);
     if (known != legs_.end()) return known->second;
+    if (!open_.insert(index).second) throw Unfinished(place(index) + " depends on itself");
     const LegType& type = type_of(index);
     if (type.is_planar != is_planar_) throw Unfinished("legs in the plane and in space");
     const std::string number = std::to_string(index + 1), own = place(index) + '.';
@@ -261,7 +249,14 @@ class LegsReading final : public SectionReading {
                   GraphAlgebra& algebra) {
     const std::string list = shared(index, "range");
     if (!has(list) || leg.actuated == 0) return;
-    leg.range.emplace(written(element(list, 0), comparer), written(element(list, 1), comparer));
+    const bool is_length = leg.kind == LegKind::kTelescopic
+                               ? leg.actuated == 2
+                               : leg.kind == LegKind::kSlider && leg.actuated == 1;
+    SectionValues section(comparer, is_in_degrees_);
+    const auto end = [&](std::size_t i) {
+      return is_length ? section.constant(element(list, i)) : section.angle(element(list, i));
+    };
+    leg.range.emplace(end(0), end(1));
     if (leg.kind == LegKind::kCrank && !leg.is_planar)
       leg.zero = algebra.unit(numbers(shared(index, "zero"), comparer, algebra));
   }
@@ -313,6 +308,7 @@ class LegsReading final : public SectionReading {
   bool is_planar_ = false, is_in_degrees_ = false;
   std::string orientation_;
   std::map<std::size_t, LegValues> legs_;
+  std::set<std::size_t> open_;  ///< legs whose values have been asked for
 };
 
 }  // namespace

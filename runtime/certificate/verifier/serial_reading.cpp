@@ -10,7 +10,8 @@ namespace {
 
 class SerialReading final : public SectionReading {
  public:
-  explicit SerialReading(const WrittenValues& values) : names_(chain_names(values)) {
+  explicit SerialReading(const WrittenValues& values)
+      : names_(chain_names(values)), angle_unit_(is_arm_in_degrees(values) ? "deg" : "rad") {
     const auto unit = values.find("serial.unit");
     if (unit != values.end()) unit_ = unit->second.text;
   }
@@ -18,7 +19,7 @@ class SerialReading final : public SectionReading {
   [[nodiscard]] std::vector<SectionPose> pose() const override {
     std::vector<SectionPose> result;
     for (const ChainName& joint : names_)
-      result.push_back({joint.name, joint.slides ? unit_ : "rad"});
+      result.push_back({joint.name, joint.slides ? unit_ : angle_unit_});
     return result;
   }
 
@@ -34,6 +35,7 @@ class SerialReading final : public SectionReading {
 
  private:
   const std::vector<ChainName> names_;
+  const std::string angle_unit_;
   std::string unit_ = "1";
 };
 
