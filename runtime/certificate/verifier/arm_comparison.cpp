@@ -234,14 +234,20 @@ class ArmComparison {
 
   bool is_refuted() { return has_other_determinant() || has_other_products(); }
 
-  /// Finds two points at which the determinants certainly have different ratios.
+  /// The determinant of six rows does not depend on the view.
   bool has_other_determinant() {
     if (q_.rows != joints_ || q_.columns != joints_ || order_.empty()) return false;
-    const Sized& best = order_.front();
+    if (joints_ == 6) return has_other_determinant_than(order_.front());
+    return std::ranges::all_of(order_,
+                               [this](const Sized& v) { return has_other_determinant_than(v); });
+  }
+
+  /// Finds two points at which the determinants certainly have different ratios.
+  bool has_other_determinant_than(const Sized& view) {
     std::vector<NodeId> jacobian;
-    for (const std::size_t row : best.rows)
+    for (const std::size_t row : view.rows)
       for (std::size_t j = 0; j < joints_; ++j)
-        jacobian.push_back(views_[best.view].jacobian[row * joints_ + j]);
+        jacobian.push_back(views_[view.view].jacobian[row * joints_ + j]);
     std::vector<std::pair<Ball, Ball>> determinants;
     for (int number = 0; number < kPoints; ++number) {
       const std::vector<Ball> at = point(number);

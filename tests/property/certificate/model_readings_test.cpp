@@ -330,9 +330,10 @@ TEST(AQuestionAboutASixLeggedPlatform, IsThatOfItsFileAndOfNoFileWithAnotherNumb
     EXPECT_EQ(compared(head, text, why), Outcome::kVerified) << text << why;
     for (const std::string& other : with_another_number(text, "base =", "[motion.w]"))
       EXPECT_EQ(compared(head, other), Outcome::kRejected) << other;
-    for (const auto& [other, ignored] : orientations)
-      if (std::string(other) != orientation)
-        EXPECT_NE(compared(head, replaced(text, orientation, other)), Outcome::kVerified) << other;
+    for (const auto& [other, ignored] : orientations) {
+      if (std::string(other) == orientation) continue;
+      EXPECT_NE(compared(head, replaced(text, orientation, other)), Outcome::kVerified) << other;
+    }
   }
 }
 
