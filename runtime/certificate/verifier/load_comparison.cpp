@@ -51,7 +51,7 @@ class LoadComparison {
   /// What the file leaves out is 0.
   bool compare_set(const VectorSetLines& set, const PartNames& names) {
     const std::string table = std::string(names.table) + '.' + set.name;
-    if (!first_in(table)) return false;
+    if (set.name.find_first_of(".[") != std::string::npos || !first_in(table)) return false;
     set_ = &set;
     std::vector<std::size_t> all;
     for (std::size_t j = 0; j < q_.columns; ++j) all.push_back(j);

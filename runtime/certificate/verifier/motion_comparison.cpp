@@ -49,7 +49,8 @@ class MotionComparison {
   void require_motion() const {
     const bool is_of_section = section_ != nullptr && !poses_.empty() &&
                                !section_->place_in_motion(q_.motion, poses_.front()).empty();
-    if (!has_table() && !is_of_section)
+    const bool is_key = q_.motion.find_first_of(".[") == std::string::npos;
+    if (!is_key || (!has_table() && !is_of_section))
       comparer_.refuse_model("the file has no motion '" + q_.motion + "'");
   }
 

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <optional>
 
 #include "runtime/certificate/verifier/algebra.hpp"
 #include "runtime/certificate/verifier/derivative.hpp"
@@ -314,8 +315,13 @@ std::string WaypointComparison::other_parameter(Question& q, std::size_t piece) 
 }
 
 void WaypointComparison::require_some_piece(Question& q) const {
-  for (std::size_t k = 0; k < pieces(); ++k)
-    if (other_parameter(q, k).empty()) return static_cast<void>(compare(q, k));
+  std::optional<Unfinished> undecided;
+  for (std::size_t k = 0; k < pieces(); ++k) try {
+      if (other_parameter(q, k).empty()) return static_cast<void>(compare(q, k));
+    } catch (const Unfinished& why) {
+      undecided = why;
+    }
+  if (undecided) throw Unfinished(*undecided);
   throw OtherModel("the certificate is not about " + file_ +
                    (is_program_ ? ": its piece is none of the moves"
                                 : ": its piece is not the way between two lines"));

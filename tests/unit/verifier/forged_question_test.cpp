@@ -204,6 +204,23 @@ TEST(AForgedSet, IsThatOfAMotionThatTheFileDoesNotHave) {
   expect_verified(p);
 }
 
+/// A label is a key of the file, and no part of a longer one.
+TEST(AForgedSet, IsThatOfAPartOfAMotionOrOfALoad) {
+  Pair p;
+  p.motion = "x = [0, 2]\nerror = { x = 0.5 }", p.name = "only.error";
+  p.range = "0 : 1";
+  EXPECT_THAT(verify(p).reason, HasSubstr("the file has no motion 'only.error'"));
+  p = {};
+  p.rows = "1", p.entry = "1", p.robot = "twist = [\"v_x\"]";
+  p.more = "[actuators]\nforce = [-1, 1]\n[load.push]\nforce = [[-9, 9]]\n";
+  p.head =
+      "verdict FEASIBLE\nclaim at every pose of the variety, the full 1x1 matrix of the model is "
+      "defined, and forces within the limits hold every wrench of the load\n";
+  p.after_entry = "load push.force\nwrench 0 +- 0\nlimits -1 : 1\n";
+  p.proof = "proof\nl 0 feasible\nend 1\n";
+  expect_rejected(p, "it has no load 'push.force'");
+}
+
 TEST(AForgedSet, HasAParameterAnErrorOrAPoseOfItsOwn) {
   Pair p;
   p.quantities = "parameter T in 0 : 1\n";
