@@ -4,7 +4,6 @@
 #include <algorithm>
 
 #include "runtime/certificate/verifier/constant_rows.hpp"
-#include "runtime/certificate/verifier/equality.hpp"
 #include "runtime/certificate/verifier/evaluation.hpp"
 #include "runtime/certificate/verifier/linear_algebra.hpp"
 
@@ -29,6 +28,7 @@ std::vector<NodeId> entries_of(const TwistColumns& twists) {
 struct Seen {
   std::vector<NodeId> jacobian;
   std::vector<NodeId> chain;  ///< the same, with a column for each follower, for any pose
+  std::vector<NodeId> poses;  ///< that are variables
 };
 
 /// It beside the certificate's matrix.
@@ -41,10 +41,7 @@ class View {
         chain_(seen.chain),
         budget_(products),
         algebra_(q.graph, none_, Algebra::Form::kFull, budget_) {
-    // Two that are one number may be one expression, which also occurs elsewhere.
-    std::vector<NodeId> poses = poses_as_variables(q_);
-    std::erase_if(poses, [&](NodeId pose) { return !depends_on_variables(q_.graph, pose); });
-    algebra_.keep_whole(poses);
+    algebra_.keep_whole(seen.poses);
     std::vector<NodeId> roots = jacobian_;
     roots.insert(roots.end(), chain_.begin(), chain_.end());
     roots.insert(roots.end(), q_.matrix.begin(), q_.matrix.end());
@@ -173,7 +170,10 @@ class ArmComparison {
         free_chain_(chain),
         chain_view_(comparer, chain, columns),
         free_view_(comparer, free_chain_, columns) {
-    for (ChainJoint& joint : free_chain_) joint.value = joint.free_value;
+    for (ChainJoint& joint : free_chain_) {
+      joint.value = joint.free_value;
+      poses_.push_back(joint.free_pose);
+    }
   }
 
   void run() {
@@ -197,7 +197,7 @@ class ArmComparison {
       const TwistColumns of_chain = free_view_.twists(link);
       for (const VectorNodes& point : chain_view_.points(link)) {
         views_.push_back({entries_of(chain_view_.moved_to(twists, point)),
-                          entries_of(free_view_.moved_to(of_chain, point))});
+                          entries_of(free_view_.moved_to(of_chain, point)), poses_});
         if (is_direct()) return true;
       }
     }
@@ -339,6 +339,7 @@ class ArmComparison {
   const std::size_t joints_;
   std::vector<ChainJoint> free_chain_;
   ChainView chain_view_, free_view_;
+  std::vector<NodeId> poses_;
   std::vector<Seen> views_;
   std::vector<Sized> order_;
   int tried_ = 0;

@@ -39,6 +39,12 @@ bool slides(const WrittenValues& values, const std::string& joint) {
 const SectionTolerance kLengths{"serial.length_tolerance", "tolerance lengths"};
 const SectionTolerance kAngles{"serial.angle_tolerance", "tolerance angles", true};
 
+/// Returns an expression that stands for a number of its own. No other expression has this node.
+NodeId any_number(Graph& graph, std::size_t column) {
+  constexpr long kUnusual = -1'000'003;
+  return graph.add(Op::kExp, graph.number(Rational(kUnusual - long(column))));
+}
+
 class ChainReader {
  public:
   explicit ChainReader(SectionComparer& comparer)
@@ -195,8 +201,10 @@ class ChainReader {
     const auto value = [&](NodeId leading) { return value_of(joint, multiplier, leading); };
     joint.rate = algebra_.product(multiplier, units_of(joint, leader->slides));
     joint.value = value(pose->second);
-    const NodeId variable = q_.graph.add(Op::kVariable, int(q_.variables.size() + joint.column));
-    joint.free_value = depends_on_variables(q_.graph, pose->second) ? joint.value : value(variable);
+    joint.free_pose = depends_on_variables(q_.graph, pose->second)
+                          ? pose->second
+                          : any_number(q_.graph, joint.column);
+    joint.free_value = value(joint.free_pose);
   }
 
   /// Returns multiplier·q + offset, which may be a number of degrees, as a length or an angle.

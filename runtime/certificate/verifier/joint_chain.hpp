@@ -19,7 +19,8 @@ struct ChainJoint {
   std::size_t column = 0;   ///< of the joint, or of the one that it follows
   NodeId rate = kNoNode;    ///< its speed at unit speed of the column's joint
   NodeId value = kNoNode;
-  NodeId free_value = kNoNode;  ///< the same if a motion gives its pose parameter no value
+  NodeId free_value = kNoNode;  ///< the same if a motion gives its pose parameter no value,
+  NodeId free_pose = kNoNode;   ///< but this
 };
 
 /// A joint that follows no other.

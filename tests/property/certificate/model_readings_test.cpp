@@ -144,6 +144,25 @@ TEST(AQuestionAboutARandomArm, IsThatOfItsFile) {
   EXPECT_LE(unfinished, 3);
 }
 
+/// The comparison leaves nothing behind that the proof would take for a variable.
+TEST(AnArmAtOnePose, IsVerifiedWithItsModelFile) {
+  const std::string text = R"toml(regulus = 1
+name = "arm"
+[serial]
+convention = "standard-dh"
+joints = [ { name = "q1", a = 0.5, alpha = 0.3 }, { mimic = "q1", d = 0.41 }, { name = "q2" } ]
+[motion.w]
+q1 = -0.52
+q2 = 0.3
+)toml";
+  verifier::Options options;
+  options.model_name = "test.toml";
+  options.model_text = text;
+  std::istringstream certificate(head_of(text) + "l 0 h-matrix\nend 1\n");
+  const verifier::Verification v = verifier::verify(certificate, options);
+  EXPECT_EQ(v.outcome, Outcome::kVerified) << v.reason;
+}
+
 constexpr const char* kPuma = R"toml(regulus = 1
 name = "arm"
 [serial]
