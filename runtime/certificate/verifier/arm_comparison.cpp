@@ -34,7 +34,8 @@ struct Seen {
 /// It beside the certificate's matrix.
 class View {
  public:
-  View(Question& q, const Seen& seen, std::size_t joints, std::uint64_t products)
+  /// `finds_units`: for joints that follow others by fractions. It is slow with many numbers as angles.
+  View(Question& q, const Seen& seen, std::size_t joints, std::uint64_t products, bool finds_units)
       : q_(q),
         joints_(joints),
         jacobian_(seen.jacobian),
@@ -42,6 +43,7 @@ class View {
         budget_(products),
         algebra_(q.graph, none_, Algebra::Form::kFull, budget_) {
     algebra_.keep_whole(seen.poses);
+    if (!finds_units) return;
     std::vector<NodeId> roots = jacobian_;
     roots.insert(roots.end(), chain_.begin(), chain_.end());
     roots.insert(roots.end(), q_.matrix.begin(), q_.matrix.end());
@@ -192,6 +194,14 @@ class ArmComparison {
 
  private:
   bool is_shown() {
+    if (is_shown_by_views()) return true;
+    if (is_refuted()) return false;
+    finds_units_ = true;
+    views_.clear(), order_.clear(), tried_ = 0, obstacle_.clear();
+    return is_shown_by_views();
+  }
+
+  bool is_shown_by_views() {
     for (const std::size_t link : chain_view_.links()) {
       const TwistColumns twists = chain_view_.with_followers(chain_view_.twists(link));
       const TwistColumns of_chain = free_view_.twists(link);
@@ -208,7 +218,7 @@ class ArmComparison {
 
   /// Also notes how large the Jacobian is in the last view.
   bool is_direct() try {
-    View view(q_, views_.back(), joints_, kProductsOfView);
+    View view(q_, views_.back(), joints_, kProductsOfView, finds_units_);
     if (view.has_rows_of_matrix()) return true;
     const auto rows = view.independent_rows();
     if (rows && rows->size() == joints_) order_.push_back({view.terms(), views_.size() - 1, *rows});
@@ -225,7 +235,7 @@ class ArmComparison {
 
   bool has_determinant(const Sized& sized) try {
     if (++tried_ > kMostDeterminants) return false;
-    View view(q_, views_[sized.view], joints_, kProductsOfDeterminants);
+    View view(q_, views_[sized.view], joints_, kProductsOfDeterminants, finds_units_);
     return view.has_determinant_of_matrix(sized.rows);
   } catch (const TooLarge& why) {
     obstacle_ = why.what();
@@ -343,6 +353,7 @@ class ArmComparison {
   std::vector<Seen> views_;
   std::vector<Sized> order_;
   int tried_ = 0;
+  bool finds_units_ = false;
   std::string obstacle_;
 };
 
