@@ -80,9 +80,8 @@ class QuestionText {
   void write_poses() {
     for (std::size_t i = 0; i < model_.pose.size(); ++i) {
       const ex error = motion_.error.empty() ? ex(0) : motion_.error[i];
-      const bool varies = !error.is_zero() || uncertain_.contains(model_.pose[i].name);
       put("pose", model_.pose[i].name + " = " + expression_text(motion_.pose[i]) +
-                      (varies ? " +- " + expression_text(error) : ""));
+                      (error.is_zero() ? "" : " +- " + expression_text(error)));
     }
   }
 
@@ -122,13 +121,9 @@ void require_distinct_names(const Request& request) {
   for (const MotionParameter& q : request.motion.parameters) note(q.name, q.symbol);
 }
 
-/// Counts the constants that vary, and the control errors.
-std::size_t varying(const Request& request, const std::set<std::string>& uncertain) {
-  std::size_t count = uncertain.size();
-  for (std::size_t i = 0; i < request.model.pose.size(); ++i)
-    count += !request.motion.error.empty() && !request.motion.error[i].is_zero() &&
-             !uncertain.contains(request.model.pose[i].name);
-  return count;
+std::size_t control_errors(const Motion& motion) {
+  return std::size_t(
+      std::ranges::count_if(motion.error, [](const ex& error) { return !error.is_zero(); }));
 }
 
 /// Returns a certificate up to its proof.
@@ -167,13 +162,6 @@ std::set<std::string> uncertain_names(const ReportLabels& subject) {
   return names;
 }
 
-std::set<std::string> varying_names(const ReportLabels& subject) {
-  std::set<std::string> names = uncertain_names(subject);
-  for (const VariableLabel& v : subject.variables)
-    if (v.kind == VariableKind::kControl) names.insert(v.name.substr(0, v.name.rfind("_error")));
-  return names;
-}
-
 std::set<std::string> uncertain_names(const Request& request) {
   std::set<std::string> names;
   for (const GeometryParameter& g : request.model.geometry) {
@@ -187,7 +175,7 @@ std::set<std::string> uncertain_names(const Request& request) {
 
 format::ClaimedSet claimed_set(const Request& request, const std::set<std::string>& uncertain) {
   const GiNaC::matrix& matrix = request.model.matrix;
-  return {matrix.rows(), matrix.cols(), varying(request, uncertain),
+  return {matrix.rows(), matrix.cols(), uncertain.size() + control_errors(request.motion),
           expression_text(request.motion.alpha) != "0", !request.motion.reach.empty()};
 }
 

@@ -18,16 +18,11 @@ namespace regulus::inline certificate {
 /// Returns the constants of a robot that have a tolerance, or lie in a ball.
 [[nodiscard]] std::set<std::string> uncertain_names(const Request& request);
 
-/// Returns the constants of a robot that are variables of a search, and the pose parameters whose
-/// errors are.
-[[nodiscard]] std::set<std::string> varying_names(const ReportLabels& subject);
-
 /// Returns the set that a claim is about. `uncertain`: as for certified_question.
 [[nodiscard]] format::ClaimedSet claimed_set(const Request& request,
                                              const std::set<std::string>& uncertain);
 
-/// `uncertain`: the constants of the robot that vary; some of them may have a spread of 0. Of a pose
-/// parameter among them the error is a variable, even if it is 0; other errors are if they are not 0.
+/// `uncertain`: the constants of the robot that vary; some of them may have a spread of 0.
 ///
 /// Ensures   the same bytes for the same model file and options, in every process.
 /// Throws UsageError if the model's names do not fit into a certificate because two things have

@@ -41,7 +41,6 @@ struct Stated {
   std::vector<StatedRange> ranges;            ///< in their order, which is that of the variables
   std::map<std::string, std::string> spread;  ///< of each constant of the robot that varies
   std::map<std::string, std::string> errors;  ///< of each pose parameter
-  std::set<std::string> zero_errors;          ///< pose parameters whose error is a variable, and 0
   bool is_without_threshold;                  ///< forces and quantities
 
   explicit Stated(const CertificateHead& certificate)
@@ -57,9 +56,8 @@ struct Stated {
       if (const auto text = value_of(line, "uncertain"); !text.empty())
         spread[parted(text, " = ").first] = parted(text, " +- ").second;
       if (const auto text = value_of(line, "pose"); !text.empty()) {
-        const std::string error = parted(text, " +- ").second, name = parted(text, " = ").first;
-        errors[name] = error.empty() ? "0" : error;
-        if (error == "0") zero_errors.insert(name);
+        const std::string error = parted(text, " +- ").second;
+        errors[parted(text, " = ").first] = error.empty() ? "0" : error;
       }
     }
   }
@@ -89,7 +87,7 @@ class CertificateOverrides {
   [[nodiscard]] const ModelOptions& options() const { return options_; }
   /// Returns the question's lines from `model` on.
   [[nodiscard]] std::string question(const CertificateHead& certificate) const {
-    std::set<std::string> uncertain = stated_.zero_errors;
+    std::set<std::string> uncertain;
     for (const GeometryParameter& g : request_.model.geometry)
       if (stated_.spread.contains(g.name) || !spread_of(request_.model, g).is_zero())
         uncertain.insert(g.name);

@@ -28,7 +28,7 @@ void with_file(Action action) {
 
 MarginCertificates::MarginCertificates(std::string path, const MarginRequest& request,
                                        const ReportLabels& subject)
-    : path_(std::move(path)), request_(request), uncertain_(varying_names(subject)) {
+    : path_(std::move(path)), request_(request), uncertain_(uncertain_names(subject)) {
   if (!wanted()) return;
   // Checked before the first search, which may take long.
   for (const char* ending : {kSafe, kSingular})

@@ -89,30 +89,6 @@ TEST_F(MarginCertificate, ProvesBothEndsOfAScale) {
   expect_both_ends({"small", "--scale", "0:2"}, "range x ");
 }
 
-/// At 0 the error is still a variable of the witness.
-TEST_F(MarginCertificate, ProvesThatNoErrorIsSafe) {
-  write_file(model_, R"(regulus = 1
-name = "line"
-[pose]
-x = "m"
-y = "m"
-[matrix]
-rows = [["x", "0"], ["0", "y + 3"]]
-[motion.through]
-x = [-1, 1]
-y = [1, 2]
-[motion.beside]
-x = [1, 2]
-y = [1, 2]
-)");
-  for (const char* tube : {"x=0:1", "x,y=0:1"}) {
-    EXPECT_EQ(margin({"through", "--tube", tube, "--quiet"}).output, "NOT SAFE AT 0\n");
-    EXPECT_EQ(verified("singular")["outcome"], "verified") << verified("singular");
-  }
-  EXPECT_THAT(margin({"beside", "--tube", "x=0:3", "--quiet"}).output, HasSubstr("NOT AT"));
-  for (const char* end : {"safe", "singular"}) EXPECT_EQ(verified(end)["outcome"], "verified");
-}
-
 TEST_F(MarginCertificate, ProvesBothEndsBetweenConstraints) {
   expect_both_ends({"half", "--tolerance", "a=0:0.9"}, "tolerance a ");
 }

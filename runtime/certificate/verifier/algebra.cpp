@@ -73,7 +73,7 @@ Polynomial Algebra::compute(const Node& node) {
     case Op::kMultiply:
       return node.a == node.b ? power(a(), 2) : product(a(), b());
     case Op::kDivide:
-      return product(a(), inverse(b()));
+      return product(a(), inverse_of(node.b));
     case Op::kPower:
       return power(a(), node.b);
     case Op::kAtan2:
@@ -111,6 +111,17 @@ Polynomial Algebra::power(const Polynomial& x, int exponent) {
   Polynomial result = x;
   for (int i = 1; i < exponent; ++i) result = product(result, x);
   return result;
+}
+
+/// A product and a power are inverted factor by factor, so that 1/d² and (1/d)² have one form.
+Polynomial Algebra::inverse_of(NodeId divisor) {
+  const Node node = graph_.nodes()[std::size_t(divisor)];
+  const bool is_whole = std::find(whole_.begin(), whole_.end(), divisor) != whole_.end();
+  if (form_ == Form::kFull && !is_whole && !known_.at(divisor).is_zero()) {
+    if (node.op == Op::kPower) return power(inverse_of(node.a), node.b);
+    if (node.op == Op::kMultiply) return product(inverse_of(node.a), inverse_of(node.b));
+  }
+  return inverse(known_.at(divisor));
 }
 
 /// Inverts c·∏ atoms directly; other divisors, without their content, become atoms.

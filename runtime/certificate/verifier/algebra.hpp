@@ -87,6 +87,7 @@ class Algebra {
   [[nodiscard]] Polynomial sum(const Polynomial& x, const Polynomial& y, long factor);
   [[nodiscard]] Polynomial power(const Polynomial& x, int exponent);
   [[nodiscard]] Polynomial inverse(const Polynomial& x);
+  [[nodiscard]] Polynomial inverse_of(NodeId divisor);
   [[nodiscard]] Polynomial root(const Polynomial& x);
   [[nodiscard]] Polynomial root_of_rational(const Rational& x);
   [[nodiscard]] Polynomial root_of_integer(const fmpz_t x);

@@ -125,14 +125,25 @@ std::string Definedness::even_key(const char* kind, NodeId operand) {
   return kind + std::min(p->key(), p->scaled(Rational(-1)).key());
 }
 
+/// A power, a root or a product is not 0 exactly if its operands are not; a divisor has a condition of
+/// its own.
 void Definedness::add_factors(NodeId operand, Keys& keys) {
-  if (const Polynomial* p = polynomial(operand))
+  const Node node = q_.graph.nodes()[std::size_t(operand)];
+  const bool is_of_operands = node.op == Op::kPower || node.op == Op::kSqrt ||
+                              node.op == Op::kAbs || node.op == Op::kNegate ||
+                              node.op == Op::kMultiply || node.op == Op::kDivide;
+  if (is_of_operands) {
+    add_factors(node.a, keys);
+    if (node.op == Op::kMultiply) add_factors(node.b, keys);
+  } else if (form_.is_nonzero(operand)) {
+    return;
+  } else if (const Polynomial* p = polynomial(operand)) {
     add_factors(*p, keys);
-  else
+  } else {
     keys.insert("nonzero node " + std::to_string(operand));
+  }
 }
 
-/// A product is not 0 if no factor is; a divisor of it has a condition of its own.
 void Definedness::add_factors(const Polynomial& p, Keys& keys) {
   if (p.is_zero() || p.terms().size() > 1) {
     keys.insert("nonzero " + (p.is_zero() ? "0" : normalized(p, true).key()));

@@ -181,17 +181,6 @@ struct Arc {
   [[nodiscard]] Rational dot() const { return from_x * to_x + from_y * to_y; }
 };
 
-/// Returns the angle of a vector with ordinate y ≠ 0, from −pi to pi, by an arc tangent: exact algebra
-/// knows its sine and cosine.
-NodeId angle_of(Graph& graph, const Rational& y, const Rational& x) {
-  const NodeId half_turn =
-      graph.add(Op::kMultiply, graph.number(Rational(y.sign()) / Rational(x.is_zero() ? 2 : 1)),
-                graph.add(Op::kPi));
-  if (x.is_zero()) return half_turn;
-  const NodeId angle = graph.add(Op::kAtan, graph.number(y / x));
-  return x.sign() > 0 ? angle : graph.add(Op::kAdd, angle, half_turn);
-}
-
 /// Returns the angle of the arc: from 0 to 2·pi, or from −2·pi to 0 if it is clockwise, and not 0.
 NodeId turn_of(Graph& graph, const Arc& arc, bool is_clockwise) {
   const Rational cross = arc.cross(), dot = arc.dot();

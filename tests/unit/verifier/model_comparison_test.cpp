@@ -129,6 +129,16 @@ TEST(AnExpression, IsTheSameHoweverItIsWritten) {
   }
 }
 
+/// Also below a root, where a quotient has a form of its own.
+TEST(AnExpression, IsTheSameWithAPowerOfAQuotientOrAQuotientOfPowers) {
+  Pair p;
+  p.entry = "c + sqrt((1/(x^2 + x + 2))^2*(x + 1) + 1)";
+  p.stated_entry = "x + 3 + u + sqrt(1 + (x + 1)/(x^2 + x + 2)^2)";
+  EXPECT_EQ(compare(p).outcome, Outcome::kVerified) << compare(p).reason;
+  p.stated_entry = "x + 3 + u + sqrt(1 + (x + 1)/(x^2 + x + 2)^3)";
+  EXPECT_EQ(compare(p).outcome, Outcome::kRejected) << compare(p).reason;
+}
+
 TEST(WhatAnOptionHasSet, IsListedAndNotRefused) {
   Pair p;
   p.stated_x = "0 : 2";
