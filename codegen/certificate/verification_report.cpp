@@ -38,7 +38,6 @@ nlohmann::ordered_json json_verification(const VerificationRequest& request,
   if (!request.model.empty()) report["model_file"] = request.model;
   report["differences"] = verified.differences;
   report["numbers_compared"] = v.numbers;
-  report["uncompared"] = v.uncompared;
   return report;
 }
 

@@ -275,7 +275,8 @@ class LegWriter {
     const Formula root = leg_.axis.across ? Formula(1) : sqrt(N);
     const Formula s = let("s_", times(parameter, root));
     d_ = let("d", minus(e_, times(parameter, n)));
-    write_slider_rows(n, root / w_);
+    // The rail's direction enters the force of a joint that turns, and its power, alike.
+    write_slider_rows(n, (leg_.actuated == 1 ? root : Formula(1)) / w_);
     if (!leg_.range) return;
     if (leg_.actuated == 1) {
       write_length_range(s, false);

@@ -36,6 +36,10 @@ const Polynomial& Algebra::of(NodeId id) {
   // Operands come first, so the recursion is not as deep as the expression.
   for (const NodeId part : ingredients(graph_, {id})) {
     if (known_.contains(part)) continue;
+    if (const auto own = std::find(whole_.begin(), whole_.end(), part); own != whole_.end()) {
+      known_.emplace(part, variable(-1 - int(own - whole_.begin())));
+      continue;
+    }
     const Node node = graph_.nodes()[std::size_t(part)];
     if (node.op == Op::kVariable && std::size_t(node.a) < values_.size() &&
         values_[std::size_t(node.a)] != kNoNode) {
@@ -59,8 +63,7 @@ Polynomial Algebra::compute(const Node& node) {
     case Op::kPi:
       return Polynomial::atom(number_of({Atom::Kind::kPi, Op::kPi, 0, {}, {}}, "pi"));
     case Op::kVariable:
-      return Polynomial::atom(number_of({Atom::Kind::kVariable, Op::kVariable, node.a, {}, {}},
-                                        key_of({"v", std::to_string(node.a)})));
+      return variable(node.a);
     case Op::kNegate:
       return a().scaled(Rational(-1));
     case Op::kAdd:
@@ -70,7 +73,7 @@ Polynomial Algebra::compute(const Node& node) {
     case Op::kMultiply:
       return node.a == node.b ? power(a(), 2) : product(a(), b());
     case Op::kDivide:
-      return product(a(), inverse(b()));
+      return product(a(), inverse_of(node.b));
     case Op::kPower:
       return power(a(), node.b);
     case Op::kAtan2:
@@ -78,6 +81,11 @@ Polynomial Algebra::compute(const Node& node) {
     default:
       return function(node.op, a());
   }
+}
+
+Polynomial Algebra::variable(int number) {
+  return Polynomial::atom(number_of({Atom::Kind::kVariable, Op::kVariable, number, {}, {}},
+                                    key_of({"v", std::to_string(number)})));
 }
 
 Polynomial Algebra::sum(const Polynomial& x, const Polynomial& y, long factor) {
@@ -103,6 +111,17 @@ Polynomial Algebra::power(const Polynomial& x, int exponent) {
   Polynomial result = x;
   for (int i = 1; i < exponent; ++i) result = product(result, x);
   return result;
+}
+
+/// A product and a power are inverted factor by factor, so that 1/d² and (1/d)² have one form.
+Polynomial Algebra::inverse_of(NodeId divisor) {
+  const Node node = graph_.nodes()[std::size_t(divisor)];
+  const bool is_whole = std::find(whole_.begin(), whole_.end(), divisor) != whole_.end();
+  if (form_ == Form::kFull && !is_whole && !known_.at(divisor).is_zero()) {
+    if (node.op == Op::kPower) return power(inverse_of(node.a), node.b);
+    if (node.op == Op::kMultiply) return product(inverse_of(node.a), inverse_of(node.b));
+  }
+  return inverse(known_.at(divisor));
 }
 
 /// Inverts c·∏ atoms directly; other divisors, without their content, become atoms.
@@ -185,24 +204,36 @@ Polynomial Algebra::reduced(const Polynomial& p) {
   return result;
 }
 
-/// Multiplies by each divisor as often as it occurs. The last divisor comes first, because the
-/// divisors in a divisor are earlier atoms.
-bool Algebra::vanishes(Polynomial p) {
+/// The last divisor comes first, because the divisors in a divisor are earlier atoms.
+Polynomial Algebra::cleared(Polynomial p) {
   for (int number = int(atoms_.size()); !p.is_zero() && number-- > 0;) {
     int most = 0;
     for (const auto& [powers, factor] : p.terms())
       for (const auto& [other, exponent] : powers)
         if (other == number) most = std::max(most, -exponent);
     if (most == 0) continue;
-    Polynomial cleared;
+    Polynomial whole;
     for (const auto& [powers, factor] : p.terms()) {
       Polynomial term;
       term.add(multiply(powers, {{number, most}}), factor);
-      cleared.add(reduced(term));
+      whole.add(reduced(term));
     }
-    p = std::move(cleared);
+    p = std::move(whole);
   }
-  return p.is_zero();
+  return p;
+}
+
+bool Algebra::is_constant(const PowerProduct& powers) const {
+  return std::all_of(powers.begin(), powers.end(), [this](const auto& factor) {
+    const Atom& atom = atoms_[std::size_t(factor.first)];
+    if (atom.kind == Atom::Kind::kVariable) return false;
+    return is_constant(atom.argument) && is_constant(atom.second);
+  });
+}
+
+bool Algebra::is_constant(const Polynomial& p) const {
+  return std::all_of(p.terms().begin(), p.terms().end(),
+                     [this](const auto& term) { return is_constant(term.first); });
 }
 
 /// Computes the minors of the first rows, by the set of their columns.
@@ -250,7 +281,7 @@ NodeId Algebra::expression_of_atom(int number) {
   const Atom atom = atoms_[std::size_t(number)];
   switch (atom.kind) {
     case Atom::Kind::kVariable:
-      return graph_.add(Op::kVariable, atom.number);
+      return atom.number < 0 ? -1 - atom.number : graph_.add(Op::kVariable, atom.number);
     case Atom::Kind::kPi:
       return graph_.add(Op::kPi);
     case Atom::Kind::kPower:

@@ -42,14 +42,22 @@ class Algebra {
 
   [[nodiscard]] Form form() const noexcept { return form_; }
 
+  /// Takes these expressions for variables of their own: what is then equal is equal whatever they are.
+  /// Call it before `of`, or not at all.
+  void keep_whole(const std::vector<NodeId>& expressions) { whole_ = expressions; }
+
   /// Ensures   the result has the value of the expression wherever all its operations are defined.
   ///           Throws TooLarge, also for a division by an expression that is 0 identically.
   [[nodiscard]] const Polynomial& of(NodeId id);
 
   [[nodiscard]] Polynomial product(const Polynomial& x, const Polynomial& y);
 
+  /// Returns p multiplied by each atom with a negative exponent as often as it occurs.
+  ///
+  /// Ensures   where the atoms have values and divisors are not 0, the result is 0 exactly where p is.
+  [[nodiscard]] Polynomial cleared(Polynomial p);
   /// Ensures   true only if p is 0 wherever its atoms have values and its divisors are not 0.
-  [[nodiscard]] bool vanishes(Polynomial p);
+  [[nodiscard]] bool vanishes(const Polynomial& p) { return cleared(p).is_zero(); }
 
   /// Returns p with √f·√g in place of √h, and log f + log g in place of log h, if h = f·g and all
   /// three have been met.
@@ -69,16 +77,23 @@ class Algebra {
   /// has one unit for all of `roots`. Call it before `of`, or not at all.
   void find_units(const std::vector<NodeId>& roots);
 
+  /// Ensures   true only if no atom of p depends on a variable.
+  [[nodiscard]] bool is_constant(const PowerProduct& powers) const;
+  [[nodiscard]] bool is_constant(const Polynomial& p) const;
+
  private:
   [[nodiscard]] Polynomial compute(const Node& node);
+  [[nodiscard]] Polynomial variable(int number);
   [[nodiscard]] Polynomial sum(const Polynomial& x, const Polynomial& y, long factor);
   [[nodiscard]] Polynomial power(const Polynomial& x, int exponent);
   [[nodiscard]] Polynomial inverse(const Polynomial& x);
+  [[nodiscard]] Polynomial inverse_of(NodeId divisor);
   [[nodiscard]] Polynomial root(const Polynomial& x);
   [[nodiscard]] Polynomial root_of_rational(const Rational& x);
   [[nodiscard]] Polynomial root_of_integer(const fmpz_t x);
   [[nodiscard]] Polynomial magnitude(const Polynomial& x);
   [[nodiscard]] Polynomial exponential(const Polynomial& x);
+  [[nodiscard]] Polynomial odd_function(Op op, const Polynomial& x);
   [[nodiscard]] Polynomial function(Op op, const Polynomial& x);
   [[nodiscard]] Polynomial angle_of_two(const Polynomial& y, const Polynomial& x);
 
@@ -108,6 +123,7 @@ class Algebra {
   std::vector<Atom> atoms_;
   std::map<std::string, int> numbers_;
   std::map<NodeId, Polynomial> known_;
+  std::vector<NodeId> whole_;
   std::map<PowerProduct, Rational> units_;  ///< the denominators of the units of angles
   bool finding_ = false;
 };

@@ -170,6 +170,12 @@ Polynomial Algebra::exponential(const Polynomial& x) {
   return result;
 }
 
+/// Uses f(−x) = −f(x).
+Polynomial Algebra::odd_function(Op op, const Polynomial& x) {
+  const auto [sign, positive] = with_sign(x);
+  return Polynomial::atom(atom_of(op, positive)).scaled(Rational(sign));
+}
+
 Polynomial Algebra::function(Op op, const Polynomial& x) {
   const bool is_full = form_ == Form::kFull;
   switch (op) {
@@ -201,7 +207,7 @@ Polynomial Algebra::function(Op op, const Polynomial& x) {
         angle.add(function(Op::kAsin, x).scaled(Rational(-1)));
         return angle;
       }
-      break;
+      return odd_function(op, x);
     case Op::kLog:
       if (x == Polynomial(1)) return {};
       break;

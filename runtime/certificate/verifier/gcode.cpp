@@ -319,7 +319,7 @@ NodeId turn_of(Graph& graph, const Arc& arc, bool is_clockwise) {
   };
   const long way = is_clockwise ? -1 : 1;
   if (cross.sign() == 0) return times_pi(dot.sign() > 0 ? 2 * way : way);
-  const NodeId angle = graph.add(Op::kAtan2, graph.number(cross), graph.number(dot));
+  const NodeId angle = angle_of(graph, cross, dot);
   return cross.sign() == way ? angle : graph.add(Op::kAdd, angle, times_pi(2 * way));
 }
 

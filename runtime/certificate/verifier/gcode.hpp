@@ -23,6 +23,10 @@ struct ProgramMove {
 /// the line, for every word that is not known to have no effect on the path.
 [[nodiscard]] std::vector<ProgramMove> read_program(std::string_view text);
 
+/// Returns the angle of a vector with ordinate y ≠ 0, from −pi to pi, by an arc tangent: exact algebra
+/// knows its sine and cosine.
+[[nodiscard]] NodeId angle_of(Graph& graph, const Rational& y, const Rational& x);
+
 /// Returns a coordinate in mm as an expression of the variable 0, which goes from 0 to 1. If the ends
 /// of an arc are not equally far from its centre, the difference is added linearly.
 [[nodiscard]] NodeId place_on_move(Graph& graph, const ProgramMove& move, std::size_t axis);

@@ -51,7 +51,7 @@ class LoadComparison {
   /// What the file leaves out is 0.
   bool compare_set(const VectorSetLines& set, const PartNames& names) {
     const std::string table = std::string(names.table) + '.' + set.name;
-    if (!first_in(table)) return false;
+    if (set.name.find_first_of(".[") != std::string::npos || !first_in(table)) return false;
     set_ = &set;
     std::vector<std::size_t> all;
     for (std::size_t j = 0; j < q_.columns; ++j) all.push_back(j);
@@ -113,23 +113,46 @@ class LoadComparison {
     const bool is_list = values_.contains(force + "[0][0]");
     for (std::size_t i = 0; i < q_.rows; ++i) {
       const std::string place = is_list ? force + at(i) : force;
+      if (!values_.contains(place + "[0]")) comparer_.refuse("least " + std::to_string(i));
+      if (!values_.contains(place + "[1]")) comparer_.refuse("largest " + std::to_string(i));
       compare(place + "[0]", "least " + std::to_string(i));
       compare(place + "[1]", "largest " + std::to_string(i));
     }
   }
 
-  /// Returns the columns whose names begin with a letter; empty if they are not known here.
+  /// Returns the columns of velocities ('v') or of angular velocities ('w'); empty if they are not
+  /// known here.
   [[nodiscard]] std::vector<std::size_t> columns_of(char letter) const {
     std::vector<std::size_t> columns;
-    for (std::size_t j = 0; j < q_.columns; ++j) {
-      const auto named = values_.find("matrix.twist" + at(j));
-      if (named != values_.end() && named->second.text.starts_with(letter)) columns.push_back(j);
-      const bool is_platform =
-          q_.columns == 6 && (values_.contains("gough.base[0][0]") ||
-                              values_.lower_bound("legs.") != values_.lower_bound("legs/"));
-      if (named == values_.end() && is_platform && (j < 3) == (letter == 'v')) columns.push_back(j);
-    }
+    for (std::size_t j = 0; j < q_.columns; ++j)
+      if (kind_of_column(j) == letter) columns.push_back(j);
     return columns;
+  }
+
+  /// By its name; of a platform by its place; or by the unit of its pose parameter.
+  [[nodiscard]] char kind_of_column(std::size_t j) const {
+    if (const auto named = values_.find("matrix.twist" + at(j)); named != values_.end())
+      return named->second.text.empty() ? ' ' : named->second.text.front();
+    if (comparer_.section != nullptr && q_.columns == 6) return j < 3 ? 'v' : 'w';
+    const std::vector<std::string> units = units_of_pose();
+    if (units.size() != q_.columns) return ' ';
+    const std::string& unit = units[j];
+    return unit == "rad" || unit == "deg" || unit == "°" ? 'w' : 'v';
+  }
+
+  /// Returns the units of the pose parameters, in their order.
+  [[nodiscard]] std::vector<std::string> units_of_pose() const {
+    std::vector<std::string> units;
+    if (comparer_.section != nullptr) {
+      for (const SectionPose& pose : comparer_.section->pose()) units.push_back(pose.unit);
+      return units;
+    }
+    std::map<std::size_t, std::string> by_place;
+    for (auto pose = values_.lower_bound("pose.");
+         pose != values_.end() && pose->first.starts_with("pose."); ++pose)
+      by_place.emplace(pose->second.number, pose->second.text);
+    for (const auto& [number, unit] : by_place) units.push_back(unit);
+    return units;
   }
 
   void compare_part(const std::string& part, const std::vector<std::size_t>& columns) {

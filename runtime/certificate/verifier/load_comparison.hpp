@@ -7,6 +7,7 @@
 
 #include "runtime/certificate/verifier/model_file.hpp"
 #include "runtime/certificate/verifier/question.hpp"
+#include "runtime/certificate/verifier/section_reading.hpp"
 
 namespace regulus::verifier {
 
@@ -23,6 +24,8 @@ struct LoadComparer {
   std::function<void(const std::string& stated)> refuse;
   /// Returns true if the stated value has been compared or noted.
   std::function<bool(const std::string& stated)> is_compared;
+  /// The section that describes the robot; may be null.
+  const SectionReading* section = nullptr;
 };
 
 /// Compares every value of [actuators] force and of [load.NAME]. For a range it adds its ends,

@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
-// Decides if a question is that of a model file. The verifier's own reader reads every value and
+// Decides if a question is that of a model file. The verifier's own readers read every value and
 // every expression of the file; each is compared with the value that the certificate states for it.
 #pragma once
 
+#include "runtime/certificate/verifier/model_file.hpp"
 #include "runtime/certificate/verifier/question.hpp"
 #include "runtime/certificate/verifier/verify.hpp"
 
@@ -14,11 +15,12 @@ class OtherModel : public Rejection {
   using Rejection::Rejection;
 };
 
-/// Counts in `result` the compared values; lists the values that options may have changed, and
-/// those that could not be compared. `compared`: keys of Question::stated that are compared elsewhere.
-/// Throws OtherModel for any other difference, with both texts
-/// and their lines; Unfinished if the file cannot be read.
-void compare_with_model(Question& question, const Options& options, Verification& result,
-                        const std::vector<std::string>& compared = {});
+/// Compares all that the question states with all that the file says about this robot and this
+/// motion. Counts in `result` the compared values, and lists those that options may have changed.
+/// `compared`: keys of Question::stated that are compared elsewhere.
+/// Throws OtherModel for any other difference, with both texts and their lines; Unfinished if a value
+/// of the file or a line of the certificate could not be compared.
+void compare_with_model(Question& question, const WrittenValues& values, const Options& options,
+                        Verification& result, const std::vector<std::string>& compared = {});
 
 }  // namespace regulus::verifier

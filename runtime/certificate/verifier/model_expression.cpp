@@ -10,6 +10,8 @@
 namespace regulus::verifier {
 namespace {
 
+constexpr int kMostRoots = 13;
+
 class ModelParser final : InfixReader {
  public:
   ModelParser(std::string_view text, const NameMeaning& meaning, Graph& graph, int& depth,
@@ -44,20 +46,22 @@ class ModelParser final : InfixReader {
     return take('^') ? raised(base, factor()) : base;
   }
 
-  /// Uses multiplication and roots for whole and half exponents, exp and log for others.
+  /// Uses multiplication and roots of roots if the denominator is a power of two, exp and log for
+  /// other exponents.
   NodeId raised(NodeId base, NodeId exponent) {
     const auto value = exact_value(graph_, exponent);
-    const Rational twice = value ? *value * Rational(2) : Rational();
-    if (!value || !twice.is_integer() ||
-        fmpz_cmpabs(fmpq_numref(twice.get()), fmpq_numref(Rational(format::kMostPower).get())) > 0)
+    Rational times = value ? *value : Rational();
+    int roots = 0;
+    for (; !times.is_integer() && roots < kMostRoots; ++roots) times = times * Rational(2);
+    if (!value || !times.is_integer() ||
+        fmpz_cmpabs(fmpq_numref(times.get()), fmpq_numref(Rational(format::kMostPower).get())) > 0)
       return graph_.add(Op::kExp, graph_.add(Op::kMultiply, exponent, graph_.add(Op::kLog, base)));
-    const long halves = fmpz_get_si(fmpq_numref(twice.get()));
-    if (halves == 0) return graph_.number("1");
-    const bool is_whole = halves % 2 == 0;
-    const long times = std::labs(is_whole ? halves / 2 : halves);
-    NodeId result = is_whole ? base : graph_.add(Op::kSqrt, base);
-    if (times > 1) result = graph_.add(Op::kPower, result, int(times));
-    return halves < 0 ? graph_.add(Op::kDivide, graph_.number("1"), result) : result;
+    const long power = fmpz_get_si(fmpq_numref(times.get()));
+    if (power == 0) return graph_.number("1");
+    NodeId result = base;
+    for (int i = 0; i < roots; ++i) result = graph_.add(Op::kSqrt, result);
+    if (std::labs(power) > 1) result = graph_.add(Op::kPower, result, int(std::labs(power)));
+    return power < 0 ? graph_.add(Op::kDivide, graph_.number("1"), result) : result;
   }
 
   NodeId primary() {

@@ -61,7 +61,8 @@ class TomlScanner {
       if (!result.empty()) result += '.';
       if (at_ < text_.size() && (text_[at_] == '"' || text_[at_] == '\'')) {
         const std::string name = string();
-        if (name.find('.') != std::string::npos) fail("a name without dots");
+        if (name.find_first_of(".[]") != std::string::npos)
+          fail("a name without dots and brackets");
         result += name;
         continue;
       }
@@ -118,6 +119,7 @@ class TomlScanner {
       result.text = text_.substr(begin, at_ - begin);
     }
     if (values_.size() == kMostValues) fail("fewer values");
+    result.number = values_.size();
     if (!values_.emplace(place, std::move(result)).second) fail("a name that is not used yet");
   }
 
@@ -126,6 +128,7 @@ class TomlScanner {
     const std::string three(3, quote);
     const bool is_long = text_.substr(at_, 3) == three;
     at_ += is_long ? 3 : 1;
+    if (is_long && text_.substr(at_, 2) == "\r\n") ++at_;
     if (is_long && at_ < text_.size() && text_[at_] == '\n') ++at_, ++line_;
     std::string result;
     for (;;) {
@@ -151,6 +154,8 @@ class TomlScanner {
     constexpr std::string_view kNames = "btnfr\"\\", kMeanings = "\b\t\n\f\r\"\\";
     if (const std::size_t known = kNames.find(c); known != std::string_view::npos) {
       result += kMeanings[known];
+    } else if (c == 'u' || c == 'U') {
+      append_code_point(code_point(c == 'u' ? 4 : 8), result);
     } else if (c == '\n' || c == ' ') {
       if (c == '\n') ++line_;
       while (at_ < text_.size() && (text_[at_] == ' ' || text_[at_] == '\t' || text_[at_] == '\n'))
@@ -158,6 +163,33 @@ class TomlScanner {
     } else {
       fail("a character instead of \\" + std::string(1, c));
     }
+  }
+
+  /// Reads that many hexadecimal digits.
+  unsigned long code_point(std::size_t digits) {
+    unsigned long value = 0;
+    for (std::size_t i = 0; i < digits; ++i) {
+      constexpr std::string_view kDigits = "0123456789abcdef";
+      const char c = at_ < text_.size() ? text_[at_] : ' ';
+      const std::size_t digit = kDigits.find('A' <= c && c <= 'F' ? char(c - 'A' + 'a') : c);
+      if (digit == std::string_view::npos) fail(std::to_string(digits) + " hexadecimal digits");
+      value = 16 * value + digit;
+      ++at_;
+    }
+    if (value > 0x10ffff || (0xd800 <= value && value < 0xe000)) fail("a character of Unicode");
+    return value;
+  }
+
+  /// Appends the character in UTF-8.
+  static void append_code_point(unsigned long value, std::string& result) {
+    if (value < 0x80) {
+      result += char(value);
+      return;
+    }
+    const int rest = value < 0x800 ? 1 : value < 0x10000 ? 2 : 3;
+    constexpr int kFirst[] = {0, 0xc0, 0xe0, 0xf0};
+    result += char(kFirst[rest] | int(value >> (6 * rest)));
+    for (int i = rest; i-- > 0;) result += char(0x80 | int((value >> (6 * i)) & 0x3f));
   }
 
   /// Skips spaces and comments; if `lines` is true, also the ends of lines.

@@ -16,6 +16,7 @@ struct WrittenValue {
   std::string text;      ///< a number as it is written; for a string, the text between its quotes
   std::size_t line = 0;  ///< from 1
   bool is_string = false;
+  std::size_t number = 0;  ///< in the order of the file
 };
 
 /// The values by their keys: "motion.work.x[0]" is the first element of x in [motion.work].

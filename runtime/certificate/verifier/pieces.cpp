@@ -4,6 +4,7 @@
 // piece is proved exactly as a certificate of its own.
 #include "runtime/certificate/verifier/pieces.hpp"
 
+#include <algorithm>
 #include <chrono>
 #include <optional>
 #include <sstream>
@@ -84,28 +85,32 @@ class PieceChecker {
     describe_bound(question, result_);
   }
 
+  /// Every piece is compared in full: a value of its own may stand in any line.
   void compare(Question& question, std::size_t k) {
     if (k == 0) begin_comparison(question);
-    if (waypoints_->obstacle().empty()) result_.numbers += waypoints_->compare(question, k);
+    const std::size_t poses = waypoints_->compare(question, k);
+    std::vector<std::string> compared = waypoints_->compared_keys(question);
+    for (const std::string& name : pieces_.names) compared.push_back("value " + name);
+    Verification of_piece;
+    compare_with_model(question, model_, options_, of_piece, compared);
+    result_.numbers += poses + (k == 0 ? of_piece.numbers : 0);
+    for (const std::string& difference : of_piece.differences)
+      if (std::ranges::find(result_.differences, difference) == result_.differences.end())
+        result_.differences.push_back(difference);
   }
 
-  void begin_comparison(Question& question) {
+  void begin_comparison(const Question& question) {
     model_ = read_model_values(options_.model_text);
     waypoints_.emplace(model_, question.motion, options_.model_name, options_.waypoints);
     const std::size_t count = pieces_.values.size();
-    std::vector<std::string> compared;
-    if (waypoints_->obstacle().empty()) {
-      if (waypoints_->pieces() != count)
-        throw OtherModel("the certificate is not about " + waypoints_->file() + ": it has " +
-                         std::to_string(count) + " pieces, the file " +
-                         std::to_string(waypoints_->pieces()));
-      compared = waypoints_->compared_keys(question);
-      for (const std::string& name : pieces_.names) compared.push_back("value " + name);
-    }
-    compare_with_model(question, options_, result_, compared);
-    if (!waypoints_->obstacle().empty())
-      result_.uncompared.push_back("the " + std::to_string(count) +
-                                   " lines 'piece' of the certificate: " + waypoints_->obstacle());
+    if (!waypoints_->is_named())
+      throw Unfinished("the certificate has " + std::to_string(count) +
+                       " pieces, and the motion names no file of way-points; name it by "
+                       "--waypoints");
+    if (waypoints_->pieces() != count)
+      throw OtherModel("the certificate is not about " + waypoints_->file() + ": it has " +
+                       std::to_string(count) + " pieces, the file " +
+                       std::to_string(waypoints_->pieces()));
   }
 
   [[nodiscard]] double seconds() const {

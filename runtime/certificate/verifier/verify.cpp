@@ -14,15 +14,17 @@
 namespace regulus::verifier {
 namespace {
 
-/// A trajectory has a singular pose on one of its pieces.
+/// A trajectory has a singular pose on one of its pieces; other claims are about all of them.
 void compare(Question& question, const Options& options, Verification& result) {
   const WrittenValues model = read_model_values(options.model_text);
   const WaypointComparison waypoints(model, question.motion, options.model_name, options.waypoints);
-  if (!waypoints.is_named()) return compare_with_model(question, options, result);
-  if (waypoints.obstacle().empty()) waypoints.require_some_piece(question);
-  compare_with_model(question, options, result,
-                     waypoints.obstacle().empty() ? waypoints.compared_keys(question)
-                                                  : std::vector<std::string>{});
+  if (!waypoints.is_named()) return compare_with_model(question, model, options, result);
+  if (!question.singular && waypoints.pieces() != 1)
+    throw OtherModel("the certificate is not about " + waypoints.file() +
+                     ": it is about one piece, and the file has " +
+                     std::to_string(waypoints.pieces()));
+  waypoints.require_some_piece(question);
+  compare_with_model(question, model, options, result, waypoints.compared_keys(question));
 }
 
 void check(Lines& lines, Question& question, const Options& options, Verification& result) {
@@ -107,7 +109,6 @@ std::string describe(const Verification& v) {
     line("numbers",
          std::to_string(v.numbers) + " values and expressions of the model file compared");
   for (const std::string& difference : v.differences) line("differs", difference);
-  for (const std::string& place : v.uncompared) line("uncompared", place);
   line("note", v.note);
   line("reason", v.reason);
   return text;

@@ -67,7 +67,6 @@ struct Verification {
   std::array<std::uint64_t, kPavedWords.size()> paved{};  ///< of a paving: its leaves by claim
   std::size_t numbers = 0;               ///< values of the model file that were compared
   std::vector<std::string> differences;  ///< those that options have set to other values
-  std::vector<std::string> uncompared;   ///< values and lines that could not be compared
   std::string note;                      ///< more information about a claim that was verified
 };
 

@@ -4,9 +4,11 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <optional>
 
 #include "runtime/certificate/verifier/algebra.hpp"
 #include "runtime/certificate/verifier/derivative.hpp"
+#include "runtime/certificate/verifier/equality.hpp"
 #include "runtime/certificate/verifier/evaluation.hpp"
 #include "runtime/certificate/verifier/input_file.hpp"
 #include "runtime/certificate/verifier/model_comparison.hpp"
@@ -16,10 +18,6 @@ namespace regulus::verifier {
 namespace {
 
 constexpr std::size_t kMostBytes = std::size_t{1} << 28;
-constexpr std::uint64_t kProducts = 1 << 14;
-/// Values of s at which two expressions are compared if algebra does not decide, and their bits.
-constexpr int kPlacesOnPiece = 16;
-constexpr long kBitsOnPiece = 2048;
 /// The slopes of a spline may differ by this part of the largest.
 constexpr double kSlopePrecision = 1e-9;
 
@@ -52,34 +50,17 @@ NodeId degree(Graph& graph) {
   return graph.add(Op::kDivide, graph.add(Op::kPi), whole(graph, 180));
 }
 
-/// True if their difference cannot be told from 0 at any of some values of s.
-bool is_equal_at_points(const Question& q, NodeId difference) {
-  for (int k = 0; k <= kPlacesOnPiece; ++k) {
-    const std::vector<Ball> s(std::max<std::size_t>(q.variables.size(), 1),
-                              Ball(point(double(k) / kPlacesOnPiece), kBitsOnPiece));
-    const auto value = evaluate(q.graph, {difference}, s, kBitsOnPiece);
-    if (!value || arb_contains_zero((*value)[0].get()) == 0) return false;
-  }
-  return true;
-}
-
-/// True if the expressions are equal for all values of the variables.
+/// True if the expressions are equal for all values of the variables. Throws Unfinished.
 bool is_equal(Question& q, NodeId a, NodeId b) {
-  if (a == b) return true;
-  const NodeId difference = q.graph.add(Op::kSubtract, a, b);
-  AlgebraBudget budget(kProducts);
-  const std::vector<NodeId> none;
-  Algebra algebra(q.graph, none, Algebra::Form::kFull, budget);
-  try {
-    return algebra.vanishes(algebra.of(difference));
-  } catch (const TooLarge&) {
-    throw Unfinished("a way-point has numbers that are too long to be compared");
+  switch (equality(q, a, b)) {
+    case Equality::kEqual:
+      return true;
+    case Equality::kDifferent:
+      return false;
+    case Equality::kUnknown:
+      break;
   }
-}
-
-/// The same for arcs, whose angles the certificate may write in another form.
-bool is_equal_arc(Question& q, NodeId a, NodeId b) {
-  return is_equal(q, a, b) || is_equal_at_points(q, q.graph.add(Op::kSubtract, a, b));
+  throw Unfinished("algebra does not decide if a piece is that of the way-points");
 }
 
 double approx(const Rational& x) { return fmpq_get_d(x.get()); }
@@ -131,8 +112,7 @@ WaypointComparison::WaypointComparison(const WrittenValues& model, const std::st
     interpolation_ = *written;
   if (const std::string* written = text_at(model, place + "waypoints"); file_.empty() && written)
     file_ = written->starts_with('/') ? *written : folder_of(model_name) + *written;
-  if (file_.empty()) obstacle_ = "the motion names no file of way-points";
-  if (!obstacle_.empty()) return;
+  if (file_.empty()) return;
   std::string text;
   try {
     text = read_text(file_, kMostBytes);
@@ -303,7 +283,7 @@ bool WaypointComparison::is_spline(Question& q, std::size_t piece,
 bool WaypointComparison::agrees(Question& q, std::size_t piece,
                                 const std::string& parameter) const {
   const NodeId stated = q.stated.at("pose " + parameter).node;
-  if (is_program_) return is_equal_arc(q, stated, place_of_program(q.graph, piece, parameter));
+  if (is_program_) return is_equal(q, stated, place_of_program(q.graph, piece, parameter));
   if (interpolation_ == "cubic") return is_spline(q, piece, parameter);
   return is_equal(q, stated, expected(q, piece, parameter));
 }
@@ -335,8 +315,13 @@ std::string WaypointComparison::other_parameter(Question& q, std::size_t piece) 
 }
 
 void WaypointComparison::require_some_piece(Question& q) const {
-  for (std::size_t k = 0; k < pieces(); ++k)
-    if (other_parameter(q, k).empty()) return static_cast<void>(compare(q, k));
+  std::optional<Unfinished> undecided;
+  for (std::size_t k = 0; k < pieces(); ++k) try {
+      if (other_parameter(q, k).empty()) return static_cast<void>(compare(q, k));
+    } catch (const Unfinished& why) {
+      undecided = why;
+    }
+  if (undecided) throw Unfinished(*undecided);
   throw OtherModel("the certificate is not about " + file_ +
                    (is_program_ ? ": its piece is none of the moves"
                                 : ": its piece is not the way between two lines"));

@@ -39,8 +39,6 @@ class WaypointComparison {
   /// False if nothing names a file: the motion is not along way-points.
   [[nodiscard]] bool is_named() const noexcept { return !file_.empty(); }
   [[nodiscard]] const std::string& file() const noexcept { return file_; }
-  /// Returns the reason why the pieces cannot be compared; empty: they can.
-  [[nodiscard]] const std::string& obstacle() const noexcept { return obstacle_; }
   [[nodiscard]] std::size_t pieces() const noexcept {
     return is_program_ ? moves_.size() : table_.rows.size() - 1;
   }
@@ -83,7 +81,7 @@ class WaypointComparison {
   void find_columns();
 
   const WrittenValues& model_;
-  std::string file_, interpolation_ = "linear", obstacle_;
+  std::string file_, interpolation_ = "linear";
   WaypointTable table_;
   bool is_program_ = false;
   std::vector<ProgramMove> moves_;  ///< of a program
