@@ -65,12 +65,12 @@ TEST(ACertificateBeyondTheLimitOfTheFormat, IsAnnouncedAsSuch) {
   Result result;
   result.verdict = Verdict::kNoSingularity;
   const auto report_of = [&](std::uint64_t length) {
-    write_file(CertificateWriter::partial_file(path), "");
-    std::filesystem::resize_file(CertificateWriter::partial_file(path), length);
-    CertificateFile file(path, preparation, CertificateWriter::Partial{length, 1});
+    write_file(ProofFile::partial_file(path), "");
+    std::filesystem::resize_file(ProofFile::partial_file(path), length);
+    CertificateFile file(path, preparation, ProofFile::Partial{length, 1});
     file.finish(result);
     nlohmann::ordered_json report;
-    file.add_to(report);
+    file.status().add_to(report);
     return std::pair(file.line(), report);
   };
   const std::uint64_t end = std::string("end 1\n").size();

@@ -37,7 +37,7 @@ inline Certified certify(PreparedSearch& preparation, const SearchOptions& searc
   Certified certified;
   certified.result = run_search(preparation, search, std::move(settings), file.observer());
   file.finish(certified.result);
-  if (file.written()) certified.text = contents(path);
+  if (file.status().is_written()) certified.text = contents(path);
   return certified;
 }
 
