@@ -190,7 +190,7 @@ TEST_F(BoundCertificateTest, IsRefusedForAnotherModel) {
   const std::vector<Change> changes{
       {"force", ".leg_1.safe", "force = [[-1, 1]]", "force = [[-2, 2]]", "load.any.force[0][0]"},
       {"force", ".leg_1.safe", "force = [[-1, 1]]", "force = [0]", "line "},
-      {"force", ".leg_1.safe", "force = [[-1, 1]]\n", "", "states '1'"},
+      {"force", ".leg_1.safe", "force = [[-1, 1]]\n", "", "states 'wrench-spread' '1'"},
       {"force", ".leg_1.safe", "[load.any]", "[load.some]", "it has no load 'any'"},
       {"speed", ".leg_1.singular", "velocity = [1]", "velocity = [2]", "twist.along.velocity[0]"},
       {"speed", ".leg_1.safe", "rotation = [[-1, 1]]", "rotation = [[-1, 2]]",
