@@ -9,6 +9,7 @@
 #include "codegen/model/read_file.hpp"
 #include "codegen/support/earlier_outputs.hpp"
 #include "codegen/support/errors.hpp"
+#include "codegen/support/write_file.hpp"
 #include "runtime/files/sha256.hpp"
 
 namespace regulus::inline command {
