@@ -5,7 +5,7 @@ namespace regulus::attack {
 namespace {
 
 /// Constraints, errors, a ball, a box, scales, roots, denominators and names in one small model.
-constexpr const char* kEverything = R"(regulus = 1
+constexpr const char* kEverything = R"toml(regulus = 1
 name = "everything"
 
 [pose]
@@ -45,10 +45,10 @@ y = "sin(2*pi*T)/2 + s"
 
 [motion.way]
 waypoints = "way.csv"
-)";
+)toml";
 
 /// A removable singularity, and a singular pose that a constraint would leave out.
-constexpr const char* kRemovable = R"(regulus = 1
+constexpr const char* kRemovable = R"toml(regulus = 1
 name = "removable"
 
 [pose]
@@ -62,10 +62,10 @@ rows = [["x/(x + c + 1)*(x + 2)", "x - 1/4"], ["x + 3", "2"]]
 
 [motion.m]
 x = [-1, 1]
-)";
+)toml";
 
 /// Forces, errors, speeds of a cart on three cables.
-constexpr const char* kCart = R"(regulus = 1
+constexpr const char* kCart = R"toml(regulus = 1
 name = "cart"
 characteristic_length = 2
 
@@ -92,10 +92,10 @@ stiffness = 100
 [motion.work]
 x = [1.5, 2.5]
 y = [0.8, 1.2]
-)";
+)toml";
 
 /// Bounds of every quantity.
-constexpr const char* kPair = R"(regulus = 1
+constexpr const char* kPair = R"toml(regulus = 1
 name = "pair"
 characteristic_length = 2
 
@@ -124,13 +124,13 @@ stiffness = 100
 [motion.work]
 x = [-1, 1]
 phi = [-0.1, 0.1]
-)";
+)toml";
 
 constexpr const char* kWay = "x,y\n0.1,0.2\n0.3,0.1\n0.2,-0.1\n";
 constexpr const char* kMoves =
     "G21 G90 G17\nG0 X100 Y0 Z1\nG1 X200 Y100 F100\nG2 X300 Y0 I0 J-100\n";
 
-constexpr const char* kTable = R"(regulus = 1
+constexpr const char* kTable = R"toml(regulus = 1
 name = "table"
 
 [pose]
@@ -143,7 +143,7 @@ rows = [["x + 900", "y + z"], ["y/7", "x + y + 1200"]]
 
 [motion.way]
 waypoints = "way.ngc"
-)";
+)toml";
 
 }  // namespace
 

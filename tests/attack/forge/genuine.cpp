@@ -9,6 +9,7 @@
 #include <sstream>
 
 #include "codegen/command/run_command_line.hpp"
+#include "codegen/support/exit_code.hpp"
 
 namespace regulus::attack {
 namespace {
@@ -42,14 +43,14 @@ class Silence {
   std::streambuf *output_, *errors_;
 };
 
-void run(const std::vector<std::string>& words) {
+int run(const std::vector<std::string>& words) {
   std::vector<const char*> arguments;
   for (const std::string& word : words) arguments.push_back(word.c_str());
   const Silence silence;
-  static_cast<void>(report_errors([&] {
+  return report_errors([&] {
     return run_command_line(
         parse_command_line(static_cast<int>(arguments.size()), arguments.data()), "");
-  }));
+  });
 }
 
 }  // namespace
@@ -60,8 +61,7 @@ std::string model_of(const Base& base) {
   return read(fs::path(REGULUS_SOURCE_DIR) / "models" / (text + ".toml"));
 }
 
-std::optional<std::string> certificate_of(const Base& base, const std::string& model,
-                                          const std::string& folder) {
+Answer answer_about(const Base& base, const std::string& model, const std::string& folder) {
   const fs::path proofs = fs::path(folder) / "proofs";
   fs::remove_all(proofs);
   fs::create_directories(proofs);
@@ -73,11 +73,12 @@ std::optional<std::string> certificate_of(const Base& base, const std::string& m
                              "--certificate", (proofs / "c").string()});
   if (base.words.front() == std::string("locate"))
     words.insert(words.end(), {"--output", (proofs.parent_path() / "boxes").string()});
-  run(words);
+  const int code = run(words);
+  if (code == kUsageError || code == kBadInput) return {true, std::nullopt};
   std::set<fs::path> written;
   for (const auto& file : fs::directory_iterator(proofs)) written.insert(file.path());
-  if (written.empty()) return std::nullopt;
-  return read(*written.begin());
+  if (written.empty()) return {};
+  return {false, read(*written.begin())};
 }
 
 verifier::Verification verify_about(const Base& base, const std::string& certificate,

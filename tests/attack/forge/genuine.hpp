@@ -13,10 +13,14 @@ namespace regulus::attack {
 /// Returns the text of the base's model file.
 [[nodiscard]] std::string model_of(const Base& base);
 
-/// Returns the first certificate that the base's command writes about this model text; nullopt if it
-/// writes none.
-[[nodiscard]] std::optional<std::string> certificate_of(const Base& base, const std::string& model,
-                                                        const std::string& folder);
+struct Answer {
+  bool is_refused = false;                 ///< the text is not a model, or has no such question
+  std::optional<std::string> certificate;  ///< the first that is written
+};
+
+/// Returns what the base's command answers about this model text.
+[[nodiscard]] Answer answer_about(const Base& base, const std::string& model,
+                                  const std::string& folder);
 
 /// Proves a certificate, and that it is about this model text.
 [[nodiscard]] verifier::Verification verify_about(const Base& base, const std::string& certificate,

@@ -31,6 +31,8 @@ struct Genuine {
 
 struct Counts {
   std::uint64_t rejected = 0, unfinished = 0, same = 0, forged = 0, broken = 0;
+  /// VERIFIED, where the command refuses the file: another part of it may be at fault.
+  std::uint64_t refused = 0;
 };
 
 /// A changed certificate or model, and what became of it.
@@ -68,24 +70,30 @@ class Run {
 
   /// Returns the exit code.
   int report() const {
-    std::cout << "base                 rejected unfinished  same  FORGED  BROKEN   genuine\n";
+    std::cout << "base                   rejected unfinished       same    refused     FORGED     "
+                 "BROKEN   "
+                 "genuine\n";
     nlohmann::ordered_json json;
     Counts all;
     for (const Genuine& g : genuine_) {
       const Counts c = count(g);
       print(g.base->name, c, verifier::name(g.answer.outcome));
-      json[g.base->name] = {
-          {"rejected", c.rejected}, {"unfinished", c.unfinished},
-          {"same", c.same},         {"forged", c.forged},
-          {"broken", c.broken},     {"genuine", verifier::name(g.answer.outcome)}};
+      json[g.base->name] = {{"rejected", c.rejected},
+                            {"unfinished", c.unfinished},
+                            {"same", c.same},
+                            {"forged", c.forged},
+                            {"broken", c.broken},
+                            {"refused", c.refused},
+                            {"genuine", verifier::name(g.answer.outcome)}};
       all.rejected += c.rejected, all.unfinished += c.unfinished, all.same += c.same;
-      all.forged += c.forged, all.broken += c.broken;
+      all.forged += c.forged, all.broken += c.broken, all.refused += c.refused;
     }
     print("all", all, "");
     for (const Genuine& g : genuine_)
       if (g.answer.outcome != verifier::Outcome::kVerified)
         std::cout << "genuine " << g.base->name << ": " << g.answer.reason << '\n';
-    for (const std::string& failure : failures_) std::cout << failure << '\n';
+    for (const auto* list : {&failures_, &refused_})
+      for (const std::string& line : *list) std::cout << line << '\n';
     if (!options_.json.empty()) std::ofstream(options_.json) << json.dump(2) << '\n';
     const bool all_verified = std::all_of(genuine_.begin(), genuine_.end(), [](const Genuine& g) {
       return g.answer.outcome == verifier::Outcome::kVerified;
@@ -108,7 +116,7 @@ class Run {
  private:
   void prepare(const Base& base) {
     const std::string model = model_of(base);
-    auto certificate = certificate_of(base, model, folder_.path());
+    const auto certificate = answer_about(base, model, folder_.path()).certificate;
     if (!certificate) throw std::runtime_error(std::string("no certificate of ") + base.name);
     // The search may have read another file of way-points: it is written again.
     genuine_.push_back({&base, model, *certificate, {}});
@@ -159,8 +167,13 @@ class Run {
     if (forgery.is_of_certificate) {
       why = difference(g.certificate, forgery.change.text);
     } else {
-      const auto other = certificate_of(*g.base, forgery.change.text, folder_.path());
-      why = other ? difference(g.certificate, *other) : "the command proves nothing of that file";
+      const Answer other = answer_about(*g.base, forgery.change.text, folder_.path());
+      if (other.is_refused) {
+        ++counts.refused;
+        return note(refused_, number, g, forgery, "the command refuses that file");
+      }
+      why = other.certificate ? difference(g.certificate, *other.certificate)
+                              : "the command proves nothing of that file";
     }
     if (why.empty()) {
       ++counts.same;
@@ -172,10 +185,15 @@ class Run {
 
   void fail(std::uint64_t number, const Genuine& g, const Forgery& forgery,
             const std::string& why) {
-    if (failures_.size() < options_.failures)
-      failures_.push_back("FORGED " + std::to_string(number) + ", " + g.base->name + ", " +
-                          (forgery.is_of_certificate ? "certificate " : "model ") +
-                          forgery.change.what + ": " + why);
+    note(failures_, number, g, forgery, "FORGED, " + why);
+  }
+
+  void note(std::vector<std::string>& list, std::uint64_t number, const Genuine& g,
+            const Forgery& forgery, const std::string& why) const {
+    if (list.size() < options_.failures)
+      list.push_back(std::to_string(number) + ", " + g.base->name + ", " +
+                     (forgery.is_of_certificate ? "certificate " : "model ") + forgery.change.what +
+                     ": " + why);
   }
 
   [[nodiscard]] Counts count(const Genuine& g) const {
@@ -184,11 +202,10 @@ class Run {
   }
 
   static void print(const std::string& name, const Counts& c, const char* genuine) {
-    std::printf("%-20s %8llu %10llu %5llu %7llu %7llu   %s\n", name.c_str(),
-                static_cast<unsigned long long>(c.rejected),
-                static_cast<unsigned long long>(c.unfinished),
-                static_cast<unsigned long long>(c.same), static_cast<unsigned long long>(c.forged),
-                static_cast<unsigned long long>(c.broken), genuine);
+    std::printf("%-20s", name.c_str());
+    for (const std::uint64_t n : {c.rejected, c.unfinished, c.same, c.refused, c.forged, c.broken})
+      std::printf(" %10llu", static_cast<unsigned long long>(n));
+    std::printf("   %s\n", genuine);
     std::fflush(stdout);
   }
 
@@ -196,7 +213,7 @@ class Run {
   const Folder folder_;
   std::vector<Genuine> genuine_;
   std::map<std::string, Counts> counts_;
-  std::vector<std::string> failures_;
+  std::vector<std::string> failures_, refused_;
 };
 
 }  // namespace
