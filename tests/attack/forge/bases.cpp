@@ -1,0 +1,193 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "tests/attack/forge/bases.hpp"
+
+namespace regulus::attack {
+namespace {
+
+/// Constraints, errors, a ball, a box, scales, roots, denominators and names in one small model.
+constexpr const char* kEverything = R"toml(regulus = 1
+name = "everything"
+
+[pose]
+x = "m"
+y = "m"
+
+[geometry]
+a = { value = [3, "1/7"], radius = 0.01, group = "anchor" }
+b = { value = 2, tolerance = 0.02, group = "anchor" }
+k = 5
+
+[let]
+d = "sqrt((x + a_1)^2 + (y + a_2)^2)"
+e = "x/(y + k) + d"
+
+[matrix]
+rows = [["x + b + 4", "y/(x + 3)"], ["e*y/100", "log(y + k) + d"]]
+row_scale = ["1/d", "1/(b + x^2)"]
+
+[motion.m]
+x = [-1, 1]
+y = ["-1/2", 0.5]
+constraints = ["x^2 + y^2 - 1", "x*y - 0.4"]
+alpha = 0.001
+error = { x = 0.01 }
+
+[motion.plain]
+x = [-1, 1]
+y = ["-1/2", 0.5]
+constraints = ["x^2 + y^2 - 1"]
+error = { y = 0.01 }
+
+[motion.path]
+parameters = { T = [0, 1], s = [0, 0.1] }
+x = "cos(2*pi*T)"
+y = "sin(2*pi*T)/2 + s"
+
+[motion.way]
+waypoints = "way.csv"
+)toml";
+
+/// A removable singularity, and a singular pose that a constraint would leave out.
+constexpr const char* kRemovable = R"toml(regulus = 1
+name = "removable"
+
+[pose]
+x = "m"
+
+[geometry]
+c = 1
+
+[matrix]
+rows = [["x/(x + c + 1)*(x + 2)", "x - 1/4"], ["x + 3", "2"]]
+
+[motion.m]
+x = [-1, 1]
+)toml";
+
+/// Forces, errors, speeds of a cart on three cables.
+constexpr const char* kCart = R"toml(regulus = 1
+name = "cart"
+characteristic_length = 2
+
+[pose]
+x = "m"
+y = "m"
+
+[matrix]
+rows = [["x", "y"], ["x - 4", "y"], ["x - 2", "y - 3"]]
+row_scale = ["1/sqrt(x^2 + y^2)", "1/sqrt((x - 4)^2 + y^2)", "1/sqrt((x - 2)^2 + (y - 3)^2)"]
+twist = ["v_x", "v_y"]
+
+[load.pull]
+force = { value = [0, -2], radius = 1 }
+
+[load.gust]
+force = [[-1, 1], [-3, -2]]
+
+[actuators]
+force = [1, 30]
+error = 0.01
+stiffness = 100
+
+[motion.work]
+x = [1.5, 2.5]
+y = [0.8, 1.2]
+)toml";
+
+/// Bounds of every quantity.
+constexpr const char* kPair = R"toml(regulus = 1
+name = "pair"
+characteristic_length = 2
+
+[pose]
+x = "m"
+phi = "rad"
+
+[matrix]
+rows = [["x + 3", "cos(phi)"], ["sin(phi)", "x + 5"]]
+row_scale = ["1/sqrt((x + 3)^2 + 1)", "1/(x + 5)"]
+twist = ["v_x", "w_z"]
+
+[load.gust]
+force = [[-1, 1]]
+moment = { value = [0], radius = 1 }
+
+[twist.turn]
+velocity = [[-1, 1]]
+rotation = [[-0.5, 0.5]]
+
+[actuators]
+force = [-10, 30]
+error = 0.01
+stiffness = 100
+
+[motion.work]
+x = [-1, 1]
+phi = [-0.1, 0.1]
+)toml";
+
+constexpr const char* kWay = "x,y\n0.1,0.2\n0.3,0.1\n0.2,-0.1\n";
+constexpr const char* kMoves =
+    "G21 G90 G17\nG0 X100 Y0 Z1\nG1 X200 Y100 F100\nG2 X300 Y0 I0 J-100\n";
+
+constexpr const char* kTable = R"toml(regulus = 1
+name = "table"
+
+[pose]
+x = "mm"
+y = "mm"
+z = "mm"
+
+[matrix]
+rows = [["x + 900", "y + z"], ["y/7", "x + y + 1200"]]
+
+[motion.way]
+waypoints = "way.ngc"
+)toml";
+
+}  // namespace
+
+const std::vector<Base>& bases() {
+  static const std::vector<Base> kBases = {
+      {"everything", kEverything, {"check", "m"}},
+      {"errors", kEverything, {"check", "plain"}},
+      {"path", kEverything, {"check", "path"}},
+      {"way", kEverything, {"check", "way"}, kWay, "way.csv"},
+      {"moves", kTable, {"check", "way"}, kMoves, "way.ngc"},
+      {"removable", kRemovable, {"check", "m"}},
+      {"feasible", kCart, {"check", "work", "--load", "pull"}},
+      {"paving", kCart, {"locate", "work", "--load", "gust"}},
+      {"force", kPair, {"bound", "work", "force", "--load", "gust", "--leg", "1", "--limit", "50"}},
+      {"speed", kPair, {"bound", "work", "speed", "--twist", "turn", "--leg", "1", "--limit", "9"}},
+      {"error", kPair, {"bound", "work", "error", "--freedom", "v_x", "--limit", "5"}},
+      {"sigma-min", kPair, {"bound", "work", "sigma-min", "--limit", "0.001"}},
+      {"sigma-max", kPair, {"bound", "work", "sigma-max", "--limit", "50"}},
+      {"condition", kPair, {"bound", "work", "condition", "--limit", "500"}},
+      {"condition-2", kPair, {"bound", "work", "condition", "--norm", "2", "--limit", "500"}},
+      {"deflection",
+       kPair,
+       {"bound", "work", "deflection", "--load", "gust", "--freedom", "w_z", "--limit", "8"}},
+      {"determinant", kPair, {"bound", "work", "determinant", "--limit", "0.001"}},
+      {"expression", kPair, {"bound", "work", "x*phi + phi^2/(x + 2)", "--limit", "5"}},
+      {"attained",
+       kPair,
+       {"bound", "work", "force", "--load", "gust", "--leg", "1", "--limit", "0.1"}},
+      {"gough", "robot_1", {"check", "table4_5", "--tolerance", "base,platform=0.01"}},
+      {"threshold", "robot_1", {"check", "table4_5", "--alpha", "1"}},
+      {"witness", "robot_1", {"check", "wide_40"}},
+      {"trajectory", "robot_1", {"check", "T1_errors"}},
+      {"octahedral", "octahedral", {"check", "work"}},
+      {"planar", "planar_3rpr", {"check", "regular", "--tolerance", "base=0.01"}},
+      {"planar legs", "planar_3rrr", {"check", "regular"}},
+      {"legs", "delta", {"check", "work"}},
+      {"cranks", "hexapod_6rus", {"check", "work"}},
+      {"arm", "puma_560_serial", {"check", "dexterous"}},
+      {"parallel axes", "three_parallel_axes", {"check", "table"}},
+      {"scara", "scara", {"check", "right_handed"}},
+      {"redundant arm", "seven_joints", {"check", "table"}},
+      {"cables", "cable_8", {"check", "work"}},
+  };
+  return kBases;
+}
+
+}  // namespace regulus::attack

@@ -1,0 +1,22 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// One change of a certificate or of a model file, at random.
+#pragma once
+
+#include <string>
+
+#include "tests/attack/oracle/random.hpp"
+
+namespace regulus::attack {
+
+struct Change {
+  std::string text;  ///< the whole file, changed
+  std::string what;  ///< "line 12: 'entry x' -> 'entry x + 1'"
+};
+
+/// Changes a line of the question of a certificate; its proof stays.
+[[nodiscard]] Change change_certificate(const std::string& certificate, Random& random);
+
+/// Changes a number, a name, a word or a line of a model file.
+[[nodiscard]] Change change_model(const std::string& model, Random& random);
+
+}  // namespace regulus::attack

@@ -1,0 +1,242 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Forges certificates: a genuine one is changed and its model kept, or the reverse. The verifier with
+// --model may call none of them VERIFIED, unless the change asks the same question (README.md).
+#include <unistd.h>
+
+#include <CLI/CLI.hpp>
+#include <filesystem>
+#include <fstream>
+#include <iostream>
+#include <map>
+#include <nlohmann/json.hpp>
+
+#include "tests/attack/forge/changes.hpp"
+#include "tests/attack/forge/genuine.hpp"
+#include "tests/attack/forge/same_question.hpp"
+
+namespace regulus::attack {
+namespace {
+
+struct Options {
+  std::uint64_t forgeries = 1000, seed = 1;
+  std::string only, json, show;
+  std::size_t failures = 20;
+};
+
+struct Genuine {
+  const Base* base;
+  std::string model, certificate;
+  verifier::Verification answer;
+};
+
+struct Counts {
+  std::uint64_t rejected = 0, unfinished = 0, same = 0, forged = 0, broken = 0;
+  /// VERIFIED, where the command refuses the file: another part of it may be at fault.
+  std::uint64_t refused = 0;
+};
+
+/// A changed certificate or model, and what became of it.
+struct Forgery {
+  bool is_of_certificate = false;
+  Change change;
+  std::string why;  ///< VERIFIED: how the questions differ; empty if they are the same
+};
+
+class Folder {
+ public:
+  Folder() : path_((std::filesystem::temp_directory_path() / "forge-XXXXXX").string()) {
+    if (mkdtemp(path_.data()) == nullptr) throw std::runtime_error("no temporary folder");
+  }
+  ~Folder() { std::filesystem::remove_all(path_); }
+  Folder(const Folder&) = delete;
+  Folder& operator=(const Folder&) = delete;
+  [[nodiscard]] const std::string& path() const { return path_; }
+
+ private:
+  std::string path_;
+};
+
+class Run {
+ public:
+  explicit Run(const Options& options) : options_(options) {
+    for (const Base& base : bases())
+      if (options.only.empty() || options.only == base.name) prepare(base);
+    if (genuine_.empty()) throw std::runtime_error("no base has the name " + options.only);
+  }
+
+  void run() {
+    for (std::uint64_t i = 0; i < options_.forgeries; ++i) try_one(i);
+  }
+
+  /// Returns the exit code.
+  int report() const {
+    std::cout << "base                   rejected unfinished       same    refused     FORGED     "
+                 "BROKEN   "
+                 "genuine\n";
+    nlohmann::ordered_json json;
+    Counts all;
+    for (const Genuine& g : genuine_) {
+      const Counts c = count(g);
+      print(g.base->name, c, verifier::name(g.answer.outcome));
+      json[g.base->name] = {{"rejected", c.rejected},
+                            {"unfinished", c.unfinished},
+                            {"same", c.same},
+                            {"forged", c.forged},
+                            {"broken", c.broken},
+                            {"refused", c.refused},
+                            {"genuine", verifier::name(g.answer.outcome)}};
+      all.rejected += c.rejected, all.unfinished += c.unfinished, all.same += c.same;
+      all.forged += c.forged, all.broken += c.broken, all.refused += c.refused;
+    }
+    print("all", all, "");
+    for (const Genuine& g : genuine_)
+      if (g.answer.outcome != verifier::Outcome::kVerified)
+        std::cout << "genuine " << g.base->name << ": " << g.answer.reason << '\n';
+    for (const auto* list : {&failures_, &refused_})
+      for (const std::string& line : *list) std::cout << line << '\n';
+    if (!options_.json.empty()) std::ofstream(options_.json) << json.dump(2) << '\n';
+    const bool all_verified = std::all_of(genuine_.begin(), genuine_.end(), [](const Genuine& g) {
+      return g.answer.outcome == verifier::Outcome::kVerified;
+    });
+    return all.forged + all.broken == 0 && all_verified ? 0 : 1;
+  }
+
+  /// Prints the files of one forgery into the working folder.
+  void show(std::uint64_t number) const {
+    const Genuine& g = of(number);
+    const Forgery forgery = made(number);
+    std::ofstream("forged.model.toml")
+        << (forgery.is_of_certificate ? g.model : forgery.change.text);
+    std::ofstream("forged.certificate")
+        << (forgery.is_of_certificate ? forgery.change.text : g.certificate);
+    std::cout << g.base->name << ", " << forgery.change.what
+              << "\nwritten: forged.model.toml, forged.certificate\n";
+  }
+
+ private:
+  void prepare(const Base& base) {
+    const std::string model = model_of(base);
+    const auto certificate = answer_about(base, model, folder_.path()).certificate;
+    if (!certificate) throw std::runtime_error(std::string("no certificate of ") + base.name);
+    // The search may have read another file of way-points: it is written again.
+    genuine_.push_back({&base, model, *certificate, {}});
+    genuine_.back().answer = verify_about(base, *certificate, model, folder_.path());
+  }
+
+  [[nodiscard]] const Genuine& of(std::uint64_t number) const {
+    return genuine_[number % genuine_.size()];
+  }
+
+  [[nodiscard]] Forgery made(std::uint64_t number) const {
+    const Genuine& g = of(number);
+    Random random(g.base->name, options_.seed * 1'000'000'000 + number);
+    Forgery forgery;
+    forgery.is_of_certificate = random.one_in(2);
+    forgery.change = forgery.is_of_certificate ? change_certificate(g.certificate, random)
+                                               : change_model(g.model, random);
+    return forgery;
+  }
+
+  void try_one(std::uint64_t number) {
+    const Genuine& g = of(number);
+    Counts& counts = counts_[g.base->name];
+    const Forgery forgery = made(number);
+    const std::string& certificate =
+        forgery.is_of_certificate ? forgery.change.text : g.certificate;
+    const std::string& model = forgery.is_of_certificate ? g.model : forgery.change.text;
+    try {
+      write_waypoints(*g.base);
+      const verifier::Verification v = verify_about(*g.base, certificate, model, folder_.path());
+      if (v.outcome == verifier::Outcome::kRejected) ++counts.rejected;
+      if (v.outcome == verifier::Outcome::kUnfinished) ++counts.unfinished;
+      if (v.outcome == verifier::Outcome::kVerified) judge(g, forgery, number, counts);
+    } catch (const std::exception& error) {
+      ++counts.broken;
+      fail(number, g, forgery, error.what());
+    }
+  }
+
+  void write_waypoints(const Base& base) const {
+    if (*base.waypoints == '\0') return;
+    std::ofstream(folder_.path() + '/' + base.waypoints_name, std::ios::binary) << base.waypoints;
+  }
+
+  /// A change that leaves the question the same may be VERIFIED.
+  void judge(const Genuine& g, const Forgery& forgery, std::uint64_t number, Counts& counts) {
+    std::string why;
+    if (forgery.is_of_certificate) {
+      why = difference(g.certificate, forgery.change.text);
+    } else {
+      const Answer other = answer_about(*g.base, forgery.change.text, folder_.path());
+      if (other.is_refused) {
+        ++counts.refused;
+        return note(refused_, number, g, forgery, "the command refuses that file");
+      }
+      why = other.certificate ? difference(g.certificate, *other.certificate)
+                              : "the command proves nothing of that file";
+    }
+    if (why.empty()) {
+      ++counts.same;
+      return;
+    }
+    ++counts.forged;
+    fail(number, g, forgery, why);
+  }
+
+  void fail(std::uint64_t number, const Genuine& g, const Forgery& forgery,
+            const std::string& why) {
+    note(failures_, number, g, forgery, "FORGED, " + why);
+  }
+
+  void note(std::vector<std::string>& list, std::uint64_t number, const Genuine& g,
+            const Forgery& forgery, const std::string& why) const {
+    if (list.size() < options_.failures)
+      list.push_back(std::to_string(number) + ", " + g.base->name + ", " +
+                     (forgery.is_of_certificate ? "certificate " : "model ") + forgery.change.what +
+                     ": " + why);
+  }
+
+  [[nodiscard]] Counts count(const Genuine& g) const {
+    const auto found = counts_.find(g.base->name);
+    return found == counts_.end() ? Counts{} : found->second;
+  }
+
+  static void print(const std::string& name, const Counts& c, const char* genuine) {
+    std::printf("%-20s", name.c_str());
+    for (const std::uint64_t n : {c.rejected, c.unfinished, c.same, c.refused, c.forged, c.broken})
+      std::printf(" %10llu", static_cast<unsigned long long>(n));
+    std::printf("   %s\n", genuine);
+    std::fflush(stdout);
+  }
+
+  const Options& options_;
+  const Folder folder_;
+  std::vector<Genuine> genuine_;
+  std::map<std::string, Counts> counts_;
+  std::vector<std::string> failures_, refused_;
+};
+
+}  // namespace
+}  // namespace regulus::attack
+
+int main(int argc, char** argv) try {
+  regulus::attack::Options options;
+  CLI::App app{"Forges certificates and models; none may be VERIFIED"};
+  app.add_option("--forgeries", options.forgeries, "How many, over all bases");
+  app.add_option("--seed", options.seed, "Of the run")->check(CLI::Range(0, 1'000'000'000));
+  app.add_option("--base", options.only, "Only this base");
+  app.add_option("--json", options.json, "Write the counts to FILE");
+  app.add_option("--show", options.show, "NUMBER: write the files of one forgery");
+  app.add_option("--failures", options.failures, "Most lines about failures");
+  CLI11_PARSE(app, argc, argv);
+  regulus::attack::Run run(options);
+  if (!options.show.empty()) {
+    run.show(std::stoull(options.show));
+    return 0;
+  }
+  run.run();
+  return run.report();
+} catch (const std::exception& error) {
+  std::cerr << "forge: " << error.what() << '\n';
+  return 64;
+}
