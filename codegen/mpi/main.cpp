@@ -15,7 +15,7 @@
 #include "codegen/bound/bracket_topic.hpp"
 #include "codegen/bound/condition_kernel.hpp"
 #include "codegen/command/commands.hpp"
-#include "codegen/command/read_trajectory.hpp"
+#include "codegen/trajectory/read_trajectory.hpp"
 #include "codegen/command/run_command_line.hpp"
 #include "codegen/engine/settings.hpp"
 #include "codegen/margin/prepared_margin.hpp"

@@ -4,6 +4,7 @@
 #include <unistd.h>
 
 #include <CLI/CLI.hpp>
+#include <algorithm>
 #include <filesystem>
 #include <fstream>
 #include <iostream>
@@ -161,19 +162,25 @@ class Run {
     std::ofstream(folder_.path() + '/' + base.waypoints_name, std::ios::binary) << base.waypoints;
   }
 
+  /// The verifier is told that an option has set them.
+  static bool has_tolerances(const Base& base) {
+    return std::find(base.words.begin(), base.words.end(), "--tolerance") != base.words.end();
+  }
+
   /// A change that leaves the question the same may be VERIFIED.
   void judge(const Genuine& g, const Forgery& forgery, std::uint64_t number, Counts& counts) {
     std::string why;
     if (forgery.is_of_certificate) {
-      why = difference(g.certificate, forgery.change.text);
+      why = difference(g.certificate, forgery.change.text, has_tolerances(*g.base));
     } else {
       const Answer other = answer_about(*g.base, forgery.change.text, folder_.path());
       if (other.is_refused) {
         ++counts.refused;
         return note(refused_, number, g, forgery, "the command refuses that file");
       }
-      why = other.certificate ? difference(g.certificate, *other.certificate)
-                              : "the command proves nothing of that file";
+      why = other.certificate
+                ? difference(g.certificate, *other.certificate, has_tolerances(*g.base))
+                : "the command proves nothing of that file";
     }
     if (why.empty()) {
       ++counts.same;

@@ -2,7 +2,7 @@
 #include "tests/attack/forge/same_question.hpp"
 
 #include <algorithm>
-#include <map>
+#include <optional>
 #include <set>
 #include <sstream>
 #include <vector>
@@ -13,10 +13,13 @@ namespace regulus::attack {
 namespace {
 
 constexpr int kPoints = 3;
-/// Labels, words that follow from the other lines, and lines that change the proof only.
-const std::set<std::string> kIgnored{"claim", "model", "sha256", "combined", "norms"};
-/// Conditions: their order has no meaning.
-const std::set<std::string> kUnordered{"defined", "motion-defined", "reach", "constraint"};
+/// Labels, words that follow from the other lines, lines that change the proof only, definedness.
+const std::set<std::string> kIgnored{"claim", "model",   "sha256",         "combined",
+                                     "norms", "defined", "motion-defined", "expression-defined"};
+/// The values of these are in those of the other lines.
+const std::set<std::string> kShorthand{"let", "constant"};
+/// Their order has no meaning.
+const std::set<std::string> kUnordered{"parameter", "uncertain", "reach", "constraint"};
 
 struct Line {
   std::string key, text;
@@ -46,15 +49,18 @@ std::vector<std::string> parted(const std::string& text, const std::string& mark
   return parts;
 }
 
-/// A fraction of a range, another one for each quantity and point.
-Rational fraction(std::size_t quantity, int point) {
-  return Rational(long(7 + 13 * quantity + 31 * std::size_t(point)) % 53, 53);
+/// A fraction of a range, another one for each name and point.
+Rational fraction(const std::string& name, int point) {
+  unsigned long sum = 7 + 31 * static_cast<unsigned long>(point);
+  for (const char c : name) sum = sum * 31 + static_cast<unsigned char>(c);
+  return {static_cast<long>(sum % 53), 53};
 }
 
 /// The lines of a question as words and values at a point.
 class Evaluated {
  public:
-  Evaluated(const std::vector<Line>& lines, int point) : point_(point) {
+  Evaluated(const std::vector<Line>& lines, int point, bool any_spread)
+      : point_(point), any_spread_(any_spread) {
     for (const Line& line : lines) add(line);
   }
 
@@ -112,16 +118,16 @@ class Evaluated {
     const auto names = parted(line.text, is_range ? " in " : " = ");
     const auto ends = parted(names.at(1), is_range ? " : " : " +- ");
     const Value first = value(ends.at(0)), second = value(ends.at(1));
-    const Rational t = fraction(at_.size(), point_);
+    const Rational t = fraction(names[0], point_);
+    const Value spread = any_spread_ ? Value(Rational(0)) : second;
     at_[names[0]] = is_range ? first + Value(t) * (second - first)
-                             : first + Value(t + t - Rational(1)) * second;
-    entries_.push_back({line.key + ' ' + names[0], {first, second}});
+                             : first + Value(t + t - Rational(1)) * spread;
+    entries_.push_back({line.key + ' ' + names[0], {first, is_range ? second : spread}});
   }
 
   void add_constant(const Line& line) {
     const auto parts = parted(line.text, " = ");
     at_[parts[0]] = value(parts.at(1));
-    entries_.push_back({line.key + ' ' + parts[0], {at_[parts[0]]}});
   }
 
   void add_pose(const Line& line) {
@@ -134,6 +140,7 @@ class Evaluated {
   }
 
   const int point_;
+  const bool any_spread_;
   Point at_;
   std::vector<std::string> piecewise_;
   std::vector<Entry> entries_;
@@ -156,37 +163,77 @@ std::string key_of(const Evaluated::Entry& entry) {
   return entry.words.substr(0, entry.words.find(' '));
 }
 
-/// A question that states more conditions claims more; one that states fewer claims less.
-std::string difference_at(const std::vector<Line>& one, const std::vector<Line>& other, int point) {
-  const Evaluated a(one, point), b(other, point);
-  std::vector<Evaluated::Entry> left, right;
-  for (const auto& e : a.entries())
-    if (!kUnordered.contains(key_of(e))) left.push_back(e);
-  for (const auto& e : b.entries())
-    if (!kUnordered.contains(key_of(e))) right.push_back(e);
-  if (left.size() != right.size()) return "another number of lines";
-  for (std::size_t i = 0; i < left.size(); ++i)
-    if (!is_same(left[i], right[i])) return left[i].words + " against " + right[i].words;
-  const auto missing = [](const Evaluated& from, const Evaluated& in) -> std::string {
-    for (const auto& e : from.entries()) {
-      if (!kUnordered.contains(key_of(e))) continue;
-      if (std::none_of(in.entries().begin(), in.entries().end(),
-                       [&](const auto& x) { return is_same(e, x); }))
-        return "a condition '" + e.words + "'";
+/// The lines but for entries, in their order; those whose order has no meaning by their words.
+struct Parts {
+  std::vector<Evaluated::Entry> ordered, unordered;
+  std::vector<Value> matrix;
+
+  explicit Parts(const Evaluated& question) {
+    for (const Evaluated::Entry& entry : question.entries()) {
+      const std::string key = key_of(entry);
+      if (key == "entry")
+        matrix.push_back(entry.values.front());
+      else
+        (kUnordered.contains(key) ? unordered : ordered).push_back(entry);
     }
-    return "";
-  };
-  const std::string here = missing(a, b);
-  return here.empty() ? missing(b, a) : here;
+    std::stable_sort(unordered.begin(), unordered.end(),
+                     [](const auto& a, const auto& b) { return a.words < b.words; });
+  }
+
+  /// Claims of regularity depend on the zeros of the determinant alone.
+  [[nodiscard]] bool asks_for_regularity() const {
+    return std::none_of(ordered.begin(), ordered.end(), [](const Evaluated::Entry& entry) {
+      const std::string key = key_of(entry);
+      const bool has_threshold =
+          key == "alpha" && !(entry.values[0].exact() && entry.values[0].exact()->is_zero());
+      return has_threshold || key == "load" || key == "quantity" || key == "scale";
+    });
+  }
+  [[nodiscard]] std::optional<Value> determinant() const {
+    std::size_t order = 0;
+    while (order * order < matrix.size()) ++order;
+    if (order * order != matrix.size()) return std::nullopt;
+    Matrix rows(order);
+    for (std::size_t i = 0; i < matrix.size(); ++i) rows[i / order].push_back(matrix[i]);
+    return attack::determinant(rows);
+  }
+};
+
+std::string difference_of(const std::vector<Evaluated::Entry>& a,
+                          const std::vector<Evaluated::Entry>& b) {
+  if (a.size() != b.size()) return "another number of lines";
+  for (std::size_t i = 0; i < a.size(); ++i)
+    if (!is_same(a[i], b[i])) return a[i].words + " against " + b[i].words;
+  return "";
+}
+
+bool have_one_ratio(const std::vector<std::pair<Value, Value>>& determinants) {
+  const auto& [a, b] = determinants.front();
+  return std::all_of(determinants.begin(), determinants.end(),
+                     [&](const auto& other) { return is_same(a * other.second, b * other.first); });
 }
 
 }  // namespace
 
-std::string difference(const std::string& one, const std::string& other) try {
+std::string difference(const std::string& one, const std::string& other, bool any_spread) try {
   const std::vector<Line> a = question_of(one), b = question_of(other);
-  for (int point = 0; point < kPoints; ++point)
-    if (const std::string found = difference_at(a, b, point); !found.empty()) return found;
-  return "";
+  std::vector<std::pair<Value, Value>> determinants;
+  bool has_one_matrix = true, is_about_zeros = true;
+  for (int point = 0; point < kPoints; ++point) {
+    const Parts left(Evaluated(a, point, any_spread)), right(Evaluated(b, point, any_spread));
+    for (const auto& found : {difference_of(left.ordered, right.ordered),
+                              difference_of(left.unordered, right.unordered)})
+      if (!found.empty()) return found;
+    has_one_matrix =
+        has_one_matrix &&
+        std::equal(left.matrix.begin(), left.matrix.end(), right.matrix.begin(), right.matrix.end(),
+                   [](const Value& x, const Value& y) { return is_same(x, y); });
+    const auto first = left.determinant(), second = right.determinant();
+    is_about_zeros = is_about_zeros && left.asks_for_regularity() && first && second;
+    if (is_about_zeros) determinants.emplace_back(*first, *second);
+  }
+  if (has_one_matrix || (is_about_zeros && have_one_ratio(determinants))) return "";
+  return "another matrix";
 } catch (const std::exception& error) {
   return std::string("one is no question: ") + error.what();
 }

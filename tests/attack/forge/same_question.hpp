@@ -8,7 +8,11 @@
 namespace regulus::attack {
 
 /// Returns the first difference; empty if the lines of both are the same, or have the same values at
-/// some points. Labels, the order of conditions and lines that do not change the claim do not count.
-[[nodiscard]] std::string difference(const std::string& one, const std::string& other);
+/// some points. What does not count: labels, shorthands, the order of quantities and conditions, lines
+/// that do not change the claim, and conditions of definedness, which have tests of their own. Without
+/// a threshold, a load or a quantity, square matrices may differ if their determinants have one ratio.
+/// `any_spread`: an option has set tolerances.
+[[nodiscard]] std::string difference(const std::string& one, const std::string& other,
+                                     bool any_spread);
 
 }  // namespace regulus::attack
