@@ -9,6 +9,7 @@
 
 #include "codegen/model/names.hpp"
 #include "codegen/support/errors.hpp"
+#include "codegen/support/visible_text.hpp"
 
 namespace regulus::inline importing {
 namespace {
@@ -65,7 +66,7 @@ class ChainFinder {
     constexpr std::size_t kMost = 20;
     std::string text;
     for (std::size_t i = 0; i < links.size() && i < kMost; ++i)
-      text += (i == 0 ? "" : ", ") + printable(links[i]);
+      text += (i == 0 ? "" : ", ") + visible(links[i]);
     return links.size() > kMost ? text + fmt::format(" and {} more", links.size() - kMost) : text;
   }
 
@@ -181,7 +182,7 @@ class ChainFinder {
     common = moving_part(common);
     return common.empty()
                ? ""
-               : ", such as " + printable(common.back()->child) + ", behind which they part";
+               : ", such as " + visible(common.back()->child) + ", behind which they part";
   }
 
   /// The joints that a loop connects have no independent speeds.

@@ -18,6 +18,7 @@
 #include "codegen/model/parsed_expression.hpp"
 #include "codegen/model/written.hpp"
 #include "codegen/support/errors.hpp"
+#include "codegen/support/visible_text.hpp"
 #include "runtime/files/sha256.hpp"
 
 namespace regulus::inline importing {
@@ -29,7 +30,7 @@ Mechanism read_mechanism(const XmlFile& xml, NumberReader& numbers) {
   if (root.name() == "mujoco") return read_mjcf(root, numbers);
   // SDF before 1.3 has the root <gazebo>.
   if (root.name() == "sdf" || root.name() == "gazebo") return read_sdf(root, numbers);
-  root.refuse("the root element is <" + printable(root.name()) + ">",
+  root.refuse("the root element is <" + visible(root.name()) + ">",
               "it must be <robot> (URDF), <mujoco> (MJCF) or <sdf> (SDF)");
 }
 
@@ -54,7 +55,7 @@ NumberReader number_reader(const ImportOptions& options) try {
 /// Returns at most 200 bytes that a label may have.
 std::string label_of(const std::string& name) {
   constexpr std::size_t kMost = 200;
-  std::string label = printable(name).substr(0, kMost);
+  std::string label = std::string(first_bytes(visible(name), kMost));
   for (char& c : label)
     if (c == '\\') c = '_';
   return label.empty() ? "robot" : label;

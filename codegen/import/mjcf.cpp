@@ -9,6 +9,7 @@
 #include "codegen/import/mjcf_defaults.hpp"
 #include "codegen/import/read_pose.hpp"
 #include "codegen/model/names.hpp"
+#include "codegen/support/visible_text.hpp"
 
 namespace regulus::inline importing {
 namespace {
@@ -38,7 +39,7 @@ class MjcfReader {
   }
 
  private:
-  void ignore(const std::string& name) { ++result_.ignored[printable(name)]; }
+  void ignore(const std::string& name) { ++result_.ignored[visible(name)]; }
 
   void read_compiler(const XmlElement& compiler) {
     const std::string angle = compiler.attribute("angle", "degree");

@@ -10,6 +10,7 @@
 #include "codegen/import/read_pose.hpp"
 #include "codegen/import/sdf_frames.hpp"
 #include "codegen/model/names.hpp"
+#include "codegen/support/visible_text.hpp"
 
 namespace regulus::inline importing {
 namespace {
@@ -43,7 +44,7 @@ class SdfReader {
       if (element.name() == "joint")
         read_joint(element);
       else if (element.name() != "link" && element.name() != "frame" && element.name() != "pose")
-        ++result_.ignored[printable(element.name())];
+        ++result_.ignored[visible(element.name())];
     return std::move(result_);
   }
 
@@ -59,7 +60,7 @@ class SdfReader {
     frames_.declare(link, "__model__");
     result_.links.push_back(link.required("name"));
     for (const XmlElement& element : link.children())
-      if (element.name() != "pose") ++result_.ignored[printable(element.name())];
+      if (element.name() != "pose") ++result_.ignored[visible(element.name())];
   }
 
   static std::string link_name(const XmlElement& joint, const char* role) {

@@ -9,6 +9,7 @@
 
 #include "codegen/import/read_pose.hpp"
 #include "codegen/model/names.hpp"
+#include "codegen/support/visible_text.hpp"
 
 namespace regulus::inline importing {
 namespace {
@@ -32,7 +33,7 @@ class UrdfReader {
   }
 
  private:
-  void ignore(const std::string& name) { ++result_.ignored[printable(name)]; }
+  void ignore(const std::string& name) { ++result_.ignored[visible(name)]; }
 
   /// Definitions that xacro has left over have no effect; a part of the robot may stand for others.
   void ignore_element(const XmlElement& element) {
@@ -40,7 +41,7 @@ class UrdfReader {
     const bool is_definition =
         name == "xacro:property" || name == "xacro:arg" || name == "xacro:macro";
     if (name.starts_with("xacro:") && !is_definition)
-      element.refuse("<" + printable(name) + "> may stand for links and joints",
+      element.refuse("<" + visible(name) + "> may stand for links and joints",
                      "expand the macros first: xacro FILE.xacro > FILE.urdf");
     ignore(name);
   }

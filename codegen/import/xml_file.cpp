@@ -5,6 +5,7 @@
 
 #include "codegen/model/names.hpp"
 #include "codegen/support/errors.hpp"
+#include "codegen/support/visible_text.hpp"
 
 namespace regulus::inline importing {
 
@@ -15,8 +16,7 @@ std::string XmlElement::attribute(const char* key, const std::string& otherwise)
 
 std::string XmlElement::required(const char* key) const {
   if (!has(key))
-    refuse("<" + printable(name()) + "> has no '" + key + "'",
-           std::string("add ") + key + "=\"…\"");
+    refuse("<" + visible(name()) + "> has no '" + key + "'", std::string("add ") + key + "=\"…\"");
   return attribute(key);
 }
 

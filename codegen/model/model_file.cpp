@@ -14,6 +14,7 @@
 #include "codegen/model/sections.hpp"
 #include "codegen/model/toml_limits.hpp"
 #include "codegen/support/errors.hpp"
+#include "codegen/support/visible_text.hpp"
 #include "runtime/files/sha256.hpp"
 
 namespace regulus::inline model {
@@ -51,9 +52,9 @@ toml::table parse_toml(std::string_view text, const std::string& file) try {
   const int line = static_cast<int>(error.source().begin.line);
   if (is_about_a_large_number(error.description()))
     throw InputError(file, line,
-                     "a number that TOML cannot hold (" + printable(error.description()) + ")",
+                     "a number that TOML cannot hold (" + visible(error.description()) + ")",
                      "the number in a string, \"1e400\", where it may have 1000 digits");
-  throw InputError(file, line, "text that is not TOML (" + printable(error.description()) + ")",
+  throw InputError(file, line, "text that is not TOML (" + visible(error.description()) + ")",
                    "TOML 1.0");
 }
 

@@ -85,24 +85,16 @@ std::string suggestion(std::string_view name, std::span<const std::string> candi
   return meant.empty() ? otherwise : "did you mean " + in_quotes(meant) + "?";
 }
 
-std::string printable(std::string_view text) {
-  constexpr std::string_view kDigits = "0123456789abcdef";
-  std::string safe;
-  for (const char c : text) {
-    const auto byte = static_cast<unsigned char>(c);
-    if (' ' <= c && c <= '~')
-      safe += c;
-    else
-      safe += std::string("\\x") + kDigits[byte >> 4] + kDigits[byte & 0xf];
-  }
-  return safe;
+std::string_view first_bytes(std::string_view text, std::size_t most) {
+  if (text.size() <= most) return text;
+  const auto continues = [&](std::size_t at) { return (text[at] & 0xC0) == 0x80; };
+  while (most > 0 && continues(most)) --most;
+  return text.substr(0, most);
 }
 
 std::string in_quotes(std::string_view text) {
-  std::string quoted(1, '\'');
-  quoted += printable(text.substr(0, kLongestQuote));
-  if (text.size() > kLongestQuote) quoted += "…";
-  return quoted += '\'';
+  const std::string_view shown = first_bytes(text, kLongestQuote);
+  return '\'' + visible(shown) + (shown.size() < text.size() ? "…'" : "'");
 }
 
 bool is_label(std::string_view text) noexcept {

@@ -31,11 +31,10 @@ namespace regulus::inline model {
 [[nodiscard]] std::string suggestion(std::string_view name, std::span<const std::string> candidates,
                                      const std::string& otherwise);
 
-/// Returns the text with every byte that is not printable ASCII written as \xNN, so that a message
-/// cannot contain an escape sequence.
-[[nodiscard]] std::string printable(std::string_view text);
+/// Returns the whole characters of a text in UTF-8 that are in its first bytes.
+[[nodiscard]] std::string_view first_bytes(std::string_view text, std::size_t most);
 
-/// Returns the printable text between single quotes, shortened for a message.
+/// Returns the visible text (visible_text.hpp) between single quotes, shortened for a message.
 [[nodiscard]] std::string in_quotes(std::string_view text);
 
 /// True if a label (a unit, a title) can appear in a report or in a comment of generated code: at

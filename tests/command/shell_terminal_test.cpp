@@ -163,7 +163,7 @@ TEST(ShellAtATerminal, TakesLettersOfAnyAlphabet) {
   Terminal terminal(home.path().string());
   ASSERT_TRUE(terminal.shows("regulus> "));
   terminal.type("load Prüfstand\xff.toml\n");
-  ASSERT_TRUE(terminal.shows("'Pr\\xc3\\xbcfstand?.toml': no such file")) << terminal.seen();
+  ASSERT_TRUE(terminal.shows("'Prüfstand?.toml': no such file")) << terminal.seen();
   terminal.type("quit\n");
   EXPECT_EQ(terminal.exit_code(), 0);
 }
