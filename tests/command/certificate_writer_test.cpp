@@ -71,7 +71,7 @@ TEST(ACertificateBeyondTheLimitOfTheFormat, IsAnnouncedAsSuch) {
     file.finish(result);
     nlohmann::ordered_json report;
     file.status().add_to(report);
-    return std::pair(file.line(), report);
+    return std::pair(file.status().line(), report);
   };
   const std::uint64_t end = std::string("end 1\n").size();
   const auto [line, report] = report_of(format::kMaxBytes - end);
