@@ -102,6 +102,8 @@ class Algebra {
   };
   [[nodiscard]] Turn turn(const Polynomial& angle);
   [[nodiscard]] Turn turn_of_pi(const Rational& factor);
+  [[nodiscard]] Turn turn_of_part(const Rational& factor);
+  [[nodiscard]] Turn turn_of_small_part(const Rational& factor);
   [[nodiscard]] Turn turn_of_unit(const Polynomial& unit);
   [[nodiscard]] Turn multiple(Turn unit, long times);
   [[nodiscard]] Turn add(const Turn& x, const Turn& y);

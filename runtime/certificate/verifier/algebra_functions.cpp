@@ -294,14 +294,42 @@ Algebra::Turn Algebra::multiple(Turn unit, long times) {
   return result;
 }
 
+/// For an angle between 0 and π/4: sin π/10 = (√5 − 1)/4 and cos π/5 = (√5 + 1)/4; the others of these
+/// have a root below a root, and stay as they are.
+Algebra::Turn Algebra::turn_of_small_part(const Rational& factor) {
+  Polynomial angle;
+  angle.add({{numbers_.at("pi"), 1}}, factor);
+  Turn result = turn_of_unit(angle);
+  const auto quarter_of_root5 = [&](long plus) {
+    Polynomial sum = root(Polynomial(5));
+    sum.add(Polynomial(plus));
+    return sum.scaled(Rational(1) / Rational(4));
+  };
+  if (factor == Rational(1) / Rational(10)) result.sine = quarter_of_root5(-1);
+  if (factor == Rational(1) / Rational(5)) result.cosine = quarter_of_root5(1);
+  return result;
+}
+
+/// The angle is that of a number of quarter turns and of an angle up to π/4, or its complement.
+Algebra::Turn Algebra::turn_of_part(const Rational& factor) {
+  const Rational quarters = factor * Rational(2);
+  Integer whole;
+  fmpz_fdiv_q(whole.get(), fmpq_numref(quarters.get()), fmpq_denref(quarters.get()));
+  Rational rest;
+  fmpq_sub_fmpz(rest.get(), quarters.get(), whole.get());
+  const bool is_complement = (rest - Rational(1) / Rational(2)).sign() > 0;
+  if (is_complement) rest = Rational(1) - rest;
+  Turn result = turn_of_small_part(rest / Rational(2));
+  if (is_complement) std::swap(result.sine, result.cosine);
+  for (ulong i = fmpz_fdiv_ui(whole.get(), 4); i > 0; --i)
+    result = {result.cosine, result.sine.scaled(Rational(-1))};
+  return result;
+}
+
 /// Exact for the multiples of π/4 and π/6.
 Algebra::Turn Algebra::turn_of_pi(const Rational& factor) {
   const Rational twelfths = factor * Rational(12);
-  if (!twelfths.is_integer()) {
-    Polynomial angle;
-    angle.add({{numbers_.at("pi"), 1}}, factor);
-    return turn_of_unit(angle);
-  }
+  if (!twelfths.is_integer()) return turn_of_part(factor);
   Integer turns(fmpq_numref(twelfths.get()));
   const long parts = long(fmpz_fdiv_ui(turns.get(), 24));
   const Polynomial half(Rational(1) / Rational(2));

@@ -54,6 +54,22 @@ TEST(AModelFile, IsComparedValueByValue) {
   EXPECT_EQ(v.numbers, 5u);
 }
 
+/// The front end writes roots for the values of some angles, and other angles in the first quadrant.
+TEST(AnAngleThatIsAPartOfATurn, HasTheValueThatItsOtherFormsHave) {
+  Pair p;
+  for (const auto& [ours, stated] :
+       {std::pair("cos(108*deg)", "(1 - sqrt(5))/4"), std::pair("sin(54*deg)", "(sqrt(5) + 1)/4"),
+        std::pair("cos(144*deg)", "-sqrt(5)/4 - 1/4"), std::pair("sin(-18*deg)", "1/4 - sqrt(5)/4"),
+        std::pair("sin(108*deg)", "sin(2/5*pi)"), std::pair("cos(18*deg)", "sin(2/5*pi)"),
+        std::pair("cos(200*deg)", "-cos(1/9*pi)"), std::pair("sin(290*deg)", "-cos(1/9*pi)")}) {
+    p.entry = std::string("x + 3 + ") + ours, p.stated_entry = std::string("x + 3 + ") + stated;
+    const Verification v = compare(p);
+    EXPECT_EQ(v.outcome, Outcome::kVerified) << ours << ": " << v.reason;
+  }
+  p.entry = "x + 3 + cos(108*deg)", p.stated_entry = "x + 3 + (1 + sqrt(5))/4";
+  EXPECT_EQ(compare(p).outcome, Outcome::kRejected);
+}
+
 /// Each certificate has the shortest decimal of the double nearest to the number in the model.
 TEST(AMisreadNumber, IsRefusedWithBothNumbers) {
   Pair p;
