@@ -133,9 +133,11 @@ void QuestionComparer::differ(const FilePlace& from, const StatedValue& stated,
     std::string line = stated.line == 0 ? "" : " in line " + std::to_string(stated.line);
     refuse(from, '\'' + shortened(stated.text) + '\'' + line);
   }
-  result_.differences.push_back(at_line(from.line) + from.place + " is '" + shortened(from.text) +
-                                "', but the certificate has '" + shortened(stated.text) +
-                                "' in line " + std::to_string(stated.line));
+  // An option sets all members of a group alike.
+  std::string difference = at_line(from.line) + from.place + " is '" + shortened(from.text) +
+                           "', but the certificate has '" + shortened(stated.text) + '\'';
+  if (std::ranges::find(result_.differences, difference) == result_.differences.end())
+    result_.differences.push_back(std::move(difference));
 }
 
 void QuestionComparer::refuse(const FilePlace& from, const std::string& stated) {
