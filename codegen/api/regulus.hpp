@@ -12,7 +12,8 @@
 //   PreparedQuestion  a question that is asked again with other ranges and tolerances
 //   Kernel    compiled functions of a question, for checks of pieces of the motion in a loop
 //
-// Link Regulus::jit. Errors are InputError, UsageError, FileError, CompileError and InternalError.
+// Link Regulus::jit. Errors are InputError, UsageError, FileError, CompileError and InternalError; a time
+// limit or an interrupt during the reading of a model is ReadingStopped.
 #pragma once
 
 #include "codegen/api/bound.hpp"

@@ -13,7 +13,6 @@
 #include "codegen/jit/jit.hpp"
 #include "codegen/model/installed_models.hpp"
 #include "codegen/model/request.hpp"
-#include "codegen/program/work_meter.hpp"
 #include "codegen/support/errors.hpp"
 #include "codegen/support/exit_code.hpp"
 #include "codegen/support/visible_text.hpp"
@@ -66,10 +65,8 @@ bool is_want_of_memory(const std::system_error& error) {
 }
 
 /// The answer of a run that ended before there was a question, as while a model was read.
-int report_stop(const FormingStopped& stopped, ErrorFormat format) {
-  const char* const reason = stopped.interrupted
-                                 ? "it was interrupted while the model was read"
-                                 : "the time limit was reached while the model was read";
+int report_stop(const ReadingStopped& stopped, ErrorFormat format) {
+  const char* const reason = stopped.what();
   std::cerr << "claim      none: " << reason << '\n';
   if (format == ErrorFormat::kJson)
     std::cout << R"({"verdict":"possible-problem","reason":")" << reason << "\"}\n";
@@ -121,7 +118,7 @@ int report_errors(const std::function<int()>& run, const std::string& where, Err
         complain(error, kInternalFault, "internal error: the generated kernel did not compile\n");
     if (!error.text().empty()) std::cerr << "--- the text ---\n" << error.text();
     return code;
-  } catch (const FormingStopped& stopped) {
+  } catch (const ReadingStopped& stopped) {
     return report_stop(stopped, format);
   } catch (const std::bad_alloc&) {
     return complain(no_memory(), kFileError);

@@ -160,11 +160,12 @@ Model parse_model(std::string_view text, const std::string& name_for_errors,
         "a model file has at most " + std::to_string(kLargestModelFile) + " bytes");
   const UsualArithmetic scope;
   const toml::table document = parse_toml(text, name_for_errors);
-  // A reading has no progress to show.
+  // A reading has no progress to show. A small model is read in any case: a report needs it.
   const FormingWatch limits =
       watch != nullptr ? FormingWatch{watch->deadline, watch->interrupt} : FormingWatch{};
   ModelReading reading{.toml = TomlReader(name_for_errors, text),
-                       .meter = WorkMeter(WorkMeter::kNoLimit, &limits)};
+                       .meter = WorkMeter(WorkMeter::kNoLimit, &limits, WorkStage::kSubstitution,
+                                          WorkMeter::kBetweenLooks)};
   const TomlEntry root{.key = {}, .path = {}, .node = &document, .line = 1};
   (void)reading.toml.entries(root, kKeys);
 

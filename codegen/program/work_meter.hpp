@@ -42,10 +42,12 @@ class WorkMeter {
  public:
   static constexpr std::uint64_t kNoLimit = std::numeric_limits<std::uint64_t>::max();
 
-  /// `watch`: null, or it outlives this object.
+  static constexpr std::uint64_t kBetweenLooks = 4096;  ///< of the order of a millisecond
+
+  /// `watch`: null, or it outlives this object. `first_look`: work that the watch does not stop.
   explicit WorkMeter(std::uint64_t most, const FormingWatch* watch = nullptr,
-                     WorkStage stage = WorkStage::kForming)
-      : most_(most), watch_(watch), stage_(stage) {}
+                     WorkStage stage = WorkStage::kForming, std::uint64_t first_look = 0)
+      : most_(most), watch_(watch), stage_(stage), next_look_(first_look) {}
 
   /// Call it before the work is done. Throws OverBudget and FormingStopped.
   void spend(std::uint64_t terms) {
@@ -58,7 +60,6 @@ class WorkMeter {
 
  private:
   void look() {
-    constexpr std::uint64_t kBetweenLooks = 4096;  // of the order of a millisecond
     next_look_ = spent_ + kBetweenLooks;
     if (watch_ == nullptr) return;
     if (watch_->interrupt != nullptr && *watch_->interrupt) throw FormingStopped{true};
@@ -69,7 +70,7 @@ class WorkMeter {
   std::uint64_t most_;
   const FormingWatch* watch_;
   WorkStage stage_;
-  std::uint64_t spent_ = 0, next_look_ = 0;
+  std::uint64_t spent_ = 0, next_look_;
 };
 
 /// Does nothing without a meter.

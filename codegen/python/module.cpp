@@ -294,6 +294,8 @@ void translate(std::exception_ptr thrown) {
     throw_error("UsageError", error.what());
   } catch (const FileError& error) {
     throw_error("FileError", error.what());
+  } catch (const ReadingStopped& stopped) {
+    throw_error("UsageError", stopped.what());
   } catch (const CompileError& error) {
     throw_error("CompileError", error.what());
   } catch (const InternalError& error) {

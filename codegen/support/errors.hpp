@@ -103,4 +103,12 @@ class NoCompiler : public CompileError {
   explicit NoCompiler(const std::string& what) : CompileError(what, {}, {}) {}
 };
 
+/// A time limit or an interrupt ended the reading of a model: there is no question yet.
+class ReadingStopped : public std::runtime_error {
+ public:
+  explicit ReadingStopped(bool interrupted)
+      : std::runtime_error(interrupted ? "it was interrupted while the model was read"
+                                       : "the time limit was reached while the model was read") {}
+};
+
 }  // namespace regulus::support
