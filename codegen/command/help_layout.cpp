@@ -20,10 +20,11 @@ using Names = std::vector<std::string>;
 const Names& names_in(const std::string& group) {
   static const std::map<std::string, Names> kNames = {
       {kQuestion,
-       {"range",    "tolerance", "alpha",  "from",    "waypoints", "tube",     "scale", "grow",
-        "load",     "twist",     "leg",    "freedom", "min",       "signed",   "norm",  "quantity",
-        "limit",    "bound",     "margin", "paving",  "model",     "base",     "tip",   "cut",
-        "actuated", "snap",      "stage",  "all",     "name",      "namespace"}},
+       {"range", "tolerance", "alpha",        "from",     "waypoints", "tube",   "scale",
+        "grow",  "load",      "twist",        "leg",      "freedom",   "min",    "signed",
+        "norm",  "quantity",  "limit",        "bound",    "margin",    "paving", "model",
+        "base",  "tip",       "cut",          "actuated", "snap",      "stage",  "all",
+        "name",  "namespace", "beyond-limits"}},
       {kBudget,
        {"time-limit", "max-boxes", "threads", "gap", "resolution", "precision", "symbolic-budget"}},
       {kOutput,

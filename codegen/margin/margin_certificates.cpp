@@ -9,7 +9,10 @@ MarginCertificates::MarginCertificates(const std::string& path, const MarginRequ
                                        const ReportLabels& subject, HeldFiles* held)
     : proofs_(path, held, kNoSafeProof, kNoSingularProof),
       request_(request),
-      uncertain_(uncertain_names(subject)) {}
+      uncertain_(uncertain_names(subject)) {
+  // At the value 0, too, the search has a variable for each of them.
+  if (proofs_.are_wanted()) uncertain_.merge(request_.with_control_errors());
+}
 
 CertifiedQuestion MarginCertificates::question_at(const MarginValue& value) const {
   return request_.certified_at(value, uncertain_);
