@@ -15,7 +15,6 @@
 #include "codegen/bound/bracket_topic.hpp"
 #include "codegen/bound/condition_kernel.hpp"
 #include "codegen/command/commands.hpp"
-#include "codegen/trajectory/read_trajectory.hpp"
 #include "codegen/command/run_command_line.hpp"
 #include "codegen/engine/settings.hpp"
 #include "codegen/margin/prepared_margin.hpp"
@@ -25,6 +24,7 @@
 #include "codegen/mpi/verify_together.hpp"
 #include "codegen/support/errors.hpp"
 #include "codegen/support/exit_code.hpp"
+#include "codegen/trajectory/read_trajectory.hpp"
 
 namespace {
 

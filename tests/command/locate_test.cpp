@@ -326,7 +326,7 @@ TEST(Locate, RefusesAFileThatCannotBeWrittenWith74) {
   EXPECT_EQ(locate({kPlanar, "regular", "--picture", "/no/such/folder/p.svg"}).exit_code, 74);
   const CommandResult full = locate({kPlanar, "crossing", "--output", "/dev/full"});
   EXPECT_EQ(full.exit_code, 74);
-  EXPECT_THAT(full.errors, HasSubstr("cannot write /dev/full"));
+  EXPECT_THAT(full.errors, HasSubstr("/dev/full cannot be written"));
 }
 
 TEST(Locate, DrewThePictureOfTheManual) {

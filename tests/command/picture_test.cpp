@@ -195,7 +195,7 @@ TEST_F(PictureFile, NeedsGnuplotAndSaysWhereToGetIt) {
 }
 
 TEST(Gnuplot, QuotesSoThatNothingHasAMeaning) {
-  EXPECT_EQ(Gnuplot::quoted("it's\n$x"), "'it''s$x'");
+  EXPECT_EQ(Gnuplot::quoted("it's\n$x"), "'it'.quote.'s$x'");
 }
 
 TEST(Gnuplot, ReportsItsComplaint) {
@@ -220,9 +220,9 @@ TEST(Gnuplot, LeavesThePictureThatWasThereUntilItHasAnother) {
   std::ofstream(file) << "an earlier picture, longer than what is drawn now";
   { const Gnuplot gnuplot(file.string()); }
   EXPECT_THAT(text_of(file), HasSubstr("an earlier picture"));
-  Gnuplot(file.string()).draw("set terminal dumb\nplot x\n");
+  Gnuplot(file.string()).draw("set terminal svg\nplot x\n");
   EXPECT_THAT(text_of(file), testing::Not(HasSubstr("picture")));
-  EXPECT_THAT(text_of(file), HasSubstr("*"));
+  EXPECT_THAT(text_of(file), HasSubstr("</svg>"));
 }
 
 TEST(Gnuplot, LeavesNoFileWithoutAPicture) {

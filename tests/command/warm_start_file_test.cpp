@@ -169,8 +169,8 @@ TEST(WarmStart, IsNotReadFromAnythingElse) {
     EXPECT_NE(at, std::string::npos) << from;
     return other.replace(at, from.size(), to);
   };
-  EXPECT_FALSE(read_warm_start(with("\"format\":7", "\"format\":6")));
-  EXPECT_FALSE(read_warm_start(with("\"format\":7", "\"format\":8")));
+  EXPECT_FALSE(read_warm_start(with("\"format\":8", "\"format\":7")));
+  EXPECT_FALSE(read_warm_start(with("\"format\":8", "\"format\":9")));
   EXPECT_FALSE(read_warm_start(with(std::string(64, '7'), "../" + std::string(61, '7'))));
   EXPECT_FALSE(read_warm_start(text + ' '));
   EXPECT_FALSE(read_warm_start(with("\"rows\":7", "\"rows\":7.0")));

@@ -34,7 +34,11 @@ void change_questions() {
   Question changed = bead(), moved = std::move(changed);
   changed = moved;
   changed = std::move(moved);
-  changed.range("x", "0", "1/3").tolerance("size", "0.01").tube("x", "0.01").alpha("0");
+  changed.range("x", "0", "1/3")
+      .tolerance("size", "0.01")
+      .tube("x", "0.01")
+      .alpha("0")
+      .beyond_limits();
   std::puts(regulus::name(regulus::check(Question(changed)).verdict));
   std::puts(regulus::name(regulus::check(bead().waypoints("way.csv")).verdict));
 }

@@ -130,8 +130,7 @@ TEST(ModelRefusal, KeyThatStartsWithAnUnderscore) {
 }
 
 TEST(ModelRefusal, KeyOfOtherLetters) {
-  expect_refused_change("half = 0.5", "\"h\u00e4lf\" = 0.5", 21, "key 'hälf'",
-                        "a letter, then");
+  expect_refused_change("half = 0.5", "\"h\u00e4lf\" = 0.5", 21, "key 'hälf'", "a letter, then");
 }
 
 TEST(ModelRefusal, KeyThatIsTooLong) {
