@@ -53,7 +53,8 @@ JointPolynomial JointPolynomial::times_turn(std::size_t joint, bool sine) const 
   const auto angles = members(groups_->of_joint[joint]);
   JointPolynomial result(*groups_);
   for (const auto& [key, coefficient] : terms_) {
-    const bool has_angle = std::ranges::any_of(angles, [&](std::size_t j) { return key[j] != 0; });
+    const bool has_angle = std::ranges::any_of(
+        angles, [&exponents = key](std::size_t j) { return exponents[j] != 0; });
     if (!has_angle) {
       Key product = key;
       product[joint] = 1;

@@ -48,8 +48,7 @@ NodeId any_number(Graph& graph, std::size_t column) {
 class ChainReader {
  public:
   explicit ChainReader(SectionComparer& comparer)
-      : comparer_(comparer),
-        q_(comparer.question()),
+      : q_(comparer.question()),
         values_(comparer.values()),
         algebra_(q_.graph),
         in_degrees_(is_arm_in_degrees(comparer.values())),
@@ -224,7 +223,6 @@ class ChainReader {
     return joint.slides ? algebra_.quotient(one, algebra_.degrees(one)) : algebra_.degrees(one);
   }
 
-  SectionComparer& comparer_;
   Question& q_;
   const WrittenValues& values_;
   GraphAlgebra algebra_;
