@@ -208,7 +208,7 @@ std::string difference_of(const std::vector<Evaluated::Entry>& a,
 }
 
 bool have_one_ratio(const std::vector<std::pair<Value, Value>>& determinants) {
-  const auto& [a, b] = determinants.front();
+  const Value &a = determinants.front().first, &b = determinants.front().second;
   return std::all_of(determinants.begin(), determinants.end(),
                      [&](const auto& other) { return is_same(a * other.second, b * other.first); });
 }
