@@ -84,7 +84,8 @@ void PageRun::take_earlier() {
 }
 
 void PageRun::take_certificate(const EarlierRun& run) {
-  VerificationRequest request{run.path, model_.path, model_.waypoints, {}};
+  // The page states the values that options have set.
+  VerificationRequest request{run.path, model_.path, model_.waypoints, true, {}};
   request.options.threads = settings_from(command_.search).threads;
   request.options.time_limit = command_.search.time_limit;
   const Verified verified = verify_file(request);
