@@ -34,6 +34,8 @@ struct Services {
   LinesRequest lines{};
   PictureRequest pictures{};
   std::string* tree = nullptr;  ///< gets the tree of a paving, as PavingTree::text()
+  std::string page{};           ///< file of a page of the answer; empty: none
+  std::string typed{};          ///< the command line, for the page
 
   /// Precedes the names of files and options in messages: "--" of a command, nothing of a program.
   std::string dashes{};
