@@ -10,6 +10,7 @@
 #include "codegen/answer/ask.hpp"
 #include "codegen/certificate/certificate_question.hpp"
 #include "codegen/model/read_file.hpp"
+#include "codegen/model/request.hpp"
 #include "codegen/support/errors.hpp"
 #include "codegen/support/scratch_folder.hpp"
 #include "codegen/support/write_file.hpp"
@@ -92,9 +93,11 @@ PageOfAnswers::PageOfAnswers(PageTemplate page, const ModelOptions& model, const
     : template_(std::move(page)) {
   data_.command = typed;
   data_.model_text = model_text(model);
-  request_ = read_request(data_.model_text, model);
-  set_question(data_, request_, uncertain_names(request_), model);
+  request_ = std::make_unique<Request>(read_request(data_.model_text, model));
+  set_question(data_, *request_, uncertain_names(*request_), model);
 }
+
+PageOfAnswers::~PageOfAnswers() = default;
 
 void PageOfAnswers::add(ShownAnswer answer) {
   if (answer.kind == "bound") data_.bounds.push_back(answer.report);
@@ -109,10 +112,13 @@ void PageOfAnswers::add(ShownAnswer answer) {
   data_.report = without_files(std::move(answer.report));
   data_.certificate_note = answer.no_certificate;
   if (answer.kind != "check") return;
-  if (request_.motion.trajectory && !data_.report["segment"].is_null())
-    set_deciding_segment(data_, request_, uncertain_names(request_));
-  if (answer.certificate.empty()) return;
-  data_.certificate = read_start(answer.certificate, kLongestProof + 1, Readable::kFile);
+  if (request_->motion.trajectory && !data_.report["segment"].is_null())
+    set_deciding_segment(data_, *request_, uncertain_names(*request_));
+  if (!answer.certificate.empty()) take_proof(answer.certificate);
+}
+
+void PageOfAnswers::take_proof(const std::string& file) {
+  data_.certificate = read_start(file, kLongestProof + 1, Readable::kFile);
   if (data_.certificate.size() <= kLongestProof) return;
   data_.certificate.clear();
   data_.certificate_note =

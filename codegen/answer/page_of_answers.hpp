@@ -2,6 +2,7 @@
 // The page of one answer or of several about the same motion.
 #pragma once
 
+#include <memory>
 #include <nlohmann/json.hpp>
 #include <string>
 
@@ -36,6 +37,7 @@ class PageOfAnswers {
   ///
   /// Throws    InputError and FileError for the model.
   PageOfAnswers(PageTemplate page, const ModelOptions& model, const std::string& typed);
+  ~PageOfAnswers();
 
   /// The first answer gives the page its headline; a check or a paving that follows, a bound or a
   /// margin is shown beside it.
@@ -47,12 +49,14 @@ class PageOfAnswers {
   std::size_t write(const std::string& file) const;
 
  private:
+  void take_proof(const std::string& file);
+
   PageTemplate template_;
-  Request request_;
+  std::unique_ptr<const Request> request_;
   PageData data_;
 };
 
-/// Asks, and shows the answer: a check with its proof, a paving with its boxes. `page` may be null.
+/// Asks, and shows the answer: a check with its proof, a paving with its boxes.
 [[nodiscard]] std::unique_ptr<Answer> ask_for_page(const Asked& asked, const Services& services,
                                                    PageOfAnswers& page);
 

@@ -7,6 +7,7 @@
 #include <array>
 #include <vector>
 
+#include "codegen/margin/margin_question.hpp"
 #include "codegen/support/errors.hpp"
 #include "codegen/trajectory/read_trajectory.hpp"
 

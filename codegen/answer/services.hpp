@@ -12,7 +12,7 @@
 
 #include "codegen/engine/options.hpp"
 #include "codegen/feasibility/force_claim.hpp"
-#include "codegen/picture/picture_options.hpp"
+#include "codegen/picture/picture_request.hpp"
 #include "codegen/support/earlier_outputs.hpp"
 #include "runtime/interval/interval.hpp"
 #include "runtime/search/paving.hpp"

@@ -7,7 +7,11 @@
 #include <string>
 #include <vector>
 
-#include "codegen/model/request.hpp"
+#include "codegen/model/model_options.hpp"
+
+namespace regulus::inline model {
+struct Request;
+}
 
 namespace regulus::inline page {
 
