@@ -5,8 +5,8 @@ set(REGULUS_MANUAL_PAGES
     README.md models/README.md models/DATASHEETS.md codegen/EMBEDDING.md codegen/answer/WHAT_WORKS.md codegen/bound/BOUNDS.md codegen/command/CHECKING.md
     codegen/import/IMPORTING.md codegen/model/MODEL_FILES.md codegen/mpi/CLUSTER.md codegen/page/PAGES.md
     codegen/python/PYTHON.md codegen/robot/AUTHORS.md codegen/shell/SHELL.md runtime/PERFORMANCE.md
-    runtime/SOUNDNESS.md runtime/certificate/CERTIFICATES.md runtime/certificate/FORMAT.md
-    runtime/certificate/PROOF.md runtime/certificate/formal/FORMAL.md)
+    runtime/SOUNDNESS.md runtime/proof/CERTIFICATES.md runtime/proof/FORMAT.md
+    runtime/proof/PROOF.md runtime/formal/FORMAL.md)
 set(REGULUS_MANUAL_PICTURES
     codegen/page/page.webp codegen/page/robots.webp codegen/page/slices.webp codegen/page/way.webp
     models/planar_3rpr.svg models/tsai_3upu.svg tests/paper/growth.svg)

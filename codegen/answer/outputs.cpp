@@ -5,7 +5,7 @@
 #include <iterator>
 
 #include "codegen/report/progress.hpp"
-#include "runtime/certificate/format.hpp"
+#include "runtime/proof/format.hpp"
 
 namespace regulus::inline answer {
 namespace {

@@ -7,7 +7,7 @@
 #include "codegen/certificate/certificate_question.hpp"
 #include "codegen/certificate/load_question.hpp"
 #include "codegen/model/twist.hpp"
-#include "runtime/certificate/format.hpp"
+#include "runtime/proof/format.hpp"
 
 namespace regulus::inline bounding {
 namespace {

@@ -7,7 +7,7 @@
 #include <string>
 
 #include "codegen/quantity/bordered.hpp"
-#include "runtime/certificate/writer.hpp"
+#include "runtime/proof/writer.hpp"
 
 namespace regulus::inline bounding {
 

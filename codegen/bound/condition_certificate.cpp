@@ -5,7 +5,7 @@
 
 #include "codegen/bound/bound_certificate.hpp"
 #include "codegen/certificate/certificate_question.hpp"
-#include "runtime/certificate/format.hpp"
+#include "runtime/proof/format.hpp"
 
 namespace regulus::inline bounding {
 

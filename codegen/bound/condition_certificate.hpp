@@ -10,8 +10,8 @@
 #include "codegen/certificate/proof_status.hpp"
 #include "codegen/engine/pipeline.hpp"
 #include "codegen/quantity/quantity.hpp"
-#include "runtime/certificate/tree_kept.hpp"
-#include "runtime/certificate/writer.hpp"
+#include "runtime/proof/tree_kept.hpp"
+#include "runtime/proof/writer.hpp"
 
 namespace regulus::inline bounding {
 

@@ -8,8 +8,8 @@
 #include <utility>
 
 #include "codegen/support/errors.hpp"
-#include "runtime/certificate/format.hpp"
 #include "runtime/files/sha256.hpp"
+#include "runtime/proof/format.hpp"
 
 namespace regulus::inline certificate {
 namespace {

@@ -5,8 +5,8 @@
 #include <numeric>
 
 #include "codegen/certificate/certificate_question.hpp"
-#include "runtime/certificate/format.hpp"
-#include "runtime/certificate/verifier/verify.hpp"
+#include "runtime/proof/format.hpp"
+#include "runtime/verifier/verify.hpp"
 
 namespace regulus::inline certificate {
 

@@ -7,8 +7,8 @@
 
 #include "codegen/certificate/proof_status.hpp"
 #include "codegen/engine/pipeline.hpp"
-#include "runtime/certificate/writer.hpp"
 #include "runtime/files/file_lock.hpp"
+#include "runtime/proof/writer.hpp"
 
 namespace regulus::inline certificate {
 

@@ -8,11 +8,11 @@
 #include <sstream>
 
 #include "codegen/certificate/certificate_expression_writer.hpp"
-#include "runtime/certificate/format.hpp"
-#include "runtime/certificate/verifier/evaluation.hpp"
-#include "runtime/certificate/verifier/question.hpp"
-#include "runtime/certificate/verifier/rounding.hpp"
-#include "runtime/certificate/verifier/verify.hpp"
+#include "runtime/proof/format.hpp"
+#include "runtime/verifier/evaluation.hpp"
+#include "runtime/verifier/question.hpp"
+#include "runtime/verifier/rounding.hpp"
+#include "runtime/verifier/verify.hpp"
 
 namespace regulus::inline certificate {
 namespace {

@@ -7,8 +7,8 @@
 #include <string>
 
 #include "codegen/engine/pipeline.hpp"
-#include "runtime/certificate/format.hpp"
-#include "runtime/certificate/writer.hpp"
+#include "runtime/proof/format.hpp"
+#include "runtime/proof/writer.hpp"
 
 namespace regulus::inline certificate {
 

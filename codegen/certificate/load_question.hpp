@@ -6,7 +6,7 @@
 #include <string>
 
 #include "codegen/model/request.hpp"
-#include "runtime/certificate/format.hpp"
+#include "runtime/proof/format.hpp"
 
 namespace regulus::inline certificate {
 

@@ -8,7 +8,7 @@
 #include "codegen/certificate/certificate_question.hpp"
 #include "codegen/model/request.hpp"
 #include "codegen/model/trajectory.hpp"
-#include "runtime/certificate/writer.hpp"
+#include "runtime/proof/writer.hpp"
 
 namespace regulus::inline certificate {
 

@@ -11,7 +11,7 @@
 #include "codegen/support/earlier_outputs.hpp"
 #include "codegen/support/errors.hpp"
 #include "codegen/support/held_files.hpp"
-#include "runtime/certificate/proof_file.hpp"
+#include "runtime/proof/proof_file.hpp"
 
 namespace regulus::inline certificate {
 

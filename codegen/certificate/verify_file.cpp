@@ -7,7 +7,7 @@
 #include "codegen/certificate/certified_model.hpp"
 #include "codegen/model/model_file.hpp"
 #include "codegen/support/errors.hpp"
-#include "runtime/certificate/verifier/input_file.hpp"
+#include "runtime/verifier/input_file.hpp"
 
 namespace regulus::inline certificate {
 namespace {

@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "runtime/certificate/verifier/verify.hpp"
+#include "runtime/verifier/verify.hpp"
 
 namespace regulus::inline certificate {
 

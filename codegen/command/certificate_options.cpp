@@ -4,7 +4,7 @@
 #include <CLI/CLI.hpp>
 
 #include "codegen/command/number_check.hpp"
-#include "runtime/certificate/format.hpp"
+#include "runtime/proof/format.hpp"
 
 namespace regulus::inline command {
 

@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "codegen/command/command_line.hpp"
-#include "runtime/certificate/verifier/verify.hpp"
+#include "runtime/verifier/verify.hpp"
 
 namespace regulus::inline command {
 

@@ -8,9 +8,9 @@
 #include "codegen/engine/options.hpp"
 #include "codegen/engine/pipeline.hpp"
 #include "codegen/support/file_digest.hpp"
-#include "runtime/certificate/writer.hpp"
 #include "runtime/checkpoint/writer.hpp"
 #include "runtime/files/file_lock.hpp"
+#include "runtime/proof/writer.hpp"
 
 namespace regulus::inline engine {
 

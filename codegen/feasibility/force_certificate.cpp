@@ -6,7 +6,7 @@
 #include "codegen/certificate/certificate_question.hpp"
 #include "codegen/certificate/piece_question.hpp"
 #include "codegen/trajectory/trajectory_certificate.hpp"
-#include "runtime/certificate/writer.hpp"
+#include "runtime/proof/writer.hpp"
 
 namespace regulus::inline feasibility {
 namespace {

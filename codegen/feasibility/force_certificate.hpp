@@ -9,7 +9,7 @@
 #include "codegen/certificate/proof_status.hpp"
 #include "codegen/feasibility/feasibility_run.hpp"
 #include "codegen/feasibility/way_forces.hpp"
-#include "runtime/certificate/proof_file.hpp"
+#include "runtime/proof/proof_file.hpp"
 
 namespace regulus::inline feasibility {
 

@@ -8,7 +8,7 @@
 
 #include "codegen/certificate/proof_status.hpp"
 #include "codegen/margin/margin_question.hpp"
-#include "runtime/certificate/writer.hpp"
+#include "runtime/proof/writer.hpp"
 
 namespace regulus::inline bracketing {
 

@@ -8,8 +8,8 @@
 
 #include "codegen/command/commands.hpp"
 #include "codegen/support/errors.hpp"
-#include "runtime/certificate/verifier/verify.hpp"
 #include "runtime/cluster/bytes.hpp"
+#include "runtime/verifier/verify.hpp"
 
 namespace regulus::inline mpi {
 namespace {

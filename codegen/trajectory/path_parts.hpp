@@ -6,8 +6,8 @@
 #include <vector>
 
 #include "codegen/trajectory/path_bounds.hpp"
-#include "runtime/certificate/tree_kept.hpp"
 #include "runtime/problem/problem.hpp"
+#include "runtime/proof/tree_kept.hpp"
 
 namespace regulus::inline trajectory {
 

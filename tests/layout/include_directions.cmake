@@ -17,8 +17,8 @@ set(runtime/witness              ${runtime/evaluation} runtime/evaluation)
 set(runtime/search               ${runtime/witness} runtime/witness runtime/cluster)
 set(runtime/embedded             ${runtime/search} runtime/search)
 set(runtime/checkpoint           ${runtime/embedded} runtime/files)
-set(runtime/certificate          ${runtime/embedded} runtime/files)
-set(runtime/certificate/verifier runtime/files)
+set(runtime/proof          ${runtime/embedded} runtime/files)
+set(runtime/verifier runtime/files)
 
 set(codegen/support              runtime/files)
 set(codegen/model                codegen/support codegen/program runtime/files)
@@ -32,9 +32,9 @@ set(codegen/pack                 codegen/program runtime/interval runtime/kernel
 set(codegen/cpp                  ${codegen/formulation} codegen/formulation codegen/pack runtime/files runtime/kernel runtime/machine)
 set(codegen/jit                  codegen/support codegen/cpp runtime/files runtime/interval runtime/kernel runtime/machine)
 set(codegen/engine               ${codegen/cpp} codegen/cpp codegen/jit runtime/cluster runtime/witness runtime/search runtime/checkpoint
-                                 runtime/certificate)
+                                 runtime/proof)
 set(codegen/analysis             ${codegen/engine} codegen/engine)
-set(codegen/certificate          ${codegen/engine} codegen/engine runtime/certificate/verifier)
+set(codegen/certificate          ${codegen/engine} codegen/engine runtime/verifier)
 set(codegen/report               ${codegen/analysis} codegen/analysis codegen/certificate)
 set(codegen/picture              ${codegen/report} codegen/report)
 set(codegen/margin               ${codegen/report} codegen/report codegen/certificate)
@@ -44,17 +44,17 @@ set(codegen/bound                ${codegen/trajectory} codegen/trajectory codege
 set(codegen/feasibility          ${codegen/bound} codegen/bound)
 set(codegen/page                 ${codegen/bound} codegen/bound codegen/trajectory)
 set(codegen/answer               ${codegen/page} codegen/page codegen/feasibility codegen/picture)
-set(codegen/api                  ${codegen/answer} codegen/answer codegen/import codegen/robot runtime/certificate/verifier
+set(codegen/api                  ${codegen/answer} codegen/answer codegen/import codegen/robot runtime/verifier
                                  runtime/embedded)
 set(codegen/python               codegen/support codegen/engine codegen/jit codegen/api)
-set(codegen/command              ${codegen/answer} codegen/answer codegen/import runtime/certificate/verifier)
-set(codegen/mpi                  ${codegen/command} codegen/command runtime/certificate/verifier runtime/cluster)
+set(codegen/command              ${codegen/answer} codegen/answer codegen/import runtime/verifier)
+set(codegen/mpi                  ${codegen/command} codegen/command runtime/verifier runtime/cluster)
 set(codegen/shell                ${codegen/command} codegen/command)
 
 # Headers that are configured and carry no layer: the compiler flags, the version.
 set(everywhere regulus/floating_point_flags.hpp regulus/text_flags.hpp regulus/instruction_set_flags.hpp regulus/version.hpp)
 # Of what writes certificates the verifier knows the format alone.
-set(only_header_runtime/certificate/verifier runtime/certificate/format.hpp)
+set(only_header_runtime/certificate/verifier runtime/proof/format.hpp)
 
 set(only_ginac codegen/model codegen/import codegen/robot codegen/symbolic codegen/certificate codegen/margin codegen/quantity codegen/bound codegen/feasibility codegen/trajectory)
 set(only_cln   codegen/model codegen/symbolic codegen/program codegen/formulation codegen/cpp codegen/certificate codegen/trajectory)
@@ -76,7 +76,7 @@ endmacro()
 
 # The room of a file: two folders, but for the verifier's three.
 function(room_of file result)
-  if(file MATCHES "^(runtime/certificate/verifier|[a-z_]+/[a-z_]+)/")
+  if(file MATCHES "^(runtime/verifier|[a-z_]+/[a-z_]+)/")
     set(${result} ${CMAKE_MATCH_1} PARENT_SCOPE)
   else()
     set(${result} "" PARENT_SCOPE)

@@ -12,7 +12,7 @@
 #include "codegen/certificate/certificate_question.hpp"
 #include "codegen/engine/search_run.hpp"
 #include "codegen/engine/settings.hpp"
-#include "runtime/certificate/verifier/verify.hpp"
+#include "runtime/verifier/verify.hpp"
 #include "tests/support/certificate_texts.hpp"
 #include "tests/support/temporary_directory.hpp"
 

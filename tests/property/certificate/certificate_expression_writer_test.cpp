@@ -7,7 +7,7 @@
 
 #include <random>
 
-#include "runtime/certificate/verifier/evaluation.hpp"
+#include "runtime/verifier/evaluation.hpp"
 
 namespace regulus::test {
 namespace {

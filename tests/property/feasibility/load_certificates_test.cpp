@@ -13,7 +13,7 @@
 #include <sstream>
 
 #include "codegen/feasibility/force_certificate.hpp"
-#include "runtime/certificate/verifier/verify.hpp"
+#include "runtime/verifier/verify.hpp"
 #include "tests/support/temporary_directory.hpp"
 
 namespace regulus::test {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Expressions in the language of certificates (runtime/certificate/FORMAT.md), as one list of
+// Expressions in the language of certificates (runtime/proof/FORMAT.md), as one list of
 // operations in which each operation comes after its operands. Equal operations share an entry.
 import { down, Interval, interval, negate, point, up } from "./interval";
 import { PI } from "./functions";

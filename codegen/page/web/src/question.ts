@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The question of a certificate, read from its lines (runtime/certificate/FORMAT.md, "The question").
+// The question of a certificate, read from its lines (runtime/proof/FORMAT.md, "The question").
 import { approximate, enclose } from "./evaluation";
 import { Damage, Graph, parseExpression, Scope } from "./expression";
 import { Interval, interval, isBounded, subtract, add } from "./interval";
