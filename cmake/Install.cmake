@@ -107,7 +107,7 @@ if(REGULUS_CODEGEN)
           LIBRARY DESTINATION ${plugin_dir} COMPONENT jit)
   install(DIRECTORY ${PROJECT_SOURCE_DIR}/models DESTINATION ${CMAKE_INSTALL_DATADIR}/regulus
           COMPONENT codegen FILES_MATCHING PATTERN "*.toml")
-  install(FILES ${PROJECT_SOURCE_DIR}/codegen/model/model.schema.json ${PROJECT_SOURCE_DIR}/codegen/report/report.schema.json
+  install(FILES ${PROJECT_SOURCE_DIR}/codegen/model/file/model.schema.json ${PROJECT_SOURCE_DIR}/codegen/report/report.schema.json
           DESTINATION ${CMAKE_INSTALL_DATADIR}/regulus/schema COMPONENT codegen)
   if(REGULUS_PAGE_TEMPLATE)
     install(FILES ${REGULUS_PAGE_TEMPLATE} DESTINATION ${CMAKE_INSTALL_DATADIR}/regulus COMPONENT codegen)
@@ -127,6 +127,6 @@ if(REGULUS_CODEGEN)
   install(FILES ${CMAKE_CURRENT_LIST_DIR}/Arb.cmake ${CMAKE_CURRENT_LIST_DIR}/PkgConfigTarget.cmake
                 ${CMAKE_CURRENT_LIST_DIR}/CodegenDependencies.cmake
                 ${CMAKE_CURRENT_LIST_DIR}/package/plugin_folder.cpp
-                ${PROJECT_SOURCE_DIR}/codegen/robot/examples/write_model.cpp
+                ${PROJECT_SOURCE_DIR}/codegen/model/robot/examples/write_model.cpp
           DESTINATION ${package_dir} COMPONENT development)
 endif()

@@ -3,8 +3,8 @@
 # side, and their links say so. cmark-gfm is small, and knows the tables that the pages have.
 set(REGULUS_MANUAL_PAGES
     README.md models/README.md models/DATASHEETS.md codegen/EMBEDDING.md codegen/answer/WHAT_WORKS.md codegen/bound/BOUNDS.md codegen/command/CHECKING.md
-    codegen/import/IMPORTING.md codegen/model/MODEL_FILES.md codegen/mpi/CLUSTER.md codegen/page/PAGES.md
-    codegen/python/PYTHON.md codegen/robot/AUTHORS.md codegen/shell/SHELL.md runtime/PERFORMANCE.md
+    codegen/model/import/IMPORTING.md codegen/model/MODEL_FILES.md codegen/mpi/CLUSTER.md codegen/page/PAGES.md
+    codegen/python/PYTHON.md codegen/model/robot/AUTHORS.md codegen/shell/SHELL.md runtime/PERFORMANCE.md
     runtime/SOUNDNESS.md runtime/proof/CERTIFICATES.md runtime/proof/FORMAT.md
     runtime/proof/PROOF.md runtime/formal/FORMAL.md)
 set(REGULUS_MANUAL_PICTURES

@@ -9,8 +9,8 @@
 #include "codegen/answer/services.hpp"
 #include "codegen/engine/options.hpp"
 #include "codegen/model/model_options.hpp"
-#include "codegen/program/work_meter.hpp"
 #include "codegen/report/output_options.hpp"
+#include "codegen/support/work_meter.hpp"
 #include "runtime/problem/observer.hpp"
 
 namespace regulus::inline answer {

@@ -9,7 +9,7 @@
 
 #include "codegen/answer/ask.hpp"
 #include "codegen/certificate/certificate_question.hpp"
-#include "codegen/model/read_file.hpp"
+#include "codegen/model/file/read_file.hpp"
 #include "codegen/model/request.hpp"
 #include "codegen/support/errors.hpp"
 #include "codegen/support/scratch_folder.hpp"

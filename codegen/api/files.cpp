@@ -5,8 +5,8 @@
 
 #include "codegen/api/algebra_lock.hpp"
 #include "codegen/certificate/verification_report.hpp"
-#include "codegen/model/model_file.hpp"
-#include "codegen/model/read_file.hpp"
+#include "codegen/model/file/model_file.hpp"
+#include "codegen/model/file/read_file.hpp"
 #include "codegen/model/request.hpp"
 #include "codegen/report/model_report.hpp"
 #include "codegen/report/report_text.hpp"

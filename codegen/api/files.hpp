@@ -6,7 +6,7 @@
 #include <string>
 
 #include "codegen/api/question.hpp"
-#include "codegen/import/import.hpp"
+#include "codegen/model/import/import.hpp"
 
 namespace regulus::inline api {
 

@@ -4,7 +4,7 @@
 #include <memory>
 #include <string>
 
-#include "codegen/robot/robot.hpp"
+#include "codegen/model/robot/robot.hpp"
 
 namespace regulus::inline model {
 struct ModelOptions;

@@ -27,5 +27,5 @@
 #include "codegen/api/page.hpp"
 #include "codegen/api/prepared_question.hpp"
 #include "codegen/api/question.hpp"
-#include "codegen/robot/robot.hpp"
+#include "codegen/model/robot/robot.hpp"
 #include "codegen/support/errors.hpp"

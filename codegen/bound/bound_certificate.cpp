@@ -6,7 +6,7 @@
 #include "codegen/certificate/certificate_expression_writer.hpp"
 #include "codegen/certificate/certificate_question.hpp"
 #include "codegen/certificate/load_question.hpp"
-#include "codegen/model/twist.hpp"
+#include "codegen/model/mechanism/twist.hpp"
 #include "runtime/proof/format.hpp"
 
 namespace regulus::inline bounding {

@@ -5,8 +5,8 @@
 #include <system_error>
 
 #include "codegen/bound/quantity_report.hpp"
-#include "codegen/model/ginac_text.hpp"
-#include "codegen/model/read_file.hpp"
+#include "codegen/model/exact/ginac_text.hpp"
+#include "codegen/model/file/read_file.hpp"
 #include "codegen/report/question_report.hpp"
 #include "codegen/report/report_text.hpp"
 #include "codegen/support/errors.hpp"

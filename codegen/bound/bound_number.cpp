@@ -6,9 +6,9 @@
 #include <cmath>
 
 #include "codegen/formulation/variety.hpp"
-#include "codegen/model/certain_sign.hpp"
-#include "codegen/model/expression_parser.hpp"
-#include "codegen/model/sign.hpp"
+#include "codegen/model/exact/certain_sign.hpp"
+#include "codegen/model/exact/expression_parser.hpp"
+#include "codegen/model/exact/sign.hpp"
 
 namespace regulus::inline bounding {
 namespace {

@@ -6,8 +6,8 @@
 #include <algorithm>
 
 #include "codegen/bound/bound_run.hpp"
-#include "codegen/model/certain_sign.hpp"
-#include "codegen/model/expression_parser.hpp"
+#include "codegen/model/exact/certain_sign.hpp"
+#include "codegen/model/exact/expression_parser.hpp"
 #include "codegen/model/names.hpp"
 #include "codegen/support/errors.hpp"
 

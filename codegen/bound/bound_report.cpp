@@ -7,7 +7,7 @@
 #include <nlohmann/json.hpp>
 
 #include "codegen/bound/quantity_report.hpp"
-#include "codegen/model/ginac_text.hpp"
+#include "codegen/model/exact/ginac_text.hpp"
 #include "codegen/report/question_report.hpp"
 #include "codegen/report/report_parts.hpp"
 #include "codegen/trajectory/trajectory_report.hpp"

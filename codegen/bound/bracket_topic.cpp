@@ -2,8 +2,8 @@
 #include "codegen/bound/bracket_topic.hpp"
 
 #include "codegen/bound/bound_certificate.hpp"
-#include "codegen/model/decimal.hpp"
-#include "codegen/model/sign.hpp"
+#include "codegen/model/exact/decimal.hpp"
+#include "codegen/model/exact/sign.hpp"
 #include "runtime/cluster/bytes.hpp"
 
 namespace regulus::inline bounding {

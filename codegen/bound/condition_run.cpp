@@ -10,7 +10,7 @@
 #include "codegen/certificate/certificate_question.hpp"
 #include "codegen/engine/search_run.hpp"
 #include "codegen/engine/settings.hpp"
-#include "codegen/model/expression_parser.hpp"
+#include "codegen/model/exact/expression_parser.hpp"
 #include "codegen/report/progress.hpp"
 #include "codegen/report/report_parts.hpp"
 #include "codegen/support/errors.hpp"

@@ -5,7 +5,7 @@
 
 #include <algorithm>
 
-#include "codegen/model/certain_sign.hpp"
+#include "codegen/model/exact/certain_sign.hpp"
 #include "codegen/support/errors.hpp"
 
 namespace regulus::inline bounding {

@@ -5,7 +5,7 @@
 
 #include "codegen/bound/bound_run.hpp"
 #include "codegen/bound/bracket_topic.hpp"
-#include "codegen/model/certain_sign.hpp"
+#include "codegen/model/exact/certain_sign.hpp"
 #include "codegen/report/progress.hpp"
 #include "codegen/support/stopwatch.hpp"
 

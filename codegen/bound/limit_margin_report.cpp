@@ -6,7 +6,7 @@
 #include "codegen/bound/limit_margin.hpp"
 #include "codegen/bound/quantity_report.hpp"
 #include "codegen/margin/margin_report.hpp"
-#include "codegen/model/ginac_text.hpp"
+#include "codegen/model/exact/ginac_text.hpp"
 #include "codegen/report/question_report.hpp"
 #include "codegen/report/report_parts.hpp"
 

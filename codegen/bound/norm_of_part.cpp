@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "codegen/bound/norm_of_part.hpp"
 
-#include "codegen/model/certain_sign.hpp"
-#include "codegen/model/twist.hpp"
+#include "codegen/model/exact/certain_sign.hpp"
+#include "codegen/model/mechanism/twist.hpp"
 
 namespace regulus::inline bounding {
 namespace {

@@ -5,7 +5,7 @@
 #include <cmath>
 
 #include "codegen/bound/bracket_topic.hpp"
-#include "codegen/model/decimal.hpp"
+#include "codegen/model/exact/decimal.hpp"
 #include "runtime/search/bracket.hpp"
 
 namespace regulus::inline bounding {

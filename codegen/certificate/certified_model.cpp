@@ -14,8 +14,8 @@
 #include "codegen/certificate/certificate_question.hpp"
 #include "codegen/certificate/load_question.hpp"
 #include "codegen/certificate/piece_question.hpp"
-#include "codegen/model/certain_sign.hpp"
-#include "codegen/model/model_file.hpp"
+#include "codegen/model/exact/certain_sign.hpp"
+#include "codegen/model/file/model_file.hpp"
 #include "codegen/model/overrides.hpp"
 #include "codegen/model/request.hpp"
 

@@ -7,7 +7,7 @@
 
 #include "codegen/certificate/certificate_question.hpp"
 #include "codegen/model/request.hpp"
-#include "codegen/model/trajectory.hpp"
+#include "codegen/model/way/trajectory.hpp"
 #include "runtime/proof/writer.hpp"
 
 namespace regulus::inline certificate {

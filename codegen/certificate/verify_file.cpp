@@ -5,7 +5,7 @@
 #include <set>
 
 #include "codegen/certificate/certified_model.hpp"
-#include "codegen/model/model_file.hpp"
+#include "codegen/model/file/model_file.hpp"
 #include "codegen/support/errors.hpp"
 #include "runtime/verifier/input_file.hpp"
 

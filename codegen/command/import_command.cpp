@@ -5,8 +5,8 @@
 #include "codegen/command/answer.hpp"
 #include "codegen/command/commands.hpp"
 #include "codegen/command/import_output.hpp"
-#include "codegen/import/import.hpp"
-#include "codegen/model/read_file.hpp"
+#include "codegen/model/file/read_file.hpp"
+#include "codegen/model/import/import.hpp"
 #include "codegen/report/report_text.hpp"
 #include "codegen/support/errors.hpp"
 

@@ -8,7 +8,7 @@ namespace {
 
 constexpr const char* kImportFooter =
     "The model of an arm has two motions: limits, the ranges of the joints in the file, and home,\n"
-    "every joint at zero. From a file to a verdict: codegen/import/IMPORTING.md.\n"
+    "every joint at zero. From a file to a verdict: codegen/model/import/IMPORTING.md.\n"
     "Exit: 0 written; 64 usage, 65 bad file, 70 internal fault, 74 file error.";
 
 }  // namespace

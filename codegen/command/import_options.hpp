@@ -4,7 +4,7 @@
 
 #include <string>
 
-#include "codegen/import/import.hpp"
+#include "codegen/model/import/import.hpp"
 
 namespace CLI {
 class App;

@@ -5,8 +5,8 @@
 #include <optional>
 
 #include "codegen/cpp/write_files.hpp"
-#include "codegen/import/import.hpp"
-#include "codegen/model/read_file.hpp"
+#include "codegen/model/file/read_file.hpp"
+#include "codegen/model/import/import.hpp"
 #include "codegen/support/earlier_outputs.hpp"
 #include "codegen/support/errors.hpp"
 #include "codegen/support/write_file.hpp"

@@ -5,8 +5,8 @@
 #include <nlohmann/json.hpp>
 
 #include "codegen/command/commands.hpp"
-#include "codegen/model/installed_models.hpp"
-#include "codegen/model/model_file.hpp"
+#include "codegen/model/file/installed_models.hpp"
+#include "codegen/model/file/model_file.hpp"
 #include "codegen/report/model_report.hpp"
 #include "codegen/report/report_text.hpp"
 

@@ -12,7 +12,7 @@
 #include "codegen/command/commands.hpp"
 #include "codegen/command/run_question.hpp"
 #include "codegen/jit/jit.hpp"
-#include "codegen/model/installed_models.hpp"
+#include "codegen/model/file/installed_models.hpp"
 #include "codegen/model/request.hpp"
 #include "codegen/support/errors.hpp"
 #include "codegen/support/exit_code.hpp"

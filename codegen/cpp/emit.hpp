@@ -5,7 +5,7 @@
 
 #include "codegen/cpp/emitted_kernel.hpp"
 #include "codegen/program/module.hpp"
-#include "codegen/program/work_meter.hpp"
+#include "codegen/support/work_meter.hpp"
 
 namespace regulus::inline cpp {
 

@@ -6,7 +6,7 @@
 #include "codegen/cpp/output_label.hpp"
 #include "codegen/pack/select.hpp"
 #include "codegen/program/module.hpp"
-#include "codegen/program/work_meter.hpp"
+#include "codegen/support/work_meter.hpp"
 
 namespace regulus::inline cpp {
 

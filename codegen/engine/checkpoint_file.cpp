@@ -5,7 +5,7 @@
 
 #include <numeric>
 
-#include "codegen/model/read_file.hpp"
+#include "codegen/model/file/read_file.hpp"
 #include "codegen/support/errors.hpp"
 #include "runtime/files/sha256.hpp"
 

@@ -7,7 +7,7 @@
 #include <cstdint>
 #include <filesystem>
 
-#include "codegen/model/read_file.hpp"
+#include "codegen/model/file/read_file.hpp"
 #include "codegen/support/errors.hpp"
 #include "codegen/support/shared_object.hpp"
 #include "runtime/files/sha256.hpp"

@@ -6,7 +6,7 @@
 #include "codegen/engine/options_key.hpp"
 #include "codegen/formulation/typical_ranges.hpp"
 #include "codegen/jit/cache/key_parts.hpp"
-#include "codegen/model/ginac_text.hpp"
+#include "codegen/model/exact/ginac_text.hpp"
 #include "codegen/symbolic/print.hpp"
 
 namespace regulus::inline engine {

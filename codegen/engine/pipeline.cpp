@@ -10,7 +10,7 @@
 #include "codegen/engine/problem_cache.hpp"
 #include "codegen/engine/settings.hpp"
 #include "codegen/jit/jit.hpp"
-#include "codegen/model/model_file.hpp"
+#include "codegen/model/file/model_file.hpp"
 #include "codegen/pack/select.hpp"
 #include "codegen/support/errors.hpp"
 #include "runtime/kernel/self_test.hpp"

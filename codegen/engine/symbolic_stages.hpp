@@ -9,8 +9,8 @@
 #include "codegen/formulation/formulation.hpp"
 #include "codegen/model/request.hpp"
 #include "codegen/program/module.hpp"
-#include "codegen/program/work_meter.hpp"
 #include "codegen/support/stopwatch.hpp"
+#include "codegen/support/work_meter.hpp"
 
 namespace regulus::inline engine {
 

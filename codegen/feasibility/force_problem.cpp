@@ -4,8 +4,8 @@
 #include <fmt/format.h>
 
 #include "codegen/formulation/variety.hpp"
-#include "codegen/model/certain_sign.hpp"
 #include "codegen/model/constants.hpp"
+#include "codegen/model/exact/certain_sign.hpp"
 #include "codegen/support/errors.hpp"
 
 namespace regulus::inline feasibility {

@@ -8,7 +8,7 @@
 
 #include "codegen/certificate/certificate_question.hpp"
 #include "codegen/certificate/piece_question.hpp"
-#include "codegen/model/trajectory.hpp"
+#include "codegen/model/way/trajectory.hpp"
 #include "codegen/support/errors.hpp"
 #include "codegen/trajectory/path_run.hpp"
 #include "codegen/trajectory/trajectory_request.hpp"

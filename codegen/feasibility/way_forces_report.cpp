@@ -7,7 +7,7 @@
 #include "codegen/certificate/certificate_question.hpp"
 #include "codegen/feasibility/feasibility_report.hpp"
 #include "codegen/feasibility/way_forces.hpp"
-#include "codegen/model/trajectory.hpp"
+#include "codegen/model/way/trajectory.hpp"
 #include "codegen/report/question_report.hpp"
 #include "codegen/report/report_parts.hpp"
 #include "codegen/trajectory/trajectory_report.hpp"

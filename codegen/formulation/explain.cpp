@@ -8,7 +8,7 @@
 #include <map>
 #include <utility>
 
-#include "codegen/model/singular_factors.hpp"
+#include "codegen/model/mechanism/singular_factors.hpp"
 #include "codegen/symbolic/print.hpp"
 
 namespace regulus::inline formulation {

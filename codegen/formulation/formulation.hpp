@@ -14,7 +14,7 @@
 #include "codegen/model/model.hpp"
 #include "codegen/program/budgets.hpp"
 #include "codegen/program/module.hpp"
-#include "codegen/program/work_meter.hpp"
+#include "codegen/support/work_meter.hpp"
 #include "codegen/symbolic/expression.hpp"
 #include "codegen/symbolic/measure.hpp"
 #include "codegen/symbolic/rewrite.hpp"

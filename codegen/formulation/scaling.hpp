@@ -11,7 +11,7 @@
 
 #include <vector>
 
-#include "codegen/program/work_meter.hpp"
+#include "codegen/support/work_meter.hpp"
 #include "codegen/symbolic/expression.hpp"
 #include "codegen/symbolic/variable.hpp"
 

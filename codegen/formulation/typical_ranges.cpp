@@ -4,7 +4,7 @@
 #include <cmath>
 
 #include "codegen/formulation/variety.hpp"
-#include "codegen/model/decimal.hpp"
+#include "codegen/model/exact/decimal.hpp"
 #include "codegen/support/errors.hpp"
 
 namespace regulus::inline formulation {

@@ -7,13 +7,13 @@
 
 #include "codegen/certificate/certificate_question.hpp"
 #include "codegen/formulation/variable_ranges.hpp"
-#include "codegen/model/certain_sign.hpp"
 #include "codegen/model/constants.hpp"
-#include "codegen/model/decimal.hpp"
-#include "codegen/model/ginac_text.hpp"
-#include "codegen/model/joint_limits.hpp"
+#include "codegen/model/exact/certain_sign.hpp"
+#include "codegen/model/exact/decimal.hpp"
+#include "codegen/model/exact/ginac_text.hpp"
+#include "codegen/model/exact/sign.hpp"
+#include "codegen/model/mechanism/joint_limits.hpp"
 #include "codegen/model/overrides.hpp"
-#include "codegen/model/sign.hpp"
 
 namespace regulus::inline bracketing {
 namespace {

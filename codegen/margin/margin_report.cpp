@@ -6,7 +6,7 @@
 #include <nlohmann/json.hpp>
 
 #include "codegen/engine/choices.hpp"
-#include "codegen/model/decimal.hpp"
+#include "codegen/model/exact/decimal.hpp"
 #include "codegen/report/question_report.hpp"
 #include "codegen/report/report_parts.hpp"
 #include "codegen/report/witness_report.hpp"

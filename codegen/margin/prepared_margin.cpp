@@ -2,8 +2,8 @@
 #include "codegen/margin/prepared_margin.hpp"
 
 #include "codegen/engine/settings.hpp"
-#include "codegen/model/expression_parser.hpp"
-#include "codegen/model/sign.hpp"
+#include "codegen/model/exact/expression_parser.hpp"
+#include "codegen/model/exact/sign.hpp"
 #include "codegen/support/stopwatch.hpp"
 
 namespace regulus::inline bracketing {

@@ -5,9 +5,9 @@
 #include <set>
 #include <string>
 
-#include "codegen/model/certain_sign.hpp"
+#include "codegen/model/exact/certain_sign.hpp"
+#include "codegen/model/exact/sign.hpp"
 #include "codegen/model/names.hpp"
-#include "codegen/model/sign.hpp"
 #include "codegen/support/errors.hpp"
 
 namespace regulus::inline model {

@@ -2,7 +2,7 @@
 // Checks of constants, from a file or a command line.
 #pragma once
 
-#include "codegen/model/expression_parser.hpp"
+#include "codegen/model/exact/expression_parser.hpp"
 #include "codegen/model/model.hpp"
 
 namespace regulus::inline model {

@@ -6,9 +6,9 @@
 #include <cmath>
 #include <optional>
 
-#include "codegen/model/expression_parser.hpp"
-#include "codegen/model/ginac_text.hpp"
-#include "codegen/model/sign.hpp"
+#include "codegen/model/exact/expression_parser.hpp"
+#include "codegen/model/exact/ginac_text.hpp"
+#include "codegen/model/exact/sign.hpp"
 
 namespace regulus::inline model {
 namespace {

@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "codegen/model/exact_algebra.hpp"
+#include "codegen/model/exact/exact_algebra.hpp"
 
 namespace regulus::inline model {
 

@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <numeric>
 
-#include "codegen/model/real_functions.hpp"
+#include "codegen/model/exact/real_functions.hpp"
 #include "codegen/support/visible_text.hpp"
 
 namespace regulus::inline model {

@@ -4,11 +4,11 @@
 #include <algorithm>
 
 #include "codegen/model/changes.hpp"
-#include "codegen/model/joint_limits.hpp"
-#include "codegen/model/model_file.hpp"
+#include "codegen/model/file/model_file.hpp"
+#include "codegen/model/mechanism/joint_limits.hpp"
+#include "codegen/model/mechanism/reach.hpp"
 #include "codegen/model/overrides.hpp"
-#include "codegen/model/reach.hpp"
-#include "codegen/model/trajectory.hpp"
+#include "codegen/model/way/trajectory.hpp"
 
 namespace regulus::inline model {
 

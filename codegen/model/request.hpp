@@ -8,8 +8,8 @@
 
 #include "codegen/model/model.hpp"
 #include "codegen/model/model_options.hpp"
-#include "codegen/program/work_meter.hpp"
 #include "codegen/support/errors.hpp"
+#include "codegen/support/work_meter.hpp"
 
 namespace regulus::inline model {
 

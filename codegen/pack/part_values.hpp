@@ -12,7 +12,7 @@
 #include "codegen/pack/partition.hpp"
 #include "codegen/pack/select.hpp"
 #include "codegen/program/program.hpp"
-#include "codegen/program/work_meter.hpp"
+#include "codegen/support/work_meter.hpp"
 #include "runtime/machine/pack_program.hpp"
 
 namespace regulus::inline packing {

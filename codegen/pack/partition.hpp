@@ -9,7 +9,7 @@
 #include "codegen/program/interpreter.hpp"
 #include "codegen/program/magnitude.hpp"
 #include "codegen/program/program.hpp"
-#include "codegen/program/work_meter.hpp"
+#include "codegen/support/work_meter.hpp"
 #include "runtime/interval/interval.hpp"
 
 namespace regulus::inline packing {

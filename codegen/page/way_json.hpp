@@ -3,7 +3,7 @@
 
 #include <nlohmann/json_fwd.hpp>
 
-#include "codegen/model/trajectory.hpp"
+#include "codegen/model/way/trajectory.hpp"
 
 namespace regulus::inline page {
 

@@ -4,7 +4,7 @@
 #include <algorithm>
 
 #include "codegen/model/constants.hpp"
-#include "codegen/model/twist.hpp"
+#include "codegen/model/mechanism/twist.hpp"
 #include "codegen/quantity/inverse_columns.hpp"
 #include "codegen/quantity/inverse_in_one_unit.hpp"
 

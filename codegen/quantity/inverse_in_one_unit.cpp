@@ -2,7 +2,7 @@
 #include "codegen/quantity/inverse_in_one_unit.hpp"
 
 #include "codegen/model/constants.hpp"
-#include "codegen/model/twist.hpp"
+#include "codegen/model/mechanism/twist.hpp"
 
 namespace regulus::inline quantity {
 

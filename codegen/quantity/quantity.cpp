@@ -7,8 +7,8 @@
 #include <array>
 #include <charconv>
 
+#include "codegen/model/mechanism/twist.hpp"
 #include "codegen/model/names.hpp"
-#include "codegen/model/twist.hpp"
 #include "codegen/support/errors.hpp"
 
 namespace regulus::inline quantity {

@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "codegen/model/trajectory.hpp"
+#include "codegen/model/way/trajectory.hpp"
 
 namespace regulus::inline quantity {
 

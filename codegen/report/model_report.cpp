@@ -7,7 +7,7 @@
 #include <nlohmann/json.hpp>
 
 #include "codegen/formulation/variety.hpp"
-#include "codegen/model/ginac_text.hpp"
+#include "codegen/model/exact/ginac_text.hpp"
 #include "codegen/model/overrides.hpp"
 #include "codegen/report/report_parts.hpp"
 

@@ -8,8 +8,8 @@
 #include <optional>
 #include <string>
 
-#include "codegen/program/work_meter.hpp"
 #include "codegen/report/output_options.hpp"
+#include "codegen/support/work_meter.hpp"
 #include "runtime/cluster/workers.hpp"
 
 namespace regulus::inline report {

@@ -9,7 +9,7 @@
 #include "codegen/certificate/certificate_expression_writer.hpp"
 #include "codegen/engine/choices.hpp"
 #include "codegen/engine/settings.hpp"
-#include "codegen/model/ginac_text.hpp"
+#include "codegen/model/exact/ginac_text.hpp"
 #include "codegen/report/report_parts.hpp"
 #include "regulus/version.hpp"
 

@@ -10,9 +10,9 @@
 #include <nlohmann/json.hpp>
 
 #include "codegen/command/run_command_line.hpp"
-#include "codegen/model/installed_models.hpp"
-#include "codegen/model/model_edit.hpp"
-#include "codegen/model/model_file.hpp"
+#include "codegen/model/file/installed_models.hpp"
+#include "codegen/model/file/model_edit.hpp"
+#include "codegen/model/file/model_file.hpp"
 #include "codegen/model/names.hpp"
 #include "codegen/model/overrides.hpp"
 #include "codegen/model/request.hpp"

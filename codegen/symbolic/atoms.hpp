@@ -7,7 +7,7 @@
 #include <unordered_map>
 #include <vector>
 
-#include "codegen/program/work_meter.hpp"
+#include "codegen/support/work_meter.hpp"
 #include "codegen/symbolic/expression.hpp"
 
 namespace regulus::inline symbolic {

@@ -6,7 +6,7 @@
 #include <unordered_map>
 #include <vector>
 
-#include "codegen/model/exact_algebra.hpp"
+#include "codegen/model/exact/exact_algebra.hpp"
 
 namespace regulus::inline symbolic {
 namespace {

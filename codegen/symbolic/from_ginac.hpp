@@ -5,7 +5,7 @@
 
 #include <map>
 
-#include "codegen/program/work_meter.hpp"
+#include "codegen/support/work_meter.hpp"
 #include "codegen/symbolic/expression.hpp"
 
 namespace regulus::inline symbolic {

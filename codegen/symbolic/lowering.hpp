@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "codegen/program/program.hpp"
-#include "codegen/program/work_meter.hpp"
+#include "codegen/support/work_meter.hpp"
 #include "codegen/symbolic/expression.hpp"
 
 namespace regulus::inline symbolic {

@@ -6,7 +6,7 @@
 #include <span>
 #include <vector>
 
-#include "codegen/model/trajectory.hpp"
+#include "codegen/model/way/trajectory.hpp"
 #include "runtime/interval/interval.hpp"
 
 namespace regulus::inline trajectory {

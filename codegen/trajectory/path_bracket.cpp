@@ -5,7 +5,7 @@
 
 #include "codegen/certificate/certificate_question.hpp"
 #include "codegen/certificate/piece_question.hpp"
-#include "codegen/model/trajectory.hpp"
+#include "codegen/model/way/trajectory.hpp"
 #include "codegen/report/progress.hpp"
 #include "codegen/trajectory/path_run.hpp"
 #include "codegen/trajectory/path_search.hpp"

@@ -7,7 +7,7 @@
 
 #include "codegen/analysis/undefined.hpp"
 #include "codegen/engine/choices.hpp"
-#include "codegen/model/trajectory.hpp"
+#include "codegen/model/way/trajectory.hpp"
 #include "codegen/report/question_report.hpp"
 #include "codegen/report/report.hpp"
 #include "codegen/report/report_parts.hpp"

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "codegen/trajectory/trajectory_request.hpp"
 
-#include "codegen/model/decimal.hpp"
+#include "codegen/model/exact/decimal.hpp"
 #include "codegen/support/errors.hpp"
 
 namespace regulus::inline trajectory {

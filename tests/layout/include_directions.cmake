@@ -22,8 +22,8 @@ set(runtime/verifier runtime/files)
 
 set(codegen/support              runtime/files)
 set(codegen/model                codegen/support codegen/program runtime/files)
-set(codegen/import               codegen/support codegen/model runtime/files)
-set(codegen/robot                codegen/support codegen/model)
+set(codegen/model/import               codegen/support codegen/model runtime/files)
+set(codegen/model/robot                codegen/support codegen/model)
 set(codegen/program              codegen/support runtime/files runtime/interval runtime/kernel)
 set(codegen/symbolic             codegen/support codegen/model codegen/program)
 set(codegen/columns              ${codegen/symbolic} codegen/symbolic runtime/interval runtime/regularity)
@@ -44,10 +44,10 @@ set(codegen/bound                ${codegen/trajectory} codegen/trajectory codege
 set(codegen/feasibility          ${codegen/bound} codegen/bound)
 set(codegen/page                 ${codegen/bound} codegen/bound codegen/trajectory)
 set(codegen/answer               ${codegen/page} codegen/page codegen/feasibility codegen/picture)
-set(codegen/api                  ${codegen/answer} codegen/answer codegen/import codegen/robot runtime/verifier
+set(codegen/api                  ${codegen/answer} codegen/answer codegen/model/import codegen/model/robot runtime/verifier
                                  runtime/embedded)
 set(codegen/python               codegen/support codegen/engine codegen/jit codegen/api)
-set(codegen/command              ${codegen/answer} codegen/answer codegen/import runtime/verifier)
+set(codegen/command              ${codegen/answer} codegen/answer codegen/model/import runtime/verifier)
 set(codegen/mpi                  ${codegen/command} codegen/command runtime/verifier runtime/cluster)
 set(codegen/shell                ${codegen/command} codegen/command)
 
@@ -56,11 +56,11 @@ set(everywhere regulus/floating_point_flags.hpp regulus/text_flags.hpp regulus/i
 # Of what writes certificates the verifier knows the format alone.
 set(only_header_runtime/certificate/verifier runtime/proof/format.hpp)
 
-set(only_ginac codegen/model codegen/import codegen/robot codegen/symbolic codegen/certificate codegen/margin codegen/quantity codegen/bound codegen/feasibility codegen/trajectory)
+set(only_ginac codegen/model codegen/model/import codegen/model/robot codegen/symbolic codegen/certificate codegen/margin codegen/quantity codegen/bound codegen/feasibility codegen/trajectory)
 set(only_cln   codegen/model codegen/symbolic codegen/program codegen/formulation codegen/cpp codegen/certificate codegen/trajectory)
 set(only_llvm  codegen/jit)
 set(only_CLI11 codegen/command)
-set(only_tinyxml2 codegen/import)
+set(only_tinyxml2 codegen/model/import)
 set(only_JSON  codegen/answer codegen/api codegen/bound codegen/certificate codegen/command codegen/cpp codegen/engine codegen/feasibility codegen/margin codegen/page codegen/report codegen/shell codegen/trajectory)
 
 set(faults "")

@@ -24,7 +24,7 @@ def schema(path):
     return jsonschema.Draft202012Validator(read)
 
 
-MODEL = schema("codegen/model/model.schema.json")
+MODEL = schema("codegen/model/file/model.schema.json")
 REPORT = schema("codegen/report/report.schema.json")
 
 

@@ -13,7 +13,7 @@
 #include <utility>
 
 #include "codegen/formulation/formulation.hpp"
-#include "codegen/model/model_file.hpp"
+#include "codegen/model/file/model_file.hpp"
 #include "codegen/model/overrides.hpp"
 #include "codegen/pack/select.hpp"
 #include "runtime/interval/interval.hpp"

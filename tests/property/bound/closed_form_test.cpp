@@ -5,7 +5,7 @@
 #include <cmath>
 
 #include "codegen/bound/bound_run.hpp"
-#include "codegen/model/model_file.hpp"
+#include "codegen/model/file/model_file.hpp"
 
 namespace regulus::test {
 namespace {

@@ -10,7 +10,7 @@
 
 #include "codegen/bound/bound_run.hpp"
 #include "codegen/bound/condition_test.hpp"
-#include "codegen/model/model_file.hpp"
+#include "codegen/model/file/model_file.hpp"
 #include "codegen/support/errors.hpp"
 #include "tests/support/certificates.hpp"
 #include "tests/support/temporary_directory.hpp"

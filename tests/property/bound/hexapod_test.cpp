@@ -7,7 +7,7 @@
 #include <random>
 
 #include "codegen/bound/bound_run.hpp"
-#include "codegen/model/model_file.hpp"
+#include "codegen/model/file/model_file.hpp"
 
 namespace regulus::test {
 namespace {

@@ -9,9 +9,9 @@
 #include <string>
 #include <vector>
 
-#include "codegen/model/model_file.hpp"
-#include "codegen/model/real_functions.hpp"
-#include "codegen/model/trajectory.hpp"
+#include "codegen/model/exact/real_functions.hpp"
+#include "codegen/model/file/model_file.hpp"
+#include "codegen/model/way/trajectory.hpp"
 #include "codegen/support/errors.hpp"
 #include "runtime/verifier/evaluation.hpp"
 #include "runtime/verifier/model/gcode.hpp"

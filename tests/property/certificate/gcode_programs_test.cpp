@@ -10,8 +10,8 @@
 #include <string>
 #include <vector>
 
-#include "codegen/model/gcode_file.hpp"
-#include "codegen/model/model_file.hpp"
+#include "codegen/model/file/model_file.hpp"
+#include "codegen/model/way/gcode_file.hpp"
 #include "codegen/support/errors.hpp"
 #include "runtime/verifier/evaluation.hpp"
 #include "runtime/verifier/model/gcode.hpp"

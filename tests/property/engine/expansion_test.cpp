@@ -9,7 +9,7 @@
 
 #include "codegen/formulation/formulation.hpp"
 #include "codegen/formulation/variety.hpp"
-#include "codegen/model/model_file.hpp"
+#include "codegen/model/file/model_file.hpp"
 #include "codegen/model/overrides.hpp"
 #include "codegen/pack/select.hpp"
 #include "runtime/interval/arithmetic.hpp"

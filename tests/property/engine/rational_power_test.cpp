@@ -10,7 +10,7 @@
 #include <optional>
 #include <string>
 
-#include "codegen/model/expression_parser.hpp"
+#include "codegen/model/exact/expression_parser.hpp"
 #include "codegen/program/arb_arithmetic.hpp"
 #include "codegen/program/enclose.hpp"
 #include "codegen/program/interval_arithmetic.hpp"

@@ -11,7 +11,7 @@
 
 #include "codegen/bound/condition_search.hpp"
 #include "codegen/engine/pipeline.hpp"
-#include "codegen/model/model_file.hpp"
+#include "codegen/model/file/model_file.hpp"
 #include "codegen/quantity/inverse_in_one_unit.hpp"
 #include "tests/support/search_events.hpp"
 

@@ -3,7 +3,7 @@
 
 #include <gtest/gtest.h>
 
-#include "codegen/model/model_file.hpp"
+#include "codegen/model/file/model_file.hpp"
 
 namespace regulus::test {
 namespace {

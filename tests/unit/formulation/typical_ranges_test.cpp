@@ -5,8 +5,8 @@
 
 #include <cmath>
 
-#include "codegen/model/decimal.hpp"
-#include "codegen/model/sign.hpp"
+#include "codegen/model/exact/decimal.hpp"
+#include "codegen/model/exact/sign.hpp"
 #include "tests/support/random_source.hpp"
 
 namespace regulus {

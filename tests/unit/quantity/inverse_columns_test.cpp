@@ -5,7 +5,7 @@
 
 #include <cmath>
 
-#include "codegen/model/model_file.hpp"
+#include "codegen/model/file/model_file.hpp"
 #include "codegen/quantity/sample_point.hpp"
 
 namespace regulus::test {
