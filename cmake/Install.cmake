@@ -14,7 +14,7 @@ include(${CMAKE_CURRENT_LIST_DIR}/ComponentLibraries.cmake)
 include(${CMAKE_CURRENT_LIST_DIR}/PublicHeaders.cmake)
 
 set(package_dir ${CMAKE_INSTALL_LIBDIR}/cmake/Regulus)
-# Next to bin, in the folder for libraries (codegen/jit/clang_compiler.cpp), and deep enough that
+# Next to bin, in the folder for libraries (codegen/kernel/jit/clang_compiler.cpp), and deep enough that
 # CPack does not treat plugins as libraries and call ldconfig.
 set(plugin_dir lib/regulus/plugins)
 

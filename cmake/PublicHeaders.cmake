@@ -9,7 +9,7 @@ set(REGULUS_RUNTIME_HEADERS
   runtime/kernel/self_test.hpp runtime/kernel/self_test_program.hpp
   runtime/problem/filter.h)
 set(REGULUS_SEARCH_HEADERS runtime/search/solver.hpp runtime/checkpoint/writer.hpp runtime/proof/writer.hpp)
-set(REGULUS_DEVELOPMENT_HEADERS codegen/api/regulus.hpp codegen/jit/plugin_folder.h)
+set(REGULUS_DEVELOPMENT_HEADERS codegen/api/regulus.hpp codegen/kernel/jit/plugin_folder.h)
 
 # regulus_with_includes(RESULT ROOT HEADERS...): the headers and all headers of the repository at
 # ROOT that they include, sorted. Configured headers, below regulus/, are left out.

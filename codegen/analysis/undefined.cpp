@@ -3,10 +3,10 @@
 
 #include <unordered_set>
 
-#include "codegen/formulation/substitution.hpp"
-#include "codegen/program/enclose.hpp"
-#include "codegen/program/interval_arithmetic.hpp"
-#include "codegen/symbolic/print.hpp"
+#include "codegen/kernel/formulation/substitution.hpp"
+#include "codegen/kernel/program/enclose.hpp"
+#include "codegen/kernel/program/interval_arithmetic.hpp"
+#include "codegen/kernel/symbolic/print.hpp"
 
 namespace regulus::inline analysis {
 namespace {

@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "codegen/engine/pipeline.hpp"
-#include "codegen/program/program.hpp"
+#include "codegen/kernel/program/program.hpp"
 
 namespace regulus::inline analysis {
 

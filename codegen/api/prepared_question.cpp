@@ -8,7 +8,7 @@
 #include "codegen/api/algebra_lock.hpp"
 #include "codegen/engine/search_run.hpp"
 #include "codegen/engine/settings.hpp"
-#include "codegen/formulation/variable_ranges.hpp"
+#include "codegen/kernel/formulation/variable_ranges.hpp"
 #include "codegen/model/changes.hpp"
 #include "codegen/report/question_report.hpp"
 #include "codegen/report/report.hpp"

@@ -5,7 +5,7 @@
 
 #include <cmath>
 
-#include "codegen/formulation/variety.hpp"
+#include "codegen/kernel/formulation/variety.hpp"
 #include "codegen/model/exact/certain_sign.hpp"
 #include "codegen/model/exact/expression_parser.hpp"
 #include "codegen/model/exact/sign.hpp"

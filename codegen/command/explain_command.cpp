@@ -4,7 +4,7 @@
 
 #include "codegen/command/commands.hpp"
 #include "codegen/engine/pipeline.hpp"
-#include "codegen/formulation/explain.hpp"
+#include "codegen/kernel/formulation/explain.hpp"
 #include "codegen/model/file/model_file.hpp"
 #include "codegen/report/report_text.hpp"
 #include "codegen/support/exit_code.hpp"

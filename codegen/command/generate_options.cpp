@@ -8,8 +8,8 @@
 #include <iterator>
 #include <nlohmann/json.hpp>
 
-#include "codegen/cpp/write_files.hpp"
-#include "codegen/jit/object_file.hpp"
+#include "codegen/kernel/cpp/write_files.hpp"
+#include "codegen/kernel/jit/object_file.hpp"
 #include "codegen/report/report_text.hpp"
 #include "codegen/support/errors.hpp"
 #include "codegen/support/write_file.hpp"

@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "codegen/cpp/generate.hpp"
+#include "codegen/kernel/cpp/generate.hpp"
 
 namespace CLI {
 class App;

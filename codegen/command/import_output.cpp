@@ -4,7 +4,7 @@
 #include <filesystem>
 #include <optional>
 
-#include "codegen/cpp/write_files.hpp"
+#include "codegen/kernel/cpp/write_files.hpp"
 #include "codegen/model/file/read_file.hpp"
 #include "codegen/model/import/import.hpp"
 #include "codegen/support/earlier_outputs.hpp"

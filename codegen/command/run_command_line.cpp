@@ -11,13 +11,13 @@
 
 #include "codegen/command/commands.hpp"
 #include "codegen/command/run_question.hpp"
-#include "codegen/jit/jit.hpp"
+#include "codegen/kernel/jit/jit.hpp"
+#include "codegen/kernel/symbolic/determinant.hpp"
 #include "codegen/model/file/installed_models.hpp"
 #include "codegen/model/request.hpp"
 #include "codegen/support/errors.hpp"
 #include "codegen/support/exit_code.hpp"
 #include "codegen/support/visible_text.hpp"
-#include "codegen/symbolic/determinant.hpp"
 
 namespace regulus::inline command {
 namespace {

@@ -9,11 +9,11 @@
 
 #include "codegen/engine/arb_oracle.hpp"
 #include "codegen/engine/exact_place.hpp"
-#include "codegen/program/rational_bounds.hpp"
-#include "codegen/symbolic/determinant.hpp"
-#include "codegen/symbolic/evaluate.hpp"
-#include "codegen/symbolic/from_ginac.hpp"
-#include "codegen/symbolic/rewrite.hpp"
+#include "codegen/kernel/program/rational_bounds.hpp"
+#include "codegen/kernel/symbolic/determinant.hpp"
+#include "codegen/kernel/symbolic/evaluate.hpp"
+#include "codegen/kernel/symbolic/from_ginac.hpp"
+#include "codegen/kernel/symbolic/rewrite.hpp"
 
 namespace regulus::inline engine {
 namespace {

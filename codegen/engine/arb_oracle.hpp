@@ -3,7 +3,7 @@
 
 #include <atomic>
 
-#include "codegen/program/ball_program.hpp"
+#include "codegen/kernel/program/ball_program.hpp"
 #include "runtime/problem/problem.hpp"
 
 namespace regulus::inline engine {

@@ -6,7 +6,7 @@
 #include <span>
 #include <vector>
 
-#include "codegen/formulation/scaling.hpp"
+#include "codegen/kernel/formulation/scaling.hpp"
 #include "runtime/interval/lanes.hpp"
 #include "runtime/kernel/call.hpp"
 #include "runtime/problem/problem.hpp"

@@ -9,7 +9,7 @@
 #include <exception>
 #include <string_view>
 
-#include "codegen/jit/plugin.hpp"
+#include "codegen/kernel/jit/plugin.hpp"
 
 namespace regulus::inline engine {
 namespace {

@@ -6,11 +6,11 @@
 #include <utility>
 #include <vector>
 
-#include "codegen/program/enclose.hpp"
-#include "codegen/program/interval_arithmetic.hpp"
-#include "codegen/symbolic/determinant.hpp"
-#include "codegen/symbolic/kept_powers.hpp"
-#include "codegen/symbolic/rewrite.hpp"
+#include "codegen/kernel/program/enclose.hpp"
+#include "codegen/kernel/program/interval_arithmetic.hpp"
+#include "codegen/kernel/symbolic/determinant.hpp"
+#include "codegen/kernel/symbolic/kept_powers.hpp"
+#include "codegen/kernel/symbolic/rewrite.hpp"
 
 namespace regulus::inline engine {
 namespace {

@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "codegen/engine/symbolic_stages.hpp"
-#include "codegen/program/interpreter.hpp"
+#include "codegen/kernel/program/interpreter.hpp"
 #include "runtime/problem/problem.hpp"
 
 namespace regulus::inline engine {

@@ -11,7 +11,7 @@
 
 #include "codegen/engine/point_values.hpp"
 #include "codegen/engine/singular_descent.hpp"
-#include "codegen/symbolic/exact_rank.hpp"
+#include "codegen/kernel/symbolic/exact_rank.hpp"
 #include "runtime/interval/arithmetic.hpp"
 
 namespace regulus::inline engine {

@@ -4,10 +4,10 @@
 #include <unordered_map>
 
 #include "codegen/engine/options_key.hpp"
-#include "codegen/formulation/typical_ranges.hpp"
-#include "codegen/jit/cache/key_parts.hpp"
+#include "codegen/kernel/formulation/typical_ranges.hpp"
+#include "codegen/kernel/jit/cache/key_parts.hpp"
+#include "codegen/kernel/symbolic/print.hpp"
 #include "codegen/model/exact/ginac_text.hpp"
-#include "codegen/symbolic/print.hpp"
 
 namespace regulus::inline engine {
 namespace {

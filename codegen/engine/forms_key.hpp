@@ -4,7 +4,7 @@
 #include <string>
 #include <string_view>
 
-#include "codegen/formulation/formulation.hpp"
+#include "codegen/kernel/formulation/formulation.hpp"
 #include "runtime/kernel/isa.hpp"
 
 namespace regulus::inline engine {

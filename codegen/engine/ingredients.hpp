@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "codegen/formulation/formulation.hpp"
+#include "codegen/kernel/formulation/formulation.hpp"
 #include "runtime/problem/problem.hpp"
 
 namespace regulus::inline engine {

@@ -6,8 +6,8 @@
 #include <optional>
 #include <string>
 
-#include "codegen/cpp/emitted_kernel.hpp"
-#include "codegen/jit/jit.hpp"
+#include "codegen/kernel/cpp/emitted_kernel.hpp"
+#include "codegen/kernel/jit/jit.hpp"
 #include "runtime/machine/pack_program.hpp"
 
 namespace regulus::inline engine {

@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "codegen/program/budgets.hpp"
+#include "codegen/kernel/program/budgets.hpp"
 #include "runtime/kernel/isa.hpp"
 #include "runtime/problem/problem.hpp"
 

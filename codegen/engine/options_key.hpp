@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "codegen/formulation/formulation.hpp"
-#include "codegen/jit/cache/key_parts.hpp"
+#include "codegen/kernel/formulation/formulation.hpp"
+#include "codegen/kernel/jit/cache/key_parts.hpp"
 
 namespace regulus::inline engine {
 

@@ -4,14 +4,14 @@
 #include <algorithm>
 #include <functional>
 
-#include "codegen/cpp/emit.hpp"
 #include "codegen/engine/ingredients.hpp"
 #include "codegen/engine/kernel_source.hpp"
 #include "codegen/engine/problem_cache.hpp"
 #include "codegen/engine/settings.hpp"
-#include "codegen/jit/jit.hpp"
+#include "codegen/kernel/cpp/emit.hpp"
+#include "codegen/kernel/jit/jit.hpp"
+#include "codegen/kernel/pack/select.hpp"
 #include "codegen/model/file/model_file.hpp"
-#include "codegen/pack/select.hpp"
 #include "codegen/support/errors.hpp"
 #include "runtime/kernel/self_test.hpp"
 #include "runtime/machine/machine_kernel.hpp"

@@ -7,18 +7,18 @@
 #include <string>
 #include <vector>
 
-#include "codegen/cpp/emitted_kernel.hpp"
 #include "codegen/engine/filter_file.hpp"
 #include "codegen/engine/late_compilation.hpp"
 #include "codegen/engine/loaded_kernel.hpp"
 #include "codegen/engine/options.hpp"
 #include "codegen/engine/report_labels.hpp"
 #include "codegen/engine/symbolic_stages.hpp"
-#include "codegen/formulation/formulation.hpp"
-#include "codegen/formulation/functions_needed.hpp"
-#include "codegen/formulation/variety.hpp"
+#include "codegen/kernel/cpp/emitted_kernel.hpp"
+#include "codegen/kernel/formulation/formulation.hpp"
+#include "codegen/kernel/formulation/functions_needed.hpp"
+#include "codegen/kernel/formulation/variety.hpp"
+#include "codegen/kernel/program/ball_program.hpp"
 #include "codegen/model/request.hpp"
-#include "codegen/program/ball_program.hpp"
 #include "codegen/support/stopwatch.hpp"
 #include "runtime/kernel/isa.hpp"
 #include "runtime/problem/problem.hpp"

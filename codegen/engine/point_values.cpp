@@ -3,8 +3,8 @@
 
 #include <cmath>
 
-#include "codegen/program/arb_arithmetic.hpp"
-#include "codegen/program/interpreter.hpp"
+#include "codegen/kernel/program/arb_arithmetic.hpp"
+#include "codegen/kernel/program/interpreter.hpp"
 
 namespace regulus::inline engine {
 

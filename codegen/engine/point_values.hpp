@@ -5,7 +5,7 @@
 #include <span>
 #include <vector>
 
-#include "codegen/program/program.hpp"
+#include "codegen/kernel/program/program.hpp"
 #include "runtime/interval/interval.hpp"
 
 namespace regulus::inline engine {

@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <set>
 
-#include "codegen/symbolic/measure.hpp"
+#include "codegen/kernel/symbolic/measure.hpp"
 
 namespace regulus::inline engine {
 namespace {

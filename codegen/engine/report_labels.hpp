@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "codegen/formulation/formulation.hpp"
+#include "codegen/kernel/formulation/formulation.hpp"
 #include "codegen/model/request.hpp"
 
 namespace regulus::inline engine {

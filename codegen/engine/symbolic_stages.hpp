@@ -6,9 +6,9 @@
 #include <string>
 #include <utility>
 
-#include "codegen/formulation/formulation.hpp"
+#include "codegen/kernel/formulation/formulation.hpp"
+#include "codegen/kernel/program/module.hpp"
 #include "codegen/model/request.hpp"
-#include "codegen/program/module.hpp"
 #include "codegen/support/stopwatch.hpp"
 #include "codegen/support/work_meter.hpp"
 

@@ -10,9 +10,9 @@
 
 #include "codegen/engine/options.hpp"
 #include "codegen/engine/report_labels.hpp"
-#include "codegen/formulation/variety.hpp"
-#include "codegen/jit/jit.hpp"
-#include "codegen/program/ball_program.hpp"
+#include "codegen/kernel/formulation/variety.hpp"
+#include "codegen/kernel/jit/jit.hpp"
+#include "codegen/kernel/program/ball_program.hpp"
 #include "runtime/kernel/isa.hpp"
 #include "runtime/machine/pack_program.hpp"
 

@@ -3,7 +3,7 @@
 
 #include <fmt/format.h>
 
-#include "codegen/formulation/variety.hpp"
+#include "codegen/kernel/formulation/variety.hpp"
 #include "codegen/model/constants.hpp"
 #include "codegen/model/exact/certain_sign.hpp"
 #include "codegen/support/errors.hpp"

@@ -3,7 +3,7 @@
 
 #include <nlohmann/json.hpp>
 
-#include "codegen/formulation/variety.hpp"
+#include "codegen/kernel/formulation/variety.hpp"
 
 namespace regulus::inline page {
 

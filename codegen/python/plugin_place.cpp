@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The folder of the compiler plugins, from the place of this module (codegen/jit/plugin_folder.h).
+// The folder of the compiler plugins, from the place of this module (codegen/kernel/jit/plugin_folder.h).
 #include <dlfcn.h>
 
 #include <filesystem>
 #include <string>
 
-#include "codegen/jit/plugin_folder.h"
+#include "codegen/kernel/jit/plugin_folder.h"
 
 namespace {
 

@@ -6,7 +6,7 @@
 #include <algorithm>
 #include <nlohmann/json.hpp>
 
-#include "codegen/formulation/variety.hpp"
+#include "codegen/kernel/formulation/variety.hpp"
 #include "codegen/model/exact/ginac_text.hpp"
 #include "codegen/model/overrides.hpp"
 #include "codegen/report/report_parts.hpp"

@@ -6,7 +6,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "codegen/formulation/variety.hpp"
+#include "codegen/kernel/formulation/variety.hpp"
 #include "codegen/model/constants.hpp"
 #include "codegen/support/errors.hpp"
 #include "runtime/search/paving.hpp"

@@ -9,7 +9,7 @@
 
 #include "codegen/command/command_line.hpp"
 #include "codegen/engine/pipeline.hpp"
-#include "codegen/jit/cache/part_store.hpp"
+#include "codegen/kernel/jit/cache/part_store.hpp"
 #include "codegen/model/model.hpp"
 #include "codegen/shell/shell_completion.hpp"
 

@@ -3,8 +3,8 @@
 
 #include <algorithm>
 
-#include "codegen/formulation/variety.hpp"
-#include "codegen/program/rational_bounds.hpp"
+#include "codegen/kernel/formulation/variety.hpp"
+#include "codegen/kernel/program/rational_bounds.hpp"
 
 namespace regulus::inline trajectory {
 namespace {

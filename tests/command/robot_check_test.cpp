@@ -7,8 +7,8 @@
 #include <nlohmann/json.hpp>
 
 #include "codegen/api/check.hpp"
-#include "codegen/cpp/emit.hpp"
-#include "codegen/formulation/functions_needed.hpp"
+#include "codegen/kernel/cpp/emit.hpp"
+#include "codegen/kernel/formulation/functions_needed.hpp"
 #include "codegen/model/file/model_file.hpp"
 #include "codegen/model/overrides.hpp"
 #include "codegen/model/request.hpp"

@@ -9,8 +9,8 @@
 #include <utility>
 #include <vector>
 
-#include "codegen/program/canonical.hpp"
-#include "codegen/program/program.hpp"
+#include "codegen/kernel/program/canonical.hpp"
+#include "codegen/kernel/program/program.hpp"
 #include "tests/support/random_source.hpp"
 
 namespace regulus::test {

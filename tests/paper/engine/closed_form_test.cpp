@@ -5,7 +5,7 @@
 
 #include "codegen/engine/pipeline.hpp"
 #include "codegen/engine/settings.hpp"
-#include "codegen/symbolic/print.hpp"
+#include "codegen/kernel/symbolic/print.hpp"
 #include "runtime/search/solver.hpp"
 
 namespace regulus {

@@ -12,10 +12,10 @@
 #include <optional>
 #include <utility>
 
-#include "codegen/formulation/formulation.hpp"
+#include "codegen/kernel/formulation/formulation.hpp"
+#include "codegen/kernel/pack/select.hpp"
 #include "codegen/model/file/model_file.hpp"
 #include "codegen/model/overrides.hpp"
-#include "codegen/pack/select.hpp"
 #include "runtime/interval/interval.hpp"
 #include "runtime/kernel/call.hpp"
 #include "runtime/machine/machine_kernel.hpp"

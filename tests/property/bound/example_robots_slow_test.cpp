@@ -9,7 +9,7 @@
 
 #include "codegen/bound/datasheet.hpp"
 #include "codegen/feasibility/force_problem.hpp"
-#include "codegen/formulation/variety.hpp"
+#include "codegen/kernel/formulation/variety.hpp"
 #include "codegen/model/mechanism/twist.hpp"
 #include "runtime/kernel/call.hpp"
 #include "runtime/regularity/aligned_buffer.hpp"

@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // det(A·V) = det(A), exactly, at points where every sine and cosine is rational.
-#include "codegen/columns/column_operations.hpp"
+#include "codegen/kernel/columns/column_operations.hpp"
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
 
-#include "codegen/formulation/formulation.hpp"
-#include "codegen/symbolic/evaluate.hpp"
-#include "codegen/symbolic/passes.hpp"
+#include "codegen/kernel/formulation/formulation.hpp"
+#include "codegen/kernel/symbolic/evaluate.hpp"
+#include "codegen/kernel/symbolic/passes.hpp"
 #include "tests/support/symbolic/exact_values.hpp"
 #include "tests/support/symbolic/gough_model.hpp"
 

@@ -9,11 +9,11 @@
 #include <cstring>
 #include <map>
 
-#include "codegen/cpp/emit.hpp"
-#include "codegen/pack/select.hpp"
-#include "codegen/program/arb_arithmetic.hpp"
-#include "codegen/program/interpreter.hpp"
-#include "codegen/program/print.hpp"
+#include "codegen/kernel/cpp/emit.hpp"
+#include "codegen/kernel/pack/select.hpp"
+#include "codegen/kernel/program/arb_arithmetic.hpp"
+#include "codegen/kernel/program/interpreter.hpp"
+#include "codegen/kernel/program/print.hpp"
 #include "runtime/kernel/buffers.hpp"
 #include "runtime/kernel/call.hpp"
 #include "runtime/machine/machine_kernel.hpp"

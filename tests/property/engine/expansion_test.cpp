@@ -7,11 +7,11 @@
 #include <fstream>
 #include <map>
 
-#include "codegen/formulation/formulation.hpp"
-#include "codegen/formulation/variety.hpp"
+#include "codegen/kernel/formulation/formulation.hpp"
+#include "codegen/kernel/formulation/variety.hpp"
+#include "codegen/kernel/pack/select.hpp"
 #include "codegen/model/file/model_file.hpp"
 #include "codegen/model/overrides.hpp"
-#include "codegen/pack/select.hpp"
 #include "runtime/interval/arithmetic.hpp"
 #include "runtime/kernel/call.hpp"
 #include "runtime/machine/machine_kernel.hpp"

@@ -11,7 +11,7 @@
 #include <cstring>
 #include <random>
 
-#include "codegen/jit/jit.hpp"
+#include "codegen/kernel/jit/jit.hpp"
 #include "runtime/kernel/buffers.hpp"
 #include "runtime/kernel/call.hpp"
 #include "tests/support/random_kernel_text.hpp"

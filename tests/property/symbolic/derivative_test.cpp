@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Compares derivatives with dual numbers (forward differentiation on exact values), which share
 // nothing with the symbolic chain rule.
-#include "codegen/symbolic/derivative.hpp"
+#include "codegen/kernel/symbolic/derivative.hpp"
 
 #include <gtest/gtest.h>
 
-#include "codegen/symbolic/passes.hpp"
-#include "codegen/symbolic/rewrite.hpp"
+#include "codegen/kernel/symbolic/passes.hpp"
+#include "codegen/kernel/symbolic/rewrite.hpp"
 #include "tests/support/symbolic/exact_values.hpp"
 
 namespace regulus::test {

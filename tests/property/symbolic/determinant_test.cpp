@@ -1,16 +1,16 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Compares the closed form with exact elimination, and its derivatives with the chain rule, at
 // points where every sine and cosine is rational.
-#include "codegen/symbolic/determinant.hpp"
+#include "codegen/kernel/symbolic/determinant.hpp"
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
 
-#include "codegen/formulation/formulation.hpp"
-#include "codegen/program/module_check.hpp"
-#include "codegen/symbolic/derivative.hpp"
-#include "codegen/symbolic/passes.hpp"
+#include "codegen/kernel/formulation/formulation.hpp"
+#include "codegen/kernel/program/module_check.hpp"
+#include "codegen/kernel/symbolic/derivative.hpp"
+#include "codegen/kernel/symbolic/passes.hpp"
 #include "tests/support/symbolic/exact_values.hpp"
 #include "tests/support/symbolic/gough_model.hpp"
 

@@ -14,8 +14,8 @@
 #include <string>
 #include <vector>
 
-#include "codegen/symbolic/evaluate.hpp"
-#include "codegen/symbolic/print.hpp"
+#include "codegen/kernel/symbolic/evaluate.hpp"
+#include "codegen/kernel/symbolic/print.hpp"
 
 namespace regulus::test {
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "codegen/formulation/typical_ranges.hpp"
+#include "codegen/kernel/formulation/typical_ranges.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "codegen/jit/jit.hpp"
+#include "codegen/kernel/jit/jit.hpp"
 
 #include <gtest/gtest.h>
 
 #include <cfenv>
 #include <cstring>
 
-#include "codegen/jit/clang_compiler.hpp"
-#include "codegen/jit/kernel_compilation.hpp"
+#include "codegen/kernel/jit/clang_compiler.hpp"
+#include "codegen/kernel/jit/kernel_compilation.hpp"
 #include "runtime/kernel/buffers.hpp"
 #include "runtime/kernel/call.hpp"
 #include "tests/support/process_maps.hpp"

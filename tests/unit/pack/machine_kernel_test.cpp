@@ -6,8 +6,8 @@
 #include <thread>
 #include <vector>
 
-#include "codegen/pack/select.hpp"
-#include "codegen/program/print.hpp"
+#include "codegen/kernel/pack/select.hpp"
+#include "codegen/kernel/program/print.hpp"
 #include "runtime/interval/interval.hpp"
 #include "runtime/kernel/buffers.hpp"
 #include "runtime/kernel/call.hpp"

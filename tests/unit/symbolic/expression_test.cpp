@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "codegen/symbolic/expression.hpp"
+#include "codegen/kernel/symbolic/expression.hpp"
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
 
-#include "codegen/symbolic/evaluate.hpp"
-#include "codegen/symbolic/measure.hpp"
-#include "codegen/symbolic/print.hpp"
+#include "codegen/kernel/symbolic/evaluate.hpp"
+#include "codegen/kernel/symbolic/measure.hpp"
+#include "codegen/kernel/symbolic/print.hpp"
 
 namespace regulus {
 namespace {

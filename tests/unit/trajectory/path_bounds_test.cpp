@@ -5,7 +5,7 @@
 
 #include <random>
 
-#include "codegen/program/rational_bounds.hpp"
+#include "codegen/kernel/program/rational_bounds.hpp"
 
 namespace regulus {
 namespace {
