@@ -4,7 +4,7 @@
 #include <fmt/format.h>
 
 #include "codegen/answer/page_of_answers.hpp"
-#include "codegen/margin/margin_question.hpp"
+#include "codegen/question/margin/margin_question.hpp"
 
 namespace regulus::inline answer {
 

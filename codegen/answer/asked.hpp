@@ -5,10 +5,10 @@
 #include <string>
 #include <variant>
 
-#include "codegen/engine/options.hpp"
-#include "codegen/margin/growing_size.hpp"
 #include "codegen/model/model_options.hpp"
-#include "codegen/quantity/quantity_options.hpp"
+#include "codegen/question/engine/options.hpp"
+#include "codegen/question/margin/growing_size.hpp"
+#include "codegen/question/quantity/quantity_options.hpp"
 
 namespace regulus::inline answer {
 

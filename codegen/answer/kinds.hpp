@@ -8,7 +8,7 @@
 
 #include "codegen/answer/answer.hpp"
 #include "codegen/certificate/proof_status.hpp"
-#include "codegen/feasibility/force_claim.hpp"
+#include "codegen/question/load/force_claim.hpp"
 #include "runtime/interval/interval.hpp"
 #include "runtime/problem/result.hpp"
 #include "runtime/search/paving.hpp"

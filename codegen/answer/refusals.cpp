@@ -7,9 +7,9 @@
 #include <array>
 #include <vector>
 
-#include "codegen/margin/margin_question.hpp"
+#include "codegen/question/margin/margin_question.hpp"
+#include "codegen/question/way/read_trajectory.hpp"
 #include "codegen/support/errors.hpp"
-#include "codegen/trajectory/read_trajectory.hpp"
 
 namespace regulus::inline answer {
 namespace {

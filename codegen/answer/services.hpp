@@ -10,9 +10,9 @@
 #include <string>
 #include <vector>
 
-#include "codegen/engine/options.hpp"
-#include "codegen/feasibility/force_claim.hpp"
 #include "codegen/picture/picture_request.hpp"
+#include "codegen/question/engine/options.hpp"
+#include "codegen/question/load/force_claim.hpp"
 #include "codegen/support/earlier_outputs.hpp"
 #include "runtime/interval/interval.hpp"
 #include "runtime/search/paving.hpp"

@@ -9,8 +9,8 @@
 
 #include "codegen/api/margin.hpp"
 #include "codegen/api/question.hpp"
-#include "codegen/engine/options.hpp"
-#include "codegen/quantity/quantity.hpp"
+#include "codegen/question/engine/options.hpp"
+#include "codegen/question/quantity/quantity.hpp"
 
 namespace regulus::inline api {
 

@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "codegen/api/question.hpp"
-#include "codegen/engine/options.hpp"
+#include "codegen/question/engine/options.hpp"
 #include "runtime/problem/result.hpp"
 
 namespace regulus::inline api {

@@ -2,7 +2,7 @@
 #include "codegen/api/kernel.hpp"
 
 #include "codegen/api/algebra_lock.hpp"
-#include "codegen/engine/pipeline.hpp"
+#include "codegen/question/engine/pipeline.hpp"
 
 namespace regulus::inline api {
 

@@ -10,8 +10,8 @@
 #include <vector>
 
 #include "codegen/api/question.hpp"
-#include "codegen/engine/options.hpp"
-#include "codegen/feasibility/force_claim.hpp"
+#include "codegen/question/engine/options.hpp"
+#include "codegen/question/load/force_claim.hpp"
 #include "runtime/interval/interval.hpp"
 
 namespace regulus::inline api {

@@ -6,10 +6,10 @@
 #include <nlohmann/json.hpp>
 
 #include "codegen/api/algebra_lock.hpp"
-#include "codegen/engine/search_run.hpp"
-#include "codegen/engine/settings.hpp"
 #include "codegen/kernel/formulation/variable_ranges.hpp"
 #include "codegen/model/changes.hpp"
+#include "codegen/question/engine/search_run.hpp"
+#include "codegen/question/engine/settings.hpp"
 #include "codegen/report/question_report.hpp"
 #include "codegen/report/report.hpp"
 #include "codegen/report/report_text.hpp"

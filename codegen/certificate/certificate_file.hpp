@@ -6,7 +6,7 @@
 #include <string>
 
 #include "codegen/certificate/proof_status.hpp"
-#include "codegen/engine/pipeline.hpp"
+#include "codegen/question/engine/pipeline.hpp"
 #include "runtime/files/file_lock.hpp"
 #include "runtime/proof/writer.hpp"
 

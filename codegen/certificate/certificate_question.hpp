@@ -6,7 +6,7 @@
 #include <set>
 #include <string>
 
-#include "codegen/engine/pipeline.hpp"
+#include "codegen/question/engine/pipeline.hpp"
 #include "runtime/proof/format.hpp"
 #include "runtime/proof/writer.hpp"
 

@@ -4,9 +4,9 @@
 
 #include <string>
 
-#include "codegen/engine/options.hpp"
 #include "codegen/model/request.hpp"
-#include "codegen/quantity/quantity.hpp"
+#include "codegen/question/engine/options.hpp"
+#include "codegen/question/quantity/quantity.hpp"
 #include "codegen/report/output_options.hpp"
 
 namespace CLI {

@@ -8,8 +8,8 @@
 #include "codegen/command/command_tables.hpp"
 #include "codegen/command/error_report.hpp"
 #include "codegen/command/help_layout.hpp"
-#include "codegen/engine/ingredients.hpp"
 #include "codegen/model/names.hpp"
+#include "codegen/question/engine/ingredients.hpp"
 #include "codegen/support/errors.hpp"
 #include "codegen/support/exit_code.hpp"
 

@@ -12,9 +12,9 @@
 #include "codegen/command/import_options.hpp"
 #include "codegen/command/list_options.hpp"
 #include "codegen/command/report_options.hpp"
-#include "codegen/engine/options.hpp"
-#include "codegen/margin/margin_question.hpp"
 #include "codegen/picture/picture_options.hpp"
+#include "codegen/question/engine/options.hpp"
+#include "codegen/question/margin/margin_question.hpp"
 #include "codegen/report/output_options.hpp"
 
 namespace regulus::inline command {

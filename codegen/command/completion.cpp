@@ -6,7 +6,7 @@
 #include <algorithm>
 #include <array>
 
-#include "codegen/quantity/quantity.hpp"
+#include "codegen/question/quantity/quantity.hpp"
 
 namespace regulus::inline command {
 namespace {

@@ -3,9 +3,9 @@
 #include <nlohmann/json.hpp>
 
 #include "codegen/command/commands.hpp"
-#include "codegen/engine/pipeline.hpp"
 #include "codegen/kernel/formulation/explain.hpp"
 #include "codegen/model/file/model_file.hpp"
+#include "codegen/question/engine/pipeline.hpp"
 #include "codegen/report/report_text.hpp"
 #include "codegen/support/exit_code.hpp"
 

@@ -13,7 +13,7 @@
 #include "codegen/command/interrupt.hpp"
 #include "codegen/command/run_question.hpp"
 #include "codegen/command/shared_options.hpp"
-#include "codegen/margin/prepared_margin.hpp"
+#include "codegen/question/margin/prepared_margin.hpp"
 #include "codegen/report/report_text.hpp"
 
 namespace regulus::inline command {

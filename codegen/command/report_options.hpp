@@ -5,8 +5,8 @@
 #include <string>
 #include <vector>
 
-#include "codegen/engine/options.hpp"
 #include "codegen/model/request.hpp"
+#include "codegen/question/engine/options.hpp"
 #include "codegen/report/output_options.hpp"
 
 namespace CLI {

@@ -6,9 +6,9 @@
 #include <algorithm>
 
 #include "codegen/command/number_check.hpp"
-#include "codegen/engine/choices.hpp"
-#include "codegen/engine/ingredients.hpp"
 #include "codegen/model/names.hpp"
+#include "codegen/question/engine/choices.hpp"
+#include "codegen/question/engine/ingredients.hpp"
 #include "codegen/support/errors.hpp"
 
 namespace regulus::inline command {

@@ -5,7 +5,7 @@
 
 #include <algorithm>
 
-#include "codegen/engine/build_id.hpp"
+#include "codegen/question/engine/build_id.hpp"
 #include "codegen/support/errors.hpp"
 #include "runtime/cluster/bytes.hpp"
 

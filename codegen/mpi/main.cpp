@@ -12,18 +12,18 @@
 #include <vector>
 
 #include "codegen/answer/refusals.hpp"
-#include "codegen/bound/bound_question.hpp"
-#include "codegen/bound/bracket_topic.hpp"
-#include "codegen/bound/condition_kernel.hpp"
 #include "codegen/command/commands.hpp"
 #include "codegen/command/run_command_line.hpp"
 #include "codegen/command/run_question.hpp"
-#include "codegen/engine/settings.hpp"
-#include "codegen/margin/prepared_margin.hpp"
 #include "codegen/mpi/agreement.hpp"
 #include "codegen/mpi/mpi_workers.hpp"
 #include "codegen/mpi/rank_service.hpp"
 #include "codegen/mpi/verify_together.hpp"
+#include "codegen/question/bound/bound_question.hpp"
+#include "codegen/question/bound/bracket_topic.hpp"
+#include "codegen/question/condition/condition_kernel.hpp"
+#include "codegen/question/engine/settings.hpp"
+#include "codegen/question/margin/prepared_margin.hpp"
 #include "codegen/support/errors.hpp"
 #include "codegen/support/exit_code.hpp"
 

@@ -5,10 +5,10 @@
 #include <optional>
 #include <utility>
 
-#include "codegen/bound/condition_units.hpp"
-#include "codegen/engine/search_run.hpp"
-#include "codegen/engine/settings.hpp"
 #include "codegen/mpi/rank_messages.hpp"
+#include "codegen/question/condition/condition_units.hpp"
+#include "codegen/question/engine/search_run.hpp"
+#include "codegen/question/engine/settings.hpp"
 #include "codegen/support/errors.hpp"
 #include "runtime/search/thread_workers.hpp"
 

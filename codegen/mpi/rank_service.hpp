@@ -5,15 +5,15 @@
 #include <optional>
 #include <string_view>
 
-#include "codegen/engine/pipeline.hpp"
 #include "codegen/mpi/communicator.hpp"
+#include "codegen/question/engine/pipeline.hpp"
 
 namespace regulus::inline mpi {
 
 /// The question of the next searches.
 struct RankQuestion {
   PreparedSearch prepared;
-  bool is_condition = false;  ///< its units are those of bound/condition_units.hpp
+  bool is_condition = false;  ///< its units are those of question/condition/condition_units.hpp
 };
 
 /// Prepares the question of the command line, or that of a topic (see Workers::turn_to).

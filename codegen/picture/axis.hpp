@@ -5,7 +5,7 @@
 
 #include <string>
 
-#include "codegen/engine/pipeline.hpp"
+#include "codegen/question/engine/pipeline.hpp"
 
 namespace regulus::inline picture {
 

@@ -5,10 +5,10 @@
 #include <pybind11/stl.h>
 
 #include "codegen/api/regulus.hpp"
-#include "codegen/engine/choices.hpp"
 #include "codegen/python/calls.hpp"
 #include "codegen/python/loads.hpp"
 #include "codegen/python/pavings.hpp"
+#include "codegen/question/engine/choices.hpp"
 #include "codegen/support/write_file.hpp"
 #include "regulus/version.hpp"
 

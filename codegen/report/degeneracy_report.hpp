@@ -6,7 +6,7 @@
 #include <optional>
 #include <string>
 
-#include "codegen/analysis/lost_twist.hpp"
+#include "codegen/question/analysis/lost_twist.hpp"
 
 namespace regulus::inline report {
 

@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "codegen/engine/pipeline.hpp"
+#include "codegen/question/engine/pipeline.hpp"
 
 namespace regulus::inline report {
 

@@ -6,7 +6,7 @@
 #include <cmath>
 #include <map>
 
-#include "codegen/analysis/undefined.hpp"
+#include "codegen/question/analysis/undefined.hpp"
 #include "codegen/report/question_report.hpp"
 #include "codegen/report/report_parts.hpp"
 #include "codegen/report/undefined_report.hpp"

@@ -7,7 +7,7 @@
 #include <ostream>
 #include <string>
 
-#include "codegen/analysis/undefined.hpp"
+#include "codegen/question/analysis/undefined.hpp"
 #include "codegen/report/paving_options.hpp"
 #include "runtime/search/leaf_claims.hpp"
 

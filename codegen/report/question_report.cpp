@@ -7,9 +7,9 @@
 #include <nlohmann/json.hpp>
 
 #include "codegen/certificate/certificate_expression_writer.hpp"
-#include "codegen/engine/choices.hpp"
-#include "codegen/engine/settings.hpp"
 #include "codegen/model/exact/ginac_text.hpp"
+#include "codegen/question/engine/choices.hpp"
+#include "codegen/question/engine/settings.hpp"
 #include "codegen/report/report_parts.hpp"
 #include "regulus/version.hpp"
 

@@ -6,9 +6,9 @@
 #include <nlohmann/json.hpp>
 #include <numeric>
 
-#include "codegen/analysis/undefined.hpp"
-#include "codegen/engine/choices.hpp"
-#include "codegen/engine/settings.hpp"
+#include "codegen/question/analysis/undefined.hpp"
+#include "codegen/question/engine/choices.hpp"
+#include "codegen/question/engine/settings.hpp"
 #include "codegen/report/question_report.hpp"
 #include "codegen/report/report_parts.hpp"
 #include "codegen/report/undefined_report.hpp"

@@ -6,8 +6,8 @@
 #include <optional>
 #include <string>
 
-#include "codegen/analysis/least_singular.hpp"
-#include "codegen/engine/pipeline.hpp"
+#include "codegen/question/analysis/least_singular.hpp"
+#include "codegen/question/engine/pipeline.hpp"
 #include "runtime/problem/result.hpp"
 
 namespace regulus::inline report {

@@ -7,7 +7,7 @@
 #include <span>
 #include <string>
 
-#include "codegen/engine/pipeline.hpp"
+#include "codegen/question/engine/pipeline.hpp"
 #include "runtime/problem/result.hpp"
 
 namespace regulus::inline report {

@@ -5,7 +5,7 @@
 #include <nlohmann/json_fwd.hpp>
 #include <string>
 
-#include "codegen/analysis/undefined.hpp"
+#include "codegen/question/analysis/undefined.hpp"
 
 namespace regulus::inline report {
 

@@ -3,7 +3,7 @@
 
 #include <fmt/format.h>
 
-#include "codegen/analysis/lost_twist.hpp"
+#include "codegen/question/analysis/lost_twist.hpp"
 #include "codegen/report/degeneracy_report.hpp"
 #include "codegen/report/report_parts.hpp"
 

@@ -16,7 +16,7 @@
 #include "codegen/model/names.hpp"
 #include "codegen/model/overrides.hpp"
 #include "codegen/model/request.hpp"
-#include "codegen/quantity/quantity.hpp"
+#include "codegen/question/quantity/quantity.hpp"
 #include "codegen/report/report_parts.hpp"
 #include "codegen/report/report_text.hpp"
 #include "codegen/shell/kept_options.hpp"

@@ -8,9 +8,9 @@
 #include <vector>
 
 #include "codegen/command/command_line.hpp"
-#include "codegen/engine/pipeline.hpp"
 #include "codegen/kernel/jit/cache/part_store.hpp"
 #include "codegen/model/model.hpp"
+#include "codegen/question/engine/pipeline.hpp"
 #include "codegen/shell/shell_completion.hpp"
 
 namespace regulus::inline shell {

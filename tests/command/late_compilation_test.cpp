@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // `--engine auto`: a search that switches from the interpreter to the compiled kernel gives the
 // same answer, and the report does not depend on the moment of the switch.
-#include "codegen/engine/late_compilation.hpp"
+#include "codegen/question/engine/late_compilation.hpp"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -11,9 +11,9 @@
 #include <thread>
 
 #include "codegen/certificate/certificate_file.hpp"
-#include "codegen/engine/pipeline.hpp"
-#include "codegen/engine/search_run.hpp"
-#include "codegen/engine/settings.hpp"
+#include "codegen/question/engine/pipeline.hpp"
+#include "codegen/question/engine/search_run.hpp"
+#include "codegen/question/engine/settings.hpp"
 #include "codegen/report/report.hpp"
 #include "runtime/problem/observers.hpp"
 #include "tests/support/cached_command.hpp"

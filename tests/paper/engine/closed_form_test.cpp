@@ -3,9 +3,9 @@
 // cos(2πT)"; and the verdicts by the closed form. Numbers of boxes are budgets.
 #include <gtest/gtest.h>
 
-#include "codegen/engine/pipeline.hpp"
-#include "codegen/engine/settings.hpp"
 #include "codegen/kernel/symbolic/print.hpp"
+#include "codegen/question/engine/pipeline.hpp"
+#include "codegen/question/engine/settings.hpp"
 #include "runtime/search/solver.hpp"
 
 namespace regulus {

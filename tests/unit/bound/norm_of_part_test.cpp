@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "codegen/bound/norm_of_part.hpp"
+#include "codegen/question/bound/norm_of_part.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "codegen/trajectory/path_bounds.hpp"
+#include "codegen/question/way/path_bounds.hpp"
 
 #include <gtest/gtest.h>
 
