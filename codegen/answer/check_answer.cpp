@@ -3,9 +3,11 @@
 #include <nlohmann/json.hpp>
 
 #include "codegen/answer/ask.hpp"
+#include "codegen/answer/certificate/certificate_file.hpp"
 #include "codegen/answer/outputs.hpp"
 #include "codegen/answer/refusals.hpp"
-#include "codegen/certificate/certificate_file.hpp"
+#include "codegen/answer/report/progress.hpp"
+#include "codegen/answer/report/report.hpp"
 #include "codegen/question/analysis/least_singular.hpp"
 #include "codegen/question/engine/checkpoint_file.hpp"
 #include "codegen/question/engine/search_run.hpp"
@@ -13,8 +15,6 @@
 #include "codegen/question/way/read_trajectory.hpp"
 #include "codegen/question/way/trajectory_certificate.hpp"
 #include "codegen/question/way/trajectory_report.hpp"
-#include "codegen/report/progress.hpp"
-#include "codegen/report/report.hpp"
 #include "codegen/support/stopwatch.hpp"
 #include "runtime/problem/observers.hpp"
 

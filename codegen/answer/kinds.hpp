@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "codegen/answer/answer.hpp"
-#include "codegen/certificate/proof_status.hpp"
+#include "codegen/answer/certificate/proof_status.hpp"
 #include "codegen/question/load/force_claim.hpp"
 #include "runtime/interval/interval.hpp"
 #include "runtime/problem/result.hpp"

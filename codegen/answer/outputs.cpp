@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <iterator>
 
-#include "codegen/report/progress.hpp"
+#include "codegen/answer/report/progress.hpp"
 #include "runtime/proof/format.hpp"
 
 namespace regulus::inline answer {

@@ -6,10 +6,10 @@
 #include <string>
 #include <vector>
 
+#include "codegen/answer/report/output_options.hpp"
 #include "codegen/answer/services.hpp"
 #include "codegen/model/model_options.hpp"
 #include "codegen/question/engine/options.hpp"
-#include "codegen/report/output_options.hpp"
 #include "codegen/support/work_meter.hpp"
 #include "runtime/problem/observer.hpp"
 

@@ -8,7 +8,7 @@
 #include <optional>
 
 #include "codegen/answer/ask.hpp"
-#include "codegen/certificate/certificate_question.hpp"
+#include "codegen/answer/certificate/certificate_question.hpp"
 #include "codegen/model/file/read_file.hpp"
 #include "codegen/model/request.hpp"
 #include "codegen/support/errors.hpp"

@@ -8,9 +8,9 @@
 
 #include "codegen/answer/answer.hpp"
 #include "codegen/answer/asked.hpp"
+#include "codegen/answer/page/page_data.hpp"
+#include "codegen/answer/page/page_template.hpp"
 #include "codegen/answer/services.hpp"
-#include "codegen/page/page_data.hpp"
-#include "codegen/page/page_template.hpp"
 
 namespace regulus::inline answer {
 

@@ -10,7 +10,7 @@
 #include <string>
 #include <vector>
 
-#include "codegen/picture/picture_request.hpp"
+#include "codegen/answer/picture/picture_request.hpp"
 #include "codegen/question/engine/options.hpp"
 #include "codegen/question/load/force_claim.hpp"
 #include "codegen/support/earlier_outputs.hpp"

@@ -8,9 +8,9 @@
 #include <vector>
 
 #include "codegen/answer/kinds.hpp"
+#include "codegen/answer/report/report_text.hpp"
 #include "codegen/answer/services.hpp"
 #include "codegen/api/margin.hpp"
-#include "codegen/report/report_text.hpp"
 
 namespace regulus::inline api {
 

@@ -3,13 +3,13 @@
 
 #include <nlohmann/json.hpp>
 
+#include "codegen/answer/certificate/verification_report.hpp"
+#include "codegen/answer/report/model_report.hpp"
+#include "codegen/answer/report/report_text.hpp"
 #include "codegen/api/algebra_lock.hpp"
-#include "codegen/certificate/verification_report.hpp"
 #include "codegen/model/file/model_file.hpp"
 #include "codegen/model/file/read_file.hpp"
 #include "codegen/model/request.hpp"
-#include "codegen/report/model_report.hpp"
-#include "codegen/report/report_text.hpp"
 
 namespace regulus::inline api {
 

@@ -5,14 +5,14 @@
 #include <list>
 #include <nlohmann/json.hpp>
 
+#include "codegen/answer/report/question_report.hpp"
+#include "codegen/answer/report/report.hpp"
+#include "codegen/answer/report/report_text.hpp"
 #include "codegen/api/algebra_lock.hpp"
 #include "codegen/kernel/formulation/variable_ranges.hpp"
 #include "codegen/model/changes.hpp"
 #include "codegen/question/engine/search_run.hpp"
 #include "codegen/question/engine/settings.hpp"
-#include "codegen/report/question_report.hpp"
-#include "codegen/report/report.hpp"
-#include "codegen/report/report_text.hpp"
 #include "codegen/support/stopwatch.hpp"
 
 namespace regulus::inline api {

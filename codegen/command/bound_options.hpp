@@ -4,10 +4,10 @@
 
 #include <string>
 
+#include "codegen/answer/report/output_options.hpp"
 #include "codegen/model/request.hpp"
 #include "codegen/question/engine/options.hpp"
 #include "codegen/question/quantity/quantity.hpp"
-#include "codegen/report/output_options.hpp"
 
 namespace CLI {
 class App;

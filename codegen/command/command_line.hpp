@@ -7,15 +7,15 @@
 #include <string>
 #include <vector>
 
+#include "codegen/answer/picture/picture_options.hpp"
+#include "codegen/answer/report/output_options.hpp"
 #include "codegen/command/bound_options.hpp"
 #include "codegen/command/generate_options.hpp"
 #include "codegen/command/import_options.hpp"
 #include "codegen/command/list_options.hpp"
 #include "codegen/command/report_options.hpp"
-#include "codegen/picture/picture_options.hpp"
 #include "codegen/question/engine/options.hpp"
 #include "codegen/question/margin/margin_question.hpp"
-#include "codegen/report/output_options.hpp"
 
 namespace regulus::inline command {
 

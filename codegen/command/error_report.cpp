@@ -5,7 +5,7 @@
 #include <nlohmann/json.hpp>
 #include <string_view>
 
-#include "codegen/report/report_text.hpp"
+#include "codegen/answer/report/report_text.hpp"
 #include "codegen/support/errors.hpp"
 
 namespace regulus::inline command {

@@ -2,11 +2,11 @@
 #include <iostream>
 #include <nlohmann/json.hpp>
 
+#include "codegen/answer/report/report_text.hpp"
 #include "codegen/command/commands.hpp"
 #include "codegen/kernel/formulation/explain.hpp"
 #include "codegen/model/file/model_file.hpp"
 #include "codegen/question/engine/pipeline.hpp"
-#include "codegen/report/report_text.hpp"
 #include "codegen/support/exit_code.hpp"
 
 namespace regulus::inline command {

@@ -8,9 +8,9 @@
 #include <iterator>
 #include <nlohmann/json.hpp>
 
+#include "codegen/answer/report/report_text.hpp"
 #include "codegen/kernel/cpp/write_files.hpp"
 #include "codegen/kernel/jit/object_file.hpp"
-#include "codegen/report/report_text.hpp"
 #include "codegen/support/errors.hpp"
 #include "codegen/support/write_file.hpp"
 

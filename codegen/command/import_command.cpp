@@ -2,12 +2,12 @@
 #include <iostream>
 #include <nlohmann/json.hpp>
 
+#include "codegen/answer/report/report_text.hpp"
 #include "codegen/command/answer.hpp"
 #include "codegen/command/commands.hpp"
 #include "codegen/command/import_output.hpp"
 #include "codegen/model/file/read_file.hpp"
 #include "codegen/model/import/import.hpp"
-#include "codegen/report/report_text.hpp"
 #include "codegen/support/errors.hpp"
 
 namespace regulus::inline command {

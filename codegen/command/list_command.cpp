@@ -4,11 +4,11 @@
 #include <iostream>
 #include <nlohmann/json.hpp>
 
+#include "codegen/answer/report/model_report.hpp"
+#include "codegen/answer/report/report_text.hpp"
 #include "codegen/command/commands.hpp"
 #include "codegen/model/file/installed_models.hpp"
 #include "codegen/model/file/model_file.hpp"
-#include "codegen/report/model_report.hpp"
-#include "codegen/report/report_text.hpp"
 
 namespace regulus::inline command {
 namespace {

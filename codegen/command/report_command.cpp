@@ -8,13 +8,13 @@
 #include "codegen/answer/ask.hpp"
 #include "codegen/answer/outputs.hpp"
 #include "codegen/answer/page_of_answers.hpp"
+#include "codegen/answer/report/report_text.hpp"
 #include "codegen/command/answer.hpp"
 #include "codegen/command/commands.hpp"
 #include "codegen/command/interrupt.hpp"
 #include "codegen/command/run_question.hpp"
 #include "codegen/command/shared_options.hpp"
 #include "codegen/question/margin/prepared_margin.hpp"
-#include "codegen/report/report_text.hpp"
 
 namespace regulus::inline command {
 namespace {

@@ -5,9 +5,9 @@
 #include <string>
 #include <vector>
 
+#include "codegen/answer/report/output_options.hpp"
 #include "codegen/model/request.hpp"
 #include "codegen/question/engine/options.hpp"
-#include "codegen/report/output_options.hpp"
 
 namespace CLI {
 class App;

@@ -8,9 +8,9 @@
 #include <nlohmann/json.hpp>
 
 #include "codegen/answer/ask.hpp"
+#include "codegen/answer/report/report_text.hpp"
 #include "codegen/command/answer.hpp"
 #include "codegen/command/interrupt.hpp"
-#include "codegen/report/report_text.hpp"
 #include "codegen/support/errors.hpp"
 
 namespace regulus::inline command {

@@ -4,10 +4,10 @@
 #include <iostream>
 #include <nlohmann/json.hpp>
 
-#include "codegen/certificate/verification_report.hpp"
+#include "codegen/answer/certificate/verification_report.hpp"
+#include "codegen/answer/report/report_text.hpp"
 #include "codegen/command/answer.hpp"
 #include "codegen/command/commands.hpp"
-#include "codegen/report/report_text.hpp"
 
 namespace regulus::inline command {
 namespace {

@@ -9,6 +9,8 @@
 #include <iostream>
 #include <nlohmann/json.hpp>
 
+#include "codegen/answer/report/report_parts.hpp"
+#include "codegen/answer/report/report_text.hpp"
 #include "codegen/command/run_command_line.hpp"
 #include "codegen/model/file/installed_models.hpp"
 #include "codegen/model/file/model_edit.hpp"
@@ -17,8 +19,6 @@
 #include "codegen/model/overrides.hpp"
 #include "codegen/model/request.hpp"
 #include "codegen/question/quantity/quantity.hpp"
-#include "codegen/report/report_parts.hpp"
-#include "codegen/report/report_text.hpp"
 #include "codegen/shell/kept_options.hpp"
 #include "codegen/shell/shell_words.hpp"
 #include "codegen/shell/text_editor.hpp"

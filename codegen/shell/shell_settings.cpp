@@ -5,10 +5,10 @@
 #include <algorithm>
 #include <nlohmann/json.hpp>
 
+#include "codegen/answer/report/model_report.hpp"
+#include "codegen/answer/report/report_text.hpp"
 #include "codegen/model/names.hpp"
 #include "codegen/model/request.hpp"
-#include "codegen/report/model_report.hpp"
-#include "codegen/report/report_text.hpp"
 #include "codegen/shell/kept_options.hpp"
 #include "codegen/shell/shell_session.hpp"
 #include "codegen/shell/shell_words.hpp"

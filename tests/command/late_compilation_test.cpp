@@ -10,11 +10,11 @@
 #include <csignal>
 #include <thread>
 
-#include "codegen/certificate/certificate_file.hpp"
+#include "codegen/answer/certificate/certificate_file.hpp"
+#include "codegen/answer/report/report.hpp"
 #include "codegen/question/engine/pipeline.hpp"
 #include "codegen/question/engine/search_run.hpp"
 #include "codegen/question/engine/settings.hpp"
-#include "codegen/report/report.hpp"
 #include "runtime/problem/observers.hpp"
 #include "tests/support/cached_command.hpp"
 

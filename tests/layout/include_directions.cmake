@@ -34,16 +34,16 @@ set(codegen/kernel/jit                  codegen/support codegen/kernel/cpp runti
 set(codegen/question/engine               ${codegen/cpp} codegen/kernel/cpp codegen/kernel/jit runtime/cluster runtime/witness runtime/search runtime/checkpoint
                                  runtime/proof)
 set(codegen/question/analysis             ${codegen/engine} codegen/question/engine)
-set(codegen/certificate          ${codegen/engine} codegen/question/engine runtime/verifier)
-set(codegen/report               ${codegen/analysis} codegen/question/analysis codegen/certificate)
-set(codegen/picture              ${codegen/report} codegen/report)
-set(codegen/question/margin               ${codegen/report} codegen/report codegen/certificate)
+set(codegen/answer/certificate          ${codegen/engine} codegen/question/engine runtime/verifier)
+set(codegen/answer/report               ${codegen/analysis} codegen/question/analysis codegen/answer/certificate)
+set(codegen/answer/picture              ${codegen/report} codegen/answer/report)
+set(codegen/question/margin               ${codegen/report} codegen/answer/report codegen/answer/certificate)
 set(codegen/question/way           ${codegen/margin} codegen/question/margin)
 set(codegen/question/quantity             codegen/support codegen/model)
 set(codegen/question/bound                ${codegen/trajectory} codegen/question/way codegen/question/quantity)
 set(codegen/question/load          ${codegen/bound} codegen/question/bound)
-set(codegen/page                 ${codegen/bound} codegen/question/bound codegen/question/way)
-set(codegen/answer               ${codegen/page} codegen/page codegen/question/load codegen/picture)
+set(codegen/answer/page                 ${codegen/bound} codegen/question/bound codegen/question/way)
+set(codegen/answer               ${codegen/page} codegen/answer/page codegen/question/load codegen/answer/picture)
 set(codegen/api                  ${codegen/answer} codegen/answer codegen/model/import codegen/model/robot runtime/verifier
                                  runtime/embedded)
 set(codegen/python               codegen/support codegen/question/engine codegen/kernel/jit codegen/api)
@@ -56,12 +56,12 @@ set(everywhere regulus/floating_point_flags.hpp regulus/text_flags.hpp regulus/i
 # Of what writes certificates the verifier knows the format alone.
 set(only_header_runtime/certificate/verifier runtime/proof/format.hpp)
 
-set(only_ginac codegen/model codegen/model/import codegen/model/robot codegen/kernel/symbolic codegen/certificate codegen/question/margin codegen/question/quantity codegen/question/bound codegen/question/load codegen/question/way)
-set(only_cln   codegen/model codegen/kernel/symbolic codegen/kernel/program codegen/kernel/formulation codegen/kernel/cpp codegen/certificate codegen/question/way)
+set(only_ginac codegen/model codegen/model/import codegen/model/robot codegen/kernel/symbolic codegen/answer/certificate codegen/question/margin codegen/question/quantity codegen/question/bound codegen/question/load codegen/question/way)
+set(only_cln   codegen/model codegen/kernel/symbolic codegen/kernel/program codegen/kernel/formulation codegen/kernel/cpp codegen/answer/certificate codegen/question/way)
 set(only_llvm  codegen/kernel/jit)
 set(only_CLI11 codegen/command)
 set(only_tinyxml2 codegen/model/import)
-set(only_JSON  codegen/answer codegen/api codegen/question/bound codegen/certificate codegen/command codegen/kernel/cpp codegen/question/engine codegen/question/load codegen/question/margin codegen/page codegen/report codegen/shell codegen/question/way)
+set(only_JSON  codegen/answer codegen/api codegen/question/bound codegen/answer/certificate codegen/command codegen/kernel/cpp codegen/question/engine codegen/question/load codegen/question/margin codegen/answer/page codegen/answer/report codegen/shell codegen/question/way)
 
 set(faults "")
 macro(fault file text)

@@ -25,7 +25,7 @@ def schema(path):
 
 
 MODEL = schema("codegen/model/file/model.schema.json")
-REPORT = schema("codegen/report/report.schema.json")
+REPORT = schema("codegen/answer/report/report.schema.json")
 
 
 def report_of(kind):

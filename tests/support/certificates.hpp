@@ -8,8 +8,8 @@
 #include <string>
 #include <vector>
 
-#include "codegen/certificate/certificate_file.hpp"
-#include "codegen/certificate/certificate_question.hpp"
+#include "codegen/answer/certificate/certificate_file.hpp"
+#include "codegen/answer/certificate/certificate_question.hpp"
 #include "codegen/question/engine/search_run.hpp"
 #include "codegen/question/engine/settings.hpp"
 #include "runtime/verifier/verify.hpp"

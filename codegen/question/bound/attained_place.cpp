@@ -3,8 +3,8 @@
 
 #include <fmt/format.h>
 
-#include "codegen/report/report_parts.hpp"
-#include "codegen/report/witness_report.hpp"
+#include "codegen/answer/report/report_parts.hpp"
+#include "codegen/answer/report/witness_report.hpp"
 
 namespace regulus::inline bounding {
 namespace {

@@ -3,9 +3,9 @@
 
 #include <fmt/format.h>
 
-#include "codegen/certificate/certificate_expression_writer.hpp"
-#include "codegen/certificate/certificate_question.hpp"
-#include "codegen/certificate/load_question.hpp"
+#include "codegen/answer/certificate/certificate_expression_writer.hpp"
+#include "codegen/answer/certificate/certificate_question.hpp"
+#include "codegen/answer/certificate/load_question.hpp"
 #include "codegen/model/mechanism/twist.hpp"
 #include "runtime/proof/format.hpp"
 

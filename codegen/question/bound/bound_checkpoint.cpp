@@ -4,12 +4,12 @@
 #include <algorithm>
 #include <system_error>
 
+#include "codegen/answer/report/question_report.hpp"
+#include "codegen/answer/report/report_text.hpp"
 #include "codegen/model/exact/ginac_text.hpp"
 #include "codegen/model/file/read_file.hpp"
 #include "codegen/question/bound/quantity_report.hpp"
 #include "codegen/question/way/trajectory_report.hpp"
-#include "codegen/report/question_report.hpp"
-#include "codegen/report/report_text.hpp"
 #include "codegen/support/errors.hpp"
 #include "runtime/files/atomic_file.hpp"
 

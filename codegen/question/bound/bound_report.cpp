@@ -6,11 +6,11 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 
+#include "codegen/answer/report/question_report.hpp"
+#include "codegen/answer/report/report_parts.hpp"
 #include "codegen/model/exact/ginac_text.hpp"
 #include "codegen/question/bound/quantity_report.hpp"
 #include "codegen/question/way/trajectory_report.hpp"
-#include "codegen/report/question_report.hpp"
-#include "codegen/report/report_parts.hpp"
 
 namespace regulus::inline bounding {
 namespace {

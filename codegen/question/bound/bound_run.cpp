@@ -6,6 +6,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "codegen/answer/report/progress.hpp"
+#include "codegen/answer/report/report_parts.hpp"
 #include "codegen/model/exact/certain_sign.hpp"
 #include "codegen/model/exact/ginac_text.hpp"
 #include "codegen/model/exact/sign.hpp"
@@ -20,8 +22,6 @@
 #include "codegen/question/engine/settings.hpp"
 #include "codegen/question/margin/prepared_margin.hpp"
 #include "codegen/question/quantity/approx_values.hpp"
-#include "codegen/report/progress.hpp"
-#include "codegen/report/report_parts.hpp"
 #include "codegen/support/errors.hpp"
 #include "runtime/problem/observers.hpp"
 

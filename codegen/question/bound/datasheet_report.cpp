@@ -5,9 +5,9 @@
 #include <array>
 #include <nlohmann/json.hpp>
 
+#include "codegen/answer/report/question_report.hpp"
 #include "codegen/question/bound/bound_report.hpp"
 #include "codegen/question/bound/datasheet.hpp"
-#include "codegen/report/question_report.hpp"
 
 namespace regulus::inline bounding {
 namespace {

@@ -3,10 +3,10 @@
 
 #include <algorithm>
 
+#include "codegen/answer/report/progress.hpp"
 #include "codegen/model/exact/certain_sign.hpp"
 #include "codegen/question/bound/bound_run.hpp"
 #include "codegen/question/bound/bracket_topic.hpp"
-#include "codegen/report/progress.hpp"
 #include "codegen/support/stopwatch.hpp"
 
 namespace regulus::inline bounding {

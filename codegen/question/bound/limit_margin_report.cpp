@@ -3,12 +3,12 @@
 
 #include <nlohmann/json.hpp>
 
+#include "codegen/answer/report/question_report.hpp"
+#include "codegen/answer/report/report_parts.hpp"
 #include "codegen/model/exact/ginac_text.hpp"
 #include "codegen/question/bound/limit_margin.hpp"
 #include "codegen/question/bound/quantity_report.hpp"
 #include "codegen/question/margin/margin_report.hpp"
-#include "codegen/report/question_report.hpp"
-#include "codegen/report/report_parts.hpp"
 
 namespace regulus::inline bounding {
 namespace {

@@ -4,8 +4,8 @@
 #include <algorithm>
 #include <nlohmann/json.hpp>
 
+#include "codegen/answer/report/question_report.hpp"
 #include "codegen/model/exact/ginac_text.hpp"
-#include "codegen/report/question_report.hpp"
 
 namespace regulus::inline bounding {
 namespace {

@@ -6,8 +6,10 @@
 #include <algorithm>
 #include <cmath>
 
-#include "codegen/certificate/certificate_question.hpp"
-#include "codegen/certificate/piece_question.hpp"
+#include "codegen/answer/certificate/certificate_question.hpp"
+#include "codegen/answer/certificate/piece_question.hpp"
+#include "codegen/answer/report/report.hpp"
+#include "codegen/answer/report/report_parts.hpp"
 #include "codegen/model/exact/ginac_text.hpp"
 #include "codegen/model/way/trajectory.hpp"
 #include "codegen/question/bound/bound_certificate.hpp"
@@ -18,8 +20,6 @@
 #include "codegen/question/way/path_bracket.hpp"
 #include "codegen/question/way/trajectory_certificate.hpp"
 #include "codegen/question/way/trajectory_report.hpp"
-#include "codegen/report/report.hpp"
-#include "codegen/report/report_parts.hpp"
 #include "codegen/support/errors.hpp"
 
 namespace regulus::inline bounding {

@@ -3,7 +3,7 @@
 
 #include <fmt/format.h>
 
-#include "codegen/certificate/certificate_question.hpp"
+#include "codegen/answer/certificate/certificate_question.hpp"
 #include "codegen/question/bound/bound_certificate.hpp"
 #include "runtime/proof/format.hpp"
 

@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "codegen/certificate/proof_status.hpp"
+#include "codegen/answer/certificate/proof_status.hpp"
 #include "codegen/question/bound/bound_number.hpp"
 #include "codegen/question/engine/pipeline.hpp"
 #include "codegen/question/quantity/quantity.hpp"

@@ -3,7 +3,7 @@
 
 #include <algorithm>
 
-#include "codegen/certificate/certificate_question.hpp"
+#include "codegen/answer/certificate/certificate_question.hpp"
 #include "codegen/question/quantity/inverse_in_one_unit.hpp"
 #include "codegen/support/errors.hpp"
 

@@ -4,15 +4,15 @@
 #include <algorithm>
 #include <cmath>
 
-#include "codegen/certificate/certificate_question.hpp"
+#include "codegen/answer/certificate/certificate_question.hpp"
+#include "codegen/answer/report/progress.hpp"
+#include "codegen/answer/report/report_parts.hpp"
 #include "codegen/model/exact/expression_parser.hpp"
 #include "codegen/question/condition/condition_certificate.hpp"
 #include "codegen/question/condition/condition_checkpoint.hpp"
 #include "codegen/question/condition/condition_kernel.hpp"
 #include "codegen/question/engine/search_run.hpp"
 #include "codegen/question/engine/settings.hpp"
-#include "codegen/report/progress.hpp"
-#include "codegen/report/report_parts.hpp"
 #include "codegen/support/errors.hpp"
 #include "runtime/problem/observers.hpp"
 

@@ -7,9 +7,9 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 
-#include "codegen/report/paving_report.hpp"
-#include "codegen/report/question_report.hpp"
-#include "codegen/report/report_parts.hpp"
+#include "codegen/answer/report/paving_report.hpp"
+#include "codegen/answer/report/question_report.hpp"
+#include "codegen/answer/report/report_parts.hpp"
 
 namespace regulus::inline feasibility {
 namespace {

@@ -5,10 +5,10 @@
 #include <atomic>
 #include <string>
 
+#include "codegen/answer/report/output_options.hpp"
 #include "codegen/question/engine/pipeline.hpp"
 #include "codegen/question/load/feasibility_search.hpp"
 #include "codegen/question/quantity/quantity.hpp"
-#include "codegen/report/output_options.hpp"
 
 namespace regulus::inline feasibility {
 

@@ -3,8 +3,8 @@
 
 #include <fmt/format.h>
 
-#include "codegen/certificate/certificate_question.hpp"
-#include "codegen/certificate/piece_question.hpp"
+#include "codegen/answer/certificate/certificate_question.hpp"
+#include "codegen/answer/certificate/piece_question.hpp"
 #include "codegen/question/way/trajectory_certificate.hpp"
 #include "runtime/proof/writer.hpp"
 

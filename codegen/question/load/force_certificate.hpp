@@ -5,8 +5,8 @@
 #include <optional>
 #include <string>
 
-#include "codegen/certificate/load_question.hpp"
-#include "codegen/certificate/proof_status.hpp"
+#include "codegen/answer/certificate/load_question.hpp"
+#include "codegen/answer/certificate/proof_status.hpp"
 #include "codegen/question/load/feasibility_run.hpp"
 #include "codegen/question/load/way_forces.hpp"
 #include "runtime/proof/proof_file.hpp"

@@ -6,8 +6,8 @@
 #include <algorithm>
 #include <chrono>
 
-#include "codegen/certificate/certificate_question.hpp"
-#include "codegen/certificate/piece_question.hpp"
+#include "codegen/answer/certificate/certificate_question.hpp"
+#include "codegen/answer/certificate/piece_question.hpp"
 #include "codegen/model/way/trajectory.hpp"
 #include "codegen/question/way/path_run.hpp"
 #include "codegen/question/way/trajectory_request.hpp"

@@ -4,13 +4,13 @@
 #include <algorithm>
 #include <nlohmann/json.hpp>
 
-#include "codegen/certificate/certificate_question.hpp"
+#include "codegen/answer/certificate/certificate_question.hpp"
+#include "codegen/answer/report/question_report.hpp"
+#include "codegen/answer/report/report_parts.hpp"
 #include "codegen/model/way/trajectory.hpp"
 #include "codegen/question/load/feasibility_report.hpp"
 #include "codegen/question/load/way_forces.hpp"
 #include "codegen/question/way/trajectory_report.hpp"
-#include "codegen/report/question_report.hpp"
-#include "codegen/report/report_parts.hpp"
 
 namespace regulus::inline feasibility {
 namespace {

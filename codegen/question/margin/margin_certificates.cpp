@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "codegen/question/margin/margin_certificates.hpp"
 
-#include "codegen/certificate/certificate_question.hpp"
+#include "codegen/answer/certificate/certificate_question.hpp"
 
 namespace regulus::inline bracketing {
 

@@ -6,7 +6,7 @@
 #include <set>
 #include <string>
 
-#include "codegen/certificate/proof_status.hpp"
+#include "codegen/answer/certificate/proof_status.hpp"
 #include "codegen/question/margin/margin_question.hpp"
 #include "runtime/proof/writer.hpp"
 

@@ -5,7 +5,7 @@
 
 #include <algorithm>
 
-#include "codegen/certificate/certificate_question.hpp"
+#include "codegen/answer/certificate/certificate_question.hpp"
 #include "codegen/kernel/formulation/variable_ranges.hpp"
 #include "codegen/model/constants.hpp"
 #include "codegen/model/exact/certain_sign.hpp"

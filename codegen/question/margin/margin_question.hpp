@@ -10,7 +10,7 @@
 #include <string>
 #include <vector>
 
-#include "codegen/certificate/certificate_question.hpp"
+#include "codegen/answer/certificate/certificate_question.hpp"
 #include "codegen/question/engine/pipeline.hpp"
 #include "codegen/question/margin/growing_size.hpp"
 

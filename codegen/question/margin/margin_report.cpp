@@ -5,11 +5,11 @@
 
 #include <nlohmann/json.hpp>
 
+#include "codegen/answer/report/question_report.hpp"
+#include "codegen/answer/report/report_parts.hpp"
+#include "codegen/answer/report/witness_report.hpp"
 #include "codegen/model/exact/decimal.hpp"
 #include "codegen/question/engine/choices.hpp"
-#include "codegen/report/question_report.hpp"
-#include "codegen/report/report_parts.hpp"
-#include "codegen/report/witness_report.hpp"
 
 namespace regulus::inline bracketing {
 namespace {

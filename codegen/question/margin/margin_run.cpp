@@ -4,9 +4,9 @@
 #include <algorithm>
 #include <array>
 
+#include "codegen/answer/report/progress.hpp"
+#include "codegen/answer/report/report.hpp"
 #include "codegen/question/engine/search_run.hpp"
-#include "codegen/report/progress.hpp"
-#include "codegen/report/report.hpp"
 #include "runtime/problem/observers.hpp"
 
 namespace regulus::inline bracketing {

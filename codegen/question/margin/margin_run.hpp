@@ -8,10 +8,10 @@
 #include <string>
 #include <vector>
 
+#include "codegen/answer/report/output_options.hpp"
 #include "codegen/question/engine/pipeline.hpp"
 #include "codegen/question/margin/margin_certificates.hpp"
 #include "codegen/question/margin/margin_question.hpp"
-#include "codegen/report/output_options.hpp"
 #include "runtime/problem/result.hpp"
 #include "runtime/search/bracket.hpp"
 #include "runtime/witness/least_witness.hpp"

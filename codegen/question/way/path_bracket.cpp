@@ -3,13 +3,13 @@
 
 #include <algorithm>
 
-#include "codegen/certificate/certificate_question.hpp"
-#include "codegen/certificate/piece_question.hpp"
+#include "codegen/answer/certificate/certificate_question.hpp"
+#include "codegen/answer/certificate/piece_question.hpp"
+#include "codegen/answer/report/progress.hpp"
 #include "codegen/model/way/trajectory.hpp"
 #include "codegen/question/way/path_run.hpp"
 #include "codegen/question/way/path_search.hpp"
 #include "codegen/question/way/trajectory_request.hpp"
-#include "codegen/report/progress.hpp"
 
 namespace regulus::inline trajectory {
 namespace {

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "codegen/question/way/path_run.hpp"
 
-#include "codegen/certificate/certificate_question.hpp"
-#include "codegen/certificate/piece_question.hpp"
+#include "codegen/answer/certificate/certificate_question.hpp"
+#include "codegen/answer/certificate/piece_question.hpp"
 #include "codegen/question/engine/settings.hpp"
 #include "codegen/question/way/trajectory_request.hpp"
 #include "codegen/support/errors.hpp"

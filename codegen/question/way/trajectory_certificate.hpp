@@ -4,8 +4,8 @@
 
 #include <string>
 
-#include "codegen/certificate/piece_question.hpp"
-#include "codegen/certificate/proof_status.hpp"
+#include "codegen/answer/certificate/piece_question.hpp"
+#include "codegen/answer/certificate/proof_status.hpp"
 #include "codegen/question/way/trajectory_run.hpp"
 
 namespace regulus::inline trajectory {

@@ -5,9 +5,9 @@
 
 #include <nlohmann/json.hpp>
 
+#include "codegen/answer/report/report_parts.hpp"
 #include "codegen/question/margin/margin_report.hpp"
 #include "codegen/question/way/trajectory_report.hpp"
-#include "codegen/report/report_parts.hpp"
 #include "codegen/support/stopwatch.hpp"
 
 namespace regulus::inline trajectory {

@@ -4,9 +4,9 @@
 #include <algorithm>
 #include <new>
 
+#include "codegen/answer/report/paving_options.hpp"
 #include "codegen/question/engine/search_run.hpp"
 #include "codegen/question/way/path_run.hpp"
-#include "codegen/report/paving_options.hpp"
 #include "runtime/search/leaf_claims.hpp"
 
 namespace regulus::inline trajectory {

@@ -4,10 +4,10 @@
 #include <algorithm>
 #include <cmath>
 
+#include "codegen/answer/report/report.hpp"
+#include "codegen/answer/report/report_parts.hpp"
 #include "codegen/question/way/trajectory_paving.hpp"
 #include "codegen/question/way/trajectory_report.hpp"
-#include "codegen/report/report.hpp"
-#include "codegen/report/report_parts.hpp"
 
 namespace regulus::inline trajectory {
 namespace {

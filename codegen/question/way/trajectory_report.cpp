@@ -5,14 +5,14 @@
 
 #include <algorithm>
 
+#include "codegen/answer/report/question_report.hpp"
+#include "codegen/answer/report/report.hpp"
+#include "codegen/answer/report/report_parts.hpp"
+#include "codegen/answer/report/undefined_report.hpp"
+#include "codegen/answer/report/witness_report.hpp"
 #include "codegen/model/way/trajectory.hpp"
 #include "codegen/question/analysis/undefined.hpp"
 #include "codegen/question/engine/choices.hpp"
-#include "codegen/report/question_report.hpp"
-#include "codegen/report/report.hpp"
-#include "codegen/report/report_parts.hpp"
-#include "codegen/report/undefined_report.hpp"
-#include "codegen/report/witness_report.hpp"
 
 namespace regulus::inline trajectory {
 namespace {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The text that a certificate writes for an expression means this expression: the verifier's own
 // reader gives it the value that GiNaC gives the original.
-#include "codegen/certificate/certificate_expression_writer.hpp"
+#include "codegen/answer/certificate/certificate_expression_writer.hpp"
 
 #include <gtest/gtest.h>
 

@@ -9,7 +9,7 @@
 #include <random>
 #include <sstream>
 
-#include "codegen/certificate/certificate_question.hpp"
+#include "codegen/answer/certificate/certificate_question.hpp"
 #include "codegen/model/request.hpp"
 #include "runtime/verifier/model/model_comparison.hpp"
 
