@@ -94,9 +94,9 @@ if(REGULUS_CODEGEN)
   if(REGULUS_MPI)
     set_target_properties(regulus-mpi PROPERTIES INSTALL_RPATH_USE_LINK_PATH TRUE)
     install(TARGETS regulus-mpi RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR} COMPONENT mpi)
-    install(FILES ${PROJECT_SOURCE_DIR}/codegen/mpi/CLUSTER.md
+    install(FILES ${PROJECT_SOURCE_DIR}/codegen/use/mpi/CLUSTER.md
             DESTINATION ${CMAKE_INSTALL_DATADIR}/doc/regulus-mpi COMPONENT mpi)
-    install(FILES ${PROJECT_BINARY_DIR}/codegen/mpi/regulus-mpi.1
+    install(FILES ${PROJECT_BINARY_DIR}/codegen/use/mpi/regulus-mpi.1
             DESTINATION ${CMAKE_INSTALL_MANDIR}/man1 COMPONENT mpi)
     regulus_install_licences(${CMAKE_INSTALL_DATADIR}/doc/regulus-mpi mpi)
   endif()

@@ -6,12 +6,12 @@
 #include <fstream>
 #include <nlohmann/json.hpp>
 
-#include "codegen/api/check.hpp"
 #include "codegen/kernel/cpp/emit.hpp"
 #include "codegen/kernel/formulation/functions_needed.hpp"
 #include "codegen/model/file/model_file.hpp"
 #include "codegen/model/overrides.hpp"
 #include "codegen/model/request.hpp"
+#include "codegen/use/api/check.hpp"
 #include "tests/support/command.hpp"
 #include "tests/support/temporary_directory.hpp"
 

@@ -24,8 +24,8 @@ function(symbols_of result kind)
   set(${result} ${found} PARENT_SCOPE)
 endfunction()
 
-# What users may call of the headers of codegen/api and codegen/model/robot.
-file(GLOB headers ${PREFIX}/include/regulus/codegen/api/*.hpp ${PREFIX}/include/regulus/codegen/model/robot/*.hpp)
+# What users may call of the headers of codegen/use/api and codegen/model/robot.
+file(GLOB headers ${PREFIX}/include/regulus/codegen/use/api/*.hpp ${PREFIX}/include/regulus/codegen/model/robot/*.hpp)
 set(declarations "")
 foreach(header IN LISTS headers)
   file(READ ${header} text)

@@ -44,12 +44,12 @@ set(codegen/question/bound                ${codegen/trajectory} codegen/question
 set(codegen/question/load          ${codegen/bound} codegen/question/bound)
 set(codegen/answer/page                 ${codegen/bound} codegen/question/bound codegen/question/way)
 set(codegen/answer               ${codegen/page} codegen/answer/page codegen/question/load codegen/answer/picture)
-set(codegen/api                  ${codegen/answer} codegen/answer codegen/model/import codegen/model/robot runtime/verifier
+set(codegen/use/api                  ${codegen/answer} codegen/answer codegen/model/import codegen/model/robot runtime/verifier
                                  runtime/embedded)
-set(codegen/python               codegen/support codegen/question/engine codegen/kernel/jit codegen/api)
-set(codegen/command              ${codegen/answer} codegen/answer codegen/model/import runtime/verifier)
-set(codegen/mpi                  ${codegen/command} codegen/command runtime/verifier runtime/cluster)
-set(codegen/shell                ${codegen/command} codegen/command)
+set(codegen/use/python               codegen/support codegen/question/engine codegen/kernel/jit codegen/use/api)
+set(codegen/use/command              ${codegen/answer} codegen/answer codegen/model/import runtime/verifier)
+set(codegen/use/mpi                  ${codegen/command} codegen/use/command runtime/verifier runtime/cluster)
+set(codegen/use/shell                ${codegen/command} codegen/use/command)
 
 # Headers that are configured and carry no layer: the compiler flags, the version.
 set(everywhere regulus/floating_point_flags.hpp regulus/text_flags.hpp regulus/instruction_set_flags.hpp regulus/version.hpp)
@@ -59,9 +59,9 @@ set(only_header_runtime/certificate/verifier runtime/proof/format.hpp)
 set(only_ginac codegen/model codegen/model/import codegen/model/robot codegen/kernel/symbolic codegen/answer/certificate codegen/question/margin codegen/question/quantity codegen/question/bound codegen/question/load codegen/question/way)
 set(only_cln   codegen/model codegen/kernel/symbolic codegen/kernel/program codegen/kernel/formulation codegen/kernel/cpp codegen/answer/certificate codegen/question/way)
 set(only_llvm  codegen/kernel/jit)
-set(only_CLI11 codegen/command)
+set(only_CLI11 codegen/use/command)
 set(only_tinyxml2 codegen/model/import)
-set(only_JSON  codegen/answer codegen/api codegen/question/bound codegen/answer/certificate codegen/command codegen/kernel/cpp codegen/question/engine codegen/question/load codegen/question/margin codegen/answer/page codegen/answer/report codegen/shell codegen/question/way)
+set(only_JSON  codegen/answer codegen/use/api codegen/question/bound codegen/answer/certificate codegen/use/command codegen/kernel/cpp codegen/question/engine codegen/question/load codegen/question/margin codegen/answer/page codegen/answer/report codegen/use/shell codegen/question/way)
 
 set(faults "")
 macro(fault file text)

@@ -3,7 +3,7 @@
 
 #include <cstdio>
 
-#include "codegen/api/margin.hpp"
+#include "codegen/use/api/margin.hpp"
 #include "tests/bench/completeness/rows.hpp"
 
 namespace regulus::bench {

@@ -14,11 +14,11 @@
 #include <thread>
 #include <type_traits>
 
-#include "codegen/api/check.hpp"
 #include "codegen/question/engine/choices.hpp"
 #include "codegen/question/engine/pipeline.hpp"
 #include "codegen/question/engine/search_run.hpp"
 #include "codegen/question/engine/settings.hpp"
+#include "codegen/use/api/check.hpp"
 
 namespace regulus {
 namespace {
