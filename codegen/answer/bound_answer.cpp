@@ -17,7 +17,7 @@
 #include "codegen/question/margin/prepared_margin.hpp"
 #include "codegen/support/errors.hpp"
 
-namespace regulus::inline answer {
+namespace regulus {
 namespace {
 
 using Json = nlohmann::ordered_json;
@@ -171,4 +171,4 @@ std::unique_ptr<DatasheetAnswer> ask(const AskDatasheet& asked, const Services& 
   return std::make_unique<Sheet>(asked, services);
 }
 
-}  // namespace regulus::answer
+}  // namespace regulus

@@ -18,7 +18,7 @@
 #include "codegen/support/stopwatch.hpp"
 #include "runtime/problem/observers.hpp"
 
-namespace regulus::inline answer {
+namespace regulus {
 namespace {
 
 using Json = nlohmann::ordered_json;
@@ -123,4 +123,4 @@ std::unique_ptr<CheckAnswer> ask(const AskCheck& asked, const Services& services
   return std::make_unique<WayCheck>(std::move(*along), watch.lap(), asked, services);
 }
 
-}  // namespace regulus::answer
+}  // namespace regulus

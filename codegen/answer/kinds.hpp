@@ -13,7 +13,7 @@
 #include "runtime/problem/result.hpp"
 #include "runtime/search/paving.hpp"
 
-namespace regulus::inline answer {
+namespace regulus {
 
 /// Has the motion a singular pose?
 class CheckAnswer : public Answer {
@@ -109,4 +109,4 @@ class DatasheetAnswer : public Answer {};
 [[nodiscard]] Word word_of(Verdict verdict) noexcept;
 [[nodiscard]] Word word_of(FeasibilityVerdict verdict) noexcept;
 
-}  // namespace regulus::answer
+}  // namespace regulus

@@ -16,7 +16,7 @@
 #include "codegen/support/stopwatch.hpp"
 #include "runtime/problem/observers.hpp"
 
-namespace regulus::inline answer {
+namespace regulus {
 namespace {
 
 using Json = nlohmann::ordered_json;
@@ -178,4 +178,4 @@ std::unique_ptr<LoadPavingAnswer> ask(const AskLoadPaving& asked, const Services
   return std::make_unique<VarietyLoadPaving>(asked, services);
 }
 
-}  // namespace regulus::answer
+}  // namespace regulus

@@ -14,7 +14,7 @@
 #include "codegen/question/way/trajectory_margin.hpp"
 #include "codegen/support/errors.hpp"
 
-namespace regulus::inline answer {
+namespace regulus {
 namespace {
 
 using Json = nlohmann::ordered_json;
@@ -212,4 +212,4 @@ std::unique_ptr<MarginAnswer> ask(const AskMargin& asked, const Services& servic
   return std::make_unique<WayMargin>(question, std::move(request), asked, services);
 }
 
-}  // namespace regulus::answer
+}  // namespace regulus

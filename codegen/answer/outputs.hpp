@@ -13,7 +13,7 @@
 #include "codegen/support/work_meter.hpp"
 #include "runtime/problem/observer.hpp"
 
-namespace regulus::inline answer {
+namespace regulus {
 
 /// Renames the files of earlier runs: the certificate, the checkpoint, the lines and the pictures of
 /// `services`. Throws as set_earlier_outputs_aside.
@@ -31,4 +31,4 @@ void set_outputs_aside(const ModelOptions& model, const SearchOptions& search,
 /// Returns those that are not null.
 [[nodiscard]] std::vector<Observer*> present(std::initializer_list<Observer*> observers);
 
-}  // namespace regulus::answer
+}  // namespace regulus

@@ -15,7 +15,7 @@
 #include "codegen/support/scratch_folder.hpp"
 #include "codegen/support/write_file.hpp"
 
-namespace regulus::inline answer {
+namespace regulus {
 namespace {
 
 using Json = nlohmann::ordered_json;
@@ -148,4 +148,4 @@ std::unique_ptr<Answer> ask_for_page(const Asked& asked, const Services& service
   return answer;
 }
 
-}  // namespace regulus::answer
+}  // namespace regulus

@@ -24,7 +24,7 @@
 #include "runtime/problem/observers.hpp"
 #include "runtime/search/workspace.hpp"
 
-namespace regulus::inline answer {
+namespace regulus {
 namespace {
 
 using Json = nlohmann::ordered_json;
@@ -166,4 +166,4 @@ std::unique_ptr<PavingAnswer> ask(const AskPaving& asked, const Services& servic
   return std::make_unique<WayPaving>(std::move(*along), watch.lap(), asked, services);
 }
 
-}  // namespace regulus::answer
+}  // namespace regulus

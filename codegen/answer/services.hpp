@@ -17,7 +17,7 @@
 #include "runtime/interval/interval.hpp"
 #include "runtime/search/paving.hpp"
 
-namespace regulus::inline answer {
+namespace regulus {
 
 /// The JSON lines of a paving.
 struct LinesRequest {
@@ -62,4 +62,4 @@ struct Services {
   }
 };
 
-}  // namespace regulus::answer
+}  // namespace regulus

@@ -10,7 +10,7 @@
 #include "codegen/model/names.hpp"
 #include "codegen/support/errors.hpp"
 
-namespace regulus::inline model {
+namespace regulus {
 namespace {
 
 using GiNaC::ex;
@@ -78,4 +78,4 @@ std::vector<ex> distinct(const std::vector<ex>& all) {
   return result;
 }
 
-}  // namespace regulus::model
+}  // namespace regulus

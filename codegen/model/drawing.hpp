@@ -8,7 +8,7 @@
 
 #include "codegen/model/exact/exact_algebra.hpp"
 
-namespace regulus::inline model {
+namespace regulus {
 
 struct Drawing {
   enum class Kind {
@@ -46,4 +46,4 @@ struct Drawing {
   return "";
 }
 
-}  // namespace regulus::model
+}  // namespace regulus

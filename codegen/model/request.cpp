@@ -10,7 +10,7 @@
 #include "codegen/model/overrides.hpp"
 #include "codegen/model/way/trajectory.hpp"
 
-namespace regulus::inline model {
+namespace regulus {
 
 Assignment split_assignment(const std::string& text, const char* option) {
   const std::size_t equals = text.find('=');
@@ -87,4 +87,4 @@ Request read_request(std::string_view text, const ModelOptions& options,
   return request;
 }
 
-}  // namespace regulus::model
+}  // namespace regulus

@@ -9,7 +9,7 @@
 #include <string>
 #include <vector>
 
-namespace regulus::inline certificate {
+namespace regulus {
 
 struct CanonicalNode;
 
@@ -60,4 +60,4 @@ class CanonicalReader {
   std::map<GiNaC::ex, CanonicalTerm, GiNaC::ex_is_less> known_;
 };
 
-}  // namespace regulus::certificate
+}  // namespace regulus

@@ -8,7 +8,7 @@
 #include "runtime/proof/format.hpp"
 #include "runtime/verifier/verify.hpp"
 
-namespace regulus::inline certificate {
+namespace regulus {
 
 namespace {
 
@@ -66,4 +66,4 @@ void CertificateFile::finish(const Result& result) {
   status_.set_written(std::move(note));
 }
 
-}  // namespace regulus::certificate
+}  // namespace regulus

@@ -10,7 +10,7 @@
 #include "runtime/files/file_lock.hpp"
 #include "runtime/proof/writer.hpp"
 
-namespace regulus::inline certificate {
+namespace regulus {
 
 class CertificateFile {
  public:
@@ -38,4 +38,4 @@ class CertificateFile {
   std::string doubt_safe_, doubt_singular_;  ///< why the verifier may not finish, by verdict
 };
 
-}  // namespace regulus::certificate
+}  // namespace regulus

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "codegen/answer/certificate/certificate_head.hpp"
 
-namespace regulus::inline certificate {
+namespace regulus {
 
 CertificateHead::CertificateHead(std::istream& file) {
   std::vector<std::string> lines;
@@ -48,4 +48,4 @@ ContinuedText::int_type ContinuedText::underflow() {
   return count > 0 ? traits_type::to_int_type(buffer_.front()) : traits_type::eof();
 }
 
-}  // namespace regulus::certificate
+}  // namespace regulus

@@ -8,7 +8,7 @@
 #include <string_view>
 #include <vector>
 
-namespace regulus::inline certificate {
+namespace regulus {
 
 /// A certificate whose head, up to the line `proof`, has been read from a stream. The stream need
 /// not be seekable, so it may be a pipe.
@@ -47,4 +47,4 @@ class ContinuedText : public std::streambuf {
   std::vector<char> buffer_;
 };
 
-}  // namespace regulus::certificate
+}  // namespace regulus

@@ -14,7 +14,7 @@
 #include "runtime/verifier/rounding.hpp"
 #include "runtime/verifier/verify.hpp"
 
-namespace regulus::inline certificate {
+namespace regulus {
 namespace {
 
 using GiNaC::ex;
@@ -220,4 +220,4 @@ CertifiedQuestion certified_question(const PreparedSearch& p) {
   return certified_question(p.stages->request(), uncertain_names(p.labels));
 }
 
-}  // namespace regulus::certificate
+}  // namespace regulus

@@ -19,7 +19,7 @@
 #include "codegen/model/overrides.hpp"
 #include "codegen/model/request.hpp"
 
-namespace regulus::inline certificate {
+namespace regulus {
 namespace {
 
 using GiNaC::ex;
@@ -340,4 +340,4 @@ ModelConfirmation confirm_model(const CertificateHead& certificate, const std::s
   }
 }
 
-}  // namespace regulus::certificate
+}  // namespace regulus

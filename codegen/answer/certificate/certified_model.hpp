@@ -9,7 +9,7 @@
 #include "codegen/answer/certificate/certificate_head.hpp"
 #include "codegen/model/request.hpp"
 
-namespace regulus::inline certificate {
+namespace regulus {
 
 struct ModelConfirmation {
   /// Why the question is not that of the file, for any ranges, tolerances and threshold.
@@ -29,4 +29,4 @@ struct ModelConfirmation {
                                               const std::string& model,
                                               const std::string& waypoints = {});
 
-}  // namespace regulus::certificate
+}  // namespace regulus

@@ -7,7 +7,7 @@
 #include "codegen/answer/certificate/certificate_question.hpp"
 #include "codegen/answer/certificate/piece_question.hpp"
 
-namespace regulus::inline certificate {
+namespace regulus {
 
 std::string vector_lines(const VectorSet& load) {
   std::string text;
@@ -47,4 +47,4 @@ std::string certificate_obstacle(const CertifiedLoad& question) {
   return obstacle_of_head(question.head(format::kFeasible));
 }
 
-}  // namespace regulus::certificate
+}  // namespace regulus

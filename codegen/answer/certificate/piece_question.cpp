@@ -7,7 +7,7 @@
 #include "codegen/answer/certificate/certificate_expression_writer.hpp"
 #include "codegen/answer/certificate/certificate_question.hpp"
 
-namespace regulus::inline certificate {
+namespace regulus {
 namespace {
 
 using GiNaC::ex;
@@ -122,4 +122,4 @@ CertifiedQuestion trajectory_question(const Request& request,
   return question;
 }
 
-}  // namespace regulus::certificate
+}  // namespace regulus

@@ -10,7 +10,7 @@
 #include "codegen/model/way/trajectory.hpp"
 #include "runtime/proof/writer.hpp"
 
-namespace regulus::inline certificate {
+namespace regulus {
 
 /// Returns the question about one piece alone: its first parameter s ranges over [0, 1], and the
 /// parameters of the motion follow.
@@ -24,4 +24,4 @@ namespace regulus::inline certificate {
                                                     const std::set<std::string>& uncertain,
                                                     const CertifiedAbout& about = is_regular());
 
-}  // namespace regulus::certificate
+}  // namespace regulus

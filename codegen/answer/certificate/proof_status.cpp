@@ -4,7 +4,7 @@
 #include <nlohmann/json.hpp>
 #include <utility>
 
-namespace regulus::inline certificate {
+namespace regulus {
 namespace {
 
 constexpr const char* kSafe = ".safe";
@@ -113,4 +113,4 @@ void EndProofs::add_to(nlohmann::ordered_json& report) const {
   }
 }
 
-}  // namespace regulus::certificate
+}  // namespace regulus

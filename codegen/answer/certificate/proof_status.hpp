@@ -13,7 +13,7 @@
 #include "codegen/support/held_files.hpp"
 #include "runtime/proof/proof_file.hpp"
 
-namespace regulus::inline certificate {
+namespace regulus {
 
 inline constexpr const char* kNothingClaimed =
     "POSSIBLE PROBLEM claims nothing that could be proved";
@@ -118,4 +118,4 @@ class EndProofs {
   const char* singular_name_ = "singular";
 };
 
-}  // namespace regulus::certificate
+}  // namespace regulus

@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <nlohmann/json.hpp>
 
-namespace regulus::inline certificate {
+namespace regulus {
 namespace {
 
 const char* json_name(verifier::Outcome outcome) {
@@ -41,4 +41,4 @@ nlohmann::ordered_json json_verification(const VerificationRequest& request,
   return report;
 }
 
-}  // namespace regulus::certificate
+}  // namespace regulus

@@ -5,10 +5,10 @@
 
 #include "codegen/answer/certificate/verify_file.hpp"
 
-namespace regulus::inline certificate {
+namespace regulus {
 
 /// Returns the report of `regulus verify --json`. Its texts may have any bytes.
 [[nodiscard]] nlohmann::ordered_json json_verification(const VerificationRequest& request,
                                                        const Verified& verified);
 
-}  // namespace regulus::certificate
+}  // namespace regulus

@@ -9,7 +9,7 @@
 #include "codegen/support/errors.hpp"
 #include "runtime/verifier/input_file.hpp"
 
-namespace regulus::inline certificate {
+namespace regulus {
 namespace {
 
 /// Returns the places that options have set: "range x", "tolerance base", "alpha".
@@ -71,4 +71,4 @@ Verified verify_file(const VerificationRequest& request) {
   return {verify_stream(certificate, request.path, options), confirmation.differences};
 }
 
-}  // namespace regulus::certificate
+}  // namespace regulus

@@ -7,7 +7,7 @@
 
 #include "runtime/verifier/verify.hpp"
 
-namespace regulus::inline certificate {
+namespace regulus {
 
 struct VerificationRequest {
   std::string path;
@@ -24,4 +24,4 @@ struct Verified {
 /// Throws    FileError if a file cannot be read, InputError for the model file.
 [[nodiscard]] Verified verify_file(const VerificationRequest& request);
 
-}  // namespace regulus::certificate
+}  // namespace regulus

@@ -9,7 +9,7 @@
 #include "codegen/answer/certificate/certificate_expression_writer.hpp"
 #include "codegen/model/drawing.hpp"
 
-namespace regulus::inline page {
+namespace regulus {
 namespace {
 
 using Json = nlohmann::ordered_json;
@@ -74,4 +74,4 @@ Json json_drawing(const Request& request) {
   return DrawingWriter(request).write(*request.model.drawing);
 }
 
-}  // namespace regulus::page
+}  // namespace regulus

@@ -5,11 +5,11 @@
 
 #include "codegen/model/request.hpp"
 
-namespace regulus::inline page {
+namespace regulus {
 
 /// Returns the points and parts of the robot, null if the model gives none: `points` as expressions
 /// of the language of certificates in the names of the question and those of `lets`, `parts` with
 /// their kinds, rows and numbers of points.
 [[nodiscard]] nlohmann::ordered_json json_drawing(const Request& request);
 
-}  // namespace regulus::page
+}  // namespace regulus

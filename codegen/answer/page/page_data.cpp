@@ -10,7 +10,7 @@
 #include "codegen/answer/page/way_json.hpp"
 #include "regulus/version.hpp"
 
-namespace regulus::inline page {
+namespace regulus {
 namespace {
 
 using Json = nlohmann::ordered_json;
@@ -95,4 +95,4 @@ std::string json_text(const PageData& data) {
   return json.dump(-1, ' ', true, Json::error_handler_t::replace);
 }
 
-}  // namespace regulus::page
+}  // namespace regulus

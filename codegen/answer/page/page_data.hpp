@@ -9,11 +9,8 @@
 
 #include "codegen/model/model_options.hpp"
 
-namespace regulus::inline model {
+namespace regulus {
 struct Request;
-}
-
-namespace regulus::inline page {
 
 struct PageData {
   std::string command;             ///< the command line that makes the page
@@ -51,4 +48,4 @@ void set_deciding_segment(PageData& data, const Request& request,
 /// Returns the commands `check` and `verify` for the question of these options.
 [[nodiscard]] std::vector<std::string> commands_to_prove_again(const ModelOptions& model);
 
-}  // namespace regulus::page
+}  // namespace regulus

@@ -9,7 +9,7 @@
 
 #include "codegen/answer/report/report_parts.hpp"
 
-namespace regulus::inline picture {
+namespace regulus {
 namespace {
 
 /// Returns the exponent of the axis: 0 where plain numbers are short.
@@ -54,4 +54,4 @@ Axis axis_of(const PreparedSearch& p, std::size_t variable) {
   return {p.variety.outer[variable], label.name, label.unit};
 }
 
-}  // namespace regulus::picture
+}  // namespace regulus

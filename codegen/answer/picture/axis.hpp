@@ -7,7 +7,7 @@
 
 #include "codegen/question/engine/pipeline.hpp"
 
-namespace regulus::inline picture {
+namespace regulus {
 
 class Axis {
  public:
@@ -30,4 +30,4 @@ class Axis {
 /// Returns the axis of a variable.
 [[nodiscard]] Axis axis_of(const PreparedSearch& preparation, std::size_t variable);
 
-}  // namespace regulus::picture
+}  // namespace regulus

@@ -9,7 +9,7 @@
 #include "codegen/answer/report/report_parts.hpp"
 #include "codegen/support/errors.hpp"
 
-namespace regulus::inline picture {
+namespace regulus {
 namespace {
 
 /// Returns a text that an XML comment can hold.
@@ -86,4 +86,4 @@ std::string BoxGrid::text() const {
          "</CellData>\n</Piece>\n</UnstructuredGrid>\n</VTKFile>\n";
 }
 
-}  // namespace regulus::picture
+}  // namespace regulus

@@ -7,7 +7,7 @@
 #include "codegen/answer/picture/gnuplot.hpp"
 #include "codegen/answer/picture/plot.hpp"
 
-namespace regulus::inline picture {
+namespace regulus {
 namespace {
 
 /// Tenths of a tile that are free: 0 is none, 10 is all, between them is some.
@@ -99,4 +99,4 @@ std::string map_commands(const PreparedSearch& p, const PictureOptions& options,
          (equal ? "set size ratio -1\n" : "") + plot.commands();
 }
 
-}  // namespace regulus::picture
+}  // namespace regulus

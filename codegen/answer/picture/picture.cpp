@@ -9,7 +9,7 @@
 #include "codegen/answer/picture/plot.hpp"
 #include "codegen/answer/report/report_parts.hpp"
 
-namespace regulus::inline picture {
+namespace regulus {
 namespace {
 
 /// The panels of a picture.
@@ -137,4 +137,4 @@ std::string picture_commands(const std::string& file, const PreparedSearch& p,
                                  : slice_pictures(p, options, volumes, canvases, grid));
 }
 
-}  // namespace regulus::picture
+}  // namespace regulus

@@ -10,7 +10,7 @@
 #include "codegen/answer/picture/canvas.hpp"
 #include "runtime/search/paving.hpp"
 
-namespace regulus::inline picture {
+namespace regulus {
 
 /// `canvases`: one for each slice, or one.
 [[nodiscard]] std::string picture_commands(const std::string& file,
@@ -18,4 +18,4 @@ namespace regulus::inline picture {
                                            const PictureOptions& options, const Volumes& volumes,
                                            const std::deque<Canvas>& canvases);
 
-}  // namespace regulus::picture
+}  // namespace regulus

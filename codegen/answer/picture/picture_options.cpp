@@ -8,7 +8,7 @@
 
 #include "codegen/support/errors.hpp"
 
-namespace regulus::inline picture {
+namespace regulus {
 namespace {
 
 using Axes = std::vector<std::size_t>;
@@ -114,4 +114,4 @@ PictureOptions resolve_pictures(const PictureRequest& request, const PavingOptio
   return options;
 }
 
-}  // namespace regulus::picture
+}  // namespace regulus

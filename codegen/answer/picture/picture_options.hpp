@@ -9,7 +9,7 @@
 #include "codegen/answer/picture/picture_request.hpp"
 #include "codegen/answer/report/paving_options.hpp"
 
-namespace regulus::inline picture {
+namespace regulus {
 
 /// A plane in which a motion parameter has one value.
 struct Slice {
@@ -34,4 +34,4 @@ void require_picture_format(const std::string& file);
                                               const PavingOptions& paving,
                                               const PreparedSearch& preparation);
 
-}  // namespace regulus::picture
+}  // namespace regulus

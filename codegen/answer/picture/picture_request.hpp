@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-namespace regulus::inline picture {
+namespace regulus {
 
 /// The meaning of a tile's colour, about all boxes over it.
 enum class Shade : std::uint8_t {
@@ -21,4 +21,4 @@ struct PictureRequest {
   Shade shade = Shade::kWorst;
 };
 
-}  // namespace regulus::picture
+}  // namespace regulus

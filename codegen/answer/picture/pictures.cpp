@@ -6,7 +6,7 @@
 #include "codegen/answer/picture/picture.hpp"
 #include "codegen/support/errors.hpp"
 
-namespace regulus::inline picture {
+namespace regulus {
 namespace {
 
 /// Does a step with a file; its error becomes one of ours.
@@ -57,4 +57,4 @@ void Pictures::draw(const Volumes& volumes) {
     });
 }
 
-}  // namespace regulus::picture
+}  // namespace regulus

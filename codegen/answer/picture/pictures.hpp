@@ -15,7 +15,7 @@
 #include "runtime/files/atomic_file.hpp"
 #include "runtime/search/paving.hpp"
 
-namespace regulus::inline picture {
+namespace regulus {
 
 class Pictures {
  public:
@@ -48,4 +48,4 @@ class Pictures {
   std::optional<BoxGrid> boxes_;
 };
 
-}  // namespace regulus::picture
+}  // namespace regulus

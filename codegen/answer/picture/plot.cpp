@@ -8,7 +8,7 @@
 #include "codegen/answer/picture/gnuplot.hpp"
 #include "codegen/answer/report/paving_report.hpp"
 
-namespace regulus::inline picture {
+namespace regulus {
 
 Plot::Plot(Axis across, Axis up) : across_(std::move(across)), up_(std::move(up)) {}
 
@@ -84,4 +84,4 @@ Interval overlapping(Interval part, Interval range, std::size_t count) {
   return {part.lo, std::min(part.hi + overlap, range.hi)};
 }
 
-}  // namespace regulus::picture
+}  // namespace regulus

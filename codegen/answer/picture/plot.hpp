@@ -10,7 +10,7 @@
 #include "codegen/answer/picture/canvas.hpp"
 #include "runtime/search/paving.hpp"
 
-namespace regulus::inline picture {
+namespace regulus {
 
 /// A plot that grows layer by layer. Later layers are drawn over earlier ones.
 class Plot {
@@ -64,4 +64,4 @@ inline constexpr std::array kDrawingOrder{Claim::kFree, Claim::kUnreachable, Cla
                                          const PictureOptions& options, const Volumes& volumes,
                                          const Canvas& canvas);
 
-}  // namespace regulus::picture
+}  // namespace regulus

@@ -6,7 +6,7 @@
 
 #include <cmath>
 
-namespace regulus::inline report {
+namespace regulus {
 namespace {
 
 using Json = nlohmann::ordered_json;
@@ -130,4 +130,4 @@ std::string format_degeneracy(const PreparedSearch& p,
   return lines;
 }
 
-}  // namespace regulus::report
+}  // namespace regulus

@@ -8,7 +8,7 @@
 
 #include "codegen/question/analysis/lost_twist.hpp"
 
-namespace regulus::inline report {
+namespace regulus {
 
 /// {"nullity", "singular_values", "twist", "rows"}; the last two are null if nothing is lost, and
 /// all of them if J⁻¹ has no value.
@@ -18,4 +18,4 @@ namespace regulus::inline report {
 [[nodiscard]] std::string format_degeneracy(const PreparedSearch& preparation,
                                             const std::optional<Degeneracy>& degeneracy);
 
-}  // namespace regulus::report
+}  // namespace regulus

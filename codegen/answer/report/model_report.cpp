@@ -11,7 +11,7 @@
 #include "codegen/model/exact/ginac_text.hpp"
 #include "codegen/model/overrides.hpp"
 
-namespace regulus::inline report {
+namespace regulus {
 namespace {
 
 using Json = nlohmann::ordered_json;
@@ -29,15 +29,15 @@ std::string text_of(const Range& range) {
 }
 
 /// The members of a tolerance group, and the tolerances that they have now.
-struct Group {
+struct ToleranceGroup {
   std::string name;
   std::vector<std::string> members, tolerances;
 };
 
-std::vector<Group> groups_of(const Model& model) {
-  std::vector<Group> groups;
+std::vector<ToleranceGroup> groups_of(const Model& model) {
+  std::vector<ToleranceGroup> groups;
   for (const std::string& name : tolerance_groups(model)) {
-    Group& group = groups.emplace_back(Group{name, {}, {}});
+    ToleranceGroup& group = groups.emplace_back(ToleranceGroup{name, {}, {}});
     for (const GeometryParameter& g : model.geometry) {
       if (g.group != name) continue;
       group.members.push_back(g.name);
@@ -88,7 +88,7 @@ std::string format_motion(const Model& model, const Motion& motion) {
   return text;
 }
 
-std::string format_group(const Group& group) {
+std::string format_group(const ToleranceGroup& group) {
   const std::string members = group.members.size() == 1
                                   ? group.members.front()
                                   : fmt::format("{} … {}, {} constants", group.members.front(),
@@ -116,7 +116,7 @@ std::string format_sets(const char* kind, const std::vector<VectorSet>& sets) {
 Json json_model(const Model& model) {
   Json motions = Json::array(), groups = Json::array();
   for (const Motion& motion : model.motions) motions.push_back(json_motion(motion));
-  for (const Group& group : groups_of(model))
+  for (const ToleranceGroup& group : groups_of(model))
     groups.push_back(
         {{"name", group.name}, {"members", group.members}, {"tolerances", group.tolerances}});
   return {{"model", model.name},
@@ -136,8 +136,8 @@ std::string format_model(const Model& model) {
   if (!model.source.empty()) text += fmt::format("source     {}\n", model.source);
   text += fmt::format("matrix     {}×{}\n", model.matrix.rows(), model.matrix.cols());
   for (const Motion& motion : model.motions) text += format_motion(model, motion);
-  for (const Group& group : groups_of(model)) text += format_group(group);
+  for (const ToleranceGroup& group : groups_of(model)) text += format_group(group);
   return text + format_sets("load", model.loads) + format_sets("twist", model.twists);
 }
 
-}  // namespace regulus::report
+}  // namespace regulus

@@ -7,10 +7,10 @@
 
 #include "codegen/model/model.hpp"
 
-namespace regulus::inline report {
+namespace regulus {
 
 [[nodiscard]] nlohmann::ordered_json json_model(const Model& model);
 
 [[nodiscard]] std::string format_model(const Model& model);
 
-}  // namespace regulus::report
+}  // namespace regulus

@@ -12,7 +12,7 @@
 #include "codegen/answer/report/witness_report.hpp"
 #include "codegen/question/analysis/undefined.hpp"
 
-namespace regulus::inline report {
+namespace regulus {
 namespace {
 
 using Json = nlohmann::ordered_json;
@@ -216,4 +216,4 @@ std::string paving_report(const PreparedSearch& p, const SearchOptions& search,
                             "singular: " + describe_claim(p, Claim::kSingular));
 }
 
-}  // namespace regulus::report
+}  // namespace regulus

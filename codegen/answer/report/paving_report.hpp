@@ -8,7 +8,7 @@
 #include "codegen/answer/report/paving_options.hpp"
 #include "runtime/search/paving.hpp"
 
-namespace regulus::inline report {
+namespace regulus {
 
 /// Returns the first JSON line: the question, and the claim of each kind of box.
 [[nodiscard]] nlohmann::ordered_json json_paving_header(const PreparedSearch& preparation,
@@ -30,4 +30,4 @@ namespace regulus::inline report {
 /// nothing.
 [[nodiscard]] std::string percentage(const Volumes& volumes, const Share& share);
 
-}  // namespace regulus::report
+}  // namespace regulus

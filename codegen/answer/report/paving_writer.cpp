@@ -8,7 +8,7 @@
 #include "codegen/answer/report/witness_report.hpp"
 #include "codegen/support/errors.hpp"
 
-namespace regulus::inline report {
+namespace regulus {
 namespace {
 
 using Json = nlohmann::ordered_json;
@@ -88,4 +88,4 @@ void PavingWriter::finish(const Json& summary, const std::string& file) {
   if (failed_ && out_) throw FileError(file + " cannot be written: not enough memory");
 }
 
-}  // namespace regulus::report
+}  // namespace regulus

@@ -12,7 +12,7 @@
 
 #include "codegen/answer/report/report_parts.hpp"
 
-namespace regulus::inline report {
+namespace regulus {
 namespace {
 
 constexpr std::chrono::milliseconds kPeriod{150};
@@ -131,4 +131,4 @@ FormingWatch forming_watch(const OutputOptions& output, const std::atomic<bool>*
   return watch;
 }
 
-}  // namespace regulus::report
+}  // namespace regulus

@@ -13,7 +13,7 @@
 #include "codegen/question/engine/settings.hpp"
 #include "regulus/version.hpp"
 
-namespace regulus::inline report {
+namespace regulus {
 namespace {
 
 using Json = nlohmann::ordered_json;
@@ -240,4 +240,4 @@ std::string describe_tolerances(const PreparedSearch& p) {
                      left > 0 ? fmt::format(" and {} more", left) : "");
 }
 
-}  // namespace regulus::report
+}  // namespace regulus

@@ -7,7 +7,7 @@
 
 #include "codegen/question/engine/pipeline.hpp"
 
-namespace regulus::inline report {
+namespace regulus {
 
 /// Returns the question: ranges and uncertain quantities as they were searched, [lower, upper]
 /// rounded outward, and the exact numbers as texts that model files and options take; the options
@@ -36,4 +36,4 @@ namespace regulus::inline report {
 /// Requires  some quantity is uncertain.
 [[nodiscard]] std::string describe_tolerances(const PreparedSearch& preparation);
 
-}  // namespace regulus::report
+}  // namespace regulus

@@ -14,7 +14,7 @@
 #include "codegen/question/engine/choices.hpp"
 #include "codegen/question/engine/settings.hpp"
 
-namespace regulus::inline report {
+namespace regulus {
 namespace {
 
 using Json = nlohmann::ordered_json;
@@ -160,4 +160,4 @@ std::string text_report(const PreparedSearch& p, const SearchOptions& search, co
   return text + fmt::format("claim      {}\n", claim(p, result));
 }
 
-}  // namespace regulus::report
+}  // namespace regulus

@@ -10,7 +10,7 @@
 #include "codegen/question/engine/pipeline.hpp"
 #include "runtime/problem/result.hpp"
 
-namespace regulus::inline report {
+namespace regulus {
 
 /// Returns the report as a JSON object. Bounds are [lo, hi]; an infinite bound is null. `nearest`:
 /// the pose to look at, if nothing was proved.
@@ -27,4 +27,4 @@ namespace regulus::inline report {
 /// Returns the claim of the verdict about this model, in words.
 [[nodiscard]] std::string claim(const PreparedSearch& preparation, const Result& result);
 
-}  // namespace regulus::report
+}  // namespace regulus

@@ -11,7 +11,7 @@
 
 #include "codegen/answer/report/question_report.hpp"
 
-namespace regulus::inline report {
+namespace regulus {
 namespace {
 
 using Json = nlohmann::ordered_json;
@@ -350,4 +350,4 @@ std::string format_occupancy(const Result& result) {
          "no pose\n";
 }
 
-}  // namespace regulus::report
+}  // namespace regulus

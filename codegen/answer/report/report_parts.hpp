@@ -10,7 +10,7 @@
 #include "codegen/question/engine/pipeline.hpp"
 #include "runtime/problem/result.hpp"
 
-namespace regulus::inline report {
+namespace regulus {
 
 /// Returns [lo, hi]; an infinite bound becomes null, because JSON has no infinities.
 [[nodiscard]] nlohmann::ordered_json json_interval(const Interval& x);
@@ -86,4 +86,4 @@ namespace regulus::inline report {
 [[nodiscard]] nlohmann::ordered_json json_occupancy(const Result& result);
 [[nodiscard]] std::string format_occupancy(const Result& result);
 
-}  // namespace regulus::report
+}  // namespace regulus

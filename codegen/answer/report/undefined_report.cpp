@@ -7,7 +7,7 @@
 
 #include "codegen/answer/report/report_parts.hpp"
 
-namespace regulus::inline report {
+namespace regulus {
 
 nlohmann::ordered_json json_undefined(const PreparedSearch& p, const Undefined& undefined) {
   auto expressions = nlohmann::ordered_json::array();
@@ -38,4 +38,4 @@ std::string format_undefined(const PreparedSearch& p, const Undefined& undefined
          format_pose(p, undefined.pose);
 }
 
-}  // namespace regulus::report
+}  // namespace regulus

@@ -7,11 +7,11 @@
 
 #include "codegen/question/analysis/undefined.hpp"
 
-namespace regulus::inline report {
+namespace regulus {
 
 [[nodiscard]] nlohmann::ordered_json json_undefined(const PreparedSearch& preparation,
                                                     const Undefined& undefined);
 [[nodiscard]] std::string format_undefined(const PreparedSearch& preparation,
                                            const Undefined& undefined);
 
-}  // namespace regulus::report
+}  // namespace regulus

@@ -7,7 +7,7 @@
 #include "codegen/answer/report/report_parts.hpp"
 #include "codegen/question/analysis/lost_twist.hpp"
 
-namespace regulus::inline report {
+namespace regulus {
 namespace {
 
 using Json = nlohmann::ordered_json;
@@ -175,4 +175,4 @@ std::string format_nearest(const PreparedSearch& p, const std::optional<LeastSin
                                             : lines + format_degeneracy(p, nearest->degeneracy);
 }
 
-}  // namespace regulus::report
+}  // namespace regulus

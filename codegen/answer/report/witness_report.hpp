@@ -11,7 +11,7 @@
 #include "codegen/question/engine/pipeline.hpp"
 #include "runtime/problem/result.hpp"
 
-namespace regulus::inline report {
+namespace regulus {
 
 [[nodiscard]] nlohmann::ordered_json json_point(const PreparedSearch& preparation,
                                                 const WitnessPoint& point);
@@ -30,4 +30,4 @@ namespace regulus::inline report {
 [[nodiscard]] std::string format_nearest(const PreparedSearch& preparation,
                                          const std::optional<LeastSingular>& nearest);
 
-}  // namespace regulus::report
+}  // namespace regulus

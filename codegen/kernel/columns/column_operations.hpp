@@ -17,7 +17,7 @@
 
 #include "codegen/kernel/symbolic/polynomial.hpp"
 
-namespace regulus::inline columns {
+namespace regulus {
 
 struct ColumnOperation {
   int target = 0;
@@ -63,4 +63,4 @@ struct ShorteningOperations {
 [[nodiscard]] std::vector<ColumnOperation> scaled(std::vector<ColumnOperation> operations,
                                                   const cln::cl_RA& part);
 
-}  // namespace regulus::columns
+}  // namespace regulus

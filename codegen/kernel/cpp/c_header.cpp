@@ -4,12 +4,12 @@
 #include "codegen/kernel/cpp/comment.hpp"
 #include "codegen/kernel/cpp/headers.hpp"
 
-namespace regulus::inline cpp {
+namespace regulus {
 namespace {
 
 std::string fields(const KernelSubject& subject) {
   std::string text;
-  for (const Quantity& parameter : subject.parameters)
+  for (const SubjectQuantity& parameter : subject.parameters)
     text +=
         fmt::format("  double {};  // {}\n", parameter.field, comment_text(in_words(parameter)));
   return text;
@@ -61,4 +61,4 @@ std::string c_header(const KernelSubject& subject) {
   return text + "#ifdef __cplusplus\n}\n#endif\n\n#endif\n";
 }
 
-}  // namespace regulus::cpp
+}  // namespace regulus

@@ -5,7 +5,7 @@
 
 #include <sstream>
 
-namespace regulus::inline cpp {
+namespace regulus {
 namespace {
 
 constexpr std::size_t kLongest = 40;
@@ -45,7 +45,7 @@ std::string rational_text(const cln::cl_RA& value) {
 std::string text_of(const Program& program, NodeId id, int depth) {
   const Node& node = program.nodes[id];
   if (depth > kDeepest) return {};
-  if (node.op == Op::kPi) return "pi";
+  if (node.op == Op::kNumberPi) return "pi";
   if (node.op == Op::kConstant) return rational_text(program.constants[node.index]);
   const std::string a = operand_text(program, node.a, depth);
   if (a.empty() || a.size() > kLongest) return {};
@@ -65,4 +65,4 @@ std::string constant_text(const Program& program, NodeId id) {
   return text.size() > kLongest ? std::string() : text;
 }
 
-}  // namespace regulus::cpp
+}  // namespace regulus

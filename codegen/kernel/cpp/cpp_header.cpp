@@ -4,7 +4,7 @@
 #include "codegen/kernel/cpp/headers.hpp"
 #include "codegen/kernel/cpp/literal.hpp"
 
-namespace regulus::inline cpp {
+namespace regulus {
 namespace {
 
 constexpr const char* kChecker =
@@ -66,4 +66,4 @@ std::string cpp_header(const KernelSubject& subject) {
   return text + fmt::format("\n}}  // namespace {}\n", subject.name_space);
 }
 
-}  // namespace regulus::cpp
+}  // namespace regulus

@@ -4,7 +4,7 @@
 
 #include <string>
 
-namespace regulus::inline cpp {
+namespace regulus {
 
 struct EmitOptions {
   std::string prefix = "generated";   ///< the kernel is the symbol <prefix>_kernel; not "regulus"
@@ -21,4 +21,4 @@ struct EmittedKernel {
   std::string manifest;  ///< JSON: inputs and outputs of the kernel; empty unless requested
 };
 
-}  // namespace regulus::cpp
+}  // namespace regulus

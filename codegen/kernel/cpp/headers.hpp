@@ -6,7 +6,7 @@
 
 #include "codegen/kernel/cpp/kernel_subject.hpp"
 
-namespace regulus::inline cpp {
+namespace regulus {
 
 /// NAME.h: C99 and C++.
 [[nodiscard]] std::string c_header(const KernelSubject& subject);
@@ -21,4 +21,4 @@ namespace regulus::inline cpp {
 /// NAME_<isa>.cpp.
 [[nodiscard]] std::string isa_source(const KernelSubject& subject, Isa isa);
 
-}  // namespace regulus::cpp
+}  // namespace regulus

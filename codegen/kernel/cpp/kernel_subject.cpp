@@ -11,7 +11,7 @@
 #include "codegen/kernel/cpp/words.hpp"
 #include "codegen/kernel/formulation/variety.hpp"
 
-namespace regulus::inline cpp {
+namespace regulus {
 namespace {
 
 std::vector<Isa> fastest_first(std::vector<Isa> isas) {
@@ -56,7 +56,7 @@ std::string claim_in_words(const KernelSubject& subject) {
 std::string uncertain_quantities(const KernelSubject& subject) {
   if (subject.uncertain.empty()) return "Uncertain: nothing; geometry and control are exact.";
   std::string list;
-  for (const Quantity& quantity : subject.uncertain)
+  for (const SubjectQuantity& quantity : subject.uncertain)
     list += (list.empty() ? "" : "; ") + in_words(quantity);
   return "Uncertain, in every check over the whole range: " + list + ".";
 }
@@ -82,8 +82,8 @@ KernelSubject kernel_subject(const Request& request, const Formulation& formulat
   NameTable fields;
   for (std::size_t v = 0; v < formulation.variables.size(); ++v) {
     const Variable& variable = formulation.variables[v];
-    Quantity quantity{variable.name, "", variable.unit == "1" ? "" : variable.unit,
-                      variety.outer[v]};
+    SubjectQuantity quantity{variable.name, "", variable.unit == "1" ? "" : variable.unit,
+                             variety.outer[v]};
     const bool moves = variable.kind == VariableKind::kMotion;
     if (moves) quantity.field = fields.take(free_name(variable.name));
     (moves ? subject.parameters : subject.uncertain).push_back(std::move(quantity));
@@ -94,7 +94,7 @@ KernelSubject kernel_subject(const Request& request, const Formulation& formulat
   return subject;
 }
 
-std::string in_words(const Quantity& quantity) {
+std::string in_words(const SubjectQuantity& quantity) {
   const Interval& range = quantity.range;
   const std::string unit = quantity.unit.empty() ? "" : " " + quantity.unit;
   if (range.lo == range.hi) return fmt::format("{} = {:.6g}{}", quantity.name, range.lo, unit);
@@ -117,12 +117,12 @@ std::string claim_comment(const KernelSubject& subject) {
          comment_lines("", uncertain_quantities(subject));
 }
 
-std::string bound_list(const std::vector<Quantity>& quantities, double Interval::*bound) {
+std::string bound_list(const std::vector<SubjectQuantity>& quantities, double Interval::*bound) {
   std::string text;
-  for (const Quantity& quantity : quantities)
+  for (const SubjectQuantity& quantity : quantities)
     text += fmt::format("    {},  // {}\n", literal(quantity.range.*bound),
                         comment_text(quantity.name));
   return text;
 }
 
-}  // namespace regulus::cpp
+}  // namespace regulus

@@ -9,10 +9,10 @@
 #include "codegen/kernel/formulation/formulation.hpp"
 #include "runtime/interval/interval.hpp"
 
-namespace regulus::inline cpp {
+namespace regulus {
 
 /// A motion parameter or an uncertain quantity.
-struct Quantity {
+struct SubjectQuantity {
   std::string name;   ///< as in the model; only for comments
   std::string field;  ///< the same as an identifier; empty for uncertain quantities
   std::string unit;   ///< empty: none
@@ -29,8 +29,8 @@ struct KernelSubject {
   int rows = 0;
   int columns = 0;
   int constraints = 0;
-  std::vector<Quantity> parameters;
-  std::vector<Quantity> uncertain;
+  std::vector<SubjectQuantity> parameters;
+  std::vector<SubjectQuantity> uncertain;
   double alpha = 0;  ///< rounded up: |det J⁻¹| > alpha implies the model's threshold
 };
 
@@ -39,7 +39,7 @@ struct KernelSubject {
                                            const GenerateOptions& options);
 
 /// Returns "x in [-15, 15] cm", rounded to six digits, for comments.
-[[nodiscard]] std::string in_words(const Quantity& quantity);
+[[nodiscard]] std::string in_words(const SubjectQuantity& quantity);
 
 /// Returns the first lines of every generated file: licence, command, model, motion, source,
 /// identity.
@@ -49,7 +49,7 @@ struct KernelSubject {
 [[nodiscard]] std::string claim_comment(const KernelSubject& subject);
 
 /// Returns bounds of the quantities, one on each line, as the elements of a braced list.
-[[nodiscard]] std::string bound_list(const std::vector<Quantity>& quantities,
+[[nodiscard]] std::string bound_list(const std::vector<SubjectQuantity>& quantities,
                                      double Interval::*bound);
 
-}  // namespace regulus::cpp
+}  // namespace regulus

@@ -5,7 +5,7 @@
 
 #include "runtime/interval/interval.hpp"
 
-namespace regulus::inline cpp {
+namespace regulus {
 
 /// Returns a C++ literal that reads back as x, whatever the rounding of the compiler: a short
 /// integer in decimals, infinity as the builtin, any other number as a hexadecimal float.
@@ -16,4 +16,4 @@ namespace regulus::inline cpp {
 /// Returns "constant(lo, hi)".
 [[nodiscard]] std::string constant_literal(const Interval& x);
 
-}  // namespace regulus::cpp
+}  // namespace regulus

@@ -6,7 +6,7 @@
 #include "codegen/kernel/cpp/literal.hpp"
 #include "regulus/floating_point_flags.hpp"
 
-namespace regulus::inline cpp {
+namespace regulus {
 namespace {
 
 constexpr const char* kEveryProcessor = "portable";
@@ -58,7 +58,7 @@ std::string all_bounds(const KernelSubject& subject, double Interval::*bound) {
 /// "bounds->x, bounds->y".
 std::string members(const KernelSubject& subject, const std::string& of) {
   std::string text;
-  for (const Quantity& parameter : subject.parameters)
+  for (const SubjectQuantity& parameter : subject.parameters)
     text += (text.empty() ? "" : ", ") + of + "->" + parameter.field;
   return text;
 }
@@ -168,4 +168,4 @@ std::string isa_source(const KernelSubject& subject, Isa isa) {
              subject.name, name(isa));
 }
 
-}  // namespace regulus::cpp
+}  // namespace regulus

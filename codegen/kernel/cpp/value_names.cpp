@@ -3,7 +3,7 @@
 
 #include <string_view>
 
-namespace regulus::inline cpp {
+namespace regulus {
 namespace {
 
 constexpr std::size_t kLongestPart = 40;
@@ -55,4 +55,4 @@ const std::string& ValueNames::of(NodeId id) {
   return names_[id];
 }
 
-}  // namespace regulus::cpp
+}  // namespace regulus

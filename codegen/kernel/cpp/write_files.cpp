@@ -7,7 +7,7 @@
 #include "codegen/support/visible_text.hpp"
 #include "runtime/files/atomic_file.hpp"
 
-namespace regulus::inline cpp {
+namespace regulus {
 namespace {
 
 namespace fs = std::filesystem;
@@ -73,4 +73,4 @@ std::string dependency_text(const fs::path& folder, const std::vector<GeneratedF
   return text + ": " + escaped(input) + "\n";
 }
 
-}  // namespace regulus::cpp
+}  // namespace regulus

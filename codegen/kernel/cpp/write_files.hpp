@@ -7,7 +7,7 @@
 
 #include "codegen/kernel/cpp/generate.hpp"
 
-namespace regulus::inline cpp {
+namespace regulus {
 
 /// Writes the files into the folder; creates it if necessary.
 ///
@@ -23,4 +23,4 @@ void write_files(const std::filesystem::path& folder, const std::vector<Generate
                                           const std::vector<GeneratedFile>& files,
                                           const std::string& input);
 
-}  // namespace regulus::cpp
+}  // namespace regulus

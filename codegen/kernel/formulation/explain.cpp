@@ -11,11 +11,11 @@
 #include "codegen/kernel/symbolic/print.hpp"
 #include "codegen/model/mechanism/singular_factors.hpp"
 
-namespace regulus::inline formulation {
+namespace regulus {
 namespace {
 
 bool is_operation(const Node& node) {
-  return node.op != Op::kConstant && node.op != Op::kPi && node.op != Op::kInput &&
+  return node.op != Op::kConstant && node.op != Op::kNumberPi && node.op != Op::kInput &&
          node.op != Op::kPoint;
 }
 
@@ -277,4 +277,4 @@ Motion pose_as_motion(const Model& model) {
   return motion;
 }
 
-}  // namespace regulus::formulation
+}  // namespace regulus

@@ -7,7 +7,7 @@
 
 #include "codegen/kernel/formulation/formulation.hpp"
 
-namespace regulus::inline formulation {
+namespace regulus {
 
 enum class ExplainPart { kAll, kMatrix, kOccurrences };
 
@@ -35,4 +35,4 @@ struct Explanation {
 /// points: use it for forms, not for verdicts.
 [[nodiscard]] Motion pose_as_motion(const Model& model);
 
-}  // namespace regulus::formulation
+}  // namespace regulus

@@ -6,7 +6,7 @@
 #include "codegen/kernel/formulation/formulator.hpp"
 #include "codegen/kernel/symbolic/from_ginac.hpp"
 
-namespace regulus::inline formulation {
+namespace regulus {
 
 std::vector<int> Formulator::rows_of_variables() const {
   std::map<std::string, std::set<int>> rows;
@@ -51,7 +51,7 @@ void Formulator::form_expansion(bool at_nominal) {
 
 Formulator::MatrixForms Formulator::nominal_forms(const std::map<std::string, Expression>& values) {
   const ReplacementOf value_of = [&](const Expression& e) -> std::optional<Expression> {
-    if (e.kind() != Kind::kVariable) return std::nullopt;
+    if (e.kind() != ExpressionKind::kVariable) return std::nullopt;
     const auto found = values.find(e.name());
     return found == values.end() ? std::nullopt : std::optional(found->second);
   };
@@ -124,4 +124,4 @@ void Formulator::form_row_derivatives(int i, int j, std::vector<PolynomialDiffer
   }
 }
 
-}  // namespace regulus::formulation
+}  // namespace regulus

@@ -6,7 +6,7 @@
 
 #include "codegen/kernel/formulation/formulator.hpp"
 
-namespace regulus::inline formulation {
+namespace regulus {
 
 Expression Formulator::rewritten(const Expression& natural, const std::string& function) {
   Rewritten form = rewriter_.rewrite(natural);
@@ -68,4 +68,4 @@ Expressions Formulator::outermost(const Expressions& all) {
   return result;
 }
 
-}  // namespace regulus::formulation
+}  // namespace regulus

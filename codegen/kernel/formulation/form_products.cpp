@@ -2,7 +2,7 @@
 // K·A and A·K.
 #include "codegen/kernel/formulation/formulator.hpp"
 
-namespace regulus::inline formulation {
+namespace regulus {
 
 Formulator::Entry Formulator::combine(const MatrixForms& A, const std::vector<std::string>& points,
                                       const std::vector<std::size_t>& entries) {
@@ -101,7 +101,7 @@ ReplacementOf Formulator::renaming_columns(int i) const {
 
 ReplacementOf Formulator::renaming(std::map<std::string, Expression> names) {
   return [names = std::move(names)](const Expression& e) -> std::optional<Expression> {
-    if (e.kind() != Kind::kPoint) return std::nullopt;
+    if (e.kind() != ExpressionKind::kPoint) return std::nullopt;
     return names.at(e.name());
   };
 }
@@ -129,4 +129,4 @@ void Formulator::form_right_product() {
   }
 }
 
-}  // namespace regulus::formulation
+}  // namespace regulus

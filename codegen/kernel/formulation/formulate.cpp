@@ -3,7 +3,7 @@
 
 #include "codegen/kernel/formulation/formulator.hpp"
 
-namespace regulus::inline formulation {
+namespace regulus {
 namespace {
 
 /// The legs of robots with rotary motors have roots and quotients. If entries with such parts are
@@ -80,4 +80,4 @@ std::string point_name(int row, int column) {
   return "k_" + std::to_string(row) + "_" + std::to_string(column);
 }
 
-}  // namespace regulus::formulation
+}  // namespace regulus

@@ -20,7 +20,7 @@
 #include "codegen/model/model.hpp"
 #include "codegen/support/work_meter.hpp"
 
-namespace regulus::inline formulation {
+namespace regulus {
 
 /// Selects whether Taylor's expansion of K·A is formed, and at which values of the uncertain
 /// quantities that touch only one row.
@@ -53,7 +53,7 @@ struct FormulationOptions {
   bool derivatives = true;
   bool right_product = true;
   bool determinant = false;  ///< in closed form, and its derivatives; of square matrices only
-  std::uint64_t determinant_budget = kDeterminantBudget;  ///< see TermBudget
+  std::uint64_t determinant_budget = kDeterminantBudget;  ///< see DeterminantBudget
   /// With an expansion at nominal values, the left product and its derivatives are left out if any
   /// quantity touches only one row: they could not use this, and would be wide.
   ExpansionForm expansion = ExpansionForm::kNone;
@@ -120,7 +120,7 @@ struct Formulation {
   std::vector<Expression> pose;
   std::vector<Expression> determinant;              ///< one entry, det A; empty unless requested
   std::vector<Expression> determinant_derivatives;  ///< ∂_k det A, one for each variable
-  std::uint64_t determinant_terms = 0;              ///< the count of TermBudget
+  std::uint64_t determinant_terms = 0;              ///< the count of DeterminantBudget
   FormDetail detail = FormDetail::kFull;
   std::uint64_t work = 0;  ///< for these forms, without abandoned ones
 
@@ -170,4 +170,4 @@ struct Formulation {
 [[nodiscard]] Module undefined_kernel(const Formulation& shape, int constraints,
                                       int pose_parameters);
 
-}  // namespace regulus::formulation
+}  // namespace regulus

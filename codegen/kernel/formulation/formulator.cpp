@@ -7,7 +7,7 @@
 #include "codegen/kernel/formulation/typical_ranges.hpp"
 #include "codegen/kernel/symbolic/determinant.hpp"
 
-namespace regulus::inline formulation {
+namespace regulus {
 
 namespace {
 
@@ -150,7 +150,7 @@ void Formulator::form_determinant() {
     throw ClosedFormError("the matrix is " + std::to_string(result_.rows) + "×" +
                           std::to_string(result_.columns) +
                           "; only a square one has a determinant");
-  TermBudget budget(options_.determinant_budget);
+  DeterminantBudget budget(options_.determinant_budget);
   const Polynomial p = determinant(forms_.expanded, result_.columns, rewriter_.atoms(), budget);
   result_.determinant = {nested(p, "determinant")};
   for (const Variable& v : result_.variables) {
@@ -172,4 +172,4 @@ Expression Formulator::nested(const Polynomial& p, const std::string& function) 
   return form.expression;
 }
 
-}  // namespace regulus::formulation
+}  // namespace regulus

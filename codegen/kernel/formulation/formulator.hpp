@@ -12,7 +12,7 @@
 #include "codegen/kernel/symbolic/evaluate.hpp"
 #include "codegen/kernel/symbolic/polynomial.hpp"
 
-namespace regulus::inline formulation {
+namespace regulus {
 
 [[nodiscard]] inline std::size_t index(int i) { return static_cast<std::size_t>(i); }
 
@@ -114,4 +114,4 @@ class Formulator {
   Formulation result_;
 };
 
-}  // namespace regulus::formulation
+}  // namespace regulus

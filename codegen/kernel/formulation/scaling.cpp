@@ -17,7 +17,7 @@
 #include "codegen/kernel/symbolic/lowering.hpp"
 #include "codegen/support/errors.hpp"
 
-namespace regulus::inline formulation {
+namespace regulus {
 namespace {
 
 constexpr int kPoints = 8;
@@ -274,4 +274,4 @@ MatrixScaling find_scaling(const Expressions& entries, int columns,
   return result;
 }
 
-}  // namespace regulus::formulation
+}  // namespace regulus

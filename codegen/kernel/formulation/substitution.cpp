@@ -8,7 +8,7 @@
 
 #include "codegen/support/errors.hpp"
 
-namespace regulus::inline formulation {
+namespace regulus {
 namespace {
 
 void require_size(const Model& model, const std::string& what, std::size_t found,
@@ -34,8 +34,8 @@ void check_shapes(const Model& model, const Motion& motion) {
 
 /// True if the operation of this node is undefined for some values of its operands.
 bool is_partial_operation(const Expression& e) {
-  if (e.kind() == Kind::kPower) return e.exponent() < 0;
-  if (e.kind() != Kind::kCall || e.is_total()) return false;
+  if (e.kind() == ExpressionKind::kPower) return e.exponent() < 0;
+  if (e.kind() != ExpressionKind::kCall || e.is_total()) return false;
   switch (e.function()) {
     case Call::kSin:
     case Call::kCos:
@@ -163,4 +163,4 @@ Expressions Substitution::partial_operations(const GiNaC::ex& e) {
   return partial_nodes(GinacReader(written_, meter_).read(e));
 }
 
-}  // namespace regulus::formulation
+}  // namespace regulus

@@ -11,7 +11,7 @@
 
 #include "codegen/kernel/symbolic/variable.hpp"
 
-namespace regulus::inline formulation {
+namespace regulus {
 
 /// Returns the variables with rounded ranges.
 ///
@@ -22,4 +22,4 @@ namespace regulus::inline formulation {
 ///           no finite value stays as it is.
 [[nodiscard]] std::vector<Variable> with_typical_ranges(std::vector<Variable> variables);
 
-}  // namespace regulus::formulation
+}  // namespace regulus

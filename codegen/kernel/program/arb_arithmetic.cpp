@@ -3,7 +3,7 @@
 
 #include <stdexcept>
 
-namespace regulus::inline program {
+namespace regulus {
 namespace {
 
 /// |a| − 1.
@@ -138,4 +138,4 @@ Ball ArbArithmetic::call(Op function, const Ball& a) {
   return result;
 }
 
-}  // namespace regulus::program
+}  // namespace regulus

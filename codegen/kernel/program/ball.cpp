@@ -4,7 +4,7 @@
 #include <cmath>
 #include <limits>
 
-namespace regulus::inline program {
+namespace regulus {
 namespace {
 
 class Float {
@@ -44,8 +44,8 @@ Ball::Ball(const FlintRational& value, long precision) : Ball() {
 }
 
 Interval Ball::enclosure() const {
-  constexpr double kInfinity = std::numeric_limits<double>::infinity();
-  if (!arb_is_finite(value_)) return Interval{-kInfinity, kInfinity};
+  constexpr double kUnbounded = std::numeric_limits<double>::infinity();
+  if (!arb_is_finite(value_)) return Interval{-kUnbounded, kUnbounded};
   Float lo;
   Float hi;
   arb_get_lbound_arf(lo.get(), value_, ARF_PREC_EXACT);
@@ -55,4 +55,4 @@ Interval Ball::enclosure() const {
                   arf_get_d(hi.get(), ARF_RND_CEIL) + 0.0};
 }
 
-}  // namespace regulus::program
+}  // namespace regulus

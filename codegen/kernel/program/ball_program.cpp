@@ -7,7 +7,7 @@
 #include "codegen/kernel/program/arb_arithmetic.hpp"
 #include "codegen/kernel/program/run.hpp"
 
-namespace regulus::inline program {
+namespace regulus {
 namespace {
 
 bool is_consistent(const BallProgram& program, NodeId at) noexcept {
@@ -33,7 +33,7 @@ KnownValues<Ball> known_values(const BallProgram& program, const ArbArithmetic& 
   for (std::size_t i = 0; i < known.size(); ++i) {
     const Node& node = program.nodes[i];
     if (node.op == Op::kConstant) known[i] = Ball(program.constants[node.index], bits);
-    if (node.op == Op::kPi) known[i] = arithmetic.pi();
+    if (node.op == Op::kNumberPi) known[i] = arithmetic.pi();
   }
   return known;
 }
@@ -63,4 +63,4 @@ std::optional<std::vector<Ball>> evaluate(const BallProgram& program, std::span<
   return outputs;
 }
 
-}  // namespace regulus::program
+}  // namespace regulus

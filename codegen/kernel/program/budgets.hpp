@@ -5,7 +5,7 @@
 
 #include <cstdint>
 
-namespace regulus::inline program {
+namespace regulus {
 
 /// The most terms for a determinant in closed form: of the order of a second, and twice the terms
 /// of robot 2.
@@ -15,4 +15,4 @@ inline constexpr std::uint64_t kDeterminantBudget = 500000;
 /// robots in models/ need a tenth of it or less; it is of the order of seconds.
 inline constexpr std::uint64_t kFormingBudget = 4'000'000;
 
-}  // namespace regulus::program
+}  // namespace regulus

@@ -8,7 +8,7 @@
 #include "codegen/kernel/program/program.hpp"
 #include "runtime/interval/interval.hpp"
 
-namespace regulus::inline program {
+namespace regulus {
 
 /// Marks the nodes whose value is a double that arithmetic in doubles computes exactly in any
 /// rounding mode: sums of entries of one row of K with short coefficients.
@@ -25,4 +25,4 @@ namespace regulus::inline program {
                                             const KnownValues<Interval>& known,
                                             std::size_t row_length);
 
-}  // namespace regulus::program
+}  // namespace regulus

@@ -16,7 +16,7 @@
 #include "codegen/kernel/program/program.hpp"
 #include "codegen/kernel/program/run.hpp"
 
-namespace regulus::inline program {
+namespace regulus {
 
 /// The rational constants and π, converted once.
 template <class Arithmetic>
@@ -26,7 +26,7 @@ template <class Arithmetic>
   for (std::size_t i = 0; i < known.size(); ++i) {
     const Node& node = program.nodes[i];
     if (node.op == Op::kConstant) known[i] = arithmetic.constant(program.constants[node.index]);
-    if (node.op == Op::kPi) known[i] = arithmetic.pi();
+    if (node.op == Op::kNumberPi) known[i] = arithmetic.pi();
   }
   return known;
 }
@@ -56,4 +56,4 @@ template <class Arithmetic, class Number = typename Arithmetic::Number>
   return outputs;
 }
 
-}  // namespace regulus::program
+}  // namespace regulus

@@ -3,12 +3,12 @@
 
 #include <cstddef>
 
-namespace regulus::inline program {
+namespace regulus {
 
 int operand_count(Op op) noexcept {
   switch (op) {
     case Op::kConstant:
-    case Op::kPi:
+    case Op::kNumberPi:
     case Op::kInput:
     case Op::kPoint:
       return 0;
@@ -31,4 +31,4 @@ const char* op_name(Op op) noexcept {
   return kNames[static_cast<std::size_t>(op)];
 }
 
-}  // namespace regulus::program
+}  // namespace regulus

@@ -4,11 +4,11 @@
 
 #include <cstdint>
 
-namespace regulus::inline program {
+namespace regulus {
 
 enum class Op : std::uint8_t {
   kConstant,  // an exact rational
-  kPi,
+  kNumberPi,
   kInput,  // variable number `index`, an interval
   kPoint,  // entry number `index` of K, an exact double
   kNegate,
@@ -45,4 +45,4 @@ struct Node {
   std::uint32_t index = 0;  ///< of the constant, input or point; the exponent of kPower
 };
 
-}  // namespace regulus::program
+}  // namespace regulus

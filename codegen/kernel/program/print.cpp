@@ -7,7 +7,7 @@
 
 #include "runtime/files/sha256.hpp"
 
-namespace regulus::inline program {
+namespace regulus {
 namespace {
 
 // The length in front separates two lists of names, whatever the names contain.
@@ -30,7 +30,7 @@ void print_expansion(std::ostream& text, const Expansion& expansion) {
 void print_leaf(std::ostream& text, const Program& program, const Node& node) {
   if (node.op == Op::kConstant)
     text << ' ' << program.constants[node.index];
-  else if (node.op != Op::kPi)
+  else if (node.op != Op::kNumberPi)
     text << ' ' << node.index;
 }
 
@@ -74,4 +74,4 @@ std::string to_text(const Module& module) {
 
 std::string identity(const Module& module) { return sha256(to_text(module)); }
 
-}  // namespace regulus::program
+}  // namespace regulus

@@ -13,7 +13,7 @@
 #include "codegen/kernel/program/canonical.hpp"
 #include "codegen/kernel/program/fold.hpp"
 
-namespace regulus::inline program {
+namespace regulus {
 namespace {
 
 constexpr std::uint32_t kMaxExponent = 1U << 20;
@@ -73,7 +73,7 @@ NodeId ProgramBuilder::constant(const cln::cl_RA& value) {
   return intern({Op::kConstant, 0, 0, entry->second});
 }
 
-NodeId ProgramBuilder::pi() { return intern({Op::kPi}); }
+NodeId ProgramBuilder::pi() { return intern({Op::kNumberPi}); }
 
 NodeId ProgramBuilder::input(std::uint32_t index) {
   if (index >= program_.inputs.size()) throw std::out_of_range("input is not declared");
@@ -201,4 +201,4 @@ void ProgramBuilder::output(NodeId node) {
 
 Program ProgramBuilder::finish() && { return canonical(std::move(program_)); }
 
-}  // namespace regulus::program
+}  // namespace regulus

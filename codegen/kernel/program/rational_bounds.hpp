@@ -6,7 +6,7 @@
 
 #include "runtime/interval/interval.hpp"
 
-namespace regulus::inline program {
+namespace regulus {
 
 /// Returns the largest double ≤ value; −∞ if value < −DBL_MAX. Never −0. Subnormals included.
 [[nodiscard]] double round_down(const cln::cl_RA& value);
@@ -26,4 +26,4 @@ namespace regulus::inline program {
 /// Returns an e with |value| ≤ 2^e, at most one too large.
 [[nodiscard]] long exponent_bound(const cln::cl_RA& value);
 
-}  // namespace regulus::program
+}  // namespace regulus

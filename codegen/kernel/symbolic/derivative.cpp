@@ -3,7 +3,7 @@
 
 #include <vector>
 
-namespace regulus::inline symbolic {
+namespace regulus {
 namespace {
 
 /// The derivative of a function of one argument with respect to it.
@@ -44,17 +44,17 @@ Expression Differentiator::derivative(const Expression& e) {
 
 Expression Differentiator::computed(const Expression& e) {
   switch (e.kind()) {
-    case Kind::kVariable:
+    case ExpressionKind::kVariable:
       return Expression(e.name() == variable_ ? 1 : 0);
-    case Kind::kPower: {
+    case ExpressionKind::kPower: {
       const Expression& base = e.operands()[0];
       const Expression inner = derivative(base);
       if (inner.is_constant(0)) return inner;
       return product({Expression(e.exponent()), power(base, e.exponent() - 1), inner});
     }
-    case Kind::kProduct:
+    case ExpressionKind::kProduct:
       return of_product(e.operands());
-    case Kind::kSum: {
+    case ExpressionKind::kSum: {
       Expressions terms;
       for (const Expression& term : e.operands()) terms.push_back(derivative(term));
       return sum(std::move(terms));
@@ -117,4 +117,4 @@ const Polynomial& PolynomialDifferentiator::of_atom(Atom a) {
   return known_.emplace(a, p ? std::move(*p) : expander_->atom(derived)).first->second;
 }
 
-}  // namespace regulus::symbolic
+}  // namespace regulus

@@ -8,7 +8,7 @@
 
 #include "codegen/kernel/symbolic/polynomial.hpp"
 
-namespace regulus::inline symbolic {
+namespace regulus {
 
 /// ∂/∂variable by the chain rule, one shared result for each shared sub-expression.
 ///
@@ -48,4 +48,4 @@ class PolynomialDifferentiator {
   std::map<Atom, Polynomial> known_;
 };
 
-}  // namespace regulus::symbolic
+}  // namespace regulus

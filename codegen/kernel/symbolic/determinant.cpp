@@ -8,7 +8,7 @@
 #include <string>
 #include <utility>
 
-namespace regulus::inline symbolic {
+namespace regulus {
 namespace {
 
 using Terms = std::vector<PolynomialTerm>;
@@ -56,7 +56,7 @@ class Pythagoras {
   std::optional<Atom> find_cosine(Atom a, bool has_variables) {
     const Expression e =
         has_variables ? atoms_.variable_expression(a) : atoms_.coefficient_expression(a);
-    if (e.kind() != Kind::kCall || e.function() != Call::kSin) return std::nullopt;
+    if (e.kind() != ExpressionKind::kCall || e.function() != Call::kSin) return std::nullopt;
     const Expression cosine = call(Call::kCos, e.operands());
     return has_variables ? atoms_.variable_atom(cosine) : atoms_.coefficient_atom(cosine);
   }
@@ -88,7 +88,7 @@ bool is_odd(const std::vector<int>& permutation) {
 
 class Minors {
  public:
-  Minors(const std::vector<Polynomial>& entries, int n, AtomTable& atoms, TermBudget& budget)
+  Minors(const std::vector<Polynomial>& entries, int n, AtomTable& atoms, DeterminantBudget& budget)
       : entries_(entries),
         n_(static_cast<std::size_t>(n)),
         pythagoras_(atoms),
@@ -137,7 +137,7 @@ class Minors {
   std::size_t n_;
   Pythagoras pythagoras_;
   const AtomTable& atoms_;
-  TermBudget& budget_;
+  DeterminantBudget& budget_;
   std::vector<int> columns_;
   std::vector<Polynomial> minors_;  // by the set of rows, as bits
 };
@@ -149,7 +149,7 @@ std::string over_budget(std::uint64_t reached, std::uint64_t most) {
 
 }  // namespace
 
-void TermBudget::spend(std::uint64_t terms) {
+void DeterminantBudget::spend(std::uint64_t terms) {
   if (terms > most_ - spent_) throw ClosedFormError(over_budget(spent_ + terms, most_));
   spent_ += terms;
 }
@@ -162,8 +162,8 @@ Polynomial without_squared_sines(const Polynomial& p, AtomTable& atoms) {
 }
 
 Polynomial determinant(const std::vector<Polynomial>& entries, int n, AtomTable& atoms,
-                       TermBudget& budget) {
+                       DeterminantBudget& budget) {
   return Minors(entries, n, atoms, budget).run();
 }
 
-}  // namespace regulus::symbolic
+}  // namespace regulus

@@ -8,7 +8,7 @@
 
 #include "codegen/kernel/symbolic/polynomial.hpp"
 
-namespace regulus::inline symbolic {
+namespace regulus {
 
 /// The determinant has no closed form: it needs more terms than allowed, or the matrix is not
 /// square.
@@ -19,9 +19,9 @@ class ClosedFormError : public std::runtime_error {
 
 /// Counts the terms of the expansion before like terms are combined: a measure of time and memory
 /// that is the same on every machine.
-class TermBudget {
+class DeterminantBudget {
  public:
-  explicit TermBudget(std::uint64_t most) : most_(most) {}
+  explicit DeterminantBudget(std::uint64_t most) : most_(most) {}
 
   /// Call it before the work is done. Throws ClosedFormError if the work would exceed the budget.
   void spend(std::uint64_t terms);
@@ -42,6 +42,6 @@ class TermBudget {
 /// Shape     entries row-major, n×n, n ≤ 12.
 /// Ensures   exact wherever the entries are defined. Throws ClosedFormError.
 [[nodiscard]] Polynomial determinant(const std::vector<Polynomial>& entries, int n,
-                                     AtomTable& atoms, TermBudget& budget);
+                                     AtomTable& atoms, DeterminantBudget& budget);
 
-}  // namespace regulus::symbolic
+}  // namespace regulus

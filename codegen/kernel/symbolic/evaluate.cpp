@@ -7,7 +7,7 @@
 
 #include "codegen/kernel/symbolic/print.hpp"
 
-namespace regulus::inline symbolic {
+namespace regulus {
 namespace {
 
 class Evaluator {
@@ -25,18 +25,18 @@ class Evaluator {
  private:
   cln::cl_RA computed(const Expression& e) {
     switch (e.kind()) {
-      case Kind::kConstant:
+      case ExpressionKind::kConstant:
         return e.value();
-      case Kind::kPower:
+      case ExpressionKind::kPower:
         return power_value(value(e.operands()[0]), e.exponent());
-      case Kind::kCall:
+      case ExpressionKind::kCall:
         return call_value(e);
-      case Kind::kProduct: {
+      case ExpressionKind::kProduct: {
         cln::cl_RA result = 1;
         for (const Expression& factor : e.operands()) result = result * value(factor);
         return result;
       }
-      case Kind::kSum: {
+      case ExpressionKind::kSum: {
         cln::cl_RA result = 0;
         for (const Expression& term : e.operands()) result = result + value(term);
         return result;
@@ -87,11 +87,11 @@ Expression Replacer::rebuilt(const Expression& e) {
   }
   if (!changed) return e;
   switch (e.kind()) {
-    case Kind::kPower:
+    case ExpressionKind::kPower:
       return power(operands[0], e.exponent());
-    case Kind::kCall:
+    case ExpressionKind::kCall:
       return call(e.function(), std::move(operands));
-    case Kind::kProduct:
+    case ExpressionKind::kProduct:
       return product(std::move(operands));
     default:
       return sum(std::move(operands));
@@ -110,4 +110,4 @@ Expressions substitute(const Expressions& expressions, const ReplacementOf& repl
   return result;
 }
 
-}  // namespace regulus::symbolic
+}  // namespace regulus

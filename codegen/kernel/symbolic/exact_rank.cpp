@@ -8,7 +8,7 @@
 
 #include "codegen/model/exact/exact_algebra.hpp"
 
-namespace regulus::inline symbolic {
+namespace regulus {
 namespace {
 
 using GiNaC::ex;
@@ -58,22 +58,22 @@ class ExactValues {
  private:
   ex computed(const Expression& e) {
     switch (e.kind()) {
-      case Kind::kConstant:
+      case ExpressionKind::kConstant:
         return GiNaC::numeric(e.value());
-      case Kind::kPi:
+      case ExpressionKind::kNumberPi:
         return GiNaC::Pi;
-      case Kind::kVariable:
+      case ExpressionKind::kVariable:
         return values_.at(e.name());
-      case Kind::kPoint:
+      case ExpressionKind::kPoint:
         break;
-      case Kind::kPower:
+      case ExpressionKind::kPower:
         return power(of(e.operands()[0]), e.exponent());
-      case Kind::kCall:
+      case ExpressionKind::kCall:
         return called(e.function(), of(e.operands()[0]));
-      case Kind::kProduct:
+      case ExpressionKind::kProduct:
         return folded(e, 1,
                       [this](const ex& x, const ex& y) { return short_number(product_(x, y)); });
-      case Kind::kSum:
+      case ExpressionKind::kSum:
         return folded(e, 0, [](const ex& x, const ex& y) { return ex(x + y); });
     }
     throw TooLong();
@@ -159,4 +159,4 @@ bool is_rank_lost(const Expressions& A, std::size_t rows, std::size_t columns,
   return false;
 }
 
-}  // namespace regulus::symbolic
+}  // namespace regulus

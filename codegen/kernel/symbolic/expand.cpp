@@ -3,7 +3,7 @@
 
 #include "codegen/kernel/symbolic/polynomial.hpp"
 
-namespace regulus::inline symbolic {
+namespace regulus {
 namespace {
 
 // Higher powers stay atoms, because their expansion would only add occurrences.
@@ -12,7 +12,7 @@ constexpr int kLargestExpandedExponent = 8;
 }  // namespace
 
 std::optional<Polynomial> Expander::expand(const Expression& e) {
-  if (e.kind() == Kind::kConstant) return Polynomial(e.value());
+  if (e.kind() == ExpressionKind::kConstant) return Polynomial(e.value());
   if (const auto found = known_.find(e); found != known_.end()) return found->second;
   std::optional<Polynomial> result = expanded(e);
   known_.emplace(e, result);
@@ -30,11 +30,11 @@ Polynomial Expander::atom(const Expression& e) {
 
 std::optional<Polynomial> Expander::expanded(const Expression& e) {
   switch (e.kind()) {
-    case Kind::kSum:
+    case ExpressionKind::kSum:
       return expand_sum(e.operands());
-    case Kind::kProduct:
+    case ExpressionKind::kProduct:
       return expand_product(e.operands());
-    case Kind::kPower:
+    case ExpressionKind::kPower:
       return expand_power(e);
     default:
       return atom(e);
@@ -83,4 +83,4 @@ std::optional<Polynomial> Expander::expand_power(const Expression& e) {
   return result;
 }
 
-}  // namespace regulus::symbolic
+}  // namespace regulus

@@ -6,10 +6,10 @@
 #include <functional>
 #include <utility>
 
-namespace regulus::inline symbolic {
+namespace regulus {
 
 struct Expression::Node {
-  Kind kind;
+  ExpressionKind kind;
   Call function = Call::kSqrt;
   int exponent = 0;
   cln::cl_RA value = 0;
@@ -29,7 +29,7 @@ void mix(std::size_t& seed, std::size_t value) {
 bool can_be_undefined(Call function, const Expressions& arguments) {
   switch (function) {
     case Call::kSqrt:
-      return arguments[0].kind() != Kind::kConstant || minusp(arguments[0].value());
+      return arguments[0].kind() != ExpressionKind::kConstant || minusp(arguments[0].value());
     case Call::kTan:
     case Call::kAsin:
     case Call::kAcos:
@@ -49,43 +49,43 @@ struct ExpressionFactory {
     std::size_t hash = static_cast<std::size_t>(node.kind);
     mix(hash, static_cast<std::size_t>(node.function));
     mix(hash, static_cast<std::size_t>(node.exponent));
-    if (node.kind == Kind::kConstant) mix(hash, cln::equal_hashcode(node.value));
+    if (node.kind == ExpressionKind::kConstant) mix(hash, cln::equal_hashcode(node.value));
     if (!node.name.empty()) mix(hash, std::hash<std::string>()(node.name));
-    node.has_variables = node.kind == Kind::kVariable;
+    node.has_variables = node.kind == ExpressionKind::kVariable;
     for (const Expression& operand : node.operands) {
       mix(hash, operand.hash());
       node.has_variables = node.has_variables || operand.has_variables();
       node.is_total = node.is_total && operand.is_total();
     }
-    if (node.kind == Kind::kPower && node.exponent < 0) node.is_total = false;
-    if (node.kind == Kind::kCall && can_be_undefined(node.function, node.operands))
+    if (node.kind == ExpressionKind::kPower && node.exponent < 0) node.is_total = false;
+    if (node.kind == ExpressionKind::kCall && can_be_undefined(node.function, node.operands))
       node.is_total = false;
     node.hash = hash;
     return Expression(std::make_shared<const Expression::Node>(std::move(node)));
   }
-  static Expression compound(Kind kind, Expressions operands) {
+  static Expression compound(ExpressionKind kind, Expressions operands) {
     Expression::Node node{kind};
     node.operands = std::move(operands);
     return make(std::move(node));
   }
-  static Expression symbol(Kind kind, const std::string& name) {
+  static Expression symbol(ExpressionKind kind, const std::string& name) {
     Expression::Node node{kind};
     node.name = name;
     return make(std::move(node));
   }
   static Expression constant(const cln::cl_RA& value) {
-    Expression::Node node{Kind::kConstant};
+    Expression::Node node{ExpressionKind::kConstant};
     node.value = value;
     return make(std::move(node));
   }
   static Expression power(const Expression& base, int exponent) {
-    Expression::Node node{Kind::kPower};
+    Expression::Node node{ExpressionKind::kPower};
     node.exponent = exponent;
     node.operands = {base};
     return make(std::move(node));
   }
   static Expression call(Call function, Expressions arguments) {
-    Expression::Node node{Kind::kCall};
+    Expression::Node node{ExpressionKind::kCall};
     node.function = function;
     node.operands = std::move(arguments);
     return make(std::move(node));
@@ -100,7 +100,7 @@ const char* name_of(Call function) noexcept {
 
 Expression::Expression(const cln::cl_RA& value) : Expression(ExpressionFactory::constant(value)) {}
 
-Kind Expression::kind() const noexcept { return node_->kind; }
+ExpressionKind Expression::kind() const noexcept { return node_->kind; }
 const cln::cl_RA& Expression::value() const noexcept { return node_->value; }
 const std::string& Expression::name() const noexcept { return node_->name; }
 const Expressions& Expression::operands() const noexcept { return node_->operands; }
@@ -111,14 +111,16 @@ bool Expression::is_total() const noexcept { return node_->is_total; }
 std::size_t Expression::hash() const noexcept { return node_->hash; }
 
 bool Expression::is_constant(int value) const {
-  return kind() == Kind::kConstant && node_->value == value;
+  return kind() == ExpressionKind::kConstant && node_->value == value;
 }
 
-Expression pi() { return ExpressionFactory::symbol(Kind::kPi, ""); }
+Expression pi() { return ExpressionFactory::symbol(ExpressionKind::kNumberPi, ""); }
 Expression variable(const std::string& name) {
-  return ExpressionFactory::symbol(Kind::kVariable, name);
+  return ExpressionFactory::symbol(ExpressionKind::kVariable, name);
 }
-Expression point(const std::string& name) { return ExpressionFactory::symbol(Kind::kPoint, name); }
+Expression point(const std::string& name) {
+  return ExpressionFactory::symbol(ExpressionKind::kPoint, name);
+}
 
 namespace {
 
@@ -129,11 +131,11 @@ void sort_canonically(Expressions& operands) {
 
 /// Returns the operands, with nested ones of the same kind merged in; constants go through `fold`.
 template <class Fold>
-Expressions flatten(Kind kind, Expressions operands, Fold fold) {
+Expressions flatten(ExpressionKind kind, Expressions operands, Fold fold) {
   Expressions flat;
   flat.reserve(operands.size());
   const auto take = [&](const Expression& e) {
-    if (e.kind() == Kind::kConstant)
+    if (e.kind() == ExpressionKind::kConstant)
       fold(e.value());
     else
       flat.push_back(e);
@@ -151,17 +153,18 @@ Expressions flatten(Kind kind, Expressions operands, Fold fold) {
 
 Expression sum(Expressions terms) {
   cln::cl_RA constant = 0;
-  Expressions flat =
-      flatten(Kind::kSum, std::move(terms), [&](const cln::cl_RA& c) { constant = constant + c; });
+  Expressions flat = flatten(ExpressionKind::kSum, std::move(terms),
+                             [&](const cln::cl_RA& c) { constant = constant + c; });
   if (flat.empty()) return Expression(constant);
   sort_canonically(flat);
   if (!zerop(constant)) flat.push_back(Expression(constant));
-  return flat.size() == 1 ? flat[0] : ExpressionFactory::compound(Kind::kSum, std::move(flat));
+  return flat.size() == 1 ? flat[0]
+                          : ExpressionFactory::compound(ExpressionKind::kSum, std::move(flat));
 }
 
 Expression product(Expressions factors) {
   cln::cl_RA constant = 1;
-  Expressions flat = flatten(Kind::kProduct, std::move(factors),
+  Expressions flat = flatten(ExpressionKind::kProduct, std::move(factors),
                              [&](const cln::cl_RA& c) { constant = constant * c; });
   if (zerop(constant)) {
     std::erase_if(flat, [](const Expression& e) { return e.is_total(); });
@@ -169,17 +172,18 @@ Expression product(Expressions factors) {
   if (flat.empty()) return Expression(constant);
   sort_canonically(flat);
   if (constant != 1) flat.insert(flat.begin(), Expression(constant));
-  return flat.size() == 1 ? flat[0] : ExpressionFactory::compound(Kind::kProduct, std::move(flat));
+  return flat.size() == 1 ? flat[0]
+                          : ExpressionFactory::compound(ExpressionKind::kProduct, std::move(flat));
 }
 
 Expression power(const Expression& base, int exponent) {
   if (exponent == 1) return base;
   // f^0 is 1 where f is defined.
   if (exponent == 0) return sum({Expression(1), product({Expression(0), base})});
-  if (base.kind() == Kind::kConstant && !(exponent < 0 && zerop(base.value())))
+  if (base.kind() == ExpressionKind::kConstant && !(exponent < 0 && zerop(base.value())))
     return Expression(cln::expt(base.value(), exponent));
   // (f^-1)^-1 is f only where f ≠ 0: two negative exponents stay.
-  if (base.kind() == Kind::kPower && !(base.exponent() < 0 && exponent < 0))
+  if (base.kind() == ExpressionKind::kPower && !(base.exponent() < 0 && exponent < 0))
     return power(base.operands()[0], base.exponent() * exponent);
   return ExpressionFactory::power(base, exponent);
 }
@@ -199,15 +203,16 @@ Expression operator-(const Expression& a, const Expression& b) { return sum({a, 
 Expression operator*(const Expression& a, const Expression& b) { return product({a, b}); }
 
 cln::cl_RA coefficient_of(const Expression& term) {
-  if (term.kind() == Kind::kConstant) return term.value();
-  if (term.kind() == Kind::kProduct && term.operands()[0].kind() == Kind::kConstant)
+  if (term.kind() == ExpressionKind::kConstant) return term.value();
+  if (term.kind() == ExpressionKind::kProduct &&
+      term.operands()[0].kind() == ExpressionKind::kConstant)
     return term.operands()[0].value();
   return 1;
 }
 
 Expression divide_by(const Expression& e, const cln::cl_RA& c) {
   const Expression inverse(cln::recip(c));
-  if (e.kind() != Kind::kSum) return product({inverse, e});
+  if (e.kind() != ExpressionKind::kSum) return product({inverse, e});
   Expressions terms;
   for (const Expression& term : e.operands()) terms.push_back(product({inverse, term}));
   return sum(std::move(terms));
@@ -216,7 +221,7 @@ Expression divide_by(const Expression& e, const cln::cl_RA& c) {
 Signed normalize_sign(const Expression& e) {
   // The sign of the first term decides, in an order of the terms that ignores signs.
   const Expression* lead = &e;
-  if (e.kind() == Kind::kSum) {
+  if (e.kind() == ExpressionKind::kSum) {
     const auto bare = [](const Expression& t) {
       const cln::cl_RA c = coefficient_of(t);
       return zerop(c) ? t : divide_by(t, c);
@@ -228,4 +233,4 @@ Signed normalize_sign(const Expression& e) {
   return {-1, divide_by(e, -1)};
 }
 
-}  // namespace regulus::symbolic
+}  // namespace regulus

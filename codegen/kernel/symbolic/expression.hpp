@@ -12,11 +12,11 @@
 #include <string>
 #include <vector>
 
-namespace regulus::inline symbolic {
+namespace regulus {
 
-enum class Kind : std::uint8_t {
+enum class ExpressionKind : std::uint8_t {
   kConstant,
-  kPi,
+  kNumberPi,
   kPoint,     // an entry of K: an exact double known when a kernel runs
   kVariable,  // a quantity that ranges over an interval
   kPower,     // integer exponent, not 0 or 1; −n divides
@@ -51,7 +51,7 @@ class Expression {
   Expression(int value) : Expression(cln::cl_RA(value)) {}
   Expression(const cln::cl_RA& value);
 
-  [[nodiscard]] Kind kind() const noexcept;
+  [[nodiscard]] ExpressionKind kind() const noexcept;
   /// Requires  kind() is kConstant.
   [[nodiscard]] const cln::cl_RA& value() const noexcept;
   /// Requires  kind() is kPoint or kVariable.
@@ -122,4 +122,4 @@ struct Signed {
 };
 [[nodiscard]] Signed normalize_sign(const Expression& e);
 
-}  // namespace regulus::symbolic
+}  // namespace regulus

@@ -5,7 +5,7 @@
 
 #include "codegen/kernel/symbolic/expression.hpp"
 
-namespace regulus::inline symbolic {
+namespace regulus {
 namespace {
 
 bool is_digit(char c) { return std::isdigit(static_cast<unsigned char>(c)) != 0; }
@@ -61,8 +61,8 @@ int compare_operands(const Expressions& a, const Expressions& b) {
 /// Compares the factors first and the rational factor last, so that terms that differ only in sign
 /// are neighbours and keep their places if all signs change.
 int compare_products(const Expressions& a, const Expressions& b) {
-  const std::size_t skip_a = a[0].kind() == Kind::kConstant,
-                    skip_b = b[0].kind() == Kind::kConstant;
+  const std::size_t skip_a = a[0].kind() == ExpressionKind::kConstant,
+                    skip_b = b[0].kind() == ExpressionKind::kConstant;
   for (std::size_t i = 0; i + skip_a < a.size() && i + skip_b < b.size(); ++i)
     if (const int order = compare(a[i + skip_a], b[i + skip_b]); order != 0) return order;
   if (const int order = compare_values(a.size() - skip_a, b.size() - skip_b); order != 0)
@@ -76,22 +76,22 @@ int compare(const Expression& a, const Expression& b) {
   if (a.identity() == b.identity()) return 0;
   if (a.kind() != b.kind()) return compare_values(a.kind(), b.kind());
   switch (a.kind()) {
-    case Kind::kConstant: {
+    case ExpressionKind::kConstant: {
       const int order = cln::compare(a.value(), b.value());
       return compare_values(order, 0);
     }
-    case Kind::kPi:
+    case ExpressionKind::kNumberPi:
       return 0;
-    case Kind::kPoint:
-    case Kind::kVariable:
+    case ExpressionKind::kPoint:
+    case ExpressionKind::kVariable:
       return compare_names(a.name(), b.name());
-    case Kind::kPower:
+    case ExpressionKind::kPower:
       if (const int order = compare(a.operands()[0], b.operands()[0]); order != 0) return order;
       return compare_values(a.exponent(), b.exponent());
-    case Kind::kCall:
+    case ExpressionKind::kCall:
       if (a.function() != b.function()) return compare_values(a.function(), b.function());
       break;
-    case Kind::kProduct:
+    case ExpressionKind::kProduct:
       return compare_products(a.operands(), b.operands());
     default:
       break;
@@ -103,4 +103,4 @@ bool operator==(const Expression& a, const Expression& b) {
   return a.identity() == b.identity() || (a.hash() == b.hash() && compare(a, b) == 0);
 }
 
-}  // namespace regulus::symbolic
+}  // namespace regulus

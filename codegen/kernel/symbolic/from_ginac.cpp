@@ -11,7 +11,7 @@
 
 #include "codegen/support/errors.hpp"
 
-namespace regulus::inline symbolic {
+namespace regulus {
 namespace {
 
 [[noreturn]] void refuse(const GiNaC::ex& e, const std::string& expected) {
@@ -41,7 +41,7 @@ cln::cl_RA rational_content(const Expression& sum_expression) {
 /// base^exponent with the content and the sign of a sum taken out. GiNaC takes them out too, with
 /// the sign of the first term in an order that changes with addresses.
 Expression normalized_power(const Expression& base, int exponent) {
-  if (base.kind() != Kind::kSum) return power(base, exponent);
+  if (base.kind() != ExpressionKind::kSum) return power(base, exponent);
   const Signed form = normalize_sign(base);
   const cln::cl_RA content = rational_content(form.form);
   if (zerop(content)) return power(base, exponent);
@@ -59,9 +59,10 @@ Expressions normalized_factors(Expressions factors) {
 Expressions distributed(const Expressions& terms) {
   Expressions result;
   for (const Expression& term : terms) {
-    const bool is_multiple = term.kind() == Kind::kProduct && term.operands().size() == 2 &&
-                             term.operands()[0].kind() == Kind::kConstant &&
-                             term.operands()[1].kind() == Kind::kSum;
+    const bool is_multiple = term.kind() == ExpressionKind::kProduct &&
+                             term.operands().size() == 2 &&
+                             term.operands()[0].kind() == ExpressionKind::kConstant &&
+                             term.operands()[1].kind() == ExpressionKind::kSum;
     if (!is_multiple) {
       result.push_back(term);
       continue;
@@ -148,4 +149,4 @@ Expression GinacReader::read_function(const GiNaC::ex& e) {
   refuse(e, "one of the functions sqrt sin cos tan asin acos atan atan2 exp log abs");
 }
 
-}  // namespace regulus::symbolic
+}  // namespace regulus

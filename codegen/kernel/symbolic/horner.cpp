@@ -5,7 +5,7 @@
 
 #include "codegen/kernel/symbolic/passes.hpp"
 
-namespace regulus::inline symbolic {
+namespace regulus {
 namespace {
 
 /// p = atom^exponent·inner + rest, and no term of the rest contains the atom.
@@ -68,7 +68,7 @@ class Nesting {
   }
 
   bool is_variable(Atom atom) const {
-    return atoms_.variable_expression(atom).kind() == Kind::kVariable;
+    return atoms_.variable_expression(atom).kind() == ExpressionKind::kVariable;
   }
 
   static Split taken_out(const Polynomial& p, Atom atom) {
@@ -126,4 +126,4 @@ Expression horner(const Polynomial& p, const AtomTable& atoms, const HornerOptio
   return Nesting(atoms, options).form(p);
 }
 
-}  // namespace regulus::symbolic
+}  // namespace regulus

@@ -6,21 +6,22 @@
 
 #include "codegen/kernel/symbolic/evaluate.hpp"
 
-namespace regulus::inline symbolic {
+namespace regulus {
 namespace {
 
 /// No model has such a name.
 std::string name_of_power(std::size_t number) { return "power#" + std::to_string(number); }
 
 bool is_power_of_sum(const Expression& e) {
-  return e.kind() == Kind::kPower && e.exponent() > 1 && e.operands()[0].kind() == Kind::kSum;
+  return e.kind() == ExpressionKind::kPower && e.exponent() > 1 &&
+         e.operands()[0].kind() == ExpressionKind::kSum;
 }
 
 /// Removes one pair of f and 1/f; the f of the pair.
 std::optional<Expression> remove_pair(AtomProduct& product, const AtomTable& atoms) {
   for (std::size_t i = 0; i < product.size(); ++i) {
     const Expression& inverse = atoms.variable_expression(product[i]);
-    if (inverse.kind() != Kind::kPower || inverse.exponent() != -1) continue;
+    if (inverse.kind() != ExpressionKind::kPower || inverse.exponent() != -1) continue;
     for (std::size_t j = 0; j < product.size(); ++j) {
       if (!(atoms.variable_expression(product[j]) == inverse.operands()[0])) continue;
       Expression removed = inverse;
@@ -40,7 +41,7 @@ Expression KeptPowers::hide(const Expression& e) {
 
 Expression KeptPowers::reveal(const Expression& e) const {
   return substitute(e, [this](const Expression& part) -> std::optional<Expression> {
-    if (part.kind() != Kind::kVariable) return std::nullopt;
+    if (part.kind() != ExpressionKind::kVariable) return std::nullopt;
     for (std::size_t k = 0; k < powers_.size(); ++k)
       if (part.name() == name_of_power(k)) return powers_[k];
     return std::nullopt;
@@ -63,7 +64,7 @@ Polynomial KeptPowers::without_inverses(const Polynomial& p, const AtomTable& at
 
 std::optional<Expression> KeptPowers::replacement(const Expression& e) {
   if (is_power_of_sum(e)) return kept(e);
-  return e.kind() == Kind::kCall ? related(e) : std::nullopt;
+  return e.kind() == ExpressionKind::kCall ? related(e) : std::nullopt;
 }
 
 std::optional<Expression> KeptPowers::kept(const Expression& e) {
@@ -83,7 +84,8 @@ std::optional<Expression> KeptPowers::related(const Expression& e) {
     return hide(call(Call::kSin, {u}) * inverse);
   }
   const bool is_root = e.function() == Call::kSqrt;
-  if ((!is_root && e.function() != Call::kLog) || u.kind() != Kind::kProduct) return std::nullopt;
+  if ((!is_root && e.function() != Call::kLog) || u.kind() != ExpressionKind::kProduct)
+    return std::nullopt;
   Expressions parts;
   for (const Expression& factor : u.operands())
     parts.push_back(hide(required(call(e.function(), {factor}))));
@@ -96,4 +98,4 @@ Expression KeptPowers::required(const Expression& e) {
   return e;
 }
 
-}  // namespace regulus::symbolic
+}  // namespace regulus

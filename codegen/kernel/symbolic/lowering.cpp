@@ -8,7 +8,7 @@
 
 #include "codegen/support/errors.hpp"
 
-namespace regulus::inline symbolic {
+namespace regulus {
 namespace {
 
 std::unordered_map<std::string, std::uint32_t> numbered(const std::vector<std::string>& names) {
@@ -85,21 +85,21 @@ NodeId Lowering::lower(const Expression& e) {
 
 NodeId Lowering::lowered(const Expression& e) {
   switch (e.kind()) {
-    case Kind::kConstant:
+    case ExpressionKind::kConstant:
       return builder_.constant(e.value());
-    case Kind::kPi:
+    case ExpressionKind::kNumberPi:
       return builder_.pi();
-    case Kind::kPoint:
+    case ExpressionKind::kPoint:
       return builder_.point(number_of(points_, e.name()));
-    case Kind::kVariable:
+    case ExpressionKind::kVariable:
       return builder_.input(number_of(inputs_, e.name()));
-    case Kind::kPower:
+    case ExpressionKind::kPower:
       return builder_.power(lower(e.operands()[0]), e.exponent());
-    case Kind::kCall:
+    case ExpressionKind::kCall:
       return lower_call(e);
-    case Kind::kProduct:
+    case ExpressionKind::kProduct:
       return lower_product(e.operands());
-    case Kind::kSum:
+    case ExpressionKind::kSum:
       return lower_sum(e.operands());
   }
   throw InternalError("an expression of no kind");
@@ -118,7 +118,7 @@ NodeId Lowering::lower_product(const Expressions& factors) {
     to = to ? builder_.multiply(*to, factor) : factor;
   };
   for (const Expression& factor : fixed_first(factors)) {
-    if (factor.kind() == Kind::kPower && factor.exponent() < 0)
+    if (factor.kind() == ExpressionKind::kPower && factor.exponent() < 0)
       multiply_into(denominator, lower(power(factor.operands()[0], -factor.exponent())));
     else
       multiply_into(numerator, lower(factor));
@@ -140,4 +140,4 @@ NodeId Lowering::lower_sum(const Expressions& terms) {
   return *result;
 }
 
-}  // namespace regulus::symbolic
+}  // namespace regulus

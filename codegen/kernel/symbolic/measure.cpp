@@ -5,7 +5,7 @@
 #include <unordered_map>
 #include <vector>
 
-namespace regulus::inline symbolic {
+namespace regulus {
 namespace {
 
 std::uint64_t add(std::uint64_t a, std::uint64_t b) noexcept {
@@ -52,8 +52,8 @@ class Graph {
 
   void spread(const Expression& e) {
     const Appearances from = at(e);
-    const bool circular =
-        e.kind() == Kind::kCall && (e.function() == Call::kSin || e.function() == Call::kCos);
+    const bool circular = e.kind() == ExpressionKind::kCall &&
+                          (e.function() == Call::kSin || e.function() == Call::kCos);
     for (const Expression& operand : e.operands()) {
       Appearances& to = at(operand);
       to.outside = add(to.outside, circular ? 0 : from.outside);
@@ -68,12 +68,12 @@ class Graph {
 
 std::uint64_t operations_of(const Expression& e) {
   switch (e.kind()) {
-    case Kind::kPower:
+    case ExpressionKind::kPower:
       return e.exponent() < -1 ? 2 : 1;
-    case Kind::kCall:
+    case ExpressionKind::kCall:
       return 1;
-    case Kind::kProduct:
-    case Kind::kSum:
+    case ExpressionKind::kProduct:
+    case ExpressionKind::kSum:
       return e.operands().size() - 1;
     default:
       return 0;
@@ -87,7 +87,7 @@ Occurrences count_occurrences(const Expressions& expressions) {
   Occurrences occurrences;
   for (std::size_t i = 0; i < graph.nodes().size(); ++i) {
     const Expression& e = graph.nodes()[i];
-    if (e.kind() != Kind::kVariable) continue;
+    if (e.kind() != ExpressionKind::kVariable) continue;
     std::uint64_t& count = occurrences[e.name()];
     count = add(count, add(graph[i].outside, graph[i].inside));
   }
@@ -127,7 +127,7 @@ std::uint64_t width_cost(const Expression& expression, const Weights& weights) {
   std::uint64_t cost = 0;
   for (std::size_t i = 0; i < graph.nodes().size(); ++i) {
     const Expression& e = graph.nodes()[i];
-    if (e.kind() != Kind::kVariable) continue;
+    if (e.kind() != ExpressionKind::kVariable) continue;
     const auto weight = weights.find(e.name());
     const std::uint64_t once = add(add(graph[i].outside, graph[i].outside), graph[i].inside);
     cost = add(cost, saturated_product(once, weight == weights.end() ? 1 : weight->second));
@@ -135,4 +135,4 @@ std::uint64_t width_cost(const Expression& expression, const Weights& weights) {
   return cost;
 }
 
-}  // namespace regulus::symbolic
+}  // namespace regulus

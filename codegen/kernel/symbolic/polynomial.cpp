@@ -5,7 +5,7 @@
 #include <iterator>
 #include <utility>
 
-namespace regulus::inline symbolic {
+namespace regulus {
 namespace {
 
 bool precedes(const PolynomialTerm& a, const PolynomialTerm& b) {
@@ -125,4 +125,4 @@ std::vector<Group> groups(const Polynomial& p) {
   return result;
 }
 
-}  // namespace regulus::symbolic
+}  // namespace regulus

@@ -9,7 +9,7 @@
 
 #include "codegen/kernel/symbolic/atoms.hpp"
 
-namespace regulus::inline symbolic {
+namespace regulus {
 
 struct Monomial {
   AtomProduct variables;
@@ -84,4 +84,4 @@ class Expander {
   std::unordered_map<Expression, std::optional<Polynomial>, ExpressionHash> known_;
 };
 
-}  // namespace regulus::symbolic
+}  // namespace regulus

@@ -7,7 +7,7 @@
 
 #include "codegen/support/infix_text.hpp"
 
-namespace regulus::inline symbolic {
+namespace regulus {
 namespace {
 
 using enum Precedence;
@@ -43,7 +43,7 @@ std::string print_power(const Expression& base, int exponent) {
 }
 
 bool divides(const Expression& factor) {
-  return factor.kind() == Kind::kPower && factor.exponent() < 0;
+  return factor.kind() == ExpressionKind::kPower && factor.exponent() < 0;
 }
 
 void append_factor(std::string& text, const std::string& factor) {
@@ -57,7 +57,7 @@ std::string print_product(const Expressions& factors, Precedence context) {
   int denominators = 0;
   for (std::size_t i = minus ? 1 : 0; i < factors.size(); ++i) {
     const Expression& factor = factors[i];
-    if (i == 0 && factor.kind() == Kind::kConstant) {
+    if (i == 0 && factor.kind() == ExpressionKind::kConstant) {
       numerator = print_constant(factor.value(), kSum);
     } else if (divides(factor)) {
       append_factor(denominator, print_power(factor.operands()[0], -factor.exponent()));
@@ -79,28 +79,28 @@ std::string print_sum(const Expressions& terms, Precedence context) {
     const bool subtracted = !text.empty() && minusp(coefficient_of(term));
     const Expression shown = subtracted ? divide_by(term, -1) : term;
     if (!text.empty()) text.append(subtracted ? " - " : " + ");
-    text.append(print(shown, shown.kind() == Kind::kSum ? kProduct : kSum));
+    text.append(print(shown, shown.kind() == ExpressionKind::kSum ? kProduct : kSum));
   }
   return parenthesized(text, context != kSum);
 }
 
 std::string print(const Expression& e, Precedence context) {
   switch (e.kind()) {
-    case Kind::kConstant:
+    case ExpressionKind::kConstant:
       return print_constant(e.value(), context);
-    case Kind::kPi:
+    case ExpressionKind::kNumberPi:
       return "pi";
-    case Kind::kPoint:
-    case Kind::kVariable:
+    case ExpressionKind::kPoint:
+    case ExpressionKind::kVariable:
       return e.name();
-    case Kind::kPower:
+    case ExpressionKind::kPower:
       if (e.exponent() < 0) return print_product({e}, context);
       return parenthesized(print_power(e.operands()[0], e.exponent()), context == kPower);
-    case Kind::kCall:
+    case ExpressionKind::kCall:
       return print_call(e);
-    case Kind::kProduct:
+    case ExpressionKind::kProduct:
       return print_product(e.operands(), context);
-    case Kind::kSum:
+    case ExpressionKind::kSum:
       return print_sum(e.operands(), context);
   }
   return {};
@@ -110,4 +110,4 @@ std::string print(const Expression& e, Precedence context) {
 
 std::string to_string(const Expression& expression) { return print(expression, kSum); }
 
-}  // namespace regulus::symbolic
+}  // namespace regulus

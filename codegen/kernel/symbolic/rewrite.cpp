@@ -6,7 +6,7 @@
 #include <optional>
 #include <utility>
 
-namespace regulus::inline symbolic {
+namespace regulus {
 namespace {
 
 /// Keeps the cheapest form so far. For equal width it keeps the one with fewer operations, then the
@@ -62,17 +62,17 @@ bool evidently_nonnegative(const Expression& e) {
     return std::all_of(e.operands().begin(), e.operands().end(), evidently_nonnegative);
   };
   switch (e.kind()) {
-    case Kind::kConstant:
+    case ExpressionKind::kConstant:
       return !minusp(e.value());
-    case Kind::kPi:
+    case ExpressionKind::kNumberPi:
       return true;
-    case Kind::kPower:
+    case ExpressionKind::kPower:
       return e.exponent() % 2 == 0 || all_operands();
-    case Kind::kCall:
+    case ExpressionKind::kCall:
       return e.function() == Call::kSqrt || e.function() == Call::kExp ||
              e.function() == Call::kAbs;
-    case Kind::kProduct:
-    case Kind::kSum:
+    case ExpressionKind::kProduct:
+    case ExpressionKind::kSum:
       return all_operands();
     default:
       return false;
@@ -135,20 +135,20 @@ Expression Rewriter::prepared(const Expression& e) {
   if (e.operands().empty()) return e;
   if (const auto found = prepared_.find(e); found != prepared_.end()) return found->second;
   atoms_.spend(1 + e.operands().size());
-  const bool opaque = e.kind() == Kind::kCall || e.kind() == Kind::kPower;
+  const bool opaque = e.kind() == ExpressionKind::kCall || e.kind() == ExpressionKind::kPower;
   Expressions operands;
   for (const Expression& operand : e.operands())
     operands.push_back(opaque ? argument_form(operand) : prepared(operand));
   Expression result;
   switch (e.kind()) {
-    case Kind::kCall:
+    case ExpressionKind::kCall:
       result = symmetric_call(e.function(), std::move(operands));
       break;
-    case Kind::kPower:
+    case ExpressionKind::kPower:
       result = power(e.exponent() % 2 == 0 ? normalize_sign(operands[0]).form : operands[0],
                      e.exponent());
       break;
-    case Kind::kProduct:
+    case ExpressionKind::kProduct:
       result = product(std::move(operands));
       break;
     default:
@@ -169,4 +169,4 @@ Expression Rewriter::simplified_argument(const Expression& e) {
   return p ? horner(*p, atoms_) : e;
 }
 
-}  // namespace regulus::symbolic
+}  // namespace regulus

@@ -8,7 +8,7 @@
 #include "codegen/kernel/symbolic/measure.hpp"
 #include "codegen/kernel/symbolic/passes.hpp"
 
-namespace regulus::inline symbolic {
+namespace regulus {
 
 struct RewriteOptions {
   /// Look for better forms. If false, an expression stays as it is, and a derivative is multiplied
@@ -77,4 +77,4 @@ class Rewriter {
   std::unordered_map<Expression, Expression, ExpressionHash> prepared_;
 };
 
-}  // namespace regulus::symbolic
+}  // namespace regulus

@@ -6,7 +6,7 @@
 
 #include "codegen/kernel/symbolic/passes.hpp"
 
-namespace regulus::inline symbolic {
+namespace regulus {
 namespace {
 
 struct LexGreater {
@@ -83,7 +83,8 @@ class AngleMerger {
     std::vector<Angle> angles;
     for (const Atom a : seen) {
       const Expression e = atoms_.variable_expression(a);
-      if (e.kind() != Kind::kCall || (e.function() != Call::kSin && e.function() != Call::kCos))
+      if (e.kind() != ExpressionKind::kCall ||
+          (e.function() != Call::kSin && e.function() != Call::kCos))
         continue;
       const Expression argument = e.operands()[0];
       const bool known = std::any_of(angles.begin(), angles.end(),
@@ -164,8 +165,8 @@ class AngleMerger {
   Polynomial circular(Call function, Expressions arguments, const Polynomial& factor) {
     const Signed argument = normalize_sign(simplify_(sum(std::move(arguments))));
     const Expression value = call(function, {argument.form});
-    const Polynomial atom =
-        value.kind() == Kind::kConstant ? Polynomial(value.value()) : expander_.atom(value);
+    const Polynomial atom = value.kind() == ExpressionKind::kConstant ? Polynomial(value.value())
+                                                                      : expander_.atom(value);
     const bool negative = function == Call::kSin && argument.sign < 0;
     return atom * factor * cln::cl_RA(negative ? -1 : 1);
   }
@@ -186,4 +187,4 @@ Polynomial merge_angles(const Polynomial& p, AtomTable& atoms, Expander& expande
   return AngleMerger(p, atoms, expander, simplify, options).run();
 }
 
-}  // namespace regulus::symbolic
+}  // namespace regulus

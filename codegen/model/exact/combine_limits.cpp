@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace regulus::inline model {
+namespace regulus {
 namespace {
 
 void absorb(ParsedExpression& result, const ParsedExpression& operand) {
@@ -18,15 +18,16 @@ void absorb(ParsedExpression& result, const ParsedExpression& operand) {
 
 void check_limits(const ParsedExpression& result) {
   if (result.depth > kMostDepth)
-    throw Refusal{"an expression nested too deeply",
-                  "at most " + std::to_string(kMostDepth) + " levels"};
+    throw ParseRefusal{"an expression nested too deeply",
+                       "at most " + std::to_string(kMostDepth) + " levels"};
   if (result.size > kLargestSize)
-    throw Refusal{"an expression too large", "at most " +
-                                                 std::to_string(static_cast<int>(kLargestSize)) +
-                                                 " operations, named sub-expressions included"};
+    throw ParseRefusal{"an expression too large",
+                       "at most " + std::to_string(static_cast<int>(kLargestSize)) +
+                           " operations, named sub-expressions included"};
   if (result.bits > kMostBits)
-    throw Refusal{"numbers too large", "exact coefficients of at most " +
-                                           std::to_string(static_cast<int>(kMostBits)) + " bits"};
+    throw ParseRefusal{
+        "numbers too large",
+        "exact coefficients of at most " + std::to_string(static_cast<int>(kMostBits)) + " bits"};
 }
 
 }  // namespace
@@ -56,4 +57,4 @@ ParsedExpression combine_limits_of_power(const ParsedExpression& base,
   return result;
 }
 
-}  // namespace regulus::model
+}  // namespace regulus

@@ -6,10 +6,10 @@
 
 #include "codegen/model/exact/parsed_expression.hpp"
 
-namespace regulus::inline model {
+namespace regulus {
 
 // Each function returns a ParsedExpression with the limits of the result but without its value, and
-// throws Refusal if it would exceed a limit of parsed_expression.hpp. Coefficients of a sum or
+// throws ParseRefusal if it would exceed a limit of parsed_expression.hpp. Coefficients of a sum or
 // product have at most the bits of all operands together, those of a power |exponent| times as
 // many.
 
@@ -20,4 +20,4 @@ namespace regulus::inline model {
                                                        const ParsedExpression& exponent,
                                                        const GiNaC::numeric& value);
 
-}  // namespace regulus::model
+}  // namespace regulus

@@ -3,7 +3,7 @@
 
 #include "codegen/model/exact/sign.hpp"
 
-namespace regulus::inline model {
+namespace regulus {
 namespace {
 
 using GiNaC::ex;
@@ -40,32 +40,32 @@ std::string value_text(const ex& constant) {
 }  // namespace
 
 void require_nonzero(ParsedExpression& result, const ex& x, bool constant) {
-  if (x.is_zero()) throw Refusal{"a division by zero", "a divisor that is not zero"};
+  if (x.is_zero()) throw ParseRefusal{"a division by zero", "a divisor that is not zero"};
   if (constant && !is_number(x) && !approx_value(x))
-    throw Refusal{"a divisor that is not a finite real number", "a finite real divisor"};
+    throw ParseRefusal{"a divisor that is not a finite real number", "a finite real divisor"};
   if (is_number(x) || certain_positive(x)) return;
   record(result, GiNaC::pow(x, -1));
 }
 
 void require_nonnegative(ParsedExpression& result, const ex& x, bool constant) {
   if (violates_lower(x, constant, 0, false))
-    throw Refusal{"the root of a negative number" + value_text(x), "an operand that is ≥ 0"};
+    throw ParseRefusal{"the root of a negative number" + value_text(x), "an operand that is ≥ 0"};
   if (is_number(x) || certain_nonnegative(x)) return;
   record(result, square_root(x));
 }
 
 void require_positive(ParsedExpression& result, const ex& x, bool constant) {
   if (violates_lower(x, constant, 0, true))
-    throw Refusal{"the logarithm or fractional power of a number" + value_text(x),
-                  "an operand that is > 0"};
+    throw ParseRefusal{"the logarithm or fractional power of a number" + value_text(x),
+                       "an operand that is > 0"};
   if (is_number(x) || certain_positive(x)) return;
   record(result, GiNaC::log(x));
 }
 
 void require_unit_range(ParsedExpression& result, const ex& x, bool constant) {
   if (violates_lower(x, constant, -1, false) || violates_lower(-x, constant, -1, false))
-    throw Refusal{"the arc sine or cosine of a number" + value_text(x),
-                  "an operand between -1 and 1"};
+    throw ParseRefusal{"the arc sine or cosine of a number" + value_text(x),
+                       "an operand between -1 and 1"};
   if (is_number(x)) return;
   record(result, GiNaC::asin(x));
 }
@@ -78,11 +78,11 @@ void require_no_pole_of_tan(ParsedExpression& result, const ex& x) {
 void require_off_branch_cut(ParsedExpression& result, const ex& y, const ex& x) {
   if (is_number(y) && is_number(x)) {
     if (y.is_zero() && !x.info(GiNaC::info_flags::positive))
-      throw Refusal{"atan2(0, x) with x ≤ 0", "y ≠ 0 or x > 0"};
+      throw ParseRefusal{"atan2(0, x) with x ≤ 0", "y ≠ 0 or x > 0"};
     return;
   }
   if (certain_positive(x) || certain_positive(y) || certain_positive(-y)) return;
   record(result, GiNaC::atan2(y, x));
 }
 
-}  // namespace regulus::model
+}  // namespace regulus

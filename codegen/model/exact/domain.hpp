@@ -8,10 +8,10 @@
 
 #include "codegen/model/exact/parsed_expression.hpp"
 
-namespace regulus::inline model {
+namespace regulus {
 
 // Each function records in `result` the condition on the operand, unless the form of the operand
-// shows it, and throws Refusal if the operand is a constant that does not satisfy it.
+// shows it, and throws ParseRefusal if the operand is a constant that does not satisfy it.
 
 void require_nonzero(ParsedExpression& result, const GiNaC::ex& operand, bool constant);
 void require_nonnegative(ParsedExpression& result, const GiNaC::ex& operand, bool constant);
@@ -22,4 +22,4 @@ void require_no_pole_of_tan(ParsedExpression& result, const GiNaC::ex& operand);
 void require_off_branch_cut(ParsedExpression& result, const GiNaC::ex& ordinate,
                             const GiNaC::ex& abscissa);
 
-}  // namespace regulus::model
+}  // namespace regulus

@@ -13,7 +13,7 @@
 #include "codegen/model/names.hpp"
 #include "codegen/support/errors.hpp"
 
-namespace regulus::inline model {
+namespace regulus {
 namespace {
 
 class Parser {
@@ -189,9 +189,9 @@ class Parser {
     ParsedExpression result = operation();
     if (result.constant && GiNaC::is_a<GiNaC::numeric>(result.value) &&
         !result.value.info(GiNaC::info_flags::rational))
-      throw Refusal{"a value that is not real", "a real value"};
+      throw ParseRefusal{"a value that is not real", "a real value"};
     return result;
-  } catch (const Refusal& refusal) {
+  } catch (const ParseRefusal& refusal) {
     fail(refusal.found + " at " + describe(at), refusal.expected);
   } catch (const InputError&) {
     throw;
@@ -284,4 +284,4 @@ ParsedExpression parse_constant(std::string_view text, const Place& place, Numbe
   return result;
 }
 
-}  // namespace regulus::model
+}  // namespace regulus

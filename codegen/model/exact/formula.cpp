@@ -11,7 +11,7 @@
 #include "codegen/model/names.hpp"
 #include "codegen/support/errors.hpp"
 
-namespace regulus::inline model {
+namespace regulus {
 namespace {
 
 /// Gives every name a meaning: the reader of the model checks later which names are declared.
@@ -62,7 +62,7 @@ Formula::Formula(const GiNaC::basic& value, Place place) : Formula(GiNaC::ex(val
 
 Formula::Formula(const GiNaC::ex& value, Place place) try : Formula(formula_text(value), place) {
   symbols_ = symbols_of(value);
-} catch (const Refusal& refusal) {
+} catch (const ParseRefusal& refusal) {
   throw InputError(place.file_name(), static_cast<int>(place.line()), refusal.found,
                    refusal.expected);
 }
@@ -139,4 +139,4 @@ Formula exact_value_of(double value, SourcePlace place) {
   return Formula(GiNaC::ex(exact_value(value)), place);
 }
 
-}  // namespace regulus::model
+}  // namespace regulus

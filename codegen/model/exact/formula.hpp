@@ -12,7 +12,7 @@
 #include "codegen/model/source_place.hpp"
 #include "codegen/support/infix_text.hpp"
 
-namespace regulus::inline model {
+namespace regulus {
 
 /// An expression of a model that is written in C++, as the text that a model file would have.
 ///
@@ -138,4 +138,4 @@ template <char... kText>
 }
 
 }  // namespace literals
-}  // namespace regulus::model
+}  // namespace regulus

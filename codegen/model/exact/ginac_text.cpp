@@ -9,7 +9,7 @@
 #include "codegen/model/exact/real_functions.hpp"
 #include "codegen/support/infix_text.hpp"
 
-namespace regulus::inline model {
+namespace regulus {
 namespace {
 
 using GiNaC::ex;
@@ -56,10 +56,10 @@ std::string joined(const std::vector<SignedText>& terms, bool negated) {
 
 SignedText number_text(const numeric& value) {
   if (!value.is_real())
-    throw Refusal{"the complex number " + printed(value), "a model over the reals"};
+    throw ParseRefusal{"the complex number " + printed(value), "a model over the reals"};
   if (!value.is_rational())
-    throw Refusal{"the floating-point number " + printed(value) + ", which has been rounded",
-                  "an exact one: GiNaC::numeric(1, 10), 0.1_exact, or the text \"0.1\""};
+    throw ParseRefusal{"the floating-point number " + printed(value) + ", which has been rounded",
+                       "an exact one: GiNaC::numeric(1, 10), 0.1_exact, or the text \"0.1\""};
   return {value.is_negative(), printed(abs(value)), value.is_integer() ? kPrimary : kProduct};
 }
 
@@ -98,7 +98,7 @@ SignedText product_text(const ex& product) {
 SignedText call_text(const GiNaC::function& call) {
   const std::string name = call.get_name();
   if (!is_function(name))
-    throw Refusal{"the function " + name, "one of those that model files have"};
+    throw ParseRefusal{"the function " + name, "one of those that model files have"};
   std::string arguments;
   for (const ex& argument : call)
     arguments += (arguments.empty() ? "" : ", ") + formula_text(argument);
@@ -113,7 +113,7 @@ SignedText signed_text(const ex& e) {
   if (is_a<GiNaC::mul>(e)) return product_text(e);
   if (is_a<GiNaC::power>(e)) return power_text(e.op(0), e.op(1));
   if (is_a<GiNaC::function>(e)) return call_text(ex_to<GiNaC::function>(e));
-  throw Refusal{printed(e), "arithmetic on numbers, symbols and the functions of model files"};
+  throw ParseRefusal{printed(e), "arithmetic on numbers, symbols and the functions of model files"};
 }
 
 void collect(const ex& e, std::set<ex, GiNaC::ex_is_less>& symbols) {
@@ -134,4 +134,4 @@ std::vector<ex> symbols_of(const ex& expression) {
   return {found.begin(), found.end()};
 }
 
-}  // namespace regulus::model
+}  // namespace regulus

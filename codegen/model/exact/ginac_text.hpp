@@ -9,16 +9,16 @@
 
 #include "codegen/model/exact/parsed_expression.hpp"
 
-namespace regulus::inline model {
+namespace regulus {
 
 /// Returns text that parse_expression reads as that expression; symbols become names.
 ///
 /// Ensures   the same in every process: operands are in the order of their texts, since GiNaC's own
-///           order depends on addresses. Throws Refusal for a number that is not an exact real, and
+///           order depends on addresses. Throws ParseRefusal for a number that is not an exact real, and
 ///           for functions and constants that model files do not have.
 [[nodiscard]] std::string formula_text(const GiNaC::ex& expression);
 
 /// Returns each symbol once.
 [[nodiscard]] std::vector<GiNaC::ex> symbols_of(const GiNaC::ex& expression);
 
-}  // namespace regulus::model
+}  // namespace regulus

@@ -11,7 +11,7 @@
 #include "codegen/model/exact/combine_limits.hpp"
 #include "codegen/model/exact/domain.hpp"
 
-namespace regulus::inline model {
+namespace regulus {
 namespace {
 
 using GiNaC::ex;
@@ -27,10 +27,11 @@ bool is_dyadic(const numeric& exponent) {
 
 numeric checked_exponent(const ParsedExpression& exponent) {
   if (!exponent.constant || !is_rational(exponent.value))
-    throw Refusal{"an exponent that is not a rational constant", "an integer or a fraction"};
+    throw ParseRefusal{"an exponent that is not a rational constant", "an integer or a fraction"};
   const numeric& value = GiNaC::ex_to<numeric>(exponent.value);
   if (GiNaC::abs(value) > kLargestPower)
-    throw Refusal{"an exponent beyond ±" + std::to_string(kLargestPower), "a smaller exponent"};
+    throw ParseRefusal{"an exponent beyond ±" + std::to_string(kLargestPower),
+                       "a smaller exponent"};
   return value;
 }
 
@@ -39,8 +40,8 @@ const ex& with_moderate_exponents(const ex& value) {
   const auto check = [](const ex& factor) {
     if (!GiNaC::is_a<GiNaC::power>(factor) || !is_rational(factor.op(1))) return;
     if (GiNaC::abs(GiNaC::ex_to<numeric>(factor.op(1))) > kMaxMergedPower)
-      throw Refusal{"powers that make an exponent beyond ±" + std::to_string(kMaxMergedPower),
-                    "smaller exponents"};
+      throw ParseRefusal{"powers that make an exponent beyond ±" + std::to_string(kMaxMergedPower),
+                         "smaller exponents"};
   };
   check(value);
   if (GiNaC::is_a<GiNaC::mul>(value)) std::for_each(value.begin(), value.end(), check);
@@ -112,4 +113,4 @@ ParsedExpression power(const ParsedExpression& base, const ParsedExpression& exp
   return result;
 }
 
-}  // namespace regulus::model
+}  // namespace regulus

@@ -10,11 +10,11 @@
 #include <string_view>
 #include <vector>
 
-namespace regulus::inline model {
+namespace regulus {
 
 /// The reason why an operation is refused. A caller that knows file and line turns it into an
 /// InputError.
-struct Refusal {
+struct ParseRefusal {
   std::string found;
   std::string expected;
 };
@@ -52,7 +52,7 @@ struct Operand {
   bool inverted = false;  ///< subtracted, or divided by
 };
 
-// All throw Refusal if the result would not be real, or would exceed a limit above.
+// All throw ParseRefusal if the result would not be real, or would exceed a limit above.
 
 [[nodiscard]] ParsedExpression sum(std::vector<Operand> operands);
 
@@ -68,4 +68,4 @@ struct Operand {
 [[nodiscard]] ParsedExpression power(const ParsedExpression& base,
                                      const ParsedExpression& exponent);
 
-}  // namespace regulus::model
+}  // namespace regulus

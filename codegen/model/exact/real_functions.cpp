@@ -7,7 +7,7 @@
 #include "codegen/model/exact/combine_limits.hpp"
 #include "codegen/model/exact/domain.hpp"
 
-namespace regulus::inline model {
+namespace regulus {
 namespace {
 
 using GiNaC::ex;
@@ -92,11 +92,12 @@ bool is_function(std::string_view name) { return index_of(name) < kFunctions; }
 ParsedExpression call(std::string_view name, std::vector<ParsedExpression> arguments) {
   const std::size_t wanted = name == "atan2" ? 2 : 1;
   if (arguments.size() != wanted)
-    throw Refusal{std::string(name) + " with " + std::to_string(arguments.size()) + " arguments",
-                  wanted == 1 ? "one argument" : "two arguments, atan2(y, x)"};
+    throw ParseRefusal{
+        std::string(name) + " with " + std::to_string(arguments.size()) + " arguments",
+        wanted == 1 ? "one argument" : "two arguments, atan2(y, x)"};
   ParsedExpression result = combine_limits(arguments);
   result.value = kApply[index_of(name)](result, arguments);
   return result;
 }
 
-}  // namespace regulus::model
+}  // namespace regulus

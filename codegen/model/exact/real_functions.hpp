@@ -9,7 +9,7 @@
 
 #include "codegen/model/exact/parsed_expression.hpp"
 
-namespace regulus::inline model {
+namespace regulus {
 
 /// sqrt sin cos tan asin acos atan atan2 exp log abs.
 [[nodiscard]] std::span<const std::string> function_names();
@@ -19,7 +19,7 @@ namespace regulus::inline model {
 /// Applies the function to the arguments; records its domain if it is not defined everywhere.
 ///
 /// Requires  is_function(name).
-/// Ensures   throws Refusal for a wrong number of arguments, or constants outside the domain.
+/// Ensures   throws ParseRefusal for a wrong number of arguments, or constants outside the domain.
 [[nodiscard]] ParsedExpression call(std::string_view name, std::vector<ParsedExpression> arguments);
 
-}  // namespace regulus::model
+}  // namespace regulus

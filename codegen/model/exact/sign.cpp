@@ -9,7 +9,7 @@
 #include <numeric>
 #include <string>
 
-namespace regulus::inline model {
+namespace regulus {
 namespace {
 
 using GiNaC::ex;
@@ -116,4 +116,4 @@ std::optional<double> approx_value(const ex& constant) {
   return std::isfinite(value) ? std::optional(value) : std::nullopt;
 }
 
-}  // namespace regulus::model
+}  // namespace regulus

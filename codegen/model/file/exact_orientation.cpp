@@ -4,7 +4,7 @@
 #include "codegen/model/constants.hpp"
 #include "codegen/model/mechanism/rotation.hpp"
 
-namespace regulus::inline model {
+namespace regulus {
 namespace {
 
 using GiNaC::ex;
@@ -76,4 +76,4 @@ GiNaC::matrix read_rotation(ModelReading& reading, const TomlEntry& list) {
   return R;
 }
 
-}  // namespace regulus::model
+}  // namespace regulus

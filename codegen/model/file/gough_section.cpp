@@ -7,7 +7,7 @@
 #include "codegen/model/file/sections.hpp"
 #include "codegen/model/names.hpp"
 
-namespace regulus::inline model {
+namespace regulus {
 namespace {
 
 Orientation orientation(const TomlReader& toml, const TomlEntry& entry) {
@@ -100,4 +100,4 @@ void read_gough(ModelReading& reading, const TomlEntry& gough) {
   declare_symbols(reading, gough);
 }
 
-}  // namespace regulus::model
+}  // namespace regulus

@@ -6,7 +6,7 @@
 #include "codegen/model/exact/exact_algebra.hpp"
 #include "codegen/model/file/quantities.hpp"
 
-namespace regulus::inline model {
+namespace regulus {
 namespace {
 
 using GiNaC::ex;
@@ -124,4 +124,4 @@ std::vector<TomlEntry> LegGeometry::elements(const TomlEntry& list, std::size_t 
   return found;
 }
 
-}  // namespace regulus::model
+}  // namespace regulus

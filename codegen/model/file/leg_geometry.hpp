@@ -9,7 +9,7 @@
 #include "codegen/model/file/sections.hpp"
 #include "codegen/model/mechanism/legs.hpp"
 
-namespace regulus::inline model {
+namespace regulus {
 
 /// Quantities of one kind, with one tolerance.
 enum class LegGroup : std::size_t { kBase, kPlatform, kCrank, kRod, kAxis };
@@ -70,4 +70,4 @@ class LegGeometry {
   std::size_t coordinates_ = 3;
 };
 
-}  // namespace regulus::model
+}  // namespace regulus

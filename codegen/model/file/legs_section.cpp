@@ -13,7 +13,7 @@
 #include "codegen/model/mechanism/legs_drawing.hpp"
 #include "codegen/model/names.hpp"
 
-namespace regulus::inline model {
+namespace regulus {
 namespace {
 
 using GiNaC::ex;
@@ -378,8 +378,8 @@ class LegsReader {
 
 void read_legs(ModelReading& reading, const TomlEntry& legs) try {
   LegsReader(reading, legs).read();
-} catch (const Refusal& refusal) {
+} catch (const ParseRefusal& refusal) {
   reading.toml.refuse(legs, refusal.found, refusal.expected);
 }
 
-}  // namespace regulus::model
+}  // namespace regulus

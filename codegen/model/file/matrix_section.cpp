@@ -6,7 +6,7 @@
 #include "codegen/model/exact/domain.hpp"
 #include "codegen/model/file/sections.hpp"
 
-namespace regulus::inline model {
+namespace regulus {
 namespace {
 
 constexpr std::size_t kLargestMatrix = 64;
@@ -49,7 +49,7 @@ void require_positive_scale(ModelReading& reading, const TomlEntry& entry,
   ParsedExpression conditions;
   require_positive(conditions, scale.value, scale.constant);
   append(reading.model.must_be_defined, conditions.must_be_defined);
-} catch (const Refusal&) {
+} catch (const ParseRefusal&) {
   reading.toml.refuse(entry, "a factor that is not positive in " + entry.path,
                       "a positive row scale");
 }
@@ -78,4 +78,4 @@ void read_matrix(ModelReading& reading, const TomlEntry& matrix) {
   if (twist.node) read_twist_names(reading, twist);
 }
 
-}  // namespace regulus::model
+}  // namespace regulus

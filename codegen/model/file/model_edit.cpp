@@ -11,7 +11,7 @@
 #include "codegen/model/names.hpp"
 #include "codegen/support/errors.hpp"
 
-namespace regulus::inline model {
+namespace regulus {
 namespace {
 
 toml::table document(const std::string& text) try {
@@ -60,4 +60,4 @@ std::vector<std::string> let_names(const std::string& text) {
   return names;
 }
 
-}  // namespace regulus::model
+}  // namespace regulus

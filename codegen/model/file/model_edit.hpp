@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-namespace regulus::inline model {
+namespace regulus {
 
 /// Returns the text with another entry (i, j) of [matrix], counted from 1. Throws InputError if
 /// there is no such entry. It does not check that the result is a model; the reader does.
@@ -19,4 +19,4 @@ namespace regulus::inline model {
 /// Returns the names of its sub-expressions.
 [[nodiscard]] std::vector<std::string> let_names(const std::string& text);
 
-}  // namespace regulus::model
+}  // namespace regulus

@@ -17,7 +17,7 @@
 #include "codegen/support/visible_text.hpp"
 #include "runtime/files/sha256.hpp"
 
-namespace regulus::inline model {
+namespace regulus {
 namespace {
 
 /// Sets the usual rounding: a library that reads a decimal as a double may use the caller's
@@ -190,4 +190,4 @@ Model load_model(const std::filesystem::path& path) {
   return model;
 }
 
-}  // namespace regulus::model
+}  // namespace regulus

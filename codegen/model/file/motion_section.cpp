@@ -9,7 +9,7 @@
 #include "codegen/model/mechanism/reach.hpp"
 #include "codegen/model/names.hpp"
 
-namespace regulus::inline model {
+namespace regulus {
 namespace {
 
 /// The names of a motion: its parameters, and the declared names if they may be used.
@@ -265,4 +265,4 @@ void read_motions(ModelReading& reading, const TomlEntry& motions) {
     reading.toml.refuse(motions, "no motion", "at least one table [motion.NAME]");
 }
 
-}  // namespace regulus::model
+}  // namespace regulus

@@ -7,7 +7,7 @@
 #include "codegen/model/file/sections.hpp"
 #include "codegen/model/names.hpp"
 
-namespace regulus::inline model {
+namespace regulus {
 
 void require_pose_name(const TomlReader& toml, const TomlEntry& entry, const std::string& name) {
   static const std::array<std::string, 7> kMotionKeys = {
@@ -49,4 +49,4 @@ void read_let(ModelReading& reading, const TomlEntry& let) {
   for (const TomlEntry& entry : entries) (void)reading.names.find(entry.key, 0);
 }
 
-}  // namespace regulus::model
+}  // namespace regulus

@@ -14,7 +14,7 @@
 #include "codegen/model/names.hpp"
 #include "codegen/support/work_meter.hpp"
 
-namespace regulus::inline model {
+namespace regulus {
 
 /// The most operations that all expressions of a file may have together, including named
 /// sub-expressions. A 6×6 matrix of the largest expressions is below it.
@@ -86,4 +86,4 @@ void read_characteristic_length(ModelReading& reading, const TomlEntry& length);
 
 void read_motions(ModelReading& reading, const TomlEntry& motions);
 
-}  // namespace regulus::model
+}  // namespace regulus

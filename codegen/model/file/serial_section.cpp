@@ -10,7 +10,7 @@
 #include "codegen/model/mechanism/serial.hpp"
 #include "codegen/model/mechanism/serial_drawing.hpp"
 
-namespace regulus::inline model {
+namespace regulus {
 namespace {
 
 using GiNaC::ex;
@@ -354,8 +354,8 @@ class SerialReader {
 
 void read_serial(ModelReading& reading, const TomlEntry& serial) try {
   SerialReader(reading, serial).read();
-} catch (const Refusal& refusal) {
+} catch (const ParseRefusal& refusal) {
   reading.toml.refuse(serial, refusal.found, refusal.expected);
 }
 
-}  // namespace regulus::model
+}  // namespace regulus

@@ -8,7 +8,7 @@
 #include "codegen/model/exact/ginac_text.hpp"
 #include "codegen/model/names.hpp"
 
-namespace regulus::inline model {
+namespace regulus {
 namespace {
 
 constexpr std::size_t kDigitsOfAnInteger = 15;  // far below TOML's limits
@@ -93,4 +93,4 @@ InputError mistake(const SourcePlace& place, const std::string& problem, const s
                                symbol);
 }
 
-}  // namespace regulus::model
+}  // namespace regulus

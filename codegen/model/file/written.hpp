@@ -10,7 +10,7 @@
 #include "codegen/model/exact/formula.hpp"
 #include "codegen/support/errors.hpp"
 
-namespace regulus::inline model {
+namespace regulus {
 
 struct WrittenLine {
   std::string key, value;
@@ -55,4 +55,4 @@ class WrittenSymbols {
 [[nodiscard]] InputError mistake(const SourcePlace& place, const std::string& problem,
                                  const std::string& remedy, const std::string& symbol = {});
 
-}  // namespace regulus::model
+}  // namespace regulus

@@ -10,17 +10,17 @@
 #include "codegen/model/exact/decimal.hpp"
 #include "codegen/support/errors.hpp"
 
-namespace regulus::inline importing {
+namespace regulus {
 namespace {
 
 constexpr double kUnit = 1e12;  ///< decimals of a component, the largest being 1
 
 /// The quaternion with the largest component 1, to twelve decimals.
-std::vector<ExactNumber> rounded(const Quaternion& q) {
+std::vector<WrittenNumber> rounded(const Quaternion& q) {
   double largest = 0;
   for (const double x : q)
     if (std::fabs(x) > std::fabs(largest)) largest = x;
-  std::vector<ExactNumber> result;
+  std::vector<WrittenNumber> result;
   for (const double x : q) {
     const GiNaC::numeric value =
         exact_integer(std::llround(x / largest * kUnit)) / exact_integer(std::llround(kUnit));
@@ -29,9 +29,9 @@ std::vector<ExactNumber> rounded(const Quaternion& q) {
   return result;
 }
 
-std::string joined(const std::vector<ExactNumber>& numbers) {
+std::string joined(const std::vector<WrittenNumber>& numbers) {
   std::string text;
-  for (const ExactNumber& number : numbers) text += (text.empty() ? "" : ", ") + number.text;
+  for (const WrittenNumber& number : numbers) text += (text.empty() ? "" : ", ") + number.text;
   return "[" + text + "]";
 }
 
@@ -60,16 +60,16 @@ bool set_simple_turn(Pose& pose, const Quaternion& q, double tolerance) {
   const long twelfths = std::lround(angle * 12 / std::numbers::pi);
   if (!(std::fabs(angle - static_cast<double>(twelfths) * std::numbers::pi / 12) <= tolerance))
     return false;
-  pose.orientation = twelfths == 0 ? Orientation::kNone : Orientation::kRpy;
-  pose.angles.assign(twelfths == 0 ? 0 : 3, ExactNumber{});
+  pose.orientation = twelfths == 0 ? OrientationForm::kNone : OrientationForm::kRpy;
+  pose.angles.assign(twelfths == 0 ? 0 : 3, WrittenNumber{});
   if (twelfths != 0) pose.angles[axis - 1] = twelfths_of_pi(twelfths);
   return true;
 }
 
-bool is_turn_of_cube(const std::vector<ExactNumber>& q) {
+bool is_turn_of_cube(const std::vector<WrittenNumber>& q) {
   GiNaC::ex square = 0;
   int count = 0;
-  for (const ExactNumber& x : q) {
+  for (const WrittenNumber& x : q) {
     if (x.is_zero()) continue;
     if (++count > 1 && !(x.value * x.value).is_equal(square)) return false;
     square = x.value * x.value;
@@ -80,14 +80,14 @@ bool is_turn_of_cube(const std::vector<ExactNumber>& q) {
 bool set_turn_of_cube(Pose& pose, const Quaternion& q, double tolerance) {
   double largest = 0;
   for (const double x : q) largest = std::max(largest, std::fabs(x));
-  std::vector<ExactNumber> components;
+  std::vector<WrittenNumber> components;
   for (const double x : q) {
     const long sign = std::lround(x / largest);
     if (!(std::fabs(x / largest - static_cast<double>(sign)) <= tolerance)) return false;
     components.push_back(whole(sign));
   }
   if (!is_turn_of_cube(components)) return false;
-  pose.orientation = Orientation::kQuaternion;
+  pose.orientation = OrientationForm::kQuaternion;
   pose.angles = std::move(components);
   return true;
 }
@@ -102,9 +102,9 @@ void set_approx(Pose& pose, const Quaternion& q, const XmlPlace& place, const st
     const std::string after = pose.angles.empty() ? "no turn" : "rpy " + joined(pose.angles);
     return numbers.record({place.line, place.what, before, after});
   }
-  pose.orientation = Orientation::kQuaternion;
+  pose.orientation = OrientationForm::kQuaternion;
   pose.angles = rounded(q);
   numbers.record({place.line, place.what, before, "quaternion " + joined(pose.angles)});
 }
 
-}  // namespace regulus::importing
+}  // namespace regulus

@@ -6,7 +6,7 @@
 
 #include "codegen/model/import/mechanism.hpp"
 
-namespace regulus::inline importing {
+namespace regulus {
 
 /// w, x, y, z, of any length but zero.
 using Quaternion = std::array<double, 4>;
@@ -30,10 +30,10 @@ void set_approx(Pose& pose, const Quaternion& q, const XmlPlace& place, const st
 
 /// True if the components that are not zero are one, two or four, of one magnitude: the turn takes
 /// coordinate axes to such, and its matrix is exact.
-[[nodiscard]] bool is_turn_of_cube(const std::vector<ExactNumber>& q);
+[[nodiscard]] bool is_turn_of_cube(const std::vector<WrittenNumber>& q);
 
 /// If the quaternion is such a turn within the tolerance, sets it, with components 0 and ±1, and
 /// returns true.
 [[nodiscard]] bool set_turn_of_cube(Pose& pose, const Quaternion& q, double tolerance);
 
-}  // namespace regulus::importing
+}  // namespace regulus

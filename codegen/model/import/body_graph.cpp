@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace regulus::inline importing {
+namespace regulus {
 namespace {
 
 bool is_free(const ImportedJoint& joint) {
@@ -19,12 +19,12 @@ ConnectionKind kind_of(const ImportedJoint& joint) {
   return joint.type_name == "ball" ? ConnectionKind::kBall : ConnectionKind::kOther;
 }
 
-model::Point moved(const Placement& frame, const model::Point& x) {
+Point moved(const Placement& frame, const Point& x) {
   return reduced(sum(times(frame.R, x), frame.p));
 }
 
 /// The distance of two points; 0 within a file's rounding.
-double gap_between(const model::Point& a, const model::Point& b) {
+double gap_between(const Point& a, const Point& b) {
   constexpr double kRounding = 1e-6;
   std::array<double, 3> d{};
   for (std::size_t i = 0; i < 3; ++i) d.at(i) = number_of(reduced(a[i] - b[i])).approx();
@@ -32,9 +32,7 @@ double gap_between(const model::Point& a, const model::Point& b) {
   return gap > kRounding ? gap : 0;
 }
 
-model::Point exact(const std::array<ExactNumber, 3>& v) {
-  return {v[0].value, v[1].value, v[2].value};
-}
+Point exact(const std::array<WrittenNumber, 3>& v) { return {v[0].value, v[1].value, v[2].value}; }
 
 }  // namespace
 
@@ -100,7 +98,7 @@ void BodyGraph::connect(const Mechanism& mechanism) {
                             reduced(times(frame.R, exact(joint.axis))), joint.line});
   }
   for (const ImportedLoop& loop : mechanism.loops) {
-    const model::Point point = moved(placements_.at(loop.first), exact(loop.anchor));
+    const Point point = moved(placements_.at(loop.first), exact(loop.anchor));
     const double gap = loop.origins_meet ? gap_between(point, placements_.at(loop.second).p) : 0;
     connections_.push_back({loop.type,
                             loop.type == "connect" ? ConnectionKind::kBall : ConnectionKind::kOther,
@@ -120,4 +118,4 @@ std::vector<std::size_t> BodyGraph::of_body(std::size_t body) const {
   return result;
 }
 
-}  // namespace regulus::importing
+}  // namespace regulus

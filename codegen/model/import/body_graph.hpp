@@ -8,7 +8,7 @@
 
 #include "codegen/model/import/exact_pose.hpp"
 
-namespace regulus::inline importing {
+namespace regulus {
 
 /// The freedoms of a connection.
 enum class ConnectionKind { kRevolute, kPrismatic, kUniversal, kBall, kOther };
@@ -18,8 +18,8 @@ struct Connection {
   std::string name;
   ConnectionKind kind = ConnectionKind::kOther;
   std::size_t first = 0, second = 0;  ///< bodies
-  model::Point point;                 ///< in the frame of the world
-  model::Point axis;                  ///< of a revolute or prismatic joint
+  Point point;                        ///< in the frame of the world
+  Point axis;                         ///< of a revolute or prismatic joint
   int line = 0;
   double gap = 0;  ///< between its two sides with every joint at zero, beyond rounding
 };
@@ -50,4 +50,4 @@ class BodyGraph {
   std::vector<Connection> connections_;
 };
 
-}  // namespace regulus::importing
+}  // namespace regulus

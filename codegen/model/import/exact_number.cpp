@@ -10,7 +10,7 @@
 #include "codegen/model/names.hpp"
 #include "codegen/support/errors.hpp"
 
-namespace regulus::inline importing {
+namespace regulus {
 namespace {
 
 using GiNaC::numeric;
@@ -64,7 +64,7 @@ std::string remedy_for(std::string_view text) {
 
 }  // namespace
 
-double ExactNumber::approx() const { return GiNaC::ex_to<numeric>(value.evalf()).to_double(); }
+double WrittenNumber::approx() const { return GiNaC::ex_to<numeric>(value.evalf()).to_double(); }
 
 numeric exact_number(std::string_view text, const XmlPlace& place) {
   std::string_view digits = text;
@@ -96,15 +96,15 @@ std::string decimal_text(const numeric& value) {
   return (value.is_negative() ? "-" : "") + digits;
 }
 
-ExactNumber whole(long value) { return {value, std::to_string(value)}; }
+WrittenNumber whole(long value) { return {value, std::to_string(value)}; }
 
-ExactNumber negated(const ExactNumber& number) {
+WrittenNumber negated(const WrittenNumber& number) {
   if (number.is_zero()) return number;
   if (number.text.starts_with('-')) return {-number.value, number.text.substr(1)};
   return {-number.value, "-" + number.text};
 }
 
-ExactNumber twelfths_of_pi(long k) {
+WrittenNumber twelfths_of_pi(long k) {
   if (k == 0) return {};
   const long common = std::gcd(k, 12L), p = k / common, q = 12 / common;
   std::string text = p == 1 ? "pi" : p == -1 ? "-pi" : fmt::format("{}*pi", p);
@@ -125,8 +125,8 @@ std::vector<std::string_view> words_of(std::string_view text) {
 
 /// The number with the fewest decimals within the tolerance. A number that is only a few decimals
 /// longer is meant as it is: 0.28358 is not 0.2836.
-ExactNumber NumberReader::snapped(const numeric& value, std::string_view text,
-                                  const XmlPlace& place, const numeric& tolerance) {
+WrittenNumber NumberReader::snapped(const numeric& value, std::string_view text,
+                                    const XmlPlace& place, const numeric& tolerance) {
   numeric unit = 1;
   if (!tolerance.is_zero())
     for (int decimals = 0; decimals <= kMostDecimals; ++decimals, unit /= 10) {
@@ -140,16 +140,16 @@ ExactNumber NumberReader::snapped(const numeric& value, std::string_view text,
   return {value, decimal_text(value)};
 }
 
-ExactNumber NumberReader::length(std::string_view text, const XmlPlace& place) {
+WrittenNumber NumberReader::length(std::string_view text, const XmlPlace& place) {
   const numeric most(1, kMillion);
   return snapped(exact_number(text, place), text, place, tolerance_ < most ? tolerance_ : most);
 }
 
-ExactNumber NumberReader::component(std::string_view text, const XmlPlace& place) {
+WrittenNumber NumberReader::component(std::string_view text, const XmlPlace& place) {
   return snapped(exact_number(text, place), text, place, tolerance_);
 }
 
-ExactNumber NumberReader::angle(std::string_view text, AngleUnit unit, const XmlPlace& place) {
+WrittenNumber NumberReader::angle(std::string_view text, AngleUnit unit, const XmlPlace& place) {
   const numeric written = exact_number(text, place);
   const bool degrees = unit == AngleUnit::kDegree;
   const numeric radian = degrees ? written * approx_pi() / 180 : written;
@@ -157,7 +157,7 @@ ExactNumber NumberReader::angle(std::string_view text, AngleUnit unit, const Xml
   const numeric k = nearest_integer(degrees ? written / 15 : written / twelfth);
   const bool exact = degrees && (k * 15 - written).is_zero();
   if (abs(k) <= kMostTwelfths && (exact || abs(k * twelfth - radian) <= tolerance_)) {
-    ExactNumber result = twelfths_of_pi(k.to_long());
+    WrittenNumber result = twelfths_of_pi(k.to_long());
     if (!exact && !(k.is_zero() && written.is_zero()))
       snaps_.push_back({place.line, place.what, std::string(text), result.text});
     return result;
@@ -166,29 +166,29 @@ ExactNumber NumberReader::angle(std::string_view text, AngleUnit unit, const Xml
   const numeric degree = approx_pi() / 180, whole_degrees = nearest_integer(radian / degree);
   if (!degrees && !whole_degrees.is_zero() && abs(whole_degrees * degree - radian) <= tolerance_ &&
       abs(k) <= kMostTwelfths) {
-    ExactNumber result{GiNaC::Pi * whole_degrees / 180, decimal_text(whole_degrees) + "*deg"};
+    WrittenNumber result{GiNaC::Pi * whole_degrees / 180, decimal_text(whole_degrees) + "*deg"};
     snaps_.push_back({place.line, place.what, std::string(text), result.text});
     return result;
   }
   if (!tolerance_.is_zero() && !k.is_zero() && abs(k * twelfth - radian) <= numeric(1, 10000) &&
       abs(k) <= kMostTwelfths)
     note_near({place.line, place.what, std::string(text), twelfths_of_pi(k.to_long()).text}, -4);
-  ExactNumber result = snapped(written, text, place, tolerance_);
+  WrittenNumber result = snapped(written, text, place, tolerance_);
   if (degrees) result = {result.value * GiNaC::Pi / 180, result.text + "*deg"};
   return result;
 }
 
-std::vector<ExactNumber> NumberReader::lengths(std::string_view text, const XmlPlace& place) {
-  std::vector<ExactNumber> numbers;
+std::vector<WrittenNumber> NumberReader::lengths(std::string_view text, const XmlPlace& place) {
+  std::vector<WrittenNumber> numbers;
   for (const std::string_view word : words_of(text)) numbers.push_back(length(word, place));
   return numbers;
 }
 
-std::vector<ExactNumber> NumberReader::angles(std::string_view text, AngleUnit unit,
-                                              const XmlPlace& place) {
-  std::vector<ExactNumber> numbers;
+std::vector<WrittenNumber> NumberReader::angles(std::string_view text, AngleUnit unit,
+                                                const XmlPlace& place) {
+  std::vector<WrittenNumber> numbers;
   for (const std::string_view word : words_of(text)) numbers.push_back(angle(word, unit, place));
   return numbers;
 }
 
-}  // namespace regulus::importing
+}  // namespace regulus

@@ -8,7 +8,7 @@
 #include <string_view>
 #include <vector>
 
-namespace regulus::inline importing {
+namespace regulus {
 
 /// A place in the file that is read, for messages.
 struct XmlPlace {
@@ -18,7 +18,7 @@ struct XmlPlace {
 };
 
 /// A number, and the text that a model file has for it: "0.333", "-pi/2".
-struct ExactNumber {
+struct WrittenNumber {
   GiNaC::ex value = 0;
   std::string text = "0";
 
@@ -48,18 +48,18 @@ class NumberReader {
 
   /// Reads a decimal. Throws InputError for any other text. It moves by at most 1e-6, whatever the
   /// tolerance, and only to a decimal that is shorter by four digits.
-  [[nodiscard]] ExactNumber length(std::string_view text, const XmlPlace& place);
+  [[nodiscard]] WrittenNumber length(std::string_view text, const XmlPlace& place);
 
   /// The same for a component of a direction; it may move by the tolerance.
-  [[nodiscard]] ExactNumber component(std::string_view text, const XmlPlace& place);
+  [[nodiscard]] WrittenNumber component(std::string_view text, const XmlPlace& place);
 
   /// The same for an angle; the value is in rad.
-  [[nodiscard]] ExactNumber angle(std::string_view text, AngleUnit unit, const XmlPlace& place);
+  [[nodiscard]] WrittenNumber angle(std::string_view text, AngleUnit unit, const XmlPlace& place);
 
   /// Reads as many lengths, or angles, as there are words in the text.
-  [[nodiscard]] std::vector<ExactNumber> lengths(std::string_view text, const XmlPlace& place);
-  [[nodiscard]] std::vector<ExactNumber> angles(std::string_view text, AngleUnit unit,
-                                                const XmlPlace& place);
+  [[nodiscard]] std::vector<WrittenNumber> lengths(std::string_view text, const XmlPlace& place);
+  [[nodiscard]] std::vector<WrittenNumber> angles(std::string_view text, AngleUnit unit,
+                                                  const XmlPlace& place);
 
   void record(Snap snap) { snaps_.push_back(std::move(snap)); }
   [[nodiscard]] const std::vector<Snap>& snaps() const noexcept { return snaps_; }
@@ -71,8 +71,8 @@ class NumberReader {
   [[nodiscard]] const GiNaC::numeric& tolerance() const noexcept { return tolerance_; }
 
  private:
-  [[nodiscard]] ExactNumber snapped(const GiNaC::numeric& value, std::string_view text,
-                                    const XmlPlace& place, const GiNaC::numeric& tolerance);
+  [[nodiscard]] WrittenNumber snapped(const GiNaC::numeric& value, std::string_view text,
+                                      const XmlPlace& place, const GiNaC::numeric& tolerance);
 
   GiNaC::numeric tolerance_;
   std::vector<Snap> snaps_;
@@ -85,13 +85,13 @@ class NumberReader {
 /// Returns the text of a number with finitely many decimals: "-0.333".
 [[nodiscard]] std::string decimal_text(const GiNaC::numeric& value);
 
-[[nodiscard]] ExactNumber whole(long value);
-[[nodiscard]] ExactNumber negated(const ExactNumber& number);
+[[nodiscard]] WrittenNumber whole(long value);
+[[nodiscard]] WrittenNumber negated(const WrittenNumber& number);
 
 /// Returns k·pi/12: "-pi/2".
-[[nodiscard]] ExactNumber twelfths_of_pi(long k);
+[[nodiscard]] WrittenNumber twelfths_of_pi(long k);
 
 /// Returns the words between white space.
 [[nodiscard]] std::vector<std::string_view> words_of(std::string_view text);
 
-}  // namespace regulus::importing
+}  // namespace regulus

@@ -7,7 +7,7 @@
 #include "codegen/model/exact/ginac_text.hpp"
 #include "codegen/model/mechanism/rotation.hpp"
 
-namespace regulus::inline importing {
+namespace regulus {
 namespace {
 
 using GiNaC::ex;
@@ -28,7 +28,7 @@ bool is_identity(const matrix& R) {
   return true;
 }
 
-double approx(const ex& e) { return ExactNumber{e, ""}.approx(); }
+double approx(const ex& e) { return WrittenNumber{e, ""}.approx(); }
 
 /// Roll, pitch and yaw in twelfths of pi, if the rotation has such.
 std::optional<std::array<long, 3>> simple_angles(const matrix& R) {
@@ -53,7 +53,7 @@ std::optional<std::array<long, 3>> simple_angles(const matrix& R) {
 
 }  // namespace
 
-ExactNumber number_of(const ex& value) {
+WrittenNumber number_of(const ex& value) {
   if (GiNaC::is_a<GiNaC::numeric>(value) && has_decimals(GiNaC::ex_to<GiNaC::numeric>(value)))
     return {value, decimal_text(GiNaC::ex_to<GiNaC::numeric>(value))};
   return {value, formula_text(value)};
@@ -63,15 +63,15 @@ Placement placement_of(const Pose& pose) {
   Placement result;
   for (std::size_t i = 0; i < 3; ++i) result.p[i] = pose.xyz[i].value;
   const auto& a = pose.angles;
-  if (pose.orientation == Orientation::kRpy)
+  if (pose.orientation == OrientationForm::kRpy)
     result.R = rotation_roll_pitch_yaw(a[0].value, a[1].value, a[2].value);
-  if (pose.orientation == Orientation::kQuaternion) {
+  if (pose.orientation == OrientationForm::kQuaternion) {
     ex square = 0;
-    for (const ExactNumber& x : a) square += pow(x.value, 2);
+    for (const WrittenNumber& x : a) square += pow(x.value, 2);
     result.R = scaled_rotation_quaternion(a[0].value, a[1].value, a[2].value, a[3].value)
                    .mul_scalar(1 / square);
   }
-  if (pose.orientation == Orientation::kRotation)
+  if (pose.orientation == OrientationForm::kRotation)
     for (unsigned i = 0; i < 9; ++i) result.R(i / 3, i % 3) = a[i].value;
   for (unsigned i = 0; i < 9; ++i) result.R(i / 3, i % 3) = reduced(result.R(i / 3, i % 3));
   return result;
@@ -82,11 +82,11 @@ Pose pose_of(const Placement& placement) {
   for (std::size_t i = 0; i < 3; ++i) pose.xyz[i] = number_of(reduced(placement.p[i]));
   if (is_identity(placement.R)) return pose;
   if (const auto angles = simple_angles(placement.R)) {
-    pose.orientation = Orientation::kRpy;
+    pose.orientation = OrientationForm::kRpy;
     for (const long k : *angles) pose.angles.push_back(twelfths_of_pi(k));
     return pose;
   }
-  pose.orientation = Orientation::kRotation;
+  pose.orientation = OrientationForm::kRotation;
   for (unsigned i = 0; i < 9; ++i)
     pose.angles.push_back(number_of(reduced(placement.R(i / 3, i % 3))));
   return pose;
@@ -99,4 +99,4 @@ Placement inverse(const Placement& placement) {
   return result;
 }
 
-}  // namespace regulus::importing
+}  // namespace regulus

@@ -5,7 +5,7 @@
 #include "codegen/model/import/mechanism.hpp"
 #include "codegen/model/mechanism/placement.hpp"
 
-namespace regulus::inline importing {
+namespace regulus {
 
 /// Returns the frame that the pose places.
 [[nodiscard]] Placement placement_of(const Pose& pose);
@@ -18,6 +18,6 @@ namespace regulus::inline importing {
 [[nodiscard]] Placement inverse(const Placement& placement);
 
 /// Returns a number of an exact value: a decimal if it has one.
-[[nodiscard]] ExactNumber number_of(const GiNaC::ex& value);
+[[nodiscard]] WrittenNumber number_of(const GiNaC::ex& value);
 
-}  // namespace regulus::importing
+}  // namespace regulus

@@ -12,10 +12,9 @@
 #include "codegen/model/names.hpp"
 #include "codegen/support/errors.hpp"
 
-namespace regulus::inline importing {
+namespace regulus {
 namespace {
 
-using model::Point;
 using Connections = std::vector<Connection>;
 
 constexpr std::size_t kLegs = 6;
@@ -214,7 +213,7 @@ std::string hexapod_text(const Hexapod& hexapod, std::vector<std::string>& notes
   std::string around = "\n[motion.around_home] # a guess: give it the ranges of your robot\n";
   const double distance = some_distance(hexapod);
   for (std::size_t i = 0; i < kPose.size(); ++i) {
-    const ExactNumber at = i < 3 ? number_of(reduced(hexapod.home.p[i])) : ExactNumber{};
+    const WrittenNumber at = i < 3 ? number_of(reduced(hexapod.home.p[i])) : WrittenNumber{};
     home += fmt::format("{} = {}\n", kPose[i], toml_number(at));
     around += i < 3 ? fmt::format("{} = [{}, {}]\n", kPose[i], decimal(at.approx() - distance),
                                   decimal(at.approx() + distance))
@@ -227,4 +226,4 @@ std::string hexapod_text(const Hexapod& hexapod, std::vector<std::string>& notes
   return text + home + around;
 }
 
-}  // namespace regulus::importing
+}  // namespace regulus

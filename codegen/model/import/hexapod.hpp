@@ -9,14 +9,14 @@
 
 #include "codegen/model/import/exact_pose.hpp"
 
-namespace regulus::inline importing {
+namespace regulus {
 
 /// A leg: points that are fixed to the base and to the platform, and a joint that slides along the
 /// line between them.
 struct HexapodLeg {
-  model::Point base;      ///< A, in the frame of the world, at zero
-  model::Point platform;  ///< B, likewise
-  std::string slider;     ///< the joint that is driven
+  Point base;          ///< A, in the frame of the world, at zero
+  Point platform;      ///< B, likewise
+  std::string slider;  ///< the joint that is driven
 };
 
 struct Hexapod {
@@ -37,4 +37,4 @@ struct Hexapod {
 /// Returns the tables [gough], [motion.home] and [motion.around_home] of a model file.
 [[nodiscard]] std::string hexapod_text(const Hexapod& hexapod, std::vector<std::string>& notes);
 
-}  // namespace regulus::importing
+}  // namespace regulus

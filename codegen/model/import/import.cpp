@@ -21,7 +21,7 @@
 #include "codegen/support/visible_text.hpp"
 #include "runtime/files/sha256.hpp"
 
-namespace regulus::inline importing {
+namespace regulus {
 namespace {
 
 Mechanism read_mechanism(const XmlFile& xml, NumberReader& numbers) {
@@ -239,8 +239,8 @@ Imported import_robot(std::string_view text, const std::string& file,
                       const ImportOptions& options) try {
   const XmlFile xml(file, text);
   return import_mechanism(xml, text, file, options);
-} catch (const Refusal& refusal) {
+} catch (const ParseRefusal& refusal) {
   throw InputError(file, 0, refusal.found, refusal.expected);
 }
 
-}  // namespace regulus::importing
+}  // namespace regulus

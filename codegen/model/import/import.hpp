@@ -7,7 +7,7 @@
 #include <string_view>
 #include <vector>
 
-namespace regulus::inline importing {
+namespace regulus {
 
 struct ImportOptions {
   std::string base{}, tip{};            ///< links; empty: the only one that can be meant
@@ -42,4 +42,4 @@ constexpr std::size_t kLargestImport = std::size_t{16} << 20;
 [[nodiscard]] Imported import_robot(std::string_view text, const std::string& file,
                                     const ImportOptions& options);
 
-}  // namespace regulus::importing
+}  // namespace regulus

@@ -10,7 +10,7 @@
 #include "codegen/model/names.hpp"
 #include "codegen/support/errors.hpp"
 
-namespace regulus::inline importing {
+namespace regulus {
 namespace {
 
 using GiNaC::ex;
@@ -34,10 +34,10 @@ std::vector<const ImportedJoint*> followers_of(const ImportedJoint& joint, const
 std::optional<JointLimits> limits_for_leader(const ImportedJoint& follower) {
   const ex& multiplier = follower.rule->multiplier.value;
   if (multiplier.is_zero()) return std::nullopt;
-  const auto value = [&](const ExactNumber& end) {
+  const auto value = [&](const WrittenNumber& end) {
     return number_of(((end.value - follower.rule->offset.value) / multiplier).expand());
   };
-  ExactNumber lower = value(follower.limits->lower), upper = value(follower.limits->upper);
+  WrittenNumber lower = value(follower.limits->lower), upper = value(follower.limits->upper);
   if (follower.rule->multiplier.approx() < 0) std::swap(lower, upper);
   return JointLimits{std::move(lower), std::move(upper)};
 }
@@ -135,4 +135,4 @@ RangeOfJoint range_of(const ImportedJoint& joint, const Chain& chain, const std:
   return {*narrowing.range(), narrowing.remark()};
 }
 
-}  // namespace regulus::importing
+}  // namespace regulus

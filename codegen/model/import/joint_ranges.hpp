@@ -7,7 +7,7 @@
 
 #include "codegen/model/import/chain.hpp"
 
-namespace regulus::inline importing {
+namespace regulus {
 
 struct RangeOfJoint {
   JointLimits range;
@@ -23,4 +23,4 @@ struct RangeOfJoint {
 [[nodiscard]] RangeOfJoint range_of(const ImportedJoint& joint, const Chain& chain,
                                     const std::string& file, std::vector<std::string>& notes);
 
-}  // namespace regulus::importing
+}  // namespace regulus

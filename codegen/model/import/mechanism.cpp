@@ -3,14 +3,14 @@
 
 #include <algorithm>
 
-namespace regulus::inline importing {
+namespace regulus {
 
 bool Pose::is_identity() const {
-  const auto zero = [](const ExactNumber& x) { return x.is_zero(); };
+  const auto zero = [](const WrittenNumber& x) { return x.is_zero(); };
   if (!std::ranges::all_of(xyz, zero)) return false;
-  if (orientation == Orientation::kNone) return true;
-  if (orientation == Orientation::kRotation) return false;
-  const std::size_t first = orientation == Orientation::kQuaternion ? 1 : 0;
+  if (orientation == OrientationForm::kNone) return true;
+  if (orientation == OrientationForm::kRotation) return false;
+  const std::size_t first = orientation == OrientationForm::kQuaternion ? 1 : 0;
   return std::all_of(angles.begin() + static_cast<std::ptrdiff_t>(first), angles.end(), zero);
 }
 
@@ -18,4 +18,4 @@ bool Mechanism::has_link(const std::string& link) const {
   return std::ranges::find(links, link) != links.end();
 }
 
-}  // namespace regulus::importing
+}  // namespace regulus

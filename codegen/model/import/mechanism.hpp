@@ -10,10 +10,10 @@
 
 #include "codegen/model/import/exact_number.hpp"
 
-namespace regulus::inline importing {
+namespace regulus {
 
 /// The way in which an orientation is written.
-enum class Orientation {
+enum class OrientationForm {
   kNone,
   kRpy,         ///< roll, pitch, yaw: Rz(yaw)·Ry(pitch)·Rx(roll)
   kQuaternion,  ///< w, x, y, z of any length but zero
@@ -21,9 +21,9 @@ enum class Orientation {
 };
 
 struct Pose {
-  std::array<ExactNumber, 3> xyz{};
-  Orientation orientation = Orientation::kNone;
-  std::vector<ExactNumber> angles{};  ///< or the quaternion's components
+  std::array<WrittenNumber, 3> xyz{};
+  OrientationForm orientation = OrientationForm::kNone;
+  std::vector<WrittenNumber> angles{};  ///< or the quaternion's components
 
   [[nodiscard]] bool is_identity() const;
 };
@@ -31,12 +31,12 @@ struct Pose {
 enum class JointType { kRevolute, kContinuous, kPrismatic, kFixed, kOther };
 
 struct JointLimits {
-  ExactNumber lower, upper;
+  WrittenNumber lower, upper;
 };
 
 /// The value of a joint that follows another: multiplier · q + offset.
 struct FollowingRule {
-  ExactNumber multiplier = whole(1), offset{};
+  WrittenNumber multiplier = whole(1), offset{};
 };
 
 /// A joint: `origin` places its frame in that of the link `parent`; the frame of `child` is this
@@ -47,7 +47,7 @@ struct ImportedJoint {
   std::string type_name;  ///< as in the file
   std::string parent, child;
   Pose origin;
-  std::array<ExactNumber, 3> axis = {whole(0), whole(0), whole(1)};
+  std::array<WrittenNumber, 3> axis = {whole(0), whole(0), whole(1)};
   std::optional<JointLimits> limits;
   std::string mimics;                   ///< the joint that this one follows; empty: none
   std::optional<FollowingRule> rule{};  ///< nullopt for a rule of another kind
@@ -58,7 +58,7 @@ struct ImportedJoint {
 struct ImportedLoop {
   std::string type;  ///< as in the file: "connect" holds two points together
   std::string first, second;
-  std::array<ExactNumber, 3> anchor{};  ///< the point, in the frame of the first link
+  std::array<WrittenNumber, 3> anchor{};  ///< the point, in the frame of the first link
   bool origins_meet = false;  ///< the point is the origin of both links; the zero pose may be open
   int line = 0;
 };
@@ -76,4 +76,4 @@ struct Mechanism {
   [[nodiscard]] bool has_link(const std::string& link) const;
 };
 
-}  // namespace regulus::importing
+}  // namespace regulus

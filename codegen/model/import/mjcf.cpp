@@ -11,7 +11,7 @@
 #include "codegen/model/names.hpp"
 #include "codegen/support/visible_text.hpp"
 
-namespace regulus::inline importing {
+namespace regulus {
 namespace {
 
 class MjcfReader {
@@ -154,7 +154,7 @@ class MjcfReader {
     joint.child = add_link(end);
     result_.joints.push_back(joint);
     if (!offset) return joint.child;
-    for (ExactNumber& x : anchor.xyz) x = negated(x);
+    for (WrittenNumber& x : anchor.xyz) x = negated(x);
     const std::string behind =
         add_link(between.last ? between.body : between.body + "_at_" + joint.name);
     add_fixed(element, joint.child, behind, anchor);
@@ -310,4 +310,4 @@ Mechanism read_mjcf(const XmlElement& mujoco, NumberReader& numbers) {
   return MjcfReader(mujoco, numbers).read(mujoco);
 }
 
-}  // namespace regulus::importing
+}  // namespace regulus

@@ -11,11 +11,10 @@
 #include "codegen/model/names.hpp"
 #include "codegen/support/errors.hpp"
 
-namespace regulus::inline importing {
+namespace regulus {
 namespace {
 
 using GiNaC::ex;
-using model::Point;
 
 constexpr std::size_t kLegs = 3;
 constexpr std::size_t kLongestWalk = 12;
@@ -349,4 +348,4 @@ void refuse_closed_mechanism(const Mechanism& mechanism, const std::string& file
       "arm that is no part of a loop");
 }
 
-}  // namespace regulus::importing
+}  // namespace regulus

@@ -8,7 +8,7 @@
 
 #include "codegen/model/import/body_graph.hpp"
 
-namespace regulus::inline importing {
+namespace regulus {
 
 /// A point in the plane of the robot, every joint at zero.
 using PlanePoint = std::array<GiNaC::ex, 2>;
@@ -46,4 +46,4 @@ struct PlanarRobot {
 ///           mechanism without loops is left to others.
 void refuse_closed_mechanism(const Mechanism& mechanism, const std::string& file);
 
-}  // namespace regulus::importing
+}  // namespace regulus

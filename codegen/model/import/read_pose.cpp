@@ -10,7 +10,7 @@
 #include "codegen/model/import/approx_quaternion.hpp"
 #include "codegen/support/errors.hpp"
 
-namespace regulus::inline importing {
+namespace regulus {
 namespace {
 
 void require_count(std::size_t found, std::size_t expected, const XmlPlace& place) {
@@ -20,14 +20,14 @@ void require_count(std::size_t found, std::size_t expected, const XmlPlace& plac
                                 fmt::format("there must be {}", expected));
 }
 
-bool is_zero(const ExactNumber& x) { return x.is_zero(); }
+bool is_zero(const WrittenNumber& x) { return x.is_zero(); }
 
 /// True for an angle whose sine and cosine are no roots of rationals.
-bool is_generic(const ExactNumber& angle) {
+bool is_generic(const WrittenNumber& angle) {
   return !angle.is_zero() && (angle.text.find("pi") == std::string::npos);
 }
 
-void require_direction(const std::array<ExactNumber, 3>& axis, const XmlPlace& place) {
+void require_direction(const std::array<WrittenNumber, 3>& axis, const XmlPlace& place) {
   if (std::ranges::all_of(axis, is_zero))
     throw InputError::statement(place.file, place.line, place.what + " is zero",
                                 "it must have a direction");
@@ -39,21 +39,21 @@ std::array<double, 3> direction(std::size_t axis) {
   return result;
 }
 
-Quaternion of_rpy(const std::vector<ExactNumber>& rpy) {
+Quaternion of_rpy(const std::vector<WrittenNumber>& rpy) {
   return product(turn_about(direction(2), rpy[2].approx()),
                  product(turn_about(direction(1), rpy[1].approx()),
                          turn_about(direction(0), rpy[0].approx())));
 }
 
-std::vector<ExactNumber> numbers_of(std::string_view text, std::size_t count, const XmlPlace& place,
-                                    NumberReader& numbers) {
-  std::vector<ExactNumber> found = numbers.lengths(text, place);
+std::vector<WrittenNumber> numbers_of(std::string_view text, std::size_t count,
+                                      const XmlPlace& place, NumberReader& numbers) {
+  std::vector<WrittenNumber> found = numbers.lengths(text, place);
   require_count(found.size(), count, place);
   return found;
 }
 
-std::array<double, 3> approx_direction(const ExactNumber* first, const XmlPlace& place) {
-  const std::array<ExactNumber, 3> exact = {first[0], first[1], first[2]};
+std::array<double, 3> approx_direction(const WrittenNumber* first, const XmlPlace& place) {
+  const std::array<WrittenNumber, 3> exact = {first[0], first[1], first[2]};
   require_direction(exact, place);
   const std::array<double, 3> v = {first[0].approx(), first[1].approx(), first[2].approx()};
   const double length = std::hypot(v[0], v[1], v[2]);
@@ -75,8 +75,8 @@ Quaternion of_columns(const std::array<double, 3>& x, const std::array<double, 3
 
 std::string describe_turn(const Pose& pose) {
   std::string text;
-  for (const ExactNumber& number : pose.angles) text += (text.empty() ? "" : ", ") + number.text;
-  return (pose.orientation == Orientation::kRpy ? "rpy [" : "quaternion [") + text + "]";
+  for (const WrittenNumber& number : pose.angles) text += (text.empty() ? "" : ", ") + number.text;
+  return (pose.orientation == OrientationForm::kRpy ? "rpy [" : "quaternion [") + text + "]";
 }
 
 /// A quaternion of few digits may have been meant as a turn by multiples of pi/12.
@@ -97,38 +97,38 @@ std::array<double, 3> cross(const std::array<double, 3>& u, const std::array<dou
 
 }  // namespace
 
-std::array<ExactNumber, 3> read_vector(std::string_view text, const XmlPlace& place,
-                                       NumberReader& numbers) {
-  const std::vector<ExactNumber> found = numbers_of(text, 3, place, numbers);
+std::array<WrittenNumber, 3> read_vector(std::string_view text, const XmlPlace& place,
+                                         NumberReader& numbers) {
+  const std::vector<WrittenNumber> found = numbers_of(text, 3, place, numbers);
   return {found[0], found[1], found[2]};
 }
 
-std::array<ExactNumber, 3> read_direction(std::string_view text, const XmlPlace& place,
-                                          NumberReader& numbers) {
-  std::vector<ExactNumber> found;
+std::array<WrittenNumber, 3> read_direction(std::string_view text, const XmlPlace& place,
+                                            NumberReader& numbers) {
+  std::vector<WrittenNumber> found;
   for (const std::string_view word : words_of(text))
     found.push_back(numbers.component(word, place));
   require_count(found.size(), 3, place);
-  std::array<ExactNumber, 3> axis = {found[0], found[1], found[2]};
+  std::array<WrittenNumber, 3> axis = {found[0], found[1], found[2]};
   require_direction(axis, place);
   return axis;
 }
 
 void set_rpy(Pose& pose, std::string_view text, AngleUnit unit, const XmlPlace& place,
              NumberReader& numbers) {
-  std::vector<ExactNumber> angles = numbers.angles(text, unit, place);
+  std::vector<WrittenNumber> angles = numbers.angles(text, unit, place);
   require_count(angles.size(), 3, place);
   if (std::ranges::all_of(angles, is_zero)) return;
   // Entries of several such turns would be long sums.
   if (!numbers.tolerance().is_zero() && std::ranges::count_if(angles, is_generic) > 1)
     return set_approx(pose, of_rpy(angles), place, std::string(text), numbers);
-  pose.orientation = Orientation::kRpy;
+  pose.orientation = OrientationForm::kRpy;
   pose.angles = std::move(angles);
 }
 
 void set_euler(Pose& pose, std::string_view text, const EulerConvention& convention,
                const XmlPlace& place, NumberReader& numbers) {
-  const std::vector<ExactNumber> angles = numbers.angles(text, convention.unit, place);
+  const std::vector<WrittenNumber> angles = numbers.angles(text, convention.unit, place);
   require_count(angles.size(), 3, place);
   const auto axis_of = [&](std::size_t i) {
     return static_cast<std::size_t>(std::tolower(convention.sequence.at(i)) - 'x');
@@ -137,8 +137,8 @@ void set_euler(Pose& pose, std::string_view text, const EulerConvention& convent
   if (turns == 0) return;
   const bool is_rpy = convention.sequence == "XYZ", is_ypr = convention.sequence == "zyx";
   if (turns == 1 || is_rpy || is_ypr) {
-    pose.orientation = Orientation::kRpy;
-    pose.angles.assign(3, ExactNumber{});
+    pose.orientation = OrientationForm::kRpy;
+    pose.angles.assign(3, WrittenNumber{});
     for (std::size_t i = 0; i < 3; ++i)
       if (!angles[i].is_zero()) pose.angles[axis_of(i)] = angles[i];
     return;
@@ -155,15 +155,15 @@ void set_axis_angle(Pose& pose, std::string_view text, AngleUnit unit, const Xml
                     NumberReader& numbers) {
   const auto words = words_of(text);
   require_count(words.size(), 4, place);
-  std::vector<ExactNumber> axis;
+  std::vector<WrittenNumber> axis;
   for (std::size_t i = 0; i < 3; ++i) axis.push_back(numbers.length(words[i], place));
-  const ExactNumber angle = numbers.angle(words[3], unit, place);
+  const WrittenNumber angle = numbers.angle(words[3], unit, place);
   const std::array<double, 3> about = approx_direction(axis.data(), place);
   if (angle.is_zero()) return;
   for (std::size_t i = 0; i < 3; ++i) {
     if (axis[(i + 1) % 3].is_zero() && axis[(i + 2) % 3].is_zero()) {
-      pose.orientation = Orientation::kRpy;
-      pose.angles.assign(3, ExactNumber{});
+      pose.orientation = OrientationForm::kRpy;
+      pose.angles.assign(3, WrittenNumber{});
       pose.angles[i] = about[i] > 0 ? angle : negated(angle);
       return;
     }
@@ -172,7 +172,7 @@ void set_axis_angle(Pose& pose, std::string_view text, AngleUnit unit, const Xml
 }
 
 void set_axes(Pose& pose, std::string_view text, const XmlPlace& place, NumberReader& numbers) {
-  const std::vector<ExactNumber> found = numbers_of(text, 6, place, numbers);
+  const std::vector<WrittenNumber> found = numbers_of(text, 6, place, numbers);
   const std::array<double, 3> x = approx_direction(found.data(), place);
   std::array<double, 3> y = approx_direction(found.data() + 3, place);
   std::array<double, 3> z = cross(x, y);
@@ -186,12 +186,12 @@ void set_axes(Pose& pose, std::string_view text, const XmlPlace& place, NumberRe
 }
 
 void set_z_axis(Pose& pose, std::string_view text, const XmlPlace& place, NumberReader& numbers) {
-  const std::vector<ExactNumber> found = numbers_of(text, 3, place, numbers);
+  const std::vector<WrittenNumber> found = numbers_of(text, 3, place, numbers);
   const std::array<double, 3> z = approx_direction(found.data(), place);
   const std::array<double, 3> about = {-z[1], z[0], 0};
   if (found[0].is_zero() && found[1].is_zero()) {
     if (z[2] > 0) return;
-    pose.orientation = Orientation::kRpy;
+    pose.orientation = OrientationForm::kRpy;
     pose.angles = {twelfths_of_pi(12), {}, {}};
     return;
   }
@@ -201,7 +201,7 @@ void set_z_axis(Pose& pose, std::string_view text, const XmlPlace& place, Number
 
 void set_quaternion(Pose& pose, std::string_view text, const XmlPlace& place,
                     NumberReader& numbers) {
-  std::vector<ExactNumber> q = numbers_of(text, 4, place, numbers);
+  std::vector<WrittenNumber> q = numbers_of(text, 4, place, numbers);
   if (std::ranges::all_of(q, is_zero))
     throw InputError::statement(place.file, place.line, place.what + " is zero",
                                 "a quaternion must have a direction");
@@ -215,8 +215,8 @@ void set_quaternion(Pose& pose, std::string_view text, const XmlPlace& place,
     return;
   }
   if (tolerance > 0 && !is_turn_of_cube(q)) note_near_turn(approx, snap, numbers);
-  pose.orientation = Orientation::kQuaternion;
+  pose.orientation = OrientationForm::kQuaternion;
   pose.angles = std::move(q);
 }
 
-}  // namespace regulus::importing
+}  // namespace regulus

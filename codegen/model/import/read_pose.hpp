@@ -7,16 +7,16 @@
 
 #include "codegen/model/import/mechanism.hpp"
 
-namespace regulus::inline importing {
+namespace regulus {
 
 /// Reads three lengths. Throws InputError.
-[[nodiscard]] std::array<ExactNumber, 3> read_vector(std::string_view text, const XmlPlace& place,
-                                                     NumberReader& numbers);
+[[nodiscard]] std::array<WrittenNumber, 3> read_vector(std::string_view text, const XmlPlace& place,
+                                                       NumberReader& numbers);
 
 /// Reads the components of a direction; refuses a vector that is zero. Throws InputError.
-[[nodiscard]] std::array<ExactNumber, 3> read_direction(std::string_view text,
-                                                        const XmlPlace& place,
-                                                        NumberReader& numbers);
+[[nodiscard]] std::array<WrittenNumber, 3> read_direction(std::string_view text,
+                                                          const XmlPlace& place,
+                                                          NumberReader& numbers);
 
 /// Sets the orientation from roll, pitch and yaw.
 ///
@@ -52,4 +52,4 @@ void set_z_axis(Pose& pose, std::string_view text, const XmlPlace& place, Number
 void set_quaternion(Pose& pose, std::string_view text, const XmlPlace& place,
                     NumberReader& numbers);
 
-}  // namespace regulus::importing
+}  // namespace regulus

@@ -12,7 +12,7 @@
 #include "codegen/model/names.hpp"
 #include "codegen/support/visible_text.hpp"
 
-namespace regulus::inline importing {
+namespace regulus {
 namespace {
 
 /// The model itself, or the first of the world.
@@ -160,7 +160,7 @@ class SdfReader {
       rule.multiplier =
           numbers_.component(one_word(given->text()), given->place("multiplier" + of));
     const auto leader = types_.find(joint.mimics);
-    const ExactNumber reference =
+    const WrittenNumber reference =
         number("reference", leader == types_.end() ? joint.type : leader->second);
     rule.offset = number("offset", joint.type);
     if (!reference.is_zero())
@@ -176,8 +176,8 @@ class SdfReader {
   /// From another frame into that of the joint.
   void turn_axis(ImportedJoint& joint, const Placement& from, const XmlElement& element) {
     const Placement& frame = frames_.placement(joint.name, element);
-    const model::Point given = {joint.axis[0].value, joint.axis[1].value, joint.axis[2].value};
-    const model::Point turned = reduced(transposed_times(frame.R, times(from.R, given)));
+    const Point given = {joint.axis[0].value, joint.axis[1].value, joint.axis[2].value};
+    const Point turned = reduced(transposed_times(frame.R, times(from.R, given)));
     for (std::size_t i = 0; i < 3; ++i) joint.axis[i] = number_of(turned[i]);
   }
 
@@ -217,4 +217,4 @@ Mechanism read_sdf(const XmlElement& sdf, NumberReader& numbers) {
   return SdfReader(numbers).read(sdf);
 }
 
-}  // namespace regulus::importing
+}  // namespace regulus

@@ -11,12 +11,12 @@
 #include "codegen/model/import/joint_ranges.hpp"
 #include "codegen/model/names.hpp"
 
-namespace regulus::inline importing {
+namespace regulus {
 namespace {
 
-std::string toml_list(std::span<const ExactNumber> numbers) {
+std::string toml_list(std::span<const WrittenNumber> numbers) {
   std::string text;
-  for (const ExactNumber& number : numbers)
+  for (const WrittenNumber& number : numbers)
     text += (text.empty() ? "" : ", ") + toml_number(number);
   return "[" + text + "]";
 }
@@ -24,13 +24,13 @@ std::string toml_list(std::span<const ExactNumber> numbers) {
 /// Returns ", xyz = […], rpy = […]", without what is zero.
 std::string pose_text(const Pose& pose) {
   std::string text;
-  if (std::ranges::any_of(pose.xyz, [](const ExactNumber& x) { return !x.is_zero(); }))
+  if (std::ranges::any_of(pose.xyz, [](const WrittenNumber& x) { return !x.is_zero(); }))
     text += ", xyz = " + toml_list(pose.xyz);
-  if (pose.orientation == Orientation::kRpy) text += ", rpy = " + toml_list(pose.angles);
-  if (pose.orientation == Orientation::kQuaternion)
+  if (pose.orientation == OrientationForm::kRpy) text += ", rpy = " + toml_list(pose.angles);
+  if (pose.orientation == OrientationForm::kQuaternion)
     text += ", quaternion = " + toml_list(pose.angles);
-  if (pose.orientation == Orientation::kRotation) {
-    const std::span<const ExactNumber> entries(pose.angles);
+  if (pose.orientation == OrientationForm::kRotation) {
+    const std::span<const WrittenNumber> entries(pose.angles);
     text += fmt::format(", rotation = [{}, {}, {}]", toml_list(entries.first(3)),
                         toml_list(entries.subspan(3, 3)), toml_list(entries.last(3)));
   }
@@ -77,7 +77,7 @@ std::string joint_text(const ImportedJoint& joint, const std::string& name) {
 
 }  // namespace
 
-std::string toml_number(const ExactNumber& number) {
+std::string toml_number(const WrittenNumber& number) {
   constexpr std::size_t kMostDigits = 15;  // of a number of TOML without quotes
   const bool plain = number.text.find_first_not_of("-.0123456789") == std::string::npos;
   return plain && number.text.size() <= kMostDigits ? number.text : "\"" + number.text + "\"";
@@ -111,4 +111,4 @@ std::string serial_text(const Chain& chain, const std::string& file, Identifiers
   return text;
 }
 
-}  // namespace regulus::importing
+}  // namespace regulus

@@ -6,7 +6,7 @@
 #include "codegen/model/import/chain.hpp"
 #include "codegen/model/import/identifiers.hpp"
 
-namespace regulus::inline importing {
+namespace regulus {
 
 /// Returns the tables [serial], [motion.limits] and, if it is within the limits, [motion.home] of a
 /// model file. Assumptions are added to `notes`.
@@ -14,6 +14,6 @@ namespace regulus::inline importing {
                                       Identifiers& identifiers, std::vector<std::string>& notes);
 
 /// Returns the number as a value of TOML.
-[[nodiscard]] std::string toml_number(const ExactNumber& number);
+[[nodiscard]] std::string toml_number(const WrittenNumber& number);
 
-}  // namespace regulus::importing
+}  // namespace regulus

@@ -11,7 +11,7 @@
 #include "codegen/model/names.hpp"
 #include "codegen/support/visible_text.hpp"
 
-namespace regulus::inline importing {
+namespace regulus {
 namespace {
 
 class UrdfReader {
@@ -154,7 +154,7 @@ class UrdfReader {
     if (joint.type == JointType::kContinuous || !limit) return;
     if (!limit->has("lower") && !limit->has("upper")) return;
     if (is_unlimited(limit->attribute("lower")) || is_unlimited(limit->attribute("upper"))) return;
-    const auto end = [&](const char* key) -> ExactNumber {
+    const auto end = [&](const char* key) -> WrittenNumber {
       const XmlPlace place =
           limit->place(fmt::format("the {} limit of joint {}", key, in_quotes(joint.name)));
       const std::string text = limit->attribute(key, "0");  // as URDF has it
@@ -179,4 +179,4 @@ Mechanism read_urdf(const XmlElement& robot, NumberReader& numbers) {
   return UrdfReader(numbers).read(robot);
 }
 
-}  // namespace regulus::importing
+}  // namespace regulus

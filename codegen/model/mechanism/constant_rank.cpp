@@ -10,7 +10,7 @@
 
 #include "codegen/model/exact/exact_algebra.hpp"
 
-namespace regulus::inline model {
+namespace regulus {
 namespace {
 
 using GiNaC::ex;
@@ -66,7 +66,7 @@ struct EchelonRow {
   std::size_t pivot;
 };
 
-std::size_t count_terms(const ex& e) { return GiNaC::is_a<GiNaC::add>(e) ? e.nops() : 1; }
+std::size_t count_summands(const ex& e) { return GiNaC::is_a<GiNaC::add>(e) ? e.nops() : 1; }
 
 /// Limits the work of an elimination: products of sums of roots, sines and cosines grow fast.
 class Elimination {
@@ -80,8 +80,8 @@ class Elimination {
     if (entry.is_zero()) return;
     for (std::size_t i = 0; i < row.size(); ++i) {
       const ex subtracted = i < base.row.size() ? base.row[i] : ex(0);
-      count(count_terms(row[i]) * count_terms(pivot) +
-            count_terms(subtracted) * count_terms(entry));
+      count(count_summands(row[i]) * count_summands(pivot) +
+            count_summands(subtracted) * count_summands(entry));
       row[i] = reduced(row[i] * pivot - subtracted * entry);
     }
   }
@@ -184,4 +184,4 @@ std::vector<std::size_t> independent_rows(const std::vector<std::vector<JointPol
   return all_rows(rows.size());
 }
 
-}  // namespace regulus::model
+}  // namespace regulus

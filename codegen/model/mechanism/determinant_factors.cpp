@@ -11,7 +11,7 @@
 #include "codegen/model/exact/parsed_expression.hpp"
 #include "codegen/model/mechanism/half_angles.hpp"
 
-namespace regulus::inline model {
+namespace regulus {
 namespace {
 
 using GiNaC::ex;
@@ -258,7 +258,7 @@ std::vector<DeterminantBlock> determinant_blocks(const matrix& A,
     if (blocks.size() == 1 && is_negative) negate_first_row(blocks.front().entries);
     try {
       factoring.factor(blocks.back());
-    } catch (const Refusal&) {  // too many terms
+    } catch (const ParseRefusal&) {  // too many terms
     }
   }
   return blocks;
@@ -282,4 +282,4 @@ std::optional<matrix> matrix_of_factors(const std::vector<DeterminantBlock>& blo
   return result;
 }
 
-}  // namespace regulus::model
+}  // namespace regulus

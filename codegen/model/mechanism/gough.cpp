@@ -4,7 +4,7 @@
 #include "codegen/model/degrees.hpp"
 #include "codegen/model/drawing.hpp"
 
-namespace regulus::inline model {
+namespace regulus {
 namespace {
 
 using GiNaC::ex;
@@ -108,4 +108,4 @@ Model gough_model(const Gough& robot) {
   return model;
 }
 
-}  // namespace regulus::model
+}  // namespace regulus

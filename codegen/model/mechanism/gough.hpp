@@ -10,7 +10,7 @@
 #include "codegen/model/exact/exact_algebra.hpp"
 #include "codegen/model/mechanism/orientation.hpp"
 
-namespace regulus::inline model {
+namespace regulus {
 
 /// The meaning of an anchor's tolerance: ± on each coordinate, or the radius of a ball.
 enum class ToleranceShape { kBox, kBall };
@@ -48,4 +48,4 @@ struct Gough {
 /// Source    Merlet, T-RO 2007, Eqs. (5)–(7).
 [[nodiscard]] Model gough_model(const Gough& robot);
 
-}  // namespace regulus::model
+}  // namespace regulus

@@ -7,7 +7,7 @@
 #include "codegen/model/exact/exact_algebra.hpp"
 #include "codegen/model/exact/parsed_expression.hpp"
 
-namespace regulus::inline model {
+namespace regulus {
 
 using GiNaC::ex;
 
@@ -22,7 +22,7 @@ ex TermBudget::counted(const ex& coefficient) {
   constexpr std::size_t kSteps = 100;  // of algebra, of the order of those that a meter counts
   spend(meter_, kSteps * terms);
   if (spent_ > kMost || terms > kMostOfCoefficient)
-    throw Refusal{
+    throw ParseRefusal{
         "an arm whose matrix has too many terms",
         "fewer joints, or fewer angles that are not multiples of pi/12; quaternion = [w, x, "
         "y, z] gives a rotation whose entries are single numbers"};
@@ -127,4 +127,4 @@ ex JointPolynomial::expression(const std::vector<ex>& joints) const {
   return result;
 }
 
-}  // namespace regulus::model
+}  // namespace regulus

@@ -12,7 +12,7 @@
 
 #include "codegen/support/work_meter.hpp"
 
-namespace regulus::inline model {
+namespace regulus {
 
 /// Counts the terms that are formed, so that a hostile model ends with a message.
 class TermBudget {
@@ -25,7 +25,7 @@ class TermBudget {
 
   /// Returns the coefficient, reduced.
   ///
-  /// Throws    Refusal if it has too many terms, or all so far have; what the meter throws.
+  /// Throws    ParseRefusal if it has too many terms, or all so far have; what the meter throws.
   [[nodiscard]] GiNaC::ex counted(const GiNaC::ex& coefficient);
 
  private:
@@ -83,4 +83,4 @@ class JointPolynomial {
 
 using PolynomialVector = std::array<JointPolynomial, 3>;
 
-}  // namespace regulus::model
+}  // namespace regulus

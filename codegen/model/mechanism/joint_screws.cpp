@@ -3,7 +3,7 @@
 
 #include <optional>
 
-namespace regulus::inline model {
+namespace regulus {
 namespace {
 
 using GiNaC::ex;
@@ -209,4 +209,4 @@ std::vector<JointScrew> moved_to(std::vector<JointScrew> screws, const Point& po
   return screws;
 }
 
-}  // namespace regulus::model
+}  // namespace regulus

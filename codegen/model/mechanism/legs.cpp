@@ -5,7 +5,7 @@
 
 #include "codegen/model/exact/exact_algebra.hpp"
 
-namespace regulus::inline model {
+namespace regulus {
 namespace {
 
 constexpr std::array<LegType, 12> kTypes = {{
@@ -341,4 +341,4 @@ WrittenLegs write_legs(const Legs& robot) {
   return out;
 }
 
-}  // namespace regulus::model
+}  // namespace regulus

@@ -6,7 +6,7 @@
 #include <utility>
 #include <vector>
 
-namespace regulus::inline model {
+namespace regulus {
 namespace {
 
 using Rows = std::vector<std::vector<double>>;
@@ -83,4 +83,4 @@ std::optional<double> approx_nearly_singular(const Model& model, const GiNaC::ma
   return best;
 }
 
-}  // namespace regulus::model
+}  // namespace regulus

@@ -3,15 +3,15 @@
 
 #include "codegen/model/exact/parsed_expression.hpp"
 
-namespace regulus::inline model {
+namespace regulus {
 namespace {
 
 GiNaC::ex checked(const GiNaC::ex& entry) {
   GiNaC::ex result = reduced(entry);
   if (GiNaC::is_a<GiNaC::add>(result) && result.nops() > kMostEntryTerms)
-    throw Refusal{"rotations that follow each other with " + std::to_string(result.nops()) +
-                      " terms in one entry",
-                  "one rotation in their place: quaternion = [w, x, y, z]"};
+    throw ParseRefusal{"rotations that follow each other with " + std::to_string(result.nops()) +
+                           " terms in one entry",
+                       "one rotation in their place: quaternion = [w, x, y, z]"};
   return result;
 }
 
@@ -30,4 +30,4 @@ Placement compose(const Placement& first, const Placement& second) {
   return result;
 }
 
-}  // namespace regulus::model
+}  // namespace regulus

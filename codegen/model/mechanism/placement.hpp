@@ -4,7 +4,7 @@
 
 #include "codegen/model/exact/exact_algebra.hpp"
 
-namespace regulus::inline model {
+namespace regulus {
 
 /// A rotation R and a translation p: a point x of the moved frame is R·x + p in the other.
 struct Placement {
@@ -14,10 +14,10 @@ struct Placement {
 
 /// Returns the frame that `second` has in the frame of which `first` is the frame.
 ///
-/// Throws    Refusal if an entry has more than kMostEntryTerms terms.
+/// Throws    ParseRefusal if an entry has more than kMostEntryTerms terms.
 [[nodiscard]] Placement compose(const Placement& first, const Placement& second);
 
 /// Turns of angles that are not multiples of pi/12 multiply the terms of their products.
 constexpr std::size_t kMostEntryTerms = 200;
 
-}  // namespace regulus::model
+}  // namespace regulus

@@ -11,7 +11,7 @@
 #include "codegen/model/model.hpp"
 #include "codegen/support/work_meter.hpp"
 
-namespace regulus::inline model {
+namespace regulus {
 
 enum class JointKind { kRevolute, kPrismatic };
 
@@ -59,7 +59,7 @@ constexpr std::size_t kMostJoints = 12;
 /// Model::jacobian, and `matrix` has the factors on its diagonal (determinant_factors.hpp).
 ///
 /// Requires  1 to kMostJoints joints; origins and axes are constants or depend on `model.geometry`.
-/// Throws    Refusal if the matrix has too many terms; what `meter`, if it is not null, throws.
+/// Throws    ParseRefusal if the matrix has too many terms; what `meter`, if it is not null, throws.
 /// Ensures   full column rank of the matrix at a pose ⇔ rank J = min(rows that remain, joints).
 [[nodiscard]] Model serial_model(Model model, const Serial& robot, WorkMeter* meter = nullptr);
 
@@ -69,4 +69,4 @@ constexpr std::size_t kMostJoints = 12;
 /// Requires  no expression of the model but those of serial_model depends on them.
 void set_angles_in_degrees(Model& model);
 
-}  // namespace regulus::model
+}  // namespace regulus

@@ -4,7 +4,7 @@
 #include "codegen/model/drawing.hpp"
 #include "codegen/model/mechanism/serial.hpp"
 
-namespace regulus::inline model {
+namespace regulus {
 
 /// As compose(), with entries that are not multiplied out: of any size, and not for a matrix.
 [[nodiscard]] Placement compose_as_written(const Placement& first, const Placement& second);
@@ -14,4 +14,4 @@ namespace regulus::inline model {
 /// Requires  `model` has the pose of the arm.
 [[nodiscard]] Drawing serial_drawing(const Model& model, const Serial& robot);
 
-}  // namespace regulus::model
+}  // namespace regulus

@@ -7,7 +7,7 @@
 #include "codegen/model/exact/ginac_text.hpp"
 #include "codegen/model/mechanism/determinant_factors.hpp"
 
-namespace regulus::inline model {
+namespace regulus {
 namespace {
 
 /// Usual names, for arms in which the first joints place the wrist.
@@ -46,4 +46,4 @@ std::vector<SingularFactor> singular_factors(const Model& model) {
   return result;
 }
 
-}  // namespace regulus::model
+}  // namespace regulus

@@ -3,7 +3,7 @@
 
 #include "codegen/model/degrees.hpp"
 
-namespace regulus::inline model {
+namespace regulus {
 namespace {
 
 bool is_angle(const PoseParameter& p) { return p.unit == "rad" || is_in_degrees(p.unit); }
@@ -25,4 +25,4 @@ std::vector<TwistComponent> twist_of(const Model& model) {
   return twist;
 }
 
-}  // namespace regulus::model
+}  // namespace regulus

@@ -7,7 +7,7 @@
 
 #include "codegen/model/model.hpp"
 
-namespace regulus::inline model {
+namespace regulus {
 
 /// Returns the unit of the first pose parameter that is no angle; "1" if there is none.
 [[nodiscard]] std::string length_unit(const Model& model);
@@ -16,4 +16,4 @@ namespace regulus::inline model {
 /// parameters, if the matrix has a column for each; otherwise nothing.
 [[nodiscard]] std::vector<TwistComponent> twist_of(const Model& model);
 
-}  // namespace regulus::model
+}  // namespace regulus

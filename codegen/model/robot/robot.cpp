@@ -5,7 +5,7 @@
 #include "codegen/model/names.hpp"
 #include "codegen/model/robot/robot_text.hpp"
 
-namespace regulus::inline robot {
+namespace regulus {
 
 Robot::Robot(const std::string& name, Place place) : name_(name), place_(place) {
   header_ = {{"regulus", "1", place}, {"name", written(std::string_view(name)), place}};
@@ -153,4 +153,4 @@ Model Robot::model() const {
   }
 }
 
-}  // namespace regulus::robot
+}  // namespace regulus

@@ -12,7 +12,7 @@
 #include "codegen/model/model.hpp"
 #include "codegen/model/robot/robot_motion.hpp"
 
-namespace regulus::inline robot {
+namespace regulus {
 
 /// The inverse Jacobian of a robot, the names in it, and the robot's motions.
 ///
@@ -105,7 +105,7 @@ class Robot {
   friend class RobotText;
 };
 
-}  // namespace regulus::robot
+}  // namespace regulus
 
 /// Defined by the author of a robot; the program that generates its kernel calls it.
 regulus::Robot regulus_model();

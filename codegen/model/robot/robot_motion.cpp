@@ -3,7 +3,7 @@
 
 #include "codegen/model/names.hpp"
 
-namespace regulus::inline robot {
+namespace regulus {
 
 RobotMotion& RobotMotion::add(WrittenSection& section, const Formula& parameter, std::string value,
                               const Place& place) {
@@ -61,4 +61,4 @@ RobotMotion& RobotMotion::alpha(const Formula& threshold, Place place) {
   return *this;
 }
 
-}  // namespace regulus::robot
+}  // namespace regulus

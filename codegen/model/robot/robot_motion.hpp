@@ -7,7 +7,7 @@
 #include "codegen/model/exact/formula.hpp"
 #include "codegen/model/file/written.hpp"
 
-namespace regulus::inline robot {
+namespace regulus {
 
 /// A motion variety, made by Robot::motion. Every pose parameter gets either a range, or an
 /// expression in the motion's own parameters (a number, if it has none).
@@ -56,4 +56,4 @@ class RobotMotion {
   friend class RobotText;
 };
 
-}  // namespace regulus::robot
+}  // namespace regulus

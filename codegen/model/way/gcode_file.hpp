@@ -6,7 +6,7 @@
 
 #include "codegen/model/way/trajectory.hpp"
 
-namespace regulus::inline model {
+namespace regulus {
 
 /// True for the endings .gcode, .nc, .ngc, .tap and .gc.
 [[nodiscard]] bool is_gcode_file(const std::string& file);
@@ -24,4 +24,4 @@ namespace regulus::inline model {
 [[nodiscard]] Trajectory read_gcode(const Model& model, const Motion& motion,
                                     const std::string& file);
 
-}  // namespace regulus::model
+}  // namespace regulus

@@ -9,7 +9,7 @@
 #include "codegen/model/way/waypoint_file.hpp"
 #include "codegen/support/errors.hpp"
 
-namespace regulus::inline model {
+namespace regulus {
 
 using GiNaC::ex;
 
@@ -65,4 +65,4 @@ void follow_waypoints(const Model& model, Motion& motion, const std::string& fil
   load_trajectory(model, motion);
 }
 
-}  // namespace regulus::model
+}  // namespace regulus

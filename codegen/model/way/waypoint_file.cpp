@@ -16,7 +16,7 @@
 #include "codegen/support/errors.hpp"
 #include "runtime/files/sha256.hpp"
 
-namespace regulus::inline model {
+namespace regulus {
 namespace {
 
 using GiNaC::ex;
@@ -278,4 +278,4 @@ ex held_value(const Model& model, const Motion& motion, std::size_t parameter,
   return value;
 }
 
-}  // namespace regulus::model
+}  // namespace regulus

@@ -6,7 +6,7 @@
 
 #include "codegen/model/way/trajectory.hpp"
 
-namespace regulus::inline model {
+namespace regulus {
 
 constexpr std::size_t kLargestWaypointFile = std::size_t{1} << 28;
 constexpr std::size_t kMostWaypoints = 1'000'000;
@@ -26,4 +26,4 @@ constexpr std::size_t kMostWaypoints = 1'000'000;
 [[nodiscard]] GiNaC::ex held_value(const Model& model, const Motion& motion, std::size_t parameter,
                                    const std::string& file, int line, const std::string& remedy);
 
-}  // namespace regulus::model
+}  // namespace regulus

@@ -8,12 +8,12 @@
 #include "codegen/model/way/waypoint_file.hpp"
 #include "codegen/support/errors.hpp"
 
-namespace regulus::inline model {
+namespace regulus {
 namespace {
 
 constexpr std::size_t kMostColumns = 256;
 
-std::string_view trimmed(std::string_view text) {
+std::string_view unquoted(std::string_view text) {
   const auto is_space = [](char c) { return c == ' ' || c == '\t' || c == '\r'; };
   while (!text.empty() && is_space(text.front())) text.remove_prefix(1);
   while (!text.empty() && is_space(text.back())) text.remove_suffix(1);
@@ -28,7 +28,7 @@ std::vector<std::string_view> cells_of(std::string_view line, char separator) {
   std::vector<std::string_view> cells;
   for (std::size_t begin = 0; begin <= line.size();) {
     const std::size_t end = std::min(line.find(separator, begin), line.size());
-    cells.push_back(trimmed(line.substr(begin, end - begin)));
+    cells.push_back(unquoted(line.substr(begin, end - begin)));
     begin = end + 1;
   }
   // Some programs end each line with a separator.
@@ -59,7 +59,7 @@ class TableReader {
       text_ = trimmed_end(rest_.substr(0, end));
       rest_.remove_prefix(std::min(end + 1, rest_.size()));
       ++line_;
-      const std::string_view content = trimmed(text_);
+      const std::string_view content = unquoted(text_);
       if (!content.empty() && content.front() != '#') return true;
     }
     return false;
@@ -87,12 +87,12 @@ class TableReader {
   TableColumn column(std::string_view cell) {
     TableColumn result;
     const std::size_t open = cell.find_first_of("[(");
-    result.name = trimmed(cell.substr(0, open));
+    result.name = unquoted(cell.substr(0, open));
     if (open != std::string_view::npos) {
       const char close = cell[open] == '[' ? ']' : ')';
       if (cell.back() != close)
         fail("the column " + in_quotes(cell) + " has an open bracket", "write NAME [UNIT]");
-      result.unit = trimmed(cell.substr(open + 1, cell.size() - open - 2));
+      result.unit = unquoted(cell.substr(open + 1, cell.size() - open - 2));
     }
     if (signed_decimal(cell))
       fail("the first line has a number, " + in_quotes(cell),
@@ -160,4 +160,4 @@ WaypointTable read_table(std::string_view text, const std::string& file) {
   return TableReader(text, file).read();
 }
 
-}  // namespace regulus::model
+}  // namespace regulus

@@ -6,7 +6,7 @@
 
 #include "codegen/question/engine/balanced_matrix.hpp"
 
-namespace regulus::inline analysis {
+namespace regulus {
 namespace {
 
 /// Returns the vector in the units of the given matrix.
@@ -37,4 +37,4 @@ NullVectors approx_null_vectors(std::span<const double> A, std::size_t rows, std
   return result;
 }
 
-}  // namespace regulus::analysis
+}  // namespace regulus

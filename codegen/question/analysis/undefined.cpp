@@ -8,7 +8,7 @@
 #include "codegen/kernel/program/interval_arithmetic.hpp"
 #include "codegen/kernel/symbolic/print.hpp"
 
-namespace regulus::inline analysis {
+namespace regulus {
 namespace {
 
 /// As in kernels: beyond this a root or a quotient counts as undefined.
@@ -78,4 +78,4 @@ Undefined find_undefined(const PreparedSearch& p, std::span<const Interval> box)
   return Definedness(p.stages->natural_formulation()).look_at(box);
 }
 
-}  // namespace regulus::analysis
+}  // namespace regulus

@@ -10,7 +10,7 @@
 #include "codegen/kernel/program/program.hpp"
 #include "codegen/question/engine/pipeline.hpp"
 
-namespace regulus::inline analysis {
+namespace regulus {
 
 /// An operation that is not certainly defined although its argument is.
 struct UndefinedExpression {
@@ -50,4 +50,4 @@ class Definedness {
 [[nodiscard]] Undefined find_undefined(const PreparedSearch& preparation,
                                        std::span<const Interval> box);
 
-}  // namespace regulus::analysis
+}  // namespace regulus

@@ -6,7 +6,7 @@
 #include "codegen/answer/report/report_parts.hpp"
 #include "codegen/answer/report/witness_report.hpp"
 
-namespace regulus::inline bounding {
+namespace regulus {
 namespace {
 
 void remove_parameter(AttainedPlace& place, const std::string& name) {
@@ -37,4 +37,4 @@ AttainedPlace attained_place(const PreparedSearch& preparation, const Result& re
   return place;
 }
 
-}  // namespace regulus::bounding
+}  // namespace regulus

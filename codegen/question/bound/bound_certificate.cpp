@@ -9,7 +9,7 @@
 #include "codegen/model/mechanism/twist.hpp"
 #include "runtime/proof/format.hpp"
 
-namespace regulus::inline bounding {
+namespace regulus {
 namespace {
 
 using GiNaC::ex;
@@ -168,4 +168,4 @@ CertifiedQuestion certified_bound(const Request& request, const Component& compo
   return question;
 }
 
-}  // namespace regulus::bounding
+}  // namespace regulus

@@ -13,7 +13,7 @@
 #include "codegen/support/errors.hpp"
 #include "runtime/files/atomic_file.hpp"
 
-namespace regulus::inline bounding {
+namespace regulus {
 namespace {
 
 using Json = nlohmann::ordered_json;
@@ -116,7 +116,7 @@ class BoundCheckpoint::Searches final : public EarlierSearches {
   }
 
   [[noreturn]] void refuse(const MarginValue& value) const override {
-    bounding::refuse(file_.path_, "the search at " + value.text + " does not end as it says");
+    regulus::refuse(file_.path_, "the search at " + value.text + " does not end as it says");
   }
 
  private:
@@ -160,7 +160,7 @@ void BoundCheckpoint::keep_search_state(Json state) {
   save();
 }
 
-void BoundCheckpoint::refuse(const std::string& why) const { bounding::refuse(path_, why); }
+void BoundCheckpoint::refuse(const std::string& why) const { regulus::refuse(path_, why); }
 
 void BoundCheckpoint::write() const {
   AtomicFile file(path_);
@@ -192,4 +192,4 @@ Json checkpointed_question(const Request& request, const Quantity& quantity,
   return question;
 }
 
-}  // namespace regulus::bounding
+}  // namespace regulus

@@ -11,7 +11,7 @@
 #include "codegen/question/quantity/quantity.hpp"
 #include "runtime/files/file_lock.hpp"
 
-namespace regulus::inline bounding {
+namespace regulus {
 
 /// Keeps the outcomes of all searches of brackets. A later run does not repeat the searches on the
 /// way to an end, but that of the end itself: nothing that it reports as proved rests on the file.
@@ -55,4 +55,4 @@ class BoundCheckpoint {
                                                            const Quantity& quantity,
                                                            const SearchOptions& search);
 
-}  // namespace regulus::bounding
+}  // namespace regulus

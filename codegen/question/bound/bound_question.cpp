@@ -11,7 +11,7 @@
 #include "codegen/question/bound/bound_run.hpp"
 #include "codegen/support/errors.hpp"
 
-namespace regulus::inline bounding {
+namespace regulus {
 namespace {
 
 bool is_word(const std::string& text) {
@@ -58,4 +58,4 @@ BoundQuestion read_bound_question(const ModelOptions& model, const QuantityOptio
   return question;
 }
 
-}  // namespace regulus::bounding
+}  // namespace regulus

@@ -10,7 +10,7 @@
 #include "codegen/model/request.hpp"
 #include "codegen/question/quantity/quantity.hpp"
 
-namespace regulus::inline bounding {
+namespace regulus {
 
 struct BoundQuestion {
   Request request;
@@ -32,4 +32,4 @@ struct BoundQuestion {
                                                 const QuantityOptions& words,
                                                 const std::string& limit);
 
-}  // namespace regulus::bounding
+}  // namespace regulus

@@ -12,7 +12,7 @@
 #include "codegen/question/bound/quantity_report.hpp"
 #include "codegen/question/way/trajectory_report.hpp"
 
-namespace regulus::inline bounding {
+namespace regulus {
 namespace {
 
 using Json = nlohmann::ordered_json;
@@ -282,4 +282,4 @@ Json json_bracket_of(const Request& request, const Bound& bound, const BoundSett
   return report;
 }
 
-}  // namespace regulus::bounding
+}  // namespace regulus

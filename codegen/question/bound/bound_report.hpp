@@ -7,7 +7,7 @@
 
 #include "codegen/question/bound/bound_run.hpp"
 
-namespace regulus::inline bounding {
+namespace regulus {
 
 /// Returns "BETWEEN 21.12 AND 21.29 N (leg 3)", or the verdict about a limit.
 [[nodiscard]] std::string describe_bound(const Bound& bound, const BoundSettings& settings);
@@ -33,4 +33,4 @@ struct EndTexts {
 [[nodiscard]] nlohmann::ordered_json json_bracket_of(const Request& request, const Bound& bound,
                                                      const BoundSettings& settings);
 
-}  // namespace regulus::bounding
+}  // namespace regulus

@@ -25,7 +25,7 @@
 #include "codegen/support/errors.hpp"
 #include "runtime/problem/observers.hpp"
 
-namespace regulus::inline bounding {
+namespace regulus {
 namespace {
 
 using GiNaC::ex;
@@ -101,7 +101,7 @@ class ComponentRun {
   }
   [[nodiscard]] bool is_zero_where_defined() const {
     return settings_.certificate.empty() &&
-           bounding::is_zero_where_defined(bordered_, result_.component);
+           regulus::is_zero_where_defined(bordered_, result_.component);
   }
   /// Nothing can be undefined.
   [[nodiscard]] bool is_zero_everywhere() const {
@@ -117,7 +117,7 @@ class ComponentRun {
     bordered_ = border(request_, result_.component);
     if (bordered_.parameter.empty()) return;
     const Reference reference =
-        bounding::choose_reference(result_.component, approx_values(bordered_, kPlaces));
+        regulus::choose_reference(result_.component, approx_values(bordered_, kPlaces));
     sampled_ = reference.sampled;
     topic_.reference = reference.approx;
     reference_ = reference.value();
@@ -374,4 +374,4 @@ std::vector<OutputFile> certificate_files(const Quantity& quantity,
   return files;
 }
 
-}  // namespace regulus::bounding
+}  // namespace regulus

@@ -14,7 +14,7 @@
 #include "codegen/question/margin/margin_run.hpp"
 #include "codegen/question/quantity/bordered.hpp"
 
-namespace regulus::inline bounding {
+namespace regulus {
 
 enum class LimitVerdict { kWithin, kExceeded, kUndecided };
 
@@ -84,4 +84,4 @@ void refuse_threshold(const ModelOptions& options);
 [[nodiscard]] std::vector<OutputFile> certificate_files(const Quantity& quantity,
                                                         const std::string& certificate);
 
-}  // namespace regulus::bounding
+}  // namespace regulus

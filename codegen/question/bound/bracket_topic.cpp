@@ -6,7 +6,7 @@
 #include "codegen/question/bound/bound_certificate.hpp"
 #include "runtime/cluster/bytes.hpp"
 
-namespace regulus::inline bounding {
+namespace regulus {
 namespace {
 
 using GiNaC::ex;
@@ -114,4 +114,4 @@ PreparedMargin prepare_topic(const BracketTopic& topic, const Request& request,
   return {question, request, 0, without_limit(search), {}};
 }
 
-}  // namespace regulus::bounding
+}  // namespace regulus

@@ -10,7 +10,7 @@
 #include "codegen/question/margin/prepared_margin.hpp"
 #include "codegen/question/quantity/bordered.hpp"
 
-namespace regulus::inline bounding {
+namespace regulus {
 
 /// The kernel that searches need.
 enum class TopicKind : std::uint8_t {
@@ -59,4 +59,4 @@ struct BracketTopic {
                                            MarginQuestion question, const Quantity& quantity,
                                            const GiNaC::ex& limit, const SearchOptions& search);
 
-}  // namespace regulus::bounding
+}  // namespace regulus

@@ -8,7 +8,7 @@
 #include "codegen/model/exact/certain_sign.hpp"
 #include "codegen/support/errors.hpp"
 
-namespace regulus::inline bounding {
+namespace regulus {
 namespace {
 
 using GiNaC::ex;
@@ -244,4 +244,4 @@ Datasheet make_datasheet(const Request& request, const BoundSettings& settings,
   return sheet;
 }
 
-}  // namespace regulus::bounding
+}  // namespace regulus

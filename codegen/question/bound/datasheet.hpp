@@ -8,7 +8,7 @@
 
 #include "codegen/question/bound/bound_run.hpp"
 
-namespace regulus::inline bounding {
+namespace regulus {
 
 /// Tells whether a limit of the motors is kept.
 enum class LimitState { kNone, kKept, kExceeded, kUnknown };
@@ -34,4 +34,4 @@ struct Datasheet {
 [[nodiscard]] nlohmann::ordered_json json_datasheet(const Request& request, const Datasheet& sheet,
                                                     const BoundSettings& settings);
 
-}  // namespace regulus::bounding
+}  // namespace regulus

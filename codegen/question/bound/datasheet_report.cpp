@@ -9,7 +9,7 @@
 #include "codegen/question/bound/bound_report.hpp"
 #include "codegen/question/bound/datasheet.hpp"
 
-namespace regulus::inline bounding {
+namespace regulus {
 namespace {
 
 using Json = nlohmann::ordered_json;
@@ -165,4 +165,4 @@ Json json_datasheet(const Request& request, const Datasheet& sheet, const BoundS
   return report;
 }
 
-}  // namespace regulus::bounding
+}  // namespace regulus

@@ -8,7 +8,7 @@
 #include "codegen/model/exact/decimal.hpp"
 #include "codegen/model/exact/sign.hpp"
 
-namespace regulus::inline bounding {
+namespace regulus {
 namespace {
 
 using GiNaC::ex;
@@ -70,4 +70,4 @@ void add_fastest_twist(AttainedPlace& place, const Request& request, const Compo
   place.json["twist"] = twist;
 }
 
-}  // namespace regulus::bounding
+}  // namespace regulus

@@ -9,7 +9,7 @@
 #include "codegen/question/bound/bracket_topic.hpp"
 #include "codegen/support/stopwatch.hpp"
 
-namespace regulus::inline bounding {
+namespace regulus {
 namespace {
 
 bool is_below(const MarginValue& a, const MarginValue& b) {
@@ -146,4 +146,4 @@ LimitMargin limit_margin(const Request& request, const MarginQuestion& question,
   return LimitMarginRun(request, question, std::move(quantity), settings, listener).run();
 }
 
-}  // namespace regulus::bounding
+}  // namespace regulus

@@ -12,7 +12,7 @@
 #include "codegen/question/margin/prepared_margin.hpp"
 #include "codegen/question/quantity/bordered.hpp"
 
-namespace regulus::inline bounding {
+namespace regulus {
 
 struct LimitMarginSettings {
   double gap = 0.01;
@@ -70,4 +70,4 @@ using StepListener = MarginRun::Listener;
                                                        const LimitMargin& margin,
                                                        const LimitMarginSettings& settings);
 
-}  // namespace regulus::bounding
+}  // namespace regulus

@@ -10,7 +10,7 @@
 #include "codegen/question/bound/quantity_report.hpp"
 #include "codegen/question/margin/margin_report.hpp"
 
-namespace regulus::inline bounding {
+namespace regulus {
 namespace {
 
 using Json = nlohmann::ordered_json;
@@ -113,4 +113,4 @@ Json json_limit_margin(const Request& request, const MarginQuestion& question,
   return report;
 }
 
-}  // namespace regulus::bounding
+}  // namespace regulus

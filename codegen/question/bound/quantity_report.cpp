@@ -7,7 +7,7 @@
 #include "codegen/answer/report/question_report.hpp"
 #include "codegen/model/exact/ginac_text.hpp"
 
-namespace regulus::inline bounding {
+namespace regulus {
 namespace {
 
 using Json = nlohmann::ordered_json;
@@ -48,4 +48,4 @@ Json json_quantity(const Model& model, const Quantity& quantity) {
   return object;
 }
 
-}  // namespace regulus::bounding
+}  // namespace regulus

@@ -5,10 +5,10 @@
 
 #include "codegen/question/quantity/quantity.hpp"
 
-namespace regulus::inline bounding {
+namespace regulus {
 
 /// Returns what is bounded: kind, components, the load or the twists, and the data of the motors
 /// that it depends on, as exact texts.
 [[nodiscard]] nlohmann::ordered_json json_quantity(const Model& model, const Quantity& quantity);
 
-}  // namespace regulus::bounding
+}  // namespace regulus

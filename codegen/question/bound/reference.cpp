@@ -8,7 +8,7 @@
 #include "codegen/question/bound/bracket_topic.hpp"
 #include "runtime/search/bracket.hpp"
 
-namespace regulus::inline bounding {
+namespace regulus {
 namespace {
 
 constexpr double kBeyond = 1.01;  ///< an end of the bracket that is certainly singular
@@ -65,4 +65,4 @@ std::optional<double> relative_gap(const ComponentBound* attained, const Compone
   return std::abs(a - p) / std::max({std::abs(a), std::abs(p), 1e-300});
 }
 
-}  // namespace regulus::bounding
+}  // namespace regulus

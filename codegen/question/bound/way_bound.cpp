@@ -22,7 +22,7 @@
 #include "codegen/question/way/trajectory_report.hpp"
 #include "codegen/support/errors.hpp"
 
-namespace regulus::inline bounding {
+namespace regulus {
 namespace {
 
 using GiNaC::ex;
@@ -132,7 +132,7 @@ class WayBound {
       const std::vector<double> some = values_on(count < 2 ? 0 : i * (pieces - 1) / (count - 1));
       values.insert(values.end(), some.begin(), some.end());
     }
-    const Reference reference = bounding::choose_reference(result_.component, values);
+    const Reference reference = regulus::choose_reference(result_.component, values);
     sampled_ = reference.sampled;
     if (reference.approx != 0) bordered_ = border(request_, result_.component, reference.value());
   }
@@ -301,4 +301,4 @@ ComponentBound bound_along_way(const Request& request, const Component& componen
   return settings.limit ? bound.compare() : bound.bracket();
 }
 
-}  // namespace regulus::bounding
+}  // namespace regulus

@@ -4,7 +4,7 @@
 
 #include "codegen/question/bound/bound_run.hpp"
 
-namespace regulus::inline bounding {
+namespace regulus {
 
 /// Brackets the component over all pieces of the trajectory, or compares it with the limit. The
 /// matrix B(r) of question/quantity/bordered.hpp is that of every piece, and r a parameter beside s. So the
@@ -19,4 +19,4 @@ namespace regulus::inline bounding {
                                              const BoundSettings& settings, double seconds,
                                              double left);
 
-}  // namespace regulus::bounding
+}  // namespace regulus

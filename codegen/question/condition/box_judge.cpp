@@ -5,7 +5,7 @@
 #include <cmath>
 #include <utility>
 
-namespace regulus::inline bounding {
+namespace regulus {
 
 BoxJudge::BoxJudge(const ConditionQuestion& question)
     : problem_(question.problem),
@@ -57,4 +57,4 @@ void BoxJudge::keep(BoxFinding& finding, const Box& point, std::span<const Inter
   if (shown.condition > known) finding.attained.emplace(ConditionWitness{point, std::move(shown)});
 }
 
-}  // namespace regulus::bounding
+}  // namespace regulus

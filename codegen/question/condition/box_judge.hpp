@@ -8,7 +8,7 @@
 
 #include "codegen/question/condition/condition_test.hpp"
 
-namespace regulus::inline bounding {
+namespace regulus {
 
 /// The question for a kernel of the matrix with derivatives of its entries.
 struct ConditionQuestion {
@@ -56,4 +56,4 @@ class BoxJudge {
   BoxMatrices& matrices_;
 };
 
-}  // namespace regulus::bounding
+}  // namespace regulus

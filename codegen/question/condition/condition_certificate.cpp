@@ -7,7 +7,7 @@
 #include "codegen/question/bound/bound_certificate.hpp"
 #include "runtime/proof/format.hpp"
 
-namespace regulus::inline bounding {
+namespace regulus {
 
 ConditionCertificate::ConditionCertificate(const std::string& path, const Request& request,
                                            const Component& component,
@@ -88,4 +88,4 @@ void ConditionCertificate::write_singular(const Result& result,
   proofs_.write_singular(question.head(true), witness_lines(result), "the matrix is singular");
 }
 
-}  // namespace regulus::bounding
+}  // namespace regulus

@@ -13,7 +13,7 @@
 #include "runtime/proof/tree_kept.hpp"
 #include "runtime/proof/writer.hpp"
 
-namespace regulus::inline bounding {
+namespace regulus {
 
 /// FILE.safe, a proof of the upper end, and FILE.singular, of the attained one. The tree of the
 /// search is kept until the upper end is known.
@@ -58,4 +58,4 @@ class ConditionCertificate {
   TreeKept tree_;
 };
 
-}  // namespace regulus::bounding
+}  // namespace regulus

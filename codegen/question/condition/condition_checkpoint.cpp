@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "codegen/question/condition/condition_checkpoint.hpp"
 
-namespace regulus::inline bounding {
+namespace regulus {
 namespace {
 
 using Json = nlohmann::ordered_json;
@@ -50,4 +50,4 @@ std::string describe_end(const ConditionResult& result) {
          describe(result.reason);
 }
 
-}  // namespace regulus::bounding
+}  // namespace regulus

@@ -7,7 +7,7 @@
 #include "codegen/question/bound/bound_checkpoint.hpp"
 #include "codegen/question/condition/condition_search.hpp"
 
-namespace regulus::inline bounding {
+namespace regulus {
 
 /// Searches, continues from the state in the file if there is one, and saves states there.
 /// `checkpoint` may be null.
@@ -21,4 +21,4 @@ namespace regulus::inline bounding {
 /// Says why a search is not closed.
 [[nodiscard]] std::string describe_end(const ConditionResult& result);
 
-}  // namespace regulus::bounding
+}  // namespace regulus

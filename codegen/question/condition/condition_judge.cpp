@@ -8,7 +8,7 @@
 
 #include "runtime/interval/floating_point_scope.hpp"
 
-namespace regulus::inline bounding {
+namespace regulus {
 
 BoxJudges::BoxJudges(const ConditionQuestion& question, unsigned threads, std::size_t most,
                      const BoxSharing& sharing)
@@ -50,4 +50,4 @@ bool BoxJudges::judge_here(std::span<const Box> boxes, std::span<BoxFinding> fin
   return !is_out_of_memory;
 }
 
-}  // namespace regulus::bounding
+}  // namespace regulus

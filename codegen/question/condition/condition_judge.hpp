@@ -9,7 +9,7 @@
 #include "codegen/question/condition/box_judge.hpp"
 #include "codegen/question/condition/shared_boxes.hpp"
 
-namespace regulus::inline bounding {
+namespace regulus {
 
 /// Decides boxes in several threads, and many boxes at once by workers, too.
 class BoxJudges {
@@ -35,4 +35,4 @@ class BoxJudges {
   SharedBoxes shared_;
 };
 
-}  // namespace regulus::bounding
+}  // namespace regulus

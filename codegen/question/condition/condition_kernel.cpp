@@ -7,7 +7,7 @@
 #include "codegen/question/quantity/inverse_in_one_unit.hpp"
 #include "codegen/support/errors.hpp"
 
-namespace regulus::inline bounding {
+namespace regulus {
 namespace {
 
 /// With more variables the second derivatives of Taylor's expansion are too many.
@@ -77,4 +77,4 @@ PreparedSearch prepare_condition(const BracketTopic& topic, const Request& reque
   return prepared;
 }
 
-}  // namespace regulus::bounding
+}  // namespace regulus

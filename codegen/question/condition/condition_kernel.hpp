@@ -5,7 +5,7 @@
 #include "codegen/question/bound/bracket_topic.hpp"
 #include "codegen/question/engine/pipeline.hpp"
 
-namespace regulus::inline bounding {
+namespace regulus {
 
 struct ConditionKernel {
   PreparedSearch prepared;
@@ -31,4 +31,4 @@ struct ConditionKernel {
 [[nodiscard]] PreparedSearch prepare_condition(const BracketTopic& topic, const Request& request,
                                                const SearchOptions& search);
 
-}  // namespace regulus::bounding
+}  // namespace regulus

@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <unordered_map>
 
-namespace regulus::inline bounding {
+namespace regulus {
 namespace {
 
 /// So many that the threads and workers are busy most of the time.
@@ -105,4 +105,4 @@ std::optional<ProvedTree> prove_again(const ConditionTree& tree, std::optional<B
   return result;
 }
 
-}  // namespace regulus::bounding
+}  // namespace regulus

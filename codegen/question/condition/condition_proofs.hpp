@@ -9,7 +9,7 @@
 #include "codegen/question/condition/condition_judge.hpp"
 #include "codegen/question/condition/condition_state.hpp"
 
-namespace regulus::inline bounding {
+namespace regulus {
 
 /// The facts about the leaf of a tree, proved by this process.
 struct ProvedLeaf {
@@ -34,4 +34,4 @@ struct ProvedTree {
                                                     BoxJudges& judges,
                                                     const std::function<bool()>& must_stop);
 
-}  // namespace regulus::bounding
+}  // namespace regulus

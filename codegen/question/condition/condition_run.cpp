@@ -16,7 +16,7 @@
 #include "codegen/support/errors.hpp"
 #include "runtime/problem/observers.hpp"
 
-namespace regulus::inline bounding {
+namespace regulus {
 namespace {
 
 /// Seconds of a search, if there are as many: enough for an attained end.
@@ -236,4 +236,4 @@ ComponentBound bound_condition_number(const Request& request, const Component& c
   return ConditionRun(request, component, settings, seconds, left, other).run();
 }
 
-}  // namespace regulus::bounding
+}  // namespace regulus

@@ -4,7 +4,7 @@
 
 #include "codegen/question/bound/bound_run.hpp"
 
-namespace regulus::inline bounding {
+namespace regulus {
 
 /// Throws    UsageError if the quantity is a condition number in the 2-norm and the motion follows
 ///           way-points, which its search does not have.
@@ -24,4 +24,4 @@ using OtherBound =
                                                     const BoundSettings& settings, double seconds,
                                                     double left, const OtherBound& other);
 
-}  // namespace regulus::bounding
+}  // namespace regulus

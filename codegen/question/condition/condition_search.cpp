@@ -8,7 +8,7 @@
 
 #include "codegen/question/condition/condition_proofs.hpp"
 
-namespace regulus::inline bounding {
+namespace regulus {
 namespace {
 
 using Box = BoxJudges::Box;
@@ -356,4 +356,4 @@ ConditionResult search_condition(const ConditionQuestion& question,
   return ConditionSearch(question, settings, progress).run();
 }
 
-}  // namespace regulus::bounding
+}  // namespace regulus

@@ -14,7 +14,7 @@
 #include "runtime/problem/observer.hpp"
 #include "runtime/problem/result.hpp"
 
-namespace regulus::inline bounding {
+namespace regulus {
 
 /// Facts about κ that a search starts with.
 struct ConditionHint {
@@ -73,4 +73,4 @@ struct ConditionResult {
                                                const ConditionSettings& settings,
                                                Observer* progress);
 
-}  // namespace regulus::bounding
+}  // namespace regulus

@@ -8,7 +8,7 @@
 #include <cmath>
 #include <iterator>
 
-namespace regulus::inline bounding {
+namespace regulus {
 namespace {
 
 void add_bounded(std::string& text, BoxId box, double upper) {
@@ -125,4 +125,4 @@ std::vector<Interval> ConditionTree::box(BoxId box) const {
   return result;
 }
 
-}  // namespace regulus::bounding
+}  // namespace regulus

@@ -12,7 +12,7 @@
 #include "runtime/interval/interval.hpp"
 #include "runtime/problem/observer.hpp"
 
-namespace regulus::inline bounding {
+namespace regulus {
 
 /// The words of `steps` and `open` are separated by spaces; numbers are those of boxes:
 ///
@@ -83,4 +83,4 @@ class ConditionTree {
   std::vector<bool> is_closed_;  ///< by box: a word says what became of it
 };
 
-}  // namespace regulus::bounding
+}  // namespace regulus

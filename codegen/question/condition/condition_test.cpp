@@ -7,7 +7,7 @@
 
 #include "codegen/question/condition/extreme_values.hpp"
 
-namespace regulus::inline bounding {
+namespace regulus {
 namespace {
 
 using Doubles = std::vector<double>;
@@ -254,4 +254,4 @@ StretchedVectors attained_condition(std::span<const Interval> A, std::size_t row
   return shown;
 }
 
-}  // namespace regulus::bounding
+}  // namespace regulus

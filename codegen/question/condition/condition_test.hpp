@@ -40,7 +40,7 @@
 
 #include "codegen/question/condition/rotated_boxes.hpp"
 
-namespace regulus::inline bounding {
+namespace regulus {
 
 /// A bound of κ over a box.
 struct ConditionBound {
@@ -64,4 +64,4 @@ struct StretchedVectors {
 [[nodiscard]] StretchedVectors attained_condition(std::span<const Interval> A, std::size_t rows,
                                                   std::size_t columns);
 
-}  // namespace regulus::bounding
+}  // namespace regulus

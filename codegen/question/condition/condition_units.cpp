@@ -6,7 +6,7 @@
 
 #include "runtime/interval/floating_point_scope.hpp"
 
-namespace regulus::inline bounding {
+namespace regulus {
 namespace {
 
 using cluster::ByteReader;
@@ -138,4 +138,4 @@ void read_findings(std::string_view outcome, const ConditionQuestion& question,
   if (!bytes.at_end()) throw MalformedMessage();
 }
 
-}  // namespace regulus::bounding
+}  // namespace regulus

@@ -8,7 +8,7 @@
 #include "codegen/question/condition/box_judge.hpp"
 #include "runtime/cluster/workers.hpp"
 
-namespace regulus::inline bounding {
+namespace regulus {
 
 /// Each box of the unit has one more range, from 0 to `attained`: so its outcome depends on the unit
 /// alone.
@@ -26,4 +26,4 @@ namespace regulus::inline bounding {
 void read_findings(std::string_view outcome, const ConditionQuestion& question,
                    std::span<BoxFinding> findings);
 
-}  // namespace regulus::bounding
+}  // namespace regulus

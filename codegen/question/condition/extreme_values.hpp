@@ -6,7 +6,7 @@
 #include <utility>
 #include <vector>
 
-namespace regulus::inline bounding {
+namespace regulus {
 
 /// One of the bounds α·b_i ± β of condition_test.hpp.
 struct Disc {
@@ -58,4 +58,4 @@ class ExtremeValues {
   std::vector<Disc> highest_, lowest_;
 };
 
-}  // namespace regulus::bounding
+}  // namespace regulus

@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace regulus::inline bounding {
+namespace regulus {
 namespace {
 
 using Doubles = std::vector<double>;
@@ -119,7 +119,7 @@ Doubles RotatedBoxes::on_grid(const SingularVectors& vectors) const {
 
 /// Derivatives that are zero have no function: then the matrix itself shows that it is defined.
 void RotatedBoxes::call_parts() {
-  const Kernel& kernel = matrices_.kernel();
+  const CheckedKernel& kernel = matrices_.kernel();
   defined_ = kAllLanes;
   if (expansion().second.function == nullptr) {
     AlignedBuffer entries(2 * kLanes * m_ * n_);
@@ -188,4 +188,4 @@ std::optional<RotatedBox> RotatedBoxes::rotated(std::size_t lane) const {
   return box;
 }
 
-}  // namespace regulus::bounding
+}  // namespace regulus

@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace regulus::inline bounding {
+namespace regulus {
 namespace {
 
 using Doubles = std::vector<double>;
@@ -104,4 +104,4 @@ double Rotation::distortion() const {
   return sqrt_ru(div_ru(above, below));
 }
 
-}  // namespace regulus::bounding
+}  // namespace regulus

@@ -5,7 +5,7 @@
 #include <utility>
 #include <vector>
 
-namespace regulus::inline bounding {
+namespace regulus {
 namespace {
 
 /// Fewer boxes are decided before the messages about them have arrived.
@@ -86,4 +86,4 @@ void SharedBoxes::show_now_and_then() {
       {boxes_, std::nullopt, supervisor_->waiting(), supervisor_->standing_still()});
 }
 
-}  // namespace regulus::bounding
+}  // namespace regulus

@@ -12,7 +12,7 @@
 #include "codegen/question/condition/condition_units.hpp"
 #include "runtime/cluster/supervisor.hpp"
 
-namespace regulus::inline bounding {
+namespace regulus {
 
 /// The workers of a search, and when they are of use.
 struct BoxSharing {
@@ -62,4 +62,4 @@ class SharedBoxes {
   const Clock::time_point start_ = Clock::now();
 };
 
-}  // namespace regulus::bounding
+}  // namespace regulus

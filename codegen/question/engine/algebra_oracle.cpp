@@ -15,7 +15,7 @@
 #include "codegen/question/engine/arb_oracle.hpp"
 #include "codegen/question/engine/exact_place.hpp"
 
-namespace regulus::inline engine {
+namespace regulus {
 namespace {
 
 /// Bits at the samples: first before the determinant is multiplied out, then for the result that it
@@ -25,7 +25,7 @@ constexpr long kManyBits = 2048;
 /// Terms of the determinant, before like ones are combined.
 constexpr std::uint64_t kBudget = 50000;
 /// A larger matrix is not multiplied out, because its certificate could not be checked.
-constexpr int kMaxOrder = 8;
+constexpr int kLargestOrder = 8;
 
 /// Coordinates of points that fill the variety evenly enough, the middle first.
 constexpr double kParts[] = {0.5, 0.381966, 0.763932, 0.145898};
@@ -63,7 +63,7 @@ bool vanishes_at_samples(const PreparedSearch& p, std::span<const Interval> poin
 }
 
 bool vanishes_identically(const PreparedSearch& p) {
-  if (p.labels.rows > kMaxOrder) return false;
+  if (p.labels.rows > kLargestOrder) return false;
   FormulationOptions options;
   options.left_product = options.derivatives = options.right_product = false;
   options.determinant = true;
@@ -101,14 +101,15 @@ bool is_at_most(const Polynomial& p, const Expression& alpha) {
   if (p.is_zero()) return true;
   const PolynomialTerm& first = p.terms().front();
   const bool is_number = p.terms().size() == 1 && first.monomial == Monomial{};
-  return is_number && alpha.kind() == Kind::kConstant && cln::abs(first.factor) <= alpha.value();
+  return is_number && alpha.kind() == ExpressionKind::kConstant &&
+         cln::abs(first.factor) <= alpha.value();
 }
 
 bool is_at_most_alpha(const Formulation& f, const Values& values, const GiNaC::ex& alpha) {
   const SymbolMeaning no_symbols;
   const Expression threshold = GinacReader(no_symbols).read(alpha);
   const ReplacementOf value_of = [&](const Expression& e) -> std::optional<Expression> {
-    if (e.kind() != Kind::kVariable) return std::nullopt;
+    if (e.kind() != ExpressionKind::kVariable) return std::nullopt;
     return values.at(e.name());
   };
   Rewriter rewriter({}, {});
@@ -117,7 +118,7 @@ bool is_at_most_alpha(const Formulation& f, const Values& values, const GiNaC::e
   };
   std::vector<Polynomial> entries;
   for (const Expression& e : f.natural_matrix) entries.push_back(expanded(e));
-  TermBudget budget(kBudget);
+  DeterminantBudget budget(kBudget);
   Polynomial p = determinant(entries, f.columns, rewriter.atoms(), budget);
   if (p.is_zero() || threshold.is_constant(0)) return p.is_zero();
   for (const Expression& scale : f.natural_row_scale) p = p * expanded(scale);
@@ -130,7 +131,7 @@ bool ExactAlgebra::is_singular_at(std::span<const Interval> point,
                                   std::span<const PlaceInRange> places) noexcept try {
   if (preparation_.is_replanned) return false;
   const Formulation& f = preparation_.stages->natural_formulation();
-  if (f.rows != f.columns || f.rows > kMaxOrder) return false;
+  if (f.rows != f.columns || f.rows > kLargestOrder) return false;
   const std::optional<Values> values = values_at(f.variables, point, places);
   return values && is_at_most_alpha(f, *values, preparation_.stages->request().motion.alpha);
 } catch (...) {
@@ -152,4 +153,4 @@ AlgebraOracle::Determinant ExactAlgebra::determinant(std::span<const Interval> p
   return Determinant::kUnknown;  // the result is not known
 }
 
-}  // namespace regulus::engine
+}  // namespace regulus

@@ -7,7 +7,7 @@
 #include <utility>
 #include <vector>
 
-namespace regulus::inline engine {
+namespace regulus {
 namespace {
 
 constexpr long kFirstBits = 106;
@@ -67,4 +67,4 @@ std::optional<Interval> ArbOracle::enclose(std::span<const Interval> point) noex
   return std::nullopt;
 }
 
-}  // namespace regulus::engine
+}  // namespace regulus

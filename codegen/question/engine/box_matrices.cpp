@@ -3,7 +3,7 @@
 
 #include <algorithm>
 
-namespace regulus::inline engine {
+namespace regulus {
 
 BoxMatrices::BoxMatrices(const Problem& problem, const MatrixScaling& scaling, std::size_t expanded)
     : problem_(problem),
@@ -25,7 +25,7 @@ BoxMatrices::BoxMatrices(const Problem& problem, const MatrixScaling& scaling, s
 void BoxMatrices::take_faster_kernel() {
   if (problem_.faster_kernel == nullptr) return;
   const regulus_kernel* faster = problem_.faster_kernel->load(std::memory_order_acquire);
-  if (faster != nullptr && faster != &functions()) kernel_ = Kernel(*faster);
+  if (faster != nullptr && faster != &functions()) kernel_ = CheckedKernel(*faster);
 }
 
 void BoxMatrices::load(AlignedBuffer& to, std::size_t lane, std::span<const Interval> box) const {
@@ -166,4 +166,4 @@ std::vector<Interval> BoxMatrices::pose_at(const Box& point) {
   return pose;
 }
 
-}  // namespace regulus::engine
+}  // namespace regulus

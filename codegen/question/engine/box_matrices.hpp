@@ -12,7 +12,7 @@
 #include "runtime/problem/problem.hpp"
 #include "runtime/regularity/aligned_buffer.hpp"
 
-namespace regulus::inline engine {
+namespace regulus {
 
 /// A over a box X × G: X of the expanded variables x, c a point of it, G of the other variables.
 struct BoxMatrix {
@@ -49,7 +49,7 @@ class BoxMatrices {
   /// The centres, and the boxes joined with them, as the kernel takes them.
   [[nodiscard]] const AlignedBuffer& center_lanes() const { return center_boxes_; }
   [[nodiscard]] const AlignedBuffer& box_lanes() const { return boxes_; }
-  [[nodiscard]] const Kernel& kernel() const { return kernel_; }
+  [[nodiscard]] const CheckedKernel& kernel() const { return kernel_; }
   /// Requires  is_defined(lane).
   [[nodiscard]] BoxMatrix matrix(std::size_t lane) const;
   /// Returns the centre, with the middles of the ranges of the variables that are not expanded.
@@ -83,7 +83,7 @@ class BoxMatrices {
 
   const Problem& problem_;
   const MatrixScaling& scaling_;
-  Kernel kernel_;
+  CheckedKernel kernel_;
   const std::size_t variables_, expanded_, columns_, entries_;
   std::vector<Box> boxes_given_, centers_;
   AlignedBuffer boxes_, center_boxes_, points_;
@@ -91,4 +91,4 @@ class BoxMatrices {
   LaneMask center_defined_ = 0, slopes_defined_ = 0, point_defined_ = 0, outside_ = 0, inside_ = 0;
 };
 
-}  // namespace regulus::engine
+}  // namespace regulus

@@ -11,7 +11,7 @@
 
 #include "codegen/kernel/jit/plugin.hpp"
 
-namespace regulus::inline engine {
+namespace regulus {
 namespace {
 
 /// Returns the build id in the notes of one segment; empty if there is none.
@@ -86,4 +86,4 @@ std::string build_id() {
   return identity;
 }
 
-}  // namespace regulus::engine
+}  // namespace regulus

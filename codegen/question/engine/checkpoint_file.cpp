@@ -9,7 +9,7 @@
 #include "codegen/support/errors.hpp"
 #include "runtime/files/sha256.hpp"
 
-namespace regulus::inline engine {
+namespace regulus {
 namespace {
 
 std::string ends_of(const Interval& x) { return fmt::format(" {:a}:{:a}", x.lo, x.hi); }
@@ -135,4 +135,4 @@ std::string CheckpointFile::line() const {
   return text;
 }
 
-}  // namespace regulus::engine
+}  // namespace regulus

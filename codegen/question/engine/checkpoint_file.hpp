@@ -12,7 +12,7 @@
 #include "runtime/files/file_lock.hpp"
 #include "runtime/proof/writer.hpp"
 
-namespace regulus::inline engine {
+namespace regulus {
 
 class CheckpointFile {
  public:
@@ -52,4 +52,4 @@ class CheckpointFile {
   bool kept_ = false;
 };
 
-}  // namespace regulus::engine
+}  // namespace regulus

@@ -12,7 +12,7 @@
 #include "codegen/kernel/symbolic/kept_powers.hpp"
 #include "codegen/kernel/symbolic/rewrite.hpp"
 
-namespace regulus::inline engine {
+namespace regulus {
 namespace {
 
 /// Larger determinants have too many terms to be narrower than what they are made of.
@@ -44,7 +44,7 @@ Expressions scaled_entries(const Formulation& f) {
 Polynomial determinant_of(const Expressions& entries, int n, Rewriter& rewriter) {
   std::vector<Polynomial> expanded;
   for (const Expression& e : entries) expanded.push_back(rewriter.expand(e));
-  TermBudget budget(kMostTerms);
+  DeterminantBudget budget(kMostTerms);
   return determinant(expanded, n, rewriter.atoms(), budget);
 }
 
@@ -175,4 +175,4 @@ std::optional<Interval> ClosedFormBounds::enclose(const Form& form, std::span<co
                   form.bounds_above ? result.hi : kInfinity);
 }
 
-}  // namespace regulus::engine
+}  // namespace regulus

@@ -14,14 +14,14 @@
 #include "codegen/question/engine/singular_descent.hpp"
 #include "runtime/interval/arithmetic.hpp"
 
-namespace regulus::inline engine {
+namespace regulus {
 namespace {
 
 using Place = SingularDescent::Place;
 
 constexpr int kStarts = 4;
 /// A larger matrix is not multiplied out, because its certificate could not be checked.
-constexpr std::size_t kMaxColumns = 8;
+constexpr std::size_t kMostColumns = 8;
 /// The least singular value of a matrix that counts as singular, of the balanced matrix.
 constexpr double kNegligible = 1e-9;
 /// A coordinate so near to a simple value is probably meant to have it. Where a singularity is
@@ -182,7 +182,7 @@ bool has_balls(const Formulation& f) {
 
 std::optional<ExactPlace> find_exact_place(const PreparedSearch& p, std::span<const Interval> box) {
   const Formulation& f = p.stages->natural_formulation();
-  if (std::size_t(f.columns) > kMaxColumns || has_balls(f)) return std::nullopt;
+  if (std::size_t(f.columns) > kMostColumns || has_balls(f)) return std::nullopt;
   const Program entries = lower_outputs(f, f.natural_matrix);
   const ApproxMatrix matrix = approx_matrix(f, entries);
   SingularDescent descent(p, matrix);
@@ -197,4 +197,4 @@ std::optional<ExactPlace> find_exact_place(const PreparedSearch& p, std::span<co
   return std::nullopt;
 }
 
-}  // namespace regulus::engine
+}  // namespace regulus

@@ -12,7 +12,7 @@
 #include "codegen/support/shared_object.hpp"
 #include "runtime/files/sha256.hpp"
 
-namespace regulus::inline engine {
+namespace regulus {
 namespace {
 
 constexpr const char* kSymbol = "regulus_filter";
@@ -57,4 +57,4 @@ FilterFile::FilterFile(const std::string& path)
     throw InputError::statement(path, 0, *fault, "regulus/filter.h describes the interface");
 }
 
-}  // namespace regulus::engine
+}  // namespace regulus

@@ -9,7 +9,7 @@
 #include "codegen/model/exact/ginac_text.hpp"
 #include "codegen/question/engine/options_key.hpp"
 
-namespace regulus::inline engine {
+namespace regulus {
 namespace {
 
 /// Increase it if other data than these decide the forms.
@@ -43,18 +43,18 @@ class ExpressionKey {
 
   void add_content(const Expression& e) {
     switch (e.kind()) {
-      case Kind::kConstant:
+      case ExpressionKind::kConstant:
         return parts_.add(to_string(e));
-      case Kind::kPoint:
-      case Kind::kVariable:
+      case ExpressionKind::kPoint:
+      case ExpressionKind::kVariable:
         return parts_.add(e.name());
-      case Kind::kPower:
+      case ExpressionKind::kPower:
         return parts_.add(e.exponent());
-      case Kind::kCall:
+      case ExpressionKind::kCall:
         return parts_.add(static_cast<int>(e.function()));
-      case Kind::kPi:
-      case Kind::kProduct:
-      case Kind::kSum:
+      case ExpressionKind::kNumberPi:
+      case ExpressionKind::kProduct:
+      case ExpressionKind::kSum:
         return;
     }
   }
@@ -102,4 +102,4 @@ std::string forms_key(const Formulation& natural, bool has_threshold,
   return parts.key();
 }
 
-}  // namespace regulus::engine
+}  // namespace regulus

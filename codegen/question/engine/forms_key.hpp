@@ -7,7 +7,7 @@
 #include "codegen/kernel/formulation/formulation.hpp"
 #include "runtime/kernel/isa.hpp"
 
-namespace regulus::inline engine {
+namespace regulus {
 
 /// Returns the name in the cache of the forms that many questions share: those of one model and one
 /// motion that differ only in the values of ranges, tolerances and errors, as far as the symbolic
@@ -24,4 +24,4 @@ namespace regulus::inline engine {
                                     const FormulationOptions& functions, Isa isa,
                                     std::string_view program, std::string_view compiler);
 
-}  // namespace regulus::engine
+}  // namespace regulus

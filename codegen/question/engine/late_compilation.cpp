@@ -7,7 +7,7 @@
 #include "codegen/support/no_signals.hpp"
 #include "runtime/kernel/call.hpp"
 
-namespace regulus::inline engine {
+namespace regulus {
 namespace {
 
 constexpr std::chrono::milliseconds kLook{10};
@@ -39,8 +39,8 @@ void LateCompilation::start() noexcept try {
 
 void LateCompilation::compile() noexcept {
   try {
-    kernel_.emplace(engine::compile(*program_, options_));
-    static_cast<void>(Kernel(*kernel_->kernel()));  // throws if it cannot be called
+    kernel_.emplace(regulus::compile(*program_, options_));
+    static_cast<void>(CheckedKernel(*kernel_->kernel()));  // throws if it cannot be called
     offered_.store(kernel_->kernel(), std::memory_order_release);
   } catch (const std::exception& error) {
     failure_ = error.what();
@@ -56,4 +56,4 @@ bool LateCompilation::wait(const std::atomic<bool>& given_up) {
   return true;
 }
 
-}  // namespace regulus::engine
+}  // namespace regulus

@@ -11,11 +11,8 @@
 #include "runtime/kernel/isa.hpp"
 #include "runtime/problem/problem.hpp"
 
-namespace regulus::inline jit {
+namespace regulus {
 class PartStore;
-}
-
-namespace regulus::inline engine {
 
 /// kAuto: compiled if the cache has the kernel; otherwise interpreted, and compiled in parallel
 /// with a long search. kJit: built with LLVM from the list of operations. kClang: the C++ text,
@@ -59,4 +56,4 @@ struct CheckpointOptions {
   double interval = 10;  ///< seconds
 };
 
-}  // namespace regulus::engine
+}  // namespace regulus

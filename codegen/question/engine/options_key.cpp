@@ -3,7 +3,7 @@
 
 #include <string>
 
-namespace regulus::inline engine {
+namespace regulus {
 namespace {
 
 // In these functions the structured binding names all members: a new member does not compile
@@ -39,4 +39,4 @@ void add(KeyParts& parts, const FormulationOptions& options) {
   add(parts, rewriting);
 }
 
-}  // namespace regulus::engine
+}  // namespace regulus

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "codegen/question/engine/paving_verdict.hpp"
 
-namespace regulus::inline engine {
+namespace regulus {
 
 void keep_poses_out_of_reach(const PreparedSearch& p, const Volumes& volumes, Result& result) {
   const bool claims_all =
@@ -12,4 +12,4 @@ void keep_poses_out_of_reach(const PreparedSearch& p, const Volumes& volumes, Re
   result.blocking_box = volumes.unreachable_box();
 }
 
-}  // namespace regulus::engine
+}  // namespace regulus

@@ -5,11 +5,11 @@
 #include "runtime/problem/result.hpp"
 #include "runtime/search/paving.hpp"
 
-namespace regulus::inline engine {
+namespace regulus {
 
 /// Withdraws a claim of a paving about all poses if some of them are out of reach. Unless the motion
 /// says where = "reachable", these are part of the question, and the matrix is undefined there.
 void keep_poses_out_of_reach(const PreparedSearch& preparation, const Volumes& volumes,
                              Result& result);
 
-}  // namespace regulus::engine
+}  // namespace regulus

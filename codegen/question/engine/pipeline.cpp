@@ -16,7 +16,7 @@
 #include "runtime/kernel/self_test.hpp"
 #include "runtime/machine/machine_kernel.hpp"
 
-namespace regulus::inline engine {
+namespace regulus {
 namespace {
 
 class CompiledCode : public LoadedKernel {
@@ -345,4 +345,4 @@ EmittedKernel emit_kernel(const Request& request, Method method, const std::stri
               options);
 }
 
-}  // namespace regulus::engine
+}  // namespace regulus

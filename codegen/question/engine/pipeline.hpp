@@ -24,7 +24,7 @@
 #include "runtime/problem/problem.hpp"
 #include "runtime/search/solver.hpp"
 
-namespace regulus::inline engine {
+namespace regulus {
 
 /// Seconds spent in each stage.
 struct StageSeconds {
@@ -94,4 +94,4 @@ struct PreparedSearch {
                                         const std::string& command,
                                         std::uint64_t symbolic_budget = kDeterminantBudget);
 
-}  // namespace regulus::engine
+}  // namespace regulus

@@ -6,7 +6,7 @@
 #include "runtime/files/sha256.hpp"
 #include "runtime/machine/pack_file.hpp"
 
-namespace regulus::inline engine {
+namespace regulus {
 namespace {
 
 /// In front of the text of a warm start that is kept for all questions with its forms.
@@ -74,4 +74,4 @@ void ProblemCache::keep(WarmStart problem, const machine::PackKernel& program) c
   static_cast<void>(cache_.write(entries));
 }
 
-}  // namespace regulus::engine
+}  // namespace regulus

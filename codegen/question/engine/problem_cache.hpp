@@ -9,7 +9,7 @@
 #include "codegen/question/engine/warm_start.hpp"
 #include "runtime/machine/pack_program.hpp"
 
-namespace regulus::inline engine {
+namespace regulus {
 
 /// The entries in the cache of one question: its warm start, that of the questions with the same
 /// forms, and their kernel. The rules of trust are those of ObjectCache; an entry that is damaged,
@@ -48,4 +48,4 @@ class ProblemCache {
   std::string note_;
 };
 
-}  // namespace regulus::engine
+}  // namespace regulus

@@ -6,7 +6,7 @@
 
 #include "codegen/kernel/symbolic/measure.hpp"
 
-namespace regulus::inline engine {
+namespace regulus {
 namespace {
 
 /// The names of the variables on which a verdict depends.
@@ -53,4 +53,4 @@ ReportLabels report_labels(const Request& request, const Formulation& formulatio
   return subject;
 }
 
-}  // namespace regulus::engine
+}  // namespace regulus

@@ -10,7 +10,7 @@
 #include "codegen/kernel/formulation/formulation.hpp"
 #include "codegen/model/request.hpp"
 
-namespace regulus::inline engine {
+namespace regulus {
 
 struct PoseLabel {
   std::string name;
@@ -48,4 +48,4 @@ struct ReportLabels {
 
 [[nodiscard]] ReportLabels report_labels(const Request& request, const Formulation& formulation);
 
-}  // namespace regulus::engine
+}  // namespace regulus

@@ -13,7 +13,7 @@
 #include "runtime/search/solver.hpp"
 #include "runtime/witness/point_witness.hpp"
 
-namespace regulus::inline engine {
+namespace regulus {
 
 namespace {
 
@@ -102,4 +102,4 @@ void close_in_on_witness(PreparedSearch& preparation, const SearchOptions& searc
   });
 }
 
-}  // namespace regulus::engine
+}  // namespace regulus

@@ -11,7 +11,7 @@
 #include "runtime/cluster/search_description.hpp"
 #include "runtime/problem/observer.hpp"
 
-namespace regulus::inline engine {
+namespace regulus {
 
 /// Returns the seconds of a time limit that remain after the stages before the search.
 [[nodiscard]] double seconds_left(const PreparedSearch& preparation, double time_limit);
@@ -39,4 +39,4 @@ void decide_for_another(PreparedSearch& preparation, const SearchOptions& search
 void close_in_on_witness(PreparedSearch& preparation, const SearchOptions& search,
                          Settings settings, Result& result);
 
-}  // namespace regulus::engine
+}  // namespace regulus

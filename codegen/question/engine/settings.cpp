@@ -10,7 +10,7 @@
 #include "codegen/question/engine/ingredients.hpp"
 #include "codegen/question/engine/search_run.hpp"
 
-namespace regulus::inline engine {
+namespace regulus {
 namespace {
 
 /// Returns the number of processors for this process, if the system reports it.
@@ -49,4 +49,4 @@ Settings settings_of(const PreparedSearch& prepared, const SearchOptions& option
   return settings;
 }
 
-}  // namespace regulus::engine
+}  // namespace regulus

@@ -5,7 +5,7 @@
 #include "codegen/question/engine/pipeline.hpp"
 #include "runtime/problem/problem.hpp"
 
-namespace regulus::inline engine {
+namespace regulus {
 
 /// Returns the settings of a search. Throws UsageError for a value that is not in its enumeration,
 /// or an unknown ingredient.
@@ -15,4 +15,4 @@ namespace regulus::inline engine {
 [[nodiscard]] Settings settings_of(const PreparedSearch& prepared, const SearchOptions& options,
                                    const std::atomic<bool>* interrupt);
 
-}  // namespace regulus::engine
+}  // namespace regulus

@@ -8,7 +8,7 @@
 
 #include "codegen/question/engine/point_values.hpp"
 
-namespace regulus::inline engine {
+namespace regulus {
 namespace {
 
 using Eigen::Index;
@@ -149,4 +149,4 @@ VectorXd SingularDescent::slope(const Place& place, const MatrixXd& A, const Vec
   return (scaled(*matrix) - A) * v * (width(k) / (other - x));
 }
 
-}  // namespace regulus::engine
+}  // namespace regulus

@@ -13,7 +13,7 @@
 #include "codegen/question/engine/balanced_matrix.hpp"
 #include "codegen/question/engine/pipeline.hpp"
 
-namespace regulus::inline engine {
+namespace regulus {
 
 /// A matrix that can be evaluated approximately.
 struct ApproxMatrix {
@@ -69,4 +69,4 @@ class SingularDescent {
   std::size_t most_evaluations_;
 };
 
-}  // namespace regulus::engine
+}  // namespace regulus

@@ -10,7 +10,7 @@
 
 #include "codegen/question/engine/options_key.hpp"
 
-namespace regulus::inline engine {
+namespace regulus {
 namespace {
 
 using Json = nlohmann::json;
@@ -248,4 +248,4 @@ bool fits(const WarmStart& problem, const machine::PackKernel& program) noexcept
          program.pose_parameters == s.pose.size();
 }
 
-}  // namespace regulus::engine
+}  // namespace regulus

@@ -16,7 +16,7 @@
 #include "runtime/kernel/isa.hpp"
 #include "runtime/machine/pack_program.hpp"
 
-namespace regulus::inline engine {
+namespace regulus {
 
 struct WarmStart {
   ReportLabels labels;
@@ -47,4 +47,4 @@ struct WarmStart {
 /// True if a program has the problem's sizes and is the source of its kernel.
 [[nodiscard]] bool fits(const WarmStart& problem, const machine::PackKernel& program) noexcept;
 
-}  // namespace regulus::engine
+}  // namespace regulus

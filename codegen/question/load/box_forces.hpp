@@ -10,7 +10,7 @@
 #include "codegen/question/engine/box_matrices.hpp"
 #include "codegen/question/load/force_test.hpp"
 
-namespace regulus::inline feasibility {
+namespace regulus {
 
 /// A pose of the variety, and values of the uncertain quantities, at which a load is not held.
 struct ForceWitness {
@@ -52,4 +52,4 @@ class BoxForces {
   BoxMatrices matrices_;
 };
 
-}  // namespace regulus::feasibility
+}  // namespace regulus

@@ -11,7 +11,7 @@
 #include "codegen/answer/report/question_report.hpp"
 #include "codegen/answer/report/report_parts.hpp"
 
-namespace regulus::inline feasibility {
+namespace regulus {
 namespace {
 
 using Json = nlohmann::ordered_json;
@@ -185,7 +185,7 @@ const Share& ForceVolumes::of(ForceClaim claim) const noexcept {
 }
 
 std::string ForceVolumes::percentage(ForceClaim claim) const {
-  return report::percentage(volumes_, of(claim));
+  return regulus::percentage(volumes_, of(claim));
 }
 
 Interval ForceVolumes::fraction(ForceClaim claim) const noexcept {
@@ -268,4 +268,4 @@ Json json_forces_box(const PreparedForces& prepared, std::span<const Interval> b
   return {{"kind", name(claim)}, {"box", json_parameters(prepared.preparation, box)}};
 }
 
-}  // namespace regulus::feasibility
+}  // namespace regulus

@@ -9,7 +9,7 @@
 #include "codegen/question/load/feasibility_run.hpp"
 #include "runtime/search/paving.hpp"
 
-namespace regulus::inline feasibility {
+namespace regulus {
 
 /// Returns the claim about a box, as a sentence.
 [[nodiscard]] std::string describe_claim(const PreparedForces& prepared, ForceClaim claim);
@@ -59,4 +59,4 @@ class ForceVolumes {
                                                      std::span<const Interval> box,
                                                      ForceClaim claim);
 
-}  // namespace regulus::feasibility
+}  // namespace regulus

@@ -6,7 +6,7 @@
 #include "codegen/question/engine/settings.hpp"
 #include "codegen/support/errors.hpp"
 
-namespace regulus::inline feasibility {
+namespace regulus {
 namespace {
 
 /// The kernel needs the entries of the matrix and their derivatives, and no product.
@@ -70,4 +70,4 @@ FeasibilityResult run_forces(PreparedForces& prepared, const FeasibilitySettings
   return result;
 }
 
-}  // namespace regulus::feasibility
+}  // namespace regulus

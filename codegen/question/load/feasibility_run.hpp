@@ -10,7 +10,7 @@
 #include "codegen/question/load/feasibility_search.hpp"
 #include "codegen/question/quantity/quantity.hpp"
 
-namespace regulus::inline feasibility {
+namespace regulus {
 
 /// A question that is ready to be searched.
 struct PreparedForces {
@@ -49,4 +49,4 @@ struct PreparedForces {
                                            const FeasibilitySettings& settings,
                                            const ForceListener& listener, Observer* progress);
 
-}  // namespace regulus::feasibility
+}  // namespace regulus

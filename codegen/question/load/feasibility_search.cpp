@@ -10,7 +10,7 @@
 
 #include "runtime/interval/floating_point_scope.hpp"
 
-namespace regulus::inline feasibility {
+namespace regulus {
 namespace {
 
 /// The boxes of a round, whatever the number of threads.
@@ -274,4 +274,4 @@ FeasibilityResult search_forces(const ForceQuestion& question, const Feasibility
   return ForceSearch(question, settings, listener, progress).run();
 }
 
-}  // namespace regulus::feasibility
+}  // namespace regulus

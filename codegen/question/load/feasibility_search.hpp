@@ -14,7 +14,7 @@
 #include "runtime/problem/observer.hpp"
 #include "runtime/problem/result.hpp"
 
-namespace regulus::inline feasibility {
+namespace regulus {
 
 struct FeasibilitySettings {
   unsigned threads = 1;  ///< at least 1; only the time depends on it
@@ -56,4 +56,4 @@ using ForceListener = std::function<void(std::span<const Interval> box, ForceCla
                                               const FeasibilitySettings& settings,
                                               const ForceListener& listener, Observer* progress);
 
-}  // namespace regulus::feasibility
+}  // namespace regulus

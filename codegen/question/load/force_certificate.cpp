@@ -8,7 +8,7 @@
 #include "codegen/question/way/trajectory_certificate.hpp"
 #include "runtime/proof/writer.hpp"
 
-namespace regulus::inline feasibility {
+namespace regulus {
 namespace {
 
 const char* word_of(Rule rule) noexcept {
@@ -106,4 +106,4 @@ ProofStatus certify_way_forces(const std::string& path, const WayForces& found) 
   return status;
 }
 
-}  // namespace regulus::feasibility
+}  // namespace regulus

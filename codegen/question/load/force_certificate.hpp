@@ -11,7 +11,7 @@
 #include "codegen/question/load/way_forces.hpp"
 #include "runtime/proof/proof_file.hpp"
 
-namespace regulus::inline feasibility {
+namespace regulus {
 
 /// Writes the tree of a search while it runs: of FEASIBLE, or of a paving. For INFEASIBLE the
 /// witness takes its place.
@@ -42,4 +42,4 @@ class ForceCertificate final : public Observer {
 /// empty `path` means no certificate. Throws FileError.
 [[nodiscard]] ProofStatus certify_way_forces(const std::string& path, const WayForces& found);
 
-}  // namespace regulus::feasibility
+}  // namespace regulus

@@ -4,7 +4,7 @@
 
 #include <cstdint>
 
-namespace regulus::inline feasibility {
+namespace regulus {
 
 enum class FeasibilityVerdict : std::uint8_t { kFeasible, kInfeasible, kPossibleProblem };
 
@@ -22,4 +22,4 @@ enum class ForceClaim : std::uint8_t {
 /// Returns the word of JSON lines: "feasible", "infeasible", "undecided", "outside".
 [[nodiscard]] const char* name(ForceClaim claim) noexcept;
 
-}  // namespace regulus::feasibility
+}  // namespace regulus

@@ -8,7 +8,7 @@
 #include "codegen/model/exact/certain_sign.hpp"
 #include "codegen/support/errors.hpp"
 
-namespace regulus::inline feasibility {
+namespace regulus {
 namespace {
 
 /// Returns the largest double interval within [lower, upper].
@@ -74,4 +74,4 @@ Request with_scaled_rows(Request request) {
   return request;
 }
 
-}  // namespace regulus::feasibility
+}  // namespace regulus

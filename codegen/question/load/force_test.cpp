@@ -6,7 +6,7 @@
 
 #include "codegen/question/load/greatest_slack.hpp"
 
-namespace regulus::inline feasibility {
+namespace regulus {
 namespace {
 
 using Doubles = std::vector<double>;
@@ -357,4 +357,4 @@ ForceDecision ForceTest::decide(const BoxMatrix& box) const {
   return BoxDecision(problem_, box).run();
 }
 
-}  // namespace regulus::feasibility
+}  // namespace regulus

@@ -14,7 +14,7 @@
 #include "codegen/support/errors.hpp"
 #include "runtime/interval/floating_point_scope.hpp"
 
-namespace regulus::inline feasibility {
+namespace regulus {
 namespace {
 
 /// A piece that needs more is searched alone.
@@ -188,4 +188,4 @@ WayForces check_forces_along_way(Request request, double model_seconds, const st
   return found;
 }
 
-}  // namespace regulus::feasibility
+}  // namespace regulus

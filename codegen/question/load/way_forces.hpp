@@ -17,7 +17,7 @@
 #include "codegen/question/load/feasibility_run.hpp"
 #include "codegen/question/way/path_parts.hpp"
 
-namespace regulus::inline feasibility {
+namespace regulus {
 
 /// The piece that decides the verdict.
 struct DecidingForces {
@@ -55,4 +55,4 @@ struct WayForces {
 [[nodiscard]] std::string format_way_forces(const WayForces& found);
 [[nodiscard]] nlohmann::ordered_json json_way_forces(const WayForces& found);
 
-}  // namespace regulus::feasibility
+}  // namespace regulus

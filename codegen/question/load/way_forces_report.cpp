@@ -12,7 +12,7 @@
 #include "codegen/question/load/way_forces.hpp"
 #include "codegen/question/way/trajectory_report.hpp"
 
-namespace regulus::inline feasibility {
+namespace regulus {
 namespace {
 
 using Json = nlohmann::ordered_json;
@@ -125,4 +125,4 @@ Json json_way_forces(const WayForces& found) {
   return report;
 }
 
-}  // namespace regulus::feasibility
+}  // namespace regulus

@@ -3,7 +3,7 @@
 
 #include "codegen/answer/certificate/certificate_question.hpp"
 
-namespace regulus::inline bracketing {
+namespace regulus {
 
 MarginCertificates::MarginCertificates(const std::string& path, const MarginRequest& request,
                                        const ReportLabels& subject, HeldFiles* held)
@@ -50,4 +50,4 @@ bool MarginCertificates::is_refused(const CertifiedQuestion& question, bool sing
   return true;
 }
 
-}  // namespace regulus::bracketing
+}  // namespace regulus

@@ -10,7 +10,7 @@
 #include "codegen/question/margin/margin_question.hpp"
 #include "runtime/proof/writer.hpp"
 
-namespace regulus::inline bracketing {
+namespace regulus {
 
 /// FILE.safe and FILE.singular: proofs of the ends at which the run stops.
 class MarginCertificates {
@@ -39,4 +39,4 @@ class MarginCertificates {
   std::shared_ptr<CertificateWriter> search_;
 };
 
-}  // namespace regulus::bracketing
+}  // namespace regulus

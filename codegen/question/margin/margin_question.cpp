@@ -15,7 +15,7 @@
 #include "codegen/model/mechanism/joint_limits.hpp"
 #include "codegen/model/overrides.hpp"
 
-namespace regulus::inline bracketing {
+namespace regulus {
 namespace {
 
 using GiNaC::ex;
@@ -337,4 +337,4 @@ std::string describe_quantity(const MarginQuestion& question) {
   return "";
 }
 
-}  // namespace regulus::bracketing
+}  // namespace regulus

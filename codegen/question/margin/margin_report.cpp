@@ -11,7 +11,7 @@
 #include "codegen/model/exact/decimal.hpp"
 #include "codegen/question/engine/choices.hpp"
 
-namespace regulus::inline bracketing {
+namespace regulus {
 namespace {
 
 using Json = nlohmann::ordered_json;
@@ -166,4 +166,4 @@ Json json_margin(const PreparedSearch& p, const SearchOptions& search, const Req
   return report;
 }
 
-}  // namespace regulus::bracketing
+}  // namespace regulus

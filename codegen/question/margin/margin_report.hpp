@@ -7,7 +7,7 @@
 
 #include "codegen/question/margin/margin_run.hpp"
 
-namespace regulus::inline bracketing {
+namespace regulus {
 
 /// Returns "SAFE UP TO 0.119, NOT AT 0.134", for example.
 [[nodiscard]] std::string describe_bracket(const MarginQuestion& question, const Margin& margin);
@@ -31,4 +31,4 @@ namespace regulus::inline bracketing {
                                                  const MarginQuestion& question,
                                                  const Margin& margin, double gap_wanted);
 
-}  // namespace regulus::bracketing
+}  // namespace regulus

@@ -9,7 +9,7 @@
 #include "codegen/question/engine/search_run.hpp"
 #include "runtime/problem/observers.hpp"
 
-namespace regulus::inline bracketing {
+namespace regulus {
 namespace {
 
 /// Part of the time left that a search for the witness may take, before the first search and again
@@ -226,4 +226,4 @@ void MarginRun::note(MarginStep step, bool is_search, std::uint64_t most_boxes) 
   margin_.steps.push_back(std::move(step));
 }
 
-}  // namespace regulus::bracketing
+}  // namespace regulus

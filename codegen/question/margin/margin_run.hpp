@@ -16,7 +16,7 @@
 #include "runtime/search/bracket.hpp"
 #include "runtime/witness/least_witness.hpp"
 
-namespace regulus::inline bracketing {
+namespace regulus {
 
 /// The result at one value.
 struct MarginStep {
@@ -98,4 +98,4 @@ class MarginRun {
   Margin margin_;
 };
 
-}  // namespace regulus::bracketing
+}  // namespace regulus

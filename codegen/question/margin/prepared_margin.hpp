@@ -7,7 +7,7 @@
 #include "codegen/question/margin/margin_question.hpp"
 #include "codegen/question/margin/margin_run.hpp"
 
-namespace regulus::inline bracketing {
+namespace regulus {
 
 /// Throws UsageError unless the text is a number between 0 and 1.
 [[nodiscard]] double read_gap(const std::string& text);
@@ -28,4 +28,4 @@ struct PreparedMargin {
   Settings settings;
 };
 
-}  // namespace regulus::bracketing
+}  // namespace regulus

@@ -7,7 +7,7 @@
 
 #include "codegen/question/quantity/sample_point.hpp"
 
-namespace regulus::inline quantity {
+namespace regulus {
 namespace {
 
 using GiNaC::ex;
@@ -105,4 +105,4 @@ std::vector<double> better_values(const Bordered& bordered, int places) {
   return Sampler(bordered, true).values(places);
 }
 
-}  // namespace regulus::quantity
+}  // namespace regulus

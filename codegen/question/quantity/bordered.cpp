@@ -8,7 +8,7 @@
 #include "codegen/question/quantity/inverse_columns.hpp"
 #include "codegen/question/quantity/inverse_in_one_unit.hpp"
 
-namespace regulus::inline quantity {
+namespace regulus {
 namespace {
 
 using GiNaC::ex;
@@ -362,4 +362,4 @@ Bordered border_at_limit(const Request& request, const Component& component, con
   return bordered;
 }
 
-}  // namespace regulus::quantity
+}  // namespace regulus

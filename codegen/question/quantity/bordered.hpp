@@ -42,7 +42,7 @@
 #include "codegen/model/request.hpp"
 #include "codegen/question/quantity/quantity.hpp"
 
-namespace regulus::inline quantity {
+namespace regulus {
 
 /// The question of regularity for a component.
 struct Bordered {
@@ -75,4 +75,4 @@ struct Bordered {
 [[nodiscard]] Bordered border_at_limit(const Request& request, const Component& component,
                                        const GiNaC::ex& limit);
 
-}  // namespace regulus::quantity
+}  // namespace regulus

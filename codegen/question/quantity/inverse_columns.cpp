@@ -6,7 +6,7 @@
 
 #include "codegen/question/quantity/sample_point.hpp"
 
-namespace regulus::inline quantity {
+namespace regulus {
 namespace {
 
 using Eigen::Index;
@@ -76,4 +76,4 @@ std::optional<GiNaC::matrix> inverse_columns(const Request& request, const GiNaC
   return std::nullopt;
 }
 
-}  // namespace regulus::quantity
+}  // namespace regulus

@@ -11,7 +11,7 @@
 #include "codegen/model/names.hpp"
 #include "codegen/support/errors.hpp"
 
-namespace regulus::inline quantity {
+namespace regulus {
 namespace {
 
 using Kind = TwistComponent::Kind;
@@ -329,4 +329,4 @@ const VectorSet& choose_load(const Model& model, const std::string& wanted) {
   return choose_set(model.loads, wanted, "load");
 }
 
-}  // namespace regulus::quantity
+}  // namespace regulus

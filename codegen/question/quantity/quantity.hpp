@@ -10,7 +10,7 @@
 #include "codegen/model/model.hpp"
 #include "codegen/question/quantity/quantity_options.hpp"
 
-namespace regulus::inline quantity {
+namespace regulus {
 
 enum class QuantityKind {
   kForce,        ///< of a row, under a load
@@ -72,4 +72,4 @@ struct Quantity {
 /// Returns the load of that name, or the only one if `wanted` is empty. Throws UsageError.
 [[nodiscard]] const VectorSet& choose_load(const Model& model, const std::string& wanted);
 
-}  // namespace regulus::quantity
+}  // namespace regulus

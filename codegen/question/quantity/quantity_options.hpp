@@ -3,7 +3,7 @@
 
 #include <string>
 
-namespace regulus::inline quantity {
+namespace regulus {
 
 /// The words of the command line about a quantity.
 struct QuantityOptions {
@@ -17,4 +17,4 @@ struct QuantityOptions {
   std::string norm{};      ///< of a condition number: "2" or "max"; empty: "max"
 };
 
-}  // namespace regulus::quantity
+}  // namespace regulus

@@ -6,7 +6,7 @@
 
 #include "codegen/model/way/trajectory.hpp"
 
-namespace regulus::inline quantity {
+namespace regulus {
 
 using GiNaC::ex;
 
@@ -57,4 +57,4 @@ void SamplePoints::add_uncertain(GiNaC::exmap& point, bool in_the_middle) {
   }
 }
 
-}  // namespace regulus::quantity
+}  // namespace regulus

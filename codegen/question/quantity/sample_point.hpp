@@ -6,7 +6,7 @@
 
 #include "codegen/model/request.hpp"
 
-namespace regulus::inline quantity {
+namespace regulus {
 
 /// Returns a real number, NaN for anything else.
 [[nodiscard]] double approx_number(const GiNaC::ex& e);
@@ -35,4 +35,4 @@ class SamplePoints {
   std::uniform_real_distribution<double> uniform_{0, 1};
 };
 
-}  // namespace regulus::quantity
+}  // namespace regulus

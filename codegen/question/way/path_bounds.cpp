@@ -6,7 +6,7 @@
 #include "codegen/kernel/formulation/variety.hpp"
 #include "codegen/kernel/program/rational_bounds.hpp"
 
-namespace regulus::inline trajectory {
+namespace regulus {
 namespace {
 
 using GiNaC::ex;
@@ -127,4 +127,4 @@ Interval PathBounds::over_pieces(std::size_t first, std::size_t count,
   return groups_[level][(first >> level) * moving_.size() + m];
 }
 
-}  // namespace regulus::trajectory
+}  // namespace regulus

@@ -9,7 +9,7 @@
 #include "codegen/model/way/trajectory.hpp"
 #include "runtime/interval/interval.hpp"
 
-namespace regulus::inline trajectory {
+namespace regulus {
 
 /// Encloses one pose parameter along one piece.
 class CoordinateBounds {
@@ -64,4 +64,4 @@ class PathBounds {
   std::vector<std::vector<Interval>> groups_;
 };
 
-}  // namespace regulus::trajectory
+}  // namespace regulus

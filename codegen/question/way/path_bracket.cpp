@@ -11,7 +11,7 @@
 #include "codegen/question/way/path_search.hpp"
 #include "codegen/question/way/trajectory_request.hpp"
 
-namespace regulus::inline trajectory {
+namespace regulus {
 namespace {
 
 /// The part of the gap below the witness at which all pieces are searched.
@@ -219,4 +219,4 @@ void PathBracket::certify_lower() {
   }
 }
 
-}  // namespace regulus::trajectory
+}  // namespace regulus

@@ -18,7 +18,7 @@
 #include "codegen/question/margin/prepared_margin.hpp"
 #include "codegen/question/way/path_bounds.hpp"
 
-namespace regulus::inline trajectory {
+namespace regulus {
 
 /// A singular pose on one piece, at a value.
 struct PieceWitness {
@@ -102,4 +102,4 @@ class PathBracket {
   StageSeconds seconds_;
 };
 
-}  // namespace regulus::trajectory
+}  // namespace regulus

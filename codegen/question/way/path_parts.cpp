@@ -3,7 +3,7 @@
 
 #include <algorithm>
 
-namespace regulus::inline trajectory {
+namespace regulus {
 namespace {
 
 constexpr double kShortestPart = 0x1p-24;
@@ -91,4 +91,4 @@ void PathParts::leaf(const PathPart& part, Rule rule) {
   for (std::size_t k = part.piece; k < end_of(part); ++k) trees_[k].leaf(part.id, rule);
 }
 
-}  // namespace regulus::trajectory
+}  // namespace regulus

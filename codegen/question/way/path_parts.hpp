@@ -9,7 +9,7 @@
 #include "runtime/problem/problem.hpp"
 #include "runtime/proof/tree_kept.hpp"
 
-namespace regulus::inline trajectory {
+namespace regulus {
 
 /// A part of the trajectory that is not decided yet.
 struct PathPart {
@@ -65,4 +65,4 @@ class PathParts {
   std::vector<TreeKept> trees_;
 };
 
-}  // namespace regulus::trajectory
+}  // namespace regulus

@@ -7,7 +7,7 @@
 #include "codegen/question/way/trajectory_request.hpp"
 #include "codegen/support/errors.hpp"
 
-namespace regulus::inline trajectory {
+namespace regulus {
 namespace {
 
 constexpr std::uint64_t kMostBoxesAlone = 200'000;
@@ -107,4 +107,4 @@ TrajectoryCheck begin_check(Request request, double model_seconds, SearchOptions
   return check;
 }
 
-}  // namespace regulus::trajectory
+}  // namespace regulus

@@ -7,7 +7,7 @@
 #include "codegen/question/engine/options.hpp"
 #include "codegen/question/way/trajectory_run.hpp"
 
-namespace regulus::inline trajectory {
+namespace regulus {
 
 class PathRun {
  public:
@@ -50,4 +50,4 @@ void settle_options(SearchOptions& search);
 [[nodiscard]] TrajectoryCheck begin_check(Request request, double model_seconds,
                                           SearchOptions& search);
 
-}  // namespace regulus::trajectory
+}  // namespace regulus

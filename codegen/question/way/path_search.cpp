@@ -8,7 +8,7 @@
 #include "runtime/search/leaf_claims.hpp"
 #include "runtime/search/round.hpp"
 
-namespace regulus::inline trajectory {
+namespace regulus {
 namespace {
 
 using Clock = std::chrono::steady_clock;
@@ -176,4 +176,4 @@ PathSearchResult search_path(const PathBounds& path, const Problem& problem,
   return PathSearch(path, problem, settings, options).run();
 }
 
-}  // namespace regulus::trajectory
+}  // namespace regulus

@@ -15,7 +15,7 @@
 #include "runtime/problem/problem.hpp"
 #include "runtime/problem/result.hpp"
 
-namespace regulus::inline trajectory {
+namespace regulus {
 
 /// The kinds of leaves that a piece has.
 struct PieceLeaves {
@@ -57,4 +57,4 @@ struct PathSearchOptions {
                                            const Settings& settings,
                                            const PathSearchOptions& options);
 
-}  // namespace regulus::trajectory
+}  // namespace regulus

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "codegen/question/way/read_trajectory.hpp"
 
-namespace regulus::inline trajectory {
+namespace regulus {
 
 std::optional<Request> read_trajectory(const ModelOptions& options) {
   const std::string text = model_text(options);
@@ -11,4 +11,4 @@ std::optional<Request> read_trajectory(const ModelOptions& options) {
   return request.motion.trajectory ? std::optional(std::move(request)) : std::nullopt;
 }
 
-}  // namespace regulus::trajectory
+}  // namespace regulus

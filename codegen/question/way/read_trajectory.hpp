@@ -5,10 +5,10 @@
 
 #include "codegen/model/request.hpp"
 
-namespace regulus::inline trajectory {
+namespace regulus {
 
 /// Returns the request of a motion along way-points; nullopt for another motion, whose model need
 /// not have been read. Throws as read_request().
 [[nodiscard]] std::optional<Request> read_trajectory(const ModelOptions& options);
 
-}  // namespace regulus::trajectory
+}  // namespace regulus

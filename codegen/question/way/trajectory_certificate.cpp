@@ -3,7 +3,7 @@
 
 #include "codegen/answer/certificate/certificate_question.hpp"
 
-namespace regulus::inline trajectory {
+namespace regulus {
 namespace {
 
 /// Returns the reason why there is no proof; empty if it was written.
@@ -64,4 +64,4 @@ ProofStatus certify_trajectory(const std::string& path, const TrajectoryCheck& c
   return status;
 }
 
-}  // namespace regulus::trajectory
+}  // namespace regulus

@@ -8,7 +8,7 @@
 #include "codegen/answer/certificate/proof_status.hpp"
 #include "codegen/question/way/trajectory_run.hpp"
 
-namespace regulus::inline trajectory {
+namespace regulus {
 
 /// The motion of a certificate and its question, if it is not that of the check.
 struct CertifiedMotion {
@@ -27,4 +27,4 @@ void write_pieces(const std::string& path, const std::string& head,
 [[nodiscard]] ProofStatus certify_trajectory(const std::string& path, const TrajectoryCheck& check,
                                              const CertifiedMotion& motion, HeldFiles* held);
 
-}  // namespace regulus::trajectory
+}  // namespace regulus

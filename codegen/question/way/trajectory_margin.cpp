@@ -10,7 +10,7 @@
 #include "codegen/question/way/trajectory_report.hpp"
 #include "codegen/support/stopwatch.hpp"
 
-namespace regulus::inline trajectory {
+namespace regulus {
 namespace {
 
 MarginValue value_of(const MarginQuestion& question, double planned) {
@@ -102,4 +102,4 @@ nlohmann::ordered_json json_trajectory_margin(const TrajectoryMargin& found,
   return report;
 }
 
-}  // namespace regulus::trajectory
+}  // namespace regulus

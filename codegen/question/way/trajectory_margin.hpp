@@ -9,7 +9,7 @@
 #include "codegen/question/margin/margin_run.hpp"
 #include "codegen/question/way/trajectory_run.hpp"
 
-namespace regulus::inline trajectory {
+namespace regulus {
 
 struct TrajectoryMargin {
   Margin margin;
@@ -34,4 +34,4 @@ struct TrajectoryMargin {
                                                             const SearchOptions& search,
                                                             double gap);
 
-}  // namespace regulus::trajectory
+}  // namespace regulus

@@ -9,7 +9,7 @@
 #include "codegen/question/way/path_run.hpp"
 #include "runtime/search/leaf_claims.hpp"
 
-namespace regulus::inline trajectory {
+namespace regulus {
 namespace {
 
 /// The parts of one piece, as an exhaustive search finds them. Its first variable is s.
@@ -186,4 +186,4 @@ PathPaving pave_trajectory(Request request, double model_seconds, SearchOptions 
   return paving;
 }
 
-}  // namespace regulus::trajectory
+}  // namespace regulus

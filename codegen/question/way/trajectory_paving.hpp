@@ -10,7 +10,7 @@
 #include "codegen/question/way/trajectory_run.hpp"
 #include "runtime/search/paving.hpp"
 
-namespace regulus::inline trajectory {
+namespace regulus {
 
 /// The default resolution: the part of a segment that is left undecided.
 inline constexpr double kPathResolution = 0x1p-9;
@@ -55,4 +55,4 @@ struct PathPaving {
 [[nodiscard]] nlohmann::ordered_json json_stretch(const PathPaving& paving,
                                                   const PathStretch& stretch);
 
-}  // namespace regulus::trajectory
+}  // namespace regulus

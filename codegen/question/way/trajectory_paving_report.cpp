@@ -9,7 +9,7 @@
 #include "codegen/question/way/trajectory_paving.hpp"
 #include "codegen/question/way/trajectory_report.hpp"
 
-namespace regulus::inline trajectory {
+namespace regulus {
 namespace {
 
 using Json = nlohmann::ordered_json;
@@ -102,4 +102,4 @@ Json json_path_paving(const PathPaving& paving, const SearchOptions& search) {
   return report;
 }
 
-}  // namespace regulus::trajectory
+}  // namespace regulus

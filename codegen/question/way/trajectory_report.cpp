@@ -14,7 +14,7 @@
 #include "codegen/question/analysis/undefined.hpp"
 #include "codegen/question/engine/choices.hpp"
 
-namespace regulus::inline trajectory {
+namespace regulus {
 namespace {
 
 using Json = nlohmann::ordered_json;
@@ -229,4 +229,4 @@ Json json_trajectory(const TrajectoryCheck& check, const SearchOptions& search) 
   return report;
 }
 
-}  // namespace regulus::trajectory
+}  // namespace regulus

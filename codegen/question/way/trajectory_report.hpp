@@ -7,7 +7,7 @@
 
 #include "codegen/question/way/trajectory_run.hpp"
 
-namespace regulus::inline trajectory {
+namespace regulus {
 
 /// Returns a line with the number of segments, the interpolation and the file, and its notes.
 [[nodiscard]] std::string format_path(const Trajectory& trajectory);
@@ -42,4 +42,4 @@ namespace regulus::inline trajectory {
 void add_trajectory_question(nlohmann::ordered_json& report, const TrajectoryCheck& check,
                              const SearchOptions& search);
 
-}  // namespace regulus::trajectory
+}  // namespace regulus

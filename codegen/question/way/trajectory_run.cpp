@@ -5,7 +5,7 @@
 #include "codegen/question/way/path_run.hpp"
 #include "runtime/search/conclusion.hpp"
 
-namespace regulus::inline trajectory {
+namespace regulus {
 namespace {
 
 /// After so many pieces without an answer, no more are searched for a singularity.
@@ -79,4 +79,4 @@ TrajectoryCheck check_trajectory(Request request, double model_seconds, SearchOp
   return check;
 }
 
-}  // namespace regulus::trajectory
+}  // namespace regulus

@@ -14,7 +14,7 @@
 #include "codegen/question/engine/pipeline.hpp"
 #include "codegen/question/way/path_search.hpp"
 
-namespace regulus::inline trajectory {
+namespace regulus {
 
 /// The piece that decides the verdict, with the search of its own.
 struct DecidingPiece {
@@ -40,4 +40,4 @@ struct TrajectoryCheck {
                                                SearchOptions search, bool wants_trees,
                                                const std::atomic<bool>* interrupt);
 
-}  // namespace regulus::trajectory
+}  // namespace regulus

@@ -12,7 +12,7 @@
 #include "codegen/answer/services.hpp"
 #include "codegen/use/api/margin.hpp"
 
-namespace regulus::inline api {
+namespace regulus {
 
 /// Returns the services of a program: no terminal, names without dashes.
 [[nodiscard]] inline Services services_of(const std::string& certificate,
@@ -42,4 +42,4 @@ void set_ends(const std::vector<ProofOfEnd>& proofs, Finding& finding) {
     finding.certificates.push_back({end.component, end.is_safe_end, end.file, end.obstacle});
 }
 
-}  // namespace regulus::api
+}  // namespace regulus

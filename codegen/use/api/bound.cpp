@@ -5,7 +5,7 @@
 #include "codegen/use/api/algebra_lock.hpp"
 #include "codegen/use/api/answer_fields.hpp"
 
-namespace regulus::inline api {
+namespace regulus {
 namespace {
 
 BoundVerdict verdict_of(BoundAnswer::Verdict verdict) {
@@ -45,4 +45,4 @@ BoundFinding bound(const Question& question, const BoundOptions& options,
   return finding;
 }
 
-}  // namespace regulus::api
+}  // namespace regulus

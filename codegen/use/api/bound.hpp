@@ -12,7 +12,7 @@
 #include "codegen/use/api/margin.hpp"
 #include "codegen/use/api/question.hpp"
 
-namespace regulus::inline api {
+namespace regulus {
 
 struct BoundOptions {
   SearchOptions search = MarginOptions::for_a_minute();
@@ -42,4 +42,4 @@ struct BoundFinding {
 [[nodiscard]] BoundFinding bound(const Question& question, const BoundOptions& options,
                                  const std::atomic<bool>* interrupt = nullptr);
 
-}  // namespace regulus::api
+}  // namespace regulus

@@ -6,7 +6,7 @@
 #include "codegen/use/api/algebra_lock.hpp"
 #include "codegen/use/api/answer_fields.hpp"
 
-namespace regulus::inline api {
+namespace regulus {
 
 Finding check(const Question& question, const SearchOptions& options,
               const std::atomic<bool>* interrupt, const std::string& certificate) {
@@ -25,4 +25,4 @@ Finding check(const Question& question, const SearchOptions& options,
   return finding;
 }
 
-}  // namespace regulus::api
+}  // namespace regulus

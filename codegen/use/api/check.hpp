@@ -10,7 +10,7 @@
 #include "codegen/use/api/question.hpp"
 #include "runtime/problem/result.hpp"
 
-namespace regulus::inline api {
+namespace regulus {
 
 struct Finding {
   Verdict verdict = Verdict::kPossibleProblem;
@@ -40,4 +40,4 @@ struct Finding {
                             const std::atomic<bool>* interrupt = nullptr,
                             const std::string& certificate = {});
 
-}  // namespace regulus::api
+}  // namespace regulus

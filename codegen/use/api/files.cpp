@@ -11,7 +11,7 @@
 #include "codegen/model/request.hpp"
 #include "codegen/use/api/algebra_lock.hpp"
 
-namespace regulus::inline api {
+namespace regulus {
 
 namespace {
 
@@ -55,4 +55,4 @@ std::string describe_model(const Question& question) {
   return report_text(json_model(model));
 }
 
-}  // namespace regulus::api
+}  // namespace regulus

@@ -8,7 +8,7 @@
 #include "codegen/model/import/import.hpp"
 #include "codegen/use/api/question.hpp"
 
-namespace regulus::inline api {
+namespace regulus {
 
 struct VerifyOptions {
   std::string model{};      ///< the model file that the certificate must be about; empty: any
@@ -38,4 +38,4 @@ struct Confirmation {
 /// twists. The motion of the question and its changes do not matter. Threads and errors as check().
 [[nodiscard]] std::string describe_model(const Question& question);
 
-}  // namespace regulus::api
+}  // namespace regulus

@@ -4,7 +4,7 @@
 #include "codegen/question/engine/pipeline.hpp"
 #include "codegen/use/api/algebra_lock.hpp"
 
-namespace regulus::inline api {
+namespace regulus {
 
 struct Kernel::Parts {
   PreparedSearch prepared;
@@ -48,4 +48,4 @@ Checker Kernel::checker(unsigned max_boxes) const {
   return Checker(parts_->prepared.kernel->functions(), variety.outer, max_boxes, variety.alpha.hi);
 }
 
-}  // namespace regulus::api
+}  // namespace regulus

@@ -10,7 +10,7 @@
 #include "codegen/use/api/question.hpp"
 #include "runtime/embedded/checker.hpp"
 
-namespace regulus::inline api {
+namespace regulus {
 
 struct KernelOptions {
   Engine engine = Engine::kJit;  ///< kAuto: compiled, or interpreted if there is no compiler
@@ -46,4 +46,4 @@ class Kernel {
   std::unique_ptr<Parts> parts_;
 };
 
-}  // namespace regulus::api
+}  // namespace regulus

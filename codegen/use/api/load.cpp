@@ -6,7 +6,7 @@
 #include "codegen/use/api/algebra_lock.hpp"
 #include "codegen/use/api/answer_fields.hpp"
 
-namespace regulus::inline api {
+namespace regulus {
 namespace {
 
 LoadFinding finding_of(const LoadAnswer& answer, double seconds) {
@@ -47,4 +47,4 @@ LoadPaving locate_load(const Question& question, const LocateLoadOptions& option
           answer->outside};
 }
 
-}  // namespace regulus::api
+}  // namespace regulus

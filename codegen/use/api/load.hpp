@@ -14,7 +14,7 @@
 #include "codegen/use/api/question.hpp"
 #include "runtime/interval/interval.hpp"
 
-namespace regulus::inline api {
+namespace regulus {
 
 /// The answer for a load, or for its paving.
 struct LoadFinding {
@@ -60,4 +60,4 @@ struct LoadPaving {
                                      const LocateLoadOptions& options = {},
                                      const std::atomic<bool>* interrupt = nullptr);
 
-}  // namespace regulus::api
+}  // namespace regulus

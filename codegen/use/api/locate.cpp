@@ -5,7 +5,7 @@
 #include "codegen/use/api/algebra_lock.hpp"
 #include "codegen/use/api/answer_fields.hpp"
 
-namespace regulus::inline api {
+namespace regulus {
 
 Paving locate(const Question& question, const LocateOptions& options,
               const std::atomic<bool>* interrupt) {
@@ -31,4 +31,4 @@ Paving locate(const Question& question, const LocateOptions& options,
   return found;
 }
 
-}  // namespace regulus::api
+}  // namespace regulus

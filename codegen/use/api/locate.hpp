@@ -13,7 +13,7 @@
 #include "runtime/problem/result.hpp"
 #include "runtime/search/paving.hpp"
 
-namespace regulus::inline api {
+namespace regulus {
 
 struct LocateOptions {
   SearchOptions search{};
@@ -58,4 +58,4 @@ struct Paving {
 [[nodiscard]] Paving locate(const Question& question, const LocateOptions& options = {},
                             const std::atomic<bool>* interrupt = nullptr);
 
-}  // namespace regulus::api
+}  // namespace regulus

@@ -5,7 +5,7 @@
 #include "codegen/use/api/algebra_lock.hpp"
 #include "codegen/use/api/answer_fields.hpp"
 
-namespace regulus::inline api {
+namespace regulus {
 
 MarginFinding margin(const Question& question, const MarginOptions& options,
                      const std::atomic<bool>* interrupt) {
@@ -25,4 +25,4 @@ MarginFinding margin(const Question& question, const MarginOptions& options,
   return finding;
 }
 
-}  // namespace regulus::api
+}  // namespace regulus

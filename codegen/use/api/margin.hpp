@@ -12,7 +12,7 @@
 #include "codegen/question/quantity/quantity.hpp"
 #include "codegen/use/api/question.hpp"
 
-namespace regulus::inline api {
+namespace regulus {
 
 /// One of `tolerance`, `alpha`, `scale` and `parameter` is a range "LO:HI", or "LO:" if the upper end
 /// must be found; the others are empty. With a `quantity` and a `limit` the bracket is that of the
@@ -59,4 +59,4 @@ struct MarginFinding {
 [[nodiscard]] MarginFinding margin(const Question& question, const MarginOptions& options,
                                    const std::atomic<bool>* interrupt = nullptr);
 
-}  // namespace regulus::api
+}  // namespace regulus

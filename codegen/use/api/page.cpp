@@ -5,7 +5,7 @@
 #include "codegen/support/errors.hpp"
 #include "codegen/use/api/algebra_lock.hpp"
 
-namespace regulus::inline api {
+namespace regulus {
 
 void write_page(const Question& question, const PageContents& contents, const std::string& file) {
   const AlgebraLock lock;
@@ -19,4 +19,4 @@ void write_page(const Question& question, const PageContents& contents, const st
   static_cast<void>(page.write(file));
 }
 
-}  // namespace regulus::api
+}  // namespace regulus

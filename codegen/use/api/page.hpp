@@ -6,7 +6,7 @@
 
 #include "codegen/use/api/question.hpp"
 
-namespace regulus::inline api {
+namespace regulus {
 
 /// What a page shows: fields of the finding of check(), margin(), bound() or check_load().
 struct PageContents {
@@ -29,4 +29,4 @@ struct PageContents {
 ///           (regulus was built without npm), or a file cannot be read or written.
 void write_page(const Question& question, const PageContents& contents, const std::string& file);
 
-}  // namespace regulus::api
+}  // namespace regulus

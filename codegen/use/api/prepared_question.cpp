@@ -15,7 +15,7 @@
 #include "codegen/support/stopwatch.hpp"
 #include "codegen/use/api/algebra_lock.hpp"
 
-namespace regulus::inline api {
+namespace regulus {
 
 /// Everything but the ranges on which the functions of a search depend. Variables are the parameters
 /// of the motion and what is uncertain.
@@ -220,4 +220,4 @@ void PreparedQuestion::describe(const Question& question, Finding& finding,
   finding.json = report_text(report, 2);
 }
 
-}  // namespace regulus::api
+}  // namespace regulus

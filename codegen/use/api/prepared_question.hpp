@@ -6,7 +6,7 @@
 
 #include "codegen/use/api/check.hpp"
 
-namespace regulus::inline api {
+namespace regulus {
 
 /// The limits of one search; 0: none, and as many threads as there are processors.
 struct SearchLimits {
@@ -48,4 +48,4 @@ class PreparedQuestion {
   std::unique_ptr<Parts> parts_;
 };
 
-}  // namespace regulus::api
+}  // namespace regulus

@@ -6,7 +6,7 @@
 #include "codegen/model/request.hpp"
 #include "codegen/use/api/algebra_lock.hpp"
 
-namespace regulus::inline api {
+namespace regulus {
 
 Question::Question() : options_(std::make_unique<ModelOptions>()) {}
 
@@ -74,4 +74,4 @@ Question& Question::alpha(const std::string& threshold) {
   return *this;
 }
 
-}  // namespace regulus::api
+}  // namespace regulus

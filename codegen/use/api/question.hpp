@@ -6,11 +6,8 @@
 
 #include "codegen/model/robot/robot.hpp"
 
-namespace regulus::inline model {
+namespace regulus {
 struct ModelOptions;
-}
-
-namespace regulus::inline api {
 
 /// A question: a robot, one of its motions, and changes to them. Numbers are exact texts: "0.1",
 /// "1/3", "15*deg".
@@ -55,4 +52,4 @@ class Question {
   std::unique_ptr<ModelOptions> options_;
 };
 
-}  // namespace regulus::api
+}  // namespace regulus

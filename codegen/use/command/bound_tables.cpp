@@ -4,7 +4,7 @@
 #include "codegen/use/command/command_tables.hpp"
 #include "codegen/use/command/shared_options.hpp"
 
-namespace regulus::inline command {
+namespace regulus {
 namespace {
 
 constexpr const char* kBoundFooter =
@@ -74,4 +74,4 @@ void CommandTables::add_datasheet() {
   datasheet_command->footer(kDatasheetFooter);
 }
 
-}  // namespace regulus::command
+}  // namespace regulus

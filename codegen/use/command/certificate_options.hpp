@@ -11,7 +11,7 @@ namespace CLI {
 class App;
 }
 
-namespace regulus::inline command {
+namespace regulus {
 
 /// `what` names the subject of the proof.
 void add_certificate_option(CLI::App& app, std::string& path, const std::string& what);
@@ -20,4 +20,4 @@ void add_shard_option(CLI::App& app, std::uint64_t& size);
 void refuse_shard_option(CLI::App& app);
 void add_verify_options(CLI::App& app, VerifyCommand& command);
 
-}  // namespace regulus::command
+}  // namespace regulus

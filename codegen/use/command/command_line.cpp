@@ -13,7 +13,7 @@
 #include "codegen/use/command/error_report.hpp"
 #include "codegen/use/command/help_layout.hpp"
 
-namespace regulus::inline command {
+namespace regulus {
 namespace {
 
 /// Finds "{a,b,c}" in the text of --help about an option's value.
@@ -142,4 +142,4 @@ std::vector<CommandEntry> command_table(const std::string& shell_commands) {
   return table;
 }
 
-}  // namespace regulus::command
+}  // namespace regulus

@@ -7,7 +7,7 @@
 #include "codegen/use/command/shared_options.hpp"
 #include "regulus/version.hpp"
 
-namespace regulus::inline command {
+namespace regulus {
 namespace {
 
 constexpr const char* kDescription =
@@ -278,4 +278,4 @@ void CommandTables::add_margin() {
   margin_command->footer(kMarginFooter);
 }
 
-}  // namespace regulus::command
+}  // namespace regulus

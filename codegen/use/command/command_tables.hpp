@@ -6,7 +6,7 @@
 
 #include "codegen/use/command/command_line.hpp"
 
-namespace regulus::inline command {
+namespace regulus {
 
 /// The tables of all commands, and the values that they fill.
 struct CommandTables {
@@ -48,4 +48,4 @@ struct CommandTables {
   void add_report();
 };
 
-}  // namespace regulus::command
+}  // namespace regulus

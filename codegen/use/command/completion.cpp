@@ -8,7 +8,7 @@
 
 #include "codegen/question/quantity/quantity.hpp"
 
-namespace regulus::inline command {
+namespace regulus {
 namespace {
 
 /// An option whose value begins with a name of the model.
@@ -193,4 +193,4 @@ _regulus "$@"
                      kNamesOfKind, commands, cases);
 }
 
-}  // namespace regulus::command
+}  // namespace regulus

@@ -8,7 +8,7 @@
 #include "codegen/answer/report/report_text.hpp"
 #include "codegen/support/errors.hpp"
 
-namespace regulus::inline command {
+namespace regulus {
 namespace {
 
 const char* word_of(ExitCode code) {
@@ -50,4 +50,4 @@ std::string json_error(const std::exception& error, ExitCode code) {
   return report_text(report);
 }
 
-}  // namespace regulus::command
+}  // namespace regulus

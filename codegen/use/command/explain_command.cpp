@@ -9,7 +9,7 @@
 #include "codegen/support/exit_code.hpp"
 #include "codegen/use/command/commands.hpp"
 
-namespace regulus::inline command {
+namespace regulus {
 namespace {
 
 /// Shows the forms; without a motion, over the pose parameters themselves.
@@ -61,4 +61,4 @@ int run_explain(const ExplainCommand& command, const std::string& typed) {
   return 0;
 }
 
-}  // namespace regulus::command
+}  // namespace regulus

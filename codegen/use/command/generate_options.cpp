@@ -14,7 +14,7 @@
 #include "codegen/support/errors.hpp"
 #include "codegen/support/write_file.hpp"
 
-namespace regulus::inline command {
+namespace regulus {
 namespace {
 
 GenerateOptions generate_options(const GenerateCommand& command, const Request& request,
@@ -127,4 +127,4 @@ void generate_files(const GenerateCommand& command, const Request& request,
   if (!std::cout.flush()) throw FileError("standard output cannot be written");
 }
 
-}  // namespace regulus::command
+}  // namespace regulus

@@ -6,7 +6,7 @@
 #include <map>
 #include <string_view>
 
-namespace regulus::inline command {
+namespace regulus {
 namespace {
 
 constexpr const char* kQuestion = "Question";
@@ -15,10 +15,10 @@ constexpr const char* kOutput = "Output";
 constexpr const char* kResearch = "Research";
 constexpr const char* kRest = "Options";
 
-using Names = std::vector<std::string>;
+using OptionNames = std::vector<std::string>;
 
-const Names& names_in(const std::string& group) {
-  static const std::map<std::string, Names> kNames = {
+const OptionNames& names_in(const std::string& group) {
+  static const std::map<std::string, OptionNames> kNames = {
       {kQuestion, {"range",  "tolerance", "alpha",    "waypoints", "tube",      "scale",
                    "grow",   "load",      "twist",    "leg",       "freedom",   "min",
                    "signed", "norm",      "quantity", "limit",     "bound",     "margin",
@@ -32,7 +32,7 @@ const Names& names_in(const std::string& group) {
       {kResearch,
        {"method", "determinant", "entries", "bisect", "uncertainty", "without", "engine", "isa",
         "filter", "no-cache"}}};
-  static const Names kNone;
+  static const OptionNames kNone;
   const auto at = kNames.find(group);
   return at == kNames.end() ? kNone : at->second;
 }
@@ -116,7 +116,7 @@ std::string wrapped(const std::string& text) {
 }  // namespace
 
 const std::vector<std::string>& option_groups() {
-  static const Names kGroups = {kQuestion, kBudget, kOutput, kResearch, kRest};
+  static const OptionNames kGroups = {kQuestion, kBudget, kOutput, kResearch, kRest};
   return kGroups;
 }
 
@@ -176,4 +176,4 @@ std::string GroupedHelp::make_footer(const CLI::App* app) const {
   return (examples.empty() ? "" : "Examples:\n" + examples + '\n') + Formatter::make_footer(app);
 }
 
-}  // namespace regulus::command
+}  // namespace regulus

@@ -10,7 +10,7 @@
 #include "codegen/use/command/commands.hpp"
 #include "codegen/use/command/import_output.hpp"
 
-namespace regulus::inline command {
+namespace regulus {
 
 namespace {
 
@@ -37,4 +37,4 @@ int run_import(const ImportCommand& command) {
   return 0;
 }
 
-}  // namespace regulus::command
+}  // namespace regulus

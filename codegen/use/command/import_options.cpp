@@ -3,7 +3,7 @@
 
 #include <CLI/CLI.hpp>
 
-namespace regulus::inline command {
+namespace regulus {
 namespace {
 
 constexpr const char* kImportFooter =
@@ -49,4 +49,4 @@ void add_import_options(CLI::App& app, ImportCommand& command) {
   app.footer(kImportFooter);
 }
 
-}  // namespace regulus::command
+}  // namespace regulus

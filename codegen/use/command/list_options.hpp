@@ -7,7 +7,7 @@ namespace CLI {
 class App;
 }
 
-namespace regulus::inline command {
+namespace regulus {
 
 /// `regulus list`
 struct ListCommand {
@@ -18,4 +18,4 @@ struct ListCommand {
 
 void add_list_options(CLI::App& app, ListCommand& command);
 
-}  // namespace regulus::command
+}  // namespace regulus

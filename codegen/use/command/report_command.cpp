@@ -16,7 +16,7 @@
 #include "codegen/use/command/run_question.hpp"
 #include "codegen/use/command/shared_options.hpp"
 
-namespace regulus::inline command {
+namespace regulus {
 namespace {
 
 /// Each bracket has a time limit of its own, as `bound` and `margin` have.
@@ -80,4 +80,4 @@ int run_report(const ReportCommand& command, const std::string& typed) {
   return end_answer(*check, command.output, interrupt.requested());
 }
 
-}  // namespace regulus::command
+}  // namespace regulus

@@ -13,7 +13,7 @@
 #include "codegen/use/command/answer.hpp"
 #include "codegen/use/command/interrupt.hpp"
 
-namespace regulus::inline command {
+namespace regulus {
 namespace {
 
 /// What every command wants.
@@ -116,4 +116,4 @@ int end_answer(Answer& answer, const OutputOptions& output, const std::atomic<bo
   return code;
 }
 
-}  // namespace regulus::command
+}  // namespace regulus

@@ -9,7 +9,7 @@
 #include "codegen/answer/services.hpp"
 #include "codegen/use/command/command_line.hpp"
 
-namespace regulus::inline command {
+namespace regulus {
 
 /// A question with what the command line wants beside its answer.
 struct CommandQuestion {
@@ -34,4 +34,4 @@ struct CommandQuestion {
 [[nodiscard]] int end_answer(Answer& answer, const OutputOptions& output,
                              const std::atomic<bool>& interrupted);
 
-}  // namespace regulus::command
+}  // namespace regulus

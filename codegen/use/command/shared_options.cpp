@@ -11,7 +11,7 @@
 #include "codegen/support/errors.hpp"
 #include "codegen/use/command/number_check.hpp"
 
-namespace regulus::inline command {
+namespace regulus {
 namespace {
 
 /// Adds an option that takes one of a few words; the message about a mistyped word suggests one.
@@ -191,4 +191,4 @@ void add_bracket_checkpoint(CLI::App& app, std::string& path) {
       ->group("");
 }
 
-}  // namespace regulus::command
+}  // namespace regulus

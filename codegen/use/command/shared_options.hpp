@@ -8,7 +8,7 @@
 
 #include "codegen/use/command/command_line.hpp"
 
-namespace regulus::inline command {
+namespace regulus {
 
 /// The time limit of commands that search at many values.
 constexpr double kMarginSeconds = 60;
@@ -28,4 +28,4 @@ void refuse_checkpoint_options(CLI::App& app, const std::string& why);
 /// Adds the checkpoint of brackets.
 void add_bracket_checkpoint(CLI::App& app, std::string& path);
 
-}  // namespace regulus::command
+}  // namespace regulus

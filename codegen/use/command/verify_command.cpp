@@ -9,7 +9,7 @@
 #include "codegen/use/command/answer.hpp"
 #include "codegen/use/command/commands.hpp"
 
-namespace regulus::inline command {
+namespace regulus {
 namespace {
 
 using verifier::Outcome;
@@ -68,4 +68,4 @@ int run_verify(const VerifyCommand& command, const VerifiedPart& part) {
   return static_cast<int>(verification.outcome);
 }
 
-}  // namespace regulus::command
+}  // namespace regulus

@@ -9,7 +9,7 @@
 #include "codegen/support/errors.hpp"
 #include "runtime/cluster/bytes.hpp"
 
-namespace regulus::inline mpi {
+namespace regulus {
 namespace {
 
 using cluster::ByteReader;
@@ -111,4 +111,4 @@ Agreement agree(Communicator& communicator, std::optional<Isa> wanted,
   return read_agreement(communicator.broadcast(write_agreement(decision)));
 }
 
-}  // namespace regulus::mpi
+}  // namespace regulus

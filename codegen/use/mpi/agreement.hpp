@@ -10,7 +10,7 @@
 #include "codegen/use/mpi/communicator.hpp"
 #include "runtime/kernel/isa.hpp"
 
-namespace regulus::inline mpi {
+namespace regulus {
 
 /// The first message of rank 0 to the others: its own words and the text of the model, whatever
 /// they were started with; or that there is nothing to do.
@@ -41,4 +41,4 @@ struct Agreement {
 /// The decision of rank 0.
 [[nodiscard]] Agreement compare(const std::vector<RankIdentity>& ranks, std::optional<Isa> wanted);
 
-}  // namespace regulus::mpi
+}  // namespace regulus

@@ -12,7 +12,7 @@
 #include "codegen/use/mpi/rank_messages.hpp"
 #include "runtime/search/thread_workers.hpp"
 
-namespace regulus::inline mpi {
+namespace regulus {
 namespace {
 
 class Service {
@@ -129,4 +129,4 @@ void serve_first_rank(Communicator& communicator, const SearchOptions& search, b
   communicator.send(0, Tag::kBye, {});
 }
 
-}  // namespace regulus::mpi
+}  // namespace regulus

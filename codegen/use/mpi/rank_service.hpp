@@ -8,7 +8,7 @@
 #include "codegen/question/engine/pipeline.hpp"
 #include "codegen/use/mpi/communicator.hpp"
 
-namespace regulus::inline mpi {
+namespace regulus {
 
 /// The question of the next searches.
 struct RankQuestion {
@@ -24,4 +24,4 @@ using PrepareQuestion = std::function<RankQuestion(std::optional<std::string_vie
 void serve_first_rank(Communicator& communicator, const SearchOptions& search, bool has_topics,
                       const PrepareQuestion& prepare_question);
 
-}  // namespace regulus::mpi
+}  // namespace regulus

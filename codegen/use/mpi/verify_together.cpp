@@ -11,7 +11,7 @@
 #include "runtime/cluster/bytes.hpp"
 #include "runtime/verifier/verify.hpp"
 
-namespace regulus::inline mpi {
+namespace regulus {
 namespace {
 
 using cluster::ByteReader;
@@ -131,4 +131,4 @@ int verify_together(Communicator& communicator, const VerifyCommand& command,
   return code;
 }
 
-}  // namespace regulus::mpi
+}  // namespace regulus

@@ -8,7 +8,7 @@
 
 #include "codegen/use/python/algebra_thread.hpp"
 
-namespace regulus::inline python {
+namespace regulus {
 
 /// How long Ctrl-C waits at most until Python sees it. Only the main thread handles signals.
 inline constexpr std::chrono::milliseconds kLookForSignals{50};
@@ -51,9 +51,9 @@ inline std::optional<pybind11::error_already_set> wait_for(AlgebraThread& thread
 ///           the result of the interrupted work, or None if it had not begun.
 template <class Work>
 auto run_there(Work work) {
-  using Result = std::invoke_result_t<Work, const std::atomic<bool>&>;
+  using Returned = std::invoke_result_t<Work, const std::atomic<bool>&>;
   AlgebraThread& thread = AlgebraThread::of_this_process();
-  const auto result = std::make_shared<std::optional<Result>>();
+  const auto result = std::make_shared<std::optional<Returned>>();
   const auto task =
       thread.add([result, work = std::move(work)](const std::atomic<bool>& interrupt) {
         result->emplace(work(interrupt));
@@ -67,4 +67,4 @@ auto run_there(Work work) {
   return std::move(**result);
 }
 
-}  // namespace regulus::python
+}  // namespace regulus

@@ -7,7 +7,7 @@
 #include "codegen/use/api/regulus.hpp"
 #include "codegen/use/python/calls.hpp"
 
-namespace regulus::inline python {
+namespace regulus {
 namespace {
 
 namespace py = pybind11;
@@ -120,4 +120,4 @@ void bind_loads(py::module_& module) {
       py::arg("certificate") = "");
 }
 
-}  // namespace regulus::python
+}  // namespace regulus

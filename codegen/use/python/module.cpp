@@ -12,7 +12,7 @@
 #include "codegen/use/python/pavings.hpp"
 #include "regulus/version.hpp"
 
-namespace regulus::inline python {
+namespace regulus {
 namespace {
 
 namespace py = pybind11;
@@ -317,10 +317,10 @@ void translate(std::exception_ptr thrown) {
 }
 
 }  // namespace
-}  // namespace regulus::python
+}  // namespace regulus
 
 PYBIND11_MODULE(_regulus, module) {
-  using namespace regulus::python;
+  using namespace regulus;
   module.doc() = "regulus/regulus.hpp for Python; the package regulus is the interface.";
   module.attr("VERSION") = regulus::kVersion;
   pybind11::register_exception_translator(translate);

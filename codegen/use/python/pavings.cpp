@@ -7,7 +7,7 @@
 #include "codegen/use/api/regulus.hpp"
 #include "codegen/use/python/calls.hpp"
 
-namespace regulus::inline python {
+namespace regulus {
 namespace {
 
 namespace py = pybind11;
@@ -100,4 +100,4 @@ void bind_pavings(py::module_& module) {
       py::arg("certificate") = "");
 }
 
-}  // namespace regulus::python
+}  // namespace regulus

@@ -5,11 +5,11 @@
 
 #include "codegen/use/api/check.hpp"
 
-namespace regulus::inline python {
+namespace regulus {
 
 [[nodiscard]] const char* word_of_verdict(Verdict verdict);
 
 /// Binds locate() and what it returns.
 void bind_pavings(pybind11::module_& module);
 
-}  // namespace regulus::python
+}  // namespace regulus

@@ -3,9 +3,9 @@
 
 #include "codegen/use/command/command_line.hpp"
 
-namespace regulus::inline shell {
+namespace regulus {
 
 /// `regulus shell`: runs each line, prints its results and returns the exit code.
 [[nodiscard]] int run_shell(const ShellCommand& command);
 
-}  // namespace regulus::shell
+}  // namespace regulus

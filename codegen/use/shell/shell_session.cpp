@@ -26,7 +26,7 @@
 #include "codegen/use/shell/text_editor.hpp"
 #include "regulus/version.hpp"
 
-namespace regulus::inline shell {
+namespace regulus {
 namespace {
 
 using Json = nlohmann::ordered_json;
@@ -348,4 +348,4 @@ ShellNames ShellSession::names() const {
   return names;
 }
 
-}  // namespace regulus::shell
+}  // namespace regulus

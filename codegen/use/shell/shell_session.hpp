@@ -13,7 +13,7 @@
 #include "codegen/use/command/command_line.hpp"
 #include "codegen/use/shell/shell_completion.hpp"
 
-namespace regulus::inline shell {
+namespace regulus {
 
 class ShellSession {
  public:
@@ -91,4 +91,4 @@ class ShellSession {
   static const std::vector<Entry>& table();
 };
 
-}  // namespace regulus::shell
+}  // namespace regulus

@@ -13,7 +13,7 @@
 #include "codegen/use/shell/shell_session.hpp"
 #include "codegen/use/shell/shell_words.hpp"
 
-namespace regulus::inline shell {
+namespace regulus {
 namespace {
 
 using Json = nlohmann::ordered_json;
@@ -159,4 +159,4 @@ void ShellSession::adopt(CommandLine& line) {
   line.verify->output.json_indent = json_ ? -1 : line.verify->output.json_indent;
 }
 
-}  // namespace regulus::shell
+}  // namespace regulus

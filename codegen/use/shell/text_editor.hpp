@@ -3,7 +3,7 @@
 
 #include <string>
 
-namespace regulus::inline shell {
+namespace regulus {
 
 /// Opens the text in the editor that VISUAL or EDITOR names, or in vi, and returns the changed
 /// text.
@@ -12,4 +12,4 @@ namespace regulus::inline shell {
 ///           error.
 [[nodiscard]] std::string edited(const std::string& text);
 
-}  // namespace regulus::shell
+}  // namespace regulus

@@ -90,7 +90,7 @@ class Inverses {
   }
 
   PreparedSearch prepared_;
-  Kernel kernel_;
+  CheckedKernel kernel_;
   AlignedBuffer boxes_, values_;
   MatrixScaling scaling_;
 };

@@ -164,7 +164,7 @@ TEST(ColumnOperations, AreTheSameInTheMatrixAndInItsExpansionAtNominalValues) {
   ASSERT_FALSE(f.column_trials->kept.empty());
   const auto nominal = [&](const Expression& e) -> std::optional<Expression> {
     for (std::size_t v = 0; v < f.variables.size(); ++v)
-      if (e.kind() == Kind::kVariable && e.name() == f.variables[v].name &&
+      if (e.kind() == ExpressionKind::kVariable && e.name() == f.variables[v].name &&
           f.expansion->row_of_variable[v] != Expansion::kNoRow)
         return f.expansion->nominal[v];
     return std::nullopt;

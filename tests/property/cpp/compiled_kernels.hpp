@@ -149,8 +149,8 @@ struct Answer {
 inline Answer ask(const regulus_kernel& table, regulus_function function, std::size_t outputs,
                   const Case& test_case) {
   Answer answer{OutputBatch(outputs), 0};
-  answer.undefined = Kernel(table).call(function, test_case.boxes.data(), test_case.points.data(),
-                                        answer.out.data());
+  answer.undefined = CheckedKernel(table).call(function, test_case.boxes.data(),
+                                               test_case.points.data(), answer.out.data());
   return answer;
 }
 

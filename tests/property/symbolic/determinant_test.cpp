@@ -58,7 +58,7 @@ TEST(Determinant, OfRandomMatricesIsThatOfElimination) {
         entries.push_back(random() % 3 == 0 ? Expression(0) : expressions.polynomial(1));
         polynomials.push_back(expander.expand(entries.back()).value());
       }
-      TermBudget budget(10000000);
+      DeterminantBudget budget(10000000);
       const Expression form = collect(determinant(polynomials, n, atoms, budget), atoms);
       ExactValues values(random);
       std::vector<cl_RA> a;

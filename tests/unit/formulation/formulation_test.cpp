@@ -27,7 +27,8 @@ Occurrences added(const std::vector<EntryStatistics>& entries,
 std::uint64_t operations(const Program& program) {
   return static_cast<std::uint64_t>(
       std::count_if(program.nodes.begin(), program.nodes.end(), [](const Node& n) {
-        return n.op != Op::kConstant && n.op != Op::kPi && n.op != Op::kInput && n.op != Op::kPoint;
+        return n.op != Op::kConstant && n.op != Op::kNumberPi && n.op != Op::kInput &&
+               n.op != Op::kPoint;
       }));
 }
 

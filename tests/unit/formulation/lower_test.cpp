@@ -22,8 +22,8 @@ TEST(Lowering, ProgramsComputeTheirExpressions) {
     const Expression raw = expressions.polynomial(3) * power(expressions.polynomial(2), -2) -
                            power(expressions.polynomial(2), -1);
     const Expression e = substitute(raw, [](const Expression& s) -> std::optional<Expression> {
-      if (s.kind() == Kind::kCall) return variable("y");
-      if (s.kind() == Kind::kPi) return variable("z");
+      if (s.kind() == ExpressionKind::kCall) return variable("y");
+      if (s.kind() == ExpressionKind::kNumberPi) return variable("z");
       return std::nullopt;
     });
     Lowering lowering(variable_names(), point_names());

@@ -54,7 +54,7 @@ class JitTest : public testing::TestWithParam<Isa> {
 
 TEST_P(JitTest, CompiledCodeEnclosesWhatItComputes) {
   const CompiledKernel compiled = compile_kernel(small_kernel(), options_);
-  const Kernel kernel(*compiled.kernel());
+  const CheckedKernel kernel(*compiled.kernel());
   EXPECT_EQ(compiled.kernel()->rounding, required_rounding(GetParam()));
   IntervalRows boxes(2), out(3);
   PointRows points(1);

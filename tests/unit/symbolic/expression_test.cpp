@@ -157,7 +157,7 @@ TEST(Measure, SineAndCosineTogetherWeighAsOneVariable) {
 
 TEST(Evaluate, RootsOfSquaresAreRational) {
   const auto known = [](const Expression& e) -> std::optional<cln::cl_RA> {
-    if (e.kind() == Kind::kVariable) return cln::cl_RA(9) / 4;
+    if (e.kind() == ExpressionKind::kVariable) return cln::cl_RA(9) / 4;
     return std::nullopt;
   };
   EXPECT_EQ(evaluate(call(Call::kSqrt, {x}), known), cln::cl_RA(3) / 2);

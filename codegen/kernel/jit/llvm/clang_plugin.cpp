@@ -12,7 +12,7 @@
 #include "codegen/kernel/jit/llvm/front_end.hpp"
 #include "codegen/kernel/jit/llvm/object_linker.hpp"
 
-namespace regulus::inline jit::plugin {
+namespace regulus::plugin {
 namespace {
 
 using Clock = std::chrono::steady_clock;
@@ -43,7 +43,7 @@ bool compile(const regulus_clang_request& request, Diagnostics& diagnostics,
 }
 
 }  // namespace
-}  // namespace regulus::jit::plugin
+}  // namespace regulus::plugin
 
 extern "C" [[gnu::visibility("default")]] int regulus_clang_interface(void) {
   return REGULUS_CLANG_INTERFACE;

@@ -6,7 +6,7 @@
 #include <cstdint>
 #include <string>
 
-namespace regulus::inline jit::plugin {
+namespace regulus::plugin {
 
 /// Returns the code of an object, followed by its constants, valid at every address that is a
 /// multiple of `alignment`. So it is loaded by a copy, without LLVM.
@@ -18,4 +18,4 @@ namespace regulus::inline jit::plugin {
 [[nodiscard]] std::string flat_code(llvm::StringRef object, llvm::StringRef entry,
                                     std::uint64_t alignment);
 
-}  // namespace regulus::jit::plugin
+}  // namespace regulus::plugin

@@ -25,7 +25,7 @@
 #include "codegen/kernel/jit/llvm/pack_bitcode.hpp"
 #include "codegen/kernel/jit/llvm/part_builder.hpp"
 
-namespace regulus::inline jit::plugin {
+namespace regulus::plugin {
 namespace {
 
 // With fewer parts a second thread costs more than it saves; more threads do not help.
@@ -135,7 +135,7 @@ Result compile_all(const regulus_parts_request& request) {
 }
 
 }  // namespace
-}  // namespace regulus::jit::plugin
+}  // namespace regulus::plugin
 
 extern "C" [[gnu::visibility("default")]] int regulus_clang_interface(void) {
   return REGULUS_CLANG_INTERFACE;
