@@ -10,6 +10,7 @@
 #include "codegen/command/commands.hpp"
 #include "codegen/command/interrupt.hpp"
 #include "codegen/command/lines_file.hpp"
+#include "codegen/engine/refusals.hpp"
 #include "codegen/feasibility/feasibility_report.hpp"
 #include "codegen/feasibility/force_certificate.hpp"
 #include "codegen/feasibility/way_forces.hpp"
@@ -38,18 +39,14 @@ int exit_code_of(FeasibilityVerdict verdict) {
   return kInternalFault;
 }
 
-void refuse_cluster(const SearchOptions& search) {
-  if (search.workers != nullptr)
-    throw UsageError("--load: this question runs on one machine; use regulus, with --threads");
-}
-
 /// Prints the report and the verdict. `to_error`: standard output has the boxes.
 int print_forces(const PreparedForces& prepared, const FeasibilityResult& result,
                  const ForceVolumes* volumes, const ForceCertificate& certificate,
-                 const OutputOptions& output, bool to_error) {
+                 const ForceCheckpoint& checkpoint, const OutputOptions& output, bool to_error) {
   const int code = exit_code_of(result.verdict);
   if (!output.quiet)
-    print_report(format_forces(prepared, result, volumes) + certificate.status().line());
+    print_report(format_forces(prepared, result, volumes) + certificate.status().line() +
+                 checkpoint.line());
   if (output.json) {
     nlohmann::ordered_json report = json_forces(prepared, result, volumes);
     certificate.status().add_to(report);
@@ -66,24 +63,26 @@ int print_forces(const PreparedForces& prepared, const FeasibilityResult& result
 /// Searches with a display and a certificate.
 FeasibilityResult search_and_certify(PreparedForces& prepared, const FeasibilitySettings& settings,
                                      const ForceListener& listener, ForceCertificate& certificate,
-                                     const OutputOptions& output) {
+                                     ForceCheckpoint& checkpoint, const OutputOptions& output) {
   SearchDisplay display(output);
   std::vector<Observer*> watching;
   for (Observer* observer : {certificate.observer(), display.observer()})
     if (observer != nullptr) watching.push_back(observer);
   Observers observers(std::move(watching));
-  FeasibilityResult result = run_forces(prepared, settings, listener, &observers);
+  FeasibilityResult result = run_forces(prepared, settings, listener, &observers, &checkpoint);
   certificate.finish(result);
   return result;
 }
 
 int check_along_way(const CheckCommand& command, Request request, double model_seconds) {
+  refuse_option(Asked::kPathCheck, "checkpoint", !command.checkpoint.path.empty());
   InterruptGuard interrupt;
   interrupt.begin_search();
   const std::string& path = command.certificate;
+  SearchDisplay display(command.output);
   const WayForces found =
       check_forces_along_way(std::move(request), model_seconds, *command.load, command.search,
-                             !path.empty(), &interrupt.requested());
+                             !path.empty(), &interrupt.requested(), display.observer());
   const ProofStatus certificate = certify_way_forces(path, found);
   if (!command.output.quiet) print_report(format_way_forces(found) + certificate.line());
   const int code = exit_code_of(found.verdict);
@@ -113,6 +112,7 @@ int pave_forces(const LocateCommand& command, PreparedForces& prepared, Interrup
   FeasibilitySettings settings = settings_of(prepared, &interrupt.requested());
   settings.paves = true;
   settings.min_relative_width = options.resolution;
+  ForceCheckpoint checkpoint(command.checkpoint, prepared, settings);
   interrupt.begin_search();
   write(json_forces_header(prepared, options.resolution));
   const FeasibilityResult result = search_and_certify(
@@ -121,10 +121,10 @@ int pave_forces(const LocateCommand& command, PreparedForces& prepared, Interrup
         volumes.add(box, claim);
         write(json_forces_box(prepared, box, claim));
       },
-      certificate, command.output);
+      certificate, checkpoint, command.output);
   write(json_forces(prepared, result, &volumes));
   lines.finish();
-  return print_forces(prepared, result, &volumes, certificate, command.output,
+  return print_forces(prepared, result, &volumes, certificate, checkpoint, command.output,
                       lines.is_standard_output());
 }
 
@@ -132,7 +132,6 @@ int pave_forces(const LocateCommand& command, PreparedForces& prepared, Interrup
 
 std::optional<int> run_force_check(const CheckCommand& command) {
   if (!command.load) return std::nullopt;
-  refuse_cluster(command.search);
   Stopwatch watch;
   if (std::optional<Request> request = read_trajectory(command.model))
     return check_along_way(command, std::move(*request), watch.lap());
@@ -140,16 +139,17 @@ std::optional<int> run_force_check(const CheckCommand& command) {
   PreparedForces prepared = prepare_forces(command.model, *command.load, command.search,
                                            forming_watch(command.output, &interrupt.requested()));
   ForceCertificate certificate(command.certificate, prepared, false);
+  const FeasibilitySettings settings = settings_of(prepared, &interrupt.requested());
+  ForceCheckpoint checkpoint(command.checkpoint, prepared, settings);
   interrupt.begin_search();
   const FeasibilityResult result = search_and_certify(
-      prepared, settings_of(prepared, &interrupt.requested()),
-      [](std::span<const Interval>, ForceClaim) {}, certificate, command.output);
-  return print_forces(prepared, result, nullptr, certificate, command.output, false);
+      prepared, settings, [](std::span<const Interval>, ForceClaim) {}, certificate, checkpoint,
+      command.output);
+  return print_forces(prepared, result, nullptr, certificate, checkpoint, command.output, false);
 }
 
 std::optional<int> run_force_locate(const LocateCommand& command) {
   if (!command.load) return std::nullopt;
-  refuse_cluster(command.search);
   InterruptGuard interrupt;
   PreparedForces prepared = prepare_forces(command.model, *command.load, command.search,
                                            forming_watch(command.output, &interrupt.requested()));

@@ -32,6 +32,7 @@ std::vector<OutputFile> outputs_of(const LocateCommand& command) {
   std::vector<OutputFile> outputs = {
       {"--certificate", command.certificate, true, format::kShardsEnding}};
   if (command.lines != "-") outputs.push_back({"--output", command.lines});
+  outputs.push_back(checkpoint_file(command.checkpoint.path));
   for (const std::string& picture : command.pictures.files)
     outputs.push_back({"--picture", picture});
   return outputs;
@@ -95,6 +96,10 @@ int run_locate(const LocateCommand& command) {
   for (const std::string& picture : command.pictures.files) require_picture_format(picture);
   set_earlier_outputs_aside(input_files(command.model, command.search), outputs_of(command));
   if (const std::optional<int> code = run_force_locate(command)) return *code;
+  if (!command.checkpoint.path.empty())
+    throw UsageError(
+        "--checkpoint: `regulus locate` cannot be continued without --load; the output of a paving "
+        "that was stopped lists the boxes it did not reach");
   if (const std::optional<int> code = run_trajectory_locate(command)) return *code;
   InterruptGuard interrupt;
   // A certificate is about all poses of the motion.

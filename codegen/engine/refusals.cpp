@@ -11,14 +11,10 @@ namespace {
 
 constexpr std::string_view kOneMethod = "for a load there is one method; leave the option out";
 constexpr std::string_view kNoPicture = "a load has no picture; draw the boxes of the paving";
-constexpr std::string_view kNoCheckpoint =
-    "a search about a load cannot be continued; divide the ranges instead";
 
 constexpr Refusal kRefusals[] = {
     {Asked::kLoad, "alpha", "forces have no threshold; change the limits in [actuators]"},
     {Asked::kLoad, "shard-size", "a proof about a load stays in one file"},
-    {Asked::kLoad, "checkpoint", kNoCheckpoint},
-    {Asked::kLoad, "checkpoint-every", kNoCheckpoint},
     {Asked::kLoad, "picture", kNoPicture},
     {Asked::kLoad, "axes", kNoPicture},
     {Asked::kLoad, "slices", kNoPicture},

@@ -12,7 +12,7 @@
 #include "codegen/support/errors.hpp"
 #include "codegen/trajectory/path_run.hpp"
 #include "codegen/trajectory/trajectory_request.hpp"
-#include "runtime/interval/floating_point_scope.hpp"
+#include "runtime/problem/observers.hpp"
 
 namespace regulus::inline feasibility {
 namespace {
@@ -21,16 +21,94 @@ namespace {
 constexpr std::uint32_t kMostForceBoxesOfPiece = 256;
 constexpr std::size_t kMostUndecidedPieces = 8;
 
+/// The facts about a piece.
+struct PieceForces {
+  bool is_held = true;     ///< nothing speaks against it
+  bool is_within = false;  ///< the load is held somewhere on it
+  std::uint32_t boxes = 0;
+};
+
+/// The goal of the search of all pieces: runtime/search/box_search.hpp.
+class WayForceGoal {
+ public:
+  static constexpr bool kJudgesWhenMade = false;
+
+  WayForceGoal(BoxCourse& course, PathParts& parts, const PathBounds& path,
+               std::vector<PieceForces>& pieces)
+      : course_(course), parts_(parts), path_(path), pieces_(pieces) {}
+
+  void start(const TreeBox& root) {
+    box_ = root.box;
+    open_.push_back(parts_.whole());
+  }
+  [[nodiscard]] bool has_ended() const { return open_.empty(); }
+
+  void fill(std::vector<std::vector<Interval>>& boxes, std::uint64_t) {
+    taken_.clear();
+    while (!open_.empty() && boxes.size() < kLanes) {
+      PathPart part = std::move(open_.back());
+      open_.pop_back();
+      if (part.pieces == 1 && !pieces_[part.piece].is_held) continue;
+      parts_.load_box(part, box_);
+      boxes.push_back(box_);
+      taken_.push_back(std::move(part));
+    }
+  }
+
+  [[nodiscard]] double horizon() const { return 0; }
+  [[nodiscard]] std::size_t open() const { return open_.size(); }
+  /// Returns the piece that is next.
+  [[nodiscard]] std::size_t next_piece() const { return open_.empty() ? 0 : open_.back().piece; }
+
+  void conclude(std::span<BoxOutcome> outcomes) {
+    for (std::size_t i = taken_.size(); i-- > 0;) settle(taken_[i], outcomes[i]);
+  }
+
+ private:
+  void settle(PathPart& part, const BoxOutcome& outcome) {
+    using Kind = BoxOutcome::Kind;
+    if (outcome.kind == Kind::kHeld || outcome.kind == Kind::kOutside)
+      return leave(part, outcome.kind == Kind::kHeld);
+    if (part.pieces > 1) return parts_.split_group(part, open_);
+    PieceForces& piece = pieces_[part.piece];
+    const bool is_lost = outcome.kind == Kind::kNotHeld || ++piece.boxes > kMostForceBoxesOfPiece;
+    if (is_lost || !parts_.split(part, widest(outcome), open_)) piece.is_held = false;
+  }
+
+  void leave(const PathPart& part, bool is_held) {
+    const Rule rule = is_held ? Rule::kHMatrix : Rule::kOutside;
+    for (std::size_t k = part.piece; is_held && k < parts_.end_of(part); ++k)
+      pieces_[k].is_within = true;
+    parts_.leaf(part, rule);
+    course_.leave_open({part.id, parts_.depth_of(part), {}}, rule);
+  }
+
+  /// Returns the moving parameter with the greatest impact.
+  [[nodiscard]] std::size_t widest(const BoxOutcome& outcome) const {
+    if (outcome.impact.empty() || path_.moving().empty()) return 0;
+    const auto end = outcome.impact.begin() + std::ptrdiff_t(path_.moving().size());
+    return std::size_t(std::max_element(outcome.impact.begin(), end) - outcome.impact.begin());
+  }
+
+  BoxCourse& course_;
+  PathParts& parts_;
+  const PathBounds& path_;
+  std::vector<PieceForces>& pieces_;
+  std::vector<Interval> box_;
+  std::vector<PathPart> open_, taken_;
+};
+
 class WayForceRun {
  public:
   WayForceRun(WayForces& found, const std::string& load, const SearchOptions& search,
-              bool wants_trees, const std::atomic<bool>* interrupt)
+              bool wants_trees, const std::atomic<bool>* interrupt, Observer* progress)
       : found_(found),
         load_(load),
         search_(search),
         wants_trees_(wants_trees),
         interrupt_(interrupt),
-        path_(*found.request.motion.trajectory, found.request.motion.error) {}
+        path_(*found.request.motion.trajectory, found.request.motion.error),
+        progress_(progress) {}
 
   void run(double model_seconds) {
     FormingWatch watch;
@@ -38,14 +116,12 @@ class WayForceRun {
     found_.hull =
         prepare_forces(hull_request(found_.request, path_), model_seconds, load_, search_, watch);
     found_.seconds = found_.hull.preparation.seconds_spent();
-    held_.assign(path_.pieces(), true);
-    is_within_.assign(path_.pieces(), false);
-    boxes_.assign(path_.pieces(), 0);
+    pieces_.resize(path_.pieces());
     if (!must_stop(0)) search_together();
     for (std::size_t k = 0; k < path_.pieces() && !has_ended_; ++k)
-      if (!held_[k] && !must_stop(k)) search_alone(k);
+      if (!pieces_[k].is_held && !must_stop(k)) search_alone(k);
     if (found_.deciding) return;
-    found_.excluded = std::size_t(std::ranges::count(is_within_, false));
+    found_.excluded = std::size_t(std::ranges::count(pieces_, false, &PieceForces::is_within));
     if (found_.excluded == path_.pieces())
       found_.reason = Reason::kEmptyVariety;
     else
@@ -78,55 +154,20 @@ class WayForceRun {
   }
 
   void search_together() {
-    const Problem& problem = found_.hull.problem;
-    PathParts parts(path_, problem, {0, uncertain_names(found_.hull.preparation.labels).size()},
-                    wants_trees_);
-    BoxForces forces(found_.hull.question());
-    const FloatingPointScope nearest(FloatingPointRounding::kNearest);
-    const auto begin = std::chrono::steady_clock::now();
-    std::vector<PathPart> open{parts.whole()};
-    while (!open.empty() && !must_stop(open.back().piece)) decide_some(parts, forces, open);
-    const std::chrono::duration<double> spent = std::chrono::steady_clock::now() - begin;
-    found_.seconds.search += spent.count();
+    BoxSearchSettings settings;
+    settings.interrupt = interrupt_;
+    settings.time_limit = seconds_left();
+    if (search_.max_boxes != 0) settings.max_boxes = search_.max_boxes;
+    BoxCourse course(found_.hull.problem, settings, progress_);
+    PathParts parts(path_, found_.hull.problem,
+                    {0, uncertain_names(found_.hull.preparation.labels).size()}, wants_trees_);
+    WayForceGoal goal(course, parts, path_, pieces_);
+    BoxSearch<BoxForces, WayForceGoal>(found_.hull.question(), kLanes, course, goal).run();
+    course.tell_end();
+    found_.boxes += course.boxes();
+    found_.seconds.search += course.seconds();
     found_.trees = parts.take_trees();
-  }
-
-  void decide_some(PathParts& parts, BoxForces& forces, std::vector<PathPart>& open) {
-    std::vector<PathPart> taken;
-    std::vector<std::vector<Interval>> boxes;
-    while (!open.empty() && boxes.size() < kLanes) {
-      PathPart part = std::move(open.back());
-      open.pop_back();
-      if (part.pieces == 1 && !held_[part.piece]) continue;
-      boxes.push_back(found_.hull.problem.outer);
-      parts.load_box(part, boxes.back());
-      taken.push_back(std::move(part));
-    }
-    if (boxes.empty()) return;
-    found_.boxes += boxes.size();
-    const std::vector<BoxOutcome> outcomes = forces.decide(boxes);
-    for (std::size_t i = taken.size(); i-- > 0;) settle(parts, taken[i], outcomes[i], open);
-  }
-
-  void settle(PathParts& parts, PathPart& part, const BoxOutcome& outcome,
-              std::vector<PathPart>& open) {
-    using Kind = BoxOutcome::Kind;
-    if (outcome.kind == Kind::kHeld || outcome.kind == Kind::kOutside) {
-      const bool held = outcome.kind == Kind::kHeld;
-      for (std::size_t k = part.piece; held && k < parts.end_of(part); ++k) is_within_[k] = true;
-      return parts.leaf(part, held ? Rule::kHMatrix : Rule::kOutside);
-    }
-    if (part.pieces > 1) return parts.split_group(part, open);
-    const bool is_lost =
-        outcome.kind == Kind::kNotHeld || ++boxes_[part.piece] > kMostForceBoxesOfPiece;
-    if (is_lost || !parts.split(part, widest(outcome), open)) held_[part.piece] = false;
-  }
-
-  /// Returns the moving parameter with the greatest impact.
-  [[nodiscard]] std::size_t widest(const BoxOutcome& outcome) const {
-    if (outcome.impact.empty() || path_.moving().empty()) return 0;
-    const auto end = outcome.impact.begin() + std::ptrdiff_t(path_.moving().size());
-    return std::size_t(std::max_element(outcome.impact.begin(), end) - outcome.impact.begin());
+    if (course.stopped_by()) end(goal.next_piece(), *course.stopped_by());
   }
 
   void search_alone(std::size_t k) {
@@ -139,8 +180,12 @@ class WayForceRun {
     settings.time_limit = std::min(settings.time_limit, seconds_left());
     TreeKept* const tree = wants_trees_ ? &found_.trees[k] : nullptr;
     if (tree != nullptr) tree->clear();
+    std::vector<Observer*> watching;
+    for (Observer* observer : {static_cast<Observer*>(tree), progress_})
+      if (observer != nullptr) watching.push_back(observer);
+    Observers observers(std::move(watching));
     FeasibilityResult result = run_forces(
-        piece, settings, [](std::span<const Interval>, ForceClaim) {}, tree);
+        piece, settings, [](std::span<const Interval>, ForceClaim) {}, &observers);
     found_.boxes += result.boxes;
     found_.seconds += piece.preparation.seconds_spent();
     conclude(k, std::move(piece), std::move(result));
@@ -148,7 +193,7 @@ class WayForceRun {
 
   void conclude(std::size_t k, PreparedForces piece, FeasibilityResult result) {
     if (result.verdict == FeasibilityVerdict::kFeasible || result.is_empty) {
-      is_within_[k] = !result.is_empty;
+      pieces_[k].is_within = !result.is_empty;
       return;
     }
     const bool is_infeasible = result.verdict == FeasibilityVerdict::kInfeasible;
@@ -167,10 +212,9 @@ class WayForceRun {
   const bool wants_trees_;
   const std::atomic<bool>* const interrupt_;
   const PathBounds path_;
+  Observer* const progress_;
   const std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
-  std::vector<bool> held_;       ///< by piece: nothing speaks against it
-  std::vector<bool> is_within_;  ///< by piece: the load is held somewhere on it
-  std::vector<std::uint32_t> boxes_;
+  std::vector<PieceForces> pieces_;
   std::size_t undecided_ = 0;
   bool has_ended_ = false;
 };
@@ -179,12 +223,12 @@ class WayForceRun {
 
 WayForces check_forces_along_way(Request request, double model_seconds, const std::string& load,
                                  SearchOptions search, bool wants_trees,
-                                 const std::atomic<bool>* interrupt) {
+                                 const std::atomic<bool>* interrupt, Observer* progress) {
   settle_options(search);
   WayForces found;
   found.request = std::move(request);
   found.request.motion.alpha = 0;
-  WayForceRun(found, load, search, wants_trees, interrupt).run(model_seconds);
+  WayForceRun(found, load, search, wants_trees, interrupt, progress).run(model_seconds);
   return found;
 }
 

@@ -40,7 +40,7 @@ struct WayForces {
 };
 
 /// Decides the question. `request`: its motion has a trajectory; it has been read in
-/// `model_seconds`.
+/// `model_seconds`. `progress`: receives the events of each search that a display needs; may be null.
 ///
 /// Ensures   FEASIBLE: at every pose of every piece that the constraints allow, with every control
 ///           error and value of the uncertain quantities, forces within the limits hold every wrench
@@ -48,8 +48,8 @@ struct WayForces {
 /// Throws    as prepare_forces().
 [[nodiscard]] WayForces check_forces_along_way(Request request, double model_seconds,
                                                const std::string& load, SearchOptions search,
-                                               bool wants_trees,
-                                               const std::atomic<bool>* interrupt);
+                                               bool wants_trees, const std::atomic<bool>* interrupt,
+                                               Observer* progress = nullptr);
 
 /// Returns the report but for the verdict.
 [[nodiscard]] std::string format_way_forces(const WayForces& found);
