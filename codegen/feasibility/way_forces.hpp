@@ -40,7 +40,7 @@ struct WayForces {
 };
 
 /// Decides the question. `request`: its motion has a trajectory; it has been read in
-/// `model_seconds`. `progress`: receives the events of each search that a display needs; may be null.
+/// `model_seconds`.
 ///
 /// Ensures   FEASIBLE: at every pose of every piece that the constraints allow, with every control
 ///           error and value of the uncertain quantities, forces within the limits hold every wrench
