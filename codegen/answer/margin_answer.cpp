@@ -11,6 +11,7 @@
 #include "codegen/bound/limit_margin.hpp"
 #include "codegen/margin/margin_report.hpp"
 #include "codegen/margin/prepared_margin.hpp"
+#include "codegen/report/progress.hpp"
 #include "codegen/support/errors.hpp"
 #include "codegen/trajectory/trajectory_margin.hpp"
 

@@ -19,7 +19,6 @@ namespace {
 
 /// A piece that needs more is searched alone.
 constexpr std::uint32_t kMostForceBoxesOfPiece = 256;
-constexpr std::size_t kMostUndecidedPieces = 8;
 
 /// The facts about a piece.
 struct PieceForces {
@@ -101,25 +100,26 @@ class WayForceGoal {
 class WayForceRun {
  public:
   WayForceRun(WayForces& found, const std::string& load, const SearchOptions& search,
-              bool wants_trees, const std::atomic<bool>* interrupt, Observer* progress)
+              bool wants_trees, const PathWatch& watch)
       : found_(found),
         load_(load),
         search_(search),
         wants_trees_(wants_trees),
-        interrupt_(interrupt),
-        path_(*found.request.motion.trajectory, found.request.motion.error),
-        progress_(progress) {}
+        watch_(watch),
+        path_(*found.request.motion.trajectory, found.request.motion.error) {}
 
   void run(double model_seconds) {
     FormingWatch watch;
-    watch.interrupt = interrupt_;
+    watch.interrupt = watch_.interrupt;
     found_.hull =
         prepare_forces(hull_request(found_.request, path_), model_seconds, load_, search_, watch);
     found_.seconds = found_.hull.preparation.seconds_spent();
     pieces_.resize(path_.pieces());
     if (!must_stop(0)) search_together();
-    for (std::size_t k = 0; k < path_.pieces() && !has_ended_; ++k)
-      if (!pieces_[k].is_held && !must_stop(k)) search_alone(k);
+    if (!has_ended_)
+      ask_pieces_alone(
+          path_.pieces(), [this](std::size_t k) { return !pieces_[k].is_held; },
+          [this](std::size_t k) { return must_stop(k) ? PieceAnswer::kStopped : search_alone(k); });
     if (found_.deciding) return;
     found_.excluded = std::size_t(std::ranges::count(pieces_, false, &PieceForces::is_within));
     if (found_.excluded == path_.pieces())
@@ -137,7 +137,7 @@ class WayForceRun {
 
   bool must_stop(std::size_t piece) {
     const auto& stopped = found_.hull.preparation.stopped;
-    if ((interrupt_ != nullptr && *interrupt_) || (stopped && stopped->interrupted))
+    if (watch_.is_interrupted() || (stopped && stopped->interrupted))
       end(piece, Reason::kInterrupted);
     else if (stopped || seconds_left() <= 0)
       end(piece, Reason::kTimeBudget);
@@ -155,10 +155,10 @@ class WayForceRun {
 
   void search_together() {
     BoxSearchSettings settings;
-    settings.interrupt = interrupt_;
+    settings.interrupt = watch_.interrupt;
     settings.time_limit = seconds_left();
     if (search_.max_boxes != 0) settings.max_boxes = search_.max_boxes;
-    BoxCourse course(found_.hull.problem, settings, progress_);
+    BoxCourse course(found_.hull.problem, settings, watch_.display);
     PathParts parts(path_, found_.hull.problem,
                     {0, uncertain_names(found_.hull.preparation.labels).size()}, wants_trees_);
     WayForceGoal goal(course, parts, path_, pieces_);
@@ -170,31 +170,28 @@ class WayForceRun {
     if (course.stopped_by()) end(goal.next_piece(), *course.stopped_by());
   }
 
-  void search_alone(std::size_t k) {
+  PieceAnswer search_alone(std::size_t k) {
     ++found_.searched_alone;
     FormingWatch watch;
-    watch.interrupt = interrupt_;
+    watch.interrupt = watch_.interrupt;
     PreparedForces piece =
         prepare_forces(piece_request(found_.request, k), 0, load_, search_, watch);
-    FeasibilitySettings settings = settings_of(piece, interrupt_);
+    FeasibilitySettings settings = settings_of(piece, watch_.interrupt);
     settings.time_limit = std::min(settings.time_limit, seconds_left());
     TreeKept* const tree = wants_trees_ ? &found_.trees[k] : nullptr;
     if (tree != nullptr) tree->clear();
-    std::vector<Observer*> watching;
-    for (Observer* observer : {static_cast<Observer*>(tree), progress_})
-      if (observer != nullptr) watching.push_back(observer);
-    Observers observers(std::move(watching));
+    Observers observers(present({tree, watch_.display}));
     FeasibilityResult result = run_forces(
         piece, settings, [](std::span<const Interval>, ForceClaim) {}, &observers);
     found_.boxes += result.boxes;
     found_.seconds += piece.preparation.seconds_spent();
-    conclude(k, std::move(piece), std::move(result));
+    return conclude(k, std::move(piece), std::move(result));
   }
 
-  void conclude(std::size_t k, PreparedForces piece, FeasibilityResult result) {
+  PieceAnswer conclude(std::size_t k, PreparedForces piece, FeasibilityResult result) {
     if (result.verdict == FeasibilityVerdict::kFeasible || result.is_empty) {
       pieces_[k].is_within = !result.is_empty;
-      return;
+      return PieceAnswer::kProved;
     }
     const bool is_infeasible = result.verdict == FeasibilityVerdict::kInfeasible;
     const bool is_stopped = !is_infeasible && result.stopped_by.has_value();
@@ -203,32 +200,31 @@ class WayForceRun {
       found_.reason = result.reason;
       found_.deciding.emplace(DecidingForces{k, std::move(piece), std::move(result)});
     }
-    has_ended_ = is_infeasible || is_stopped || ++undecided_ == kMostUndecidedPieces;
+    return is_infeasible ? PieceAnswer::kRefuted
+           : is_stopped  ? PieceAnswer::kStopped
+                         : PieceAnswer::kOpen;
   }
 
   WayForces& found_;
   const std::string& load_;
   const SearchOptions& search_;
   const bool wants_trees_;
-  const std::atomic<bool>* const interrupt_;
+  const PathWatch watch_;
   const PathBounds path_;
-  Observer* const progress_;
   const std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
   std::vector<PieceForces> pieces_;
-  std::size_t undecided_ = 0;
   bool has_ended_ = false;
 };
 
 }  // namespace
 
 WayForces check_forces_along_way(Request request, double model_seconds, const std::string& load,
-                                 SearchOptions search, bool wants_trees,
-                                 const std::atomic<bool>* interrupt, Observer* progress) {
+                                 SearchOptions search, bool wants_trees, const PathWatch& watch) {
   settle_options(search);
   WayForces found;
   found.request = std::move(request);
   found.request.motion.alpha = 0;
-  WayForceRun(found, load, search, wants_trees, interrupt, progress).run(model_seconds);
+  WayForceRun(found, load, search, wants_trees, watch).run(model_seconds);
   return found;
 }
 

@@ -45,7 +45,7 @@ struct PathPaving {
 /// Throws as check_trajectory.
 [[nodiscard]] PathPaving pave_trajectory(Request request, double model_seconds,
                                          SearchOptions search, double resolution,
-                                         const std::atomic<bool>* interrupt);
+                                         const PathWatch& watch);
 
 /// Returns the lines for people, without the verdict.
 [[nodiscard]] std::string format_path_paving(const PathPaving& paving, SearchOptions search);

@@ -32,6 +32,12 @@ double BoxCourse::seconds() const {
   return std::chrono::duration<double>(Clock::now() - start_).count();
 }
 
+std::chrono::steady_clock::time_point BoxCourse::deadline() const {
+  const std::chrono::duration<double> limit(settings_.time_limit);
+  if (!(limit < std::chrono::hours(24 * 365 * 100))) return Clock::time_point::max();
+  return start_ + std::chrono::duration_cast<Clock::duration>(limit);
+}
+
 std::pair<TreeBox, TreeBox> BoxCourse::split(TreeBox parent, std::size_t variable) {
   const Halves halves = *bisect(parent.box[variable]);
   if (progress_ != nullptr)

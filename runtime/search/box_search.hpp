@@ -83,6 +83,7 @@ class BoxCourse {
   [[nodiscard]] TreeBox root() const { return {0, 0, problem_.outer}; }
   [[nodiscard]] std::uint64_t boxes() const { return boxes_; }
   [[nodiscard]] double seconds() const;
+  [[nodiscard]] std::chrono::steady_clock::time_point deadline() const;
   /// The limit that ended the search; nullopt: none did.
   [[nodiscard]] std::optional<Reason> stopped_by() const { return stopped_by_; }
   /// False: the search ended before the tree of an earlier run was restored.
