@@ -109,7 +109,8 @@ FeasibilityResult run_forces(PreparedForces& prepared, const FeasibilitySettings
     saving.save_every = checkpoint->interval_;
     result = checkpoint->file_->continue_search(saving, search);
     checkpoint->is_kept_ =
-        result.verdict == FeasibilityVerdict::kPossibleProblem && result.stopped_by.has_value();
+        result.stopped_by.has_value() &&
+        (settings.paves || result.verdict == FeasibilityVerdict::kPossibleProblem);
     if (!checkpoint->is_kept_) checkpoint->file_->remove();
   } else {
     result = search(settings);
