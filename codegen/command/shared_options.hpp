@@ -21,6 +21,7 @@ void add_method_options(CLI::App& app, Method& method, std::uint64_t& budget);
 void add_filter_option(CLI::App& app, SearchOptions& options);
 void add_search_options(CLI::App& app, SearchOptions& options);
 void add_output_options(CLI::App& app, OutputOptions& options);
+void add_page_option(CLI::App& app, OutputOptions& options);
 void add_checkpoint_options(CLI::App& app, CheckpointOptions& options);
 /// Adds the checkpoint of brackets.
 void add_bracket_checkpoint(CLI::App& app, std::string& path);
