@@ -28,8 +28,6 @@ constexpr std::string_view kNoWayLimit =
     "a motion along way-points has no margin within a limit; give the motion a formula, or ranges";
 constexpr std::string_view kNoWayCondition =
     "a motion along way-points cannot be bounded yet; give the motion a formula, or ranges";
-constexpr std::string_view kNoWayLoadPaving =
-    "a motion along way-points is not paved by loads; regulus check decides about it";
 
 using enum Kind;
 using enum Service;
@@ -78,7 +76,16 @@ constexpr Refusal kRefusals[] = {
     {kWayLoad, kTheorem, kNoTheorem},
     {kWayLoad, kCheckpoint, kWayNotContinued},
     {kWayLoad, kRanks, kOneMachine},
-    {kWayLoadPaving, kAnswer, kNoWayLoadPaving},
+    {kWayLoadPaving, kProof,
+     "there is no proof of the stretches of a motion along way-points; check proves the whole "
+     "motion"},
+    {kWayLoadPaving, kShards, "there is no proof of stretches"},
+    {kWayLoadPaving, kTheorem, "there is no proof of stretches"},
+    {kWayLoadPaving, kCheckpoint, kWayNotContinued},
+    {kWayLoadPaving, kRanks, kOneMachine},
+    {kWayLoadPaving, kPicture,
+     "a motion along way-points is not drawn; the paving has its stretches"},
+    {kWayLoadPaving, kPage, "a page shows the proof of a matrix; the report has the forces"},
     {kWayDatasheet, kProof, kNoRows},
     {kWayDatasheet, kShards, kNoRows},
     {kWayDatasheet, kTheorem, kNoRows},

@@ -42,7 +42,7 @@ PreparedForces prepare_forces(const ModelOptions& model, const std::string& load
   Request request = read_request(model);
   if (request.motion.trajectory)
     throw UsageError(
-        "--load: a motion along way-points is not paved; regulus check --load decides about it");
+        "--load: a motion along way-points is searched on one machine");
   return prepare_forces(std::move(request), stopwatch.lap(), load, search, std::move(watch));
 }
 

@@ -154,8 +154,9 @@ double approx_time(const TrajectoryPiece& piece, double s) {
 
 }  // namespace
 
-double PathPaving::approx_share(Claim claim) const {
-  const auto& pieces = check.request.motion.trajectory->pieces;
+double approx_share_of(const Trajectory& trajectory, const std::vector<PathStretch>& stretches,
+                       Claim claim) {
+  const auto& pieces = trajectory.pieces;
   const auto time = [&pieces](const PathPlace& place) {
     return approx_time(pieces[place.piece], place.s);
   };
@@ -163,6 +164,10 @@ double PathPaving::approx_share(Claim claim) const {
   for (const PathStretch& stretch : stretches)
     if (stretch.claim == claim) sum += time(stretch.end) - time(stretch.begin);
   return sum / (approx_time(pieces.back(), 1) - approx_time(pieces.front(), 0));
+}
+
+double PathPaving::approx_share(Claim claim) const {
+  return approx_share_of(*check.request.motion.trajectory, stretches, claim);
 }
 
 PathPaving pave_trajectory(Request request, double model_seconds, SearchOptions search,

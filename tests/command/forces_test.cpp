@@ -104,6 +104,54 @@ TEST_F(ForcesCommandTest, PavesTheMotion) {
   EXPECT_GT(last["boxes_by_claim"]["infeasible"]["fraction"][0].get<double>(), 0.6);
 }
 
+/// The load is held where |x| < 0.6, and x goes from -0.5 to 0.9 and back to 0.
+TEST_F(ForcesCommandTest, PavesWayPoints) {
+  const std::string way = folder_.path() / "way.csv", lines = folder_.path() / "lines";
+  std::ofstream(way) << "x\n-0.5\n0.9\n0.2\n0\n";
+  const std::vector<std::string> question = {"locate",   model_, "--waypoints",  way,
+                                             "--load",   "push", "--resolution", "1/256",
+                                             "--output", lines,  "--json"};
+  const CommandResult r = run(question);
+  EXPECT_EQ(r.exit_code, 1) << r.errors;
+  const json report = json::parse(r.output);
+  EXPECT_EQ(report["verdict"], "infeasible");
+  double sum = 0;
+  for (const char* kind : {"feasible", "infeasible", "undecided", "outside"})
+    sum += report["share"][kind].get<double>();
+  EXPECT_NEAR(sum, 1, 1e-12);
+  EXPECT_NEAR(report["share"]["infeasible"].get<double>(), (0.3 / 1.4 + 0.3 / 0.7) / 3, 0.01);
+  EXPECT_LT(report["share"]["undecided"].get<double>(), 0.01);
+  std::ifstream stretches(lines);
+  std::string line;
+  std::size_t count = 0;
+  while (std::getline(stretches, line)) {
+    const json stretch = json::parse(line);
+    if (!stretch.contains("kind")) continue;
+    ++count;
+    const std::size_t first = stretch["segments"][0], last = stretch["segments"][1];
+    if (stretch["kind"] == "feasible" && first == 1) {
+      EXPECT_LE(stretch["s"][1], 1.1 / 1.4);
+    }
+    if (stretch["kind"] == "infeasible") {
+      EXPECT_GE(stretch["s"][0], 1.1 / 1.4);
+      EXPECT_LE(stretch["s"][1], 0.3 / 0.7);
+      EXPECT_EQ(last, 2U);
+    }
+  }
+  EXPECT_EQ(count, report["stretches"]);
+  std::vector<std::string> proved = question;
+  proved.insert(proved.end(), {"--certificate", folder_.path() / "proof"});
+  EXPECT_THAT(run(proved).errors, HasSubstr("there is no proof of the stretches"));
+}
+
+TEST_F(ForcesCommandTest, PavesWayPointsThatHoldTheLoad) {
+  const std::string way = folder_.path() / "way.csv";
+  std::ofstream(way) << "x\n-0.5\n0.5\n";
+  const CommandResult r = run({"locate", model_, "--waypoints", way, "--load", "push", "--quiet"});
+  EXPECT_EQ(r.exit_code, 0) << r.errors;
+  EXPECT_THAT(r.output, HasSubstr("\"kind\":\"feasible\",\"segments\":[1,1]"));
+}
+
 TEST_F(ForcesCommandTest, WritesProofsThatBothVerifiersAccept) {
   const std::string proof = folder_.path() / "proof";
   const auto verdicts = [&](std::vector<std::string> words, const std::string& range) {
