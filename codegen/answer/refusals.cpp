@@ -85,7 +85,6 @@ constexpr Refusal kRefusals[] = {
     {kWayLoadPaving, kRanks, kOneMachine},
     {kWayLoadPaving, kPicture,
      "a motion along way-points is not drawn; the paving has its stretches"},
-    {kWayLoadPaving, kPage, "a page shows the proof of a matrix; the report has the forces"},
     {kWayDatasheet, kProof, kNoRows},
     {kWayDatasheet, kShards, kNoRows},
     {kWayDatasheet, kTheorem, kNoRows},
