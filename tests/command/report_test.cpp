@@ -17,9 +17,6 @@ namespace {
 namespace fs = std::filesystem;
 using testing::HasSubstr;
 
-const std::string kProgram = REGULUS_BINARY_DIR "/bin/regulus";
-const std::string kModels = REGULUS_SOURCE_DIR "/models/";
-
 std::string text_of(const fs::path& file) {
   std::ostringstream text;
   text << std::ifstream(file).rdbuf();
@@ -42,9 +39,8 @@ class AReport : public testing::Test {
   }
 
   CommandResult report(std::vector<std::string> words) {
-    words.insert(words.begin(), {kProgram, "report"});
     words.insert(words.end(), {"-o", page_});
-    return run_command(words);
+    return regulus({"report"}, words);
   }
 
   TemporaryDirectory folder_;
@@ -123,8 +119,7 @@ TEST_F(AReport, RefusesWhatItCannotShow) {
   const CommandResult quantity = report({kModels + "orthoglide.toml", "cube", "--bound", "beauty"});
   EXPECT_EQ(quantity.exit_code, 64);
   EXPECT_FALSE(fs::exists(page_));
-  const CommandResult no_file =
-      run_command({kProgram, "report", kModels + "orthoglide.toml", "cube"});
+  const CommandResult no_file = regulus({"report", kModels + "orthoglide.toml", "cube"});
   EXPECT_EQ(no_file.exit_code, 64);
   EXPECT_THAT(no_file.errors, HasSubstr("--output"));
 }
@@ -136,8 +131,8 @@ class AReportOfEarlierRuns : public AReport {
     AReport::SetUp();
     if (IsSkipped()) return;
     const CommandResult checked =
-        run_command({kProgram, "check", kRobot, "wide_15", "--range", "x=-1:1", "--tolerance",
-                     "base=0.01", "--certificate", proof_, "--json", "--quiet"});
+        regulus({"check", kRobot, "wide_15", "--range", "x=-1:1", "--tolerance", "base=0.01",
+                 "--certificate", proof_, "--json", "--quiet"});
     std::ofstream(check_) << checked.output;
   }
 
@@ -204,10 +199,10 @@ TEST_F(AReportOfEarlierRuns, RefusesFilesThatAreNoReports) {
 
 TEST_F(AReportOfEarlierRuns, HasThePavingOfAFile) {
   const std::string planar = kModels + "planar_3rpr.toml";
-  EXPECT_EQ(run_command({kProgram, "locate", planar, "crossing", "--resolution", "1/8", "--output",
-                         other_, "--quiet"})
-                .exit_code,
-            1);
+  EXPECT_EQ(
+      regulus({"locate", planar, "crossing", "--resolution", "1/8", "--output", other_, "--quiet"})
+          .exit_code,
+      1);
   EXPECT_EQ(report({planar, "--from", other_}).exit_code, 1);
   const nlohmann::json taken = data_of(page_)["paving"];
   EXPECT_EQ(report({planar, "crossing", "--paving", "--resolution", "1/8"}).exit_code, 1);
@@ -227,14 +222,12 @@ TEST_F(AReportOfEarlierRuns, HasThePavingOfAFile) {
 
 TEST_F(AReportOfEarlierRuns, RefusesAProofOfAModelThatTheShellHasChanged) {
   const std::string planar = kModels + "planar_3rpr.toml";
-  EXPECT_EQ(run_command({kProgram, "check", planar, "regular", "--certificate", other_, "--quiet"})
-                .exit_code,
-            0);
+  EXPECT_EQ(regulus({"check", planar, "regular", "--certificate", other_, "--quiet"}).exit_code, 0);
   const auto in_shell = [&](const std::string& change) {
     return run_command({"/bin/sh", "-c",
                         "printf 'load " + planar + "\\nmotion regular\\n" + change +
                             "report --from " + other_ + " --output " + page_ + "\\n' | " +
-                            kProgram + " shell"});
+                            kCommand + " shell"});
   };
   EXPECT_EQ(in_shell("").exit_code, 0);
   EXPECT_TRUE(fs::remove(page_));
@@ -245,16 +238,14 @@ TEST_F(AReportOfEarlierRuns, RefusesAProofOfAModelThatTheShellHasChanged) {
 }
 
 TEST_F(AReportOfEarlierRuns, KeepsItsFiles) {
-  EXPECT_EQ(
-      run_command({kProgram, "report", kRobot, "--from", check_, "--output", check_}).exit_code,
-      64);
+  EXPECT_EQ(regulus({"report", kRobot, "--from", check_, "--output", check_}).exit_code, 64);
   EXPECT_THAT(text_of(check_), HasSubstr("no-singularity"));
 }
 
 TEST(AProgramWithoutThePage, SaysHowToGetIt) {
   const TemporaryDirectory folder;
   fs::create_directory(folder.path() / "bin");
-  fs::copy_file(kProgram, folder.path() / "bin/regulus");
+  fs::copy_file(kCommand, folder.path() / "bin/regulus");
   const CommandResult refused =
       run_command({folder.path() / "bin/regulus", "report", kModels + "orthoglide.toml", "cube",
                    "-o", folder.path() / "page.html"});

@@ -170,9 +170,13 @@ TEST_P(GoughModel, HasSymbolicAnchorsOfBothGroups) {
   }
 }
 
-INSTANTIATE_TEST_SUITE_P(Orientations, GoughModel,
-                         testing::Values(Orientation::kEulerZxz, Orientation::kRollPitchYaw,
-                                         Orientation::kQuaternion));
+INSTANTIATE_TEST_SUITE_P(
+    Orientations, GoughModel,
+    testing::Values(Orientation::kEulerZxz, Orientation::kRollPitchYaw, Orientation::kQuaternion),
+    [](const auto& info) {
+      constexpr const char* kNames[] = {"EulerZxz", "RollPitchYaw", "Quaternion"};
+      return std::string(kNames[static_cast<int>(info.param)]);
+    });
 
 std::vector<std::string> pose_names(Orientation orientation) {
   std::vector<std::string> names;
