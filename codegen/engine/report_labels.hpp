@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The labels of a report: names, units and sizes, without expressions.
+// The labels of a report: names, units and sizes, without expressions. Ranges and
+// forms are kept elsewhere.
 #pragma once
 
 #include <cstddef>

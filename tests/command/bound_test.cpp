@@ -70,7 +70,7 @@ TEST_F(BoundCommandTest, KnowsTheConditionNumberInTheTwoNorm) {
   const auto with = [&](std::initializer_list<std::string> more) {
     std::vector<std::string> words = question;
     words.insert(words.end(), more);
-    return run(words);
+    return regulus(words);
   };
   const CommandResult r = with({"--gap", "1e-6", "--json"});
   ASSERT_EQ(r.exit_code, 0) << r.errors;
@@ -165,7 +165,7 @@ TEST_F(BoundCommandTest, RefusesWhatItCannotBound) {
   for (const Mistake& mistake : mistakes) {
     std::vector<std::string> words{"bound", model_};
     words.insert(words.end(), mistake.words.begin(), mistake.words.end());
-    const CommandResult r = run(words);
+    const CommandResult r = regulus(words);
     EXPECT_EQ(r.exit_code, 64) << mistake.words[0] << r.errors;
     EXPECT_THAT(r.errors, HasSubstr(mistake.message));
   }
@@ -234,7 +234,7 @@ class BoundCheckpointTest : public BoundCommandTest {
                                    "1",     "--checkpoint", file_,   "--certificate",
                                    proof_,  "--time-limit", "600"};
     words.insert(words.end(), more.begin(), more.end());
-    return run(words);
+    return regulus(words);
   }
   [[nodiscard]] nlohmann::ordered_json saved() const {
     return nlohmann::ordered_json::parse(std::ifstream(file_));

@@ -69,7 +69,7 @@ TEST_F(ForcesCommandTest, ShowsThePoseAndTheWrenchThatIsNotHeld) {
 }
 
 TEST_F(ForcesCommandTest, PavesTheMotion) {
-  const CommandResult r = run(
+  const CommandResult r = regulus(
       {"locate", model_, "--load", "push", "--range", "x=-2:2", "--resolution", "1/64", "--quiet"});
   EXPECT_EQ(r.exit_code, 1) << r.errors;
   std::istringstream lines(r.output);
@@ -101,7 +101,7 @@ TEST_F(ForcesCommandTest, WritesProofsThatBothVerifiersAccept) {
     for (const char* word : {"--load", "push", "--certificate", proof.c_str(), "--json"})
       words.emplace_back(word);
     words.insert(words.end(), {"--range", range});
-    EXPECT_EQ(json::parse(run(words).output)["certificate"], proof);
+    EXPECT_EQ(json::parse(regulus(words).output)["certificate"], proof);
     const CommandResult own = regulus({"verify", proof, "--model", model_, "--quiet"});
     const CommandResult other =
         run_command({kVerify, proof, "--model", model_, "--allow-options", "--quiet"});
@@ -130,7 +130,7 @@ TEST_F(ForcesCommandTest, WritesNoProofThatClaimsNothing) {
 TEST_F(ForcesCommandTest, RefusesWhatHasNoMeaning) {
   const auto refused = [&](std::vector<std::string> words, const std::string& why) {
     words.insert(words.begin(), {"check", model_, "--load", "push"});
-    const CommandResult r = run(words);
+    const CommandResult r = regulus(words);
     EXPECT_EQ(r.exit_code, 64) << r.errors;
     EXPECT_THAT(r.errors, HasSubstr(why));
     EXPECT_EQ(r.output, "");
@@ -146,7 +146,7 @@ TEST_F(ForcesCommandTest, RefusesWhatHasNoMeaning) {
 }
 
 TEST_F(ForcesCommandTest, StopsAtItsLimits) {
-  const CommandResult r = run(
+  const CommandResult r = regulus(
       {"check", model_, "--load", "push", "--range", "x=-0.6:0.6", "--max-boxes", "1", "--json"});
   EXPECT_EQ(r.exit_code, 2) << r.errors;
   EXPECT_EQ(json::parse(r.output)["boxes"], 1);

@@ -89,7 +89,7 @@ std::uint64_t next_number(std::uint64_t& state) {
 }
 
 /// Returns some point of the ranges.
-std::vector<Ball> point(const Question& q, std::uint64_t& state) {
+std::vector<Ball> tried_point(const Question& q, std::uint64_t& state) {
   std::vector<Ball> result(q.variables.size());
   for (std::size_t k = 0; k < result.size(); ++k) {
     const Variable& v = q.variables[k];
@@ -109,7 +109,7 @@ std::vector<Ball> point(const Question& q, std::uint64_t& state) {
 bool certain_nonzero_somewhere(const Question& q, NodeId difference) {
   std::uint64_t state = 0;
   for (int k = 0; k < kTriedPoints; ++k) {
-    const auto value = evaluate(q.graph, {difference}, point(q, state), kValueBits);
+    const auto value = evaluate(q.graph, {difference}, tried_point(q, state), kValueBits);
     if (value && arb_contains_zero((*value)[0].get()) == 0) return true;
   }
   return false;

@@ -70,7 +70,8 @@ class GoughReading final : public SectionReading {
       const std::string place =
           list + '[' + std::to_string(leg) + "][" + std::to_string(axis) + ']';
       if (!comparer.values().contains(place)) throw Unfinished("the file has no " + place);
-      names.push_back(std::string(1, letter) + std::to_string(leg + 1) + '_' + kAnchorAxes[axis]);
+      std::string& name = names.emplace_back(1, letter);
+      name.append(std::to_string(leg + 1)).append(1, '_').append(1, kAnchorAxes[axis]);
       comparer.compare(comparer.place_of(place),
                        comparer.expression_at(place, comparer.question().actual),
                        "value " + names.back());
