@@ -129,9 +129,7 @@ class APage : public AReport {
  protected:
   /// Returns the data of the page of a question, whose command ends with `exit_code`.
   nlohmann::json page_of(std::vector<std::string> words, int exit_code) {
-    words.insert(words.begin(), kCommand);
-    words.insert(words.end(), {"--page", page_});
-    const CommandResult made = run_command(words);
+    const CommandResult made = regulus(std::move(words), {"--page", page_});
     EXPECT_EQ(made.exit_code, exit_code) << made.errors;
     EXPECT_THAT(made.errors, HasSubstr("page       " + page_));
     headline_ = made.output.substr(0, made.output.find('\n'));
