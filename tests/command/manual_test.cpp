@@ -64,7 +64,7 @@ TEST(Manual, OfTheShellHasItsCommands) {
 TEST(Manual, HasNoMistakesOfItsMacros) {
   if (run_command({"/bin/sh", "-c", "command -v mandoc"}).exit_code != 0)
     GTEST_SKIP() << "no mandoc";
-  const regulus::test::TemporaryDirectory directory;
+  const TemporaryDirectory directory;
   const std::vector<CommandEntry> table = command_table(ShellSession::commands());
   for (const CommandEntry& command : table) {
     const std::string file = (directory.path() / "page.1").string();
@@ -74,7 +74,7 @@ TEST(Manual, HasNoMistakesOfItsMacros) {
 }
 
 TEST(Completions, AreReadByTheirShells) {
-  const regulus::test::TemporaryDirectory directory;
+  const TemporaryDirectory directory;
   const std::vector<CommandEntry> table = command_table(ShellSession::commands());
   const std::string bash = (directory.path() / "bash").string();
   std::ofstream(bash) << bash_completion(table);
@@ -100,7 +100,7 @@ std::string bash_offers(const std::string& file, const std::string& words) {
 }
 
 TEST(Completions, OfferTheNamesOfTheModelOnTheLine) {
-  const regulus::test::TemporaryDirectory directory;
+  const TemporaryDirectory directory;
   const std::string bash = (directory.path() / "bash").string();
   std::ofstream(bash) << bash_completion(command_table());
   const std::string planar = "regulus check " REGULUS_SOURCE_DIR "/models/planar_3rpr.toml ";
@@ -176,7 +176,7 @@ TEST(ShellPage, ShowsASessionThatTakesPlaceLikeThat) {
     else
       shown += line + '\n';
   ASSERT_GT(script.size(), 100U);
-  const regulus::test::TemporaryDirectory directory;
+  const TemporaryDirectory directory;
   const std::string file = (directory.path() / "script").string();
   std::ofstream(file) << script;
   const auto result = run_command(

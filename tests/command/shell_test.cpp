@@ -30,7 +30,7 @@ CommandResult shell(const std::string& script, const std::string& option = "",
   const TemporaryDirectory directory;
   const std::string file = (directory.path() / "script").string();
   std::ofstream(file) << script;
-  return regulus::test::run_command(
+  return run_command(
       {"/bin/sh", "-c", variables + " " + kCommand + " shell " + option + " < " + file});
 }
 
@@ -51,8 +51,8 @@ TEST(ShellScript, ChecksAMotionAndEndsWithTheCodeOfTheVerdict) {
 }
 
 TEST(ShellScript, ReportsWhatTheCommandReports) {
-  const CommandResult alone = regulus::regulus(
-      {"check", kPlanar, "crossing", "--engine", "interpreted", "--json", "--quiet"});
+  const CommandResult alone =
+      regulus({"check", kPlanar, "crossing", "--engine", "interpreted", "--json", "--quiet"});
   const CommandResult script =
       shell(loaded("set engine interpreted\nmotion crossing\ncheck --json --quiet\n"));
   const auto without_time = [](nlohmann::json report) {

@@ -45,10 +45,10 @@ TEST_P(EveryMotion, HasTheSameReportWarmAsCold) {
 }
 
 INSTANTIATE_TEST_SUITE_P(Models, EveryMotion, testing::ValuesIn(every_question()),
-                         [](const auto& info) {
+                         [](const auto& question) {
                            return name_of_words(
-                               info.param.model.substr(info.param.model.rfind('/') + 1) + ' ' +
-                               info.param.motion);
+                               question.param.model.substr(question.param.model.rfind('/') + 1) +
+                               ' ' + question.param.motion);
                          });
 
 }  // namespace
