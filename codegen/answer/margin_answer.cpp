@@ -11,6 +11,7 @@
 #include "codegen/bound/limit_margin.hpp"
 #include "codegen/margin/margin_report.hpp"
 #include "codegen/margin/prepared_margin.hpp"
+#include "codegen/report/progress.hpp"
 #include "codegen/support/errors.hpp"
 #include "codegen/trajectory/trajectory_margin.hpp"
 
@@ -94,8 +95,9 @@ class WayMargin final : public MarginAnswer {
         gap_(read_gap(asked.gap)),
         request_(std::move(request), question_) {
     services.begin_search();
-    found_ = margin_of_trajectory(request_, question_, search_, gap_, services.interrupt,
-                                  steps_of(services));
+    SearchDisplay display(display_of(services));
+    found_ = margin_of_trajectory(request_, question_, search_, gap_,
+                                  {services.interrupt, display.observer()}, steps_of(services));
     set_ends(*this, found_.margin);
   }
 
