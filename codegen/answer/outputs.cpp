@@ -4,10 +4,10 @@
 #include <algorithm>
 #include <iterator>
 
-#include "codegen/report/progress.hpp"
-#include "runtime/certificate/format.hpp"
+#include "codegen/answer/report/progress.hpp"
+#include "runtime/proof/format.hpp"
 
-namespace regulus::inline answer {
+namespace regulus {
 namespace {
 
 /// Returns the files that a question reads: the model, way-points, filters.
@@ -47,4 +47,4 @@ FormingWatch watch_of(const Services& services) {
   return forming_watch(display_of(services), services.interrupt);
 }
 
-}  // namespace regulus::answer
+}  // namespace regulus

@@ -5,14 +5,14 @@
 #include <string>
 #include <vector>
 
+#include "codegen/answer/report/output_options.hpp"
 #include "codegen/answer/services.hpp"
-#include "codegen/engine/options.hpp"
 #include "codegen/model/model_options.hpp"
-#include "codegen/program/work_meter.hpp"
-#include "codegen/report/output_options.hpp"
+#include "codegen/question/engine/options.hpp"
+#include "codegen/support/work_meter.hpp"
 #include "runtime/problem/observers.hpp"
 
-namespace regulus::inline answer {
+namespace regulus {
 
 /// Renames the files of earlier runs: the certificate, the checkpoint, the lines and the pictures of
 /// `services`. Throws as set_earlier_outputs_aside.
@@ -27,4 +27,4 @@ void set_outputs_aside(const ModelOptions& model, const SearchOptions& search,
 /// Returns what says whether a terminal shows the progress.
 [[nodiscard]] OutputOptions display_of(const Services& services);
 
-}  // namespace regulus::answer
+}  // namespace regulus

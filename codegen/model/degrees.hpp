@@ -12,7 +12,7 @@
 
 #include "codegen/model/model.hpp"
 
-namespace regulus::inline model {
+namespace regulus {
 
 struct Place;
 
@@ -39,4 +39,4 @@ constexpr double kOneTurn = 6.2832;
 void warn_about_angle(std::vector<std::string>& warnings, const Range& range, std::string_view unit,
                       const Place& place);
 
-}  // namespace regulus::model
+}  // namespace regulus

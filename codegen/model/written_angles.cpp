@@ -4,12 +4,12 @@
 #include <array>
 #include <optional>
 
-#include "codegen/model/decimal.hpp"
 #include "codegen/model/degrees.hpp"
-#include "codegen/model/lexer.hpp"
-#include "codegen/model/sections.hpp"
+#include "codegen/model/exact/decimal.hpp"
+#include "codegen/model/exact/lexer.hpp"
+#include "codegen/model/file/sections.hpp"
 
-namespace regulus::inline model {
+namespace regulus {
 namespace {
 
 bool is_circular(const Token& name) {
@@ -67,4 +67,4 @@ void warn_about_written_angles(ModelReading& reading, const TomlEntry& root) {
     if (part.path != "name" && part.path != "source") warn_about_written_angles(reading, part);
 }
 
-}  // namespace regulus::model
+}  // namespace regulus

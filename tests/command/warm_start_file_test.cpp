@@ -7,10 +7,10 @@
 #include <functional>
 #include <set>
 
-#include "codegen/engine/build_id.hpp"
-#include "codegen/engine/forms_key.hpp"
-#include "codegen/engine/symbolic_stages.hpp"
-#include "codegen/engine/warm_start.hpp"
+#include "codegen/question/engine/build_id.hpp"
+#include "codegen/question/engine/forms_key.hpp"
+#include "codegen/question/engine/symbolic_stages.hpp"
+#include "codegen/question/engine/warm_start.hpp"
 #include "tests/support/cached_command.hpp"
 
 namespace regulus::test {

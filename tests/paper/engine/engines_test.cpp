@@ -3,8 +3,8 @@
 // boxes, and the other tests here take one of them.
 #include <gtest/gtest.h>
 
-#include "codegen/engine/pipeline.hpp"
-#include "codegen/engine/settings.hpp"
+#include "codegen/question/engine/pipeline.hpp"
+#include "codegen/question/engine/settings.hpp"
 #include "runtime/search/solver.hpp"
 
 namespace regulus {

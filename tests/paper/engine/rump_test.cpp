@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <gtest/gtest.h>
 
-#include "codegen/engine/arb_oracle.hpp"
-#include "codegen/engine/pipeline.hpp"
+#include "codegen/question/engine/arb_oracle.hpp"
+#include "codegen/question/engine/pipeline.hpp"
 #include "runtime/search/solver.hpp"
 
 namespace regulus {

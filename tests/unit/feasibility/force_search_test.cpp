@@ -5,7 +5,7 @@
 #include <map>
 #include <regex>
 
-#include "codegen/feasibility/feasibility_run.hpp"
+#include "codegen/question/load/feasibility_run.hpp"
 #include "runtime/search/thread_workers.hpp"
 #include "tests/support/damage.hpp"
 #include "tests/support/search_events.hpp"

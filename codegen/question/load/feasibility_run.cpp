@@ -1,0 +1,121 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "codegen/question/load/feasibility_run.hpp"
+
+#include "codegen/answer/report/question_report.hpp"
+#include "codegen/question/bound/bound_run.hpp"
+#include "codegen/question/engine/search_run.hpp"
+#include "codegen/question/engine/settings.hpp"
+#include "codegen/support/errors.hpp"
+
+namespace regulus {
+namespace {
+
+/// The kernel needs the entries of the matrix and their derivatives, and no product.
+SearchOptions with_derivatives(SearchOptions search) {
+  search.method = Method::kReg;
+  search.entries = Entries::kDerivatives;
+  search.uncertainty = Uncertainty::kElements;
+  return search;
+}
+
+/// Returns everything that the boxes depend on. Formulas are left out: their terms may have another
+/// order in another process. No claim rests on this text, since boxes are judged again.
+nlohmann::ordered_json checkpointed_question(const PreparedForces& prepared,
+                                             const FeasibilitySettings& settings) {
+  nlohmann::ordered_json question = json_question(prepared.preparation, prepared.search);
+  question.erase("options");  // they change how long it takes
+  question.erase("pose_exact");
+  question.erase("constraints_exact");
+  question["load"] = json_vector_set(prepared.set());
+  for (const Interval& limit : prepared.forces.certain)
+    question["forces"].push_back({limit.lo, limit.hi});
+  question["paves"] = settings.paves;
+  question["least_width"] = settings.min_relative_width;
+  return question;
+}
+
+}  // namespace
+
+PreparedForces prepare_forces(const ModelOptions& model, const std::string& load,
+                              const SearchOptions& search, FormingWatch watch) {
+  Stopwatch stopwatch;
+  Request request = read_request(model);
+  if (request.motion.trajectory)
+    throw UsageError("--load: a motion along way-points is searched on one machine");
+  return prepare_forces(std::move(request), stopwatch.lap(), load, search, std::move(watch));
+}
+
+PreparedForces prepare_forces(Request request, double model_seconds, const std::string& load,
+                              const SearchOptions& search, FormingWatch watch) {
+  if (request.model.matrix_kind != MatrixKind::kInverse)
+    throw UsageError(
+        "--load: the matrix of a serial robot is its Jacobian in a frame of its own, so it has no "
+        "loads");
+  PreparedForces prepared;
+  const VectorSet& set = choose_load(request.model, load);
+  prepared.load = set.name;
+  prepared.force_unit = request.model.actuators.force_unit;
+  prepared.forces = force_problem(request.model, set);
+  prepared.search = search;
+  prepared.request = request;
+  prepared.request.motion.alpha = 0;
+  prepared.preparation = prepare(with_scaled_rows(std::move(request)), model_seconds,
+                                 with_derivatives(search), std::move(watch));
+  prepared.scaling = prepared.preparation.stages->formulation().scaling;
+  prepared.problem = prepared.preparation.problem();
+  return prepared;
+}
+
+FeasibilitySettings settings_of(const PreparedForces& prepared,
+                                const std::atomic<bool>* interrupt) {
+  FeasibilitySettings settings;
+  const SearchOptions& search = prepared.search;
+  settings.threads = settings_from(search).threads;
+  if (search.max_boxes != 0) settings.max_boxes = search.max_boxes;
+  if (search.time_limit != 0)
+    settings.time_limit = seconds_left(prepared.preparation, search.time_limit);
+  if (prepared.preparation.stopped) settings.time_limit = 0;
+  settings.interrupt = interrupt;
+  settings.workers = search.workers;
+  return settings;
+}
+
+ForceCheckpoint::ForceCheckpoint(const CheckpointOptions& options, const PreparedForces& prepared,
+                                 const FeasibilitySettings& settings)
+    : interval_(options.interval) {
+  if (!options.path.empty())
+    file_ = std::make_unique<JsonCheckpoint>(
+        options.path, checkpointed_question(prepared, settings), "the search");
+}
+
+std::string ForceCheckpoint::line() const {
+  if (!file_) return "";
+  std::string text = file_->line();
+  if (is_kept_ && text.empty())
+    text = "checkpoint " + file_->path() + ": repeat the command to continue from here\n";
+  return text;
+}
+
+FeasibilityResult run_forces(PreparedForces& prepared, const FeasibilitySettings& settings,
+                             const ForceListener& listener, Observer* progress,
+                             ForceCheckpoint* checkpoint) {
+  const auto search = [&](const FeasibilitySettings& chosen) {
+    return search_forces(prepared.question(), chosen, listener, progress);
+  };
+  FeasibilityResult result;
+  if (checkpoint != nullptr && checkpoint->file_) {
+    FeasibilitySettings saving = settings;
+    saving.save_every = checkpoint->interval_;
+    result = checkpoint->file_->continue_search(saving, search);
+    checkpoint->is_kept_ =
+        result.stopped_by.has_value() &&
+        (settings.paves || result.verdict == FeasibilityVerdict::kPossibleProblem);
+    if (!checkpoint->is_kept_) checkpoint->file_->remove();
+  } else {
+    result = search(settings);
+  }
+  prepared.preparation.seconds.search = result.seconds;
+  return result;
+}
+
+}  // namespace regulus
