@@ -91,9 +91,10 @@ tsan: dependencies  ## every test that runs several threads, under ThreadSanitiz
 	ctest --preset tsan
 
 MODELS ?= 100000
-attack: dependencies  ## MODELS hostile models, judged by what is known of them: build/attack.json
+attack: dependencies  ## MODELS hostile models and forged proofs, judged by what is known of them: build/attack.json, forge.json
 	cmake --preset release -DREGULUS_TESTS=ON
-	cmake --build --preset release --target attack
+	cmake --build --preset release --target attack forge
+	build/bin/forge --forgeries $(MODELS) --json build/forge.json
 	build/bin/attack --models $(MODELS) --fail-on-slow --least-verified 99 --json build/attack.json
 
 asan ubsan clang: dependencies  ## the fast tests under that preset

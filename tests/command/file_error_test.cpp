@@ -280,7 +280,7 @@ TEST_F(FileTrouble, TwoCheckpointsOfOneCertificateAreKeptApart) {
 TEST_F(FileTrouble, ACheckpointIsRefusedWhereItWouldBeIgnored) {
   const CommandResult locate = regulus({"locate", kPlanar, "regular", "--checkpoint", file("c")});
   EXPECT_EQ(locate.exit_code, 64);
-  EXPECT_THAT(locate.errors, HasSubstr("`regulus locate` cannot be continued"));
+  EXPECT_THAT(locate.errors, HasSubstr("a paving writes its boxes as they come"));
   const CommandResult tolerance =
       regulus({"margin", kPlanar, "regular", "--tolerance", "base=0:1", "--checkpoint", file("c")});
   EXPECT_EQ(tolerance.exit_code, 64);

@@ -3,11 +3,15 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <csignal>
 #include <fstream>
 #include <nlohmann/json.hpp>
+#include <random>
 #include <sstream>
+#include <thread>
 
 #include "tests/support/command.hpp"
+#include "tests/support/damage.hpp"
 #include "tests/support/temporary_directory.hpp"
 
 namespace regulus::test {
@@ -95,6 +99,54 @@ TEST_F(ForcesCommandTest, PavesTheMotion) {
   EXPECT_GT(last["boxes_by_claim"]["infeasible"]["fraction"][0].get<double>(), 0.6);
 }
 
+/// The load is held where |x| < 0.6, and x goes from -0.5 to 0.9 and back to 0.
+TEST_F(ForcesCommandTest, PavesWayPoints) {
+  const std::string way = folder_.path() / "way.csv", lines = folder_.path() / "lines";
+  std::ofstream(way) << "x\n-0.5\n0.9\n0.2\n0\n";
+  const std::vector<std::string> question = {"locate",   model_, "--waypoints",  way,
+                                             "--load",   "push", "--resolution", "1/256",
+                                             "--output", lines,  "--json"};
+  const CommandResult r = run(question);
+  EXPECT_EQ(r.exit_code, 1) << r.errors;
+  const json report = json::parse(r.output);
+  EXPECT_EQ(report["verdict"], "infeasible");
+  double sum = 0;
+  for (const char* kind : {"feasible", "infeasible", "undecided", "outside"})
+    sum += report["share"][kind].get<double>();
+  EXPECT_NEAR(sum, 1, 1e-12);
+  EXPECT_NEAR(report["share"]["infeasible"].get<double>(), (0.3 / 1.4 + 0.3 / 0.7) / 3, 0.01);
+  EXPECT_LT(report["share"]["undecided"].get<double>(), 0.01);
+  std::ifstream stretches(lines);
+  std::string line;
+  std::size_t count = 0;
+  while (std::getline(stretches, line)) {
+    const json stretch = json::parse(line);
+    if (!stretch.contains("kind")) continue;
+    ++count;
+    const std::size_t first = stretch["segments"][0], last = stretch["segments"][1];
+    if (stretch["kind"] == "feasible" && first == 1) {
+      EXPECT_LE(stretch["s"][1], 1.1 / 1.4);
+    }
+    if (stretch["kind"] == "infeasible") {
+      EXPECT_GE(stretch["s"][0], 1.1 / 1.4);
+      EXPECT_LE(stretch["s"][1], 0.3 / 0.7);
+      EXPECT_EQ(last, 2U);
+    }
+  }
+  EXPECT_EQ(count, report["stretches"]);
+  std::vector<std::string> proved = question;
+  proved.insert(proved.end(), {"--certificate", folder_.path() / "proof"});
+  EXPECT_THAT(run(proved).errors, HasSubstr("there is no proof of the stretches"));
+}
+
+TEST_F(ForcesCommandTest, PavesWayPointsThatHoldTheLoad) {
+  const std::string way = folder_.path() / "way.csv";
+  std::ofstream(way) << "x\n-0.5\n0.5\n";
+  const CommandResult r = run({"locate", model_, "--waypoints", way, "--load", "push", "--quiet"});
+  EXPECT_EQ(r.exit_code, 0) << r.errors;
+  EXPECT_THAT(r.output, HasSubstr("\"kind\":\"feasible\",\"segments\":[1,1]"));
+}
+
 TEST_F(ForcesCommandTest, WritesProofsThatBothVerifiersAccept) {
   const std::string proof = folder_.path() / "proof";
   const auto verdicts = [&](std::vector<std::string> words, const std::string& range) {
@@ -136,13 +188,130 @@ TEST_F(ForcesCommandTest, RefusesWhatHasNoMeaning) {
     EXPECT_EQ(r.output, "");
   };
   refused({"--certificate", "proof", "--shard-size", "64kB"}, "stays in one file");
-  refused({"--checkpoint", "saved"}, "cannot be continued");
   refused({"--alpha", "0.1"}, "forces have no threshold");
   refused({"--method", "kj"}, "there is one method");
   const CommandResult unknown = regulus({"check", model_, "--load", "pull"});
   EXPECT_EQ(unknown.exit_code, 64);
   EXPECT_THAT(unknown.errors, HasSubstr("did you mean 'push'?"));
   EXPECT_EQ(regulus({"check", model_, "--load", ""}).exit_code, 64);  // which of the two?
+}
+
+/// Two cables more than the bead's: a paving of many boxes.
+constexpr const char* kPlate = R"toml(regulus = 1
+name = "plate"
+[pose]
+x = "m"
+y = "m"
+[matrix]
+twist = ["v_x", "v_y"]
+rows = [["x - 3", "y - 3"], ["x + 3", "y - 3"], ["x + 3", "y + 3"], ["x - 3", "y + 3"]]
+row_scale = ["1/sqrt((x - 3)^2 + (y - 3)^2)", "1/sqrt((x + 3)^2 + (y - 3)^2)",
+             "1/sqrt((x + 3)^2 + (y + 3)^2)", "1/sqrt((x - 3)^2 + (y + 3)^2)"]
+[load.pull]
+wrench = { value = [0, -2], radius = 1 }
+[actuators]
+force = [1, 10]
+[motion.m]
+x = ["-29/10", "29/10"]
+y = ["-29/10", "29/10"]
+constraints = ["x^2 + y^2 - 8"]
+)toml";
+
+class LoadCheckpoint : public ForcesCommandTest {
+ protected:
+  LoadCheckpoint() { std::ofstream(plate_) << kPlate; }
+
+  [[nodiscard]] std::vector<std::string> words(const std::string& name,
+                                               std::vector<std::string> more) const {
+    std::vector<std::string> all{REGULUS_BINARY_DIR "/bin/regulus",
+                                 "locate",
+                                 plate_,
+                                 "--load",
+                                 "pull",
+                                 "--resolution",
+                                 "1/512",
+                                 "--quiet",
+                                 "--output",
+                                 folder_.path() / (name + ".lines"),
+                                 "--certificate",
+                                 folder_.path() / (name + ".proof")};
+    all.insert(all.end(), more.begin(), more.end());
+    return all;
+  }
+  [[nodiscard]] std::string text_of(const std::string& name) const {
+    std::ostringstream text;
+    text << std::ifstream(folder_.path() / name).rdbuf();
+    return text.str();
+  }
+  /// Returns the boxes and the proof. The last line has times.
+  [[nodiscard]] std::string files_of(const std::string& name) const {
+    const std::string lines = text_of(name + ".lines");
+    return lines.substr(0, lines.rfind("\n{\"load\"")) + text_of(name + ".proof");
+  }
+
+  const std::string plate_ = folder_.path() / "plate.toml", saved_ = folder_.path() / "saved";
+};
+
+TEST_F(LoadCheckpoint, LeadsToTheSameBytes) {
+  ASSERT_EQ(run_command(words("one", {"--threads", "1"})).exit_code, 1);
+  const std::string expected = files_of("one");
+  ASSERT_GT(expected.size(), 500'000U);
+  ASSERT_EQ(run_command(words("two", {"--threads", "2"})).exit_code, 1);
+  EXPECT_TRUE(files_of("two") == expected);
+  for (const char* stop : {"1", "1000", "5001"}) {
+    const CommandResult stopped =
+        run_command(words("many", {"--max-boxes", stop, "--checkpoint", saved_}));
+    EXPECT_EQ(stopped.exit_code, stop == std::string("1") ? 2 : 1) << stopped.errors;
+    ASSERT_FALSE(text_of("saved").empty());
+  }
+  ASSERT_EQ(run_command(words("many", {"--checkpoint", saved_})).exit_code, 1);
+  EXPECT_TRUE(files_of("many") == expected);
+  EXPECT_EQ(text_of("saved"), "");  // there is nothing to continue
+  EXPECT_EQ(run({"verify", folder_.path() / "many.proof", "--quiet"}).output, "VERIFIED\n");
+}
+
+/// A kill may come before the search begins, while it is saved, or between.
+TEST_F(LoadCheckpoint, SurvivesKills) {
+  ASSERT_EQ(run_command(words("one", {"--threads", "1"})).exit_code, 1);
+  std::mt19937 random(1);
+  for (int kill = 0; kill < 5; ++kill) {
+    RunningCommand running(
+        words("many", {"--threads", "2", "--checkpoint", saved_, "--checkpoint-every", "0"}));
+    for (int i = 0; text_of("saved").find("tree") == std::string::npos && i < 5000; ++i)
+      std::this_thread::sleep_for(std::chrono::milliseconds(1));
+    std::this_thread::sleep_for(std::chrono::milliseconds(random() % 100));
+    ::kill(running.pid(), SIGKILL);
+    static_cast<void>(running.wait());
+  }
+  ASSERT_EQ(run_command(words("many", {"--checkpoint", saved_})).exit_code, 1);
+  EXPECT_TRUE(files_of("many") == files_of("one"));
+}
+
+TEST_F(LoadCheckpoint, OfAnotherQuestionOrDamagedIsRefused) {
+  ASSERT_EQ(run_command(words("many", {"--max-boxes", "300", "--checkpoint", saved_})).exit_code,
+            1);
+  const std::string saved = text_of("saved");
+  const CommandResult other =
+      run({"check", plate_, "--load", "pull", "--range", "x=0:1", "--checkpoint", saved_});
+  EXPECT_EQ(other.exit_code, 65);
+  EXPECT_THAT(other.errors, HasSubstr("it is about another question"));
+  EXPECT_EQ(text_of("saved"), saved);
+  const std::vector<std::string> splices{" ", "-", "=", "7", "0:1 ", "null", "{}", "\"", "1e9"};
+  int refused = 0;
+  for (unsigned seed = 0; seed < 20; ++seed) {
+    const std::size_t tree = saved.find("\"tree\"");
+    std::ofstream(saved_) << saved.substr(0, tree)
+                          << Damage(seed, splices).done_to(saved.substr(tree));
+    const CommandResult r =
+        run_command(words("many", {"--max-boxes", "900", "--checkpoint", saved_}));
+    if (r.exit_code != 65) {
+      EXPECT_EQ(r.exit_code, 1) << seed << r.errors;
+      continue;
+    }
+    EXPECT_THAT(r.errors, HasSubstr("the search cannot continue from this file")) << seed;
+    ++refused;
+  }
+  EXPECT_GT(refused, 4);
 }
 
 TEST_F(ForcesCommandTest, StopsAtItsLimits) {

@@ -44,7 +44,9 @@ class MarginCertificate : public testing::Test {
   }
   [[nodiscard]] json verified(const std::string& end) const {
     return json::parse(
-        regulus({"verify", file("ends." + end), "--model", model_, "--json", "--quiet"}).output);
+        regulus({"verify", file("ends." + end), "--model", model_, "--allow-options", "--json",
+                 "--quiet"})
+            .output);
   }
   /// Expects proofs of both ends, with one difference to the model: `what` has the reported value.
   void expect_both_ends(const std::vector<std::string>& words, const std::string& what) const {

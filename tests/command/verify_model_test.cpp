@@ -29,7 +29,7 @@ class VerifyModel : public testing::Test {
     return run_command(words);
   }
   [[nodiscard]] json report(const std::string& model) const {
-    return json::parse(verify(model, {"--json", "--quiet"}).output);
+    return json::parse(verify(model, {"--json", "--quiet", "--allow-options"}).output);
   }
   /// Replaces some text, which must exist.
   void tamper(const std::string& from, const std::string& to) const {
@@ -85,8 +85,17 @@ TEST_F(VerifyModel, ReportsWhatOptionsHaveChanged) {
   EXPECT_THAT(changed["differences"],
               ElementsAre("range x -1 : 2 instead of -2 : 4", "tolerance base 1/10 instead of 0",
                           "alpha 1/50 instead of 0"));
-  EXPECT_THAT(verify(kPlanar).errors,
+  EXPECT_THAT(verify(kPlanar, {"--allow-options"}).errors,
               HasSubstr("with range x -1 : 2 instead of -2 : 4, tolerance base 1/10"));
+}
+
+/// The singular poses of the file are outside of the range of the proof.
+TEST_F(VerifyModel, RefusesWhatOptionsHaveChangedUnlessItMayDiffer) {
+  certify(kPlanar, {"crossing", "--range", "phi=-1/4:-1/8"});
+  EXPECT_TRUE(is_verified_without_the_model());
+  expect_refused(kPlanar, "it has range phi -1/4 : -1/8 instead of -1/12*pi : 1/3*pi");
+  EXPECT_EQ(verify(kPlanar, {"--quiet"}).output, "REJECTED\n");
+  EXPECT_EQ(verify(kPlanar, {"--quiet", "--allow-options"}).output, "VERIFIED\n");
 }
 
 TEST_F(VerifyModel, ConfirmsAParameterThatAnOptionSetFree) {
