@@ -8,11 +8,11 @@
 namespace regulus::verifier {
 namespace {
 
-constexpr long kElementaryBits = 64;
+constexpr long kBits = 64;
 
 Interval at(ArbFunction f, double x) {
-  Ball ball(point(x), kElementaryBits);
-  f(ball.get(), ball.get(), kElementaryBits);
+  Ball ball(point(x), kBits);
+  f(ball.get(), ball.get(), kBits);
   return ball.enclosure();
 }
 
@@ -43,7 +43,7 @@ Interval tangent(Interval x) {
 Interval enclose_pi() {
   static const Interval pi = [] {
     Ball ball;
-    arb_const_pi(ball.get(), kElementaryBits);
+    arb_const_pi(ball.get(), kBits);
     return ball.enclosure();
   }();
   return pi;
@@ -51,7 +51,7 @@ Interval enclose_pi() {
 
 Interval enclose(const Rational& value) {
   Ball ball;
-  arb_set_fmpq(ball.get(), value.get(), kElementaryBits);
+  arb_set_fmpq(ball.get(), value.get(), kBits);
   return ball.enclosure();
 }
 
@@ -108,8 +108,8 @@ Interval apply(Op function, Interval x) {
 
 Interval apply_atan2(Interval y, Interval x) {
   if (!(x.lo > 0.0) && contains(y, 0.0)) return everything();
-  Ball ordinate(y, kElementaryBits), abscissa(x, kElementaryBits), angle;
-  arb_atan2(angle.get(), ordinate.get(), abscissa.get(), kElementaryBits);
+  Ball ordinate(y, kBits), abscissa(x, kBits), angle;
+  arb_atan2(angle.get(), ordinate.get(), abscissa.get(), kBits);
   return angle.enclosure();
 }
 

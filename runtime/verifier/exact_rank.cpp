@@ -10,7 +10,7 @@ namespace {
 
 // FORMAT.md, "Limits", documents these.
 constexpr std::size_t kMostMinors = 4;
-constexpr long kMostMinorBits = 1024;  ///< to find the rows of a minor
+constexpr long kMostBits = 1024;  ///< to find the rows of a minor
 
 std::vector<NodeId> rows_of(const Question& q, const std::vector<std::size_t>& rows) {
   std::vector<NodeId> result;
@@ -47,7 +47,7 @@ bool ExactRank::is_full(const Box& box, const Box& middle) {
 /// Returns the minor that elimination finds at a point; nullptr if it finds none, or one too many.
 ExactDeterminant* ExactRank::minor_at(const Box& middle) {
   Rows rows;
-  for (long bits = 64; bits <= kMostMinorBits && rows.size() < q_.columns; bits *= 2) {
+  for (long bits = 64; bits <= kMostBits && rows.size() < q_.columns; bits *= 2) {
     std::vector<Ball> x;
     for (const Interval coordinate : middle) x.emplace_back(coordinate, bits);
     auto values = evaluate(q_.graph, q_.matrix, x, bits);

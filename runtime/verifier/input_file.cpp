@@ -12,7 +12,7 @@
 namespace regulus::verifier {
 namespace {
 
-constexpr std::size_t kReadBytes = 1 << 16;
+constexpr std::size_t kPart = 1 << 16;
 
 ssize_t read_some(int descriptor, std::vector<char>& buffer) {
   ssize_t count;
@@ -28,7 +28,7 @@ ssize_t read_some(int descriptor, std::vector<char>& buffer) {
 InputFile::InputFile(const std::string& path)
     : path_(path),
       descriptor_(::open(path.c_str(), O_RDONLY | O_NONBLOCK | O_CLOEXEC)),
-      buffer_(kReadBytes) {
+      buffer_(kPart) {
   setg(buffer_.data(), buffer_.data(), buffer_.data());
   if (descriptor_ < 0) fail(std::strerror(errno));
   struct stat status {};

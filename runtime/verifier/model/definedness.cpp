@@ -9,8 +9,8 @@
 namespace regulus::verifier {
 namespace {
 
-constexpr std::uint64_t kConditionProducts = 1 << 22;  ///< for all conditions of a question
-constexpr long kConditionBits = 2048;
+constexpr std::uint64_t kProducts = 1 << 22;  ///< for all conditions of a question
+constexpr long kBits = 2048;
 using Kind = Need::Kind;
 
 /// Returns p/|first factor|, or with the first factor 1.
@@ -57,7 +57,7 @@ std::vector<Need> Definedness::needs_of(NodeId root) {
 }
 
 bool Definedness::has_value(NodeId constant) const {
-  return evaluate(q_.graph, {constant}, {}, kConditionBits).has_value();
+  return evaluate(q_.graph, {constant}, {}, kBits).has_value();
 }
 
 bool Definedness::is_certain(const Need& need) {
@@ -96,7 +96,7 @@ void Definedness::begin_algebra() {
 }
 
 void Definedness::restart_algebra() {
-  budget_ = std::make_unique<AlgebraBudget>(kConditionProducts);
+  budget_ = std::make_unique<AlgebraBudget>(kProducts);
   algebra_ = std::make_unique<Algebra>(q_.graph, no_values_, Algebra::Form::kFull, *budget_);
   algebra_->keep_whole(poses_as_variables(q_));
 }

@@ -7,7 +7,7 @@
 namespace regulus::verifier {
 namespace {
 
-constexpr std::string_view kAnchorAxes = "xyz";
+constexpr std::string_view kAxes = "xyz";
 
 class GoughReading final : public SectionReading {
  public:
@@ -19,7 +19,7 @@ class GoughReading final : public SectionReading {
 
   [[nodiscard]] std::vector<SectionPose> pose() const override {
     std::vector<SectionPose> result;
-    for (const char axis : kAnchorAxes) result.push_back({std::string(1, axis), unit_});
+    for (const char axis : kAxes) result.push_back({std::string(1, axis), unit_});
     for (const std::string& name : orientation_names(orientation_))
       result.push_back({name, orientation_ == "quaternion" ? "1" : angle_unit_});
     return result;
@@ -35,7 +35,7 @@ class GoughReading final : public SectionReading {
       comparer.expect_defined(comparer.place_of("gough.orientation"),
                               algebra.quotient(algebra.number(1), R.size));
     VectorNodes X{};
-    for (std::size_t i = 0; i < 3; ++i) X[i] = named(comparer, std::string(1, kAnchorAxes[i]));
+    for (std::size_t i = 0; i < 3; ++i) X[i] = named(comparer, std::string(1, kAxes[i]));
     for (std::size_t leg = 0; leg < 6; ++leg) {
       const VectorNodes a = anchor(comparer, "base", 'a', leg);
       const VectorNodes b = anchor(comparer, "platform", 'b', leg);
@@ -70,8 +70,7 @@ class GoughReading final : public SectionReading {
       const std::string place =
           list + '[' + std::to_string(leg) + "][" + std::to_string(axis) + ']';
       if (!comparer.values().contains(place)) throw Unfinished("the file has no " + place);
-      std::string& name = names.emplace_back(1, letter);
-      name.append(std::to_string(leg + 1)).append(1, '_').append(1, kAnchorAxes[axis]);
+      names.push_back(std::string(1, letter) + std::to_string(leg + 1) + '_' + kAxes[axis]);
       comparer.compare(comparer.place_of(place),
                        comparer.expression_at(place, comparer.question().actual),
                        "value " + names.back());

@@ -36,7 +36,7 @@ bool slides(const WrittenValues& values, const std::string& joint) {
   return type == "prismatic";
 }
 
-const SectionTolerance kLengthTolerance{"serial.length_tolerance", "tolerance lengths"};
+const SectionTolerance kLengths{"serial.length_tolerance", "tolerance lengths"};
 const SectionTolerance kAngles{"serial.angle_tolerance", "tolerance angles", true};
 
 /// Returns an expression that stands for a number of its own. No other expression has this node.
@@ -129,13 +129,11 @@ class ChainReader {
   // Denavit and Hartenberg.
 
   PlacementNodes across() {
-    const NodeId a = quantity_or_zero("a", kLengthTolerance),
-                 alpha = quantity_or_zero("alpha", kAngles);
+    const NodeId a = quantity_or_zero("a", kLengths), alpha = quantity_or_zero("alpha", kAngles);
     return {algebra_.turn(0, alpha), {a, algebra_.number(0), algebra_.number(0)}};
   }
   PlacementNodes along() {
-    const NodeId d = quantity_or_zero("d", kLengthTolerance),
-                 theta = quantity_or_zero("theta", kAngles);
+    const NodeId d = quantity_or_zero("d", kLengths), theta = quantity_or_zero("theta", kAngles);
     return {algebra_.turn(2, theta), {algebra_.number(0), algebra_.number(0), d}};
   }
 
@@ -157,7 +155,7 @@ class ChainReader {
       for (std::size_t i = 0; i < 3; ++i) axis[i] = section_.constant(element("axis", i));
       axis = algebra_.unit(axis);
     }
-    if (has("xyz")) origin.p = quantities("xyz", {"x", "y", "z"}, kLengthTolerance);
+    if (has("xyz")) origin.p = quantities("xyz", {"x", "y", "z"}, kLengths);
     if (has("rpy"))
       origin.R =
           algebra_.turn_of_roll_pitch_yaw(quantities("rpy", {"roll", "pitch", "yaw"}, kAngles));

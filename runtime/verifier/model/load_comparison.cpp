@@ -9,7 +9,7 @@
 namespace regulus::verifier {
 namespace {
 
-std::string in_brackets(std::size_t i) { return '[' + std::to_string(i) + ']'; }
+std::string at(std::size_t i) { return '[' + std::to_string(i) + ']'; }
 
 /// The parts of a load and of a set of twists: all components, or those of one kind.
 struct PartNames {
@@ -77,7 +77,7 @@ class LoadComparison {
     const std::string place = "actuators." + key;
     const bool is_list = values_.contains(place + "[0]");
     for (std::size_t i = 0; i < count; ++i) {
-      const std::string one = is_list ? place + in_brackets(i) : place;
+      const std::string one = is_list ? place + at(i) : place;
       if (!values_.contains(one)) comparer_.refuse(stated + std::to_string(i));
       compare(one, stated + std::to_string(i));
     }
@@ -112,7 +112,7 @@ class LoadComparison {
     const std::string force = "actuators.force";
     const bool is_list = values_.contains(force + "[0][0]");
     for (std::size_t i = 0; i < q_.rows; ++i) {
-      const std::string place = is_list ? force + in_brackets(i) : force;
+      const std::string place = is_list ? force + at(i) : force;
       if (!values_.contains(place + "[0]")) comparer_.refuse("least " + std::to_string(i));
       if (!values_.contains(place + "[1]")) comparer_.refuse("largest " + std::to_string(i));
       compare(place + "[0]", "least " + std::to_string(i));
@@ -131,7 +131,7 @@ class LoadComparison {
 
   /// By its name; of a platform by its place; or by the unit of its pose parameter.
   [[nodiscard]] char kind_of_column(std::size_t j) const {
-    if (const auto named = values_.find("matrix.twist" + in_brackets(j)); named != values_.end())
+    if (const auto named = values_.find("matrix.twist" + at(j)); named != values_.end())
       return named->second.text.empty() ? ' ' : named->second.text.front();
     if (comparer_.section != nullptr && q_.columns == 6) return j < 3 ? 'v' : 'w';
     const std::vector<std::string> units = units_of_pose();
@@ -158,8 +158,8 @@ class LoadComparison {
   void compare_part(const std::string& part, const std::vector<std::size_t>& columns) {
     for (std::size_t c = 0; c < columns.size(); ++c) {
       const std::string number = std::to_string(columns[c]);
-      compare_component(part + in_brackets(c), columns[c]);
-      compare(part + ".value" + in_brackets(c), "wrench " + number);
+      compare_component(part + at(c), columns[c]);
+      compare(part + ".value" + at(c), "wrench " + number);
       compare(part + ".tolerance", "wrench-spread " + number);
     }
     compare(part + ".radius", "wrench-ball " + ball_of(columns));
