@@ -43,17 +43,12 @@ class ForcesCommandTest : public testing::Test {
  protected:
   ForcesCommandTest() { std::ofstream(model_) << kBead; }
 
-  CommandResult run(std::vector<std::string> words) {
-    words.insert(words.begin(), REGULUS_BINARY_DIR "/bin/regulus");
-    return run_command(words);
-  }
-
   TemporaryDirectory folder_;
   std::string model_ = folder_.path() / "bead.toml";
 };
 
 TEST_F(ForcesCommandTest, SaysFeasibleWithTheClaim) {
-  const CommandResult r = run({"check", model_, "--load", "push"});
+  const CommandResult r = regulus({"check", model_, "--load", "push"});
   EXPECT_EQ(r.exit_code, 0) << r.errors;
   EXPECT_EQ(r.output, "FEASIBLE\n");
   EXPECT_THAT(r.errors,
@@ -64,7 +59,7 @@ TEST_F(ForcesCommandTest, SaysFeasibleWithTheClaim) {
 /// At x the most is 9(x + 1) + (x − 1) = 10x + 8, and the least is x + 1 + 9(x − 1) = 10x − 8.
 TEST_F(ForcesCommandTest, ShowsThePoseAndTheWrenchThatIsNotHeld) {
   const CommandResult r =
-      run({"check", model_, "--load", "push", "--range", "x=-0.7:-0.6", "--json"});
+      regulus({"check", model_, "--load", "push", "--range", "x=-0.7:-0.6", "--json"});
   EXPECT_EQ(r.exit_code, 1) << r.errors;
   const json report = json::parse(r.output);
   EXPECT_EQ(report["verdict"], "infeasible");
@@ -78,7 +73,7 @@ TEST_F(ForcesCommandTest, ShowsThePoseAndTheWrenchThatIsNotHeld) {
 }
 
 TEST_F(ForcesCommandTest, PavesTheMotion) {
-  const CommandResult r = run(
+  const CommandResult r = regulus(
       {"locate", model_, "--load", "push", "--range", "x=-2:2", "--resolution", "1/64", "--quiet"});
   EXPECT_EQ(r.exit_code, 1) << r.errors;
   std::istringstream lines(r.output);
@@ -158,28 +153,27 @@ TEST_F(ForcesCommandTest, WritesProofsThatBothVerifiersAccept) {
     for (const char* word : {"--load", "push", "--certificate", proof.c_str(), "--json"})
       words.emplace_back(word);
     words.insert(words.end(), {"--range", range});
-    EXPECT_EQ(json::parse(run(words).output)["certificate"], proof);
-    const CommandResult own = run({"verify", proof, "--model", model_, "--quiet"});
-    const CommandResult other = run_command({REGULUS_BINARY_DIR "/bin/regulus-verify", proof,
-                                             "--model", model_, "--allow-options", "--quiet"});
+    EXPECT_EQ(json::parse(regulus(words).output)["certificate"], proof);
+    const CommandResult own = regulus({"verify", proof, "--model", model_, "--quiet"});
+    const CommandResult other =
+        run_command({kVerify, proof, "--model", model_, "--allow-options", "--quiet"});
     return own.output + other.output;
   };
   EXPECT_EQ(verdicts({"check", model_}, "x=-0.5:0.5"), "VERIFIED\nVERIFIED\n");
   EXPECT_EQ(verdicts({"check", model_}, "x=-0.7:0.7"), "VERIFIED\nVERIFIED\n");
   EXPECT_EQ(verdicts({"locate", model_}, "x=-0.7:0.7"), "VERIFIED\nVERIFIED\n");
-  const json paving = json::parse(run({"verify", proof, "--json"}).output);
+  const json paving = json::parse(regulus({"verify", proof, "--json"}).output);
   EXPECT_GT(paving["paved"]["feasible"], 0);
   EXPECT_GT(paving["paved"]["infeasible"], 0);
-  const CommandResult coq = run_command(
-      {REGULUS_BINARY_DIR "/bin/regulus-verify", "--coq", folder_.path() / "proof.v", proof});
+  const CommandResult coq = run_command({kVerify, "--coq", folder_.path() / "proof.v", proof});
   EXPECT_NE(coq.exit_code, 0);
   EXPECT_THAT(coq.errors, HasSubstr("cannot be written as a theorem"));
 }
 
 TEST_F(ForcesCommandTest, WritesNoProofThatClaimsNothing) {
   const std::string proof = folder_.path() / "proof";
-  const CommandResult r = run({"check", model_, "--load", "push", "--range", "x=-0.6:0.6",
-                               "--max-boxes", "1", "--certificate", proof});
+  const CommandResult r = regulus({"check", model_, "--load", "push", "--range", "x=-0.6:0.6",
+                                   "--max-boxes", "1", "--certificate", proof});
   EXPECT_EQ(r.exit_code, 2) << r.errors;
   EXPECT_THAT(r.errors, HasSubstr("certificate none: POSSIBLE PROBLEM"));
   EXPECT_FALSE(std::ifstream(proof).good());
@@ -188,7 +182,7 @@ TEST_F(ForcesCommandTest, WritesNoProofThatClaimsNothing) {
 TEST_F(ForcesCommandTest, RefusesWhatHasNoMeaning) {
   const auto refused = [&](std::vector<std::string> words, const std::string& why) {
     words.insert(words.begin(), {"check", model_, "--load", "push"});
-    const CommandResult r = run(words);
+    const CommandResult r = regulus(words);
     EXPECT_EQ(r.exit_code, 64) << r.errors;
     EXPECT_THAT(r.errors, HasSubstr(why));
     EXPECT_EQ(r.output, "");
@@ -196,10 +190,10 @@ TEST_F(ForcesCommandTest, RefusesWhatHasNoMeaning) {
   refused({"--certificate", "proof", "--shard-size", "64kB"}, "stays in one file");
   refused({"--alpha", "0.1"}, "forces have no threshold");
   refused({"--method", "kj"}, "there is one method");
-  const CommandResult unknown = run({"check", model_, "--load", "pull"});
+  const CommandResult unknown = regulus({"check", model_, "--load", "pull"});
   EXPECT_EQ(unknown.exit_code, 64);
   EXPECT_THAT(unknown.errors, HasSubstr("did you mean 'push'?"));
-  EXPECT_EQ(run({"check", model_, "--load", ""}).exit_code, 64);  // which of the two?
+  EXPECT_EQ(regulus({"check", model_, "--load", ""}).exit_code, 64);  // which of the two?
 }
 
 /// Two cables more than the bead's: a paving of many boxes.
@@ -321,7 +315,7 @@ TEST_F(LoadCheckpoint, OfAnotherQuestionOrDamagedIsRefused) {
 }
 
 TEST_F(ForcesCommandTest, StopsAtItsLimits) {
-  const CommandResult r = run(
+  const CommandResult r = regulus(
       {"check", model_, "--load", "push", "--range", "x=-0.6:0.6", "--max-boxes", "1", "--json"});
   EXPECT_EQ(r.exit_code, 2) << r.errors;
   EXPECT_EQ(json::parse(r.output)["boxes"], 1);

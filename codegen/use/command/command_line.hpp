@@ -60,6 +60,7 @@ struct VerifyCommand {
   std::string path;
   std::string model;                 ///< the model file it must be about; empty: any
   std::string waypoints;             ///< the file of way-points that check took; empty: none
+  bool allows_options = false;       ///< options may have changed what the model file says
   std::optional<double> time_limit;  ///< in seconds
   std::optional<std::uint64_t> max_boxes;
   unsigned threads = 1;
