@@ -14,10 +14,6 @@ using nlohmann::json;
 using testing::ElementsAre;
 using testing::HasSubstr;
 
-const std::string kCommand = REGULUS_BINARY_DIR "/bin/regulus";
-const std::string kRobot1 = REGULUS_SOURCE_DIR "/models/robot_1.toml";
-const std::string kPlanar = REGULUS_SOURCE_DIR "/models/planar_3rpr.toml";
-
 class VerifyModel : public testing::Test {
  protected:
   void certify(const std::string& model, std::vector<std::string> words) const {
@@ -50,7 +46,7 @@ class VerifyModel : public testing::Test {
     EXPECT_THAT(result.errors, HasSubstr(why));
   }
   [[nodiscard]] bool is_verified_without_the_model() const {
-    return run_command({kCommand, "verify", certificate_}).output == "VERIFIED\n";
+    return regulus({"verify", certificate_}).output == "VERIFIED\n";
   }
 
   TemporaryDirectory directory_;
@@ -73,8 +69,8 @@ TEST_F(VerifyModel, ConfirmsTheProofOfAPaving) {
        {std::pair("regular", "is defined and has full rank at every pose"),
         {"reach", "is defined and has full rank at every pose"},
         {"crossing", "is singular at some pose"}}) {
-    const CommandResult paved = run_command({kCommand, "locate", kPlanar, motion, "--resolution",
-                                             "1/4", "--quiet", "--certificate", certificate_});
+    const CommandResult paved = regulus({"locate", kPlanar, motion, "--resolution", "1/4",
+                                         "--quiet", "--certificate", certificate_});
     EXPECT_LE(paved.exit_code, 1) << paved.errors;
     const json proof = report(kPlanar);
     EXPECT_EQ(proof["outcome"], "verified") << proof;

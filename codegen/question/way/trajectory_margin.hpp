@@ -22,7 +22,7 @@ struct TrajectoryMargin {
 [[nodiscard]] TrajectoryMargin margin_of_trajectory(const MarginRequest& request,
                                                     const MarginQuestion& question,
                                                     const SearchOptions& search, double gap,
-                                                    const std::atomic<bool>* interrupt,
+                                                    const PathWatch& watch,
                                                     const MarginRun::Listener& listener);
 
 /// Returns the lines for people, without the bracket.

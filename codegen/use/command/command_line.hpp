@@ -39,6 +39,7 @@ struct LocateCommand {
   PictureRequest pictures;
   std::string certificate;        ///< file; empty: none
   std::uint64_t shard_size = 0;   ///< of its shards, in bytes; 0: it is one file
+  CheckpointOptions checkpoint;   ///< about a load only
   bool boxes_unless_json = true;  ///< print the boxes by default
 };
 
