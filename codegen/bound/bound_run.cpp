@@ -21,7 +21,6 @@
 #include "codegen/model/sign.hpp"
 #include "codegen/quantity/approx_values.hpp"
 #include "codegen/report/progress.hpp"
-#include "codegen/report/report_parts.hpp"
 #include "codegen/support/errors.hpp"
 #include "runtime/problem/observers.hpp"
 

@@ -12,7 +12,6 @@
 #include "codegen/engine/settings.hpp"
 #include "codegen/model/expression_parser.hpp"
 #include "codegen/report/progress.hpp"
-#include "codegen/report/report_parts.hpp"
 #include "codegen/support/errors.hpp"
 #include "runtime/problem/observers.hpp"
 

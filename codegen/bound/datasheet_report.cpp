@@ -8,6 +8,7 @@
 #include "codegen/bound/bound_report.hpp"
 #include "codegen/bound/datasheet.hpp"
 #include "codegen/report/question_report.hpp"
+#include "codegen/report/search_facts.hpp"
 
 namespace regulus::inline bounding {
 namespace {
@@ -116,8 +117,48 @@ std::vector<Row> in_markdown(std::vector<Row> rows) {
 }
 
 constexpr const char* kMeaning =
-    "Each row is a proved bracket: no value is beyond the outer end, over every pose and every\n"
+    "Each row is a proved bracket: no value is beyond the outer end, over every pose and every "
     "uncertain value, and the inner end is attained.";
+
+Json json_sheet_entry(const Request& request, const Bound& bound, const BoundSettings& settings) {
+  Facts facts(Readers::kPrograms);
+  tell_model(request, facts);
+  tell_bracket(request, bound, settings, facts);
+  Json object = facts.object();
+  for (std::size_t i = 0; i < bound.components.size(); ++i) {
+    const LimitState state = limit_state(request.model, bound.components[i]);
+    object["components"][i]["limit"] =
+        state == LimitState::kNone ? Json(nullptr) : Json(word_of(state));
+  }
+  return object;
+}
+
+/// Returns "refuted" if a value is unbounded or beyond its limit, "closed" if every bracket is.
+const char* verdict_of(const Model& model, const Datasheet& sheet) {
+  bool is_closed = !sheet.is_interrupted && !sheet.bounds.empty();
+  for (const Bound& bound : sheet.bounds) {
+    is_closed = is_closed && bound.is_closed();
+    for (const ComponentBound& c : bound.components)
+      if (c.is_unbounded || limit_state(model, c) == LimitState::kExceeded) return "refuted";
+  }
+  return is_closed ? "closed" : "open";
+}
+
+void tell_datasheet(const Request& request, const Datasheet& sheet, const BoundSettings& settings,
+                    Facts& facts) {
+  Json bounds = Json::array();
+  StageSeconds seconds;
+  std::uint64_t boxes = 0;
+  for (const Bound& bound : sheet.bounds) {
+    bounds.push_back(json_sheet_entry(request, bound, settings));
+    seconds += seconds_of(bound);
+    boxes += boxes_of(bound);
+  }
+  facts.add("verdict", verdict_of(request.model, sheet)).add("interrupted", sheet.is_interrupted);
+  if (!sheet.bounds.empty()) facts.add("claim", kMeaning);
+  facts.add("bounds", std::move(bounds)).add("not_bounded", sheet.left_out).add("boxes", boxes);
+  tell_time(seconds, facts);
+}
 
 }  // namespace
 
@@ -145,24 +186,11 @@ std::string markdown_datasheet(const Request& request, const Datasheet& sheet) {
 }
 
 Json json_datasheet(const Request& request, const Datasheet& sheet, const BoundSettings& settings) {
-  Json report = {{"model", request.model.name},
-                 {"model_file", request.model.path},
-                 {"model_sha256", request.model.sha256},
-                 {"motion", request.motion.name},
-                 {"interrupted", sheet.is_interrupted},
-                 {"bounds", Json::array()},
-                 {"not_bounded", sheet.left_out},
-                 {"question", json_question(request, settings.search)}};
-  for (const Bound& bound : sheet.bounds) {
-    Json object = json_bracket_of(request, bound, settings);
-    for (std::size_t i = 0; i < bound.components.size(); ++i) {
-      const LimitState state = limit_state(request.model, bound.components[i]);
-      object["components"][i]["limit"] =
-          state == LimitState::kNone ? Json(nullptr) : Json(word_of(state));
-    }
-    report["bounds"].push_back(std::move(object));
-  }
-  return report;
+  return report_of_facts([&](Facts& facts) {
+    tell_model(request, facts);
+    tell_datasheet(request, sheet, settings, facts);
+    add_search(settings.search, json_question(request, settings.search), facts);
+  });
 }
 
 }  // namespace regulus::bounding

@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "codegen/answer/facts.hpp"
 #include "codegen/bound/attained_place.hpp"
 #include "codegen/bound/bound_checkpoint.hpp"
 #include "codegen/margin/margin_run.hpp"
@@ -58,6 +59,11 @@ using StepListener = MarginRun::Listener;
 /// Returns "WITHIN UP TO 0.643, EXCEEDED AT 0.645", for example.
 [[nodiscard]] std::string describe_limit_bracket(const MarginQuestion& question,
                                                  const LimitMargin& margin);
+
+/// Tells the bracket, the place where the limit is exceeded, and the components.
+void tell_limit_margin(const Request& request, const MarginQuestion& question,
+                       const LimitMargin& margin, const LimitMarginSettings& settings,
+                       Facts& facts);
 
 /// Returns the report but for the lines of the steps and the bracket.
 [[nodiscard]] std::string limit_margin_report(const Request& request,

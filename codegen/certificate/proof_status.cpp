@@ -7,12 +7,20 @@
 namespace regulus::inline certificate {
 namespace {
 
+using Json = nlohmann::ordered_json;
+
 constexpr const char* kSafe = ".safe";
 constexpr const char* kSingular = ".singular";
 /// Under the word `certificate` of the line above.
 constexpr const char* kMargin = "           ";
 
 std::string none(const std::string& obstacle) { return "certificate none: " + obstacle + '\n'; }
+
+/// Returns an entry of `proof`: a file, or the reason why there is none.
+Json proof_entry(const std::string& file, const std::string& reason) {
+  if (file.empty()) return {{"file", nullptr}, {"reason", reason}};
+  return {{"file", file}, {"reason", nullptr}};
+}
 
 std::string line_of(const EndProof& end, const std::string& name) {
   if (!end.file.empty()) return end.file + ": " + end.words + '\n';
@@ -46,12 +54,13 @@ std::string ProofStatus::line() const {
   return "certificate " + path_ + '\n' + (note_.empty() ? "" : kMargin + note_ + '\n');
 }
 
-void ProofStatus::add_to(nlohmann::ordered_json& report) const {
+void ProofStatus::add_to(Json& report) const {
   if (!is_wanted()) return;
   report["certificate"] = nullptr;
   if (is_written_) report["certificate"] = path_;
   if (!is_written_) report["certificate_obstacle"] = obstacle_;
   if (is_written_ && !note_.empty()) report["certificate_note"] = note_;
+  report["proof"] = Json::array({proof_entry(is_written_ ? path_ : "", obstacle_)});
 }
 
 EndProofs::EndProofs(std::string path, HeldFiles* held, std::string no_safe,
@@ -102,15 +111,33 @@ std::string EndProofs::lines() const {
   return "certificate " + line_of(safe_, safe_name_) + kMargin + line_of(singular_, singular_name_);
 }
 
-void EndProofs::add_to(nlohmann::ordered_json& report) const {
+void EndProofs::add_certificates_to(Json& object) const {
   if (!are_wanted()) return;
   for (const auto& [name, end] : {std::pair("safe", &safe_), std::pair("singular", &singular_)}) {
-    nlohmann::ordered_json& file = report["certificates"][name];
+    Json& file = object["certificates"][name];
     if (end->file.empty())
-      report["certificate_obstacles"][name] = end->words;
+      object["certificate_obstacles"][name] = end->words;
     else
       file = end->file;
   }
+}
+
+void EndProofs::add_entries_to(Json& proofs, const std::string& component) const {
+  if (!are_wanted()) return;
+  for (const auto& [name, end] : {std::pair("safe", &safe_), std::pair("singular", &singular_)}) {
+    Json entry = proof_entry(end->file, end->words);
+    entry["end"] = name;
+    if (!component.empty()) entry["component"] = component;
+    proofs.push_back(std::move(entry));
+  }
+}
+
+void EndProofs::add_to(Json& report) const {
+  if (!are_wanted()) return;
+  add_certificates_to(report);
+  Json proofs = Json::array();
+  add_entries_to(proofs);
+  report["proof"] = std::move(proofs);
 }
 
 }  // namespace regulus::certificate

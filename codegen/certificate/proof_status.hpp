@@ -59,7 +59,8 @@ class ProofStatus {
   /// Returns lines of the report; empty if no certificate was wanted.
   [[nodiscard]] std::string line() const;
   /// Adds the key `certificate` to a JSON report: the file, or null. Also adds
-  /// `certificate_obstacle`, the reason why there is none, and `certificate_note`.
+  /// `certificate_obstacle`, the reason why there is none, and `certificate_note`; the same is in the
+  /// one entry of `proof`.
   void add_to(nlohmann::ordered_json& report) const;
 
  private:
@@ -108,6 +109,10 @@ class EndProofs {
   [[nodiscard]] std::string lines() const;
   /// Adds the key `certificates`, with the file of each end or null, and `certificate_obstacles`,
   /// with the reason for each end without a file. Adds nothing if none was wanted.
+  void add_certificates_to(nlohmann::ordered_json& object) const;
+  /// Adds an entry for each end to the list `proof` of a JSON report. Adds nothing if none was wanted.
+  void add_entries_to(nlohmann::ordered_json& proofs, const std::string& component = "") const;
+  /// Adds all of it to a JSON report.
   void add_to(nlohmann::ordered_json& report) const;
 
  private:

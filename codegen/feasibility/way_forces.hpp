@@ -14,6 +14,7 @@
 #include <string>
 #include <vector>
 
+#include "codegen/answer/facts.hpp"
 #include "codegen/feasibility/feasibility_run.hpp"
 #include "codegen/trajectory/path_parts.hpp"
 
@@ -50,6 +51,9 @@ struct WayForces {
                                                const std::string& load, SearchOptions search,
                                                bool wants_trees,
                                                const std::atomic<bool>* interrupt);
+
+/// Tells the question, the claim and the segment where it fails.
+void tell_way_forces(const WayForces& found, Facts& facts);
 
 /// Returns the report but for the verdict.
 [[nodiscard]] std::string format_way_forces(const WayForces& found);

@@ -7,7 +7,7 @@
 #include <cmath>
 #include <string_view>
 
-#include "codegen/report/report_parts.hpp"
+#include "codegen/report/number_text.hpp"
 
 namespace regulus::inline picture {
 namespace {

@@ -7,7 +7,8 @@
 
 #include "codegen/picture/gnuplot.hpp"
 #include "codegen/picture/plot.hpp"
-#include "codegen/report/report_parts.hpp"
+#include "codegen/report/number_text.hpp"
+#include "codegen/report/place_text.hpp"
 
 namespace regulus::inline picture {
 namespace {

@@ -9,7 +9,7 @@
 #include "codegen/formulation/variety.hpp"
 #include "codegen/model/ginac_text.hpp"
 #include "codegen/model/overrides.hpp"
-#include "codegen/report/report_parts.hpp"
+#include "codegen/report/number_text.hpp"
 
 namespace regulus::inline report {
 namespace {

@@ -5,6 +5,7 @@
 #include <nlohmann/json_fwd.hpp>
 #include <string>
 
+#include "codegen/answer/facts.hpp"
 #include "codegen/report/paving_options.hpp"
 #include "runtime/search/paving.hpp"
 
@@ -13,6 +14,11 @@ namespace regulus::inline report {
 /// Returns the first JSON line: the question, and the claim of each kind of box.
 [[nodiscard]] nlohmann::ordered_json json_paving_header(const PreparedSearch& preparation,
                                                         const PavingOptions& options);
+
+/// Tells the question and the share of each kind of box.
+void tell_paving(const PreparedSearch& preparation, const SearchOptions& search,
+                 const PavingOptions& options, const Volumes& volumes, const Result& result,
+                 Facts& facts);
 
 /// Returns number, volume and fraction of each kind of box; if the paving is not complete, the
 /// reason.

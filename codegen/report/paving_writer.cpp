@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "codegen/report/paving_writer.hpp"
 
+#include "codegen/report/number_text.hpp"
 #include "codegen/report/paving_report.hpp"
-#include "codegen/report/report_parts.hpp"
+#include "codegen/report/place_text.hpp"
 #include "codegen/report/report_text.hpp"
 #include "codegen/report/undefined_report.hpp"
 #include "codegen/report/witness_report.hpp"

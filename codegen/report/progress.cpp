@@ -10,7 +10,7 @@
 #include <memory>
 #include <utility>
 
-#include "codegen/report/report_parts.hpp"
+#include "codegen/report/number_text.hpp"
 
 namespace regulus::inline report {
 namespace {

@@ -10,7 +10,8 @@
 #include "codegen/engine/choices.hpp"
 #include "codegen/engine/settings.hpp"
 #include "codegen/model/ginac_text.hpp"
-#include "codegen/report/report_parts.hpp"
+#include "codegen/report/number_text.hpp"
+#include "codegen/report/place_text.hpp"
 #include "regulus/version.hpp"
 
 namespace regulus::inline report {

@@ -17,8 +17,8 @@
 #include "codegen/model/overrides.hpp"
 #include "codegen/model/request.hpp"
 #include "codegen/quantity/quantity.hpp"
-#include "codegen/report/report_parts.hpp"
 #include "codegen/report/report_text.hpp"
+#include "codegen/report/search_facts.hpp"
 #include "codegen/shell/kept_options.hpp"
 #include "codegen/shell/shell_words.hpp"
 #include "codegen/shell/text_editor.hpp"
@@ -224,10 +224,13 @@ int ShellSession::prepare_again() {
       p.cache == "hit" ? "unchanged or known"
       : functions == 0 ? "interpreted"
                        : fmt::format("{} of {} functions compiled", p.parts.compiled, functions);
-  say(format_time(spent) + "kernel     " + kernel, report_text({{"seconds", json_seconds(spent)},
-                                                                {"cache", p.cache},
-                                                                {"functions", functions},
-                                                                {"compiled", p.parts.compiled}}));
+  Facts facts;
+  tell_time(spent, facts);
+  facts.add("cache", p.cache).add("functions", functions).add("compiled", p.parts.compiled);
+  facts.say("kernel", kernel);
+  std::string lines = facts.text();
+  lines.pop_back();  // say() ends the last line
+  say(lines, report_text(facts.object()));
   return 0;
 }
 

@@ -6,6 +6,7 @@
 #include <nlohmann/json_fwd.hpp>
 #include <optional>
 
+#include "codegen/answer/facts.hpp"
 #include "codegen/margin/margin_run.hpp"
 #include "codegen/trajectory/trajectory_run.hpp"
 
@@ -24,6 +25,10 @@ struct TrajectoryMargin {
                                                     const SearchOptions& search, double gap,
                                                     const std::atomic<bool>* interrupt,
                                                     const MarginRun::Listener& listener);
+
+/// Tells the bracket and the check at its unsafe end.
+void tell_trajectory_margin(const TrajectoryMargin& found, const MarginQuestion& question,
+                            const SearchOptions& search, double gap, Facts& facts);
 
 /// Returns the lines for people, without the bracket.
 [[nodiscard]] std::string format_trajectory_margin(const TrajectoryMargin& found,

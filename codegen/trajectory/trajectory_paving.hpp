@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "codegen/answer/facts.hpp"
 #include "codegen/trajectory/trajectory_run.hpp"
 #include "runtime/search/paving.hpp"
 
@@ -46,6 +47,9 @@ struct PathPaving {
 [[nodiscard]] PathPaving pave_trajectory(Request request, double model_seconds,
                                          SearchOptions search, double resolution,
                                          const std::atomic<bool>* interrupt);
+
+/// Tells the question, the stretches and the share of each claim.
+void tell_path_paving(const PathPaving& paving, const SearchOptions& search, Facts& facts);
 
 /// Returns the lines for people, without the verdict.
 [[nodiscard]] std::string format_path_paving(const PathPaving& paving, SearchOptions search);

@@ -4,8 +4,9 @@
 #include <algorithm>
 #include <cmath>
 
-#include "codegen/report/report.hpp"
-#include "codegen/report/report_parts.hpp"
+#include "codegen/report/number_text.hpp"
+#include "codegen/report/place_text.hpp"
+#include "codegen/report/search_facts.hpp"
 #include "codegen/trajectory/trajectory_paving.hpp"
 #include "codegen/trajectory/trajectory_report.hpp"
 
@@ -53,29 +54,59 @@ std::string percentage(double share) {
   return fmt::format("{:.3g} %", std::clamp(100 * share, 0.001, 99.9));
 }
 
-std::string format_shares(const PathPaving& paving) {
+void tell_shares(const PathPaving& paving, Facts& facts) {
+  Json shares = Json::object();
   std::string words;
-  for (const Claim claim : kClaimsInOrder)
-    if (const double share = paving.approx_share(claim); share > 0)
+  for (const Claim claim : kClaimsInOrder) {
+    const double share = paving.approx_share(claim);
+    shares[name(claim)] = share;
+    if (share > 0)
       words += fmt::format("{}{} {}", words.empty() ? "" : ", ", name(claim), percentage(share));
-  return fmt::format("share      {} of the {}\n", words,
-                     trajectory_of(paving).has_time ? "time" : "segments");
+  }
+  facts.tell(
+      "share", std::move(shares), "share",
+      fmt::format("{} of the {}", words, trajectory_of(paving).has_time ? "time" : "segments"));
+}
+
+void tell_stretches(const PathPaving& paving, Facts& facts) {
+  const std::size_t count = paving.stretches.size();
+  facts.add("stretches", count);
+  for (std::size_t i = 0; i < std::min(count, kMostLines); ++i)
+    facts.say(name(paving.stretches[i].claim), describe_stretch(paving, paving.stretches[i]));
+  if (count > kMostLines)
+    facts.say("", fmt::format("and {} stretches more; --output FILE has all of them",
+                              count - kMostLines));
+}
+
+/// Returns what the kinds of stretches claim.
+std::string describe_claims(const PathPaving& paving) {
+  const PreparedSearch& p = paving.check.hull;
+  const Interval& alpha = p.variety.alpha;
+  const std::string size = describe_size(p), poses = describe_poses_on_way(paving.check);
+  const bool is_uncertain = uncertain_count(p) > 0;
+  return fmt::format(
+      "free: {} at every {} of the stretch{}; singular: {} at some {} of the stretch{}",
+      alpha.hi > 0 ? "|det J⁻¹| > " + threshold_text(alpha, true)
+                   : fmt::format("the {} has full rank", size),
+      poses, is_uncertain ? ", for every value of the uncertain quantities" : "",
+      alpha.hi > 0 ? "|det J⁻¹| ≤ " + threshold_text(alpha, false)
+                   : fmt::format("the {} is singular", size),
+      poses, is_uncertain ? ", for some value of the uncertain quantities" : "");
 }
 
 }  // namespace
 
+void tell_path_paving(const PathPaving& paving, const SearchOptions& search, Facts& facts) {
+  facts.add("verdict", json_name(paving.check.verdict));
+  facts.add("reason", describe(paving.check.reason)).add("claim", describe_claims(paving));
+  tell_trajectory_question(paving.check, search, facts);
+  facts.add("resolution", paving.resolution);
+  tell_stretches(paving, facts);
+  tell_shares(paving, facts);
+}
+
 std::string format_path_paving(const PathPaving& paving, SearchOptions search) {
-  std::string text = format_trajectory_question(paving.check, std::move(search));
-  std::size_t lines = 0;
-  for (const PathStretch& stretch : paving.stretches) {
-    if (++lines > kMostLines) {
-      text += fmt::format("           and {} stretches more; --output FILE has all of them\n",
-                          paving.stretches.size() - kMostLines);
-      break;
-    }
-    text += fmt::format("{:<11}{}\n", name(stretch.claim), describe_stretch(paving, stretch));
-  }
-  return text + format_shares(paving);
+  return text_of_facts([&](Facts& facts) { tell_path_paving(paving, search, facts); });
 }
 
 Json json_stretch(const PathPaving& paving, const PathStretch& stretch) {
@@ -91,15 +122,7 @@ Json json_stretch(const PathPaving& paving, const PathStretch& stretch) {
 }
 
 Json json_path_paving(const PathPaving& paving, const SearchOptions& search) {
-  Json report;
-  report["verdict"] = json_name(paving.check.verdict);
-  report["reason"] = describe(paving.check.reason);
-  add_trajectory_question(report, paving.check, search);
-  report["resolution"] = paving.resolution;
-  report["stretches"] = paving.stretches.size();
-  for (const Claim claim : kClaimsInOrder)
-    report["share"][name(claim)] = paving.approx_share(claim);
-  return report;
+  return report_of_facts([&](Facts& facts) { tell_path_paving(paving, search, facts); });
 }
 
 }  // namespace regulus::trajectory
