@@ -59,16 +59,18 @@ if(NOT have_packages)
 endif()
 
 file(GLOB_RECURSE page_sources CONFIGURE_DEPENDS ${web}/src/* ${web}/build.mjs ${web}/tsconfig.json)
+# Made from the table of keys.
+set(types ${PROJECT_BINARY_DIR}/codegen/answer/report_types.ts)
 set(page_template ${PROJECT_BINARY_DIR}/share/regulus/page.html)
 add_custom_command(
   OUTPUT ${page_template}
   COMMAND ${CMAKE_COMMAND} -E rm -rf ${work}/src
   COMMAND ${CMAKE_COMMAND} -E copy_directory ${web}/src ${work}/src
-  COMMAND ${CMAKE_COMMAND} -E copy ${REGULUS_REPORT_TYPES} ${work}/src
+  COMMAND ${CMAKE_COMMAND} -E copy ${types} ${work}/src
   COMMAND ${CMAKE_COMMAND} -E copy ${web}/build.mjs ${web}/tsconfig.json ${work}
   COMMAND ${REGULUS_NODE} build.mjs ${page_template}
   WORKING_DIRECTORY ${work}
-  DEPENDS ${page_sources} ${web}/package-lock.json ${REGULUS_REPORT_TYPES} regulus_schema
+  DEPENDS ${page_sources} ${web}/package-lock.json ${types} regulus_schema
   COMMENT "Building the page of regulus report"
   VERBATIM)
 add_custom_target(regulus_page_template ALL DEPENDS ${page_template})

@@ -21,7 +21,6 @@ set(runtime/certificate          ${runtime/embedded} runtime/files)
 set(runtime/certificate/verifier runtime/files)
 
 set(codegen/support              runtime/files)
-set(codegen/answer               "")
 set(codegen/model                codegen/support codegen/program runtime/files)
 set(codegen/import               codegen/support codegen/model runtime/files)
 set(codegen/robot                codegen/support codegen/model)
@@ -36,7 +35,7 @@ set(codegen/engine               ${codegen/cpp} codegen/cpp codegen/jit runtime/
                                  runtime/certificate)
 set(codegen/analysis             ${codegen/engine} codegen/engine)
 set(codegen/certificate          ${codegen/engine} codegen/engine runtime/certificate/verifier)
-set(codegen/report               ${codegen/analysis} codegen/analysis codegen/answer codegen/certificate)
+set(codegen/report               ${codegen/analysis} codegen/analysis codegen/certificate)
 set(codegen/picture              ${codegen/report} codegen/report)
 set(codegen/margin               ${codegen/report} codegen/report codegen/certificate)
 set(codegen/trajectory           ${codegen/margin} codegen/margin)
@@ -44,15 +43,16 @@ set(codegen/quantity             codegen/support codegen/model)
 set(codegen/bound                ${codegen/trajectory} codegen/trajectory codegen/quantity)
 set(codegen/feasibility          ${codegen/bound} codegen/bound)
 set(codegen/page                 ${codegen/bound} codegen/bound codegen/trajectory)
-set(codegen/api                  ${codegen/bound} codegen/bound codegen/feasibility codegen/trajectory codegen/import codegen/robot runtime/certificate/verifier
+set(codegen/answer               ${codegen/page} codegen/page codegen/feasibility codegen/picture)
+set(codegen/api                  ${codegen/answer} codegen/answer codegen/import codegen/robot runtime/certificate/verifier
                                  runtime/embedded)
 set(codegen/python               codegen/support codegen/engine codegen/jit codegen/api)
-set(codegen/command              ${codegen/page} codegen/page codegen/feasibility codegen/picture codegen/trajectory codegen/import runtime/certificate/verifier)
+set(codegen/command              ${codegen/answer} codegen/answer codegen/import runtime/certificate/verifier)
 set(codegen/mpi                  ${codegen/command} codegen/command runtime/certificate/verifier runtime/cluster)
 set(codegen/shell                ${codegen/command} codegen/command)
 
-# Headers that are configured and carry no layer: the compiler flags, the version.
-set(everywhere regulus/floating_point_flags.hpp regulus/instruction_set_flags.hpp regulus/version.hpp)
+# Headers that carry no layer: those that are configured, and what every report is told to.
+set(everywhere codegen/answer/facts.hpp regulus/floating_point_flags.hpp regulus/instruction_set_flags.hpp regulus/version.hpp)
 # Of what writes certificates the verifier knows the format alone.
 set(only_header_runtime/certificate/verifier runtime/certificate/format.hpp)
 
