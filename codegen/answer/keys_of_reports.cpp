@@ -63,8 +63,9 @@ constexpr Key kCheck[] = {
     {"filters", "filter[]"},
     {"leaves", "count{}", "certified boxes by the test that certified them"},
     {"nearest_singular?", "nearest_singular", "where the matrix is nearest to losing rank"},
-    {"page?", "text", "the file of the page"},
 };
+
+constexpr Key kPage[] = {{"page?", "text", "the file that regulus report wrote"}};
 
 constexpr Key kPaving[] = {
     {"resolution", "approx", "part of each range"},
@@ -151,11 +152,12 @@ const std::vector<ObjectKind>& report_kinds() {
   static const std::vector<ObjectKind> kinds = {
       {"check",
        "check",
-       {kReason, kSubject, kMethod, kBoxes, kCheck, kNonempty, kWitness, kBlocking, kCertificate},
+       {kReason, kSubject, kMethod, kBoxes, kCheck, kNonempty, kWitness, kBlocking, kPage,
+        kCertificate},
        kOfMatrix},
       {"path",
        "check of a motion along way-points",
-       {kReason, kWay, kWayMatrix, kMethod, kExcluded, kSegment, kWitness, kCertificate},
+       {kReason, kWay, kWayMatrix, kMethod, kExcluded, kSegment, kWitness, kPage, kCertificate},
        kOfMatrix},
       {"paving",
        "locate",

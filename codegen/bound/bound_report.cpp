@@ -165,9 +165,8 @@ Json json_component(const ComponentBound& c, bool has_limit) {
   facts.add("reason", c.reason).add("nonempty", c.is_empty ? Json(false) : Json(nullptr));
   facts.add("place", c.place ? c.place->json : Json(nullptr));
   facts.add("boxes", c.boxes).add("seconds", json_seconds(c.seconds));
-  Json object = facts.object();
-  c.proofs.add_certificates_to(object);
-  return object;
+  c.proofs.tell_files(facts);
+  return facts.object();
 }
 
 /// Tells the verdict about the limit, and where it is exceeded.
@@ -212,7 +211,7 @@ void tell_components(const Bound& bound, bool has_limit, Facts& facts) {
   Json components = Json::array(), proofs = Json::array();
   for (const ComponentBound& c : bound.components) {
     components.push_back(json_component(c, has_limit));
-    c.proofs.add_entries_to(proofs, c.component.label);
+    c.proofs.add_to(proofs, c.component.label);
     facts.say_lines(c.proofs.lines());
   }
   facts.add("components", std::move(components));
@@ -283,17 +282,12 @@ void tell_bracket(const Request& request, const Bound& bound, const BoundSetting
     facts.say("gap", fmt::format("{:.3g} % of the larger end", 100 * *gap));
 }
 
-std::string bound_report(const Request& request, const Bound& bound,
-                         const BoundSettings& settings) {
-  return text_of_facts([&](Facts& facts) { tell_bracket(request, bound, settings, facts); });
-}
-
-Json json_bound(const Request& request, const Bound& bound, const BoundSettings& settings) {
-  return report_of_facts([&](Facts& facts) {
-    tell_model(request, facts);
-    tell_bracket(request, bound, settings, facts);
+void tell_bound(const Request& request, const Bound& bound, const BoundSettings& settings,
+                Facts& facts) {
+  tell_bracket(request, bound, settings, facts);
+  add_model(request, facts);
+  if (facts.are_for_programs())
     add_search(settings.search, json_question(request, settings.search), facts);
-  });
 }
 
 }  // namespace regulus::bounding

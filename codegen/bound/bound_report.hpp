@@ -32,10 +32,8 @@ struct EndTexts {
 void tell_bracket(const Request& request, const Bound& bound, const BoundSettings& settings,
                   Facts& facts);
 
-/// Returns the report but for the lines of format_component() and describe_bound().
-[[nodiscard]] std::string bound_report(const Request& request, const Bound& bound,
-                                       const BoundSettings& settings);
-[[nodiscard]] nlohmann::ordered_json json_bound(const Request& request, const Bound& bound,
-                                                const BoundSettings& settings);
+/// Tells all but the lines of format_component(), which people read before.
+void tell_bound(const Request& request, const Bound& bound, const BoundSettings& settings,
+                Facts& facts);
 
 }  // namespace regulus::bounding

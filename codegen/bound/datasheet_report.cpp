@@ -116,13 +116,13 @@ std::vector<Row> in_markdown(std::vector<Row> rows) {
   return rows;
 }
 
-constexpr const char* kMeaning =
-    "Each row is a proved bracket: no value is beyond the outer end, over every pose and every "
-    "uncertain value, and the inner end is attained.";
+constexpr const char* kProvedRow =
+    "Each row is a proved bracket: no value is beyond the outer end, over every pose and every";
+constexpr const char* kAttainedRow = "uncertain value, and the inner end is attained.";
 
 Json json_sheet_entry(const Request& request, const Bound& bound, const BoundSettings& settings) {
   Facts facts(Readers::kPrograms);
-  tell_model(request, facts);
+  add_model(request, facts);
   tell_bracket(request, bound, settings, facts);
   Json object = facts.object();
   for (std::size_t i = 0; i < bound.components.size(); ++i) {
@@ -144,22 +144,6 @@ const char* verdict_of(const Model& model, const Datasheet& sheet) {
   return is_closed ? "closed" : "open";
 }
 
-void tell_datasheet(const Request& request, const Datasheet& sheet, const BoundSettings& settings,
-                    Facts& facts) {
-  Json bounds = Json::array();
-  StageSeconds seconds;
-  std::uint64_t boxes = 0;
-  for (const Bound& bound : sheet.bounds) {
-    bounds.push_back(json_sheet_entry(request, bound, settings));
-    seconds += seconds_of(bound);
-    boxes += boxes_of(bound);
-  }
-  facts.add("verdict", verdict_of(request.model, sheet)).add("interrupted", sheet.is_interrupted);
-  if (!sheet.bounds.empty()) facts.add("claim", kMeaning);
-  facts.add("bounds", std::move(bounds)).add("not_bounded", sheet.left_out).add("boxes", boxes);
-  tell_time(seconds, facts);
-}
-
 }  // namespace
 
 std::string text_datasheet(const Request& request, const Datasheet& sheet) {
@@ -171,8 +155,8 @@ std::string text_datasheet(const Request& request, const Datasheet& sheet) {
 }
 
 std::string markdown_datasheet(const Request& request, const Datasheet& sheet) {
-  std::string text =
-      fmt::format("# {}, motion {}\n\n{}\n\n", request.model.name, request.motion.name, kMeaning);
+  std::string text = fmt::format("# {}, motion {}\n\n{}\n{}\n\n", request.model.name,
+                                 request.motion.name, kProvedRow, kAttainedRow);
   text += format_rows(in_markdown(rows_of(request.model, sheet)), "| ", " | ", true) + '\n';
   text += "Attained at:\n\n";
   for (const Bound& bound : sheet.bounds)
@@ -185,12 +169,23 @@ std::string markdown_datasheet(const Request& request, const Datasheet& sheet) {
   return text + fmt::format("\nModel {}, SHA-256 {}\n", request.model.path, request.model.sha256);
 }
 
-Json json_datasheet(const Request& request, const Datasheet& sheet, const BoundSettings& settings) {
-  return report_of_facts([&](Facts& facts) {
-    tell_model(request, facts);
-    tell_datasheet(request, sheet, settings, facts);
-    add_search(settings.search, json_question(request, settings.search), facts);
-  });
+void tell_datasheet(const Request& request, const Datasheet& sheet, const BoundSettings& settings,
+                    Facts& facts) {
+  if (!facts.are_for_programs()) return;  // people read the sheet
+  Json bounds = Json::array();
+  StageSeconds seconds;
+  std::uint64_t boxes = 0;
+  for (const Bound& bound : sheet.bounds) {
+    bounds.push_back(json_sheet_entry(request, bound, settings));
+    seconds += seconds_of(bound);
+    boxes += boxes_of(bound);
+  }
+  add_model(request, facts);
+  add_search(settings.search, json_question(request, settings.search), facts);
+  facts.add("boxes", boxes).add("seconds", json_seconds(seconds));
+  if (!sheet.bounds.empty()) facts.add("claim", fmt::format("{} {}", kProvedRow, kAttainedRow));
+  facts.add("verdict", verdict_of(request.model, sheet)).add("interrupted", sheet.is_interrupted);
+  facts.add("bounds", std::move(bounds)).add("not_bounded", sheet.left_out);
 }
 
 }  // namespace regulus::bounding

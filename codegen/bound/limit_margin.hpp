@@ -65,15 +65,4 @@ void tell_limit_margin(const Request& request, const MarginQuestion& question,
                        const LimitMargin& margin, const LimitMarginSettings& settings,
                        Facts& facts);
 
-/// Returns the report but for the lines of the steps and the bracket.
-[[nodiscard]] std::string limit_margin_report(const Request& request,
-                                              const MarginQuestion& question,
-                                              const LimitMargin& margin,
-                                              const LimitMarginSettings& settings);
-
-[[nodiscard]] nlohmann::ordered_json json_limit_margin(const Request& request,
-                                                       const MarginQuestion& question,
-                                                       const LimitMargin& margin,
-                                                       const LimitMarginSettings& settings);
-
 }  // namespace regulus::bounding

@@ -38,22 +38,21 @@ Json json_component(const ComponentMargin& c) {
   const auto text = [](const std::optional<MarginStep>& step) {
     return step ? Json(step->value.text) : Json(nullptr);
   };
-  Json object = {{"label", c.component.label},
-                 {"within", text(c.margin.certified)},
-                 {"exceeded", text(c.margin.refuted)},
-                 {"closed", c.margin.closed},
-                 {"place", c.exceeded ? c.exceeded->json : Json(nullptr)},
-                 {"boxes", c.margin.boxes},
-                 {"seconds", json_seconds(c.seconds)}};
-  c.proofs.add_certificates_to(object);
-  return object;
+  Facts facts(Readers::kPrograms);
+  facts.add("label", c.component.label);
+  facts.add("within", text(c.margin.certified)).add("exceeded", text(c.margin.refuted));
+  facts.add("closed", c.margin.closed);
+  facts.add("place", c.exceeded ? c.exceeded->json : Json(nullptr));
+  facts.add("boxes", c.margin.boxes).add("seconds", json_seconds(c.seconds));
+  c.proofs.tell_files(facts);
+  return facts.object();
 }
 
 void tell_components(const LimitMargin& margin, Facts& facts) {
   Json components = Json::array(), proofs = Json::array();
   for (const ComponentMargin& c : margin.components) {
     components.push_back(json_component(c));
-    c.proofs.add_entries_to(proofs, c.component.label);
+    c.proofs.add_to(proofs, c.component.label);
     facts.say_lines(c.proofs.lines());
   }
   facts.add("components", std::move(components));
@@ -106,18 +105,6 @@ void tell_limit_margin(const Request& request, const MarginQuestion& question,
   tell_components(margin, facts);
   if (facts.are_for_programs())
     add_search(settings.search, json_question(request, settings.search), facts);
-}
-
-std::string limit_margin_report(const Request& request, const MarginQuestion& question,
-                                const LimitMargin& margin, const LimitMarginSettings& settings) {
-  return text_of_facts(
-      [&](Facts& facts) { tell_limit_margin(request, question, margin, settings, facts); });
-}
-
-Json json_limit_margin(const Request& request, const MarginQuestion& question,
-                       const LimitMargin& margin, const LimitMarginSettings& settings) {
-  return report_of_facts(
-      [&](Facts& facts) { tell_limit_margin(request, question, margin, settings, facts); });
 }
 
 }  // namespace regulus::bounding

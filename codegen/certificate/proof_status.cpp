@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "codegen/certificate/proof_status.hpp"
 
-#include <nlohmann/json.hpp>
 #include <utility>
 
 namespace regulus::inline certificate {
@@ -54,13 +53,12 @@ std::string ProofStatus::line() const {
   return "certificate " + path_ + '\n' + (note_.empty() ? "" : kMargin + note_ + '\n');
 }
 
-void ProofStatus::add_to(Json& report) const {
+void ProofStatus::tell(Facts& facts) const {
   if (!is_wanted()) return;
-  report["certificate"] = nullptr;
-  if (is_written_) report["certificate"] = path_;
-  if (!is_written_) report["certificate_obstacle"] = obstacle_;
-  if (is_written_ && !note_.empty()) report["certificate_note"] = note_;
-  report["proof"] = Json::array({proof_entry(is_written_ ? path_ : "", obstacle_)});
+  facts.add("certificate", is_written_ ? Json(path_) : Json(nullptr));
+  if (!is_written_) facts.add("certificate_obstacle", obstacle_);
+  if (is_written_ && !note_.empty()) facts.add("certificate_note", note_);
+  facts.add("proof", Json::array({proof_entry(is_written_ ? path_ : "", obstacle_)}));
 }
 
 EndProofs::EndProofs(std::string path, HeldFiles* held, std::string no_safe,
@@ -111,18 +109,26 @@ std::string EndProofs::lines() const {
   return "certificate " + line_of(safe_, safe_name_) + kMargin + line_of(singular_, singular_name_);
 }
 
-void EndProofs::add_certificates_to(Json& object) const {
+void EndProofs::tell_files(Facts& facts) const {
   if (!are_wanted()) return;
+  Facts files(Readers::kPrograms), obstacles(Readers::kPrograms);
   for (const auto& [name, end] : {std::pair("safe", &safe_), std::pair("singular", &singular_)}) {
-    Json& file = object["certificates"][name];
-    if (end->file.empty())
-      object["certificate_obstacles"][name] = end->words;
-    else
-      file = end->file;
+    files.add(name, end->file.empty() ? Json(nullptr) : Json(end->file));
+    if (end->file.empty()) obstacles.add(name, end->words);
   }
+  facts.tell_part("certificates", std::move(files));
+  if (!obstacles.all().empty()) facts.tell_part("certificate_obstacles", std::move(obstacles));
 }
 
-void EndProofs::add_entries_to(Json& proofs, const std::string& component) const {
+void EndProofs::tell(Facts& facts) const {
+  if (!are_wanted()) return;
+  tell_files(facts);
+  Json proofs = Json::array();
+  add_to(proofs);
+  facts.add("proof", std::move(proofs));
+}
+
+void EndProofs::add_to(Json& proofs, const std::string& component) const {
   if (!are_wanted()) return;
   for (const auto& [name, end] : {std::pair("safe", &safe_), std::pair("singular", &singular_)}) {
     Json entry = proof_entry(end->file, end->words);
@@ -130,14 +136,6 @@ void EndProofs::add_entries_to(Json& proofs, const std::string& component) const
     if (!component.empty()) entry["component"] = component;
     proofs.push_back(std::move(entry));
   }
-}
-
-void EndProofs::add_to(Json& report) const {
-  if (!are_wanted()) return;
-  add_certificates_to(report);
-  Json proofs = Json::array();
-  add_entries_to(proofs);
-  report["proof"] = std::move(proofs);
 }
 
 }  // namespace regulus::certificate

@@ -96,8 +96,10 @@ void PageRun::check() {
   services.certificate = scratch.path() / "certificate";
   check_ = ask(AskCheck{model_, command_.search}, services);
   take_proof(check_->proof);
-  text_ = check_->text();
-  data_.report = without_files(check_->json());
+  Facts facts;
+  check_->tell(facts);
+  text_ = facts.text();
+  data_.report = without_files(facts.report());
   if (request.motion.trajectory && !data_.report["segment"].is_null())
     set_deciding_segment(data_, request, uncertain);
   if (!command_.output.quiet) print_report(text_);

@@ -71,12 +71,6 @@ std::string describe_uncertain(const PreparedSearch& p) {
   return uncertain_count(p) > 0 ? ", for every value of the uncertain quantities" : "";
 }
 
-std::string describe_claim_of_all(const PreparedForces& prepared) {
-  const PreparedSearch& p = prepared.preparation;
-  return fmt::format("at every {}{}, forces {} hold every wrench of {}", describe_pose(p),
-                     describe_uncertain(p), describe_limits(prepared), prepared.load);
-}
-
 void tell_witness(const PreparedForces& prepared, const FeasibilityResult& result, Facts& facts) {
   const PreparedSearch& p = prepared.preparation;
   facts.add("witness", nullptr);
@@ -116,13 +110,6 @@ void tell_volumes(const PreparedForces& prepared, const ForceVolumes& volumes, F
   facts.add("boxes_by_claim", std::move(kinds));
 }
 
-void tell_claim(const PreparedForces& prepared, const FeasibilityResult& result, Facts& facts) {
-  facts.add("claim", nullptr);
-  if (result.verdict != FeasibilityVerdict::kFeasible) return;
-  const std::string claim = describe_claim_of_all(prepared);
-  facts.tell("claim", claim, "proved", claim);
-}
-
 }  // namespace
 
 std::string describe_limits(const PreparedForces& prepared) {
@@ -145,6 +132,12 @@ void tell_load(const PreparedForces& prepared, Facts& facts) {
   facts.tell("load", prepared.load, "load",
              fmt::format("{}, forces {}", prepared.load, describe_limits(prepared)));
   facts.add("forces", json_limits(prepared)).add("force_unit", prepared.force_unit);
+}
+
+std::string describe_claim(const PreparedForces& prepared) {
+  const PreparedSearch& p = prepared.preparation;
+  return fmt::format("at every {}{}, forces {} hold every wrench of {}", describe_pose(p),
+                     describe_uncertain(p), describe_limits(prepared), prepared.load);
 }
 
 std::string describe_reason(const PreparedForces& prepared, const FeasibilityResult& result) {
@@ -238,21 +231,15 @@ void tell_forces(const PreparedForces& prepared, const FeasibilityResult& result
   facts.add("stopped_by", result.stopped_by ? Json(describe(*result.stopped_by)) : Json(nullptr));
   if (result.stopped_by && result.verdict != FeasibilityVerdict::kPossibleProblem)
     facts.say("stopped", describe(*result.stopped_by));
-  tell_claim(prepared, result, facts);
+  facts.add("claim", nullptr);
+  if (result.verdict == FeasibilityVerdict::kFeasible) {
+    const std::string claim = describe_claim(prepared);
+    facts.tell("claim", claim, "proved", claim);
+  }
   tell_witness(prepared, result, facts);
   tell_reason(prepared, result, facts);
   if (facts.are_for_programs())
     add_search(prepared.search, json_question(p, prepared.search), facts);
-}
-
-std::string format_forces(const PreparedForces& prepared, const FeasibilityResult& result,
-                          const ForceVolumes* volumes) {
-  return text_of_facts([&](Facts& facts) { tell_forces(prepared, result, volumes, facts); });
-}
-
-Json json_forces(const PreparedForces& prepared, const FeasibilityResult& result,
-                 const ForceVolumes* volumes) {
-  return report_of_facts([&](Facts& facts) { tell_forces(prepared, result, volumes, facts); });
 }
 
 Json json_forces_header(const PreparedForces& prepared, double resolution) {

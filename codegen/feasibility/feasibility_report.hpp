@@ -21,6 +21,8 @@ namespace regulus::inline feasibility {
 void tell_load(const PreparedForces& prepared, Facts& facts);
 /// Tells people why a load is not held at a place.
 void say_shortage(const PreparedForces& prepared, const ForceWitness& witness, Facts& facts);
+/// Returns the claim of FEASIBLE.
+[[nodiscard]] std::string describe_claim(const PreparedForces& prepared);
 /// Returns why neither answer was shown.
 [[nodiscard]] std::string describe_reason(const PreparedForces& prepared,
                                           const FeasibilityResult& result);
@@ -46,15 +48,6 @@ class ForceVolumes {
 /// Tells the question, the claim and the place where it fails; `volumes`: of a paving, or null.
 void tell_forces(const PreparedForces& prepared, const FeasibilityResult& result,
                  const ForceVolumes* volumes, Facts& facts);
-
-/// Returns the report but for the verdict.
-[[nodiscard]] std::string format_forces(const PreparedForces& prepared,
-                                        const FeasibilityResult& result,
-                                        const ForceVolumes* volumes);
-
-[[nodiscard]] nlohmann::ordered_json json_forces(const PreparedForces& prepared,
-                                                 const FeasibilityResult& result,
-                                                 const ForceVolumes* volumes);
 
 /// Returns the first line of a paving, and the line of a box.
 [[nodiscard]] nlohmann::ordered_json json_forces_header(const PreparedForces& prepared,

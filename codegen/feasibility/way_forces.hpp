@@ -9,7 +9,6 @@
 #pragma once
 
 #include <atomic>
-#include <nlohmann/json_fwd.hpp>
 #include <optional>
 #include <string>
 #include <vector>
@@ -55,8 +54,9 @@ struct WayForces {
 /// Tells the question, the claim and the segment where it fails.
 void tell_way_forces(const WayForces& found, Facts& facts);
 
-/// Returns the report but for the verdict.
-[[nodiscard]] std::string format_way_forces(const WayForces& found);
-[[nodiscard]] nlohmann::ordered_json json_way_forces(const WayForces& found);
+/// Returns the claim of FEASIBLE.
+[[nodiscard]] std::string describe_claim(const WayForces& found);
+/// Returns why neither answer was shown.
+[[nodiscard]] std::string describe_reason(const WayForces& found);
 
 }  // namespace regulus::feasibility

@@ -27,26 +27,6 @@ std::optional<Interval> parameter_of(const DecidingForces& deciding) {
   return std::nullopt;
 }
 
-std::string describe_claim_of_way(const WayForces& found) {
-  const Motion& motion = found.request.motion;
-  const bool is_uncertain = uncertain_count(found.hull.preparation) > 0;
-  const bool has_errors =
-      std::ranges::any_of(motion.error, [](const GiNaC::ex& e) { return !e.is_zero(); });
-  return fmt::format("at every {}{} of the {} segments{}{}, forces {} hold every wrench of {}",
-                     motion.where != Where::kEverywhere ? "reachable pose" : "pose",
-                     motion.constraints.empty() ? "" : " that the constraints allow",
-                     trajectory_of(found).pieces.size(),
-                     has_errors ? " and of the tube around them" : "",
-                     is_uncertain ? ", for every value of the uncertain quantities" : "",
-                     describe_limits(found.hull), found.hull.load);
-}
-
-std::string reason_of(const WayForces& found) {
-  if (found.deciding && found.deciding->prepared)
-    return describe_reason(*found.deciding->prepared, found.deciding->result);
-  return describe(found.reason);
-}
-
 /// Tells of the piece that decides: where, and why.
 void tell_deciding(const WayForces& found, Facts& facts) {
   for (const char* key : {"segment", "witness", "blocking_box", "stopped_by"})
@@ -80,14 +60,34 @@ void tell_claim(const WayForces& found, Facts& facts) {
     if (found.excluded > 0)
       facts.say("excluded", fmt::format("{} segment{} without a pose that the constraints allow",
                                         found.excluded, found.excluded == 1 ? "" : "s"));
-    const std::string claim = describe_claim_of_way(found);
+    const std::string claim = describe_claim(found);
     facts.tell("claim", claim, "proved", claim);
   }
   if (found.verdict == FeasibilityVerdict::kPossibleProblem)
-    facts.tell("reason", reason_of(found), "reason", reason_of(found));
+    facts.tell("reason", describe_reason(found), "reason", describe_reason(found));
 }
 
 }  // namespace
+
+std::string describe_claim(const WayForces& found) {
+  const Motion& motion = found.request.motion;
+  const bool is_uncertain = uncertain_count(found.hull.preparation) > 0;
+  const bool has_errors =
+      std::ranges::any_of(motion.error, [](const GiNaC::ex& e) { return !e.is_zero(); });
+  return fmt::format("at every {}{} of the {} segments{}{}, forces {} hold every wrench of {}",
+                     motion.where != Where::kEverywhere ? "reachable pose" : "pose",
+                     motion.constraints.empty() ? "" : " that the constraints allow",
+                     trajectory_of(found).pieces.size(),
+                     has_errors ? " and of the tube around them" : "",
+                     is_uncertain ? ", for every value of the uncertain quantities" : "",
+                     describe_limits(found.hull), found.hull.load);
+}
+
+std::string describe_reason(const WayForces& found) {
+  if (found.deciding && found.deciding->prepared)
+    return describe_reason(*found.deciding->prepared, found.deciding->result);
+  return describe(found.reason);
+}
 
 void tell_way_forces(const WayForces& found, Facts& facts) {
   const PreparedForces& hull = found.hull;
@@ -104,14 +104,6 @@ void tell_way_forces(const WayForces& found, Facts& facts) {
   tell_deciding(found, facts);
   if (facts.are_for_programs())
     add_search(hull.search, json_question(found.request, hull.search), facts);
-}
-
-std::string format_way_forces(const WayForces& found) {
-  return text_of_facts([&](Facts& facts) { tell_way_forces(found, facts); });
-}
-
-Json json_way_forces(const WayForces& found) {
-  return report_of_facts([&](Facts& facts) { tell_way_forces(found, facts); });
 }
 
 }  // namespace regulus::feasibility

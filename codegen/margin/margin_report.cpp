@@ -161,17 +161,4 @@ void tell_margin(const PreparedSearch& p, const SearchOptions& search, const Req
   if (facts.are_for_programs()) add_search(search, json_question(nominal, search), facts);
 }
 
-std::string margin_report(const PreparedSearch& p, const SearchOptions& search,
-                          const MarginQuestion& question, const Margin& margin) {
-  Facts facts(Readers::kPeople);
-  tell_margin(p, search, p.stages->request(), question, margin, 0, facts);
-  return facts.text();
-}
-
-Json json_margin(const PreparedSearch& p, const SearchOptions& search, const Request& nominal,
-                 const MarginQuestion& question, const Margin& margin, double gap_wanted) {
-  return report_of_facts(
-      [&](Facts& facts) { tell_margin(p, search, nominal, question, margin, gap_wanted, facts); });
-}
-
 }  // namespace regulus::bracketing

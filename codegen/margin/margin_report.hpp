@@ -29,15 +29,4 @@ void tell_margin(const PreparedSearch& preparation, const SearchOptions& search,
                  const Request& nominal, const MarginQuestion& question, const Margin& margin,
                  double gap_wanted, Facts& facts);
 
-[[nodiscard]] std::string margin_report(const PreparedSearch& preparation,
-                                        const SearchOptions& search, const MarginQuestion& question,
-                                        const Margin& margin);
-
-/// Returns the JSON report. `certified` is not above, `refuted` not below the value of its text.
-[[nodiscard]] nlohmann::ordered_json json_margin(const PreparedSearch& preparation,
-                                                 const SearchOptions& search,
-                                                 const Request& nominal,
-                                                 const MarginQuestion& question,
-                                                 const Margin& margin, double gap_wanted);
-
 }  // namespace regulus::bracketing

@@ -195,13 +195,6 @@ void tell_paving(const PreparedSearch& p, const SearchOptions& search, const Pav
   tell_claims(p, facts);
 }
 
-Json json_paving_summary(const PreparedSearch& p, const SearchOptions& search,
-                         const PavingOptions& options, const Volumes& volumes,
-                         const Result& result) {
-  return report_of_facts(
-      [&](Facts& facts) { tell_paving(p, search, options, volumes, result, facts); });
-}
-
 std::string percentage(const Volumes& volumes, const Share& share) {
   const Interval part = volumes.fraction(share);
   if (share.boxes == 0) return "0 %";
@@ -210,13 +203,6 @@ std::string percentage(const Volumes& volumes, const Share& share) {
   if (percent < 0.005) return "< 0.01 %";
   if (percent > 99.995) return "> 99.99 %";
   return fmt::format("{:.2f} %", percent);
-}
-
-std::string paving_report(const PreparedSearch& p, const SearchOptions& search,
-                          const PavingOptions& options, const Volumes& volumes,
-                          const Result& result) {
-  return text_of_facts(
-      [&](Facts& facts) { tell_paving(p, search, options, volumes, result, facts); });
 }
 
 }  // namespace regulus::report

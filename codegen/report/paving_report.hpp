@@ -15,22 +15,11 @@ namespace regulus::inline report {
 [[nodiscard]] nlohmann::ordered_json json_paving_header(const PreparedSearch& preparation,
                                                         const PavingOptions& options);
 
-/// Tells the question and the share of each kind of box.
+/// Tells the question, and number, volume and fraction of each kind of box; if the paving is not complete,
+/// the reason.
 void tell_paving(const PreparedSearch& preparation, const SearchOptions& search,
                  const PavingOptions& options, const Volumes& volumes, const Result& result,
                  Facts& facts);
-
-/// Returns number, volume and fraction of each kind of box; if the paving is not complete, the
-/// reason.
-[[nodiscard]] nlohmann::ordered_json json_paving_summary(const PreparedSearch& preparation,
-                                                         const SearchOptions& search,
-                                                         const PavingOptions& options,
-                                                         const Volumes& volumes,
-                                                         const Result& result);
-
-[[nodiscard]] std::string paving_report(const PreparedSearch& preparation,
-                                        const SearchOptions& search, const PavingOptions& options,
-                                        const Volumes& volumes, const Result& result);
 
 /// Returns "83.1 %", for example, from certified bounds; "100 %" and "0 %" only for all and
 /// nothing.

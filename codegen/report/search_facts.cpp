@@ -189,18 +189,24 @@ void tell_question(const PreparedSearch& p, Facts& facts) {
   tell_threshold(p, facts);
 }
 
+void add_model(const PreparedSearch& p, Facts& facts) {
+  facts.add("model", p.labels.model).add("model_file", p.model_file);
+  facts.add("model_sha256", p.labels.model_sha256).add("motion", p.labels.motion);
+}
+
+void add_model(const Request& request, Facts& facts) {
+  facts.add("model", request.model.name).add("model_file", request.model.path);
+  facts.add("model_sha256", request.model.sha256).add("motion", request.motion.name);
+}
+
 void tell_model(const PreparedSearch& p, Facts& facts) {
-  facts.tell("model", p.labels.model, "model", p.labels.model)
-      .add("model_file", p.model_file)
-      .add("model_sha256", p.labels.model_sha256)
-      .tell("motion", p.labels.motion, "motion", p.labels.motion);
+  add_model(p, facts);
+  facts.say("model", p.labels.model).say("motion", p.labels.motion);
 }
 
 void tell_model(const Request& request, Facts& facts) {
-  facts.tell("model", request.model.name, "model", request.model.name)
-      .add("model_file", request.model.path)
-      .add("model_sha256", request.model.sha256)
-      .tell("motion", request.motion.name, "motion", request.motion.name);
+  add_model(request, facts);
+  facts.say("model", request.model.name).say("motion", request.motion.name);
 }
 
 void add_search(const SearchOptions& search, Json question, Facts& facts) {

@@ -14,6 +14,9 @@ namespace regulus::inline report {
 /// Tells the model, its file and its hash, and the motion.
 void tell_model(const PreparedSearch& preparation, Facts& facts);
 void tell_model(const Request& request, Facts& facts);
+/// Tells them to programs alone.
+void add_model(const PreparedSearch& preparation, Facts& facts);
+void add_model(const Request& request, Facts& facts);
 /// Tells the question as json_question() returns it, its options and version, engine and threads.
 void add_search(const SearchOptions& search, nlohmann::ordered_json question, Facts& facts);
 /// Tells model, motion, matrix, threshold and uncertain quantities.

@@ -88,17 +88,4 @@ void tell_trajectory_margin(const TrajectoryMargin& found, const MarginQuestion&
   tell_gap(margin, gap, facts);
 }
 
-std::string format_trajectory_margin(const TrajectoryMargin& found, const MarginQuestion& question,
-                                     const SearchOptions& search) {
-  return text_of_facts(
-      [&](Facts& facts) { tell_trajectory_margin(found, question, search, 0, facts); });
-}
-
-nlohmann::ordered_json json_trajectory_margin(const TrajectoryMargin& found,
-                                              const MarginQuestion& question,
-                                              const SearchOptions& search, double gap) {
-  return report_of_facts(
-      [&](Facts& facts) { tell_trajectory_margin(found, question, search, gap, facts); });
-}
-
 }  // namespace regulus::trajectory

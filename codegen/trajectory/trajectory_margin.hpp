@@ -30,13 +30,4 @@ struct TrajectoryMargin {
 void tell_trajectory_margin(const TrajectoryMargin& found, const MarginQuestion& question,
                             const SearchOptions& search, double gap, Facts& facts);
 
-/// Returns the lines for people, without the bracket.
-[[nodiscard]] std::string format_trajectory_margin(const TrajectoryMargin& found,
-                                                   const MarginQuestion& question,
-                                                   const SearchOptions& search);
-[[nodiscard]] nlohmann::ordered_json json_trajectory_margin(const TrajectoryMargin& found,
-                                                            const MarginQuestion& question,
-                                                            const SearchOptions& search,
-                                                            double gap);
-
 }  // namespace regulus::trajectory

@@ -51,10 +51,6 @@ struct PathPaving {
 /// Tells the question, the stretches and the share of each claim.
 void tell_path_paving(const PathPaving& paving, const SearchOptions& search, Facts& facts);
 
-/// Returns the lines for people, without the verdict.
-[[nodiscard]] std::string format_path_paving(const PathPaving& paving, SearchOptions search);
-[[nodiscard]] nlohmann::ordered_json json_path_paving(const PathPaving& paving,
-                                                      const SearchOptions& search);
 /// Returns one stretch as an object: its claim, its segments, its lines and its times.
 [[nodiscard]] nlohmann::ordered_json json_stretch(const PathPaving& paving,
                                                   const PathStretch& stretch);

@@ -105,10 +105,6 @@ void tell_path_paving(const PathPaving& paving, const SearchOptions& search, Fac
   tell_shares(paving, facts);
 }
 
-std::string format_path_paving(const PathPaving& paving, SearchOptions search) {
-  return text_of_facts([&](Facts& facts) { tell_path_paving(paving, search, facts); });
-}
-
 Json json_stretch(const PathPaving& paving, const PathStretch& stretch) {
   const Trajectory& t = trajectory_of(paving);
   Json line{
@@ -119,10 +115,6 @@ Json json_stretch(const PathPaving& paving, const PathStretch& stretch) {
   if (t.has_time) line["time"] = {time_at(paving, stretch.begin), time_at(paving, stretch.end)};
   if (stretch.claim == Claim::kUndecided) line["reason"] = describe(stretch.reason);
   return line;
-}
-
-Json json_path_paving(const PathPaving& paving, const SearchOptions& search) {
-  return report_of_facts([&](Facts& facts) { tell_path_paving(paving, search, facts); });
 }
 
 }  // namespace regulus::trajectory

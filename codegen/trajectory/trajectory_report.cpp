@@ -206,12 +206,4 @@ void tell_trajectory(const TrajectoryCheck& check, const SearchOptions& search, 
   facts.tell("claim", claim, "claim", claim);
 }
 
-std::string format_trajectory(const TrajectoryCheck& check, const SearchOptions& search) {
-  return text_of_facts([&](Facts& facts) { tell_trajectory(check, search, facts); });
-}
-
-Json json_trajectory(const TrajectoryCheck& check, const SearchOptions& search) {
-  return report_of_facts([&](Facts& facts) { tell_trajectory(check, search, facts); });
-}
-
 }  // namespace regulus::trajectory

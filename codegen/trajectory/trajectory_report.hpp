@@ -32,17 +32,11 @@ void tell_deciding_piece(const TrajectoryCheck& check, Facts& facts);
 /// Tells all of it.
 void tell_trajectory(const TrajectoryCheck& check, const SearchOptions& search, Facts& facts);
 
-/// Returns the lines for people, without the verdict.
-[[nodiscard]] std::string format_trajectory(const TrajectoryCheck& check,
-                                            const SearchOptions& search);
 /// Returns "reachable pose that the constraints allow", for example: what a claim is about.
 [[nodiscard]] std::string describe_poses_on_way(const TrajectoryCheck& check);
 /// Returns the claim in words.
 ///
 /// Requires  a deciding piece with its search if the verdict is SINGULARITY.
 [[nodiscard]] std::string describe_trajectory_claim(const TrajectoryCheck& check);
-
-[[nodiscard]] nlohmann::ordered_json json_trajectory(const TrajectoryCheck& check,
-                                                     const SearchOptions& search);
 
 }  // namespace regulus::trajectory

@@ -52,7 +52,7 @@ set(codegen/mpi                  ${codegen/command} codegen/command runtime/cert
 set(codegen/shell                ${codegen/command} codegen/command)
 
 # Headers that carry no layer: those that are configured, and what every report is told to.
-set(everywhere codegen/answer/facts.hpp regulus/floating_point_flags.hpp regulus/instruction_set_flags.hpp regulus/version.hpp)
+set(everywhere codegen/answer/facts.hpp regulus/floating_point_flags.hpp regulus/text_flags.hpp regulus/instruction_set_flags.hpp regulus/version.hpp)
 # Of what writes certificates the verifier knows the format alone.
 set(only_header_runtime/certificate/verifier runtime/certificate/format.hpp)
 
