@@ -75,7 +75,7 @@ TEST(Facts, ReportBeginsWithTheHeadWhateverWasTold) {
 TEST(Facts, ReportSaysWhyThereIsNoProof) {
   EXPECT_EQ(Facts().report()["proof"][0]["reason"], kNoProofAsked);
   Facts facts;
-  facts.add("proof", {{{"file", "p"}, {"reason", nullptr}}});
+  facts.add("proof", Json::array({{{"file", "p"}, {"reason", nullptr}}}));
   EXPECT_EQ(facts.report()["proof"][0]["file"], "p");
 }
 
