@@ -7,6 +7,7 @@
 #include <array>
 #include <vector>
 
+#include "codegen/margin/margin_question.hpp"
 #include "codegen/support/errors.hpp"
 #include "codegen/trajectory/read_trajectory.hpp"
 
@@ -50,20 +51,16 @@ constexpr Refusal kRefusals[] = {
     {kLoad, kTheorem, kNoTheorem},
     {kLoad, kCheckpoint, kNotContinued},
     {kLoad, kRanks, kLoadOneMachine},
-    {kLoad, kPage, "a page shows the proof of a matrix; the report has the forces"},
     {kLoadPaving, kShards, "a proof about a load stays in one file"},
     {kLoadPaving, kTheorem, kNoTheorem},
     {kLoadPaving, kCheckpoint, kNotContinued},
     {kLoadPaving, kRanks, kLoadOneMachine},
     {kLoadPaving, kPicture, kLoadPicture},
-    {kLoadPaving, kPage, "a page shows the proof of a matrix; the report has the forces"},
-    {kLimitMargin, kPage, "a page shows margins of regularity; add the bound itself"},
     {kDatasheet, kProof, kNoRows},
     {kDatasheet, kShards, kNoRows},
     {kDatasheet, kTheorem, kNoRows},
     {kDatasheet, kCheckpoint, kNoRows},
     {kDatasheet, kRanks, kNoRows},
-    {kDatasheet, kPage, kNoRows},
     {kWayCheck, kShards, "the proof of a motion along way-points is one file"},
     {kWayCheck, kCheckpoint, kWayNotContinued},
     {kWayCheck, kRanks, kOneMachine},
@@ -89,14 +86,12 @@ constexpr Refusal kRefusals[] = {
     {kWayLoad, kTheorem, kNoTheorem},
     {kWayLoad, kCheckpoint, kNotContinued},
     {kWayLoad, kRanks, kOneMachine},
-    {kWayLoad, kPage, "a page shows the proof of a matrix; the report has the forces"},
     {kWayLoadPaving, kAnswer, kNoWayLoadPaving},
     {kWayDatasheet, kProof, kNoRows},
     {kWayDatasheet, kShards, kNoRows},
     {kWayDatasheet, kTheorem, kNoRows},
     {kWayDatasheet, kCheckpoint, kNoRows},
     {kWayDatasheet, kRanks, kNoRows},
-    {kWayDatasheet, kPage, kNoRows},
     // What has no boxes has no picture.
     {kCheck, kPicture, kNoBoxes, false},
     {kMargin, kPicture, kNoBoxes, false},

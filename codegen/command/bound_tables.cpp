@@ -49,6 +49,7 @@ void CommandTables::add_bound() {
   add_bracket_checkpoint(*bound_command, bound.checkpoint);
   bound_command->get_option("--checkpoint")->description(kBoundCheckpoint);
   add_output_options(*bound_command, bound.output);
+  add_page_option(*bound_command, bound.output);
   bound_command->footer(kBoundFooter);
 }
 
@@ -69,6 +70,7 @@ void CommandTables::add_datasheet() {
   add_search_options(*datasheet_command, datasheet.search);
   datasheet_command->get_option("--time-limit")->default_str("600");
   add_output_options(*datasheet_command, datasheet.output);
+  add_page_option(*datasheet_command, datasheet.output);
   datasheet_command->footer(kDatasheetFooter);
 }
 

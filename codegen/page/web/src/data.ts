@@ -10,7 +10,7 @@ export type Bounds = Enclosure;
 export type ReportedPoint = Pick<Point, "parameters" | "pose" | "uncertain">;
 export type Degeneracy = Pick<Witness, "nullity" | "singular_values" | "twist" | "rows">;
 /** The report of a motion, or of one along way-points, which has the segment of the singular pose. */
-export type Report = Check & Partial<Pick<Path, "segment">>;
+export type Report = Omit<Check, "proof"> & Partial<Pick<Path, "segment">>;
 
 export interface DrawnPart {
   readonly kind: "base" | "platform" | "leg" | "link" | "rail" | "joint";
@@ -46,19 +46,15 @@ export interface WayData {
   readonly deciding_question?: string;
 }
 
-/** A file of an earlier run. */
-export interface SourceData {
-  readonly kind: string;
-  readonly file: string;
-  readonly sha256: string;
-  readonly note: string;
-}
-
 export interface PageData {
   readonly format: 1;
   readonly version: string;
   readonly command: string;
   readonly again: readonly string[]; // commands
+  /** Of the answer that the page is about. Only a check has a proof that a page does again. */
+  readonly kind: "check" | "paving" | "margin" | "bound" | "load" | "load-paving" | "datasheet";
+  readonly headline: string;
+  readonly text: string; // the report for people; empty for a check
   readonly report: Report;
   readonly units: Record<string, string>; // by parameter
   readonly question: string;
@@ -70,7 +66,6 @@ export interface PageData {
   readonly way: WayData | null;
   readonly bounds: readonly any[];
   readonly margins: readonly any[];
-  readonly sources: readonly SourceData[];
 }
 
 /** Reads the data of this page. Throws Damage unless they are those that were written. */
