@@ -16,7 +16,7 @@ struct Key {
   ///   text, flag, count (a whole number, not negative), any,
   ///   exact (the text of an exact constant, as model files and options take it),
   ///   enclosure ([lower, upper], rounded outward; an infinite end is null),
-  ///   bound (a number, rounded to the side that claims less), approx (a number without a claim),
+  ///   rounded (a number, rounded to the side that claims less), approx (a number without a claim),
   ///   sha256, the name of an object of object_kinds(), or words of which it is one: "a|b";
   /// and behind that "[]" for a list, "{}" for an object of such values, "?" for null as well.
   std::string_view type;

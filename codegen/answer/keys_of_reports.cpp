@@ -105,10 +105,10 @@ constexpr Key kStretches[] = {
 constexpr Key kBracket[] = {
     {"margin", "growing", "what grows"},
     {"bracket", "text"},
-    {"certified", "bound?", "the largest safe value"},
+    {"certified", "rounded?", "the largest safe value"},
     {"certified_exact", "exact?"},
     {"certified_claim", "text?"},
-    {"refuted", "bound?", "the least value that is not safe"},
+    {"refuted", "rounded?", "the least value that is not safe"},
     {"refuted_exact", "exact?"},
     {"refuted_claim", "text?"},
     {"gap", "approx?", "relative to the upper end"},

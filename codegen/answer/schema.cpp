@@ -73,19 +73,20 @@ Json object_schema(const ObjectKind& kind, bool is_report) {
 
 /// Returns the schemas of values that are not objects.
 Json value_schemas() {
-  return {{"exact",
-           {{"type", "string"},
-            {"minLength", 1},
-            {"description", "an exact constant, as model files and options take it"}}},
-          {"enclosure",
-           {{"type", "array"},
-            {"items", {{"type", {"number", "null"}}}},
-            {"minItems", 2},
-            {"maxItems", 2},
-            {"description", "[lower, upper], rounded outward; an infinite end is null"}}},
-          {"bound", {{"type", "number"}, {"description", "rounded to the side that claims less"}}},
-          {"approx", {{"type", "number"}, {"description", "without a claim"}}},
-          {"sha256", {{"type", "string"}, {"pattern", "^[0-9a-f]{64}$"}}}};
+  return {
+      {"exact",
+       {{"type", "string"},
+        {"minLength", 1},
+        {"description", "an exact constant, as model files and options take it"}}},
+      {"enclosure",
+       {{"type", "array"},
+        {"items", {{"type", {"number", "null"}}}},
+        {"minItems", 2},
+        {"maxItems", 2},
+        {"description", "[lower, upper], rounded outward; an infinite end is null"}}},
+      {"rounded", {{"type", "number"}, {"description", "rounded to the side that claims less"}}},
+      {"approx", {{"type", "number"}, {"description", "without a claim"}}},
+      {"sha256", {{"type", "string"}, {"pattern", "^[0-9a-f]{64}$"}}}};
 }
 
 Json error_schema() {
@@ -118,7 +119,7 @@ std::string type_of(std::string_view type) {
   }
   if (type == "text" || type == "exact" || type == "sha256") return "string";
   if (type == "flag") return "boolean";
-  if (type == "count" || type == "bound" || type == "approx") return "number";
+  if (type == "count" || type == "rounded" || type == "approx") return "number";
   return type_name(type);
 }
 

@@ -119,6 +119,10 @@ TEST(Schema, RefersOnlyToWhatItDefinesAndUsesAllOfIt) {
   add_references(schema, used);
   for (const auto& [name, definition] : schema["$defs"].items()) defined.insert(name);
   EXPECT_EQ(used, defined);
+  // No name is that of an object and of another value.
+  for (const std::string name : {"exact", "enclosure", "rounded", "approx", "sha256", "error"})
+    EXPECT_FALSE(names_of_kinds().contains(name)) << name;
+  EXPECT_EQ(defined.size(), names_of_kinds().size() + 6);
 }
 
 TEST(Schema, HasTheHeadInEveryReport) {
