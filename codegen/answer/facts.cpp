@@ -6,7 +6,7 @@
 
 #include "codegen/answer/keys.hpp"
 
-namespace regulus::inline answer {
+namespace regulus {
 namespace {
 
 using Json = nlohmann::ordered_json;
@@ -93,4 +93,4 @@ Json Facts::report() const {
   return report;
 }
 
-}  // namespace regulus::answer
+}  // namespace regulus

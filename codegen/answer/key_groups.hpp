@@ -4,7 +4,7 @@
 
 #include "codegen/answer/keys.hpp"
 
-namespace regulus::inline answer {
+namespace regulus {
 
 inline constexpr Key kEndCertificates[] = {
     {"certificates?", "end_files", "the file of each end, or null"},
@@ -28,4 +28,4 @@ inline constexpr Key kBound[] = {
     {"components", "component[]"},
 };
 
-}  // namespace regulus::answer
+}  // namespace regulus

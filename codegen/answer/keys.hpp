@@ -7,7 +7,7 @@
 #include <string_view>
 #include <vector>
 
-namespace regulus::inline answer {
+namespace regulus {
 
 /// A key of an object.
 struct Key {
@@ -41,4 +41,4 @@ struct ObjectKind {
 /// The reason in `proof` when none was wanted.
 inline constexpr const char* kNoProofAsked = "no certificate was asked for";
 
-}  // namespace regulus::answer
+}  // namespace regulus

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "codegen/answer/key_groups.hpp"
 
-namespace regulus::inline answer {
+namespace regulus {
 namespace {
 
 constexpr Key kQuestion[] = {
@@ -255,4 +255,4 @@ const std::vector<ObjectKind>& object_kinds() {
   return kinds;
 }
 
-}  // namespace regulus::answer
+}  // namespace regulus

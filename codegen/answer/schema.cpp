@@ -5,7 +5,7 @@
 
 #include "codegen/answer/keys.hpp"
 
-namespace regulus::inline answer {
+namespace regulus {
 namespace {
 
 using Json = nlohmann::ordered_json;
@@ -168,4 +168,4 @@ std::string typescript_types() {
   return text;
 }
 
-}  // namespace regulus::answer
+}  // namespace regulus

@@ -5,7 +5,7 @@
 #include <nlohmann/json_fwd.hpp>
 #include <string>
 
-namespace regulus::inline answer {
+namespace regulus {
 
 /// Returns the JSON schema of the reports and of errors: `$defs` has one for each kind.
 [[nodiscard]] nlohmann::ordered_json json_schema();
@@ -13,4 +13,4 @@ namespace regulus::inline answer {
 /// Returns the types of the reports for TypeScript.
 [[nodiscard]] std::string typescript_types();
 
-}  // namespace regulus::answer
+}  // namespace regulus

@@ -5,7 +5,7 @@
 #include <map>
 #include <string>
 
-namespace regulus::inline support {
+namespace regulus {
 
 /// Complete files that wait under temporary names for the end of a run. A run that is killed leaves
 /// none of them, and none of an end that a later search would have moved.
@@ -34,4 +34,4 @@ inline void hold_or_put(HeldFiles* held, const std::string& path, HeldFiles::Ste
     put_in_place();
 }
 
-}  // namespace regulus::support
+}  // namespace regulus

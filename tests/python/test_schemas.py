@@ -24,7 +24,7 @@ def schema(path):
     return jsonschema.Draft202012Validator(read)
 
 
-MODEL = schema(ROOT / "codegen/model/model.schema.json")
+MODEL = schema(ROOT / "codegen/model/file/model.schema.json")
 REPORT = schema(pathlib.Path(COMMAND).parents[1] / "share/regulus/schema/report.schema.json")
 HEAD = [
     *("model", "model_file", "model_sha256", "motion", "question", "options", "version"),

@@ -2,9 +2,9 @@
 // The searches of a bracket, made by other workers or by an earlier run.
 #include <gtest/gtest.h>
 
-#include "codegen/bound/bound_run.hpp"
-#include "codegen/bound/bracket_topic.hpp"
-#include "codegen/margin/prepared_margin.hpp"
+#include "codegen/question/bound/bound_run.hpp"
+#include "codegen/question/bound/bracket_topic.hpp"
+#include "codegen/question/margin/prepared_margin.hpp"
 #include "codegen/support/errors.hpp"
 #include "tests/support/simulated_workers.hpp"
 

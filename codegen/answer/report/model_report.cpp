@@ -1,0 +1,148 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "codegen/answer/report/model_report.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <nlohmann/json.hpp>
+
+#include "codegen/answer/report/number_text.hpp"
+#include "codegen/kernel/formulation/variety.hpp"
+#include "codegen/model/exact/ginac_text.hpp"
+#include "codegen/model/overrides.hpp"
+
+namespace regulus {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+/// Returns a constant as the model means it: exact if it is rational, otherwise six digits.
+std::string text_of(const GiNaC::ex& constant) {
+  const std::string exact = formula_text(constant);
+  if (GiNaC::is_a<GiNaC::numeric>(constant)) return exact;
+  return short_interval(enclose_constant(constant, exact));
+}
+
+std::string text_of(const Range& range) {
+  const std::string lo = text_of(range.lo), hi = text_of(range.hi);
+  return lo == hi ? "= " + lo : fmt::format("in [{}, {}]", lo, hi);
+}
+
+/// The members of a tolerance group, and the tolerances that they have now.
+struct ToleranceGroup {
+  std::string name;
+  std::vector<std::string> members, tolerances;
+};
+
+std::vector<ToleranceGroup> groups_of(const Model& model) {
+  std::vector<ToleranceGroup> groups;
+  for (const std::string& name : tolerance_groups(model)) {
+    ToleranceGroup& group = groups.emplace_back(ToleranceGroup{name, {}, {}});
+    for (const GeometryParameter& g : model.geometry) {
+      if (g.group != name) continue;
+      group.members.push_back(g.name);
+      const std::string tolerance =
+          text_of(g.ball < 0 ? g.tolerance : model.balls[static_cast<std::size_t>(g.ball)].radius);
+      if (std::ranges::find(group.tolerances, tolerance) == group.tolerances.end())
+        group.tolerances.push_back(tolerance);
+    }
+  }
+  return groups;
+}
+
+void tell_motion(const Model& model, const Motion& motion, Facts& facts) {
+  facts.tell("name", motion.name, "motion", motion.name);
+  Json parameters = Json::array();
+  for (const MotionParameter& p : motion.parameters) {
+    parameters.push_back({{"name", p.name},
+                          {"unit", p.unit},
+                          {"lower", text_of(p.range.lo)},
+                          {"upper", text_of(p.range.hi)}});
+    facts.say("", fmt::format("{} {}{}", p.name, text_of(p.range), unit_suffix(p.unit)));
+  }
+  facts.add("parameters", std::move(parameters)).add("waypoints", nullptr);
+  if (motion.waypoints)
+    facts.tell(
+        "waypoints", motion.waypoints->file, "",
+        fmt::format("along {}, {}", motion.waypoints->file, motion.waypoints->interpolation));
+  for (std::size_t i = 0; i < motion.pose.size(); ++i)
+    if (!motion.pose[i].is_equal(model.pose[i].symbol))
+      facts.say("", fmt::format("{} = {}{}", model.pose[i].name, formula_text(motion.pose[i]),
+                                unit_suffix(model.pose[i].unit)));
+  facts.add("where", name(motion.where)).add("constraints", motion.constraints.size());
+  if (motion.where != Where::kEverywhere)
+    facts.say("", fmt::format("where {}", name(motion.where)));
+  if (!motion.constraints.empty())
+    facts.say("", fmt::format("constraints {}", motion.constraints.size()));
+}
+
+void tell_group(const ToleranceGroup& group, Facts& facts) {
+  facts.add("name", group.name).add("members", group.members);
+  const std::string members = group.members.size() == 1
+                                  ? group.members.front()
+                                  : fmt::format("{} … {}, {} constants", group.members.front(),
+                                                group.members.back(), group.members.size());
+  facts.tell(
+      "tolerances", group.tolerances, "group",
+      fmt::format("{}: tolerance {} ({})", group.name, fmt::join(group.tolerances, ", "), members));
+}
+
+std::string describe_entry(const GeometryParameter& e) {
+  if (e.tolerance.is_zero()) return text_of(e.value);
+  if (e.ball >= 0) return text_of(e.value) + " in a ball of " + text_of(e.tolerance);
+  return text_of(Range{e.value - e.tolerance, e.value + e.tolerance});
+}
+
+/// Tells the names of loads or twists under `key`; people read their values, too.
+void tell_sets(const char* key, const char* label, const std::vector<VectorSet>& sets,
+               Facts& facts) {
+  Json names = Json::array();
+  for (const VectorSet& set : sets) {
+    std::vector<std::string> values;
+    for (const GeometryParameter& e : set.entries) values.push_back(describe_entry(e));
+    names.push_back(set.name);
+    facts.say(label, fmt::format("{}: {}", set.name, fmt::join(values, ", ")));
+  }
+  facts.add(key, std::move(names));
+}
+
+/// Tells each of `all` as an object of the list `key`.
+template <class List, class Tell>
+void tell_list(const char* key, const List& all, const Tell& tell, Facts& facts) {
+  Json list = Json::array();
+  for (const auto& one : all) {
+    Facts told = facts.part();
+    tell(one, told);
+    list.push_back(told.object());
+    facts.say_lines(told.text());
+  }
+  facts.add(key, std::move(list));
+}
+
+}  // namespace
+
+void tell_contents(const Model& model, Facts& facts) {
+  facts.tell("model", model.name, "model", model.name);
+  facts.tell("model_file", model.path, "file", model.path);
+  facts.tell("source", model.source, "source", model.source);
+  facts.add("rows", model.matrix.rows()).add("columns", model.matrix.cols());
+  facts.say("matrix", fmt::format("{}×{}", model.matrix.rows(), model.matrix.cols()));
+  tell_list(
+      "motions", model.motions,
+      [&](const Motion& motion, Facts& told) { tell_motion(model, motion, told); }, facts);
+  tell_list("groups", groups_of(model), tell_group, facts);
+  tell_sets("loads", "load", model.loads, facts);
+  tell_sets("twists", "twist", model.twists, facts);
+}
+
+Json json_model(const Model& model) {
+  Facts facts(Readers::kPrograms);
+  tell_contents(model, facts);
+  return facts.object();
+}
+
+std::string format_model(const Model& model) {
+  return text_of_facts([&](Facts& facts) { tell_contents(model, facts); });
+}
+
+}  // namespace regulus

@@ -1,0 +1,143 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "codegen/answer/report/report.hpp"
+
+#include <fmt/format.h>
+
+#include <nlohmann/json.hpp>
+#include <numeric>
+
+#include "codegen/answer/report/number_text.hpp"
+#include "codegen/answer/report/place_text.hpp"
+#include "codegen/answer/report/question_report.hpp"
+#include "codegen/answer/report/search_facts.hpp"
+#include "codegen/answer/report/undefined_report.hpp"
+#include "codegen/answer/report/witness_report.hpp"
+#include "codegen/question/analysis/undefined.hpp"
+
+namespace regulus {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+Json json_leaves(const Statistics& statistics) {
+  Json object = Json::object();
+  for (std::size_t rule = 0; rule < kRules; ++rule)
+    if (statistics.leaves[rule] != 0) object[name(Rule(rule))] = statistics.leaves[rule];
+  return object;
+}
+
+Json json_blocking_box(const PreparedSearch& p, const Result& result) {
+  if (result.blocking_box.empty()) return nullptr;
+  Json box = json_parameters(p, result.blocking_box);
+  box.update(json_uncertain(p, result.blocking_box));
+  return box;
+}
+
+std::uint64_t rests_on(const Result& result, std::size_t filter) {
+  return filter < result.filter_boxes.size() ? result.filter_boxes[filter] : 0;
+}
+
+void tell_filters(const PreparedSearch& p, const Result& result, Facts& facts) {
+  Json filters = Json::array();
+  for (std::size_t i = 0; i < p.filters.size(); ++i) {
+    const FilterFile& filter = p.filters[i];
+    const std::uint64_t boxes = rests_on(result, i);
+    filters.push_back({{"path", filter.path()},
+                       {"name", filter.name()},
+                       {"sha256", filter.sha256()},
+                       {"boxes", boxes}});
+    facts.say("filter",
+              fmt::format("{} ({}): {} boxes rest on it", filter.name(), filter.path(), boxes));
+  }
+  facts.add("filters", filters);
+}
+
+void tell_blocking(const PreparedSearch& p, const Result& result, Facts& facts) {
+  facts.add("blocking_box", json_blocking_box(p, result));
+  if (result.blocking_box.empty()) return;
+  facts.say("blocked", describe_place(p, result.blocking_box));
+  if (result.reason == Reason::kUndefined)
+    tell_undefined(p, find_undefined(p, result.blocking_box), facts);
+}
+
+/// Returns the part of a claim that rests on filters of the user.
+std::string reservations(const PreparedSearch& p, const Result& result) {
+  const std::uint64_t certified = std::accumulate(result.statistics.leaves.begin(),
+                                                  result.statistics.leaves.end(), std::uint64_t{0});
+  std::string words;
+  for (std::size_t i = 0; i < p.filters.size(); ++i)
+    if (rests_on(result, i) > 0)
+      words += fmt::format("; {} of {} boxes rest on the filter {}, which Regulus has not checked",
+                           rests_on(result, i), certified, p.filters[i].name());
+  return words;
+}
+
+}  // namespace
+
+std::string claim(const PreparedSearch& p, const Result& result) {
+  const bool threshold = p.variety.alpha.hi > 0;
+  const std::size_t uncertain = uncertain_count(p);
+  const std::string pose = describe_pose(p);
+  const std::string set =
+      uncertain == 0   ? fmt::format("every {}", pose)
+      : uncertain == 1 ? fmt::format("every {} and every value of the uncertain quantity ({})",
+                                     pose, describe_groups(p.labels))
+                       : fmt::format("every {} and every value of the {} uncertain quantities ({})",
+                                     pose, uncertain, describe_groups(p.labels));
+  switch (result.verdict) {
+    case Verdict::kNoSingularity:
+      return (threshold
+                  ? fmt::format("|det J⁻¹| > {} for {}", threshold_text(p.variety.alpha, true), set)
+                  : fmt::format("the {} has full rank for {}", describe_size(p), set)) +
+             reservations(p, result);
+    case Verdict::kSingularity:
+      if (result.reason == Reason::kAlwaysSingular)
+        return fmt::format("the {} is singular at {}", describe_size(p), set);
+      return threshold ? fmt::format("the variety holds a pose with |det J⁻¹| ≤ {}",
+                                     threshold_text(p.variety.alpha, false))
+                       : fmt::format("the variety holds a pose where the {} is singular",
+                                     describe_size(p));
+    case Verdict::kPossibleProblem:
+      return fmt::format("none about the {}: {}", describe_size(p), describe(result.reason));
+  }
+  return "";
+}
+
+void tell_boxes(const Statistics& statistics, Facts& facts) {
+  facts.add("boxes", statistics.boxes).add("max_frontier", statistics.max_frontier);
+  facts.add("probes", statistics.probes);
+  facts.say("boxes", fmt::format("{} evaluated, at most {} waiting", statistics.boxes,
+                                 statistics.max_frontier));
+}
+
+void tell_report(const PreparedSearch& p, const SearchOptions& search, const Result& result,
+                 const std::optional<LeastSingular>& nearest, Facts& facts) {
+  facts.add("verdict", json_name(result.verdict)).add("reason", describe(result.reason));
+  tell_question(p, facts);
+  if (facts.are_for_programs()) add_search(search, json_question(p, search), facts);
+  tell_method(p, search, result.method, result.statistics.boxes, facts);
+  tell_filters(p, result, facts);
+  tell_boxes(result.statistics, facts);
+  facts.add("leaves", json_leaves(result.statistics));
+  Facts findings = facts.part();
+  tell_witness(p, result, findings);
+  tell_blocking(p, result, findings);
+  if (nearest) tell_nearest(p, *nearest, findings);
+  tell_occupancy(result, findings);
+  tell_time(p.seconds_spent(), facts);  // of the findings, too
+  facts.append(std::move(findings));
+  const std::string proved = claim(p, result);
+  facts.tell("claim", proved, "claim", proved);
+}
+
+Json json_report(const PreparedSearch& p, const SearchOptions& search, const Result& result,
+                 const std::optional<LeastSingular>& nearest) {
+  return report_of_facts([&](Facts& facts) { tell_report(p, search, result, nearest, facts); });
+}
+
+std::string text_report(const PreparedSearch& p, const SearchOptions& search, const Result& result,
+                        const std::optional<LeastSingular>& nearest) {
+  return text_of_facts([&](Facts& facts) { tell_report(p, search, result, nearest, facts); });
+}
+
+}  // namespace regulus

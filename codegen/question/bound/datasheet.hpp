@@ -1,0 +1,38 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Every bound that a model has data for, in one table.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "codegen/answer/facts.hpp"
+#include "codegen/question/bound/bound_run.hpp"
+
+namespace regulus {
+
+/// Tells whether a limit of the motors is kept.
+enum class LimitState { kNone, kKept, kExceeded, kUnknown };
+
+struct Datasheet {
+  std::vector<Bound> bounds;
+  std::vector<std::string> left_out;  ///< quantities with the reason why they have no rows
+  bool is_interrupted = false;
+};
+
+/// Bounds the forces under each load, the speeds for each twist, errors, deflections, the lengths of
+/// legs, singular values and the condition number, as far as the model has the data.
+///
+/// Throws    as bound_quantity().
+[[nodiscard]] Datasheet make_datasheet(const Request& request, const BoundSettings& settings,
+                                       const BoundListener& listener);
+
+/// Returns the state of the model's limit for a component of `quantity`.
+[[nodiscard]] LimitState limit_state(const Model& model, const ComponentBound& component);
+
+[[nodiscard]] std::string text_datasheet(const Request& request, const Datasheet& sheet);
+[[nodiscard]] std::string markdown_datasheet(const Request& request, const Datasheet& sheet);
+/// Tells the sheet to programs.
+void tell_datasheet(const Request& request, const Datasheet& sheet, const BoundSettings& settings,
+                    Facts& facts);
+
+}  // namespace regulus

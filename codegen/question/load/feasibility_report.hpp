@@ -1,0 +1,59 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What is told about forces that hold a load.
+#pragma once
+
+#include <array>
+#include <nlohmann/json_fwd.hpp>
+#include <string>
+
+#include "codegen/answer/facts.hpp"
+#include "codegen/question/load/feasibility_run.hpp"
+#include "runtime/search/paving.hpp"
+
+namespace regulus {
+
+/// Returns the claim about a box, as a sentence.
+[[nodiscard]] std::string describe_claim(const PreparedForces& prepared, ForceClaim claim);
+
+/// Returns "within [1, 500] N", or "within their limits" if these differ.
+[[nodiscard]] std::string describe_limits(const PreparedForces& prepared);
+/// Tells the load, and the limits of the forces.
+void tell_load(const PreparedForces& prepared, Facts& facts);
+/// Tells people why a load is not held at a place.
+void say_shortage(const PreparedForces& prepared, const ForceWitness& witness, Facts& facts);
+/// Returns the claim of FEASIBLE.
+[[nodiscard]] std::string describe_claim(const PreparedForces& prepared);
+/// Returns why neither answer was shown.
+[[nodiscard]] std::string describe_reason(const PreparedForces& prepared,
+                                          const FeasibilityResult& result);
+[[nodiscard]] nlohmann::ordered_json json_witness_of(const PreparedForces& prepared,
+                                                     const ForceWitness& witness);
+/// Returns "feasible", "infeasible" or "possible-problem".
+[[nodiscard]] const char* json_word(FeasibilityVerdict verdict) noexcept;
+
+/// Adds up the volumes of boxes by their claims.
+class ForceVolumes {
+ public:
+  explicit ForceVolumes(const Problem& problem) : volumes_(problem) {}
+  void add(std::span<const Interval> box, ForceClaim claim) noexcept;
+  [[nodiscard]] const Share& of(ForceClaim claim) const noexcept;
+  /// Returns the part of the whole box, "83.1 %".
+  [[nodiscard]] std::string percentage(ForceClaim claim) const;
+  [[nodiscard]] Interval fraction(ForceClaim claim) const noexcept;
+
+ private:
+  Volumes volumes_;
+};
+
+/// Tells the question, the claim and the place where it fails; `volumes`: of a paving, or null.
+void tell_forces(const PreparedForces& prepared, const FeasibilityResult& result,
+                 const ForceVolumes* volumes, Facts& facts);
+
+/// Returns the first line of a paving, and the line of a box.
+[[nodiscard]] nlohmann::ordered_json json_forces_header(const PreparedForces& prepared,
+                                                        double resolution);
+[[nodiscard]] nlohmann::ordered_json json_forces_box(const PreparedForces& prepared,
+                                                     std::span<const Interval> box,
+                                                     ForceClaim claim);
+
+}  // namespace regulus

@@ -1,0 +1,164 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "codegen/question/margin/margin_report.hpp"
+
+#include <fmt/format.h>
+
+#include <nlohmann/json.hpp>
+
+#include "codegen/answer/report/question_report.hpp"
+#include "codegen/answer/report/search_facts.hpp"
+#include "codegen/answer/report/witness_report.hpp"
+#include "codegen/model/exact/decimal.hpp"
+
+namespace regulus {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+/// Returns a decimal as written, another value as the bound that claims less.
+Json json_value(const std::optional<MarginStep>& step, bool round_up) {
+  if (!step) return nullptr;
+  const MarginValue& value = step->value;
+  if (value.exact.is_equal(shortest_decimal(value.approx))) return value.approx;
+  const Interval enclosure = enclose_constant(value.exact, value.text);
+  return round_up ? enclosure.hi : enclosure.lo;
+}
+
+Json json_text(const std::optional<MarginStep>& step) {
+  return step ? Json(step->value.text) : Json(nullptr);
+}
+
+const char* name_of_quantity(MarginQuantity quantity) {
+  switch (quantity) {
+    case MarginQuantity::kTolerance:
+      return "tolerance";
+    case MarginQuantity::kAlpha:
+      return "alpha";
+    case MarginQuantity::kScale:
+      return "scale";
+    case MarginQuantity::kParameter:
+      return "parameter";
+    case MarginQuantity::kTube:
+      return "tube";
+  }
+  return "";
+}
+
+Json json_question(const MarginQuestion& question) {
+  Json object = {{"kind", name_of_quantity(question.quantity)}};
+  if (question.quantity == MarginQuantity::kTolerance) object["groups"] = question.groups;
+  if (question.quantity == MarginQuantity::kParameter) object["parameter"] = question.groups;
+  if (question.quantity == MarginQuantity::kTube && !question.groups.empty())
+    object["parameters"] = question.groups.substr(0, question.groups.size() - 1);
+  object["low"] = question.low.text;
+  object["high"] = question.high ? Json(question.high->text) : Json(nullptr);
+  return object;
+}
+
+Json json_steps(const Margin& margin) {
+  Json steps = Json::array();
+  for (const MarginStep& step : margin.steps)
+    steps.push_back({{"value", step.value.approx},
+                     {"exact", step.value.text},
+                     {"verdict", json_name(step.result.verdict)},
+                     {"reason", describe(step.result.reason)},
+                     {"nonempty", json_occupancy(step.result)},
+                     {"boxes", step.result.statistics.boxes},
+                     {"seconds", step.result.statistics.seconds}});
+  return steps;
+}
+
+std::string reason_to_end(const Margin& margin) {
+  if (margin.closed) return "the bracket is closed";
+  if (margin.interrupted) return "the run was interrupted";
+  return "no search between the ends was likely to end within the time left";
+}
+
+}  // namespace
+
+std::string describe_bracket(const MarginQuestion& question, const Margin& margin) {
+  const std::optional<MarginStep>& certified = margin.certified;
+  const std::optional<MarginStep>& refuted = margin.refuted;
+  if (certified && refuted)
+    return fmt::format("SAFE UP TO {}, NOT AT {}", certified->value.text, refuted->value.text);
+  if (refuted) return fmt::format("NOT SAFE AT {}", refuted->value.text);
+  if (!certified && margin.empty)
+    return fmt::format("NO POSE REMAINS UP TO {}", margin.empty->value.text);
+  if (!certified) return fmt::format("NOTHING KNOWN FROM {} ON", question.low.text);
+  const bool all = question.high && certified->value.approx == question.high->approx;
+  return fmt::format("SAFE UP TO {}{}", certified->value.text, all ? "" : ", NOTHING KNOWN ABOVE");
+}
+
+std::string format_step(const MarginStep& step) {
+  const Result& result = step.result;
+  std::string line =
+      fmt::format("{:<10} {:<16} {:>9} boxes {:>8.2f} s", step.value.text, name(result.verdict),
+                  result.statistics.boxes, result.statistics.seconds);
+  if (result.verdict == Verdict::kPossibleProblem)
+    line += fmt::format("   {}", describe(result.reason));
+  if (result.verdict == Verdict::kSingularity && result.statistics.boxes == 0)
+    line += "   a witness found beforehand";
+  return line + "\n";
+}
+
+std::string verdict_of(const MarginQuestion& question, const Margin& margin) {
+  if (margin.refuted && margin.refuted->value.approx <= question.low.approx) return "refuted";
+  return margin.closed && margin.certified ? "closed" : "open";
+}
+
+std::string describe_range(const MarginQuestion& question) {
+  return fmt::format("{}, from {} to {}", describe_quantity(question), question.low.text,
+                     question.high ? question.high->text : "where it ends");
+}
+
+void say_end(const std::optional<MarginStep>& step, Facts& facts) {
+  if (step) facts.say(fmt::format("at {}:", step->value.text), step->claim);
+}
+
+void tell_gap(const Margin& margin, double gap_wanted, Facts& facts) {
+  facts.add("gap", or_null(margin.gap)).add("gap_wanted", gap_wanted);
+  if (margin.gap) facts.say("gap", fmt::format("{:.3g} % of the upper end", 100 * *margin.gap));
+}
+
+void add_bracket(const MarginQuestion& question, const Margin& margin, Facts& facts) {
+  std::string claim;
+  for (const auto* step : {&margin.certified, &margin.refuted})
+    if (*step)
+      claim += fmt::format("{}at {}: {}", claim.empty() ? "" : "; ", (*step)->value.text,
+                           (*step)->claim);
+  facts.add("claim", claim.empty() ? Json(nullptr) : Json(claim));
+  facts.add("verdict", verdict_of(question, margin)).add("reason", reason_to_end(margin));
+  facts.add("margin", json_question(question)).add("bracket", describe_bracket(question, margin));
+  facts.add("certified", json_value(margin.certified, false));
+  facts.add("certified_exact", json_text(margin.certified));
+  facts.add("certified_claim", margin.certified ? Json(margin.certified->claim) : Json(nullptr));
+  facts.add("nonempty", margin.refuted     ? Json(true)
+                        : margin.certified ? json_occupancy(margin.certified->result)
+                        : margin.empty     ? Json(false)
+                                           : Json(nullptr));
+  facts.add("refuted", json_value(margin.refuted, true));
+  facts.add("refuted_exact", json_text(margin.refuted));
+  facts.add("refuted_claim", margin.refuted ? Json(margin.refuted->claim) : Json(nullptr));
+  facts.add("closed", margin.closed).add("boxes", margin.boxes).add("steps", json_steps(margin));
+}
+
+void tell_margin(const PreparedSearch& p, const SearchOptions& search, const Request& nominal,
+                 const MarginQuestion& question, const Margin& margin, double gap_wanted,
+                 Facts& facts) {
+  tell_model(p, facts);
+  facts.say("margin", describe_range(question));
+  tell_method(p, search, search.method, margin.boxes, facts);
+  facts.say("boxes", fmt::format("{} evaluated at {} values", margin.boxes, margin.steps.size()));
+  tell_time(p.seconds_spent(), facts);
+  say_end(margin.empty, facts);
+  say_end(margin.certified, facts);
+  if (margin.certified) tell_occupancy(margin.certified->result, facts);
+  add_bracket(question, margin, facts);
+  say_end(margin.refuted, facts);
+  tell_witness(p, margin.refuted ? margin.refuted->result : Result{}, facts);
+  tell_gap(margin, gap_wanted, facts);
+  facts.say("ended", reason_to_end(margin));
+  if (facts.are_for_programs()) add_search(search, json_question(nominal, search), facts);
+}
+
+}  // namespace regulus

@@ -1,0 +1,33 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Brackets the largest safe tolerance, threshold or tube of a motion along a trajectory.
+#pragma once
+
+#include <atomic>
+#include <nlohmann/json_fwd.hpp>
+#include <optional>
+
+#include "codegen/answer/facts.hpp"
+#include "codegen/question/margin/margin_run.hpp"
+#include "codegen/question/way/trajectory_run.hpp"
+
+namespace regulus {
+
+struct TrajectoryMargin {
+  Margin margin;
+  TrajectoryCheck last;                    ///< the last check
+  std::optional<TrajectoryCheck> refuted;  ///< the check at the least value that is not safe
+};
+
+/// Checks the trajectory at one value after another. `request`: its motion has a trajectory.
+/// Throws as check_trajectory.
+[[nodiscard]] TrajectoryMargin margin_of_trajectory(const MarginRequest& request,
+                                                    const MarginQuestion& question,
+                                                    const SearchOptions& search, double gap,
+                                                    const std::atomic<bool>* interrupt,
+                                                    const MarginRun::Listener& listener);
+
+/// Tells the bracket and the check at its unsafe end.
+void tell_trajectory_margin(const TrajectoryMargin& found, const MarginQuestion& question,
+                            const SearchOptions& search, double gap, Facts& facts);
+
+}  // namespace regulus

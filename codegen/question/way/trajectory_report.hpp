@@ -1,0 +1,42 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What is told of a check of a trajectory.
+#pragma once
+
+#include <nlohmann/json.hpp>
+#include <string>
+
+#include "codegen/answer/facts.hpp"
+#include "codegen/question/way/trajectory_run.hpp"
+
+namespace regulus {
+
+/// Tells model, motion, file, control errors, and how many quantities are uncertain, with a description of
+/// their groups.
+void tell_way(const Request& request, std::size_t uncertain, const std::string& groups,
+              Facts& facts);
+/// Returns the file for programs.
+[[nodiscard]] nlohmann::ordered_json json_waypoints(const Trajectory& trajectory);
+/// Returns "segment 417, t = 3.21 s (way.csv, lines 418 and 419)". `s`: of the place on the piece,
+/// nullopt if it is not known.
+[[nodiscard]] std::string describe_segment(const Trajectory& trajectory, std::size_t piece,
+                                           const std::optional<Interval>& s);
+/// Returns the same for programs.
+[[nodiscard]] nlohmann::ordered_json json_segment(const Trajectory& trajectory, std::size_t piece,
+                                                  const std::optional<Interval>& s);
+
+/// Tells the question and the work.
+void tell_trajectory_question(const TrajectoryCheck& check, const SearchOptions& search,
+                              Facts& facts);
+/// Tells of the piece that decides: `segment`, `witness`; null if there is none.
+void tell_deciding_piece(const TrajectoryCheck& check, Facts& facts);
+/// Tells all of it.
+void tell_trajectory(const TrajectoryCheck& check, const SearchOptions& search, Facts& facts);
+
+/// Returns "reachable pose that the constraints allow", for example: what a claim is about.
+[[nodiscard]] std::string describe_poses_on_way(const TrajectoryCheck& check);
+/// Returns the claim in words.
+///
+/// Requires  a deciding piece with its search if the verdict is SINGULARITY.
+[[nodiscard]] std::string describe_trajectory_claim(const TrajectoryCheck& check);
+
+}  // namespace regulus
