@@ -189,6 +189,10 @@ const std::vector<ObjectKind>& report_kinds() {
        "check --load of a motion along way-points",
        {kForces, kWay, kExcluded, kSegment, kNonempty, kBlocking, kCertificate},
        kOfForces},
+      {"path_force_paving",
+       "locate --load of a motion along way-points",
+       {kForces, kWay, kExcluded, kSegment, kNonempty, kBlocking, kStretches},
+       kOfForces},
   };
   return kinds;
 }

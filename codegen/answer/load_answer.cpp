@@ -11,7 +11,7 @@
 #include "codegen/answer/report/report_text.hpp"
 #include "codegen/question/load/feasibility_report.hpp"
 #include "codegen/question/load/force_certificate.hpp"
-#include "codegen/question/load/way_forces.hpp"
+#include "codegen/question/load/way_force_paving.hpp"
 #include "codegen/question/way/read_trajectory.hpp"
 #include "codegen/support/stopwatch.hpp"
 #include "runtime/problem/observers.hpp"
@@ -32,10 +32,12 @@ class LoadSearch {
   /// An exception from the listener ends the search.
   void run(const FeasibilitySettings& settings, const ForceListener& listener,
            const Services& services) {
+    ForceCheckpoint checkpoint(services.checkpoint, prepared_, settings);
     SearchDisplay display(display_of(services));
     Observers observers(present({certificate_.observer(), display.observer()}));
-    result_ = run_forces(prepared_, settings, listener, &observers);
+    result_ = run_forces(prepared_, settings, listener, &observers, &checkpoint);
     certificate_.finish(result_);
+    checkpoint_line_ = checkpoint.line();
   }
 
   void describe(LoadAnswer& answer) const {
@@ -56,11 +58,15 @@ class LoadSearch {
 
   [[nodiscard]] PreparedForces& prepared() { return prepared_; }
   [[nodiscard]] const FeasibilityResult& result() const { return result_; }
+  [[nodiscard]] std::string about_files() const {
+    return certificate_.status().line() + checkpoint_line_;
+  }
 
  private:
   PreparedForces prepared_;
   ForceCertificate certificate_;
   FeasibilityResult result_;
+  std::string checkpoint_line_;
 };
 
 class VarietyLoad final : public LoadAnswer {
@@ -75,6 +81,7 @@ class VarietyLoad final : public LoadAnswer {
   }
 
   void tell(Facts& facts) const override { search_.tell(nullptr, facts); }
+  [[nodiscard]] std::string about_files() const override { return search_.about_files(); }
 
  private:
   LoadSearch search_;
@@ -83,9 +90,11 @@ class VarietyLoad final : public LoadAnswer {
 /// Of a motion along way-points: `variables` are empty.
 class WayLoad final : public LoadAnswer {
  public:
-  WayLoad(Request request, double model_seconds, const AskLoad& asked, const Services& services)
-      : found_(check_forces_along_way(std::move(request), model_seconds, asked.load, asked.search,
-                                      !services.certificate.empty(), services.interrupt)) {
+  WayLoad(Request request, double model_seconds, const AskLoad& asked, const Services& services) {
+    SearchDisplay display(display_of(services));
+    found_ = check_forces_along_way(std::move(request), model_seconds, asked.load, asked.search,
+                                    !services.certificate.empty(),
+                                    {services.interrupt, display.observer()});
     verdict = found_.verdict;
     boxes = found_.boxes;
     proof = certify_way_forces(services.certificate, found_);
@@ -126,6 +135,7 @@ class VarietyLoadPaving final : public LoadPavingAnswer {
   }
 
   void tell(Facts& facts) const override { search_.tell(&volumes_, facts); }
+  [[nodiscard]] std::string about_files() const override { return search_.about_files(); }
 
  private:
   void pave(const Services& services, const ForceListener& listener) {
@@ -144,6 +154,39 @@ class VarietyLoadPaving final : public LoadPavingAnswer {
   LoadSearch search_;
   ForceVolumes volumes_;
   double resolution_ = 1;
+};
+
+/// Of a motion along way-points: stretches, and no boxes.
+class WayLoadPaving final : public LoadPavingAnswer {
+ public:
+  WayLoadPaving(Request request, double model_seconds, const AskLoadPaving& asked,
+                const Services& services)
+      : lines_(services.lines) {
+    SearchDisplay display(display_of(services));
+    paving_ = pave_forces_along_way(
+        std::move(request), model_seconds, asked.load, asked.search,
+        asked.resolution.empty() ? kPathResolution : read_resolution(asked.resolution),
+        {services.interrupt, display.observer()});
+    verdict = paving_.found.verdict;
+    boxes = paving_.found.boxes;
+    if (verdict == FeasibilityVerdict::kFeasible) claim = describe_claim(paving_.found);
+    if (verdict == FeasibilityVerdict::kPossibleProblem) reason = describe_reason(paving_.found);
+    write();
+  }
+
+  void tell(Facts& facts) const override { tell_way_force_paving(paving_, facts); }
+
+ private:
+  void write() {
+    if (!lines_.is_wanted()) return;
+    for (const ForceStretch& stretch : paving_.stretches)
+      lines_.stream() << report_text(json_force_stretch(paving_, stretch)) << '\n';
+    lines_.stream() << report_text({{"summary", json()}}) << '\n';
+    lines_.finish();
+  }
+
+  LinesFile lines_;
+  WayForcePaving paving_;
 };
 
 }  // namespace
@@ -165,7 +208,11 @@ std::unique_ptr<LoadPavingAnswer> ask(const AskLoadPaving& asked, const Services
   refuse_services(Kind::kLoadPaving, asked.search, services);
   refuse_services_along_way(Kind::kWayLoadPaving, asked.model, asked.search, services);
   set_outputs_aside(asked.model, asked.search, services);
-  return std::make_unique<VarietyLoadPaving>(asked, services);
+  Stopwatch watch;
+  std::optional<Request> along = read_trajectory(asked.model);
+  if (!along) return std::make_unique<VarietyLoadPaving>(asked, services);
+  services.begin_search();
+  return std::make_unique<WayLoadPaving>(std::move(*along), watch.lap(), asked, services);
 }
 
 }  // namespace regulus

@@ -6,6 +6,7 @@
 #include "codegen/answer/bracket_ends.hpp"
 #include "codegen/answer/outputs.hpp"
 #include "codegen/answer/refusals.hpp"
+#include "codegen/answer/report/progress.hpp"
 #include "codegen/question/bound/bound_question.hpp"
 #include "codegen/question/bound/bound_run.hpp"
 #include "codegen/question/bound/limit_margin.hpp"
@@ -90,8 +91,9 @@ class WayMargin final : public MarginAnswer {
         gap_(read_gap(asked.gap)),
         request_(std::move(request), question_) {
     services.begin_search();
-    found_ = margin_of_trajectory(request_, question_, search_, gap_, services.interrupt,
-                                  steps_of(services));
+    SearchDisplay display(display_of(services));
+    found_ = margin_of_trajectory(request_, question_, search_, gap_,
+                                  {services.interrupt, display.observer()}, steps_of(services));
     set_ends(*this, found_.margin);
   }
 

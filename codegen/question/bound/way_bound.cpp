@@ -9,6 +9,7 @@
 #include "codegen/answer/certificate/certificate_question.hpp"
 #include "codegen/answer/certificate/piece_question.hpp"
 #include "codegen/answer/report/number_text.hpp"
+#include "codegen/answer/report/progress.hpp"
 #include "codegen/answer/report/report.hpp"
 #include "codegen/model/exact/ginac_text.hpp"
 #include "codegen/model/way/trajectory.hpp"
@@ -99,8 +100,10 @@ class WayBound {
 
   ComponentBound compare() {
     bordered_ = border_at_limit(request_, result_.component, *settings_.limit);
+    SearchDisplay display(settings_.output);
     const TrajectoryCheck check =
-        check_trajectory(bordered_.request, 0, search_, !certificate_.empty(), settings_.interrupt);
+        check_trajectory(bordered_.request, 0, search_, !certificate_.empty(),
+                         {settings_.interrupt, display.observer()});
     add(check);
     result_.is_empty = check.reason == Reason::kEmptyVariety;
     if (check.verdict == Verdict::kNoSingularity) result_.verdict = LimitVerdict::kWithin;
@@ -242,7 +245,7 @@ class WayBound {
     const std::optional<MarginValue> certified = pieces.certified();
     if (!certified) return;
     const Request proved = MarginRequest(bordered_.request, question).at(*certified);
-    const TrajectoryCheck check = check_trajectory(proved, 0, search_, true, settings_.interrupt);
+    const TrajectoryCheck check = check_trajectory(proved, 0, search_, true, {settings_.interrupt});
     add(check);
     const ProofStatus written =
         certify_trajectory(result_.proofs.safe_file(), check,

@@ -141,6 +141,9 @@ std::string describe_claim(const PreparedForces& prepared) {
 }
 
 std::string describe_reason(const PreparedForces& prepared, const FeasibilityResult& result) {
+  if (!result.is_continued)
+    return fmt::format("the boxes of the checkpoint were not all judged again: {}",
+                       describe(result.reason));
   if (result.reason == Reason::kUncertainty && uncertain_count(prepared.preparation) == 0)
     return "at one pose the forces are too near their limits, or the matrix is too near to losing "
            "rank";

@@ -44,23 +44,21 @@ void keep(Margin& margin, const MarginStep& step) {
 
 TrajectoryMargin margin_of_trajectory(const MarginRequest& request, const MarginQuestion& question,
                                       const SearchOptions& search, double gap,
-                                      const std::atomic<bool>* interrupt,
-                                      const MarginRun::Listener& listener) {
+                                      const PathWatch& watch, const MarginRun::Listener& listener) {
   const double limit = search.time_limit == 0 ? kInfinity : search.time_limit;
   const std::uint64_t most = search.max_boxes == 0 ? kAnyBoxes : search.max_boxes;
   Bracket bracket(question.low.approx, end_of(question), {gap, limit, most});
   TrajectoryMargin found;
-  const auto is_interrupted = [interrupt] { return interrupt != nullptr && interrupt->load(); };
-  while (!is_interrupted()) {
+  while (!watch.is_interrupted()) {
     const std::optional<PlannedAttempt> planned = bracket.next();
     if (!planned) break;
     const MarginValue value = value_of(question, planned->value);
     SearchOptions options = search;
     if (planned->seconds < kInfinity) options.time_limit = planned->seconds;
     if (planned->boxes < kAnyBoxes) options.max_boxes = planned->boxes;
-    Stopwatch watch;
-    TrajectoryCheck check = check_trajectory(request.at(value), 0, options, false, interrupt);
-    const MarginStep step = step_of(value, check, watch.lap());
+    Stopwatch stopwatch;
+    TrajectoryCheck check = check_trajectory(request.at(value), 0, options, false, watch);
+    const MarginStep step = step_of(value, check, stopwatch.lap());
     bracket.note({step.value.approx, step.result.verdict, step.result.reason,
                   step.result.statistics.boxes, step.result.statistics.seconds, planned->boxes});
     keep(found.margin, step);
@@ -70,7 +68,7 @@ TrajectoryMargin margin_of_trajectory(const MarginRequest& request, const Margin
   }
   if (found.margin.certified) found.margin.gap = bracket.gap();
   found.margin.closed = bracket.closed();
-  found.margin.interrupted = is_interrupted();
+  found.margin.interrupted = watch.is_interrupted();
   return found;
 }
 

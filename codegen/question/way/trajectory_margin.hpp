@@ -23,7 +23,7 @@ struct TrajectoryMargin {
 [[nodiscard]] TrajectoryMargin margin_of_trajectory(const MarginRequest& request,
                                                     const MarginQuestion& question,
                                                     const SearchOptions& search, double gap,
-                                                    const std::atomic<bool>* interrupt,
+                                                    const PathWatch& watch,
                                                     const MarginRun::Listener& listener);
 
 /// Tells the bracket and the check at its unsafe end.
