@@ -15,7 +15,7 @@
 
 #include "codegen/answer/facts.hpp"
 #include "codegen/question/load/feasibility_run.hpp"
-#include "codegen/question/way/trajectory_run.hpp"
+#include "codegen/question/way/path_run.hpp"
 
 namespace regulus {
 
