@@ -8,9 +8,9 @@
 #include "codegen/bound/bound_question.hpp"
 #include "codegen/bound/bound_run.hpp"
 #include "codegen/bound/limit_margin.hpp"
-#include "codegen/engine/refusals.hpp"
 #include "codegen/margin/margin_report.hpp"
 #include "codegen/margin/prepared_margin.hpp"
+#include "codegen/margin/variety_attempts.hpp"
 #include "codegen/report/output_options.hpp"
 #include "codegen/report/report_text.hpp"
 #include "codegen/support/earlier_outputs.hpp"
@@ -34,8 +34,7 @@ MarginFinding margin_of_limit(ModelOptions model, const MarginOptions& options,
   Quantity quantity = quantity_of(request.model, options.quantity);
   set_earlier_outputs_aside({path}, certificate_files(quantity, options.certificate));
   settings.limit = read_limit(options.limit, quantity);
-  const LimitMargin found =
-      limit_margin(request, question, std::move(quantity), settings, [](const MarginStep&) {});
+  const LimitMargin found = limit_margin(request, question, std::move(quantity), settings, nullptr);
   MarginFinding finding;
   finding.safe = text_of(found.whole.certified);
   finding.exceeded = text_of(found.whole.refuted);
@@ -61,11 +60,13 @@ MarginFinding margin_along_waypoints(Request request, const MarginQuestion& ques
                                      const std::atomic<bool>* interrupt) {
   const double gap = read_gap(options.gap);
   const MarginRequest growing(std::move(request), question);
-  const TrajectoryMargin found = margin_of_trajectory(growing, question, options.search, gap,
-                                                      interrupt, [](const MarginStep&) {});
+  const TrajectoryMargin found =
+      margin_of_trajectory(growing, question, options.search, gap, {.interrupt = interrupt},
+                           margin_proofs(options.certificate, nullptr));
   MarginFinding finding = finding_of(question, found.margin);
   finding.report = format_trajectory_margin(found, question, options.search);
   finding.json = report_text(json_trajectory_margin(found, question, options.search, gap), 2);
+  add_ends(found.proofs, "", finding);
   return finding;
 }
 
@@ -76,13 +77,12 @@ MarginFinding margin_of_regularity(Request request, const MarginQuestion& questi
   PreparedMargin margin(question, std::move(request), 0, compiled_first(options.search),
                         FormingWatch{.interrupt = interrupt});
   margin.settings.interrupt = interrupt;
-  MarginCertificates certificates(options.certificate, margin.request, margin.prepared.labels);
-  const Margin found = MarginRun(margin.prepared, question, margin.request, margin.search, kQuiet,
-                                 margin.settings, gap, certificates, [](const MarginStep&) {})
-                           .run();
+  VarietyAttempts attempts(margin, question, kQuiet, margin_proofs(options.certificate, nullptr));
+  const Margin found = close_bracket(
+      attempts, question, {.limits = limits_of(margin.settings, gap), .interrupt = interrupt});
   margin.prepared.seconds.search = found.seconds;
   MarginFinding finding = finding_of(question, found);
-  const EndProofs proofs = certificates.proofs();
+  const EndProofs& proofs = attempts.proofs();
   finding.report = margin_report(margin.prepared, margin.search, question, found) + proofs.lines();
   nlohmann::ordered_json report =
       json_margin(margin.prepared, margin.search, margin.request.nominal(), question, found, gap);
@@ -112,11 +112,9 @@ MarginFinding margin(const Question& asked, const MarginOptions& options,
     return margin_of_limit(std::move(model), options, question, std::move(settings));
   }
   Request request = read_request(model);
-  if (request.motion.trajectory) {
-    refuse(Asked::kPathMargin, "certificate", !options.certificate.empty());
-    return margin_along_waypoints(std::move(request), question, options, interrupt);
-  }
   set_earlier_outputs_aside({model.path, model.waypoints}, EndProofs::files(options.certificate));
+  if (request.motion.trajectory)
+    return margin_along_waypoints(std::move(request), question, options, interrupt);
   return margin_of_regularity(std::move(request), question, options, interrupt);
 }
 

@@ -11,8 +11,10 @@
 #include "codegen/bound/attained_place.hpp"
 #include "codegen/bound/bound_checkpoint.hpp"
 #include "codegen/bound/bound_number.hpp"
-#include "codegen/margin/margin_run.hpp"
+#include "codegen/certificate/proof_status.hpp"
 #include "codegen/quantity/bordered.hpp"
+#include "codegen/report/output_options.hpp"
+#include "codegen/support/held_files.hpp"
 
 namespace regulus::inline bounding {
 
@@ -44,6 +46,7 @@ struct BoundSettings {
   std::string certificate;    ///< files, without their endings; empty: none
   HeldFiles* held = nullptr;  ///< where they wait for the end of the run; null: nowhere
   BoundCheckpoint* checkpoint = nullptr;
+  std::string part;  ///< of the checkpoint, if it has several quantities; otherwise empty
   const std::atomic<bool>* interrupt = nullptr;
 };
 

@@ -8,9 +8,11 @@
 
 #include "codegen/bound/attained_place.hpp"
 #include "codegen/bound/bound_checkpoint.hpp"
+#include "codegen/certificate/proof_status.hpp"
 #include "codegen/margin/margin_run.hpp"
-#include "codegen/margin/prepared_margin.hpp"
 #include "codegen/quantity/bordered.hpp"
+#include "codegen/report/output_options.hpp"
+#include "codegen/support/held_files.hpp"
 
 namespace regulus::inline bounding {
 
@@ -41,12 +43,10 @@ struct LimitMargin {
   Margin whole;  ///< certified at the least value, refuted at the least value
 };
 
-using StepListener = MarginRun::Listener;
-
 /// Brackets the largest value of `question` at which every component of `quantity` keeps the limit.
 ///
 /// Requires  `quantity` is of request.model; settings.limit > 0 if a component is absolute.
-/// Throws    UsageError if alpha grows, and for a motion along way-points; the exceptions of
+/// Throws    UsageError if something grows that a limit does not allow; the exceptions of
 ///           PreparedMargin.
 [[nodiscard]] LimitMargin limit_margin(const Request& request, const MarginQuestion& question,
                                        Quantity quantity, const LimitMarginSettings& settings,

@@ -9,6 +9,7 @@
 #include "codegen/model/ginac_text.hpp"
 #include "codegen/report/question_report.hpp"
 #include "codegen/report/report_parts.hpp"
+#include "codegen/trajectory/trajectory_report.hpp"
 
 namespace regulus::inline bounding {
 namespace {
@@ -104,6 +105,7 @@ Json json_limit_margin(const Request& request, const MarginQuestion& question,
   report["model_file"] = request.model.path;
   report["model_sha256"] = request.model.sha256;
   report["motion"] = request.motion.name;
+  if (request.motion.trajectory) report["waypoints"] = json_waypoints(*request.motion.trajectory);
   report["components"] = Json::array();
   for (const ComponentMargin& c : margin.components)
     report["components"].push_back(json_component(c));

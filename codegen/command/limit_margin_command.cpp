@@ -11,6 +11,7 @@
 #include "codegen/command/commands.hpp"
 #include "codegen/command/interrupt.hpp"
 #include "codegen/margin/margin_report.hpp"
+#include "codegen/margin/prepared_margin.hpp"
 #include "codegen/report/report_text.hpp"
 #include "codegen/support/exit_code.hpp"
 

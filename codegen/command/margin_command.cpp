@@ -8,9 +8,11 @@
 #include "codegen/command/interrupt.hpp"
 #include "codegen/margin/margin_report.hpp"
 #include "codegen/margin/prepared_margin.hpp"
+#include "codegen/margin/variety_attempts.hpp"
 #include "codegen/report/progress.hpp"
 #include "codegen/report/report_text.hpp"
 #include "codegen/support/exit_code.hpp"
+#include "codegen/trajectory/margin_checkpoint.hpp"
 
 namespace regulus::inline command {
 int exit_code_of_margin(const MarginQuestion& question, const Margin& margin) {
@@ -20,18 +22,16 @@ int exit_code_of_margin(const MarginQuestion& question, const Margin& margin) {
 
 int run_margin(const MarginCommand& given) {
   if (const std::optional<int> code = run_limit_margin(given)) return *code;
-  if (!given.checkpoint.empty())
-    throw UsageError(
-        "--checkpoint: without --quantity, start margin again with the two ends of the bracket as "
-        "LO:HI");
   MarginCommand command = given;
   const double gap = read_gap(command.gap);
   const MarginQuestion question = take_question(command.model, command.size);
-  set_earlier_outputs_aside(input_files(command.model, command.search),
-                            EndProofs::files(command.certificate));
+  std::vector<OutputFile> outputs = EndProofs::files(command.certificate);
+  outputs.push_back(checkpoint_file(command.checkpoint));
+  set_earlier_outputs_aside(input_files(command.model, command.search), outputs);
   Request request = read_request(command.model);
   if (request.motion.trajectory)
     return run_trajectory_margin(command, question, std::move(request));
+  MarginCheckpoint checkpoint(command.checkpoint, request, question, command.search);
   InterruptGuard interrupt;
   PreparedMargin margin(question, std::move(request), 0, compiled_first(command.search),
                         forming_watch(command.output, &interrupt.requested()));
@@ -40,22 +40,23 @@ int run_margin(const MarginCommand& given) {
 
   const bool quiet = command.output.quiet;
   HeldFiles held;
-  MarginCertificates certificates(command.certificate, margin.request, margin.prepared.labels,
-                                  &held);
-  MarginRun run(margin.prepared, question, margin.request, margin.search, command.output,
-                margin.settings, gap, certificates, [quiet](const MarginStep& step) {
-                  if (!quiet) std::cerr << format_step(step);
-                });
-  const Margin found = run.run();
+  VarietyAttempts attempts(margin, question, command.output,
+                           margin_proofs(command.certificate, &held));
+  const Margin found = close_bracket(attempts, question,
+                                     {limits_of(margin.settings, gap), &interrupt.requested(),
+                                      [quiet](const MarginStep& step) {
+                                        if (!quiet) std::cerr << format_step(step);
+                                      },
+                                      checkpoint.searches()});
   held.put_in_place();
   margin.prepared.seconds.search = found.seconds;
   if (!quiet)
     print_report(margin_report(margin.prepared, margin.search, question, found) +
-                 certificates.proofs().lines());
+                 attempts.proofs().lines() + checkpoint.line());
   if (command.output.json) {
     nlohmann::ordered_json report =
         json_margin(margin.prepared, margin.search, margin.request.nominal(), question, found, gap);
-    certificates.proofs().add_to(report);
+    attempts.proofs().add_to(report);
     std::cout << report_text(report, command.output.json_indent) << '\n';
   } else {
     print_answer(describe_bracket(question, found), exit_code_of_margin(question, found));

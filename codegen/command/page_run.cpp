@@ -17,6 +17,7 @@
 #include "codegen/engine/settings.hpp"
 #include "codegen/margin/margin_report.hpp"
 #include "codegen/margin/prepared_margin.hpp"
+#include "codegen/margin/variety_attempts.hpp"
 #include "codegen/model/read_file.hpp"
 #include "codegen/page/paving_tree.hpp"
 #include "codegen/report/paving_options.hpp"
@@ -206,10 +207,11 @@ void PageRun::bracket(const std::string& margin) {
   PreparedMargin prepared(question, std::move(request), 0, compiled_first(search_of_bracket()),
                           watch());
   prepared.settings.interrupt = &interrupted();
-  MarginCertificates none("", prepared.request, prepared.prepared.labels);
-  MarginRun run(prepared.prepared, question, prepared.request, prepared.search, command_.output,
-                prepared.settings, read_gap(command_.gap), none, [](const MarginStep&) {});
-  const Margin found = run.run();
+  VarietyAttempts attempts(prepared, question, command_.output);
+  const Margin found =
+      close_bracket(attempts, question,
+                    {.limits = limits_of(prepared.settings, read_gap(command_.gap)),
+                     .interrupt = &interrupted()});
   data_.margins.push_back(json_margin(prepared.prepared, prepared.search,
                                       prepared.request.nominal(), question, found,
                                       read_gap(command_.gap)));
@@ -219,7 +221,7 @@ void PageRun::bracket_way(const MarginQuestion& question, Request request) {
   const double gap = read_gap(command_.gap);
   const MarginRequest growing(std::move(request), question);
   const TrajectoryMargin found = margin_of_trajectory(growing, question, search_of_bracket(), gap,
-                                                      &interrupted(), [](const MarginStep&) {});
+                                                      {.interrupt = &interrupted()});
   data_.margins.push_back(json_trajectory_margin(found, question, search_of_bracket(), gap));
 }
 

@@ -8,12 +8,14 @@
 #include "codegen/command/interrupt.hpp"
 #include "codegen/command/lines_file.hpp"
 #include "codegen/engine/refusals.hpp"
+#include "codegen/margin/margin_certificates.hpp"
 #include "codegen/margin/margin_report.hpp"
 #include "codegen/margin/prepared_margin.hpp"
 #include "codegen/report/paving_options.hpp"
 #include "codegen/report/report_text.hpp"
 #include "codegen/support/errors.hpp"
 #include "codegen/support/stopwatch.hpp"
+#include "codegen/trajectory/margin_checkpoint.hpp"
 #include "codegen/trajectory/read_trajectory.hpp"
 #include "codegen/trajectory/trajectory_certificate.hpp"
 #include "codegen/trajectory/trajectory_margin.hpp"
@@ -103,18 +105,24 @@ std::optional<int> run_trajectory_locate(const LocateCommand& command) {
 int run_trajectory_margin(const MarginCommand& command, const MarginQuestion& question,
                           Request request) {
   refuse_ranks(command.search);
-  refuse_option(Asked::kPathMargin, "certificate", !command.certificate.empty());
+  MarginCheckpoint checkpoint(command.checkpoint, request, question, command.search);
   InterruptGuard interrupt;
   interrupt.begin_search();
   const bool quiet = command.output.quiet;
   const double gap = read_gap(command.gap);
   const MarginRequest growing(std::move(request), question);
-  const TrajectoryMargin found =
-      margin_of_trajectory(growing, question, command.search, gap, &interrupt.requested(),
-                           [quiet](const MarginStep& step) {
-                             if (!quiet) std::cerr << format_step(step);
-                           });
-  if (!quiet) print_report(format_trajectory_margin(found, question, command.search));
+  HeldFiles held;
+  const TrajectoryMargin found = margin_of_trajectory(growing, question, command.search, gap,
+                                                      {{},
+                                                       &interrupt.requested(),
+                                                       [quiet](const MarginStep& step) {
+                                                         if (!quiet) std::cerr << format_step(step);
+                                                       },
+                                                       checkpoint.searches()},
+                                                      margin_proofs(command.certificate, &held));
+  held.put_in_place();
+  if (!quiet)
+    print_report(format_trajectory_margin(found, question, command.search) + checkpoint.line());
   if (command.output.json)
     std::cout << report_text(json_trajectory_margin(found, question, command.search, gap),
                              command.output.json_indent)

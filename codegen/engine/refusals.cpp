@@ -38,9 +38,7 @@ constexpr Refusal kRefusals[] = {
      "there is no proof of the stretches of a motion along way-points; check proves the whole "
      "motion"},
     {Asked::kPathPaving, "picture",
-     "a motion along way-points is not drawn; the paving has its stretches"},
-    {Asked::kPathMargin, "certificate",
-     "margin writes no proof about a motion along way-points; check proves it at one value"}};
+     "a motion along way-points is not drawn; the paving has its stretches"}};
 
 /// Returns the options that differ from their defaults, as the command calls them.
 std::vector<std::string_view> changed_options(const ModelOptions& model,

@@ -14,10 +14,9 @@ namespace regulus::inline engine {
 
 /// What is asked, as far as it takes fewer options than others.
 enum class Asked {
-  kLoad,        ///< do forces within the limits hold a load?
-  kPathCheck,   ///< a motion along way-points: has it a singular pose?
-  kPathPaving,  ///< where has it one?
-  kPathMargin   ///< how far can a tolerance grow?
+  kLoad,       ///< do forces within the limits hold a load?
+  kPathCheck,  ///< a motion along way-points: has it a singular pose?
+  kPathPaving  ///< where has it one?
 };
 
 /// An option that has no meaning for a question.

@@ -3,9 +3,8 @@
 
 #include <string>
 
-#include "codegen/margin/margin_certificates.hpp"
+#include "codegen/engine/pipeline.hpp"
 #include "codegen/margin/margin_question.hpp"
-#include "codegen/margin/margin_run.hpp"
 
 namespace regulus::inline bracketing {
 

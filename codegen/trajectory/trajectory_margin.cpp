@@ -7,71 +7,22 @@
 
 #include "codegen/margin/margin_report.hpp"
 #include "codegen/report/report_parts.hpp"
-#include "codegen/support/stopwatch.hpp"
+#include "codegen/trajectory/path_attempts.hpp"
 #include "codegen/trajectory/trajectory_report.hpp"
 
 namespace regulus::inline trajectory {
-namespace {
-
-MarginValue value_of(const MarginQuestion& question, double planned) {
-  if (planned == question.low.approx) return question.low;
-  if (question.high && planned == question.high->approx) return *question.high;
-  return decimal_value(planned);
-}
-
-double end_of(const MarginQuestion& question) {
-  return question.high ? question.high->approx : kInfinity;
-}
-
-MarginStep step_of(const MarginValue& value, const TrajectoryCheck& check, double seconds) {
-  MarginStep step{value, {}, describe_trajectory_claim(check)};
-  step.result.verdict = check.verdict;
-  step.result.reason = check.reason;
-  step.result.statistics = check.path.statistics;
-  step.result.statistics.seconds = seconds;
-  return step;
-}
-
-void keep(Margin& margin, const MarginStep& step) {
-  margin.seconds += step.result.statistics.seconds;
-  margin.boxes += step.result.statistics.boxes;
-  if (step.result.verdict == Verdict::kNoSingularity) margin.certified = step;
-  if (step.result.verdict == Verdict::kSingularity) margin.refuted = step;
-  if (step.result.reason == Reason::kEmptyVariety) margin.empty = step;
-  margin.steps.push_back(step);
-}
-
-}  // namespace
 
 TrajectoryMargin margin_of_trajectory(const MarginRequest& request, const MarginQuestion& question,
                                       const SearchOptions& search, double gap,
-                                      const std::atomic<bool>* interrupt,
-                                      const MarginRun::Listener& listener) {
-  const double limit = search.time_limit == 0 ? kInfinity : search.time_limit;
-  const std::uint64_t most = search.max_boxes == 0 ? kAnyBoxes : search.max_boxes;
-  Bracket bracket(question.low.approx, end_of(question), {gap, limit, most});
-  TrajectoryMargin found;
-  const auto is_interrupted = [interrupt] { return interrupt != nullptr && interrupt->load(); };
-  while (!is_interrupted()) {
-    const std::optional<PlannedAttempt> planned = bracket.next();
-    if (!planned) break;
-    const MarginValue value = value_of(question, planned->value);
-    SearchOptions options = search;
-    if (planned->seconds < kInfinity) options.time_limit = planned->seconds;
-    if (planned->boxes < kAnyBoxes) options.max_boxes = planned->boxes;
-    Stopwatch watch;
-    TrajectoryCheck check = check_trajectory(request.at(value), 0, options, false, interrupt);
-    const MarginStep step = step_of(value, check, watch.lap());
-    bracket.note({step.value.approx, step.result.verdict, step.result.reason,
-                  step.result.statistics.boxes, step.result.statistics.seconds, planned->boxes});
-    keep(found.margin, step);
-    listener(step);
-    const bool is_refuted = check.verdict == Verdict::kSingularity;
-    (is_refuted ? found.refuted.emplace() : found.last) = std::move(check);
-  }
-  if (found.margin.certified) found.margin.gap = bracket.gap();
-  found.margin.closed = bracket.closed();
-  found.margin.interrupted = is_interrupted();
+                                      BracketSettings settings, EndProofs proofs) {
+  settings.limits = limits_of(search, gap);
+  PathAttempts attempts(request, search, settings.interrupt, std::move(proofs));
+  TrajectoryMargin found{close_bracket(attempts, question, settings), {}, {}, attempts.proofs()};
+  found.refuted = attempts.take_refuted();
+  if (std::optional<TrajectoryCheck> last = attempts.take_last())
+    found.last = std::move(*last);
+  else
+    found.last.request = request.nominal();
   return found;
 }
 
@@ -88,7 +39,7 @@ std::string format_trajectory_margin(const TrajectoryMargin& found, const Margin
     if (*step) text += fmt::format("at {}: {}\n", (*step)->value.text, (*step)->claim);
   if (found.refuted) text += format_deciding_piece(*found.refuted);
   if (margin.gap) text += fmt::format("gap        {:.3g} % of the upper end\n", 100 * *margin.gap);
-  return text;
+  return text + found.proofs.lines();
 }
 
 nlohmann::ordered_json json_trajectory_margin(const TrajectoryMargin& found,
@@ -99,6 +50,7 @@ nlohmann::ordered_json json_trajectory_margin(const TrajectoryMargin& found,
   report["boxes"] = found.margin.boxes;
   report["segment"] =
       found.refuted ? json_trajectory(*found.refuted, search)["segment"] : nlohmann::ordered_json();
+  found.proofs.add_to(report);
   return report;
 }
 

@@ -2,10 +2,10 @@
 // Brackets the largest safe tolerance, threshold or tube of a motion along a trajectory.
 #pragma once
 
-#include <atomic>
 #include <nlohmann/json_fwd.hpp>
 #include <optional>
 
+#include "codegen/certificate/proof_status.hpp"
 #include "codegen/margin/margin_run.hpp"
 #include "codegen/trajectory/trajectory_run.hpp"
 
@@ -15,15 +15,16 @@ struct TrajectoryMargin {
   Margin margin;
   TrajectoryCheck last;                    ///< the last check
   std::optional<TrajectoryCheck> refuted;  ///< the check at the least value that is not safe
+  EndProofs proofs;
 };
 
 /// Checks the trajectory at one value after another. `request`: its motion has a trajectory.
-/// Throws as check_trajectory.
+/// `proofs`: of both ends. `settings`: but for its limits. Throws as check_trajectory; FileError.
 [[nodiscard]] TrajectoryMargin margin_of_trajectory(const MarginRequest& request,
                                                     const MarginQuestion& question,
                                                     const SearchOptions& search, double gap,
-                                                    const std::atomic<bool>* interrupt,
-                                                    const MarginRun::Listener& listener);
+                                                    BracketSettings settings,
+                                                    EndProofs proofs = {});
 
 /// Returns the lines for people, without the bracket.
 [[nodiscard]] std::string format_trajectory_margin(const TrajectoryMargin& found,

@@ -247,7 +247,6 @@ TEST_F(Trajectories, AreNamedWhereAnotherQuestionHasNone) {
   for (const auto& [words, why] :
        {std::pair(std::vector<std::string>{"locate", "--picture", "way.svg"}, "is not drawn"),
         {{"locate", "--certificate", "way.txt"}, "no proof of the stretches"},
-        {{"margin", "--alpha", "0:1", "--certificate", "way.txt"}, "writes no proof"},
         {{"margin", "--scale", "0:1"}, "has no ranges; use --tube"},
         {{"margin", "--grow", "x=0:1"}, "has no ranges; use --tube"}}) {
     std::vector<std::string> line = {words[0], model, "way"};
@@ -325,6 +324,84 @@ TEST_F(Trajectories, HaveMargins) {
   EXPECT_EQ(margin("way", "--tube", "y=2:3"), "NOT SAFE AT 2\n");
   // The control error of a motion of another kind grows, too.
   EXPECT_EQ(margin("hold", "--tube", "y=0:"), "SAFE UP TO 0.9925, NOT AT 1\n");
+}
+
+TEST_F(Trajectories, HaveMarginsWithProofsOfBothEnds) {
+  const std::string model = file("cart.toml", kCart);
+  static_cast<void>(file("way.csv", circle()));
+  const std::string proof = path("proof");
+  for (const std::vector<std::string>& grows :
+       {std::vector<std::string>{"--tube", "y=0:"}, {"--alpha", "0:8"}}) {
+    std::vector<std::string> words = {"margin", model, "way", "--certificate", proof, "--json"};
+    words.insert(words.end(), grows.begin(), grows.end());
+    const CommandResult run = regulus(words);
+    ASSERT_EQ(run.exit_code, 0) << run.errors;
+    EXPECT_THAT(run.errors, HasSubstr("proof.safe: safe at "));
+    EXPECT_EQ(json::parse(run.output)["certificates"]["singular"], proof + ".singular");
+    for (const char* end : {".safe", ".singular"}) {
+      EXPECT_EQ(run_command({kVerify, proof + end}).exit_code, 0) << end;
+      const CommandResult compared = regulus({"verify", proof + end, "--model", model});
+      EXPECT_EQ(compared.exit_code, 0) << end << compared.errors;
+    }
+    std::string text = contents_of(proof + ".safe");
+    const std::size_t leaf = text.rfind("\nl ");
+    text.erase(leaf, text.find('\n', leaf + 1) - leaf);
+    EXPECT_NE(run_command({kVerify, file("shorter", text)}).exit_code, 0);
+  }
+  // A margin that is safe up to its end has no other proof; one that is not safe has no first.
+  const CommandResult safe = regulus(
+      {"margin", model, "way", "--tube", "x=0:3", "--certificate", path("all")});
+  EXPECT_THAT(safe.errors, HasSubstr("none for the singular end: no singularity was found"));
+  EXPECT_TRUE(std::filesystem::exists(path("all.safe")));
+  EXPECT_FALSE(std::filesystem::exists(path("all.singular")));
+}
+
+/// det = (4 - e)·y, and the lowest way-point is y = 1.
+TEST_F(Trajectories, HaveMarginsWithinALimit) {
+  const std::string model = file("cart.toml", kCart);
+  static_cast<void>(file("way.csv", circle()));
+  const CommandResult run = regulus({"margin", model, "way", "--tolerance", "base=0:2",
+                                     "--quantity", "determinant", "--limit", "3", "--gap", "1e-3",
+                                     "--certificate", path("proof"), "--json"});
+  EXPECT_EQ(run.exit_code, 0) << run.errors;
+  const json report = json::parse(run.output);
+  EXPECT_LE(double(report["certified"]), 1);
+  EXPECT_GE(double(report["refuted"]), 1);
+  EXPECT_LE(double(report["gap"]), 1e-3);
+  for (const char* end : {".safe", ".singular"})
+    EXPECT_EQ(run_command({kVerify, path("proof") + end}).exit_code, 0) << end;
+}
+
+/// As if the run had been killed after some of its searches.
+TEST_F(Trajectories, HaveMarginsThatContinue) {
+  const std::string model = file("cart.toml", kCart), saved = path("saved");
+  static_cast<void>(file("way.csv", circle()));
+  const auto ask = [&](const std::string& certificate) {
+    return regulus({"margin", model, "way", "--tube", "y=0:", "--checkpoint", saved,
+                    "--certificate", certificate, "--json"});
+  };
+  const CommandResult whole = ask(path("whole"));
+  ASSERT_EQ(whole.exit_code, 0) << whole.errors;
+  const json searches = json::parse(contents_of(saved));
+  ASSERT_EQ(searches["brackets"].size(), 1U);
+  const json& bracket = searches["brackets"].front();
+  ASSERT_GT(bracket.size(), 3U);
+  for (std::size_t kept = 0; kept <= bracket.size(); ++kept) {
+    json part = searches;
+    json& some = part["brackets"].front();
+    while (some.size() > kept) some.erase(std::prev(some.end()).key());
+    static_cast<void>(file("saved", part.dump()));
+    const CommandResult run = ask(path("part"));
+    const json report = json::parse(run.output), first = json::parse(whole.output);
+    for (const char* key : {"bracket", "certified_claim", "boxes", "closed"})
+      EXPECT_EQ(report[key], first[key]) << key << kept;
+    for (const char* end : {".safe", ".singular"})
+      EXPECT_TRUE(contents_of(path("part") + end) == contents_of(path("whole") + end)) << kept;
+  }
+  static_cast<void>(file("way.csv", circle(3)));
+  const CommandResult other = ask(path("other"));
+  EXPECT_EQ(other.exit_code, 65);
+  EXPECT_THAT(other.errors, HasSubstr("another question"));
 }
 
 /// The verifier's own reader of tables finds a changed number by itself.
