@@ -3,15 +3,14 @@
 
 #include <CLI/CLI.hpp>
 
-#include "codegen/engine/refusals.hpp"
+#include "codegen/answer/refusals.hpp"
 
 namespace regulus::inline command {
 namespace {
 
 void refuse_foreign_options(const CLI::App& app) {
   if (app.count("--load") == 0) return;
-  for (const Refusal& refused : refusals()) {
-    if (refused.asked != Asked::kLoad) continue;
+  for (const OptionRefusal& refused : option_refusals_of_loads()) {
     const std::string name = "--" + std::string(refused.option);
     const CLI::Option* given = app.get_option_no_throw(name);
     if (given != nullptr && given->count() > 0)

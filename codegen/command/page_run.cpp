@@ -3,39 +3,26 @@
 
 #include <fmt/format.h>
 
-#include <iostream>
-
-#include "codegen/analysis/least_singular.hpp"
-#include "codegen/bound/bound_report.hpp"
-#include "codegen/bound/bound_run.hpp"
-#include "codegen/certificate/certificate_file.hpp"
+#include "codegen/answer/ask.hpp"
 #include "codegen/certificate/certificate_question.hpp"
-#include "codegen/certificate/piece_question.hpp"
-#include "codegen/command/end_command.hpp"
+#include "codegen/command/answer.hpp"
+#include "codegen/command/run_question.hpp"
 #include "codegen/command/shared_options.hpp"
-#include "codegen/engine/search_run.hpp"
-#include "codegen/engine/settings.hpp"
-#include "codegen/margin/margin_report.hpp"
-#include "codegen/margin/prepared_margin.hpp"
-#include "codegen/margin/variety_attempts.hpp"
 #include "codegen/model/read_file.hpp"
-#include "codegen/page/paving_tree.hpp"
-#include "codegen/report/paving_options.hpp"
-#include "codegen/report/paving_report.hpp"
-#include "codegen/report/progress.hpp"
-#include "codegen/report/report.hpp"
 #include "codegen/support/errors.hpp"
 #include "codegen/support/scratch_folder.hpp"
-#include "codegen/support/stopwatch.hpp"
-#include "codegen/trajectory/trajectory_certificate.hpp"
-#include "codegen/trajectory/trajectory_margin.hpp"
-#include "codegen/trajectory/trajectory_paving.hpp"
-#include "codegen/trajectory/trajectory_report.hpp"
-#include "runtime/problem/observers.hpp"
-#include "runtime/search/paving.hpp"
 
 namespace regulus::inline command {
 namespace {
+
+using Json = nlohmann::ordered_json;
+
+/// A page has the proof itself.
+Json without_files(Json report) {
+  for (const char* key : {"certificate", "certificate_obstacle", "certificate_note"})
+    report.erase(key);
+  return report;
+}
 
 const char* verdict_words(const std::string& verdict) {
   return verdict == "no-singularity" ? name(Verdict::kNoSingularity)
@@ -75,15 +62,22 @@ nlohmann::ordered_json PageRun::json_report(const std::string& page) const {
   return report;
 }
 
-ExitCode PageRun::end() {
-  if (prepared_) return end_command(*prepared_, command_.output, result_, interrupted());
+int PageRun::end() {
+  if (check_) return end_answer(*check_, command_.output, interrupted());
   const std::string verdict = data_.report.value("verdict", "");
   return verdict == "no-singularity" ? kNoSingularity
          : verdict == "singularity"  ? kSingularity
                                      : kPossibleProblem;
 }
 
-FormingWatch PageRun::watch() const { return forming_watch(command_.output, &interrupted()); }
+Services PageRun::services() {
+  Services services;
+  services.dashes = "--";
+  services.shows_progress = !command_.output.quiet;
+  services.interrupt = &interrupted();
+  services.on_search = [this] { interrupt_->begin_search(); };
+  return services;
+}
 
 SearchOptions PageRun::search_of_bracket() const {
   SearchOptions search = command_.search;
@@ -92,33 +86,20 @@ SearchOptions PageRun::search_of_bracket() const {
 }
 
 void PageRun::check() {
-  Stopwatch stopwatch;
   data_.model_text = model_text(model_);
-  Request request = read_request(data_.model_text, model_);
-  if (request.motion.trajectory) return check_way(std::move(request), stopwatch.lap());
-  PreparedSearch& p = prepared_.emplace(prepare(model_, command_.search, watch()));
-  interrupt_->begin_search();
-  set_question(data_, p.stages->request(), uncertain_names(p.labels), model_);
-  search(p);
-  if (!command_.output.quiet) std::cerr << text_;
-}
-
-void PageRun::search(PreparedSearch& p) {
+  const Request request = read_request(data_.model_text, model_);
+  const std::set<std::string> uncertain = uncertain_names(request);
+  set_question(data_, request, uncertain, model_);
   const ScratchFolder scratch;
-  const std::string file = scratch.path() / "certificate";
-  CertificateFile certificate(file, p);
-  SearchDisplay display(command_.output);
-  std::vector<Observer*> watching;
-  for (Observer* observer : {certificate.observer(), display.observer()})
-    if (observer != nullptr) watching.push_back(observer);
-  Observers observers(std::move(watching));
-  result_ =
-      run_search(p, command_.search, settings_of(p, command_.search, &interrupted()), &observers);
-  certificate.finish(result_);
-  const auto nearest = nearest_singular(p, result_);
-  text_ = text_report(p, command_.search, result_, nearest);
-  data_.report = regulus::json_report(p, command_.search, result_, nearest);
-  take_proof(certificate.status());
+  Services services = this->services();
+  services.certificate = scratch.path() / "certificate";
+  check_ = ask(AskCheck{model_, command_.search}, services);
+  take_proof(check_->proof);
+  text_ = check_->text();
+  data_.report = without_files(check_->json());
+  if (request.motion.trajectory && !data_.report["segment"].is_null())
+    set_deciding_segment(data_, request, uncertain);
+  if (!command_.output.quiet) print_report(text_);
 }
 
 void PageRun::take_proof(const ProofStatus& proof) {
@@ -131,98 +112,38 @@ void PageRun::take_proof(const ProofStatus& proof) {
       "its proof is longer than a page holds; `regulus check --certificate` writes it to a file";
 }
 
-void PageRun::check_way(Request request, double model_seconds) {
-  interrupt_->begin_search();
-  const TrajectoryCheck found =
-      check_trajectory(std::move(request), model_seconds, command_.search, true, &interrupted());
-  const std::set<std::string> uncertain = uncertain_names(found.hull.labels);
-  set_question(data_, found.request, uncertain, model_);
-  const ScratchFolder scratch;
-  const std::string file = scratch.path() / "certificate";
-  take_proof(certify_trajectory(file, found));
-  text_ = format_trajectory(found, command_.search);
-  data_.report = json_trajectory(found, command_.search);
-  if (found.deciding && found.deciding->preparation)
-    data_.way["deciding_question"] =
-        certified_question(piece_request(found.request, found.deciding->index), uncertain).text;
-  if (!command_.output.quiet) std::cerr << text_;
-}
-
 void PageRun::pave() {
-  ModelOptions model = model_;
-  model.separates_reach = true;
-  Request request = read_request(model);
-  if (request.motion.trajectory) return pave_way(std::move(request));
-  PreparedSearch p = prepare(model, command_.search, watch());
-  const PavingOptions options = resolve_paving(command_.resolution, command_.search, p);
-  const Problem problem = p.problem();
-  Volumes volumes(problem, p.labels.reach);
-  PavingTree tree(problem, p.labels.reach);
-  Observers observers({&volumes, &tree});
-  Settings settings = settings_of(p, command_.search, &interrupted());
-  require_paving(options, settings);
-  const Result paved = run_search(p, command_.search, settings, &observers);
-  data_.paving = {{"header", json_paving_header(p, options)},
-                  {"summary", json_paving_summary(p, command_.search, options, volumes, paved)},
-                  {"tree", tree.text()}};
-  if (data_.paving["tree"].get_ref<const std::string&>().size() > kLongestProof)
+  std::string tree;
+  Services services = this->services();
+  services.tree = &tree;
+  const auto paving = ask(AskPaving{model_, command_.search, command_.resolution}, services);
+  if (tree.size() > kLongestProof)
     throw UsageError("the paving has more boxes than a page holds; use a coarser --resolution");
-}
-
-void PageRun::pave_way(Request request) {
-  const double resolution =
-      command_.resolution.empty() ? kPathResolution : read_resolution(command_.resolution);
-  const PathPaving paving =
-      pave_trajectory(std::move(request), 0, command_.search, resolution, &interrupted());
-  nlohmann::ordered_json stretches = nlohmann::ordered_json::array();
-  for (const PathStretch& stretch : paving.stretches)
-    stretches.push_back(json_stretch(paving, stretch));
-  data_.paving = {{"summary", json_path_paving(paving, command_.search)},
-                  {"stretches", std::move(stretches)}};
+  data_.paving = {{"summary", without_files(paving->json())}};
+  if (paving->stretches.empty()) {
+    data_.paving["header"] = paving->header();
+    data_.paving["tree"] = tree;
+    return;
+  }
+  Json stretches = Json::array();
+  for (const StretchOfWay& stretch : paving->stretches)
+    stretches.push_back(Json::parse(stretch.line));
+  data_.paving["stretches"] = std::move(stretches);
 }
 
 void PageRun::bound(const std::string& quantity) {
-  ModelOptions model = model_;
-  const QuantityOptions options{
-      .quantity = quantity, .load = command_.load, .twist = command_.twist};
-  refuse_threshold(model);
-  if (!kind_of(quantity)) model.asked = quantity;
-  BoundSettings settings;
-  settings.gap = read_gap(command_.gap);
-  settings.search = search_of_bracket();
-  settings.output = command_.output;
-  settings.interrupt = &interrupted();
-  const Request request = read_request(model);
-  const Bound found = bound_quantity(request, quantity_of(request.model, options), settings,
-                                     [](const ComponentBound&) {});
-  data_.bounds.push_back(json_bound(request, found, settings));
+  const AskBound asked{model_,
+                       search_of_bracket(),
+                       {.quantity = quantity, .load = command_.load, .twist = command_.twist},
+                       "",
+                       command_.gap};
+  data_.bounds.push_back(ask(asked, services())->json());
 }
 
 void PageRun::bracket(const std::string& margin) {
-  ModelOptions model = model_;
-  model.tolerances.push_back(margin);
-  const MarginQuestion question = take_question(model, {});
-  Request request = read_request(model);
-  if (request.motion.trajectory) return bracket_way(question, std::move(request));
-  PreparedMargin prepared(question, std::move(request), 0, compiled_first(search_of_bracket()),
-                          watch());
-  prepared.settings.interrupt = &interrupted();
-  VarietyAttempts attempts(prepared, question, command_.output);
-  const Margin found =
-      close_bracket(attempts, question,
-                    {.limits = limits_of(prepared.settings, read_gap(command_.gap)),
-                     .interrupt = &interrupted()});
-  data_.margins.push_back(json_margin(prepared.prepared, prepared.search,
-                                      prepared.request.nominal(), question, found,
-                                      read_gap(command_.gap)));
-}
-
-void PageRun::bracket_way(const MarginQuestion& question, Request request) {
-  const double gap = read_gap(command_.gap);
-  const MarginRequest growing(std::move(request), question);
-  const TrajectoryMargin found = margin_of_trajectory(growing, question, search_of_bracket(), gap,
-                                                      {.interrupt = &interrupted()});
-  data_.margins.push_back(json_trajectory_margin(found, question, search_of_bracket(), gap));
+  AskMargin asked{model_, search_of_bracket(), {}, {}, "", command_.gap};
+  asked.model.tolerances.push_back(margin);
+  data_.margins.push_back(ask(asked, services())->json());
 }
 
 }  // namespace regulus::command

@@ -2,22 +2,21 @@
 // Collects what a page shows: the findings of earlier runs, and runs for the rest.
 #pragma once
 
+#include <memory>
 #include <nlohmann/json.hpp>
 #include <optional>
 #include <string>
 #include <vector>
 
+#include "codegen/answer/kinds.hpp"
+#include "codegen/answer/services.hpp"
 #include "codegen/certificate/certificate_head.hpp"
 #include "codegen/certificate/proof_status.hpp"
 #include "codegen/certificate/verify_file.hpp"
 #include "codegen/command/interrupt.hpp"
 #include "codegen/command/report_options.hpp"
-#include "codegen/engine/pipeline.hpp"
-#include "codegen/margin/margin_question.hpp"
 #include "codegen/page/page_data.hpp"
 #include "codegen/page/page_template.hpp"
-#include "codegen/support/exit_code.hpp"
-#include "runtime/problem/result.hpp"
 
 namespace regulus::inline command {
 
@@ -40,11 +39,11 @@ class PageRun {
   /// Returns the report of check, with the file of the page.
   [[nodiscard]] nlohmann::ordered_json json_report(const std::string& page) const;
   /// Returns the exit code of the verdict.
-  [[nodiscard]] ExitCode end();
+  [[nodiscard]] int end();
 
  private:
   [[nodiscard]] const std::atomic<bool>& interrupted() const { return interrupt_->requested(); }
-  [[nodiscard]] FormingWatch watch() const;
+  [[nodiscard]] Services services();
   /// Each bracket has a time limit of its own, as `bound` and `margin` have.
   [[nodiscard]] SearchOptions search_of_bracket() const;
 
@@ -59,22 +58,17 @@ class PageRun {
 
   // New runs (page_run.cpp).
   void check();
-  void check_way(Request request, double model_seconds);
-  void search(PreparedSearch& preparation);
   void take_proof(const ProofStatus& proof);
   void pave();
-  void pave_way(Request request);
   void bound(const std::string& quantity);
   void bracket(const std::string& margin);
-  void bracket_way(const MarginQuestion& question, Request request);
 
   const ReportCommand& command_;
   const std::string& typed_;
   ModelOptions model_;  ///< with the question of the earlier runs
   std::optional<Request> request_;
   std::optional<InterruptGuard> interrupt_;
-  std::optional<PreparedSearch> prepared_;
-  Result result_;
+  std::unique_ptr<CheckAnswer> check_;
   std::string text_;  ///< the report for people
   PageData data_;
 };

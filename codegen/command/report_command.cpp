@@ -6,8 +6,8 @@
 #include <nlohmann/json.hpp>
 #include <system_error>
 
+#include "codegen/answer/outputs.hpp"
 #include "codegen/command/answer.hpp"
-#include "codegen/command/command_files.hpp"
 #include "codegen/command/commands.hpp"
 #include "codegen/command/page_run.hpp"
 #include "codegen/margin/prepared_margin.hpp"
@@ -24,8 +24,7 @@ int run_report(const ReportCommand& command, const std::string& typed) {
   for (const std::string& file : command.from)
     if (std::error_code ec; std::filesystem::equivalent(file, command.page, ec))
       throw UsageError("--output: " + command.page + " is read by --from; give another file");
-  set_earlier_outputs_aside(input_files(command.model, command.search),
-                            {{"--output", command.page, true}});
+  set_outputs_aside(command.model, command.search, {}, {{"--output", command.page, true}});
   PageRun run(command, typed);
   run.run();
   const PageTexts texts = run.texts();

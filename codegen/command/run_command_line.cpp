@@ -10,6 +10,7 @@
 #include <utility>
 
 #include "codegen/command/commands.hpp"
+#include "codegen/command/run_question.hpp"
 #include "codegen/jit/jit.hpp"
 #include "codegen/model/installed_models.hpp"
 #include "codegen/model/request.hpp"
@@ -81,11 +82,11 @@ int run_command_line(CommandLine line, const std::string& typed) {
   if (line.exit_code) return *line.exit_code;
   find_models(line);
   if (line.list) return run_list(*line.list);
-  if (line.check) return run_check(*line.check);
-  if (line.locate) return run_locate(*line.locate);
-  if (line.margin) return run_margin(*line.margin);
-  if (line.bound) return run_bound(*line.bound);
-  if (line.datasheet) return run_datasheet(*line.datasheet);
+  if (line.check) return run_question(question_of(*line.check));
+  if (line.locate) return run_question(question_of(*line.locate));
+  if (line.margin) return run_question(question_of(*line.margin));
+  if (line.bound) return run_question(question_of(*line.bound));
+  if (line.datasheet) return run_question(question_of(*line.datasheet));
   if (line.report) return run_report(*line.report, typed);
   if (line.generate) return run_generate(*line.generate, typed);
   if (line.verify) return run_verify(*line.verify);

@@ -2,7 +2,6 @@
 #include "codegen/feasibility/feasibility_run.hpp"
 
 #include "codegen/bound/bound_run.hpp"
-#include "codegen/engine/refusals.hpp"
 #include "codegen/engine/search_run.hpp"
 #include "codegen/engine/settings.hpp"
 #include "codegen/support/errors.hpp"
@@ -22,7 +21,6 @@ SearchOptions with_derivatives(SearchOptions search) {
 
 PreparedForces prepare_forces(const ModelOptions& model, const std::string& load,
                               const SearchOptions& search, FormingWatch watch) {
-  refuse_changed(Asked::kLoad, model, search);
   Stopwatch stopwatch;
   Request request = read_request(model);
   if (request.motion.trajectory)

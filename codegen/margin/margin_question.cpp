@@ -226,7 +226,10 @@ void MarginRequest::require_growth() const {
   if (question_.quantity == MarginQuantity::kTube) require_plain_tube();
   const bool ranges_grow = question_.quantity == MarginQuantity::kScale ||
                            question_.quantity == MarginQuantity::kParameter;
-  if (ranges_grow && !question_.beyond_limits && !nominal_.model.limits.empty()) require_limits();
+  // A question that has left the limits before anything grows may leave them.
+  if (ranges_grow && !question_.beyond_limits && !nominal_.model.limits.empty() &&
+      !find_excursion(nominal_.model, nominal_.motion))
+    require_limits();
   if (question_.quantity == MarginQuantity::kAlpha &&
       nominal_.model.matrix.rows() != nominal_.model.matrix.cols())
     throw UsageError(

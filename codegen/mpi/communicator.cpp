@@ -70,7 +70,7 @@ Communicator::~Communicator() {
 std::string Communicator::await_text(unsigned rank) {
   Patience patience;
   while (texts_[rank].empty())
-    if (!try_receive()) patience.wait();
+    if (!take_in()) patience.wait();
   std::string text = std::move(texts_[rank].front());
   texts_[rank].pop_front();
   return text;
@@ -103,7 +103,7 @@ std::vector<std::optional<std::string>> Communicator::gather(const std::string& 
   Patience patience;
   while (!silent().empty()) {
     if (silence(silent(), seconds())) break;
-    if (!try_receive()) patience.wait();
+    if (!take_in()) patience.wait();
   }
   std::vector<std::optional<std::string>> all = {text};
   for (unsigned rank = 1; rank < size_; ++rank) {
@@ -146,24 +146,28 @@ void Communicator::send_shared(unsigned rank, Tag tag, Text bytes) {
 }
 
 std::optional<Message> Communicator::try_receive() {
-  for (;;) {
-    std::optional<Message> message = try_receive_any();
-    if (!message || message->tag != Tag::kText) return message;
-    texts_[message->rank].push_back(std::move(message->bytes));
-  }
+  while (kept_.empty())
+    if (!take_in()) return std::nullopt;
+  Message message = std::move(kept_.front());
+  kept_.pop_front();
+  return message;
 }
 
-std::optional<Message> Communicator::try_receive_any() {
+bool Communicator::take_in() {
   int found = 0, size = 0;
   MPI_Message handle{};
   MPI_Status status{};
   MPI_Improbe(MPI_ANY_SOURCE, MPI_ANY_TAG, MPI_COMM_WORLD, &found, &handle, &status);
-  if (found == 0) return std::nullopt;
+  if (found == 0) return false;
   MPI_Get_count(&status, MPI_BYTE, &size);
   Message message{static_cast<unsigned>(status.MPI_SOURCE), static_cast<Tag>(status.MPI_TAG),
                   std::string(static_cast<std::size_t>(size), '\0')};
   MPI_Mrecv(message.bytes.data(), size, MPI_BYTE, &handle, MPI_STATUS_IGNORE);
-  return message;
+  if (message.tag == Tag::kText)
+    texts_[message.rank].push_back(std::move(message.bytes));
+  else
+    kept_.push_back(std::move(message));
+  return true;
 }
 
 Message Communicator::receive() {

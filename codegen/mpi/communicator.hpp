@@ -78,14 +78,17 @@ class Communicator {
   using Text = std::shared_ptr<const std::string>;
   void forget_sent();
   void send_shared(unsigned rank, Tag tag, Text bytes);
-  [[nodiscard]] std::optional<Message> try_receive_any();
+  /// Takes one message from another rank, if there is one, into texts_ or kept_.
+  bool take_in();
   [[nodiscard]] std::string await_text(unsigned rank);
   [[nodiscard]] std::vector<unsigned> silent() const;
 
   unsigned rank_ = 0, size_ = 1;
   std::list<std::unique_ptr<Sending>> sending_;
   std::vector<std::deque<std::string>> texts_;  ///< by rank: they arrived, and wait to be taken
-  std::set<unsigned> lost_;                     ///< ranks that were given up
+  /// Other messages in their order: one may arrive while a rank waits for a text.
+  std::deque<Message> kept_;
+  std::set<unsigned> lost_;  ///< ranks that were given up
 };
 
 /// Returns "rank 3 does not answer", or "ranks 3, 5 do not answer".

@@ -11,11 +11,13 @@
 #include <string_view>
 #include <vector>
 
+#include "codegen/answer/refusals.hpp"
 #include "codegen/bound/bound_question.hpp"
 #include "codegen/bound/bracket_topic.hpp"
 #include "codegen/bound/condition_kernel.hpp"
 #include "codegen/command/commands.hpp"
 #include "codegen/command/run_command_line.hpp"
+#include "codegen/command/run_question.hpp"
 #include "codegen/engine/settings.hpp"
 #include "codegen/margin/prepared_margin.hpp"
 #include "codegen/mpi/agreement.hpp"
@@ -24,7 +26,6 @@
 #include "codegen/mpi/verify_together.hpp"
 #include "codegen/support/errors.hpp"
 #include "codegen/support/exit_code.hpp"
-#include "codegen/trajectory/read_trajectory.hpp"
 
 namespace {
 
@@ -114,14 +115,14 @@ int lead(Communicator& communicator, CommandLine& line, const std::vector<RankId
   return code;
 }
 
-/// Before the other ranks form the matrix. The question of `margin` refuses them when it is read.
-void refuse_waypoints(const CommandLine& line, const std::string& text) {
-  if (!line.check && !line.locate) return;
-  ModelOptions model = line.check ? line.check->model : line.locate->model;
-  model.text = text;
-  if (read_trajectory(model))
-    throw UsageError(
-        "a motion along way-points is searched on one machine; use regulus, with --threads");
+/// Before the other ranks form the matrix.
+void refuse_what_ranks_cannot_share(CommandLine& line, const std::string& text) {
+  const auto refuse = [&text](auto& command) {
+    auto question = question_of(command);
+    std::visit([&text](auto& asked) { asked.model.text = text; }, question.asked);
+    if (const auto why = refusal_of_ranks(question.asked)) throw UsageError(std::string(*why));
+  };
+  with_search(line, refuse);
 }
 
 /// Reads the model once for all ranks, so that all have the same. Mistakes in the words are reported
@@ -138,7 +139,7 @@ Start read_start(CommandLine& line) {
           static_cast<void>(settings_from(command.search));
           start.model = model_text(command.model);
         });
-        refuse_waypoints(line, start.model);
+        refuse_what_ranks_cannot_share(line, start.model);
         return 0;
       },
       kName);

@@ -65,6 +65,13 @@ void set_question(PageData& data, const Request& request, const std::set<std::st
   if (is_along_way) data.way = json_way(*request.motion.trajectory);
 }
 
+void set_deciding_segment(PageData& data, const Request& request,
+                          const std::set<std::string>& uncertain) {
+  const std::size_t number = data.report["segment"]["segment"];
+  data.way["deciding_question"] =
+      certified_question(piece_request(request, number - 1), uncertain).text;
+}
+
 void add_source(PageData& data, const EarlierRun& run, const std::string& note) {
   data.sources.push_back(
       {{"kind", name(run.kind)}, {"file", run.path}, {"sha256", run.sha256}, {"note", note}});

@@ -34,6 +34,12 @@ struct PageData {
 void set_question(PageData& data, const Request& request, const std::set<std::string>& uncertain,
                   const ModelOptions& model);
 
+/// Adds the question about the segment that decides the report, which the certificate is about.
+///
+/// Requires  data.report is a report along way-points with a segment.
+void set_deciding_segment(PageData& data, const Request& request,
+                          const std::set<std::string>& uncertain);
+
 /// Adds a file of an earlier run to the sources.
 void add_source(PageData& data, const EarlierRun& run, const std::string& note);
 

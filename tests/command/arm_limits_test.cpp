@@ -58,6 +58,14 @@ TEST_F(Arm, StaysWithinItsLimitsWhereItsRangesGrow) {
             "SAFE UP TO 1.5\n");
 }
 
+/// Nothing of the arm grows in a bound.
+TEST_F(Arm, HasBoundsBeyondItsLimits) {
+  const CommandResult result = run("bound", {"q2", "--range", "q2=0.5:2", "--beyond-limits"});
+  EXPECT_EQ(result.exit_code, 0) << result.errors;
+  EXPECT_THAT(result.output, HasSubstr("BETWEEN"));
+  EXPECT_THAT(result.errors, HasSubstr("the question leaves the limits of joints: q2"));
+}
+
 TEST_F(Arm, LeavesItsLimitsInJsonToo) {
   const CommandResult result = run("check", {"--range", "q2=0.5:2", "--beyond-limits", "--json"});
   EXPECT_THAT(json::parse(result.output)["notes"].dump(), HasSubstr("leaves the limits of joints"));

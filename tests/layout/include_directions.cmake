@@ -43,10 +43,11 @@ set(codegen/quantity             codegen/support codegen/model)
 set(codegen/bound                ${codegen/trajectory} codegen/trajectory codegen/quantity)
 set(codegen/feasibility          ${codegen/bound} codegen/bound)
 set(codegen/page                 ${codegen/bound} codegen/bound codegen/trajectory)
-set(codegen/api                  ${codegen/bound} codegen/bound codegen/feasibility codegen/trajectory codegen/import codegen/robot runtime/certificate/verifier
+set(codegen/answer               ${codegen/page} codegen/page codegen/feasibility codegen/picture)
+set(codegen/api                  ${codegen/answer} codegen/answer codegen/import codegen/robot runtime/certificate/verifier
                                  runtime/embedded)
 set(codegen/python               codegen/support codegen/engine codegen/jit codegen/api)
-set(codegen/command              ${codegen/page} codegen/page codegen/feasibility codegen/picture codegen/trajectory codegen/import runtime/certificate/verifier)
+set(codegen/command              ${codegen/answer} codegen/answer codegen/import runtime/certificate/verifier)
 set(codegen/mpi                  ${codegen/command} codegen/command runtime/certificate/verifier runtime/cluster)
 set(codegen/shell                ${codegen/command} codegen/command)
 
@@ -60,7 +61,7 @@ set(only_cln   codegen/model codegen/symbolic codegen/program codegen/formulatio
 set(only_llvm  codegen/jit)
 set(only_CLI11 codegen/command)
 set(only_tinyxml2 codegen/import)
-set(only_JSON  codegen/api codegen/bound codegen/certificate codegen/command codegen/cpp codegen/engine codegen/feasibility codegen/margin codegen/page codegen/report codegen/shell codegen/trajectory)
+set(only_JSON  codegen/answer codegen/api codegen/bound codegen/certificate codegen/command codegen/cpp codegen/engine codegen/feasibility codegen/margin codegen/page codegen/report codegen/shell codegen/trajectory)
 
 set(faults "")
 macro(fault file text)

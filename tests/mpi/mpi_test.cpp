@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Tests regulus-mpi as its users meet it: real processes, and the bytes of one thread.
+#include <chrono>
+
 #include "codegen/mpi/agreement.hpp"
 #include "tests/mpi/ranks.hpp"
 
@@ -228,6 +230,19 @@ TEST_F(Ranks, RefuseWayPoints) {
     EXPECT_THAT(result.errors, HasSubstr("a motion along way-points is searched on one machine"));
   }
   EXPECT_FALSE(std::filesystem::exists(file("boxes")));
+}
+
+/// Rank 0 refuses some words only when the others have begun. That it dismisses them may arrive while
+/// they wait for the agreement of all; a rank that misses it keeps the job for a minute.
+TEST_F(Ranks, EndAtOnceWhenTheQuestionIsRefused) {
+  for (int run = 0; run < 8; ++run) {
+    const auto begin = std::chrono::steady_clock::now();
+    const CommandResult result =
+        run_command(ranks(2, {"margin", model("robot_1"), "table4_1", "--scale", "2:1"}));
+    EXPECT_EQ(result.exit_code, 64) << result.errors;
+    EXPECT_THAT(result.errors, HasSubstr("expected LO below HI"));
+    EXPECT_LT(std::chrono::steady_clock::now() - begin, std::chrono::seconds(30));
+  }
 }
 
 TEST_F(Ranks, RefuseACheckpointThatAnotherJobUses) {

@@ -6,6 +6,7 @@
 #include "runtime/certificate/verifier/constant_rows.hpp"
 #include "runtime/certificate/verifier/evaluation.hpp"
 #include "runtime/certificate/verifier/linear_algebra.hpp"
+#include "runtime/certificate/verifier/quantity_lines.hpp"
 
 namespace regulus::verifier {
 namespace {
@@ -181,6 +182,10 @@ class ArmComparison {
   void run() {
     const FilePlace from{"serial.joints", 0, "the joints of an arm"};
     if (q_.load) return comparer_.leave_out(from, "an arm has no forces of motors");
+    if (q_.quantity && q_.quantity->kind != format::kExpression)
+      return comparer_.leave_out(from,
+                                 "only expressions of an arm can be bounded: its matrix has a "
+                                 "frame and a scale of its own");
     if (!q_.scale.empty()) comparer_.refuse(from, "row scales");
     if (is_shown()) {
       for (std::size_t e = 0; e < q_.matrix.size(); ++e)

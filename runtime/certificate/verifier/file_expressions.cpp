@@ -20,7 +20,8 @@ NodeId FileExpressions::at(const std::string& place, const Scope& scope, bool is
 /// A name of [let] comes first: the certificate cannot give it another meaning.
 NodeId FileExpressions::meaning(std::string_view name, const Scope& scope) {
   if (values_.contains("let." + std::string(name))) return let(name, scope);
-  if (const auto known = scope.find(name); known != scope.end()) return known->second;
+  if (const auto known = scope.find(name); known != scope.end() && !hidden_.contains(name))
+    return known->second;
   if (const NodeId other = others_(name, scope); other != kNoNode) return other;
   throw Unfinished("the name " + std::string(name) + " is not known");
 }

@@ -16,14 +16,19 @@ class FileExpressions {
   /// Returns kNoNode for a name that it does not know.
   using OtherNames = std::function<NodeId(std::string_view, const Scope&)>;
 
-  /// `degrees`: the pose parameters in that unit. All must outlive this object.
+  /// `degrees`: the pose parameters in that unit. `hidden`: names of a scope that are the
+  /// certificate's own, and none of the file's. All must outlive this object.
   FileExpressions(Question& question, const WrittenValues& values, const Names& degrees,
-                  OtherNames others)
-      : q_(question), values_(values), degrees_(degrees), others_(std::move(others)) {}
+                  const Names& hidden, OtherNames others)
+      : q_(question),
+        values_(values),
+        degrees_(degrees),
+        hidden_(hidden),
+        others_(std::move(others)) {}
 
   /// Returns the value at a place. Its names are those of [let], of `scope`, which is
-  /// Question::actual, Question::commanded or an empty one, and the others. Throws Unfinished or
-  /// Rejection for a text that it does not understand.
+  /// Question::actual, Question::commanded or an empty one, but for hidden ones, and the others.
+  /// Throws Unfinished or Rejection for a text that it does not understand.
   [[nodiscard]] NodeId at(const std::string& place, const Scope& scope, bool is_in_degrees = false);
 
  private:
@@ -32,7 +37,7 @@ class FileExpressions {
 
   Question& q_;
   const WrittenValues& values_;
-  const Names& degrees_;
+  const Names &degrees_, &hidden_;
   const OtherNames others_;
   std::map<const Scope*, std::map<std::string, NodeId, std::less<>>> lets_;
   int depth_ = 0, open_lets_ = 0;

@@ -25,6 +25,16 @@ void add_names_below(const std::string& prefix, const Map& map, std::vector<std:
     names.push_back(known->first.substr(prefix.size()));
 }
 
+/// Returns the names that the certificate gives the parts of a trajectory: those of `piecewise`, and
+/// the parameter of a piece.
+Names names_of_pieces(const std::vector<std::string>& compared) {
+  Names names;
+  for (const std::string_view kind : {"value ", "lower "})
+    for (const std::string& key : compared)
+      if (key.starts_with(kind)) names.insert(key.substr(kind.size()));
+  return names;
+}
+
 class ModelComparison {
  public:
   ModelComparison(Question& q, const WrittenValues& values, const Options& options,
@@ -32,7 +42,7 @@ class ModelComparison {
       : q_(q),
         values_(values),
         section_(read_section(values)),
-        comparer_(q, values, section_.get(), options, result),
+        comparer_(q, values, section_.get(), names_of_pieces(compared), options, result),
         compared_(compared.begin(), compared.end()) {}
 
   void run() {

@@ -2,6 +2,7 @@
 #include "runtime/certificate/verifier/question_comparer.hpp"
 
 #include <algorithm>
+#include <utility>
 
 #include "runtime/certificate/verifier/evaluation.hpp"
 #include "runtime/certificate/verifier/model_comparison.hpp"
@@ -43,7 +44,7 @@ Names degrees_of(const WrittenValues& values, const SectionReading* section) {
 }  // namespace
 
 QuestionComparer::QuestionComparer(Question& question, const WrittenValues& values,
-                                   SectionReading* section, const Options& options,
+                                   SectionReading* section, Names hidden, const Options& options,
                                    Verification& result)
     : q_(question),
       values_(values),
@@ -51,7 +52,8 @@ QuestionComparer::QuestionComparer(Question& question, const WrittenValues& valu
       options_(options),
       result_(result),
       degrees_(degrees_of(values, section)),
-      expressions_(question, values, degrees_,
+      hidden_(std::move(hidden)),
+      expressions_(question, values, degrees_, hidden_,
                    [this](std::string_view name, const Scope& scope) {
                      return section_ == nullptr ? kNoNode : section_->name(name, scope, *this);
                    }),

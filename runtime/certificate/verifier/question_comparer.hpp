@@ -15,9 +15,10 @@ namespace regulus::verifier {
 
 class QuestionComparer final : public SectionComparer {
  public:
-  /// `section`: may be null. All must outlive this object.
+  /// `section`: may be null. `hidden`: names that the certificate gives the parts of a trajectory; an
+  /// expression of the file cannot mean them. All but `hidden` must outlive this object.
   QuestionComparer(Question& question, const WrittenValues& values, SectionReading* section,
-                   const Options& options, Verification& result);
+                   Names hidden, const Options& options, Verification& result);
 
   [[nodiscard]] Question& question() override { return q_; }
   [[nodiscard]] const WrittenValues& values() const override { return values_; }
@@ -79,7 +80,7 @@ class QuestionComparer final : public SectionComparer {
   SectionReading* section_;
   const Options& options_;
   Verification& result_;
-  const Names degrees_;
+  const Names degrees_, hidden_;
   const Scope no_names_;
   FileExpressions expressions_;
   Definedness definedness_;

@@ -328,11 +328,9 @@ void WaypointComparison::require_some_piece(Question& q) const {
 }
 
 std::vector<std::string> WaypointComparison::compared_keys(const Question& q) const {
-  std::vector<std::string> keys;
+  const std::string& s = q.variables.front().name;
+  std::vector<std::string> keys{"lower " + s, "upper " + s};
   for (const auto& [name, number] : column_) keys.push_back("pose " + name);
-  for (const Variable& v : q.variables)
-    if (v.kind == VariableKind::kParameter)
-      keys.insert(keys.end(), {"lower " + v.name, "upper " + v.name});
   return keys;
 }
 

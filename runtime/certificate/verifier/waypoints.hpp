@@ -50,7 +50,8 @@ class WaypointComparison {
   std::size_t compare(Question& question, std::size_t piece) const;
   /// Throws OtherModel unless the question is about one of the pieces.
   void require_some_piece(Question& question) const;
-  /// Returns the keys of Question::stated that compare() covers.
+  /// Returns the keys of Question::stated that compare() covers: of the parameter of a piece, which is
+  /// the first, and of the poses of all columns, whether the file has such a pose parameter or not.
   [[nodiscard]] std::vector<std::string> compared_keys(const Question& question) const;
 
  private:

@@ -20,7 +20,7 @@ using verifier::Verification;
 struct Way {
   std::string file = "way.csv", text = "x\n1\n2\n3\n", entry = "x + z";
   std::string names = "x_c0 x_c1", first = "1 | 1", second = "2 | 1";
-  std::string x = "x_c0 + x_c1*s", z = "5", stated_entry = "x + z", after_entry;
+  std::string x = "x_c0 + x_c1*s", z = "5", stated_entry = "x + z", after_entry, more;
 
   [[nodiscard]] std::string certificate() const {
     return "regulus-certificate 1\n" + std::string(kFullRank1) +
@@ -45,7 +45,7 @@ Verification verify(const Way& way, const std::string& certificate) {
   options.model_text =
       "regulus = 1\nname = \"m\"\n[pose]\nx = \"mm\"\nz = \"mm\"\n[matrix]\nrows = [[\"" +
       way.entry + "\"]]\n[motion.way]\nwaypoints = \"" + way.file + "\"\n" +
-      (way.file == "way.csv" ? "z = 5\n" : "");
+      (way.file == "way.csv" ? "z = 5\n" : "") + way.more;
   return verify_text(certificate, options);
 }
 
@@ -82,6 +82,66 @@ TEST(ALaterPiece, IsThatOfTheTable) {
   Way way;
   way.second = "2 | 1001/1000";
   expect_rejected(way, "its piece 2 is not the way from line 3 to line 4, where x differs");
+}
+
+/// With a pose parameter t the column t would be no time, and the spline another one.
+TEST(ALaterPiece, HasNoPoseThatOnlyTheTableHas) {
+  Way way;
+  way.text = "t,x\n0,0\n1,2\n10,0\n", way.more = "interpolation = \"cubic\"\n";
+  way.names = "a b c d", way.first = "3 | 0 | -1 | 0", way.second = "0 | -3 | 1 | 2";
+  way.x = "a*s + b*s^2 + c*s^3 + d";
+  expect_rejected(way, "where x differs");
+  way.names += " e f g h", way.first += " | -1 | 0 | 2 | 0", way.second += " | 5 | 6 | -2 | 1";
+  way.z += "\npose t = e*s + f*s^2 + g*s^3 + h";
+  expect_rejected(way, "states 'pose' 'e*s + f*s^2 + g*s^3 + h', which the file does not have");
+}
+
+constexpr const char* kLegs = R"toml(regulus = 1
+name = "m"
+[legs]
+type = "RPR"
+orientation = "point"
+[[legs.leg]]
+base = [0, 0]
+[[legs.leg]]
+base = [4, 0]
+[motion.way]
+waypoints = "way.csv"
+constraints = ["rho_1 - 5"]
+)toml";
+
+std::string certificate_of_legs(const std::string& names, const std::string& rho,
+                                const std::string& second_leaf) {
+  return "regulus-certificate 1\nverdict NO SINGULARITY\nclaim the full 2x2 matrix of the model is "
+         "defined and has full rank at every pose of the variety\nmodel m\nsha256 -\nmotion way\n"
+         "alpha 0\nparameter s in 0 : 1\n" +
+         names +
+         "pose x = x0 + x1*s\npose y = y0 + y1*s\nmatrix 2 2\nentry x\nentry y\nentry x - 4\n"
+         "entry y\nscale 1/sqrt(x^2 + y^2)\nscale 1/sqrt((x - 4)^2 + y^2)\n"
+         "defined 1/sqrt(x^2 + y^2)\ndefined 1/sqrt((x - 4)^2 + y^2)\nconstraint " +
+         rho + " - 5\nproof\ntree\nl 0 mean-value\ntree\nl 0 " + second_leaf + "\nend 2\n";
+}
+
+/// The file means the length of its leg, which a certificate's own name of a number is not.
+TEST(ALaterPiece, GivesNoMeaningToANameOfTheFile) {
+  const TemporaryDirectory folder;
+  std::ofstream(folder.path() / "way.csv") << "x,y\n1,1\n2,2\n3,1\n";
+  verifier::Options options;
+  options.model_name = (folder.path() / "model.toml").string();
+  options.model_text = kLegs;
+  const std::string names = "piecewise x0 x1 y0 y1", one = "\npiece 1 | 1 | 1 | 1",
+                    two = "\npiece 2 | 1 | 2 | -1";
+  const Verification genuine = verify_text(
+      certificate_of_legs(names + one + two + '\n', "sqrt(x^2 + y^2)", "mean-value"), options);
+  EXPECT_EQ(genuine.outcome, Outcome::kVerified) << genuine.reason;
+  const std::string by_pieces = names + " rho_1" + one + " | 0" + two + " | 9\n";
+  const std::string forged = certificate_of_legs(by_pieces, "rho_1", "outside");
+  EXPECT_EQ(verify_text(forged).outcome, Outcome::kVerified);
+  EXPECT_EQ(verify_text(forged, options).outcome, Outcome::kRejected);
+  const std::string by_parameter = "parameter rho_1 in 0 : 1\n" + names + one + two + '\n';
+  const std::string other = certificate_of_legs(by_parameter, "rho_1", "mean-value");
+  EXPECT_EQ(verify_text(other).outcome, Outcome::kVerified) << verify_text(other).reason;
+  EXPECT_EQ(verify_text(other, options).outcome, Outcome::kRejected);
 }
 
 TEST(AMoveOfAProgram, IsComparedAtEveryPoint) {

@@ -234,6 +234,45 @@ TEST(AForgedSet, HasAParameterAnErrorOrAPoseOfItsOwn) {
   expect_rejected(p, "motion.only.error.x is '0.1', but the certificate has '0'");
 }
 
+/// A factor of a determinant changes no rank, but the number that is claimed.
+TEST(AForgedClaim, IsABoundOfTheMatrixOfAnArm) {
+  verifier::Options options;
+  options.model_name = "arm.toml";
+  options.model_text =
+      "regulus = 1\nname = \"arm\"\n[serial]\njoints = [{ name = \"q1\" }, { name = \"q2\", xyz = "
+      "[1, 0, 0] }, { name = \"q3\", xyz = [1, 0, 0] }]\n[motion.only]\nq1 = 0\nq2 = [1, 2]\nq3 = "
+      "0\n";
+  const auto certificate = [](const std::string& head, const std::string& quantity) {
+    return "regulus-certificate 1\n" + head +
+           "model arm\nsha256 -\nmotion only\nalpha 0\nparameter q2 in 1 : 2\npose q1 = 0\npose q2 "
+           "= "
+           "q2\npose q3 = 0\nmatrix 3 3\nentry 5*sin(q2)\nentry 0\nentry 0\nentry 0\nentry "
+           "1\nentry "
+           "0\nentry 0\nentry 0\nentry 1\n" +
+           quantity + kOneLeaf;
+  };
+  const std::string regular = certificate(
+      "verdict NO SINGULARITY\nclaim the full 3x3 matrix of the model is defined and has full rank "
+      "at "
+      "every pose of the variety\n",
+      "");
+  EXPECT_EQ(verify_text(regular, options).outcome, Outcome::kVerified);
+  const std::string verdict = "verdict NO SINGULARITY\nclaim ";
+  for (const std::string& bound :
+       {certificate(verdict + "|det J^-1| > 3 at every pose of the variety\n",
+                    "quantity determinant\nside least\nreference 0\nbound 3\n"),
+        certificate(verdict +
+                        "largest singular value of J^-1 with the factors of its columns < 9 at "
+                        "every pose of the variety\n",
+                    "quantity sigma-max\nside largest\nfactor 1\nfactor 1\nfactor 1\nreference "
+                    "0\nbound 9\n")}) {
+    EXPECT_EQ(verify_text(bound).outcome, Outcome::kVerified) << verify_text(bound).reason;
+    const Verification v = verify_text(bound, options);
+    EXPECT_EQ(v.outcome, Outcome::kUnfinished) << v.reason;
+    EXPECT_THAT(v.reason, HasSubstr("only expressions of an arm can be bounded"));
+  }
+}
+
 /// A `let` that nothing uses must not make a pose one out of reach.
 TEST(AForgedSet, LeavesOutPosesByARootThatTheFileDoesNotHave) {
   Pair p;

@@ -1,0 +1,126 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Has the motion a singular pose?
+#include <nlohmann/json.hpp>
+
+#include "codegen/analysis/least_singular.hpp"
+#include "codegen/answer/ask.hpp"
+#include "codegen/answer/outputs.hpp"
+#include "codegen/answer/refusals.hpp"
+#include "codegen/certificate/certificate_file.hpp"
+#include "codegen/engine/checkpoint_file.hpp"
+#include "codegen/engine/search_run.hpp"
+#include "codegen/engine/settings.hpp"
+#include "codegen/report/progress.hpp"
+#include "codegen/report/report.hpp"
+#include "codegen/support/stopwatch.hpp"
+#include "codegen/trajectory/read_trajectory.hpp"
+#include "codegen/trajectory/trajectory_certificate.hpp"
+#include "codegen/trajectory/trajectory_report.hpp"
+#include "runtime/problem/observers.hpp"
+
+namespace regulus::inline answer {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+/// True if the compiler's work is kept for a later run and no end was requested.
+bool is_worth_waiting(const PreparedSearch& preparation, const Result& result) {
+  return preparation.cache != name(CacheUse::kOff) &&
+         (!result.stopped_by || *result.stopped_by == Reason::kBoxBudget ||
+          *result.stopped_by == Reason::kStalled);
+}
+
+/// Of a motion whose poses are a box or follow a formula.
+class VarietyCheck final : public CheckAnswer {
+ public:
+  VarietyCheck(const AskCheck& asked, const Services& services)
+      : search_(asked.search), prepared_(prepare(asked.model, search_, watch_of(services))) {
+    const Settings settings = settings_of(prepared_, search_, services.interrupt);
+    services.begin_search();
+    CheckpointFile checkpoint(services.checkpoint, prepared_, settings);
+    CertificateFile certificate(services.certificate, prepared_,
+                                checkpoint.partial(services.certificate), services.shard_size);
+    SearchDisplay display(display_of(services));
+    // The certificate comes first, so that its bytes are safe before a checkpoint refers to them.
+    Observers observers(present(
+        {certificate.observer(), checkpoint.observer(certificate.file()), display.observer()}));
+    result = run_search(prepared_, search_, settings, &observers, checkpoint.found());
+    certificate.finish(result);
+    checkpoint.finish(result, certificate.file());
+    nearest_ = nearest_singular(prepared_, result);
+    proof = certificate.status();
+    checkpoint_line_ = checkpoint.line();
+    for (const VariableLabel& variable : prepared_.labels.variables)
+      variables.push_back(variable.name);
+  }
+
+  [[nodiscard]] std::string claim() const override { return regulus::claim(prepared_, result); }
+  [[nodiscard]] std::string text() const override {
+    return text_report(prepared_, search_, result, nearest_);
+  }
+  [[nodiscard]] std::string about_files() const override { return proof.line() + checkpoint_line_; }
+  [[nodiscard]] Json json() const override {
+    Json report = json_report(prepared_, search_, result, nearest_);
+    proof.add_to(report);
+    return report;
+  }
+  [[nodiscard]] Rest wait_for_rest(const std::atomic<bool>& interrupted) override {
+    LateCompilation* const late = prepared_.late.get();
+    if (late == nullptr) return {};
+    if (late->is_compiling() && !(is_worth_waiting(prepared_, result) && late->wait(interrupted)))
+      return {.is_at_work = true, .note = ""};
+    if (late->failure().empty()) return {};
+    return {.is_at_work = false,
+            .note = "compiler   not available, so the whole search was interpreted: " +
+                    late->failure() + '\n'};
+  }
+
+ private:
+  SearchOptions search_;
+  PreparedSearch prepared_;
+  std::optional<LeastSingular> nearest_;
+  std::string checkpoint_line_;
+};
+
+/// Of a motion along way-points: `variables` are empty.
+class WayCheck final : public CheckAnswer {
+ public:
+  WayCheck(Request request, double model_seconds, const AskCheck& asked, const Services& services)
+      : search_(asked.search),
+        check_(check_trajectory(std::move(request), model_seconds, search_,
+                                !services.certificate.empty(), services.interrupt)) {
+    proof = certify_trajectory(services.certificate, check_);
+    if (check_.deciding) result = check_.deciding->result;
+    result.verdict = check_.verdict;
+    result.reason = check_.reason;
+    result.statistics = check_.path.statistics;
+  }
+
+  [[nodiscard]] std::string claim() const override { return describe_trajectory_claim(check_); }
+  [[nodiscard]] std::string text() const override { return format_trajectory(check_, search_); }
+  [[nodiscard]] std::string about_files() const override { return proof.line(); }
+  [[nodiscard]] Json json() const override {
+    Json report = json_trajectory(check_, search_);
+    proof.add_to(report);
+    return report;
+  }
+
+ private:
+  SearchOptions search_;
+  TrajectoryCheck check_;
+};
+
+}  // namespace
+
+std::unique_ptr<CheckAnswer> ask(const AskCheck& asked, const Services& services) {
+  refuse_services(Kind::kCheck, asked.search, services);
+  refuse_services_along_way(Kind::kWayCheck, asked.model, asked.search, services);
+  set_outputs_aside(asked.model, asked.search, services);
+  Stopwatch watch;
+  std::optional<Request> along = read_trajectory(asked.model);
+  if (!along) return std::make_unique<VarietyCheck>(asked, services);
+  services.begin_search();
+  return std::make_unique<WayCheck>(std::move(*along), watch.lap(), asked, services);
+}
+
+}  // namespace regulus::answer

@@ -1,0 +1,181 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Do forces within the limits hold a load, and where?
+#include <nlohmann/json.hpp>
+
+#include "codegen/answer/ask.hpp"
+#include "codegen/answer/lines_file.hpp"
+#include "codegen/answer/outputs.hpp"
+#include "codegen/answer/refusals.hpp"
+#include "codegen/feasibility/feasibility_report.hpp"
+#include "codegen/feasibility/force_certificate.hpp"
+#include "codegen/feasibility/way_forces.hpp"
+#include "codegen/report/paving_options.hpp"
+#include "codegen/report/progress.hpp"
+#include "codegen/report/report_text.hpp"
+#include "codegen/support/stopwatch.hpp"
+#include "codegen/trajectory/read_trajectory.hpp"
+#include "runtime/problem/observers.hpp"
+
+namespace regulus::inline answer {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+void set_texts(LoadAnswer& answer, const Json& report) {
+  if (report["claim"].is_string()) answer.claim = report["claim"];
+  if (report["reason"].is_string()) answer.reason = report["reason"];
+}
+
+/// A search with its certificate, of a whole motion or of a paving.
+class LoadSearch {
+ public:
+  LoadSearch(const ModelOptions& model, const SearchOptions& search, const std::string& load,
+             bool paves, const Services& services)
+      : prepared_(prepare_forces(model, load, search, watch_of(services))),
+        certificate_(services.certificate, prepared_, paves) {}
+
+  /// An exception from the listener ends the search.
+  void run(const FeasibilitySettings& settings, const ForceListener& listener,
+           const Services& services) {
+    SearchDisplay display(display_of(services));
+    Observers observers(present({certificate_.observer(), display.observer()}));
+    result_ = run_forces(prepared_, settings, listener, &observers);
+    certificate_.finish(result_);
+  }
+
+  /// `volumes`: of a paving, or null.
+  void describe(LoadAnswer& answer, const ForceVolumes* volumes) const {
+    answer.verdict = result_.verdict;
+    answer.boxes = result_.boxes;
+    answer.proof = certificate_.status();
+    for (const VariableLabel& variable : prepared_.preparation.labels.variables)
+      answer.variables.push_back(variable.name);
+    set_texts(answer, json_forces(prepared_, result_, volumes));
+  }
+  [[nodiscard]] std::string text(const ForceVolumes* volumes) const {
+    return format_forces(prepared_, result_, volumes);
+  }
+  [[nodiscard]] Json json(const ForceVolumes* volumes) const {
+    Json report = json_forces(prepared_, result_, volumes);
+    certificate_.status().add_to(report);
+    return report;
+  }
+
+  [[nodiscard]] PreparedForces& prepared() { return prepared_; }
+  [[nodiscard]] const FeasibilityResult& result() const { return result_; }
+
+ private:
+  PreparedForces prepared_;
+  ForceCertificate certificate_;
+  FeasibilityResult result_;
+};
+
+class VarietyLoad final : public LoadAnswer {
+ public:
+  VarietyLoad(const AskLoad& asked, const Services& services)
+      : search_(asked.model, asked.search, asked.load, false, services) {
+    services.begin_search();
+    search_.run(
+        settings_of(search_.prepared(), services.interrupt),
+        [](std::span<const Interval>, ForceClaim) {}, services);
+    search_.describe(*this, nullptr);
+  }
+
+  [[nodiscard]] std::string text() const override { return search_.text(nullptr); }
+  [[nodiscard]] Json json() const override { return search_.json(nullptr); }
+
+ private:
+  LoadSearch search_;
+};
+
+/// Of a motion along way-points: `variables` are empty.
+class WayLoad final : public LoadAnswer {
+ public:
+  WayLoad(Request request, double model_seconds, const AskLoad& asked, const Services& services)
+      : found_(check_forces_along_way(std::move(request), model_seconds, asked.load, asked.search,
+                                      !services.certificate.empty(), services.interrupt)) {
+    verdict = found_.verdict;
+    boxes = found_.boxes;
+    proof = certify_way_forces(services.certificate, found_);
+    set_texts(*this, json_way_forces(found_));
+  }
+
+  [[nodiscard]] std::string text() const override { return format_way_forces(found_); }
+  [[nodiscard]] Json json() const override {
+    Json report = json_way_forces(found_);
+    proof.add_to(report);
+    return report;
+  }
+
+ private:
+  WayForces found_;
+};
+
+class VarietyLoadPaving final : public LoadPavingAnswer {
+ public:
+  VarietyLoadPaving(const AskLoadPaving& asked, const Services& services)
+      : search_(asked.model, asked.search, asked.load, true, services),
+        volumes_(search_.prepared().problem) {
+    const PreparedForces& prepared = search_.prepared();
+    resolution_ = resolve_paving(asked.resolution, asked.search, prepared.preparation).resolution;
+    LinesFile lines(services.lines);
+    const auto write = [&](const Json& line) {
+      if (!lines.is_wanted()) return;
+      // A line that cannot be written ends the search, with the reason that the file has.
+      if (!(lines.stream() << report_text(line) << '\n')) lines.finish();
+    };
+    write(json_forces_header(prepared, resolution_));
+    pave(services, [&](std::span<const Interval> box, ForceClaim held) {
+      volumes_.add(box, held);
+      write(json_forces_box(prepared, box, held));
+      if (services.on_force_box) services.on_force_box(held, box);
+    });
+    write(json_forces(prepared, search_.result(), &volumes_));
+    lines.finish();
+  }
+
+  [[nodiscard]] std::string text() const override { return search_.text(&volumes_); }
+  [[nodiscard]] Json json() const override { return search_.json(&volumes_); }
+
+ private:
+  void pave(const Services& services, const ForceListener& listener) {
+    FeasibilitySettings settings = settings_of(search_.prepared(), services.interrupt);
+    settings.paves = true;
+    settings.min_relative_width = resolution_;
+    services.begin_search();
+    search_.run(settings, listener, services);
+    search_.describe(*this, &volumes_);
+    feasible = volumes_.fraction(ForceClaim::kFeasible);
+    infeasible = volumes_.fraction(ForceClaim::kInfeasible);
+    undecided = volumes_.fraction(ForceClaim::kUndecided);
+    outside = volumes_.fraction(ForceClaim::kOutside);
+  }
+
+  LoadSearch search_;
+  ForceVolumes volumes_;
+  double resolution_ = 1;
+};
+
+}  // namespace
+
+std::unique_ptr<LoadAnswer> ask(const AskLoad& asked, const Services& services) {
+  refuse_changed_options(asked.model, asked.search);
+  refuse_services(Kind::kLoad, asked.search, services);
+  refuse_services_along_way(Kind::kWayLoad, asked.model, asked.search, services);
+  set_outputs_aside(asked.model, asked.search, services);
+  Stopwatch watch;
+  std::optional<Request> along = read_trajectory(asked.model);
+  if (!along) return std::make_unique<VarietyLoad>(asked, services);
+  services.begin_search();
+  return std::make_unique<WayLoad>(std::move(*along), watch.lap(), asked, services);
+}
+
+std::unique_ptr<LoadPavingAnswer> ask(const AskLoadPaving& asked, const Services& services) {
+  refuse_changed_options(asked.model, asked.search);
+  refuse_services(Kind::kLoadPaving, asked.search, services);
+  refuse_services_along_way(Kind::kWayLoadPaving, asked.model, asked.search, services);
+  set_outputs_aside(asked.model, asked.search, services);
+  return std::make_unique<VarietyLoadPaving>(asked, services);
+}
+
+}  // namespace regulus::answer

@@ -1,0 +1,233 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// How far can a tolerance, the threshold or a size grow?
+#include <nlohmann/json.hpp>
+
+#include "codegen/answer/ask.hpp"
+#include "codegen/answer/bracket_ends.hpp"
+#include "codegen/answer/outputs.hpp"
+#include "codegen/answer/refusals.hpp"
+#include "codegen/bound/bound_question.hpp"
+#include "codegen/bound/bound_run.hpp"
+#include "codegen/bound/limit_margin.hpp"
+#include "codegen/margin/margin_report.hpp"
+#include "codegen/margin/prepared_margin.hpp"
+#include "codegen/margin/variety_attempts.hpp"
+#include "codegen/support/errors.hpp"
+#include "codegen/trajectory/margin_checkpoint.hpp"
+#include "codegen/trajectory/trajectory_margin.hpp"
+
+namespace regulus::inline answer {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+StepListener steps_of(const Services& services) {
+  return [&services](const MarginStep& step) { services.tell(format_step(step)); };
+}
+
+/// True if no value is safe: the least one has a witness.
+bool is_refuted(const MarginQuestion& question, const Margin& margin) {
+  return margin.refuted && margin.refuted->value.approx <= question.low.approx;
+}
+
+void set_ends(MarginAnswer& answer, const Margin& margin) {
+  if (margin.certified) answer.safe = margin.certified->value.text;
+  if (margin.refuted) answer.refuted = margin.refuted->value.text;
+  answer.closed = margin.closed;
+}
+
+class VarietyMargin final : public MarginAnswer {
+ public:
+  VarietyMargin(const MarginQuestion& question, Request request, const AskMargin& asked,
+                const Services& services)
+      : question_(question),
+        gap_(read_gap(asked.gap)),
+        margin_(question_, std::move(request), 0, compiled_first(asked.search),
+                watch_of(services)) {
+    margin_.settings.interrupt = services.interrupt;
+    services.begin_search();
+    const MarginCheckpoint checkpoint(services.checkpoint.path, margin_.request.nominal(),
+                                      question_, asked.search);
+    HeldFiles held;
+    const OutputOptions display = display_of(services);
+    VarietyAttempts attempts(margin_, question_, display,
+                             margin_proofs(services.certificate, &held));
+    found_ = close_bracket(attempts, question_,
+                           {limits_of(margin_.settings, gap_), services.interrupt,
+                            steps_of(services), checkpoint.searches()});
+    held.put_in_place();
+    margin_.prepared.seconds.search = found_.seconds;
+    ends_ = attempts.proofs();
+    checkpoint_line_ = checkpoint.line();
+    set_ends(*this, found_);
+    proofs = proofs_of_ends(ends_, "");
+  }
+
+  [[nodiscard]] Word word() const override {
+    if (is_refuted(question_, found_)) return Word::kRefuted;
+    return closed && safe ? Word::kProved : Word::kOpen;
+  }
+  [[nodiscard]] std::string headline() const override {
+    return describe_bracket(question_, found_);
+  }
+  [[nodiscard]] std::string text() const override {
+    return margin_report(margin_.prepared, margin_.search, question_, found_);
+  }
+  [[nodiscard]] std::string about_files() const override { return ends_.lines(); }
+  [[nodiscard]] std::string warning() const override { return checkpoint_line_; }
+  [[nodiscard]] Json json() const override {
+    Json report = json_margin(margin_.prepared, margin_.search, margin_.request.nominal(),
+                              question_, found_, gap_);
+    ends_.add_to(report);
+    return report;
+  }
+
+ private:
+  MarginQuestion question_;
+  double gap_;
+  PreparedMargin margin_;
+  Margin found_;
+  EndProofs ends_;
+  std::string checkpoint_line_;
+};
+
+/// Of a motion along way-points.
+class WayMargin final : public MarginAnswer {
+ public:
+  WayMargin(const MarginQuestion& question, Request request, const AskMargin& asked,
+            const Services& services)
+      : question_(question),
+        search_(asked.search),
+        gap_(read_gap(asked.gap)),
+        request_(std::move(request), question_) {
+    services.begin_search();
+    const MarginCheckpoint checkpoint(services.checkpoint.path, request_.nominal(), question_,
+                                      search_);
+    HeldFiles held;
+    found_ =
+        margin_of_trajectory(request_, question_, search_, gap_,
+                             {{}, services.interrupt, steps_of(services), checkpoint.searches()},
+                             margin_proofs(services.certificate, &held));
+    held.put_in_place();
+    checkpoint_line_ = checkpoint.line();
+    set_ends(*this, found_.margin);
+    proofs = proofs_of_ends(found_.proofs, "");
+  }
+
+  [[nodiscard]] Word word() const override {
+    if (is_refuted(question_, found_.margin)) return Word::kRefuted;
+    return closed && safe ? Word::kProved : Word::kOpen;
+  }
+  [[nodiscard]] std::string headline() const override {
+    return describe_bracket(question_, found_.margin);
+  }
+  [[nodiscard]] std::string text() const override {
+    return format_trajectory_margin(found_, question_, search_);
+  }
+  [[nodiscard]] std::string about_files() const override { return found_.proofs.lines(); }
+  [[nodiscard]] std::string warning() const override { return checkpoint_line_; }
+  [[nodiscard]] Json json() const override {
+    return json_trajectory_margin(found_, question_, search_, gap_);
+  }
+
+ private:
+  MarginQuestion question_;
+  SearchOptions search_;
+  double gap_;
+  MarginRequest request_;
+  TrajectoryMargin found_;
+  std::string checkpoint_line_;
+};
+
+/// Returns everything that the bracket of a limit depends on.
+Json checkpointed(const Request& request, const MarginQuestion& question, const Quantity& quantity,
+                  const AskMargin& asked) {
+  Json text = checkpointed_question(request, quantity, asked.search);
+  text["margin"] = describe_quantity(question);
+  text["limit"] = asked.limit;
+  return text;
+}
+
+/// Of a limit that a quantity must keep.
+class MarginOfLimit final : public MarginAnswer {
+ public:
+  MarginOfLimit(const MarginQuestion& question, const ModelOptions& model, const AskMargin& asked,
+                const Services& services)
+      : question_(question), request_(read_asked(model, asked.quantity)) {
+    is_of_limit = true;
+    Quantity quantity = quantity_of(request_.model, asked.quantity);
+    settings_.gap = read_gap(asked.gap);
+    settings_.limit = read_limit(asked.limit, quantity);
+    settings_.search = asked.search;
+    settings_.output = display_of(services);
+    settings_.certificate = services.certificate;
+    settings_.interrupt = services.interrupt;
+    set_outputs_aside(model, asked.search, services,
+                      certificate_files(quantity, services.certificate));
+    services.begin_search();
+    const Json question_of_file = checkpointed(request_, question_, quantity, asked);
+    run(question_of_file, std::move(quantity), services);
+  }
+
+  [[nodiscard]] Word word() const override {
+    if (is_refuted(question_, found_.whole)) return Word::kRefuted;
+    return closed ? Word::kProved : Word::kOpen;
+  }
+  [[nodiscard]] std::string headline() const override {
+    return describe_limit_bracket(question_, found_);
+  }
+  [[nodiscard]] std::string text() const override {
+    return limit_margin_report(request_, question_, found_, settings_);
+  }
+  [[nodiscard]] Json json() const override {
+    return json_limit_margin(request_, question_, found_, settings_);
+  }
+  [[nodiscard]] std::string warning() const override { return checkpoint_line_; }
+
+ private:
+  void run(const Json& checkpointed, Quantity quantity, const Services& services) {
+    HeldFiles held;
+    settings_.held = &held;
+    std::optional<BoundCheckpoint> checkpoint;
+    if (!services.checkpoint.path.empty())
+      settings_.checkpoint = &checkpoint.emplace(services.checkpoint.path, checkpointed);
+    found_ = limit_margin(request_, question_, std::move(quantity), settings_, steps_of(services));
+    held.put_in_place();
+    settings_.held = nullptr;
+    settings_.checkpoint = nullptr;
+    if (checkpoint) checkpoint_line_ = checkpoint->line();
+    set_ends(*this, found_.whole);
+    for (const ComponentMargin& c : found_.components)
+      for (ProofOfEnd& proof : proofs_of_ends(c.proofs, c.component.label))
+        proofs.push_back(std::move(proof));
+  }
+
+  MarginQuestion question_;
+  Request request_;
+  LimitMarginSettings settings_;
+  LimitMargin found_;
+  std::string checkpoint_line_;
+};
+
+}  // namespace
+
+std::unique_ptr<MarginAnswer> ask(const AskMargin& asked, const Services& services) {
+  const bool has_limit = !asked.limit.empty(), has_quantity = !asked.quantity.quantity.empty();
+  if (has_limit != has_quantity)
+    throw UsageError("margin: " + services.dashes + "quantity and " + services.dashes +
+                     "limit need each other");
+  ModelOptions model = asked.model;
+  static_cast<void>(read_gap(asked.gap));
+  const MarginQuestion question = take_question(model, asked.size);
+  refuse_services(has_limit ? Kind::kLimitMargin : Kind::kMargin, asked.search, services);
+  refuse_services_along_way(has_limit ? Kind::kWayLimitMargin : Kind::kWayMargin, model,
+                            asked.search, services);
+  if (has_limit) return std::make_unique<MarginOfLimit>(question, model, asked, services);
+  set_outputs_aside(model, asked.search, services, EndProofs::files(services.certificate));
+  Request request = read_request(model);
+  if (!request.motion.trajectory)
+    return std::make_unique<VarietyMargin>(question, std::move(request), asked, services);
+  return std::make_unique<WayMargin>(question, std::move(request), asked, services);
+}
+
+}  // namespace regulus::answer

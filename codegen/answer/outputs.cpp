@@ -1,0 +1,56 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "codegen/answer/outputs.hpp"
+
+#include <algorithm>
+#include <iterator>
+
+#include "codegen/report/progress.hpp"
+#include "runtime/certificate/format.hpp"
+
+namespace regulus::inline answer {
+namespace {
+
+/// Returns the files that a question reads: the model, way-points, filters.
+std::vector<std::string> inputs_of(const ModelOptions& model, const SearchOptions& search) {
+  std::vector<std::string> files = search.filters;
+  files.insert(files.end(), {model.path, model.waypoints});
+  return files;
+}
+
+}  // namespace
+
+void set_outputs_aside(const ModelOptions& model, const SearchOptions& search,
+                       const Services& services) {
+  set_outputs_aside(
+      model, search, services,
+      {{services.dashes + "certificate", services.certificate, true, format::kShardsEnding}});
+}
+
+void set_outputs_aside(const ModelOptions& model, const SearchOptions& search,
+                       const Services& services, std::vector<OutputFile> certificates) {
+  std::vector<OutputFile> outputs = std::move(certificates);
+  OutputFile checkpoint{services.dashes + "checkpoint", services.checkpoint.path};
+  checkpoint.continues = true;
+  outputs.push_back(checkpoint);
+  outputs.push_back({services.dashes + "output", services.lines.file});
+  for (const std::string& picture : services.pictures.files)
+    outputs.push_back({services.dashes + "picture", picture});
+  set_earlier_outputs_aside(inputs_of(model, search), outputs);
+}
+
+OutputOptions display_of(const Services& services) {
+  return {.json = false, .quiet = !services.shows_progress};
+}
+
+FormingWatch watch_of(const Services& services) {
+  return forming_watch(display_of(services), services.interrupt);
+}
+
+std::vector<Observer*> present(std::initializer_list<Observer*> observers) {
+  std::vector<Observer*> result;
+  std::ranges::copy_if(observers, std::back_inserter(result),
+                       [](const Observer* observer) { return observer != nullptr; });
+  return result;
+}
+
+}  // namespace regulus::answer

@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The files of a question, and what every answer does with its services.
+#pragma once
+
+#include <initializer_list>
+#include <string>
+#include <vector>
+
+#include "codegen/answer/services.hpp"
+#include "codegen/engine/options.hpp"
+#include "codegen/model/request.hpp"
+#include "codegen/program/work_meter.hpp"
+#include "codegen/report/output_options.hpp"
+#include "runtime/problem/observer.hpp"
+
+namespace regulus::inline answer {
+
+/// Renames the files of earlier runs: the certificate, the checkpoint, the lines and the pictures of
+/// `services`. Throws as set_earlier_outputs_aside.
+void set_outputs_aside(const ModelOptions& model, const SearchOptions& search,
+                       const Services& services);
+/// The same with other files for the certificate, such as those of both ends of a bracket.
+void set_outputs_aside(const ModelOptions& model, const SearchOptions& search,
+                       const Services& services, std::vector<OutputFile> certificates);
+
+/// Returns the watch of the stages before a search.
+[[nodiscard]] FormingWatch watch_of(const Services& services);
+/// Returns what says whether a terminal shows the progress.
+[[nodiscard]] OutputOptions display_of(const Services& services);
+
+/// Returns those that are not null.
+[[nodiscard]] std::vector<Observer*> present(std::initializer_list<Observer*> observers);
+
+}  // namespace regulus::answer

@@ -1,0 +1,169 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Where has the motion singular poses?
+#include <nlohmann/json.hpp>
+
+#include "codegen/answer/ask.hpp"
+#include "codegen/answer/box_listener.hpp"
+#include "codegen/answer/lines_file.hpp"
+#include "codegen/answer/outputs.hpp"
+#include "codegen/answer/refusals.hpp"
+#include "codegen/certificate/certificate_file.hpp"
+#include "codegen/engine/paving_verdict.hpp"
+#include "codegen/engine/search_run.hpp"
+#include "codegen/engine/settings.hpp"
+#include "codegen/page/paving_tree.hpp"
+#include "codegen/picture/pictures.hpp"
+#include "codegen/report/paving_options.hpp"
+#include "codegen/report/paving_report.hpp"
+#include "codegen/report/paving_writer.hpp"
+#include "codegen/report/progress.hpp"
+#include "codegen/report/report_text.hpp"
+#include "codegen/support/stopwatch.hpp"
+#include "codegen/trajectory/read_trajectory.hpp"
+#include "codegen/trajectory/trajectory_paving.hpp"
+#include "runtime/problem/observers.hpp"
+#include "runtime/search/workspace.hpp"
+
+namespace regulus::inline answer {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+/// A certificate is about all poses of the motion.
+ModelOptions model_of(const AskPaving& asked, const Services& services) {
+  ModelOptions model = asked.model;
+  model.separates_reach = services.certificate.empty();
+  return model;
+}
+
+class VarietyPaving final : public PavingAnswer {
+ public:
+  VarietyPaving(const AskPaving& asked, const Services& services)
+      : search_(asked.search),
+        prepared_(prepare(model_of(asked, services), search_, watch_of(services))),
+        options_(resolve_paving(asked.resolution, search_, prepared_)),
+        problem_(prepared_.problem()),
+        volumes_(problem_, prepared_.labels.reach) {
+    for (const VariableLabel& variable : prepared_.labels.variables)
+      variables.push_back(variable.name);
+    pave(services);
+  }
+
+  [[nodiscard]] Json header() const override { return json_paving_header(prepared_, options_); }
+  [[nodiscard]] std::string text() const override {
+    return paving_report(prepared_, search_, options_, volumes_, result);
+  }
+  [[nodiscard]] std::string about_files() const override { return proof.line(); }
+  [[nodiscard]] Json json() const override {
+    Json summary = json_paving_summary(prepared_, search_, options_, volumes_, result);
+    proof.add_to(summary);
+    return summary;
+  }
+
+ private:
+  void pave(const Services& services) {
+    LinesFile lines(services.lines);
+    Pictures pictures(services.pictures, options_, prepared_);
+    BoxListener listener(services, problem_, prepared_.labels.reach);
+    std::optional<PavingWriter> writer;
+    if (lines.is_wanted())
+      writer.emplace(lines.stream(), prepared_, options_, [&listener] { listener.ask_for_end(); });
+    CertificateFile certificate(services.certificate, prepared_, std::nullopt, services.shard_size);
+    std::optional<PavingTree> tree;
+    if (services.tree != nullptr) tree.emplace(problem_, prepared_.labels.reach);
+    SearchDisplay display(display_of(services));
+    std::vector<Observer*> watching =
+        present({&volumes_, &listener, writer ? &*writer : nullptr, certificate.observer(),
+                 tree ? &*tree : nullptr, display.observer()});
+    for (Observer* picture : pictures.observers()) watching.push_back(picture);
+    Observers observers(std::move(watching));
+
+    Settings settings = settings_of(prepared_, search_, &listener.stop());
+    require_paving(options_, settings);
+    services.begin_search();
+    result = run_search(prepared_, search_, settings, &observers);
+    listener.rethrow();
+    conclude(settings, listener.stop());
+    certificate.finish(result);
+    proof = certificate.status();
+    if (tree) *services.tree = tree->text();
+    if (writer) writer->finish(json(), lines.name());
+    lines.finish();
+    pictures.draw(volumes_);
+  }
+
+  void conclude(const Settings& settings, const std::atomic<bool>& stop) {
+    close_in_on_witness(prepared_, search_, settings, result);
+    if (problem_.kernel->constraints > 0) {
+      volumes_.set_workspace(measure_workspace(problem_, volumes_, options_.resolution, stop));
+      workspace = volumes_.workspace_fraction();
+    }
+    keep_poses_out_of_reach(prepared_, volumes_, result);
+    const auto fraction = [this](Claim claim) { return volumes_.fraction(volumes_.of(claim)); };
+    free = fraction(Claim::kFree);
+    singular = fraction(Claim::kSingular);
+    undecided = fraction(Claim::kUndecided);
+    outside = fraction(Claim::kOutside);
+    unreachable = fraction(Claim::kUnreachable);
+  }
+
+  SearchOptions search_;
+  PreparedSearch prepared_;
+  PavingOptions options_;
+  Problem problem_;
+  Volumes volumes_;
+};
+
+/// Of a motion along way-points: stretches, and no boxes.
+class WayPaving final : public PavingAnswer {
+ public:
+  WayPaving(Request request, double model_seconds, const AskPaving& asked, const Services& services)
+      : search_(asked.search), lines_(services.lines) {
+    paving_ = pave_trajectory(
+        std::move(request), model_seconds, search_,
+        asked.resolution.empty() ? kPathResolution : read_resolution(asked.resolution),
+        services.interrupt);
+    result.verdict = paving_.check.verdict;
+    result.reason = paving_.check.reason;
+    result.statistics = paving_.check.path.statistics;
+    for (const PathStretch& stretch : paving_.stretches)
+      stretches.push_back({stretch.claim, stretch.begin.piece + 1, stretch.end.piece + 1,
+                           stretch.begin.s, stretch.end.s,
+                           report_text(json_stretch(paving_, stretch))});
+    write();
+  }
+
+  [[nodiscard]] Json header() const override { return {}; }
+  [[nodiscard]] std::string text() const override { return format_path_paving(paving_, search_); }
+  [[nodiscard]] Json json() const override { return json_path_paving(paving_, search_); }
+
+ private:
+  void write() {
+    if (!lines_.is_wanted()) return;
+    for (const StretchOfWay& stretch : stretches) lines_.stream() << stretch.line << '\n';
+    lines_.stream() << report_text({{"summary", json()}}) << '\n';
+    lines_.finish();
+  }
+
+  SearchOptions search_;
+  LinesFile lines_;
+  PathPaving paving_;
+};
+
+}  // namespace
+
+std::unique_ptr<PavingAnswer> ask(const AskPaving& asked, const Services& services) {
+  for (const std::string& picture : services.pictures.files) require_picture_format(picture);
+  refuse_services(Kind::kPaving, asked.search, services);
+  refuse_services_along_way(Kind::kWayPaving, asked.model, asked.search, services);
+  set_outputs_aside(asked.model, asked.search, services);
+  Stopwatch watch;
+  ModelOptions model = asked.model;
+  model.separates_reach = true;
+  std::optional<Request> along = read_trajectory(model);
+  if (!along) return std::make_unique<VarietyPaving>(asked, services);
+  services.begin_search();
+  return std::make_unique<WayPaving>(std::move(*along), watch.lap(), asked, services);
+}
+
+}  // namespace regulus::answer
